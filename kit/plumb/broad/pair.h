@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// What does every broad phase return?
+#pragma once
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+namespace plumb {
+
+/// Two boxes that overlap or touch, by their indices, a < b.
+struct Pair {
+    std::uint32_t a, b;
+    friend auto operator<=>(const Pair&, const Pair&) = default;
+};
+
+/// Sorted by a, then b; each pair once.
+using SortedPairs = std::vector<Pair>;
+
+}  // namespace plumb

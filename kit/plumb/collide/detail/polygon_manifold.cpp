@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/collide/detail/polygon_manifold.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <plumb/collide/detail/feature.h>
+#include <plumb/collide/detail/rounding.h>
+
+namespace plumb {
+
+namespace {
+
+/// How much better B's edge must be than the edge of A that it faces, as a part of the shorter of the two: far above the
+/// trembling of a stack at rest (1e-6), far below what the eye sees. Shared stretches shorter than this are one point.
+constexpr float favour = 1e-4f;
+/// The cosine of the angle within which two edges face each other, 0.8 degrees: far above what trembles, and too little
+/// for the worse edge's normal to do harm. Wider, and rounded shapes got a direction that did not part them.
+constexpr float facing = 0.9999f;
+
+std::size_t countOf(const Convex& shape) {
+    return static_cast<std::size_t>(shape.count);
+}
+
+std::size_t after(const Convex& shape, std::size_t corner) {
+    return corner + 1 < countOf(shape) ? corner + 1 : 0;
+}
+
+Vec2f edgeVector(const Convex& shape, std::size_t edge) {
+    return shape.vertices[after(shape, edge)] - shape.vertices[edge];
+}
+
+struct Axis {
+    std::size_t edge = 0;
+    float separation = std::numeric_limits<float>::lowest();
+};
+
+/// Of a's edges, the one that b is farthest outside of.
+Axis bestAxis(const Convex& a, const Convex& b) {
+    Axis best;
+    for (std::size_t i = 0; i < countOf(a); ++i) {
+        const Vec2f& normal = a.normals[i];
+        float lowest = normal.dot(b.vertices[0]);
+        for (std::size_t j = 1; j < countOf(b); ++j) lowest = std::min(lowest, normal.dot(b.vertices[j]));
+        const float separation = lowest - normal.dot(a.vertices[i]);
+        if (separation > best.separation) best = {i, separation};
+    }
+    return best;
+}
+
+std::size_t edgeFacing(const Vec2f& normal, const Convex& incident) {
+    std::size_t best = 0;
+    float lowest = normal.dot(incident.normals[0]);
+    for (std::size_t i = 1; i < countOf(incident); ++i) {
+        const float along = normal.dot(incident.normals[i]);
+        if (along < lowest) {
+            lowest = along;
+            best = i;
+        }
+    }
+    return best;
+}
+
+/// A point of the incident edge as the reference edge sees it.
+struct EdgePoint {
+    float along = 0;         ///< from the reference edge's start towards its end [m]
+    float above = 0;         ///< out of the reference edge [m]
+    std::size_t corner = 0;  ///< the incident corner that it is, or was clipped from
+};
+
+/// The reference edge and the incident edge that faces it.
+struct Faces {
+    std::size_t start = 0, end = 0;  ///< corners of the reference edge; start is the edge's index as well
+    Vec2f origin, normal, tangent;   ///< of the reference edge
+    float length = 0;                ///< of the reference edge [m]
+    EdgePoint low, high;             ///< ends of the incident edge; the two run against each other
+    float radius = 0;                ///< around the reference core [m]
+    float incidentRadius = 0;        ///< [m]
+    float rounding = 0;              ///< lengths below this are noise [m]
+    float slack = 0;                 ///< lengths below this make no difference [m]
+};
+
+Faces facesAt(const Convex& reference, std::size_t edge, const Convex& incident, float far) {
+    Faces f;
+    f.start = edge;
+    f.end = after(reference, edge);
+    f.origin = reference.vertices[edge];
+    f.normal = reference.normals[edge];
+    f.tangent = perp(f.normal);
+    const Vec2f whole = edgeVector(reference, edge);
+    f.length = f.tangent.dot(whole);
+
+    const std::size_t opposite = edgeFacing(f.normal, incident);
+    const auto seen = [&](std::size_t corner) -> EdgePoint {
+        const Vec2f fromOrigin = incident.vertices[corner] - f.origin;
+        return {f.tangent.dot(fromOrigin), f.normal.dot(fromOrigin), corner};
+    };
+    f.high = seen(opposite);
+    f.low = seen(after(incident, opposite));
+
+    f.radius = reference.radius;
+    f.incidentRadius = incident.radius;
+    const Vec2f incidentWhole = edgeVector(incident, opposite);
+    f.rounding = roundingOf(far + manhattan(f.origin) + manhattan(whole) + manhattan(incidentWhole));
+    f.slack = f.rounding + favour * std::min(manhattan(whole), manhattan(incidentWhole));
+    return f;
+}
+
+/// A corner of the incident edge and the corner of the reference edge nearest to it.
+struct CornerPair {
+    EdgePoint near, far;             ///< ends of the incident edge
+    float gapAlong = 0, gapAbove = 0;  ///< from the reference corner to the near end [m]
+    float squared() const { return gapAlong * gapAlong + gapAbove * gapAbove; }
+};
+
+CornerPair cornerPair(const EdgePoint& near, const EdgePoint& far, const Faces& f) {
+    return {near, far, near.along - std::clamp(near.along, 0.0f, f.length), near.above};
+}
+
+/// The two corners that are nearest to each other, if they are apart and neither looks at the other's edge.
+std::optional<CornerPair> facingCorners(const Faces& f) {
+    const CornerPair low = cornerPair(f.low, f.high, f);
+    const CornerPair high = cornerPair(f.high, f.low, f);
+    const CornerPair& best = low.squared() < high.squared() ? low : high;
+    if (best.gapAlong == 0 || best.squared() <= f.rounding * f.rounding) return std::nullopt;
+    const float towardsFar = best.gapAlong * (best.far.along - best.near.along) +  //
+                             best.gapAbove * (best.far.above - best.near.above);
+    return towardsFar < 0 ? std::nullopt : std::optional(best);
+}
+
+Manifold cornerManifold(const CornerPair& pair, const Faces& f, float margin) {
+    Manifold result;
+    const float distance = std::sqrt(pair.squared());
+    const float separation = distance - f.radius - f.incidentRadius;
+    if (!(separation <= margin)) return result;
+    const bool atStart = pair.gapAlong < 0;
+    const Vec2f corner = atStart ? f.origin : Vec2f(f.origin + f.tangent * f.length);
+    result.normal = f.tangent * (pair.gapAlong / distance) + f.normal * (pair.gapAbove / distance);
+    result.count = 1;
+    result.points[0] = {corner + result.normal * (f.radius + separation / 2), separation,
+                        featureOf(Feature::corner(atStart ? f.start : f.end), Feature::corner(pair.near.corner))};
+    return result;
+}
+
+/// The point of the incident edge at a place along the reference edge, or its end if it does not reach there. Keeps the
+/// corner's name: a box that slides over the end of its floor, or sits flush on its like, keeps its impulses.
+EdgePoint clipped(const EdgePoint& end, const EdgePoint& other, float along) {
+    const float part = std::clamp((along - end.along) / (other.along - end.along), 0.0f, 1.0f);
+    return {end.along + part * (other.along - end.along), end.above + part * (other.above - end.above), end.corner};
+}
+
+/// The ends of the stretch that both edges share.
+Manifold faceManifold(const Faces& f, float margin) {
+    Manifold result;
+    result.normal = f.normal;
+    const auto add = [&](const EdgePoint& point) {
+        const float separation = point.above - f.radius - f.incidentRadius;
+        if (!(separation <= margin)) return;
+        const float above = point.above - f.incidentRadius - separation / 2;
+        result.points[static_cast<std::size_t>(result.count++)] = {
+            f.origin + f.tangent * point.along + f.normal * above, separation,
+            featureOf(Feature::edge(f.start), Feature::corner(point.corner))};
+    };
+    const bool upright = f.high.along - f.low.along <= f.slack;
+    const bool clipLow = f.low.along < -f.rounding && !upright;
+    const bool clipHigh = f.high.along > f.length + f.rounding && !upright;
+    const EdgePoint low = clipLow ? clipped(f.low, f.high, 0) : f.low;
+    const EdgePoint high = clipHigh ? clipped(f.high, f.low, f.length) : f.high;
+    if (high.along - low.along <= f.slack) {
+        add(low.above < high.above ? low : high);
+    } else {
+        add(low);
+        add(high);
+    }
+    return result;
+}
+
+/// separation is that of the best axis. Segments in line have none that sees the gap between them: so not "above 0".
+Manifold manifoldAt(const Faces& f, float separation, float margin) {
+    const std::optional<CornerPair> corners = separation > -f.rounding ? facingCorners(f) : std::nullopt;
+    return corners ? cornerManifold(*corners, f, margin) : faceManifold(f, margin);
+}
+
+/// A's and B's roles exchanged, in the same frame.
+Manifold exchanged(Manifold m) {
+    m.normal = -m.normal;
+    for (ManifoldPoint& point : m.points) point.feature = swapped(point.feature);
+    return m;
+}
+
+}  // namespace
+
+Manifold polygonManifold(const Convex& a, const Convex& b, float far, float margin) {
+    const float reach = margin + a.radius + b.radius;
+    const Axis onA = bestAxis(a, b);
+    if (onA.separation > reach) return {};
+    const Axis onB = bestAxis(b, a);
+    if (onB.separation > reach) return {};
+
+    const float best = std::max(onA.separation, onB.separation);
+    if (onB.separation > onA.separation) {
+        const Faces onEdgeB = facesAt(b, onB.edge, a, far);
+        const bool faces = a.normals[onA.edge].dot(onEdgeB.normal) < -facing;
+        if (!faces || onB.separation > onA.separation + onEdgeB.slack) return exchanged(manifoldAt(onEdgeB, best, margin));
+    }
+    return manifoldAt(facesAt(a, onA.edge, b, far), best, margin);
+}
+
+}  // namespace plumb

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/collide/distance.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace plumb {
+
+namespace {
+
+/// Corners with the edges that leave them, and a radius around all.
+struct Outline {
+    std::array<Vec2, maxPolygonVertices> corners, normals;
+    std::size_t count = 0;  ///< of corners
+    std::size_t edges = 0;  ///< as many, but for a circle: it has none
+    double radius = 0;      ///< [m]
+
+    std::size_t after(std::size_t i) const { return i + 1 < count ? i + 1 : 0; }
+    Vec2 edgeFrom(std::size_t i) const { return corners[after(i)] - corners[i]; }
+};
+
+Vec2 unit(const Vec2& v) {
+    return v / std::sqrt(v.dot(v));
+}
+
+Outline outlineOf(const Circle& circle) {
+    Outline outline;
+    outline.corners[0] = circle.center;
+    outline.count = 1;
+    outline.radius = circle.radius;
+    return outline;
+}
+
+Outline outlineOf(const Polygon& polygon) {
+    Outline outline;
+    outline.count = outline.edges = polygon.vertices.size();
+    std::copy(polygon.vertices.begin(), polygon.vertices.end(), outline.corners.begin());
+    for (std::size_t i = 0; i < outline.edges; ++i) outline.normals[i] = unit(-perp(outline.edgeFrom(i)));
+    return outline;
+}
+
+Outline outlineOf(const Segment& segment) {
+    const Vec2 along = unit(segment.end - segment.start);
+    const Vec2 right = -perp(along);
+    Outline outline;
+    outline.count = outline.edges = 4;
+    std::copy_n(std::array{segment.start, segment.end, segment.end, segment.start}.begin(), 4, outline.corners.begin());
+    std::copy_n(std::array<Vec2, 4>{right, along, -right, -along}.begin(), 4, outline.normals.begin());
+    return outline;
+}
+
+/// The shape turned as it lies in the world, its place seen from origin: numbers no larger than need be.
+Outline outlineOf(const Shape& shape, const Transform& pose, const Vec2& origin) {
+    Outline outline = std::visit([](const auto& s) { return outlineOf(s); }, shape);
+    const Vec2 shift = pose.position - origin;
+    for (std::size_t i = 0; i < outline.count; ++i) outline.corners[i] = pose.rotation * outline.corners[i] + shift;
+    for (std::size_t i = 0; i < outline.edges; ++i) outline.normals[i] = pose.rotation * outline.normals[i];
+    return outline;
+}
+
+/// The edge that the whole of the other shape is farthest outside of, and the other's corner nearest to its line.
+struct Axis {
+    std::size_t edge = 0, corner = 0;
+    double separation = -std::numeric_limits<double>::infinity();
+};
+
+Axis bestAxis(const Outline& a, const Outline& b) {
+    Axis best;
+    for (std::size_t i = 0; i < a.edges; ++i) {
+        Axis axis{i, 0, std::numeric_limits<double>::infinity()};
+        for (std::size_t j = 0; j < b.count; ++j) {
+            const double separation = a.normals[i].dot(b.corners[j] - a.corners[i]);
+            if (separation < axis.separation) axis = {i, j, separation};
+        }
+        if (axis.separation > best.separation) best = axis;
+    }
+    return best;
+}
+
+/// The deepest corner of b under a's edge, and the place on the edge above it. Of a face that lies flush under the edge
+/// either corner may have come, and may reach out past the edge: then the end of the edge is as deep.
+Distance along(const Axis& axis, const Outline& a, const Outline& b) {
+    const Vec2& normal = a.normals[axis.edge];
+    const Vec2 edge = a.edgeFrom(axis.edge);
+    const Vec2 fromStart = b.corners[axis.corner] - a.corners[axis.edge];
+    const double part = fromStart.dot(edge) / std::max(edge.dot(edge), std::numeric_limits<double>::min());
+    const Vec2 pointA = a.corners[axis.edge] + edge * std::clamp(part, 0.0, 1.0);
+    return {axis.separation, normal, pointA, pointA + normal * axis.separation};
+}
+
+/// The nearest pair found so far of a corner and an edge.
+struct Nearest {
+    double squared = std::numeric_limits<double>::infinity();
+    Distance distance;  ///< from the edge's shape to the corner's
+};
+
+/// A corner against edge i of a.
+Nearest cornerAgainstEdge(const Vec2& corner, const Outline& a, std::size_t i) {
+    const Vec2& start = a.corners[i];
+    const Vec2& end = a.corners[a.after(i)];
+    const Vec2 edge = end - start;
+    const Vec2 fromStart = corner - start;
+    const Vec2 fromEnd = corner - end;
+    const bool behindStart = fromStart.dot(edge) > 0;
+    if (behindStart && fromEnd.dot(edge) < 0) {
+        const double separation = a.normals[i].dot(fromStart);
+        return {separation * separation, {separation, a.normals[i], corner - a.normals[i] * separation, corner}};
+    }
+    const Vec2& between = behindStart ? fromEnd : fromStart;
+    const double squared = between.dot(between);
+    const double separation = std::sqrt(squared);
+    return {squared, {separation, between / separation, behindStart ? end : start, corner}};
+}
+
+/// Corners of b against those edges of a that face the direction in which the two are known to be apart.
+Nearest nearestOf(const Outline& a, const Outline& b, const Vec2& apart) {
+    Nearest best;
+    for (std::size_t i = 0; i < a.edges; ++i) {
+        if (a.normals[i].dot(apart) <= 0) continue;
+        for (std::size_t j = 0; j < b.count; ++j) {
+            const Nearest here = cornerAgainstEdge(b.corners[j], a, i);
+            if (here.squared < best.squared) best = here;
+        }
+    }
+    return best;
+}
+
+Distance exchanged(const Distance& d) {
+    return {d.separation, -d.normal, d.pointB, d.pointA};
+}
+
+/// Of the cores, without the radii.
+Distance coreDistance(const Outline& a, const Outline& b) {
+    if (a.edges == 0 && b.edges == 0) {
+        const Vec2 between = b.corners[0] - a.corners[0];
+        const double separation = std::sqrt(between.dot(between));
+        const Vec2 normal = separation > 0 ? Vec2(between / separation) : Vec2(0, 1);
+        return {separation, normal, a.corners[0], b.corners[0]};
+    }
+    const Axis onA = bestAxis(a, b);
+    const Axis onB = bestAxis(b, a);
+    const bool useB = onB.separation > onA.separation;
+    const Distance axis = useB ? exchanged(along(onB, b, a)) : along(onA, a, b);
+    if (!(axis.separation > 0)) return axis;
+
+    const Nearest fromA = nearestOf(a, b, axis.normal);
+    const Nearest fromB = nearestOf(b, a, -axis.normal);
+    const bool nearerB = fromB.squared < fromA.squared;
+    const Nearest& best = nearerB ? fromB : fromA;
+    if (!(best.squared > 0)) return axis;  // so near that squares vanish
+    return nearerB ? exchanged(best.distance) : best.distance;
+}
+
+}  // namespace
+
+Distance distance(const Shape& a, const Transform& poseA, const Shape& b, const Transform& poseB) {
+    const Vec2& origin = poseA.position;
+    const Outline outlineA = outlineOf(a, poseA, origin);
+    const Outline outlineB = outlineOf(b, poseB, origin);
+    Distance result = coreDistance(outlineA, outlineB);
+    result.separation -= outlineA.radius + outlineB.radius;
+    result.pointA += result.normal * outlineA.radius + origin;
+    result.pointB += origin - result.normal * outlineB.radius;
+    return result;
+}
+
+}  // namespace plumb

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/body.h>
+
+#include <plumb/dynamics/detail/islands.h>
+#include <plumb/dynamics/detail/narrow_phase.h>
+#include <plumb/dynamics/detail/world_state.h>
+#include <plumb/math/check.h>
+
+namespace plumb {
+
+namespace {
+
+/// What a body needs after its velocity was changed from outside: to be awake exactly if it moves or can be moved.
+void velocityChanged(WorldState& world, BodyIndex body) {
+    if (world.bodies.isDynamic(body)) {
+        wakeIsland(world, body);
+        return;
+    }
+    const BodyMotion& motion = world.bodies.motion[body];
+    const bool moves = !motion.velocity.isZero(0) || motion.angularVelocity != 0;
+    if (moves) {
+        world.bodies.wake(body);
+        forEachContact(world.bodies, world.contacts, body, [&](ContactIndex c) { world.contacts.activate(c); });
+    } else {
+        world.bodies.putToSleep(body);
+    }
+    wakeNeighbours(world, body);
+}
+
+void requireMovable(const WorldState& world, BodyIndex body, const char* what) {
+    if (world.bodies.record[body].type == BodyType::Static)
+        refuse(what, "the body is static (or in quarantine), and stays where it is");
+}
+
+Contact contactOf(const WorldState& world, const ContactRecord& record) {
+    Contact contact{world.idOf(record.bodyA), world.idOf(record.bodyB), normalOf(world, record), {}};
+    const double time = record.colour >= 0 ? world.lastStep : record.memoryStep;
+    const auto memory = world.graph.memoryOf(record);
+    for (std::size_t p = 0; p < static_cast<std::size_t>(record.manifold.count); ++p) {
+        ContactPoint out{pointOf(world, record, p), static_cast<double>(world.graph.separationOf(record, p)), 0, 0};
+        if (time > 0) {
+            out.normalForce = static_cast<double>(memory[p].totalNormal) / time;
+            out.frictionForce = static_cast<double>(memory[p].totalTangent) / time;
+        }
+        contact.points.push_back(out);
+    }
+    return contact;
+}
+
+}  // namespace
+
+BodyType Body::type() const {
+    return world_->bodies.record[index_].type;
+}
+
+Vec2 Body::position() const {
+    return world_->bodies.origin(index_);
+}
+
+double Body::angle() const {
+    return world_->bodies.motion[index_].angle;
+}
+
+Transform Body::pose() const {
+    return world_->bodies.pose(index_);
+}
+
+Vec2 Body::centerOfMass() const {
+    return world_->bodies.motion[index_].center;
+}
+
+Vec2 Body::velocity() const {
+    return world_->bodies.motion[index_].velocity;
+}
+
+double Body::angularVelocity() const {
+    return world_->bodies.motion[index_].angularVelocity;
+}
+
+double Body::mass() const {
+    return world_->bodies.record[index_].mass;
+}
+
+double Body::inertia() const {
+    return world_->bodies.record[index_].inertia;
+}
+
+bool Body::awake() const {
+    return world_->bodies.record[index_].awake;
+}
+
+bool Body::quarantined() const {
+    return world_->bodies.record[index_].quarantined;
+}
+
+std::vector<Contact> Body::contacts() const {
+    std::vector<Contact> contacts;
+    forEachContact(world_->bodies, world_->contacts, index_, [&](ContactIndex index) {
+        const ContactRecord& record = world_->contacts.contacts[index];
+        if (record.touching) contacts.push_back(contactOf(*world_, record));
+    });
+    return contacts;
+}
+
+void Body::setVelocity(const Vec2& velocity) {
+    requireFinite(velocity, "Body.setVelocity: velocity");
+    requireMovable(*world_, index_, "Body.setVelocity");
+    world_->bodies.motion[index_].velocity = velocity;
+    velocityChanged(*world_, index_);
+}
+
+void Body::setAngularVelocity(double angularVelocity) {
+    requireFinite(angularVelocity, "Body.setAngularVelocity: angularVelocity");
+    requireMovable(*world_, index_, "Body.setAngularVelocity");
+    world_->bodies.motion[index_].angularVelocity = angularVelocity;
+    velocityChanged(*world_, index_);
+}
+
+void Body::setPose(const Vec2& position, double angle) {
+    requireFinite(position, "Body.setPose: position");
+    requireFinite(angle, "Body.setPose: angle");
+    wakeNeighbours(*world_, index_);
+    BodyMotion& motion = world_->bodies.motion[index_];
+    motion.angle = angle;
+    motion.rotation = Rot::fromAngle(angle);
+    motion.center = position + motion.rotation * world_->bodies.record[index_].localCenter;
+    placeBody(*world_, index_, 0);
+    wakeIsland(*world_, index_);
+}
+
+void Body::applyForce(const Vec2& force) {
+    applyForce(force, centerOfMass());
+}
+
+void Body::applyForce(const Vec2& force, const Vec2& at) {
+    requireFinite(force, "Body.applyForce: force");
+    requireFinite(at, "Body.applyForce: at");
+    BodyRecord& record = world_->bodies.record[index_];
+    record.force += force;
+    record.torque += cross(Vec2(at - centerOfMass()), force);
+    wakeIsland(*world_, index_);
+}
+
+void Body::applyTorque(double torque) {
+    requireFinite(torque, "Body.applyTorque: torque");
+    world_->bodies.record[index_].torque += torque;
+    wakeIsland(*world_, index_);
+}
+
+void Body::applyImpulse(const Vec2& impulse) {
+    applyImpulse(impulse, centerOfMass());
+}
+
+void Body::applyImpulse(const Vec2& impulse, const Vec2& at) {
+    requireFinite(impulse, "Body.applyImpulse: impulse");
+    requireFinite(at, "Body.applyImpulse: at");
+    const BodyRecord& record = world_->bodies.record[index_];
+    BodyMotion& motion = world_->bodies.motion[index_];
+    motion.velocity += impulse * record.inverseMass;
+    motion.angularVelocity += cross(Vec2(at - motion.center), impulse) * record.inverseInertia;
+    wakeIsland(*world_, index_);
+}
+
+}  // namespace plumb

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// What does a body start as?
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <plumb/shapes/mass.h>
+#include <plumb/space/shape_def.h>
+
+namespace plumb {
+
+enum class BodyType {
+    Static,     ///< never moves
+    Kinematic,  ///< moves as its velocity says; nothing pushes it
+    Dynamic,    ///< moves by forces and collisions
+};
+
+struct BodyDef {
+    BodyType type = BodyType::Dynamic;
+    Vec2 position{0, 0};         ///< of the body's origin [m]
+    double angle = 0;            ///< [rad]
+    Vec2 velocity{0, 0};         ///< of the centre of mass; zero for a static body [m/s]
+    double angularVelocity = 0;  ///< zero for a static body [rad/s]
+    double gravityScale = 1;     ///< [-]
+    double linearDamping = 0;    ///< v decays as exp(-damping t), >= 0 [1/s]
+    double angularDamping = 0;   ///< >= 0 [1/s]
+    bool fixedRotation = false;  ///< nothing turns it
+    bool canSleep = true;
+    std::optional<Mass> mass = std::nullopt;  ///< instead of what the shapes and their densities give; mass > 0, inertia > 0
+    std::vector<ShapeDef> shapes = {};        ///< a dynamic body needs a mass: from a shape with area and density, or from mass
+};
+
+/// What the body weighs: def.mass, or else its shapes together.
+Mass massOf(const BodyDef& def);
+
+/// Throws std::invalid_argument naming the field, the value and what was wanted; field is the name of the def itself.
+void validate(const BodyDef& def, const std::string& field);
+
+}  // namespace plumb

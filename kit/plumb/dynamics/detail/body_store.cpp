@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/detail/body_store.h>
+
+#include <cmath>
+
+namespace plumb {
+
+BodyStore::BodyStore() {
+    acquire();  // slot 0
+}
+
+BodyIndex BodyStore::acquire() {
+    if (!free.empty()) {
+        const BodyIndex body = free.back();
+        free.pop_back();
+        return body;
+    }
+    motion.emplace_back();
+    record.emplace_back();
+    velocity.emplace_back();
+    displacement.emplace_back();
+    warm.emplace_back();
+    before.emplace_back();
+    turn.push_back(0);
+    kick.emplace_back();
+    return static_cast<BodyIndex>(record.size() - 1);
+}
+
+void BodyStore::release(BodyIndex body) {
+    putToSleep(body);
+    const std::uint32_t generation = record[body].generation + 1;
+    record[body] = {};
+    record[body].generation = generation;
+    motion[body] = {};
+    velocity[body] = {};
+    displacement[body] = {};
+    warm[body] = {};
+    before[body] = {};
+    kick[body] = {};
+    free.push_back(body);
+}
+
+void BodyStore::wake(BodyIndex body) {
+    BodyRecord& r = record[body];
+    r.stillTime = 0;
+    if (r.awake || r.type == BodyType::Static) return;
+    r.awake = true;
+    r.awakeIndex = static_cast<std::uint32_t>(awake.size());
+    awake.push_back(body);
+}
+
+void BodyStore::putToSleep(BodyIndex body) {
+    BodyRecord& r = record[body];
+    if (!r.awake) return;
+    const BodyIndex last = awake.back();
+    awake[r.awakeIndex] = last;
+    record[last].awakeIndex = r.awakeIndex;
+    awake.pop_back();
+    r.awake = false;
+    r.awakeIndex = none;
+}
+
+Acceleration accelerationOf(const BodyRecord& body, const Vec2& gravity) {
+    if (body.type != BodyType::Dynamic) return {};
+    return {gravity * body.gravityScale + body.force * body.inverseMass, body.torque * body.inverseInertia};
+}
+
+void setMass(BodyRecord& body, const Mass& mass) {
+    body.localCenter = mass.center;
+    if (body.type != BodyType::Dynamic) return;
+    body.mass = mass.mass;
+    body.inertia = mass.inertia;
+    body.inverseMass = 1 / mass.mass;
+    body.inverseInertia = body.fixedRotation ? 0 : 1 / mass.inertia;
+    const double rho = std::sqrt(body.inverseInertia * mass.mass);
+    body.rho = static_cast<float>(rho);
+    body.inverseRho = rho > 0 ? static_cast<float>(1 / rho) : 0.0f;
+}
+
+}  // namespace plumb

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// What do contacts do to velocities? The scalar reference: one lane after the other, short enough to teach from.
+//
+// A point of contact with normal n (from A to B), tangent t = perp(n), anchors r in the contact's frame times rho:
+//   vn = n.(vB - vA) - rtB wB + rtA wA          speed at which it opens
+//   vt = t.(vB - vA) + rnB wB - rnA wA          speed at which B slides along t
+//   1/kn = mA (1 + rtA^2) + mB (1 + rtB^2)      effective inverse mass (mA, mB inverse masses), kt with rn
+//   s = s0 + n.(dB - dA) + rotation terms       separation after the displacements dA, dB
+// Solve pushes vn to at least -s/h, so that the points just meet, or, once they overlap, apart at the soft rate; relax
+// takes that push out of the velocity again. Friction is held to mu times the normal impulse.
+// Source: Catto, "Iterative dynamics with temporal coherence", GDC 2005, and "Solver2D", 2024.
+#pragma once
+#include <span>
+
+#include <plumb/dynamics/detail/contact_batch.h>
+#include <plumb/dynamics/detail/softness.h>
+#include <plumb/dynamics/detail/body_store.h>
+
+namespace plumb {
+
+struct ContactPass {
+    float inverseStep = 0;  ///< 1/h [1/s]
+    Softness soft;
+    float pushSpeed = 0;     ///< the fastest that overlap is pushed out [m/s]
+};
+
+/// Adds the impulses of the last step to what each body is given at every half sub-step.
+void gatherWarmStart(std::span<const ContactBatch> batches, BodyStore& bodies);
+/// With the push out of overlap; separations as they stand.
+void solveContacts(std::span<ContactBatch> batches, BodyStore& bodies, const ContactPass& pass);
+/// Without it, at separations computed anew from the displacements.
+void relaxContacts(std::span<ContactBatch> batches, BodyStore& bodies, const ContactPass& pass);
+/// At the step's end: what came fast enough leaves at its share of the speed.
+void bounceContacts(std::span<ContactBatch> batches, BodyStore& bodies);
+
+}  // namespace plumb

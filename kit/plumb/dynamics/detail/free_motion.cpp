@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/detail/free_motion.h>
+
+namespace plumb {
+
+Decay decay(double damping, double time) {
+    const double x = damping * time;
+    if (x == 0) return {1, time, 0.5 * time * time};
+    const double lost = -expm1(-x);
+    // (x - lost) / k^2 cancels for small x: below 0.05 by its series, to 1e-17 after eight terms
+    double rest = x - lost;
+    if (x < 0.05) rest = x * x * (0.5 - x * (1.0 / 6 - x * (1.0 / 24 - x * (1.0 / 120 - x * (1.0 / 720 - x / 5040)))));
+    return {1 - lost, lost / damping, rest / (damping * damping)};
+}
+
+FlightLaw flightLawOf(const BodyRecord& body, const Vec2& gravity) {
+    if (body.type != BodyType::Dynamic) return {};
+    return {accelerationOf(body, gravity), body.linearDamping, body.angularDamping};
+}
+
+BodyMotion fly(const BodyMotion& from, const FlightLaw& law, double time) {
+    const Decay linear = decay(law.linearDamping, time);
+    const Decay angular = decay(law.angularDamping, time);
+    const Acceleration& a = law.acceleration;
+    BodyMotion to = from;
+    to.center += from.velocity * linear.gain + a.linear * linear.reach;
+    to.velocity = from.velocity * linear.keep + a.linear * linear.gain;
+    to.angle += from.angularVelocity * angular.gain + a.angular * angular.reach;
+    to.angularVelocity = from.angularVelocity * angular.keep + a.angular * angular.gain;
+    if (to.angle != from.angle) to.rotation = Rot::fromAngle(to.angle);
+    return to;
+}
+
+}  // namespace plumb

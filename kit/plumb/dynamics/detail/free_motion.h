@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Where is a body after a time in which nothing touches it?
+//
+// Without damping: x = x0 + v0 t + a t^2 / 2, v = v0 + a t.
+// With dv/dt = a - k v: v = v0 e^-kt + a E, x = x0 + v0 E + a (t - E) / k, E = (1 - e^-kt) / k.
+// x position [m], v velocity [m/s], a acceleration [m/s^2], k damping [1/s], t time [s]; the angle likewise.
+// Source: textbook. Exact to rounding for any t.
+// Test: "a thrown ball is where the formula says at every tick"
+#pragma once
+#include <plumb/dynamics/detail/body_store.h>
+
+namespace plumb {
+
+/// How a body flies: what does not change in a step.
+struct FlightLaw {
+    Acceleration acceleration;
+    double linearDamping = 0, angularDamping = 0;  ///< [1/s]
+};
+
+FlightLaw flightLawOf(const BodyRecord& body, const Vec2& gravity);
+BodyMotion fly(const BodyMotion& from, const FlightLaw& law, double time);
+
+/// What a damped velocity keeps after a time, and what of an acceleration it gains: v = v0 keep + a gain.
+struct Decay {
+    double keep = 1;
+    double gain = 0;   ///< [s]
+    double reach = 0;  ///< x = x0 + v0 gain + a reach [s^2]
+};
+Decay decay(double damping, double time);
+
+}  // namespace plumb

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/detail/impacts.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <plumb/dynamics/detail/time_of_impact.h>
+#include <plumb/impact/impact.h>
+
+namespace plumb {
+
+namespace {
+
+/// More impacts than this for each contact in one step: a heap, for the solver.
+constexpr std::size_t impactsPerContact = 16;
+
+struct Flyer {
+    BodyIndex body = noBody;
+    FlyingShape flight;  ///< its shape is filled in for each contact
+};
+
+/// A contact between two flyers, and when they meet next.
+struct Meeting {
+    ContactIndex contact = 0;
+    std::size_t a = 0, b = 0;
+    std::optional<double> time;
+    double approachSpeed = 0, normalImpulse = 0, tangentImpulse = 0;
+    Distance where;
+};
+
+std::size_t flyerOf(std::vector<Flyer>& flyers, const WorldState& world, BodyIndex body) {
+    const auto found = std::find_if(flyers.begin(), flyers.end(), [body](const Flyer& f) { return f.body == body; });
+    if (found != flyers.end()) return static_cast<std::size_t>(found - flyers.begin());
+    const BodyRecord& record = world.bodies.record[body];
+    Flyer flyer;
+    flyer.body = body;
+    flyer.flight.localCenter = record.localCenter;
+    flyer.flight.extent = record.extent;
+    flyer.flight.from = world.bodies.motion[body];
+    flyer.flight.law = flightLawOf(record, world.def.gravity);
+    flyers.push_back(flyer);
+    return flyers.size() - 1;
+}
+
+FlyingShape shapeOf(const Flyer& flyer, const Proxy& proxy) {
+    FlyingShape shape = flyer.flight;
+    shape.shape = &proxy.def.shape;
+    return shape;
+}
+
+ImpactSide sideOf(const WorldState& world, const Flyer& flyer, const Vec2& point) {
+    const BodyRecord& record = world.bodies.record[flyer.body];
+    const BodyMotion& motion = flyer.flight.from;
+    return {motion.velocity, motion.angularVelocity, record.inverseMass, record.inverseInertia, point - motion.center};
+}
+
+void apply(Flyer& flyer, const Vec2& velocity, double angularVelocity) {
+    flyer.flight.from.velocity = velocity;
+    flyer.flight.from.angularVelocity = angularVelocity;
+}
+
+/// Where the two touch: one point, or both ends of a common face.
+std::vector<Vec2> touchingPoints(const WorldState& world, const ContactRecord& contact, const Flyer& a, const Flyer& b,
+                                 const Distance& where) {
+    const BodyMotion& ma = a.flight.from;
+    const BodyMotion& mb = b.flight.from;
+    const Convex& ca = world.proxyA(contact).convex;
+    const Convex& cb = world.proxyB(contact).convex;
+    const Vec2 middle = 0.5 * (where.pointA + where.pointB);
+    if (ca.count == 1 || cb.count == 1) return {middle};
+    const Rot toA = ma.rotation.inverse();
+    const Vec2 shift = toA * Vec2(mb.center - ma.center);
+    const Rot turn = toA * mb.rotation;
+    const RelativePose pose{shift.cast<float>(), static_cast<float>(turn.cos), static_cast<float>(turn.sin)};
+    const double faceTolerance = 1e-5 * std::max(a.flight.extent, b.flight.extent);  // float's, of a shape's size
+    const Manifold m = manifold(ca, cb, pose, static_cast<float>(faceTolerance));
+    if (m.count < 2) return {middle};
+    std::vector<Vec2> points;
+    for (const ManifoldPoint& p : m.points) points.push_back(ma.center + ma.rotation * Vec2(p.position.cast<double>()));
+    return points;
+}
+
+/// Two points at once: each parts at its share of its own approach; found by turns until nothing changes.
+void partFace(const WorldState& world, Meeting& meeting, std::span<const Vec2> points, Flyer& a, Flyer& b,
+              const ImpactLaw& law) {
+    const Vec2 n = meeting.where.normal;
+    const auto speedAt = [&](const Vec2& p) {
+        const BodyMotion& ma = a.flight.from;
+        const BodyMotion& mb = b.flight.from;
+        const Vec2 va = ma.velocity + perp(Vec2(p - ma.center)) * ma.angularVelocity;
+        const Vec2 vb = mb.velocity + perp(Vec2(p - mb.center)) * mb.angularVelocity;
+        return Vec2(vb - va);
+    };
+    struct Impulse {
+        double wanted = 0, normal = 0, tangent = 0;
+    };
+    std::array<Impulse, 2> impulses;
+    for (std::size_t i = 0; i < 2; ++i)
+        impulses[i].wanted = -law.restitution * std::min(speedAt(points[i]).dot(n), 0.0);
+    const auto push = [&](const Vec2& point, const Vec2& impulse) {
+        const ImpactSide sa = sideOf(world, a, point);
+        const ImpactSide sb = sideOf(world, b, point);
+        apply(a, sa.velocity - impulse * sa.inverseMass,
+              sa.angularVelocity - cross(sa.arm, impulse) * sa.inverseInertia);
+        apply(b, sb.velocity + impulse * sb.inverseMass,
+              sb.angularVelocity + cross(sb.arm, impulse) * sb.inverseInertia);
+    };
+    const auto inverseMass = [&](const Vec2& point, const Vec2& direction) {
+        const ImpactSide sa = sideOf(world, a, point);
+        const ImpactSide sb = sideOf(world, b, point);
+        const double ra = cross(sa.arm, direction);
+        const double rb = cross(sb.arm, direction);
+        return sa.inverseMass + ra * ra * sa.inverseInertia + sb.inverseMass + rb * rb * sb.inverseInertia;
+    };
+    for (int turn = 0; turn < 200; ++turn) {
+        for (std::size_t i = 0; i < 2; ++i) {
+            Impulse& impulse = impulses[i];
+            const double change = (impulse.wanted - speedAt(points[i]).dot(n)) / inverseMass(points[i], n);
+            const double normal = std::max(impulse.normal + change, 0.0);
+            push(points[i], n * (normal - impulse.normal));
+            impulse.normal = normal;
+            const Vec2 t = perp(n);
+            const double limit = law.friction * impulse.normal;
+            const double slow = speedAt(points[i]).dot(t) / inverseMass(points[i], t);
+            const double tangent = std::clamp(impulse.tangent - slow, -limit, limit);
+            push(points[i], t * (tangent - impulse.tangent));
+            impulse.tangent = tangent;
+        }
+    }
+    for (const Impulse& impulse : impulses) {
+        meeting.normalImpulse += impulse.normal;
+        meeting.tangentImpulse += impulse.tangent;
+    }
+}
+
+/// Moves the two to where they meet and parts them.
+void part(const WorldState& world, Meeting& meeting, Flyer& a, Flyer& b) {
+    const ContactRecord& contact = world.contacts.contacts[meeting.contact];
+    const double time = *meeting.time;
+    const Encounter e = encounterAt(shapeOf(a, world.proxyA(contact)), shapeOf(b, world.proxyB(contact)), time);
+    a.flight.from = e.a;
+    b.flight.from = e.b;
+    a.flight.time = b.flight.time = time;
+    meeting.where = e.distance;
+    meeting.approachSpeed = std::max(meeting.approachSpeed, e.closingSpeed);
+    const ImpactLaw law{contact.restitution, contact.friction};
+    const std::vector<Vec2> points = touchingPoints(world, contact, a, b, e.distance);
+    if (points.size() == 2) {
+        partFace(world, meeting, points, a, b, law);
+        return;
+    }
+    const ImpactResult result =
+        impact(sideOf(world, a, points[0]), sideOf(world, b, points[0]), e.distance.normal, law);
+    apply(a, result.velocityA, result.angularVelocityA);
+    apply(b, result.velocityB, result.angularVelocityB);
+    meeting.normalImpulse += result.normalImpulse;
+    meeting.tangentImpulse += result.tangentImpulse;
+}
+
+void commit(WorldState& world, const std::vector<Flyer>& flyers, const std::vector<Meeting>& meetings, double dt) {
+    for (const Flyer& f : flyers) {
+        BodyRecord& record = world.bodies.record[f.body];
+        if (record.type == BodyType::Static) continue;
+        moveTo(world, f.body, fly(f.flight.from, f.flight.law, dt - f.flight.time));
+        record.flown = true;
+    }
+    for (const Meeting& m : meetings) {
+        if (m.normalImpulse == 0) continue;
+        ContactRecord& contact = world.contacts.contacts[m.contact];
+        contact.memory[0].totalNormal = static_cast<float>(m.normalImpulse);
+        contact.memory[0].totalTangent = static_cast<float>(m.tangentImpulse);
+        contact.memoryStep = dt;
+        if (!contact.touching)
+            world.begins.push_back({world.idOf(contact.bodyA), world.idOf(contact.bodyB), m.where.pointA,
+                                    m.where.normal, m.approachSpeed});
+        contact.touching = true;
+    }
+}
+
+}  // namespace
+
+bool bouncesClear(const WorldState& world, const ContactRecord& contact, double dt) {
+    if (contact.restitution <= 0) return false;
+    const BodyMotion& a = world.bodies.motion[contact.bodyA];
+    const BodyMotion& b = world.bodies.motion[contact.bodyB];
+    const Vec2 normal = a.rotation * Vec2(contact.manifold.normal.cast<double>());
+    const Vec2 pull = accelerationOf(world.bodies.record[contact.bodyA], world.def.gravity).linear -
+                      accelerationOf(world.bodies.record[contact.bodyB], world.def.gravity).linear;
+    const double press = pull.dot(normal);
+    for (int p = 0; p < contact.manifold.count; ++p) {
+        const ManifoldPoint& point = contact.manifold.points[static_cast<std::size_t>(p)];
+        const Vec2 at = a.center + a.rotation * Vec2(point.position.cast<double>());
+        const Vec2 relative = (b.velocity + perp(Vec2(at - b.center)) * b.angularVelocity) -
+                              (a.velocity + perp(Vec2(at - a.center)) * a.angularVelocity);
+        const double opening = relative.dot(normal);
+        const double fall = std::max(press * static_cast<double>(point.separation), 0.0);
+        const double speed = std::sqrt(opening * opening + 2 * fall);
+        const bool overlapping = point.separation < -1e-4f && opening >= 0;  // only the solver pushes apart
+        if (overlapping || 2 * contact.restitution * speed < press * dt) return false;
+    }
+    return true;
+}
+
+bool flyThroughImpacts(WorldState& world, std::span<const ContactIndex> contacts, double dt) {
+    std::vector<Flyer> flyers;
+    std::vector<Meeting> meetings;
+    for (const ContactIndex index : contacts) {
+        const ContactRecord& contact = world.contacts.contacts[index];
+        Meeting meeting;
+        meeting.contact = index;
+        meeting.a = flyerOf(flyers, world, contact.bodyA);
+        meeting.b = flyerOf(flyers, world, contact.bodyB);
+        meetings.push_back(meeting);
+    }
+    const auto foresee = [&](Meeting& m) {
+        const ContactRecord& contact = world.contacts.contacts[m.contact];
+        const FlyingShape a = shapeOf(flyers[m.a], world.proxyA(contact));
+        const FlyingShape b = shapeOf(flyers[m.b], world.proxyB(contact));
+        m.time = timeOfImpact(a, b, std::max(a.time, b.time), dt);
+    };
+    for (Meeting& m : meetings) foresee(m);
+    for (std::size_t count = 0; count <= impactsPerContact * meetings.size(); ++count) {
+        Meeting* next = nullptr;
+        for (Meeting& m : meetings)
+            if (m.time && (next == nullptr || *m.time < *next->time)) next = &m;
+        if (next == nullptr) {
+            commit(world, flyers, meetings, dt);
+            return true;
+        }
+        part(world, *next, flyers[next->a], flyers[next->b]);
+        for (Meeting& m : meetings) {
+            const auto concerns = [&](std::size_t f) {
+                return !(world.bodies.record[flyers[f].body].type == BodyType::Static) && (m.a == f || m.b == f);
+            };
+            if (concerns(next->a) || concerns(next->b)) foresee(m);
+        }
+    }
+    return false;
+}
+
+}  // namespace plumb

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/detail/narrow_phase.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <plumb/dynamics/detail/islands.h>
+
+namespace plumb {
+
+namespace {
+
+/// Boxes hold what they need for this step and this much more, so that what hardly moves keeps its box [m].
+constexpr double boxMargin = 0.02;
+/// Shapes this near count as in contact, so that what rests keeps its manifold while it trembles [m].
+constexpr double contactMargin = 0.01;
+
+/// What comes nearer than this to a sleeper, or may in the step, wakes it [m].
+constexpr double trembling = 5e-4;
+
+/// How far a body's centre moves in the step, and how far turning takes a point of it at most [m].
+struct Reach {
+    Vec2 shift{0, 0};
+    double turn = 0;
+};
+
+Reach reachOf(const WorldState& world, BodyIndex body, double dt) {
+    const BodyRecord& record = world.bodies.record[body];
+    const BodyMotion& motion = world.bodies.motion[body];
+    if (!record.awake) return {};
+    const Acceleration a = accelerationOf(record, world.def.gravity);
+    const double angle = (std::fabs(motion.angularVelocity) + std::fabs(a.angular) * dt) * dt;
+    return {motion.velocity * dt + a.linear * (0.5 * dt * dt), record.extent * std::min(angle, 2.0)};
+}
+
+}  // namespace
+
+void placeBody(WorldState& world, BodyIndex body, double dt) {
+    const Reach reach = reachOf(world, body, dt);
+    const Transform pose = world.bodies.pose(body);
+    for (const ProxyId proxy : world.bodies.record[body].proxies) {
+        const Aabb now = inflate(aabbOf(world.space[proxy].def.shape, pose), 0.5 * contactMargin + reach.turn);
+        world.space.place(proxy, merge(now, {now.lower + reach.shift, now.upper + reach.shift}), boxMargin);
+    }
+}
+
+namespace {
+
+bool joinedApart(const WorldState& world, BodyIndex a, BodyIndex b) {
+    const auto& joints = world.bodies.record[a].joints;
+    return std::any_of(joints.begin(), joints.end(), [&](std::uint32_t j) {
+        const JointRecord& joint = world.joints[j];
+        return !joint.collideConnected && (joint.bodyA == b || joint.bodyB == b);
+    });
+}
+
+void addContact(WorldState& world, const Pair& pair) {
+    const Proxy& a = world.space[pair.a];
+    const Proxy& b = world.space[pair.b];
+    if (!world.bodies.isDynamic(a.owner) && !world.bodies.isDynamic(b.owner)) return;
+    if (joinedApart(world, a.owner, b.owner)) return;
+    ContactRecord contact;
+    contact.proxyA = pair.a;
+    contact.proxyB = pair.b;
+    contact.bodyA = a.owner;
+    contact.bodyB = b.owner;
+    contact.friction = std::sqrt(a.def.material.friction * b.def.material.friction);
+    contact.restitution = std::max(a.def.material.restitution, b.def.material.restitution);
+    const ContactIndex index = world.contacts.add(world.bodies, contact);
+    if (world.bodies.record[a.owner].awake || world.bodies.record[b.owner].awake) {
+        world.contacts.activate(index);
+    } else {  // something that rests was put there
+        wakeIsland(world, a.owner);
+        wakeIsland(world, b.owner);
+    }
+}
+
+double marginOf(const WorldState& world, const ContactRecord& contact, double dt) {
+    const Reach a = reachOf(world, contact.bodyA, dt);
+    const Reach b = reachOf(world, contact.bodyB, dt);
+    return contactMargin + (b.shift - a.shift).norm() + a.turn + b.turn;
+}
+
+RelativePose relativePose(const BodyMotion& a, const BodyMotion& b) {
+    const Rot toA = a.rotation.inverse();
+    const Vec2 shift = toA * Vec2(b.center - a.center);
+    const Rot turn = toA * b.rotation;
+    return {shift.cast<float>(), static_cast<float>(turn.cos), static_cast<float>(turn.sin)};
+}
+
+/// Impulses follow their feature into the new manifold; a new point starts without.
+void carryImpulses(WorldState& world, ContactRecord& contact, const Manifold& now) {
+    const Manifold& was = contact.manifold;
+    const std::array<PointMemory, 2> old = world.graph.memoryOf(contact);
+    std::array<PointMemory, 2> carried{};
+    for (std::size_t p = 0; p < static_cast<std::size_t>(now.count); ++p) {
+        for (std::size_t q = 0; q < static_cast<std::size_t>(was.count); ++q) {
+            if (now.points[p].feature != was.points[q].feature) continue;
+            carried[p] = {old[q].normalImpulse, old[q].tangentImpulse, 0, 0};
+        }
+    }
+    contact.memory = carried;
+    if (contact.colour >= 0) world.graph.setImpulses(contact, carried);
+}
+
+void updateManifold(WorldState& world, ContactRecord& contact, double dt) {
+    const RelativePose pose = relativePose(world.bodies.motion[contact.bodyA], world.bodies.motion[contact.bodyB]);
+    const float margin = static_cast<float>(marginOf(world, contact, dt));
+    const Manifold now = manifold(world.proxyA(contact).convex, world.proxyB(contact).convex, pose, margin);
+    carryImpulses(world, contact, now);
+    contact.manifold = now;
+    float nearest = margin;
+    for (int p = 0; p < now.count; ++p) nearest = std::min(nearest, now.points[static_cast<std::size_t>(p)].separation);
+    if (nearest > margin - static_cast<float>(contactMargin - trembling)) return;
+    for (const BodyIndex body : {contact.bodyA, contact.bodyB})
+        if (world.bodies.isDynamic(body) && !world.bodies.record[body].awake) wakeIsland(world, body);
+}
+
+}  // namespace
+
+void findContacts(WorldState& world, double dt) {
+    for (const BodyIndex body : world.bodies.awake) placeBody(world, body, dt);
+    for (const Pair& pair : world.space.takeNewPairs()) addContact(world, pair);
+    for (std::size_t i = 0; i < world.contacts.active.size();) {
+        const ContactIndex index = world.contacts.active[i];
+        ContactRecord& contact = world.contacts.contacts[index];
+        if (!overlap(world.proxyA(contact).box, world.proxyB(contact).box)) {
+            removeContact(world, index);
+            continue;
+        }
+        updateManifold(world, contact, dt);
+        ++i;
+    }
+}
+
+}  // namespace plumb

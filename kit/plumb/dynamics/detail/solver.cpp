@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/detail/solver.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <plumb/dynamics/detail/contact_solver.h>
+#include <plumb/dynamics/detail/free_motion.h>
+#include <plumb/dynamics/detail/prepare_contacts.h>
+
+namespace plumb {
+
+namespace {
+
+/// Joints are held this stiffly, as a share of the sub-step rate, so that their give falls with the step. Stiffer is
+/// truer for one pendulum, but a grid of joints, which one sweep does not solve, then blows up (tried: rigid).
+constexpr double jointFrequencyShare = 0.25;
+constexpr double jointDampingRatio = 2;
+
+struct Pass {
+    float step = 0;
+    ContactPass contacts;
+    JointPass solveJoints, relaxJoints;
+};
+
+Pass passOf(const SolverSettings& settings, double h) {
+    Pass pass;
+    pass.step = static_cast<float>(h);
+    const double frequency = std::min(settings.contactFrequency, 0.25 / h);
+    pass.contacts = {static_cast<float>(1 / h), softness(frequency, settings.contactDampingRatio, h),
+                     static_cast<float>(settings.contactPushSpeed)};
+    pass.solveJoints = {pass.step, true, softness(jointFrequencyShare / h, jointDampingRatio, h)};
+    pass.relaxJoints = {pass.step, false, {}};
+    return pass;
+}
+
+/// The bodies that are solved: dynamic ones with a constraint, and kinematic ones, which their contacts must see move.
+std::vector<BodyIndex> loadBodies(WorldState& world, double h) {
+    std::vector<BodyIndex> solved;
+    BodyStore& bodies = world.bodies;
+    for (const BodyIndex body : bodies.awake) {
+        const BodyRecord& record = bodies.record[body];
+        if (!record.constrained && record.type != BodyType::Kinematic) continue;
+        solved.push_back(body);
+        const BodyMotion& motion = bodies.motion[body];
+        bodies.velocity[body] = {static_cast<float>(motion.velocity.x()), static_cast<float>(motion.velocity.y()),
+                                 static_cast<float>(motion.angularVelocity) * record.inverseRho,
+                                 static_cast<float>(record.inverseMass)};
+        bodies.displacement[body] = {};
+        bodies.warm[body] = {};
+        bodies.turn[body] = 0;
+        const FlightLaw law = flightLawOf(record, world.def.gravity);
+        const Decay linear = decay(law.linearDamping, 0.5 * h);
+        const Decay angular = decay(law.angularDamping, 0.5 * h);
+        const Vec2 gain = law.acceleration.linear * linear.gain;
+        bodies.kick[body] = {static_cast<float>(gain.x()), static_cast<float>(gain.y()),
+                             static_cast<float>(law.acceleration.angular * angular.gain) * record.inverseRho,
+                             static_cast<float>(linear.keep), static_cast<float>(angular.keep)};
+    }
+    return solved;
+}
+
+/// What the contacts changed since last time is what they will be given next time, before they are solved again.
+void collectWarmStart(BodyStore& bodies, BodyIndex body) {
+    SolverVelocity& warm = bodies.warm[body];
+    const SolverVelocity& now = bodies.velocity[body];
+    const SolverVelocity& before = bodies.before[body];
+    warm.x += now.x - before.x;
+    warm.y += now.y - before.y;
+    warm.w += now.w - before.w;
+}
+
+void kick(BodyStore& bodies, BodyIndex body) {
+    SolverVelocity& v = bodies.velocity[body];
+    if (v.inverseMass == 0) return;
+    const Kick& k = bodies.kick[body];
+    const SolverVelocity& warm = bodies.warm[body];
+    v.x = v.x * k.keep + k.gainX + warm.x;
+    v.y = v.y * k.keep + k.gainY + warm.y;
+    v.w = v.w * k.keepW + k.gainW + warm.w;
+}
+
+struct SinCosMinus1 {
+    float sin, cosMinus1;
+};
+
+/// Of an angle turned within a step, mostly small: five terms are exact to float below half a radian.
+SinCosMinus1 turned(float angle) {
+    if (std::fabs(angle) > 0.5f) {
+        const SinCos sc = sinCos(static_cast<double>(angle));
+        return {static_cast<float>(sc.sin), static_cast<float>(sc.cos - 1)};
+    }
+    const float a2 = angle * angle;
+    const float sin = angle * (1 - a2 * (1.0f / 6 - a2 * (1.0f / 120 - a2 / 5040)));
+    const float cosMinus1 = -a2 * (0.5f - a2 * (1.0f / 24 - a2 * (1.0f / 720 - a2 / 40320)));
+    return {sin, cosMinus1};
+}
+
+void move(BodyStore& bodies, BodyIndex body, float h) {
+    const SolverVelocity& v = bodies.velocity[body];
+    const BodyRecord& record = bodies.record[body];
+    SolverDisplacement& d = bodies.displacement[body];
+    d.x += v.x * h;
+    d.y += v.y * h;
+    bodies.turn[body] += v.w * record.rho * h;
+    const SinCosMinus1 t = turned(bodies.turn[body]);
+    d.sin = t.sin * record.inverseRho;
+    d.cosMinus1 = t.cosMinus1 * record.inverseRho;
+}
+
+template <class Visit>
+void forEachJoint(WorldState& world, Visit&& visit) {
+    for (JointRecord& record : world.joints) {
+        if (std::holds_alternative<std::monostate>(record.joint)) continue;
+        if (!world.bodies.record[record.bodyA].awake && !world.bodies.record[record.bodyB].awake) continue;
+        std::visit(
+            [&visit]<class Joint>(Joint& joint) {
+                if constexpr (!std::is_same_v<Joint, std::monostate>) visit(joint);
+            },
+            record.joint);
+    }
+}
+
+void solveJoints(WorldState& world, const JointPass& pass) {
+    forEachJoint(world, [&](auto& joint) { joint.warmStart(world.bodies); });
+    forEachJoint(world, [&](auto& joint) { joint.solve(world.bodies, pass); });
+}
+
+void subStep(WorldState& world, const std::vector<BodyIndex>& solved, const Pass& pass, bool first) {
+    BodyStore& bodies = world.bodies;
+    for (const BodyIndex body : solved) {
+        if (!first) collectWarmStart(bodies, body);
+        kick(bodies, body);
+    }
+    solveJoints(world, pass.solveJoints);
+    for (const BodyIndex body : solved) bodies.before[body] = bodies.velocity[body];
+    for (Colour& colour : world.graph.colours) solveContacts(colour.batches, bodies, pass.contacts);
+    for (const BodyIndex body : solved) {
+        move(bodies, body, pass.step);
+        collectWarmStart(bodies, body);
+        kick(bodies, body);
+    }
+    solveJoints(world, pass.relaxJoints);
+    for (const BodyIndex body : solved) bodies.before[body] = bodies.velocity[body];
+    for (Colour& colour : world.graph.colours) relaxContacts(colour.batches, bodies, pass.contacts);
+}
+
+void markPushed(WorldState& world) {
+    const auto markOne = [&world](BodyIndex body) { world.bodies.record[body].pushed = world.bodies.isDynamic(body); };
+    for (const Colour& colour : world.graph.colours) {
+        for (std::size_t slot = 0; slot < colour.contactOf.size(); ++slot) {
+            const ContactBatch& batch = colour.batches[slot / batchLanes];
+            const std::size_t lane = slot % batchLanes;
+            if (batch.points[0].totalNormal[lane] == 0 && batch.points[1].totalNormal[lane] == 0) continue;
+            markOne(batch.bodyA[lane]);
+            markOne(batch.bodyB[lane]);
+        }
+    }
+    for (const JointRecord& joint : world.joints) {
+        if (std::holds_alternative<std::monostate>(joint.joint)) continue;
+        markOne(joint.bodyA);
+        markOne(joint.bodyB);
+    }
+}
+
+void storeBodies(WorldState& world, const std::vector<BodyIndex>& solved) {
+    BodyStore& bodies = world.bodies;
+    for (const BodyIndex body : solved) {
+        const BodyRecord& record = bodies.record[body];
+        if (!record.pushed) continue;
+        BodyMotion motion = bodies.motion[body];
+        const SolverVelocity& v = bodies.velocity[body];
+        const SolverDisplacement& d = bodies.displacement[body];
+        motion.center += Vec2(static_cast<double>(d.x), static_cast<double>(d.y));
+        motion.velocity = {static_cast<double>(v.x), static_cast<double>(v.y)};
+        motion.angularVelocity = static_cast<double>(v.w * record.rho);
+        if (bodies.turn[body] != 0) {
+            motion.angle += static_cast<double>(bodies.turn[body]);
+            motion.rotation = Rot::fromAngle(motion.angle);
+        }
+        moveTo(world, body, motion);
+    }
+}
+
+}  // namespace
+
+void solveConstraints(WorldState& world, double dt) {
+    const int subSteps = world.def.solver.subSteps;
+    const double h = dt / subSteps;
+    const std::vector<BodyIndex> solved = loadBodies(world, h);
+    if (solved.empty()) return;
+    const Pass pass = passOf(world.def.solver, h);
+    prepareContacts(world, dt);
+    forEachJoint(world, [&world](auto& joint) { joint.prepare(world.bodies); });
+    for (Colour& colour : world.graph.colours) gatherWarmStart(colour.batches, world.bodies);
+    for (int i = 0; i < subSteps; ++i) subStep(world, solved, pass, i == 0);
+    for (Colour& colour : world.graph.colours) bounceContacts(colour.batches, world.bodies);
+    markPushed(world);
+    storeBodies(world, solved);
+}
+
+}  // namespace plumb

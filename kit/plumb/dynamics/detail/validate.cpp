@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/detail/validate.h>
+
+#include <string>
+
+#include <plumb/math/check.h>
+
+namespace plumb {
+
+namespace {
+
+void validateBodies(const WorldState& world, BodyId a, BodyId b, const std::string& def) {
+    requireBody(world, a, def + ".bodyA");
+    requireBody(world, b, def + ".bodyB");
+    if (a == b) refuse(def + ".bodyB", "is the same body as bodyA, two were wanted");
+    if (!world.bodies.isDynamic(a.index) && !world.bodies.isDynamic(b.index))
+        refuse(def + ".bodyB", "neither it nor bodyA is dynamic, so the joint could move nothing");
+}
+
+void validateJoint(const WorldState& world, const RevoluteJointDef& def) {
+    validateBodies(world, def.bodyA, def.bodyB, "RevoluteJointDef");
+    requireFinite(def.anchor, "RevoluteJointDef.anchor");
+}
+
+void validateJoint(const WorldState& world, const DistanceJointDef& def) {
+    validateBodies(world, def.bodyA, def.bodyB, "DistanceJointDef");
+    requireFinite(def.anchorA, "DistanceJointDef.anchorA");
+    requireFinite(def.anchorB, "DistanceJointDef.anchorB");
+    if (def.anchorA == def.anchorB)
+        refuse("DistanceJointDef.anchorB", toText(def.anchorB) + " is anchorA too, so the rod would have no direction");
+    if (def.length) requirePositive(*def.length, "DistanceJointDef.length");
+}
+
+template <class Id>
+std::string textOf(const Id& id) {
+    return "{index " + std::to_string(id.index) + ", generation " + std::to_string(id.generation) + ", world " +
+           std::to_string(id.world) + "}";
+}
+
+/// Says which way an id is wrong.
+template <class Id>
+[[noreturn]] void refuseId(const WorldState& world, const Id& id, std::string_view field, const char* thing) {
+    const std::string what = textOf(id);
+    if (id.world == 0) refuse(field, what + " names no " + thing + ": it was never set");
+    if (id.world != world.id) refuse(field, what + " belongs to another world");
+    refuse(field, what + " names no " + thing + " of this world any more: it was removed");
+}
+
+}  // namespace
+
+void validate(const WorldDef& def) {
+    requireFinite(def.gravity, "WorldDef.gravity");
+    const SolverSettings& s = def.solver;
+    requireWithin(s.subSteps, 1, 64, "WorldDef.solver.subSteps");
+    requirePositive(s.contactFrequency, "WorldDef.solver.contactFrequency");
+    requirePositive(s.contactDampingRatio, "WorldDef.solver.contactDampingRatio");
+    requirePositive(s.contactPushSpeed, "WorldDef.solver.contactPushSpeed");
+    requireNotNegative(s.sleepSpeed, "WorldDef.solver.sleepSpeed");
+    requireNotNegative(s.sleepTime, "WorldDef.solver.sleepTime");
+}
+
+void validate(const WorldState& world, const JointDef& def) {
+    std::visit([&world](const auto& d) { validateJoint(world, d); }, def);
+}
+
+void requireBody(const WorldState& world, BodyId id, std::string_view field) {
+    const auto& records = world.bodies.record;
+    const bool known = id.world == world.id && id.index < records.size() && records[id.index].alive &&
+                       records[id.index].generation == id.generation;
+    if (!known) refuseId(world, id, field, "body");
+}
+
+void requireJoint(const WorldState& world, JointId id, std::string_view field) {
+    const auto& joints = world.joints;
+    const bool known = id.world == world.id && id.index < joints.size() &&
+                       joints[id.index].generation == id.generation &&
+                       !std::holds_alternative<std::monostate>(joints[id.index].joint);
+    if (!known) refuseId(world, id, field, "joint");
+}
+
+}  // namespace plumb

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// What may come in through the world's door?
+#pragma once
+#include <string_view>
+
+#include <plumb/dynamics/detail/world_state.h>
+
+namespace plumb {
+
+// Each throws std::invalid_argument naming the field, the value and what was wanted.
+void validate(const WorldDef& def);
+void validate(const WorldState& world, const JointDef& def);
+void requireBody(const WorldState& world, BodyId id, std::string_view field);
+void requireJoint(const WorldState& world, JointId id, std::string_view field);
+
+}  // namespace plumb

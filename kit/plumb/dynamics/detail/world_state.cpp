@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/detail/world_state.h>
+
+#include <plumb/dynamics/detail/quarantine.h>
+
+namespace plumb {
+
+void moveTo(WorldState& world, BodyIndex body, const BodyMotion& motion) {
+    if (isSound(motion))
+        world.bodies.motion[body] = motion;
+    else
+        world.bodies.record[body].quarantined = true;
+}
+
+Vec2 normalOf(const WorldState& world, const ContactRecord& contact) {
+    return world.bodies.motion[contact.bodyA].rotation * Vec2(contact.manifold.normal.cast<double>());
+}
+
+Vec2 pointOf(const WorldState& world, const ContactRecord& contact, std::size_t point) {
+    // The manifold is of the step's start. From there A's surface has gone with A, and B's is where the separation says.
+    const ManifoldPoint& p = contact.manifold.points[point];
+    const BodyMotion& a = world.bodies.motion[contact.bodyA];
+    const Vec2 middle = a.center + a.rotation * Vec2(p.position.cast<double>());
+    const double closed = static_cast<double>(world.graph.separationOf(contact, point) - p.separation);
+    return middle + normalOf(world, contact) * (0.5 * closed);
+}
+
+void removeContact(WorldState& world, ContactIndex index) {
+    const ContactRecord& contact = world.contacts.contacts[index];
+    if (contact.touching) world.ends.push_back({world.idOf(contact.bodyA), world.idOf(contact.bodyB)});
+    world.graph.remove(world.bodies, world.contacts, index);
+    world.contacts.remove(world.bodies, index);
+}
+
+void removeShapes(WorldState& world, BodyIndex body) {
+    forEachContact(world.bodies, world.contacts, body, [&world](ContactIndex c) { removeContact(world, c); });
+    for (const ProxyId proxy : world.bodies.record[body].proxies) world.space.remove(proxy);
+    world.bodies.record[body].proxies.clear();
+}
+
+}  // namespace plumb

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// What is a world made of, behind its door?
+#pragma once
+#include <variant>
+#include <vector>
+
+#include <plumb/dynamics/detail/body_store.h>
+#include <plumb/dynamics/detail/contact_graph.h>
+#include <plumb/dynamics/detail/contact_store.h>
+#include <plumb/dynamics/detail/distance_joint.h>
+#include <plumb/dynamics/detail/revolute_joint.h>
+#include <plumb/dynamics/world.h>
+#include <plumb/space/space.h>
+
+namespace plumb {
+
+using AnyJoint = std::variant<std::monostate, RevoluteJoint, DistanceJoint>;
+
+struct JointRecord {
+    AnyJoint joint;  ///< monostate: a free slot
+    BodyIndex bodyA = noBody, bodyB = noBody;
+    bool collideConnected = false;
+    std::uint32_t generation = 0;
+};
+
+struct WorldState {
+    WorldDef def;
+    std::uint32_t id = 0;
+    double lastStep = 0;  ///< dt of the last step that took time [s]
+
+    BodyStore bodies;
+    Space space;
+    ContactStore contacts;
+    ContactGraph graph;
+    std::vector<JointRecord> joints;
+    std::vector<std::uint32_t> freeJoints;
+
+    std::vector<ContactBegin> begins;
+    std::vector<ContactEnd> ends;
+    std::size_t reportedEnds = 0;  ///< of ends: those of the last step; what was removed since comes after them
+    std::vector<Quarantined> quarantines;
+
+    BodyId idOf(BodyIndex body) const { return {body, bodies.record[body].generation, id}; }
+    const Proxy& proxyA(const ContactRecord& c) const { return space[c.proxyA]; }
+    const Proxy& proxyB(const ContactRecord& c) const { return space[c.proxyB]; }
+};
+
+/// Gives a body a new place and speed; one out of the range of sound numbers stays where it is, marked for quarantine.
+void moveTo(WorldState& world, BodyIndex body, const BodyMotion& motion);
+/// A contact's normal, and a point half way between the surfaces, in the world, where the bodies are now.
+Vec2 normalOf(const WorldState& world, const ContactRecord& contact);
+Vec2 pointOf(const WorldState& world, const ContactRecord& contact, std::size_t point);
+/// Takes a contact out of the world, with an end event if it was touching.
+void removeContact(WorldState& world, ContactIndex contact);
+/// Takes a body's shapes out of the space, and its contacts with them.
+void removeShapes(WorldState& world, BodyIndex body);
+
+}  // namespace plumb

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/world.h>
+
+#include <algorithm>
+#include <atomic>
+
+#include <plumb/dynamics/detail/free_motion.h>
+#include <plumb/dynamics/detail/islands.h>
+#include <plumb/dynamics/detail/narrow_phase.h>
+#include <plumb/dynamics/detail/quarantine.h>
+#include <plumb/dynamics/detail/report_contacts.h>
+#include <plumb/dynamics/detail/solver.h>
+#include <plumb/dynamics/detail/sort_out.h>
+#include <plumb/dynamics/detail/validate.h>
+#include <plumb/math/check.h>
+
+namespace plumb {
+
+namespace {
+
+/// The one count that worlds share: by it an id of another world is told from one of this.
+std::uint32_t nextWorldId() {
+    static std::atomic<std::uint32_t> count{0};
+    return ++count;
+}
+
+void clearEvents(WorldState& world) {
+    world.begins.clear();
+    world.quarantines.clear();
+    world.ends.erase(world.ends.begin(), world.ends.begin() + static_cast<std::ptrdiff_t>(world.reportedEnds));
+}
+
+void flyFreeBodies(WorldState& world, double dt) {
+    for (const BodyIndex body : world.bodies.awake) {
+        const BodyRecord& record = world.bodies.record[body];
+        if (record.pushed || record.flown) continue;
+        moveTo(world, body, fly(world.bodies.motion[body], flightLawOf(record, world.def.gravity), dt));
+    }
+}
+
+void clearForces(BodyStore& bodies) {
+    for (const BodyIndex body : bodies.awake) {
+        bodies.record[body].force.setZero();
+        bodies.record[body].torque = 0;
+    }
+}
+
+double extentOf(const Convex& convex) {
+    float farthest = 0;
+    for (int i = 0; i < convex.count; ++i)
+        farthest = std::max(farthest, convex.vertices[static_cast<std::size_t>(i)].norm());
+    return static_cast<double>(farthest + convex.radius);
+}
+
+void addShapes(WorldState& world, BodyIndex body, const BodyDef& def) {
+    BodyRecord& record = world.bodies.record[body];
+    for (const ShapeDef& shape : def.shapes) {
+        const Aabb box = aabbOf(shape.shape, world.bodies.pose(body));
+        const bool fixed = def.type == BodyType::Static;
+        record.proxies.push_back(world.space.add(shape, body, fixed, record.localCenter, box));
+        record.extent = std::max(record.extent, extentOf(world.space[record.proxies.back()].convex));
+    }
+}
+
+const BodyRecord& recordOf(const WorldState& world, BodyId id) {
+    requireBody(world, id, "BodyId");
+    return world.bodies.record[id.index];
+}
+
+}  // namespace
+
+World::World(const WorldDef& def) {
+    validate(def);
+    state_ = std::make_unique<WorldState>();
+    state_->def = def;
+    state_->id = nextWorldId();
+}
+
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+World::~World() = default;
+
+BodyId World::add(const BodyDef& def) {
+    validate(def, "BodyDef");
+    BodyStore& bodies = state_->bodies;
+    const BodyIndex body = bodies.acquire();
+    BodyRecord& record = bodies.record[body];
+    record.type = def.type;
+    record.alive = true;
+    record.canSleep = def.canSleep;
+    record.fixedRotation = def.fixedRotation;
+    record.gravityScale = def.gravityScale;
+    record.linearDamping = def.linearDamping;
+    record.angularDamping = def.angularDamping;
+    if (def.type == BodyType::Dynamic) setMass(record, massOf(def));
+    BodyMotion& motion = bodies.motion[body];
+    motion.angle = def.angle;
+    motion.rotation = Rot::fromAngle(def.angle);
+    motion.center = def.position + motion.rotation * record.localCenter;
+    motion.velocity = def.velocity;
+    motion.angularVelocity = def.angularVelocity;
+    addShapes(*state_, body, def);
+    const bool moves = def.type == BodyType::Dynamic || !def.velocity.isZero(0) || def.angularVelocity != 0;
+    if (moves) bodies.wake(body);
+    return state_->idOf(body);
+}
+
+JointId World::join(const JointDef& def) {
+    validate(*state_, def);
+    WorldState& world = *state_;
+    std::uint32_t index = static_cast<std::uint32_t>(world.joints.size());
+    if (world.freeJoints.empty()) {
+        world.joints.emplace_back();
+    } else {
+        index = world.freeJoints.back();
+        world.freeJoints.pop_back();
+    }
+    JointRecord& record = world.joints[index];
+    std::visit(
+        [&](const auto& d) {
+            record.bodyA = d.bodyA.index;
+            record.bodyB = d.bodyB.index;
+            record.collideConnected = d.collideConnected;
+        },
+        def);
+    if (const auto* revolute = std::get_if<RevoluteJointDef>(&def))
+        record.joint = RevoluteJoint(*revolute, world.bodies);
+    else
+        record.joint = DistanceJoint(std::get<DistanceJointDef>(def), world.bodies);
+    for (const BodyIndex body : {record.bodyA, record.bodyB}) {
+        world.bodies.record[body].joints.push_back(index);
+        wakeIsland(world, body);
+    }
+    if (!record.collideConnected) {
+        forEachContact(world.bodies, world.contacts, record.bodyA, [&](ContactIndex c) {
+            const ContactRecord& contact = world.contacts.contacts[c];
+            if (contact.bodyA == record.bodyB || contact.bodyB == record.bodyB) removeContact(world, c);
+        });
+    }
+    return {index, record.generation, world.id};
+}
+
+void World::remove(BodyId id) {
+    requireBody(*state_, id, "BodyId");
+    WorldState& world = *state_;
+    wakeNeighbours(world, id.index);
+    const std::vector<std::uint32_t> joints = world.bodies.record[id.index].joints;
+    for (const std::uint32_t joint : joints) remove(JointId{joint, world.joints[joint].generation, world.id});
+    removeShapes(world, id.index);
+    world.bodies.release(id.index);
+}
+
+void World::remove(JointId id) {
+    requireJoint(*state_, id, "JointId");
+    WorldState& world = *state_;
+    JointRecord& record = world.joints[id.index];
+    for (const BodyIndex body : {record.bodyA, record.bodyB}) {
+        wakeIsland(world, body);
+        std::erase(world.bodies.record[body].joints, id.index);
+    }
+    if (!record.collideConnected) {  // the two may touch again: let the space find their pairs anew
+        forEachContact(world.bodies, world.contacts, record.bodyB, [&](ContactIndex c) { removeContact(world, c); });
+        for (const ProxyId proxy : world.bodies.record[record.bodyB].proxies) world.space.renew(proxy);
+    }
+    const std::uint32_t generation = record.generation + 1;
+    record = {};
+    record.generation = generation;
+    world.freeJoints.push_back(id.index);
+}
+
+void World::step(double dt) {
+    requireNotNegative(dt, "World.step: dt");
+    WorldState& world = *state_;
+    clearEvents(world);
+    if (dt > 0) {
+        world.lastStep = dt;
+        markUnsound(world);
+        quarantine(world);
+        findContacts(world, dt);
+        sortOutContacts(world, dt);
+        solveConstraints(world, dt);
+        flyFreeBodies(world, dt);
+        reportContacts(world);
+        clearForces(world.bodies);
+        quarantine(world);
+        sleepIslands(world, dt);
+    }
+    world.reportedEnds = world.ends.size();
+}
+
+bool World::contains(BodyId id) const {
+    const auto& records = state_->bodies.record;
+    return id.world == state_->id && id.index < records.size() && records[id.index].alive &&
+           records[id.index].generation == id.generation;
+}
+
+bool World::contains(JointId id) const {
+    const auto& joints = state_->joints;
+    return id.world == state_->id && id.index < joints.size() && joints[id.index].generation == id.generation &&
+           !std::holds_alternative<std::monostate>(joints[id.index].joint);
+}
+
+Body World::body(BodyId id) {
+    recordOf(*state_, id);
+    return {*state_, id.index};
+}
+
+const Body World::body(BodyId id) const {
+    recordOf(*state_, id);
+    return {*state_, id.index};
+}
+
+JointReaction World::reaction(JointId id) const {
+    requireJoint(*state_, id, "JointId");
+    if (state_->lastStep == 0) return {};
+    return std::visit(
+        [this]<class Joint>(const Joint& joint) -> JointReaction {
+            if constexpr (std::is_same_v<Joint, std::monostate>)
+                return {};
+            else
+                return {Vec2(joint.reaction().template cast<double>()) / state_->lastStep, 0};
+        },
+        state_->joints[id.index].joint);
+}
+
+std::vector<BodyId> World::bodies() const {
+    std::vector<BodyId> ids;
+    for (BodyIndex body = 1; body < state_->bodies.record.size(); ++body)
+        if (state_->bodies.record[body].alive) ids.push_back(state_->idOf(body));
+    return ids;
+}
+
+Vec2 World::gravity() const {
+    return state_->def.gravity;
+}
+
+void World::setGravity(const Vec2& gravity) {
+    requireFinite(gravity, "World.setGravity: gravity");
+    state_->def.gravity = gravity;
+    for (BodyIndex body = 1; body < state_->bodies.record.size(); ++body) wakeIsland(*state_, body);
+}
+
+std::span<const ContactBegin> World::contactBegins() const {
+    return state_->begins;
+}
+
+std::span<const ContactEnd> World::contactEnds() const {
+    return state_->ends;
+}
+
+std::span<const Quarantined> World::quarantines() const {
+    return state_->quarantines;
+}
+
+}  // namespace plumb

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Where does a point of a body lie in the world?
+#pragma once
+#include <plumb/math/rot.h>
+
+namespace plumb {
+
+/// A rotation followed by a shift: local to world.
+struct Transform {
+    Vec2 position{0, 0};  ///< [m]
+    Rot rotation;
+
+    Transform inverse() const { return {rotation.inverse() * Vec2(-position), rotation.inverse()}; }
+};
+
+inline Vec2 operator*(const Transform& t, const Vec2& local) {
+    return t.rotation * local + t.position;
+}
+inline Transform operator*(const Transform& a, const Transform& b) {
+    return {a * b.position, a.rotation * b.rotation};
+}
+
+}  // namespace plumb

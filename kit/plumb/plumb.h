@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: MIT
+// Everything a first program needs.
+#pragma once
+#include <plumb/dynamics/world.h>
+#include <plumb/record/state_hash.h>
+#include <plumb/space/shape_def.h>

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// How heavy is a shape, and how hard to turn?
+#pragma once
+#include <plumb/shapes/shape.h>
+
+namespace plumb {
+
+struct Mass {
+    double mass = 0;     ///< [kg]
+    Vec2 center{0, 0};   ///< centre of mass, in the body's frame [m]
+    double inertia = 0;  ///< about the centre of mass [kg m^2]
+};
+
+/// Mass of a shape of even density.
+/// circle:  m = d pi r^2, I = m r^2 / 2
+/// polygon: sum over triangles (o, p_i, p_i+1) of area a = (p_i x p_i+1) / 2:
+///          m = d sum a, c = d sum a (p_i + p_i+1) / 3 / m,
+///          I_o = d sum a (p_i.p_i + p_i.p_i+1 + p_i+1.p_i+1) / 6, I = I_o - m c.c
+/// segment: no area, no mass
+/// d density [kg/m^2], r radius [m], p corners from o [m]
+/// Source: standard; polygon by Green's theorem. Exact to rounding.
+/// Test: "mass properties of random polygons match numerical integration"
+Mass massOf(const Shape& shape, double density);
+
+/// Several shapes as one: masses add, inertia by the parallel axis theorem.
+Mass combine(std::span<const Mass> parts);
+
+}  // namespace plumb

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/shapes/shape.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <plumb/math/check.h>
+
+namespace plumb {
+namespace {
+
+// The least length of an edge, over the polygon's extent, and the least sine of the turn at a corner. The hot loops
+// see corners as floats: what is smaller than this is less than ten of their last places.
+constexpr double polygonTolerance = 1e-6;
+
+std::string cornerName(const std::string& field, std::size_t index) {
+    return field + ".vertices[" + std::to_string(index) + "]";
+}
+
+[[noreturn]] void refuseCorner(const Polygon& polygon, std::size_t index, const std::string& field,
+                               const std::string& complaint) {
+    refuse(cornerName(field, index), toText(polygon.vertices[index]) + " " + complaint);
+}
+
+// The edges, times a power of two, so that products of huge or tiny lengths neither overflow nor vanish.
+std::vector<Vec2> scaledEdges(const Polygon& polygon) {
+    double largest = 0;
+    for (const Vec2& v : polygon.vertices) largest = std::max({largest, std::fabs(v.x()), std::fabs(v.y())});
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    const auto scaled = [exponent](const Vec2& v) {
+        return Vec2(std::ldexp(v.x(), -exponent), std::ldexp(v.y(), -exponent));
+    };
+    const std::size_t count = polygon.vertices.size();
+    std::vector<Vec2> edges(count);
+    for (std::size_t i = 0; i < count; ++i)
+        edges[i] = scaled(polygon.vertices[(i + 1) % count]) - scaled(polygon.vertices[i]);
+    return edges;
+}
+
+void requireCounts(const Polygon& polygon, const std::string& field) {
+    const std::size_t count = polygon.vertices.size();
+    if (count < 3) refuse(field + ".vertices", std::to_string(count) + " corners are fewer than 3");
+    if (count > static_cast<std::size_t>(maxPolygonVertices))
+        refuse(field + ".vertices",
+               std::to_string(count) + " corners are more than " + std::to_string(maxPolygonVertices));
+    for (std::size_t i = 0; i < count; ++i)
+        if (!polygon.vertices[i].allFinite()) requireFinite(polygon.vertices[i], cornerName(field, i));
+}
+
+void requireDistinctCorners(const Polygon& polygon, const std::vector<Vec2>& edges, const std::string& field) {
+    // How far the corners spread from the first.
+    double extent = 0;
+    Vec2 fromFirst{0, 0};
+    for (const Vec2& edge : edges) {
+        fromFirst += edge;
+        extent = std::max(extent, fromFirst.norm());
+    }
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        if (!(edges[i].norm() > polygonTolerance * extent))
+            refuseCorner(polygon, (i + 1) % edges.size(), field, "repeats the corner before it");
+}
+
+// Twice the signed area.
+double turnedArea(const std::vector<Vec2>& edges) {
+    double area = 0;
+    Vec2 fromFirst{0, 0};
+    for (const Vec2& edge : edges) {
+        area += cross(fromFirst, edge);
+        fromFirst += edge;
+    }
+    return area;
+}
+
+void requireLeftTurns(const Polygon& polygon, const std::vector<Vec2>& edges, const std::string& field) {
+    std::vector<double> sines(edges.size());
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const Vec2& before = edges[(i + edges.size() - 1) % edges.size()];
+        sines[i] = cross(before, edges[i]) / (before.norm() * edges[i].norm());
+    }
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        if (!(std::fabs(sines[i]) > polygonTolerance))
+            refuseCorner(polygon, i, field, "lies in line with the corners beside it");
+    const bool allRight = std::all_of(sines.begin(), sines.end(), [](double sine) { return sine < 0; });
+    if (allRight && turnedArea(edges) < 0)
+        refuse(field + ".vertices", "the corners run clockwise, not counter-clockwise");
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        if (sines[i] < 0) refuseCorner(polygon, i, field, "makes the polygon not convex");
+}
+
+// Where every turn is to the left, each time around the edges point upwards anew once. A pentagram does so twice.
+void requireOneWinding(const std::vector<Vec2>& edges, const std::string& field) {
+    const auto up = [](const Vec2& edge) { return edge.y() > 0 || (edge.y() == 0 && edge.x() > 0); };
+    int windings = 0;
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        if (!up(edges[i]) && up(edges[(i + 1) % edges.size()])) ++windings;
+    if (windings != 1)
+        refuse(field + ".vertices", "the corners wind around " + std::to_string(windings) + " times, not once");
+}
+
+void validateCircle(const Circle& circle, const std::string& field) {
+    requirePositive(circle.radius, field, ".radius");
+    requireFinite(circle.center, field, ".center");
+}
+
+void validatePolygon(const Polygon& polygon, const std::string& field) {
+    requireCounts(polygon, field);
+    const std::vector<Vec2> edges = scaledEdges(polygon);
+    requireDistinctCorners(polygon, edges, field);
+    requireLeftTurns(polygon, edges, field);
+    requireOneWinding(edges, field);
+}
+
+void validateSegment(const Segment& segment, const std::string& field) {
+    requireFinite(segment.start, field, ".start");
+    requireFinite(segment.end, field, ".end");
+    if (segment.start.x() == segment.end.x() && segment.start.y() == segment.end.y())
+        refuse(field + ".end", toText(segment.end) + " is the same point as start");
+}
+
+}  // namespace
+
+Polygon boxPolygon(const Vec2& halfSize, const Vec2& center) {
+    requirePositive(halfSize, "box.halfSize");
+    const double w = halfSize.x();
+    const double h = halfSize.y();
+    return {{center + Vec2(-w, -h), center + Vec2(w, -h), center + Vec2(w, h), center + Vec2(-w, h)}};
+}
+
+void validate(const Shape& shape, const std::string& field) {
+    if (const auto* circle = std::get_if<Circle>(&shape)) validateCircle(*circle, field);
+    if (const auto* polygon = std::get_if<Polygon>(&shape)) validatePolygon(*polygon, field);
+    if (const auto* segment = std::get_if<Segment>(&shape)) validateSegment(*segment, field);
+}
+
+}  // namespace plumb

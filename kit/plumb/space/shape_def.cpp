@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/space/shape_def.h>
+
+#include <utility>
+
+#include <plumb/math/check.h>
+
+namespace plumb {
+
+ShapeDef circle(double radius, const Material& material) {
+    return {.shape = Circle{.radius = radius}, .material = material};
+}
+
+ShapeDef box(const Vec2& halfSize, const Material& material) {
+    return {.shape = boxPolygon(halfSize), .material = material};
+}
+
+ShapeDef polygon(std::vector<Vec2> vertices, const Material& material) {
+    return {.shape = Polygon{std::move(vertices)}, .material = material};
+}
+
+ShapeDef segment(const Vec2& start, const Vec2& end, const Material& material) {
+    return {.shape = Segment{start, end}, .material = material};
+}
+
+void validate(const ShapeDef& def, const std::string& field) {
+    validate(def.shape, field + ".shape");
+    requireNotNegative(def.material.density, field, ".material.density");
+    requireNotNegative(def.material.friction, field, ".material.friction");
+    requireWithin(def.material.restitution, 0, 1, field, ".material.restitution");
+}
+
+}  // namespace plumb

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// What is a body's outline made of, and what does it collide with?
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <plumb/shapes/shape.h>
+
+namespace plumb {
+
+struct Material {
+    double density = 1;      ///< >= 0 [kg/m^2]
+    double friction = 0.6;   ///< Coulomb coefficient, >= 0; a pair has sqrt(a b) [-]
+    double restitution = 0;  ///< 0 to 1; a pair has the larger [-]
+};
+
+/// Two shapes collide when each one's category is in the other's mask.
+struct Filter {
+    std::uint64_t category = 1;
+    std::uint64_t mask = ~std::uint64_t{0};
+};
+
+struct ShapeDef {
+    Shape shape = Circle{};
+    Material material{};
+    Filter filter{};
+};
+
+/// A disc around a point of the body's frame.
+ShapeDef circle(double radius, const Material& material = {});
+/// An upright rectangle around the body's origin; halfSize is half its width and half its height [m].
+ShapeDef box(const Vec2& halfSize, const Material& material = {});
+/// A convex polygon, corners counter-clockwise.
+ShapeDef polygon(std::vector<Vec2> vertices, const Material& material = {});
+/// A line, solid from both sides.
+ShapeDef segment(const Vec2& start, const Vec2& end, const Material& material = {});
+
+/// Throws std::invalid_argument naming the field, the value and what was wanted; field is the name of the def itself.
+void validate(const ShapeDef& def, const std::string& field);
+
+}  // namespace plumb
