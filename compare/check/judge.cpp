@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include <compare/check/judge.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace plumb::compare {
+namespace {
+
+constexpr double visible = 1e-3;    // an error nobody sees in a game [m]
+constexpr double rounding = 1e-12;  // relative to the scene's size: thousands of roundings of a double [-]
+
+class Judge {
+public:
+    Judge(const SceneResult& measured, const std::vector<Engine>& engines) : measured_(measured), engines_(engines) {}
+
+    std::vector<Outcome> operator()(const ExactCheck& check) const {
+        const EngineResult* plumb = judged(plumbName);
+        if (!plumb) return {};
+        const std::optional<double> error = metricOf(*plumb, "error_max");
+        std::vector<Outcome> outcomes{atMost("exact", plumb, "error_max", error, check.limit, check.reason)};
+        if (const std::optional<double> best = bestBox2dError()) {
+            const std::string reason = fmt::format("no worse than the best Box2D ({:.3g} m), or 1 mm", *best);
+            outcomes.push_back(atMost("exact", plumb, "error_max", error, std::max(visible, *best), reason));
+        }
+        return outcomes;
+    }
+
+    std::vector<Outcome> operator()(const AgreeCheck& check) const {
+        const EngineResult* plumb = judged(plumbName);
+        if (!plumb) return {};
+        std::vector<Outcome> outcomes;
+        for (const EngineResult& run : measured_.engines) {
+            if (!isBox2d(run.observation.engine) || !run.observation.unsupported.empty()) continue;
+            const std::optional<double> apart =
+                divergenceUntil(measured_.scene, run.observation, plumb->observation, check.until);
+            outcomes.push_back(atMost("agree", &run, "divergence_max", apart, check.tolerance, check.reason));
+        }
+        return outcomes;
+    }
+
+    std::vector<Outcome> operator()(const InvariantCheck& check) const {
+        std::vector<Outcome> outcomes;
+        for (const std::string& engine : check.engines)
+            if (const EngineResult* run = judged(engine))
+                outcomes.push_back(
+                    atMost("invariant", run, check.metric, metricOf(*run, check.metric), check.limit, check.reason));
+        return outcomes;
+    }
+
+    std::vector<Outcome> operator()(const OrderCheck& check) const {
+        std::vector<Outcome> outcomes;
+        for (const std::string& engine : check.engines)
+            if (const EngineResult* run = judged(engine)) outcomes.push_back(orderOf(*run, check));
+        return outcomes;
+    }
+
+private:
+    /// The run of an engine that a check can bind: see runScene.
+    const EngineResult* judged(std::string_view engine) const {
+        for (const EngineResult& run : measured_.engines)
+            if (run.observation.engine == engine && (run.observation.unsupported.empty() || engine == plumbName))
+                return &run;
+        return nullptr;
+    }
+
+    static std::optional<double> metricOf(const EngineResult& run, const std::string& metric) {
+        const auto found = run.measured.metrics.find(metric);
+        return found == run.measured.metrics.end() ? std::nullopt : found->second;
+    }
+
+    static Outcome atMost(const std::string& check, const EngineResult* run, const std::string& metric,
+                          std::optional<double> value, double limit, const std::string& reason) {
+        // False for a value that is not a number, too.
+        const bool pass = value && *value <= limit;
+        return {check, run->observation.engine, metric, value, limit, pass, reason};
+    }
+
+    std::optional<double> bestBox2dError() const {
+        std::optional<double> best;
+        for (const EngineResult& run : measured_.engines) {
+            if (!isBox2d(run.observation.engine)) continue;
+            const std::optional<double> error = metricOf(run, "error_max");
+            if (error && std::isfinite(*error)) best = std::min(best.value_or(*error), *error);
+        }
+        return best;
+    }
+
+    Outcome orderOf(const EngineResult& run, const OrderCheck& check) const {
+        Outcome outcome{"order", run.observation.engine, "order", {}, check.order, false, check.reason};
+        std::vector<double> errors;
+        for (const double part : {1.0, 0.5, 0.25}) {
+            const std::optional<double> error = part == 1 ? metricOf(run, "error_max") : errorAt(run, part);
+            if (!error) return outcome;
+            errors.push_back(*error);
+        }
+        if (!std::all_of(errors.begin(), errors.end(), [](double error) { return std::isfinite(error); }))
+            return outcome;
+        outcome.value = observedOrder(errors, rounding * sizeOf(run.observation));
+        outcome.pass = !outcome.value || *outcome.value >= check.order;
+        return outcome;
+    }
+
+    /// error_max of the scene run anew with a part of its step.
+    std::optional<double> errorAt(const EngineResult& run, double part) const {
+        Scene scene = measured_.scene;
+        scene.dt *= part;
+        std::optional<Observation> again, truth;
+        for (const Engine& engine : engines_) {
+            if (engine.name == run.observation.engine) again = observe(scene, engine);
+            if (engine.name == closedFormName) truth = observe(scene, engine);
+        }
+        if (!again || !truth) return {};
+        return measure(scene, *again, &*truth, nullptr).metrics.at("error_max");
+    }
+
+    /// The largest coordinate that a body has in the run, at least 1 [m].
+    static double sizeOf(const Observation& run) {
+        double size = 1;
+        for (const std::vector<BodyState>& row : run.states)
+            for (const BodyState& state : row) size = std::max(size, state.position.cwiseAbs().maxCoeff());
+        return size;
+    }
+
+    const SceneResult& measured_;
+    const std::vector<Engine>& engines_;
+};
+
+}  // namespace
+
+std::optional<double> observedOrder(std::span<const double> errors, double floor) {
+    std::optional<double> order;
+    for (std::size_t i = 0; i + 1 < errors.size() && errors[i] > floor; ++i) {
+        const double ratio = std::log2(errors[i] / std::max(errors[i + 1], floor));
+        order = std::min(order.value_or(ratio), ratio);
+    }
+    return order;
+}
+
+std::vector<Outcome> judge(const SceneResult& measured, const std::vector<Engine>& engines) {
+    std::vector<Outcome> outcomes;
+    for (const Check& check : measured.scene.checks)
+        for (Outcome& outcome : std::visit(Judge(measured, engines), check)) outcomes.push_back(std::move(outcome));
+    return outcomes;
+}
+
+}  // namespace plumb::compare

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Which of a scene's checks hold for what was measured?
+#pragma once
+#include <span>
+#include <vector>
+
+#include <compare/check/verdict.h>
+
+namespace plumb::compare {
+
+/// The outcomes of the scene's checks, in their order, as runScene describes them. The engines are those to run anew
+/// with smaller steps for the order of convergence.
+std::vector<Outcome> judge(const SceneResult& measured, const std::vector<Engine>& engines);
+
+/// The order that errors at dt, dt/2, dt/4, ... show: the smallest log2 of the ratio of one to the next. Errors up to
+/// floor are rounding; empty when there is no ratio that starts above it.
+std::optional<double> observedOrder(std::span<const double> errors, double floor);
+
+}  // namespace plumb::compare

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include <compare/check/verdict.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <compare/check/judge.h>
+
+namespace plumb::compare {
+namespace {
+
+const Engine* find(const std::vector<Engine>& engines, std::string_view name) {
+    const auto found = std::find_if(engines.begin(), engines.end(), [&](const Engine& e) { return e.name == name; });
+    return found == engines.end() ? nullptr : &*found;
+}
+
+void checkOptions(const RunOptions& options, const std::vector<Engine>& engines) {
+    for (const std::string& name : options.engines)
+        if (!find(engines, name))
+            throw std::invalid_argument(fmt::format("RunOptions.engines: \"{}\" is not an engine of this build", name));
+    if (options.steps && *options.steps < 1)
+        throw std::invalid_argument(fmt::format("RunOptions.steps: {} is not at least 1", *options.steps));
+}
+
+Scene asAsked(Scene scene, const RunOptions& options) {
+    if (options.dt) scene.dt = *options.dt;
+    if (options.steps) scene.duration = *options.steps * scene.dt;
+    return scene;
+}
+
+bool asked(const RunOptions& options, const std::string& engine) {
+    return options.engines.empty() ||
+           std::find(options.engines.begin(), options.engines.end(), engine) != options.engines.end();
+}
+
+const Observation* observationOf(const SceneResult& result, std::string_view engine) {
+    for (const EngineResult& run : result.engines)
+        if (run.observation.engine == engine) return &run.observation;
+    return nullptr;
+}
+
+}  // namespace
+
+SceneResult runScene(const Scene& scene, const RunOptions& options, const std::vector<Engine>& engines) {
+    checkOptions(options, engines);
+    SceneResult result;
+    result.scene = asAsked(scene, options);
+    validate(result.scene);
+    for (const Engine& engine : engines)
+        if (asked(options, engine.name)) result.engines.push_back({observe(result.scene, engine), {}});
+    const Engine* oracle = find(engines, closedFormName);
+    const Observation truth = oracle ? observe(result.scene, *oracle) : Observation{};
+    const Observation* plumb = observationOf(result, plumbName);
+    for (EngineResult& run : result.engines) {
+        const Observation* reference = &run.observation == plumb ? nullptr : plumb;
+        run.measured = measure(result.scene, run.observation, &truth, reference);
+    }
+    result.outcomes = judge(result, engines);
+    result.pass = std::all_of(result.outcomes.begin(), result.outcomes.end(), [](const Outcome& o) { return o.pass; });
+    return result;
+}
+
+}  // namespace plumb::compare

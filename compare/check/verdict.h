@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Does what must hold hold?
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <compare/metric/metrics.h>
+
+namespace plumb::compare {
+
+/// One check on one engine.
+struct Outcome {
+    std::string check;            ///< "exact", "agree", "invariant", "order"
+    std::string engine;           ///< whom it binds
+    std::string metric;           ///< what was looked at; "order" for an observed order of convergence
+    std::optional<double> value;  ///< empty where it does not exist
+    double limit = 0;             ///< the value is at most this; an order is at least this
+    bool pass = false;
+    std::string reason;  ///< why this limit, from the scene
+};
+
+struct EngineResult {
+    Observation observation;
+    Measured measured;
+};
+
+struct SceneResult {
+    Scene scene;                        ///< as it was run: dt and duration are those of the options where these say so
+    std::vector<EngineResult> engines;  ///< in the order of engines()
+    std::vector<Outcome> outcomes;      ///< empty: nothing was judged, and pass says nothing
+    bool pass = false;                  ///< every outcome does
+};
+
+struct RunOptions {
+    std::vector<std::string> engines;  ///< names; empty: all. The closed form is always run for measuring.
+    std::optional<int> steps;          ///< instead of the scene's
+    std::optional<double> dt;          ///< instead of the scene's [s]
+};
+
+/// Runs a scene in the engines, measures, and judges every check that binds an engine that was run:
+///   exact      Plumb's error_max is at most the limit; and at most 1 mm or the best Box2D's, where a Box2D was run
+///   agree      divergence_max up to the horizon, for each Box2D that was run beside Plumb
+///   invariant  the metric, for each of the check's engines
+///   order      the smaller of log2(e(dt) / e(dt/2)) and log2(e(dt/2) / e(dt/4)), e being error_max. An error of no
+///   more
+///              than 1e-12 of the scene's size (at least 1 m) is rounding, and cannot fall: a ratio starting from it is
+///              not taken. With no ratio left there is nothing to converge: the value is empty and the check holds.
+/// An engine that is not among the given ones or was not asked for is not judged; nor is one that has no counterpart
+/// for the scene, but Plumb, which must have one. Any other value that does not exist (a probe watched from later than
+/// a shortened run lasts, a settling that never came) does not hold: what was not seen was not shown.
+/// Throws std::invalid_argument when the options name an engine that is not among the given ones or have steps below 1,
+/// and as validate does for the scene that they make.
+SceneResult runScene(const Scene& scene, const RunOptions& options, const std::vector<Engine>& engines);
+
+}  // namespace plumb::compare

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// How does a ball go on that is dropped on a floor?
+#pragma once
+#include <vector>
+
+#include <compare/scene/closed_form.h>
+
+namespace plumb::compare {
+
+struct DroppedBall {
+    Vec2 rest{0, 0};            ///< where its centre is while it touches the floor [m]
+    double height = 5;          ///< from which it is dropped, above rest [m]
+    double restitution = 1;     ///< e, 0 to 1 [-]
+    double gravity = 9.81;      ///< [m/s^2]
+    double until = 10;          ///< flights that start later are left out [s]
+    double shortestFlight = 0;  ///< the first flight shorter than this, and all after it, count as rest [s]
+};
+
+/// Fall t0 = sqrt(2 h / g); flight n = 1, 2, ... leaves the floor at e^n sqrt(2 g h) and lasts 2 t0 e^n.
+/// h height [m], g gravity [m/s^2], e restitution [-]
+/// Source: textbook; Newton's law of impact at each landing. Exact.
+/// Tests: "a ball dropped from 1 m at e = 0.8 bounces for 4.0637127689 s",
+///        "a ball dropped from 5 m at e = 1 returns to 5 m twenty times"
+std::vector<Flight> bouncingFlights(const DroppedBall& ball);
+
+}  // namespace plumb::compare

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include <compare/closed_form/oracle.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <compare/closed_form/pendulum.h>
+
+namespace plumb::compare {
+namespace {
+
+// A tick's time is k dt: it may lie past the end of what the closed form covers by rounding.
+constexpr double timeRounding = 1e-9;
+
+BodyState unknownState() {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    return {{nan, nan}, nan, {nan, nan}, nan};
+}
+
+BodyState stateOf(const PiecewiseMotion& motion, const BodyDef&, double t) {
+    const auto next = std::ranges::upper_bound(motion.flights, t, {}, &Flight::start);
+    if (next == motion.flights.begin()) return unknownState();
+    const Flight& flight = *std::prev(next);
+    const double s = t - flight.start;
+    return {flight.position + flight.velocity * s + flight.acceleration * (s * s / 2),
+            flight.angle + flight.angularVelocity * s + flight.angularAcceleration * (s * s / 2),
+            flight.velocity + flight.acceleration * s, flight.angularVelocity + flight.angularAcceleration * s};
+}
+
+/// x = x0 + (v0 - g / k) (1 - e^(-k t)) / k + g t / k,  v = g / k + (v0 - g / k) e^(-k t)
+/// k damping [1/s], g acceleration [m/s^2]; the turning, of which the motion says nothing, is the body's own: free, and
+/// damped alike where the body is.
+/// Source: dv/dt = g - k v. Test: "a shot of 20 m/s at 45 degrees with k = 0.2 lands at 29.09 m"
+BodyState stateOf(const DampedFlight& motion, const BodyDef& def, double t) {
+    const double k = motion.damping;
+    const Vec2 terminal = motion.acceleration / k;
+    const Vec2 excess = motion.velocity - terminal;
+    const double turned = def.angularDamping > 0 ? -std::expm1(-def.angularDamping * t) / def.angularDamping : t;
+    return {motion.position + excess * (-std::expm1(-k * t) / k) + terminal * t,
+            def.angle + def.angularVelocity * turned, terminal + excess * std::exp(-k * t),
+            def.angularVelocity * std::exp(-def.angularDamping * t)};
+}
+
+BodyState stateOf(const PendulumMotion& motion, const BodyDef&, double t) {
+    const Swing swing = swingAt({motion.equivalentLength, motion.gravity, motion.amplitude}, t);
+    const double sine = std::sin(swing.angle);
+    const double cosine = std::cos(swing.angle);
+    const double turned = motion.turns ? swing.angle - motion.amplitude : 0;
+    return {motion.pivot + motion.length * Vec2(sine, -cosine), motion.bodyAngle + turned,
+            motion.length * swing.angularVelocity * Vec2(cosine, sine), motion.turns ? swing.angularVelocity : 0};
+}
+
+}  // namespace
+
+std::vector<BodyState> closedFormStates(const Scene& scene, double t) {
+    std::vector<BodyState> states(scene.bodies.size(), unknownState());
+    if (!scene.closedForm) return states;
+    const ClosedForm& form = *scene.closedForm;
+    if (form.until > 0 && t > form.until + timeRounding) return states;
+    for (const BodyMotion& motion : form.bodies) {
+        const std::string& name = std::visit([](const auto& m) -> const std::string& { return m.body; }, motion);
+        const auto body = std::ranges::find(scene.bodies, name, &SceneBody::name);
+        if (body == scene.bodies.end()) {
+            throw std::invalid_argument("closedForm.bodies: \"" + name + "\" is not the name of a body");
+        }
+        const auto index = static_cast<std::size_t>(body - scene.bodies.begin());
+        states[index] = std::visit([&](const auto& m) { return stateOf(m, body->def, t); }, motion);
+    }
+    return states;
+}
+
+}  // namespace plumb::compare

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include <compare/command/arguments.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+namespace plumb::compare {
+namespace {
+
+/// Option values as they stand on the command line.
+struct Raw {
+    std::vector<std::string> scenes;
+    std::string engines, steps, dt, json, csv, report;
+};
+
+/// All of the text as a number, or nothing.
+template <class Number>
+std::optional<Number> number(const std::string& text) {
+    Number value{};
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc{} || rest != end) return {};
+    return value;
+}
+
+int stepsFrom(const std::string& text) {
+    const std::optional<int> steps = number<int>(text);
+    if (!steps || *steps < 1)
+        throw std::invalid_argument(fmt::format("--steps: \"{}\" is not a whole number of at least 1", text));
+    return *steps;
+}
+
+double dtFrom(const std::string& text) {
+    const std::optional<double> dt = number<double>(text);
+    if (!dt || !std::isfinite(*dt) || *dt <= 0)
+        throw std::invalid_argument(fmt::format("--dt: \"{}\" is not a positive number of seconds", text));
+    return *dt;
+}
+
+std::vector<std::string> enginesFrom(const std::string& text, const std::vector<Engine>& known) {
+    std::vector<std::string> names, result;
+    for (const Engine& engine : known) names.push_back(engine.name);
+    for (std::size_t start = 0; start <= text.size();) {
+        const std::size_t comma = std::min(text.find(',', start), text.size());
+        const std::string name = text.substr(start, comma - start);
+        if (std::find(names.begin(), names.end(), name) == names.end()) {
+            const std::string hint = name == "box2d-3" ? "; set PLUMB_BOX2D3_DIR to where Box2D 3.2 is installed" : "";
+            throw std::invalid_argument(fmt::format("--engines: \"{}\" is not an engine of this build, which has {}{}",
+                                                    name, fmt::join(names, ", "), hint));
+        }
+        result.push_back(name);
+        start = comma + 1;
+    }
+    return result;
+}
+
+std::filesystem::path pathFrom(const std::string& option, const std::string& text) {
+    if (text.empty()) throw std::invalid_argument(option + ": \"\" is not a path");
+    return text;
+}
+
+struct Commands {
+    CLI::App *list, *check, *exportScene;
+};
+
+Commands describe(CLI::App& app, Raw& raw) {
+    app.require_subcommand(0, 1);
+    app.footer(
+        "Without a command: every scene in every engine, and the report in build/report/index.html.\n"
+        "Exit status: 0 all checks hold, 1 a check fails, 2 bad usage or input.\n"
+        "A check that looks at what a shortened run does not reach, fails.");
+    CLI::App* list = app.add_subcommand("list", "scenes: name, question, engines, checks");
+    CLI::App* check = app.add_subcommand("check", "run scenes and judge them");
+    check->add_option("SCENE", raw.scenes, "names of scenes, or files: FILE.json; without any, all built-in ones");
+    check->add_option("--engines", raw.engines, "the engines to run, with commas between: a,b");
+    check->add_option("--steps", raw.steps, "how many steps to run, instead of the scene's");
+    check->add_option("--dt", raw.dt, "length of a step, instead of the scene's [s]");
+    check->add_option("--json", raw.json, "write metrics and verdicts to this file");
+    check->add_option("--csv", raw.csv, "write states tick by tick into this folder, a file a scene");
+    check->add_option("--report", raw.report, "write the report into this folder: index.html");
+    CLI::App* exportScene = app.add_subcommand("export", "print a scene as JSON");
+    exportScene->add_option("SCENE", raw.scenes, "name of a scene, or FILE.json")->required()->expected(1);
+    return {list, check, exportScene};
+}
+
+}  // namespace
+
+Arguments parseArguments(std::span<const std::string> args, const std::vector<Engine>& known) {
+    CLI::App app("Runs the same scene in Plumb, Box2D and the closed form, and says which agree.", "plumb-compare");
+    Raw raw;
+    const Commands commands = describe(app, raw);
+    Arguments result;
+    try {
+        app.parse(std::vector<std::string>(args.rbegin(), args.rend()));  // CLI11 takes them from the back
+    } catch (const CLI::CallForHelp&) {
+        result.action = Action::Help;
+        result.help = app.help();
+        return result;
+    } catch (const CLI::ParseError& error) {
+        throw std::invalid_argument(error.what());
+    }
+    if (commands.list->parsed()) result.action = Action::ListScenes;
+    if (commands.check->parsed()) result.action = Action::CheckScenes;
+    if (commands.exportScene->parsed()) result.action = Action::ExportScene;
+    result.scenes = raw.scenes;
+    const auto given = [&](const char* option) { return commands.check->count(option) > 0; };
+    if (given("--engines")) result.options.engines = enginesFrom(raw.engines, known);
+    if (given("--steps")) result.options.steps = stepsFrom(raw.steps);
+    if (given("--dt")) result.options.dt = dtFrom(raw.dt);
+    if (given("--json")) result.json = pathFrom("--json", raw.json);
+    if (given("--csv")) result.csv = pathFrom("--csv", raw.csv);
+    if (given("--report")) result.report = pathFrom("--report", raw.report);
+    return result;
+}
+
+}  // namespace plumb::compare

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include <compare/command/command.h>
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <algorithm>
+#include <exception>
+#include <fstream>
+#include <ostream>
+
+#include <compare/command/arguments.h>
+#include <compare/command/scene_choice.h>
+#include <compare/command/scene_list.h>
+#include <compare/command/verdict_json.h>
+#include <compare/command/verdict_table.h>
+#include <compare/report/report.h>
+#include <compare/scene/json.h>
+
+namespace plumb::compare {
+namespace {
+
+constexpr const char* defaultReport = "build/report";  // from where the program is called
+
+/// Opened before anything is run, so that a wrong path is known at once.
+class JsonFile {
+public:
+    explicit JsonFile(std::filesystem::path path) : path_(std::move(path)), file_(path_, std::ios::binary) { mind(); }
+    void write(const std::string& text) {
+        file_ << text;
+        file_.close();
+        mind();
+    }
+
+private:
+    void mind() const {
+        if (!file_) throw std::runtime_error("--json: cannot write " + path_.string());
+    }
+    std::filesystem::path path_;
+    std::ofstream file_;
+};
+
+void makeFolder(const std::string& option, const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error || !std::filesystem::is_directory(folder))
+        throw std::runtime_error(fmt::format("{}: cannot make the folder {}", option, folder.string()));
+}
+
+/// The engines that have a column: those asked for, but the closed form, which is what the others are held against.
+std::vector<std::string> columns(const RunOptions& options) {
+    std::vector<std::string> result;
+    for (const Engine& engine : engines()) {
+        const auto& asked = options.engines;
+        const bool runs = asked.empty() || std::find(asked.begin(), asked.end(), engine.name) != asked.end();
+        if (runs && engine.name != closedFormName) result.push_back(engine.name);
+    }
+    return result;
+}
+
+int check(const Arguments& arguments, std::ostream& out, bool colour) {
+    const std::vector<Scene> scenes = chooseScenes(arguments.scenes);
+    std::optional<JsonFile> json;
+    if (arguments.json) json.emplace(*arguments.json);
+    if (arguments.csv) makeFolder("--csv", *arguments.csv);
+    if (arguments.report) makeFolder("--report", *arguments.report);
+    const VerdictTable table(out, columns(arguments.options), scenes, colour);
+    table.head();
+    std::vector<SceneResult> results;
+    for (const Scene& scene : scenes) {
+        try {
+            results.push_back(runScene(scene, arguments.options, engines()));
+        } catch (const std::exception& error) {
+            throw std::runtime_error(fmt::format("scene {}: {}", scene.name, error.what()));
+        }
+        table.row(results.back());
+    }
+    table.summary(results);
+    if (json) json->write(verdictJson(results));
+    if (arguments.csv) writeCsv(results, *arguments.csv);
+    if (arguments.report) {
+        writeReport(results, *arguments.report);
+        fmt::print(out, "Report: {}\n", (*arguments.report / "index.html").string());
+    }
+    return std::all_of(results.begin(), results.end(), [](const SceneResult& r) { return r.pass; }) ? allHold
+                                                                                                    : checkFails;
+}
+
+int checkEverything(Arguments arguments, std::ostream& out, bool colour) {
+    arguments.report = defaultReport;
+    const std::vector<Engine>& known = engines();
+    for (const Engine& engine : known)
+        if (!engine.version.empty()) fmt::print(out, "{} {}\n", engine.name, engine.version);
+    if (std::none_of(known.begin(), known.end(), [](const Engine& e) { return e.name == "box2d-3"; }))
+        fmt::print(out, "box2d-3 is not in this build; for it set PLUMB_BOX2D3_DIR to where Box2D 3.2 is installed\n");
+    fmt::print(out, "\n");
+    return check(arguments, out, colour);
+}
+
+int run(const Arguments& arguments, std::ostream& out, bool colour) {
+    switch (arguments.action) {
+        case Action::Help: fmt::print(out, "{}", arguments.help); return allHold;
+        case Action::ListScenes: listScenes(chooseScenes({}), engines(), out); return allHold;
+        case Action::ExportScene:
+            fmt::print(out, "{}\n", toJson(chooseScenes(arguments.scenes).front()));
+            return allHold;
+        case Action::CheckScenes: return check(arguments, out, colour);
+        case Action::Everything: break;
+    }
+    return checkEverything(arguments, out, colour);
+}
+
+std::string oneLine(std::string text) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text;
+}
+
+}  // namespace
+
+int runCommand(std::span<const std::string> args, std::ostream& out, std::ostream& err, bool colour) {
+    try {
+        return run(parseArguments(args, engines()), out, colour);
+    } catch (const std::exception& error) {
+        fmt::print(err, "plumb-compare: {}\n", oneLine(error.what()));
+        return badInput;
+    }
+}
+
+}  // namespace plumb::compare

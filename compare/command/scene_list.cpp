@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include <compare/command/scene_list.h>
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+#include <fmt/ranges.h>
+
+#include <compare/metric/metrics.h>
+
+namespace plumb::compare {
+namespace {
+
+std::string words(const Scene&, const ExactCheck& check) {
+    return fmt::format("exact: plumb within {} m", check.limit);
+}
+
+std::string words(const Scene&, const AgreeCheck& check) {
+    return fmt::format("agree: plumb and each Box2D within {} m until {} s", check.tolerance, check.until);
+}
+
+std::string words(const Scene& scene, const InvariantCheck& check) {
+    const std::string unit = metricUnit(scene, check.metric);
+    return fmt::format("invariant: {} at most {}{}{} ({})", check.metric, check.limit, unit.empty() ? "" : " ", unit,
+                       fmt::join(check.engines, ", "));
+}
+
+std::string words(const Scene&, const OrderCheck& check) {
+    return fmt::format("order: at least {} ({})", check.order, fmt::join(check.engines, ", "));
+}
+
+bool canBuild(const Engine& engine, const Scene& scene) {
+    try {
+        engine.build(scene);
+        return true;
+    } catch (const Unsupported&) {
+        return false;
+    }
+}
+
+}  // namespace
+
+std::string checkText(const Scene& scene, const Check& check) {
+    return std::visit([&](const auto& c) { return words(scene, c); }, check);
+}
+
+void listScenes(std::span<const Scene> scenes, const std::vector<Engine>& engines, std::ostream& out) {
+    for (const Scene& scene : scenes) {
+        std::vector<std::string> able;
+        for (const Engine& engine : engines)
+            if (canBuild(engine, scene)) able.push_back(engine.name);
+        fmt::print(out, "{}\n    {}\n    engines {}\n", scene.name, scene.question, fmt::join(able, ", "));
+        for (const Check& check : scene.checks) fmt::print(out, "    {}\n", checkText(scene, check));
+    }
+}
+
+}  // namespace plumb::compare

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include <compare/command/verdict_json.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace plumb::compare {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json numberOrNull(const std::optional<double>& value) {
+    return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+Json engineJson(const EngineResult& run) {
+    Json json;
+    if (!run.observation.unsupported.empty()) json["unsupported"] = run.observation.unsupported;
+    json["metrics"] = Json::object();
+    for (const auto& [name, value] : run.measured.metrics) json["metrics"][name] = numberOrNull(value);
+    return json;
+}
+
+Json outcomeJson(const Outcome& outcome) {
+    return {{"check", outcome.check},   {"engine", outcome.engine},
+            {"metric", outcome.metric}, {"value", numberOrNull(outcome.value)},
+            {"limit", outcome.limit},   {"pass", outcome.pass}};
+}
+
+Json sceneJson(const SceneResult& result) {
+    Json json{{"name", result.scene.name}, {"dt", result.scene.dt}, {"steps", stepCount(result.scene)}};
+    json["engines"] = Json::object();
+    for (const EngineResult& run : result.engines) json["engines"][run.observation.engine] = engineJson(run);
+    json["checks"] = Json::array();
+    for (const Outcome& outcome : result.outcomes) json["checks"].push_back(outcomeJson(outcome));
+    json["pass"] = result.pass;
+    return json;
+}
+
+}  // namespace
+
+std::string verdictJson(std::span<const SceneResult> results) {
+    Json json{{"schema", 1}, {"scenes", Json::array()}};
+    for (const SceneResult& result : results) json["scenes"].push_back(sceneJson(result));
+    json["pass"] = std::all_of(results.begin(), results.end(), [](const SceneResult& r) { return r.pass; });
+    return json.dump(1) + "\n";
+}
+
+}  // namespace plumb::compare

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// How do other programs read the verdicts?
+#pragma once
+#include <span>
+#include <string>
+
+#include <compare/check/verdict.h>
+
+namespace plumb::compare {
+
+/// {"schema":1,"scenes":[{"name","dt","steps","engines":{"<engine>":{"metrics":{"<metric>":number}}},
+///   "checks":[{"check","engine","metric","value","limit","pass"}],"pass"}],"pass"}
+/// An engine that cannot build a scene also has "unsupported" with the reason. A metric or value that does not exist is
+/// null, and so is one without bound, for which JSON has no number: its check does not pass.
+std::string verdictJson(std::span<const SceneResult> results);
+
+}  // namespace plumb::compare

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include <compare/command/verdict_table.h>
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+
+namespace plumb::compare {
+namespace {
+
+constexpr const char* red = "31";
+constexpr const char* green = "32";
+constexpr const char* yellow = "33";
+constexpr int engineWidth = 11;
+
+std::string cell(const SceneResult& result, const std::string& engine) {
+    for (const EngineResult& run : result.engines) {
+        if (run.observation.engine != engine) continue;
+        if (!run.observation.unsupported.empty()) return "unsupported";
+        const auto error = run.measured.metrics.find("error_max");
+        if (error == run.measured.metrics.end() || !error->second) return "-";
+        return lengthText(*error->second);
+    }
+    return "-";
+}
+
+std::string plural(std::size_t count, const std::string& what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+std::string lengthText(double metres) {
+    if (!std::isfinite(metres)) return "infinite";
+    if (metres == 0) return "0 m";
+    if (metres < 1e-9) return fmt::format("{:.0e} m", metres);
+    if (metres < 1e-6) return fmt::format("{:.3g} nm", metres * 1e9);
+    if (metres < 1e-3) return fmt::format("{:.3g} um", metres * 1e6);
+    if (metres < 1) return fmt::format("{:.3g} mm", metres * 1e3);
+    return fmt::format("{:.3g} m", metres);
+}
+
+std::string failureText(const Scene& scene, const Outcome& outcome) {
+    const bool order = outcome.check == "order";
+    const std::string unit = order ? "" : metricUnit(scene, outcome.metric);
+    const std::string space = unit.empty() ? "" : " ";
+    const std::string bound = fmt::format("{}{}{}", outcome.limit, space, unit);
+    const std::string head = fmt::format("{}: {} {}", outcome.check, outcome.engine, outcome.metric);
+    const std::string why = outcome.reason.empty() ? "" : ": " + outcome.reason;
+    if (!outcome.value)
+        return fmt::format("{} does not exist, wanted {} {}{}", head, order ? "at least" : "at most", bound, why);
+    return fmt::format("{} is {:.4g}{}{}, {} {}{}", head, *outcome.value, space, unit, order ? "under" : "over", bound,
+                       why);
+}
+
+VerdictTable::VerdictTable(std::ostream& out, std::vector<std::string> engines, std::span<const Scene> scenes,
+                           bool colour)
+    : out_(out), engines_(std::move(engines)), nameWidth_(5), colour_(colour) {
+    for (const Scene& scene : scenes) nameWidth_ = std::max(nameWidth_, scene.name.size());
+}
+
+std::string VerdictTable::paint(const std::string& text, const char* code) const {
+    return colour_ ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : text;
+}
+
+void VerdictTable::head() const {
+    fmt::print(out_, "{:6}{:{}}  largest distance to the closed form\n", "", "", nameWidth_);
+    fmt::print(out_, "{:6}{:{}}", "", "scene", nameWidth_);
+    for (const std::string& engine : engines_) fmt::print(out_, "  {:>{}}", engine, engineWidth);
+    fmt::print(out_, "  checks that hold\n");
+    out_.flush();
+}
+
+void VerdictTable::row(const SceneResult& result) const {
+    const auto held = static_cast<std::size_t>(
+        std::count_if(result.outcomes.begin(), result.outcomes.end(), [](const Outcome& o) { return o.pass; }));
+    const bool judged = !result.outcomes.empty();
+    const std::string verdict = !judged       ? paint("----", yellow)
+                                : result.pass ? paint("PASS", green)
+                                              : paint("FAIL", red);
+    fmt::print(out_, "{}  {:{}}", verdict, result.scene.name, nameWidth_);
+    for (const std::string& engine : engines_) fmt::print(out_, "  {:>{}}", cell(result, engine), engineWidth);
+    if (judged)
+        fmt::print(out_, "  {} of {}\n", held, result.outcomes.size());
+    else
+        fmt::print(out_, "  none binds these engines\n");
+    for (const Outcome& outcome : result.outcomes)
+        if (!outcome.pass) fmt::print(out_, "      {}\n", paint(failureText(result.scene, outcome), red));
+    out_.flush();
+}
+
+void VerdictTable::summary(std::span<const SceneResult> results) const {
+    std::size_t passed = 0, failed = 0, unjudged = 0;
+    for (const SceneResult& result : results) ++(result.outcomes.empty() ? unjudged : result.pass ? passed : failed);
+    const std::string hold = plural(passed, "scene") + (passed == 1 ? " holds" : " hold");
+    const std::string fail = fmt::format("{} {}", failed, failed == 1 ? "fails" : "fail");
+    fmt::print(out_, "\n{}, {}.\n", paint(hold, passed ? green : yellow), paint(fail, failed ? red : green));
+    if (unjudged) fmt::print(out_, "{} not judged.\n", paint(plural(unjudged, "scene"), yellow));
+    out_.flush();
+}
+
+}  // namespace plumb::compare

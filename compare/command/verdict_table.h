@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// How does a person read the verdicts in a terminal?
+#pragma once
+#include <iosfwd>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <compare/check/verdict.h>
+
+namespace plumb::compare {
+
+/// A row a scene, written as soon as its result is there: verdict, name, error_max of each engine, how many checks
+/// hold, and below it every check that fails.
+class VerdictTable {
+public:
+    /// engines: the columns, without the closed form. The widest scene name sets the width.
+    VerdictTable(std::ostream& out, std::vector<std::string> engines, std::span<const Scene> scenes, bool colour);
+
+    void head() const;
+    void row(const SceneResult& result) const;
+    /// How many scenes hold, fail, and have nothing that could be judged.
+    void summary(std::span<const SceneResult> results) const;
+
+private:
+    std::string paint(const std::string& text, const char* code) const;
+
+    std::ostream& out_;
+    std::vector<std::string> engines_;
+    std::size_t nameWidth_;
+    bool colour_;
+};
+
+/// In m, mm, um or nm to three digits; as a power of ten when it is smaller still.
+std::string lengthText(double metres);
+
+/// The failed check in words: "exact: plumb error_max is 0.002 m, over 0.001 m: reason".
+std::string failureText(const Scene& scene, const Outcome& outcome);
+
+}  // namespace plumb::compare

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include <compare/engine/box2d24/box2d24_engine.h>
+
+#include <box2d/box2d.h>
+#include <fmt/format.h>
+
+#include <limits>
+
+#include <compare/engine/box2d24/box2d24_body.h>
+#include <compare/engine/joint_geometry.h>
+
+namespace plumb::compare {
+namespace {
+
+constexpr int velocityIterations = 8;
+constexpr int positionIterations = 3;
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Sums what one pair of bodies presses on each other in a step, time-of-impact sub-steps included.
+struct PressedPair {
+    b2Body *a, *b;
+    double impulse = 0;  // in this step [N s]
+    double force = 0;    // mean of the last step in which they were awake [N]
+};
+
+class PressureListener : public b2ContactListener {
+public:
+    std::vector<PressedPair> pairs;
+
+    void PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) override {
+        const b2Body* a = contact->GetFixtureA()->GetBody();
+        const b2Body* b = contact->GetFixtureB()->GetBody();
+        for (PressedPair& pair : pairs) {
+            if (!((pair.a == a && pair.b == b) || (pair.a == b && pair.b == a))) continue;
+            for (int i = 0; i < impulse->count; ++i) pair.impulse += static_cast<double>(impulse->normalImpulses[i]);
+        }
+    }
+
+    void finishStep(double dt) {
+        for (PressedPair& pair : pairs) {
+            // Asleep, nothing is solved and nothing reported, but the bodies still press on each other.
+            const bool asleep = !moves(*pair.a) && !moves(*pair.b);
+            if (!asleep) pair.force = pair.impulse / dt;
+            pair.impulse = 0;
+        }
+    }
+
+private:
+    static bool moves(const b2Body& body) { return body.GetType() != b2_staticBody && body.IsAwake(); }
+};
+
+class Box2d24Simulation : public Simulation {
+public:
+    explicit Box2d24Simulation(const Scene& scene) : world_(toBox2d24(scene.gravity)), probes_(scene.probes.size()) {
+        const float threshold = restitutionThreshold24(scene);
+        for (const SceneBody& body : scene.bodies) bodies_.push_back(addBody24(world_, body, threshold));
+        const std::vector<JointGeometry> joints = jointGeometries(scene);
+        for (std::size_t i = 0; i < joints.size(); ++i) joints_.push_back(join(joints[i], scene.joints[i].name));
+        for (std::size_t i = 0; i < scene.probes.size(); ++i) watch(scene, scene.probes[i], probes_[i]);
+        world_.SetContactListener(&listener_);
+    }
+
+    void step(double dt) override {
+        world_.Step(static_cast<float>(dt), velocityIterations, positionIterations);
+        listener_.finishStep(dt);
+        lastDt_ = dt;
+    }
+
+    std::vector<BodyState> states() const override {
+        std::vector<BodyState> result;
+        result.reserve(bodies_.size());
+        for (const b2Body* body : bodies_) result.push_back(stateOf24(*body));
+        return result;
+    }
+
+    std::vector<double> probeValues() const override {
+        std::vector<double> result;
+        result.reserve(probes_.size());
+        for (const Watched& probe : probes_) result.push_back(valueOf(probe));
+        return result;
+    }
+
+private:
+    struct Watched {
+        std::optional<std::size_t> pair;  // index of a pressed pair
+        const b2Joint* joint = nullptr;
+    };
+
+    const b2Joint* join(const JointGeometry& joint, const std::string& name) {
+        b2Body* a = bodies_[joint.bodyA];
+        b2Body* b = bodies_[joint.bodyB];
+        if (!joint.length) {
+            b2RevoluteJointDef def;
+            def.bodyA = a;
+            def.bodyB = b;
+            def.localAnchorA = toBox2d24(joint.localAnchorA);
+            def.localAnchorB = toBox2d24(joint.localAnchorB);
+            def.referenceAngle = b->GetAngle() - a->GetAngle();
+            def.collideConnected = joint.collideConnected;
+            return world_.CreateJoint(&def);
+        }
+        const auto length = static_cast<float>(*joint.length);
+        if (length < b2_linearSlop)
+            throw Unsupported(fmt::format("joint {}: Box2D 2.4 has no rod shorter than {} m", name, b2_linearSlop));
+        b2DistanceJointDef def;
+        def.bodyA = a;
+        def.bodyB = b;
+        def.localAnchorA = toBox2d24(joint.localAnchorA);
+        def.localAnchorB = toBox2d24(joint.localAnchorB);
+        def.length = def.minLength = def.maxLength = length;  // no stiffness: a rigid rod
+        def.collideConnected = joint.collideConnected;
+        return world_.CreateJoint(&def);
+    }
+
+    void watch(const Scene& scene, const Probe& probe, Watched& watched) {
+        if (const auto* force = std::get_if<NormalForceProbe>(&probe.quantity)) {
+            watched.pair = listener_.pairs.size();
+            listener_.pairs.push_back(
+                {bodies_[bodyIndex(scene, force->bodyA)], bodies_[bodyIndex(scene, force->bodyB)]});
+        } else if (const auto* jointForce = std::get_if<JointForceProbe>(&probe.quantity)) {
+            watched.joint = joints_[jointIndex(scene, jointForce->joint)];
+        }
+    }
+
+    double valueOf(const Watched& probe) const {
+        if (!lastDt_) return unknown;
+        if (probe.pair) return listener_.pairs[*probe.pair].force;
+        if (probe.joint) return probe.joint->GetReactionForce(static_cast<float>(1 / *lastDt_)).Length();
+        return unknown;
+    }
+
+    PressureListener listener_;
+    b2World world_;
+    std::vector<b2Body*> bodies_;
+    std::vector<const b2Joint*> joints_;
+    std::vector<Watched> probes_;
+    std::optional<double> lastDt_;  // [s]
+};
+
+std::vector<Setting> box2d24Settings(const Scene& scene) {
+    return {
+        {"velocity iterations", fmt::format("{}", velocityIterations)},
+        {"position iterations", fmt::format("{}", positionIterations)},
+        {"restitution threshold", fmt::format("{} m/s", restitutionThreshold24(scene))},
+        {"slop", fmt::format("{} m", b2_linearSlop)},
+        {"skin of polygons and segments", fmt::format("{} m", b2_polygonRadius)},
+        {"position correction", fmt::format("{} of the overlap a step", b2_baumgarte)},
+        {"sleep", fmt::format("below {} m/s for {} s", b2_linearSleepTolerance, b2_timeToSleep)},
+        {"continuous collision", "against static bodies"},
+        {"warm starting", "on"},
+        {"SIMD", "none"},
+        {"precision", "single"},
+    };
+}
+
+}  // namespace
+
+Engine box2d24Engine() {
+    return {"box2d-2.4", PLUMB_BOX2D24_VERSION, box2d24Settings,
+            [](const Scene& scene) { return std::make_unique<Box2d24Simulation>(scene); }};
+}
+
+}  // namespace plumb::compare

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// How does a scene's body look in Box2D 3? Only for sources that are compiled against Box2D 3's headers.
+#pragma once
+#include <box2d/box2d.h>
+
+#include <compare/engine/engine.h>
+
+namespace plumb::compare {
+
+b2Vec2 toBox2d3(const Vec2& v);
+
+/// Throws Unsupported, naming the body, when Box2D 3 cannot have it as it is.
+b2BodyId addBody3(b2WorldId world, const SceneBody& body);
+
+/// The angle is in (-pi, pi]: Box2D 3 keeps a rotation, and no count of turns.
+BodyState stateOf3(b2BodyId body);
+
+}  // namespace plumb::compare

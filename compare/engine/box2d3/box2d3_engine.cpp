@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include <compare/engine/box2d3/box2d3_engine.h>
+
+#include <box2d/box2d.h>
+#include <box2d/constants.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <compare/engine/box2d3/box2d3_body.h>
+#include <compare/engine/joint_geometry.h>
+
+namespace plumb::compare {
+namespace {
+
+constexpr int subSteps = 4;
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// The default world, but for gravity and the threshold of a scene that bounces.
+b2WorldDef worldDef(const Scene& scene) {
+    b2WorldDef def = b2DefaultWorldDef();
+    def.gravity = toBox2d3(scene.gravity);
+    if (bounces(scene)) def.restitutionThreshold = 0;
+    return def;
+}
+
+/// A world that is destroyed with its owner: Box2D 3 has room for a limited number.
+class World3 {
+public:
+    explicit World3(const b2WorldDef& def) : id_(b2CreateWorld(&def)) {
+        if (!b2World_IsValid(id_)) throw std::runtime_error("Box2D 3 has no room for another world");
+    }
+    ~World3() { b2DestroyWorld(id_); }
+    World3(const World3&) = delete;
+    World3& operator=(const World3&) = delete;
+    b2WorldId id() const { return id_; }
+
+private:
+    b2WorldId id_;
+};
+
+class Box2d3Simulation : public Simulation {
+public:
+    explicit Box2d3Simulation(const Scene& scene) : world_(worldDef(scene)), probes_(scene.probes.size()) {
+        for (const SceneBody& body : scene.bodies) {
+            bodies_.push_back(addBody3(world_.id(), body));
+            angles_.push_back(body.def.angle);
+        }
+        const std::vector<JointGeometry> joints = jointGeometries(scene);
+        for (std::size_t i = 0; i < joints.size(); ++i) joints_.push_back(join(joints[i], scene.joints[i].name));
+        for (std::size_t i = 0; i < scene.probes.size(); ++i) probes_[i] = watch(scene, scene.probes[i]);
+    }
+
+    void step(double dt) override {
+        b2World_Step(world_.id(), static_cast<float>(dt), subSteps);
+        lastDt_ = dt;
+        for (std::size_t i = 0; i < bodies_.size(); ++i) {
+            // Count on through whole turns: in one step Box2D 3 turns a body by less than a half.
+            const double turned = stateOf3(bodies_[i]).angle - angles_[i];
+            angles_[i] += std::remainder(turned, 2 * std::numbers::pi);
+        }
+    }
+
+    std::vector<BodyState> states() const override {
+        std::vector<BodyState> result;
+        result.reserve(bodies_.size());
+        for (std::size_t i = 0; i < bodies_.size(); ++i) {
+            result.push_back(stateOf3(bodies_[i]));
+            result.back().angle = angles_[i];
+        }
+        return result;
+    }
+
+    std::vector<double> probeValues() const override {
+        std::vector<double> result;
+        result.reserve(probes_.size());
+        for (const Watched& probe : probes_) result.push_back(valueOf(probe));
+        return result;
+    }
+
+private:
+    struct Watched {
+        std::optional<std::pair<b2BodyId, b2BodyId>> bodies;
+        std::optional<b2JointId> joint;
+    };
+
+    void place(b2JointDef& def, const JointGeometry& joint) const {
+        def.bodyIdA = bodies_[joint.bodyA];
+        def.bodyIdB = bodies_[joint.bodyB];
+        def.localFrameA.p = toBox2d3(joint.localAnchorA);
+        def.localFrameB.p = toBox2d3(joint.localAnchorB);
+        def.collideConnected = joint.collideConnected;
+    }
+
+    b2JointId join(const JointGeometry& joint, const std::string& name) const {
+        if (!joint.length) {
+            b2RevoluteJointDef def = b2DefaultRevoluteJointDef();
+            place(def.base, joint);
+            return b2CreateRevoluteJoint(world_.id(), &def);
+        }
+        b2DistanceJointDef def = b2DefaultDistanceJointDef();
+        place(def.base, joint);
+        def.length = static_cast<float>(*joint.length);  // no spring: a rigid rod
+        if (def.length < B2_LINEAR_SLOP)
+            throw Unsupported(fmt::format("joint {}: Box2D 3 has no rod shorter than {} m", name, B2_LINEAR_SLOP));
+        return b2CreateDistanceJoint(world_.id(), &def);
+    }
+
+    Watched watch(const Scene& scene, const Probe& probe) const {
+        Watched watched;
+        if (const auto* force = std::get_if<NormalForceProbe>(&probe.quantity))
+            watched.bodies = {bodies_[bodyIndex(scene, force->bodyA)], bodies_[bodyIndex(scene, force->bodyB)]};
+        else if (const auto* jointForce = std::get_if<JointForceProbe>(&probe.quantity))
+            watched.joint = joints_[jointIndex(scene, jointForce->joint)];
+        return watched;
+    }
+
+    double valueOf(const Watched& probe) const {
+        if (!lastDt_) return unknown;
+        if (probe.bodies) return normalImpulse(probe.bodies->first, probe.bodies->second) / *lastDt_;
+        // Of the last sub-step: Box2D 3 keeps no mean for joints.
+        if (probe.joint) return static_cast<double>(b2Length(b2Joint_GetConstraintForce(*probe.joint)));
+        return unknown;
+    }
+
+    /// Over the last step; a contact asleep keeps what it had.
+    static double normalImpulse(b2BodyId a, b2BodyId b) {
+        std::vector<b2ContactData> contacts(static_cast<std::size_t>(b2Body_GetContactCapacity(a)));
+        contacts.resize(
+            static_cast<std::size_t>(b2Body_GetContactData(a, contacts.data(), static_cast<int>(contacts.size()))));
+        double sum = 0;
+        for (const b2ContactData& contact : contacts) {
+            const b2BodyId first = b2Shape_GetBody(contact.shapeIdA);
+            const b2BodyId second = b2Shape_GetBody(contact.shapeIdB);
+            if (!B2_ID_EQUALS(first, b) && !B2_ID_EQUALS(second, b)) continue;
+            for (int i = 0; i < contact.manifold.pointCount; ++i)
+                sum += static_cast<double>(contact.manifold.points[i].totalNormalImpulse);
+        }
+        return sum;
+    }
+
+    World3 world_;
+    std::vector<b2BodyId> bodies_;
+    std::vector<double> angles_;  // counted on [rad]
+    std::vector<b2JointId> joints_;
+    std::vector<Watched> probes_;
+    std::optional<double> lastDt_;  // [s]
+};
+
+std::vector<Setting> box2d3Settings(const Scene& scene) {
+    const b2WorldDef world = worldDef(scene);
+    const b2RevoluteJointDef joint = b2DefaultRevoluteJointDef();
+    return {
+        {"sub-steps", fmt::format("{}", subSteps)},
+        {"restitution threshold", fmt::format("{} m/s", world.restitutionThreshold)},
+        {"contact stiffness", fmt::format("{} Hz, damping ratio {}", world.contactHertz, world.contactDampingRatio)},
+        {"overlap pushed out at most at", fmt::format("{} m/s", world.contactSpeed)},
+        {"joint stiffness",
+         fmt::format("{} Hz, damping ratio {}", joint.base.constraintHertz, joint.base.constraintDampingRatio)},
+        {"slop", fmt::format("{} m", B2_LINEAR_SLOP)},
+        {"sleep", fmt::format("below {} m/s for {} s", b2DefaultBodyDef().sleepThreshold, B2_TIME_TO_SLEEP)},
+        {"continuous collision", "against static bodies"},
+        {"warm starting", "on"},
+        {"threads", "1"},
+        {"SIMD", "as the library was built"},
+        {"precision", b2IsDoublePrecision() ? "double positions" : "single"},
+    };
+}
+
+std::string version() {
+    const b2Version v = b2GetVersion();
+    return fmt::format("{}.{}.{}", v.major, v.minor, v.revision);
+}
+
+}  // namespace
+
+Engine box2d3Engine() {
+    return {"box2d-3", version(), box2d3Settings,
+            [](const Scene& scene) { return std::make_unique<Box2d3Simulation>(scene); }};
+}
+
+}  // namespace plumb::compare

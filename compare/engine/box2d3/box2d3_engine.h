@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// How is a scene run in Box2D 3?
+#pragma once
+#include <compare/engine/engine.h>
+
+namespace plumb::compare {
+
+/// Box2D 3.2 or later at its defaults: 4 sub-steps a step. Restitution threshold 0 where a scene bounces. Unsupported:
+/// polygons with corners that Box2D would weld, segments and rods shorter than its slop.
+Engine box2d3Engine();
+
+}  // namespace plumb::compare

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include <compare/engine/closed_form_engine.h>
+
+#include <limits>
+
+#include <compare/closed_form/oracle.h>
+
+namespace plumb::compare {
+namespace {
+
+class ClosedFormSimulation : public Simulation {
+public:
+    explicit ClosedFormSimulation(const Scene& scene) : scene_(scene) {}
+
+    // Time is counted in steps: summed up it would drift by rounding.
+    void step(double dt) override { time_ = dt * ++steps_; }
+    std::vector<BodyState> states() const override { return closedFormStates(scene_, time_); }
+    std::vector<double> probeValues() const override {
+        return std::vector<double>(scene_.probes.size(), std::numeric_limits<double>::quiet_NaN());
+    }
+
+private:
+    Scene scene_;
+    int steps_ = 0;
+    double time_ = 0;
+};
+
+std::vector<Setting> closedFormSettings(const Scene& scene) {
+    if (!scene.closedForm) return {};
+    return {{"formula", scene.closedForm->formula}, {"source", scene.closedForm->source}};
+}
+
+}  // namespace
+
+Engine closedFormEngine() {
+    return {std::string(closedFormName), "", closedFormSettings, [](const Scene& scene) {
+                if (!scene.closedForm) throw Unsupported("the scene has no closed form");
+                return std::make_unique<ClosedFormSimulation>(scene);
+            }};
+}
+
+}  // namespace plumb::compare

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// What does an engine have to offer to be compared?
+#pragma once
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <compare/scene/scene.h>
+
+namespace plumb::compare {
+
+inline constexpr std::string_view plumbName = "plumb";
+inline constexpr std::string_view closedFormName = "closed-form";
+/// True for "box2d-2.4", "box2d-3" and whichever Box2D may come.
+inline bool isBox2d(std::string_view engine) {
+    return engine.starts_with("box2d");
+}
+
+struct BodyState {
+    Vec2 position{0, 0};         ///< of the body's origin [m]
+    double angle = 0;            ///< counted on through whole turns [rad]
+    Vec2 velocity{0, 0};         ///< of the centre of mass [m/s]
+    double angularVelocity = 0;  ///< [rad/s]
+};
+
+/// One scene in one engine. Bodies and probes are in the scene's order.
+class Simulation {
+public:
+    virtual ~Simulation() = default;
+    /// Moves on by dt > 0, the same in every step of a run [s].
+    virtual void step(double dt) = 0;
+    virtual std::vector<BodyState> states() const = 0;
+    /// The value of each of the scene's force probes now, mean over the last step; NaN where the engine cannot say, and
+    /// before the first step. Angle probes are read from the states, and are NaN here.
+    virtual std::vector<double> probeValues() const = 0;
+};
+
+/// A name and a value, as the report lists them: "sub-steps", "4".
+using Setting = std::pair<std::string, std::string>;
+
+struct Engine {
+    std::string name;     ///< "plumb", "box2d-2.4", "box2d-3", "closed-form"
+    std::string version;  ///< "2.4.1"
+    /// The numbers that matter, as this scene is run.
+    std::function<std::vector<Setting>(const Scene&)> settings;
+    /// Throws Unsupported when the engine has no counterpart for something in the scene.
+    std::function<std::unique_ptr<Simulation>(const Scene&)> build;
+};
+
+struct Unsupported : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// The engines of this build, in the order plumb, box2d-2.4, box2d-3 where found, closed-form.
+const std::vector<Engine>& engines();
+
+}  // namespace plumb::compare

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include <compare/engine/plumb_engine.h>
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include <compare/engine/joint_geometry.h>
+#include <plumb/dynamics/world.h>
+
+namespace plumb::compare {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+class PlumbSimulation : public Simulation {
+public:
+    explicit PlumbSimulation(const Scene& scene) : world_({.gravity = scene.gravity, .sleeping = true, .solver = {}}) {
+        for (const SceneBody& body : scene.bodies) bodies_.push_back(world_.add(body.def));
+        for (const SceneJoint& joint : scene.joints) joints_.push_back(world_.join(withIds(scene, joint)));
+        for (const Probe& probe : scene.probes) values_.push_back(reader(scene, probe));
+    }
+
+    void step(double dt) override {
+        world_.step(dt);
+        stepped_ = true;
+    }
+
+    std::vector<BodyState> states() const override {
+        std::vector<BodyState> result;
+        result.reserve(bodies_.size());
+        for (const BodyId& id : bodies_) {
+            const Body body = world_.body(id);
+            result.push_back({body.position(), body.angle(), body.velocity(), body.angularVelocity()});
+        }
+        return result;
+    }
+
+    std::vector<double> probeValues() const override {
+        std::vector<double> result;
+        result.reserve(values_.size());
+        for (const auto& value : values_) result.push_back(stepped_ ? value() : unknown);
+        return result;
+    }
+
+private:
+    JointDef withIds(const Scene& scene, const SceneJoint& joint) const {
+        JointDef def = joint.def;
+        std::visit(
+            [&](auto& d) {
+                d.bodyA = bodies_[bodyIndex(scene, joint.bodyA)];
+                d.bodyB = bodies_[bodyIndex(scene, joint.bodyB)];
+            },
+            def);
+        return def;
+    }
+
+    std::function<double()> reader(const Scene& scene, const Probe& probe) const {
+        if (const auto* force = std::get_if<NormalForceProbe>(&probe.quantity)) {
+            const BodyId a = bodies_[bodyIndex(scene, force->bodyA)];
+            const BodyId b = bodies_[bodyIndex(scene, force->bodyB)];
+            return [this, a, b] { return normalForce(a, b); };
+        }
+        if (const auto* force = std::get_if<JointForceProbe>(&probe.quantity)) {
+            const JointId joint = joints_[jointIndex(scene, force->joint)];
+            return [this, joint] { return world_.reaction(joint).force.norm(); };
+        }
+        return [] { return unknown; };
+    }
+
+    double normalForce(const BodyId& a, const BodyId& b) const {
+        double sum = 0;
+        for (const Contact& contact : world_.body(a).contacts()) {
+            if (contact.bodyA != b && contact.bodyB != b) continue;
+            for (const ContactPoint& point : contact.points) sum += point.normalForce;
+        }
+        return sum;
+    }
+
+    World world_;
+    std::vector<BodyId> bodies_;
+    std::vector<JointId> joints_;
+    std::vector<std::function<double()>> values_;
+    bool stepped_ = false;
+};
+
+std::vector<Setting> plumbSettings(const Scene&) {
+    const SolverSettings solver = WorldDef{}.solver;
+    return {
+        {"sub-steps", fmt::format("{}", solver.subSteps)},
+        {"contact stiffness",
+         fmt::format("{} Hz, damping ratio {}", solver.contactFrequency, solver.contactDampingRatio)},
+        {"overlap pushed out at most at", fmt::format("{} m/s", solver.contactPushSpeed)},
+        {"sleep", fmt::format("below {} m/s for {} s", solver.sleepSpeed, solver.sleepTime)},
+        {"restitution threshold", "none"},
+        {"precision", "double; contact solver single, relative to the body"},
+    };
+}
+
+}  // namespace
+
+Engine plumbEngine() {
+    return {std::string(plumbName), PLUMB_VERSION, plumbSettings,
+            [](const Scene& scene) { return std::make_unique<PlumbSimulation>(scene); }};
+}
+
+}  // namespace plumb::compare

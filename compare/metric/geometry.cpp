@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include <compare/metric/geometry.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <compare/metric/observation.h>
+#include <plumb/collide/distance.h>
+
+namespace plumb::compare {
+namespace {
+
+Transform poseOf(const BodyState& state) {
+    return {state.position, Rot::fromAngle(state.angle)};
+}
+
+bool accepts(const Filter& a, const Filter& b) {
+    return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
+}
+
+}  // namespace
+
+Geometry::Geometry(const Scene& scene) : joints_(jointGeometries(scene)) {
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+        for (const ShapeDef& shape : scene.bodies[i].def.shapes)
+            shapes_.push_back({i, shape, scene.bodies[i].def.type == BodyType::Dynamic});
+    for (const JointGeometry& joint : joints_)
+        if (!joint.collideConnected) keptApart_.insert(std::minmax(joint.bodyA, joint.bodyB));
+    for (std::size_t i = 0; i < shapes_.size() && !anyMayTouch_; ++i)
+        for (std::size_t j = 0; j < i && !anyMayTouch_; ++j) anyMayTouch_ = mayTouch(shapes_[i], shapes_[j]);
+}
+
+bool Geometry::mayTouch(const Placed& a, const Placed& b) const {
+    return a.body != b.body && (a.dynamic || b.dynamic) && accepts(a.shape.filter, b.shape.filter) &&
+           !keptApart_.contains(std::minmax(a.body, b.body));
+}
+
+std::optional<double> Geometry::penetration(std::span<const BodyState> states) const {
+    if (!std::all_of(states.begin(), states.end(), isFinite)) return {};
+    std::vector<Transform> poses;
+    for (const BodyState& state : states) poses.push_back(poseOf(state));
+    std::vector<Aabb> boxes;
+    for (const Placed& placed : shapes_) boxes.push_back(aabbOf(placed.shape.shape, poses[placed.body]));
+    Bvh tree;
+    tree.build(boxes);
+    double deepest = 0;
+    for (const Pair& pair : tree.pairs()) {
+        const Placed& a = shapes_[pair.a];
+        const Placed& b = shapes_[pair.b];
+        if (!mayTouch(a, b)) continue;
+        const Distance apart = distance(a.shape.shape, poses[a.body], b.shape.shape, poses[b.body]);
+        deepest = std::max(deepest, -apart.separation);
+    }
+    return deepest;
+}
+
+std::optional<double> Geometry::jointError(std::span<const BodyState> states) const {
+    double worst = 0;
+    for (const JointGeometry& joint : joints_) {
+        const BodyState& a = states[joint.bodyA];
+        const BodyState& b = states[joint.bodyB];
+        if (!isFinite(a) || !isFinite(b)) return {};
+        const Vec2 apart = poseOf(b) * joint.localAnchorB - poseOf(a) * joint.localAnchorA;
+        worst = std::max(worst, std::abs(apart.norm() - joint.length.value_or(0)));
+    }
+    return worst;
+}
+
+}  // namespace plumb::compare

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// How deep do a scene's bodies overlap, and how far are its joints torn?
+#pragma once
+#include <optional>
+#include <set>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <compare/engine/engine.h>
+#include <compare/engine/joint_geometry.h>
+#include <plumb/broad/bvh.h>
+
+namespace plumb::compare {
+
+/// Measures shapes where the states put them, in double precision, without asking any engine.
+class Geometry {
+public:
+    explicit Geometry(const Scene& scene);
+
+    /// Some two bodies of the scene could touch: one of them is dynamic, their shapes' filters let them, and no joint
+    /// forbids it.
+    bool anyMayTouch() const { return anyMayTouch_; }
+    bool anyJoint() const { return !joints_.empty(); }
+
+    /// The deepest overlap of two shapes that may touch, 0 when none do [m]. Empty when a state is not finite.
+    std::optional<double> penetration(std::span<const BodyState> states) const;
+
+    /// The farthest that a hinge's two points are apart, or a rod's two ends are from its length [m]. Empty when a
+    /// state of a joined body is not finite.
+    std::optional<double> jointError(std::span<const BodyState> states) const;
+
+private:
+    struct Placed {
+        std::size_t body;
+        ShapeDef shape;
+        bool dynamic;
+    };
+    bool mayTouch(const Placed& a, const Placed& b) const;
+
+    std::vector<Placed> shapes_;
+    std::vector<JointGeometry> joints_;
+    std::set<std::pair<std::size_t, std::size_t>> keptApart_;
+    bool anyMayTouch_ = false;
+};
+
+}  // namespace plumb::compare

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// What was seen of one engine's run of one scene?
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <compare/engine/engine.h>
+
+namespace plumb::compare {
+
+struct Observation {
+    std::string engine;
+    std::string version;
+    std::vector<Setting> settings;
+    std::string unsupported;  ///< why the engine could not build the scene; empty when it could
+    /// The engine speaks of some bodies and times only: a state that is not a number is one it does not speak of. Where
+    /// this is false, such a state is an error without bound.
+    bool partial = false;
+    double dt = 0;  ///< [s]
+    /// [tick][body], tick 0 is the start: steps + 1 rows; none when the engine could not build the scene.
+    std::vector<std::vector<BodyState>> states;
+    /// [tick][probe]; NaN where the engine cannot say.
+    std::vector<std::vector<double>> probes;
+    std::optional<double> msPerStep;  ///< median of the run [ms]
+};
+
+/// Runs a scene in an engine and looks at it after every step. An engine that cannot build it is observed as such.
+Observation observe(const Scene& scene, const Engine& engine);
+
+/// Every number of the state is finite.
+bool isFinite(const BodyState& state);
+
+}  // namespace plumb::compare

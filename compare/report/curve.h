@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// How is a long series drawn with few points, and none of its peaks lost?
+#pragma once
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace plumb::compare {
+
+/// How many ticks share a pair of points, so that `ticks` ticks give about `most` points: 1, each tick has its own
+/// point; else an even number.
+std::size_t curveStride(std::size_t ticks, std::size_t most);
+
+/// Stride 1: the series as it is. Else two points for every `stride` ticks: the smallest and the largest of their
+/// values, the earlier first; NaN is passed over, and stands where there is nothing else.
+/// Point j lies at tick floor(j / 2) stride + (j mod 2) stride / 2.
+std::vector<double> thinned(std::span<const double> series, std::size_t stride);
+
+}  // namespace plumb::compare

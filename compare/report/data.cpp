@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include <compare/report/data.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include <compare/engine/engine.h>
+#include <compare/report/curve.h>
+#include <compare/report/playback.h>
+#include <plumb/math/transform.h>
+
+namespace plumb::compare {
+namespace {
+
+using nlohmann::json;
+
+json pair(const Vec2& v) {
+    return {v.x(), v.y()};
+}
+
+json shapeData(const ShapeDef& def) {
+    if (const auto* circle = std::get_if<Circle>(&def.shape)) {
+        return {{"circle", {circle->center.x(), circle->center.y(), circle->radius}}};
+    }
+    if (const auto* segment = std::get_if<Segment>(&def.shape)) {
+        return {{"segment", {segment->start.x(), segment->start.y(), segment->end.x(), segment->end.y()}}};
+    }
+    json vertices = json::array();
+    for (const Vec2& vertex : std::get<Polygon>(def.shape).vertices) {
+        vertices.push_back(vertex.x());
+        vertices.push_back(vertex.y());
+    }
+    return {{"polygon", vertices}};
+}
+
+json bodyData(const SceneBody& body) {
+    constexpr const char* types[] = {"static", "kinematic", "dynamic"};
+    json shapes = json::array();
+    for (const ShapeDef& shape : body.def.shapes) shapes.push_back(shapeData(shape));
+    return {{"name", body.name},
+            {"type", types[static_cast<int>(body.def.type)]},
+            {"start", {body.def.position.x(), body.def.position.y(), body.def.angle}},
+            {"shapes", shapes}};
+}
+
+std::size_t bodyIndex(const Scene& scene, const std::string& name) {
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        if (scene.bodies[i].name == name) return i;
+    }
+    throw std::invalid_argument("SceneJoint.body: \"" + name + "\" is not a body of " + scene.name);
+}
+
+/// A joint as two bodies and a point fixed to each: the page draws it wherever the bodies go.
+json jointData(const Scene& scene, const SceneJoint& joint) {
+    const std::size_t a = bodyIndex(scene, joint.bodyA);
+    const std::size_t b = bodyIndex(scene, joint.bodyB);
+    const auto local = [&](std::size_t body, const Vec2& anchor) {
+        const BodyDef& def = scene.bodies[body].def;
+        return pair(Transform{def.position, Rot::fromAngle(def.angle)}.inverse() * anchor);
+    };
+    json data = {{"name", joint.name}, {"a", a}, {"b", b}};
+    if (const auto* distance = std::get_if<DistanceJointDef>(&joint.def)) {
+        data.update({{"type", "distance"}, {"atA", local(a, distance->anchorA)}, {"atB", local(b, distance->anchorB)}});
+    } else {
+        const Vec2& anchor = std::get<RevoluteJointDef>(joint.def).anchor;
+        data.update({{"type", "revolute"}, {"atA", local(a, anchor)}, {"atB", local(b, anchor)}});
+    }
+    return data;
+}
+
+/// Null where the series does not exist or says nothing.
+json curveData(const std::vector<double>& series, std::size_t stride) {
+    const bool empty = std::ranges::all_of(series, [](double value) { return std::isnan(value); });
+    return empty ? json() : json(packNumbers(thinned(series, stride), NumberWidth::Float64));
+}
+
+json probeData(const Scene& scene, const Observation& run, std::size_t stride) {
+    json curves = json::array();
+    for (std::size_t p = 0; p < scene.probes.size(); ++p) {
+        std::vector<double> series;
+        for (const std::vector<double>& tick : run.probes) series.push_back(tick.at(p));
+        curves.push_back(curveData(series, stride));
+    }
+    return curves;
+}
+
+json engineData(const Scene& scene, const EngineResult& result, const PlaybackFormat& format, std::size_t curveStride) {
+    const Observation& run = result.observation;
+    json settings = json::array();
+    for (const Setting& setting : run.settings) settings.push_back({setting.first, setting.second});
+    json metrics = json::object();
+    for (const auto& [name, value] : result.measured.metrics) metrics[name] = value ? json(*value) : json();
+    json data = {{"name", run.engine}, {"version", run.version}, {"settings", settings}, {"metrics", metrics}};
+    if (!run.unsupported.empty()) {
+        data["unsupported"] = run.unsupported;
+        return data;
+    }
+    data["bodies"] = playedBodies(scene, run.engine);
+    data["ticks"] = playedTicks(scene, run);
+    data["states"] = packPlayback(scene, run, format);
+    data["probes"] = probeData(scene, run, curveStride);
+    data["error"] = curveData(result.measured.series.error, curveStride);
+    data["divergence"] = curveData(result.measured.series.divergence, curveStride);
+    data["energy"] = curveData(result.measured.series.energy, curveStride);
+    return data;
+}
+
+json outcomeData(const Outcome& outcome) {
+    return {{"check", outcome.check},   {"engine", outcome.engine},
+            {"metric", outcome.metric}, {"value", outcome.value ? json(*outcome.value) : json()},
+            {"limit", outcome.limit},   {"pass", outcome.pass},
+            {"reason", outcome.reason}};
+}
+
+json closedFormData(const Scene& scene) {
+    if (!scene.closedForm) return nullptr;
+    return {{"formula", scene.closedForm->formula},
+            {"source", scene.closedForm->source},
+            {"until", scene.closedForm->until}};
+}
+
+/// The limits that belong into the charts.
+json limitData(const Scene& scene) {
+    json limits = json::object();
+    for (const Check& check : scene.checks) {
+        if (const auto* exact = std::get_if<ExactCheck>(&check)) limits["error"] = exact->limit;
+        if (const auto* agree = std::get_if<AgreeCheck>(&check)) {
+            limits["divergence"] = agree->tolerance;
+            limits["agreeUntil"] = agree->until;
+        }
+    }
+    return limits;
+}
+
+json sceneData(const SceneResult& result, const PlaybackFormat& format, const ReportSettings& settings) {
+    const Scene& scene = result.scene;
+    std::size_t ticks = 1;
+    double dt = scene.dt;
+    for (const EngineResult& engine : result.engines) {
+        if (!engine.observation.unsupported.empty()) continue;
+        ticks = std::max(ticks, engine.observation.states.size());
+        dt = engine.observation.dt;
+    }
+    const std::size_t stride = curveStride(ticks, settings.curvePoints);
+    json data = {{"name", scene.name},
+                 {"question", scene.question},
+                 {"pass", result.pass},
+                 {"dt", dt},
+                 {"steps", ticks - 1},
+                 {"gravity", pair(scene.gravity)},
+                 {"closedForm", closedFormData(scene)},
+                 {"limits", limitData(scene)},
+                 {"width", static_cast<int>(format.width)},
+                 {"stride", format.stride},
+                 {"curveStride", stride}};
+    for (const char* list : {"bodies", "joints", "probes", "engines", "outcomes"}) data[list] = json::array();
+    for (const SceneBody& body : scene.bodies) data["bodies"].push_back(bodyData(body));
+    for (const SceneJoint& joint : scene.joints) data["joints"].push_back(jointData(scene, joint));
+    for (const Probe& probe : scene.probes) {
+        data["probes"].push_back({{"name", probe.name}, {"unit", probe.unit}, {"from", probe.from}});
+    }
+    for (const EngineResult& engine : result.engines) {
+        if (engine.observation.engine == closedFormName && !scene.closedForm) continue;
+        data["engines"].push_back(engineData(scene, engine, format, stride));
+    }
+    for (const Outcome& outcome : result.outcomes) data["outcomes"].push_back(outcomeData(outcome));
+    return data;
+}
+
+}  // namespace
+
+json reportData(const std::vector<SceneResult>& results, const ReportSettings& settings) {
+    const std::vector<PlaybackFormat> formats = fitPlayback(results, settings.playbackBudget);
+    json scenes = json::array();
+    for (std::size_t i = 0; i < results.size(); ++i) scenes.push_back(sceneData(results[i], formats[i], settings));
+    return {{"schema", 1}, {"scenes", scenes}};
+}
+
+std::string scriptText(const json& data) {
+    const std::string plain = data.dump(-1, ' ', false, json::error_handler_t::replace);
+    std::string safe;
+    safe.reserve(plain.size());
+    for (const char c : plain) {
+        if (c == '<') {
+            safe += "\\u003c";
+        } else {
+            safe += c;
+        }
+    }
+    return safe;
+}
+
+}  // namespace plumb::compare

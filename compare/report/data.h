@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// What does the page know?
+#pragma once
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include <compare/check/verdict.h>
+
+namespace plumb::compare {
+
+struct ReportSettings {
+    /// Of all playback together [byte]; a third more as text. 22 scenes of the built-in kind need about 5 MB.
+    std::size_t playbackBudget = 8'000'000;
+    /// In a curve; a screen has about 2,000 columns, and a pair of points stays below one of them.
+    std::size_t curvePoints = 4'000;
+};
+
+/// Everything the page shows, as the page's scripts read it (page/data.js).
+nlohmann::json reportData(const std::vector<SceneResult>& results, const ReportSettings& settings = {});
+
+/// JSON that may stand inside a <script> element: without "<", no text in it can end the element or open a comment.
+std::string scriptText(const nlohmann::json& data);
+
+}  // namespace plumb::compare

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Which state of the page does its address name? #scene=free_fall&t=1.2&play=1&speed=1
+
+function readAddress() {
+    const fields = new URLSearchParams(location.hash.slice(1));
+    const number = (name, otherwise) => {
+        const value = Number.parseFloat(fields.get(name));
+        return Number.isFinite(value) ? value : otherwise;
+    };
+    return {scene: fields.get("scene"), time: number("t", 0), play: fields.get("play") === "1", speed: number("speed", 1)};
+}
+
+function writeAddress({scene, time, play, speed}) {
+    const fields = [`scene=${encodeURIComponent(scene)}`, `t=${Number(time.toFixed(4))}`];
+    if (play) fields.push("play=1");
+    if (speed !== 1) fields.push(`speed=${speed}`);
+    history.replaceState(null, "", `#${fields.join("&")}`);
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Which charts does a scene have? Motion, error, divergence and energy, under one cursor and one zoom.
+
+class Charts {
+    constructor(host, seek) {
+        const make = (title, heading = element("h2", {}, title)) => new Chart(heading, seek, (window) => this.zoom(window));
+        this.choice = element("select", {"aria-label": "Quantity plotted", onchange: () => this.showMotion()});
+        this.motion = make("Motion", element("h2", {}, element("span", {class: "unseen"}, "Motion: "), this.choice));
+        this.error = make("Distance to closed form");
+        this.divergence = make("Distance to Plumb");
+        this.energy = make("Energy");
+        this.all = [this.motion, this.error, this.divergence, this.energy];
+        host.append(...this.all.map((chart) => chart.figure));
+        new ResizeObserver(() => this.all.forEach((chart) => chart.graph?.resize())).observe(host);
+    }
+
+    load(scene) {
+        this.scene = scene;
+        this.choices = motionChoices(scene);
+        const groups = new Map();
+        this.choices.forEach((choice, index) => {
+            if (!groups.has(choice.group)) groups.set(choice.group, element("optgroup", {label: choice.group}));
+            groups.get(choice.group).append(element("option", {value: index}, choice.label));
+        });
+        this.choice.replaceChildren(...groups.values());
+        this.choice.value = this.choices.indexOf(firstChoice(this.choices));
+        this.choice.hidden = this.choices.length === 0;
+        this.show();
+    }
+
+    show() {
+        const {scene} = this;
+        const {limits} = scene;
+        this.showMotion();
+        // A chart with nothing in it is left out: of a scene without closed form, of Plumb alone, of nothing that moves.
+        this.error.show(logarithmic(errorCurve(scene), limits.error),
+            {limit: limits.error, until: scene.closedForm?.until}, "error");
+        this.divergence.show(logarithmic(divergenceCurve(scene), limits.divergence),
+            {limit: limits.divergence, until: limits.agreeUntil}, "distance");
+        this.energy.show(linear({...engineCurve(scene, "energy", "J"), ruler: true}), {}, "E");
+        this.moveTo(this.time ?? 0);
+    }
+
+    showMotion() {
+        const choice = this.choices[Number(this.choice.value)];
+        const curve = choice ? choice.curve() : {times: [0], lines: [], unit: ""};
+        this.motion.show(linear(curve), {}, choice?.axis ?? "");
+        this.motion.moveTo(this.time ?? 0);
+    }
+
+    moveTo(time) {
+        this.time = time;
+        for (const chart of this.all) chart.moveTo(time);
+    }
+    zoom(window) {
+        for (const chart of this.all) chart.setWindow(window);
+    }
+    setHidden(hidden) {
+        for (const chart of this.all) chart.setHidden(hidden);
+    }
+    clear() {
+        for (const chart of this.all) chart.clear();
+    }
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// How does a person play, pause, step and scrub?
+
+const SPEEDS = [[0.125, "⅛×"], [0.25, "¼×"], [0.5, "½×"], [1, "1×"], [2, "2×"], [4, "4×"]];
+const MAGNIFICATIONS = [[1, "×1"], [10, "×10"], [100, "×100"], [1000, "×1000"]];
+
+function takesKeys(target) {
+    return target instanceof HTMLSelectElement || target instanceof HTMLButtonElement || target instanceof HTMLAnchorElement ||
+        (target instanceof HTMLInputElement && target.type !== "range");
+}
+
+/// Space plays and pauses, the arrows step, Home and End go to the ends; a focused control keeps its own keys.
+function bindKeys(player, isOpen) {
+    document.addEventListener("keydown", (event) => {
+        if (!isOpen() || event.ctrlKey || event.altKey || event.metaKey) return;
+        const actions = {
+            " ": () => player.toggle(),
+            ArrowLeft: () => player.step(-1),
+            ArrowRight: () => player.step(1),
+            Home: () => player.seek(0),
+            End: () => player.seek(player.end),
+        };
+        const action = actions[event.key];
+        const own = event.key === " " ? takesKeys(event.target)
+            : event.target instanceof HTMLSelectElement || (event.target instanceof HTMLInputElement && event.target.type === "radio");
+        if (!action || own) return;
+        event.preventDefault();
+        action();
+    });
+}
+
+function bindTransport(player, settled) {
+    byId("play").addEventListener("click", () => { player.toggle(); settled(); });
+    byId("step-back").addEventListener("click", () => { player.step(-1); settled(); });
+    byId("step-on").addEventListener("click", () => { player.step(1); settled(); });
+    byId("scrub").addEventListener("input", (event) => player.seekFrame(Number(event.target.value)));
+    byId("scrub").addEventListener("change", settled);
+    byId("repeat").addEventListener("change", (event) => { player.repeat = event.target.checked; });
+    return fillChoice(byId("speeds"), "speed", SPEEDS, 1, (speed) => { player.setSpeed(speed); settled(); });
+}
+
+function showTransport(player, scene) {
+    const frame = player.frame;
+    const time = scene.times[frame];
+    byId("clock").textContent = timeText(time);
+    byId("tick").textContent = `step ${scene.ticks[frame]} of ${scene.steps}`;
+    const scrub = byId("scrub");
+    scrub.value = frame;
+    scrub.style.setProperty("--done", `${(100 * frame) / Math.max(1, scene.ticks.length - 1)}%`);
+    scrub.setAttribute("aria-valuetext", timeText(time));
+    const play = byId("play");
+    play.textContent = player.playing ? "❚❚ Pause" : "▶ Play";
+    play.setAttribute("aria-pressed", String(player.playing));
+}

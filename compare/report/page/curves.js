@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// What is plotted over time? A curve is {times, lines: [{engine, values}], unit}.
+
+function engineCurve(scene, name, unit) {
+    const lines = scene.running.filter((engine) => engine[name]).map((engine) => ({engine: engine.name, values: engine[name]}));
+    return {times: scene.curveTimes, lines, unit};
+}
+
+function errorCurve(scene) {
+    const curve = engineCurve(scene, "error", "m");
+    curve.lines = curve.lines.filter((line) => line.engine !== "closed-form");
+    return curve;
+}
+
+/// Plumb's distance from itself says nothing.
+function divergenceCurve(scene) {
+    const curve = engineCurve(scene, "divergence", "m");
+    curve.lines = curve.lines.filter((line) => line.engine !== "plumb" && line.engine !== "closed-form");
+    return curve;
+}
+
+function probeCurve(scene, index) {
+    const lines = scene.running.filter((engine) => engine.probes[index])
+        .map((engine) => ({engine: engine.name, values: engine.probes[index]}));
+    return {times: scene.curveTimes, lines, unit: scene.probes[index].unit, ruler: true};
+}
+
+function motionCurve(scene, body, part) {
+    const lines = [];
+    for (const engine of scene.running) {
+        if (!engine.slots.has(body)) continue;
+        const values = scene.ticks.map((_, frame) => poseOf(scene, engine, frame, body)?.[part] ?? NaN);
+        lines.push({engine: engine.name, values});
+    }
+    return {times: scene.times, lines, unit: part === "angle" ? "rad" : "m", ruler: true};
+}
+
+/// What a person may plot: the scene's own quantities first, then each body's.
+function motionChoices(scene) {
+    const choices = scene.probes.map((probe, index) => ({
+        group: "Probes", label: `${probe.name} [${probe.unit}]`, axis: probe.name, curve: () => probeCurve(scene, index),
+    })).filter((choice) => choice.curve().lines.length > 0);
+    scene.bodies.forEach((body, index) => {
+        if (body.type === "static") return;
+        for (const part of ["x", "y", "angle"]) {
+            const unit = part === "angle" ? "rad" : "m";
+            choices.push({group: body.name, label: `${part} of ${body.name} [${unit}]`, axis: part, body: index, part,
+                curve: () => motionCurve(scene, index, part)});
+        }
+    });
+    return choices;
+}
+
+function spread(values) {
+    let low = Infinity;
+    let high = -Infinity;
+    for (const value of values) {
+        if (!Number.isFinite(value)) continue;
+        low = Math.min(low, value);
+        high = Math.max(high, value);
+    }
+    return high > low ? high - low : 0;
+}
+
+/// What the scene watches; else, of the first body, the direction in which it moves the most.
+function firstChoice(choices) {
+    if (choices[0]?.body === undefined) return choices[0];
+    const parts = choices.filter((choice) => choice.body === choices[0].body && (choice.part === "x" || choice.part === "y"));
+    const [x, y] = parts.map((choice) => spread(choice.curve().lines[0]?.values ?? []));
+    return x > y ? parts[0] : parts[1];
+}
+
+/// Distances over many powers of ten are drawn on a logarithmic axis, which has no 0: what is 0 after the start lies
+/// on the lowest power shown.
+function logarithmic(curve, limit) {
+    let least = Infinity;
+    let most = -Infinity;
+    for (const {values} of curve.lines) {
+        for (const value of values) {
+            if (!(value > 0) || !Number.isFinite(value)) continue;
+            least = Math.min(least, value);
+            most = Math.max(most, value);
+        }
+    }
+    if (limit > 0) most = Math.max(most, limit);
+    // Below 1e-16 m nothing is meant by a distance between doubles near 1 m.
+    const bottom = Math.max(-16, Math.floor(Math.log10(Math.min(least, most, 1e-3))));
+    const low = Number.isFinite(bottom) ? bottom : -16;
+    const high = Math.max(low + 1, Number.isFinite(most) ? Math.ceil(Math.log10(most) + 0.05) : -3);
+    const floor = 10 ** low;
+    const lines = curve.lines.map(({engine, values}) => ({
+        engine,
+        values,
+        drawn: Array.from(values, (value, i) => (value >= floor ? value : i > 0 && value >= 0 ? floor : NaN)),
+    }));
+    return {...curve, lines, range: [floor, 10 ** high], logarithmic: true};
+}
+
+/// A constant must look constant: the axis spans at least a fiftieth of the values' size.
+function linear(curve) {
+    let low = Infinity;
+    let high = -Infinity;
+    for (const {values} of curve.lines) {
+        for (const value of values) {
+            if (!Number.isFinite(value)) continue;
+            low = Math.min(low, value);
+            high = Math.max(high, value);
+        }
+    }
+    if (!(low <= high)) [low, high] = [-1, 1];
+    const least = Math.max(0.02 * Math.max(Math.abs(low), Math.abs(high)), 1e-9);
+    const middle = (low + high) / 2;
+    const half = Math.max(high - low, least) / 2;
+    const lines = curve.lines.map((line) => ({...line, drawn: line.values}));
+    return {...curve, lines, range: [middle - 1.12 * half, middle + 1.12 * half], logarithmic: false};
+}

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// How does a number read to a person? Three digits, a prefix where the unit has one, else a power of ten.
+
+const NO_BREAK = "\u00a0";
+const NONE = "–";
+/// Factor, name, and the smallest size it is used for where that is not the factor.
+const PREFIXES = {
+    m: [[1, "m"], [1e-3, "mm"], [1e-6, "µm"], [1e-9, "nm"]],
+    s: [[1, "s", 0.01], [1e-3, "ms"], [1e-6, "µs"], [1e-9, "ns"]],
+    ms: [[1, "ms"], [1e-3, "µs"], [1e-6, "ns"]],
+    N: [[1e3, "kN"], [1, "N"], [1e-3, "mN"], [1e-6, "µN"]],
+    J: [[1e3, "kJ"], [1, "J"], [1e-3, "mJ"], [1e-6, "µJ"]],
+    rad: [[1, "rad"], [1e-3, "mrad"], [1e-6, "µrad"]],
+};
+
+function minus(text) {
+    return text.replace(/-/g, "−");
+}
+
+/// 0.00123, 12.3, 12300: no power of ten.
+function withDigits(x, digits) {
+    const r = Number(x.toPrecision(digits));
+    if (r === 0) return "0";
+    const decimals = Math.max(0, digits - 1 - Math.floor(Math.log10(Math.abs(r)) + 1e-9));
+    return minus(r.toFixed(Math.min(decimals, 12)));
+}
+
+function superscript(exponent) {
+    return String(exponent).replace("+", "").replace(/[-0-9]/g, (c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]));
+}
+
+function scientific(x, digits = 3) {
+    const [lead, exponent] = x.toExponential(digits - 1).split("e");
+    return `${minus(lead)}×10${superscript(exponent)}`;
+}
+
+/// A share of a whole, like a drift of energy.
+function ratioText(x, digits) {
+    if (x === 0) return "0";
+    return Math.abs(x) >= 1e-5 ? withDigits(100 * x, digits) + NO_BREAK + "%" : scientific(x, digits);
+}
+
+function plainText(x, digits) {
+    const size = Math.abs(x);
+    return x === 0 || (size >= 1e-3 && size < 1e5) ? withDigits(x, digits) : scientific(x, digits);
+}
+
+/// unit "" is a ratio, "-" a plain number.
+function quantity(x, unit, digits = 3) {
+    if (x === null || x === undefined || Number.isNaN(x)) return NONE;
+    if (!Number.isFinite(x)) return x > 0 ? "∞" : "−∞";
+    if (unit === "") return ratioText(x, digits);
+    if (unit === "-") return plainText(x, digits);
+    const prefixes = PREFIXES[unit];
+    if (!prefixes) return plainText(x, digits) + NO_BREAK + unit;
+    if (x === 0) return "0" + NO_BREAK + unit;
+    const size = Math.abs(Number(x.toPrecision(digits)));
+    const fit = prefixes.find(([factor, , from = factor]) => size >= from * (1 - 1e-9));
+    if (!fit || size >= 1e4 * prefixes[0][0]) return scientific(x, digits) + NO_BREAK + unit;
+    return withDigits(x / fit[0], digits) + NO_BREAK + fit[1];
+}
+
+/// Where there is little room, one digit before a power of ten.
+function shortQuantity(x, unit) {
+    return quantity(x, unit).replace(/^(−?\d)\.\d+×/, (_, lead) => `${lead}×`);
+}
+
+/// A value that was chosen, not measured: 2 mm, not 2.00 mm.
+function chosenQuantity(x, unit) {
+    return quantity(x, unit).replace(/\.(\d*?)0+(?=\D|$)/, (_, kept) => (kept ? `.${kept}` : ""));
+}
+
+/// In the unit itself, as a ruler reads: −0.9961 m. What is below a millionth is 0 to a ruler.
+function rulerText(x, unit) {
+    if (!Number.isFinite(x)) return quantity(x, unit);
+    return `${Math.abs(x) < 1e-6 ? "0" : withDigits(x, 4)}${NO_BREAK}${unit}`;
+}
+
+function timeText(t) {
+    return t.toFixed(3) + NO_BREAK + "s";
+}
+
+/// A tick of an axis whose ticks are `step` apart.
+function axisText(x, step) {
+    if (Math.abs(x) < step * 1e-6) return "0";
+    const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+    if (decimals > 5 || Math.abs(x) >= 1e6) return minus(String(Number(x.toPrecision(4))));
+    return minus(x.toFixed(decimals));
+}
+
+function powerOfTen(exponent) {
+    return exponent === 0 ? "1" : exponent === 1 ? "10" : `10${superscript(exponent)}`;
+}
+
+/// free_fall -> Free fall.
+function titleText(name) {
+    const words = name.replaceAll("_", " ");
+    return words.charAt(0).toUpperCase() + words.slice(1);
+}

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// What do the tables under the stage say?
+
+const METRICS = {
+    error_max: ["Largest distance to the closed form", "m"],
+    error_end: ["Distance to the closed form at the end", "m"],
+    divergence_max: ["Largest distance to Plumb", "m"],
+    divergence_time: ["1 cm from Plumb after", "s"],
+    energy_drift: ["Energy drift", ""],
+    momentum_drift: ["Momentum drift", ""],
+    angular_momentum_drift: ["Angular momentum drift", ""],
+    penetration_max: ["Deepest penetration", "m"],
+    joint_error_max: ["Widest gap in a joint", "m"],
+    settle_time: ["Settled after", "s"],
+    ms_per_step: ["Time for a step", "ms"],
+};
+const LESS_IS_NOT_BETTER = ["divergence_max", "divergence_time", "settle_time"];
+
+function metricUnit(scene, metric) {
+    if (METRICS[metric]) return METRICS[metric][1];
+    const probe = scene.probes.find(({name}) => `probe.${name}` === metric);
+    return probe ? probe.unit : "-";
+}
+
+function metricLabel(metric) {
+    if (METRICS[metric]) return METRICS[metric][0];
+    return metric.startsWith("probe.") ? `Largest error of ${metric.slice(6)}` : metric;
+}
+
+function metricCell(metric) {
+    return element("th", {scope: "row"}, metricLabel(metric), " ", element("code", {}, metric));
+}
+
+function outcomeUnit(scene, outcome) {
+    return outcome.check === "order" ? "-" : metricUnit(scene, outcome.metric);
+}
+
+/// "≤ 1 mm", and "≥ 1.9" for an order of convergence.
+function limitText(scene, outcome) {
+    return `${outcome.check === "order" ? "≥" : "≤"}${NO_BREAK}${chosenQuantity(outcome.limit, outcomeUnit(scene, outcome))}`;
+}
+
+function failureText(scene, outcome) {
+    const value = outcome.value === null ? "no value" : quantity(outcome.value, outcomeUnit(scene, outcome));
+    const label = metricLabel(outcome.metric);
+    return `${lookOf(outcome.engine).label}: ${label.charAt(0).toLowerCase()}${label.slice(1)} ${value}, not ${limitText(scene, outcome)}`;
+}
+
+function verdictMark(pass) {
+    return element("span", {class: pass ? "verdict holds" : "verdict fails"}, pass ? "✓ holds" : "✗ fails");
+}
+
+/// Those within a thousandth of the least are equally good.
+function bestOf(metric, values) {
+    const known = values.filter((value) => typeof value === "number");
+    if (known.length < 2 || LESS_IS_NOT_BETTER.includes(metric)) return () => false;
+    const least = Math.min(...known.map(Math.abs));
+    return (value) => typeof value === "number" && Math.abs(value) <= 1.001 * least;
+}
+
+function numbersTable(scene) {
+    const names = Object.keys(METRICS);
+    const rank = (metric) => (names.includes(metric) ? names.indexOf(metric) : names.length);
+    const metrics = [...new Set(scene.running.flatMap((engine) => Object.keys(engine.metrics)))]
+        .filter((metric) => scene.running.some((engine) => typeof engine.metrics[metric] === "number"))
+        .sort((a, b) => rank(a) - rank(b));
+    const rows = metrics.map((metric) => {
+        const compared = scene.running.filter((engine) => engine.name !== "closed-form");
+        const isBest = bestOf(metric, compared.map((engine) => engine.metrics[metric]));
+        return element("tr", {}, metricCell(metric), ...scene.running.map((engine) => {
+            const value = engine.metrics[metric];
+            const best = engine.name !== "closed-form" && isBest(value);
+            return element("td", {class: best ? "number best" : "number"}, quantity(value, metricUnit(scene, metric)));
+        }));
+    });
+    const head = element("tr", {}, element("th", {scope: "col"}, "Metric"),
+        ...scene.running.map((engine) => element("th", {scope: "col", class: "number"}, engineName(engine.name))));
+    return [element("thead", {}, head), element("tbody", {}, ...rows)];
+}
+
+function checksTable(scene) {
+    const columns = ["", "Check", "Engine", "Metric", "Value", "Limit", "Why this limit"];
+    const head = element("tr", {}, ...columns.map((text) =>
+        element("th", {scope: "col", class: text === "Value" || text === "Limit" ? "number" : null}, text)));
+    const rows = scene.outcomes.map((outcome) => element("tr", {class: outcome.pass ? null : "failing"},
+        element("td", {}, verdictMark(outcome.pass)), element("td", {}, outcome.check),
+        element("td", {}, engineName(outcome.engine)), element("td", {}, metricLabel(outcome.metric)),
+        element("td", {class: "number"}, quantity(outcome.value, outcomeUnit(scene, outcome))),
+        element("td", {class: "number"}, limitText(scene, outcome)),
+        element("td", {class: "reason"}, outcome.reason)));
+    if (rows.length === 0) rows.push(element("tr", {}, element("td", {colspan: columns.length}, "Nothing was checked.")));
+    return [element("thead", {}, head), element("tbody", {}, ...rows)];
+}
+
+function settingsTable(scene) {
+    // What the closed form has to say stands in a card of its own.
+    const engines = scene.engines.filter((engine) => engine.name !== "closed-form");
+    const names = [...new Set(engines.flatMap((engine) => engine.settings.map(([name]) => name)))];
+    const row = (name, value) => element("tr", {}, element("th", {scope: "row"}, name),
+        ...engines.map((engine) => element("td", {}, value(engine) ?? NONE)));
+    const head = element("tr", {}, element("th", {scope: "col"}, "Setting"),
+        ...engines.map((engine) => element("th", {scope: "col"}, engineName(engine.name))));
+    const [gx, gy] = scene.gravity;
+    return [element("thead", {}, head), element("tbody", {},
+        row("version", (engine) => engine.version || null),
+        row("step", () => quantity(scene.dt, "s")),
+        row("gravity", () => `(${minus(String(gx))}, ${minus(String(gy))})${NO_BREAK}m/s²`),
+        ...names.map((name) => row(name, (engine) => engine.settings.find(([key]) => key === name)?.[1])))];
+}

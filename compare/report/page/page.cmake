@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: MIT
+# plumb_add_report_page(<target>): gives the target the report's page as a source, made again when a part of it changes.
+# The chart library is dygraphs 2 (MIT), taken from where a package installed it.
+
+set(PLUMB_REPORT_PAGE_DIR "${CMAKE_CURRENT_LIST_DIR}")
+
+# The order is that of the page: a script may use those before it at once, and those after it once the page runs.
+set(PLUMB_REPORT_SCRIPTS
+    dom.js format.js formula.js engines.js data.js pose.js camera.js paper.js stage.js player.js
+    curves.js limits.js chart.js charts.js csv.js numbers.js overview.js controls.js scene_page.js address.js main.js)
+
+function(plumb_find_dygraphs name variable)
+    find_file(${variable} ${name}
+        PATHS ${CMAKE_SYSTEM_PREFIX_PATH}
+        PATH_SUFFIXES share/javascript/dygraphs share/nodejs/dygraphs/dist lib/node_modules/dygraphs/dist
+        DOC "dygraphs, the report's chart library")
+    if(NOT ${variable})
+        message(FATAL_ERROR "${name} was not found: the report needs dygraphs 2.2. Install Debian's or Ubuntu's package "
+            "libjs-dygraphs, or say where the file is with -D${variable}=<file>.")
+    endif()
+endfunction()
+
+function(plumb_add_report_page target)
+    plumb_find_dygraphs(dygraph.min.js PLUMB_DYGRAPHS_JS)
+    plumb_find_dygraphs(dygraph.min.css PLUMB_DYGRAPHS_CSS)
+    set(output "${CMAKE_CURRENT_BINARY_DIR}/report_page.cpp")
+    list(TRANSFORM PLUMB_REPORT_SCRIPTS PREPEND "${PLUMB_REPORT_PAGE_DIR}/" OUTPUT_VARIABLE scripts)
+    list(JOIN PLUMB_REPORT_SCRIPTS "," script_names)
+    add_custom_command(
+        OUTPUT "${output}"
+        COMMAND "${CMAKE_COMMAND}" "-DPAGE_DIR=${PLUMB_REPORT_PAGE_DIR}" "-DSCRIPTS=${script_names}"
+            "-DDYGRAPHS_JS=${PLUMB_DYGRAPHS_JS}" "-DDYGRAPHS_CSS=${PLUMB_DYGRAPHS_CSS}" "-DOUTPUT=${output}"
+            -P "${PLUMB_REPORT_PAGE_DIR}/embed.cmake"
+        DEPENDS ${scripts} "${PLUMB_REPORT_PAGE_DIR}/page.html" "${PLUMB_REPORT_PAGE_DIR}/page.css"
+            "${PLUMB_REPORT_PAGE_DIR}/embed.cmake" "${PLUMB_DYGRAPHS_JS}" "${PLUMB_DYGRAPHS_CSS}"
+        COMMENT "Putting the report's page together"
+        VERBATIM)
+    target_sources(${target} PRIVATE "${output}")
+endfunction()

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Which moment is shown, and which comes next?
+
+class Player {
+    /// changed() is called whenever the time, the speed or the playing has.
+    constructor(changed) {
+        this.changed = changed;
+        this.times = [0];
+        this.time = 0;
+        this.speed = 1;
+        this.playing = false;
+        this.repeat = false;
+        this.waiting = null;
+    }
+    get end() { return this.times[this.times.length - 1]; }
+    get frame() { return indexAt(this.times, this.time); }
+
+    load(times) {
+        this.stop();
+        this.times = times;
+        this.time = 0;
+    }
+    seek(time) {
+        this.time = Math.min(Math.max(time, 0), this.end);
+        this.changed();
+    }
+    seekFrame(frame) {
+        this.seek(this.times[Math.min(Math.max(frame, 0), this.times.length - 1)]);
+    }
+    step(frames) {
+        this.pause();
+        this.seekFrame(this.frame + frames);
+    }
+    setSpeed(speed) {
+        this.speed = speed;
+        this.changed();
+    }
+    play() {
+        if (this.playing) return;
+        if (this.time >= this.end) this.time = 0;
+        this.playing = true;
+        this.last = performance.now();
+        this.wait();
+        this.changed();
+    }
+    pause() {
+        if (!this.playing) return;
+        this.stop();
+        this.changed();
+    }
+    stop() {
+        if (this.playing) this.stopWaiting();
+        this.playing = false;
+    }
+    toggle() {
+        if (this.playing) this.pause();
+        else this.play();
+    }
+    /// For the next frame; where a browser draws none, as without a screen, a timer keeps the time.
+    wait() {
+        const advance = () => {
+            this.stopWaiting();
+            this.advance(performance.now());
+        };
+        this.waiting = {frame: requestAnimationFrame(advance), timer: setTimeout(advance, 100)};
+    }
+    stopWaiting() {
+        cancelAnimationFrame(this.waiting.frame);
+        clearTimeout(this.waiting.timer);
+    }
+    advance(now) {
+        // After a long silence, as of a tab that was hidden, it goes on near where it was.
+        const passed = Math.min(0.25, Math.max(0, now - this.last) / 1000);
+        this.last = now;
+        this.time += passed * this.speed;
+        if (this.time >= this.end && this.repeat) this.time = 0;
+        if (this.time >= this.end) {
+            this.time = this.end;
+            this.playing = false;
+        } else {
+            this.wait();
+        }
+        this.changed();
+    }
+}

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Where is a body, in one engine, at one frame of the playback?
+
+/// Null where the engine does not have the body, or no longer.
+function poseOf(scene, engine, frame, body) {
+    const start = scene.bodies[body].start;
+    if (scene.bodies[body].type === "static") return {x: start[0], y: start[1], angle: start[2]};
+    const slot = engine.slots.get(body);
+    if (slot === undefined || scene.ticks[frame] >= engine.ticks) return null;
+    const at = 3 * (frame * engine.bodies.length + slot);
+    const pose = {x: engine.poses[at], y: engine.poses[at + 1], angle: engine.poses[at + 2]};
+    return Number.isFinite(pose.x + pose.y + pose.angle) ? pose : null;
+}
+
+/// Differences are measured from the closed form, and from Plumb where there is none.
+function referenceEngine(scene, body) {
+    const has = (engine) => engine.slots.has(body);
+    return scene.running.find((engine) => engine.name === "closed-form" && has(engine)) ??
+        scene.running.find((engine) => engine.name === "plumb" && has(engine)) ?? null;
+}
+
+/// The pose with its difference from the reference drawn `magnify` times as large.
+function drawnPose(scene, engine, frame, body, magnify) {
+    const pose = poseOf(scene, engine, frame, body);
+    const reference = magnify === 1 ? null : referenceEngine(scene, body);
+    if (!pose || !reference || reference === engine) return pose;
+    const from = poseOf(scene, reference, frame, body);
+    if (!from) return pose;
+    const away = (value, origin) => origin + magnify * (value - origin);
+    return {x: away(pose.x, from.x), y: away(pose.y, from.y), angle: away(pose.angle, from.angle)};
+}
+
+/// A point of the body's frame, in the world.
+function inWorld(pose, x, y) {
+    const c = Math.cos(pose.angle);
+    const s = Math.sin(pose.angle);
+    return [pose.x + c * x - s * y, pose.y + s * x + c * y];
+}

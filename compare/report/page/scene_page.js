@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// What does the page of one scene hold together? The stage, the charts and the tables, at one time.
+
+class ScenePage {
+    /// settled() is called when a person has come to a state worth an address.
+    constructor(settled) {
+        this.player = new Player(() => this.showTime());
+        this.showSpeed = bindTransport(this.player, settled);
+        this.settled = settled;
+        this.view = {scene: null, hidden: new Set(), trails: false, magnify: 1, theme: stageTheme()};
+        const seek = (time) => { this.player.seek(time); settled(); };
+        this.charts = new Charts(byId("charts"), seek);
+        bindKeys(this.player, () => this.view.scene !== null);
+        document.addEventListener("keyup", () => { if (!this.player.playing) settled(); });
+        byId("trails").addEventListener("change", (event) => { this.view.trails = event.target.checked; this.draw(); });
+        fillChoice(byId("magnify"), "magnify", MAGNIFICATIONS, 1, (times) => { this.view.magnify = times; this.draw(); });
+        new ResizeObserver(() => this.restyle()).observe(byId("stage"));
+        matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { this.restyle(); if (this.view.scene) this.charts.show(); });
+        byId("motion-csv").addEventListener("click", () => download(`${this.view.scene.name}_motion.csv`, motionCsv(this.view.scene)));
+        byId("curves-csv").addEventListener("click", () => download(`${this.view.scene.name}_curves.csv`, curvesCsv(this.view.scene)));
+        byId("numbers-csv").addEventListener("click", () => download(`${this.view.scene.name}_numbers.csv`, numbersCsv([this.view.scene])));
+    }
+
+    close() {
+        this.player.stop();
+        this.charts.clear();
+        this.view.scene = null;
+    }
+
+    open(scene) {
+        unpackScene(scene);
+        this.player.load(scene.times);
+        this.wasPlaying = false;
+        this.view.scene = scene;
+        this.view.box = sceneBox(scene);
+        const moving = scene.bodies.filter((body) => body.type !== "static").length;
+        this.view.trails = moving <= 3;
+        byId("trails").checked = this.view.trails;
+        byId("scrub").max = scene.ticks.length - 1;
+        this.showHead(scene);
+        this.showKeys(scene);
+        this.showTables(scene);
+        this.charts.load(scene);
+        this.restyle();
+        this.showTime();
+    }
+
+    showHead(scene) {
+        const failed = failures(scene);
+        byId("scene-title").textContent = titleText(scene.name);
+        byId("scene-question").textContent = scene.question;
+        byId("scene-verdict").replaceChildren(verdictMark(scene.pass), element("span", {},
+            failed.length === 0 ? `${scene.outcomes.length} of ${scene.outcomes.length} checks`
+                : failed.length === 1 ? failureText(scene, failed[0]) : `${failed.length} of ${scene.outcomes.length} checks fail`));
+        byId("unsupported").replaceChildren(...scene.engines.filter((engine) => engine.unsupported).map((engine) =>
+            element("p", {class: "unsupported"}, engineName(engine.name), ` does not run this scene: ${engine.unsupported}`)));
+    }
+
+    showKeys(scene) {
+        byId("engine-keys").replaceChildren(...scene.engines.map((engine) => {
+            const input = element("input", {type: "checkbox", onchange: (event) => this.toggle(engine.name, event.target.checked)});
+            input.checked = !engine.unsupported && !this.view.hidden.has(engine.name);
+            input.disabled = Boolean(engine.unsupported);
+            return element("label", {title: engine.unsupported ?? ""}, input, element("span", {}, engineName(engine.name)));
+        }));
+    }
+
+    showTables(scene) {
+        byId("formula-card").hidden = !scene.closedForm;
+        byId("formula").replaceChildren(...formulaParts(scene.closedForm?.formula ?? ""));
+        byId("source").textContent = scene.closedForm ? `Source: ${scene.closedForm.source}` +
+            (scene.closedForm.until > 0 ? ` Holds until t = ${timeText(scene.closedForm.until)}.` : "") : "";
+        byId("checks").replaceChildren(...checksTable(scene));
+        byId("numbers").replaceChildren(...numbersTable(scene));
+        byId("numbers-note").textContent = "Bold: the least of the engines. Drifts are relative to the largest value of the run.";
+        byId("settings").replaceChildren(...settingsTable(scene));
+        const digits = scene.width === 4 ? "seven digits of it" : "all digits";
+        const ticks = scene.stride === 1 ? "every step" : `every ${scene.stride}th step`;
+        byId("stage-note").textContent = scene.stride === 1 ? "" : `Playback shows ${ticks}; the charts keep every peak.`;
+        byId("files-note").textContent = `Motion has ${ticks}, ${digits}. ` +
+            (scene.curveStride === 1 ? "Curves have every step." : `Curves have the least and the largest value of every ${scene.curveStride} steps.`);
+    }
+
+    toggle(engine, shown) {
+        if (shown) this.view.hidden.delete(engine);
+        else this.view.hidden.add(engine);
+        this.charts.setHidden(this.view.hidden);
+        this.draw();
+    }
+
+    restyle() {
+        this.view.theme = stageTheme();
+        this.draw();
+    }
+
+    showTime() {
+        const {scene} = this.view;
+        if (!scene) return;
+        showTransport(this.player, scene);
+        this.charts.moveTo(scene.times[this.player.frame]);
+        this.draw();
+        if (!this.player.playing && this.wasPlaying) this.settled();
+        this.wasPlaying = this.player.playing;
+    }
+
+    draw() {
+        const {scene} = this.view;
+        if (!scene) return;
+        this.view.frame = this.player.frame;
+        const stage = byId("stage");
+        stage.setAttribute("aria-label", `${titleText(scene.name)} at ${timeText(scene.times[this.view.frame])}`);
+        drawStage(stage, this.view);
+    }
+}

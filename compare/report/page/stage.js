@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+// How does one moment look, with all engines over each other?
+
+function stageTheme() {
+    const text = Math.round(0.8 * parseFloat(getComputedStyle(document.documentElement).fontSize));
+    const theme = {text, font: getComputedStyle(document.body).fontFamily};
+    for (const name of ["paper", "minor", "major", "ruler", "still", "hatch", "ink", "muted"]) {
+        theme[name] = themeColor(`--stage-${name}`);
+    }
+    theme.hatching = hatching(theme);
+    return theme;
+}
+
+function hatching(theme) {
+    const tile = element("canvas", {width: 8, height: 8});
+    const context = tile.getContext("2d");
+    context.fillStyle = theme.still;
+    context.fillRect(0, 0, 8, 8);
+    context.strokeStyle = theme.hatch;
+    context.lineWidth = 1.2;
+    for (const shift of [-8, 0, 8]) {
+        context.moveTo(shift, 8);
+        context.lineTo(shift + 8, 0);
+    }
+    context.stroke();
+    return context.createPattern(tile, "repeat");
+}
+
+function traceShape(context, camera, shape, pose) {
+    if (shape.circle) {
+        const [x, y] = inWorld(pose, shape.circle[0], shape.circle[1]);
+        const radius = shape.circle[2] * camera.scale;
+        context.moveTo(camera.x(x) + radius, camera.y(y));
+        context.arc(camera.x(x), camera.y(y), radius, 0, 2 * Math.PI);
+        return;
+    }
+    const points = shape.polygon ?? shape.segment;
+    for (let i = 0; i < points.length; i += 2) {
+        const [x, y] = inWorld(pose, points[i], points[i + 1]);
+        if (i === 0) context.moveTo(camera.x(x), camera.y(y));
+        else context.lineTo(camera.x(x), camera.y(y));
+    }
+    if (shape.polygon) context.closePath();
+}
+
+function drawStill(context, camera, theme, scene) {
+    context.setLineDash([]);
+    context.lineJoin = "round";
+    for (const body of scene.bodies) {
+        if (body.type !== "static") continue;
+        const pose = {x: body.start[0], y: body.start[1], angle: body.start[2]};
+        for (const shape of body.shapes) {
+            context.beginPath();
+            traceShape(context, camera, shape, pose);
+            context.fillStyle = theme.hatching;
+            if (!shape.segment) context.fill();
+            context.strokeStyle = theme.ink;
+            context.lineWidth = shape.segment ? 3 : 1.5;
+            context.stroke();
+        }
+    }
+}
+
+/// A spoke shows how a disc has turned; a body too small to see is at least a dot.
+function drawBody(context, camera, body, pose, look, color) {
+    context.beginPath();
+    for (const shape of body.shapes) traceShape(context, camera, shape, pose);
+    if (body.reach * camera.scale < 3) context.arc(camera.x(pose.x), camera.y(pose.y), 4, 0, 2 * Math.PI);
+    if (look.filled) {
+        context.globalAlpha = 0.28;
+        context.fill();
+        context.globalAlpha = 1;
+    }
+    for (const {circle} of look.ghost ? [] : body.shapes) {
+        if (!circle) continue;
+        const [x, y] = inWorld(pose, circle[0], circle[1]);
+        const [rimX, rimY] = inWorld(pose, circle[0] + circle[2], circle[1]);
+        context.moveTo(camera.x(x), camera.y(y));
+        context.lineTo(camera.x(rimX), camera.y(rimY));
+    }
+    context.stroke();
+    if (!look.ghost) return;
+    const arm = Math.min(9, Math.max(5, body.reach * camera.scale * 0.6));
+    context.setLineDash([]);
+    context.beginPath();
+    context.moveTo(camera.x(pose.x) - arm, camera.y(pose.y));
+    context.lineTo(camera.x(pose.x) + arm, camera.y(pose.y));
+    context.moveTo(camera.x(pose.x), camera.y(pose.y) - arm);
+    context.lineTo(camera.x(pose.x), camera.y(pose.y) + arm);
+    context.stroke();
+    context.setLineDash(look.dash);
+}
+
+/// A rod from anchor to anchor, or the arms from both bodies to their hinge.
+function drawJoint(context, camera, joint, poseA, poseB) {
+    const a = inWorld(poseA, joint.atA[0], joint.atA[1]);
+    const b = inWorld(poseB, joint.atB[0], joint.atB[1]);
+    const path = joint.type === "distance" ? [a, b] : [b, [poseB.x, poseB.y]];
+    context.beginPath();
+    path.forEach(([x, y], i) => (i === 0 ? context.moveTo(camera.x(x), camera.y(y)) : context.lineTo(camera.x(x), camera.y(y))));
+    context.stroke();
+    context.setLineDash([]);
+    for (const [x, y] of [a, b]) {
+        context.beginPath();
+        context.arc(camera.x(x), camera.y(y), 3.5, 0, 2 * Math.PI);
+        context.stroke();
+    }
+}
+
+/// The newest part of each path, with a dot at equal times as a stroboscope would give.
+function drawTrails(context, camera, view, engine, look) {
+    const {scene, frame, magnify} = view;
+    const most = Math.max(20, Math.floor(8000 / engine.bodies.length));
+    const first = Math.max(0, frame - most);
+    const flash = Math.max(1, Math.round(niceStep(scene.ticks.length / 60)));
+    context.lineWidth = 1.5;
+    for (const body of engine.bodies) {
+        const dots = [];
+        context.globalAlpha = 0.6;
+        context.beginPath();
+        let pen = false;
+        for (let at = first; at <= frame; ++at) {
+            const pose = drawnPose(scene, engine, at, body, magnify);
+            if (!pose) continue;
+            const point = [camera.x(pose.x), camera.y(pose.y)];
+            if (pen) context.lineTo(...point);
+            else context.moveTo(...point);
+            pen = true;
+            if (at % flash === 0) dots.push(point);
+        }
+        context.stroke();
+        if (!look.filled || engine.bodies.length > 6) continue;
+        context.globalAlpha = 0.8;
+        context.beginPath();
+        for (const [x, y] of dots) {
+            context.moveTo(x + 2.5, y);
+            context.arc(x, y, 2.5, 0, 2 * Math.PI);
+        }
+        context.fill();
+    }
+    context.globalAlpha = 1;
+}
+
+function drawEngine(context, camera, view, engine) {
+    const {scene, frame, magnify} = view;
+    const look = lookOf(engine.name);
+    const color = themeColor(look.color);
+    context.strokeStyle = context.fillStyle = color;
+    context.setLineDash(look.dash);
+    if (view.trails) drawTrails(context, camera, view, engine, look);
+    context.lineWidth = look.width;
+    for (const body of engine.bodies) {
+        const pose = drawnPose(scene, engine, frame, body, magnify);
+        if (pose) drawBody(context, camera, scene.bodies[body], pose, look, color);
+    }
+    context.lineWidth = Math.max(1.5, look.width * 0.7);
+    for (const joint of scene.joints) {
+        context.setLineDash(look.dash);
+        const poseA = drawnPose(scene, engine, frame, joint.a, magnify);
+        const poseB = drawnPose(scene, engine, frame, joint.b, magnify);
+        if (poseA && poseB) drawJoint(context, camera, joint, poseA, poseB);
+    }
+}
+
+/// view: scene, box, frame, hidden (a set of engine names), trails, magnify.
+function drawStage(canvas, view) {
+    const {clientWidth: width, clientHeight: height} = canvas;
+    if (width === 0 || height === 0) return;
+    const density = window.devicePixelRatio || 1;
+    if (canvas.width !== Math.round(width * density)) canvas.width = Math.round(width * density);
+    if (canvas.height !== Math.round(height * density)) canvas.height = Math.round(height * density);
+    const context = canvas.getContext("2d");
+    context.setTransform(density, 0, 0, density, 0, 0);
+    const theme = view.theme;
+    const text = theme.text;
+    const camera = fitCamera(view.box, width, height, {left: 3.4 * text, right: text, top: text, bottom: 2 * text});
+    drawPaper(context, camera, theme);
+    drawStill(context, camera, theme, view.scene);
+    for (const engine of view.scene.running) {
+        if (!view.hidden.has(engine.name)) drawEngine(context, camera, view, engine);
+    }
+    context.setLineDash([]);
+    drawRulers(context, camera, theme);
+    drawScaleBar(context, camera, theme);
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include <compare/scene/builtin.h>
+
+#include <algorithm>
+
+#include <compare/scene/builtin/scenes.h>
+
+namespace plumb::compare {
+
+std::vector<Scene> builtinScenes() {
+    return {
+        freeFall(),       projectile(),   projectileDamped(), spinFree(),       //
+        bounce08(),       bounce1(),      wallTouch(),                          //
+        headOn1(),        headOn05(),     headOn0(),          oblique1(),       //
+        oblique08(),                                                            //
+        blockSlides(),    blockSticks(),  discRolls(),                          //
+        pendulum45(),     pendulum150(),  pendulumStep(),     rodPendulum90(),  //
+        doublePendulum(), hangingChain(),                                       //
+        boxAtRest(),      stackOfTen(),   smallPyramid(),                       //
+        elasticGas(),
+    };
+}
+
+std::optional<Scene> findScene(const std::string& name) {
+    for (Scene& scene : builtinScenes()) {
+        if (scene.name == name) return std::move(scene);
+    }
+    return std::nullopt;
+}
+
+}  // namespace plumb::compare

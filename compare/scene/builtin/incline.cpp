@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include <compare/closed_form/incline.h>
+#include <compare/scene/builtin/parts.h>
+#include <compare/scene/builtin/scenes.h>
+
+namespace plumb::compare {
+namespace {
+
+constexpr double slope = degrees(30);
+constexpr double slopeLength = 10;  // [m]
+
+Vec2 downhill() {
+    return direction(-slope);
+}
+Vec2 outward() {
+    return perp(direction(-slope));
+}
+/// A point so far down the slope from its top, and so far off it.
+Vec2 onSlope(double down, double off) {
+    return Vec2(0, -slopeLength * downhill().y()) + down * downhill() + off * outward();
+}
+
+/// A wedge that goes down to the right.
+SceneBody wedge(double friction) {
+    const std::vector<Vec2> corners{{0, 0}, {slopeLength * downhill().x(), 0}, {0, -slopeLength * downhill().y()}};
+    return {"incline", {.type = BodyType::Static, .shapes = {polygon(corners, {.friction = friction})}}};
+}
+
+/// A block of 1 kg, 1 m long and 0.5 m high, so that it does not tip, at rest with its face on the slope.
+Scene block(double friction) {
+    const Vec2 halfSize(0.5, 0.25);
+    const Vec2 start = onSlope(1, halfSize.y());
+    const Vec2 acceleration = slidingAcceleration({slope, gravity}, friction) * downhill();
+    const Material material{.density = 1 / (4 * halfSize.x() * halfSize.y()), .friction = friction};
+    return {
+        .duration = 2,
+        .bodies = {wedge(friction),
+                   {"block", {.position = start, .angle = -slope, .shapes = {box(halfSize, material)}}}},
+        .closedForm = ClosedForm{.formula = "a = g (sin t - mu cos t) where tan t > mu, else 0",
+                                 .source = "textbook: Coulomb's law of friction",
+                                 .bodies = {PiecewiseMotion{
+                                     "block", {{.position = start, .acceleration = acceleration, .angle = -slope}}}}},
+        .probes = {{.name = "normal",
+                    .quantity = NormalForceProbe{"incline", "block"},
+                    .expected = gravity * outward().y(),
+                    .from = 0.5,
+                    .unit = "N"}},
+        .checks = {invariant("probe.normal", 0.01 * gravity * outward().y(),
+                             "1 %: m g cos t carries the block once the first touch has died down")},
+    };
+}
+
+}  // namespace
+
+Scene blockSlides() {
+    Scene scene = block(0.3);
+    scene.name = "block_slides";
+    scene.question = "How fast does a block with a friction of 0.3 gain speed down 30 degrees?";
+    scene.checks.push_back(
+        ExactCheck{1e-3, sinks + "5/8 of it under a box; the slide itself is solved to second order"});
+    return scene;
+}
+
+Scene blockSticks() {
+    Scene scene = block(0.7);
+    scene.name = "block_sticks";
+    scene.question = "Does a block with a friction of 0.7 stay on 30 degrees?";
+    scene.checks.push_back(ExactCheck{
+        1e-3, sinks + "5/8 of it under a box; friction may hold more than it has to, so nothing else moves"});
+    return scene;
+}
+
+Scene discRolls() {
+    const double radius = 0.5;
+    const Vec2 start = onSlope(1, radius);
+    const double acceleration = rollingAcceleration({slope, gravity}, 0.5);
+    const Vec2 along = acceleration * downhill();
+    const Material material{.density = discDensity(1, radius), .friction = 0.5};
+    return {
+        .name = "disc_rolls",
+        .question = "How fast does a disc gain speed as it rolls down 30 degrees?",
+        .duration = 2,
+        .bodies = {wedge(0.5), {"disc", {.position = start, .shapes = {circle(radius, material)}}}},
+        .closedForm =
+            ClosedForm{
+                .formula = "a = g sin t / (1 + k), k = I / (m r^2) = 1/2",
+                .source = "textbook: rolling without slip; holds for mu >= tan t / 3 = 0.19",
+                .bodies = {PiecewiseMotion{
+                    "disc",
+                    {{.position = start, .acceleration = along, .angularAcceleration = -acceleration / radius}}}}},
+        .probes = {{.name = "angle", .quantity = AngleProbe{"disc"}, .unit = "rad"}},
+        .checks = {ExactCheck{1e-3, sinks + "half of it under a disc; the roll itself is solved to second order, but "
+                                            "for the slip while friction finds its load"},
+                   invariant("probe.angle", 1e-3 / radius, "the limit of the way, over the radius"),
+                   invariant("energy_drift", 1e-3, "rolling does no work: the limit of the way, over its metres")},
+    };
+}
+
+}  // namespace plumb::compare

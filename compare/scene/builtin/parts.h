@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// What do many built-in scenes have in common?
+#pragma once
+#include <numbers>
+#include <string>
+
+#include <compare/scene/scene.h>
+#include <plumb/math/trig.h>
+
+namespace plumb::compare {
+
+inline constexpr double gravity = 9.81;  ///< [m/s^2]
+
+inline constexpr double degrees(double angle) {
+    return angle * std::numbers::pi / 180;
+}
+
+/// The unit vector at an angle from +x, to the same bits everywhere.
+inline Vec2 direction(double angle) {
+    const SinCos turned = sinCos(angle);
+    return {turned.cos, turned.sin};
+}
+
+/// The density that gives a disc its mass [kg/m^2].
+inline constexpr double discDensity(double mass, double radius) {
+    return mass / (std::numbers::pi * radius * radius);
+}
+
+/// Why nothing that lies on something lies exactly on it. A disc on one point sinks by half of g / w^2, a box on two
+/// corners by 5/8, and a box between boxes, both of which give way, by 5/4 for each weight it carries.
+inline const std::string sinks = "a contact gives way to its load as a spring of 30 Hz, g / (2 pi 30)^2 = 0.28 mm: ";
+
+/// A level floor at y = 0, 20 m wide.
+inline SceneBody floorBody() {
+    return {"floor", {.type = BodyType::Static, .shapes = {segment({-10, 0}, {10, 0})}}};
+}
+
+/// A point to hang things from, which nothing bumps into.
+inline SceneBody pivotBody(const Vec2& position) {
+    ShapeDef mark = circle(0.05);
+    mark.filter.mask = 0;
+    return {"pivot", {.type = BodyType::Static, .position = position, .shapes = {mark}}};
+}
+
+/// For Plumb alone.
+inline Check invariant(const std::string& metric, double limit, const std::string& reason) {
+    return InvariantCheck{.metric = metric, .limit = limit, .reason = reason};
+}
+
+}  // namespace plumb::compare

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// What is each built-in scene?
+#pragma once
+#include <compare/scene/scene.h>
+
+namespace plumb::compare {
+
+// flight.cpp
+Scene freeFall();
+Scene projectile();
+Scene projectileDamped();
+Scene spinFree();
+
+// bounce.cpp
+Scene bounce08();
+Scene bounce1();
+Scene wallTouch();
+
+// discs.cpp
+Scene headOn1();
+Scene headOn05();
+Scene headOn0();
+Scene oblique1();
+Scene oblique08();
+
+// incline.cpp
+Scene blockSlides();
+Scene blockSticks();
+Scene discRolls();
+
+// pendulum.cpp
+Scene pendulum45();
+Scene pendulum150();
+Scene pendulumStep();
+Scene rodPendulum90();
+Scene doublePendulum();
+Scene hangingChain();
+
+// stack.cpp
+Scene boxAtRest();
+Scene stackOfTen();
+Scene smallPyramid();
+
+// gas.cpp
+Scene elasticGas();
+
+}  // namespace plumb::compare

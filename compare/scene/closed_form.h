@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// What does the textbook say a scene's bodies do? As data, so that it can stand in a file.
+#pragma once
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <plumb/math/vec2.h>
+
+namespace plumb::compare {
+
+/// Constant acceleration from a moment on: x = x0 + v0 s + a s^2 / 2 with s = t - start; the angle likewise.
+struct Flight {
+    double start = 0;                ///< [s]
+    Vec2 position{0, 0};             ///< at start, of the body's origin [m]
+    Vec2 velocity{0, 0};             ///< [m/s]
+    Vec2 acceleration{0, 0};         ///< [m/s^2]
+    double angle = 0;                ///< [rad]
+    double angularVelocity = 0;      ///< [rad/s]
+    double angularAcceleration = 0;  ///< [rad/s^2]
+};
+
+/// Flights joined at impacts, in the order of their starts; each holds until the next.
+struct PiecewiseMotion {
+    std::string body{};
+    std::vector<Flight> flights{};
+};
+
+/// dv/dt = g - k v: x = x0 + (v0 - g/k) (1 - e^(-k t)) / k + g t / k.
+struct DampedFlight {
+    std::string body{};
+    Vec2 position{0, 0};      ///< [m]
+    Vec2 velocity{0, 0};      ///< [m/s]
+    Vec2 acceleration{0, 0};  ///< g [m/s^2]
+    double damping = 0;       ///< k, > 0 [1/s]
+};
+
+/// A body that swings about a fixed point, released at rest: theta'' = -(g / L) sin theta, theta from straight down.
+struct PendulumMotion {
+    std::string body{};
+    Vec2 pivot{0, 0};             ///< [m]
+    double length = 1;            ///< from the pivot to the body's origin [m]
+    double equivalentLength = 1;  ///< L = I_pivot / (m l): equal to length for a point mass [m]
+    double gravity = 9.81;        ///< [m/s^2]
+    double amplitude = 0.5;       ///< theta at t = 0; positive to the right [rad]
+    double bodyAngle = 0;         ///< of the body at t = 0; it turns with theta when turns is true [rad]
+    bool turns = true;            ///< false for a bob on a rod that leaves it free to keep its angle
+};
+
+using BodyMotion = std::variant<PiecewiseMotion, DampedFlight, PendulumMotion>;
+
+struct ClosedForm {
+    std::string formula{};             ///< in plain text, for the report
+    std::string source{};              ///< where it comes from
+    double until = 0;                  ///< holds from t = 0 to here; 0: to the scene's end [s]
+    std::vector<BodyMotion> bodies{};  ///< those that have one
+};
+
+}  // namespace plumb::compare

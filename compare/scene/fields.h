@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// Which fields has each part of a scene, and what are they called in a file?
+// One list a type, for reader and writer alike, so that they cannot differ. A visitor offers
+//   visit("name", field)                a field,
+//   visit.shape(shape)                  a shape under its kind: "circle": {...},
+//   visit.oneOf(variant, {tags...})     one alternative of a variant under its tag.
+#pragma once
+#include <array>
+#include <concepts>
+#include <initializer_list>
+#include <type_traits>
+
+#include <compare/scene/scene.h>
+
+namespace plumb::compare {
+
+inline constexpr std::array<const char*, 3> bodyTypeTags{"static", "kinematic", "dynamic"};     ///< as in BodyType
+inline constexpr std::initializer_list<const char*> shapeTags{"circle", "polygon", "segment"};  ///< as in Shape
+
+template <class T, class U>
+concept Is = std::same_as<std::remove_const_t<T>, U>;
+
+void fields(auto& visit, Is<Circle> auto& x) {
+    visit("radius", x.radius);
+    visit("center", x.center);
+}
+void fields(auto& visit, Is<Polygon> auto& x) {
+    visit("vertices", x.vertices);
+}
+void fields(auto& visit, Is<Segment> auto& x) {
+    visit("start", x.start);
+    visit("end", x.end);
+}
+/// A box as a file may give it; it is kept as the polygon it is.
+struct BoxFields {
+    Vec2 halfSize{0.5, 0.5};  ///< [m]
+    Vec2 center{0, 0};        ///< [m]
+};
+void fields(auto& visit, Is<BoxFields> auto& x) {
+    visit("halfSize", x.halfSize);
+    visit("center", x.center);
+}
+void fields(auto& visit, Is<Material> auto& x) {
+    visit("density", x.density);
+    visit("friction", x.friction);
+    visit("restitution", x.restitution);
+}
+void fields(auto& visit, Is<Filter> auto& x) {
+    visit("category", x.category);
+    visit("mask", x.mask);
+}
+void fields(auto& visit, Is<ShapeDef> auto& x) {
+    visit.shape(x.shape);
+    visit("material", x.material);
+    visit("filter", x.filter);
+}
+void fields(auto& visit, Is<Mass> auto& x) {
+    visit("mass", x.mass);
+    visit("center", x.center);
+    visit("inertia", x.inertia);
+}
+void fields(auto& visit, Is<BodyDef> auto& x) {
+    visit("type", x.type);
+    visit("position", x.position);
+    visit("angle", x.angle);
+    visit("velocity", x.velocity);
+    visit("angularVelocity", x.angularVelocity);
+    visit("gravityScale", x.gravityScale);
+    visit("linearDamping", x.linearDamping);
+    visit("angularDamping", x.angularDamping);
+    visit("fixedRotation", x.fixedRotation);
+    visit("canSleep", x.canSleep);
+    visit("mass", x.mass);
+    visit("shapes", x.shapes);
+}
+void fields(auto& visit, Is<SceneBody> auto& x) {
+    visit("name", x.name);
+    fields(visit, x.def);
+}
+void fields(auto& visit, Is<RevoluteJointDef> auto& x) {
+    visit("anchor", x.anchor);
+    visit("collideConnected", x.collideConnected);
+}
+void fields(auto& visit, Is<DistanceJointDef> auto& x) {
+    visit("anchorA", x.anchorA);
+    visit("anchorB", x.anchorB);
+    visit("length", x.length);
+    visit("collideConnected", x.collideConnected);
+}
+void fields(auto& visit, Is<SceneJoint> auto& x) {
+    visit("name", x.name);
+    visit("bodyA", x.bodyA);
+    visit("bodyB", x.bodyB);
+    visit.oneOf(x.def, {"revolute", "distance"});
+}
+void fields(auto& visit, Is<Flight> auto& x) {
+    visit("start", x.start);
+    visit("position", x.position);
+    visit("velocity", x.velocity);
+    visit("acceleration", x.acceleration);
+    visit("angle", x.angle);
+    visit("angularVelocity", x.angularVelocity);
+    visit("angularAcceleration", x.angularAcceleration);
+}
+void fields(auto& visit, Is<PiecewiseMotion> auto& x) {
+    visit("body", x.body);
+    visit("flights", x.flights);
+}
+void fields(auto& visit, Is<DampedFlight> auto& x) {
+    visit("body", x.body);
+    visit("position", x.position);
+    visit("velocity", x.velocity);
+    visit("acceleration", x.acceleration);
+    visit("damping", x.damping);
+}
+void fields(auto& visit, Is<PendulumMotion> auto& x) {
+    visit("body", x.body);
+    visit("pivot", x.pivot);
+    visit("length", x.length);
+    visit("equivalentLength", x.equivalentLength);
+    visit("gravity", x.gravity);
+    visit("amplitude", x.amplitude);
+    visit("bodyAngle", x.bodyAngle);
+    visit("turns", x.turns);
+}
+void fields(auto& visit, Is<BodyMotion> auto& x) {
+    visit.oneOf(x, {"piecewise", "damped", "pendulum"});
+}
+void fields(auto& visit, Is<ClosedForm> auto& x) {
+    visit("formula", x.formula);
+    visit("source", x.source);
+    visit("until", x.until);
+    visit("bodies", x.bodies);
+}
+void fields(auto& visit, Is<AngleProbe> auto& x) {
+    visit("body", x.body);
+}
+void fields(auto& visit, Is<NormalForceProbe> auto& x) {
+    visit("bodyA", x.bodyA);
+    visit("bodyB", x.bodyB);
+}
+void fields(auto& visit, Is<JointForceProbe> auto& x) {
+    visit("joint", x.joint);
+}
+void fields(auto& visit, Is<Probe> auto& x) {
+    visit("name", x.name);
+    visit.oneOf(x.quantity, {"angle", "normalForce", "jointForce"});
+    visit("expected", x.expected);
+    visit("from", x.from);
+    visit("unit", x.unit);
+}
+void fields(auto& visit, Is<ExactCheck> auto& x) {
+    visit("limit", x.limit);
+    visit("reason", x.reason);
+}
+void fields(auto& visit, Is<AgreeCheck> auto& x) {
+    visit("tolerance", x.tolerance);
+    visit("until", x.until);
+    visit("reason", x.reason);
+}
+void fields(auto& visit, Is<InvariantCheck> auto& x) {
+    visit("metric", x.metric);
+    visit("limit", x.limit);
+    visit("engines", x.engines);
+    visit("reason", x.reason);
+}
+void fields(auto& visit, Is<OrderCheck> auto& x) {
+    visit("order", x.order);
+    visit("engines", x.engines);
+    visit("reason", x.reason);
+}
+void fields(auto& visit, Is<Check> auto& x) {
+    visit.oneOf(x, {"exact", "agree", "invariant", "order"});
+}
+void fields(auto& visit, Is<Scene> auto& x) {
+    visit("name", x.name);
+    visit("question", x.question);
+    visit("gravity", x.gravity);
+    visit("duration", x.duration);
+    visit("dt", x.dt);
+    visit("bodies", x.bodies);
+    visit("joints", x.joints);
+    visit("closedForm", x.closedForm);
+    visit("probes", x.probes);
+    visit("checks", x.checks);
+}
+
+}  // namespace plumb::compare

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include <compare/scene/json.h>
+
+#include <algorithm>
+#include <fstream>
+#include <initializer_list>
+#include <iterator>
+#include <stdexcept>
+#include <system_error>
+
+#include <compare/scene/fields.h>
+#include <compare/scene/json_text.h>
+#include <compare/scene/nearest.h>
+#include <plumb/math/check.h>
+
+namespace plumb::compare {
+namespace {
+
+[[noreturn]] void refuseKind(const std::string& path, const Json& value, const std::string& wanted) {
+    std::string given = value.dump();
+    if (given.size() > 40) given = given.substr(0, 37) + "...";
+    plumb::refuse(path.empty() ? "scene" : path, given + " is not " + wanted);
+}
+
+/// Which read is meant, where nothing else tells.
+template <class T>
+using Type = std::type_identity<T>;
+
+/// Turns one object into a struct; a field that does not stand there keeps its default.
+class Reader {
+public:
+    template <class T>
+    static T read(Type<T>, const Json& json, const std::string& path) {
+        if (!json.is_object()) refuseKind(path, json, "an object");
+        T value{};
+        Reader reader(json, path);
+        fields(reader, value);
+        reader.refuseUnknown();
+        if (!reader.kindWanted_.empty())
+            plumb::refuse(path, "does not say of what kind it is, wanted " + reader.kindWanted_);
+        return value;
+    }
+
+    template <class T>
+    void operator()(const char* name, T& value) {
+        if (const Json* field = find(name)) value = read(Type<T>(), *field, member(name));
+    }
+
+    void shape(Shape& shape) {
+        const Json* given = find("box");
+        if (given == nullptr) return oneOf(shape, shapeTags);
+        for (const char* other : shapeTags) {
+            if (find(other) != nullptr)
+                plumb::refuse(path_, "has both box and " + std::string(other) + ", wanted one of them");
+        }
+        const BoxFields box = read(Type<BoxFields>(), *given, member("box"));
+        if (!(box.halfSize.x() > 0 && box.halfSize.y() > 0)) {
+            plumb::refuse(member("box.halfSize"), toText(box.halfSize) + " is not positive");
+        }
+        shape = boxPolygon(box.halfSize, box.center);
+    }
+
+    template <class... T>
+    void oneOf(std::variant<T...>& value, std::initializer_list<const char*> tags) {
+        std::size_t found = 0;
+        std::string wanted;
+        for (std::size_t i = 0; i < tags.size(); ++i) {
+            const bool here = find(tags.begin()[i]) != nullptr;
+            if (here && found > 0) {
+                plumb::refuse(path_, "has both " + std::string(tags.begin()[found - 1]) + " and " + tags.begin()[i] +
+                                         ", wanted one of them");
+            }
+            if (here) found = i + 1;
+            wanted += (i == 0 ? "" : i + 1 == tags.size() ? " or " : ", ") + std::string(tags.begin()[i]);
+        }
+        if (found == 0) {
+            kindWanted_ = wanted;  // not refused before a misspelled field, which says more
+            return;
+        }
+        readAlternative(value, found - 1, tags.begin()[found - 1], std::index_sequence_for<T...>());
+    }
+
+private:
+    Reader(const Json& object, const std::string& path) : object_(object), path_(path) {}
+
+    std::string member(const std::string& name) const { return path_.empty() ? name : path_ + "." + name; }
+
+    /// What is asked for is known.
+    const Json* find(const char* name) {
+        known_.emplace_back(name);
+        const auto field = object_.find(name);
+        return field == object_.end() ? nullptr : &*field;
+    }
+
+    void refuseUnknown() const {
+        for (const auto& [name, field] : object_.items()) {
+            if (std::ranges::find(known_, name) != known_.end()) continue;
+            plumb::refuse(member(name), "unknown field, the nearest known one is " + nearest(name, known_));
+        }
+    }
+
+    template <class... T, std::size_t... I>
+    void readAlternative(std::variant<T...>& value, std::size_t index, const char* tag, std::index_sequence<I...>) {
+        const auto readAs = [&]<std::size_t i>() {
+            (*this)(tag, value.template emplace<i>());
+            return true;
+        };
+        (void)((I == index && readAs.template operator()<I>()) || ...);
+    }
+
+    static double read(Type<double>, const Json& json, const std::string& path) {
+        if (!json.is_number()) refuseKind(path, json, "a number");
+        return json.get<double>();
+    }
+    static bool read(Type<bool>, const Json& json, const std::string& path) {
+        if (!json.is_boolean()) refuseKind(path, json, "true or false");
+        return json.get<bool>();
+    }
+    static std::uint64_t read(Type<std::uint64_t>, const Json& json, const std::string& path) {
+        if (!json.is_number_unsigned()) refuseKind(path, json, "a whole number from 0 to 2^64 - 1");
+        return json.get<std::uint64_t>();
+    }
+    static std::string read(Type<std::string>, const Json& json, const std::string& path) {
+        if (!json.is_string()) refuseKind(path, json, "a text");
+        return json.get<std::string>();
+    }
+    static Vec2 read(Type<Vec2>, const Json& json, const std::string& path) {
+        if (!json.is_array() || json.size() != 2) refuseKind(path, json, "two numbers [x, y]");
+        return {read(Type<double>(), json[0], path + "[0]"), read(Type<double>(), json[1], path + "[1]")};
+    }
+    static BodyType read(Type<BodyType>, const Json& json, const std::string& path) {
+        const auto tag = std::ranges::find_if(bodyTypeTags, [&](const char* name) { return json == name; });
+        if (tag == std::end(bodyTypeTags)) refuseKind(path, json, "static, kinematic or dynamic");
+        return static_cast<BodyType>(tag - std::begin(bodyTypeTags));
+    }
+    template <class T>
+    static std::optional<T> read(Type<std::optional<T>>, const Json& json, const std::string& path) {
+        return read(Type<T>(), json, path);
+    }
+    template <class T>
+    static std::vector<T> read(Type<std::vector<T>>, const Json& json, const std::string& path) {
+        if (!json.is_array()) refuseKind(path, json, "a list");
+        std::vector<T> values;
+        for (const Json& item : json) {
+            values.push_back(read(Type<T>(), item, path + "[" + std::to_string(values.size()) + "]"));
+        }
+        return values;
+    }
+
+    const Json& object_;
+    const std::string& path_;
+    std::vector<std::string> known_;
+    std::string kindWanted_;
+};
+
+/// The line of the value an error is about: the path at its head, or the nearest thing around it that has a line.
+int lineOf(const JsonText& text, const std::string& message) {
+    std::string path = message.substr(0, message.find(": "));
+    while (!text.lines.contains(path) && !path.empty()) {
+        const auto cut = path.find_last_of(".[");
+        path = cut == std::string::npos ? std::string() : path.substr(0, cut);
+    }
+    return text.lines.at(path);
+}
+
+}  // namespace
+
+Scene fromJson(std::string_view text, const std::string& file) {
+    const JsonText json = parseJson(text, file);
+    try {
+        Scene scene = Reader::read(Type<Scene>(), json.root, "");
+        validate(scene);
+        return scene;
+    } catch (const std::invalid_argument& error) {
+        const std::string what = error.what();
+        throw std::invalid_argument(file + ":" + std::to_string(lineOf(json, what)) + ": " + onOneLine(what));
+    }
+}
+
+Scene readScene(const std::filesystem::path& path) {
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error)) {
+        throw std::invalid_argument(path.string() + ": is a folder, wanted a scene's JSON file");
+    }
+    std::ifstream file(path, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    if (!file) throw std::invalid_argument(path.string() + ": cannot be read, wanted a scene's JSON file");
+    return fromJson(text, path.string());
+}
+
+}  // namespace plumb::compare

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// How does a scene stand in a file?
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include <compare/scene/scene.h>
+
+namespace plumb::compare {
+
+/// The scene as JSON, without the fields that equal their defaults; reading it gives an equal scene.
+/// Throws std::invalid_argument as validate does: a scene that is not valid is not written.
+std::string toJson(const Scene& scene);
+
+/// The scene that the text describes; file names the text in messages. Fields may be left out where they have a
+/// default. Beside "circle", "polygon" and "segment" a shape may be "box": {"halfSize": [x, y], "center": [x, y]}.
+/// Throws std::invalid_argument with one line that says where, what, and what was wanted: "FILE:LINE:COLUMN: ..." for
+/// text that is not JSON, "FILE:LINE: bodies[2].shapes[0].circle.radius: -1 is not positive" for what is no scene.
+/// Unknown fields and fields given twice are refused.
+Scene fromJson(std::string_view text, const std::string& file);
+
+/// The scene in a file. Throws as fromJson does, and when the file cannot be read.
+Scene readScene(const std::filesystem::path& path);
+
+}  // namespace plumb::compare

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include <initializer_list>
+
+#include <compare/scene/fields.h>
+#include <compare/scene/json.h>
+#include <compare/scene/json_text.h>
+
+namespace plumb::compare {
+namespace {
+
+/// Turns one struct into an object.
+class Writer {
+public:
+    template <class T>
+    static Json write(const T& value) {
+        Writer full;
+        fields(full, value);
+        const T byDefault{};
+        Writer defaults;
+        fields(defaults, byDefault);
+        Json kept = Json::object();
+        for (const auto& [name, field] : full.object_.items()) {
+            const bool isTag = name == full.tag_;  // says which alternative it is: needed even when all else is default
+            if (isTag || !defaults.object_.contains(name) || defaults.object_[name] != field) kept[name] = field;
+        }
+        return kept;
+    }
+    static Json write(double value) { return value; }
+    static Json write(bool value) { return value; }
+    static Json write(std::uint64_t value) { return value; }
+    static Json write(const std::string& value) { return value; }
+    static Json write(const Vec2& value) { return Json::array({value.x(), value.y()}); }
+    static Json write(BodyType value) { return bodyTypeTags[static_cast<std::size_t>(value)]; }
+    template <class T>
+    static Json write(const std::optional<T>& value) {
+        return value ? write(*value) : Json(nullptr);
+    }
+    template <class T>
+    static Json write(const std::vector<T>& values) {
+        Json array = Json::array();
+        for (const T& value : values) array.push_back(write(value));
+        return array;
+    }
+
+    template <class T>
+    void operator()(const char* name, const T& value) {
+        object_[name] = write(value);
+    }
+    void shape(const Shape& shape) { oneOf(shape, shapeTags); }
+    template <class... T>
+    void oneOf(const std::variant<T...>& value, std::initializer_list<const char*> tags) {
+        tag_ = tags.begin()[value.index()];
+        std::visit([&](const auto& alternative) { object_[tag_] = write(alternative); }, value);
+    }
+
+private:
+    Json object_ = Json::object();
+    std::string tag_;
+};
+
+}  // namespace
+
+std::string toJson(const Scene& scene) {
+    validate(scene);
+    return formatJson(Writer::write(scene));
+}
+
+}  // namespace plumb::compare
