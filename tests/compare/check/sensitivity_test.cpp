@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// Can the checks fail? Plumb is given broken data, one law at a time, and the built-in scenes that watch that law must
+// turn red: a comparison that is green whatever happens proves nothing.
+#include <compare/check/verdict.h>
+#include <compare/scene/builtin.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "catch.h"
+
+namespace plumb::compare {
+namespace {
+
+using Break = std::function<void(Scene&)>;
+
+/// The engines of this build, but that Plumb builds the scene that breaking leaves.
+std::vector<Engine> withBrokenPlumb(const Break& breakScene) {
+    std::vector<Engine> result = engines();
+    for (Engine& engine : result) {
+        if (engine.name != plumbName) continue;
+        engine.build = [build = engine.build, breakScene](const Scene& scene) {
+            Scene broken = scene;
+            breakScene(broken);
+            return build(broken);
+        };
+    }
+    return result;
+}
+
+void eachShape(Scene& scene, const std::function<void(ShapeDef&)>& change) {
+    for (SceneBody& body : scene.bodies)
+        for (ShapeDef& shape : body.def.shapes) change(shape);
+}
+
+/// Passes as it is, fails when broken, without the help of a Box2D to compare with.
+void checkTurnsRed(const std::vector<std::string>& scenes, const Break& breakScene) {
+    const RunOptions alone{{std::string(plumbName)}, {}, {}};
+    for (const std::string& name : scenes) {
+        INFO(name);
+        const std::optional<Scene> scene = findScene(name);
+        REQUIRE(scene);
+        CHECK(runScene(*scene, alone, engines()).pass);
+        CHECK_FALSE(runScene(*scene, alone, withBrokenPlumb(breakScene)).pass);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("a restitution 1 % too small turns the scenes that bounce red", "[compare][check]") {
+    checkTurnsRed(
+        {"bounce_08", "bounce_1", "wall_touch", "head_on_1", "head_on_05", "oblique_1", "oblique_08", "elastic_gas"},
+        [](Scene& scene) { eachShape(scene, [](ShapeDef& s) { s.material.restitution *= 0.99; }); });
+}
+
+TEST_CASE("a restitution where there is none turns head_on_0 red", "[compare][check]") {
+    checkTurnsRed({"head_on_0"},
+                  [](Scene& scene) { eachShape(scene, [](ShapeDef& s) { s.material.restitution = 0.01; }); });
+}
+
+TEST_CASE("a friction 1 % too small turns block_slides red, none at all block_sticks and disc_rolls",
+          "[compare][check]") {
+    checkTurnsRed({"block_slides"},
+                  [](Scene& scene) { eachShape(scene, [](ShapeDef& s) { s.material.friction *= 0.99; }); });
+    checkTurnsRed({"block_sticks", "disc_rolls"},
+                  [](Scene& scene) { eachShape(scene, [](ShapeDef& s) { s.material.friction = 0; }); });
+}
+
+TEST_CASE("an inertia 2 % too large turns rolling and swinging bodies red", "[compare][check]") {
+    checkTurnsRed({"disc_rolls", "rod_pendulum_90", "pendulum_150"}, [](Scene& scene) {
+        for (SceneBody& body : scene.bodies) {
+            if (body.def.type != BodyType::Dynamic) continue;
+            Mass mass = massOf(body.def);
+            mass.inertia *= body.name == "bob" ? 3 : 1.02;  // a bob's own is 0.5 % of what swings
+            body.def.mass = mass;
+        }
+    });
+}
+
+TEST_CASE("a hinge 1 cm beside its place and rods 2 % too long turn the scenes that hang red", "[compare][check]") {
+    checkTurnsRed({"pendulum_45", "pendulum_150", "rod_pendulum_90"}, [](Scene& scene) {
+        for (SceneJoint& joint : scene.joints) std::get<RevoluteJointDef>(joint.def).anchor.x() += 0.01;
+    });
+    checkTurnsRed({"double_pendulum", "hanging_chain"}, [](Scene& scene) {
+        for (SceneJoint& joint : scene.joints) {
+            DistanceJointDef& rod = std::get<DistanceJointDef>(joint.def);
+            rod.length = 1.02 * (rod.anchorB - rod.anchorA).norm();
+        }
+    });
+}
+
+TEST_CASE("a gravity of 9.80 turns every scene that falls or rests red", "[compare][check]") {
+    checkTurnsRed({"free_fall", "projectile", "projectile_damped", "spin_free", "bounce_08", "bounce_1", "block_slides",
+                   "disc_rolls", "pendulum_45", "pendulum_150", "rod_pendulum_90"},
+                  [](Scene& scene) { scene.gravity *= 9.80 / 9.81; });
+    checkTurnsRed({"box_at_rest", "stack_of_ten", "hanging_chain", "block_sticks"},
+                  [](Scene& scene) { scene.gravity *= 0.9; });
+}
+
+}  // namespace plumb::compare

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include <compare/command/command.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <vector>
+
+#include <compare/engine/engine.h>
+#include <compare/scene/builtin.h>
+#include <compare/scene/json.h>
+
+#include "catch.h"
+
+namespace plumb::compare {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Called {
+    int status;
+    std::string out, err;
+};
+
+Called call(const std::vector<std::string>& args) {
+    std::ostringstream out, err;
+    const int status = runCommand(args, out, err);
+    return {status, out.str(), err.str()};
+}
+
+struct Folder {
+    fs::path path = fs::temp_directory_path() / "plumb_command_test";
+    Folder() {
+        fs::remove_all(path);
+        fs::create_directories(path);
+    }
+    ~Folder() { fs::remove_all(path); }
+    std::string operator/(const std::string& name) const { return (path / name).string(); }
+};
+
+std::string textOf(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void write(const std::string& path, const std::string& text) {
+    std::ofstream(path, std::ios::binary) << text;
+}
+
+/// Status 2, nothing on standard output, one line on standard error that says this.
+void checkRefused(const std::vector<std::string>& args, const std::string& saying) {
+    const Called called = call(args);
+    INFO(called.err);
+    CHECK(called.status == 2);
+    CHECK(called.err.starts_with("plumb-compare: "));
+    CHECK(std::count(called.err.begin(), called.err.end(), '\n') == 1);
+    CHECK(called.err.find(saying) != std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("list tells name, question, engines and checks of free_fall", "[compare][command]") {
+    const Called called = call({"list"});
+    CHECK(called.status == 0);
+    CHECK(called.err.empty());
+    const std::size_t start = called.out.find("free_fall\n");
+    REQUIRE(start != std::string::npos);
+    const std::string entry = called.out.substr(start, called.out.find("\nprojectile\n") - start);
+    CHECK(entry.find("?") != std::string::npos);
+    CHECK(entry.find("engines plumb, box2d-2.4") != std::string::npos);
+    CHECK(entry.find("closed-form") != std::string::npos);
+    CHECK(entry.find("exact: plumb within 1e-09 m") != std::string::npos);
+}
+
+TEST_CASE("export prints a scene that reads back and runs as the built-in one", "[compare][command]") {
+    const Called exported = call({"export", "free_fall"});
+    CHECK(exported.status == 0);
+    CHECK(fromJson(exported.out, "exported").name == "free_fall");
+    const Folder folder;
+    write(folder / "mine.json", exported.out);
+    const Called checked = call({"check", folder / "mine.json", "--engines", "plumb,closed-form"});
+    INFO(checked.out << checked.err);
+    CHECK(checked.status == 0);
+    CHECK(checked.out.find("PASS  free_fall") != std::string::npos);
+}
+
+TEST_CASE("check writes JSON of schema 1 with metrics of every engine and the verdicts", "[compare][command]") {
+    const Folder folder;
+    const Called called = call({"check", "free_fall", "--steps", "30", "--dt", "0.05", "--json", folder / "out.json"});
+    CHECK(called.status == 0);
+    const nlohmann::json json = nlohmann::json::parse(textOf(folder / "out.json"));
+    CHECK(json["schema"] == 1);
+    CHECK(json["pass"] == true);
+    REQUIRE(json["scenes"].size() == 1);
+    const nlohmann::json& scene = json["scenes"][0];
+    CHECK(scene["name"] == "free_fall");
+    CHECK(scene["dt"] == 0.05);
+    CHECK(scene["steps"] == 30);
+    CHECK(scene["pass"] == true);
+    CHECK(scene["engines"].size() == engines().size());
+    CHECK(scene["engines"]["plumb"]["metrics"]["error_max"] <= 1e-9);
+    CHECK(scene["engines"]["plumb"]["metrics"]["joint_error_max"].is_null());
+    CHECK(scene["engines"]["plumb"]["metrics"]["divergence_max"].is_null());
+    // semi-implicit Euler falls g dt t / 2 too far
+    CHECK(scene["engines"]["box2d-2.4"]["metrics"]["error_max"] > 0.3);
+    REQUIRE(scene["checks"].size() >= 2);
+    for (const char* field : {"check", "engine", "metric", "value", "limit", "pass"})
+        CHECK(scene["checks"][0].contains(field));
+}
+
+TEST_CASE("an engine that cannot build a scene says so in the JSON, with null metrics", "[compare][command]") {
+    const Folder folder;
+    nlohmann::json scene = nlohmann::json::parse(call({"export", "free_fall"}).out);
+    scene["bodies"][0]["shapes"][0]["filter"]["category"] = 1u << 16;
+    write(folder / "scene.json", scene.dump());
+    const Called called = call({"check", folder / "scene.json", "--steps", "2", "--json", folder / "out.json"});
+    INFO(called.err);
+    const nlohmann::json json = nlohmann::json::parse(textOf(folder / "out.json"));
+    const nlohmann::json& engine = json["scenes"][0]["engines"]["box2d-2.4"];
+    CHECK(engine["unsupported"].get<std::string>().find("16 bits") != std::string::npos);
+    CHECK(engine["metrics"]["error_max"].is_null());
+}
+
+TEST_CASE("a scene whose check fails gives status 1 and says which check, by how much", "[compare][command]") {
+    const Folder folder;
+    nlohmann::json scene = nlohmann::json::parse(call({"export", "free_fall"}).out);
+    scene["gravity"] = {0, -9.8};
+    write(folder / "moon.json", scene.dump());
+    const Called called = call({"check", folder / "moon.json", "--json", folder / "out.json"});
+    CHECK(called.status == 1);
+    CHECK(called.out.find("FAIL  free_fall") != std::string::npos);
+    CHECK(called.out.find("exact: plumb error_max is 0.02 m, over 1e-09 m") != std::string::npos);
+    CHECK(nlohmann::json::parse(textOf(folder / "out.json"))["pass"] == false);
+}
+
+TEST_CASE("engines whose results no check looks at are shown but not judged, with status 0", "[compare][command]") {
+    const Called called = call({"check", "free_fall", "--engines", "box2d-2.4", "--steps", "5"});
+    CHECK(called.status == 0);
+    CHECK(called.out.find("----  free_fall") != std::string::npos);
+    CHECK(called.out.find("1 scene not judged.") != std::string::npos);
+}
+
+TEST_CASE("check writes a CSV a scene and the report", "[compare][command]") {
+    const Folder folder;
+    const Called called = call(
+        {"check", "free_fall", "projectile", "--steps", "4", "--csv", folder / "csv", "--report", folder / "report"});
+    INFO(called.err);
+    CHECK(called.status == 0);
+    const std::string csv = textOf(folder / "csv/projectile.csv");
+    CHECK(std::count(csv.begin(), csv.end(), '\n') == 6);
+    CHECK(fs::exists(folder / "csv/free_fall.csv"));
+    CHECK(textOf(folder / "report/index.html").find("<html") != std::string::npos);
+    CHECK(called.out.find("index.html") != std::string::npos);
+}
+
+TEST_CASE("without a command every scene is run, and the report written where it is called", "[compare][command]") {
+    const Folder folder;
+    const fs::path before = fs::current_path();
+    fs::current_path(folder.path);
+    const Called called = call({});
+    fs::current_path(before);
+    INFO(called.out << called.err);
+    CHECK(called.status == 0);
+    for (const Scene& scene : builtinScenes()) CHECK(called.out.find("PASS  " + scene.name) != std::string::npos);
+    CHECK(called.out.find("box2d-2.4 2.4.") != std::string::npos);
+    CHECK(fs::exists(folder / "build/report/index.html"));
+}
+
+TEST_CASE("help tells the commands and ends with status 0", "[compare][command]") {
+    const Called called = call({"--help"});
+    CHECK(called.status == 0);
+    for (const char* word : {"list", "check", "export"}) CHECK(called.out.find(word) != std::string::npos);
+    CHECK(call({"check", "--help"}).out.find("--engines") != std::string::npos);
+}
+
+TEST_CASE("bad usage gives status 2 and one line that says what and where", "[compare][command]") {
+    checkRefused({"check", "fre_fall"}, "there is no scene \"fre_fall\": the nearest is free_fall");
+    checkRefused({"export", "nothing_like_it"}, "there is no scene \"nothing_like_it\"");
+    checkRefused({"export"}, "SCENE");
+    checkRefused({"free_fall"}, "free_fall");
+    checkRefused({"check", "--colour"}, "--colour");
+    checkRefused({"check", "free_fall", "--engines", "bullet"},
+                 "--engines: \"bullet\" is not an engine of this build, "
+                 "which has plumb, box2d-2.4");
+    checkRefused({"check", "free_fall", "--engines", "plumb,"}, "--engines: \"\"");
+    checkRefused({"check", "free_fall", "--engines"}, "--engines");
+    for (const std::string steps : {"0", "-3", "1.5", "ten", ""})
+        checkRefused({"check", "free_fall", "--steps=" + steps}, "--steps");
+    for (const std::string dt : {"0", "-0.1", "nan", "inf", "1/60", "fast", ""})
+        checkRefused({"check", "free_fall", "--dt=" + dt}, "--dt");
+    checkRefused({"check", "free_fall", "--dt", "100"}, "scene free_fall: dt: 100 is longer than the duration");
+    checkRefused({"check", "free_fall", "free_fall"}, "both called \"free_fall\"");
+    checkRefused({"bench"}, "bench");
+}
+
+TEST_CASE("bad files give status 2 and one line with the file and the line", "[compare][command]") {
+    const Folder folder;
+    checkRefused({"check", folder / "missing.json"}, "missing.json");
+    write(folder / "broken.json", "{\n  \"name\": \"x\",\n  oops\n}\n");
+    checkRefused({"check", folder / "broken.json"}, "broken.json:3");
+    std::string text = call({"export", "free_fall"}).out;
+    const std::size_t brace = text.find('{');
+    write(folder / "unknown.json", text.insert(brace + 1, "\n\"colour\": 3,"));
+    checkRefused({"check", folder / "unknown.json"}, "colour");
+    checkRefused({"check", "free_fall", "--json", folder / "no/such/folder/out.json"}, "--json: cannot write");
+    write(folder / "file", "");
+    checkRefused({"check", "free_fall", "--csv", folder / "file/csv"}, "--csv: cannot make the folder");
+    checkRefused({"check", "free_fall", "--report", folder / "file"}, "--report: cannot make the folder");
+}
+
+}  // namespace plumb::compare

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include <compare/command/verdict_table.h>
+
+#include <sstream>
+
+#include "catch.h"
+#include "compare/scripted.h"
+
+namespace plumb::compare {
+namespace {
+
+SceneResult judged(const std::string& name, double plumb, double limit) {
+    Scene scene = oneDisc();
+    scene.name = name;
+    scene.gravity = {0, 0};
+    scene.checks = {ExactCheck{limit, "it was derived"}};
+    return runScene(scene, {}, {standing("plumb", plumb), unsupporting("box2d-3"), standing("closed-form", 0)});
+}
+
+std::string shown(const std::vector<SceneResult>& results, bool colour) {
+    std::ostringstream out;
+    std::vector<Scene> scenes;
+    for (const SceneResult& result : results) scenes.push_back(result.scene);
+    const VerdictTable table(out, {"plumb", "box2d-3"}, scenes, colour);
+    table.head();
+    for (const SceneResult& result : results) table.row(result);
+    table.summary(results);
+    return out.str();
+}
+
+}  // namespace
+
+TEST_CASE("the table says of each scene whether it holds, by how much, and spells out what fails",
+          "[compare][command]") {
+    const std::string text = shown({judged("good", 0.0125, 0.1), judged("not_so_good", 2, 0.1)}, false);
+    CHECK(text ==
+          "                   largest distance to the closed form\n"
+          "      scene              plumb      box2d-3  checks that hold\n"
+          "PASS  good             12.5 mm  unsupported  1 of 1\n"
+          "FAIL  not_so_good          2 m  unsupported  0 of 1\n"
+          "      exact: plumb error_max is 2 m, over 0.1 m: it was derived\n"
+          "\n"
+          "1 scene holds, 1 fails.\n");
+}
+
+TEST_CASE("a scene of which nothing was judged is not called a pass", "[compare][command]") {
+    SceneResult result = judged("idle", 0, 1);
+    result.outcomes.clear();
+    const std::string text = shown({result}, false);
+    CHECK(text.find("PASS") == std::string::npos);
+    CHECK(text.find("----  idle") != std::string::npos);
+    CHECK(text.find("1 scene not judged.") != std::string::npos);
+}
+
+TEST_CASE("only a terminal gets colours", "[compare][command]") {
+    const std::vector<SceneResult> results{judged("good", 0, 1)};
+    CHECK(shown(results, false).find('\x1b') == std::string::npos);
+    CHECK(shown(results, true).find("\x1b[32mPASS\x1b[0m") != std::string::npos);
+}
+
+TEST_CASE("lengths are told in the unit that fits them", "[compare][command]") {
+    CHECK(lengthText(0) == "0 m");
+    CHECK(lengthText(1.2345) == "1.23 m");
+    CHECK(lengthText(0.0417) == "41.7 mm");
+    CHECK(lengthText(12.34e-6) == "12.3 um");
+    CHECK(lengthText(5e-9) == "5 nm");
+    CHECK(lengthText(3.6e-15) == "4e-15 m");
+    CHECK(lengthText(infinity) == "infinite");
+}
+
+TEST_CASE("a failed check is told with its value, its bound and its reason", "[compare][command]") {
+    const Scene scene = oneDisc();
+    CHECK(failureText(scene, {"order", "plumb", "order", 1.25, 1.8, false, "second order"}) ==
+          "order: plumb order is 1.25, under 1.8: second order");
+    CHECK(failureText(scene, {"invariant", "box2d-3", "settle_time", {}, 3, false, ""}) ==
+          "invariant: box2d-3 settle_time does not exist, wanted at most 3 s");
+    CHECK(failureText(scene, {"invariant", "plumb", "energy_drift", 0.5, 0.01, false, ""}) ==
+          "invariant: plumb energy_drift is 0.5, over 0.01");
+}
+
+}  // namespace plumb::compare

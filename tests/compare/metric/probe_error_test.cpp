@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include <compare/metric/probe_error.h>
+
+#include "catch.h"
+#include "compare/scripted.h"
+
+namespace plumb::compare {
+namespace {
+
+using Catch::Matchers::WithinAbs;
+
+constexpr double rounding = 1e-12;
+
+/// A force that settles: 20 N, from 0.5 s on 10 N and a bit.
+Scene withForce(double expected, double from) {
+    Scene scene = oneDisc();
+    Probe probe;
+    probe.name = "normal";
+    probe.quantity = NormalForceProbe{"disc", "disc"};
+    probe.expected = expected;
+    probe.from = from;
+    scene.probes = {probe};
+    return scene;
+}
+
+Observation settling(const Scene& scene) {
+    return observe(scene, scripted("plumb", {[](double) { return std::vector<BodyState>{at(0, 0)}; },
+                                             [](double t) { return std::vector<double>{t < 0.45 ? 20 : 10.25}; }}));
+}
+
+Scene withAngle(double expected) {
+    Scene scene = oneDisc();
+    Probe probe;
+    probe.name = "turn";
+    probe.quantity = AngleProbe{"disc"};
+    probe.expected = expected;
+    scene.probes = {probe};
+    return scene;
+}
+
+Observation turning(const Scene& scene, const std::string& engine, double rate) {
+    return observe(scene, scripted(engine, {[rate](double t) {
+                                       BodyState state;
+                                       state.angle = rate * t;
+                                       return std::vector<BodyState>{state};
+                                   }}));
+}
+
+}  // namespace
+
+TEST_CASE("a force is watched from its time on: 0.25 N off from 0.5 s, 10 N off from the start", "[compare][metric]") {
+    const Scene late = withForce(10, 0.5);
+    CHECK_THAT(*probeError(late, 0, settling(late), nullptr), WithinAbs(0.25, rounding));
+    const Scene early = withForce(10, 0);
+    CHECK_THAT(*probeError(early, 0, settling(early), nullptr), WithinAbs(10, rounding));
+}
+
+TEST_CASE("a probe that is watched from later than the run lasts has no error", "[compare][metric]") {
+    const Scene scene = withForce(10, 1.5);
+    CHECK_FALSE(probeError(scene, 0, settling(scene), nullptr));
+}
+
+TEST_CASE("a force that the engine cannot tell has no error", "[compare][metric]") {
+    const Scene scene = withForce(10, 0);
+    CHECK_FALSE(probeError(scene, 0, observe(scene, standing("box2d-2.4", 0)), nullptr));
+}
+
+TEST_CASE("an angle is held against the closed form where there is one, else against what is expected",
+          "[compare][metric]") {
+    const Scene scene = withAngle(2);
+    const Observation seen = turning(scene, "plumb", 3);
+    const Observation truth = turning(scene, "closed-form", 2.5);
+    CHECK_THAT(*probeError(scene, 0, seen, &truth), WithinAbs(0.5, rounding));  // after 1 s
+    CHECK_THAT(*probeError(scene, 0, seen, nullptr), WithinAbs(2, rounding));   // at the start
+    const Observation silent = turning(scene, "closed-form", nan);
+    CHECK_THAT(*probeError(scene, 0, seen, &silent), WithinAbs(2, rounding));
+}
+
+TEST_CASE("an angle that is not a number is an error without bound", "[compare][metric]") {
+    const Scene scene = withAngle(2);
+    const Observation truth = turning(scene, "closed-form", 2.5);
+    CHECK(probeError(scene, 0, turning(scene, "box2d-3", nan), &truth) == infinity);
+    CHECK(probeError(scene, 0, turning(scene, "box2d-3", nan), nullptr) == infinity);
+}
+
+}  // namespace plumb::compare

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include <compare/report/report.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+#include "catch.h"
+#include "compare/scripted.h"
+#include "house/shell.h"
+
+namespace plumb::compare {
+namespace {
+
+namespace fs = std::filesystem;
+using test::quoted;
+using test::shell;
+
+/// A folder of its own that goes when the test does.
+struct Folder {
+    fs::path path = fs::temp_directory_path() / "plumb_browser_test";
+    Folder() {
+        fs::remove_all(path);
+        fs::create_directories(path);
+    }
+    ~Folder() { fs::remove_all(path); }
+};
+
+struct Opened {
+    std::string page;      ///< as it was after three seconds of the browser's time
+    std::string messages;  ///< what the page's console and the network complained of
+};
+
+std::string browser() {
+    const std::string found =
+        shell("command -v chromium || command -v chromium-browser || command -v google-chrome").output;
+    if (found.empty()) FAIL("no chromium found: it is in the package list, and this test opens the report in it");
+    return found.substr(0, found.find('\n'));
+}
+
+/// Opens a file from disk in a browser without a screen, for which no host name has an address.
+Opened open(const Folder& folder, const std::string& file, const std::string& state) {
+    const fs::path log = folder.path / "log";
+    const std::string command =
+        "timeout 120 " + quoted(browser()) +
+        " --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking"
+        " --disable-component-update --disable-sync --host-resolver-rules='MAP * ~NOTFOUND' --window-size=1280,800"
+        " --virtual-time-budget=3000 --enable-logging=stderr --dump-dom --user-data-dir=" +
+        quoted((folder.path / "profile").string()) + " " +
+        quoted("file://" + (folder.path / file).string() + "#" + state) + " 2>" + quoted(log.string());
+    const test::Ran ran = shell(command);
+    REQUIRE(ran.ok);
+    Opened opened{ran.output, ""};
+    std::ifstream lines(log);
+    for (std::string line; std::getline(lines, line);)
+        if (line.find(":CONSOLE") != std::string::npos) opened.messages += line + "\n";
+    return opened;
+}
+
+/// The disc's closed form rises and falls; Plumb is 1.2 mm beside it, and a Box2D 0.3 pm.
+std::vector<SceneResult> results() {
+    const auto beside = [](const std::string& name, double x) {
+        return scripted(name, {[x](double t) { return std::vector<BodyState>{at(x, 3 * t - 5 * t * t)}; }});
+    };
+    Scene scene = oneDisc();
+    scene.question = "Does </script> end the page?";
+    scene.checks = {ExactCheck{0.001, "to see it fail"}};
+    return {runScene(
+        scene, {},
+        {beside("plumb", 0.0012), beside("box2d-2.4", 3e-13), unsupporting("box2d-3"), beside("closed-form", 0)})};
+}
+
+double clockOf(const std::string& page) {
+    std::smatch found;
+    REQUIRE(std::regex_search(page, found, std::regex("<output id=\"clock\"[^>]*>([0-9.]+)&nbsp;s</output>")));
+    return std::stod(found[1]);
+}
+
+}  // namespace
+
+TEST_CASE("opened from disk at 0.2 s and playing, the report's clock moves on and nothing complains",
+          "[compare][report][build]") {
+    const Folder folder;
+    writeReport(results(), folder.path);
+    const Opened opened = open(folder, "index.html", "scene=one_disc&t=0.2&play=1&speed=0.125");
+    CHECK(clockOf(opened.page) > 0.2);
+    CHECK(opened.messages == "");
+    // Each of the four charts is drawn by the library.
+    CHECK_THAT(opened.page, test::containsText("dygraph-axis-label"));
+}
+
+TEST_CASE("a link to a moment shows that moment, with the numbers as a person reads them", "[compare][report][build]") {
+    const Folder folder;
+    writeReport(results(), folder.path);
+    const Opened opened = open(folder, "index.html", "scene=one_disc&t=0.5");
+    CHECK(opened.messages == "");
+    CHECK(clockOf(opened.page) == 0.5);
+    CHECK_THAT(opened.page, test::containsText("step 5 of 10"));
+    CHECK_THAT(opened.page, test::containsText("1.20&nbsp;mm"));
+    CHECK_THAT(opened.page, test::containsText("3.00×10⁻¹³&nbsp;m"));
+    CHECK_THAT(opened.page, test::containsText("does not run this scene: it has no such thing"));
+    CHECK_THAT(opened.page, test::containsText("Does &lt;/script&gt; end the page?"));
+}
+
+TEST_CASE("opened without a scene the report lists the verdicts and says what fails", "[compare][report][build]") {
+    const Folder folder;
+    writeReport(results(), folder.path);
+    const Opened opened = open(folder, "index.html", "");
+    CHECK(opened.messages == "");
+    CHECK_THAT(opened.page, test::containsText("✗ fails"));
+    CHECK_THAT(opened.page,
+               test::containsText("Plumb: largest distance to the closed form 1.20&nbsp;mm, not ≤&nbsp;1&nbsp;mm"));
+}
+
+// What the tests above rest on: a page that may load nothing says so when it tries.
+TEST_CASE("a page that logs an error or tries to load something does not pass unseen", "[compare][report][build]") {
+    const Folder folder;
+    std::ofstream(folder.path / "bad.html") << "<meta http-equiv='Content-Security-Policy'"
+                                               " content=\"default-src 'none'; script-src 'unsafe-inline'\">"
+                                               "<script>console.error('one')</script><script>two()</script>"
+                                               "<img src='http://plumb.invalid/three.png'>"
+                                               "<script>fetch('http://plumb.invalid/four')</script>";
+    const Opened opened = open(folder, "bad.html", "");
+    CHECK_THAT(opened.messages, test::containsText("one"));
+    CHECK_THAT(opened.messages, test::containsText("two is not defined"));
+    CHECK_THAT(opened.messages, test::containsText("three.png"));
+    CHECK_THAT(opened.messages, test::containsText("plumb.invalid/four"));
+}
+
+}  // namespace plumb::compare

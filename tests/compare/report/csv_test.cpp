@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include <compare/report/report.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "catch.h"
+#include "compare/scripted.h"
+
+namespace plumb::compare {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own that goes when the test does.
+struct Folder {
+    fs::path path = fs::temp_directory_path() / "plumb_csv_test";
+    Folder() { fs::remove_all(path); }
+    ~Folder() { fs::remove_all(path); }
+};
+
+std::vector<std::string> linesOf(const fs::path& path) {
+    std::ifstream file(path);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(file, line);) lines.push_back(line);
+    return lines;
+}
+
+SceneResult twoSteps() {
+    Scene scene = oneDisc();
+    scene.gravity = {0, 0};
+    scene.dt = 0.25;
+    scene.duration = 0.5;
+    const Engine closedForm =
+        scripted("closed-form", {[](double t) { return std::vector<BodyState>{t > 0.3 ? at(nan, nan) : at(t, 0)}; }});
+    const Engine plumb = scripted("plumb", {[](double t) { return std::vector<BodyState>{at(t, 0.125)}; }});
+    return runScene(scene, {}, {plumb, unsupporting("box2d-3"), closedForm});
+}
+
+}  // namespace
+
+TEST_CASE("a CSV has a line a tick, three columns a body, and nothing where nothing is known", "[compare][report]") {
+    const Folder folder;
+    writeCsv({twoSteps()}, folder.path / "deep");
+    const std::vector<std::string> lines = linesOf(folder.path / "deep" / "one_disc.csv");
+    REQUIRE(lines.size() == 4);
+    CHECK(lines[0] ==
+          "t,plumb.disc.x,plumb.disc.y,plumb.disc.angle,plumb.error,plumb.energy,"
+          "closed-form.disc.x,closed-form.disc.y,closed-form.disc.angle,closed-form.error,closed-form.energy");
+    CHECK(lines[1] == "0,0,0.125,0,0.125,0,0,0,0,0,0");
+    CHECK(lines[2] == "0.25,0.25,0.125,0,0.125,0,0.25,0,0,0,0");
+    CHECK(lines[3] == "0.5,0.5,0.125,0,,0,,,0,,");
+}
+
+TEST_CASE("a body's name with a comma and quotes stays one column", "[compare][report]") {
+    const Folder folder;
+    SceneResult result = twoSteps();
+    result.scene.bodies[0].name = "a, \"b\"";
+    writeCsv({result}, folder.path);
+    CHECK(linesOf(folder.path / "one_disc.csv").at(0).starts_with("t,\"plumb.a, \"\"b\"\".x\","));
+}
+
+TEST_CASE("a CSV that cannot be written is said with its path", "[compare][report]") {
+    const Folder folder;
+    std::ofstream(folder.path) << "a file where the folder should be";
+    CHECK_THROWS_WITH(writeCsv({twoSteps()}, folder.path),
+                      "csv: cannot write " + (folder.path / "one_disc.csv").string());
+}
+
+}  // namespace plumb::compare

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include <compare/report/data.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "catch.h"
+#include "compare/scripted.h"
+#include "unpacked.h"
+
+namespace plumb::compare {
+namespace {
+
+using nlohmann::json;
+
+json onlyScene(const SceneResult& result) {
+    return reportData({result}).at("scenes").at(0);
+}
+
+SceneResult discBesideItsClosedForm() {
+    Scene scene = oneDisc();
+    scene.checks = {ExactCheck{0.001, "why not"}, AgreeCheck{0.02, 0.5, "until then"}};
+    return runScene(scene, {}, {standing("plumb", 0.25), unsupporting("box2d-3"), standing("closed-form", 0)});
+}
+
+}  // namespace
+
+TEST_CASE("the page knows the scene, its limits, each engine's states and curves, and what failed",
+          "[compare][report]") {
+    const json scene = onlyScene(discBesideItsClosedForm());
+    CHECK(scene.at("name") == "one_disc");
+    CHECK(scene.at("steps") == 10);
+    CHECK(scene.at("limits") == json({{"error", 0.001}, {"divergence", 0.02}, {"agreeUntil", 0.5}}));
+    CHECK(scene.at("bodies").at(0).at("shapes") == json::parse(R"([{"circle": [0, 0, 0.5]}])"));
+    CHECK(scene.at("pass") == false);
+    CHECK(scene.at("outcomes").at(0).at("value") == 0.25);
+
+    const json& plumb = scene.at("engines").at(0);
+    CHECK(plumb.at("metrics").at("error_max") == 0.25);
+    CHECK(plumb.at("metrics").at("joint_error_max").is_null());
+    CHECK(plumb.at("divergence").is_null());
+    CHECK(unpackedDoubles(plumb.at("error")) == std::vector<double>(11, 0.25));
+    const std::vector<double> states = unpackedDoubles(plumb.at("states"));
+    REQUIRE(states.size() == 33);
+    CHECK(states[30] == 0.25);
+
+    const json& box2d = scene.at("engines").at(1);
+    CHECK(box2d.at("unsupported") == "it has no such thing");
+    CHECK_FALSE(box2d.contains("states"));
+}
+
+TEST_CASE("a joint's ends are fixed to its bodies, turned as they stand at the start", "[compare][report]") {
+    Scene scene = oneDisc();
+    scene.closedForm.reset();
+    scene.bodies.push_back(scene.bodies[0]);
+    scene.bodies[1].name = "turned";
+    scene.bodies[1].def.position = {2, 1};
+    scene.bodies[1].def.angle = std::numbers::pi / 2;
+    // One metre above the turned body: ahead of it along its own x.
+    scene.joints = {{"rod", "disc", "turned", DistanceJointDef{{}, {}, {0.5, 0}, {2, 2}, {}, false}},
+                    {"pin", "disc", "turned", RevoluteJointDef{{}, {}, {2, 2}, false}}};
+    SceneResult result;
+    result.scene = scene;
+    const json joints = onlyScene(result).at("joints");
+    CHECK(joints.at(0).at("type") == "distance");
+    CHECK(joints.at(0).at("atA") == json({0.5, 0.0}));
+    // Rounding of a quarter turn's cosine, at one metre.
+    CHECK(std::abs(joints.at(0).at("atB").at(0).get<double>() - 1) < 1e-15);
+    CHECK(std::abs(joints.at(0).at("atB").at(1).get<double>()) < 1e-15);
+    CHECK(joints.at(1).at("type") == "revolute");
+    CHECK(joints.at(1).at("atA") == json({2.0, 2.0}));
+}
+
+TEST_CASE("a scene without closed form has no engine of that name in the page", "[compare][report]") {
+    Scene scene = oneDisc();
+    scene.closedForm.reset();
+    const json data = onlyScene(runScene(scene, {}, {standing("plumb", 0), unsupporting("closed-form")}));
+    CHECK(data.at("closedForm").is_null());
+    CHECK(data.at("engines").size() == 1);
+}
+
+TEST_CASE("no text in the data can end the script it stands in, and all of it reads back", "[compare][report]") {
+    Scene scene = oneDisc();
+    scene.question = "Does </script><!-- <script> \"end\" \\ it?";
+    SceneResult result;
+    result.scene = scene;
+    const json data = reportData({result});
+    const std::string text = scriptText(data);
+    CHECK(text.find('<') == std::string::npos);
+    CHECK(json::parse(text) == data);
+}
+
+TEST_CASE("a setting that is not UTF-8 is shown with a mark in its place", "[compare][report]") {
+    SceneResult result;
+    result.scene = oneDisc();
+    Observation run;
+    run.engine = "plumb";
+    run.unsupported = "bad \xFF byte";
+    result.engines = {{run, {}}};
+    const json read = json::parse(scriptText(reportData({result})));
+    CHECK(read.at("scenes").at(0).at("engines").at(0).at("unsupported") == "bad \uFFFD byte");
+}
+
+}  // namespace plumb::compare

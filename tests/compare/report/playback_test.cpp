@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include <compare/report/playback.h>
+
+#include <vector>
+
+#include "catch.h"
+#include "compare/scripted.h"
+#include "unpacked.h"
+
+namespace plumb::compare {
+namespace {
+
+/// Discs on a static floor that move along x with the time, in one engine.
+SceneResult discs(int count, int steps) {
+    Scene scene = oneDisc();
+    scene.closedForm.reset();
+    const SceneBody disc = scene.bodies[0];
+    SceneBody floor;
+    floor.name = "floor";
+    floor.def.type = BodyType::Static;
+    floor.def.shapes = {box({10, 0.5})};
+    scene.bodies = {floor};
+    for (int i = 0; i < count; ++i) {
+        scene.bodies.push_back(disc);
+        scene.bodies.back().name = "disc_" + std::to_string(i);
+    }
+    scene.dt = 0.125;
+    scene.duration = steps * scene.dt;
+    SceneResult result;
+    result.scene = scene;
+    Observation run;
+    run.engine = "plumb";
+    run.dt = scene.dt;
+    for (int tick = 0; tick <= steps; ++tick) {
+        std::vector<BodyState> states(scene.bodies.size(), at(tick * scene.dt, 0));
+        states[0] = at(0, 0);
+        run.states.push_back(states);
+    }
+    result.engines = {{run, {}}};
+    return result;
+}
+
+std::size_t total(const std::vector<SceneResult>& results, const std::vector<PlaybackFormat>& formats) {
+    std::size_t bytes = 0;
+    for (std::size_t i = 0; i < results.size(); ++i) bytes += playbackBytes(results[i], formats[i]);
+    return bytes;
+}
+
+}  // namespace
+
+TEST_CASE("the kept ticks begin with 0, end with the last, and are a stride apart", "[compare][report]") {
+    CHECK(keptTicks(5, 1) == std::vector<std::size_t>{0, 1, 2, 3, 4});
+    CHECK(keptTicks(5, 2) == std::vector<std::size_t>{0, 2, 4});
+    CHECK(keptTicks(6, 2) == std::vector<std::size_t>{0, 2, 4, 5});
+    CHECK(keptTicks(6, 100) == std::vector<std::size_t>{0, 5});
+    CHECK(keptTicks(1, 3) == std::vector<std::size_t>{0});
+    CHECK(keptTicks(0, 1).empty());
+}
+
+TEST_CASE("two discs over ten steps are 66 numbers; the static floor is not played", "[compare][report]") {
+    const SceneResult result = discs(2, 10);
+    CHECK(playedBodies(result.scene, "plumb") == std::vector<std::size_t>{1, 2});
+    CHECK(playbackBytes(result, {NumberWidth::Float64, 1}) == 2 * 11 * 3 * 8);
+    CHECK(playbackBytes(result, {NumberWidth::Float32, 4}) == 2 * 4 * 3 * 4);  // ticks 0, 4, 8, 10
+    const std::string packed = packPlayback(result.scene, result.engines[0].observation, {NumberWidth::Float32, 4});
+    CHECK(unpackedFloats(packed) == std::vector<double>{0,   0, 0, 0,   0, 0, 0.5,  0, 0, 0.5,  0, 0,  //
+                                                        1.0, 0, 0, 1.0, 0, 0, 1.25, 0, 0, 1.25, 0, 0});
+}
+
+TEST_CASE("scenes within the budget keep all their digits and steps", "[compare][report]") {
+    const std::vector<SceneResult> results{discs(2, 10), discs(5, 100)};
+    for (const PlaybackFormat& format : fitPlayback(results, 1'000'000)) {
+        CHECK(format.width == NumberWidth::Float64);
+        CHECK(format.stride == 1);
+    }
+}
+
+TEST_CASE("a large scene loses digits, then steps; the small ones beside it lose nothing", "[compare][report]") {
+    const std::vector<SceneResult> results{discs(20, 1000), discs(2, 10)};
+    REQUIRE(playbackBytes(results[0], {}) == 480'480);
+
+    const std::vector<PlaybackFormat> halved = fitPlayback(results, 300'000);
+    CHECK(halved[0].width == NumberWidth::Float32);
+    CHECK(halved[0].stride == 1);
+    CHECK(total(results, halved) <= 300'000);
+
+    const std::vector<PlaybackFormat> thin = fitPlayback(results, 100'000);
+    CHECK(thin[0].width == NumberWidth::Float32);
+    CHECK(thin[0].stride == 3);  // 240 byte a tick, 410 of 1,001 ticks fit
+    CHECK(thin[1].width == NumberWidth::Float64);
+    CHECK(thin[1].stride == 1);
+    CHECK(total(results, thin) <= 100'000);
+}
+
+TEST_CASE("with no budget at all each scene still has its first and last tick", "[compare][report]") {
+    const std::vector<SceneResult> results{discs(1, 10)};
+    const std::vector<PlaybackFormat> formats = fitPlayback(results, 0);
+    CHECK(keptTicks(11, formats[0].stride) == std::vector<std::size_t>{0, 10});
+}
+
+TEST_CASE("the closed form plays the bodies it is about, as long as it holds", "[compare][report]") {
+    Scene scene = oneDisc();
+    scene.bodies.push_back(scene.bodies[0]);
+    scene.bodies[1].name = "other";
+    scene.closedForm->until = 0.3;
+    Observation run;
+    run.engine = "closed-form";
+    run.dt = 0.1;
+    run.states.resize(11);
+    CHECK(playedBodies(scene, "closed-form") == std::vector<std::size_t>{0});
+    CHECK(playedBodies(scene, "plumb") == std::vector<std::size_t>{0, 1});
+    CHECK(playedTicks(scene, run) == 4);  // 0, 0.1, 0.2 and 0.3 s, though 3 x 0.1 > 0.3 in binary
+    run.engine = "plumb";
+    CHECK(playedTicks(scene, run) == 11);
+}
+
+}  // namespace plumb::compare

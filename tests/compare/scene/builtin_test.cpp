@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include <compare/scene/builtin.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <compare/closed_form/disc_impact.h>
+#include <compare/closed_form/oracle.h>
+
+#include "catch.h"
+
+namespace plumb::compare {
+namespace {
+
+std::string reasonOf(const Check& check) {
+    return std::visit([](const auto& c) { return c.reason; }, check);
+}
+
+const SceneBody& bodyOf(const Scene& scene, const std::string& name) {
+    return *std::ranges::find(scene.bodies, name, &SceneBody::name);
+}
+
+double radiusOf(const SceneBody& body) {
+    return std::get<Circle>(body.def.shapes.at(0).shape).radius;
+}
+
+/// How far a body's lowest or nearest point is off a line through a point, along the line's unit normal.
+double gapTo(const SceneBody& body, const Vec2& point, const Vec2& normal) {
+    const Shape& shape = body.def.shapes.at(0).shape;
+    if (const auto* circle = std::get_if<Circle>(&shape)) {
+        return (body.def.position - point).dot(normal) - circle->radius;
+    }
+    double nearest = 1e9;
+    for (const Vec2& corner : std::get<Polygon>(shape).vertices) {
+        const double c = std::cos(body.def.angle);
+        const double s = std::sin(body.def.angle);
+        const Vec2 turned(c * corner.x() - s * corner.y(), s * corner.x() + c * corner.y());
+        nearest = std::min(nearest, (body.def.position + turned - point).dot(normal));
+    }
+    return nearest;
+}
+
+std::vector<FlyingDisc> discsOf(const Scene& gas) {
+    std::vector<FlyingDisc> discs;
+    for (const SceneBody& body : gas.bodies) {
+        if (body.def.type == BodyType::Static) continue;
+        discs.push_back({.position = body.def.position, .velocity = body.def.velocity, .radius = radiusOf(body)});
+    }
+    return discs;
+}
+
+}  // namespace
+
+TEST_CASE("there are at least 20 built-in scenes, at least 14 of them with a closed form", "[compare][scene]") {
+    const std::vector<Scene> scenes = builtinScenes();
+    CHECK(scenes.size() >= 20);
+    CHECK(std::ranges::count_if(scenes, [](const Scene& scene) { return scene.closedForm.has_value(); }) >= 14);
+}
+
+TEST_CASE("each built-in scene is valid, asks a question, and gives a reason for each check", "[compare][scene]") {
+    std::set<std::string> names;
+    for (const Scene& scene : builtinScenes()) {
+        INFO(scene.name);
+        CHECK_NOTHROW(validate(scene));
+        CHECK(names.insert(scene.name).second);
+        CHECK(scene.question.ends_with("?"));
+        CHECK_FALSE(scene.checks.empty());
+        for (const Check& check : scene.checks) CHECK_FALSE(reasonOf(check).empty());
+        const bool exact =
+            std::ranges::any_of(scene.checks, [](const Check& c) { return std::holds_alternative<ExactCheck>(c); });
+        CHECK(exact == scene.closedForm.has_value());
+        for (const Probe& probe : scene.probes) CHECK_FALSE(probe.unit.empty());
+    }
+}
+
+TEST_CASE("a scene is found by its name, and only by its name", "[compare][scene]") {
+    CHECK(findScene("pendulum_150").value().name == "pendulum_150");
+    CHECK_FALSE(findScene("pendulum"));
+}
+
+TEST_CASE("each closed form begins where its bodies do, and covers every moving body to the end", "[compare][scene]") {
+    for (const Scene& scene : builtinScenes()) {
+        if (!scene.closedForm) continue;
+        const std::vector<BodyState> start = closedFormStates(scene, 0);
+        const std::vector<BodyState> end = closedFormStates(scene, scene.duration);
+        for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+            const BodyDef& def = scene.bodies[i].def;
+            if (def.type != BodyType::Dynamic) continue;
+            INFO(scene.name << ", " << scene.bodies[i].name);
+            CHECK((start[i].position - def.position).norm() < 1e-14);  // rounding of metres
+            CHECK((start[i].velocity - def.velocity).norm() < 1e-14);
+            CHECK(std::abs(start[i].angle - def.angle) < 1e-15);
+            CHECK(std::abs(start[i].angularVelocity - def.angularVelocity) < 1e-15);
+            CHECK(end[i].position.allFinite());
+        }
+    }
+}
+
+TEST_CASE("no closed form jumps: each flight begins where the one before it ends", "[compare][scene]") {
+    int joins = 0;
+    for (const Scene& scene : builtinScenes()) {
+        if (!scene.closedForm) continue;
+        for (const BodyMotion& motion : scene.closedForm->bodies) {
+            const auto* piecewise = std::get_if<PiecewiseMotion>(&motion);
+            if (!piecewise) continue;
+            for (std::size_t i = 1; i < piecewise->flights.size(); ++i) {
+                const Flight& before = piecewise->flights[i - 1];
+                const Flight& after = piecewise->flights[i];
+                const double s = after.start - before.start;
+                const Vec2 end = before.position + before.velocity * s + before.acceleration * (s * s / 2);
+                INFO(scene.name << ", " << piecewise->body << ", flight " << i);
+                // The starts add up: 40 s of rounding, 5e-15 s, at 10 m/s.
+                CHECK((end - after.position).norm() < 1e-13);
+                ++joins;
+            }
+        }
+    }
+    CHECK(joins == 18 + 20 + 1 + 5 * 2);  // bounce_08, bounce_1, wall_touch, and five pairs of discs
+}
+
+TEST_CASE("the hammer of spin_free balances at its origin", "[compare][scene]") {
+    double mass = 0;
+    Vec2 moment(0, 0);
+    const Scene scene = findScene("spin_free").value();
+    for (const ShapeDef& shape : scene.bodies.at(0).def.shapes) {
+        const std::vector<Vec2>& corners = std::get<Polygon>(shape.shape).vertices;
+        const double weight = shape.material.density * (corners[2] - corners[0]).prod();
+        mass += weight;
+        moment += weight * (corners[0] + corners[2]) / 2;
+    }
+    CHECK(moment.norm() / mass < 1e-16);
+}
+
+TEST_CASE("a ball dropped from 5 m has its lowest point 5 m over the floor", "[compare][scene]") {
+    const Scene scene = findScene("bounce_1").value();
+    CHECK(gapTo(bodyOf(scene, "ball"), {0, 0}, {0, 1}) == 5);
+    CHECK(std::get<PiecewiseMotion>(scene.closedForm->bodies.at(0)).flights.size() == 21);
+    // Each of the twenty times it is up again; apexes 2.0192751093 s apart.
+    for (int i = 1; i <= 20; ++i) {
+        CHECK(std::abs(closedFormStates(scene, i * 2.0192751093).at(1).position.y() - 5.5) < 1e-12);
+    }
+}
+
+TEST_CASE("what stands or lies at the start touches exactly", "[compare][scene]") {
+    const double s = 0.5, c = std::sqrt(0.75);  // of 30 degrees
+    for (const char* name : {"block_slides", "block_sticks", "disc_rolls"}) {
+        const Scene scene = findScene(name).value();
+        // The slope goes from (0, 5) down to the right.
+        CHECK(std::abs(gapTo(scene.bodies.at(1), {0, 5}, {s, c})) < 1e-15);
+        const auto& corners = std::get<Polygon>(scene.bodies.at(0).def.shapes.at(0).shape).vertices;
+        CHECK((corners.at(2) - Vec2(0, 5)).norm() < 1e-14);
+        CHECK((corners.at(1) - Vec2(10 * c, 0)).norm() < 1e-14);
+        // At the end it is still on the slope, of 10 m.
+        const Vec2 end = closedFormStates(scene, scene.duration).at(1).position;
+        CHECK((end - Vec2(0, 5)).dot(Vec2(c, -s)) < 9);
+    }
+    CHECK(gapTo(findScene("box_at_rest").value().bodies.at(1), {0, 0}, {0, 1}) == 0);
+    const Scene stack = findScene("stack_of_ten").value();
+    REQUIRE(stack.bodies.size() == 11);
+    for (int i = 0; i < 10; ++i) {
+        CHECK(gapTo(stack.bodies.at(static_cast<std::size_t>(i) + 1), {0, i}, {0, 1}) == 0);
+    }
+}
+
+TEST_CASE("the contacts of the stack of ten carry 9.81 N to 98.1 N", "[compare][scene][law]") {
+    const Scene scene = findScene("stack_of_ten").value();
+    REQUIRE(scene.probes.size() == 10);
+    for (const Probe& probe : scene.probes) {
+        const int carried = std::stoi(probe.name.substr(probe.name.find('_') + 1));
+        CHECK(std::abs(probe.expected - 9.81 * carried) < 1e-13);  // FACTS section 5: N_i = i m g, ten of 1 kg: 98.1
+    }
+    const auto& lowest = std::get<NormalForceProbe>(scene.probes.at(0).quantity);
+    CHECK(scene.probes.at(0).name == "normal_10");
+    CHECK(lowest.bodyA == "floor");
+    CHECK(lowest.bodyB == "box_1");
+}
+
+TEST_CASE("the four middle corners of the pyramid of ten rest on two boxes each", "[compare][scene]") {
+    const Scene scene = findScene("small_pyramid").value();
+    REQUIRE(scene.bodies.size() == 11);
+    for (const SceneBody& body : scene.bodies) {
+        if (body.def.type == BodyType::Static || body.def.position.y() == 0.5) continue;
+        const auto below = std::ranges::count_if(scene.bodies, [&](const SceneBody& other) {
+            const Vec2 d = body.def.position - other.def.position;
+            return d.y() == 1 && std::abs(d.x()) < 0.6;
+        });
+        CHECK(below == 2);
+    }
+}
+
+TEST_CASE("the gas of 20 discs starts apart and inside, and its first impact comes after the engines' horizon",
+          "[compare][scene]") {
+    const Scene scene = findScene("elastic_gas").value();
+    const std::vector<FlyingDisc> discs = discsOf(scene);
+    REQUIRE(discs.size() == 20);
+    double first = 1e9;
+    for (std::size_t i = 0; i < discs.size(); ++i) {
+        for (int axis = 0; axis < 2; ++axis) {
+            const double room = 5 - discs[i].radius;
+            CHECK(std::abs(discs[i].position[axis]) < room);
+            const double v = discs[i].velocity[axis];
+            first = std::min(
+                first, (room - std::copysign(discs[i].position[axis], discs[i].position[axis] * v)) / std::abs(v));
+        }
+        for (std::size_t k = 0; k < i; ++k) {
+            CHECK((discs[i].position - discs[k].position).norm() > discs[i].radius + discs[k].radius);
+            first = std::min(first, meetingTime(discs[i], discs[k]).value_or(1e9));
+        }
+    }
+    const auto agree = std::ranges::find_if(
+        scene.checks, [](const Check& check) { return std::holds_alternative<AgreeCheck>(check); });
+    INFO("first impact at " << first << " s");
+    CHECK(std::get<AgreeCheck>(*agree).until + scene.dt < first);
+}
+
+TEST_CASE("the double pendulum starts at 60 and 0 degrees with -19.62 J", "[compare][scene][law]") {
+    const Scene scene = findScene("double_pendulum").value();
+    const Vec2 pivot = bodyOf(scene, "pivot").def.position;
+    const Vec2 upper = bodyOf(scene, "upper").def.position - pivot;
+    const Vec2 lower = bodyOf(scene, "lower").def.position - pivot;
+    CHECK(std::abs(std::atan2(upper.x(), -upper.y()) - 1.0471975511965976) < 1e-15);
+    CHECK(std::abs((lower - upper).x()) < 1e-15);
+    CHECK(std::abs(9.81 * (upper.y() + lower.y()) + 19.62) < 1e-14);  // FACTS section 5, double pendulum
+}
+
+}  // namespace plumb::compare

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: MIT
+#include <compare/scene/json.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+
+#include <compare/scene/builtin.h>
+
+#include "catch.h"
+
+namespace plumb::compare {
+namespace {
+
+std::string messageOf(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "no complaint";
+}
+
+std::string complaint(const std::string& text) {
+    return messageOf([&] { fromJson(text, "f.json"); });
+}
+
+/// A scene of one body, which begins on the second line.
+std::string withBody(const std::string& fields) {
+    return "{\"name\": \"a\", \"bodies\": [\n{\"name\": \"b\", " + fields + "}]}";
+}
+
+/// No field has its default value.
+Scene fullScene() {
+    const Material material{.density = 2, .friction = 0.25, .restitution = 0.5};
+    const Filter filter{.category = 0x8000000000000001u, .mask = 6};
+    const std::vector<Vec2> corners{{0, 0}, {1, 0}, {0, 1}};
+    return {
+        .name = "full",
+        .question = "Does \"all\" of it\nsurvive \xc3\xa4?",
+        .gravity = {1, -2},
+        .duration = 3,
+        .dt = 0.1,
+        .bodies = {{"a", {.type = BodyType::Static, .shapes = {segment({0, 1}, {2, 3})}}},
+                   {"b",
+                    {.type = BodyType::Kinematic,
+                     .position = {1.0 / 3, 2},
+                     .angle = 3,
+                     .velocity = {4, 5},
+                     .angularVelocity = 6,
+                     .gravityScale = 7,
+                     .linearDamping = 8,
+                     .angularDamping = 9,
+                     .fixedRotation = true,
+                     .canSleep = false,
+                     .mass = Mass{10, {11, 12}, 13},
+                     .shapes = {{Circle{0.75, {0.5, 0.25}}, material, filter}, polygon(corners)}}}},
+        .joints = {{"h", "a", "b", RevoluteJointDef{.anchor = {1, 2}, .collideConnected = true}},
+                   {"r", "b", "a",
+                    DistanceJointDef{.anchorA = {1, 2}, .anchorB = {3, 4}, .length = 5, .collideConnected = true}}},
+        .closedForm = ClosedForm{.formula = "f",
+                                 .source = "s",
+                                 .until = 2,
+                                 .bodies = {PiecewiseMotion{"a", {{}, {1, {2, 3}, {4, 5}, {6, 7}, 8, 9, 10}}},
+                                            PendulumMotion{"b", {1, 2}, 3, 4, 5, -0.5, 6, false}}},
+        .probes = {{"p", AngleProbe{"a"}, 1, 2, "rad"},
+                   {"q", NormalForceProbe{"a", "b"}, 3, 4, "N"},
+                   {"r", JointForceProbe{"h"}, 5, 6, "N"}},
+        .checks = {ExactCheck{0.5, "e"}, AgreeCheck{0.25, 2, "a"},
+                   InvariantCheck{"energy_drift", 0.125, {"plumb", "box2d-3"}, "i"}, OrderCheck{3, {"box2d-2.4"}, "o"}},
+    };
+}
+
+}  // namespace
+
+TEST_CASE("every built-in scene reads back as it was written", "[compare][scene]") {
+    for (const Scene& scene : builtinScenes()) {
+        INFO(scene.name);
+        const std::string text = toJson(scene);
+        CHECK(toJson(fromJson(text, "f.json")) == text);
+    }
+}
+
+TEST_CASE("each field survives writing and reading to the last bit", "[compare][scene]") {
+    const Scene scene = fullScene();
+    const std::string text = toJson(scene);
+    CHECK(toJson(fromJson(text, "f.json")) == text);
+    const Scene read = fromJson(text, "f.json");
+    CHECK(read.question == scene.question);
+    CHECK(read.gravity == scene.gravity);
+    CHECK(read.dt == 0.1);
+    const BodyDef& body = read.bodies.at(1).def;
+    CHECK(body.type == BodyType::Kinematic);
+    CHECK(body.position.x() == 1.0 / 3);
+    CHECK(body.fixedRotation);
+    CHECK_FALSE(body.canSleep);
+    CHECK(body.mass->center == Vec2(11, 12));
+    CHECK(std::get<Circle>(body.shapes.at(0).shape).center == Vec2(0.5, 0.25));
+    CHECK(body.shapes.at(0).material.restitution == 0.5);
+    CHECK(body.shapes.at(0).filter.category == 0x8000000000000001u);
+    CHECK(std::get<Polygon>(body.shapes.at(1).shape).vertices.at(1) == Vec2(1, 0));
+    CHECK(std::get<Segment>(read.bodies.at(0).def.shapes.at(0).shape).end == Vec2(2, 3));
+    CHECK(std::get<RevoluteJointDef>(read.joints.at(0).def).collideConnected);
+    CHECK(std::get<DistanceJointDef>(read.joints.at(1).def).length == 5);
+    CHECK(std::get<PiecewiseMotion>(read.closedForm->bodies.at(0)).flights.at(1).angularAcceleration == 10);
+    CHECK_FALSE(std::get<PendulumMotion>(read.closedForm->bodies.at(1)).turns);
+    CHECK(std::get<JointForceProbe>(read.probes.at(2).quantity).joint == "h");
+    CHECK(std::get<InvariantCheck>(read.checks.at(2)).engines.at(1) == "box2d-3");
+    CHECK(std::get<OrderCheck>(read.checks.at(3)).reason == "o");
+}
+
+TEST_CASE("a field is written only where it differs from its default", "[compare][scene]") {
+    const Scene scene{.name = "a", .bodies = {{"b", {.shapes = {circle(0.5)}}}}};
+    CHECK(toJson(scene) == R"({"name": "a", "bodies": [{"name": "b", "shapes": [{"circle": {}}]}]})");
+    // A field that fullScene sets is one that stands in its text: none is forgotten.
+    const std::string text = toJson(fullScene());
+    for (const char* field : {"name",
+                              "question",
+                              "gravity",
+                              "duration",
+                              "dt",
+                              "bodies",
+                              "joints",
+                              "closedForm",
+                              "probes",
+                              "checks",
+                              "type",
+                              "position",
+                              "angle",
+                              "velocity",
+                              "angularVelocity",
+                              "gravityScale",
+                              "linearDamping",
+                              "angularDamping",
+                              "fixedRotation",
+                              "canSleep",
+                              "mass",
+                              "shapes",
+                              "inertia",
+                              "center",
+                              "circle",
+                              "radius",
+                              "polygon",
+                              "vertices",
+                              "segment",
+                              "start",
+                              "end",
+                              "material",
+                              "density",
+                              "friction",
+                              "restitution",
+                              "filter",
+                              "category",
+                              "mask",
+                              "bodyA",
+                              "bodyB",
+                              "revolute",
+                              "anchor",
+                              "collideConnected",
+                              "distance",
+                              "anchorA",
+                              "anchorB",
+                              "length",
+                              "formula",
+                              "source",
+                              "until",
+                              "piecewise",
+                              "body",
+                              "flights",
+                              "acceleration",
+                              "angularAcceleration",
+                              "pendulum",
+                              "pivot",
+                              "equivalentLength",
+                              "amplitude",
+                              "bodyAngle",
+                              "turns",
+                              "normalForce",
+                              "jointForce",
+                              "joint",
+                              "expected",
+                              "from",
+                              "unit",
+                              "exact",
+                              "limit",
+                              "reason",
+                              "agree",
+                              "tolerance",
+                              "invariant",
+                              "metric",
+                              "engines",
+                              "order"}) {
+        INFO(field);
+        CHECK(text.find("\"" + std::string(field) + "\":") != std::string::npos);
+    }
+}
+
+TEST_CASE("a box of 2 m by 1 m reads as a polygon of four corners", "[compare][scene]") {
+    const Scene scene =
+        fromJson(withBody(R"("shapes": [{"box": {"halfSize": [1, 0.5], "center": [3, 0]}}])"), "f.json");
+    const auto& polygon = std::get<Polygon>(scene.bodies.at(0).def.shapes.at(0).shape);
+    CHECK(polygon.vertices == std::vector<Vec2>{{2, -0.5}, {4, -0.5}, {4, 0.5}, {2, 0.5}});
+}
+
+TEST_CASE("text that is not JSON is refused with its line and column", "[compare][scene][errors]") {
+    CHECK(complaint("{\"name\": \"a\",\n \"dt\": 0.1\n \"duration\": 2}") ==
+          "f.json:3:2: syntax error while parsing object - unexpected string literal; expected '}'");
+    CHECK(complaint("{\"name\": \"a\",\n \"dt\": 1,\n}\n") ==
+          "f.json:3:1: syntax error while parsing object key - unexpected '}'; expected string literal");
+    CHECK(complaint("{\n \"dt\": 01}") ==
+          "f.json:2:9: syntax error while parsing object - unexpected number literal; expected '}'");
+    CHECK(complaint("{\n \"dt\": true false}") ==
+          "f.json:2:13: syntax error while parsing object - unexpected false literal; expected '}'");
+    CHECK(complaint("{\n \"dt\": NaN}") == "f.json:2:8: syntax error while parsing value - invalid literal");
+    CHECK(complaint("{\n \"dt\": 1e999}") == "f.json:2:8: number overflow parsing '1e999'");
+    CHECK(complaint("{\n \"dt\": 1").starts_with("f.json:2:9: "));
+    CHECK(complaint("").starts_with("f.json:1:1: "));
+    CHECK(complaint("{}\n x").starts_with("f.json:2:2: "));
+    CHECK(complaint("{\"name\": \"a\nb\"}").starts_with("f.json:1:12: "));
+    CHECK(complaint(std::string(100000, '[')) == "f.json:1:65: nested 65 deep, wanted at most 64");
+}
+
+TEST_CASE("a field given twice is refused where it stands the second time", "[compare][scene][errors]") {
+    CHECK(complaint("{\"dt\": 1,\n \"dt\": 1}") == "f.json:2:2: dt: given twice, wanted once");
+    CHECK(complaint("{\"bodies\": [{},\n {\"angle\": 1, \"angle\": 1}]}") ==
+          "f.json:2:15: bodies[1].angle: given twice, wanted once");
+}
+
+TEST_CASE("an unknown field is refused with the nearest known one", "[compare][scene][errors]") {
+    CHECK(complaint("{\n\"nmae\": \"a\"}") == "f.json:2: nmae: unknown field, the nearest known one is name");
+    CHECK(complaint(withBody("\n\"postion\": [0, 1]")) ==
+          "f.json:3: bodies[0].postion: unknown field, the nearest known one is position");
+    CHECK(complaint(withBody(R"("shapes": [{"circel": {}}])")) ==
+          "f.json:2: bodies[0].shapes[0].circel: unknown field, the nearest known one is circle");
+    CHECK(complaint(withBody(R"("shapes": [{"box": {"size": [1, 1]}}])")) ==
+          "f.json:2: bodies[0].shapes[0].box.size: unknown field, the nearest known one is halfSize");
+}
+
+TEST_CASE("a value of the wrong kind is refused with what was wanted", "[compare][scene][errors]") {
+    CHECK(complaint("[1]") == "f.json:1: scene: [1] is not an object");
+    CHECK(complaint("{\"name\": null}") == "f.json:1: name: null is not a text");
+    CHECK(complaint("{\"name\": \"a\",\n\"dt\": \"fast\"}") == "f.json:2: dt: \"fast\" is not a number");
+    CHECK(complaint("{\"bodies\": {}}") == "f.json:1: bodies: {} is not a list");
+    CHECK(complaint(withBody("\"position\": 3")) == "f.json:2: bodies[0].position: 3 is not two numbers [x, y]");
+    CHECK(complaint(withBody("\"position\": [1,\n\"x\"]")) == "f.json:3: bodies[0].position[1]: \"x\" is not a number");
+    CHECK(complaint(withBody("\"canSleep\": 1")) == "f.json:2: bodies[0].canSleep: 1 is not true or false");
+    CHECK(complaint(withBody("\"type\": \"statc\"")) ==
+          "f.json:2: bodies[0].type: \"statc\" is not static, kinematic or dynamic");
+    CHECK(complaint(withBody(R"("shapes": [{"circle": {}, "filter": {"mask": -1}}])")) ==
+          "f.json:2: bodies[0].shapes[0].filter.mask: -1 is not a whole number from 0 to 2^64 - 1");
+    CHECK(complaint(withBody(R"("shapes": [{"circle": {}, "polygon": {}}])")) ==
+          "f.json:2: bodies[0].shapes[0]: has both circle and polygon, wanted one of them");
+    CHECK(complaint(withBody(R"("shapes": [{"segment": {}, "box": {}}])")) ==
+          "f.json:2: bodies[0].shapes[0]: has both box and segment, wanted one of them");
+    CHECK(complaint(withBody(R"("shapes": [{"material": {}}])")) ==
+          "f.json:2: bodies[0].shapes[0]: does not say of what kind it is, wanted circle, polygon or segment");
+}
+
+TEST_CASE("an impossible value is refused on its line", "[compare][scene][errors]") {
+    CHECK(complaint(withBody("\"shapes\": [\n{\"circle\": {\n\"radius\": -1}}]")) ==
+          "f.json:4: bodies[0].shapes[0].circle.radius: -1 is not positive");
+    CHECK(complaint(withBody("\"shapes\": [\n{\"box\": {\n\"halfSize\": [0, 1]}}]")) ==
+          "f.json:4: bodies[0].shapes[0].box.halfSize: (0, 1) is not positive");
+    CHECK(complaint("{\"name\": \"a b\"}") ==
+          "f.json:1: name: \"a b\" is not a name of small letters, digits and underscores");
+    CHECK(complaint("{\"name\": \"a\",\n\"dt\": 0}") == "f.json:2: dt: 0 is not positive");
+    CHECK(complaint("{\"name\": \"a\"}") == "f.json:1: bodies: there is none, wanted at least one");
+    // A message is one line, whatever the file holds.
+    CHECK(complaint("{\"name\": \"a\\nb\"}") ==
+          "f.json:1: name: \"a b\" is not a name of small letters, digits and underscores");
+}
+
+TEST_CASE("a scene that is not valid is not written", "[compare][scene][errors]") {
+    CHECK(messageOf([] {
+              toJson({.name = "a", .bodies = {{"b", {.angle = 1.0 / 0.0}}}});
+          }) == "bodies[0].angle: inf is not finite");
+}
+
+TEST_CASE("a scene is read from a file, and a file that cannot be read is refused by its name",
+          "[compare][scene][errors]") {
+    const std::filesystem::path folder = std::filesystem::temp_directory_path();
+    const std::filesystem::path path = folder / "plumb_json_test.json";
+    std::ofstream(path) << toJson(findScene("free_fall").value());
+    CHECK(readScene(path).name == "free_fall");
+    std::ofstream(path) << "{\n\"nam\": 1}";
+    CHECK(messageOf([&] { readScene(path); }) ==
+          path.string() + ":2: nam: unknown field, the nearest known one is name");
+    std::filesystem::remove(path);
+    CHECK(messageOf([&] { readScene(path); }) == path.string() + ": cannot be read, wanted a scene's JSON file");
+    CHECK(messageOf([&] { readScene(folder); }) == folder.string() + ": is a folder, wanted a scene's JSON file");
+}
+
+}  // namespace plumb::compare

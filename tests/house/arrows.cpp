@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "house/arrows.h"
+
+#include <algorithm>
+#include <regex>
+#include <sstream>
+
+namespace plumb::test {
+namespace {
+
+constexpr std::string_view umbrella = "plumb/plumb.h";
+
+bool isHeader(std::string_view path) {
+    return path.ends_with(".h");
+}
+
+bool isDetail(std::string_view path) {
+    return path.find("/detail/") != std::string_view::npos;
+}
+
+std::string arrow(const std::string& from, const std::string& to, const std::string& why) {
+    return from + " includes " + to + ": " + why;
+}
+
+std::string rankOf(const Ranks& ranks, const std::string& module) {
+    const auto found = ranks.find(module);
+    return "`" + module + "` has " + (found == ranks.end() ? "no rank" : "rank " + std::to_string(found->second));
+}
+
+}  // namespace
+
+Ranks ranksIn(std::string_view readme, const std::set<std::string>& modules) {
+    static const std::regex head(R"(^\|\s*rank\s*\|\s*modules\s*\|\s*$)");
+    static const std::regex row(R"(^\|\s*(\d+)\s*\|(.*)$)");
+    static const std::regex name("`([a-z_0-9]+)`");
+    Ranks ranks;
+    bool inTable = false;
+    std::istringstream lines{std::string(readme)};
+    for (std::string line; std::getline(lines, line);) {
+        if (std::regex_match(line, head)) inTable = true;
+        if (!line.starts_with('|')) inTable = false;
+        std::smatch match;
+        if (!inTable || !std::regex_match(line, match, row)) continue;
+        const int rank = std::stoi(match[1]);
+        const std::string text = match[2];
+        for (std::sregex_iterator it(text.begin(), text.end(), name), end; it != end; ++it)
+            if (modules.contains((*it)[1])) ranks.try_emplace((*it)[1], rank);
+    }
+    return ranks;
+}
+
+std::string moduleOf(std::string_view path) {
+    constexpr std::string_view kit = "plumb/";
+    if (!path.starts_with(kit)) return {};
+    path.remove_prefix(kit.size());
+    const std::size_t slash = path.find('/');
+    return slash == std::string_view::npos ? std::string() : std::string(path.substr(0, slash));
+}
+
+std::vector<std::string> includesOf(std::string_view text) {
+    static const std::regex include(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"].*$)");
+    std::vector<std::string> found;
+    std::istringstream lines{std::string(text)};
+    std::smatch match;
+    for (std::string line; std::getline(lines, line);)
+        if (std::regex_match(line, match, include)) found.push_back(match[1]);
+    return found;
+}
+
+std::vector<std::string> upwardArrows(const Ranks& ranks, const std::vector<SourceFile>& kit) {
+    std::vector<std::string> faults;
+    std::set<std::string> unranked;
+    for (const SourceFile& source : kit) {
+        if (source.path == umbrella) continue;
+        const std::string from = moduleOf(source.path);
+        if (!ranks.contains(from) && unranked.insert(from).second) faults.push_back(rankOf(ranks, from));
+        for (const std::string& include : includesOf(source.text)) {
+            const std::string to = moduleOf(include);
+            if (include.find("..") != std::string::npos)
+                faults.push_back(arrow(source.path, include, "a path that hides the module"));
+            else if (include == umbrella)
+                faults.push_back(arrow(source.path, include, "that is every rank at once"));
+            else if (!to.empty() && to != from && ranks.contains(from) &&
+                     (!ranks.contains(to) || ranks.at(to) >= ranks.at(from)))
+                faults.push_back(arrow(source.path, include, rankOf(ranks, from) + ", " + rankOf(ranks, to)));
+        }
+    }
+    return faults;
+}
+
+std::vector<std::string> arrowsInto(std::string_view folder, const std::vector<SourceFile>& sources) {
+    const std::string prefix = std::string(folder) + "/";
+    std::vector<std::string> faults;
+    for (const SourceFile& source : sources)
+        for (const std::string& include : includesOf(source.text))
+            if (include.starts_with(prefix) || include.find("/" + prefix) != std::string::npos)
+                faults.push_back(arrow(source.path, include, "these two never meet"));
+    return faults;
+}
+
+std::vector<std::string> arrowsIntoDetail(const std::vector<SourceFile>& kit) {
+    std::vector<std::string> faults;
+    for (const SourceFile& source : kit) {
+        if (!isHeader(source.path) || isDetail(source.path)) continue;
+        for (const std::string& include : includesOf(source.text))
+            if (isDetail(include)) faults.push_back(arrow(source.path, include, "that is not installed"));
+    }
+    return faults;
+}
+
+std::vector<std::string> ownHeadersNotFirst(const std::vector<SourceFile>& kit) {
+    std::set<std::string> paths;
+    for (const SourceFile& source : kit) paths.insert(source.path);
+    std::vector<std::string> faults;
+    for (const SourceFile& source : kit) {
+        if (isHeader(source.path)) continue;
+        const std::string own = source.path.substr(0, source.path.rfind('.')) + ".h";
+        const std::vector<std::string> includes = includesOf(source.text);
+        if (paths.contains(own) && (includes.empty() || includes.front() != own))
+            faults.push_back(source.path + " does not include " + own + " first");
+    }
+    return faults;
+}
+
+}  // namespace plumb::test

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Which includes go where the house's map does not let them?
+#pragma once
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace plumb::test {
+
+struct SourceFile {
+    std::string path;  ///< as it is included: "plumb/shapes/mass.h", "compare/scene/scene.h"
+    std::string text;
+};
+
+using Ranks = std::map<std::string, int>;  ///< of modules: {"math", 0}
+
+/// The ranks as the table headed "| rank | modules |" says: in each row, every word in backticks that is a module.
+/// A module that stands in several rows has the lowest of them.
+Ranks ranksIn(std::string_view readme, const std::set<std::string>& modules);
+
+/// The folder under plumb/: "shapes" of "plumb/shapes/mass.h"; empty of the umbrella header and of anything else.
+std::string moduleOf(std::string_view path);
+
+/// What is named between <> or "" in the include lines, in their order.
+std::vector<std::string> includesOf(std::string_view text);
+
+// Each finds one sentence a fault, none where all is well.
+
+/// A kit module includes itself and lower ranks only, and is in the table. The umbrella header may include all, and
+/// nothing of the kit may include it.
+std::vector<std::string> upwardArrows(const Ranks& ranks, const std::vector<SourceFile>& kit);
+/// Nothing in these sources includes what is in the folder.
+std::vector<std::string> arrowsInto(std::string_view folder, const std::vector<SourceFile>& sources);
+/// What is in a folder detail is not installed: no header that is may include it.
+std::vector<std::string> arrowsIntoDetail(const std::vector<SourceFile>& kit);
+/// A source proves that its header compiles on its own by including it first.
+std::vector<std::string> ownHeadersNotFirst(const std::vector<SourceFile>& kit);
+
+}  // namespace plumb::test

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "house/arrows.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "catch.h"
+
+using namespace plumb::test;
+namespace fs = std::filesystem;
+using Faults = std::vector<std::string>;
+
+namespace {
+
+const fs::path repository = PLUMB_SOURCE_DIR;
+
+std::string textOf(const fs::path& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The C++ files under a folder, their paths as seen from root; none where there is no such folder.
+std::vector<SourceFile> sourcesUnder(const fs::path& folder, const fs::path& root) {
+    std::vector<SourceFile> sources;
+    if (!fs::exists(folder)) return sources;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.path().extension() == ".h" || entry.path().extension() == ".cpp")
+            sources.push_back({fs::relative(entry.path(), root).generic_string(), textOf(entry.path())});
+    return sources;
+}
+
+std::vector<SourceFile> kitSources() {
+    return sourcesUnder(repository / "kit/plumb", repository / "kit");
+}
+
+std::set<std::string> modulesOf(const std::vector<SourceFile>& kit) {
+    std::set<std::string> modules;
+    for (const SourceFile& source : kit) modules.insert(moduleOf(source.path));
+    modules.erase("");
+    return modules;
+}
+
+const Ranks ranks{{"math", 0}, {"shapes", 1}, {"impact", 1}, {"dynamics", 4}};
+
+Faults faultsOf(const std::string& path, const std::string& text) {
+    return upwardArrows(ranks, {{path, text}});
+}
+
+}  // namespace
+
+TEST_CASE("no include of the kit points up or aside in the README's table of ranks", "[house]") {
+    const std::vector<SourceFile> kit = kitSources();
+    REQUIRE(kit.size() > 1);
+    const std::string readme = textOf(repository / "README.md");
+    CHECK(upwardArrows(ranksIn(readme, modulesOf(kit)), kit) == Faults{});
+}
+
+TEST_CASE("games and compare never meet, and the kit knows neither", "[house]") {
+    const std::vector<SourceFile> kit = kitSources();
+    CHECK(arrowsInto("compare", kit) == Faults{});
+    CHECK(arrowsInto("games", kit) == Faults{});
+    CHECK(arrowsInto("games", sourcesUnder(repository / "compare", repository)) == Faults{});
+    CHECK(arrowsInto("compare", sourcesUnder(repository / "games", repository)) == Faults{});
+}
+
+TEST_CASE("every header that is installed does without those that are not", "[house]") {
+    CHECK(arrowsIntoDetail(kitSources()) == Faults{});
+}
+
+TEST_CASE("every source of the kit includes its own header first", "[house]") {
+    CHECK(ownHeadersNotFirst(kitSources()) == Faults{});
+}
+
+TEST_CASE("a planted include that points up, aside, or out of the table is caught", "[house]") {
+    CHECK(faultsOf("plumb/math/vec2.h", "#include <plumb/shapes/shape.h>\n") ==
+          Faults{"plumb/math/vec2.h includes plumb/shapes/shape.h: `math` has rank 0, `shapes` has rank 1"});
+    CHECK(faultsOf("plumb/shapes/mass.cpp", "#include <vector>\n  #  include \"plumb/impact/impact.h\"  // why\n") ==
+          Faults{"plumb/shapes/mass.cpp includes plumb/impact/impact.h: `shapes` has rank 1, `impact` has rank 1"});
+    CHECK(faultsOf("plumb/dynamics/world.h", "#include <plumb/space/space.h>") ==
+          Faults{"plumb/dynamics/world.h includes plumb/space/space.h: `dynamics` has rank 4, `space` has no rank"});
+    CHECK(faultsOf("plumb/space/space.h", "") == Faults{"`space` has no rank"});
+    CHECK(faultsOf("plumb/math/rot.h", "#include \"../shapes/shape.h\"") ==
+          Faults{"plumb/math/rot.h includes ../shapes/shape.h: a path that hides the module"});
+    CHECK(faultsOf("plumb/dynamics/world.cpp", "#include <plumb/plumb.h>") ==
+          Faults{"plumb/dynamics/world.cpp includes plumb/plumb.h: that is every rank at once"});
+}
+
+TEST_CASE("an include of a lower rank, of its own module, or in the umbrella header is no fault", "[house]") {
+    CHECK(faultsOf("plumb/dynamics/detail/softness.h", "#include <cmath>\n#include <plumb/math/vec2.h>\n") == Faults{});
+    CHECK(faultsOf("plumb/dynamics/world.h", "#include <plumb/dynamics/body.h>\n") == Faults{});
+    CHECK(faultsOf("plumb/math/rot.h", "// #include <plumb/shapes/shape.h>\n") == Faults{});
+    CHECK(faultsOf("plumb/plumb.h", "#include <plumb/dynamics/world.h>\n") == Faults{});
+}
+
+TEST_CASE("planted includes between folders that never meet, and of what is not installed, are caught", "[house]") {
+    CHECK(arrowsInto("compare", {{"games/a.cpp", "#include <compare>\n#include <compare/scene/scene.h>\n"}}).size() ==
+          1);
+    CHECK(arrowsInto("games", {{"compare/a.cpp", "#include \"../games/frame/game.h\"\n"}}).size() == 1);
+    CHECK(arrowsIntoDetail({{"plumb/dynamics/a.h", "#include <plumb/dynamics/detail/b.h>\n"}}).size() == 1);
+    CHECK(arrowsIntoDetail({{"plumb/dynamics/a.cpp", "#include <plumb/dynamics/detail/b.h>\n"},
+                            {"plumb/dynamics/detail/c.h", "#include <plumb/dynamics/detail/b.h>\n"}}) == Faults{});
+    const SourceFile header{"plumb/math/a.h", ""};
+    CHECK(ownHeadersNotFirst({header, {"plumb/math/a.cpp", "#include <cmath>\n#include <plumb/math/a.h>\n"}}).size() ==
+          1);
+    CHECK(ownHeadersNotFirst({header, {"plumb/math/a.cpp", "#include <plumb/math/a.h>\n"}}) == Faults{});
+}
+
+TEST_CASE("ranks are read from the table headed rank and modules, and from nowhere else", "[house]") {
+    const std::string readme =
+        "`math` is a module.\n"
+        "| 7 | `math` |\n\n"
+        "| rank | modules |\n|---|---|\n"
+        "| 0 | `math` Vec2, `double` \xC2\xB7 more |\n"
+        "| 1 | `shapes` circle \xC2\xB7 `impact` closed forms, see `math` |\n"
+        "\n| 9 | `dynamics` |\n";
+    CHECK(ranksIn(readme, {"math", "shapes", "impact", "dynamics"}) ==
+          Ranks{{"impact", 1}, {"math", 0}, {"shapes", 1}});
+}

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/math/trig.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <plumb/math/random.h>
+#include <plumb/math/rot.h>
+
+#include "catch.h"
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
+constexpr int million = 1'000'000;
+
+// The reference's own error, in a double's last places: with 11 bits more than a double, or 60, as good as none. Where
+// long double is no longer than double it is up to 1.
+constexpr double own = std::numeric_limits<long double>::digits >= 64 ? 1e-3 : 1;
+
+double lastPlace(long double exact) {
+    int exponent = 0;
+    std::frexp(exact, &exponent);
+    return std::ldexp(1.0, std::max(exponent - 53, -1074));
+}
+
+double ulps(double value, long double exact) {
+    return static_cast<double>(std::fabs(value - exact)) / lastPlace(exact);
+}
+
+double distance(double value, long double exact) {
+    return static_cast<double>(std::fabs(value - exact));
+}
+
+struct Worst {
+    double ulps = 0;
+    double distance = 0;
+    void hold(double value, long double exact) {
+        ulps = std::max(ulps, ::ulps(value, exact));
+        distance = std::max(distance, ::distance(value, exact));
+    }
+};
+
+// Spread over magnitudes, and often next to a multiple of pi / 2, where the reduction is hardest.
+double someAngle(plumb::Random& random, double range) {
+    const double angle = random.uniform(-range, range) * std::exp2(random.integer(0, 1) * random.uniform(-40, 0));
+    return random.integer(0, 3) > 0 ? angle : std::nearbyint(angle / (pi / 2)) * (pi / 2);
+}
+
+Worst worstSinCos(double range, int count) {
+    plumb::Random random(7);
+    Worst worst;
+    for (int i = 0; i < count; ++i) {
+        const double angle = someAngle(random, range);
+        const plumb::SinCos result = plumb::sinCos(angle);
+        worst.hold(result.sin, std::sin(static_cast<long double>(angle)));
+        worst.hold(result.cos, std::cos(static_cast<long double>(angle)));
+    }
+    return worst;
+}
+
+}  // namespace
+
+TEST_CASE("sine and cosine are within 1 ulp at a million angles up to 1e7 rad", "[math][trig]") {
+    CHECK(worstSinCos(10, million / 2).ulps < 1 + own);
+    CHECK(worstSinCos(1e7, million / 2).ulps < 1 + own);
+}
+
+TEST_CASE("sine and cosine are within 1e-16 up to 3.5e13 rad, and in proportion beyond", "[math][trig]") {
+    // A last place below 1 is 1.1e-16.
+    CHECK(worstSinCos(1e9, 200'000).distance < 1e-16 + own * 1.1e-16);
+    CHECK(worstSinCos(3.5e13, 200'000).distance < 1e-16 + own * 1.1e-16);
+    for (const double range : {1e14, 3e15}) CHECK(worstSinCos(range, 100'000).distance < 4e-17 * range);
+}
+
+TEST_CASE("sine and cosine keep their identities at 100,000 angles", "[math][trig]") {
+    plumb::Random random(11);
+    double squares = 0;
+    double doubled = 0;
+    bool odd = true;
+    for (int i = 0; i < 100'000; ++i) {
+        const double angle = someAngle(random, 1e5);
+        const plumb::SinCos r = plumb::sinCos(angle);
+        const plumb::SinCos negative = plumb::sinCos(-angle);
+        const plumb::SinCos twice = plumb::sinCos(2 * angle);
+        odd = odd && negative.sin == -r.sin && negative.cos == r.cos;
+        squares = std::max(squares, std::fabs(r.sin * r.sin + r.cos * r.cos - 1));
+        doubled = std::max(doubled, std::fabs(twice.sin - 2 * r.sin * r.cos));
+    }
+    CHECK(odd);
+    // Each function is off by 1e-16 at most, which counts 2 (|sin| + |cos|) <= 2.9 times; then the sum's own roundings.
+    CHECK(squares < 2.9e-16 + 3 * 1.2e-16);
+    CHECK(doubled < 1e-16 + 2.9e-16 + 2 * 1.2e-16);
+}
+
+TEST_CASE("sine and cosine at the edges of quadrants, at 0 and at values that are no angle", "[math][trig]") {
+    CHECK(plumb::sinCos(0).sin == 0);
+    CHECK(plumb::sinCos(0).cos == 1);
+    CHECK(plumb::sinCos(1e-300).sin == 1e-300);
+    CHECK(plumb::sinCos(5e-324).sin == 5e-324);
+    // pi as a double falls short of pi by this much: sin x = pi - x.
+    CHECK(plumb::sinCos(pi).sin == 1.2246467991473532e-16);
+    CHECK(plumb::sinCos(pi).cos == -1);
+    CHECK(plumb::sinCos(pi / 2).cos == 6.123233995736766e-17);
+    CHECK(plumb::sinCos(pi / 2).sin == 1);
+    for (int quarter = -40; quarter <= 40; ++quarter)
+        for (const double step : {-1e-9, 0.0, 1e-9}) {
+            const double angle = quarter * (pi / 4) + step;
+            CHECK(ulps(plumb::sinCos(angle).sin, std::sin(static_cast<long double>(angle))) < 1 + own);
+            CHECK(ulps(plumb::sinCos(angle).cos, std::cos(static_cast<long double>(angle))) < 1 + own);
+        }
+    for (const double bad : {infinity, -infinity, notANumber}) {
+        CHECK(std::isnan(plumb::sinCos(bad).sin));
+        CHECK(std::isnan(plumb::sinCos(bad).cos));
+    }
+    for (const double huge : {1e22, 1.7e308}) {
+        const plumb::SinCos r = plumb::sinCos(huge);
+        CHECK(std::fabs(r.sin * r.sin + r.cos * r.cos - 1) < 1e-15);
+    }
+}
+
+TEST_CASE("arc tangents of a million vectors are within 1.5 ulp and 4e-16 rad", "[math][trig]") {
+    plumb::Random random(13);
+    Worst worst;
+    for (int i = 0; i < million; ++i) {
+        const int kind = random.integer(0, 3);
+        const double x = random.uniform(-1, 1) * (kind == 1 ? std::exp2(random.uniform(-1000, 1000)) : 1);
+        const double y = random.uniform(-1, 1) * (kind == 2 ? std::exp2(random.uniform(-1000, 1000)) : 1);
+        worst.hold(plumb::atan2(y, x), std::atan2(static_cast<long double>(y), static_cast<long double>(x)));
+    }
+    CHECK(worst.ulps < 1.5 + own);
+    CHECK(worst.distance < 4e-16 + own * 4.4e-16);
+}
+
+TEST_CASE("arc tangents along the axes, the diagonals, and of vectors that have no direction", "[math][trig]") {
+    CHECK(plumb::atan2(0, 1) == 0);
+    CHECK(plumb::atan2(1, 0) == pi / 2);
+    CHECK(plumb::atan2(0, -1) == pi);
+    CHECK(plumb::atan2(-0.0, -1) == pi);
+    CHECK(plumb::atan2(-1, 0) == -pi / 2);
+    CHECK(plumb::atan2(-5e-324, -1) == -pi);
+    CHECK(plumb::atan2(0, 0) == 0);
+    CHECK(plumb::atan2(-0.0, -0.0) == 0);
+    for (const double size : {5e-324, 1e-310, 1e-300, 1.0, 1e300, 1.7e308}) {
+        CHECK(plumb::atan2(size, size) == pi / 4);
+        CHECK(plumb::atan2(size, -size) == 3 * pi / 4);
+        CHECK(plumb::atan2(-size, size) == -pi / 4);
+        CHECK(plumb::atan2(-size, -size) == -3 * pi / 4);
+    }
+    CHECK(plumb::atan2(1.7e308, 5e-324) == pi / 2);
+    CHECK(plumb::atan2(5e-324, 1.7e308) == 0);
+    // The ratio of two denormals is not quite 3: they hold 43 bits.
+    CHECK(std::fabs(plumb::atan2(3e-310, 1e-310) - std::atan(3.0)) < 0x1p-43);
+    for (const double bad : {infinity, -infinity, notANumber}) {
+        CHECK(std::isnan(plumb::atan2(bad, 1)));
+        CHECK(std::isnan(plumb::atan2(1, bad)));
+    }
+}
+
+TEST_CASE("a rotation gives back the angle it was made from at 100,000 angles", "[math][trig]") {
+    plumb::Random random(17);
+    double worst = 0;
+    for (int i = 0; i < 100'000; ++i) {
+        const double angle = random.uniform(-pi, pi);
+        worst = std::max(worst, std::fabs(plumb::Rot::fromAngle(angle).angle() - angle));
+    }
+    // 1e-16 each of sine and cosine turn the vector by at most 1.5e-16; the arc tangent adds 4e-16.
+    CHECK(worst < 5.5e-16);
+}
+
+TEST_CASE("a million exponentials are within 1 ulp, and 1.5 with 1 taken off", "[math][trig]") {
+    plumb::Random random(19);
+    Worst plain;
+    Worst less;
+    for (int i = 0; i < million; ++i) {
+        const int kind = random.integer(0, 2);
+        const double x = kind == 0   ? random.uniform(-708, 709)
+                         : kind == 1 ? random.uniform(-2, 2)
+                                     : random.uniform(-1, 1) * std::exp2(random.uniform(-60, 0));
+        plain.hold(plumb::exp(x), std::exp(static_cast<long double>(x)));
+        less.hold(plumb::expm1(x), std::expm1(static_cast<long double>(x)));
+    }
+    CHECK(plain.ulps < 1 + own);
+    CHECK(less.ulps < 1.5 + own);
+}
+
+TEST_CASE("exponentials at 0, at the ends of the range and at values that are no number", "[math][trig]") {
+    CHECK(plumb::exp(0) == 1);
+    CHECK(plumb::exp(-0.0) == 1);
+    CHECK(plumb::expm1(0) == 0);
+    CHECK(plumb::expm1(1e-300) == 1e-300);
+    CHECK(plumb::expm1(-5e-324) == -5e-324);
+    // The largest double is e^709.78..., the smallest 2^-1074 = e^-744.4...; half of that rounds to 0.
+    CHECK(std::isfinite(plumb::exp(709.78)));
+    CHECK(std::isfinite(plumb::expm1(709.78)));
+    CHECK(plumb::exp(709.79) == infinity);
+    CHECK(plumb::expm1(709.79) == infinity);
+    CHECK(plumb::exp(-744.5) == 5e-324);
+    CHECK(plumb::exp(-745.2) == 0);
+    for (const double huge : {1e3, 1e300, infinity}) {
+        CHECK(plumb::exp(huge) == infinity);
+        CHECK(plumb::expm1(huge) == infinity);
+        CHECK(plumb::exp(-huge) == 0);
+        CHECK(plumb::expm1(-huge) == -1);
+    }
+    CHECK(std::isnan(plumb::exp(notANumber)));
+    CHECK(std::isnan(plumb::expm1(notANumber)));
+}
