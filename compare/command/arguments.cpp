@@ -73,19 +73,23 @@ Commands describe(CLI::App& app, Raw& raw) {
     app.require_subcommand(0, 1);
     app.footer(
         "Without a command: every scene in every engine, and the report in build/report/index.html.\n"
-        "Exit status: 0 all checks hold, 1 a check fails, 2 bad usage or input.\n"
-        "A check that looks at what a shortened run does not reach, fails.");
+        "Exit status: 0 all checks hold, 1 a check fails, 2 bad usage or input.");
     CLI::App* list = app.add_subcommand("list", "scenes: name, question, engines, checks");
     CLI::App* check = app.add_subcommand("check", "run scenes and judge them");
+    check->footer(
+        "A check that looks at what a shortened run does not reach fails. A scene none of whose checks binds the\n"
+        "engines asked for is shown, and not judged: it does not change the exit status.");
     check->add_option("SCENE", raw.scenes, "names of scenes, or files: FILE.json; without any, all built-in ones");
-    check->add_option("--engines", raw.engines, "the engines to run, with commas between: a,b");
-    check->add_option("--steps", raw.steps, "how many steps to run, instead of the scene's");
-    check->add_option("--dt", raw.dt, "length of a step, instead of the scene's [s]");
-    check->add_option("--json", raw.json, "write metrics and verdicts to this file");
-    check->add_option("--csv", raw.csv, "write states tick by tick into this folder, a file a scene");
-    check->add_option("--report", raw.report, "write the report into this folder: index.html");
+    check->add_option("--engines", raw.engines, "the engines to run, instead of all")->type_name("A,B");
+    check->add_option("--steps", raw.steps, "how many steps to run, instead of the scene's")->type_name("N");
+    check->add_option("--dt", raw.dt, "length of a step, instead of the scene's [s]")->type_name("S");
+    check->add_option("--json", raw.json, "write metrics and verdicts to this file")->type_name("FILE");
+    check->add_option("--csv", raw.csv, "write states tick by tick into this folder, a file a scene")->type_name("DIR");
+    check->add_option("--report", raw.report, "write the report into this folder: index.html")->type_name("DIR");
     CLI::App* exportScene = app.add_subcommand("export", "print a scene as JSON");
     exportScene->add_option("SCENE", raw.scenes, "name of a scene, or FILE.json")->required()->expected(1);
+    exportScene->footer("");
+    list->footer("");
     return {list, check, exportScene};
 }
 
@@ -103,7 +107,7 @@ Arguments parseArguments(std::span<const std::string> args, const std::vector<En
         result.help = app.help();
         return result;
     } catch (const CLI::ParseError& error) {
-        throw std::invalid_argument(error.what());
+        throw std::invalid_argument(fmt::format("{}; --help tells what is understood", error.what()));
     }
     if (commands.list->parsed()) result.action = Action::ListScenes;
     if (commands.check->parsed()) result.action = Action::CheckScenes;

@@ -11,21 +11,21 @@ namespace plumb::compare {
 namespace {
 
 std::string words(const Scene&, const ExactCheck& check) {
-    return fmt::format("exact: plumb within {} m", check.limit);
+    return fmt::format("exact: plumb within {:.4g} m", check.limit);
 }
 
 std::string words(const Scene&, const AgreeCheck& check) {
-    return fmt::format("agree: plumb and each Box2D within {} m until {} s", check.tolerance, check.until);
+    return fmt::format("agree: plumb and each Box2D within {:.4g} m until {:.4g} s", check.tolerance, check.until);
 }
 
 std::string words(const Scene& scene, const InvariantCheck& check) {
     const std::string unit = metricUnit(scene, check.metric);
-    return fmt::format("invariant: {} at most {}{}{} ({})", check.metric, check.limit, unit.empty() ? "" : " ", unit,
-                       fmt::join(check.engines, ", "));
+    return fmt::format("invariant: {} at most {:.4g}{}{} ({})", check.metric, check.limit, unit.empty() ? "" : " ",
+                       unit, fmt::join(check.engines, ", "));
 }
 
 std::string words(const Scene&, const OrderCheck& check) {
-    return fmt::format("order: at least {} ({})", check.order, fmt::join(check.engines, ", "));
+    return fmt::format("order: at least {:.4g} ({})", check.order, fmt::join(check.engines, ", "));
 }
 
 bool canBuild(const Engine& engine, const Scene& scene) {

@@ -47,7 +47,7 @@ std::string failureText(const Scene& scene, const Outcome& outcome) {
     const bool order = outcome.check == "order";
     const std::string unit = order ? "" : metricUnit(scene, outcome.metric);
     const std::string space = unit.empty() ? "" : " ";
-    const std::string bound = fmt::format("{}{}{}", outcome.limit, space, unit);
+    const std::string bound = fmt::format("{:.4g}{}{}", outcome.limit, space, unit);
     const std::string head = fmt::format("{}: {} {}", outcome.check, outcome.engine, outcome.metric);
     const std::string why = outcome.reason.empty() ? "" : ": " + outcome.reason;
     if (!outcome.value)

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <compare/engine/single.h>
 
 namespace plumb::compare {
 namespace {
@@ -29,17 +29,34 @@ b2Filter filterOf(const Filter& filter, const std::string& body) {
     return result;
 }
 
+// Box2D 2.4 asserts that an area is more than this, and so ends the program.
+constexpr double leastArea = 2 * b2_epsilon;  // [m^2]
+
 void checkCorners(const Polygon& polygon, const std::string& body) {
     for (std::size_t i = 0; i < polygon.vertices.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             if ((polygon.vertices[i] - polygon.vertices[j]).norm() <= weldDistance)
                 throw Unsupported(
                     fmt::format("body {}: Box2D 2.4 welds polygon corners nearer than {:.4g} m", body, weldDistance));
+    if (massOf(polygon, 1).mass <= leastArea)
+        throw Unsupported(fmt::format("body {}: Box2D 2.4 has no polygon smaller than {:.2g} m^2", body, leastArea));
+}
+
+// Box2D 2.4 sums inertia about the body's origin, takes off the centre's part, and asserts that something is left.
+void checkInertia(const BodyDef& def, const std::string& body) {
+    constexpr double lost = 1e-5;  // some roundings of single precision, 6e-8 each
+    if (def.type != BodyType::Dynamic) return;
+    const Mass mass = massOf(def);
+    if (mass.inertia <= lost * mass.mass * mass.center.squaredNorm())
+        throw Unsupported(
+            fmt::format("body {}: its inertia is lost in single precision, so far is its centre of mass "
+                        "from its origin",
+                        body));
 }
 
 void addShape(b2Body& body, b2FixtureDef& fixture, const Circle& circle, const std::string&) {
     b2CircleShape shape;
-    shape.m_radius = static_cast<float>(circle.radius);
+    shape.m_radius = toSingle(circle.radius);
     shape.m_p = toBox2d24(circle.center);
     fixture.shape = &shape;
     body.CreateFixture(&fixture);
@@ -68,9 +85,9 @@ void addShape(b2Body& body, b2FixtureDef& fixture, const Segment& segment, const
 void addShapes(b2Body& body, const SceneBody& sceneBody, float restitutionThreshold) {
     for (const ShapeDef& def : sceneBody.def.shapes) {
         b2FixtureDef fixture;
-        fixture.density = static_cast<float>(def.material.density);
-        fixture.friction = static_cast<float>(def.material.friction);
-        fixture.restitution = static_cast<float>(def.material.restitution);
+        fixture.density = toSingle(def.material.density);
+        fixture.friction = toSingle(def.material.friction);
+        fixture.restitution = toSingle(def.material.restitution);
         fixture.restitutionThreshold = restitutionThreshold;
         fixture.filter = filterOf(def.filter, sceneBody.name);
         std::visit([&](const auto& shape) { addShape(body, fixture, shape, sceneBody.name); }, def.shape);
@@ -80,7 +97,7 @@ void addShapes(b2Body& body, const SceneBody& sceneBody, float restitutionThresh
 }  // namespace
 
 b2Vec2 toBox2d24(const Vec2& v) {
-    return {static_cast<float>(v.x()), static_cast<float>(v.y())};
+    return {toSingle(v.x()), toSingle(v.y())};
 }
 
 float restitutionThreshold24(const Scene& scene) {
@@ -89,29 +106,30 @@ float restitutionThreshold24(const Scene& scene) {
 
 b2Body* addBody24(b2World& world, const SceneBody& sceneBody, float restitutionThreshold) {
     const BodyDef& def = sceneBody.def;
+    checkInertia(def, sceneBody.name);
     b2BodyDef bodyDef;
     bodyDef.type = typeOf(def.type);
     bodyDef.position = toBox2d24(def.position);
-    bodyDef.angle = static_cast<float>(def.angle);
-    bodyDef.gravityScale = static_cast<float>(def.gravityScale);
-    bodyDef.linearDamping = static_cast<float>(def.linearDamping);
-    bodyDef.angularDamping = static_cast<float>(def.angularDamping);
+    bodyDef.angle = toSingle(def.angle);
+    bodyDef.gravityScale = toSingle(def.gravityScale);
+    bodyDef.linearDamping = toSingle(def.linearDamping);
+    bodyDef.angularDamping = toSingle(def.angularDamping);
     bodyDef.fixedRotation = def.fixedRotation;
     bodyDef.allowSleep = def.canSleep;
     b2Body* body = world.CreateBody(&bodyDef);
     addShapes(*body, sceneBody, restitutionThreshold);
     if (def.mass && def.type == BodyType::Dynamic) {
         b2MassData mass;
-        mass.mass = static_cast<float>(def.mass->mass);
+        mass.mass = toSingle(def.mass->mass);
         mass.center = toBox2d24(def.mass->center);
         // Box2D 2.4 wants the inertia about the body's origin.
-        mass.I = static_cast<float>(def.mass->inertia + def.mass->mass * def.mass->center.squaredNorm());
+        mass.I = toSingle(def.mass->inertia + def.mass->mass * def.mass->center.squaredNorm());
         body->SetMassData(&mass);
     }
     // Last, because a velocity in the def would be the origin's, and change as shapes move the centre of mass.
     if (def.type != BodyType::Static) {
         body->SetLinearVelocity(toBox2d24(def.velocity));
-        body->SetAngularVelocity(static_cast<float>(def.angularVelocity));
+        body->SetAngularVelocity(toSingle(def.angularVelocity));
     }
     return body;
 }

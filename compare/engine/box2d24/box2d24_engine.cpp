@@ -8,6 +8,7 @@
 
 #include <compare/engine/box2d24/box2d24_body.h>
 #include <compare/engine/joint_geometry.h>
+#include <compare/engine/single.h>
 
 namespace plumb::compare {
 namespace {
@@ -99,7 +100,7 @@ private:
             def.collideConnected = joint.collideConnected;
             return world_.CreateJoint(&def);
         }
-        const auto length = static_cast<float>(*joint.length);
+        const auto length = toSingle(*joint.length);
         if (length < b2_linearSlop)
             throw Unsupported(fmt::format("joint {}: Box2D 2.4 has no rod shorter than {} m", name, b2_linearSlop));
         b2DistanceJointDef def;

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include <compare/engine/single.h>
+
 namespace plumb::compare {
 namespace {
 
@@ -16,7 +18,7 @@ b2BodyType typeOf(BodyType type) {
 }
 
 void addShape(b2BodyId body, const b2ShapeDef& def, const Circle& circle, const std::string&) {
-    const b2Circle shape{toBox2d3(circle.center), static_cast<float>(circle.radius)};
+    const b2Circle shape{toBox2d3(circle.center), toSingle(circle.radius)};
     b2CreateCircleShape(body, &def, &shape);
 }
 
@@ -42,9 +44,9 @@ void addShape(b2BodyId body, const b2ShapeDef& def, const Segment& segment, cons
 void addShapes(b2BodyId body, const SceneBody& sceneBody) {
     for (const ShapeDef& shape : sceneBody.def.shapes) {
         b2ShapeDef def = b2DefaultShapeDef();
-        def.density = static_cast<float>(shape.material.density);
-        def.material.friction = static_cast<float>(shape.material.friction);
-        def.material.restitution = static_cast<float>(shape.material.restitution);
+        def.density = toSingle(shape.material.density);
+        def.material.friction = toSingle(shape.material.friction);
+        def.material.restitution = toSingle(shape.material.restitution);
         def.filter.categoryBits = shape.filter.category;
         def.filter.maskBits = shape.filter.mask;
         std::visit([&](const auto& s) { addShape(body, def, s, sceneBody.name); }, shape.shape);
@@ -57,9 +59,9 @@ b2BodyDef definition(const BodyDef& def) {
     result.position = b2ToPos(toBox2d3(def.position));
     // Not b2MakeRot: it only comes near sine and cosine, and the scene's start should not carry that error.
     result.rotation = {static_cast<float>(std::cos(def.angle)), static_cast<float>(std::sin(def.angle))};
-    result.gravityScale = static_cast<float>(def.gravityScale);
-    result.linearDamping = static_cast<float>(def.linearDamping);
-    result.angularDamping = static_cast<float>(def.angularDamping);
+    result.gravityScale = toSingle(def.gravityScale);
+    result.linearDamping = toSingle(def.linearDamping);
+    result.angularDamping = toSingle(def.angularDamping);
     result.motionLocks.angularZ = def.fixedRotation;
     result.enableSleep = def.canSleep;
     return result;
@@ -68,7 +70,7 @@ b2BodyDef definition(const BodyDef& def) {
 }  // namespace
 
 b2Vec2 toBox2d3(const Vec2& v) {
-    return {static_cast<float>(v.x()), static_cast<float>(v.y())};
+    return {toSingle(v.x()), toSingle(v.y())};
 }
 
 b2BodyId addBody3(b2WorldId world, const SceneBody& sceneBody) {
@@ -77,14 +79,13 @@ b2BodyId addBody3(b2WorldId world, const SceneBody& sceneBody) {
     const b2BodyId body = b2CreateBody(world, &bodyDef);
     addShapes(body, sceneBody);
     if (def.mass && def.type == BodyType::Dynamic) {
-        const b2MassData mass{static_cast<float>(def.mass->mass), toBox2d3(def.mass->center),
-                              static_cast<float>(def.mass->inertia)};
+        const b2MassData mass{toSingle(def.mass->mass), toBox2d3(def.mass->center), toSingle(def.mass->inertia)};
         b2Body_SetMassData(body, mass);
     }
     // Last, because a velocity in the def would be the origin's, and change as shapes move the centre of mass.
     if (def.type != BodyType::Static) {
         b2Body_SetLinearVelocity(body, toBox2d3(def.velocity));
-        b2Body_SetAngularVelocity(body, static_cast<float>(def.angularVelocity));
+        b2Body_SetAngularVelocity(body, toSingle(def.angularVelocity));
     }
     return body;
 }

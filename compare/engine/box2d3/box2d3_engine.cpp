@@ -11,6 +11,7 @@
 
 #include <compare/engine/box2d3/box2d3_body.h>
 #include <compare/engine/joint_geometry.h>
+#include <compare/engine/single.h>
 
 namespace plumb::compare {
 namespace {
@@ -102,7 +103,7 @@ private:
         }
         b2DistanceJointDef def = b2DefaultDistanceJointDef();
         place(def.base, joint);
-        def.length = static_cast<float>(*joint.length);  // no spring: a rigid rod
+        def.length = toSingle(*joint.length);  // no spring: a rigid rod
         if (def.length < B2_LINEAR_SLOP)
             throw Unsupported(fmt::format("joint {}: Box2D 3 has no rod shorter than {} m", name, B2_LINEAR_SLOP));
         return b2CreateDistanceJoint(world_.id(), &def);

@@ -6,7 +6,8 @@
 namespace plumb::compare {
 
 /// Box2D 3.2 or later at its defaults: 4 sub-steps a step. Restitution threshold 0 where a scene bounces. Unsupported:
-/// polygons with corners that Box2D would weld, segments and rods shorter than its slop.
+/// polygons with corners that Box2D would weld, segments and rods shorter than its slop, numbers beyond single
+/// precision.
 Engine box2d3Engine();
 
 }  // namespace plumb::compare

@@ -7,7 +7,8 @@ function readAddress() {
         const value = Number.parseFloat(fields.get(name));
         return Number.isFinite(value) ? value : otherwise;
     };
-    return {scene: fields.get("scene"), time: number("t", 0), play: fields.get("play") === "1", speed: number("speed", 1)};
+    const play = fields.get("play") === "1";
+    return {scene: fields.get("scene"), time: number("t", 0), play, speed: number("speed", 1)};
 }
 
 function writeAddress({scene, time, play, speed}) {

@@ -12,7 +12,9 @@ function decadeTicker(low, high, pixels) {
     const fit = Math.max(2, Math.floor(pixels / (2.2 * chartText())));
     const step = Math.max(1, Math.ceil((last - first) / fit));
     const ticks = [];
-    for (let exponent = first; exponent <= last; exponent += step) ticks.push({v: 10 ** exponent, label: powerOfTen(exponent)});
+    for (let exponent = first; exponent <= last; exponent += step) {
+        ticks.push({v: 10 ** exponent, label: powerOfTen(exponent)});
+    }
     return ticks;
 }
 
@@ -31,9 +33,10 @@ class Chart {
         this.readout = element("dl", {class: "readout"});
         this.plot = element("div", {class: "plot"});
         this.cursor = element("div", {class: "cursor", hidden: true});
+        this.limit = element("div", {class: "limit", hidden: true});
         this.figure = element("figure", {class: "chart"},
             element("figcaption", {}, heading, this.readout),
-            element("div", {class: "plot-frame"}, this.plot, this.cursor));
+            element("div", {class: "plot-frame"}, this.plot, this.limit, this.cursor));
         this.graph = null;
         this.hidden = new Set();
     }
@@ -45,9 +48,11 @@ class Chart {
         this.figure.hidden = curve.lines.length === 0;
         if (this.figure.hidden) return;
         this.values = curve.lines.map(({engine}) => {
+            const {label} = lookOf(engine);
+            const name = element("dt", {title: label}, engineMark(engine), element("span", {class: "unseen"}, label));
             const value = element("dd");
-            this.readout.append(element("div", {"data-engine": engine, hidden: this.hidden.has(engine)},
-                element("dt", {title: lookOf(engine).label}, engineMark(engine), element("span", {class: "unseen"}, lookOf(engine).label)), value));
+            const hidden = this.hidden.has(engine);
+            this.readout.append(element("div", {"data-engine": engine, hidden}, name, value));
             return value;
         });
         this.graph = new Dygraph(this.plot, this.rows(), this.settings(marks, axis));
@@ -87,14 +92,17 @@ class Chart {
             axes: {
                 x: {ticker: (low, high, pixels) => evenTicker(low, high, pixels, dense, `${NO_BREAK}s`)},
                 y: {axisLabelWidth: Math.round(4.3 * text), ticker: (low, high, pixels) =>
-                    isLog ? decadeTicker(low, high, pixels) : evenTicker(low, high, pixels, 2.4 * text)},
+                    isLog ? decadeTicker(low, high, pixels) : evenTicker(low, high, pixels, 1.9 * text)},
             },
-            underlayCallback: (context, area, graph) => drawLimits(context, area, graph, marks, unit),
+            underlayCallback: (context, area, graph) => drawLimits(context, area, graph, marks),
             clickCallback: (event) => {
                 this.seek(this.graph.toDataXCoord(event.clientX - this.plot.getBoundingClientRect().left));
             },
             zoomCallback: () => this.zoomed(this.graph.isZoomed("x") ? this.graph.xAxisRange() : null),
-            drawCallback: () => this.moveTo(this.time ?? 0),
+            drawCallback: (graph) => {
+                placeLimit(this.limit, graph, marks, unit);
+                this.moveTo(this.time ?? 0);
+            },
         };
     }
 
@@ -109,7 +117,8 @@ class Chart {
         this.cursor.style.height = `${area.h}px`;
         const at = indexAt(this.curve.times, time);
         this.curve.lines.forEach(({values}, line) => {
-            this.values[line].textContent = this.curve.ruler ? rulerText(values[at], this.curve.unit) : quantity(values[at], this.curve.unit);
+            const text = this.curve.ruler ? rulerText : quantity;
+            this.values[line].textContent = text(values[at], this.curve.unit);
         });
     }
 
@@ -132,6 +141,6 @@ class Chart {
         this.graph?.destroy();
         this.graph = null;
         this.readout.replaceChildren();
-        this.cursor.hidden = true;
+        this.cursor.hidden = this.limit.hidden = true;
     }
 }

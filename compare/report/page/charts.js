@@ -3,13 +3,15 @@
 
 class Charts {
     constructor(host, seek) {
-        const make = (title, heading = element("h2", {}, title)) => new Chart(heading, seek, (window) => this.zoom(window));
+        const zoomed = (window) => this.zoom(window);
+        const make = (title, heading = element("h2", {}, title)) => new Chart(heading, seek, zoomed);
         this.choice = element("select", {"aria-label": "Quantity plotted", onchange: () => this.showMotion()});
         this.motion = make("Motion", element("h2", {}, element("span", {class: "unseen"}, "Motion: "), this.choice));
         this.error = make("Distance to closed form");
         this.divergence = make("Distance to Plumb");
         this.energy = make("Energy");
         this.all = [this.motion, this.error, this.divergence, this.energy];
+        this.host = host;
         host.append(...this.all.map((chart) => chart.figure));
         new ResizeObserver(() => this.all.forEach((chart) => chart.graph?.resize())).observe(host);
     }
@@ -32,12 +34,13 @@ class Charts {
         const {scene} = this;
         const {limits} = scene;
         this.showMotion();
-        // A chart with nothing in it is left out: of a scene without closed form, of Plumb alone, of nothing that moves.
+        // A chart with nothing in it is left out: no closed form, Plumb alone, nothing that moves.
         this.error.show(logarithmic(errorCurve(scene), limits.error),
             {limit: limits.error, until: scene.closedForm?.until}, "error");
         this.divergence.show(logarithmic(divergenceCurve(scene), limits.divergence),
             {limit: limits.divergence, until: limits.agreeUntil}, "distance");
         this.energy.show(linear({...engineCurve(scene, "energy", "J"), ruler: true}), {}, "E");
+        this.host.classList.toggle("odd", this.all.filter((chart) => !chart.figure.hidden).length % 2 === 1);
         this.moveTo(this.time ?? 0);
     }
 

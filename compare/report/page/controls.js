@@ -4,9 +4,13 @@
 const SPEEDS = [[0.125, "⅛×"], [0.25, "¼×"], [0.5, "½×"], [1, "1×"], [2, "2×"], [4, "4×"]];
 const MAGNIFICATIONS = [[1, "×1"], [10, "×10"], [100, "×100"], [1000, "×1000"]];
 
-function takesKeys(target) {
-    return target instanceof HTMLSelectElement || target instanceof HTMLButtonElement || target instanceof HTMLAnchorElement ||
-        (target instanceof HTMLInputElement && target.type !== "range");
+/// A control that does something of its own with the key.
+function takesSpace(target) {
+    if (target.tagName === "INPUT") return target.type !== "range";
+    return ["SELECT", "BUTTON", "A"].includes(target.tagName);
+}
+function takesArrows(target) {
+    return target.tagName === "SELECT" || (target.tagName === "INPUT" && target.type === "radio");
 }
 
 /// Space plays and pauses, the arrows step, Home and End go to the ends; a focused control keeps its own keys.
@@ -21,9 +25,8 @@ function bindKeys(player, isOpen) {
             End: () => player.seek(player.end),
         };
         const action = actions[event.key];
-        const own = event.key === " " ? takesKeys(event.target)
-            : event.target instanceof HTMLSelectElement || (event.target instanceof HTMLInputElement && event.target.type === "radio");
-        if (!action || own) return;
+        const taken = event.key === " " ? takesSpace(event.target) : takesArrows(event.target);
+        if (!action || taken) return;
         event.preventDefault();
         action();
     });

@@ -2,7 +2,8 @@
 // What is plotted over time? A curve is {times, lines: [{engine, values}], unit}.
 
 function engineCurve(scene, name, unit) {
-    const lines = scene.running.filter((engine) => engine[name]).map((engine) => ({engine: engine.name, values: engine[name]}));
+    const lines = scene.running.filter((engine) => engine[name])
+        .map((engine) => ({engine: engine.name, values: engine[name]}));
     return {times: scene.curveTimes, lines, unit};
 }
 
@@ -38,7 +39,8 @@ function motionCurve(scene, body, part) {
 /// What a person may plot: the scene's own quantities first, then each body's.
 function motionChoices(scene) {
     const choices = scene.probes.map((probe, index) => ({
-        group: "Probes", label: `${probe.name} [${probe.unit}]`, axis: probe.name, curve: () => probeCurve(scene, index),
+        group: "Probes", label: `${probe.name} [${probe.unit}]`, axis: probe.name, unit: probe.unit,
+        curve: () => probeCurve(scene, index),
     })).filter((choice) => choice.curve().lines.length > 0);
     scene.bodies.forEach((body, index) => {
         if (body.type === "static") return;
@@ -62,11 +64,16 @@ function spread(values) {
     return high > low ? high - low : 0;
 }
 
-/// What the scene watches; else, of the first body, the direction in which it moves the most.
+/// An angle that the scene watches; else, of the first body, the direction in which it moves the most; of bodies that
+/// stand, what else is watched.
 function firstChoice(choices) {
-    if (choices[0]?.body === undefined) return choices[0];
-    const parts = choices.filter((choice) => choice.body === choices[0].body && (choice.part === "x" || choice.part === "y"));
+    const watched = choices.filter((choice) => choice.body === undefined);
+    const angle = watched.find((choice) => choice.unit === "rad");
+    const body = choices.find((choice) => choice.body !== undefined)?.body;
+    if (angle || body === undefined) return angle ?? watched[0];
+    const parts = choices.filter((choice) => choice.body === body && (choice.part === "x" || choice.part === "y"));
     const [x, y] = parts.map((choice) => spread(choice.curve().lines[0]?.values ?? []));
+    if (watched.length > 0 && Math.max(x, y) < 0.05) return watched[0];
     return x > y ? parts[0] : parts[1];
 }
 

@@ -24,7 +24,8 @@ function curveTimes(scene) {
     const stride = scene.curveStride;
     if (stride === 1) return Float64Array.from({length: scene.steps + 1}, (_, tick) => tick * scene.dt);
     const count = 2 * Math.ceil((scene.steps + 1) / stride);
-    return Float64Array.from({length: count}, (_, j) => (Math.floor(j / 2) * stride + ((j % 2) * stride) / 2) * scene.dt);
+    const tick = (j) => Math.floor(j / 2) * stride + ((j % 2) * stride) / 2;
+    return Float64Array.from({length: count}, (_, j) => tick(j) * scene.dt);
 }
 
 function unpackEngine(engine, scene) {

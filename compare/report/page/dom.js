@@ -18,6 +18,18 @@ function element(tag, attributes = {}, ...children) {
     return made;
 }
 
+function columnHead(content, isNumber = false) {
+    return element("th", {scope: "col", class: isNumber ? "number" : null}, content);
+}
+
+function rowHead(...content) {
+    return element("th", {scope: "row"}, ...content);
+}
+
+function table(heads, rows) {
+    return [element("thead", {}, element("tr", {}, ...heads)), element("tbody", {}, ...rows)];
+}
+
 /// A group of which one is chosen: choices are [value, label]. Returns a function that shows another as chosen.
 function fillChoice(fieldset, name, choices, chosen, choose) {
     for (const [value, label] of choices) {

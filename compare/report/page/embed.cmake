@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Makes one page of page.html, page.css, the scripts and the chart library, and a C++ source that holds it.
+# Makes one page of page.html, the style sheets, the scripts and the chart library, and a C++ source that holds it.
 # In: PAGE_DIR, SCRIPTS (separated by commas), DYGRAPHS_JS, DYGRAPHS_CSS, OUTPUT.
 
 cmake_minimum_required(VERSION 3.22)
@@ -12,7 +12,8 @@ function(read_inline file variable)
 endfunction()
 
 read_inline("${PAGE_DIR}/page.html" page)
-read_inline("${PAGE_DIR}/page.css" style)
+read_inline("${PAGE_DIR}/page.css" page_style)
+read_inline("${PAGE_DIR}/scene.css" scene_style)
 read_inline("${DYGRAPHS_CSS}" chart_style)
 read_inline("${DYGRAPHS_JS}" chart_library)
 set(scripts "")
@@ -27,7 +28,7 @@ foreach(text IN ITEMS "${chart_library}" "${scripts}")
     endif()
 endforeach()
 
-string(REPLACE "@@style@@" "${chart_style}\n${style}" page "${page}")
+string(REPLACE "@@style@@" "${chart_style}\n${page_style}\n${scene_style}" page "${page}")
 string(REPLACE "@@charts@@" "${chart_library}" page "${page}")
 string(REPLACE "@@scripts@@" "${scripts}" page "${page}")
 

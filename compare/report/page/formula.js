@@ -4,9 +4,15 @@
 const SYMBOLS = {alpha: "α", theta: "θ", mu: "μ", omega: "ω", phi: "φ", pi: "π", sqrt: "√"};
 const SIGNS = {"-": "−", ">=": "≥", "<=": "≤", "->": "→", "'": "′", "''": "″", "*": "·"};
 
-/// Groups: power in parentheses, power, index, name with digits, word, number, sign.
-const FORMULA_PART =
-    /\^\(([^()]*)\)|\^(-?\w+)|_([A-Za-z0-9]+)|([A-Za-z])(\d+)(?![\w.])|([A-Za-z]+)|(\d+(?:\.\d+)?(?:e[-+]?\d+)?)|(>=|<=|->|''|'|-|\*)/g;
+const FORMULA_PART = new RegExp([
+    /\^\(([^()]*)\)/,  // a power in parentheses
+    /\^(-?\w+)/,  // a power
+    /_([A-Za-z0-9]+)/,  // an index
+    /([A-Za-z])(\d+)(?![\w.])/,  // a name and its digits
+    /([A-Za-z]+)/,  // a word
+    /(\d+(?:\.\d+)?(?:e[-+]?\d+)?)/,  // a number
+    /(>=|<=|->|''|'|-|\*)/,  // a sign
+].map(({source}) => source).join("|"), "g");
 
 function formulaName(word) {
     if (SYMBOLS[word]) return SYMBOLS[word];

@@ -2,28 +2,38 @@
 // Where in a chart does a check draw its line?
 
 /// marks: limit [value], until [s]: the check looks no further, and what comes after is shaded.
-function drawLimits(context, area, graph, marks, unit) {
-    const end = marks.until > 0 ? Math.min(graph.toDomXCoord(marks.until), area.x + area.w) : area.x + area.w;
-    if (end < area.x + area.w) {
-        context.fillStyle = themeColor("--shade");
-        context.fillRect(Math.max(end, area.x), area.y, area.x + area.w - Math.max(end, area.x), area.h);
-    }
-    if (!(marks.limit > 0) || end <= area.x) return;
-    const y = graph.toDomYCoord(marks.limit);
-    if (y < area.y || y > area.y + area.h) return;
-    const text = chartText();
+function drawLimits(context, area, graph, marks) {
+    const right = area.x + area.w;
+    const end = marks.until > 0 ? Math.min(Math.max(graph.toDomXCoord(marks.until), area.x), right) : right;
+    context.fillStyle = themeColor("--shade");
+    context.fillRect(end, area.y, right - end, area.h);
+    const y = limitHeight(area, graph, marks);
+    if (y === null) return;
     context.save();
-    context.strokeStyle = context.fillStyle = themeColor("--limit");
+    context.strokeStyle = themeColor("--limit");
     context.lineWidth = 1.5;
     context.setLineDash([2, 3]);
     context.beginPath();
     context.moveTo(area.x, y);
     context.lineTo(end, y);
     context.stroke();
-    context.font = `${text}px ${getComputedStyle(document.body).fontFamily}`;
-    context.textBaseline = y - area.y > 1.5 * text ? "bottom" : "top";
-    const label = `limit ${chosenQuantity(marks.limit, unit)}`;
-    const labelY = y + (y - area.y > 1.5 * text ? -2 : 3);
-    context.fillText(label, area.x + 6, labelY);
     context.restore();
+}
+
+/// Null where the chart does not show it.
+function limitHeight(area, graph, marks) {
+    if (!(marks.limit > 0)) return null;
+    const y = graph.toDomYCoord(marks.limit);
+    return y >= area.y && y <= area.y + area.h ? y : null;
+}
+
+/// Puts a label, which lies over the curves, on the line; below it where there is no room above.
+function placeLimit(label, graph, marks, unit) {
+    const area = graph.getArea();
+    const y = limitHeight(area, graph, marks);
+    label.hidden = y === null;
+    if (y === null) return;
+    label.textContent = `limit ${chosenQuantity(marks.limit, unit)}`;
+    const isBelow = y - area.y < 1.5 * chartText();
+    label.style.transform = `translate(${area.x + 5}px, ${y}px) translateY(${isBelow ? "2px" : "calc(-100% - 2px)"})`;
 }

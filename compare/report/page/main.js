@@ -3,8 +3,8 @@
 
 const report = readReport();
 const scenePage = new ScenePage(() => {
-    const {player, view} = scenePage;
-    if (view.scene) writeAddress({scene: view.scene.name, time: player.time, play: player.playing, speed: player.speed});
+    const {player: {time, playing: play, speed}, view: {scene}} = scenePage;
+    if (scene) writeAddress({scene: scene.name, time, play, speed});
 });
 
 function showView(name) {

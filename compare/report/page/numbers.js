@@ -27,35 +27,34 @@ function metricLabel(metric) {
     return metric.startsWith("probe.") ? `Largest error of ${metric.slice(6)}` : metric;
 }
 
-function metricCell(metric) {
-    return element("th", {scope: "row"}, metricLabel(metric), " ", element("code", {}, metric));
-}
-
 function outcomeUnit(scene, outcome) {
     return outcome.check === "order" ? "-" : metricUnit(scene, outcome.metric);
 }
 
 /// "≤ 1 mm", and "≥ 1.9" for an order of convergence.
 function limitText(scene, outcome) {
-    return `${outcome.check === "order" ? "≥" : "≤"}${NO_BREAK}${chosenQuantity(outcome.limit, outcomeUnit(scene, outcome))}`;
+    const relation = outcome.check === "order" ? "≥" : "≤";
+    return relation + NO_BREAK + chosenQuantity(outcome.limit, outcomeUnit(scene, outcome));
 }
 
 function failureText(scene, outcome) {
     const value = outcome.value === null ? "no value" : quantity(outcome.value, outcomeUnit(scene, outcome));
     const label = metricLabel(outcome.metric);
-    return `${lookOf(outcome.engine).label}: ${label.charAt(0).toLowerCase()}${label.slice(1)} ${value}, not ${limitText(scene, outcome)}`;
+    const metric = label.charAt(0).toLowerCase() + label.slice(1);
+    return `${lookOf(outcome.engine).label}: ${metric} ${value}, not ${limitText(scene, outcome)}`;
 }
 
 function verdictMark(pass) {
     return element("span", {class: pass ? "verdict holds" : "verdict fails"}, pass ? "✓ holds" : "✗ fails");
 }
 
-/// Those within a thousandth of the least are equally good.
+/// Those within a twentieth of the least are equally good; where all are, none is set apart.
 function bestOf(metric, values) {
     const known = values.filter((value) => typeof value === "number");
     if (known.length < 2 || LESS_IS_NOT_BETTER.includes(metric)) return () => false;
     const least = Math.min(...known.map(Math.abs));
-    return (value) => typeof value === "number" && Math.abs(value) <= 1.001 * least;
+    const isLeast = (value) => typeof value === "number" && Math.abs(value) <= 1.05 * least;
+    return known.every(isLeast) ? () => false : isLeast;
 }
 
 function numbersTable(scene) {
@@ -67,43 +66,48 @@ function numbersTable(scene) {
     const rows = metrics.map((metric) => {
         const compared = scene.running.filter((engine) => engine.name !== "closed-form");
         const isBest = bestOf(metric, compared.map((engine) => engine.metrics[metric]));
-        return element("tr", {}, metricCell(metric), ...scene.running.map((engine) => {
+        const head = rowHead(metricLabel(metric), " ", element("code", {}, metric));
+        return element("tr", {}, head, ...scene.running.map((engine) => {
             const value = engine.metrics[metric];
             const best = engine.name !== "closed-form" && isBest(value);
             return element("td", {class: best ? "number best" : "number"}, quantity(value, metricUnit(scene, metric)));
         }));
     });
-    const head = element("tr", {}, element("th", {scope: "col"}, "Metric"),
-        ...scene.running.map((engine) => element("th", {scope: "col", class: "number"}, engineName(engine.name))));
-    return [element("thead", {}, head), element("tbody", {}, ...rows)];
+    const heads = scene.running.map((engine) => columnHead(engineName(engine.name), true));
+    return table([columnHead("Metric"), ...heads], rows);
 }
 
 function checksTable(scene) {
-    const columns = ["", "Check", "Engine", "Metric", "Value", "Limit", "Why this limit"];
-    const head = element("tr", {}, ...columns.map((text) =>
-        element("th", {scope: "col", class: text === "Value" || text === "Limit" ? "number" : null}, text)));
+    const heads = [columnHead(""), columnHead("Check"), columnHead("Engine"), columnHead("Metric"),
+        columnHead("Value", true), columnHead("Limit", true), columnHead("Why this limit")];
     const rows = scene.outcomes.map((outcome) => element("tr", {class: outcome.pass ? null : "failing"},
         element("td", {}, verdictMark(outcome.pass)), element("td", {}, outcome.check),
         element("td", {}, engineName(outcome.engine)), element("td", {}, metricLabel(outcome.metric)),
         element("td", {class: "number"}, quantity(outcome.value, outcomeUnit(scene, outcome))),
         element("td", {class: "number"}, limitText(scene, outcome)),
         element("td", {class: "reason"}, outcome.reason)));
-    if (rows.length === 0) rows.push(element("tr", {}, element("td", {colspan: columns.length}, "Nothing was checked.")));
-    return [element("thead", {}, head), element("tbody", {}, ...rows)];
+    return table(heads, rows);
+}
+
+/// 1/60 s, where a person chose it so.
+function stepText(dt) {
+    const rate = 1 / dt;
+    const isWhole = rate > 1.5 && Math.abs(rate - Math.round(rate)) < 1e-6;
+    return isWhole ? `1/${Math.round(rate)}${NO_BREAK}s` : quantity(dt, "s");
 }
 
 function settingsTable(scene) {
     // What the closed form has to say stands in a card of its own.
     const engines = scene.engines.filter((engine) => engine.name !== "closed-form");
     const names = [...new Set(engines.flatMap((engine) => engine.settings.map(([name]) => name)))];
-    const row = (name, value) => element("tr", {}, element("th", {scope: "row"}, name),
+    const row = (name, value) => element("tr", {}, rowHead(name),
         ...engines.map((engine) => element("td", {}, value(engine) ?? NONE)));
-    const head = element("tr", {}, element("th", {scope: "col"}, "Setting"),
-        ...engines.map((engine) => element("th", {scope: "col"}, engineName(engine.name))));
+    const same = (name, value) => element("tr", {}, rowHead(name), element("td", {colspan: engines.length}, value));
     const [gx, gy] = scene.gravity;
-    return [element("thead", {}, head), element("tbody", {},
+    return table([columnHead("Setting"), ...engines.map((engine) => columnHead(engineName(engine.name)))], [
+        same("step", stepText(scene.dt)),
+        same("gravity", `(${minus(String(gx))}, ${minus(String(gy))})${NO_BREAK}m/s²`),
         row("version", (engine) => engine.version || null),
-        row("step", () => quantity(scene.dt, "s")),
-        row("gravity", () => `(${minus(String(gx))}, ${minus(String(gy))})${NO_BREAK}m/s²`),
-        ...names.map((name) => row(name, (engine) => engine.settings.find(([key]) => key === name)?.[1])))];
+        ...names.map((name) => row(name, (engine) => engine.settings.find(([key]) => key === name)?.[1])),
+    ]);
 }

@@ -18,14 +18,15 @@ function sums(report) {
         const plumb = scene.engines.find((engine) => engine.name === "plumb")?.metrics.error_max;
         return typeof plumb === "number" && plumb <= 1e-3;
     });
-    const part = (some, all) => [element("b", {}, String(some)), ` of ${all}`];
+    const passing = (list) => list.filter(({pass}) => pass);
+    const sum = (some, all, what) => {
+        const count = element("span", {class: "sum"}, element("b", {}, String(some.length)), ` of ${all.length}`);
+        return element("li", {}, count, what);
+    };
     return [
-        element("li", {}, element("span", {class: "sum"}, ...part(report.scenes.filter((scene) => scene.pass).length, report.scenes.length)),
-            "scenes hold"),
-        element("li", {}, element("span", {class: "sum"}, ...part(outcomes.filter((outcome) => outcome.pass).length, outcomes.length)),
-            "checks hold"),
-        element("li", {}, element("span", {class: "sum"}, ...part(close.length, exact.length)),
-            "closed forms met by Plumb within 1 mm"),
+        sum(passing(report.scenes), report.scenes, "scenes hold"),
+        sum(passing(outcomes), outcomes, "checks hold"),
+        sum(close, exact, "closed forms met by Plumb within 1 mm"),
     ];
 }
 
@@ -51,7 +52,8 @@ function verdictRow(scene, engines) {
         element("td", {}, verdictMark(scene.pass)),
         element("th", {scope: "row"}, element("a", {href: sceneAddress(scene)}, titleText(scene.name)),
             element("p", {class: "question"}, scene.question),
-            ...failed.map((outcome) => element("p", {class: "failure"}, failureText(scene, outcome)))),
+            ...failed.slice(0, 3).map((outcome) => element("p", {class: "failure"}, failureText(scene, outcome))),
+            failed.length > 3 ? element("p", {class: "failure"}, `and ${failed.length - 3} more`) : null),
         element("td", {class: "number"}, `${scene.outcomes.length - failed.length}/${scene.outcomes.length}`),
         ...engines.map((name) => errorCell(scene, name)));
 }
@@ -59,15 +61,10 @@ function verdictRow(scene, engines) {
 function fillOverview(report) {
     const engines = allEngines(report);
     byId("sums").append(...sums(report));
-    byId("verdicts").append(
-        element("caption", {}, "Verdicts. Under each engine: its largest distance to the closed form; the least is set in bold."),
-        element("thead", {}, element("tr", {}, element("th", {scope: "col"}, "Verdict"), element("th", {scope: "col"}, "Scene"),
-            element("th", {scope: "col", class: "number"}, "Checks"),
-            ...engines.map((name) => element("th", {scope: "col", class: "number"}, engineName(name))))),
-        element("tbody", {}, ...report.scenes.map((scene) => verdictRow(scene, engines))));
+    const heads = [columnHead("Verdict"), columnHead("Scene"), columnHead("Checks", true),
+        ...engines.map((name) => columnHead(engineName(name), true))];
+    byId("verdicts").append(...table(heads, report.scenes.map((scene) => verdictRow(scene, engines))));
     byId("verdicts-csv").addEventListener("click", () => download("plumb_numbers.csv", numbersCsv(report.scenes)));
-    byId("overview-note").textContent = "– : the scene has no closed form, and is judged by what must stay constant and by agreement. " +
-        "Settings of every engine stand with each scene.";
 }
 
 /// The list at the side of a scene: the same verdicts, short.
@@ -82,10 +79,12 @@ function fillSceneList(report) {
                 engineMark(engine.name), shortQuantity(engine.metrics.error_max, "m")));
         }
         const [failed] = failures(scene);
-        byId("scene-list-items").append(element("li", {}, element("a", {href: sceneAddress(scene), "data-scene": scene.name, title: scene.question},
-            element("span", {class: scene.pass ? "verdict holds" : "verdict fails", "aria-label": scene.pass ? "holds" : "fails"}, scene.pass ? "✓" : "✗"),
+        const [sign, word] = scene.pass ? ["✓", "holds"] : ["✗", "fails"];
+        const link = element("a", {href: sceneAddress(scene), "data-scene": scene.name, title: scene.question},
+            element("span", {class: `verdict ${word}`, "aria-label": word}, sign),
             element("span", {class: "scene-name"}, titleText(scene.name)),
             failed ? element("span", {class: "failure"}, failureText(scene, failed)) : null,
-            figures.childElementCount > 0 ? figures : null)));
+            figures.childElementCount > 0 ? figures : null);
+        byId("scene-list-items").append(element("li", {}, link));
     }
 }

@@ -46,7 +46,7 @@ function drawRulers(context, camera, theme) {
     context.font = `${theme.text}px ${theme.font}`;
     context.textAlign = "center";
     context.textBaseline = "middle";
-    eachLine(camera.worldX(left + theme.text), camera.worldX(camera.width - 2.5 * theme.text), step, (x) => {
+    eachLine(camera.worldX(left + theme.text), camera.worldX(camera.width - 3.2 * theme.text), step, (x) => {
         context.fillText(axisText(x, step), camera.x(x), floor + bottom / 2);
     });
     context.textAlign = "right";
@@ -57,12 +57,13 @@ function drawRulers(context, camera, theme) {
     context.fillText("m", left - 7, theme.text * 0.9);
 }
 
+/// Above the scene: below there is the floor.
 function drawScaleBar(context, camera, theme) {
     const length = majorStep(camera, theme.text);
     const label = axisText(length, length) + NO_BREAK + "m";
     const right = camera.width - 18;
     const left = right - length * camera.scale;
-    const y = camera.height - camera.margins.bottom - 16;
+    const y = camera.margins.top + 1.6 * theme.text;
     context.font = `${theme.text}px ${theme.font}`;
     context.textAlign = "center";
     context.textBaseline = "alphabetic";

@@ -13,12 +13,25 @@ class ScenePage {
         bindKeys(this.player, () => this.view.scene !== null);
         document.addEventListener("keyup", () => { if (!this.player.playing) settled(); });
         byId("trails").addEventListener("change", (event) => { this.view.trails = event.target.checked; this.draw(); });
-        fillChoice(byId("magnify"), "magnify", MAGNIFICATIONS, 1, (times) => { this.view.magnify = times; this.draw(); });
+        fillChoice(byId("magnify"), "magnify", MAGNIFICATIONS, 1, (times) => {
+            this.view.magnify = times;
+            this.draw();
+        });
         new ResizeObserver(() => this.restyle()).observe(byId("stage"));
-        matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { this.restyle(); if (this.view.scene) this.charts.show(); });
-        byId("motion-csv").addEventListener("click", () => download(`${this.view.scene.name}_motion.csv`, motionCsv(this.view.scene)));
-        byId("curves-csv").addEventListener("click", () => download(`${this.view.scene.name}_curves.csv`, curvesCsv(this.view.scene)));
-        byId("numbers-csv").addEventListener("click", () => download(`${this.view.scene.name}_numbers.csv`, numbersCsv([this.view.scene])));
+        matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+            this.restyle();
+            if (this.view.scene) this.charts.show();
+        });
+        this.bindFile("motion", motionCsv);
+        this.bindFile("curves", curvesCsv);
+        this.bindFile("numbers", (scene) => numbersCsv([scene]));
+    }
+
+    bindFile(what, text) {
+        byId(`${what}-csv`).addEventListener("click", () => {
+            const {scene} = this.view;
+            download(`${scene.name}_${what}.csv`, text(scene));
+        });
     }
 
     close() {
@@ -49,16 +62,19 @@ class ScenePage {
         const failed = failures(scene);
         byId("scene-title").textContent = titleText(scene.name);
         byId("scene-question").textContent = scene.question;
-        byId("scene-verdict").replaceChildren(verdictMark(scene.pass), element("span", {},
-            failed.length === 0 ? `${scene.outcomes.length} of ${scene.outcomes.length} checks`
-                : failed.length === 1 ? failureText(scene, failed[0]) : `${failed.length} of ${scene.outcomes.length} checks fail`));
-        byId("unsupported").replaceChildren(...scene.engines.filter((engine) => engine.unsupported).map((engine) =>
-            element("p", {class: "unsupported"}, engineName(engine.name), ` does not run this scene: ${engine.unsupported}`)));
+        const all = scene.outcomes.length;
+        const verdict = failed.length === 1 ? failureText(scene, failed[0])
+            : failed.length > 1 ? `${failed.length} of ${all} checks fail` : `${all} of ${all} checks`;
+        byId("scene-verdict").replaceChildren(verdictMark(scene.pass), element("span", {}, verdict));
+        const missing = scene.engines.filter((engine) => engine.unsupported);
+        byId("unsupported").replaceChildren(...missing.map(({name, unsupported}) =>
+            element("p", {class: "unsupported"}, engineName(name), ` does not run this scene: ${unsupported}`)));
     }
 
     showKeys(scene) {
         byId("engine-keys").replaceChildren(...scene.engines.map((engine) => {
-            const input = element("input", {type: "checkbox", onchange: (event) => this.toggle(engine.name, event.target.checked)});
+            const toggle = (event) => this.toggle(engine.name, event.target.checked);
+            const input = element("input", {type: "checkbox", onchange: toggle});
             input.checked = !engine.unsupported && !this.view.hidden.has(engine.name);
             input.disabled = Boolean(engine.unsupported);
             return element("label", {title: engine.unsupported ?? ""}, input, element("span", {}, engineName(engine.name)));
@@ -68,17 +84,23 @@ class ScenePage {
     showTables(scene) {
         byId("formula-card").hidden = !scene.closedForm;
         byId("formula").replaceChildren(...formulaParts(scene.closedForm?.formula ?? ""));
-        byId("source").textContent = scene.closedForm ? `Source: ${scene.closedForm.source}` +
-            (scene.closedForm.until > 0 ? ` Holds until t = ${timeText(scene.closedForm.until)}.` : "") : "";
+        const {source, until} = scene.closedForm ?? {};
+        byId("source").textContent = `Source: ${source}` + (until > 0 ? `; holds until t = ${timeText(until)}` : "");
         byId("checks").replaceChildren(...checksTable(scene));
         byId("numbers").replaceChildren(...numbersTable(scene));
-        byId("numbers-note").textContent = "Bold: the least of the engines. Drifts are relative to the largest value of the run.";
         byId("settings").replaceChildren(...settingsTable(scene));
-        const digits = scene.width === 4 ? "seven digits of it" : "all digits";
+        this.showThinning(scene);
+    }
+
+    /// What of the run the page does not have.
+    showThinning(scene) {
         const ticks = scene.stride === 1 ? "every step" : `every ${scene.stride}th step`;
-        byId("stage-note").textContent = scene.stride === 1 ? "" : `Playback shows ${ticks}; the charts keep every peak.`;
-        byId("files-note").textContent = `Motion has ${ticks}, ${digits}. ` +
-            (scene.curveStride === 1 ? "Curves have every step." : `Curves have the least and the largest value of every ${scene.curveStride} steps.`);
+        const digits = scene.width === 4 ? "seven digits" : "all digits";
+        const points = scene.curveStride === 1 ? "every step"
+            : `the least and the largest value of every ${scene.curveStride} steps`;
+        const note = scene.stride === 1 ? "" : `Playback shows ${ticks}; the charts keep every peak.`;
+        byId("stage-note").textContent = note;
+        byId("files-note").textContent = `Motion has ${ticks} with ${digits}; curves have ${points}.`;
     }
 
     toggle(engine, shown) {

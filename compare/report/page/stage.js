@@ -43,7 +43,23 @@ function traceShape(context, camera, shape, pose) {
     if (shape.polygon) context.closePath();
 }
 
-function drawStill(context, camera, theme, scene) {
+/// Short strokes on the side away from what moves, as a textbook draws a floor.
+function hatchSegment(context, camera, box, [x0, y0], [x1, y1]) {
+    const from = [camera.x(x0), camera.y(y0)];
+    const along = [camera.x(x1) - from[0], camera.y(y1) - from[1]];
+    const length = Math.hypot(...along);
+    const [ux, uy] = [along[0] / length, along[1] / length];
+    const middle = [camera.x((box.left + box.right) / 2) - from[0], camera.y((box.bottom + box.top) / 2) - from[1]];
+    const side = ux * middle[1] - uy * middle[0] > 0 ? -1 : 1;
+    for (let at = 6; at < length; at += 11) {
+        const [x, y] = [from[0] + at * ux, from[1] + at * uy];
+        if (x < 0 || x > camera.width || y < 0 || y > camera.height) continue;
+        context.moveTo(x, y);
+        context.lineTo(x - 7 * ux - 9 * side * uy, y - 7 * uy + 9 * side * ux);
+    }
+}
+
+function drawStill(context, camera, theme, scene, box) {
     context.setLineDash([]);
     context.lineJoin = "round";
     for (const body of scene.bodies) {
@@ -56,6 +72,13 @@ function drawStill(context, camera, theme, scene) {
             if (!shape.segment) context.fill();
             context.strokeStyle = theme.ink;
             context.lineWidth = shape.segment ? 3 : 1.5;
+            context.stroke();
+            if (!shape.segment) continue;
+            const [ax, ay, bx, by] = shape.segment;
+            context.beginPath();
+            hatchSegment(context, camera, box, inWorld(pose, ax, ay), inWorld(pose, bx, by));
+            context.strokeStyle = theme.hatch;
+            context.lineWidth = 1.5;
             context.stroke();
         }
     }
@@ -97,7 +120,7 @@ function drawJoint(context, camera, joint, poseA, poseB) {
     const b = inWorld(poseB, joint.atB[0], joint.atB[1]);
     const path = joint.type === "distance" ? [a, b] : [b, [poseB.x, poseB.y]];
     context.beginPath();
-    path.forEach(([x, y], i) => (i === 0 ? context.moveTo(camera.x(x), camera.y(y)) : context.lineTo(camera.x(x), camera.y(y))));
+    for (const [x, y] of path) context.lineTo(camera.x(x), camera.y(y));
     context.stroke();
     context.setLineDash([]);
     for (const [x, y] of [a, b]) {
@@ -175,7 +198,7 @@ function drawStage(canvas, view) {
     const text = theme.text;
     const camera = fitCamera(view.box, width, height, {left: 3.4 * text, right: text, top: text, bottom: 2 * text});
     drawPaper(context, camera, theme);
-    drawStill(context, camera, theme, view.scene);
+    drawStill(context, camera, theme, view.scene, view.box);
     for (const engine of view.scene.running) {
         if (!view.hidden.has(engine.name)) drawEngine(context, camera, view, engine);
     }

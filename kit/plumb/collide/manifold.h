@@ -28,9 +28,9 @@ struct Manifold {
 };
 
 /// The contact manifold of two convex cores with radii; empty when they are farther apart than margin [m].
-/// Two edges that face each other meet in up to two points: the ends of the stretch they share. Apart, corner to corner,
-/// the normal is the line between the corners, and there is one point. Overlapping, the normal is the way that parts
-/// them soonest. Of two edges that face each other and do equally well, to 1e-4 of the shorter one, A's lends its
+/// Two edges that face each other meet in up to two points: the ends of the stretch they share. Apart, corner to
+/// corner, the normal is the line between the corners, and there is one point. Overlapping, the normal is the way that
+/// parts them soonest. Of two edges that face each other and do equally well, to 1e-4 of the shorter one, A's lends its
 /// normal, so that a box at rest on its like does not swap faces from step to step.
 /// Apart from that, separations and positions are right to about 1e-6 of the sizes and distances that come in.
 /// Source: separating axes and clipping of the facing edge; Gregorius, "Robust Contact Creation for Physics

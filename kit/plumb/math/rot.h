@@ -15,7 +15,7 @@ struct Rot {
         const SinCos sc = sinCos(angle);
         return {sc.cos, sc.sin};
     }
-    double angle() const { return atan2(sin, cos); }  ///< in (-pi, pi] [rad]
+    double angle() const { return arcTangent(sin, cos); }  ///< in (-pi, pi] [rad]
     Rot inverse() const { return {cos, -sin}; }
 };
 

@@ -112,7 +112,7 @@ constexpr std::array<Pair2, 9> arcTangents = {{{0, 0},
                                                {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55}}};
 
 // atan(n / d) = atan(c) + atan((n - c d) / (d + c n)), with c the multiple of 1/8 next to n / d; 0 <= n <= d, 0 < d.
-Pair2 arcTangent(double n, double d) {
+Pair2 firstOctant(double n, double d) {
     const double step = nearestInteger(8 * (n / d));
     const double c = step / 8;
     const double u = step == 0 ? n / d : (n - c * d) / (d + c * n);
@@ -162,7 +162,7 @@ SinCos sinCos(double angle) {
     }
 }
 
-double atan2(double y, double x) {
+double arcTangent(double y, double x) {
     if (!std::isfinite(x) || !std::isfinite(y)) return notANumber;
     double across = std::fabs(x);
     double up = std::fabs(y);
@@ -172,7 +172,7 @@ double atan2(double y, double x) {
     const double scale = larger > 0x1p1000 ? 0x1p-100 : larger < 0x1p-900 ? 0x1p150 : 1;
     across *= scale;
     up *= scale;
-    Pair2 angle = steep ? arcTangent(across, up) : arcTangent(up, across);
+    Pair2 angle = steep ? firstOctant(across, up) : firstOctant(up, across);
     constexpr Pair2 halfPi{0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
     if (steep) angle = {halfPi.high - angle.high, halfPi.low - angle.low + difference(halfPi.high, angle.high).low};
     if (x < 0) {
@@ -183,7 +183,7 @@ double atan2(double y, double x) {
     return y < 0 ? -size : size;
 }
 
-double exp(double x) {
+double exponential(double x) {
     if (std::isnan(x)) return x;
     if (x > 710) return std::numeric_limits<double>::infinity();
     if (x < -746) return 0;
@@ -191,7 +191,7 @@ double exp(double x) {
     return std::ldexp(1 + (p.rest + (p.lost + expTail(p.rest))), static_cast<int>(p.exponent));
 }
 
-double expm1(double x) {
+double exponentialMinus1(double x) {
     if (std::isnan(x)) return x;
     if (x > 710) return std::numeric_limits<double>::infinity();
     if (x < -45) return -1;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What are sine, cosine, arc tangent and exponential, to the same bits on every machine?
 // The C library's differ between platforms in the last bit; these use only +, -, *, / and rounding, which do not.
+// Their names are not the C library's, so that a program may be using namespace plumb beside <cmath>.
 #pragma once
 
 namespace plumb {
@@ -15,13 +16,13 @@ struct SinCos {
 SinCos sinCos(double angle);
 
 /// Angle of the vector (x, y) from +x, in (-pi, pi] [rad]; 0 for the zero vector, NaN if a coordinate is not finite.
-/// Error below 4e-16, and below 1.5 of the last place. A zero has no sign here: atan2(-0.0, -1) is pi.
-double atan2(double y, double x);
+/// Error below 4e-16, and below 1.5 of the last place. A zero has no sign here: arcTangent(-0.0, -1) is pi.
+double arcTangent(double y, double x);
 
 /// e^x; error below 1 of the last place. Overflows to infinity and underflows to 0 as std::exp does.
-double exp(double x);
+double exponential(double x);
 
 /// e^x - 1 without cancellation near 0; error below 1.5 of the last place.
-double expm1(double x);
+double exponentialMinus1(double x);
 
 }  // namespace plumb

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "catch.h"
@@ -263,6 +264,35 @@ TEST_CASE("friction sqrt(0.9 * 0.4) = 0.6 holds a box on 30 degrees, sqrt(0.9 * 
 TEST_CASE("the closed form has no counterpart for a scene without one", "[compare][engine]") {
     CHECK_THROWS_AS(engines().back().build(twoBoxes()), Unsupported);
     CHECK(observe(twoBoxes(), engines().back()).unsupported == "the scene has no closed form");
+}
+
+TEST_CASE("what single precision cannot hold is said to be so, and ends no program", "[compare][engine]") {
+    const auto build = [](const std::function<void(BodyDef&)>& change, const Engine& engine) {
+        Scene scene = twoBoxes();
+        change(scene.bodies[1].def);
+        engine.build(scene);
+    };
+    for (const Engine& engine : simulators()) {
+        if (!isBox2d(engine.name)) continue;
+        INFO(engine.name);
+        CHECK_THROWS_WITH(build([](BodyDef& def) { def.position.x() = 1e39; }, engine),
+                          "1e+39 is beyond single precision");
+        CHECK_THROWS_AS(build([](BodyDef& def) { def.mass = Mass{1e40, {0, 0}, 1}; }, engine), Unsupported);
+    }
+    const Engine& box2d24 = engines()[1];
+    // a sliver of 1 m by 0.1 um, and a box of 1 cm a kilometre from its body's origin
+    CHECK_THROWS_AS(build(
+                        [](BodyDef& def) {
+                            def.shapes = {polygon({{0, 0}, {1, 0}, {0.5, 1e-7}})};
+                        },
+                        box2d24),
+                    Unsupported);
+    CHECK_THROWS_AS(build(
+                        [](BodyDef& def) {
+                            def.shapes[0].shape = boxPolygon({0.005, 0.005}, {1000, 0});
+                        },
+                        box2d24),
+                    Unsupported);
 }
 
 TEST_CASE("Box2D 2.4 says no to a 17th filter category and to corners it would weld", "[compare][engine]") {

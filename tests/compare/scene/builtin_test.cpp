@@ -7,6 +7,8 @@
 
 #include <compare/closed_form/disc_impact.h>
 #include <compare/closed_form/oracle.h>
+#include <compare/metric/metrics.h>
+#include <compare/scene/metric_names.h>
 
 #include "catch.h"
 
@@ -71,6 +73,21 @@ TEST_CASE("each built-in scene is valid, asks a question, and gives a reason for
             std::ranges::any_of(scene.checks, [](const Check& c) { return std::holds_alternative<ExactCheck>(c); });
         CHECK(exact == scene.closedForm.has_value());
         for (const Probe& probe : scene.probes) CHECK_FALSE(probe.unit.empty());
+    }
+}
+
+TEST_CASE("the metrics that a check may name are the ones that are measured", "[compare][scene]") {
+    for (const Scene& scene : builtinScenes()) {
+        std::vector<std::string> checkable = checkableMetrics(scene);
+        std::vector<std::string> measured = metricNames(scene);
+        if (!scene.closedForm) {  // both stand in a run's metrics, without a value
+            std::erase(measured, "error_max");
+            std::erase(measured, "error_end");
+        }
+        std::ranges::sort(checkable);
+        std::ranges::sort(measured);
+        INFO(scene.name);
+        CHECK(checkable == measured);
     }
 }
 

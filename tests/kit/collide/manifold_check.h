@@ -68,8 +68,10 @@ inline std::vector<EdgeGap> edgeGapsOf(const Outline& a, const Outline& b, const
 inline double favourOf(const Known& k, const std::vector<EdgeGap>& onA, const std::vector<EdgeGap>& onB) {
     for (const EdgeGap& a : onA)
         for (const EdgeGap& b : onB)
-            if (a.gap > onA[0].gap - k.tolerance && b.gap > onB[0].gap - k.tolerance && dot(a.direction, b.direction) > facingCosine)
-                return k.tolerance + favourOfShorter * std::min(longestEdge(k.a), longestEdge(k.b)) + cornerNoise * k.size;
+            if (a.gap > onA[0].gap - k.tolerance && b.gap > onB[0].gap - k.tolerance &&
+                dot(a.direction, b.direction) > facingCosine)
+                return k.tolerance + favourOfShorter * std::min(longestEdge(k.a), longestEdge(k.b)) +
+                       cornerNoise * k.size;
     return k.tolerance;
 }
 
@@ -152,32 +154,79 @@ inline std::optional<Stretch> stretchOf(const Known& k, const Outline& reference
     return stretch;
 }
 
-inline const char* faultOfFeatures(const Known& k, const plumb::Manifold& m) {
-    if (k.a.corners.size() == 1 || k.b.corners.size() == 1) return nullptr;
-    const int codeA = m.points[0].feature >> 8, codeB = m.points[0].feature & 0xff;
-    if (isEdge(codeA) && isEdge(codeB)) return "an edge cannot meet an edge in one point";
-    if (m.count == 2 && m.points[0].feature == m.points[1].feature) return "both points have the same feature";
-    const std::size_t a = static_cast<std::size_t>(codeA & 0x7f), b = static_cast<std::size_t>(codeB & 0x7f);
-    if (a >= k.a.corners.size() || b >= k.b.corners.size()) return "a feature that the shape does not have";
-    const Point normal = pointOf(m.normal);
-    if (!isEdge(codeA) && !isEdge(codeB)) {
-        if (m.count != 1) return "two corners meet in more than one point";
-        const Point between = k.b.corners[b] - k.a.corners[a];
-        return std::fabs(cross(between, normal)) > k.tolerance ? "the normal is not the line between the corners" : nullptr;
+/// The edge whose normal a manifold has.
+struct Reference {
+    bool isA = false;
+    std::size_t edge = 0;
+    double off = 1e300;  ///< of its direction [rad]
+    double blur = 0;     ///< corners that were rounded to float give a short edge no better direction [rad]
+};
+
+inline Reference referenceOf(const Known& k, Point normal) {
+    Reference best;
+    for (const bool isA : {true, false}) {
+        const Outline& outline = isA ? k.a : k.b;
+        for (std::size_t i = 0; i < outline.corners.size(); ++i) {
+            const double off = length(outwardOf(outline, i) * (isA ? 1 : -1) - normal);
+            const double blur = floatError + 0.2 * floatError * k.size / length(edgeOf(outline.corners, i));
+            if (off < best.off) best = {isA, i, off, blur};
+        }
     }
-    const Outline& reference = isEdge(codeA) ? k.a : k.b;
-    const std::size_t edge = isEdge(codeA) ? a : b;
-    const Point outward = outwardOf(reference, edge) * (isEdge(codeA) ? 1 : -1);
-    // Short edges of corners that were rounded to float have a direction no better than that.
-    const double blur = 1e-6 + 2e-7 * k.size / length(edgeOf(reference.corners, edge));
-    if (length(outward - normal) > blur) return "the normal is not that of the edge it names";
-    const std::optional<Stretch> stretch = stretchOf(k, reference, edge, isEdge(codeA) ? k.b : k.a);
+    return best;
+}
+
+inline const char* faultOfStretch(const Known& k, const plumb::Manifold& m) {
+    const Reference reference = referenceOf(k, pointOf(m.normal));
+    if (reference.off > reference.blur) return "the normal is not that of an edge";
+    const std::optional<Stretch> stretch = reference.isA ? stretchOf(k, k.a, reference.edge, k.b)  //
+                                                         : stretchOf(k, k.b, reference.edge, k.a);
     if (!stretch) return nullptr;
-    if (static_cast<int>(stretch->positions.size()) != m.count) return "count differs from the ends of the shared stretch";
+    if (static_cast<int>(stretch->positions.size()) != m.count)
+        return "count differs from the ends of the shared stretch";
     for (std::size_t i = 0; i < stretch->positions.size(); ++i) {
         double nearest = 1e300;
         for (const Point p : stretch->positions) nearest = std::min(nearest, length(p - pointOf(m.points[i].position)));
         if (nearest > k.tolerance * (1 + stretch->steepness)) return "a point is not at an end of the shared stretch";
+    }
+    return nullptr;
+}
+
+/// The corner or edge of the core that a feature's code names.
+inline std::size_t indexOf(int code) {
+    return static_cast<std::size_t>(code & (isEdge(code) ? 0x3f : 0x7f));
+}
+
+inline bool isStart(int code) {
+    return (code & 0xc0) == 0xc0;
+}
+
+inline double distanceToFeature(const std::vector<Point>& corners, int code, Point p) {
+    const std::size_t index = indexOf(code);
+    if (index >= corners.size()) return std::numeric_limits<double>::infinity();
+    if (!isEdge(code)) return length(p - corners[index]);
+    return length(p - nearestOnSegment(p, corners[index], edgeOf(corners, index)));
+}
+
+/// A point lies on the edges, or at the corners, that it is named after; and of two points the one named after the
+/// start of an edge is nearer to that.
+inline const char* faultOfFeatures(const Known& k, const plumb::Manifold& m) {
+    const double reach = k.tolerance + (k.favoured ? k.favour : 0) + cornerNoise * k.size;
+    const Point normal = pointOf(m.normal);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(m.count); ++i) {
+        const plumb::ManifoldPoint& point = m.points[i];
+        const int codeA = point.feature >> 8, codeB = point.feature & 0xff;
+        if (isEdge(codeA) != isEdge(codeB)) return "a corner and an edge";
+        if (isEdge(codeA) && isStart(codeA) == isStart(codeB)) return "not at the start of just one edge";
+        const Point onA = pointOf(point.position) - normal * (point.separation / 2.0 + k.a.radius);
+        const Point onB = pointOf(point.position) + normal * (point.separation / 2.0 + k.b.radius);
+        if (distanceToFeature(k.a.corners, codeA, onA) > reach) return "not at A's feature";
+        if (distanceToFeature(k.b.corners, codeB, onB) > reach) return "not at B's feature";
+        if (m.count == 1 || !isStart(codeA)) continue;
+        const plumb::ManifoldPoint& other = m.points[1 - i];
+        if (indexOf(other.feature >> 8) != indexOf(codeA) || isStart(other.feature >> 8))
+            return "two points at one start";
+        const Point towardsOther = pointOf(other.position) - pointOf(point.position);
+        if (dot(towardsOther, edgeOf(k.a.corners, indexOf(codeA))) < 0) return "not at the start that it names";
     }
     return nullptr;
 }
@@ -219,11 +268,14 @@ inline const char* faultOf(const Known& k, const plumb::Manifold& m) {
     if (std::fabs(length(normal) - 1) > 1e-6) return "the normal is not a unit vector";
     const double blur = isBetweenCorners(m) ? k.cornerBlur : 0;
     const double tilt = blur * std::max(longestEdge(k.a), longestEdge(k.b));
-    if (gapAlong(k.a, k.b, normal) < k.gap.separation - tolerance - tilt) return "the normal is not the way that parts them";
+    if (gapAlong(k.a, k.b, normal) < k.gap.separation - tolerance - tilt)
+        return "the normal is not the way that parts them";
     const double least = leastSeparation(m);
     if (std::fabs(least - k.gap.separation) > tolerance) return "the least separation is not the gap";
     const double left = gapBetween(k.a, shifted(k.b, normal * -least)).separation;
     if (std::fabs(left) > tolerance + blur * std::fabs(least)) return "moved by the separation they do not just touch";
     if (const char* fault = faultOfPoints(k, m, tolerance)) return fault;
-    return faultOfFeatures(k, m);
+    if (k.a.corners.size() == 1 || k.b.corners.size() == 1) return nullptr;
+    if (const char* fault = faultOfFeatures(k, m)) return fault;
+    return isBetweenCorners(m) ? (m.count == 1 ? nullptr : "two corners meet in two points") : faultOfStretch(k, m);
 }

@@ -46,8 +46,10 @@ std::string describe(const Placement& p, int index) {
     std::ostringstream text;
     text.precision(9);
     const Known k = knownOf(p);
-    text << "gap " << k.gap.separation << " along (" << k.gap.normal.x << ", " << k.gap.normal.y << "), favour " << k.favour << (k.favoured ? " used" : "") << ", tolerance " << k.tolerance << "; placement " << index << ", regime " << static_cast<int>(p.regime) << ", size " << p.size << ", margin "
-         << p.margin << ", pose " << p.bInA.position.transpose() << " cos " << p.bInA.cos << " sin " << p.bInA.sin;
+    text << "gap " << k.gap.separation << " along (" << k.gap.normal.x << ", " << k.gap.normal.y << "), favour "
+         << k.favour << (k.favoured ? " used" : "") << ", tolerance " << k.tolerance << "; placement " << index
+         << ", regime " << static_cast<int>(p.regime) << ", size " << p.size << ", margin " << p.margin << ", pose "
+         << p.bInA.position.transpose() << " cos " << p.bInA.cos << " sin " << p.bInA.sin;
     for (const Convex* c : {&p.a, &p.b}) {
         text << "\n  radius " << c->radius << " corners";
         for (std::size_t i = 0; i < static_cast<std::size_t>(c->count); ++i)
@@ -103,4 +105,51 @@ TEST_CASE("manifolds of 10,000 placements of each pair of shapes agree with the 
             CHECK(tally.contacts > 4000);
         }
     }
+}
+
+TEST_CASE("a fault planted in a manifold is found, whatever it is", "[collide]") {
+    plumb::Random random(3);
+    int looked = 0, twoPoints = 0;
+    int flipped = 0, turned = 0, deeper = 0, lifted = 0, missing = 0, beyond = 0, aside = 0, dropped = 0;
+    while (looked < 2000) {
+        const Kind a = randomKind(random), b = randomKind(random);
+        const Placement p = randomPlacement(random, a, b);
+        const Known known = knownOf(p);
+        const Manifold m = manifoldOf(p);
+        // Deep inside, other directions may be as good; at the margin, and between corners that touch, rounding
+        // decides.
+        const bool deep = p.regime == Regime::Deep || p.regime == Regime::Degenerate || p.regime == Regime::Corners;
+        if (deep || m.count == 0 || known.gap.separation > known.margin - 0.01 * p.size) continue;
+        ++looked;
+        const auto finds = [&](auto&& plant) {
+            Manifold wrong = m;
+            plant(wrong);
+            return faultOf(known, wrong) != nullptr;
+        };
+        const float size = static_cast<float>(p.size);
+        flipped += finds([](Manifold& w) { w.normal = -w.normal; });
+        turned += finds([](Manifold& w) { w.normal += 0.05f * plumb::perp(w.normal); });
+        deeper += finds([&](Manifold& w) { w.points[0].separation -= 1e-3f * size; });
+        lifted += finds([&](Manifold& w) { w.points[0].position += 1e-3f * size * w.normal; });
+        missing += finds([](Manifold& w) { w.count = 0; });
+        beyond += finds([&](Manifold& w) {
+            w.count = 2;
+            w.points[1] = w.points[0];
+            w.points[1].separation = p.margin + size;
+        });
+        if (m.count < 2) continue;
+        ++twoPoints;
+        aside += finds([&](Manifold& w) { w.points[1].position += 1e-2f * size * plumb::perp(w.normal); });
+        dropped += finds([](Manifold& w) { w.count = 1; });
+    }
+    CHECK(flipped == looked);
+    CHECK(turned == looked);
+    CHECK(deeper == looked);
+    CHECK(lifted == looked);
+    CHECK(missing == looked);
+    CHECK(beyond == looked);
+    // Where rounding decides which edge faces the other, or the stretch is as short as its tolerance, nobody looks.
+    CHECK(twoPoints > 400);
+    CHECK(aside > 0.99 * twoPoints);
+    CHECK(dropped > 0.99 * twoPoints);
 }

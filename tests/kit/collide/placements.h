@@ -20,12 +20,19 @@ inline std::string nameOf(Kind kind) {
     return names[static_cast<std::size_t>(kind)];
 }
 
+/// x first, then y, with every compiler: arguments of one call may be drawn in any order.
+inline plumb::Vec2 randomVec2(plumb::Random& random, double reach) {
+    const double x = random.uniform(-reach, reach);
+    const double y = random.uniform(-reach, reach);
+    return {x, y};
+}
+
 /// Corners on a turned ellipse away from the origin: convex, 3 to 8 of them, thin ones among them.
 inline plumb::Polygon randomPolygon(plumb::Random& random, double scale) {
     const int count = random.integer(3, 8);
     const double wide = scale * random.uniform(0.3, 1), high = scale * random.uniform(0.1, 1);
     const double turn = random.uniform(0, 2 * std::numbers::pi);
-    const plumb::Vec2 center(scale * random.uniform(-1, 1), scale * random.uniform(-1, 1));
+    const plumb::Vec2 center = randomVec2(random, scale);
     plumb::Polygon polygon;
     for (int i = 0; i < count; ++i) {
         const double angle = 2 * std::numbers::pi * (i + random.uniform(0, 0.8)) / count;
@@ -37,14 +44,22 @@ inline plumb::Polygon randomPolygon(plumb::Random& random, double scale) {
 }
 
 inline plumb::Shape randomShape(plumb::Random& random, Kind kind, double scale) {
-    const auto somewhere = [&] { return plumb::Vec2(scale * random.uniform(-1, 1), scale * random.uniform(-1, 1)); };
-    if (kind == Kind::Circle) return plumb::Circle{scale * random.uniform(0.1, 1), somewhere()};
     if (kind == Kind::Polygon || kind == Kind::RoundedPolygon) return randomPolygon(random, scale);
-    if (kind == Kind::Box)
-        return plumb::boxPolygon({scale * random.uniform(0.1, 1), scale * random.uniform(0.1, 1)}, {0, 0});
-    const plumb::Vec2 start = somewhere();
+    if (kind == Kind::Circle) {
+        const double radius = scale * random.uniform(0.1, 1);
+        return plumb::Circle{radius, randomVec2(random, scale)};
+    }
+    if (kind == Kind::Box) {
+        const double halfWidth = scale * random.uniform(0.1, 1), halfHeight = scale * random.uniform(0.1, 1);
+        return plumb::boxPolygon({halfWidth, halfHeight});
+    }
+    const plumb::Vec2 start = randomVec2(random, scale);
     const double angle = random.uniform(0, 2 * std::numbers::pi), length = scale * random.uniform(0.3, 2);
     return plumb::Segment{start, start + length * plumb::Vec2(std::cos(angle), std::sin(angle))};
+}
+
+inline Kind randomKind(plumb::Random& random) {
+    return kinds[static_cast<std::size_t>(random.integer(0, static_cast<int>(kinds.size()) - 1))];
 }
 
 inline plumb::Convex randomConvex(plumb::Random& random, Kind kind, double scale) {
@@ -83,6 +98,13 @@ inline minkowski::Point cornerOf(plumb::Random& random, const minkowski::Outline
     return outline.corners[static_cast<std::size_t>(random.integer(0, static_cast<int>(outline.corners.size()) - 1))];
 }
 
+/// Puts a corner of b on a corner of a.
+inline minkowski::Point cornerOnCorner(plumb::Random& random, const minkowski::Outline& a,
+                                       const minkowski::Outline& b) {
+    const minkowski::Point onA = cornerOf(random, a);
+    return onA - cornerOf(random, b);
+}
+
 inline minkowski::Point middleOf(const minkowski::Outline& outline) {
     minkowski::Point sum;
     for (const minkowski::Point p : outline.corners) sum = sum + p;
@@ -116,8 +138,10 @@ inline double flushAngle(plumb::Random& random, const minkowski::Outline& a, con
         const minkowski::Point edge = edgeOf(outline.corners, static_cast<std::size_t>(random.integer(0, last)));
         return std::atan2(edge.y, edge.x);
     };
-    const double tilt = random.integer(0, 2) == 0 ? 0 : powerOfTen(random, -8, -1) * random.integer(-1, 1);
-    return angleOf(a) + std::numbers::pi - angleOf(b) + tilt;
+    const double facing = angleOf(a) + std::numbers::pi;
+    const int way = random.integer(-1, 1);
+    const double tilt = random.integer(0, 2) == 0 ? 0 : way * powerOfTen(random, -8, -1);
+    return facing - angleOf(b) + tilt;
 }
 
 inline minkowski::Point place(plumb::Random& random, Regime regime, const minkowski::Outline& a,
@@ -128,12 +152,13 @@ inline minkowski::Point place(plumb::Random& random, Regime regime, const minkow
         case Regime::Near: return placeAtGap(random, a, b, scale * random.uniform(0, 0.05), scale);
         case Regime::Shallow: return placeAtGap(random, a, b, scale * random.uniform(-0.02, 0), scale);
         case Regime::Far: return placeAtGap(random, a, b, scale * random.uniform(0.1, 5), scale);
-        case Regime::Corners:
-            return cornerOf(random, a) - cornerOf(random, b) + aside(random, scale * powerOfTen(random, -8, 0));
+        case Regime::Corners: break;
         case Regime::Flush: return placeAtGap(random, a, b, scale * random.uniform(-0.01, 0.01), scale);
         case Regime::Degenerate: break;
     }
-    const std::array places{minkowski::Point{0, 0}, middleOf(a) - middleOf(b), cornerOf(random, a) - cornerOf(random, b),
+    const minkowski::Point corners = cornerOnCorner(random, a, b);
+    if (regime == Regime::Corners) return corners + aside(random, scale * powerOfTen(random, -8, 0));
+    const std::array places{minkowski::Point{0, 0}, middleOf(a) - middleOf(b), corners,
                             minkowski::Point{std::ldexp(1, random.integer(-3, 1)), 0}};
     return places[static_cast<std::size_t>(random.integer(0, 3))];
 }

@@ -2,7 +2,6 @@
 #include <plumb/collide/detail/circle_manifold.h>
 
 #include <cmath>
-#include <limits>
 
 #include <plumb/collide/detail/rounding.h>
 
@@ -26,15 +25,19 @@ Manifold onePoint(const Vec2f& normal, float separation, const Disc& b, float ma
 
 struct Face {
     std::size_t edge = 0;
-    float separation = std::numeric_limits<float>::lowest();
+    float separation = 0;
 };
 
+float separationFrom(const Convex& a, std::size_t edge, const Vec2f& point) {
+    const Vec2f fromStart = point - a.vertices[edge];
+    return a.normals[edge].dot(fromStart);
+}
+
+/// Of a's edges, the one that the point is farthest outside of. Not a number if the point is not.
 Face farthestFace(const Convex& a, const Vec2f& point) {
-    Face best;
-    const std::size_t count = static_cast<std::size_t>(a.count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const Vec2f fromStart = point - a.vertices[i];
-        const float separation = a.normals[i].dot(fromStart);
+    Face best{0, separationFrom(a, 0, point)};
+    for (std::size_t i = 1; i < static_cast<std::size_t>(a.count); ++i) {
+        const float separation = separationFrom(a, i, point);
         if (separation > best.separation) best = {i, separation};
     }
     return best;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include <plumb/collide/detail/feature.h>
@@ -13,8 +12,9 @@ namespace plumb {
 
 namespace {
 
-/// How much better B's edge must be than the edge of A that it faces, as a part of the shorter of the two: far above the
-/// trembling of a stack at rest (1e-6), far below what the eye sees. Shared stretches shorter than this are one point.
+/// How much better B's edge must be than the edge of A that it faces, as a part of the shorter of the two: far above
+/// the trembling of a stack at rest (1e-6), far below what the eye sees. Shared stretches shorter than this are one
+/// point.
 constexpr float favour = 1e-4f;
 /// The cosine of the angle within which two edges face each other, 0.8 degrees: far above what trembles, and too little
 /// for the worse edge's normal to do harm. Wider, and rounded shapes got a direction that did not part them.
@@ -32,19 +32,24 @@ Vec2f edgeVector(const Convex& shape, std::size_t edge) {
     return shape.vertices[after(shape, edge)] - shape.vertices[edge];
 }
 
+/// How far outside of one of a's edges the whole of b is.
+float separationFrom(const Convex& a, std::size_t edge, const Convex& b) {
+    const Vec2f& normal = a.normals[edge];
+    float lowest = normal.dot(b.vertices[0]);
+    for (std::size_t i = 1; i < countOf(b); ++i) lowest = std::min(lowest, normal.dot(b.vertices[i]));
+    return lowest - normal.dot(a.vertices[edge]);
+}
+
 struct Axis {
     std::size_t edge = 0;
-    float separation = std::numeric_limits<float>::lowest();
+    float separation = 0;
 };
 
-/// Of a's edges, the one that b is farthest outside of.
+/// Of a's edges, the one that b is farthest outside of. Not a number if b's place is not.
 Axis bestAxis(const Convex& a, const Convex& b) {
-    Axis best;
-    for (std::size_t i = 0; i < countOf(a); ++i) {
-        const Vec2f& normal = a.normals[i];
-        float lowest = normal.dot(b.vertices[0]);
-        for (std::size_t j = 1; j < countOf(b); ++j) lowest = std::min(lowest, normal.dot(b.vertices[j]));
-        const float separation = lowest - normal.dot(a.vertices[i]);
+    Axis best{0, separationFrom(a, 0, b)};
+    for (std::size_t i = 1; i < countOf(a); ++i) {
+        const float separation = separationFrom(a, i, b);
         if (separation > best.separation) best = {i, separation};
     }
     return best;
@@ -65,44 +70,53 @@ std::size_t edgeFacing(const Vec2f& normal, const Convex& incident) {
 
 /// A point of the incident edge as the reference edge sees it.
 struct EdgePoint {
-    float along = 0;         ///< from the reference edge's start towards its end [m]
-    float above = 0;         ///< out of the reference edge [m]
-    std::size_t corner = 0;  ///< the incident corner that it is, or was clipped from
+    float along = 0;  ///< from the reference edge's start towards its end [m]
+    float above = 0;  ///< out of the reference edge [m]
+    Feature corner;   ///< of the incident edge that it is, or was cut from
+    Feature reference, incident;  ///< what of the two shapes met here
 };
 
 /// The reference edge and the incident edge that faces it.
 struct Faces {
-    std::size_t start = 0, end = 0;  ///< corners of the reference edge; start is the edge's index as well
-    Vec2f origin, normal, tangent;   ///< of the reference edge
-    float length = 0;                ///< of the reference edge [m]
-    EdgePoint low, high;             ///< ends of the incident edge; the two run against each other
-    float radius = 0;                ///< around the reference core [m]
-    float incidentRadius = 0;        ///< [m]
-    float rounding = 0;              ///< lengths below this are noise [m]
-    float slack = 0;                 ///< lengths below this make no difference [m]
+    std::size_t edge = 0, incidentEdge = 0;
+    Feature start, end;             ///< corners of the reference edge
+    Vec2f origin, normal, tangent;  ///< of the reference edge
+    float length = 0;               ///< of the reference edge [m]
+    EdgePoint low, high;            ///< ends of the incident edge; the two run against each other
+    float radius = 0;               ///< around the reference core [m]
+    float incidentRadius = 0;       ///< [m]
+    float rounding = 0;             ///< lengths below this are noise [m]
+    float slack = 0;                ///< lengths below this make no difference [m]
 };
 
 Faces facesAt(const Convex& reference, std::size_t edge, const Convex& incident, float far) {
     Faces f;
-    f.start = edge;
-    f.end = after(reference, edge);
+    f.edge = edge;
+    f.start = Feature::corner(edge);
+    f.end = Feature::corner(after(reference, edge));
     f.origin = reference.vertices[edge];
     f.normal = reference.normals[edge];
     f.tangent = perp(f.normal);
     const Vec2f whole = edgeVector(reference, edge);
     f.length = f.tangent.dot(whole);
 
-    const std::size_t opposite = edgeFacing(f.normal, incident);
+    f.incidentEdge = edgeFacing(f.normal, incident);
     const auto seen = [&](std::size_t corner) -> EdgePoint {
         const Vec2f fromOrigin = incident.vertices[corner] - f.origin;
-        return {f.tangent.dot(fromOrigin), f.normal.dot(fromOrigin), corner};
+        return {f.tangent.dot(fromOrigin), f.normal.dot(fromOrigin), Feature::corner(corner), {}, {}};
     };
-    f.high = seen(opposite);
-    f.low = seen(after(incident, opposite));
+    f.high = seen(f.incidentEdge);
+    f.low = seen(after(incident, f.incidentEdge));
+    // Two edges meet at the start of the one or of the other, whichever of them is called the reference, and wherever
+    // they are cut: so boxes stacked flush keep their impulses, though they tremble from side to side.
+    f.low.reference = Feature::start(f.edge);
+    f.low.incident = Feature::edge(f.incidentEdge);
+    f.high.reference = Feature::edge(f.edge);
+    f.high.incident = Feature::start(f.incidentEdge);
 
     f.radius = reference.radius;
     f.incidentRadius = incident.radius;
-    const Vec2f incidentWhole = edgeVector(incident, opposite);
+    const Vec2f incidentWhole = edgeVector(incident, f.incidentEdge);
     f.rounding = roundingOf(far + manhattan(f.origin) + manhattan(whole) + manhattan(incidentWhole));
     f.slack = f.rounding + favour * std::min(manhattan(whole), manhattan(incidentWhole));
     return f;
@@ -110,7 +124,7 @@ Faces facesAt(const Convex& reference, std::size_t edge, const Convex& incident,
 
 /// A corner of the incident edge and the corner of the reference edge nearest to it.
 struct CornerPair {
-    EdgePoint near, far;             ///< ends of the incident edge
+    EdgePoint near, far;               ///< ends of the incident edge
     float gapAlong = 0, gapAbove = 0;  ///< from the reference corner to the near end [m]
     float squared() const { return gapAlong * gapAlong + gapAbove * gapAbove; }
 };
@@ -140,15 +154,19 @@ Manifold cornerManifold(const CornerPair& pair, const Faces& f, float margin) {
     result.normal = f.tangent * (pair.gapAlong / distance) + f.normal * (pair.gapAbove / distance);
     result.count = 1;
     result.points[0] = {corner + result.normal * (f.radius + separation / 2), separation,
-                        featureOf(Feature::corner(atStart ? f.start : f.end), Feature::corner(pair.near.corner))};
+                        featureOf(atStart ? f.start : f.end, pair.near.corner)};
     return result;
 }
 
-/// The point of the incident edge at a place along the reference edge, or its end if it does not reach there. Keeps the
-/// corner's name: a box that slides over the end of its floor, or sits flush on its like, keeps its impulses.
-EdgePoint clipped(const EdgePoint& end, const EdgePoint& other, float along) {
-    const float part = std::clamp((along - end.along) / (other.along - end.along), 0.0f, 1.0f);
-    return {end.along + part * (other.along - end.along), end.above + part * (other.above - end.above), end.corner};
+/// Cuts the incident edge's end off where a corner of the reference edge is, if it reaches out there by excess.
+EdgePoint clipped(const EdgePoint& end, const EdgePoint& other, const Faces& f, float excess) {
+    if (excess <= f.rounding) return end;
+    const float width = other.along - end.along;
+    const float part = std::min(excess / std::abs(width), 1.0f);
+    EdgePoint cut = end;
+    cut.along += part * width;
+    cut.above += part * (other.above - end.above);
+    return cut;
 }
 
 /// The ends of the stretch that both edges share.
@@ -161,13 +179,11 @@ Manifold faceManifold(const Faces& f, float margin) {
         const float above = point.above - f.incidentRadius - separation / 2;
         result.points[static_cast<std::size_t>(result.count++)] = {
             f.origin + f.tangent * point.along + f.normal * above, separation,
-            featureOf(Feature::edge(f.start), Feature::corner(point.corner))};
+            featureOf(point.reference, point.incident)};
     };
     const bool upright = f.high.along - f.low.along <= f.slack;
-    const bool clipLow = f.low.along < -f.rounding && !upright;
-    const bool clipHigh = f.high.along > f.length + f.rounding && !upright;
-    const EdgePoint low = clipLow ? clipped(f.low, f.high, 0) : f.low;
-    const EdgePoint high = clipHigh ? clipped(f.high, f.low, f.length) : f.high;
+    const EdgePoint low = upright ? f.low : clipped(f.low, f.high, f, -f.low.along);
+    const EdgePoint high = upright ? f.high : clipped(f.high, f.low, f, f.high.along - f.length);
     if (high.along - low.along <= f.slack) {
         add(low.above < high.above ? low : high);
     } else {
@@ -195,15 +211,16 @@ Manifold exchanged(Manifold m) {
 Manifold polygonManifold(const Convex& a, const Convex& b, float far, float margin) {
     const float reach = margin + a.radius + b.radius;
     const Axis onA = bestAxis(a, b);
-    if (onA.separation > reach) return {};
+    if (!(onA.separation <= reach)) return {};
     const Axis onB = bestAxis(b, a);
-    if (onB.separation > reach) return {};
+    if (!(onB.separation <= reach)) return {};
 
     const float best = std::max(onA.separation, onB.separation);
     if (onB.separation > onA.separation) {
         const Faces onEdgeB = facesAt(b, onB.edge, a, far);
         const bool faces = a.normals[onA.edge].dot(onEdgeB.normal) < -facing;
-        if (!faces || onB.separation > onA.separation + onEdgeB.slack) return exchanged(manifoldAt(onEdgeB, best, margin));
+        if (!faces || onB.separation > onA.separation + onEdgeB.slack)
+            return exchanged(manifoldAt(onEdgeB, best, margin));
     }
     return manifoldAt(facesAt(a, onA.edge, b, far), best, margin);
 }

@@ -14,7 +14,8 @@ DistanceJoint::DistanceJoint(const DistanceJointDef& def, const BodyStore& bodie
     length_ = static_cast<float>(def.length.value_or((def.anchorB - def.anchorA).norm()));
 }
 
-void DistanceJoint::prepare(const BodyStore& bodies) {
+void DistanceJoint::prepare(const BodyStore& bodies, bool alone) {
+    alone_ = alone;
     plumb::prepare(a_, bodies);
     plumb::prepare(b_, bodies);
     const BodyMotion& a = bodies.motion[a_.body];
@@ -46,15 +47,16 @@ void DistanceJoint::solve(BodyStore& bodies, const JointPass& pass) {
     float massScale = 1;
     float impulseScale = 0;
     if (pass.correct) {
+        const Softness& soft = alone_ ? pass.rigid : pass.soft;
         const Vec2f bend = bendOf(b_, rb, pass.step, bodies) - bendOf(a_, ra, pass.step, bodies);
         const float gap = d.norm() - length_;
         const Vec2f step = (speed - bend) * pass.step;
         // |d + step| - |d|, without the cancellation of two nearly equal lengths
         const float sum = (d + step).norm() + d.norm();
         const float growth = sum > 0 ? step.dot(d + (d + step)) / sum : 0.0f;
-        wanted = growth / pass.step + gap * pass.soft.biasRate;
-        massScale = pass.soft.massScale;
-        impulseScale = pass.soft.impulseScale;
+        wanted = growth / pass.step + gap * soft.biasRate;
+        massScale = soft.massScale;
+        impulseScale = soft.impulseScale;
     }
     const float ma = bodies.velocity[a_.solver].inverseMass;
     const float mb = bodies.velocity[b_.solver].inverseMass;

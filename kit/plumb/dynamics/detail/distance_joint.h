@@ -13,7 +13,7 @@ class DistanceJoint {
 public:
     DistanceJoint(const DistanceJointDef& def, const BodyStore& bodies);
 
-    void prepare(const BodyStore& bodies);
+    void prepare(const BodyStore& bodies, bool alone);
     void warmStart(BodyStore& bodies);
     void solve(BodyStore& bodies, const JointPass& pass);
     Vec2f reaction() const { return total_; }  ///< impulse on B over the last step [N s]
@@ -22,6 +22,7 @@ private:
     Vec2f between(const Vec2f& ra, const Vec2f& rb, const BodyStore& bodies) const;
 
     Anchor a_, b_;
+    bool alone_ = false;
     float length_ = 1;
     Vec2f start_{0, 0};  ///< from anchor A to anchor B at the step's start [m]
     float impulse_ = 0;

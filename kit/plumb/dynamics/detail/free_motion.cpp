@@ -6,7 +6,7 @@ namespace plumb {
 Decay decay(double damping, double time) {
     const double x = damping * time;
     if (x == 0) return {1, time, 0.5 * time * time};
-    const double lost = -expm1(-x);
+    const double lost = -exponentialMinus1(-x);
     // (x - lost) / k^2 cancels for small x: below 0.05 by its series, to 1e-17 after eight terms
     double rest = x - lost;
     if (x < 0.05) rest = x * x * (0.5 - x * (1.0 / 6 - x * (1.0 / 24 - x * (1.0 / 120 - x * (1.0 / 720 - x / 5040)))));

@@ -28,7 +28,8 @@ RevoluteJoint::RevoluteJoint(const RevoluteJointDef& def, const BodyStore& bodie
     b_.local = local(b_.body, def.anchor);
 }
 
-void RevoluteJoint::prepare(const BodyStore& bodies) {
+void RevoluteJoint::prepare(const BodyStore& bodies, bool alone) {
+    alone_ = alone;
     plumb::prepare(a_, bodies);
     plumb::prepare(b_, bodies);
     const BodyMotion& a = bodies.motion[a_.body];
@@ -50,11 +51,12 @@ void RevoluteJoint::solve(BodyStore& bodies, const JointPass& pass) {
     float massScale = 1;
     float impulseScale = 0;
     if (pass.correct) {
+        const Softness& soft = alone_ ? pass.rigid : pass.soft;
         const Vec2f gap = startGap_ + (travelOf(b_, rb, bodies) - travelOf(a_, ra, bodies));
         const Vec2f bend = bendOf(b_, rb, pass.step, bodies) - bendOf(a_, ra, pass.step, bodies);
-        wanted += gap * pass.soft.biasRate - bend;
-        massScale = pass.soft.massScale;
-        impulseScale = pass.soft.impulseScale;
+        wanted += gap * soft.biasRate - bend;
+        massScale = soft.massScale;
+        impulseScale = soft.impulseScale;
     }
     const float ma = bodies.velocity[a_.solver].inverseMass;
     const float mb = bodies.velocity[b_.solver].inverseMass;

@@ -17,22 +17,24 @@ namespace plumb {
 
 /// What every joint's solve is told.
 struct JointPass {
-    float step = 0;  ///< h [s]
+    float step = 0;       ///< h [s]
     bool correct = true;  ///< solve: with the position error; relax: without
-    Softness soft;
+    Softness rigid;       ///< for a joint that is alone on its bodies, and so is solved at once
+    Softness soft;        ///< for joints that share a body
 };
 
 class RevoluteJoint {
 public:
     RevoluteJoint(const RevoluteJointDef& def, const BodyStore& bodies);
 
-    void prepare(const BodyStore& bodies);
+    void prepare(const BodyStore& bodies, bool alone);
     void warmStart(BodyStore& bodies);
     void solve(BodyStore& bodies, const JointPass& pass);
     Vec2f reaction() const { return total_; }  ///< impulse on B over the last step [N s]
 
 private:
     Anchor a_, b_;
+    bool alone_ = false;
     Vec2f startGap_{0, 0};
     Vec2f impulse_{0, 0};
     Vec2f total_{0, 0};

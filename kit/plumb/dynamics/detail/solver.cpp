@@ -12,8 +12,9 @@ namespace plumb {
 
 namespace {
 
-/// Joints are held this stiffly, as a share of the sub-step rate, so that their give falls with the step. Stiffer is
-/// truer for one pendulum, but a grid of joints, which one sweep does not solve, then blows up (tried: rigid).
+/// Joints that share a body are held this stiffly, as a share of the sub-step rate, so that their give falls with the
+/// step. A joint alone on its bodies closes its whole gap in one sub-step, which is truer; a grid of joints, which one
+/// sweep does not solve, blows up on that (tried).
 constexpr double jointFrequencyShare = 0.25;
 constexpr double jointDampingRatio = 2;
 
@@ -29,8 +30,9 @@ Pass passOf(const SolverSettings& settings, double h) {
     const double frequency = std::min(settings.contactFrequency, 0.25 / h);
     pass.contacts = {static_cast<float>(1 / h), softness(frequency, settings.contactDampingRatio, h),
                      static_cast<float>(settings.contactPushSpeed)};
-    pass.solveJoints = {pass.step, true, softness(jointFrequencyShare / h, jointDampingRatio, h)};
-    pass.relaxJoints = {pass.step, false, {}};
+    const Softness rigid{static_cast<float>(1 / h), 1, 0};
+    pass.solveJoints = {pass.step, true, rigid, softness(jointFrequencyShare / h, jointDampingRatio, h)};
+    pass.relaxJoints = {pass.step, false, {}, {}};
     return pass;
 }
 
@@ -114,16 +116,23 @@ void forEachJoint(WorldState& world, Visit&& visit) {
         if (std::holds_alternative<std::monostate>(record.joint)) continue;
         if (!world.bodies.record[record.bodyA].awake && !world.bodies.record[record.bodyB].awake) continue;
         std::visit(
-            [&visit]<class Joint>(Joint& joint) {
-                if constexpr (!std::is_same_v<Joint, std::monostate>) visit(joint);
+            [&]<class Joint>(Joint& joint) {
+                if constexpr (!std::is_same_v<Joint, std::monostate>) visit(joint, record);
             },
             record.joint);
     }
 }
 
+bool isAlone(const BodyStore& bodies, const JointRecord& joint) {
+    const auto single = [&bodies](BodyIndex body) {
+        return !bodies.isDynamic(body) || bodies.record[body].joints.size() == 1;
+    };
+    return single(joint.bodyA) && single(joint.bodyB);
+}
+
 void solveJoints(WorldState& world, const JointPass& pass) {
-    forEachJoint(world, [&](auto& joint) { joint.warmStart(world.bodies); });
-    forEachJoint(world, [&](auto& joint) { joint.solve(world.bodies, pass); });
+    forEachJoint(world, [&](auto& joint, const JointRecord&) { joint.warmStart(world.bodies); });
+    forEachJoint(world, [&](auto& joint, const JointRecord&) { joint.solve(world.bodies, pass); });
 }
 
 void subStep(WorldState& world, const std::vector<BodyIndex>& solved, const Pass& pass, bool first) {
@@ -191,7 +200,9 @@ void solveConstraints(WorldState& world, double dt) {
     if (solved.empty()) return;
     const Pass pass = passOf(world.def.solver, h);
     prepareContacts(world, dt);
-    forEachJoint(world, [&world](auto& joint) { joint.prepare(world.bodies); });
+    forEachJoint(world, [&world](auto& joint, const JointRecord& record) {
+        joint.prepare(world.bodies, isAlone(world.bodies, record));
+    });
     for (Colour& colour : world.graph.colours) gatherWarmStart(colour.batches, world.bodies);
     for (int i = 0; i < subSteps; ++i) subStep(world, solved, pass, i == 0);
     for (Colour& colour : world.graph.colours) bounceContacts(colour.batches, world.bodies);

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Does a number fit an engine that computes in single precision?
+#pragma once
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include <compare/engine/engine.h>
+
+namespace plumb::compare {
+
+/// Rounded to single precision. Throws Unsupported when that would be infinite.
+inline float toSingle(double value) {
+    const auto single = static_cast<float>(value);
+    if (!std::isfinite(single)) throw Unsupported(fmt::format("{} is beyond single precision", value));
+    return single;
+}
+
+}  // namespace plumb::compare

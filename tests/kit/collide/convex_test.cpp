@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/collide/convex.h>
+
+#include <cmath>
+
+#include "catch.h"
+
+using plumb::Convex;
+using plumb::Vec2f;
+
+TEST_CASE("a circle of 0.5 m at (3, 4) is one point with that radius, seen from (1, 1)", "[collide]") {
+    const Convex circle = convexOf(plumb::Circle{0.5, {3, 4}}, {1, 1});
+    CHECK(circle.count == 1);
+    CHECK(circle.radius == 0.5f);
+    CHECK(circle.vertices[0] == Vec2f(2, 3));
+}
+
+TEST_CASE("a segment is two points with opposite normals, the first on its right", "[collide]") {
+    const Convex segment = convexOf(plumb::Segment{{0, 0}, {3, 4}}, {0, 0});
+    CHECK(segment.count == 2);
+    CHECK(segment.radius == 0);
+    CHECK(segment.vertices[1] == Vec2f(3, 4));
+    CHECK((segment.normals[0] - Vec2f(0.8f, -0.6f)).norm() < 1e-7f);
+    CHECK(segment.normals[1] == -segment.normals[0]);
+}
+
+TEST_CASE("a box has four corners and a normal out of each edge", "[collide]") {
+    const Convex box = convexOf(plumb::boxPolygon({2, 1}), {0, 0});
+    REQUIRE(box.count == 4);
+    CHECK(box.radius == 0);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Vec2f middle = (box.vertices[i] + box.vertices[(i + 1) % 4]) / 2;
+        const Vec2f outward = middle.normalized();
+        CHECK(box.normals[i] == outward);
+    }
+}
+
+TEST_CASE("seen from a centre 1,000,000 m out, a polygon beside it keeps its corners to the last bit", "[collide]") {
+    const plumb::Vec2 far(1e6, -1e6);
+    plumb::Polygon triangle{{{0, 0}, {0.375, 0.125}, {0.25, 0.5}}};
+    const Convex near = convexOf(triangle, {0, 0});
+    for (plumb::Vec2& corner : triangle.vertices) corner += far;
+    const Convex moved = convexOf(triangle, far);
+    for (std::size_t i = 0; i < 3; ++i) {
+        CHECK(moved.vertices[i] == near.vertices[i]);
+        CHECK(moved.normals[i] == near.normals[i]);
+    }
+}
+
+TEST_CASE("a 0.1 mm edge 100 m from the centre has its normal right to 1e-7", "[collide]") {
+    // Its corners are rounded to 4e-6 m there, a tenth of a radian of its length: so the normal must not come from
+    // them.
+    plumb::Polygon sliver{{{100, 0}, {100 + 0.6e-4, 0.8e-4}, {99, 1}}};
+    const Convex convex = convexOf(sliver, {0, 0});
+    // 100 + 0.6e-4 itself is off by 1.4e-14 in double: 1.4e-10 of the edge.
+    CHECK((convex.normals[0] - Vec2f(0.8f, -0.6f)).norm() < 1e-7f);
+}
+
+TEST_CASE("what is beyond a shape's corners is zero", "[collide]") {
+    const Convex segment = convexOf(plumb::Segment{{0, 0}, {1, 0}}, {0, 0});
+    for (std::size_t i = 2; i < segment.vertices.size(); ++i) {
+        CHECK(segment.vertices[i] == Vec2f(0, 0));
+        CHECK(segment.normals[i] == Vec2f(0, 0));
+    }
+}
