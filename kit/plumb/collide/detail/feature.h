@@ -6,12 +6,11 @@
 
 namespace plumb {
 
-/// A corner, an edge or an edge at its start, of one shape; room for 64 of each.
+/// A corner or an edge of one shape; room for 128 of each.
 struct Feature {
     std::uint8_t code = 0;
 
     static Feature corner(std::size_t index) { return {static_cast<std::uint8_t>(index)}; }
-    static Feature start(std::size_t edge) { return {static_cast<std::uint8_t>(0xC0u | edge)}; }
     static Feature edge(std::size_t index) { return {static_cast<std::uint8_t>(0x80u | index)}; }
 };
 

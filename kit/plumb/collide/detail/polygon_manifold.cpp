@@ -72,8 +72,7 @@ std::size_t edgeFacing(const Vec2f& normal, const Convex& incident) {
 struct EdgePoint {
     float along = 0;  ///< from the reference edge's start towards its end [m]
     float above = 0;  ///< out of the reference edge [m]
-    Feature corner;   ///< of the incident edge that it is, or was cut from
-    Feature reference, incident;  ///< what of the two shapes met here
+    Feature reference, incident;
 };
 
 /// The reference edge and the incident edge that faces it.
@@ -103,16 +102,10 @@ Faces facesAt(const Convex& reference, std::size_t edge, const Convex& incident,
     f.incidentEdge = edgeFacing(f.normal, incident);
     const auto seen = [&](std::size_t corner) -> EdgePoint {
         const Vec2f fromOrigin = incident.vertices[corner] - f.origin;
-        return {f.tangent.dot(fromOrigin), f.normal.dot(fromOrigin), Feature::corner(corner), {}, {}};
+        return {f.tangent.dot(fromOrigin), f.normal.dot(fromOrigin), Feature::edge(edge), Feature::corner(corner)};
     };
     f.high = seen(f.incidentEdge);
     f.low = seen(after(incident, f.incidentEdge));
-    // Two edges meet at the start of the one or of the other, whichever of them is called the reference, and wherever
-    // they are cut: so boxes stacked flush keep their impulses, though they tremble from side to side.
-    f.low.reference = Feature::start(f.edge);
-    f.low.incident = Feature::edge(f.incidentEdge);
-    f.high.reference = Feature::edge(f.edge);
-    f.high.incident = Feature::start(f.incidentEdge);
 
     f.radius = reference.radius;
     f.incidentRadius = incident.radius;
@@ -154,18 +147,21 @@ Manifold cornerManifold(const CornerPair& pair, const Faces& f, float margin) {
     result.normal = f.tangent * (pair.gapAlong / distance) + f.normal * (pair.gapAbove / distance);
     result.count = 1;
     result.points[0] = {corner + result.normal * (f.radius + separation / 2), separation,
-                        featureOf(atStart ? f.start : f.end, pair.near.corner)};
+                        featureOf(atStart ? f.start : f.end, pair.near.incident)};
     return result;
 }
 
 /// Cuts the incident edge's end off where a corner of the reference edge is, if it reaches out there by excess.
-EdgePoint clipped(const EdgePoint& end, const EdgePoint& other, const Faces& f, float excess) {
+/// The point is then named after that corner and the incident edge, as it would be with the roles exchanged. An excess
+/// that makes no difference leaves the name: a box that sits flush on its like and trembles keeps its impulses.
+EdgePoint clipped(const EdgePoint& end, const EdgePoint& other, const Faces& f, float excess, Feature corner) {
     if (excess <= f.rounding) return end;
     const float width = other.along - end.along;
     const float part = std::min(excess / std::abs(width), 1.0f);
-    EdgePoint cut = end;
-    cut.along += part * width;
-    cut.above += part * (other.above - end.above);
+    EdgePoint cut{end.along + part * width, end.above + part * (other.above - end.above), end.reference, end.incident};
+    if (excess <= f.slack) return cut;
+    cut.reference = corner;
+    cut.incident = Feature::edge(f.incidentEdge);
     return cut;
 }
 
@@ -182,8 +178,8 @@ Manifold faceManifold(const Faces& f, float margin) {
             featureOf(point.reference, point.incident)};
     };
     const bool upright = f.high.along - f.low.along <= f.slack;
-    const EdgePoint low = upright ? f.low : clipped(f.low, f.high, f, -f.low.along);
-    const EdgePoint high = upright ? f.high : clipped(f.high, f.low, f, f.high.along - f.length);
+    const EdgePoint low = upright ? f.low : clipped(f.low, f.high, f, -f.low.along, f.start);
+    const EdgePoint high = upright ? f.high : clipped(f.high, f.low, f, f.high.along - f.length, f.end);
     if (high.along - low.along <= f.slack) {
         add(low.above < high.above ? low : high);
     } else {

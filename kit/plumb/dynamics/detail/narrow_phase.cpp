@@ -88,16 +88,31 @@ RelativePose relativePose(const BodyMotion& a, const BodyMotion& b) {
     return {shift.cast<float>(), static_cast<float>(turn.cos), static_cast<float>(turn.sin)};
 }
 
-/// Impulses follow their feature into the new manifold; a new point starts without.
+/// Which point of the manifold before is this one? The one of the same feature; or else, as where a box that sits almost
+/// flush on its like is cut by now the one's corner and now the other's, the one that was here.
+int predecessor(const Manifold& was, const ManifoldPoint& now) {
+    int found = -1;
+    float nearest = static_cast<float>(contactMargin);
+    for (int q = 0; q < was.count; ++q) {
+        const ManifoldPoint& old = was.points[static_cast<std::size_t>(q)];
+        if (old.feature == now.feature) return q;
+        const Vec2f moved = now.position - old.position;
+        if (moved.norm() >= nearest) continue;
+        nearest = moved.norm();
+        found = q;
+    }
+    return found;
+}
+
+/// Impulses follow their points into the new manifold; a new point starts without.
 void carryImpulses(WorldState& world, ContactRecord& contact, const Manifold& now) {
-    const Manifold& was = contact.manifold;
     const std::array<PointMemory, 2> old = world.graph.memoryOf(contact);
     std::array<PointMemory, 2> carried{};
     for (std::size_t p = 0; p < static_cast<std::size_t>(now.count); ++p) {
-        for (std::size_t q = 0; q < static_cast<std::size_t>(was.count); ++q) {
-            if (now.points[p].feature != was.points[q].feature) continue;
-            carried[p] = {old[q].normalImpulse, old[q].tangentImpulse, 0, 0};
-        }
+        const int q = predecessor(contact.manifold, now.points[p]);
+        if (q < 0) continue;
+        const PointMemory& from = old[static_cast<std::size_t>(q)];
+        carried[p] = {from.normalImpulse, from.tangentImpulse, 0, 0};
     }
     contact.memory = carried;
     if (contact.colour >= 0) world.graph.setImpulses(contact, carried);
