@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <set>
+#include <algorithm>
 #include <string>
 
 #include "catch.h"
@@ -25,7 +25,7 @@ std::string hashFrom(const std::string& compiler, const std::string& optimisatio
 
 TEST_CASE("GCC and Clang at -O1 and -O3 come to one state hash", "[house][build]") {
     const std::string reference = hashFrom("g++", "-O1");
-    REQUIRE(reference.size() == 17);  // 16 digits and the line's end
+    REQUIRE(std::count(reference.begin(), reference.end(), '\n') == 5);
     CHECK(hashFrom("g++", "-O3") == reference);
     CHECK(hashFrom("clang++", "-O1") == reference);
     CHECK(hashFrom("clang++", "-O3") == reference);

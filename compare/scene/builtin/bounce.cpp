@@ -33,7 +33,7 @@ Scene bounce08() {
         ExactCheck{1e-3,
                    "each impact is solved at its own time; flights shorter than two steps count as rest, and the "
                    "first of them still rises 0.8^36 * 2.7 m = 0.88 mm"},
-        invariant("penetration_max", 1e-3, sinks + "half of it under a disc"),
+        invariant("penetration_max", 1e-3, sinksOnGround + "half of it under a disc"),
     };
     return scene;
 }

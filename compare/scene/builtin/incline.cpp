@@ -57,7 +57,7 @@ Scene blockSlides() {
     scene.name = "block_slides";
     scene.question = "How fast does a block with a friction of 0.3 gain speed down 30 degrees?";
     scene.checks.push_back(
-        ExactCheck{1e-3, sinks + "5/8 of it under a box; the slide itself is solved to second order"});
+        ExactCheck{1e-3, sinksOnGround + "5/8 of it under a box; the slide itself is solved to second order"});
     return scene;
 }
 
@@ -66,7 +66,7 @@ Scene blockSticks() {
     scene.name = "block_sticks";
     scene.question = "Does a block with a friction of 0.7 stay on 30 degrees?";
     scene.checks.push_back(ExactCheck{
-        1e-3, sinks + "5/8 of it under a box; friction may hold more than it has to, so nothing else moves"});
+        1e-3, sinksOnGround + "5/8 of it under a box; friction may hold more than it has to, so nothing else moves"});
     return scene;
 }
 
@@ -89,8 +89,9 @@ Scene discRolls() {
                     "disc",
                     {{.position = start, .acceleration = along, .angularAcceleration = -acceleration / radius}}}}},
         .probes = {{.name = "angle", .quantity = AngleProbe{"disc"}, .unit = "rad"}},
-        .checks = {ExactCheck{1e-3, sinks + "half of it under a disc; the roll itself is solved to second order, but "
-                                            "for the slip while friction finds its load"},
+        .checks = {ExactCheck{1e-3, sinksOnGround +
+                                        "half of it under a disc; the roll itself is solved to second order, but "
+                                        "for the slip while friction finds its load"},
                    invariant("probe.angle", 1e-3 / radius, "the limit of the way, over the radius"),
                    invariant("energy_drift", 1e-3, "rolling does no work: the limit of the way, over its metres")},
     };

@@ -28,7 +28,10 @@ inline constexpr double discDensity(double mass, double radius) {
 
 /// Why nothing that lies on something lies exactly on it. A disc on one point sinks by half of g / w^2, a box on two
 /// corners by 5/8, and a box between boxes, both of which give way, by 5/4 for each weight it carries.
-inline const std::string sinks = "a contact gives way to its load as a spring of 30 Hz, g / (2 pi 30)^2 = 0.28 mm: ";
+inline const std::string sinksOnGround =
+    "a contact with the ground gives way to its load as a spring of 60 Hz, g / (2 pi 60)^2 = 0.07 mm: ";
+inline const std::string sinks =
+    "a contact of two bodies gives way to its load as a spring of 30 Hz, g / (2 pi 30)^2 = 0.28 mm: ";
 
 /// A level floor at y = 0, 20 m wide.
 inline SceneBody floorBody() {

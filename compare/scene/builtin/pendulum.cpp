@@ -79,9 +79,10 @@ Scene pendulumStep() {
     scene.question = "By how much does the error of a swing fall when the step is halved?";
     scene.dt = 1.0 / 15;
     scene.checks = {
-        ExactCheck{3e-3,
-                   "second order: velocity Verlet with the same sub-steps, h = 1/60 s, is off by 1.2 mm, and chords that "
-                   "are (h w)^2 / 6 short of their arcs, at up to w = 2.4 rad/s, by at most 1.6 mm more"},
+        ExactCheck{
+            3e-3,
+            "second order: velocity Verlet with the same sub-steps, h = 1/60 s, is off by 1.2 mm, and chords that "
+            "are (h w)^2 / 6 short of their arcs, at up to w = 2.4 rad/s, by at most 1.6 mm more"},
         OrderCheck{.order = 1.8,
                    .reason = "what hangs moves to second order; 0.2 for the terms beyond the leading one"},
     };

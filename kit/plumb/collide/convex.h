@@ -8,13 +8,11 @@
 namespace plumb {
 
 /// Circle: one point and its radius; segment: two points, radius 0; polygon: its corners, radius 0.
-/// Two points make a polygon of two edges, back to back. A radius around two or more points makes a capsule or a
-/// rounded polygon. Float, relative to a centre near the shape (the body's centre of mass), so that precision does not
-/// depend on the place.
+/// Two points make a polygon of two edges, back to back. With a radius they make a capsule, more a rounded polygon.
+/// Float, relative to a centre near the shape (the body's centre of mass): as precise anywhere in the world.
 struct Convex {
     std::array<Vec2f, maxPolygonVertices> vertices;  ///< counter-clockwise [m]
-    std::array<Vec2f, maxPolygonVertices>
-        normals;  ///< outward, unit; normals[i] is of the edge from vertices[i] on [-]
+    std::array<Vec2f, maxPolygonVertices> normals;   ///< outward, unit, of the edge from each vertex to the next [-]
     int count = 0;
     float radius = 0;  ///< [m]
 };

@@ -16,11 +16,11 @@ struct Distance {
 /// The signed distance of two shapes, in double precision.
 /// apart:       min over corners p of one and edges e of the other of |p - e|
 /// overlapping: max over edges (v, n) of one of min over corners p of the other of n . (p - v), a negative number
-/// less the radii of circles, whose only corner is their centre. A segment is two edges back to back and an end cap of
-/// no length at either end, so that it overlaps only what it crosses. Source: separating axes (the edges of the
-/// Minkowski difference are those of both shapes). O(corners A x corners B). Holds: to about 4 roundings of the sizes
-/// and of the distance of the two; where they are in the world adds none to the separation, beyond that of their
-/// positions. Where several directions are equally short, the first edge's, A's before B's; concentric circles: (0, 1).
+/// less the radii of circles, whose only corner is their centre. A segment is two edges back to back with an end cap of
+/// no length at either end.
+/// Source: separating axes, as the edges of the Minkowski difference are those of both shapes.
+/// Holds: to about five roundings of the sizes and of the distance of the two; where in the world they are adds none.
+/// Of directions equally short it gives the first edge's, A's before B's; of concentric circles (0, 1).
 /// Test: "distances of 10,000 placements of each pair of shapes agree with the Minkowski difference"
 Distance distance(const Shape& a, const Transform& poseA, const Shape& b, const Transform& poseB);
 

@@ -18,7 +18,7 @@ struct RelativePose {
 struct ManifoldPoint {
     Vec2f position{0, 0};       ///< half way between the two surfaces, in A's frame [m]
     float separation = 0;       ///< along the normal, negative when they overlap [m]
-    std::uint16_t feature = 0;  ///< which corner met which edge or corner: the same from step to step while they do [-]
+    std::uint16_t feature = 0;  ///< which corner met which edge or corner: the same while they do, but for flickers [-]
 };
 
 struct Manifold {

@@ -44,13 +44,13 @@ public:
     /// What touches the body, with the forces of the last step.
     std::vector<Contact> contacts() const;
 
-    void setVelocity(const Vec2& velocity);               ///< [m/s]
-    void setAngularVelocity(double angularVelocity);      ///< [rad/s]
-    void setPose(const Vec2& position, double angle);     ///< a jump, no motion in between [m, rad]
-    void applyForce(const Vec2& force);                   ///< at the centre of mass, over the next step [N]
-    void applyForce(const Vec2& force, const Vec2& at);   ///< at a point of the world, over the next step [N, m]
-    void applyTorque(double torque);                      ///< over the next step [N m]
-    void applyImpulse(const Vec2& impulse);               ///< at the centre of mass, now [N s]
+    void setVelocity(const Vec2& velocity);                  ///< [m/s]
+    void setAngularVelocity(double angularVelocity);         ///< [rad/s]
+    void setPose(const Vec2& position, double angle);        ///< a jump, no motion in between [m, rad]
+    void applyForce(const Vec2& force);                      ///< at the centre of mass, over the next step [N]
+    void applyForce(const Vec2& force, const Vec2& at);      ///< at a point of the world, over the next step [N, m]
+    void applyTorque(double torque);                         ///< over the next step [N m]
+    void applyImpulse(const Vec2& impulse);                  ///< at the centre of mass, now [N s]
     void applyImpulse(const Vec2& impulse, const Vec2& at);  ///< at a point of the world, now [N s, m]
 
 private:

@@ -27,8 +27,10 @@ struct BodyDef {
     double angularDamping = 0;   ///< >= 0 [1/s]
     bool fixedRotation = false;  ///< nothing turns it
     bool canSleep = true;
-    std::optional<Mass> mass = std::nullopt;  ///< instead of what the shapes and their densities give; mass > 0, inertia > 0
-    std::vector<ShapeDef> shapes = {};        ///< a dynamic body needs a mass: from a shape with area and density, or from mass
+    std::optional<Mass> mass =
+        std::nullopt;  ///< instead of what the shapes and their densities give; mass > 0, inertia > 0
+    std::vector<ShapeDef> shapes =
+        {};  ///< a dynamic body needs a mass: from a shape with area and density, or from mass
 };
 
 /// What the body weighs: def.mass, or else its shapes together.

@@ -19,10 +19,10 @@ struct RevoluteJointDef {
 /// A massless rod: two points stay at one distance.
 struct DistanceJointDef {
     BodyId bodyA = {}, bodyB = {};
-    Vec2 anchorA{0, 0};             ///< on bodyA, in the world, where it stands now [m]
-    Vec2 anchorB{0, 0};             ///< on bodyB, in the world, where it stands now [m]
+    Vec2 anchorA{0, 0};                           ///< on bodyA, in the world, where it stands now [m]
+    Vec2 anchorB{0, 0};                           ///< on bodyB, in the world, where it stands now [m]
     std::optional<double> length = std::nullopt;  ///< > 0; without it, how far apart the anchors are now [m]
-    bool collideConnected = false;  ///< may the two bodies touch each other?
+    bool collideConnected = false;                ///< may the two bodies touch each other?
 };
 
 using JointDef = std::variant<RevoluteJointDef, DistanceJointDef>;

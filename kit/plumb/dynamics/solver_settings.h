@@ -5,8 +5,9 @@
 namespace plumb {
 
 struct SolverSettings {
-    int subSteps = 4;                 ///< 1 to 64; each step is solved in as many parts [-]
-    double contactFrequency = 30;     ///< stiffness of contacts, at most a quarter of the sub-step rate [Hz]
+    int subSteps = 4;  ///< 1 to 64; each step is solved in as many parts [-]
+    double contactFrequency =
+        30;  ///< of contacts, twice that with what is fixed; at most 1/4 of the sub-step rate [Hz]
     double contactDampingRatio = 10;  ///< far over critical: overlap is pushed out without a bounce [-]
     double contactPushSpeed = 3;      ///< the fastest that overlap is pushed out [m/s]
     double sleepSpeed = 0.05;         ///< slower than this everywhere on it, a body counts as still [m/s]

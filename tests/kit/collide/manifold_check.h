@@ -191,42 +191,28 @@ inline const char* faultOfStretch(const Known& k, const plumb::Manifold& m) {
     return nullptr;
 }
 
-/// The corner or edge of the core that a feature's code names.
-inline std::size_t indexOf(int code) {
-    return static_cast<std::size_t>(code & (isEdge(code) ? 0x3f : 0x7f));
-}
-
-inline bool isStart(int code) {
-    return (code & 0xc0) == 0xc0;
-}
-
-inline double distanceToFeature(const std::vector<Point>& corners, int code, Point p) {
-    const std::size_t index = indexOf(code);
+/// How far a point is from the edge that a feature's code names, or across the normal from the corner; infinite if
+/// there is none.
+inline double distanceToFeature(const std::vector<Point>& corners, int code, Point p, Point normal) {
+    const std::size_t index = static_cast<std::size_t>(code & 0x7f);
     if (index >= corners.size()) return std::numeric_limits<double>::infinity();
-    if (!isEdge(code)) return length(p - corners[index]);
+    if (!isEdge(code)) return std::fabs(cross(normal, p - corners[index]));
     return length(p - nearestOnSegment(p, corners[index], edgeOf(corners, index)));
 }
 
-/// A point lies on the edges, or at the corners, that it is named after; and of two points the one named after the
-/// start of an edge is nearer to that.
+/// A point lies at the corner and on the edge that it is named after; less than the slack is not cut off the name.
 inline const char* faultOfFeatures(const Known& k, const plumb::Manifold& m) {
-    const double reach = k.tolerance + (k.favoured ? k.favour : 0) + cornerNoise * k.size;
+    if (m.count == 2 && m.points[0].feature == m.points[1].feature) return "both points have the same feature";
+    const double slack = favourOfShorter * std::min(longestEdge(k.a), longestEdge(k.b)) + cornerNoise * k.size;
     const Point normal = pointOf(m.normal);
     for (std::size_t i = 0; i < static_cast<std::size_t>(m.count); ++i) {
         const plumb::ManifoldPoint& point = m.points[i];
         const int codeA = point.feature >> 8, codeB = point.feature & 0xff;
-        if (isEdge(codeA) != isEdge(codeB)) return "a corner and an edge";
-        if (isEdge(codeA) && isStart(codeA) == isStart(codeB)) return "not at the start of just one edge";
+        if (isEdge(codeA) && isEdge(codeB)) return "an edge cannot meet an edge in one point";
         const Point onA = pointOf(point.position) - normal * (point.separation / 2.0 + k.a.radius);
         const Point onB = pointOf(point.position) + normal * (point.separation / 2.0 + k.b.radius);
-        if (distanceToFeature(k.a.corners, codeA, onA) > reach) return "not at A's feature";
-        if (distanceToFeature(k.b.corners, codeB, onB) > reach) return "not at B's feature";
-        if (m.count == 1 || !isStart(codeA)) continue;
-        const plumb::ManifoldPoint& other = m.points[1 - i];
-        if (indexOf(other.feature >> 8) != indexOf(codeA) || isStart(other.feature >> 8))
-            return "two points at one start";
-        const Point towardsOther = pointOf(other.position) - pointOf(point.position);
-        if (dot(towardsOther, edgeOf(k.a.corners, indexOf(codeA))) < 0) return "not at the start that it names";
+        if (distanceToFeature(k.a.corners, codeA, onA, normal) > k.tolerance + slack) return "not at A's feature";
+        if (distanceToFeature(k.b.corners, codeB, onB, normal) > k.tolerance + slack) return "not at B's feature";
     }
     return nullptr;
 }

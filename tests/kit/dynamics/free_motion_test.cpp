@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "catch.h"
 #include <plumb/plumb.h>
+#include "catch.h"
 
 using plumb::BodyId;
 using plumb::Vec2;
@@ -14,8 +14,8 @@ namespace {
 double throwError(double rate, double damping) {
     World world({.gravity = {0, -9.81}});
     const Vec2 start(0, 2), speed(8, 11);
-    const BodyId ball = world.add(
-        {.position = start, .velocity = speed, .linearDamping = damping, .shapes = {plumb::circle(0.1)}});
+    const BodyId ball =
+        world.add({.position = start, .velocity = speed, .linearDamping = damping, .shapes = {plumb::circle(0.1)}});
     double worst = 0;
     for (int tick = 1; tick <= static_cast<int>(2 * rate); ++tick) {
         world.step(1 / rate);
@@ -44,7 +44,8 @@ TEST_CASE("a thrown ball is where the formula says at every tick, at 60 Hz and a
     CHECK(throwError(7, 0) < 1e-12);
 }
 
-TEST_CASE("a ball slowed by linear damping is where the formula says, damping 0.2 and 3 per second", "[dynamics][law]") {
+TEST_CASE("a ball slowed by linear damping is where the formula says, damping 0.2 and 3 per second",
+          "[dynamics][law]") {
     CHECK(throwError(60, 0.2) < 1e-12);
     CHECK(throwError(20, 0.2) < 1e-12);
     CHECK(throwError(60, 3) < 1e-12);

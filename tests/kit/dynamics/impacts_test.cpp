@@ -2,9 +2,9 @@
 #include <cmath>
 #include <vector>
 
-#include "catch.h"
 #include <plumb/math/random.h>
 #include <plumb/plumb.h>
+#include "catch.h"
 
 using plumb::BodyId;
 using plumb::BodyType;
@@ -132,9 +132,10 @@ TEST_CASE("twenty elastic discs in a box keep their energy to 1e-9 over a minute
     World world({.gravity = {0, 0}});
     const Material m{.friction = 0, .restitution = 1};
     const double side = 5;
-    world.add({.type = BodyType::Static,
-               .shapes = {plumb::segment({-side, -side}, {side, -side}, m), plumb::segment({side, -side}, {side, side}, m),
-                          plumb::segment({side, side}, {-side, side}, m), plumb::segment({-side, side}, {-side, -side}, m)}});
+    world.add(
+        {.type = BodyType::Static,
+         .shapes = {plumb::segment({-side, -side}, {side, -side}, m), plumb::segment({side, -side}, {side, side}, m),
+                    plumb::segment({side, side}, {-side, side}, m), plumb::segment({-side, side}, {-side, -side}, m)}});
     plumb::Random random(7);
     std::vector<BodyId> discs;
     double before = 0;

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "catch.h"
 #include <plumb/plumb.h>
+#include "catch.h"
 
 using plumb::BodyId;
 using plumb::BodyType;
@@ -75,8 +75,8 @@ TEST_CASE("a 2 kg body hanging from a joint pulls on it with 19.62 N", "[dynamic
     const BodyId hung = world.add({.position = {5, -1}, .mass = mass, .shapes = {plumb::circle(0.2)}});
     const plumb::JointId hinge =
         world.join(plumb::RevoluteJointDef{.bodyA = ceiling, .bodyB = hinged, .anchor = {0, 0}});
-    const plumb::JointId rod = world.join(
-        plumb::DistanceJointDef{.bodyA = ceiling, .bodyB = hung, .anchorA = {5, 0}, .anchorB = {5, -1}});
+    const plumb::JointId rod =
+        world.join(plumb::DistanceJointDef{.bodyA = ceiling, .bodyB = hung, .anchorA = {5, 0}, .anchorB = {5, -1}});
     for (int tick = 0; tick < 20; ++tick) world.step(1.0 / 60);
     CHECK(std::fabs(world.reaction(hinge).force.y() - 19.62) < 1e-3);
     CHECK(std::fabs(world.reaction(rod).force.y() - 19.62) < 1e-3);

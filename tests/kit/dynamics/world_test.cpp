@@ -4,8 +4,8 @@
 #include <limits>
 #include <string>
 
-#include "catch.h"
 #include <plumb/plumb.h>
+#include "catch.h"
 
 using plumb::BodyDef;
 using plumb::BodyId;
@@ -60,12 +60,16 @@ TEST_CASE("a def with an impossible number is refused by a text that names field
     CHECK(add([](BodyDef& d) { d.angularDamping = notANumber; }).starts_with("BodyDef.angularDamping: nan is"));
     CHECK(add([](BodyDef& d) { d.mass = plumb::Mass{0, {0, 0}, 1}; }).starts_with("BodyDef.mass.mass: 0 is"));
     CHECK(add([](BodyDef& d) { d.mass = plumb::Mass{1, {0, 0}, -2}; }).starts_with("BodyDef.mass.inertia: -2 is"));
-    CHECK(add([](BodyDef& d) { d.mass = plumb::Mass{1, {notANumber, 0}, 2}; }).starts_with("BodyDef.mass.center: (nan, 0) is"));
+    CHECK(add([](BodyDef& d) {
+              d.mass = plumb::Mass{1, {notANumber, 0}, 2};
+          }).starts_with("BodyDef.mass.center: (nan, 0) is"));
     CHECK(add([](BodyDef& d) { d.shapes.clear(); }).starts_with("BodyDef.shapes.mass: 0 is not a positive"));
     CHECK(add([](BodyDef& d) { d.shapes[0].material.friction = -0.1; }).find("friction: -0.1") != std::string::npos);
-    CHECK(add([](BodyDef& d) { d.shapes[0].material.restitution = 1.5; }).find("restitution: 1.5") != std::string::npos);
+    CHECK(add([](BodyDef& d) { d.shapes[0].material.restitution = 1.5; }).find("restitution: 1.5") !=
+          std::string::npos);
     CHECK(add([](BodyDef& d) { d.shapes[0].material.density = notANumber; }).find("density: nan") != std::string::npos);
-    CHECK(add([](BodyDef& d) { d.shapes[0] = plumb::circle(0); }).find("radius: 0 is not positive") != std::string::npos);
+    CHECK(add([](BodyDef& d) { d.shapes[0] = plumb::circle(0); }).find("radius: 0 is not positive") !=
+          std::string::npos);
     CHECK(add([](BodyDef& d) { d.shapes[0] = plumb::segment({1, 1}, {1, 1}); }) != "");
     CHECK(add([](BodyDef& d) { d.shapes[0] = plumb::polygon({{0, 0}, {1, 0}}); }) != "");
     CHECK(add([](BodyDef& d) { d.shapes[0] = plumb::polygon({{0, 0}, {0, 1}, {1, 0}}); }) != "");
@@ -198,7 +202,8 @@ TEST_CASE("a kinematic platform carries a box up at 1 m/s, and lets it sleep whe
     CHECK(world.body(box).awake());
 }
 
-TEST_CASE("a ball that lands tells so once, with point, normal and speed, and once when it leaves", "[dynamics][events]") {
+TEST_CASE("a ball that lands tells so once, with point, normal and speed, and once when it leaves",
+          "[dynamics][events]") {
     World world;
     const BodyId floor = world.add({.type = BodyType::Static, .shapes = {plumb::segment({-10, 0}, {10, 0})}});
     const BodyId ball = world.add(ballAt(0, 1.5));
@@ -262,7 +267,8 @@ TEST_CASE("filters keep apart what does not name each other", "[dynamics]") {
 TEST_CASE("a fixed rotation stays fixed when a box lands on its corner", "[dynamics]") {
     World world;
     world.add({.type = BodyType::Static, .shapes = {plumb::segment({-10, 0}, {10, 0})}});
-    const BodyId box = world.add({.position = {0, 2}, .angle = 0.3, .fixedRotation = true, .shapes = {plumb::box({0.5, 0.5})}});
+    const BodyId box =
+        world.add({.position = {0, 2}, .angle = 0.3, .fixedRotation = true, .shapes = {plumb::box({0.5, 0.5})}});
     for (int tick = 0; tick < 120; ++tick) world.step(1.0 / 60);
     CHECK(world.body(box).angle() == 0.3);
     CHECK(world.body(box).position().y() > 0.5);

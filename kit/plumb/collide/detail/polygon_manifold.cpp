@@ -13,8 +13,7 @@ namespace plumb {
 namespace {
 
 /// How much better B's edge must be than the edge of A that it faces, as a part of the shorter of the two: far above
-/// the trembling of a stack at rest (1e-6), far below what the eye sees. Shared stretches shorter than this are one
-/// point.
+/// the trembling of a stack at rest (1e-6), far below what the eye sees. Stretches shorter than this are one point.
 constexpr float favour = 1e-4f;
 /// The cosine of the angle within which two edges face each other, 0.8 degrees: far above what trembles, and too little
 /// for the worse edge's normal to do harm. Wider, and rounded shapes got a direction that did not part them.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where is everything about a body kept? The truth in double, one cache line a body; beside it what the solver works on.
+// Where is everything about a body kept? The truth in double, one cache line a body; beside it what the solver works
+// on.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -80,7 +81,7 @@ struct BodyStore {
     std::vector<SolverDisplacement> displacement;
     std::vector<SolverVelocity> warm;    ///< what the contacts' impulses, all together, do to the velocity
     std::vector<SolverVelocity> before;  ///< the velocity before the contacts were solved
-    std::vector<float> turn;  ///< angle turned in this step [rad]
+    std::vector<float> turn;             ///< angle turned in this step [rad]
     std::vector<Kick> kick;
     std::vector<BodyIndex> awake;  ///< dynamic and kinematic bodies that are
     std::vector<BodyIndex> free;

@@ -54,7 +54,8 @@ void ContactGraph::add(BodyStore& bodies, ContactStore& contacts, ContactIndex i
     const bool pushA = a.type == BodyType::Dynamic;
     const bool pushB = b.type == BodyType::Dynamic;
     const std::uint32_t used = (pushA ? a.colours : 0) | (pushB ? b.colours : 0);
-    const int chosen = pushA && pushB ? freeColour(used, 0, fixedColour) : freeColour(used, fixedColour, overflowColour);
+    const int chosen =
+        pushA && pushB ? freeColour(used, 0, fixedColour) : freeColour(used, fixedColour, overflowColour);
     if (chosen != overflowColour) {
         if (pushA) a.colours |= std::uint32_t{1} << chosen;
         if (pushB) b.colours |= std::uint32_t{1} << chosen;

@@ -12,16 +12,16 @@
 #pragma once
 #include <span>
 
+#include <plumb/dynamics/detail/body_store.h>
 #include <plumb/dynamics/detail/contact_batch.h>
 #include <plumb/dynamics/detail/softness.h>
-#include <plumb/dynamics/detail/body_store.h>
 
 namespace plumb {
 
 struct ContactPass {
     float inverseStep = 0;  ///< 1/h [1/s]
     Softness soft;
-    float pushSpeed = 0;     ///< the fastest that overlap is pushed out [m/s]
+    float pushSpeed = 0;  ///< the fastest that overlap is pushed out [m/s]
 };
 
 /// Adds the impulses of the last step to what each body is given at every half sub-step.

@@ -26,13 +26,13 @@ struct ContactRecord {
     bool alive = false;
     bool touching = false;
     bool isolated = false;  ///< left to the impacts in this step, not to the solver
-    int colour = -1;          ///< where the solver has it: colour and slot; -1: nowhere
+    int colour = -1;        ///< where the solver has it: colour and slot; -1: nowhere
     std::uint32_t slot = 0;
     std::uint32_t activeIndex = none;
     Manifold manifold;
-    std::array<PointMemory, 2> memory;  ///< while it is not with the solver
-    double approachSpeed = 0;           ///< at the last step's start [m/s]
-    double memoryStep = 0;              ///< the step that memory's totals are of [s]
+    std::array<PointMemory, 2> memory;                                   ///< while it is not with the solver
+    double approachSpeed = 0;                                            ///< at the last step's start [m/s]
+    double memoryStep = 0;                                               ///< the step that memory's totals are of [s]
     std::array<ContactIndex, 2> previous{none, none}, next{none, none};  ///< in the lists of A and B
 };
 

@@ -88,8 +88,8 @@ RelativePose relativePose(const BodyMotion& a, const BodyMotion& b) {
     return {shift.cast<float>(), static_cast<float>(turn.cos), static_cast<float>(turn.sin)};
 }
 
-/// Which point of the manifold before is this one? The one of the same feature; or else, as where a box that sits almost
-/// flush on its like is cut by now the one's corner and now the other's, the one that was here.
+/// Which point of the manifold before is this one? The one of the same feature; or else, as where a box that sits
+/// almost flush on its like is cut by now the one's corner and now the other's, the one that was here.
 int predecessor(const Manifold& was, const ManifoldPoint& now) {
     int found = -1;
     float nearest = static_cast<float>(contactMargin);

@@ -20,16 +20,19 @@ constexpr double jointDampingRatio = 2;
 
 struct Pass {
     float step = 0;
-    ContactPass contacts;
+    ContactPass contacts, groundContacts;
     JointPass solveJoints, relaxJoints;
 };
 
 Pass passOf(const SolverSettings& settings, double h) {
     Pass pass;
     pass.step = static_cast<float>(h);
-    const double frequency = std::min(settings.contactFrequency, 0.25 / h);
-    pass.contacts = {static_cast<float>(1 / h), softness(frequency, settings.contactDampingRatio, h),
-                     static_cast<float>(settings.contactPushSpeed)};
+    const auto contactPass = [&](double frequency) -> ContactPass {
+        return {static_cast<float>(1 / h), softness(std::min(frequency, 0.25 / h), settings.contactDampingRatio, h),
+                static_cast<float>(settings.contactPushSpeed)};
+    };
+    pass.contacts = contactPass(settings.contactFrequency);
+    pass.groundContacts = contactPass(2 * settings.contactFrequency);
     const Softness rigid{static_cast<float>(1 / h), 1, 0};
     pass.solveJoints = {pass.step, true, rigid, softness(jointFrequencyShare / h, jointDampingRatio, h)};
     pass.relaxJoints = {pass.step, false, {}, {}};
@@ -135,6 +138,15 @@ void solveJoints(WorldState& world, const JointPass& pass) {
     forEachJoint(world, [&](auto& joint, const JointRecord&) { joint.solve(world.bodies, pass); });
 }
 
+/// What stands on something fixed stands twice as stiffly: the ground does not give.
+template <class Visit>
+void forEachColour(WorldState& world, const Pass& pass, Visit&& visit) {
+    for (int c = 0; c < colourCount; ++c) {
+        const bool ground = c >= fixedColour && c != overflowColour;
+        visit(world.graph.colours[static_cast<std::size_t>(c)], ground ? pass.groundContacts : pass.contacts);
+    }
+}
+
 void subStep(WorldState& world, const std::vector<BodyIndex>& solved, const Pass& pass, bool first) {
     BodyStore& bodies = world.bodies;
     for (const BodyIndex body : solved) {
@@ -143,7 +155,7 @@ void subStep(WorldState& world, const std::vector<BodyIndex>& solved, const Pass
     }
     solveJoints(world, pass.solveJoints);
     for (const BodyIndex body : solved) bodies.before[body] = bodies.velocity[body];
-    for (Colour& colour : world.graph.colours) solveContacts(colour.batches, bodies, pass.contacts);
+    forEachColour(world, pass, [&](Colour& colour, const ContactPass& p) { solveContacts(colour.batches, bodies, p); });
     for (const BodyIndex body : solved) {
         move(bodies, body, pass.step);
         collectWarmStart(bodies, body);
@@ -151,7 +163,7 @@ void subStep(WorldState& world, const std::vector<BodyIndex>& solved, const Pass
     }
     solveJoints(world, pass.relaxJoints);
     for (const BodyIndex body : solved) bodies.before[body] = bodies.velocity[body];
-    for (Colour& colour : world.graph.colours) relaxContacts(colour.batches, bodies, pass.contacts);
+    forEachColour(world, pass, [&](Colour& colour, const ContactPass& p) { relaxContacts(colour.batches, bodies, p); });
 }
 
 void markPushed(WorldState& world) {

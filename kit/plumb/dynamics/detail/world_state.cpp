@@ -17,7 +17,8 @@ Vec2 normalOf(const WorldState& world, const ContactRecord& contact) {
 }
 
 Vec2 pointOf(const WorldState& world, const ContactRecord& contact, std::size_t point) {
-    // The manifold is of the step's start. From there A's surface has gone with A, and B's is where the separation says.
+    // The manifold is of the step's start. From there A's surface has gone with A, and B's is where the separation
+    // says.
     const ManifoldPoint& p = contact.manifold.points[point];
     const BodyMotion& a = world.bodies.motion[contact.bodyA];
     const Vec2 middle = a.center + a.rotation * Vec2(p.position.cast<double>());
