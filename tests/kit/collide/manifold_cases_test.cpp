@@ -128,20 +128,22 @@ TEST_CASE("two faces share two points just when they overlap by a stretch whose 
     CHECK(one > 1000);
 }
 
-TEST_CASE("a box at rest on its like, trembling by 1e-6, keeps its normal and both features over 10,000 steps",
+TEST_CASE("a box on its like, trembling by 1e-6 m and 1e-4 rad, keeps its normal and features for 10,000 steps",
           "[collide]") {
+    // Tilted by 1e-4 over a shift of 0.25 m, the upper face does better than the lower by up to 2.5e-5 m: not by 1e-4.
     const Convex box = boxOf(0.5, 0.5);
     plumb::Random random(1);
-    const auto tremble = [&] { return random.uniform(-1e-6, 1e-6); };
-    const std::array<int, 2> features = featuresOf(manifold(box, box, at(0, 1), 0.01f));
-    CHECK(features[0] != features[1]);
-    int changed = 0;
-    for (int i = 0; i < 10'000; ++i) {
-        const double x = tremble(), y = 1 + tremble(), angle = tremble();
-        const Manifold m = manifold(box, box, at(x, y, angle), 0.01f);
-        changed += m.count != 2 || m.normal != Vec2f(0, 1) || featuresOf(m) != features;
+    for (const double shift : {0.0, 0.25}) {
+        const std::array<int, 2> features = featuresOf(manifold(box, box, at(shift, 1), 0.01f));
+        CHECK(features[0] != features[1]);
+        int changed = 0;
+        for (int i = 0; i < 10'000; ++i) {
+            const double x = shift + random.uniform(-1e-6, 1e-6), y = 1 + random.uniform(-1e-6, 1e-6);
+            const Manifold m = manifold(box, box, at(x, y, random.uniform(-1e-4, 1e-4)), 0.01f);
+            changed += m.count != 2 || m.normal != Vec2f(0, 1) || featuresOf(m) != features;
+        }
+        CHECK(changed == 0);
     }
-    CHECK(changed == 0);
 }
 
 TEST_CASE("a box tilting by 1e-4 keeps its features on a floor of 10 m and of 1,000 m, whichever is A", "[collide]") {

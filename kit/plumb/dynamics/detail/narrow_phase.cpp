@@ -88,31 +88,37 @@ RelativePose relativePose(const BodyMotion& a, const BodyMotion& b) {
     return {shift.cast<float>(), static_cast<float>(turn.cos), static_cast<float>(turn.sin)};
 }
 
-/// Which point of the manifold before is this one? The one of the same feature; or else, as where a box that sits
-/// almost flush on its like is cut by now the one's corner and now the other's, the one that was here.
-int predecessor(const Manifold& was, const ManifoldPoint& now) {
-    int found = -1;
-    float nearest = static_cast<float>(contactMargin);
-    for (int q = 0; q < was.count; ++q) {
-        const ManifoldPoint& old = was.points[static_cast<std::size_t>(q)];
-        if (old.feature == now.feature) return q;
-        const Vec2f moved = now.position - old.position;
-        if (moved.norm() >= nearest) continue;
-        nearest = moved.norm();
-        found = q;
-    }
+/// Which points of the manifold before are these? Those of the same features; and then, as where a box that sits almost
+/// flush on its like is cut by now the one's corner and now the other's, those that were here and are nobody's yet.
+std::array<int, 2> predecessors(const Manifold& was, const Manifold& now) {
+    std::array<int, 2> found{-1, -1};
+    std::array<bool, 2> claimed{false, false};
+    const auto match = [&](const auto& isSame) {
+        for (std::size_t p = 0; p < static_cast<std::size_t>(now.count); ++p) {
+            for (std::size_t q = 0; q < static_cast<std::size_t>(was.count); ++q) {
+                if (found[p] >= 0 || claimed[q] || !isSame(now.points[p], was.points[q])) continue;
+                found[p] = static_cast<int>(q);
+                claimed[q] = true;
+            }
+        }
+    };
+    match([](const ManifoldPoint& a, const ManifoldPoint& b) { return a.feature == b.feature; });
+    match([](const ManifoldPoint& a, const ManifoldPoint& b) {
+        const Vec2f moved = a.position - b.position;
+        return moved.norm() < static_cast<float>(contactMargin);
+    });
     return found;
 }
 
 /// Impulses follow their points into the new manifold; a new point starts without.
 void carryImpulses(WorldState& world, ContactRecord& contact, const Manifold& now) {
     const std::array<PointMemory, 2> old = world.graph.memoryOf(contact);
+    const std::array<int, 2> from = predecessors(contact.manifold, now);
     std::array<PointMemory, 2> carried{};
-    for (std::size_t p = 0; p < static_cast<std::size_t>(now.count); ++p) {
-        const int q = predecessor(contact.manifold, now.points[p]);
-        if (q < 0) continue;
-        const PointMemory& from = old[static_cast<std::size_t>(q)];
-        carried[p] = {from.normalImpulse, from.tangentImpulse, 0, 0};
+    for (std::size_t p = 0; p < 2; ++p) {
+        if (from[p] < 0) continue;
+        const PointMemory& point = old[static_cast<std::size_t>(from[p])];
+        carried[p] = {point.normalImpulse, point.tangentImpulse, 0, 0};
     }
     contact.memory = carried;
     if (contact.colour >= 0) world.graph.setImpulses(contact, carried);
