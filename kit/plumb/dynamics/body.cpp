@@ -112,6 +112,9 @@ void Body::setVelocity(const Vec2& velocity) {
 void Body::setAngularVelocity(double angularVelocity) {
     requireFinite(angularVelocity, "Body.setAngularVelocity: angularVelocity");
     requireMovable(*world_, index_, "Body.setAngularVelocity");
+    if (world_->bodies.record[index_].fixedRotation && angularVelocity != 0)
+        refuse("Body.setAngularVelocity: angularVelocity",
+               toText(angularVelocity) + " on a body of fixed rotation, not 0");
     world_->bodies.motion[index_].angularVelocity = angularVelocity;
     velocityChanged(*world_, index_);
 }
@@ -124,7 +127,10 @@ void Body::setPose(const Vec2& position, double angle) {
     motion.angle = angle;
     motion.rotation = Rot::fromAngle(angle);
     motion.center = position + motion.rotation * world_->bodies.record[index_].localCenter;
+    // It has left whatever it was near; the space is to look anew, also at what sleeps where it has come to.
+    forEachContact(world_->bodies, world_->contacts, index_, [this](ContactIndex c) { removeContact(*world_, c); });
     placeBody(*world_, index_, 0);
+    for (const ProxyId proxy : world_->bodies.record[index_].proxies) world_->space.renew(proxy);
     wakeIsland(*world_, index_);
 }
 
@@ -156,8 +162,13 @@ void Body::applyImpulse(const Vec2& impulse, const Vec2& at) {
     requireFinite(at, "Body.applyImpulse: at");
     const BodyRecord& record = world_->bodies.record[index_];
     BodyMotion& motion = world_->bodies.motion[index_];
-    motion.velocity += impulse * record.inverseMass;
-    motion.angularVelocity += cross(Vec2(at - motion.center), impulse) * record.inverseInertia;
+    const Vec2 velocity = motion.velocity + impulse * record.inverseMass;
+    const double turn =
+        record.inverseInertia > 0 ? cross(Vec2(at - motion.center), impulse) * record.inverseInertia : 0.0;
+    requireFinite(velocity, "Body.applyImpulse: impulse, for the velocity it would give");
+    requireFinite(turn, "Body.applyImpulse: impulse, for the angular velocity it would give");
+    motion.velocity = velocity;
+    motion.angularVelocity += turn;
     wakeIsland(*world_, index_);
 }
 

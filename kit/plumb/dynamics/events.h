@@ -6,7 +6,7 @@
 
 namespace plumb {
 
-/// Two bodies began to touch.
+/// A shape of one body and a shape of another began to touch, or hit each other anew.
 struct ContactBegin {
     BodyId bodyA, bodyB;
     Vec2 point{0, 0};          ///< where, in the world [m]
@@ -14,7 +14,8 @@ struct ContactBegin {
     double approachSpeed = 0;  ///< at which the points came together along the normal, >= 0 [m/s]
 };
 
-/// Two bodies ceased to touch. An id may be of a body that was removed.
+/// A shape of one body and a shape of another ceased to touch, also because one was removed before the step. An id may
+/// be of a body that was removed.
 struct ContactEnd {
     BodyId bodyA, bodyB;
 };

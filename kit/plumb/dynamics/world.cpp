@@ -30,6 +30,17 @@ void clearEvents(WorldState& world) {
     world.ends.erase(world.ends.begin(), world.ends.begin() + static_cast<std::ptrdiff_t>(world.reportedEnds));
 }
 
+/// In less than this nothing that presses or pulls could make a difference, and 1/dt might leave the solver's floats
+/// [s].
+constexpr double shortestSolved = 1e-9;
+
+void forgetLastStep(WorldState& world) {
+    for (const BodyIndex body : world.bodies.awake) {
+        BodyRecord& record = world.bodies.record[body];
+        record.constrained = record.pushed = record.flown = false;
+    }
+}
+
 void flyFreeBodies(WorldState& world, double dt) {
     for (const BodyIndex body : world.bodies.awake) {
         const BodyRecord& record = world.bodies.record[body];
@@ -158,10 +169,7 @@ void World::remove(JointId id) {
         wakeIsland(world, body);
         std::erase(world.bodies.record[body].joints, id.index);
     }
-    if (!record.collideConnected) {  // the two may touch again: let the space find their pairs anew
-        forEachContact(world.bodies, world.contacts, record.bodyB, [&](ContactIndex c) { removeContact(world, c); });
-        for (const ProxyId proxy : world.bodies.record[record.bodyB].proxies) world.space.renew(proxy);
-    }
+    if (!record.collideConnected) pairShapes(world, record.bodyA, record.bodyB);
     const std::uint32_t generation = record.generation + 1;
     record = {};
     record.generation = generation;
@@ -176,9 +184,12 @@ void World::step(double dt) {
         world.lastStep = dt;
         markUnsound(world);
         quarantine(world);
-        findContacts(world, dt);
-        sortOutContacts(world, dt);
-        solveConstraints(world, dt);
+        forgetLastStep(world);
+        if (dt >= shortestSolved) {
+            findContacts(world, dt);
+            sortOutContacts(world, dt);
+            solveConstraints(world, dt);
+        }
         flyFreeBodies(world, dt);
         reportContacts(world);
         clearForces(world.bodies);
@@ -212,13 +223,14 @@ const Body World::body(BodyId id) const {
 
 JointReaction World::reaction(JointId id) const {
     requireJoint(*state_, id, "JointId");
-    if (state_->lastStep == 0) return {};
+    const double time = state_->joints[id.index].solvedStep;
+    if (time == 0) return {};
     return std::visit(
-        [this]<class Joint>(const Joint& joint) -> JointReaction {
+        [time]<class Joint>(const Joint& joint) -> JointReaction {
             if constexpr (std::is_same_v<Joint, std::monostate>)
                 return {};
             else
-                return {Vec2(joint.reaction().template cast<double>()) / state_->lastStep, 0};
+                return {Vec2(joint.reaction().template cast<double>()) / time, 0};
         },
         state_->joints[id.index].joint);
 }
@@ -245,7 +257,7 @@ std::span<const ContactBegin> World::contactBegins() const {
 }
 
 std::span<const ContactEnd> World::contactEnds() const {
-    return state_->ends;
+    return {state_->ends.data(), state_->reportedEnds};
 }
 
 std::span<const Quarantined> World::quarantines() const {

@@ -26,8 +26,9 @@ struct JointReaction {
     double torque = 0;  ///< on bodyB [N m]
 };
 
-/// Bodies, their contacts and joints. Can be moved, not copied. Every call that takes a def or an id throws
-/// std::invalid_argument when it is not one the world can take, and then changes nothing.
+/// Bodies, their contacts and joints. Can be moved, not copied; what was moved from can only be assigned to or
+/// destroyed. Every call that takes a def or an id throws std::invalid_argument when it is not one the world can take,
+/// and then changes nothing.
 class World {
 public:
     explicit World(const WorldDef& def = {});

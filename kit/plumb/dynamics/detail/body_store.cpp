@@ -62,7 +62,8 @@ void BodyStore::putToSleep(BodyIndex body) {
 
 Acceleration accelerationOf(const BodyRecord& body, const Vec2& gravity) {
     if (body.type != BodyType::Dynamic) return {};
-    return {gravity * body.gravityScale + body.force * body.inverseMass, body.torque * body.inverseInertia};
+    return {gravity * body.gravityScale + body.force * body.inverseMass,
+            body.inverseInertia > 0 ? body.torque * body.inverseInertia : 0.0};
 }
 
 void setMass(BodyRecord& body, const Mass& mass) {

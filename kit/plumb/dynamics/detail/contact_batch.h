@@ -20,6 +20,7 @@ struct alignas(64) PointLanes {
     Lanes<float> separation;                     ///< where the bodies are now [m]
     Lanes<float> normalMass, tangentMass;        ///< effective masses, 0 for a point that is not there [kg]
     Lanes<float> normalImpulse, tangentImpulse;  ///< [N s]
+    Lanes<float> solvedNormal, solvedTangent;    ///< of the half sub-step before the move, while after it is relaxed
     Lanes<float> totalNormal, totalTangent;      ///< over the step so far [N s]
     Lanes<float> bounceSpeed;                    ///< at which the point is to part at the step's end; 0: need not [m/s]
 };

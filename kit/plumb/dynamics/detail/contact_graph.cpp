@@ -35,6 +35,8 @@ void copyLane(ContactBatch& to, std::size_t toLane, const ContactBatch& from, st
         copy(t.tangentMass, f.tangentMass);
         copy(t.normalImpulse, f.normalImpulse);
         copy(t.tangentImpulse, f.tangentImpulse);
+        copy(t.solvedNormal, f.solvedNormal);
+        copy(t.solvedTangent, f.solvedTangent);
         copy(t.totalNormal, f.totalNormal);
         copy(t.totalTangent, f.totalTangent);
         copy(t.bounceSpeed, f.bounceSpeed);

@@ -68,18 +68,22 @@ float separationNow(const ContactBatch& batch, const PointLanes& p, std::size_t 
     return p.startSeparation[lane] + (shift + (turnB - turnA));
 }
 
-void solveNormal(Couple& c, PointLanes& p, std::size_t lane, float bias, float massScale, float impulseScale) {
+/// before: what the first half of the sub-step has given, and the second may take back; 0 in the first half.
+void solveNormal(Couple& c, PointLanes& p, std::size_t lane, float before, float bias, const Softness& soft) {
     const float old = p.normalImpulse[lane];
-    const float change = -p.normalMass[lane] * massScale * (normalSpeed(c, p, lane) + bias) - impulseScale * old;
-    const float now = std::max(old + change, 0.0f);
+    const float change =
+        -p.normalMass[lane] * soft.massScale * (normalSpeed(c, p, lane) + bias) - soft.impulseScale * old;
+    const float now = std::max(old + change, -before);
     p.normalImpulse[lane] = now;
     pushNormal(c, p, lane, now - old);
 }
 
-void solveFriction(Couple& c, PointLanes& p, std::size_t lane, float friction) {
+/// Both halves together stay within the cone: mu times the normal impulse of both.
+void solveFriction(Couple& c, PointLanes& p, std::size_t lane, float friction, float normalBefore, float before) {
     const float old = p.tangentImpulse[lane];
-    const float limit = friction * p.normalImpulse[lane];
-    const float now = std::clamp(old - p.tangentMass[lane] * tangentSpeed(c, p, lane), -limit, limit);
+    const float limit = friction * (normalBefore + p.normalImpulse[lane]);
+    const float wanted = old - p.tangentMass[lane] * tangentSpeed(c, p, lane);
+    const float now = std::clamp(wanted, -limit - before, limit - before);
     p.tangentImpulse[lane] = now;
     pushTangent(c, p, lane, now - old);
 }
@@ -93,7 +97,7 @@ void sweep(std::span<ContactBatch> batches, BodyStore& bodies, SolvePoint&& solv
             Couple couple = load(batch, lane, bodies.velocity);
             for (PointLanes& p : batch.points) solvePoint(couple, batch, p, lane);
             for (PointLanes& p : batch.points) {
-                solveFriction(couple, p, lane, batch.friction[lane]);
+                solveFriction(couple, p, lane, batch.friction[lane], p.solvedNormal[lane], p.solvedTangent[lane]);
                 p.totalNormal[lane] += p.normalImpulse[lane];
                 p.totalTangent[lane] += p.tangentImpulse[lane];
             }
@@ -122,19 +126,23 @@ void gatherWarmStart(std::span<const ContactBatch> batches, BodyStore& bodies) {
 
 void solveContacts(std::span<ContactBatch> batches, BodyStore& bodies, const ContactPass& pass) {
     sweep(batches, bodies, [&pass](Couple& couple, const ContactBatch&, PointLanes& p, std::size_t lane) {
+        p.solvedNormal[lane] = p.solvedTangent[lane] = 0;
         const float s = p.separation[lane];
         if (s > 0)
-            solveNormal(couple, p, lane, s * pass.inverseStep, 1, 0);
+            solveNormal(couple, p, lane, 0, s * pass.inverseStep, {});
         else
-            solveNormal(couple, p, lane, std::max(pass.soft.biasRate * s, -pass.pushSpeed), pass.soft.massScale,
-                        pass.soft.impulseScale);
+            solveNormal(couple, p, lane, 0, std::max(pass.soft.biasRate * s, -pass.pushSpeed), pass.soft);
     });
 }
 
 void relaxContacts(std::span<ContactBatch> batches, BodyStore& bodies, const ContactPass& pass) {
     sweep(batches, bodies, [&](Couple& couple, const ContactBatch& batch, PointLanes& p, std::size_t lane) {
+        // The impulses are still those of the solve, given a second time as a first guess.
+        p.solvedNormal[lane] = p.normalImpulse[lane];
+        p.solvedTangent[lane] = p.tangentImpulse[lane];
         p.separation[lane] = separationNow(batch, p, lane, bodies.displacement);
-        solveNormal(couple, p, lane, std::max(p.separation[lane], 0.0f) * pass.inverseStep, 1, 0);
+        const float bias = std::max(p.separation[lane], 0.0f) * pass.inverseStep;
+        solveNormal(couple, p, lane, p.solvedNormal[lane], bias, {});
     });
 }
 

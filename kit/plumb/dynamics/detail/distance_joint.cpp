@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/detail/distance_joint.h>
 
+#include <algorithm>
+
 namespace plumb {
 
 DistanceJoint::DistanceJoint(const DistanceJointDef& def, const BodyStore& bodies) {
@@ -54,7 +56,7 @@ void DistanceJoint::solve(BodyStore& bodies, const JointPass& pass) {
         // |d + step| - |d|, without the cancellation of two nearly equal lengths
         const float sum = (d + step).norm() + d.norm();
         const float growth = sum > 0 ? step.dot(d + (d + step)) / sum : 0.0f;
-        wanted = growth / pass.step + gap * soft.biasRate;
+        wanted = growth / pass.step + std::clamp(gap * soft.biasRate, -pass.pullSpeed, pass.pullSpeed);
         massScale = soft.massScale;
         impulseScale = soft.impulseScale;
     }

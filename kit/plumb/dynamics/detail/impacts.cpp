@@ -14,6 +14,9 @@ namespace {
 /// More impacts than this for each contact in one step: a heap, for the solver.
 constexpr std::size_t impactsPerContact = 16;
 
+/// A larger group is a heap as well: each impact is searched among all of them.
+constexpr std::size_t largestGroup = 200;
+
 struct Flyer {
     BodyIndex body = noBody;
     FlyingShape flight;  ///< its shape is filled in for each contact
@@ -160,7 +163,7 @@ void part(const WorldState& world, Meeting& meeting, Flyer& a, Flyer& b) {
 void commit(WorldState& world, const std::vector<Flyer>& flyers, const std::vector<Meeting>& meetings, double dt) {
     for (const Flyer& f : flyers) {
         BodyRecord& record = world.bodies.record[f.body];
-        if (record.type == BodyType::Static) continue;
+        if (record.type != BodyType::Dynamic) continue;  // a platform may be in many groups, and flies by itself
         moveTo(world, f.body, fly(f.flight.from, f.flight.law, dt - f.flight.time));
         record.flown = true;
     }
@@ -170,9 +173,9 @@ void commit(WorldState& world, const std::vector<Flyer>& flyers, const std::vect
         contact.memory[0].totalNormal = static_cast<float>(m.normalImpulse);
         contact.memory[0].totalTangent = static_cast<float>(m.tangentImpulse);
         contact.memoryStep = dt;
-        if (!contact.touching)
-            world.begins.push_back({world.idOf(contact.bodyA), world.idOf(contact.bodyB), m.where.pointA,
-                                    m.where.normal, m.approachSpeed});
+        if (contact.touching) world.ends.push_back({world.idOf(contact.bodyA), world.idOf(contact.bodyB)});
+        world.begins.push_back(
+            {world.idOf(contact.bodyA), world.idOf(contact.bodyB), m.where.pointA, m.where.normal, m.approachSpeed});
         contact.touching = true;
     }
 }
@@ -202,6 +205,7 @@ bool bouncesClear(const WorldState& world, const ContactRecord& contact, double 
 }
 
 bool flyThroughImpacts(WorldState& world, std::span<const ContactIndex> contacts, double dt) {
+    if (contacts.size() > largestGroup) return false;
     std::vector<Flyer> flyers;
     std::vector<Meeting> meetings;
     for (const ContactIndex index : contacts) {

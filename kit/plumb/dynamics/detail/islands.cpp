@@ -48,7 +48,12 @@ bool drivenFromOutside(const WorldState& world, BodyIndex body) {
 bool isStill(const WorldState& world, BodyIndex body) {
     const BodyRecord& record = world.bodies.record[body];
     const BodyMotion& motion = world.bodies.motion[body];
-    const double speed = motion.velocity.norm() + std::fabs(motion.angularVelocity) * record.extent;
+    double speed = motion.velocity.norm() + std::fabs(motion.angularVelocity) * record.extent;
+    if (record.constrained) {  // what is being pushed or pulled into place has no velocity of its own, but it moves
+        const SolverDisplacement& moved = world.bodies.displacement[body];
+        speed =
+            std::max(speed, std::hypot(static_cast<double>(moved.x), static_cast<double>(moved.y)) / world.lastStep);
+    }
     // What nothing holds drifts on however slowly: only a body that is pushed upon may be stopped.
     return record.pushed ? speed < world.def.solver.sleepSpeed && !drivenFromOutside(world, body) : speed == 0;
 }

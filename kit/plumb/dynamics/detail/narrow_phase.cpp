@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <plumb/dynamics/detail/islands.h>
+#include <plumb/dynamics/detail/time_of_impact.h>
 
 namespace plumb {
 
@@ -14,6 +15,9 @@ namespace {
 constexpr double boxMargin = 0.02;
 /// Shapes this near count as in contact, so that what rests keeps its manifold while it trembles [m].
 constexpr double contactMargin = 0.01;
+
+/// More friction than this makes no difference, and might leave the solver's floats [-].
+constexpr double roughest = 1e6;
 
 /// What comes nearer than this to a sleeper, or may in the step, wakes it [m].
 constexpr double trembling = 5e-4;
@@ -39,8 +43,11 @@ void placeBody(WorldState& world, BodyIndex body, double dt) {
     const Reach reach = reachOf(world, body, dt);
     const Transform pose = world.bodies.pose(body);
     for (const ProxyId proxy : world.bodies.record[body].proxies) {
-        const Aabb now = inflate(aabbOf(world.space[proxy].def.shape, pose), 0.5 * contactMargin + reach.turn);
-        world.space.place(proxy, merge(now, {now.lower + reach.shift, now.upper + reach.shift}), boxMargin);
+        const ShapeDef& shape = world.space[proxy].def;
+        const Aabb now = inflate(aabbOf(shape.shape, pose), 0.5 * contactMargin + reach.turn);
+        Aabb swept = merge(now, {now.lower + reach.shift, now.upper + reach.shift});
+        if (shape.material.restitution > 0) swept = inflate(now, reach.shift.norm());  // it may bounce any way
+        world.space.place(proxy, swept, boxMargin);
     }
 }
 
@@ -64,7 +71,7 @@ void addContact(WorldState& world, const Pair& pair) {
     contact.proxyB = pair.b;
     contact.bodyA = a.owner;
     contact.bodyB = b.owner;
-    contact.friction = std::sqrt(a.def.material.friction * b.def.material.friction);
+    contact.friction = std::min(std::sqrt(a.def.material.friction * b.def.material.friction), roughest);
     contact.restitution = std::max(a.def.material.restitution, b.def.material.restitution);
     const ContactIndex index = world.contacts.add(world.bodies, contact);
     if (world.bodies.record[a.owner].awake || world.bodies.record[b.owner].awake) {
@@ -124,20 +131,72 @@ void carryImpulses(WorldState& world, ContactRecord& contact, const Manifold& no
     if (contact.colour >= 0) world.graph.setImpulses(contact, carried);
 }
 
+FlyingShape flyingShape(const WorldState& world, BodyIndex body, const Proxy& proxy) {
+    const BodyRecord& record = world.bodies.record[body];
+    FlyingShape shape;
+    shape.shape = &proxy.def.shape;
+    shape.localCenter = record.localCenter;
+    shape.extent = record.extent;
+    shape.from = world.bodies.motion[body];
+    if (record.awake) shape.law = flightLawOf(record, world.def.gravity);
+    return shape;
+}
+
+/// A contact that is still apart: it is one where and when the two meet in this step, and with that normal, not with
+/// the one that they have from afar: what flies past a corner is not to be held up by the corner's face.
+Manifold foreseen(const WorldState& world, const ContactRecord& contact, float margin, double dt) {
+    const FlyingShape a = flyingShape(world, contact.bodyA, world.proxyA(contact));
+    const FlyingShape b = flyingShape(world, contact.bodyB, world.proxyB(contact));
+    const std::optional<double> time = timeOfImpact(a, b, 0, dt);
+    if (!time) return {};
+    const Encounter meeting = encounterAt(a, b, *time);
+    Manifold m = manifold(world.proxyA(contact).convex, world.proxyB(contact).convex,
+                          relativePose(meeting.a, meeting.b), static_cast<float>(contactMargin));
+    // Back to the step's start: how far each point of B still has to come along the normal. Points stay with A.
+    const Rot back = meeting.a.rotation * a.from.rotation.inverse();
+    const Vec2 normal = meeting.a.rotation * Vec2(m.normal.cast<double>());
+    for (ManifoldPoint& point : m.points) {
+        const Vec2 local = point.position.cast<double>();
+        const Vec2 at = meeting.a.center + meeting.a.rotation * local;
+        const Vec2 armB = (meeting.b.rotation.inverse() * b.from.rotation) * Vec2(at - meeting.b.center);
+        const Vec2 startA = a.from.center + back.inverse() * Vec2(at - meeting.a.center);
+        const Vec2 startB = b.from.center + armB;
+        point.separation += static_cast<float>((startB - startA).dot(normal));
+        point.separation = std::min(point.separation, margin);
+    }
+    m.normal = Vec2(back * Vec2(m.normal.cast<double>())).cast<float>();
+    return m;
+}
+
+float nearestOf(const Manifold& m, float none) {
+    float nearest = none;
+    for (int p = 0; p < m.count; ++p) nearest = std::min(nearest, m.points[static_cast<std::size_t>(p)].separation);
+    return nearest;
+}
+
 void updateManifold(WorldState& world, ContactRecord& contact, double dt) {
     const RelativePose pose = relativePose(world.bodies.motion[contact.bodyA], world.bodies.motion[contact.bodyB]);
     const float margin = static_cast<float>(marginOf(world, contact, dt));
-    const Manifold now = manifold(world.proxyA(contact).convex, world.proxyB(contact).convex, pose, margin);
+    Manifold now = manifold(world.proxyA(contact).convex, world.proxyB(contact).convex, pose, margin);
+    if (now.count > 0 && nearestOf(now, margin) > static_cast<float>(contactMargin))
+        now = foreseen(world, contact, margin, dt);
     carryImpulses(world, contact, now);
     contact.manifold = now;
-    float nearest = margin;
-    for (int p = 0; p < now.count; ++p) nearest = std::min(nearest, now.points[static_cast<std::size_t>(p)].separation);
-    if (nearest > margin - static_cast<float>(contactMargin - trembling)) return;
+    if (now.count == 0) return;
+    if (nearestOf(now, margin) > margin - static_cast<float>(contactMargin - trembling)) return;
     for (const BodyIndex body : {contact.bodyA, contact.bodyB})
         if (world.bodies.isDynamic(body) && !world.bodies.record[body].awake) wakeIsland(world, body);
 }
 
 }  // namespace
+
+void pairShapes(WorldState& world, BodyIndex a, BodyIndex b) {
+    for (const ProxyId pa : world.bodies.record[a].proxies)
+        for (const ProxyId pb : world.bodies.record[b].proxies)
+            if (mayPair(world.space[pa], world.space[pb]) &&
+                overlap(world.space[pa].previousBox, world.space[pb].previousBox))
+                addContact(world, {std::min(pa, pb), std::max(pa, pb)});
+}
 
 void findContacts(WorldState& world, double dt) {
     for (const BodyIndex body : world.bodies.awake) placeBody(world, body, dt);

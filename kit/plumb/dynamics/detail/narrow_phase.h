@@ -9,6 +9,9 @@ namespace plumb {
 /// something awake is about to touch.
 void findContacts(WorldState& world, double dt);
 
+/// Makes the contacts of two bodies that were kept apart until now, where the space has found their boxes to overlap.
+void pairShapes(WorldState& world, BodyIndex a, BodyIndex b);
+
 /// Renews the boxes of one body's shapes for a step of dt.
 void placeBody(WorldState& world, BodyIndex body, double dt);
 

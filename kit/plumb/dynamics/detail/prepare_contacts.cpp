@@ -8,6 +8,8 @@ namespace plumb {
 
 namespace {
 
+constexpr float justTouching = 1e-5f;  ///< [m]
+
 /// One side of a contact: where its anchors count from, and how they are scaled.
 struct Side {
     BodyIndex solver = noBody;
@@ -21,17 +23,13 @@ Side sideOf(const WorldState& world, BodyIndex body) {
     return {body, static_cast<float>(record.inverseMass), record.rho};
 }
 
-/// The speed at which a point is to part, or 0: it comes in, bounces, and not only because gravity pressed it together
-/// within this step.
-float bounceSpeed(const WorldState& world, const ContactRecord& contact, double approach, const Vec2& normal,
-                  double dt) {
-    if (contact.restitution == 0 || approach <= 0) return 0;
+/// Half the speed that gravity and forces can bring about between the two in the step. What comes in slower than this
+/// was only pressed together, and what would part slower than this is back before the step is over.
+double restingSpeed(const WorldState& world, const ContactRecord& contact, const Vec2& normal, double dt) {
     const auto pull = [&](BodyIndex body) {
         return std::fabs(accelerationOf(world.bodies.record[body], world.def.gravity).linear.dot(normal));
     };
-    const double parting = contact.restitution * approach;
-    if (2 * parting < std::max(pull(contact.bodyA), pull(contact.bodyB)) * dt) return 0;
-    return static_cast<float>(parting);
+    return 0.5 * dt * std::max(pull(contact.bodyA), pull(contact.bodyB));
 }
 
 double approachSpeed(const BodyMotion& a, const BodyMotion& b, const Vec2& ra, const Vec2& rb, const Vec2& normal) {
@@ -63,7 +61,7 @@ void prepareContact(WorldState& world, ContactRecord& contact, ContactBatch& bat
     contact.approachSpeed = 0;
     for (std::size_t i = 0; i < 2; ++i) {
         PointLanes& p = batch.points[i];
-        p.totalNormal[lane] = p.totalTangent[lane] = 0;
+        p.totalNormal[lane] = p.totalTangent[lane] = p.solvedNormal[lane] = 0;
         if (static_cast<int>(i) >= contact.manifold.count) {
             p.normalMass[lane] = p.tangentMass[lane] = 0;
             p.normalImpulse[lane] = p.tangentImpulse[lane] = p.bounceSpeed[lane] = 0;
@@ -82,11 +80,15 @@ void prepareContact(WorldState& world, ContactRecord& contact, ContactBatch& bat
         };
         p.normalMass[lane] = 1 / inverse(p.anchorTangentA[lane], p.anchorTangentB[lane]);
         p.tangentMass[lane] = 1 / inverse(p.anchorNormalA[lane], p.anchorNormalB[lane]);
-        p.startSeparation[lane] = p.separation[lane] = point.separation;
         const Vec2 normal = n.cast<double>();
         const double approach = approachSpeed(ma, mb, ra.cast<double>(), rb.cast<double>(), normal);
         contact.approachSpeed = std::max(contact.approachSpeed, approach);
-        p.bounceSpeed[lane] = bounceSpeed(world, contact, approach, normal, dt);
+        const double resting = restingSpeed(world, contact, normal, dt);
+        const double parting = contact.restitution * approach;
+        p.bounceSpeed[lane] = parting > resting ? static_cast<float>(parting) : 0.0f;
+        // What hits when it just touches is stopped hard, as what still has a gap is, and not by the soft push.
+        const bool hits = approach > resting && point.separation > -justTouching;
+        p.startSeparation[lane] = p.separation[lane] = hits ? std::max(point.separation, 1e-9f) : point.separation;
     }
 }
 

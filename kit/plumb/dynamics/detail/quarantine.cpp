@@ -43,7 +43,7 @@ void quarantine(WorldState& world) {
         world.bodies.putToSleep(body);
         BodyRecord& record = world.bodies.record[body];
         record.type = BodyType::Static;
-        record.inverseMass = record.inverseInertia = 0;
+        record.mass = record.inertia = record.inverseMass = record.inverseInertia = 0;
         world.bodies.motion[body].velocity.setZero();
         world.bodies.motion[body].angularVelocity = 0;
         world.quarantines.push_back({world.idOf(body)});

@@ -38,7 +38,7 @@ ContactBegin beginOf(const WorldState& world, const ContactRecord& contact, std:
 void reportContacts(WorldState& world) {
     for (const ContactIndex index : world.contacts.active) {
         ContactRecord& contact = world.contacts.contacts[index];
-        if (contact.isolated) continue;  // the impacts have told
+        if (contact.isolated && contact.memory[0].totalNormal > 0) continue;  // the impacts have told
         const Touch touch = touchOf(world, contact);
         if (!contact.touching && (touch.pressed || touch.separation <= 0)) {
             contact.touching = true;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/detail/revolute_joint.h>
 
+#include <algorithm>
+
 namespace plumb {
 
 namespace {
@@ -54,7 +56,8 @@ void RevoluteJoint::solve(BodyStore& bodies, const JointPass& pass) {
         const Softness& soft = alone_ ? pass.rigid : pass.soft;
         const Vec2f gap = startGap_ + (travelOf(b_, rb, bodies) - travelOf(a_, ra, bodies));
         const Vec2f bend = bendOf(b_, rb, pass.step, bodies) - bendOf(a_, ra, pass.step, bodies);
-        wanted += gap * soft.biasRate - bend;
+        const float rate = std::min(soft.biasRate, pass.pullSpeed / std::max(gap.norm(), 1e-9f));
+        wanted += gap * rate - bend;
         massScale = soft.massScale;
         impulseScale = soft.impulseScale;
     }

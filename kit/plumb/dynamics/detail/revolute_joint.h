@@ -19,6 +19,7 @@ namespace plumb {
 struct JointPass {
     float step = 0;       ///< h [s]
     bool correct = true;  ///< solve: with the position error; relax: without
+    float pullSpeed = 0;  ///< the fastest that a gap is closed [m/s]
     Softness rigid;       ///< for a joint that is alone on its bodies, and so is solved at once
     Softness soft;        ///< for joints that share a body
 };

@@ -34,8 +34,9 @@ Pass passOf(const SolverSettings& settings, double h) {
     pass.contacts = contactPass(settings.contactFrequency);
     pass.groundContacts = contactPass(2 * settings.contactFrequency);
     const Softness rigid{static_cast<float>(1 / h), 1, 0};
-    pass.solveJoints = {pass.step, true, rigid, softness(jointFrequencyShare / h, jointDampingRatio, h)};
-    pass.relaxJoints = {pass.step, false, {}, {}};
+    const float pull = static_cast<float>(settings.contactPushSpeed);
+    pass.solveJoints = {pass.step, true, pull, rigid, softness(jointFrequencyShare / h, jointDampingRatio, h)};
+    pass.relaxJoints = {pass.step, false, pull, {}, {}};
     return pass;
 }
 
@@ -172,7 +173,10 @@ void markPushed(WorldState& world) {
         for (std::size_t slot = 0; slot < colour.contactOf.size(); ++slot) {
             const ContactBatch& batch = colour.batches[slot / batchLanes];
             const std::size_t lane = slot % batchLanes;
-            if (batch.points[0].totalNormal[lane] == 0 && batch.points[1].totalNormal[lane] == 0) continue;
+            const auto gave = [lane](const PointLanes& p) {  // what only parts an overlap gives nothing in all
+                return p.totalNormal[lane] != 0 || p.solvedNormal[lane] != 0;
+            };
+            if (!gave(batch.points[0]) && !gave(batch.points[1])) continue;
             markOne(batch.bodyA[lane]);
             markOne(batch.bodyB[lane]);
         }
@@ -212,7 +216,8 @@ void solveConstraints(WorldState& world, double dt) {
     if (solved.empty()) return;
     const Pass pass = passOf(world.def.solver, h);
     prepareContacts(world, dt);
-    forEachJoint(world, [&world](auto& joint, const JointRecord& record) {
+    forEachJoint(world, [&world, dt](auto& joint, JointRecord& record) {
+        record.solvedStep = dt;
         joint.prepare(world.bodies, isAlone(world.bodies, record));
     });
     for (Colour& colour : world.graph.colours) gatherWarmStart(colour.batches, world.bodies);

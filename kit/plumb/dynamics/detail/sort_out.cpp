@@ -19,11 +19,15 @@ bool isConstrained(const WorldState& world, const ContactRecord& contact) {
 }
 
 /// Can anything come of it in this step? Not with a sleeper: what might touch one has woken it.
-bool isAwake(const WorldState& world, const ContactRecord& contact) {
+bool bodiesReady(const WorldState& world, const ContactRecord& contact) {
     const auto ready = [&world](BodyIndex body) {
         return world.bodies.record[body].awake || !world.bodies.isDynamic(body);
     };
-    return contact.manifold.count > 0 && ready(contact.bodyA) && ready(contact.bodyB);
+    return ready(contact.bodyA) && ready(contact.bodyB);
+}
+
+bool isAwake(const WorldState& world, const ContactRecord& contact) {
+    return contact.manifold.count > 0 && bodiesReady(world, contact);
 }
 
 /// Joined bodies and those with a contact that does not bounce clear are the solver's.
@@ -31,7 +35,6 @@ std::vector<ContactIndex> findCandidates(WorldState& world, double dt) {
     for (const BodyIndex body : world.bodies.awake) {
         BodyRecord& record = world.bodies.record[body];
         record.constrained = record.type == BodyType::Dynamic && !record.joints.empty();
-        record.pushed = record.flown = false;
     }
     std::vector<ContactIndex> candidates;
     for (const ContactIndex index : world.contacts.active) {
@@ -64,6 +67,24 @@ void spreadConstraints(WorldState& world, std::vector<ContactIndex>& candidates)
             changed = true;
             return true;
         });
+    }
+}
+
+/// What a bouncing body may come to in the rest of the step, after an impact, is watched as well.
+void addWatched(WorldState& world, std::vector<ContactIndex>& candidates) {
+    const std::size_t count = candidates.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const ContactRecord& candidate = world.contacts.contacts[candidates[i]];
+        for (const BodyIndex body : {candidate.bodyA, candidate.bodyB}) {
+            if (!world.bodies.isDynamic(body)) continue;
+            forEachContact(world.bodies, world.contacts, body, [&](ContactIndex index) {
+                ContactRecord& contact = world.contacts.contacts[index];
+                const bool free = bodiesReady(world, contact) && !isConstrained(world, contact);
+                if (contact.isolated || contact.restitution == 0 || !free) return;
+                contact.isolated = true;
+                candidates.push_back(index);
+            });
+        }
     }
 }
 
@@ -103,9 +124,14 @@ void updateGraph(WorldState& world) {
 void sortOutContacts(WorldState& world, double dt) {
     std::vector<ContactIndex> candidates = findCandidates(world, dt);
     spreadConstraints(world, candidates);
+    addWatched(world, candidates);
     for (const std::vector<ContactIndex>& group : groupsOf(world, candidates)) {
         if (group.empty() || flyThroughImpacts(world, group, dt)) continue;
-        for (const ContactIndex index : group) giveToSolver(world, world.contacts.contacts[index]);
+        for (const ContactIndex index : group) {
+            ContactRecord& contact = world.contacts.contacts[index];
+            contact.isolated = false;
+            if (contact.manifold.count > 0) giveToSolver(world, contact);
+        }
     }
     updateGraph(world);
 }

@@ -12,6 +12,8 @@ namespace {
 constexpr double touch = 1e-12;
 /// Already touching at the start, by so much that an impact of the step before may have left [m].
 constexpr double resting = 1e-9;
+/// Where they touch and part, the search goes on after this share of what is left of the step [-].
+constexpr double pastTouch = 1e-2;
 /// From here on Newton's method is quicker than safe steps; as a share of the extents [-].
 constexpr double near = 1e-2;
 
@@ -68,8 +70,11 @@ std::optional<double> timeOfImpact(const FlyingShape& a, const FlyingShape& b, d
         const double separation = now.distance.separation;
         if (separation <= (i == 0 ? resting : touch)) {
             if (now.closingSpeed > 0) return time;
-            if (i > 0) time += (to - time) * 1e-3;  // a graze: they part again
-            if (i == 0) return std::nullopt;
+            const bool turns = now.a.angularVelocity != 0 || now.b.angularVelocity != 0;
+            if (i == 0 && !turns) return std::nullopt;  // they part, and nothing brings them together again
+            time += std::max((to - time) * pastTouch, (to - from) * 1e-12);
+            if (time >= to) return std::nullopt;
+            continue;
         }
         const double fastest = greatestClosingSpeed(a, b, now, to - time);
         double step = fastest > 0 ? separation / fastest : to - time;

@@ -17,9 +17,18 @@ void validateBodies(const WorldState& world, BodyId a, BodyId b, const std::stri
         refuse(def + ".bodyB", "neither it nor bodyA is dynamic, so the joint could move nothing");
 }
 
+/// An arm longer than this is too coarse in the solver's floats.
+void requireNear(const WorldState& world, BodyId body, const Vec2& anchor, const std::string& field) {
+    constexpr double longest = 1e5;
+    if ((anchor - world.bodies.motion[body.index].center).norm() <= longest) return;
+    refuse(field, toText(anchor) + " is more than " + toText(longest) + " m from the body it is on");
+}
+
 void validateJoint(const WorldState& world, const RevoluteJointDef& def) {
     validateBodies(world, def.bodyA, def.bodyB, "RevoluteJointDef");
     requireFinite(def.anchor, "RevoluteJointDef.anchor");
+    requireNear(world, def.bodyA, def.anchor, "RevoluteJointDef.anchor");
+    requireNear(world, def.bodyB, def.anchor, "RevoluteJointDef.anchor");
 }
 
 void validateJoint(const WorldState& world, const DistanceJointDef& def) {
@@ -28,6 +37,8 @@ void validateJoint(const WorldState& world, const DistanceJointDef& def) {
     requireFinite(def.anchorB, "DistanceJointDef.anchorB");
     if (def.anchorA == def.anchorB)
         refuse("DistanceJointDef.anchorB", toText(def.anchorB) + " is anchorA too, so the rod would have no direction");
+    requireNear(world, def.bodyA, def.anchorA, "DistanceJointDef.anchorA");
+    requireNear(world, def.bodyB, def.anchorB, "DistanceJointDef.anchorB");
     if (def.length) requirePositive(*def.length, "DistanceJointDef.length");
 }
 

@@ -21,6 +21,7 @@ struct JointRecord {
     BodyIndex bodyA = noBody, bodyB = noBody;
     bool collideConnected = false;
     std::uint32_t generation = 0;
+    double solvedStep = 0;  ///< the step it was last solved in [s]
 };
 
 struct WorldState {

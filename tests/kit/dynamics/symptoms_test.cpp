@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+// Once broken, each named after what was seen.
+#include <cmath>
+#include <vector>
+
+#include <plumb/plumb.h>
+#include "catch.h"
+
+using plumb::BodyDef;
+using plumb::BodyId;
+using plumb::BodyType;
+using plumb::Material;
+using plumb::Vec2;
+using plumb::World;
+
+namespace {
+
+void step(World& world, int ticks) {
+    for (int tick = 0; tick < ticks; ++tick) world.step(1.0 / 60);
+}
+
+World weightless() {
+    return World({.gravity = {0, 0}});
+}
+
+}  // namespace
+
+TEST_CASE("a ball at 20 m/s that passes a disc with 3 cm to spare is not deflected", "[dynamics][symptom]") {
+    World world = weightless();
+    world.add({.type = BodyType::Static, .shapes = {plumb::circle(0.1)}});
+    const Vec2 start(-0.3, 0.23);
+    const BodyId ball = world.add({.position = start, .velocity = {20, 0}, .shapes = {plumb::circle(0.1)}});
+    step(world, 3);
+    CHECK(world.body(ball).velocity() == Vec2(20, 0));
+    CHECK(world.contactBegins().empty());
+}
+
+TEST_CASE("a platform under three elastic balls moves once a step, not once a ball", "[dynamics][symptom]") {
+    World world;
+    const Material bouncy{.restitution = 1};
+    const BodyId platform =
+        world.add({.type = BodyType::Kinematic, .velocity = {0, 1}, .shapes = {plumb::box({5, 0.1}, bouncy)}});
+    for (const double x : {-3.0, 0.0, 3.0})
+        world.add({.position = {x, 0.35}, .velocity = {0, -3}, .shapes = {plumb::circle(0.2, bouncy)}});
+    step(world, 6);
+    CHECK(std::fabs(world.body(platform).position().y() - 0.1) < 1e-12);
+}
+
+TEST_CASE("a wall set into a sleeping box wakes it and pushes it out, once for each time it is set there",
+          "[dynamics][symptom]") {
+    World world;
+    world.add({.type = BodyType::Static, .shapes = {plumb::segment({-10, 0}, {10, 0})}});
+    const BodyId wall =
+        world.add({.type = BodyType::Static, .position = {1.51, 0.5}, .shapes = {plumb::box({1, 0.5})}});
+    const BodyId box = world.add({.position = {0, 0.5}, .shapes = {plumb::box({0.5, 0.5})}});
+    step(world, 120);
+    REQUIRE_FALSE(world.body(box).awake());
+    for (int round = 0; round < 3; ++round) {
+        world.body(wall).setPose({50, 0.5}, 0);
+        step(world, 2);
+        world.body(wall).setPose({1.2, 0.5}, 0);
+        world.step(1.0 / 60);
+        CHECK(world.body(wall).contacts().size() <= 1);
+    }
+    step(world, 120);
+    CHECK(world.body(box).position().x() < -0.299);
+}
+
+TEST_CASE("boxes asleep on the ground sleep on when a hinge to the ground is removed", "[dynamics][symptom]") {
+    World world;
+    const BodyId ground = world.add({.type = BodyType::Static, .shapes = {plumb::segment({-20, 0}, {20, 0})}});
+    const BodyId disc = world.add({.position = {-5, 3}, .shapes = {plumb::circle(0.5)}});
+    const plumb::JointId hinge = world.join(plumb::RevoluteJointDef{.bodyA = disc, .bodyB = ground, .anchor = {-5, 3}});
+    const BodyId box = world.add({.position = {5, 0.5}, .shapes = {plumb::box({0.5, 0.5})}});
+    step(world, 120);
+    REQUIRE_FALSE(world.body(box).awake());
+    world.remove(hinge);
+    world.step(1.0 / 60);
+    CHECK_FALSE(world.body(box).awake());
+    CHECK(world.contactEnds().empty());
+    CHECK(world.contactBegins().empty());
+    step(world, 120);
+    CHECK(std::fabs(world.body(disc).position().y() - 0.5) < 1e-3);
+}
+
+TEST_CASE("a ball at 100 m/s stays between two thin walls 0.4 m apart", "[dynamics][symptom]") {
+    World world = weightless();
+    const Material bouncy{.restitution = 1};
+    for (const double x : {-0.2, 0.2})
+        world.add({.type = BodyType::Static, .shapes = {plumb::segment({x, -1}, {x, 1}, bouncy)}});
+    const BodyId ball = world.add({.velocity = {100, 0}, .shapes = {plumb::circle(0.05, bouncy)}});
+    for (int tick = 0; tick < 60; ++tick) {
+        world.step(1.0 / 60);
+        REQUIRE(std::fabs(world.body(ball).position().x()) < 0.15 + 1e-9);
+    }
+    CHECK(std::fabs(std::fabs(world.body(ball).velocity().x()) - 100) < 1e-9);
+}
+
+TEST_CASE("a ball that hops 1 cm high at e = 1 tells of every hop", "[dynamics][symptom]") {
+    World world;
+    const Material bouncy{.restitution = 1};
+    world.add({.type = BodyType::Static, .shapes = {plumb::segment({-1, 0}, {1, 0}, bouncy)}});
+    world.add({.position = {0, 0.51}, .shapes = {plumb::circle(0.5, bouncy)}});
+    std::size_t begins = 0, ends = 0;
+    for (int tick = 0; tick < 600; ++tick) {
+        world.step(1.0 / 60);
+        begins += world.contactBegins().size();
+        ends += world.contactEnds().size();
+    }
+    // first after sqrt(2 h / g), then every 2 sqrt(2 h / g) = 0.0903 s
+    CHECK(begins == 1 + static_cast<std::size_t>((10 - 0.0451524) / 0.0903047));
+    CHECK(begins - ends <= 1);
+}
+
+TEST_CASE("a bob set 3 m off its hinge is drawn back without a fling, and does not sleep on the way",
+          "[dynamics][symptom]") {
+    World world = weightless();
+    const BodyId ceiling = world.add({.type = BodyType::Static});
+    const BodyId bob = world.add({.position = {0, -1}, .shapes = {plumb::circle(0.2)}});
+    world.join(plumb::RevoluteJointDef{.bodyA = ceiling, .bodyB = bob, .anchor = {0, 0}});
+    step(world, 60);
+    world.body(bob).setPose({0, -4}, 0);
+    for (int tick = 0; tick < 180; ++tick) {
+        world.step(1.0 / 60);
+        REQUIRE(world.body(bob).velocity().norm() < 30);
+    }
+    CHECK((world.body(bob).pose() * Vec2(0, 1)).norm() < 1e-3);
+}
+
+TEST_CASE("two discs put half into each other part and are left at rest, not flung", "[dynamics][symptom]") {
+    World world = weightless();
+    const BodyId a = world.add({.position = {0, 0}, .shapes = {plumb::circle(0.5)}});
+    const BodyId b = world.add({.position = {0.5, 0}, .shapes = {plumb::circle(0.5)}});
+    step(world, 180);
+    CHECK((world.body(b).position() - world.body(a).position()).norm() > 0.99);
+    CHECK(world.body(a).velocity().norm() < 1e-3);
+}
+
+TEST_CASE("steps of 1e-40 s do no harm to what rests, hangs and swings", "[dynamics][symptom]") {
+    World world;
+    const BodyId floor = world.add({.type = BodyType::Static, .shapes = {plumb::segment({-10, 0}, {10, 0})}});
+    const BodyId box = world.add({.position = {0, 0.5}, .shapes = {plumb::box({0.5, 0.5})}});
+    const BodyId bob = world.add({.position = {5, 3}, .shapes = {plumb::circle(0.2)}});
+    world.join(plumb::RevoluteJointDef{.bodyA = floor, .bodyB = bob, .anchor = {5, 4}});
+    step(world, 10);
+    for (const double dt : {1e-40, 1e-300, 1e-12}) {
+        world.step(dt);
+        CHECK(world.quarantines().empty());
+    }
+    step(world, 60);
+    CHECK(std::fabs(world.body(box).position().y() - 0.5) < 1e-3);
+    CHECK((world.body(bob).position() - Vec2(5, 3)).norm() < 1e-3);
+}
+
+TEST_CASE("the pull in a sleeping joint is told the same after a step of another length", "[dynamics][symptom]") {
+    World world;
+    const BodyId ceiling = world.add({.type = BodyType::Static});
+    const BodyId bob =
+        world.add({.position = {0, -1}, .mass = plumb::Mass{1, {0, 0}, 0.1}, .shapes = {plumb::circle(0.2)}});
+    const plumb::JointId rod =
+        world.join(plumb::DistanceJointDef{.bodyA = ceiling, .bodyB = bob, .anchorA = {0, 0}, .anchorB = {0, -1}});
+    step(world, 120);
+    REQUIRE_FALSE(world.body(bob).awake());
+    world.step(1.0 / 600);
+    CHECK(std::fabs(world.reaction(rod).force.y() - 9.81) < 1e-3);
+}
+
+TEST_CASE("small elastic boxes thrown with spin at a segment floor do not fall through it", "[dynamics][symptom]") {
+    for (int i = 0; i < 300; ++i) {
+        World world;
+        const Material material{.restitution = 0.2};
+        world.add({.type = BodyType::Static, .shapes = {plumb::segment({-50, 0}, {50, 0}, material)}});
+        const BodyId box = world.add({.position = {0, 1},
+                                      .angle = 0.02 * i,
+                                      .velocity = {0, -5},
+                                      .angularVelocity = -10 + i * 0.07,
+                                      .shapes = {plumb::box({0.05, 0.05}, material)}});
+        step(world, 120);
+        REQUIRE(world.body(box).position().y() > 0.04);
+    }
+}
+
+TEST_CASE("masses, sizes and arms that the solver's floats cannot hold are refused", "[dynamics][symptom][errors]") {
+    World world;
+    const auto refused = [&world](const BodyDef& def) {
+        try {
+            world.add(def);
+        } catch (const std::invalid_argument&) {
+            return true;
+        }
+        return false;
+    };
+    CHECK(refused({.shapes = {plumb::circle(1e-20)}}));
+    CHECK(refused({.type = BodyType::Static, .shapes = {plumb::box({1e6, 1})}}));
+    CHECK(refused({.angularVelocity = 1, .fixedRotation = true, .shapes = {plumb::circle(1)}}));
+    const BodyId ball = world.add({.shapes = {plumb::circle(1)}}), wall = world.add({.type = BodyType::Static});
+    CHECK_THROWS_AS(world.join(plumb::RevoluteJointDef{.bodyA = wall, .bodyB = ball, .anchor = {1e39, 0}}),
+                    std::invalid_argument);
+    CHECK_THROWS_AS(world.body(ball).applyImpulse({1e308, 0}, {0, 1e10}), std::invalid_argument);
+    CHECK(world.body(ball).velocity() == Vec2(0, 0));
+}
