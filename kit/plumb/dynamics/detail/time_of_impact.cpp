@@ -30,7 +30,7 @@ double greatestClosingSpeed(const FlyingShape& a, const FlyingShape& b, const En
     const auto turning = [left](const FlyingShape& s, const BodyMotion& m) {
         return (std::fabs(m.angularVelocity) + std::fabs(s.law.acceleration.angular) * left) * s.extent;
     };
-    const auto pull = [left](const FlyingShape& s, const BodyMotion& m) -> Vec2 {
+    const auto pull = [](const FlyingShape& s, const BodyMotion& m) -> Vec2 {
         return s.law.acceleration.linear - m.velocity * s.law.linearDamping;
     };
     const double relative = (now.b.velocity - now.a.velocity).norm();
