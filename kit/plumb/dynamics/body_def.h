@@ -27,6 +27,7 @@ struct BodyDef {
     double angularDamping = 0;   ///< >= 0 [1/s]
     bool fixedRotation = false;  ///< nothing turns it
     bool canSleep = true;
+    bool awake = true;  ///< false: asleep until something touches it
     std::optional<Mass> mass =
         std::nullopt;  ///< instead of what the shapes and their densities give; mass > 0, inertia > 0
     std::vector<ShapeDef> shapes =

@@ -9,10 +9,12 @@
 
 namespace plumb {
 
-/// A hinge: the two bodies share a point and turn freely about it.
+/// A hinge: the two bodies share a point and turn freely about it, unless a motor turns B against A.
 struct RevoluteJointDef {
     BodyId bodyA = {}, bodyB = {};
-    Vec2 anchor{0, 0};              ///< the hinge, in the world, where the bodies stand now [m]
+    Vec2 anchor{0, 0};          ///< the hinge, in the world, where the bodies stand now [m]
+    double motorSpeed = 0;      ///< of B against A, that the motor is to reach [rad/s]
+    double maxMotorTorque = 0;  ///< what it may use for that, >= 0, infinite for as much as it takes; 0: no motor [N m]
     bool collideConnected = false;  ///< may the two bodies touch each other?
 };
 

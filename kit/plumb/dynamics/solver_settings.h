@@ -12,6 +12,8 @@ struct SolverSettings {
     double contactPushSpeed = 3;      ///< the fastest that overlap is pushed out [m/s]
     double sleepSpeed = 0.05;         ///< slower than this everywhere on it, a body counts as still [m/s]
     double sleepTime = 0.5;           ///< still for as long as this, an island falls asleep [s]
+    int lanes = 16;  ///< at most so many contacts are solved side by side, as the machine can: 1, 4, 8 or 16; the same
+                     ///< bits for each [-]
 };
 
 }  // namespace plumb

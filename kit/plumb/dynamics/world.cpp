@@ -73,11 +73,6 @@ void addShapes(WorldState& world, BodyIndex body, const BodyDef& def) {
     }
 }
 
-const BodyRecord& recordOf(const WorldState& world, BodyId id) {
-    requireBody(world, id, "BodyId");
-    return world.bodies.record[id.index];
-}
-
 }  // namespace
 
 World::World(const WorldDef& def) {
@@ -112,7 +107,7 @@ BodyId World::add(const BodyDef& def) {
     motion.angularVelocity = def.angularVelocity;
     addShapes(*state_, body, def);
     const bool moves = def.type == BodyType::Dynamic || !def.velocity.isZero(0) || def.angularVelocity != 0;
-    if (moves) bodies.wake(body);
+    if (moves && def.awake) bodies.wake(body);
     return state_->idOf(body);
 }
 
@@ -200,24 +195,20 @@ void World::step(double dt) {
 }
 
 bool World::contains(BodyId id) const {
-    const auto& records = state_->bodies.record;
-    return id.world == state_->id && id.index < records.size() && records[id.index].alive &&
-           records[id.index].generation == id.generation;
+    return isKnown(*state_, id);
 }
 
 bool World::contains(JointId id) const {
-    const auto& joints = state_->joints;
-    return id.world == state_->id && id.index < joints.size() && joints[id.index].generation == id.generation &&
-           !std::holds_alternative<std::monostate>(joints[id.index].joint);
+    return isKnown(*state_, id);
 }
 
 Body World::body(BodyId id) {
-    recordOf(*state_, id);
+    requireBody(*state_, id, "BodyId");
     return {*state_, id.index};
 }
 
 const Body World::body(BodyId id) const {
-    recordOf(*state_, id);
+    requireBody(*state_, id, "BodyId");
     return {*state_, id.index};
 }
 
@@ -262,6 +253,10 @@ std::span<const ContactEnd> World::contactEnds() const {
 
 std::span<const Quarantined> World::quarantines() const {
     return state_->quarantines;
+}
+
+StepProfile World::profile() const {
+    return state_->profile;
 }
 
 }  // namespace plumb

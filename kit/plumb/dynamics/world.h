@@ -11,6 +11,7 @@
 #include <plumb/dynamics/id.h>
 #include <plumb/dynamics/joint_def.h>
 #include <plumb/dynamics/solver_settings.h>
+#include <plumb/dynamics/step_profile.h>
 
 namespace plumb {
 
@@ -58,6 +59,7 @@ public:
     std::span<const ContactBegin> contactBegins() const;
     std::span<const ContactEnd> contactEnds() const;
     std::span<const Quarantined> quarantines() const;
+    StepProfile profile() const;
 
 private:
     std::unique_ptr<WorldState> state_;

@@ -9,16 +9,31 @@
 
 namespace plumb {
 
-struct Material {
-    double density = 1;      ///< >= 0 [kg/m^2]
-    double friction = 0.6;   ///< Coulomb coefficient, >= 0; a pair has sqrt(a b) [-]
-    double restitution = 0;  ///< 0 to 1; a pair has the larger [-]
+/// How two materials' coefficients make one for the pair. Where the two name different rules, the later one here holds.
+enum class Mix {
+    Average,        ///< (a + b) / 2
+    GeometricMean,  ///< sqrt(a b)
+    Minimum,
+    Product,
+    Maximum,
 };
 
-/// Two shapes collide when each one's category is in the other's mask.
+struct Material {
+    double density = 1;                    ///< >= 0 [kg/m^2]
+    double friction = 0.6;                 ///< Coulomb coefficient, >= 0 [-]
+    double restitution = 0;                ///< 0 to 1 [-]
+    double rollingResistance = 0;          ///< torque over (radius times normal force), >= 0; a pair has the larger [-]
+    double surfaceSpeed = 0;               ///< of a belt: clockwise around the outline, so its top runs to +x [m/s]
+    Mix frictionMix = Mix::GeometricMean;  ///< how a pair's friction comes from both
+    Mix restitutionMix = Mix::Maximum;     ///< how a pair's restitution comes from both
+};
+
+/// Two shapes collide when each one's category is in the other's mask; but of one group other than 0, always when it
+/// is positive and never when it is negative.
 struct Filter {
     std::uint64_t category = 1;
     std::uint64_t mask = ~std::uint64_t{0};
+    int group = 0;
 };
 
 struct ShapeDef {

@@ -17,6 +17,15 @@ struct Anchor {
     Vec2f start{0, 0};  ///< from the centre of mass, turned with the body, at the step's start [m]
 };
 
+/// The anchor on a body at a point of the world, where the body stands now.
+inline Anchor anchorAt(BodyIndex body, const Vec2& point, const BodyStore& bodies) {
+    const BodyMotion& motion = bodies.motion[body];
+    Anchor anchor;
+    anchor.body = body;
+    anchor.local = motion.rotation.inverse() * Vec2(point - motion.center);
+    return anchor;
+}
+
 inline void prepare(Anchor& anchor, const BodyStore& bodies) {
     anchor.solver = bodies.solverIndex(anchor.body);
     anchor.rho = bodies.record[anchor.body].rho;

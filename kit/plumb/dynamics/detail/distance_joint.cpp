@@ -5,14 +5,8 @@
 
 namespace plumb {
 
-DistanceJoint::DistanceJoint(const DistanceJointDef& def, const BodyStore& bodies) {
-    const auto local = [&bodies](BodyIndex body, const Vec2& point) -> Vec2 {
-        return bodies.motion[body].rotation.inverse() * Vec2(point - bodies.motion[body].center);
-    };
-    a_.body = def.bodyA.index;
-    b_.body = def.bodyB.index;
-    a_.local = local(a_.body, def.anchorA);
-    b_.local = local(b_.body, def.anchorB);
+DistanceJoint::DistanceJoint(const DistanceJointDef& def, const BodyStore& bodies)
+    : a_(anchorAt(def.bodyA.index, def.anchorA, bodies)), b_(anchorAt(def.bodyB.index, def.anchorB, bodies)) {
     length_ = static_cast<float>(def.length.value_or((def.anchorB - def.anchorA).norm()));
 }
 

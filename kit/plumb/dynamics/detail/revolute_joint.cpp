@@ -20,15 +20,8 @@ Vec2f solveMass(const Vec2f& b, float ma, const Vec2f& ra, float mb, const Vec2f
 
 }  // namespace
 
-RevoluteJoint::RevoluteJoint(const RevoluteJointDef& def, const BodyStore& bodies) {
-    const auto local = [&bodies](BodyIndex body, const Vec2& point) -> Vec2 {
-        return bodies.motion[body].rotation.inverse() * Vec2(point - bodies.motion[body].center);
-    };
-    a_.body = def.bodyA.index;
-    b_.body = def.bodyB.index;
-    a_.local = local(a_.body, def.anchor);
-    b_.local = local(b_.body, def.anchor);
-}
+RevoluteJoint::RevoluteJoint(const RevoluteJointDef& def, const BodyStore& bodies)
+    : a_(anchorAt(def.bodyA.index, def.anchor, bodies)), b_(anchorAt(def.bodyB.index, def.anchor, bodies)) {}
 
 void RevoluteJoint::prepare(const BodyStore& bodies, bool alone) {
     alone_ = alone;

@@ -74,19 +74,24 @@ void validate(const WorldState& world, const JointDef& def) {
     std::visit([&world](const auto& d) { validateJoint(world, d); }, def);
 }
 
-void requireBody(const WorldState& world, BodyId id, std::string_view field) {
+bool isKnown(const WorldState& world, BodyId id) {
     const auto& records = world.bodies.record;
-    const bool known = id.world == world.id && id.index < records.size() && records[id.index].alive &&
-                       records[id.index].generation == id.generation;
-    if (!known) refuseId(world, id, field, "body");
+    return id.world == world.id && id.index < records.size() && records[id.index].alive &&
+           records[id.index].generation == id.generation;
+}
+
+bool isKnown(const WorldState& world, JointId id) {
+    const auto& joints = world.joints;
+    return id.world == world.id && id.index < joints.size() && joints[id.index].generation == id.generation &&
+           !std::holds_alternative<std::monostate>(joints[id.index].joint);
+}
+
+void requireBody(const WorldState& world, BodyId id, std::string_view field) {
+    if (!isKnown(world, id)) refuseId(world, id, field, "body");
 }
 
 void requireJoint(const WorldState& world, JointId id, std::string_view field) {
-    const auto& joints = world.joints;
-    const bool known = id.world == world.id && id.index < joints.size() &&
-                       joints[id.index].generation == id.generation &&
-                       !std::holds_alternative<std::monostate>(joints[id.index].joint);
-    if (!known) refuseId(world, id, field, "joint");
+    if (!isKnown(world, id)) refuseId(world, id, field, "joint");
 }
 
 }  // namespace plumb

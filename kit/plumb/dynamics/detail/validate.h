@@ -7,6 +7,10 @@
 
 namespace plumb {
 
+/// Does an id name a thing that is in this world now?
+bool isKnown(const WorldState& world, BodyId id);
+bool isKnown(const WorldState& world, JointId id);
+
 // Each throws std::invalid_argument naming the field, the value and what was wanted.
 void validate(const WorldDef& def);
 void validate(const WorldState& world, const JointDef& def);

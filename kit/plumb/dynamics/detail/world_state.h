@@ -28,6 +28,7 @@ struct WorldState {
     WorldDef def;
     std::uint32_t id = 0;
     double lastStep = 0;  ///< dt of the last step that took time [s]
+    StepProfile profile;
 
     BodyStore bodies;
     Space space;

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// How does one operation act on several floats at once?
+//
+// Wide<W>::Float is W floats, added, multiplied and compared lane by lane: by the compiler's vectors, so that any
+// machine will do. Code for W lanes is a template over W, and W = 8 and 16 are compiled in files of their own, named
+// ..._8.cpp and ..._16.cpp, for machines that have them. Nothing else may be emitted there: what is inline and not a
+// template over W would be merged by the linker with what other files have of it, and run on machines that cannot.
+// W = 1 is a plain float, so that one text serves lanes and scalars.
+#pragma once
+#include <cstdint>
+
+namespace plumb {
+
+template <int W>
+struct Wide;
+
+template <>
+struct Wide<1> {
+    using Float = float;
+    using Int = std::int32_t;
+    using Mask = bool;
+};
+#if defined(__GNUC__)
+template <>
+struct Wide<4> {
+    typedef float Float __attribute__((vector_size(16)));
+    typedef std::int32_t Int __attribute__((vector_size(16)));
+    using Mask = Int;  ///< of a comparison: -1 where it holds, else 0
+};
+template <>
+struct Wide<8> {
+    typedef float Float __attribute__((vector_size(32)));
+    typedef std::int32_t Int __attribute__((vector_size(32)));
+    using Mask = Int;
+};
+template <>
+struct Wide<16> {
+    typedef float Float __attribute__((vector_size(64)));
+    typedef std::int32_t Int __attribute__((vector_size(64)));
+    using Mask = Int;
+};
+#endif
+
+/// How many floats this machine works on at once: 4, 8 or 16; 1 where the compiler has no vectors.
+int machineLanes();
+
+}  // namespace plumb
