@@ -3,15 +3,17 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
-#include <utility>
+
+#include <plumb/broad/radix_sort.h>
 
 namespace plumb {
 namespace {
 
-constexpr int axisBits = 14;  // two axes and a class of four bits make a key
-constexpr double axisCells = 1 << axisBits;
+constexpr unsigned cellBits = 28;  // and a class of four bits make a key
 constexpr int topClass = 15;
 
 struct Item {
@@ -25,30 +27,6 @@ std::uint32_t spread(std::uint32_t x) {
     x = (x | x << 2) & 0x33333333u;
     return (x | x << 1) & 0x55555555u;
 }
-
-// By key, and where keys are equal in the order given.
-class RadixSort {
-public:
-    void operator()(std::span<Item> items) {
-        std::array<std::array<std::uint32_t, 256>, 4> counts{};
-        for (const Item& item : items)
-            for (unsigned digit = 0; digit < 4; ++digit) ++counts[digit][item.key >> 8 * digit & 255];
-        if (other_.size() < items.size()) other_.resize(items.size());
-        std::span<Item> from = items;
-        std::span<Item> to = std::span(other_).first(items.size());
-        for (unsigned digit = 0; digit < 4; ++digit) {
-            if (counts[digit][items[0].key >> 8 * digit & 255] == items.size()) continue;
-            std::uint32_t sum = 0;
-            for (std::uint32_t& count : counts[digit]) sum += std::exchange(count, sum);
-            for (const Item& item : from) to[counts[digit][item.key >> 8 * digit & 255]++] = item;
-            std::swap(from, to);
-        }
-        if (from.data() != items.data()) std::copy(from.begin(), from.end(), items.begin());
-    }
-
-private:
-    std::vector<Item> other_;
-};
 
 // The centre, halved so that no sum of finite numbers overflows. Opposite infinities make NaN.
 Vec2 halfCenter(const Aabb& box) {
@@ -67,12 +45,41 @@ struct Axis {
         high = std::max(high, x);
     }
     bool divides() const { return high - low > 0; }
-    void fit() { scale = divides() ? axisCells / (high - low) : 0; }
+    void fit(double cells) { scale = divides() ? cells / (high - low) : 0; }
     // Written so that NaN, from an infinite scale or centre, ends in the first cell.
-    std::uint32_t cell(double x) const {
+    std::uint32_t cell(double x, double cells) const {
         const double place = (x - low) * scale;
         if (!(place > 0)) return 0;
-        return place < axisCells ? static_cast<std::uint32_t>(place) : static_cast<std::uint32_t>(axisCells) - 1;
+        return place < cells ? static_cast<std::uint32_t>(place) : static_cast<std::uint32_t>(cells) - 1;
+    }
+};
+
+// The power of two at or below a length, within those of floats; infinite and NaN count as the largest.
+int exponentOf(double length) {
+    if (!(length < 0x1p127)) return 127;
+    if (!(length > 0x1p-126)) return -126;
+    std::uint64_t bits = 0;  // of which the upper ones are the exponent: the number is above zero
+    std::memcpy(&bits, &length, sizeof bits);
+    return static_cast<int>(bits >> 52) - 1023;
+}
+
+/// How many bits of a key tell where on each axis: so many that few boxes share a cell where they lie evenly, as more
+/// would only be sorted; and the longer axis has more, so that cells are about as wide as high.
+struct CellBits {
+    unsigned x, y;
+
+    CellBits(std::size_t count, double width, double height) {
+        const int all = std::min(static_cast<int>(std::bit_width(count)) + 5, static_cast<int>(cellBits));
+        const int wider = exponentOf(width) - exponentOf(height);
+        x = static_cast<unsigned>(std::clamp((all + wider) / 2, 0, std::min(all, 16)));
+        y = static_cast<unsigned>(std::min(all - static_cast<int>(x), 16));
+    }
+    /// The lower bits of both in turn, above them what the longer one has more.
+    std::uint32_t key(std::uint32_t cellX, std::uint32_t cellY) const {
+        const unsigned shared = std::min(x, y);
+        const std::uint32_t low = (1u << shared) - 1;
+        const std::uint32_t rest = x > y ? cellX >> shared : cellY >> shared;
+        return spread(cellX & low) | spread(cellY & low) << 1 | rest << 2 * shared;
     }
 };
 
@@ -85,26 +92,43 @@ bool assignCells(std::span<Item> items, std::span<const Aabb> boxes) {
         y.hold(center.y());
     }
     if (!x.divides() && !y.divides()) return false;
-    x.fit();
-    y.fit();
+    const CellBits bits(items.size(), x.high - x.low, y.high - y.low);
+    const double cellsX = 1 << bits.x;
+    const double cellsY = 1 << bits.y;
+    x.fit(cellsX);
+    y.fit(cellsY);
     for (Item& item : items) {
         const Vec2 center = halfCenter(boxes[item.index]);
         item.key =
-            (item.key >> 2 * axisBits << 2 * axisBits) | spread(x.cell(center.x())) | spread(y.cell(center.y())) << 1;
+            (item.key >> cellBits << cellBits) | bits.key(x.cell(center.x(), cellsX), y.cell(center.y(), cellsY));
     }
     return true;
 }
 
-// The power of two at or below the larger side, within those of floats; infinite and NaN count as the largest.
+// As a power of two, at or below the larger side.
 int sizeExponent(const Aabb& box) {
-    const double size = std::max(box.upper.x() - box.lower.x(), box.upper.y() - box.lower.y());
-    if (!(size < 0x1p127)) return 127;
-    return size > 0x1p-126 ? std::ilogb(size) : -126;
+    return exponentOf(std::max(box.upper.x() - box.lower.x(), box.upper.y() - box.lower.y()));
 }
 
-std::vector<Item> classedItems(std::span<const Aabb> boxes) {
+struct Range {
+    std::size_t begin, end;
+};
+
+}  // namespace
+
+struct MortonSort::Memory {
+    std::vector<Item> items;
+    std::vector<Range> open;
+    std::vector<std::uint32_t> order;
+    RadixSort<Item, 4> sort;
+
+    void classify(std::span<const Aabb> boxes);
+    void divide(const Range& range, std::span<const Aabb> boxes, std::uint32_t runLimit);
+};
+
+void MortonSort::Memory::classify(std::span<const Aabb> boxes) {
     std::array<std::uint32_t, 256> counts{};
-    std::vector<Item> items(boxes.size());
+    items.resize(boxes.size());
     for (std::uint32_t i = 0; i < items.size(); ++i) {
         const auto exponent = static_cast<std::uint32_t>(sizeExponent(boxes[i]) + 126);
         items[i] = {exponent, i};
@@ -115,40 +139,48 @@ std::vector<Item> classedItems(std::span<const Aabb> boxes) {
     for (Item& item : items) {
         const int above = static_cast<int>(item.key) - static_cast<int>(median) - 3;
         const int sizeClass = above < 0 ? 0 : std::min(topClass, 1 + above / 4);
-        item.key = static_cast<std::uint32_t>(sizeClass) << 2 * axisBits;
+        item.key = static_cast<std::uint32_t>(sizeClass) << cellBits;
     }
-    return items;
 }
 
-struct Range {
-    std::size_t begin, end;
-};
+void MortonSort::Memory::divide(const Range& range, std::span<const Aabb> boxes, std::uint32_t runLimit) {
+    const std::span<Item> part = std::span(items).subspan(range.begin, range.end - range.begin);
+    const bool divided = assignCells(part, boxes);
+    if (!divided && part.size() < items.size()) return;
+    sort(part, [](const Item& item) { return item.key; });
+    // The centres farthest apart are in different cells by now, so every run is shorter than the range was.
+    for (std::size_t begin = range.begin; divided && begin < range.end;) {
+        std::size_t end = begin + 1;
+        while (end < range.end && items[end].key == items[begin].key) ++end;
+        if (end - begin > runLimit) open.push_back({begin, end});
+        begin = end;
+    }
+}
 
-}  // namespace
+MortonSort::MortonSort() : memory_(std::make_unique<Memory>()) {}
+MortonSort::MortonSort(MortonSort&&) noexcept = default;
+MortonSort& MortonSort::operator=(MortonSort&&) noexcept = default;
+MortonSort::~MortonSort() = default;
+
+std::span<const std::uint32_t> MortonSort::operator()(std::span<const Aabb> boxes, std::uint32_t runLimit) {
+    Memory& memory = *memory_;
+    memory.classify(boxes);
+    memory.open.clear();
+    if (!boxes.empty()) memory.open.push_back({0, boxes.size()});
+    while (!memory.open.empty()) {
+        const Range range = memory.open.back();
+        memory.open.pop_back();
+        memory.divide(range, boxes, runLimit);
+    }
+    memory.order.resize(boxes.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i) memory.order[i] = memory.items[i].index;
+    return memory.order;
+}
 
 std::vector<std::uint32_t> mortonOrder(std::span<const Aabb> boxes, std::uint32_t runLimit) {
-    std::vector<Item> items = classedItems(boxes);
-    RadixSort sort;
-    std::vector<Range> open;
-    if (!items.empty()) open.push_back({0, items.size()});
-    while (!open.empty()) {
-        const Range range = open.back();
-        open.pop_back();
-        const std::span<Item> part = std::span(items).subspan(range.begin, range.end - range.begin);
-        const bool divided = assignCells(part, boxes);
-        if (!divided && range.end - range.begin < items.size()) continue;
-        sort(part);
-        // The centres farthest apart are in different cells by now, so every run is shorter than the range was.
-        for (std::size_t begin = range.begin; divided && begin < range.end;) {
-            std::size_t end = begin + 1;
-            while (end < range.end && items[end].key == items[begin].key) ++end;
-            if (end - begin > runLimit) open.push_back({begin, end});
-            begin = end;
-        }
-    }
-    std::vector<std::uint32_t> order(items.size());
-    for (std::size_t i = 0; i < items.size(); ++i) order[i] = items[i].index;
-    return order;
+    MortonSort sort;
+    const std::span<const std::uint32_t> order = sort(boxes, runLimit);
+    return {order.begin(), order.end()};
 }
 
 }  // namespace plumb

@@ -2,6 +2,7 @@
 // In which order do boxes that lie near each other stand near each other?
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -15,5 +16,21 @@ namespace plumb {
 /// far away cost the others nothing. Boxes that are equally placed keep their order. Any coordinates will do.
 /// Source: Morton, "A computer oriented geodetic data base", IBM 1966; radix sort: Knuth, TAOCP 3, 5.2.5.
 std::vector<std::uint32_t> mortonOrder(std::span<const Aabb> boxes, std::uint32_t runLimit);
+
+/// The same, again and again: keeps its memory.
+class MortonSort {
+public:
+    MortonSort();
+    MortonSort(MortonSort&&) noexcept;
+    MortonSort& operator=(MortonSort&&) noexcept;
+    ~MortonSort();
+
+    /// Holds until the next call.
+    std::span<const std::uint32_t> operator()(std::span<const Aabb> boxes, std::uint32_t runLimit);
+
+private:
+    struct Memory;
+    std::unique_ptr<Memory> memory_;
+};
 
 }  // namespace plumb

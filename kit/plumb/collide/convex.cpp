@@ -1,46 +1,74 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/collide/convex.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
+
+#include <plumb/math/check.h>
 
 namespace plumb {
 
+FewVectors::FewVectors(std::span<const Vec2f> vectors) {
+    const std::size_t room = (vectors.size() + few - 1) / few * few;
+    if (room > few) many_.resize(2 * room);
+    float* row = many_.empty() ? few_.data() : many_.data();
+    for (std::size_t i = 0; i < room; ++i) {
+        const Vec2f& vector = vectors[std::min(i, vectors.size() - 1)];
+        row[i] = vector.x();
+        row[room + i] = vector.y();
+    }
+}
+
 namespace {
 
-Convex emptyConvex() {
-    Convex convex;
-    convex.vertices.fill(Vec2f::Zero());
-    convex.normals.fill(Vec2f::Zero());
-    return convex;
+Vec2f outwardOf(const Vec2& from, const Vec2& to) {
+    const Vec2 edge = to - from;
+    return Vec2(-perp(edge) / std::sqrt(edge.dot(edge))).cast<float>();
 }
 
 /// Rounded to float last: a short edge far from the centre keeps its direction.
-Convex convexAround(std::span<const Vec2> corners, const Vec2& center) {
-    Convex convex = emptyConvex();
-    convex.count = static_cast<int>(corners.size());
+Convex convexAround(std::span<const Vec2> corners, double radius, const Vec2& center) {
+    std::vector<Vec2f> vertices, normals;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Vec2 edge = corners[(i + 1) % corners.size()] - corners[i];
-        const Vec2 outward = -perp(edge) / std::sqrt(edge.dot(edge));
-        convex.vertices[i] = Vec2(corners[i] - center).cast<float>();
-        convex.normals[i] = outward.cast<float>();
+        vertices.emplace_back(Vec2(corners[i] - center).cast<float>());
+        normals.push_back(outwardOf(corners[i], corners[i + 1 < corners.size() ? i + 1 : 0]));
     }
+    Convex convex;
+    convex.vertices = FewVectors(vertices);
+    convex.normals = FewVectors(normals);
+    convex.count = static_cast<int>(corners.size());
+    convex.radius = static_cast<float>(radius);
     return convex;
 }
 
 Convex convexOf(const Circle& circle, const Vec2& center) {
-    Convex convex = emptyConvex();
+    const Vec2f middle = Vec2(circle.center - center).cast<float>();
+    Convex convex;
+    convex.vertices = FewVectors(std::span(&middle, 1));
     convex.count = 1;
-    convex.vertices[0] = Vec2(circle.center - center).cast<float>();
     convex.radius = static_cast<float>(circle.radius);
     return convex;
 }
 
+Convex convexOf(const Capsule& capsule, const Vec2& center) {
+    return convexAround(std::array{capsule.start, capsule.end}, capsule.radius, center);
+}
+
 Convex convexOf(const Polygon& polygon, const Vec2& center) {
-    return convexAround(polygon.vertices, center);
+    return convexAround(polygon.vertices, polygon.radius, center);
 }
 
 Convex convexOf(const Segment& segment, const Vec2& center) {
-    return convexAround(std::array{segment.start, segment.end}, center);
+    Convex convex = convexAround(std::array{segment.start, segment.end}, 0, center);
+    if (segment.before) convex.before = outwardOf(*segment.before, segment.start);
+    if (segment.after) convex.after = outwardOf(segment.end, *segment.after);
+    return convex;
+}
+
+Convex convexOf(const Chain&, const Vec2&) {
+    refuse("convexOf.shape", "a chain is not convex: its pieces are");
 }
 
 }  // namespace

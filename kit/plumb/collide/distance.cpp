@@ -5,6 +5,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+
+#include <plumb/shapes/chain.h>
 
 namespace plumb {
 
@@ -35,20 +38,35 @@ Outline outlineOf(const Circle& circle) {
 
 Outline outlineOf(const Polygon& polygon) {
     Outline outline;
+    outline.radius = polygon.radius;
     outline.count = outline.edges = polygon.vertices.size();
     std::copy(polygon.vertices.begin(), polygon.vertices.end(), outline.corners.begin());
     for (std::size_t i = 0; i < outline.edges; ++i) outline.normals[i] = unit(-perp(outline.edgeFrom(i)));
     return outline;
 }
 
-Outline outlineOf(const Segment& segment) {
-    const Vec2 along = unit(segment.end - segment.start);
+Outline outlineOf(const Vec2& start, const Vec2& end, double radius) {
+    const Vec2 along = unit(end - start);
     const Vec2 right = -perp(along);
     Outline outline;
+    outline.radius = radius;
     outline.count = outline.edges = 4;
-    std::copy_n(std::array{segment.start, segment.end, segment.end, segment.start}.begin(), 4, outline.corners.begin());
+    std::copy_n(std::array{start, end, end, start}.begin(), 4, outline.corners.begin());
     std::copy_n(std::array<Vec2, 4>{right, along, -right, -along}.begin(), 4, outline.normals.begin());
     return outline;
+}
+
+Outline outlineOf(const Segment& segment) {
+    return outlineOf(segment.start, segment.end, 0);
+}
+
+Outline outlineOf(const Capsule& capsule) {
+    return outlineOf(capsule.start, capsule.end, capsule.radius);
+}
+
+/// A chain has none: it goes piece by piece.
+Outline outlineOf(const Chain&) {
+    return {};
 }
 
 /// The shape turned as it lies in the world, its place seen from origin: numbers no larger than need be.
@@ -153,9 +171,7 @@ Distance coreDistance(const Outline& a, const Outline& b) {
     return nearerB ? exchanged(best.distance) : best.distance;
 }
 
-}  // namespace
-
-Distance distance(const Shape& a, const Transform& poseA, const Shape& b, const Transform& poseB) {
+Distance pieceDistance(const Shape& a, const Transform& poseA, const Shape& b, const Transform& poseB) {
     const Vec2& origin = poseA.position;
     const Outline outlineA = outlineOf(a, poseA, origin);
     const Outline outlineB = outlineOf(b, poseB, origin);
@@ -164,6 +180,21 @@ Distance distance(const Shape& a, const Transform& poseA, const Shape& b, const 
     result.pointA += result.normal * outlineA.radius + origin;
     result.pointB += origin - result.normal * outlineB.radius;
     return result;
+}
+
+}  // namespace
+
+Distance distance(const Shape& a, const Transform& poseA, const Shape& b, const Transform& poseB) {
+    const bool chains = std::holds_alternative<Chain>(a) || std::holds_alternative<Chain>(b);
+    if (!chains) return pieceDistance(a, poseA, b, poseB);
+    std::optional<Distance> nearest;
+    for (const Shape& pieceA : piecesOf(a)) {
+        for (const Shape& pieceB : piecesOf(b)) {
+            const Distance here = pieceDistance(pieceA, poseA, pieceB, poseB);
+            if (!nearest || here.separation < nearest->separation) nearest = here;
+        }
+    }
+    return *nearest;
 }
 
 }  // namespace plumb

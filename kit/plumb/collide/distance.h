@@ -16,8 +16,8 @@ struct Distance {
 /// The signed distance of two shapes, in double precision.
 /// apart:       min over corners p of one and edges e of the other of |p - e|
 /// overlapping: max over edges (v, n) of one of min over corners p of the other of n . (p - v), a negative number
-/// less the radii of circles, whose only corner is their centre. A segment is two edges back to back with an end cap of
-/// no length at either end.
+/// less the radii; of a circle the only corner is its centre. A segment, as the core of a capsule, is two edges back to
+/// back with an end cap of no length at either end. A chain is as far away as the nearest of its segments.
 /// Source: separating axes, as the edges of the Minkowski difference are those of both shapes.
 /// Holds: to about five roundings of the sizes and of the distance of the two; where in the world they are adds none.
 /// Of directions equally short it gives the first edge's, A's before B's; of concentric circles (0, 1).

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/collide/manifold.h>
 
+#include <plumb/collide/detail/chain_manifold.h>
 #include <plumb/collide/detail/circle_manifold.h>
+#include <plumb/collide/detail/feature.h>
 #include <plumb/collide/detail/polygon_manifold.h>
 #include <plumb/collide/detail/rounding.h>
 
@@ -18,15 +20,17 @@ Vec2f placed(const RelativePose& pose, const Vec2f& point) {
     return direction + pose.position;
 }
 
-Convex placed(const RelativePose& pose, const Convex& shape) {
-    Convex result;
-    result.count = shape.count;
-    result.radius = shape.radius;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(shape.count); ++i) {
-        result.vertices[i] = placed(pose, shape.vertices[i]);
-        result.normals[i] = turned(pose, shape.normals[i]);
+Core placed(const RelativePose& pose, const Convex& shape, PlacedRows& room) {
+    const Core core = coreOf(shape);
+    for (std::size_t i = 0; i < core.count; i += lanes) {
+        const Lanes x = lanesAt(core.x + i), y = lanesAt(core.y + i);
+        store(pose.cos * x - pose.sin * y + pose.position.x(), room.x + i);
+        store(pose.sin * x + pose.cos * y + pose.position.y(), room.y + i);
+        const Lanes nx = lanesAt(core.normalX + i), ny = lanesAt(core.normalY + i);
+        store(pose.cos * nx - pose.sin * ny, room.normalX + i);
+        store(pose.sin * nx + pose.cos * ny, room.normalY + i);
     }
-    return result;
+    return {room.x, room.y, room.normalX, room.normalY, core.count, core.radius};
 }
 
 RelativePose inverse(const RelativePose& pose) {
@@ -34,27 +38,41 @@ RelativePose inverse(const RelativePose& pose) {
     return {turned(back, -pose.position), back.cos, back.sin};
 }
 
-Disc discOf(const Convex& shape) {
-    return {shape.vertices[0], shape.radius};
+Disc discOf(const Core& shape) {
+    return {shape.vertex(0), shape.radius};
 }
 
-/// A's circle against B: B's against A, seen from A again. One point, whose feature is the same either way.
-Manifold circleFirst(const Disc& a, const Convex& b, const RelativePose& bInA, float margin) {
-    Manifold result = circleManifold(b, {placed(inverse(bInA), a.center), a.radius}, manhattan(bInA.position), margin);
+/// Only B may be a circle here.
+Manifold placedManifold(const Convex& a, const Core& b, float far, float margin) {
+    if (goesOn(a)) return chainManifold(a, b, far, margin);
+    if (b.count > 1) return polygonManifold(coreOf(a), b, far, margin);
+    return circleManifold(coreOf(a), discOf(b), far, margin);
+}
+
+/// B against A, seen from A again.
+Manifold exchanged(const Convex& a, const Convex& b, const RelativePose& bInA, float far, float margin) {
+    PlacedRows room;
+    Manifold result = placedManifold(b, placed(inverse(bInA), a, room), far, margin);
     if (result.count == 0) return result;
     result.normal = turned(bInA, -result.normal);
-    result.points[0].position = placed(bInA, result.points[0].position);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(result.count); ++i) {
+        ManifoldPoint& point = result.points[i];
+        point.position = placed(bInA, point.position);
+        point.feature = swapped(point.feature);
+    }
     return result;
 }
 
 }  // namespace
 
 Manifold manifold(const Convex& a, const Convex& b, const RelativePose& bInA, float margin) {
+    if (a.count == 1 && b.count == 1)
+        return circleManifold(discOf(coreOf(a)), {placed(bInA, b.vertices[0]), b.radius}, margin);
     const float far = manhattan(bInA.position);
-    if (a.count > 1 && b.count > 1) return polygonManifold(a, placed(bInA, b), far, margin);
-    if (b.count > 1) return circleFirst(discOf(a), b, bInA, margin);
-    const Disc disc{placed(bInA, b.vertices[0]), b.radius};
-    return a.count > 1 ? circleManifold(a, disc, far, margin) : circleManifold(discOf(a), disc, margin);
+    // A circle is B, and what is more than a segment with neighbours: so that each case is there once.
+    if (a.count == 1 || (goesOn(b) && !goesOn(a))) return exchanged(a, b, bInA, far, margin);
+    PlacedRows room;
+    return placedManifold(a, placed(bInA, b, room), far, margin);
 }
 
 }  // namespace plumb

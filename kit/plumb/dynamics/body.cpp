@@ -2,7 +2,7 @@
 #include <plumb/dynamics/body.h>
 
 #include <plumb/dynamics/detail/islands.h>
-#include <plumb/dynamics/detail/narrow_phase.h>
+#include <plumb/dynamics/detail/pairs.h>
 #include <plumb/dynamics/detail/world_state.h>
 #include <plumb/math/check.h>
 
@@ -20,7 +20,7 @@ void velocityChanged(WorldState& world, BodyIndex body) {
     const bool moves = !motion.velocity.isZero(0) || motion.angularVelocity != 0;
     if (moves) {
         world.bodies.wake(body);
-        forEachContact(world.bodies, world.contacts, body, [&](ContactIndex c) { world.contacts.activate(c); });
+        forEachContact(world.bodies, world.contacts, body, [&](ContactIndex c) { world.contacts.addNear(c); });
     } else {
         world.bodies.putToSleep(body);
     }
@@ -36,7 +36,7 @@ Contact contactOf(const WorldState& world, const ContactRecord& record) {
     Contact contact{world.idOf(record.bodyA), world.idOf(record.bodyB), normalOf(world, record), {}};
     const double time = record.colour >= 0 ? world.lastStep : record.memoryStep;
     const auto memory = world.graph.memoryOf(record);
-    for (std::size_t p = 0; p < static_cast<std::size_t>(record.manifold.count); ++p) {
+    for (std::size_t p = 0; p < static_cast<std::size_t>(world.graph.manifoldOf(record).count); ++p) {
         ContactPoint out{pointOf(world, record, p), static_cast<double>(world.graph.separationOf(record, p)), 0, 0};
         if (time > 0) {
             out.normalForce = static_cast<double>(memory[p].totalNormal) / time;
@@ -129,6 +129,7 @@ void Body::setPose(const Vec2& position, double angle) {
     motion.center = position + motion.rotation * world_->bodies.record[index_].localCenter;
     // It has left whatever it was near; the space is to look anew, also at what sleeps where it has come to.
     forEachContact(world_->bodies, world_->contacts, index_, [this](ContactIndex c) { removeContact(*world_, c); });
+    world_->bodies.rest(index_);
     placeBody(*world_, index_, 0);
     for (const ProxyId proxy : world_->bodies.record[index_].proxies) world_->space.renew(proxy);
     wakeIsland(*world_, index_);

@@ -3,16 +3,21 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 
+#include <plumb/dynamics/detail/continuous.h>
 #include <plumb/dynamics/detail/free_motion.h>
 #include <plumb/dynamics/detail/islands.h>
+#include <plumb/dynamics/detail/load_bodies.h>
 #include <plumb/dynamics/detail/narrow_phase.h>
+#include <plumb/dynamics/detail/pairs.h>
 #include <plumb/dynamics/detail/quarantine.h>
 #include <plumb/dynamics/detail/report_contacts.h>
 #include <plumb/dynamics/detail/solver.h>
 #include <plumb/dynamics/detail/sort_out.h>
 #include <plumb/dynamics/detail/validate.h>
 #include <plumb/math/check.h>
+#include <plumb/shapes/chain.h>
 
 namespace plumb {
 
@@ -34,13 +39,6 @@ void clearEvents(WorldState& world) {
 /// [s].
 constexpr double shortestSolved = 1e-9;
 
-void forgetLastStep(WorldState& world) {
-    for (const BodyIndex body : world.bodies.awake) {
-        BodyRecord& record = world.bodies.record[body];
-        record.constrained = record.pushed = record.flown = false;
-    }
-}
-
 void flyFreeBodies(WorldState& world, double dt) {
     for (const BodyIndex body : world.bodies.awake) {
         const BodyRecord& record = world.bodies.record[body];
@@ -56,6 +54,23 @@ void clearForces(BodyStore& bodies) {
     }
 }
 
+/// Notes how long each phase takes. Nothing else depends on it.
+class Stopwatch {
+public:
+    explicit Stopwatch(StepProfile& profile) : profile_(profile), last_(Clock::now()) { profile_ = {}; }
+    void lap(double StepProfile::*phase) {
+        const Clock::time_point now = Clock::now();
+        profile_.*phase = std::chrono::duration<double>(now - last_).count();
+        profile_.total += profile_.*phase;
+        last_ = now;
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    StepProfile& profile_;
+    Clock::time_point last_;
+};
+
 double extentOf(const Convex& convex) {
     float farthest = 0;
     for (int i = 0; i < convex.count; ++i)
@@ -63,14 +78,20 @@ double extentOf(const Convex& convex) {
     return static_cast<double>(farthest + convex.radius);
 }
 
-void addShapes(WorldState& world, BodyIndex body, const BodyDef& def) {
+void addShape(WorldState& world, BodyIndex body, const ShapeDef& shape) {
     BodyRecord& record = world.bodies.record[body];
-    for (const ShapeDef& shape : def.shapes) {
-        const Aabb box = aabbOf(shape.shape, world.bodies.pose(body));
-        const bool fixed = def.type == BodyType::Static;
-        record.proxies.push_back(world.space.add(shape, body, fixed, record.localCenter, box));
-        record.extent = std::max(record.extent, extentOf(world.space[record.proxies.back()].convex));
-    }
+    const Aabb box = aabbOf(shape.shape, world.bodies.pose(body));
+    const bool fixed = record.type == BodyType::Static;
+    const ProxyId proxy = world.space.add(shape, body, fixed, record.localCenter, box);
+    record.proxies.push_back(proxy);
+    record.extent = std::max(record.extent, extentOf(world.space[proxy].convex));
+    if (world.boxes.size() <= proxy) world.boxes.resize(proxy + std::size_t{1});
+    world.boxes[proxy] = boxOutlineOf(shape, record.localCenter);
+}
+
+void addShapes(WorldState& world, BodyIndex body, const BodyDef& def) {
+    for (const ShapeDef& shape : def.shapes)
+        for (const Shape& piece : piecesOf(shape.shape)) addShape(world, body, {piece, shape.material, shape.filter});
 }
 
 }  // namespace
@@ -80,6 +101,7 @@ World::World(const WorldDef& def) {
     state_ = std::make_unique<WorldState>();
     state_->def = def;
     state_->id = nextWorldId();
+    state_->collider = &laneCollider(def.solver.lanes);
 }
 
 World::World(World&&) noexcept = default;
@@ -106,6 +128,7 @@ BodyId World::add(const BodyDef& def) {
     motion.velocity = def.velocity;
     motion.angularVelocity = def.angularVelocity;
     addShapes(*state_, body, def);
+    bodies.rest(body);
     const bool moves = def.type == BodyType::Dynamic || !def.velocity.isZero(0) || def.angularVelocity != 0;
     if (moves && def.awake) bodies.wake(body);
     return state_->idOf(body);
@@ -133,6 +156,7 @@ JointId World::join(const JointDef& def) {
         record.joint = RevoluteJoint(*revolute, world.bodies);
     else
         record.joint = DistanceJoint(std::get<DistanceJointDef>(def), world.bodies);
+    world.jointsChanged = true;
     for (const BodyIndex body : {record.bodyA, record.bodyB}) {
         world.bodies.record[body].joints.push_back(index);
         wakeIsland(world, body);
@@ -164,6 +188,7 @@ void World::remove(JointId id) {
         wakeIsland(world, body);
         std::erase(world.bodies.record[body].joints, id.index);
     }
+    world.jointsChanged = true;
     if (!record.collideConnected) pairShapes(world, record.bodyA, record.bodyB);
     const std::uint32_t generation = record.generation + 1;
     record = {};
@@ -176,20 +201,27 @@ void World::step(double dt) {
     WorldState& world = *state_;
     clearEvents(world);
     if (dt > 0) {
+        Stopwatch watch(world.profile);
         world.lastStep = dt;
-        markUnsound(world);
+        loadBodies(world, dt);
         quarantine(world);
-        forgetLastStep(world);
         if (dt >= shortestSolved) {
+            findPairs(world, dt);
+            watch.lap(&StepProfile::pairs);
             findContacts(world, dt);
+            watch.lap(&StepProfile::collide);
             sortOutContacts(world, dt);
+            watch.lap(&StepProfile::impacts);
             solveConstraints(world, dt);
+            watch.lap(&StepProfile::solve);
         }
         flyFreeBodies(world, dt);
+        stopAtWalls(world, dt);
         reportContacts(world);
         clearForces(world.bodies);
         quarantine(world);
         sleepIslands(world, dt);
+        watch.lap(&StepProfile::finish);
     }
     world.reportedEnds = world.ends.size();
 }

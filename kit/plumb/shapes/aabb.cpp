@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/shapes/aabb.h>
 
+#include <array>
+#include <span>
+
 namespace plumb {
 namespace {
 
@@ -14,17 +17,31 @@ Aabb aroundPoints(std::span<const Vec2> points, const Transform& pose) {
     return box;
 }
 
+Aabb boxOf(const Circle& circle, const Transform& pose) {
+    const Vec2 center = pose * circle.center;
+    return inflate({center, center}, circle.radius);
+}
+
+Aabb boxOf(const Capsule& capsule, const Transform& pose) {
+    return inflate(aroundPoints(std::array{capsule.start, capsule.end}, pose), capsule.radius);
+}
+
+Aabb boxOf(const Polygon& polygon, const Transform& pose) {
+    return inflate(aroundPoints(polygon.vertices, pose), polygon.radius);
+}
+
+Aabb boxOf(const Segment& segment, const Transform& pose) {
+    return aroundPoints(std::array{segment.start, segment.end}, pose);
+}
+
+Aabb boxOf(const Chain& chain, const Transform& pose) {
+    return aroundPoints(chain.points, pose);
+}
+
 }  // namespace
 
 Aabb aabbOf(const Shape& shape, const Transform& pose) {
-    if (const auto* circle = std::get_if<Circle>(&shape)) {
-        const Vec2 center = pose * circle->center;
-        return inflate({center, center}, circle->radius);
-    }
-    if (const auto* polygon = std::get_if<Polygon>(&shape)) return aroundPoints(polygon->vertices, pose);
-    const auto& segment = std::get<Segment>(shape);
-    const Vec2 ends[] = {segment.start, segment.end};
-    return aroundPoints(ends, pose);
+    return std::visit([&](const auto& outline) { return boxOf(outline, pose); }, shape);
 }
 
 }  // namespace plumb

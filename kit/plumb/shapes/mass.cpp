@@ -3,6 +3,8 @@
 
 #include <numbers>
 
+#include <plumb/math/trig.h>
+
 namespace plumb {
 namespace {
 
@@ -12,9 +14,21 @@ Mass circleMass(const Circle& circle, double density) {
     return {mass, circle.center, 0.5 * mass * square};
 }
 
+/// A rectangle and a disc cut in halves, half a length to either side; g is where a half's own centre lies.
+Mass capsuleMass(const Capsule& capsule, double density) {
+    const double length = (capsule.end - capsule.start).norm();
+    const double r = capsule.radius;
+    const double box = density * length * 2 * r;
+    const double disc = density * std::numbers::pi * r * r;
+    const double g = 4 * r / (3 * std::numbers::pi);
+    const double boxInertia = box * (length * length + 4 * r * r) / 12;
+    const double discInertia = disc * (r * r / 2 + length * length / 4 + length * g);
+    return {box + disc, 0.5 * (capsule.start + capsule.end), boxInertia + discInertia};
+}
+
 // Triangles from the first corner, not from the body's origin: far from there, a sum about the origin would lose the
 // polygon's own inertia in the square of the distance.
-Mass polygonMass(const Polygon& polygon, double density) {
+Mass coreMass(const Polygon& polygon, double density) {
     const Vec2 first = polygon.vertices.front();
     double area = 0;
     double second = 0;
@@ -31,13 +45,56 @@ Mass polygonMass(const Polygon& polygon, double density) {
     return {density * area, first + center, density * (second - area * center.dot(center))};
 }
 
+/// What lies within radius outside of an edge.
+Mass stripMass(const Vec2& start, const Vec2& end, const Vec2& outward, double radius, double density) {
+    const Vec2 edge = end - start;
+    const double mass = density * edge.norm() * radius;
+    const Vec2 center = start + 0.5 * edge + 0.5 * radius * outward;
+    return {mass, center, mass * (edge.squaredNorm() + radius * radius) / 12};
+}
+
+/// What lies within radius of a corner, between the normals before and after it: a sector of a disc, of angle t.
+/// area = r^2 t / 2, centroid at (4 r / 3 t) sin(t / 2) from the tip, moment about the tip r^4 t / 4.
+Mass sectorMass(const Vec2& corner, const Vec2& before, const Vec2& after, double radius, double density) {
+    const double angle = arcTangent(cross(before, after), before.dot(after));
+    const double mass = density * radius * radius * angle / 2;
+    // The difference of the normals is 2 sin(t / 2) long and lies across the middle.
+    const Vec2 across = after - before;
+    const Vec2 out = -perp(across) * (2 * radius / (3 * angle));
+    return {mass, corner + out, mass * (radius * radius / 2 - out.squaredNorm())};
+}
+
+Mass polygonMass(const Polygon& polygon, double density) {
+    if (!(polygon.radius > 0)) return coreMass(polygon, density);
+    const std::vector<Vec2>& corners = polygon.vertices;
+    const std::size_t count = corners.size();
+    std::vector<Vec2> normals;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec2 edge = corners[(i + 1) % count] - corners[i];
+        normals.emplace_back(-perp(edge).stableNormalized());
+    }
+    std::vector<Mass> parts{coreMass(polygon, density)};
+    for (std::size_t i = 0; i < count; ++i) {
+        parts.push_back(stripMass(corners[i], corners[(i + 1) % count], normals[i], polygon.radius, density));
+        parts.push_back(sectorMass(corners[i], normals[(i + count - 1) % count], normals[i], polygon.radius, density));
+    }
+    return combine(parts);
+}
+
+/// A line of no width has no mass; its middle stands for its place.
+Mass lineMass(const Vec2& start, const Vec2& end) {
+    return {0, 0.5 * (start + end), 0};
+}
+
 }  // namespace
 
 Mass massOf(const Shape& shape, double density) {
     if (const auto* circle = std::get_if<Circle>(&shape)) return circleMass(*circle, density);
+    if (const auto* capsule = std::get_if<Capsule>(&shape)) return capsuleMass(*capsule, density);
     if (const auto* polygon = std::get_if<Polygon>(&shape)) return polygonMass(*polygon, density);
-    const auto& segment = std::get<Segment>(shape);
-    return {0, 0.5 * (segment.start + segment.end), 0};
+    if (const auto* segment = std::get_if<Segment>(&shape)) return lineMass(segment->start, segment->end);
+    const auto& points = std::get<Chain>(shape).points;
+    return lineMass(points.front(), points.back());
 }
 
 Mass combine(std::span<const Mass> parts) {

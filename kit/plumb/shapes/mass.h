@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How heavy is a shape, and how hard to turn?
 #pragma once
+#include <span>
+
 #include <plumb/shapes/shape.h>
 
 namespace plumb {
@@ -13,10 +15,13 @@ struct Mass {
 
 /// Mass of a shape of even density.
 /// circle:  m = d pi r^2, I = m r^2 / 2
+/// capsule: a rectangle and two half discs, l long between their centres: m = d (2 r l + pi r^2),
+///          I = d 2 r l (l^2 + 4 r^2) / 12 + d pi r^2 (r^2 / 2 + l^2 / 4 + 4 r l / 3 pi)
 /// polygon: sum over triangles (o, p_i, p_i+1) of area a = (p_i x p_i+1) / 2:
 ///          m = d sum a, c = d sum a (p_i + p_i+1) / 3 / m,
 ///          I_o = d sum a (p_i.p_i + p_i.p_i+1 + p_i+1.p_i+1) / 6, I = I_o - m c.c
-/// segment: no area, no mass
+///          rounded: and a strip r wide along each edge, and a sector of a disc around each corner
+/// segment, chain: no area, no mass
 /// d density [kg/m^2], r radius [m], p corners from o [m]
 /// Source: standard; polygon by Green's theorem. Exact to rounding.
 /// Test: "mass properties of random polygons match numerical integration"

@@ -105,17 +105,63 @@ void validateCircle(const Circle& circle, const std::string& field) {
 
 void validatePolygon(const Polygon& polygon, const std::string& field) {
     requireCounts(polygon, field);
+    requireNotNegative(polygon.radius, field, ".radius");
     const std::vector<Vec2> edges = scaledEdges(polygon);
     requireDistinctCorners(polygon, edges, field);
     requireLeftTurns(polygon, edges, field);
     requireOneWinding(edges, field);
 }
 
+bool same(const Vec2& a, const Vec2& b) {
+    return a.x() == b.x() && a.y() == b.y();
+}
+
+/// Does a line that goes from a to b come straight back on itself to c?
+bool foldsBack(const Vec2& a, const Vec2& b, const Vec2& c) {
+    const Vec2 in = (b - a).stableNormalized();
+    const Vec2 out = (c - b).stableNormalized();
+    return in.dot(out) < 0 && std::fabs(cross(in, out)) < polygonTolerance;
+}
+
+void validateCapsule(const Capsule& capsule, const std::string& field) {
+    requireFinite(capsule.start, field, ".start");
+    requireFinite(capsule.end, field, ".end");
+    requirePositive(capsule.radius, field, ".radius");
+    if (same(capsule.start, capsule.end))
+        refuse(field + ".end", toText(capsule.end) + " is the same point as start: that is a circle");
+}
+
+void validateNeighbour(const Vec2& beyond, const Vec2& joint, const Vec2& other, const std::string& field) {
+    requireFinite(beyond, field);
+    if (same(beyond, joint)) refuse(field, toText(beyond) + " is the end of the segment, not a point beyond");
+    if (foldsBack(other, joint, beyond)) refuse(field, toText(beyond) + " folds the line straight back on itself");
+}
+
 void validateSegment(const Segment& segment, const std::string& field) {
     requireFinite(segment.start, field, ".start");
     requireFinite(segment.end, field, ".end");
-    if (segment.start.x() == segment.end.x() && segment.start.y() == segment.end.y())
-        refuse(field + ".end", toText(segment.end) + " is the same point as start");
+    if (same(segment.start, segment.end)) refuse(field + ".end", toText(segment.end) + " is the same point as start");
+    if (segment.before) validateNeighbour(*segment.before, segment.start, segment.end, field + ".before");
+    if (segment.after) validateNeighbour(*segment.after, segment.end, segment.start, field + ".after");
+}
+
+void validateChain(const Chain& chain, const std::string& field) {
+    const std::size_t count = chain.points.size(), least = chain.closed ? 3 : 2;
+    if (count < least)
+        refuse(field + ".points", std::to_string(count) + " points are fewer than " + std::to_string(least) +
+                                      (chain.closed ? " of a closed chain" : ""));
+    const auto name = [&](std::size_t i) { return field + ".points[" + std::to_string(i) + "]"; };
+    for (std::size_t i = 0; i < count; ++i)
+        if (!chain.points[i].allFinite()) requireFinite(chain.points[i], name(i));
+    const auto point = [&](std::size_t i) -> const Vec2& { return chain.points[i % count]; };
+    const std::size_t segments = chain.closed ? count : count - 1;
+    for (std::size_t i = 0; i < segments; ++i)
+        if (same(point(i), point(i + 1)))
+            refuse(name((i + 1) % count), toText(point(i + 1)) + " repeats the point before it");
+    const std::size_t joints = chain.closed ? count : count - 2;
+    for (std::size_t i = 0; i < joints; ++i)
+        if (foldsBack(point(i), point(i + 1), point(i + 2)))
+            refuse(name((i + 1) % count), toText(point(i + 1)) + " folds the line straight back on itself");
 }
 
 }  // namespace
@@ -129,8 +175,10 @@ Polygon boxPolygon(const Vec2& halfSize, const Vec2& center) {
 
 void validate(const Shape& shape, const std::string& field) {
     if (const auto* circle = std::get_if<Circle>(&shape)) validateCircle(*circle, field);
+    if (const auto* capsule = std::get_if<Capsule>(&shape)) validateCapsule(*capsule, field);
     if (const auto* polygon = std::get_if<Polygon>(&shape)) validatePolygon(*polygon, field);
     if (const auto* segment = std::get_if<Segment>(&shape)) validateSegment(*segment, field);
+    if (const auto* chain = std::get_if<Chain>(&shape)) validateChain(*chain, field);
 }
 
 }  // namespace plumb

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which outlines can a body have?
 #pragma once
-#include <span>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -15,21 +15,40 @@ struct Circle {
     Vec2 center{0, 0};    ///< in the body's frame [m]
 };
 
+/// All that is within radius of a line: a stadium.
+struct Capsule {
+    Vec2 start{-0.5, 0};  ///< in the body's frame [m]
+    Vec2 end{0.5, 0};     ///< not equal to start [m]
+    double radius = 0.5;  ///< > 0 [m]
+};
+
 /// A convex polygon, counter-clockwise, 3 to maxPolygonVertices corners, no three of them in line: every edge longer
-/// than 1e-6 of the whole, every turn's sine above 1e-6.
+/// than 1e-6 of the whole, every turn's sine above 1e-6. With a radius it is rounded: its outline lies that far
+/// outside of the corners and edges.
 struct Polygon {
     std::vector<Vec2> vertices = {};  ///< in the body's frame [m]
+    double radius = 0;                ///< >= 0 [m]
 };
 
-/// A line from start to end, solid from both sides. Has no area, so no mass.
+/// A line from start to end, solid from both sides. Has no area, so no mass. Where the line goes on, before its start
+/// or after its end, nothing catches on the joint: a body that slides across feels what the whole line's outline
+/// allows. Whoever says where it goes on provides the segment that lies there, as a Chain does by itself.
 struct Segment {
-    Vec2 start{0, 0};  ///< in the body's frame [m]
-    Vec2 end{1, 0};    ///< not equal to start [m]
+    Vec2 start{0, 0};                           ///< in the body's frame [m]
+    Vec2 end{1, 0};                             ///< not equal to start [m]
+    std::optional<Vec2> before = std::nullopt;  ///< the point the line comes from before start [m]
+    std::optional<Vec2> after = std::nullopt;   ///< the point the line goes on to after end [m]
 };
 
-inline constexpr int maxPolygonVertices = 8;
+/// A line through points, smooth to slide along and solid from both sides. Has no area, so no mass.
+struct Chain {
+    std::vector<Vec2> points = {};  ///< 2 or more, 3 or more if closed; no two in succession equal [m]
+    bool closed = false;            ///< goes on from the last point to the first
+};
 
-using Shape = std::variant<Circle, Polygon, Segment>;
+inline constexpr int maxPolygonVertices = 64;
+
+using Shape = std::variant<Circle, Capsule, Polygon, Segment, Chain>;
 
 /// An upright rectangle around center; halfSize is half its width and half its height. Throws std::invalid_argument
 /// unless both are positive.

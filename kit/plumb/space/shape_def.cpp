@@ -11,16 +11,38 @@ ShapeDef circle(double radius, const Material& material) {
     return {.shape = Circle{.radius = radius}, .material = material};
 }
 
+ShapeDef capsule(const Vec2& start, const Vec2& end, double radius, const Material& material) {
+    return {.shape = Capsule{start, end, radius}, .material = material};
+}
+
 ShapeDef box(const Vec2& halfSize, const Material& material) {
     return {.shape = boxPolygon(halfSize), .material = material};
+}
+
+ShapeDef roundedBox(const Vec2& halfSize, double radius, const Material& material) {
+    Polygon rounded = boxPolygon(halfSize);
+    rounded.radius = radius;
+    return {.shape = std::move(rounded), .material = material};
 }
 
 ShapeDef polygon(std::vector<Vec2> vertices, const Material& material) {
     return {.shape = Polygon{std::move(vertices)}, .material = material};
 }
 
+ShapeDef roundedPolygon(std::vector<Vec2> vertices, double radius, const Material& material) {
+    return {.shape = Polygon{std::move(vertices), radius}, .material = material};
+}
+
 ShapeDef segment(const Vec2& start, const Vec2& end, const Material& material) {
     return {.shape = Segment{start, end}, .material = material};
+}
+
+ShapeDef chain(std::vector<Vec2> points, const Material& material) {
+    return {.shape = Chain{std::move(points), false}, .material = material};
+}
+
+ShapeDef loop(std::vector<Vec2> points, const Material& material) {
+    return {.shape = Chain{std::move(points), true}, .material = material};
 }
 
 void validate(const ShapeDef& def, const std::string& field) {
@@ -28,6 +50,8 @@ void validate(const ShapeDef& def, const std::string& field) {
     requireNotNegative(def.material.density, field, ".material.density");
     requireNotNegative(def.material.friction, field, ".material.friction");
     requireWithin(def.material.restitution, 0, 1, field, ".material.restitution");
+    requireNotNegative(def.material.rollingResistance, field, ".material.rollingResistance");
+    requireFinite(def.material.surfaceSpeed, field, ".material.surfaceSpeed");
 }
 
 }  // namespace plumb

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <plumb/shapes/shape.h>
+#include <plumb/shapes/hull.h>
 
 namespace plumb {
 
@@ -44,12 +44,22 @@ struct ShapeDef {
 
 /// A disc around a point of the body's frame.
 ShapeDef circle(double radius, const Material& material = {});
+/// All that is within radius of a line.
+ShapeDef capsule(const Vec2& start, const Vec2& end, double radius, const Material& material = {});
 /// An upright rectangle around the body's origin; halfSize is half its width and half its height [m].
 ShapeDef box(const Vec2& halfSize, const Material& material = {});
-/// A convex polygon, corners counter-clockwise.
+/// The same, its outline radius outside of what halfSize gives: halfSize + radius in all.
+ShapeDef roundedBox(const Vec2& halfSize, double radius, const Material& material = {});
+/// A convex polygon, corners counter-clockwise. Of any points: {.shape = hullOf(points)}.
 ShapeDef polygon(std::vector<Vec2> vertices, const Material& material = {});
+/// A convex polygon whose outline lies radius outside of its corners and edges.
+ShapeDef roundedPolygon(std::vector<Vec2> vertices, double radius, const Material& material = {});
 /// A line, solid from both sides.
 ShapeDef segment(const Vec2& start, const Vec2& end, const Material& material = {});
+/// A line through points, smooth to slide along, solid from both sides.
+ShapeDef chain(std::vector<Vec2> points, const Material& material = {});
+/// The same, closed: from the last point on to the first.
+ShapeDef loop(std::vector<Vec2> points, const Material& material = {});
 
 /// Throws std::invalid_argument naming the field, the value and what was wanted; field is the name of the def itself.
 void validate(const ShapeDef& def, const std::string& field);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Which placed shapes have come near each other?
 #pragma once
+#include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
-#include <plumb/broad/bvh.h>
+#include <plumb/broad/block_tree.h>
+#include <plumb/broad/morton.h>
+#include <plumb/broad/pair.h>
+#include <plumb/broad/radix_sort.h>
 #include <plumb/collide/convex.h>
 #include <plumb/shapes/aabb.h>
 #include <plumb/space/shape_def.h>
@@ -19,44 +22,134 @@ struct Proxy {
     ShapeDef def;
     Convex convex;            ///< the shape as seen from the owner's centre of mass
     std::uint32_t owner = 0;  ///< an index its owner's side knows; shapes of one owner never pair
-    bool fixed = false;       ///< never moves, and never pairs with another that is fixed
+    bool fixed = false;       ///< never moves by itself, and never pairs with another that is fixed
     bool alive = false;
-    bool moved = false;  ///< got a new box since the last look for pairs
-    Aabb box;            ///< holds the shape with room to spare
-    Aabb previousBox;    ///< the box at the last look for pairs; empty for a new proxy
 };
 
 /// May these two collide, as far as owner and filter go?
 bool mayPair(const Proxy& a, const Proxy& b);
 
+/// What the last look for pairs took, counted, so that it is the same on any machine.
+struct SpaceWork {
+    std::uint32_t placed = 0;      ///< shapes that were new, renewed, or had left their boxes
+    std::uint32_t sorted = 0;      ///< shapes whose order along the curve was made anew
+    std::uint64_t blockTests = 0;  ///< 16 boxes against one
+    std::uint64_t boxTests = 0;    ///< one box against the 16 of a block, one by one
+};
+
 /// Shapes with boxes that are larger than they need be, so that what rests or creeps is not looked at again.
+/// Three hierarchies: of what was placed lately, of what was not, and of what is fixed. A look for pairs costs in
+/// proportion to what was placed anew since the last; all else is only met where it lies in the way.
 class Space {
 public:
+    /// lanes: boxes tested at once, 1, 4, 8 or 16; no more than the machine has. The pairs are the same for any.
+    explicit Space(int lanes = 16) : lanes_(lanes) {}
+    void setLanes(int lanes) { lanes_ = lanes; }
+
     ProxyId add(const ShapeDef& def, std::uint32_t owner, bool fixed, const Vec2& localCenter, const Aabb& tight);
     void remove(ProxyId proxy);
 
-    /// Tells where a shape is and will be; a box that no longer holds it is renewed with margin [m] to spare.
-    void place(ProxyId proxy, const Aabb& tight, double margin);
+    /// Tells where a shape is and will be; a box that no longer holds it, or holds far too much, is renewed with
+    /// margin [m] to spare.
+    void place(ProxyId proxy, const Aabb& tight, double margin) {
+        const Aabb& now = placed_[proxy].box;
+        if (!contains(now, tight) || !contains(inflate(tight, loosest * margin), now)) renewBox(proxy, tight, margin);
+    }
 
     /// Lets the next look find all of a shape's pairs again, as if it were new.
     void renew(ProxyId proxy);
 
-    /// Boxes overlap now and did not at the last call: sorted, each once. Pairs whose boxes overlapped before are the
-    /// owner's to remember for as long as they do.
-    SortedPairs takeNewPairs();
+    /// Boxes overlap now and did not at the last call: sorted, each once; holds until the next call. Pairs whose boxes
+    /// overlapped before are the owner's to remember for as long as they do.
+    const SortedPairs& takeNewPairs();
 
     const Proxy& operator[](ProxyId proxy) const { return proxies_[proxy]; }
+    /// Holds the shape, with room to spare.
+    const Aabb& box(ProxyId proxy) const { return placed_[proxy].box; }
+    bool boxesOverlap(ProxyId a, ProxyId b) const { return overlap(placed_[a].box, placed_[b].box); }
+    /// Did they, at the last look for pairs?
+    bool previousBoxesOverlap(ProxyId a, ProxyId b) const { return overlap(previousBox(a), previousBox(b)); }
+
+    const SpaceWork& work() const { return work_; }
 
 private:
-    void rebuildTrees();
-    void collectPairs(ProxyId proxy, const Bvh& tree, const std::vector<ProxyId>& members, SortedPairs& pairs) const;
+    /// A box is renewed when it has more than this many margins to spare [-].
+    static constexpr double loosest = 4;
 
+    enum class Home : std::uint8_t { None, Moving, Resting, Fixed };
+    static constexpr std::size_t homes = 4;
+
+    struct alignas(32) PlacedBox {
+        Aabb box;
+    };
+    /// Where a proxy stands in the hierarchies.
+    struct Seat {
+        std::uint32_t slot = 0;
+        std::uint32_t lastPlaced = 0;  ///< the look that found it placed
+        Home home = Home::None;
+        bool alive = false, fixed = false;
+        bool moved = false;   ///< has a new box since the last look
+        bool fresh = false;   ///< had none at the last look, or is to be taken as if
+        bool listed = false;  ///< stands in moved_
+    };
+    /// What decides on pairs, close together.
+    struct Gate {
+        std::uint64_t category = 0, mask = 0;
+        std::uint32_t owner = 0;
+        int group = 0;
+        bool fixed = false;
+    };
+    struct Crowd {
+        BlockTree tree;
+        std::uint32_t changes = 0;  ///< added and taken out since its order was made
+        double looseness = 0;       ///< when its order was made [m]
+        std::uint32_t moved = 0;    ///< how many of it did since the last look
+        bool allMoved = false;      ///< so many did that all are taken to have
+        bool refit = false;         ///< all of its bounds are to be made anew
+        bool stale = false;         ///< its order is to be made anew
+    };
+    struct Finding;
+
+    static bool mayPair(const Gate& a, const Gate& b);
+
+    void renewBox(ProxyId proxy, const Aabb& tight, double margin);
+    void markMoved(ProxyId proxy);
+    const Aabb& previousBox(ProxyId proxy) const {
+        return seats_[proxy].moved ? previousBoxes_[proxy].box : placed_[proxy].box;
+    }
+    Crowd& crowdOf(Home home) { return crowds_[static_cast<std::size_t>(home)]; }
+    void leave(ProxyId proxy);
+    void enter(ProxyId proxy, Home home);
+    void seatMoved();
+    void bringUp(Crowd& crowd);
+    void sort(Crowd& crowd);
+    void fill(Crowd& crowd);
+    void putMoved(Crowd& crowd);
+    void follow();
+    void find(const Crowd& from, const Crowd& in, bool otherHasAsked = false);
+    void findAll();
+    void sortPairs();
+    void settle();
+    void letRest();
+
+    int lanes_;
+    std::uint32_t look_ = 0;
     std::vector<Proxy> proxies_;
+    std::vector<PlacedBox> placed_;
+    std::vector<PlacedBox> previousBoxes_;  ///< of those that moved: the box at the last look
+    std::vector<Seat> seats_;
+    std::vector<Gate> gates_;
     std::vector<ProxyId> free_;
-    std::vector<ProxyId> movedProxies_;
-    Bvh fixedTree_, movingTree_;
-    std::vector<ProxyId> fixedMembers_, movingMembers_;
-    bool fixedChanged_ = false;
+    std::vector<ProxyId> moved_;
+    std::array<Crowd, homes> crowds_;
+    Vec2 origin_{0, 0};  ///< of the floats [m]
+    std::uint32_t originLook_ = 0;
+    SortedPairs pairs_;
+    SpaceWork work_;
+    MortonSort mortonSort_;
+    std::vector<Aabb> sortBoxes_;
+    std::vector<ProxyId> unsorted_, sorted_;
+    RadixSort<Pair, 8> pairSort_;
 };
 
 }  // namespace plumb

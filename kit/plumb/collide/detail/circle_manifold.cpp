@@ -28,19 +28,15 @@ struct Face {
     float separation = 0;
 };
 
-float separationFrom(const Convex& a, std::size_t edge, const Vec2f& point) {
-    const Vec2f fromStart = point - a.vertices[edge];
-    return a.normals[edge].dot(fromStart);
-}
-
 /// Of a's edges, the one that the point is farthest outside of. Not a number if the point is not.
-Face farthestFace(const Convex& a, const Vec2f& point) {
-    Face best{0, separationFrom(a, 0, point)};
-    for (std::size_t i = 1; i < static_cast<std::size_t>(a.count); ++i) {
-        const float separation = separationFrom(a, i, point);
-        if (separation > best.separation) best = {i, separation};
+Face farthestFace(const Core& a, const Vec2f& point) {
+    Row outside;
+    for (std::size_t i = 0; i < a.count; i += lanes) {
+        const Lanes dx = point.x() - lanesAt(a.x + i), dy = point.y() - lanesAt(a.y + i);
+        store(lanesAt(a.normalX + i) * dx + lanesAt(a.normalY + i) * dy, outside.values + i);
     }
-    return best;
+    const std::size_t edge = largestOf(outside, a.count);
+    return {edge, outside.values[edge]};
 }
 
 }  // namespace
@@ -53,14 +49,13 @@ Manifold circleManifold(const Disc& a, const Disc& b, float margin) {
     return onePoint(normal, distance - a.radius - b.radius, b, margin);
 }
 
-Manifold circleManifold(const Convex& a, const Disc& b, float far, float margin) {
+Manifold circleManifold(const Core& a, const Disc& b, float far, float margin) {
     const Face face = farthestFace(a, b.center);
     const float radii = a.radius + b.radius;
     if (!(face.separation - radii <= margin)) return {};
 
-    const std::size_t next = face.edge + 1 < static_cast<std::size_t>(a.count) ? face.edge + 1 : 0;
-    const Vec2f& start = a.vertices[face.edge];
-    const Vec2f& end = a.vertices[next];
+    const Vec2f start = a.vertex(face.edge);
+    const Vec2f end = a.vertex(a.after(face.edge));
     const Vec2f edge = end - start;
     const Vec2f fromStart = b.center - start;
     const Vec2f fromEnd = b.center - end;
@@ -74,7 +69,7 @@ Manifold circleManifold(const Convex& a, const Disc& b, float far, float margin)
         const float distance = std::sqrt(fromCorner.dot(fromCorner));
         if (distance > noise) return onePoint(fromCorner / distance, distance - radii, b, margin);
     }
-    return onePoint(a.normals[face.edge], face.separation - radii, b, margin);
+    return onePoint(a.normal(face.edge), face.separation - radii, b, margin);
 }
 
 }  // namespace plumb

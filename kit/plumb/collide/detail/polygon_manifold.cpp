@@ -19,52 +19,61 @@ constexpr float favour = 1e-4f;
 /// for the worse edge's normal to do harm. Wider, and rounded shapes got a direction that did not part them.
 constexpr float facing = 0.9999f;
 
-std::size_t countOf(const Convex& shape) {
-    return static_cast<std::size_t>(shape.count);
-}
-
-std::size_t after(const Convex& shape, std::size_t corner) {
-    return corner + 1 < countOf(shape) ? corner + 1 : 0;
-}
-
-Vec2f edgeVector(const Convex& shape, std::size_t edge) {
-    return shape.vertices[after(shape, edge)] - shape.vertices[edge];
-}
-
-/// How far outside of one of a's edges the whole of b is.
-float separationFrom(const Convex& a, std::size_t edge, const Convex& b) {
-    const Vec2f& normal = a.normals[edge];
-    float lowest = normal.dot(b.vertices[0]);
-    for (std::size_t i = 1; i < countOf(b); ++i) lowest = std::min(lowest, normal.dot(b.vertices[i]));
-    return lowest - normal.dot(a.vertices[edge]);
-}
-
 struct Axis {
     std::size_t edge = 0;
     float separation = 0;
 };
 
 /// Of a's edges, the one that b is farthest outside of. Not a number if b's place is not.
-Axis bestAxis(const Convex& a, const Convex& b) {
-    Axis best{0, separationFrom(a, 0, b)};
-    for (std::size_t i = 1; i < countOf(a); ++i) {
-        const float separation = separationFrom(a, i, b);
+Axis bestAxisOfFew(const Core& a, const Core& b) {
+    Row separation;
+    for (std::size_t i = 0; i < a.count; i += lanes) {
+        const Lanes nx = lanesAt(a.normalX + i), ny = lanesAt(a.normalY + i);
+        Lanes lowest = nx * b.x[0] + ny * b.y[0];
+        for (std::size_t j = 1; j < b.count; ++j) lowest = lowest.min(nx * b.x[j] + ny * b.y[j]);
+        store(lowest - (nx * lanesAt(a.x + i) + ny * lanesAt(a.y + i)), separation.values + i);
+    }
+    const std::size_t edge = largestOf(separation, a.count);
+    return {edge, separation.values[edge]};
+}
+
+/// The same in one walk around both: as a's normal turns on, b's corner farthest against it goes on around b. Which one
+/// that is the normals say, not the heights: edges too short for their height to mean anything do not stop the walk.
+Axis bestAxisOfMany(const Core& a, const Core& b) {
+    std::size_t corner = 0;
+    float lowest = a.normal(0).dot(b.vertex(0));
+    for (std::size_t i = 1; i < b.count; ++i) {
+        const float height = a.normal(0).dot(b.vertex(i));
+        if (height < lowest) {
+            lowest = height;
+            corner = i;
+        }
+    }
+    Axis best{0, lowest - a.normal(0).dot(a.vertex(0))};
+    for (std::size_t i = 1; i < a.count; ++i) {
+        for (std::size_t steps = 0; steps < b.count && cross(a.normal(i), b.normal(corner)) > 0; ++steps)
+            corner = b.after(corner);
+        const Vec2f fromStart = b.vertex(corner) - a.vertex(i);
+        const float separation = a.normal(i).dot(fromStart);
         if (separation > best.separation) best = {i, separation};
     }
     return best;
 }
 
-std::size_t edgeFacing(const Vec2f& normal, const Convex& incident) {
-    std::size_t best = 0;
-    float lowest = normal.dot(incident.normals[0]);
-    for (std::size_t i = 1; i < countOf(incident); ++i) {
-        const float along = normal.dot(incident.normals[i]);
-        if (along < lowest) {
-            lowest = along;
-            best = i;
-        }
-    }
-    return best;
+/// From this many products of corners on, the walk is faster.
+constexpr std::size_t manyProducts = 256;
+
+Axis bestAxis(const Core& a, const Core& b) {
+    const bool many = a.count * b.count > manyProducts && a.count > 2 && b.count > 2;
+    return many ? bestAxisOfMany(a, b) : bestAxisOfFew(a, b);
+}
+
+std::size_t edgeFacing(const Vec2f& normal, const Core& incident) {
+    Row against;
+    for (std::size_t i = 0; i < incident.count; i += lanes)
+        store(-(normal.x() * lanesAt(incident.normalX + i) + normal.y() * lanesAt(incident.normalY + i)),
+              against.values + i);
+    return largestOf(against, incident.count);
 }
 
 /// A point of the incident edge as the reference edge sees it.
@@ -87,28 +96,28 @@ struct Faces {
     float slack = 0;                ///< lengths below this make no difference [m]
 };
 
-Faces facesAt(const Convex& reference, std::size_t edge, const Convex& incident, float far) {
+Faces facesAt(const Core& reference, std::size_t edge, const Core& incident, float far) {
     Faces f;
     f.edge = edge;
     f.start = Feature::corner(edge);
-    f.end = Feature::corner(after(reference, edge));
-    f.origin = reference.vertices[edge];
-    f.normal = reference.normals[edge];
+    f.end = Feature::corner(reference.after(edge));
+    f.origin = reference.vertex(edge);
+    f.normal = reference.normal(edge);
     f.tangent = perp(f.normal);
-    const Vec2f whole = edgeVector(reference, edge);
+    const Vec2f whole = reference.edgeFrom(edge);
     f.length = f.tangent.dot(whole);
 
     f.incidentEdge = edgeFacing(f.normal, incident);
     const auto seen = [&](std::size_t corner) -> EdgePoint {
-        const Vec2f fromOrigin = incident.vertices[corner] - f.origin;
+        const Vec2f fromOrigin = incident.vertex(corner) - f.origin;
         return {f.tangent.dot(fromOrigin), f.normal.dot(fromOrigin), Feature::edge(edge), Feature::corner(corner)};
     };
     f.high = seen(f.incidentEdge);
-    f.low = seen(after(incident, f.incidentEdge));
+    f.low = seen(incident.after(f.incidentEdge));
 
     f.radius = reference.radius;
     f.incidentRadius = incident.radius;
-    const Vec2f incidentWhole = edgeVector(incident, f.incidentEdge);
+    const Vec2f incidentWhole = incident.edgeFrom(f.incidentEdge);
     f.rounding = roundingOf(far + manhattan(f.origin) + manhattan(whole) + manhattan(incidentWhole));
     f.slack = f.rounding + favour * std::min(manhattan(whole), manhattan(incidentWhole));
     return f;
@@ -203,7 +212,14 @@ Manifold exchanged(Manifold m) {
 
 }  // namespace
 
-Manifold polygonManifold(const Convex& a, const Convex& b, float far, float margin) {
+Manifold edgeManifold(const Core& a, std::size_t edge, const Core& b, float far, float margin) {
+    const Faces f = facesAt(a, edge, b, far);
+    const bool beyond = std::min(f.low.along, f.high.along) > f.length + f.rounding ||
+                        std::max(f.low.along, f.high.along) < -f.rounding;
+    return beyond ? Manifold{} : faceManifold(f, margin);
+}
+
+Manifold polygonManifold(const Core& a, const Core& b, float far, float margin) {
     const float reach = margin + a.radius + b.radius;
     const Axis onA = bestAxis(a, b);
     if (!(onA.separation <= reach)) return {};
@@ -213,7 +229,7 @@ Manifold polygonManifold(const Convex& a, const Convex& b, float far, float marg
     const float best = std::max(onA.separation, onB.separation);
     if (onB.separation > onA.separation) {
         const Faces onEdgeB = facesAt(b, onB.edge, a, far);
-        const bool faces = a.normals[onA.edge].dot(onEdgeB.normal) < -facing;
+        const bool faces = a.normal(onA.edge).dot(onEdgeB.normal) < -facing;
         if (!faces || onB.separation > onA.separation + onEdgeB.slack)
             return exchanged(manifoldAt(onEdgeB, best, margin));
     }

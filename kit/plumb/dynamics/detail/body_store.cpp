@@ -21,8 +21,9 @@ BodyIndex BodyStore::acquire() {
     displacement.emplace_back();
     warm.emplace_back();
     before.emplace_back();
-    turn.push_back(0);
+    turn.emplace_back();
     kick.emplace_back();
+    place.emplace_back();
     return static_cast<BodyIndex>(record.size() - 1);
 }
 
@@ -32,11 +33,7 @@ void BodyStore::release(BodyIndex body) {
     record[body] = {};
     record[body].generation = generation;
     motion[body] = {};
-    velocity[body] = {};
-    displacement[body] = {};
-    warm[body] = {};
-    before[body] = {};
-    kick[body] = {};
+    rest(body);
     free.push_back(body);
 }
 
@@ -58,6 +55,27 @@ void BodyStore::putToSleep(BodyIndex body) {
     awake.pop_back();
     r.awake = false;
     r.awakeIndex = none;
+    rest(body);
+}
+
+void BodyStore::rest(BodyIndex body) {
+    place[body] = placeOf(motion[body], record[body].rho);
+    velocity[body] = warm[body] = before[body] = {};
+    displacement[body] = {};
+    turn[body] = {};
+    kick[body] = {};
+}
+
+BodyPlace placeOf(const BodyMotion& motion, float rho) {
+    BodyPlace place;
+    place.highX = static_cast<float>(motion.center.x());
+    place.highY = static_cast<float>(motion.center.y());
+    place.lowX = static_cast<float>(motion.center.x() - static_cast<double>(place.highX));
+    place.lowY = static_cast<float>(motion.center.y() - static_cast<double>(place.highY));
+    place.cos = static_cast<float>(motion.rotation.cos);
+    place.sin = static_cast<float>(motion.rotation.sin);
+    place.rho = rho;
+    return place;
 }
 
 Acceleration accelerationOf(const BodyRecord& body, const Vec2& gravity) {

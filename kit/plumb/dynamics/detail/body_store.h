@@ -6,6 +6,8 @@
 #include <vector>
 
 #include <plumb/dynamics/body_def.h>
+#include <plumb/dynamics/detail/body_place.h>
+#include <plumb/dynamics/detail/solver_body.h>
 #include <plumb/dynamics/id.h>
 #include <plumb/math/transform.h>
 #include <plumb/space/space.h>
@@ -25,28 +27,7 @@ struct BodyMotion {
     Rot rotation;  ///< of angle
 };
 
-/// What the solver reads and writes of a body's velocity: 16 bytes, mass included. Turning is scaled by the radius of
-/// gyration's inverse, so that one inverse mass serves both:
-///   rho^2 = (1/I) / (1/m), w = omega / rho, and an impulse P at r changes v by P/m and w by (rho r x P)/m.
-struct SolverVelocity {
-    float x = 0, y = 0;  ///< [m/s]
-    float w = 0;         ///< omega / rho [m/s]
-    float inverseMass = 0;
-};
-
-/// How far a body has come in this step; rotation as s/rho and (c - 1)/rho of the angle turned.
-struct SolverDisplacement {
-    float x = 0, y = 0;
-    float sin = 0, cosMinus1 = 0;
-};
-
-/// What half a sub-step of gravity, forces and damping does to a velocity: v * keep + gain.
-struct Kick {
-    float gainX = 0, gainY = 0, gainW = 0;
-    float keep = 1, keepW = 1;
-};
-
-/// Everything else.
+/// Everything else; what a step asks of every body first.
 struct BodyRecord {
     BodyType type = BodyType::Static;
     bool alive = false;
@@ -58,30 +39,35 @@ struct BodyRecord {
     bool pushed = false;       ///< a constraint gave it an impulse in this step
     bool flown = false;        ///< the impacts have moved it in this step
     std::uint32_t generation = 0;
-    double mass = 0, inertia = 0, inverseMass = 0, inverseInertia = 0;
+    std::uint32_t awakeIndex = none;
+    std::uint32_t firstContact = none;  ///< head of the list of its contacts
+    std::uint32_t colours = 0;          ///< bit c: a contact of colour c has it
+    std::uint32_t solverContacts = 0;   ///< how many contacts of it the solver has
+    std::uint32_t doubtful = 0;         ///< how many of those may yet turn out to be isolated impacts
     float rho = 1, inverseRho = 1;
-    Vec2 localCenter{0, 0};
+    double inverseMass = 0, inverseInertia = 0;
+    double gravityScale = 1;
     double extent = 0;  ///< farthest point from the centre of mass [m]
-    double gravityScale = 1, linearDamping = 0, angularDamping = 0;
     Vec2 force{0, 0};   ///< over the next step [N]
     double torque = 0;  ///< [N m]
+    double linearDamping = 0, angularDamping = 0;
     double stillTime = 0;
+    double mass = 0, inertia = 0;
+    Vec2 localCenter{0, 0};
     std::vector<ProxyId> proxies;
     std::vector<std::uint32_t> joints;
-    std::uint32_t firstContact = none;  ///< head of the list of its contacts
-    std::uint32_t awakeIndex = none;
-    std::uint32_t colours = 0;  ///< bit c: a contact of colour c has it
 };
 
 /// Parallel arrays, indexed by a body's slot; slot 0 is nobody's.
 struct BodyStore {
     std::vector<BodyMotion> motion;
     std::vector<BodyRecord> record;
+    std::vector<BodyPlace> place;
     std::vector<SolverVelocity> velocity;
     std::vector<SolverDisplacement> displacement;
     std::vector<SolverVelocity> warm;    ///< what the contacts' impulses, all together, do to the velocity
     std::vector<SolverVelocity> before;  ///< the velocity before the contacts were solved
-    std::vector<float> turn;             ///< angle turned in this step [rad]
+    std::vector<SolverTurn> turn;
     std::vector<Kick> kick;
     std::vector<BodyIndex> awake;  ///< dynamic and kinematic bodies that are
     std::vector<BodyIndex> free;
@@ -91,13 +77,19 @@ struct BodyStore {
     void release(BodyIndex body);
     void wake(BodyIndex body);
     void putToSleep(BodyIndex body);
+    /// Tells the hot loops where a body is that does not move.
+    void rest(BodyIndex body);
 
     bool isDynamic(BodyIndex body) const { return record[body].type == BodyType::Dynamic; }
-    /// The solver's record: its own where it moves, the common fixed one where it does not.
-    BodyIndex solverIndex(BodyIndex body) const { return record[body].awake ? body : noBody; }
     Vec2 origin(BodyIndex body) const { return motion[body].center - motion[body].rotation * record[body].localCenter; }
     Transform pose(BodyIndex body) const { return {origin(body), motion[body].rotation}; }
+    SolverBodies solverBodies() {
+        return {velocity.data(), warm.data(), before.data(), displacement.data(), turn.data(), kick.data()};
+    }
 };
+
+/// Where a body is and how it is turned, in the floats of the hot loops; all else zero.
+BodyPlace placeOf(const BodyMotion& motion, float rho);
 
 /// Acceleration of a body's centre and its angle over this step [m/s^2, rad/s^2].
 struct Acceleration {

@@ -1,36 +1,66 @@
 // SPDX-License-Identifier: MIT
 // How does the solver see contacts? In batches whose lanes touch different bodies, so that all lanes may go at once.
 #pragma once
-#include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace plumb {
 
 inline constexpr int batchLanes = 16;
 
+/// One value of each lane. A plain array, for what is compiled for wider machines (see math/detail/wide.h).
 template <class T>
-using Lanes = std::array<T, batchLanes>;
+using Lanes = T[batchLanes];
 
 /// One point of each lane's manifold. Anchors are components along the contact's normal and tangent, times rho of their
 /// body (see SolverVelocity). Impulses are those of half a sub-step.
 struct alignas(64) PointLanes {
     Lanes<float> anchorNormalA, anchorTangentA;  ///< from A's centre of mass
     Lanes<float> anchorNormalB, anchorTangentB;  ///< from B's
-    Lanes<float> startSeparation;                ///< at the step's start [m]
     Lanes<float> separation;                     ///< where the bodies are now [m]
     Lanes<float> normalMass, tangentMass;        ///< effective masses, 0 for a point that is not there [kg]
     Lanes<float> normalImpulse, tangentImpulse;  ///< [N s]
-    Lanes<float> solvedNormal, solvedTangent;    ///< of the half sub-step before the move, while after it is relaxed
+    Lanes<float> startSeparation;                ///< at the step's start [m]
     Lanes<float> totalNormal, totalTangent;      ///< over the step so far [N s]
     Lanes<float> bounceSpeed;                    ///< at which the point is to part at the step's end; 0: need not [m/s]
 };
 
 struct alignas(64) ContactBatch {
-    Lanes<std::uint32_t> bodyA, bodyB;  ///< records of the solver; an empty lane has 0 and 0
+    Lanes<std::uint32_t> bodyA, bodyB;  ///< slots of the bodies; an empty lane has 0 and 0
     Lanes<float> normalX, normalY;      ///< from A to B
     Lanes<float> friction;
-    Lanes<float> roundA, roundB;  ///< radius around the core, times rho: this much of an anchor does not turn
-    std::array<PointLanes, 2> points;
+    PointLanes points[2];
+    Lanes<float> roundA, roundB;      ///< radius around the core, times rho: this much of an anchor does not turn
+    Lanes<float> beltSpeed;           ///< of both surfaces, along the tangent [m/s]
+    Lanes<float> rollReach;           ///< resisting torque over normal force [m]
+    Lanes<float> rollRhoA, rollRhoB;  ///< rho of the bodies
+    Lanes<float> rollMass;            ///< effective inertia [kg m^2]
+    Lanes<float> rollImpulse;         ///< of half a sub-step [N m s]
+    Lanes<std::int32_t> pushed;       ///< not 0: the contact has given an impulse in this step
+    bool bounces, belts, rolls;       ///< some lane may have restitution, a beltSpeed, a rollReach
 };
+
+/// Of 64 bytes, before the flags.
+inline constexpr std::size_t batchRows = offsetof(ContactBatch, bounces) / (sizeof(float) * batchLanes);
+
+/// Where a point lies on its shapes: what the next step knows it by.
+struct alignas(64) ManifoldPointLanes {
+    Lanes<float> x, y;            ///< in A's frame, from its centre of mass [m]
+    Lanes<std::int32_t> feature;  ///< as in collide/manifold.h
+};
+
+/// What lanes need once a step, to find where their shapes touch. Parallel to the batches.
+struct alignas(64) ManifoldLanes {
+    Lanes<float> halfXA, halfYA, halfXB, halfYB;          ///< of boxes [m]
+    Lanes<float> centerXA, centerYA, centerXB, centerYB;  ///< of boxes, from their centre of mass [m]
+    Lanes<float> restitution;
+    Lanes<float> normalX, normalY;  ///< from A to B, in A's frame
+    ManifoldPointLanes points[2];
+    Lanes<std::int32_t> count;     ///< of points
+    Lanes<float> approachSpeed;    ///< at the step's start, of the point that approaches fastest [m/s]
+    Lanes<std::int32_t> clear;     ///< 1: it would bounce, and for longer than the step, if it were alone
+    Lanes<std::int32_t> touching;  ///< 1: the touch has been reported
+};
+inline constexpr std::size_t manifoldRows = sizeof(ManifoldLanes) / (sizeof(float) * batchLanes);
 
 }  // namespace plumb

@@ -2,6 +2,7 @@
 #include <plumb/dynamics/detail/contact_graph.h>
 
 #include <bit>
+#include <cstring>
 
 namespace plumb {
 
@@ -13,68 +14,62 @@ int freeColour(std::uint32_t used, int first, int end) {
     return colour < end ? colour : overflowColour;
 }
 
-void copyLane(ContactBatch& to, std::size_t toLane, const ContactBatch& from, std::size_t fromLane) {
-    const auto copy = [&](auto& target, const auto& source) { target[toLane] = source[fromLane]; };
-    copy(to.bodyA, from.bodyA);
-    copy(to.bodyB, from.bodyB);
-    copy(to.normalX, from.normalX);
-    copy(to.normalY, from.normalY);
-    copy(to.friction, from.friction);
-    copy(to.roundA, from.roundA);
-    copy(to.roundB, from.roundB);
-    for (std::size_t p = 0; p < 2; ++p) {
-        PointLanes& t = to.points[p];
-        const PointLanes& f = from.points[p];
-        copy(t.anchorNormalA, f.anchorNormalA);
-        copy(t.anchorTangentA, f.anchorTangentA);
-        copy(t.anchorNormalB, f.anchorNormalB);
-        copy(t.anchorTangentB, f.anchorTangentB);
-        copy(t.startSeparation, f.startSeparation);
-        copy(t.separation, f.separation);
-        copy(t.normalMass, f.normalMass);
-        copy(t.tangentMass, f.tangentMass);
-        copy(t.normalImpulse, f.normalImpulse);
-        copy(t.tangentImpulse, f.tangentImpulse);
-        copy(t.solvedNormal, f.solvedNormal);
-        copy(t.solvedTangent, f.solvedTangent);
-        copy(t.totalNormal, f.totalNormal);
-        copy(t.totalTangent, f.totalTangent);
-        copy(t.bounceSpeed, f.bounceSpeed);
-    }
+/// Both structs are rows of sixteen 4-byte values, whatever their names.
+template <class Batch>
+void copyLane(Batch& to, std::size_t toLane, const Batch& from, std::size_t fromLane, std::size_t rows) {
+    unsigned char* target = reinterpret_cast<unsigned char*>(&to) + 4 * toLane;
+    const unsigned char* source = reinterpret_cast<const unsigned char*>(&from) + 4 * fromLane;
+    for (std::size_t row = 0; row < rows; ++row)
+        std::memcpy(target + 4 * batchLanes * row, source + 4 * batchLanes * row, 4);
 }
 
-ContactBatch& batchOf(Colour& colour, std::size_t slot) {
-    return colour.batches[slot / batchLanes];
+void copyLane(Colour& to, std::size_t toSlot, const ContactBatch& batch, const ManifoldLanes& manifolds,
+              std::size_t lane) {
+    ContactBatch& target = to.batches[toSlot / batchLanes];
+    copyLane(target, toSlot % batchLanes, batch, lane, batchRows);
+    copyLane(to.manifolds[toSlot / batchLanes], toSlot % batchLanes, manifolds, lane, manifoldRows);
+    target.belts = target.belts || batch.beltSpeed[lane] != 0;
+    target.rolls = target.rolls || batch.rollReach[lane] != 0;
+    target.bounces = target.bounces || manifolds.restitution[lane] > 0;
+}
+
+int chooseColour(const BodyRecord& a, const BodyRecord& b) {
+    const bool pushA = a.type == BodyType::Dynamic;
+    const bool pushB = b.type == BodyType::Dynamic;
+    const std::uint32_t used = (pushA ? a.colours : 0) | (pushB ? b.colours : 0);
+    return pushA && pushB ? freeColour(used, 0, fixedColour) : freeColour(used, fixedColour, overflowColour);
 }
 
 }  // namespace
 
-void ContactGraph::add(BodyStore& bodies, ContactStore& contacts, ContactIndex index) {
+void ContactGraph::add(BodyStore& bodies, ContactStore& contacts, ContactIndex index, const ContactBatch& batch,
+                       const ManifoldLanes& manifolds, std::size_t lane) {
     ContactRecord& contact = contacts.contacts[index];
     BodyRecord& a = bodies.record[contact.bodyA];
     BodyRecord& b = bodies.record[contact.bodyB];
-    const bool pushA = a.type == BodyType::Dynamic;
-    const bool pushB = b.type == BodyType::Dynamic;
-    const std::uint32_t used = (pushA ? a.colours : 0) | (pushB ? b.colours : 0);
-    const int chosen =
-        pushA && pushB ? freeColour(used, 0, fixedColour) : freeColour(used, fixedColour, overflowColour);
+    const int chosen = chooseColour(a, b);
     if (chosen != overflowColour) {
-        if (pushA) a.colours |= std::uint32_t{1} << chosen;
-        if (pushB) b.colours |= std::uint32_t{1} << chosen;
+        a.colours |= std::uint32_t{1} << chosen;
+        b.colours |= std::uint32_t{1} << chosen;
     }
-    Colour& colour = colours[static_cast<std::size_t>(chosen)];
+    ++a.solverContacts;
+    ++b.solverContacts;
+    contacts.removeNear(index);
+    contact.colour = 2 * chosen + (contact.boxes ? 0 : 1);
+    Colour& colour = colours[static_cast<std::size_t>(contact.colour)];
     const std::size_t slot = colour.contactOf.size();
-    if (slot % batchLanes == 0) colour.batches.emplace_back();
+    if (slot % batchLanes == 0) {
+        colour.batches.push_back(ContactBatch{});
+        colour.manifolds.push_back(ManifoldLanes{});
+    }
     colour.contactOf.push_back(index);
-    contact.colour = chosen;
     contact.slot = static_cast<std::uint32_t>(slot);
-    copyLane(batchOf(colour, slot), slot % batchLanes, ContactBatch{}, 0);
-    setImpulses(contact, contact.memory);
+    copyLane(colour, slot, batch, manifolds, lane);
 }
 
 std::array<PointMemory, 2> ContactGraph::memoryOf(const ContactRecord& contact) const {
     if (contact.colour < 0) return contact.memory;
-    const ContactBatch& batch = colours[static_cast<std::size_t>(contact.colour)].batches[contact.slot / batchLanes];
+    const ContactBatch& batch = colourOf(contact).batches[contact.slot / batchLanes];
     const std::size_t lane = contact.slot % batchLanes;
     std::array<PointMemory, 2> memory;
     for (std::size_t p = 0; p < 2; ++p) {
@@ -85,18 +80,27 @@ std::array<PointMemory, 2> ContactGraph::memoryOf(const ContactRecord& contact) 
     return memory;
 }
 
-float ContactGraph::separationOf(const ContactRecord& contact, std::size_t point) const {
-    if (contact.colour < 0) return contact.manifold.points[point].separation;
-    const Colour& colour = colours[static_cast<std::size_t>(contact.colour)];
-    return colour.batches[contact.slot / batchLanes].points[point].separation[contact.slot % batchLanes];
+Manifold ContactGraph::manifoldOf(const ContactRecord& contact) const {
+    if (contact.colour < 0) return contact.manifold;
+    const ManifoldLanes& lanes = colourOf(contact).manifolds[contact.slot / batchLanes];
+    const ContactBatch& batch = colourOf(contact).batches[contact.slot / batchLanes];
+    const std::size_t lane = contact.slot % batchLanes;
+    Manifold manifold;
+    manifold.normal = {lanes.normalX[lane], lanes.normalY[lane]};
+    manifold.count = lanes.count[lane];
+    for (std::size_t p = 0; p < 2; ++p) {
+        const ManifoldPointLanes& from = lanes.points[p];
+        manifold.points[p] = {{from.x[lane], from.y[lane]},
+                              batch.points[p].startSeparation[lane],
+                              static_cast<std::uint16_t>(from.feature[lane])};
+    }
+    return manifold;
 }
 
-void ContactGraph::setImpulses(const ContactRecord& contact, const std::array<PointMemory, 2>& memory) {
-    ContactBatch& batch = batchOf(colours[static_cast<std::size_t>(contact.colour)], contact.slot);
-    for (std::size_t p = 0; p < 2; ++p) {
-        batch.points[p].normalImpulse[contact.slot % batchLanes] = memory[p].normalImpulse;
-        batch.points[p].tangentImpulse[contact.slot % batchLanes] = memory[p].tangentImpulse;
-    }
+float ContactGraph::separationOf(const ContactRecord& contact, std::size_t point) const {
+    if (contact.colour < 0) return contact.manifold.points[point].separation;
+    const ContactBatch& batch = colourOf(contact).batches[contact.slot / batchLanes];
+    return batch.points[point].separation[contact.slot % batchLanes];
 }
 
 void ContactGraph::remove(BodyStore& bodies, ContactStore& contacts, ContactIndex index) {
@@ -105,24 +109,24 @@ void ContactGraph::remove(BodyStore& bodies, ContactStore& contacts, ContactInde
     Colour& colour = colours[static_cast<std::size_t>(contact.colour)];
     const std::size_t slot = contact.slot;
     const std::size_t last = colour.contactOf.size() - 1;
-    ContactBatch& batch = batchOf(colour, slot);
+    const int shared = colourAt(static_cast<std::size_t>(contact.colour));
+    contact.manifold = manifoldOf(contact);
     contact.memory = memoryOf(contact);
-    if (contact.colour != overflowColour) {
-        const std::uint32_t keep = ~(std::uint32_t{1} << contact.colour);
-        bodies.record[contact.bodyA].colours &= keep;
-        bodies.record[contact.bodyB].colours &= keep;
+    contact.rollImpulse = colour.batches[slot / batchLanes].rollImpulse[slot % batchLanes];
+    for (const BodyIndex body : {contact.bodyA, contact.bodyB}) {
+        BodyRecord& record = bodies.record[body];
+        --record.solverContacts;
+        if (shared != overflowColour) record.colours &= ~(std::uint32_t{1} << shared);
     }
-    ContactBatch& lastBatch = batchOf(colour, last);
-    if (slot != last) {
-        copyLane(batch, slot % batchLanes, lastBatch, last % batchLanes);
-        colour.contactOf[slot] = colour.contactOf[last];
-        contacts.contacts[colour.contactOf[slot]].slot = static_cast<std::uint32_t>(slot);
-    }
+    copyLane(colour, slot, colour.batches.back(), colour.manifolds.back(), last % batchLanes);
+    copyLane(colour, last, ContactBatch{}, ManifoldLanes{}, 0);
+    colour.contactOf[slot] = colour.contactOf[last];
+    contacts.contacts[colour.contactOf[slot]].slot = static_cast<std::uint32_t>(slot);
     colour.contactOf.pop_back();
-    if (last % batchLanes == 0)
+    if (last % batchLanes == 0) {
         colour.batches.pop_back();
-    else
-        copyLane(lastBatch, last % batchLanes, ContactBatch{}, 0);
+        colour.manifolds.pop_back();
+    }
     contact.colour = -1;
 }
 

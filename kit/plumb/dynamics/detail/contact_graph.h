@@ -16,25 +16,40 @@ inline constexpr int colourCount = 32;
 inline constexpr int fixedColour = 24;
 inline constexpr int overflowColour = colourCount - 1;
 
+/// Contacts of one colour and one kind. A batch is full but for the last.
 struct Colour {
     std::vector<ContactBatch> batches;
-    std::vector<ContactIndex> contactOf;  ///< slot to contact; slot = batch * batchLanes + lane
+    std::vector<ManifoldLanes> manifolds;  ///< parallel to batches
+    std::vector<ContactIndex> contactOf;   ///< slot to contact; slot = batch * batchLanes + lane
 };
 
 /// Contacts keep their slot, and in it their impulses, from step to step.
 struct ContactGraph {
-    std::array<Colour, colourCount> colours;
+    /// Of each colour, the contacts of two boxes and then all others.
+    std::array<Colour, 2 * colourCount> colours;
 
-    void add(BodyStore& bodies, ContactStore& contacts, ContactIndex contact);
-    /// Impulses go back to the contact's memory. Does nothing to a contact that is not in the graph.
+    /// With what is known of it in a lane of a batch that is no part of the graph.
+    void add(BodyStore& bodies, ContactStore& contacts, ContactIndex contact, const ContactBatch& batch,
+             const ManifoldLanes& manifolds, std::size_t lane);
+    /// What is known of it goes back to its record. Does nothing to a contact that is not in the graph.
     void remove(BodyStore& bodies, ContactStore& contacts, ContactIndex contact);
 
-    /// From the slot where it has one, else from the contact itself.
+    // From the slot where it has one, else from the contact itself:
     std::array<PointMemory, 2> memoryOf(const ContactRecord& contact) const;
+    /// Of the last step's start.
+    Manifold manifoldOf(const ContactRecord& contact) const;
     /// Of a point of the manifold, where the bodies are now [m].
     float separationOf(const ContactRecord& contact, std::size_t point) const;
-    /// Into the slot, for warm starting.
-    void setImpulses(const ContactRecord& contact, const std::array<PointMemory, 2>& memory);
+
+private:
+    const Colour& colourOf(const ContactRecord& contact) const {
+        return colours[static_cast<std::size_t>(contact.colour)];
+    }
 };
+
+/// The colour of an entry of ContactGraph.colours.
+inline int colourAt(std::size_t index) {
+    return static_cast<int>(index / 2);
+}
 
 }  // namespace plumb

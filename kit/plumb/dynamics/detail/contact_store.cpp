@@ -46,28 +46,28 @@ ContactIndex ContactStore::add(BodyStore& bodies, const ContactRecord& contact) 
 }
 
 void ContactStore::remove(BodyStore& bodies, ContactIndex contact) {
-    deactivate(contact);
+    removeNear(contact);
     unlink(bodies, *this, contact, 0, contacts[contact].bodyA);
     unlink(bodies, *this, contact, 1, contacts[contact].bodyB);
     contacts[contact].alive = false;
     free.push_back(contact);
 }
 
-void ContactStore::activate(ContactIndex contact) {
+void ContactStore::addNear(ContactIndex contact) {
     ContactRecord& c = contacts[contact];
-    if (c.activeIndex != none) return;
-    c.activeIndex = static_cast<std::uint32_t>(active.size());
-    active.push_back(contact);
+    if (c.nearIndex != none || c.colour >= 0) return;
+    c.nearIndex = static_cast<std::uint32_t>(near.size());
+    near.push_back(contact);
 }
 
-void ContactStore::deactivate(ContactIndex contact) {
+void ContactStore::removeNear(ContactIndex contact) {
     ContactRecord& c = contacts[contact];
-    if (c.activeIndex == none) return;
-    const ContactIndex last = active.back();
-    active[c.activeIndex] = last;
-    contacts[last].activeIndex = c.activeIndex;
-    active.pop_back();
-    c.activeIndex = none;
+    if (c.nearIndex == none) return;
+    const ContactIndex last = near.back();
+    near[c.nearIndex] = last;
+    contacts[last].nearIndex = c.nearIndex;
+    near.pop_back();
+    c.nearIndex = none;
 }
 
 }  // namespace plumb

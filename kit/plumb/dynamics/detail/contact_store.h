@@ -18,20 +18,25 @@ struct PointMemory {
     float totalNormal = 0, totalTangent = 0;      ///< over the whole of the last step it was solved in
 };
 
-/// Two shapes whose boxes overlap.
+/// Two shapes whose boxes overlap. Asleep it is nowhere else; awake it is either near, looked at once a step, or, as
+/// soon as the shapes touch or may touch within the step, in a slot of the solver.
 struct ContactRecord {
     ProxyId proxyA = 0, proxyB = 0;
     BodyIndex bodyA = 0, bodyB = 0;
-    double friction = 0, restitution = 0;
+    double friction = 0, restitution = 0;  ///< of the pair
+    float rollingReach = 0;                ///< resisting torque over normal force [m]
+    float beltSpeed = 0;                   ///< of both surfaces, along the tangent [m/s]
     bool alive = false;
+    bool boxes = false;  ///< both shapes are boxes that lie straight in their bodies' frames
     bool touching = false;
     bool isolated = false;  ///< left to the impacts in this step, not to the solver
-    int colour = -1;        ///< where the solver has it: colour and slot; -1: nowhere
+    int colour = -1;        ///< where the solver has it: entry of ContactGraph.colours, and slot; -1: nowhere
     std::uint32_t slot = 0;
-    std::uint32_t activeIndex = none;
-    Manifold manifold;
-    std::array<PointMemory, 2> memory;                                   ///< while it is not with the solver
-    double approachSpeed = 0;                                            ///< at the last step's start [m/s]
+    std::uint32_t nearIndex = none;
+    Manifold manifold;                                                   ///< while it is not with the solver
+    std::array<PointMemory, 2> memory;                                   ///< likewise
+    float rollImpulse = 0;                                               ///< likewise
+    float approachSpeed = 0;                                             ///< at the last step's start [m/s]
     double memoryStep = 0;                                               ///< the step that memory's totals are of [s]
     std::array<ContactIndex, 2> previous{none, none}, next{none, none};  ///< in the lists of A and B
 };
@@ -39,12 +44,12 @@ struct ContactRecord {
 struct ContactStore {
     std::vector<ContactRecord> contacts;
     std::vector<ContactIndex> free;
-    std::vector<ContactIndex> active;  ///< with at least one body awake
+    std::vector<ContactIndex> near;  ///< with a body awake, and not with the solver
 
     ContactIndex add(BodyStore& bodies, const ContactRecord& contact);
     void remove(BodyStore& bodies, ContactIndex contact);
-    void activate(ContactIndex contact);
-    void deactivate(ContactIndex contact);
+    void addNear(ContactIndex contact);     ///< unless it is already, or with the solver
+    void removeNear(ContactIndex contact);  ///< if it is
     int side(ContactIndex contact, BodyIndex body) const { return contacts[contact].bodyA == body ? 0 : 1; }
 };
 

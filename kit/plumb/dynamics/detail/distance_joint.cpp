@@ -54,8 +54,8 @@ void DistanceJoint::solve(BodyStore& bodies, const JointPass& pass) {
         massScale = soft.massScale;
         impulseScale = soft.impulseScale;
     }
-    const float ma = bodies.velocity[a_.solver].inverseMass;
-    const float mb = bodies.velocity[b_.solver].inverseMass;
+    const float ma = bodies.velocity[a_.body].inverseMass;
+    const float mb = bodies.velocity[b_.body].inverseMass;
     const float ca = a_.rho * cross(ra, u);
     const float cb = b_.rho * cross(rb, u);
     const float k = ma * (1 + ca * ca) + mb * (1 + cb * cb);

@@ -186,12 +186,13 @@ bool bouncesClear(const WorldState& world, const ContactRecord& contact, double 
     if (contact.restitution <= 0) return false;
     const BodyMotion& a = world.bodies.motion[contact.bodyA];
     const BodyMotion& b = world.bodies.motion[contact.bodyB];
-    const Vec2 normal = a.rotation * Vec2(contact.manifold.normal.cast<double>());
+    const Manifold manifold = world.graph.manifoldOf(contact);
+    const Vec2 normal = a.rotation * Vec2(manifold.normal.cast<double>());
     const Vec2 pull = accelerationOf(world.bodies.record[contact.bodyA], world.def.gravity).linear -
                       accelerationOf(world.bodies.record[contact.bodyB], world.def.gravity).linear;
     const double press = pull.dot(normal);
-    for (int p = 0; p < contact.manifold.count; ++p) {
-        const ManifoldPoint& point = contact.manifold.points[static_cast<std::size_t>(p)];
+    for (int p = 0; p < manifold.count; ++p) {
+        const ManifoldPoint& point = manifold.points[static_cast<std::size_t>(p)];
         const Vec2 at = a.center + a.rotation * Vec2(point.position.cast<double>());
         const Vec2 relative = (b.velocity + perp(Vec2(at - b.center)) * b.angularVelocity) -
                               (a.velocity + perp(Vec2(at - a.center)) * a.angularVelocity);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <plumb/dynamics/detail/load_bodies.h>
+
 namespace plumb {
 
 namespace {
@@ -27,8 +29,14 @@ void forEachNeighbour(const WorldState& world, BodyIndex body, Visit&& visit) {
 }
 
 void wakeOne(WorldState& world, BodyIndex body) {
+    if (world.bodies.record[body].awake) {
+        world.bodies.record[body].stillTime = 0;
+        return;
+    }
     world.bodies.wake(body);
-    forEachContact(world.bodies, world.contacts, body, [&](ContactIndex c) { world.contacts.activate(c); });
+    loadBody(world, body, world.lastStep);
+    world.jointsChanged = world.jointsChanged || !world.bodies.record[body].joints.empty();
+    forEachContact(world.bodies, world.contacts, body, [&](ContactIndex c) { world.contacts.addNear(c); });
 }
 
 /// Does something that moves by itself press on the body?
@@ -84,9 +92,10 @@ std::vector<BodyIndex> islandOf(const WorldState& world, BodyIndex seed, std::ve
 
 void putToSleep(WorldState& world, const std::vector<BodyIndex>& island) {
     for (const BodyIndex body : island) {
-        world.bodies.putToSleep(body);
         world.bodies.motion[body].velocity.setZero();
         world.bodies.motion[body].angularVelocity = 0;
+        world.bodies.putToSleep(body);
+        world.jointsChanged = world.jointsChanged || !world.bodies.record[body].joints.empty();
     }
     for (const BodyIndex body : island) {
         forEachContact(world.bodies, world.contacts, body, [&](ContactIndex index) {
@@ -94,7 +103,7 @@ void putToSleep(WorldState& world, const std::vector<BodyIndex>& island) {
             if (world.bodies.record[otherOf(contact, body)].awake) return;
             contact.memoryStep = world.lastStep;
             world.graph.remove(world.bodies, world.contacts, index);
-            world.contacts.deactivate(index);
+            world.contacts.removeNear(index);
         });
     }
 }

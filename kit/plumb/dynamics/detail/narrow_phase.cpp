@@ -4,213 +4,204 @@
 #include <algorithm>
 #include <cmath>
 
+#include <plumb/dynamics/detail/foresee.h>
 #include <plumb/dynamics/detail/islands.h>
-#include <plumb/dynamics/detail/time_of_impact.h>
+#include <plumb/dynamics/detail/lane_collider.h>
+#include <plumb/dynamics/detail/lanes.h>
 
 namespace plumb {
 
 namespace {
 
-/// Boxes hold what they need for this step and this much more, so that what hardly moves keeps its box [m].
-constexpr double boxMargin = 0.02;
-/// Shapes this near count as in contact, so that what rests keeps its manifold while it trembles [m].
-constexpr double contactMargin = 0.01;
-
-/// More friction than this makes no difference, and might leave the solver's floats [-].
-constexpr double roughest = 1e6;
-
 /// What comes nearer than this to a sleeper, or may in the step, wakes it [m].
-constexpr double trembling = 5e-4;
+constexpr float trembling = 5e-4f;
 
-/// How far a body's centre moves in the step, and how far turning takes a point of it at most [m].
-struct Reach {
-    Vec2 shift{0, 0};
-    double turn = 0;
+float nearestOf(const Manifold& m) {
+    return m.count > 1 ? std::min(m.points[0].separation, m.points[1].separation) : m.points[0].separation;
+}
+
+/// How far two bodies may move against each other in the step.
+struct Approach {
+    float margin = 0;   ///< any way, and the contact margin [m]
+    float turn = 0;     ///< part of it, by turning [m]
+    Vec2f shift{0, 0};  ///< of B against A, in A's frame [m]
 };
 
-Reach reachOf(const WorldState& world, BodyIndex body, double dt) {
-    const BodyRecord& record = world.bodies.record[body];
-    const BodyMotion& motion = world.bodies.motion[body];
-    if (!record.awake) return {};
-    const Acceleration a = accelerationOf(record, world.def.gravity);
-    const double angle = (std::fabs(motion.angularVelocity) + std::fabs(a.angular) * dt) * dt;
-    return {motion.velocity * dt + a.linear * (0.5 * dt * dt), record.extent * std::min(angle, 2.0)};
+Approach approachOf(const WorldState& world, const ContactRecord& contact) {
+    const BodyPlace& a = world.bodies.place[contact.bodyA];
+    const BodyPlace& b = world.bodies.place[contact.bodyB];
+    const float x = b.shiftX - a.shiftX, y = b.shiftY - a.shiftY;
+    const float turn = a.turn + b.turn;
+    return {std::sqrt(x * x + y * y) + turn + contactMargin, turn, {a.cos * x + a.sin * y, a.cos * y - a.sin * x}};
 }
 
-}  // namespace
-
-void placeBody(WorldState& world, BodyIndex body, double dt) {
-    const Reach reach = reachOf(world, body, dt);
-    const Transform pose = world.bodies.pose(body);
-    for (const ProxyId proxy : world.bodies.record[body].proxies) {
-        const ShapeDef& shape = world.space[proxy].def;
-        const Aabb now = inflate(aabbOf(shape.shape, pose), 0.5 * contactMargin + reach.turn);
-        Aabb swept = merge(now, {now.lower + reach.shift, now.upper + reach.shift});
-        if (shape.material.restitution > 0) swept = inflate(now, reach.shift.norm());  // it may bounce any way
-        world.space.place(proxy, swept, boxMargin);
-    }
-}
-
-namespace {
-
-bool joinedApart(const WorldState& world, BodyIndex a, BodyIndex b) {
-    const auto& joints = world.bodies.record[a].joints;
-    return std::any_of(joints.begin(), joints.end(), [&](std::uint32_t j) {
-        const JointRecord& joint = world.joints[j];
-        return !joint.collideConnected && (joint.bodyA == b || joint.bodyB == b);
-    });
-}
-
-void addContact(WorldState& world, const Pair& pair) {
-    const Proxy& a = world.space[pair.a];
-    const Proxy& b = world.space[pair.b];
-    if (!world.bodies.isDynamic(a.owner) && !world.bodies.isDynamic(b.owner)) return;
-    if (joinedApart(world, a.owner, b.owner)) return;
-    ContactRecord contact;
-    contact.proxyA = pair.a;
-    contact.proxyB = pair.b;
-    contact.bodyA = a.owner;
-    contact.bodyB = b.owner;
-    contact.friction = std::min(std::sqrt(a.def.material.friction * b.def.material.friction), roughest);
-    contact.restitution = std::max(a.def.material.restitution, b.def.material.restitution);
-    const ContactIndex index = world.contacts.add(world.bodies, contact);
-    if (world.bodies.record[a.owner].awake || world.bodies.record[b.owner].awake) {
-        world.contacts.activate(index);
-    } else {  // something that rests was put there
-        wakeIsland(world, a.owner);
-        wakeIsland(world, b.owner);
-    }
-}
-
-double marginOf(const WorldState& world, const ContactRecord& contact, double dt) {
-    const Reach a = reachOf(world, contact.bodyA, dt);
-    const Reach b = reachOf(world, contact.bodyB, dt);
-    return contactMargin + (b.shift - a.shift).norm() + a.turn + b.turn;
-}
-
-RelativePose relativePose(const BodyMotion& a, const BodyMotion& b) {
-    const Rot toA = a.rotation.inverse();
-    const Vec2 shift = toA * Vec2(b.center - a.center);
-    const Rot turn = toA * b.rotation;
-    return {shift.cast<float>(), static_cast<float>(turn.cos), static_cast<float>(turn.sin)};
-}
-
-/// Which points of the manifold before are these? Those of the same features; and then, as where a box that sits almost
-/// flush on its like is cut by now the one's corner and now the other's, those that were here and are nobody's yet.
-std::array<int, 2> predecessors(const Manifold& was, const Manifold& now) {
-    std::array<int, 2> found{-1, -1};
-    std::array<bool, 2> claimed{false, false};
-    const auto match = [&](const auto& isSame) {
-        for (std::size_t p = 0; p < static_cast<std::size_t>(now.count); ++p) {
-            for (std::size_t q = 0; q < static_cast<std::size_t>(was.count); ++q) {
-                if (found[p] >= 0 || claimed[q] || !isSame(now.points[p], was.points[q])) continue;
-                found[p] = static_cast<int>(q);
-                claimed[q] = true;
-            }
-        }
-    };
-    match([](const ManifoldPoint& a, const ManifoldPoint& b) { return a.feature == b.feature; });
-    match([](const ManifoldPoint& a, const ManifoldPoint& b) {
-        const Vec2f moved = a.position - b.position;
-        return moved.norm() < static_cast<float>(contactMargin);
-    });
-    return found;
-}
-
-/// Impulses follow their points into the new manifold; a new point starts without.
-void carryImpulses(WorldState& world, ContactRecord& contact, const Manifold& now) {
-    const std::array<PointMemory, 2> old = world.graph.memoryOf(contact);
-    const std::array<int, 2> from = predecessors(contact.manifold, now);
-    std::array<PointMemory, 2> carried{};
-    for (std::size_t p = 0; p < 2; ++p) {
-        if (from[p] < 0) continue;
-        const PointMemory& point = old[static_cast<std::size_t>(from[p])];
-        carried[p] = {point.normalImpulse, point.tangentImpulse, 0, 0};
-    }
-    contact.memory = carried;
-    if (contact.colour >= 0) world.graph.setImpulses(contact, carried);
-}
-
-FlyingShape flyingShape(const WorldState& world, BodyIndex body, const Proxy& proxy) {
-    const BodyRecord& record = world.bodies.record[body];
-    FlyingShape shape;
-    shape.shape = &proxy.def.shape;
-    shape.localCenter = record.localCenter;
-    shape.extent = record.extent;
-    shape.from = world.bodies.motion[body];
-    if (record.awake) shape.law = flightLawOf(record, world.def.gravity);
-    return shape;
-}
-
-/// A contact that is still apart: it is one where and when the two meet in this step, and with that normal, not with
-/// the one that they have from afar: what flies past a corner is not to be held up by the corner's face.
-Manifold foreseen(const WorldState& world, const ContactRecord& contact, float margin, double dt) {
-    const FlyingShape a = flyingShape(world, contact.bodyA, world.proxyA(contact));
-    const FlyingShape b = flyingShape(world, contact.bodyB, world.proxyB(contact));
-    const std::optional<double> time = timeOfImpact(a, b, 0, dt);
-    if (!time) return {};
-    const Encounter meeting = encounterAt(a, b, *time);
-    Manifold m = manifold(world.proxyA(contact).convex, world.proxyB(contact).convex,
-                          relativePose(meeting.a, meeting.b), static_cast<float>(contactMargin));
-    // Back to the step's start: how far each point of B still has to come along the normal. Points stay with A.
-    const Rot back = meeting.a.rotation * a.from.rotation.inverse();
-    const Vec2 normal = meeting.a.rotation * Vec2(m.normal.cast<double>());
-    for (ManifoldPoint& point : m.points) {
-        const Vec2 local = point.position.cast<double>();
-        const Vec2 at = meeting.a.center + meeting.a.rotation * local;
-        const Vec2 armB = (meeting.b.rotation.inverse() * b.from.rotation) * Vec2(at - meeting.b.center);
-        const Vec2 startA = a.from.center + back.inverse() * Vec2(at - meeting.a.center);
-        const Vec2 startB = b.from.center + armB;
-        point.separation += static_cast<float>((startB - startA).dot(normal));
-        point.separation = std::min(point.separation, margin);
-    }
-    m.normal = Vec2(back * Vec2(m.normal.cast<double>())).cast<float>();
-    return m;
-}
-
-float nearestOf(const Manifold& m, float none) {
-    float nearest = none;
-    for (int p = 0; p < m.count; ++p) nearest = std::min(nearest, m.points[static_cast<std::size_t>(p)].separation);
-    return nearest;
-}
-
-void updateManifold(WorldState& world, ContactRecord& contact, double dt) {
+/// Of any two shapes. Those that cannot come together along their normal in this step will not touch in it.
+Manifold manifoldOf(const WorldState& world, const ContactRecord& contact, double dt) {
+    const Approach approach = approachOf(world, contact);
     const RelativePose pose = relativePose(world.bodies.motion[contact.bodyA], world.bodies.motion[contact.bodyB]);
-    const float margin = static_cast<float>(marginOf(world, contact, dt));
-    Manifold now = manifold(world.proxyA(contact).convex, world.proxyB(contact).convex, pose, margin);
-    if (now.count > 0 && nearestOf(now, margin) > static_cast<float>(contactMargin))
-        now = foreseen(world, contact, margin, dt);
-    carryImpulses(world, contact, now);
-    contact.manifold = now;
-    if (now.count == 0) return;
-    if (nearestOf(now, margin) > margin - static_cast<float>(contactMargin - trembling)) return;
+    const Manifold m = manifold(world.proxyA(contact).convex, world.proxyB(contact).convex, pose, approach.margin);
+    if (m.count == 0 || nearestOf(m) <= contactMargin) return m;
+    const float closing = approach.turn - approach.shift.dot(m.normal);
+    return nearestOf(m) > closing ? Manifold{} : foreseen(world, contact, approach.margin, dt);
+}
+
+bool isUncertain(const FreshLanes& fresh) {
+    return std::any_of(std::begin(fresh.uncertain), std::end(fresh.uncertain), [](std::int32_t u) { return u != 0; });
+}
+
+/// Contacts in the lanes of one batch.
+struct LaneContacts {
+    const ContactIndex* contacts = nullptr;
+    std::size_t count = 0;
+    bool boxes = false;
+};
+
+/// Finds the manifolds of all lanes.
+void collideLanes(const WorldState& world, const LaneContacts& lanes, const ContactBatch& batch,
+                  const ManifoldLanes& manifolds, FreshLanes& fresh, double dt) {
+    const auto contactAt = [&](std::size_t lane) -> const ContactRecord& {
+        return world.contacts.contacts[lanes.contacts[lane]];
+    };
+    if (!lanes.boxes) {
+        for (std::size_t lane = 0; lane < lanes.count; ++lane)
+            setFresh(fresh, lane, manifoldOf(world, contactAt(lane), dt));
+        for (std::size_t lane = lanes.count; lane < batchLanes; ++lane) setFresh(fresh, lane, {});
+        return;
+    }
+    world.collider->collideBoxes(batch, manifolds, world.bodies.place.data(), fresh);
+    if (!isUncertain(fresh)) return;
+    for (std::size_t lane = 0; lane < lanes.count; ++lane) {
+        if (fresh.uncertain[lane] == 0) continue;
+        const ContactRecord& contact = contactAt(lane);
+        setFresh(fresh, lane, foreseen(world, contact, approachOf(world, contact).margin, dt));
+    }
+}
+
+void prepareLanes(WorldState& world, ContactBatch& batch, ManifoldLanes& manifolds, const FreshLanes& fresh,
+                  double dt) {
+    world.collider->prepare(batch, manifolds, world.bodies.place.data(), world.bodies.velocity.data(), fresh,
+                            static_cast<float>(1 / dt));
+}
+
+void collideColour(WorldState& world, std::size_t index, std::vector<ContactIndex>& parted, double dt) {
+    Colour& colour = world.graph.colours[index];
+    FreshLanes fresh;
+    for (std::size_t b = 0; b < colour.batches.size(); ++b) {
+        const std::size_t first = b * batchLanes;
+        const std::size_t count = std::min<std::size_t>(batchLanes, colour.contactOf.size() - first);
+        const LaneContacts lanes{&colour.contactOf[first], count, index % 2 == 0};
+        collideLanes(world, lanes, colour.batches[b], colour.manifolds[b], fresh, dt);
+        prepareLanes(world, colour.batches[b], colour.manifolds[b], fresh, dt);
+        for (std::size_t lane = 0; lane < count; ++lane)
+            if (fresh.count[lane] == 0) parted.push_back(colour.contactOf[first + lane]);
+    }
+}
+
+void wakeTouched(WorldState& world, const ContactRecord& contact, const FreshLanes& fresh, std::size_t lane) {
+    float nearest = fresh.points[0].separation[lane];
+    if (fresh.count[lane] > 1) nearest = std::min(nearest, fresh.points[1].separation[lane]);
+    if (nearest > approachOf(world, contact).margin - (contactMargin - trembling)) return;
     for (const BodyIndex body : {contact.bodyA, contact.bodyB})
         if (world.bodies.isDynamic(body) && !world.bodies.record[body].awake) wakeIsland(world, body);
 }
 
+/// Up to sixteen near contacts of one kind, on their way through the kernels.
+struct NearBatch {
+    ContactBatch batch{};
+    ManifoldLanes manifolds{};
+    ContactIndex contacts[batchLanes];
+    std::size_t count = 0;
+};
+
+/// What has come to touch, with what has been found of it.
+struct Arrivals {
+    std::vector<NearBatch> batches;
+    struct Lane {
+        std::size_t batch, lane;
+    };
+    std::vector<Lane> lanes;
+};
+
+void collideNear(WorldState& world, NearBatch& near, bool boxes, Arrivals& arrivals, double dt) {
+    if (near.count == 0) return;
+    FreshLanes fresh;
+    for (std::size_t lane = near.count; lane < batchLanes; ++lane) {
+        near.batch.bodyA[lane] = near.batch.bodyB[lane] = noBody;
+        near.manifolds.count[lane] = 0;
+    }
+    collideLanes(world, {near.contacts, near.count, boxes}, near.batch, near.manifolds, fresh, dt);
+    bool arrived = false;
+    for (std::size_t lane = 0; lane < near.count; ++lane) {
+        if (fresh.count[lane] > 0) wakeTouched(world, world.contacts.contacts[near.contacts[lane]], fresh, lane);
+        arrived = arrived || fresh.count[lane] > 0;
+    }
+    if (arrived) prepareLanes(world, near.batch, near.manifolds, fresh, dt);
+    for (std::size_t lane = 0; lane < near.count; ++lane) {
+        world.contacts.contacts[near.contacts[lane]].manifold.count = fresh.count[lane];
+        if (fresh.count[lane] > 0) arrivals.lanes.push_back({arrivals.batches.size(), lane});
+    }
+    if (arrived) arrivals.batches.push_back(near);
+    near.count = 0;
+}
+
+/// Contacts that a wake-up adds while this goes on are looked at as well.
+void collideAllNear(WorldState& world, Arrivals& arrivals, double dt) {
+    NearBatch boxes, others;
+    std::vector<ContactIndex>& near = world.contacts.near;
+    for (std::size_t i = 0; i < near.size();) {
+        const ContactIndex index = near[i];
+        ContactRecord& contact = world.contacts.contacts[index];
+        contact.isolated = false;
+        if (!world.space.boxesOverlap(contact.proxyA, contact.proxyB)) {
+            removeContact(world, index);
+        } else {
+            NearBatch& batch = contact.boxes ? boxes : others;
+            fillLane(world, contact, batch.batch, batch.manifolds, batch.count);
+            batch.contacts[batch.count++] = index;
+            if (batch.count == batchLanes) collideNear(world, batch, contact.boxes, arrivals, dt);
+            ++i;
+        }
+        if (i == near.size()) {
+            collideNear(world, boxes, true, arrivals, dt);
+            collideNear(world, others, false, arrivals, dt);
+        }
+    }
+}
+
+/// Into a slot, if anything can come of it; else back into its record.
+void settle(WorldState& world, const NearBatch& near, std::size_t lane) {
+    const ContactIndex index = near.contacts[lane];
+    const ContactRecord& contact = world.contacts.contacts[index];
+    world.graph.add(world.bodies, world.contacts, index, near.batch, near.manifolds, lane);
+    if (bodiesReady(world, contact)) return;
+    world.graph.remove(world.bodies, world.contacts, index);
+    world.contacts.addNear(index);
+}
+
+void part(WorldState& world, ContactIndex index) {
+    ContactRecord& contact = world.contacts.contacts[index];
+    world.graph.remove(world.bodies, world.contacts, index);
+    world.contacts.addNear(index);
+    contact.memory = {};
+    contact.rollImpulse = 0;
+}
+
 }  // namespace
 
-void pairShapes(WorldState& world, BodyIndex a, BodyIndex b) {
-    for (const ProxyId pa : world.bodies.record[a].proxies)
-        for (const ProxyId pb : world.bodies.record[b].proxies)
-            if (mayPair(world.space[pa], world.space[pb]) &&
-                overlap(world.space[pa].previousBox, world.space[pb].previousBox))
-                addContact(world, {std::min(pa, pb), std::max(pa, pb)});
+bool bodiesReady(const WorldState& world, const ContactRecord& contact) {
+    const auto ready = [&world](BodyIndex body) {
+        return world.bodies.record[body].awake || !world.bodies.isDynamic(body);
+    };
+    return ready(contact.bodyA) && ready(contact.bodyB);
 }
 
 void findContacts(WorldState& world, double dt) {
-    for (const BodyIndex body : world.bodies.awake) placeBody(world, body, dt);
-    for (const Pair& pair : world.space.takeNewPairs()) addContact(world, pair);
-    for (std::size_t i = 0; i < world.contacts.active.size();) {
-        const ContactIndex index = world.contacts.active[i];
-        ContactRecord& contact = world.contacts.contacts[index];
-        if (!overlap(world.proxyA(contact).box, world.proxyB(contact).box)) {
-            removeContact(world, index);
-            continue;
-        }
-        updateManifold(world, contact, dt);
-        ++i;
-    }
+    std::vector<ContactIndex> parted;
+    for (std::size_t index = 0; index < world.graph.colours.size(); ++index) collideColour(world, index, parted, dt);
+    Arrivals arrivals;
+    collideAllNear(world, arrivals, dt);
+    for (const ContactIndex index : parted) part(world, index);
+    for (const Arrivals::Lane& at : arrivals.lanes) settle(world, arrivals.batches[at.batch], at.lane);
 }
 
 }  // namespace plumb

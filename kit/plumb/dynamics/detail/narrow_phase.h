@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Which shapes touch, or may in the coming step, and where?
+// Where do shapes touch that are near each other, and what does the solver need to know of it?
 #pragma once
 #include <plumb/dynamics/detail/world_state.h>
 
 namespace plumb {
 
-/// Renews the boxes of what is awake, ends and begins contacts, and gives each active one its manifold; wakes what
-/// something awake is about to touch.
+/// Makes all manifolds anew: of contacts in the solver's slots batch by batch, where they are prepared for the step,
+/// and of the others near each other. What comes to touch gets a slot, what has parted loses it, and sleepers that are
+/// touched wake up.
 void findContacts(WorldState& world, double dt);
 
-/// Makes the contacts of two bodies that were kept apart until now, where the space has found their boxes to overlap.
-void pairShapes(WorldState& world, BodyIndex a, BodyIndex b);
-
-/// Renews the boxes of one body's shapes for a step of dt.
-void placeBody(WorldState& world, BodyIndex body, double dt);
+/// Can anything come of it in this step? Not with a sleeper: what might touch one has woken it.
+bool bodiesReady(const WorldState& world, const ContactRecord& contact);
 
 }  // namespace plumb

@@ -2,6 +2,7 @@
 #include <plumb/dynamics/detail/quarantine.h>
 
 #include <cmath>
+#include <utility>
 
 #include <plumb/dynamics/detail/islands.h>
 
@@ -25,18 +26,19 @@ bool isSound(const BodyMotion& m) {
     return within(m.center) && within(m.velocity) && within(m.angle) && within(m.angularVelocity);
 }
 
-void markUnsound(WorldState& world) {
-    for (const BodyIndex body : world.bodies.awake) {
-        const Acceleration a = accelerationOf(world.bodies.record[body], world.def.gravity);
-        if (!isSound(world.bodies.motion[body]) || !within(a.linear) || !within(a.angular))
-            world.bodies.record[body].quarantined = true;
-    }
+bool isSound(const Acceleration& a) {
+    return within(a.linear) && within(a.angular);
+}
+
+void quarantineLater(WorldState& world, BodyIndex body) {
+    if (world.bodies.record[body].quarantined) return;
+    world.bodies.record[body].quarantined = true;
+    world.unsound.push_back(body);
 }
 
 void quarantine(WorldState& world) {
-    std::vector<BodyIndex> leaving;
-    for (const BodyIndex body : world.bodies.awake)
-        if (world.bodies.record[body].quarantined) leaving.push_back(body);
+    const std::vector<BodyIndex> leaving = std::move(world.unsound);
+    world.unsound.clear();
     for (const BodyIndex body : leaving) {
         wakeNeighbours(world, body);
         removeShapes(world, body);
@@ -46,6 +48,7 @@ void quarantine(WorldState& world) {
         record.mass = record.inertia = record.inverseMass = record.inverseInertia = 0;
         world.bodies.motion[body].velocity.setZero();
         world.bodies.motion[body].angularVelocity = 0;
+        world.bodies.rest(body);
         world.quarantines.push_back({world.idOf(body)});
     }
 }

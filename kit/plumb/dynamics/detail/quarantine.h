@@ -7,9 +7,10 @@ namespace plumb {
 
 /// Finite, and below 1e15 m and m/s, so that squares still fit the solver's floats.
 bool isSound(const BodyMotion& motion);
+bool isSound(const Acceleration& acceleration);
 
-/// Marks the bodies that are about to leave the range, by their speed or by the forces on them.
-void markUnsound(WorldState& world);
+/// Marks a body, to be taken out by the next quarantine().
+void quarantineLater(WorldState& world, BodyIndex body);
 
 /// Takes the marked bodies out: at rest, without shapes, and an event for each.
 void quarantine(WorldState& world);

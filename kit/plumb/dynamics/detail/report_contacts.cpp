@@ -18,7 +18,8 @@ struct Touch {
 Touch touchOf(const WorldState& world, const ContactRecord& contact) {
     Touch touch;
     const auto memory = world.graph.memoryOf(contact);
-    for (std::size_t p = 0; p < static_cast<std::size_t>(contact.manifold.count); ++p) {
+    const std::size_t count = static_cast<std::size_t>(world.graph.manifoldOf(contact).count);
+    for (std::size_t p = 0; p < count; ++p) {
         touch.pressed = touch.pressed || memory[p].totalNormal > 0;
         const float separation = world.graph.separationOf(contact, p);
         if (separation >= touch.separation) continue;
@@ -30,23 +31,51 @@ Touch touchOf(const WorldState& world, const ContactRecord& contact) {
 
 ContactBegin beginOf(const WorldState& world, const ContactRecord& contact, std::size_t point) {
     return {world.idOf(contact.bodyA), world.idOf(contact.bodyB), pointOf(world, contact, point),
-            normalOf(world, contact), std::max(contact.approachSpeed, 0.0)};
+            normalOf(world, contact), std::max(static_cast<double>(contact.approachSpeed), 0.0)};
+}
+
+/// Does a touch begin or end in a lane?
+bool changes(const ContactBatch& batch, const ManifoldLanes& manifolds, std::size_t lane) {
+    const std::int32_t count = manifolds.count[lane];
+    const float first = count > 0 ? batch.points[0].separation[lane] : apart;
+    const float second = count > 1 ? batch.points[1].separation[lane] : apart;
+    const float nearest = std::min(first, second);
+    const bool pressed = batch.points[0].totalNormal[lane] > 0 || batch.points[1].totalNormal[lane] > 0;
+    return manifolds.touching[lane] != 0 ? !pressed && nearest >= apart : pressed || nearest <= 0;
+}
+
+void reportContact(WorldState& world, ContactRecord& contact) {
+    const Touch touch = touchOf(world, contact);
+    if (!contact.touching && (touch.pressed || touch.separation <= 0)) {
+        contact.touching = true;
+        world.begins.push_back(beginOf(world, contact, touch.point));
+    } else if (contact.touching && !touch.pressed && touch.separation >= apart) {
+        contact.touching = false;
+        world.ends.push_back({world.idOf(contact.bodyA), world.idOf(contact.bodyB)});
+    }
+}
+
+void reportBatch(WorldState& world, Colour& colour, std::size_t b) {
+    const std::size_t first = b * batchLanes;
+    const std::size_t count = std::min<std::size_t>(batchLanes, colour.contactOf.size() - first);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+        if (!changes(colour.batches[b], colour.manifolds[b], lane)) continue;
+        ContactRecord& contact = world.contacts.contacts[colour.contactOf[first + lane]];
+        contact.approachSpeed = colour.manifolds[b].approachSpeed[lane];
+        reportContact(world, contact);
+        colour.manifolds[b].touching[lane] = contact.touching ? 1 : 0;
+    }
 }
 
 }  // namespace
 
 void reportContacts(WorldState& world) {
-    for (const ContactIndex index : world.contacts.active) {
+    for (Colour& colour : world.graph.colours)
+        for (std::size_t b = 0; b < colour.batches.size(); ++b) reportBatch(world, colour, b);
+    for (const ContactIndex index : world.contacts.near) {
         ContactRecord& contact = world.contacts.contacts[index];
         if (contact.isolated && contact.memory[0].totalNormal > 0) continue;  // the impacts have told
-        const Touch touch = touchOf(world, contact);
-        if (!contact.touching && (touch.pressed || touch.separation <= 0)) {
-            contact.touching = true;
-            world.begins.push_back(beginOf(world, contact, touch.point));
-        } else if (contact.touching && !touch.pressed && touch.separation >= apart) {
-            contact.touching = false;
-            world.ends.push_back({world.idOf(contact.bodyA), world.idOf(contact.bodyB)});
-        }
+        if (contact.touching || contact.manifold.count > 0) reportContact(world, contact);
     }
 }
 

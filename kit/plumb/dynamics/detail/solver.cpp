@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <plumb/dynamics/detail/body_solver.h>
 #include <plumb/dynamics/detail/contact_solver.h>
-#include <plumb/dynamics/detail/free_motion.h>
-#include <plumb/dynamics/detail/prepare_contacts.h>
 
 namespace plumb {
 
@@ -41,89 +40,40 @@ Pass passOf(const SolverSettings& settings, double h) {
 }
 
 /// The bodies that are solved: dynamic ones with a constraint, and kinematic ones, which their contacts must see move.
-std::vector<BodyIndex> loadBodies(WorldState& world, double h) {
+/// Filled up with slot 0, which stands still, so that lanes have company.
+std::vector<BodyIndex> solvedBodies(WorldState& world) {
     std::vector<BodyIndex> solved;
-    BodyStore& bodies = world.bodies;
-    for (const BodyIndex body : bodies.awake) {
-        const BodyRecord& record = bodies.record[body];
-        if (!record.constrained && record.type != BodyType::Kinematic) continue;
-        solved.push_back(body);
-        const BodyMotion& motion = bodies.motion[body];
-        bodies.velocity[body] = {static_cast<float>(motion.velocity.x()), static_cast<float>(motion.velocity.y()),
-                                 static_cast<float>(motion.angularVelocity) * record.inverseRho,
-                                 static_cast<float>(record.inverseMass)};
-        bodies.displacement[body] = {};
-        bodies.warm[body] = {};
-        bodies.turn[body] = 0;
-        const FlightLaw law = flightLawOf(record, world.def.gravity);
-        const Decay linear = decay(law.linearDamping, 0.5 * h);
-        const Decay angular = decay(law.angularDamping, 0.5 * h);
-        const Vec2 gain = law.acceleration.linear * linear.gain;
-        bodies.kick[body] = {static_cast<float>(gain.x()), static_cast<float>(gain.y()),
-                             static_cast<float>(law.acceleration.angular * angular.gain) * record.inverseRho,
-                             static_cast<float>(linear.keep), static_cast<float>(angular.keep)};
+    solved.reserve(world.bodies.awake.size() + batchLanes);
+    for (const BodyIndex body : world.bodies.awake) {
+        BodyRecord& record = world.bodies.record[body];
+        record.constrained = record.type == BodyType::Dynamic && (record.solverContacts > 0 || !record.joints.empty());
+        if (record.constrained || record.type == BodyType::Kinematic) solved.push_back(body);
     }
+    while (solved.size() % batchLanes != 0) solved.push_back(noBody);
     return solved;
-}
-
-/// What the contacts changed since last time is what they will be given next time, before they are solved again.
-void collectWarmStart(BodyStore& bodies, BodyIndex body) {
-    SolverVelocity& warm = bodies.warm[body];
-    const SolverVelocity& now = bodies.velocity[body];
-    const SolverVelocity& before = bodies.before[body];
-    warm.x += now.x - before.x;
-    warm.y += now.y - before.y;
-    warm.w += now.w - before.w;
-}
-
-void kick(BodyStore& bodies, BodyIndex body) {
-    SolverVelocity& v = bodies.velocity[body];
-    if (v.inverseMass == 0) return;
-    const Kick& k = bodies.kick[body];
-    const SolverVelocity& warm = bodies.warm[body];
-    v.x = v.x * k.keep + k.gainX + warm.x;
-    v.y = v.y * k.keep + k.gainY + warm.y;
-    v.w = v.w * k.keepW + k.gainW + warm.w;
-}
-
-struct SinCosMinus1 {
-    float sin, cosMinus1;
-};
-
-/// Of an angle turned within a step, mostly small: five terms are exact to float below half a radian.
-SinCosMinus1 turned(float angle) {
-    if (std::fabs(angle) > 0.5f) {
-        const SinCos sc = sinCos(static_cast<double>(angle));
-        return {static_cast<float>(sc.sin), static_cast<float>(sc.cos - 1)};
-    }
-    const float a2 = angle * angle;
-    const float sin = angle * (1 - a2 * (1.0f / 6 - a2 * (1.0f / 120 - a2 / 5040)));
-    const float cosMinus1 = -a2 * (0.5f - a2 * (1.0f / 24 - a2 * (1.0f / 720 - a2 / 40320)));
-    return {sin, cosMinus1};
-}
-
-void move(BodyStore& bodies, BodyIndex body, float h) {
-    const SolverVelocity& v = bodies.velocity[body];
-    const BodyRecord& record = bodies.record[body];
-    SolverDisplacement& d = bodies.displacement[body];
-    d.x += v.x * h;
-    d.y += v.y * h;
-    bodies.turn[body] += v.w * record.rho * h;
-    const SinCosMinus1 t = turned(bodies.turn[body]);
-    d.sin = t.sin * record.inverseRho;
-    d.cosMinus1 = t.cosMinus1 * record.inverseRho;
 }
 
 template <class Visit>
 void forEachJoint(WorldState& world, Visit&& visit) {
-    for (JointRecord& record : world.joints) {
-        if (std::holds_alternative<std::monostate>(record.joint)) continue;
-        if (!world.bodies.record[record.bodyA].awake && !world.bodies.record[record.bodyB].awake) continue;
+    for (const std::uint32_t index : world.awakeJoints) {
+        JointRecord& record = world.joints[index];
         std::visit(
             [&]<class Joint>(Joint& joint) {
                 if constexpr (!std::is_same_v<Joint, std::monostate>) visit(joint, record);
             },
             record.joint);
+    }
+}
+
+void findAwakeJoints(WorldState& world) {
+    if (!world.jointsChanged) return;
+    world.jointsChanged = false;
+    world.awakeJoints.clear();
+    for (std::uint32_t index = 0; index < world.joints.size(); ++index) {
+        const JointRecord& record = world.joints[index];
+        if (std::holds_alternative<std::monostate>(record.joint)) continue;
+        if (world.bodies.record[record.bodyA].awake || world.bodies.record[record.bodyB].awake)
+            world.awakeJoints.push_back(index);
     }
 }
 
@@ -139,58 +89,85 @@ void solveJoints(WorldState& world, const JointPass& pass) {
     forEachJoint(world, [&](auto& joint, const JointRecord&) { joint.solve(world.bodies, pass); });
 }
 
+/// What all of the solver's phases need.
+struct Solving {
+    WorldState& world;
+    SolverBodies bodies;
+    const ContactSolver& contacts;
+    const BodySolver& mover;
+    std::vector<BodyIndex> solved;
+    Pass pass;
+};
+
 /// What stands on something fixed stands twice as stiffly: the ground does not give.
-template <class Visit>
-void forEachColour(WorldState& world, const Pass& pass, Visit&& visit) {
-    for (int c = 0; c < colourCount; ++c) {
-        const bool ground = c >= fixedColour && c != overflowColour;
-        visit(world.graph.colours[static_cast<std::size_t>(c)], ground ? pass.groundContacts : pass.contacts);
+template <class Solve>
+void forEachColour(Solving& solving, Solve&& solve) {
+    auto& colours = solving.world.graph.colours;
+    for (std::size_t index = 0; index < colours.size(); ++index) {
+        std::vector<ContactBatch>& batches = colours[index].batches;
+        if (batches.empty()) continue;
+        const int colour = colourAt(index);
+        const bool ground = colour >= fixedColour && colour != overflowColour;
+        const ContactSolver& solver = colour == overflowColour ? scalarContactSolver : solving.contacts;
+        solve(solver, batches.data(), batches.size(), ground ? solving.pass.groundContacts : solving.pass.contacts);
     }
 }
 
-void subStep(WorldState& world, const std::vector<BodyIndex>& solved, const Pass& pass, bool first) {
-    BodyStore& bodies = world.bodies;
-    for (const BodyIndex body : solved) {
-        if (!first) collectWarmStart(bodies, body);
-        kick(bodies, body);
-    }
-    solveJoints(world, pass.solveJoints);
-    for (const BodyIndex body : solved) bodies.before[body] = bodies.velocity[body];
-    forEachColour(world, pass, [&](Colour& colour, const ContactPass& p) { solveContacts(colour.batches, bodies, p); });
-    for (const BodyIndex body : solved) {
-        move(bodies, body, pass.step);
-        collectWarmStart(bodies, body);
-        kick(bodies, body);
-    }
-    solveJoints(world, pass.relaxJoints);
-    for (const BodyIndex body : solved) bodies.before[body] = bodies.velocity[body];
-    forEachColour(world, pass, [&](Colour& colour, const ContactPass& p) { relaxContacts(colour.batches, bodies, p); });
+void solveHalf(Solving& solving, const JointPass& joints, bool first) {
+    const std::uint32_t* list = solving.solved.data();
+    kickBodies(list, solving.solved.size(), solving.bodies, first);
+    if (solving.world.awakeJoints.empty()) return;
+    solveJoints(solving.world, joints);
+    markBodies(list, solving.solved.size(), solving.bodies);
+}
+
+void subStep(Solving& solving, bool first) {
+    const SolverBodies& bodies = solving.bodies;
+    solveHalf(solving, solving.pass.solveJoints, first);
+    forEachColour(solving, [&](const ContactSolver& solver, ContactBatch* batches, std::size_t count,
+                               const ContactPass& pass) { solver.solve(batches, count, bodies, pass); });
+    solving.mover.move(solving.solved.data(), solving.solved.size(), bodies, solving.pass.step);
+    solveHalf(solving, solving.pass.relaxJoints, false);
+    forEachColour(solving, [&](const ContactSolver& solver, ContactBatch* batches, std::size_t count,
+                               const ContactPass& pass) { solver.relax(batches, count, bodies, pass); });
 }
 
 void markPushed(WorldState& world) {
     const auto markOne = [&world](BodyIndex body) { world.bodies.record[body].pushed = world.bodies.isDynamic(body); };
     for (const Colour& colour : world.graph.colours) {
-        for (std::size_t slot = 0; slot < colour.contactOf.size(); ++slot) {
-            const ContactBatch& batch = colour.batches[slot / batchLanes];
-            const std::size_t lane = slot % batchLanes;
-            const auto gave = [lane](const PointLanes& p) {  // what only parts an overlap gives nothing in all
-                return p.totalNormal[lane] != 0 || p.solvedNormal[lane] != 0;
-            };
-            if (!gave(batch.points[0]) && !gave(batch.points[1])) continue;
-            markOne(batch.bodyA[lane]);
-            markOne(batch.bodyB[lane]);
+        for (const ContactBatch& batch : colour.batches) {
+            for (std::size_t lane = 0; lane < batchLanes; ++lane) {
+                if (batch.pushed[lane] == 0) continue;
+                markOne(batch.bodyA[lane]);
+                markOne(batch.bodyB[lane]);
+            }
         }
     }
-    for (const JointRecord& joint : world.joints) {
-        if (std::holds_alternative<std::monostate>(joint.joint)) continue;
-        markOne(joint.bodyA);
-        markOne(joint.bodyB);
+    for (const std::uint32_t index : world.awakeJoints) {
+        markOne(world.joints[index].bodyA);
+        markOne(world.joints[index].bodyB);
     }
 }
 
-void storeBodies(WorldState& world, const std::vector<BodyIndex>& solved) {
-    BodyStore& bodies = world.bodies;
-    for (const BodyIndex body : solved) {
+/// A rotation turned on by a small angle: by the series in double, which leaves no more than rounding.
+Rot turnedOn(const BodyMotion& motion, double turn) {
+    if (std::fabs(turn) > 0.1) return Rot::fromAngle(motion.angle);
+    const double t2 = turn * turn;
+    const double sin = turn * (1 - t2 / 6 * (1 - t2 / 20 * (1 - t2 / 42 * (1 - t2 / 72))));
+    const double cos = 1 - t2 / 2 * (1 - t2 / 12 * (1 - t2 / 30 * (1 - t2 / 56 * (1 - t2 / 90))));
+    const Rot& r = motion.rotation;
+    const double c = r.cos * cos - r.sin * sin;
+    const double s = r.sin * cos + r.cos * sin;
+    const double stretch = 1.5 - 0.5 * (c * c + s * s);  // back to length 1, to first order
+    Rot turned;
+    turned.cos = c * stretch;
+    turned.sin = s * stretch;
+    return turned;
+}
+
+void storeBodies(Solving& solving) {
+    BodyStore& bodies = solving.world.bodies;
+    for (const BodyIndex body : solving.solved) {
         const BodyRecord& record = bodies.record[body];
         if (!record.pushed) continue;
         BodyMotion motion = bodies.motion[body];
@@ -199,11 +176,10 @@ void storeBodies(WorldState& world, const std::vector<BodyIndex>& solved) {
         motion.center += Vec2(static_cast<double>(d.x), static_cast<double>(d.y));
         motion.velocity = {static_cast<double>(v.x), static_cast<double>(v.y)};
         motion.angularVelocity = static_cast<double>(v.w * record.rho);
-        if (bodies.turn[body] != 0) {
-            motion.angle += static_cast<double>(bodies.turn[body]);
-            motion.rotation = Rot::fromAngle(motion.angle);
-        }
-        moveTo(world, body, motion);
+        const double turn = static_cast<double>(bodies.turn[body].angle);
+        motion.angle += turn;
+        motion.rotation = turnedOn(motion, turn);
+        moveTo(solving.world, body, motion);
     }
 }
 
@@ -212,19 +188,28 @@ void storeBodies(WorldState& world, const std::vector<BodyIndex>& solved) {
 void solveConstraints(WorldState& world, double dt) {
     const int subSteps = world.def.solver.subSteps;
     const double h = dt / subSteps;
-    const std::vector<BodyIndex> solved = loadBodies(world, h);
-    if (solved.empty()) return;
-    const Pass pass = passOf(world.def.solver, h);
-    prepareContacts(world, dt);
+    const int lanes = world.def.solver.lanes;
+    findAwakeJoints(world);
+    world.bodies.rest(noBody);
+    Solving solving{world,
+                    world.bodies.solverBodies(),
+                    contactSolver(lanes),
+                    bodySolver(lanes),
+                    solvedBodies(world),
+                    passOf(world.def.solver, h)};
+    if (solving.solved.empty()) return;
     forEachJoint(world, [&world, dt](auto& joint, JointRecord& record) {
         record.solvedStep = dt;
         joint.prepare(world.bodies, isAlone(world.bodies, record));
     });
-    for (Colour& colour : world.graph.colours) gatherWarmStart(colour.batches, world.bodies);
-    for (int i = 0; i < subSteps; ++i) subStep(world, solved, pass, i == 0);
-    for (Colour& colour : world.graph.colours) bounceContacts(colour.batches, world.bodies);
+    const SolverBodies& bodies = solving.bodies;
+    forEachColour(solving, [&](const ContactSolver& solver, const ContactBatch* batches, std::size_t count,
+                               const ContactPass&) { solver.gatherWarmStart(batches, count, bodies); });
+    for (int i = 0; i < subSteps; ++i) subStep(solving, i == 0);
+    forEachColour(solving, [&](const ContactSolver& solver, ContactBatch* batches, std::size_t count,
+                               const ContactPass&) { solver.bounce(batches, count, bodies); });
     markPushed(world);
-    storeBodies(world, solved);
+    storeBodies(solving);
 }
 
 }  // namespace plumb

@@ -5,74 +5,58 @@
 #include <map>
 
 #include <plumb/dynamics/detail/impacts.h>
+#include <plumb/dynamics/detail/narrow_phase.h>
 
 namespace plumb {
 
 namespace {
 
-void constrain(WorldState& world, BodyIndex body) {
-    if (world.bodies.isDynamic(body)) world.bodies.record[body].constrained = true;
+/// Joined bodies and those with a contact that does not bounce clear are the solver's.
+bool isConstrained(const WorldState& world, BodyIndex body) {
+    const BodyRecord& record = world.bodies.record[body];
+    return record.type == BodyType::Dynamic && (!record.joints.empty() || record.solverContacts > record.doubtful);
 }
 
 bool isConstrained(const WorldState& world, const ContactRecord& contact) {
-    return world.bodies.record[contact.bodyA].constrained || world.bodies.record[contact.bodyB].constrained;
+    return isConstrained(world, contact.bodyA) || isConstrained(world, contact.bodyB);
 }
 
-/// Can anything come of it in this step? Not with a sleeper: what might touch one has woken it.
-bool bodiesReady(const WorldState& world, const ContactRecord& contact) {
-    const auto ready = [&world](BodyIndex body) {
-        return world.bodies.record[body].awake || !world.bodies.isDynamic(body);
-    };
-    return ready(contact.bodyA) && ready(contact.bodyB);
-}
-
-bool isAwake(const WorldState& world, const ContactRecord& contact) {
-    return contact.manifold.count > 0 && bodiesReady(world, contact);
-}
-
-/// Joined bodies and those with a contact that does not bounce clear are the solver's.
-std::vector<ContactIndex> findCandidates(WorldState& world, double dt) {
-    for (const BodyIndex body : world.bodies.awake) {
-        BodyRecord& record = world.bodies.record[body];
-        record.constrained = record.type == BodyType::Dynamic && !record.joints.empty();
-    }
+/// What would bounce clear of the other if it were alone with it.
+std::vector<ContactIndex> findCandidates(WorldState& world) {
     std::vector<ContactIndex> candidates;
-    for (const ContactIndex index : world.contacts.active) {
-        ContactRecord& contact = world.contacts.contacts[index];
-        contact.isolated = isAwake(world, contact) && bouncesClear(world, contact, dt);
-        if (contact.isolated) {
-            candidates.push_back(index);
-        } else if (isAwake(world, contact)) {
-            constrain(world, contact.bodyA);
-            constrain(world, contact.bodyB);
+    for (const Colour& colour : world.graph.colours) {
+        for (std::size_t b = 0; b < colour.batches.size(); ++b) {
+            if (!colour.batches[b].bounces) continue;
+            for (std::size_t lane = 0; lane < batchLanes; ++lane)
+                if (colour.manifolds[b].clear[lane] != 0) candidates.push_back(colour.contactOf[b * batchLanes + lane]);
         }
+    }
+    for (const ContactIndex index : candidates) {
+        ++world.bodies.record[world.contacts.contacts[index].bodyA].doubtful;
+        ++world.bodies.record[world.contacts.contacts[index].bodyB].doubtful;
     }
     return candidates;
 }
 
-void giveToSolver(WorldState& world, ContactRecord& contact) {
-    contact.isolated = false;
-    constrain(world, contact.bodyA);
-    constrain(world, contact.bodyB);
-}
-
-/// What hangs on a body of the solver's is the solver's too.
-void spreadConstraints(WorldState& world, std::vector<ContactIndex>& candidates) {
+/// Leaves the solver what does not pass; and what hangs on a body of the solver's is the solver's too.
+template <class Test>
+void keepOnly(WorldState& world, std::vector<ContactIndex>& candidates, Test&& test) {
     for (bool changed = true; changed;) {
-        changed = false;
-        std::erase_if(candidates, [&](ContactIndex index) {
-            ContactRecord& contact = world.contacts.contacts[index];
-            if (!isConstrained(world, contact)) return false;
-            giveToSolver(world, contact);
-            changed = true;
+        const std::size_t removed = std::erase_if(candidates, [&](ContactIndex index) {
+            const ContactRecord& contact = world.contacts.contacts[index];
+            if (!isConstrained(world, contact) && test(contact)) return false;
+            --world.bodies.record[contact.bodyA].doubtful;
+            --world.bodies.record[contact.bodyB].doubtful;
             return true;
         });
+        changed = removed > 0;
     }
 }
 
 /// What a bouncing body may come to in the rest of the step, after an impact, is watched as well.
 void addWatched(WorldState& world, std::vector<ContactIndex>& candidates) {
     const std::size_t count = candidates.size();
+    for (std::size_t i = 0; i < count; ++i) world.contacts.contacts[candidates[i]].isolated = true;
     for (std::size_t i = 0; i < count; ++i) {
         const ContactRecord& candidate = world.contacts.contacts[candidates[i]];
         for (const BodyIndex body : {candidate.bodyA, candidate.bodyB}) {
@@ -110,30 +94,42 @@ std::vector<std::vector<ContactIndex>> groupsOf(const WorldState& world, const s
     return groups;
 }
 
-void updateGraph(WorldState& world) {
-    for (const ContactIndex index : world.contacts.active) {
-        ContactRecord& contact = world.contacts.contacts[index];
-        const bool wanted = isAwake(world, contact) && !contact.isolated;
-        if (wanted && contact.colour < 0) world.graph.add(world.bodies, world.contacts, index);
-        if (!wanted && contact.colour >= 0) world.graph.remove(world.bodies, world.contacts, index);
+/// The impacts have moved its bodies: the solver has nothing to do with it in this step.
+void leaveToImpacts(WorldState& world, ContactIndex index) {
+    ContactRecord& contact = world.contacts.contacts[index];
+    const std::array<PointMemory, 2> told = contact.memory;
+    world.graph.remove(world.bodies, world.contacts, index);
+    world.contacts.addNear(index);
+    contact.memory = told;
+    contact.rollImpulse = 0;
+}
+
+void flyGroup(WorldState& world, std::span<const ContactIndex> group, double dt) {
+    for (const ContactIndex index : group) world.contacts.contacts[index].memory = {};
+    const bool flown = flyThroughImpacts(world, group, dt);
+    for (const ContactIndex index : group) {
+        if (flown)
+            leaveToImpacts(world, index);
+        else
+            world.contacts.contacts[index].isolated = false;
     }
 }
 
 }  // namespace
 
 void sortOutContacts(WorldState& world, double dt) {
-    std::vector<ContactIndex> candidates = findCandidates(world, dt);
-    spreadConstraints(world, candidates);
+    std::vector<ContactIndex> candidates = findCandidates(world);
+    if (candidates.empty()) return;
+    const std::vector<ContactIndex> doubtful = candidates;
+    keepOnly(world, candidates, [](const ContactRecord&) { return true; });
+    keepOnly(world, candidates, [&](const ContactRecord& contact) { return bouncesClear(world, contact, dt); });
     addWatched(world, candidates);
-    for (const std::vector<ContactIndex>& group : groupsOf(world, candidates)) {
-        if (group.empty() || flyThroughImpacts(world, group, dt)) continue;
-        for (const ContactIndex index : group) {
-            ContactRecord& contact = world.contacts.contacts[index];
-            contact.isolated = false;
-            if (contact.manifold.count > 0) giveToSolver(world, contact);
-        }
+    for (const std::vector<ContactIndex>& group : groupsOf(world, candidates))
+        if (!group.empty()) flyGroup(world, group, dt);
+    for (const ContactIndex index : doubtful) {
+        world.bodies.record[world.contacts.contacts[index].bodyA].doubtful = 0;
+        world.bodies.record[world.contacts.contacts[index].bodyB].doubtful = 0;
     }
-    updateGraph(world);
 }
 
 }  // namespace plumb

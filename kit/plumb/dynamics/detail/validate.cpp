@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/detail/validate.h>
 
+#include <limits>
 #include <string>
 
 #include <plumb/math/check.h>
@@ -29,6 +30,9 @@ void validateJoint(const WorldState& world, const RevoluteJointDef& def) {
     requireFinite(def.anchor, "RevoluteJointDef.anchor");
     requireNear(world, def.bodyA, def.anchor, "RevoluteJointDef.anchor");
     requireNear(world, def.bodyB, def.anchor, "RevoluteJointDef.anchor");
+    requireFinite(def.motorSpeed, "RevoluteJointDef.motorSpeed");
+    if (def.maxMotorTorque != std::numeric_limits<double>::infinity())
+        requireNotNegative(def.maxMotorTorque, "RevoluteJointDef.maxMotorTorque");
 }
 
 void validateJoint(const WorldState& world, const DistanceJointDef& def) {
@@ -68,6 +72,8 @@ void validate(const WorldDef& def) {
     requirePositive(s.contactPushSpeed, "WorldDef.solver.contactPushSpeed");
     requireNotNegative(s.sleepSpeed, "WorldDef.solver.sleepSpeed");
     requireNotNegative(s.sleepTime, "WorldDef.solver.sleepTime");
+    if (s.lanes != 1 && s.lanes != 4 && s.lanes != 8 && s.lanes != 16)
+        refuse("WorldDef.solver.lanes", std::to_string(s.lanes) + " is not 1, 4, 8 or 16");
 }
 
 void validate(const WorldState& world, const JointDef& def) {

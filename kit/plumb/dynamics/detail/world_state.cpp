@@ -9,17 +9,37 @@ void moveTo(WorldState& world, BodyIndex body, const BodyMotion& motion) {
     if (isSound(motion))
         world.bodies.motion[body] = motion;
     else
-        world.bodies.record[body].quarantined = true;
+        quarantineLater(world, body);
+}
+
+BoxOutline boxOutlineOf(const ShapeDef& shape, const Vec2& centerOfMass) {
+    BoxOutline outline;
+    outline.bounces = shape.material.restitution > 0;
+    const auto* polygon = std::get_if<Polygon>(&shape.shape);
+    if (polygon == nullptr || polygon->vertices.size() != 4 || polygon->radius != 0) return outline;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Vec2 edge = polygon->vertices[(i + 1) % 4] - polygon->vertices[i];
+        if (edge.x() != 0 && edge.y() != 0) return outline;
+    }
+    const Aabb box = aabbOf(shape.shape, {});
+    const Vec2 half = 0.5 * (box.upper - box.lower);
+    const Vec2 center = 0.5 * (box.upper + box.lower) - centerOfMass;
+    outline.is = true;
+    outline.halfX = static_cast<float>(half.x());
+    outline.halfY = static_cast<float>(half.y());
+    outline.centerX = static_cast<float>(center.x());
+    outline.centerY = static_cast<float>(center.y());
+    return outline;
 }
 
 Vec2 normalOf(const WorldState& world, const ContactRecord& contact) {
-    return world.bodies.motion[contact.bodyA].rotation * Vec2(contact.manifold.normal.cast<double>());
+    return world.bodies.motion[contact.bodyA].rotation * Vec2(world.graph.manifoldOf(contact).normal.cast<double>());
 }
 
 Vec2 pointOf(const WorldState& world, const ContactRecord& contact, std::size_t point) {
     // The manifold is of the step's start. From there A's surface has gone with A, and B's is where the separation
     // says.
-    const ManifoldPoint& p = contact.manifold.points[point];
+    const ManifoldPoint p = world.graph.manifoldOf(contact).points[point];
     const BodyMotion& a = world.bodies.motion[contact.bodyA];
     const Vec2 middle = a.center + a.rotation * Vec2(p.position.cast<double>());
     const double closed = static_cast<double>(world.graph.separationOf(contact, point) - p.separation);

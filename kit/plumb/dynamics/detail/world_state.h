@@ -8,6 +8,7 @@
 #include <plumb/dynamics/detail/contact_graph.h>
 #include <plumb/dynamics/detail/contact_store.h>
 #include <plumb/dynamics/detail/distance_joint.h>
+#include <plumb/dynamics/detail/lane_collider.h>
 #include <plumb/dynamics/detail/revolute_joint.h>
 #include <plumb/dynamics/world.h>
 #include <plumb/space/space.h>
@@ -24,6 +25,15 @@ struct JointRecord {
     double solvedStep = 0;  ///< the step it was last solved in [s]
 };
 
+/// A shape that is a box without rounding and lies straight in its body's frame, as the lanes see it.
+struct BoxOutline {
+    bool is = false;
+    bool bounces = false;            ///< the shape's material does, whatever the shape
+    float halfX = 0, halfY = 0;      ///< [m]
+    float centerX = 0, centerY = 0;  ///< from the body's centre of mass [m]
+};
+BoxOutline boxOutlineOf(const ShapeDef& shape, const Vec2& centerOfMass);
+
 struct WorldState {
     WorldDef def;
     std::uint32_t id = 0;
@@ -32,15 +42,20 @@ struct WorldState {
 
     BodyStore bodies;
     Space space;
+    std::vector<BoxOutline> boxes;  ///< of each proxy
     ContactStore contacts;
     ContactGraph graph;
     std::vector<JointRecord> joints;
     std::vector<std::uint32_t> freeJoints;
+    std::vector<std::uint32_t> awakeJoints;  ///< with a body awake, in the order of their slots
+    bool jointsChanged = false;              ///< awakeJoints is out of date
 
     std::vector<ContactBegin> begins;
     std::vector<ContactEnd> ends;
     std::size_t reportedEnds = 0;  ///< of ends: those of the last step; what was removed since comes after them
     std::vector<Quarantined> quarantines;
+    std::vector<BodyIndex> unsound;  ///< to be put in quarantine
+    const LaneCollider* collider = nullptr;
 
     BodyId idOf(BodyIndex body) const { return {body, bodies.record[body].generation, id}; }
     const Proxy& proxyA(const ContactRecord& c) const { return space[c.proxyA]; }

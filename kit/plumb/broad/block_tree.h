@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// Where does each of a crowd of boxes lie? In an implicit hierarchy that follows them as they move.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <plumb/broad/box_block.h>
+#include <plumb/shapes/aabb.h>
+
+namespace plumb {
+
+/// Rounds boxes to float. What overlaps in double does so in float; what overlaps in float by more than a common edge
+/// does so in double: rounding keeps the order of any two numbers, or makes them equal.
+/// Numbers too large for a float become the largest one; NaN stays.
+class BoundsRounding {
+public:
+    explicit BoundsRounding(const Vec2& origin) : origin_(origin) {}
+    Bounds operator()(const Aabb& box) const {
+        return {round(box.lower.x() - origin_.x()), round(box.lower.y() - origin_.y()),
+                round(box.upper.x() - origin_.x()), round(box.upper.y() - origin_.y())};
+    }
+
+private:
+    static float round(double x) {
+        constexpr double largest = 0x1.fffffep127;
+        x = x > largest ? largest : x;
+        return static_cast<float>(x < -largest ? -largest : x);
+    }
+    Vec2 origin_;
+};
+
+/// A hierarchy without pointers: slots in blocks of 16, one bounding box a block, these in blocks of 16, and so on.
+/// Members stand in the order given (mortonOrder is a good one); what is added comes last; what is taken out leaves a
+/// hole. Boxes may be put anew at any time: refit mends what was touched, and costs in proportion to that.
+/// Each slot has the box that it has now and the one that it had when settle was called.
+class BlockTree {
+public:
+    static constexpr std::uint32_t width = BoxBlock::width;
+    static constexpr std::size_t maxLevels = BoxBlock::maxLevels;
+    static constexpr std::uint32_t noMember = ~std::uint32_t{0};
+
+    /// What a search reads, as plain memory.
+    struct View {
+        std::array<const BoxBlock*, maxLevels> levels;  ///< levels[0] has the boxes themselves
+        std::uint32_t levelCount;
+        const BoxBlock* previous;      ///< of levels[0], when it settled
+        const std::uint16_t* touched;  ///< of each block of levels[0], one bit a lane
+    };
+
+    std::uint32_t slotCount() const { return static_cast<std::uint32_t>(members_.size()); }
+    std::uint32_t memberCount() const { return memberCount_; }
+    /// The member of each slot; noMember in a hole.
+    std::span<const std::uint32_t> members() const { return members_; }
+    /// The blocks of slots that were touched, in order, from refit until settle.
+    std::span<const std::uint32_t> touchedBlocks() const { return touchedBlocks_; }
+    View view() const;
+
+    /// Starts anew with these members, whose boxes are to be put.
+    void assign(std::span<const std::uint32_t> members);
+    /// Returns the slot; its box is to be put.
+    std::uint32_t append(std::uint32_t member);
+    void erase(std::uint32_t slot);
+
+    void put(std::uint32_t slot, const Bounds& now) { put(levels_[0][slot / width], slot % width, now); }
+    void putPrevious(std::uint32_t slot, const Bounds& was) { put(previous_[slot / width], slot % width, was); }
+    /// As if the slot had been nowhere when it settled.
+    void forgetPrevious(std::uint32_t slot);
+
+    void touch(std::uint32_t slot);
+    void touchAll();
+    /// Makes the bounds hold the boxes again, where slots were touched; or everywhere.
+    void refitTouched();
+    void refitAll();
+    /// From now on nothing is touched, and what is now is what was.
+    void settle();
+
+    /// The sum of half perimeters over the blocks of slots [m]: grows as the order grows stale.
+    double looseness() const;
+
+private:
+    static void put(BoxBlock& block, std::uint32_t lane, const Bounds& bounds) {
+        block.lowerX[lane] = bounds.lowerX;
+        block.lowerY[lane] = bounds.lowerY;
+        block.upperX[lane] = bounds.upperX;
+        block.upperY[lane] = bounds.upperY;
+    }
+    Bounds refitBlock(std::size_t level, std::uint32_t block);
+    void grow();
+
+    std::vector<std::uint32_t> members_;
+    std::uint32_t memberCount_ = 0;
+    std::size_t levelCount_ = 0;
+    // Box i of levels_[k + 1] holds block i of levels_[k]; the last is one block. Bit i of touched_[k + 1] tells of
+    // block i of levels_[k] whether it is to be mended.
+    std::array<std::vector<BoxBlock>, maxLevels> levels_;
+    std::array<std::vector<std::uint16_t>, maxLevels> touched_;
+    std::vector<BoxBlock> previous_;
+    std::vector<std::uint32_t> touchedBlocks_;
+};
+
+}  // namespace plumb

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/broad/detail/block_search.h>
+
+#include <algorithm>
+
+#include <plumb/broad/detail/block_search_wide.h>
+
+namespace plumb {
+
+#if defined(__GNUC__)
+extern template struct WideBlockSearch<8>;
+extern template struct WideBlockSearch<16>;
+#endif
+
+namespace {
+
+template <int W>
+SearchWork searchWide(const BlockSearch& search, const SlotPairSink& sink) {
+    typename WideBlockSearch<W>::Task task{};
+    task.levels = search.in.levels.data();
+    task.levelCount = search.in.levelCount;
+    task.previous = search.in.previous;
+    task.touched = search.in.touched;
+    task.fromBoxes = search.from.levels[0];
+    task.fromBounds = search.from.levelCount > 1 ? search.from.levels[1] : nullptr;
+    task.fromPrevious = search.from.previous;
+    task.fromTouched = search.from.touched;
+    task.blocks = search.blocks.data();
+    task.blockCount = static_cast<std::uint32_t>(search.blocks.size());
+    task.itself = search.is == BlockSearch::Itself;
+    task.asksToo = search.is == BlockSearch::AnotherThatAsks;
+    task.allTouched = search.allTouched;
+    return WideBlockSearch<W>::run(task, sink);
+}
+
+}  // namespace
+
+SearchWork searchBlocks(const BlockSearch& search, const SlotPairSink& sink, int lanes) {
+    if (search.blocks.empty() || search.in.levelCount == 0) return {0, 0};
+    switch (std::min(lanes, machineLanes())) {
+#if defined(__GNUC__)
+        case 4: return searchWide<4>(search, sink);
+        case 8: return searchWide<8>(search, sink);
+        case 16: return searchWide<16>(search, sink);
+#endif
+        default: return searchWide<1>(search, sink);
+    }
+}
+
+}  // namespace plumb

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: MIT
+// How does a block of boxes find its neighbours, W boxes at a time?
+#pragma once
+#include <cmath>
+
+#include <plumb/broad/box_block.h>
+#include <plumb/broad/detail/slot_pair.h>
+#include <plumb/math/detail/wide_ops.h>
+
+namespace plumb {
+
+/// Plain memory and templates over W only, and no Eigen: see math/detail/wide.h.
+template <int W>
+struct WideBlockSearch {
+    /// BlockSearch as plain memory.
+    struct Task {
+        const BoxBlock* const* levels;
+        std::uint32_t levelCount;
+        const BoxBlock* previous;
+        const std::uint16_t* touched;
+        const BoxBlock* fromBoxes;
+        const BoxBlock* fromBounds;  ///< of the level above, if there is one
+        const BoxBlock* fromPrevious;
+        const std::uint16_t* fromTouched;
+        const std::uint32_t* blocks;
+        std::uint32_t blockCount;
+        bool itself, asksToo, allTouched;
+    };
+    static SearchWork run(const Task& task, const SlotPairSink& sink);
+
+private:
+    using Float = typename Wide<W>::Float;
+    using Mask = typename Wide<W>::Mask;
+    static constexpr std::uint32_t width = 16;
+    static constexpr std::uint32_t lowerX = 0, lowerY = width, upperX = 2 * width, upperY = 3 * width;
+    static constexpr std::uint32_t bufferSize = 256;
+    /// Block against block pays off up to so many neighbours for each that asks (measured).
+    static constexpr std::uint32_t worthGathering = 16;
+    static constexpr std::uint32_t mostGathered = 64;
+
+    using Box = Bounds;
+    struct Place {
+        std::uint32_t level, block;
+    };
+    struct Gathered {
+        std::uint32_t block, lanes;
+    };
+
+    // A block as plain floats, for inline functions of arrays are not to be emitted here.
+    static const float* boxesOf(const BoxBlock& block);
+    static Box boxOf(const float* boxes, std::uint32_t lane);
+    static Box around(const float* boxes, std::uint32_t lanes);
+    static std::uint32_t lowestBit(std::uint32_t bits);
+    static std::uint32_t countOf(std::uint32_t bits);
+    static std::uint32_t bitsOf(const Mask& mask);
+    static std::uint32_t overlaps(const float* boxes, const Box& box);
+    static std::uint32_t newOverlaps(const float* boxes, const float* were, const Box& box, const Box& was);
+    static std::uint32_t lanesFrom(std::uint32_t block, const Place& place);
+
+    WideBlockSearch(const Task& t, const SlotPairSink& s) : task(t), sink(s) {}
+    void neighboursOf(std::uint32_t block);
+    bool gather(std::uint32_t block, const Box& reach, std::uint32_t asking);
+    void compare(std::uint32_t block, const Gathered& other);
+    void ask(std::uint32_t block, std::uint32_t lane);
+    template <class Visit>
+    bool descend(std::uint32_t block, const Box& reach, Visit&& visit);
+    void report(std::uint32_t a, std::uint32_t b);
+    void flush();
+
+    const Task& task;
+    const SlotPairSink& sink;
+    std::uint64_t blockTests = 0, boxTests = 0;
+    std::uint32_t count = 0;
+    std::uint32_t gatheredCount = 0;
+    Gathered gathered[mostGathered];
+    SlotPair buffer[bufferSize];
+};
+
+// The arrays of a block follow each other without gaps.
+template <int W>
+[[gnu::always_inline]] inline const float* WideBlockSearch<W>::boxesOf(const BoxBlock& block) {
+    static_assert(sizeof(BoxBlock) == 4 * width * sizeof(float));
+    return reinterpret_cast<const float*>(&block);
+}
+
+template <int W>
+[[gnu::always_inline]] inline typename WideBlockSearch<W>::Box WideBlockSearch<W>::boxOf(const float* boxes,
+                                                                                         std::uint32_t lane) {
+    return {boxes[lowerX + lane], boxes[lowerY + lane], boxes[upperX + lane], boxes[upperY + lane]};
+}
+
+template <int W>
+typename WideBlockSearch<W>::Box WideBlockSearch<W>::around(const float* boxes, std::uint32_t lanes) {
+    constexpr float infinity = HUGE_VALF;
+    Box box{infinity, infinity, -infinity, -infinity};
+    for (; lanes != 0; lanes &= lanes - 1) {
+        const std::uint32_t lane = lowestBit(lanes);
+        // A lane without a box fails every comparison.
+        box.lowerX = boxes[lowerX + lane] < box.lowerX ? boxes[lowerX + lane] : box.lowerX;
+        box.lowerY = boxes[lowerY + lane] < box.lowerY ? boxes[lowerY + lane] : box.lowerY;
+        box.upperX = boxes[upperX + lane] > box.upperX ? boxes[upperX + lane] : box.upperX;
+        box.upperY = boxes[upperY + lane] > box.upperY ? boxes[upperY + lane] : box.upperY;
+    }
+    return box;
+}
+
+template <int W>
+std::uint32_t WideBlockSearch<W>::lowestBit(std::uint32_t bits) {
+#if defined(__GNUC__)
+    return static_cast<std::uint32_t>(__builtin_ctz(bits));
+#else
+    std::uint32_t lane = 0;
+    while ((bits >> lane & 1) == 0) ++lane;
+    return lane;
+#endif
+}
+
+template <int W>
+std::uint32_t WideBlockSearch<W>::countOf(std::uint32_t bits) {  // of 16
+    bits -= bits >> 1 & 0x5555;
+    bits = (bits & 0x3333) + (bits >> 2 & 0x3333);
+    bits = (bits + (bits >> 4)) & 0x0F0F;
+    return (bits + (bits >> 8)) & 0x1F;
+}
+
+template <int W>
+[[gnu::always_inline]] inline std::uint32_t WideBlockSearch<W>::bitsOf(const Mask& mask) {
+    if constexpr (W == 1) {
+        return mask ? 1 : 0;
+#if defined(__x86_64__)
+    } else if constexpr (W == 4) {
+        return static_cast<std::uint32_t>(__builtin_ia32_movmskps(Float(mask)));
+    } else if constexpr (W == 8) {
+        return static_cast<std::uint32_t>(__builtin_ia32_movmskps256(Float(mask)));
+    } else if constexpr (W == 16) {
+        typedef int Ints __attribute__((vector_size(64)));
+        return static_cast<std::uint32_t>(__builtin_ia32_cvtd2mask512(Ints(mask)));
+#endif
+    } else {
+        std::uint32_t bits = 0;
+        for (int i = 0; i < W; ++i) bits |= static_cast<std::uint32_t>(mask[i] & 1) << i;
+        return bits;
+    }
+}
+
+template <int W>
+[[gnu::always_inline]] inline std::uint32_t WideBlockSearch<W>::overlaps(const float* boxes, const Box& box) {
+    std::uint32_t bits = 0;
+    for (std::uint32_t i = 0; i < width; i += W) {
+        const Mask mask =
+            (loadLanes<W>(boxes + lowerX + i) <= box.upperX) & (loadLanes<W>(boxes + upperX + i) >= box.lowerX) &
+            (loadLanes<W>(boxes + lowerY + i) <= box.upperY) & (loadLanes<W>(boxes + upperY + i) >= box.lowerY);
+        bits |= bitsOf(mask) << i;
+    }
+    return bits;
+}
+
+// They overlap unless edges tell otherwise; they did overlap if by more than an edge: so no rounding hides a pair.
+template <int W>
+[[gnu::always_inline]] inline std::uint32_t WideBlockSearch<W>::newOverlaps(const float* boxes, const float* were,
+                                                                            const Box& box, const Box& was) {
+    std::uint32_t bits = 0;
+    for (std::uint32_t i = 0; i < width; i += W) {
+        const Mask now =
+            (loadLanes<W>(boxes + lowerX + i) <= box.upperX) & (loadLanes<W>(boxes + upperX + i) >= box.lowerX) &
+            (loadLanes<W>(boxes + lowerY + i) <= box.upperY) & (loadLanes<W>(boxes + upperY + i) >= box.lowerY);
+        const Mask then =
+            (loadLanes<W>(were + lowerX + i) < was.upperX) & (loadLanes<W>(were + upperX + i) > was.lowerX) &
+            (loadLanes<W>(were + lowerY + i) < was.upperY) & (loadLanes<W>(were + upperY + i) > was.lowerY);
+        if constexpr (W == 1)
+            bits |= bitsOf(now && !then) << i;
+        else
+            bits |= bitsOf(now & ~then) << i;
+    }
+    return bits;
+}
+
+/// Which lanes of a place's block have to do with slots of this block or later ones?
+template <int W>
+std::uint32_t WideBlockSearch<W>::lanesFrom(std::uint32_t block, const Place& place) {
+    const std::uint32_t first = block >> 4 * (place.level - 1);  // on the level below the place's
+    const std::uint32_t begin = place.block * width;
+    return first <= begin ? 0xFFFF : 0xFFFFu << (first - begin);
+}
+
+/// Calls visit(block) for the blocks of boxes whose bounds are in reach, until visit returns false.
+template <int W>
+template <class Visit>
+bool WideBlockSearch<W>::descend(std::uint32_t block, const Box& reach, Visit&& visit) {
+    // Each place taken off puts at most 16 on, one level down.
+    Place stack[BoxBlock::maxLevels * (width - 1) + 1];
+    std::uint32_t size = 0;
+    stack[size++] = {task.levelCount - 1, 0};
+    while (size > 0) {
+        const Place place = stack[--size];
+        if (place.level == 0) {
+            if (!visit(place.block)) return false;
+            continue;
+        }
+        ++blockTests;
+        std::uint32_t lanes = overlaps(boxesOf(task.levels[place.level][place.block]), reach);
+        if (task.itself && task.allTouched) lanes &= lanesFrom(block, place);
+        for (; lanes != 0; lanes &= lanes - 1)
+            stack[size++] = {place.level - 1, place.block * width + lowestBit(lanes)};
+    }
+    return true;
+}
+
+template <int W>
+void WideBlockSearch<W>::neighboursOf(std::uint32_t block) {
+    const std::uint32_t asking = task.fromTouched[block];
+    const float* boxes = boxesOf(task.fromBoxes[block]);
+    // Where all ask, the level above has their bounds.
+    const Box reach = asking == 0xFFFF && task.fromBounds != nullptr
+                          ? boxOf(boxesOf(task.fromBounds[block / width]), block % width)
+                          : around(boxes, asking);
+    if ((asking & (asking - 1)) != 0 && gather(block, reach, asking)) {
+        for (std::uint32_t i = 0; i < gatheredCount; ++i) compare(block, gathered[i]);
+        return;
+    }
+    for (std::uint32_t lanes = asking; lanes != 0; lanes &= lanes - 1) ask(block, lowestBit(lanes));
+}
+
+/// Lists the neighbours of all that asks in a block; false if so many that each had better ask for itself.
+template <int W>
+bool WideBlockSearch<W>::gather(std::uint32_t block, const Box& reach, std::uint32_t asking) {
+    std::uint32_t left = worthGathering * countOf(asking);
+    gatheredCount = 0;
+    return descend(block, reach, [&](std::uint32_t other) {
+        ++blockTests;
+        std::uint32_t lanes = overlaps(boxesOf(task.levels[0][other]), reach);
+        if (task.asksToo || (task.itself && other < block)) lanes &= ~task.touched[other];  // they find the pair
+        if (lanes == 0) return true;
+        const std::uint32_t more = countOf(lanes);
+        if (more > left || gatheredCount == mostGathered) return false;
+        left -= more;
+        gathered[gatheredCount++] = {other, lanes};
+        return true;
+    });
+}
+
+/// What asks in a block against what was gathered of another, or of itself.
+template <int W>
+void WideBlockSearch<W>::compare(std::uint32_t block, const Gathered& other) {
+    const std::uint32_t asking = task.fromTouched[block];
+    const bool same = task.itself && other.block == block;
+    const float* boxes = boxesOf(task.fromBoxes[block]);
+    const float* were = boxesOf(task.fromPrevious[block]);
+    const float* otherBoxes = boxesOf(task.levels[0][other.block]);
+    const float* otherWere = boxesOf(task.previous[other.block]);
+    for (std::uint32_t lanes = other.lanes; lanes != 0; lanes &= lanes - 1) {
+        const std::uint32_t lane = lowestBit(lanes);
+        std::uint32_t found = asking & newOverlaps(boxes, were, boxOf(otherBoxes, lane), boxOf(otherWere, lane));
+        ++boxTests;
+        // Within a block each two once: the first of two that ask.
+        if (same) found &= asking >> lane & 1 ? (1u << lane) - 1 : ~0u;
+        for (; found != 0; found &= found - 1) report(block * width + lowestBit(found), other.block * width + lane);
+    }
+}
+
+/// One that asks against all.
+template <int W>
+void WideBlockSearch<W>::ask(std::uint32_t block, std::uint32_t lane) {
+    const Box box = boxOf(boxesOf(task.fromBoxes[block]), lane);
+    const Box was = boxOf(boxesOf(task.fromPrevious[block]), lane);
+    descend(block, box, [&](std::uint32_t other) {
+        ++boxTests;
+        std::uint32_t found = newOverlaps(boxesOf(task.levels[0][other]), boxesOf(task.previous[other]), box, was);
+        if (task.asksToo || (task.itself && other < block)) found &= ~std::uint32_t{task.touched[other]};
+        if (task.itself && other == block) found &= ~(task.touched[block] & ((2u << lane) - 1));
+        for (; found != 0; found &= found - 1) report(block * width + lane, other * width + lowestBit(found));
+        return true;
+    });
+}
+
+template <int W>
+void WideBlockSearch<W>::report(std::uint32_t a, std::uint32_t b) {
+    buffer[count++] = {a, b};
+    if (count == bufferSize) flush();
+}
+
+template <int W>
+void WideBlockSearch<W>::flush() {
+    if (count > 0) sink.take(sink.receiver, buffer, count);
+    count = 0;
+}
+
+template <int W>
+SearchWork WideBlockSearch<W>::run(const Task& task, const SlotPairSink& sink) {
+    WideBlockSearch search(task, sink);
+    for (std::uint32_t i = 0; i < task.blockCount; ++i) search.neighboursOf(task.blocks[i]);
+    search.flush();
+    return {search.blockTests, search.boxTests};
+}
+
+}  // namespace plumb

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// What do the manifolds read of a shape? Its core, wherever that lies, four corners or edges at a time.
+#pragma once
+#include <cstddef>
+
+#include <plumb/collide/convex.h>
+
+namespace plumb {
+
+using Lanes = Eigen::Array4f;
+inline constexpr std::size_t lanes = 4;
+
+inline Lanes lanesAt(const float* from) {
+    return Eigen::Map<const Lanes>(from);
+}
+inline void store(const Lanes& values, float* to) {
+    Eigen::Map<Lanes>{to} = values;
+}
+
+/// Looks at a Convex, or at one that was placed. Rows are filled up to a multiple of four with the last.
+struct Core {
+    const float* x = nullptr;  ///< of the vertices, counter-clockwise [m]
+    const float* y = nullptr;
+    const float* normalX = nullptr;  ///< outward, of the edge from each vertex to the next [-]
+    const float* normalY = nullptr;
+    std::size_t count = 0;
+    float radius = 0;  ///< [m]
+
+    Vec2f vertex(std::size_t i) const { return {x[i], y[i]}; }
+    Vec2f normal(std::size_t i) const { return {normalX[i], normalY[i]}; }
+    std::size_t after(std::size_t corner) const { return corner + 1 < count ? corner + 1 : 0; }
+    Vec2f edgeFrom(std::size_t corner) const { return vertex(after(corner)) - vertex(corner); }
+};
+
+inline Core coreOf(const Convex& convex) {
+    return {convex.vertices.x(),
+            convex.vertices.y(),
+            convex.normals.x(),
+            convex.normals.y(),
+            static_cast<std::size_t>(convex.count),
+            convex.radius};
+}
+
+/// Room for a core seen from another frame. Not filled to begin with: that would cost more than most manifolds.
+struct PlacedRows {
+    float x[maxPolygonVertices], y[maxPolygonVertices];
+    float normalX[maxPolygonVertices], normalY[maxPolygonVertices];
+};
+
+/// A number for each corner or edge, four at a time.
+struct Row {
+    float values[maxPolygonVertices];
+};
+
+/// The first of the largest. Written so that it needs no branch that depends on the numbers.
+inline std::size_t largestOf(const Row& row, std::size_t count) {
+    std::size_t best = 0;
+    float largest = row.values[0];
+    for (std::size_t i = 1; i < count; ++i) {
+        const bool larger = row.values[i] > largest;
+        best = larger ? i : best;
+        largest = larger ? row.values[i] : largest;
+    }
+    return best;
+}
+
+}  // namespace plumb

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Who would have gone through a wall in this step, and where should it have stopped?
+//
+// Contacts are made ahead and mostly stop a body at the wall; this is the net behind them, for what came another way
+// than foreseen: deflected, pushed, or spinning. It catches what has gone through something static or kinematic, or so
+// deep into it that the way out is on the wrong side, and puts it to where the two met, as seen from the wall. Its
+// velocity stays: it arrives in the next step, as an impact like any other.
+#pragma once
+#include <plumb/dynamics/detail/world_state.h>
+
+namespace plumb {
+
+/// The radius of a disc that fits into a shape: what moves by less has gone through nothing [m].
+double coreOf(const Shape& shape);
+
+/// To be called when all bodies have their new places, and their forces are still known.
+void stopAtWalls(WorldState& world, double dt);
+
+}  // namespace plumb

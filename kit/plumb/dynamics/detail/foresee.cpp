@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/detail/foresee.h>
+
+#include <algorithm>
+
+#include <plumb/dynamics/detail/fresh_lanes.h>
+#include <plumb/dynamics/detail/time_of_impact.h>
+
+namespace plumb {
+
+namespace {
+
+FlyingShape flyingShape(const WorldState& world, BodyIndex body, const Proxy& proxy) {
+    const BodyRecord& record = world.bodies.record[body];
+    FlyingShape shape;
+    shape.shape = &proxy.def.shape;
+    shape.localCenter = record.localCenter;
+    shape.extent = record.extent;
+    shape.from = world.bodies.motion[body];
+    if (record.awake) shape.law = flightLawOf(record, world.def.gravity);
+    return shape;
+}
+
+}  // namespace
+
+RelativePose relativePose(const BodyMotion& a, const BodyMotion& b) {
+    const Rot toA = a.rotation.inverse();
+    const Vec2 shift = toA * Vec2(b.center - a.center);
+    const Rot turn = toA * b.rotation;
+    return {shift.cast<float>(), static_cast<float>(turn.cos), static_cast<float>(turn.sin)};
+}
+
+Manifold foreseen(const WorldState& world, const ContactRecord& contact, float margin, double dt) {
+    const FlyingShape a = flyingShape(world, contact.bodyA, world.proxyA(contact));
+    const FlyingShape b = flyingShape(world, contact.bodyB, world.proxyB(contact));
+    const std::optional<double> time = timeOfImpact(a, b, 0, dt);
+    if (!time) return {};
+    const Encounter meeting = encounterAt(a, b, *time);
+    Manifold m = manifold(world.proxyA(contact).convex, world.proxyB(contact).convex,
+                          relativePose(meeting.a, meeting.b), contactMargin);
+    // Back to the step's start: how far each point of B still has to come along the normal. Points stay with A.
+    const Rot back = meeting.a.rotation * a.from.rotation.inverse();
+    const Vec2 normal = meeting.a.rotation * Vec2(m.normal.cast<double>());
+    for (ManifoldPoint& point : m.points) {
+        const Vec2 local = point.position.cast<double>();
+        const Vec2 at = meeting.a.center + meeting.a.rotation * local;
+        const Vec2 armB = (meeting.b.rotation.inverse() * b.from.rotation) * Vec2(at - meeting.b.center);
+        const Vec2 startA = a.from.center + back.inverse() * Vec2(at - meeting.a.center);
+        const Vec2 startB = b.from.center + armB;
+        point.separation += static_cast<float>((startB - startA).dot(normal));
+        point.separation = std::min(point.separation, margin);
+    }
+    m.normal = Vec2(back * Vec2(m.normal.cast<double>())).cast<float>();
+    return m;
+}
+
+}  // namespace plumb

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Where will two shapes touch that are still apart, but may meet within the step?
+#pragma once
+#include <plumb/dynamics/detail/world_state.h>
+
+namespace plumb {
+
+RelativePose relativePose(const BodyMotion& a, const BodyMotion& b);
+
+/// The manifold of a contact's shapes where and when they meet in this step, seen from the step's start; empty if they
+/// do not meet. What flies past a corner is not to be held up by the face that it has before it from afar.
+Manifold foreseen(const WorldState& world, const ContactRecord& contact, float margin, double dt);
+
+}  // namespace plumb

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// What has just been found of where lanes' shapes touch?
+#pragma once
+#include <plumb/dynamics/detail/contact_batch.h>
+
+namespace plumb {
+
+/// Shapes this near count as in contact, so that what rests keeps its manifold while it trembles [m].
+inline constexpr float contactMargin = 0.01f;
+
+struct alignas(64) FreshPoint {
+    Lanes<float> x, y;  ///< half way between the surfaces, in A's frame, from its centre of mass [m]
+    Lanes<float> separation;
+    Lanes<std::int32_t> feature;
+};
+
+struct alignas(64) FreshLanes {
+    Lanes<float> normalX, normalY;  ///< from A to B, in A's frame
+    FreshPoint points[2];
+    Lanes<std::int32_t> count;      ///< of points, 0 to 2
+    Lanes<std::int32_t> uncertain;  ///< not 0: whether and how the two meet in this step takes a closer look
+};
+
+}  // namespace plumb

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Which code finds and prepares the contacts of a whole batch? The same text for each number of lanes.
+#pragma once
+#include <plumb/dynamics/detail/body_place.h>
+#include <plumb/dynamics/detail/fresh_lanes.h>
+#include <plumb/dynamics/detail/solver_body.h>
+
+namespace plumb {
+
+struct LaneCollider {
+    /// Where the boxes of a batch touch.
+    void (*collideBoxes)(const ContactBatch& batch, const ManifoldLanes& manifolds, const BodyPlace* places,
+                         FreshLanes& fresh);
+    /// Takes fresh manifolds into the batch.
+    void (*prepare)(ContactBatch& batch, ManifoldLanes& manifolds, const BodyPlace* places,
+                    const SolverVelocity* velocity, const FreshLanes& fresh, float inverseStep);
+};
+
+template <int W>
+struct WideLaneCollider {
+    static const LaneCollider collider;
+};
+
+/// For at most so many lanes, as the machine can.
+const LaneCollider& laneCollider(int lanes);
+
+}  // namespace plumb

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// How does a batch go through W lanes at a time?
+#pragma once
+#include <plumb/dynamics/detail/collide_boxes.h>
+#include <plumb/dynamics/detail/lane_collider.h>
+#include <plumb/dynamics/detail/prepare_lanes.h>
+
+namespace plumb {
+
+template <int W>
+struct BatchCollider {
+    static void collideBoxes(const ContactBatch& batch, const ManifoldLanes& m, const BodyPlace* places,
+                             FreshLanes& fresh) {
+        for (int lane = 0; lane < batchLanes; lane += W) BoxCollider<W>::collide(batch, m, lane, places, fresh);
+    }
+    static void prepare(ContactBatch& batch, ManifoldLanes& m, const BodyPlace* places, const SolverVelocity* velocity,
+                        const FreshLanes& fresh, float inverseStep) {
+        for (int lane = 0; lane < batchLanes; lane += W)
+            LanePreparer<W>::prepare(batch, m, lane, places, velocity, fresh, inverseStep);
+    }
+};
+
+template <int W>
+const LaneCollider WideLaneCollider<W>::collider{BatchCollider<W>::collideBoxes, BatchCollider<W>::prepare};
+
+}  // namespace plumb

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/detail/lanes.h>
+
+namespace plumb {
+
+namespace {
+
+void fillBox(const BoxOutline& box, std::size_t lane, Lanes<float>& halfX, Lanes<float>& halfY, Lanes<float>& centerX,
+             Lanes<float>& centerY) {
+    halfX[lane] = box.halfX;
+    halfY[lane] = box.halfY;
+    centerX[lane] = box.centerX;
+    centerY[lane] = box.centerY;
+}
+
+void fillRolling(const WorldState& world, const ContactRecord& contact, ContactBatch& batch, std::size_t lane) {
+    const BodyRecord& a = world.bodies.record[contact.bodyA];
+    const BodyRecord& b = world.bodies.record[contact.bodyB];
+    const float inverse = static_cast<float>(a.inverseInertia + b.inverseInertia);
+    batch.rollReach[lane] = inverse > 0 ? contact.rollingReach : 0.0f;
+    batch.rollRhoA[lane] = a.rho;
+    batch.rollRhoB[lane] = b.rho;
+    batch.rollMass[lane] = inverse > 0 ? 1 / inverse : 0.0f;
+    batch.rollImpulse[lane] = contact.rollImpulse;
+}
+
+}  // namespace
+
+void fillLane(const WorldState& world, const ContactRecord& contact, ContactBatch& batch, ManifoldLanes& manifolds,
+              std::size_t lane) {
+    batch.bodyA[lane] = contact.bodyA;
+    batch.bodyB[lane] = contact.bodyB;
+    batch.friction[lane] = static_cast<float>(contact.friction);
+    batch.roundA[lane] = world.bodies.record[contact.bodyA].rho * world.proxyA(contact).convex.radius;
+    batch.roundB[lane] = world.bodies.record[contact.bodyB].rho * world.proxyB(contact).convex.radius;
+    batch.beltSpeed[lane] = contact.beltSpeed;
+    fillRolling(world, contact, batch, lane);
+    fillBox(world.boxes[contact.proxyA], lane, manifolds.halfXA, manifolds.halfYA, manifolds.centerXA,
+            manifolds.centerYA);
+    fillBox(world.boxes[contact.proxyB], lane, manifolds.halfXB, manifolds.halfYB, manifolds.centerXB,
+            manifolds.centerYB);
+    manifolds.restitution[lane] = static_cast<float>(contact.restitution);
+    manifolds.touching[lane] = contact.touching ? 1 : 0;
+    manifolds.count[lane] = contact.manifold.count;
+    for (std::size_t p = 0; p < 2; ++p) {
+        const ManifoldPoint& point = contact.manifold.points[p];
+        manifolds.points[p].x[lane] = point.position.x();
+        manifolds.points[p].y[lane] = point.position.y();
+        manifolds.points[p].feature[lane] = point.feature;
+        batch.points[p].normalImpulse[lane] = contact.memory[p].normalImpulse;
+        batch.points[p].tangentImpulse[lane] = contact.memory[p].tangentImpulse;
+    }
+}
+
+void setFresh(FreshLanes& fresh, std::size_t lane, const Manifold& manifold) {
+    fresh.normalX[lane] = manifold.normal.x();
+    fresh.normalY[lane] = manifold.normal.y();
+    fresh.count[lane] = manifold.count;
+    fresh.uncertain[lane] = 0;
+    for (std::size_t p = 0; p < 2; ++p) {
+        const ManifoldPoint& point = manifold.points[p];
+        fresh.points[p].x[lane] = point.position.x();
+        fresh.points[p].y[lane] = point.position.y();
+        fresh.points[p].separation[lane] = point.separation;
+        fresh.points[p].feature[lane] = point.feature;
+    }
+}
+
+}  // namespace plumb

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/detail/pairs.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <plumb/dynamics/detail/fresh_lanes.h>
+#include <plumb/dynamics/detail/islands.h>
+
+namespace plumb {
+
+namespace {
+
+/// Boxes hold what they need for this step and this much more, so that what hardly moves keeps its box [m].
+constexpr double boxMargin = 0.02;
+
+/// More friction than this makes no difference, and might leave the solver's floats [-].
+constexpr double roughest = 1e6;
+
+Aabb tightBox(const WorldState& world, ProxyId proxy, const BodyMotion& motion, const Transform& pose) {
+    const BoxOutline& box = world.boxes[proxy];
+    if (!box.is) return aabbOf(world.space[proxy].def.shape, pose);
+    const double c = motion.rotation.cos;
+    const double s = motion.rotation.sin;
+    const double x = static_cast<double>(box.centerX), y = static_cast<double>(box.centerY);
+    const double hx = static_cast<double>(box.halfX), hy = static_cast<double>(box.halfY);
+    const Vec2 center(motion.center.x() + (c * x - s * y), motion.center.y() + (s * x + c * y));
+    const Vec2 half(std::fabs(c) * hx + std::fabs(s) * hy, std::fabs(s) * hx + std::fabs(c) * hy);
+    return {center - half, center + half};
+}
+
+bool joinedApart(const WorldState& world, BodyIndex a, BodyIndex b) {
+    const auto& joints = world.bodies.record[a].joints;
+    return std::any_of(joints.begin(), joints.end(), [&](std::uint32_t j) {
+        const JointRecord& joint = world.joints[j];
+        return !joint.collideConnected && (joint.bodyA == b || joint.bodyB == b);
+    });
+}
+
+double mixed(double a, double b, Mix ruleA, Mix ruleB) {
+    switch (std::max(ruleA, ruleB)) {
+        case Mix::Average: return 0.5 * (a + b);
+        case Mix::GeometricMean: return std::sqrt(a * b);
+        case Mix::Minimum: return std::min(a, b);
+        case Mix::Product: return a * b;
+        case Mix::Maximum: return std::max(a, b);
+    }
+    return 0;
+}
+
+/// Both radii of rounding: what rolls on what.
+double roundingOf(const Proxy& a, const Proxy& b) {
+    return static_cast<double>(std::max(a.convex.radius, b.convex.radius));
+}
+
+ContactRecord contactOf(const WorldState& world, const Pair& pair) {
+    const Proxy& a = world.space[pair.a];
+    const Proxy& b = world.space[pair.b];
+    const Material& ma = a.def.material;
+    const Material& mb = b.def.material;
+    ContactRecord contact;
+    contact.proxyA = pair.a;
+    contact.proxyB = pair.b;
+    contact.bodyA = a.owner;
+    contact.bodyB = b.owner;
+    contact.boxes = world.boxes[pair.a].is && world.boxes[pair.b].is;
+    contact.friction = std::min(mixed(ma.friction, mb.friction, ma.frictionMix, mb.frictionMix), roughest);
+    contact.restitution = mixed(ma.restitution, mb.restitution, ma.restitutionMix, mb.restitutionMix);
+    const double reach = std::max(ma.rollingResistance, mb.rollingResistance) * roundingOf(a, b);
+    contact.rollingReach = static_cast<float>(std::min(reach, roughest));
+    contact.beltSpeed = static_cast<float>(ma.surfaceSpeed + mb.surfaceSpeed);
+    return contact;
+}
+
+void addContact(WorldState& world, const Pair& pair) {
+    const BodyIndex a = world.space[pair.a].owner;
+    const BodyIndex b = world.space[pair.b].owner;
+    if (!world.bodies.isDynamic(a) && !world.bodies.isDynamic(b)) return;
+    if (joinedApart(world, a, b)) return;
+    const ContactIndex index = world.contacts.add(world.bodies, contactOf(world, pair));
+    if (world.bodies.record[a].awake || world.bodies.record[b].awake) {
+        world.contacts.addNear(index);
+    } else if (!world.bodies.isDynamic(a) || !world.bodies.isDynamic(b)) {  // something that rests was put there
+        wakeIsland(world, a);
+        wakeIsland(world, b);
+    }
+}
+
+}  // namespace
+
+void placeBody(WorldState& world, BodyIndex body, double dt) {
+    const BodyRecord& record = world.bodies.record[body];
+    const BodyMotion& motion = world.bodies.motion[body];
+    const BodyPlace& place = world.bodies.place[body];
+    const bool moves = record.awake && dt > 0;
+    const Vec2 shift = moves ? Vec2(static_cast<double>(place.shiftX), static_cast<double>(place.shiftY)) : Vec2(0, 0);
+    const double turn = moves ? static_cast<double>(place.turn) : 0.0;
+    const Transform pose = world.bodies.pose(body);
+    for (const ProxyId proxy : record.proxies) {
+        const Aabb now = inflate(tightBox(world, proxy, motion, pose), 0.5 * static_cast<double>(contactMargin) + turn);
+        Aabb swept = merge(now, {now.lower + shift, now.upper + shift});
+        if (world.boxes[proxy].bounces) swept = inflate(now, shift.norm());  // it may bounce any way
+        world.space.place(proxy, swept, boxMargin);
+    }
+}
+
+void pairShapes(WorldState& world, BodyIndex a, BodyIndex b) {
+    for (const ProxyId pa : world.bodies.record[a].proxies)
+        for (const ProxyId pb : world.bodies.record[b].proxies)
+            if (mayPair(world.space[pa], world.space[pb]) && world.space.previousBoxesOverlap(pa, pb))
+                addContact(world, {std::min(pa, pb), std::max(pa, pb)});
+}
+
+void findPairs(WorldState& world, double dt) {
+    for (const BodyIndex body : world.bodies.awake) placeBody(world, body, dt);
+    for (const Pair& pair : world.space.takeNewPairs()) addContact(world, pair);
+}
+
+}  // namespace plumb

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Which shapes have come near each other?
+#pragma once
+#include <plumb/dynamics/detail/world_state.h>
+
+namespace plumb {
+
+/// Renews the boxes of one body's shapes for a step of dt.
+void placeBody(WorldState& world, BodyIndex body, double dt);
+/// Makes the contacts of two bodies that were kept apart until now, where the space has found their boxes to overlap.
+void pairShapes(WorldState& world, BodyIndex a, BodyIndex b);
+/// Renews the boxes of all that is awake, and makes contacts of the new pairs.
+void findPairs(WorldState& world, double dt);
+
+}  // namespace plumb

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// How do the two bodies of each lane stand to each other?
+#pragma once
+#include <plumb/dynamics/detail/body_place.h>
+#include <plumb/dynamics/detail/contact_batch.h>
+#include <plumb/math/detail/wide_ops.h>
+#include <plumb/math/detail/wide_rows.h>
+
+namespace plumb {
+
+template <int W>
+struct RelativeLanes {
+    using F = typename Wide<W>::Float;
+    F apartX, apartY;  ///< from A's centre of mass to B's, in the world [m]
+    F dx, dy;          ///< the same in A's frame
+    F cos, sin;        ///< of B's angle less A's
+    F cosA, sinA;
+    F shiftX, shiftY;  ///< how far B comes against A in this step, in the world [m]
+    F turn;            ///< and how far turning of both may take a point in addition [m]
+};
+
+template <int W>
+RelativeLanes<W> relativeLanes(const ContactBatch& batch, int lane, const BodyPlace* places) {
+    using F = typename Wide<W>::Float;
+    const float* rows = &places->highX;
+    const std::uint32_t* a = batch.bodyA + lane;
+    const std::uint32_t* b = batch.bodyB + lane;
+    const Rows<W> placeA = loadRows<W, 16>(rows, a), placeB = loadRows<W, 16>(rows, b);
+    const Rows<W> angleA = loadRows<W, 16>(rows + 4, a), angleB = loadRows<W, 16>(rows + 4, b);
+    const Rows<W> reachA = loadRows<W, 16>(rows + 8, a), reachB = loadRows<W, 16>(rows + 8, b);
+    RelativeLanes<W> r;
+    r.apartX = (placeB.x - placeA.x) + (placeB.z - placeA.z);
+    r.apartY = (placeB.y - placeA.y) + (placeB.w - placeA.w);
+    const F c = angleA.x, s = angleA.y;
+    r.dx = c * r.apartX + s * r.apartY;
+    r.dy = c * r.apartY - s * r.apartX;
+    r.cos = c * angleB.x + s * angleB.y;
+    r.sin = c * angleB.y - s * angleB.x;
+    r.cosA = c;
+    r.sinA = s;
+    r.shiftX = reachB.x - reachA.x;
+    r.shiftY = reachB.y - reachA.y;
+    r.turn = reachA.z + reachB.z;
+    return r;
+}
+
+}  // namespace plumb

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// What can be done to floats side by side? The same text for a single one; each result the same in every lane.
+#pragma once
+#include <cmath>
+#include <cstring>
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+#include <plumb/math/detail/wide.h>
+
+namespace plumb {
+
+/// The larger one; b where the two compare as equal or not at all.
+template <class F>
+inline F larger(F a, F b) {
+    return a > b ? a : b;
+}
+/// The smaller one; b where the two compare as equal or not at all.
+template <class F>
+inline F smaller(F a, F b) {
+    return a < b ? a : b;
+}
+
+template <class F>
+inline F magnitude(F a) {
+    return larger(a, -a);
+}
+
+template <int W, class T>
+struct LanesOf;
+template <int W>
+struct LanesOf<W, float> {
+    using Type = typename Wide<W>::Float;
+};
+template <int W>
+struct LanesOf<W, std::int32_t> {
+    using Type = typename Wide<W>::Int;
+};
+
+/// W values from consecutive memory.
+template <int W, class T>
+inline typename LanesOf<W, T>::Type loadLanes(const T* from) {
+    typename LanesOf<W, T>::Type v;
+    std::memcpy(&v, from, sizeof v);
+    return v;
+}
+template <class V, class T>
+inline void storeLanes(T* to, const V& v) {
+    std::memcpy(to, &v, sizeof v);
+}
+
+/// Rounded as IEEE 754 says, as everywhere.
+template <int W>
+inline typename Wide<W>::Float squareRoot(typename Wide<W>::Float v) {
+#if defined(__x86_64__)
+    if constexpr (W == 4) return _mm_sqrt_ps(v);
+    if constexpr (W == 8) return _mm256_sqrt_ps(v);
+    if constexpr (W == 16) return _mm512_maskz_sqrt_ps(0xFFFF, v);  // GCC 12 warns of the plain one
+#endif
+#if defined(__GNUC__)
+    constexpr std::size_t count = W;
+    float lanes[count];
+    std::memcpy(lanes, &v, sizeof v);
+    for (float& lane : lanes) lane = __builtin_sqrtf(lane);
+    std::memcpy(&v, lanes, sizeof v);
+    return v;
+#else
+    return std::sqrt(v);  // of the one lane there is
+#endif
+}
+
+}  // namespace plumb
