@@ -85,6 +85,7 @@ void addShape(WorldState& world, BodyIndex body, const ShapeDef& shape) {
     const ProxyId proxy = world.space.add(shape, body, fixed, record.localCenter, box);
     record.proxies.push_back(proxy);
     record.extent = std::max(record.extent, extentOf(world.space[proxy].convex));
+    record.core = std::min(record.core, coreOf(shape.shape));
     if (world.boxes.size() <= proxy) world.boxes.resize(proxy + std::size_t{1});
     world.boxes[proxy] = boxOutlineOf(shape, record.localCenter);
 }
@@ -253,7 +254,8 @@ JointReaction World::reaction(JointId id) const {
             if constexpr (std::is_same_v<Joint, std::monostate>)
                 return {};
             else
-                return {Vec2(joint.reaction().template cast<double>()) / time, 0};
+                return {Vec2(joint.reaction().template cast<double>()) / time,
+                        static_cast<double>(joint.angularReaction()) / time};
         },
         state_->joints[id.index].joint);
 }

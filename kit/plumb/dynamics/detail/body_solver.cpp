@@ -10,13 +10,16 @@ namespace plumb {
 
 namespace {
 
-SolverVelocity kicked(const SolverVelocity& v, const Kick& k, const SolverVelocity& warm) {
-    return {v.x * k.keep.x + k.gain.x + warm.x, v.y * k.keep.y + k.gain.y + warm.y, v.w * k.keep.w + k.gain.w + warm.w,
-            v.inverseMass};
-}
+/// A record, field by field, so that compilers can make it one operation.
+struct Row {
+    float field[4];
+};
 
-SolverVelocity changed(const SolverVelocity& warm, const SolverVelocity& now, const SolverVelocity& before) {
-    return {warm.x + (now.x - before.x), warm.y + (now.y - before.y), warm.w + (now.w - before.w), 0};
+Row rowOf(const SolverVelocity& v) {
+    return {{v.x, v.y, v.w, v.inverseMass}};
+}
+SolverVelocity velocityOf(const Row& row) {
+    return {row.field[0], row.field[1], row.field[2], row.field[3]};
 }
 
 }  // namespace
@@ -45,11 +48,15 @@ SinCosMinus1 turnedFar(float angle) {
 
 void kickBodies(const std::uint32_t* list, std::size_t count, const SolverBodies& bodies, bool first) {
     for (const std::uint32_t* body = list; body != list + count; ++body) {
-        SolverVelocity& v = bodies.velocity[*body];
-        SolverVelocity& warm = bodies.warm[*body];
-        if (!first) warm = changed(warm, v, bodies.before[*body]);
-        v = kicked(v, bodies.kick[*body], warm);
-        bodies.before[*body] = v;
+        Row v = rowOf(bodies.velocity[*body]), warm = rowOf(bodies.warm[*body]);
+        const Row before = rowOf(first ? bodies.velocity[*body] : bodies.before[*body]);
+        const Row gain = rowOf(bodies.kick[*body].gain), keep = rowOf(bodies.kick[*body].keep);
+        for (int i = 0; i < 4; ++i) {
+            warm.field[i] += v.field[i] - before.field[i];  // nothing, for the inverse mass
+            v.field[i] = v.field[i] * keep.field[i] + gain.field[i] + warm.field[i];
+        }
+        bodies.warm[*body] = velocityOf(warm);
+        bodies.velocity[*body] = bodies.before[*body] = velocityOf(v);
     }
 }
 

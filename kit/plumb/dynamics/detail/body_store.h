@@ -3,6 +3,7 @@
 // on.
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include <plumb/dynamics/body_def.h>
@@ -48,6 +49,7 @@ struct BodyRecord {
     double inverseMass = 0, inverseInertia = 0;
     double gravityScale = 1;
     double extent = 0;  ///< farthest point from the centre of mass [m]
+    double core = std::numeric_limits<double>::infinity();  ///< radius of a disc that fits into each of its shapes [m]
     Vec2 force{0, 0};   ///< over the next step [N]
     double torque = 0;  ///< [N m]
     double linearDamping = 0, angularDamping = 0;

@@ -24,11 +24,11 @@ struct WideContacts {
         F nx, ny;
     };
 
-    static Couple load(const ContactBatch& batch, int lane, const SolverVelocity* velocity) {
+    [[gnu::always_inline]] static inline Couple load(const ContactBatch& batch, int lane, const SolverVelocity* velocity) {
         return {loadRows<W>(rows(velocity), batch.bodyA + lane), loadRows<W>(rows(velocity), batch.bodyB + lane),
                 at(batch.normalX + lane), at(batch.normalY + lane)};
     }
-    static void store(const ContactBatch& batch, int lane, const Couple& c, SolverVelocity* velocity) {
+    [[gnu::always_inline]] static inline void store(const ContactBatch& batch, int lane, const Couple& c, SolverVelocity* velocity) {
         storeRows<W>(rows(velocity), batch.bodyA + lane, c.a);
         storeRows<W>(rows(velocity), batch.bodyB + lane, c.b);
     }
@@ -37,18 +37,18 @@ struct WideContacts {
     struct Arms {
         F normalA, tangentA, normalB, tangentB;
     };
-    static Arms arms(const PointLanes& p, int lane) {
+    [[gnu::always_inline]] static inline Arms arms(const PointLanes& p, int lane) {
         return {at(p.anchorNormalA + lane), at(p.anchorTangentA + lane), at(p.anchorNormalB + lane),
                 at(p.anchorTangentB + lane)};
     }
 
-    static F normalSpeed(const Couple& c, const Arms& r) {
+    [[gnu::always_inline]] static inline F normalSpeed(const Couple& c, const Arms& r) {
         return (c.nx * (c.b.x - c.a.x) + c.ny * (c.b.y - c.a.y)) + (r.tangentA * c.a.z - r.tangentB * c.b.z);
     }
-    static F tangentSpeed(const Couple& c, const Arms& r) {
+    [[gnu::always_inline]] static inline F tangentSpeed(const Couple& c, const Arms& r) {
         return (c.nx * (c.b.y - c.a.y) - c.ny * (c.b.x - c.a.x)) + (r.normalB * c.b.z - r.normalA * c.a.z);
     }
-    static void pushNormal(Couple& c, const Arms& r, F impulse) {
+    [[gnu::always_inline]] static inline void pushNormal(Couple& c, const Arms& r, F impulse) {
         const F ja = c.a.w * impulse;
         const F jb = c.b.w * impulse;
         c.a.x -= ja * c.nx;
@@ -58,7 +58,7 @@ struct WideContacts {
         c.b.y += jb * c.ny;
         c.b.z -= jb * r.tangentB;
     }
-    static void pushTangent(Couple& c, const Arms& r, F impulse) {
+    [[gnu::always_inline]] static inline void pushTangent(Couple& c, const Arms& r, F impulse) {
         const F ja = c.a.w * impulse;
         const F jb = c.b.w * impulse;
         c.a.x += ja * c.ny;
@@ -73,7 +73,7 @@ struct WideContacts {
         c.b.z += c.b.w * (at(batch.rollRhoB + lane) * impulse);
     }
 
-    static F separationNow(const ContactBatch& batch, const PointLanes& p, const Arms& r, int lane, const Couple& c,
+    [[gnu::always_inline]] static inline F separationNow(const ContactBatch& batch, const PointLanes& p, const Arms& r, int lane, const Couple& c,
                            const Bodies& a, const Bodies& b) {
         const F shift = c.nx * (b.x - a.x) + c.ny * (b.y - a.y);
         const F coreA = r.normalA - at(batch.roundA + lane);
@@ -90,7 +90,7 @@ struct WideContacts {
 
     static F clamped(F wanted, F limit, F before) { return larger(smaller(wanted, limit - before), -limit - before); }
 
-    static void solveAlong(Couple& c, ContactBatch& batch, int lane, const Arms* arms, const F* normal,
+    [[gnu::always_inline]] static inline void solveAlong(Couple& c, ContactBatch& batch, int lane, const Arms* arms, const F* normal,
                            const Given& given, F* tangent) {
         const F friction = at(batch.friction + lane);
         const F belt = batch.belts ? at(batch.beltSpeed + lane) : F{};
@@ -130,7 +130,7 @@ struct WideContacts {
         }
     }
 
-    static void solveLanes(ContactBatch& batch, int lane, const SolverBodies& bodies, const ContactPass& pass) {
+    [[gnu::always_inline]] static inline void solveLanes(ContactBatch& batch, int lane, const SolverBodies& bodies, const ContactPass& pass) {
         Couple c = load(batch, lane, bodies.velocity);
         const Arms r[2] = {arms(batch.points[0], lane), arms(batch.points[1], lane)};
         F normal[2], tangent[2];
@@ -152,7 +152,7 @@ struct WideContacts {
         store(batch, lane, c, bodies.velocity);
     }
 
-    static void relaxLanes(ContactBatch& batch, int lane, const SolverBodies& bodies, const ContactPass& pass) {
+    [[gnu::always_inline]] static inline void relaxLanes(ContactBatch& batch, int lane, const SolverBodies& bodies, const ContactPass& pass) {
         Couple c = load(batch, lane, bodies.velocity);
         const Bodies da = loadRows<W>(&bodies.displacement->x, batch.bodyA + lane);
         const Bodies db = loadRows<W>(&bodies.displacement->x, batch.bodyB + lane);

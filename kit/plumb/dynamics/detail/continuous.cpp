@@ -54,17 +54,6 @@ double coreOfOutline(const Polygon& polygon) {
     return core + polygon.radius;
 }
 
-template <class Record>
-double coreOfBody(const WorldState& world, const Record& record) {
-    if constexpr (requires { record.core; }) {
-        return record.core;
-    } else {
-        double core = std::numeric_limits<double>::infinity();
-        for (const ProxyId proxy : record.proxies) core = std::min(core, coreOf(world.space[proxy].def.shape));
-        return core;
-    }
-}
-
 Way wayBetween(const BodyMotion& from, const BodyMotion& to, const BodyRecord& record) {
     return {from.center, to.center - from.center, from.angle, to.angle - from.angle, record.localCenter};
 }
@@ -221,7 +210,7 @@ bool mayCross(const Passage& passage, const Shape& face, const BodyRecord& body,
 /// The first wall that a body crosses on its way through a part of the step.
 std::optional<Hit> firstHit(const WorldState& world, BodyIndex body, const Way& way, const Past& past, bool onlyFixed) {
     const BodyRecord& record = world.bodies.record[body];
-    const double core = coreOfBody(world, record);
+    const double core = record.core;
     std::optional<Hit> first;
     forEachNear(world, world.space, body, way, [&](ProxyId own, ProxyId other) {
         const BodyIndex wall = world.space[other].owner;
@@ -262,7 +251,7 @@ bool isMoved(const BodyRecord& record) {
 
 /// Is this so far for a body of its size that it may have gone through something?
 bool isFar(const WorldState& world, BodyIndex body, double travel) {
-    return travel > slow * coreOfBody(world, world.bodies.record[body]);
+    return travel > slow * world.bodies.record[body].core;
 }
 
 /// Bodies that hardly move themselves, but as seen from a wall that comes along.

@@ -16,7 +16,8 @@ public:
     void prepare(const BodyStore& bodies, bool alone);
     void warmStart(BodyStore& bodies);
     void solve(BodyStore& bodies, const JointPass& pass);
-    Vec2f reaction() const { return total_; }  ///< impulse on B over the last step [N s]
+    Vec2f reaction() const { return total_; }     ///< impulse on B over the last step [N s]
+    static float angularReaction() { return 0; }  ///< a rod turns nothing
 
 private:
     Vec2f between(const Vec2f& ra, const Vec2f& rb, const BodyStore& bodies) const;

@@ -20,7 +20,7 @@ struct RelativeLanes {
 };
 
 template <int W>
-RelativeLanes<W> relativeLanes(const ContactBatch& batch, int lane, const BodyPlace* places) {
+[[gnu::always_inline]] inline RelativeLanes<W> relativeLanes(const ContactBatch& batch, int lane, const BodyPlace* places) {
     using F = typename Wide<W>::Float;
     const float* rows = &places->highX;
     const std::uint32_t* a = batch.bodyA + lane;

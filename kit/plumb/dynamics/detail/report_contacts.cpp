@@ -34,14 +34,19 @@ ContactBegin beginOf(const WorldState& world, const ContactRecord& contact, std:
             normalOf(world, contact), std::max(static_cast<double>(contact.approachSpeed), 0.0)};
 }
 
-/// Does a touch begin or end in a lane?
-bool changes(const ContactBatch& batch, const ManifoldLanes& manifolds, std::size_t lane) {
-    const std::int32_t count = manifolds.count[lane];
-    const float first = count > 0 ? batch.points[0].separation[lane] : apart;
-    const float second = count > 1 ? batch.points[1].separation[lane] : apart;
-    const float nearest = std::min(first, second);
-    const bool pressed = batch.points[0].totalNormal[lane] > 0 || batch.points[1].totalNormal[lane] > 0;
-    return manifolds.touching[lane] != 0 ? !pressed && nearest >= apart : pressed || nearest <= 0;
+/// Not 0 for the lanes in which a touch begins or ends. Without branches, so that compilers can make it wide.
+void markChanges(const ContactBatch& batch, const ManifoldLanes& manifolds, Lanes<std::int32_t>& changed) {
+    for (std::size_t lane = 0; lane < batchLanes; ++lane) {
+        const std::int32_t count = manifolds.count[lane];
+        const float first = count > 0 ? batch.points[0].separation[lane] : apart;
+        const float second = count > 1 ? batch.points[1].separation[lane] : apart;
+        const float nearest = first < second ? first : second;
+        const std::int32_t pressed =
+            (batch.points[0].totalNormal[lane] > 0 ? 1 : 0) | (batch.points[1].totalNormal[lane] > 0 ? 1 : 0);
+        const std::int32_t begins = pressed | (nearest <= 0 ? 1 : 0);
+        const std::int32_t ends = (1 - pressed) & (nearest >= apart ? 1 : 0);
+        changed[lane] = manifolds.touching[lane] != 0 ? ends : begins;
+    }
 }
 
 void reportContact(WorldState& world, ContactRecord& contact) {
@@ -58,8 +63,10 @@ void reportContact(WorldState& world, ContactRecord& contact) {
 void reportBatch(WorldState& world, Colour& colour, std::size_t b) {
     const std::size_t first = b * batchLanes;
     const std::size_t count = std::min<std::size_t>(batchLanes, colour.contactOf.size() - first);
+    Lanes<std::int32_t> changed;
+    markChanges(colour.batches[b], colour.manifolds[b], changed);
     for (std::size_t lane = 0; lane < count; ++lane) {
-        if (!changes(colour.batches[b], colour.manifolds[b], lane)) continue;
+        if (changed[lane] == 0) continue;
         ContactRecord& contact = world.contacts.contacts[colour.contactOf[first + lane]];
         contact.approachSpeed = colour.manifolds[b].approachSpeed[lane];
         reportContact(world, contact);
