@@ -181,7 +181,7 @@ void relax(ContactBatch* batches, std::size_t count, const SolverBodies& bodies,
             PointLanes& p = batch.points[i];
             p.totalNormal[lane] += given.normal[i] + p.normalImpulse[lane];
             p.totalTangent[lane] += given.tangent[i] + p.tangentImpulse[lane];
-            if (given.normal[i] > 0) batch.pushed[lane] = -1;
+            if (given.normal[i] > 0 || p.normalImpulse[lane] > 0) batch.pushed[lane] = -1;
         }
         store(batch, lane, couple, bodies.velocity);
     });

@@ -177,7 +177,7 @@ struct WideContacts {
             PointLanes& p = batch.points[i];
             storeLanes(p.totalNormal + lane, at(p.totalNormal + lane) + (given.normal[i] + normal[i]));
             storeLanes(p.totalTangent + lane, at(p.totalTangent + lane) + (given.tangent[i] + tangent[i]));
-            pushed |= given.normal[i] > F{};
+            pushed |= (given.normal[i] > F{}) | (normal[i] > F{});
         }
         storeLanes(batch.pushed + lane, pushed);
         store(batch, lane, c, bodies.velocity);
