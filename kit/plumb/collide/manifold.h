@@ -33,6 +33,7 @@ struct Manifold {
 /// parts them soonest. Of two edges that face each other and do equally well, to 1e-4 of the shorter one, A's lends its
 /// normal, so that a box at rest on its like does not swap faces from step to step.
 /// Apart from that, separations and positions are right to about 1e-6 of the sizes and distances that come in.
+/// Contacts of a segment whose line goes on push only the ways that the line's outline allows.
 /// Source: separating axes and clipping of the facing edge; Gregorius, "Robust Contact Creation for Physics
 /// Simulations", GDC 2015.
 /// Test: "manifolds of 10,000 placements of each pair of shapes agree with the Minkowski difference"

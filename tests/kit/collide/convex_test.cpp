@@ -2,6 +2,7 @@
 #include <plumb/collide/convex.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "catch.h"
 
@@ -56,10 +57,51 @@ TEST_CASE("a 0.1 mm edge 100 m from the centre has its normal right to 1e-7", "[
     CHECK((convex.normals[0] - Vec2f(0.8f, -0.6f)).norm() < 1e-7f);
 }
 
-TEST_CASE("what is beyond a shape's corners is zero", "[collide]") {
-    const Convex segment = convexOf(plumb::Segment{{0, 0}, {1, 0}}, {0, 0});
-    for (std::size_t i = 2; i < segment.vertices.size(); ++i) {
-        CHECK(segment.vertices[i] == Vec2f(0, 0));
-        CHECK(segment.normals[i] == Vec2f(0, 0));
+TEST_CASE("a capsule is two points with its radius, a rounded polygon its corners with its", "[collide]") {
+    const Convex capsule = convexOf(plumb::Capsule{{0, 0}, {3, 4}, 0.25}, {1, 1});
+    CHECK(capsule.count == 2);
+    CHECK(capsule.radius == 0.25f);
+    CHECK(capsule.vertices[1] == Vec2f(2, 3));
+    CHECK((capsule.normals[0] - Vec2f(0.8f, -0.6f)).norm() < 1e-7f);
+    plumb::Polygon box = plumb::boxPolygon({2, 1});
+    box.radius = 0.5;
+    const Convex rounded = convexOf(box, {0, 0});
+    CHECK(rounded.count == 4);
+    CHECK(rounded.radius == 0.5f);
+    CHECK(rounded.vertices[2] == Vec2f(2, 1));
+}
+
+TEST_CASE("a polygon of 64 corners has them all, and keeps them when it is copied", "[collide]") {
+    plumb::Polygon round;
+    for (int i = 0; i < 64; ++i) round.vertices.emplace_back(std::cos(0.1 * i), std::sin(0.1 * i));
+    Convex convex;
+    {
+        const Convex original = convexOf(round, {0, 0});
+        convex = original;
     }
+    REQUIRE(convex.count == 64);
+    for (std::size_t i = 0; i < 64; ++i) CHECK(convex.vertices[i] == round.vertices[i].cast<float>());
+}
+
+TEST_CASE("a piece of a chain knows its neighbours' normals, on the side of its own first one", "[collide]") {
+    // Rightwards, then up: the first normal of each piece is on its right.
+    plumb::Segment segment{{0, 0}, {1, 0}};
+    segment.before = plumb::Vec2(-1, 1);
+    segment.after = plumb::Vec2(1, 3);
+    const Convex piece = convexOf(segment, {0, 0});
+    CHECK(piece.normals[0] == Vec2f(0, -1));
+    CHECK((piece.before - Vec2f(-std::sqrt(0.5f), -std::sqrt(0.5f))).norm() < 1e-7f);
+    CHECK(piece.after == Vec2f(1, 0));
+    const Convex alone = convexOf(plumb::Segment{{0, 0}, {1, 0}}, {0, 0});
+    CHECK(alone.before == Vec2f(0, 0));
+    CHECK(alone.after == Vec2f(0, 0));
+    CHECK_THROWS_AS(convexOf(plumb::Chain{{{0, 0}, {1, 0}}}, {0, 0}), std::invalid_argument);
+}
+
+TEST_CASE("a box takes no more than 150 bytes, and no memory of its own", "[collide]") {
+    static_assert(sizeof(Convex) <= 150);
+    const Convex box = convexOf(plumb::boxPolygon({1, 1}), {0, 0});
+    const auto* inside = reinterpret_cast<const unsigned char*>(box.vertices.x());
+    const auto* start = reinterpret_cast<const unsigned char*>(&box);
+    CHECK((inside >= start && inside < start + sizeof(Convex)));
 }

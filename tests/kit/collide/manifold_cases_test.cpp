@@ -26,10 +26,8 @@ Convex lineOf(double fromX, double toX) {
     return convexOf(plumb::Segment{{fromX, 0}, {toX, 0}}, {0, 0});
 }
 
-Convex capsuleOf(double halfLength, float radius) {
-    Convex capsule = lineOf(-halfLength, halfLength);
-    capsule.radius = radius;
-    return capsule;
+Convex capsuleOf(double halfLength, double radius) {
+    return convexOf(plumb::Capsule{{-halfLength, 0}, {halfLength, 0}, radius}, {0, 0});
 }
 
 RelativePose at(double x, double y, double angle = 0) {
@@ -90,7 +88,7 @@ TEST_CASE("segments in line meet end to end, not along their sides", "[collide]"
         CHECK(std::fabs(m.points[0].separation - 0.25f) < 2 * noise);
         CHECK((m.normal - Vec2f(1, 0)).norm() < 1e-3f);
     }
-    const Manifold capsules = manifold(capsuleOf(1, 0.2f), capsuleOf(1, 0.2f), at(2.25, 0), 0);
+    const Manifold capsules = manifold(capsuleOf(1, 0.2), capsuleOf(1, 0.2), at(2.25, 0), 0);
     REQUIRE(capsules.count == 1);
     CHECK(std::fabs(capsules.points[0].separation + 0.15f) < noise);
     CHECK(capsules.normal == Vec2f(1, 0));
@@ -98,10 +96,10 @@ TEST_CASE("segments in line meet end to end, not along their sides", "[collide]"
 
 TEST_CASE("a capsule of 0.25 m radius lying 0.3 m above a floor has two points at 0.05 m, standing it has one",
           "[collide]") {
-    const Manifold lying = manifold(lineOf(-5, 5), capsuleOf(0.5, 0.25f), at(0, 0.3), 0.1f);
+    const Manifold lying = manifold(lineOf(-5, 5), capsuleOf(0.5, 0.25), at(0, 0.3), 0.1f);
     REQUIRE(lying.count == 2);
     for (const ManifoldPoint& point : lying.points) CHECK(std::fabs(point.separation - 0.05f) < noise);
-    const Manifold standing = manifold(lineOf(-5, 5), capsuleOf(0.5, 0.25f), at(0, 0.8, std::acos(0.0)), 10);
+    const Manifold standing = manifold(lineOf(-5, 5), capsuleOf(0.5, 0.25), at(0, 0.8, std::acos(0.0)), 10);
     REQUIRE(standing.count == 1);
     CHECK(std::fabs(standing.points[0].separation - 0.05f) < noise);
 }
@@ -218,7 +216,7 @@ TEST_CASE("a box 400 m along a 1,000 m floor has its separation to 1e-6 m", "[co
 }
 
 TEST_CASE("a place that is not a number, or infinite, makes no contact", "[collide]") {
-    const std::array shapes{boxOf(1, 1), lineOf(-1, 1), capsuleOf(1, 0.1f), convexOf(plumb::Circle{0.5}, {0, 0})};
+    const std::array shapes{boxOf(1, 1), lineOf(-1, 1), capsuleOf(1, 0.1), convexOf(plumb::Circle{0.5}, {0, 0})};
     for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
         for (const Convex& a : shapes) {
             for (const Convex& b : shapes) {

@@ -27,9 +27,10 @@ inline plumb::Vec2 randomVec2(plumb::Random& random, double reach) {
     return {x, y};
 }
 
-/// Corners on a turned ellipse away from the origin: convex, 3 to 8 of them, thin ones among them.
+/// Corners on a turned ellipse away from the origin: convex, 3 to 8 of them, in 1 of 16 up to 64, thin ones among them.
 inline plumb::Polygon randomPolygon(plumb::Random& random, double scale) {
-    const int count = random.integer(3, 8);
+    const int most = random.integer(0, 15) == 0 ? plumb::maxPolygonVertices : 8;
+    const int count = random.integer(3, most);
     const double wide = scale * random.uniform(0.3, 1), high = scale * random.uniform(0.1, 1);
     const double turn = random.uniform(0, 2 * std::numbers::pi);
     const plumb::Vec2 center = randomVec2(random, scale);
@@ -44,7 +45,11 @@ inline plumb::Polygon randomPolygon(plumb::Random& random, double scale) {
 }
 
 inline plumb::Shape randomShape(plumb::Random& random, Kind kind, double scale) {
-    if (kind == Kind::Polygon || kind == Kind::RoundedPolygon) return randomPolygon(random, scale);
+    if (kind == Kind::Polygon || kind == Kind::RoundedPolygon) {
+        plumb::Polygon polygon = randomPolygon(random, scale);
+        if (kind == Kind::RoundedPolygon) polygon.radius = scale * random.uniform(0.01, 0.5);
+        return polygon;
+    }
     if (kind == Kind::Circle) {
         const double radius = scale * random.uniform(0.1, 1);
         return plumb::Circle{radius, randomVec2(random, scale)};
@@ -55,7 +60,9 @@ inline plumb::Shape randomShape(plumb::Random& random, Kind kind, double scale) 
     }
     const plumb::Vec2 start = randomVec2(random, scale);
     const double angle = random.uniform(0, 2 * std::numbers::pi), length = scale * random.uniform(0.3, 2);
-    return plumb::Segment{start, start + length * plumb::Vec2(std::cos(angle), std::sin(angle))};
+    const plumb::Vec2 end = start + length * plumb::Vec2(std::cos(angle), std::sin(angle));
+    if (kind == Kind::Capsule) return plumb::Capsule{start, end, scale * random.uniform(0.01, 0.5)};
+    return plumb::Segment{start, end};
 }
 
 inline Kind randomKind(plumb::Random& random) {
@@ -63,10 +70,7 @@ inline Kind randomKind(plumb::Random& random) {
 }
 
 inline plumb::Convex randomConvex(plumb::Random& random, Kind kind, double scale) {
-    plumb::Convex convex = plumb::convexOf(randomShape(random, kind, scale), {0, 0});
-    if (kind == Kind::Capsule || kind == Kind::RoundedPolygon)
-        convex.radius = static_cast<float>(scale * random.uniform(0.01, 0.5));
-    return convex;
+    return plumb::convexOf(randomShape(random, kind, scale), {0, 0});
 }
 
 /// A core as it lies, in double: the very numbers that the float code gets.

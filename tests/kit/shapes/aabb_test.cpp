@@ -73,6 +73,31 @@ TEST_CASE("the box of a circle holds its rim and touches it on four sides, at 10
     }
 }
 
+TEST_CASE("the box of a capsule or a rounded polygon is that of its core and its radius, of a chain that of its points",
+          "[shapes][aabb]") {
+    plumb::Random random(45);
+    double worst = 0;
+    for (int round = 0; round < 1000; ++round) {
+        const plumb::Transform pose = somePose(random);
+        plumb::Polygon polygon{{{-1, -2}, {3, 0}, {0.5, 4}}};
+        const double r = random.uniform(0.1, 2);
+        const auto differ = [&](const Aabb& a, const Aabb& b) {
+            worst = std::max({worst, (a.lower - b.lower).norm(), (a.upper - b.upper).norm()});
+        };
+        const Aabb sharp = plumb::aabbOf(polygon, pose);
+        differ(plumb::aabbOf(plumb::Chain{polygon.vertices, true}, pose), sharp);
+        polygon.radius = r;
+        // A disc of that radius around every corner.
+        Aabb discs = plumb::aabbOf(plumb::Circle{r, polygon.vertices[0]}, pose);
+        for (const Vec2& v : polygon.vertices) discs = plumb::merge(discs, plumb::aabbOf(plumb::Circle{r, v}, pose));
+        differ(plumb::aabbOf(polygon, pose), discs);
+        const Aabb ends = plumb::merge(plumb::aabbOf(plumb::Circle{r, {-1, -2}}, pose),
+                                       plumb::aabbOf(plumb::Circle{r, {3, 0}}, pose));
+        differ(plumb::aabbOf(plumb::Capsule{{-1, -2}, {3, 0}, r}, pose), ends);
+    }
+    CHECK(worst < 2 * 7.2e-15);
+}
+
 TEST_CASE("boxes overlap when they touch, and hold themselves", "[shapes][aabb]") {
     const Aabb box{{0, 0}, {1, 1}};
     CHECK(plumb::overlap(box, {{1, 1}, {2, 2}}));

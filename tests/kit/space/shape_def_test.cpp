@@ -40,7 +40,25 @@ TEST_CASE("each short form makes its shape, with its material", "[space]") {
     const ShapeDef line = plumb::segment({-1, 0}, {1, 0}, rubber);
     CHECK(std::get<plumb::Segment>(line.shape).start == Vec2(-1, 0));
     CHECK(std::get<plumb::Segment>(line.shape).end == Vec2(1, 0));
-    for (const ShapeDef& def : {circle, box, triangle, line}) CHECK_NOTHROW(plumb::validate(def, "ShapeDef"));
+    const ShapeDef capsule = plumb::capsule({-1, 0}, {1, 0}, 0.25, rubber);
+    CHECK(std::get<plumb::Capsule>(capsule.shape).end == Vec2(1, 0));
+    CHECK(std::get<plumb::Capsule>(capsule.shape).radius == 0.25);
+
+    const ShapeDef rounded = plumb::roundedBox({2, 1}, 0.5, rubber);
+    CHECK(std::get<plumb::Polygon>(rounded.shape).vertices[2] == Vec2(2, 1));
+    CHECK(std::get<plumb::Polygon>(rounded.shape).radius == 0.5);
+    const ShapeDef soft = plumb::roundedPolygon({{0, 0}, {1, 0}, {0, 1}}, 0.125, rubber);
+    CHECK(std::get<plumb::Polygon>(soft.shape).vertices[1] == Vec2(1, 0));
+    CHECK(std::get<plumb::Polygon>(soft.shape).radius == 0.125);
+
+    const ShapeDef floor = plumb::chain({{0, 0}, {10, 0}});
+    CHECK(std::get<plumb::Chain>(floor.shape).points[1] == Vec2(10, 0));
+    CHECK_FALSE(std::get<plumb::Chain>(floor.shape).closed);
+    const ShapeDef ring = plumb::loop({{0, 0}, {1, 0}, {0, 1}}, rubber);
+    CHECK(std::get<plumb::Chain>(ring.shape).closed);
+    CHECK(ring.material.density == 3);
+    for (const ShapeDef& def : {circle, box, triangle, line, capsule, rounded, soft, floor, ring})
+        CHECK_NOTHROW(plumb::validate(def, "ShapeDef"));
 }
 
 TEST_CASE("materials that no matter has are refused by name", "[space][errors]") {
@@ -55,6 +73,9 @@ TEST_CASE("materials that no matter has are refused by name", "[space][errors]")
     CHECK_THROWS_WITH(check({.restitution = 1.01}), prefix + "restitution: 1.01 is not within 0 to 1");
     CHECK_THROWS_WITH(check({.restitution = -0.5}), prefix + "restitution: -0.5 is not within 0 to 1");
     CHECK_THROWS_WITH(check({.restitution = notANumber}), prefix + "restitution: nan is not finite");
+    CHECK_NOTHROW(check({.rollingResistance = 0.5, .surfaceSpeed = -3}));
+    CHECK_THROWS_WITH(check({.rollingResistance = -1}), prefix + "rollingResistance: -1 is negative");
+    CHECK_THROWS_WITH(check({.surfaceSpeed = infinity}), prefix + "surfaceSpeed: inf is not finite");
 }
 
 TEST_CASE("a def with a bad shape is refused by the shape's path", "[space][errors]") {

@@ -159,63 +159,97 @@ bool reachesOver(const Joint& joint, const Vec2f& corner, const Core& other) {
     return false;
 }
 
-/// The two do not overlap, or only by their radii, and the way found is not allowed.
-Manifold apartAt(const Joint& joint, const Core& segment, const Side& side, const Core& other, const Manifold& found) {
-    const Vec2f corner = segment.vertex(joint.corner);
-    const float separation = nearestOf(found);
-    const bool convexHere = joint.isConvex && joint.normal.dot(side.normal) > 0;
-    if (joint.isConvex && !convexHere) {
+/// A segment, another shape, and the manifold that they would have if the segment were alone.
+struct Meeting {
+    Core segment, other;
+    float far = 0, margin = 0;  ///< [m]
+    Manifold found;
+    float separation = 0;  ///< [m]
+    bool apart = false;    ///< the two overlap by their radii, if at all
+    Side side;
+    Joint joint;           ///< the one over which the way found leans
+    float lean = 0;        ///< its sine
+    Past past;             ///< of the neighbour's normal
+    bool between = false;  ///< the way found lies between the segment's normal and the neighbour's
+};
+
+Meeting meetingOf(const Convex& piece, const Core& other, float far, float margin) {
+    Meeting m;
+    m.segment = coreOf(piece);
+    m.other = other;
+    m.far = far;
+    m.margin = margin;
+    m.found = other.count > 1 ? polygonManifold(m.segment, other, far, margin)
+                              : circleManifold(m.segment, Disc{other.vertex(0), other.radius}, far, margin);
+    if (m.found.count == 0) return m;
+    const Vec2f& way = m.found.normal;
+    m.separation = nearestOf(m.found);
+    m.apart = m.separation + other.radius > 0;
+    m.side = sideOf(m.segment, other);
+    m.joint = jointAt(piece, way.dot(perp(m.segment.normal(0))) >= 0);
+    m.lean = way.dot(m.joint.outward);
+    if (!m.joint.isConvex) return m;
+    m.past = pastNext(m.joint, way);
+    m.between = m.past.sine <= 0;
+    return m;
+}
+
+/// The way found is the segment's own, but for trembling, and its joint is no corner there; or it leads out on the far
+/// side, so deep is the overlap.
+Manifold alongOwn(const Meeting& m) {
+    const bool below = m.apart && m.found.normal.dot(m.side.normal) < 0;
+    const Side side = below ? Side{1 - m.side.edge, -m.side.normal, m.side.center} : m.side;
+    const Manifold result = ownManifold(m.segment, side, m.other, m.far, m.margin);
+    if (result.count > 0 || m.separation <= touching) return result;
+    return turnedTo(side.normal, m.separation, m.segment.vertex(m.joint.corner), m.found);
+}
+
+/// The way found lies between both normals. The corner belongs to the segment that ends there, but for what lies along
+/// the neighbour; and to the other where this one has another way.
+Manifold aroundCorner(const Meeting& m) {
+    const Vec2f corner = m.segment.vertex(m.joint.corner);
+    const bool along = m.past.isNear(own / 2) && reachesOver(m.joint, corner, m.other);
+    const bool ends = m.joint.corner == 1;
+    const bool mine = ends ? !along : !m.apart && hasBetterWay(m.other, corner, m.found.normal);
+    return m.lean <= own || mine || m.separation > touching ? m.found : Manifold{};
+}
+
+/// The way found is not allowed, and the two are apart.
+Manifold turnedApart(const Meeting& m) {
+    const Vec2f corner = m.segment.vertex(m.joint.corner);
+    const bool convexHere = m.joint.isConvex && m.joint.normal.dot(m.side.normal) > 0;
+    if (m.joint.isConvex && !convexHere) {
         // In a hollow the segment's plane bounds what the body may do, beyond its end too.
-        const float gap = gapAlong(side.normal, corner, other);
-        if (gap >= 0) return turnedTo(side.normal, gap, corner, found);
+        const float gap = gapAlong(m.side.normal, corner, m.other);
+        if (gap >= 0) return turnedTo(m.side.normal, gap, corner, m.found);
     }
-    if (separation <= touching) return {};
-    return turnedTo(convexHere ? joint.next : side.normal, separation, corner, found);
+    if (m.separation <= touching) return {};
+    return turnedTo(convexHere ? m.joint.next : m.side.normal, m.separation, corner, m.found);
+}
+
+/// The way found is not allowed, and the two overlap.
+Manifold turnedSunk(const Meeting& m) {
+    const Manifold result = ownManifold(m.segment, m.side, m.other, m.far, m.margin);
+    if (!m.joint.isConvex || !m.past.isNear(steep) || result.count == 0) return result;
+    const float depth = -(m.separation + m.other.radius), ownDepth = -(nearestOf(result) + m.other.radius);
+    return ownDepth > deeper * depth ? Manifold{} : result;
 }
 
 }  // namespace
 
 Manifold chainManifold(const Convex& piece, const Core& other, float far, float margin) {
-    const Core segment = coreOf(piece);
-    const Manifold found = other.count > 1 ? polygonManifold(segment, other, far, margin)
-                                           : circleManifold(segment, Disc{other.vertex(0), other.radius}, far, margin);
-    if (found.count == 0) return found;
-    const Vec2f& way = found.normal;
-    const Joint joint = jointAt(piece, way.dot(perp(segment.normal(0))) >= 0);
-    const float lean = way.dot(joint.outward);
-    const float separation = nearestOf(found);
-    const bool apart = separation + other.radius > 0;  // of the cores
-    const Past past = joint.isConvex ? pastNext(joint, way) : Past{};
-    const bool between = joint.isConvex && past.sine <= 0;
+    const Meeting m = meetingOf(piece, other, far, margin);
+    if (m.found.count == 0) return m.found;
+    if (!m.between && m.separation <= touching && other.count > 1)
+        for (const bool atEnd : {false, true})
+            if (standsAround(jointAt(piece, atEnd), m.segment, m.side, other)) return {};
 
-    const Side side = sideOf(segment, other);
-
-    const bool around = separation <= touching && other.count > 1 &&
-                        (standsAround(jointAt(piece, false), segment, side, other) ||
-                         standsAround(jointAt(piece, true), segment, side, other));
-    if (around && !between) return {};
-    const bool wrongSide = !apart && way.dot(side.normal) < 0;
-    const bool allowed = joint.isConvex ? between : !joint.goesOn;
-    if (lean <= own && (wrongSide || !allowed)) {
-        const bool below = apart && way.dot(side.normal) < 0;
-        const Side facing = below ? Side{1 - side.edge, -side.normal, side.center} : side;
-        const Manifold result = ownManifold(segment, facing, other, far, margin);
-        if (result.count > 0 || separation <= touching) return result;
-        return turnedTo(facing.normal, separation, segment.vertex(joint.corner), found);
-    }
-    if (!joint.goesOn) return found;
-    const Vec2f corner = segment.vertex(joint.corner);
-    if (between) {
-        const bool mine =
-            lean <= own || (joint.corner == 1 ? !(past.isNear(own / 2) && reachesOver(joint, corner, other))
-                                              : !apart && hasBetterWay(other, corner, way));
-        return mine || separation > touching ? found : Manifold{};
-    }
-    if (apart) return apartAt(joint, segment, side, other, found);
-    const Manifold result = ownManifold(segment, side, other, far, margin);
-    const bool neighbours = joint.isConvex && past.isNear(steep) && result.count > 0 &&
-                            nearestOf(result) + other.radius < deeper * (separation + other.radius);
-    return neighbours ? Manifold{} : result;
+    const bool allowed = m.joint.isConvex ? m.between : !m.joint.goesOn;
+    const bool farSide = !m.apart && m.found.normal.dot(m.side.normal) < 0;
+    if (m.lean <= own && (farSide || !allowed)) return alongOwn(m);
+    if (!m.joint.goesOn) return m.found;
+    if (m.between) return aroundCorner(m);
+    return m.apart ? turnedApart(m) : turnedSunk(m);
 }
 
 }  // namespace plumb

@@ -17,15 +17,16 @@ inline bool goesOn(const Convex& shape) {
 
 /// A segment with neighbours against any core in its frame, whose numbers came from as far as this [m].
 ///
-/// Along the line a body may be pushed the ways the line's outline allows: a segment's own normal, to the side where
-/// the body's centre is; at a joint that is convex on that side also the ways between both segments' normals; at an end
-/// where the line does not go on, any way.
-/// A joint's corner belongs to the segment that ends there: one contact, not two. A contact that would push another way
-/// - as does the side of a box that lies flush on both, a little sunk - is
-/// - along the own normal, cut to the stretch above the segment, where overlap is more than the neighbour's matter;
-/// - none, where the neighbour has one that holds the body as well: on a flat or convex joint its plane does;
-/// - turned to the nearest way allowed, while the body is not yet there: a fast one may be in this step.
-/// Test: "a box, disc and capsule flush on chains, or a little sunk, are pushed the way the outline allows"
+/// Along the line a body may be pushed the ways that the line's outline allows: a segment's own normal; at a joint, on
+/// the side where it is convex, also the ways between both segments' normals; at an end where the line does not go on,
+/// any way. A corner belongs to the segment that ends there: one contact, not two. Where the nearest way is another, as
+/// through the side of a box that lies flush on both segments, a little sunk, there is
+/// - a contact along the own normal, to the side where the body's centre is, cut to the stretch above the segment; or
+/// - none, where the neighbour has one that holds the body as well: on a flat or convex joint its plane does; or
+/// - while the body is not yet there, one that is turned to the nearest way allowed: a fast one may be here in the
+/// step.
+///   In a hollow its separation is that from the segment's plane, elsewhere that from the segment.
+/// Test: "10,000 placements of each shape on bent chains are held, and pushed only the ways the outline allows"
 Manifold chainManifold(const Convex& piece, const Core& other, float far, float margin);
 
 }  // namespace plumb
