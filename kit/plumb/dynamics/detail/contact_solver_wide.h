@@ -24,11 +24,13 @@ struct WideContacts {
         F nx, ny;
     };
 
-    [[gnu::always_inline]] static inline Couple load(const ContactBatch& batch, int lane, const SolverVelocity* velocity) {
+    [[gnu::always_inline]] static inline Couple load(const ContactBatch& batch, int lane,
+                                                     const SolverVelocity* velocity) {
         return {loadRows<W>(rows(velocity), batch.bodyA + lane), loadRows<W>(rows(velocity), batch.bodyB + lane),
                 at(batch.normalX + lane), at(batch.normalY + lane)};
     }
-    [[gnu::always_inline]] static inline void store(const ContactBatch& batch, int lane, const Couple& c, SolverVelocity* velocity) {
+    [[gnu::always_inline]] static inline void store(const ContactBatch& batch, int lane, const Couple& c,
+                                                    SolverVelocity* velocity) {
         storeRows<W>(rows(velocity), batch.bodyA + lane, c.a);
         storeRows<W>(rows(velocity), batch.bodyB + lane, c.b);
     }
@@ -73,8 +75,8 @@ struct WideContacts {
         c.b.z += c.b.w * (at(batch.rollRhoB + lane) * impulse);
     }
 
-    [[gnu::always_inline]] static inline F separationNow(const ContactBatch& batch, const PointLanes& p, const Arms& r, int lane, const Couple& c,
-                           const Bodies& a, const Bodies& b) {
+    [[gnu::always_inline]] static inline F separationNow(const ContactBatch& batch, const PointLanes& p, const Arms& r,
+                                                         int lane, const Couple& c, const Bodies& a, const Bodies& b) {
         const F shift = c.nx * (b.x - a.x) + c.ny * (b.y - a.y);
         const F coreA = r.normalA - at(batch.roundA + lane);
         const F coreB = r.normalB + at(batch.roundB + lane);
@@ -90,8 +92,8 @@ struct WideContacts {
 
     static F clamped(F wanted, F limit, F before) { return larger(smaller(wanted, limit - before), -limit - before); }
 
-    [[gnu::always_inline]] static inline void solveAlong(Couple& c, ContactBatch& batch, int lane, const Arms* arms, const F* normal,
-                           const Given& given, F* tangent) {
+    [[gnu::always_inline]] static inline void solveAlong(Couple& c, ContactBatch& batch, int lane, const Arms* arms,
+                                                         const F* normal, const Given& given, F* tangent) {
         const F friction = at(batch.friction + lane);
         const F belt = batch.belts ? at(batch.beltSpeed + lane) : F{};
         for (int i = 0; i < 2; ++i) {
@@ -130,7 +132,8 @@ struct WideContacts {
         }
     }
 
-    [[gnu::always_inline]] static inline void solveLanes(ContactBatch& batch, int lane, const SolverBodies& bodies, const ContactPass& pass) {
+    [[gnu::always_inline]] static inline void solveLanes(ContactBatch& batch, int lane, const SolverBodies& bodies,
+                                                         const ContactPass& pass) {
         Couple c = load(batch, lane, bodies.velocity);
         const Arms r[2] = {arms(batch.points[0], lane), arms(batch.points[1], lane)};
         F normal[2], tangent[2];
@@ -152,7 +155,8 @@ struct WideContacts {
         store(batch, lane, c, bodies.velocity);
     }
 
-    [[gnu::always_inline]] static inline void relaxLanes(ContactBatch& batch, int lane, const SolverBodies& bodies, const ContactPass& pass) {
+    [[gnu::always_inline]] static inline void relaxLanes(ContactBatch& batch, int lane, const SolverBodies& bodies,
+                                                         const ContactPass& pass) {
         Couple c = load(batch, lane, bodies.velocity);
         const Bodies da = loadRows<W>(&bodies.displacement->x, batch.bodyA + lane);
         const Bodies db = loadRows<W>(&bodies.displacement->x, batch.bodyB + lane);

@@ -26,17 +26,17 @@ struct Shuffle;
 template <int Owner>
 struct Shuffle<4, Owner> {
     using V = Wide<4>::Float;
-    static V lowPairs(V a, V b) { return __builtin_shufflevector(a, b, 0, 4, 1, 5); }
-    static V highPairs(V a, V b) { return __builtin_shufflevector(a, b, 2, 6, 3, 7); }
-    static V lowHalves(V a, V b) { return __builtin_shufflevector(a, b, 0, 1, 4, 5); }
-    static V highHalves(V a, V b) { return __builtin_shufflevector(a, b, 2, 3, 6, 7); }
+    [[gnu::always_inline]] static inline V lowPairs(V a, V b) { return __builtin_shufflevector(a, b, 0, 4, 1, 5); }
+    [[gnu::always_inline]] static inline V highPairs(V a, V b) { return __builtin_shufflevector(a, b, 2, 6, 3, 7); }
+    [[gnu::always_inline]] static inline V lowHalves(V a, V b) { return __builtin_shufflevector(a, b, 0, 1, 4, 5); }
+    [[gnu::always_inline]] static inline V highHalves(V a, V b) { return __builtin_shufflevector(a, b, 2, 3, 6, 7); }
     template <int Stride>
-    static V gather(const float* rows, const std::uint32_t* indices) {
+    [[gnu::always_inline]] static inline V gather(const float* rows, const std::uint32_t* indices) {
         V v;
         std::memcpy(&v, rows + std::size_t{Stride} * indices[0], sizeof v);
         return v;
     }
-    static void scatter(float* rows, const std::uint32_t* indices, V v) {
+    [[gnu::always_inline]] static inline void scatter(float* rows, const std::uint32_t* indices, V v) {
         std::memcpy(rows + std::size_t{4} * indices[0], &v, sizeof v);
     }
 };
@@ -44,17 +44,25 @@ struct Shuffle<4, Owner> {
 template <int Owner>
 struct Shuffle<8, Owner> {
     using V = Wide<8>::Float;
-    static V lowPairs(V a, V b) { return __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13); }
-    static V highPairs(V a, V b) { return __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15); }
-    static V lowHalves(V a, V b) { return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13); }
-    static V highHalves(V a, V b) { return __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15); }
+    [[gnu::always_inline]] static inline V lowPairs(V a, V b) {
+        return __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
+    }
+    [[gnu::always_inline]] static inline V highPairs(V a, V b) {
+        return __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
+    }
+    [[gnu::always_inline]] static inline V lowHalves(V a, V b) {
+        return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
+    }
+    [[gnu::always_inline]] static inline V highHalves(V a, V b) {
+        return __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
+    }
     template <int Stride>
-    static V gather(const float* rows, const std::uint32_t* indices) {
+    [[gnu::always_inline]] static inline V gather(const float* rows, const std::uint32_t* indices) {
         return __builtin_shufflevector(Shuffle<4, Owner>::template gather<Stride>(rows, indices),
                                        Shuffle<4, Owner>::template gather<Stride>(rows, indices + 4), 0, 1, 2, 3, 4, 5,
                                        6, 7);
     }
-    static void scatter(float* rows, const std::uint32_t* indices, V v) {
+    [[gnu::always_inline]] static inline void scatter(float* rows, const std::uint32_t* indices, V v) {
         Shuffle<4, Owner>::scatter(rows, indices, __builtin_shufflevector(v, v, 0, 1, 2, 3));
         Shuffle<4, Owner>::scatter(rows, indices + 4, __builtin_shufflevector(v, v, 4, 5, 6, 7));
     }
@@ -63,25 +71,25 @@ struct Shuffle<8, Owner> {
 template <int Owner>
 struct Shuffle<16, Owner> {
     using V = Wide<16>::Float;
-    static V lowPairs(V a, V b) {
+    [[gnu::always_inline]] static inline V lowPairs(V a, V b) {
         return __builtin_shufflevector(a, b, 0, 16, 1, 17, 4, 20, 5, 21, 8, 24, 9, 25, 12, 28, 13, 29);
     }
-    static V highPairs(V a, V b) {
+    [[gnu::always_inline]] static inline V highPairs(V a, V b) {
         return __builtin_shufflevector(a, b, 2, 18, 3, 19, 6, 22, 7, 23, 10, 26, 11, 27, 14, 30, 15, 31);
     }
-    static V lowHalves(V a, V b) {
+    [[gnu::always_inline]] static inline V lowHalves(V a, V b) {
         return __builtin_shufflevector(a, b, 0, 1, 16, 17, 4, 5, 20, 21, 8, 9, 24, 25, 12, 13, 28, 29);
     }
-    static V highHalves(V a, V b) {
+    [[gnu::always_inline]] static inline V highHalves(V a, V b) {
         return __builtin_shufflevector(a, b, 2, 3, 18, 19, 6, 7, 22, 23, 10, 11, 26, 27, 14, 15, 30, 31);
     }
     template <int Stride>
-    static V gather(const float* rows, const std::uint32_t* indices) {
+    [[gnu::always_inline]] static inline V gather(const float* rows, const std::uint32_t* indices) {
         return __builtin_shufflevector(Shuffle<8, Owner>::template gather<Stride>(rows, indices),
                                        Shuffle<8, Owner>::template gather<Stride>(rows, indices + 8), 0, 1, 2, 3, 4, 5,
                                        6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
     }
-    static void scatter(float* rows, const std::uint32_t* indices, V v) {
+    [[gnu::always_inline]] static inline void scatter(float* rows, const std::uint32_t* indices, V v) {
         Shuffle<8, Owner>::scatter(rows, indices, __builtin_shufflevector(v, v, 0, 1, 2, 3, 4, 5, 6, 7));
         Shuffle<8, Owner>::scatter(rows, indices + 8, __builtin_shufflevector(v, v, 8, 9, 10, 11, 12, 13, 14, 15));
     }
@@ -91,7 +99,7 @@ struct Shuffle<16, Owner> {
 
 /// The records at Stride * indices[lane] floats from rows.
 template <int W, int Stride = 4>
-Rows<W> loadRows(const float* rows, const std::uint32_t* indices) {
+[[gnu::always_inline]] inline Rows<W> loadRows(const float* rows, const std::uint32_t* indices) {
     if constexpr (W == 1) {
         const float* row = rows + std::size_t{Stride} * indices[0];
         return {row[0], row[1], row[2], row[3]};
@@ -111,7 +119,7 @@ Rows<W> loadRows(const float* rows, const std::uint32_t* indices) {
 
 /// No record may be in two lanes, unless both write what is there already.
 template <int W>
-void storeRows(float* rows, const std::uint32_t* indices, const Rows<W>& r) {
+[[gnu::always_inline]] inline void storeRows(float* rows, const std::uint32_t* indices, const Rows<W>& r) {
     if constexpr (W == 1) {
         float* row = rows + std::size_t{4} * indices[0];
         row[0] = r.x;

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+#include <plumb/collide/manifold.h>
+#include <plumb/dynamics/detail/body_store.h>
+#include <plumb/dynamics/detail/contact_solver.h>
+#include <plumb/dynamics/detail/foresee.h>
+#include <plumb/dynamics/detail/lane_collider.h>
+#include <plumb/math/random.h>
+
+#include "catch.h"
+
+namespace {
+
+using namespace plumb;
+
+/// Sixteen pairs of boxes, some apart, some overlapping, some flush, one after the other corner to corner.
+struct BoxPairs {
+    std::vector<BodyMotion> motion{1};
+    std::vector<BodyPlace> place{1};
+    ContactBatch batch{};
+    ManifoldLanes lanes{};
+    Polygon a[batchLanes], b[batchLanes];
+    double size[batchLanes];
+};
+
+void addBody(BoxPairs& pairs, const Vec2& center, double angle) {
+    BodyMotion motion;
+    motion.center = center;
+    motion.angle = angle;
+    motion.rotation = Rot::fromAngle(angle);
+    pairs.motion.push_back(motion);
+    pairs.place.push_back(placeOf(motion, 1));
+}
+
+BoxPairs randomPairs(Random& random) {
+    BoxPairs pairs;
+    for (std::size_t lane = 0; lane < batchLanes; ++lane) {
+        const double scale = std::exp(random.uniform(-2, 2));
+        const auto half = [&] {
+            const double x = scale * random.uniform(0.2, 1);
+            const double y = scale * random.uniform(0.2, 1);
+            return Vec2(x, y);
+        };
+        const Vec2 ha = half(), hb = half();
+        const bool square = random.integer(0, 2) == 0;  // most contacts of a game are between upright boxes
+        const double turn = random.uniform(-std::numbers::pi, std::numbers::pi);
+        const double angleA = turn;
+        const double angleB = square ? turn + random.integer(0, 3) * std::numbers::pi / 2 : random.uniform(-3, 3);
+        const double way = random.uniform(-std::numbers::pi, std::numbers::pi);
+        const Vec2 at(1000 * random.uniform(-1, 1), 1000 * random.uniform(-1, 1));
+        const Vec2 apart = (ha.norm() + hb.norm()) * random.uniform(0.2, 1.1) * Vec2(std::cos(way), std::sin(way));
+        addBody(pairs, at, angleA);
+        addBody(pairs, at + apart, angleB);
+        pairs.batch.bodyA[lane] = static_cast<std::uint32_t>(pairs.motion.size() - 2);
+        pairs.batch.bodyB[lane] = static_cast<std::uint32_t>(pairs.motion.size() - 1);
+        pairs.a[lane] = boxPolygon(ha);
+        pairs.b[lane] = boxPolygon(hb);
+        pairs.size[lane] = ha.norm() + hb.norm();
+        pairs.lanes.halfXA[lane] = static_cast<float>(ha.x());
+        pairs.lanes.halfYA[lane] = static_cast<float>(ha.y());
+        pairs.lanes.halfXB[lane] = static_cast<float>(hb.x());
+        pairs.lanes.halfYB[lane] = static_cast<float>(hb.y());
+    }
+    return pairs;
+}
+
+Manifold oneByOne(const BoxPairs& pairs, std::size_t lane) {
+    return manifold(convexOf(pairs.a[lane], {0, 0}), convexOf(pairs.b[lane], {0, 0}),
+                    relativePose(pairs.motion[pairs.batch.bodyA[lane]], pairs.motion[pairs.batch.bodyB[lane]]),
+                    contactMargin);
+}
+
+float nearestOf(const Manifold& m) {
+    return m.count > 1 ? std::min(m.points[0].separation, m.points[1].separation) : m.points[0].separation;
+}
+
+Manifold manifoldIn(const FreshLanes& fresh, std::size_t lane) {
+    Manifold m;
+    m.normal = {fresh.normalX[lane], fresh.normalY[lane]};
+    m.count = fresh.count[lane];
+    for (std::size_t p = 0; p < 2; ++p)
+        m.points[p] = {{fresh.points[p].x[lane], fresh.points[p].y[lane]},
+                       fresh.points[p].separation[lane],
+                       static_cast<std::uint16_t>(fresh.points[p].feature[lane])};
+    return m;
+}
+
+/// Positions and separations; the order of the points is each one's own.
+bool samePoints(const Manifold& a, const Manifold& b, float tolerance) {
+    const auto same = [&](std::size_t p, std::size_t q) {
+        const Vec2f moved = a.points[p].position - b.points[q].position;
+        return moved.norm() < tolerance && std::fabs(a.points[p].separation - b.points[q].separation) < tolerance &&
+               a.points[p].feature == b.points[q].feature;
+    };
+    if (a.count != b.count) return false;
+    if (a.count == 1) return same(0, 0);
+    return (same(0, 0) && same(1, 1)) || (same(0, 1) && same(1, 0));
+}
+
+template <class T>
+bool sameBits(const T& a, const T& b) {
+    return std::memcmp(&a, &b, sizeof(T)) == 0;
+}
+
+/// A batch whose lanes touch bodies of their own, with numbers as a pile has them.
+struct Pile {
+    std::vector<SolverVelocity> velocity, warm, before;
+    std::vector<SolverDisplacement> displacement;
+    std::vector<SolverTurn> turn;
+    std::vector<Kick> kick;
+    ContactBatch batch{};
+
+    SolverBodies bodies() {
+        return {velocity.data(), warm.data(), before.data(), displacement.data(), turn.data(), kick.data()};
+    }
+};
+
+Pile randomPile(Random& random) {
+    constexpr std::size_t count = 1 + 2 * batchLanes;
+    Pile pile;
+    const auto number = [&](double reach) { return static_cast<float>(random.uniform(-reach, reach)); };
+    pile.velocity.resize(count);
+    pile.warm.resize(count);
+    pile.before.resize(count);
+    pile.displacement.resize(count);
+    pile.turn.resize(count);
+    pile.kick.resize(count);
+    for (std::size_t i = 1; i < count; ++i) {
+        pile.velocity[i] = {number(3), number(3), number(3), static_cast<float>(random.uniform(0.1, 5))};
+        pile.displacement[i] = {number(0.1), number(0.1), number(0.1), number(0.01)};
+    }
+    ContactBatch& batch = pile.batch;
+    for (std::size_t lane = 0; lane < batchLanes; ++lane) {
+        const bool onGround = random.integer(0, 3) == 0;
+        batch.bodyA[lane] = onGround ? 0 : static_cast<std::uint32_t>(1 + 2 * lane);
+        batch.bodyB[lane] = static_cast<std::uint32_t>(2 + 2 * lane);
+        const double angle = random.uniform(-3, 3);
+        batch.normalX[lane] = static_cast<float>(std::cos(angle));
+        batch.normalY[lane] = static_cast<float>(std::sin(angle));
+        batch.friction[lane] = static_cast<float>(random.uniform(0, 1));
+        batch.roundA[lane] = batch.roundB[lane] = random.integer(0, 1) == 0 ? 0 : 0.5f;
+        batch.beltSpeed[lane] = number(1);
+        batch.rollReach[lane] = static_cast<float>(random.uniform(0, 0.2));
+        batch.rollRhoA[lane] = batch.rollRhoB[lane] = static_cast<float>(random.uniform(0.5, 2));
+        batch.rollMass[lane] = static_cast<float>(random.uniform(0.1, 1));
+        for (PointLanes& p : batch.points) {
+            p.anchorNormalA[lane] = number(1);
+            p.anchorTangentA[lane] = number(1);
+            p.anchorNormalB[lane] = number(1);
+            p.anchorTangentB[lane] = number(1);
+            p.startSeparation[lane] = p.separation[lane] = number(0.02);
+            p.normalMass[lane] = static_cast<float>(random.uniform(0.05, 0.5));
+            p.tangentMass[lane] = static_cast<float>(random.uniform(0.05, 0.5));
+            p.normalImpulse[lane] = static_cast<float>(random.uniform(0, 1));
+            p.tangentImpulse[lane] = number(0.5);
+            p.bounceSpeed[lane] = random.integer(0, 1) == 0 ? 0 : 1.0f;
+        }
+    }
+    batch.bounces = true;
+    batch.belts = random.integer(0, 1) == 1;
+    batch.rolls = random.integer(0, 1) == 1;
+    return pile;
+}
+
+void solveAll(const ContactSolver& solver, Pile& pile) {
+    const ContactPass pass{240, softness(30, 10, 1.0 / 240), 3};
+    solver.gatherWarmStart(&pile.batch, 1, pile.bodies());
+    for (int i = 0; i < 4; ++i) {
+        solver.solve(&pile.batch, 1, pile.bodies(), pass);
+        solver.relax(&pile.batch, 1, pile.bodies(), pass);
+    }
+    solver.bounce(&pile.batch, 1, pile.bodies());
+}
+
+}  // namespace
+
+TEST_CASE("boxes side by side have the manifolds that they have one by one, in 10,000 placements",
+          "[dynamics][lanes][property]") {
+    Random random(11);
+    int touching = 0, otherFace = 0;
+    for (int round = 0; round < 10'000 / batchLanes; ++round) {
+        const BoxPairs pairs = randomPairs(random);
+        FreshLanes fresh;
+        laneCollider(1).collideBoxes(pairs.batch, pairs.lanes, pairs.place.data(), fresh);
+        for (std::size_t lane = 0; lane < batchLanes; ++lane) {
+            const Manifold one = oneByOne(pairs, lane);
+            const Manifold side = manifoldIn(fresh, lane);
+            // some twenty roundings of numbers up to the sizes; along a face a turn of 1e-7 moves a cut by as much
+            // again
+            const float tolerance = static_cast<float>(4e-6 * pairs.size[lane]);
+            INFO("round " << round << ", lane " << lane);
+            if (one.count == 0 || side.count == 0) {  // both, or one of them by a rounding
+                const Manifold& found = one.count > 0 ? one : side;
+                if (found.count > 0) CHECK(std::fabs(nearestOf(found) - contactMargin) < tolerance);
+                continue;
+            }
+            ++touching;
+            CHECK(std::fabs(nearestOf(one) - nearestOf(side)) < tolerance);
+            if (one.normal.dot(side.normal) < 0.99999f || !samePoints(one, side, 3 * tolerance)) ++otherFace;
+        }
+    }
+    CHECK(touching > 5'000);
+    CHECK(otherFace < touching / 100);  // where two faces do equally well, or a point is at the margin or the corner
+}
+
+TEST_CASE("manifolds and what the solver needs of them are the same bits at 1, 4, 8 and 16 lanes",
+          "[dynamics][lanes][property]") {
+    Random random(12);
+    for (int round = 0; round < 1'000; ++round) {
+        const BoxPairs pairs = randomPairs(random);
+        std::vector<SolverVelocity> velocity(pairs.motion.size());
+        for (SolverVelocity& v : velocity) {
+            v.x = static_cast<float>(random.uniform(-5, 5));
+            v.y = static_cast<float>(random.uniform(-5, 5));
+            v.w = static_cast<float>(random.uniform(-5, 5));
+            v.inverseMass = static_cast<float>(random.uniform(0, 5));
+        }
+        FreshLanes first{};
+        BoxPairs prepared = pairs;
+        laneCollider(1).collideBoxes(pairs.batch, pairs.lanes, pairs.place.data(), first);
+        laneCollider(1).prepare(prepared.batch, prepared.lanes, pairs.place.data(), velocity.data(), first, 60);
+        for (const int lanes : {4, 8, 16}) {
+            FreshLanes fresh{};
+            BoxPairs again = pairs;
+            laneCollider(lanes).collideBoxes(pairs.batch, pairs.lanes, pairs.place.data(), fresh);
+            laneCollider(lanes).prepare(again.batch, again.lanes, pairs.place.data(), velocity.data(), fresh, 60);
+            INFO("round " << round << ", " << lanes << " lanes");
+            CHECK(sameBits(fresh, first));
+            CHECK(std::memcmp(&again.batch, &prepared.batch, offsetof(ContactBatch, bounces)) == 0);
+            CHECK(sameBits(again.lanes, prepared.lanes));
+        }
+    }
+}
+
+TEST_CASE("contacts are solved to the same bits one by one and at 4, 8 and 16 lanes", "[dynamics][lanes][property]") {
+    for (std::uint64_t seed = 0; seed < 1'000; ++seed) {
+        Random random(seed);
+        const Pile start = randomPile(random);
+        Pile reference = start;
+        solveAll(scalarContactSolver, reference);
+        for (const int lanes : {4, 8, 16}) {
+            Pile pile = start;
+            solveAll(contactSolver(lanes), pile);
+            INFO("seed " << seed << ", " << lanes << " lanes");
+            CHECK(std::memcmp(&pile.batch, &reference.batch, offsetof(ContactBatch, bounces)) == 0);
+            for (std::size_t i = 0; i < pile.velocity.size(); ++i)
+                CHECK(sameBits(pile.velocity[i], reference.velocity[i]));
+        }
+    }
+}
