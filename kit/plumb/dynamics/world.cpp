@@ -86,8 +86,9 @@ void addShape(WorldState& world, BodyIndex body, const ShapeDef& shape) {
     record.proxies.push_back(proxy);
     record.extent = std::max(record.extent, extentOf(world.space[proxy].convex));
     record.core = std::min(record.core, coreOf(shape.shape));
-    if (world.boxes.size() <= proxy) world.boxes.resize(proxy + std::size_t{1});
-    world.boxes[proxy] = boxOutlineOf(shape, record.localCenter);
+    std::vector<BoxOutline>& boxes = world.contacts.boxes;
+    if (boxes.size() <= proxy) boxes.resize(proxy + std::size_t{1});
+    boxes[proxy] = boxOutlineOf(shape, record.localCenter);
 }
 
 void addShapes(WorldState& world, BodyIndex body, const BodyDef& def) {
@@ -103,6 +104,7 @@ World::World(const WorldDef& def) {
     state_->def = def;
     state_->id = nextWorldId();
     state_->collider = &laneCollider(def.solver.lanes);
+    state_->space.setLanes(def.solver.lanes);
 }
 
 World::World(World&&) noexcept = default;

@@ -24,6 +24,7 @@ struct BoxPairs {
     std::vector<BodyPlace> place{1};
     ContactBatch batch{};
     ManifoldLanes lanes{};
+    PairLanes pairs{};
     Polygon a[batchLanes], b[batchLanes];
     double size[batchLanes];
 };
@@ -56,15 +57,15 @@ BoxPairs randomPairs(Random& random) {
         const Vec2 apart = (ha.norm() + hb.norm()) * random.uniform(0.2, 1.1) * Vec2(std::cos(way), std::sin(way));
         addBody(pairs, at, angleA);
         addBody(pairs, at + apart, angleB);
-        pairs.batch.bodyA[lane] = static_cast<std::uint32_t>(pairs.motion.size() - 2);
-        pairs.batch.bodyB[lane] = static_cast<std::uint32_t>(pairs.motion.size() - 1);
+        pairs.batch.bodyA[lane] = pairs.pairs.bodyA[lane] = static_cast<std::uint32_t>(pairs.motion.size() - 2);
+        pairs.batch.bodyB[lane] = pairs.pairs.bodyB[lane] = static_cast<std::uint32_t>(pairs.motion.size() - 1);
         pairs.a[lane] = boxPolygon(ha);
         pairs.b[lane] = boxPolygon(hb);
         pairs.size[lane] = ha.norm() + hb.norm();
-        pairs.lanes.halfXA[lane] = static_cast<float>(ha.x());
-        pairs.lanes.halfYA[lane] = static_cast<float>(ha.y());
-        pairs.lanes.halfXB[lane] = static_cast<float>(hb.x());
-        pairs.lanes.halfYB[lane] = static_cast<float>(hb.y());
+        pairs.pairs.halfXA[lane] = static_cast<float>(ha.x());
+        pairs.pairs.halfYA[lane] = static_cast<float>(ha.y());
+        pairs.pairs.halfXB[lane] = static_cast<float>(hb.x());
+        pairs.pairs.halfYB[lane] = static_cast<float>(hb.y());
     }
     return pairs;
 }
@@ -186,7 +187,7 @@ TEST_CASE("boxes side by side have the manifolds that they have one by one, in 1
     for (int round = 0; round < 10'000 / batchLanes; ++round) {
         const BoxPairs pairs = randomPairs(random);
         FreshLanes fresh;
-        laneCollider(1).collideBoxes(pairs.batch, pairs.lanes, pairs.place.data(), fresh);
+        laneCollider(1).collideBoxes(pairs.pairs, pairs.place.data(), fresh);
         for (std::size_t lane = 0; lane < batchLanes; ++lane) {
             const Manifold one = oneByOne(pairs, lane);
             const Manifold side = manifoldIn(fresh, lane);
@@ -222,12 +223,12 @@ TEST_CASE("manifolds and what the solver needs of them are the same bits at 1, 4
         }
         FreshLanes first{};
         BoxPairs prepared = pairs;
-        laneCollider(1).collideBoxes(pairs.batch, pairs.lanes, pairs.place.data(), first);
+        laneCollider(1).collideBoxes(pairs.pairs, pairs.place.data(), first);
         laneCollider(1).prepare(prepared.batch, prepared.lanes, pairs.place.data(), velocity.data(), first, 60);
         for (const int lanes : {4, 8, 16}) {
             FreshLanes fresh{};
             BoxPairs again = pairs;
-            laneCollider(lanes).collideBoxes(pairs.batch, pairs.lanes, pairs.place.data(), fresh);
+            laneCollider(lanes).collideBoxes(pairs.pairs, pairs.place.data(), fresh);
             laneCollider(lanes).prepare(again.batch, again.lanes, pairs.place.data(), velocity.data(), fresh, 60);
             INFO("round " << round << ", " << lanes << " lanes");
             CHECK(sameBits(fresh, first));

@@ -48,10 +48,10 @@ struct BodyRecord {
     float rho = 1, inverseRho = 1;
     double inverseMass = 0, inverseInertia = 0;
     double gravityScale = 1;
-    double extent = 0;  ///< farthest point from the centre of mass [m]
+    double extent = 0;                                      ///< farthest point from the centre of mass [m]
     double core = std::numeric_limits<double>::infinity();  ///< radius of a disc that fits into each of its shapes [m]
-    Vec2 force{0, 0};   ///< over the next step [N]
-    double torque = 0;  ///< [N m]
+    Vec2 force{0, 0};                                       ///< over the next step [N]
+    double torque = 0;                                      ///< [N m]
     double linearDamping = 0, angularDamping = 0;
     double stillTime = 0;
     double mass = 0, inertia = 0;

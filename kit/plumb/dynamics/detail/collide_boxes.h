@@ -57,7 +57,7 @@ struct BoxCollider {
         F length;  ///< of the stretch that the faces share
     };
 
-    static View view(const RelativeLanes<W>& r, const ManifoldLanes& m, int lane) {
+    static View view(const RelativeLanes<W>& r, const PairLanes& m, int lane) {
         const F hax = at(m.halfXA + lane), hay = at(m.halfYA + lane);
         const F hbx = at(m.halfXB + lane), hby = at(m.halfYB + lane);
         const F cbx = at(m.centerXB + lane), cby = at(m.centerYB + lane);
@@ -236,9 +236,8 @@ struct BoxCollider {
         storeLanes(fresh.uncertain + lane, there > I{} ? uncertain : I{});
     }
 
-    static void collide(const ContactBatch& batch, const ManifoldLanes& m, int lane, const BodyPlace* places,
-                        FreshLanes& fresh) {
-        const RelativeLanes<W> r = relativeLanes<W>(batch, lane, places);
+    static void collide(const PairLanes& m, int lane, const BodyPlace* places, FreshLanes& fresh) {
+        const RelativeLanes<W> r = relativeLanes<W>(m.bodyA + lane, m.bodyB + lane, places);
         const View v = view(r, m, lane);
         const Faces f = faces(v, r.cos);
         const Result result = meet(v, f);

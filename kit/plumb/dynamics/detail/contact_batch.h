@@ -49,10 +49,17 @@ struct alignas(64) ManifoldPointLanes {
     Lanes<std::int32_t> feature;  ///< as in collide/manifold.h
 };
 
-/// What lanes need once a step, to find where their shapes touch. Parallel to the batches.
+/// Two boxes near each other in each lane: what it takes to find where they touch.
+struct alignas(64) PairLanes {
+    Lanes<std::uint32_t> bodyA, bodyB;                    ///< slots of the bodies; an empty lane has 0 and 0
+    Lanes<float> halfXA, halfYA, halfXB, halfYB;          ///< [m]
+    Lanes<float> centerXA, centerYA, centerXB, centerYB;  ///< from their body's centre of mass [m]
+    Lanes<std::uint32_t> proxyA, proxyB;
+};
+inline constexpr std::size_t pairRows = sizeof(PairLanes) / (sizeof(float) * batchLanes);
+
+/// What lanes keep from step to step of where their shapes touch. Parallel to the batches.
 struct alignas(64) ManifoldLanes {
-    Lanes<float> halfXA, halfYA, halfXB, halfYB;          ///< of boxes [m]
-    Lanes<float> centerXA, centerYA, centerXB, centerYB;  ///< of boxes, from their centre of mass [m]
     Lanes<float> restitution;
     Lanes<float> normalX, normalY;  ///< from A to B, in A's frame
     ManifoldPointLanes points[2];

@@ -2,7 +2,6 @@
 #include <plumb/dynamics/detail/contact_graph.h>
 
 #include <bit>
-#include <cstring>
 
 namespace plumb {
 
@@ -12,15 +11,6 @@ int freeColour(std::uint32_t used, int first, int end) {
     const std::uint32_t available = ~used & (~std::uint32_t{0} << first);
     const int colour = std::countr_zero(available);
     return colour < end ? colour : overflowColour;
-}
-
-/// Both structs are rows of sixteen 4-byte values, whatever their names.
-template <class Batch>
-void copyLane(Batch& to, std::size_t toLane, const Batch& from, std::size_t fromLane, std::size_t rows) {
-    unsigned char* target = reinterpret_cast<unsigned char*>(&to) + 4 * toLane;
-    const unsigned char* source = reinterpret_cast<const unsigned char*>(&from) + 4 * fromLane;
-    for (std::size_t row = 0; row < rows; ++row)
-        std::memcpy(target + 4 * batchLanes * row, source + 4 * batchLanes * row, 4);
 }
 
 void copyLane(Colour& to, std::size_t toSlot, const ContactBatch& batch, const ManifoldLanes& manifolds,
@@ -61,7 +51,9 @@ void ContactGraph::add(BodyStore& bodies, ContactStore& contacts, ContactIndex i
     if (slot % batchLanes == 0) {
         colour.batches.push_back(ContactBatch{});
         colour.manifolds.push_back(ManifoldLanes{});
+        if (contact.boxes) colour.pairs.push_back(PairLanes{});
     }
+    if (contact.boxes) fillPair(contacts, contact, colour.pairs.back(), slot % batchLanes);
     colour.contactOf.push_back(index);
     contact.slot = static_cast<std::uint32_t>(slot);
     copyLane(colour, slot, batch, manifolds, lane);
@@ -120,12 +112,17 @@ void ContactGraph::remove(BodyStore& bodies, ContactStore& contacts, ContactInde
     }
     copyLane(colour, slot, colour.batches.back(), colour.manifolds.back(), last % batchLanes);
     copyLane(colour, last, ContactBatch{}, ManifoldLanes{}, 0);
+    if (contact.boxes) {
+        copyLane(colour.pairs[slot / batchLanes], slot % batchLanes, colour.pairs.back(), last % batchLanes, pairRows);
+        copyLane(colour.pairs.back(), last % batchLanes, PairLanes{}, 0, pairRows);
+    }
     colour.contactOf[slot] = colour.contactOf[last];
     contacts.contacts[colour.contactOf[slot]].slot = static_cast<std::uint32_t>(slot);
     colour.contactOf.pop_back();
     if (last % batchLanes == 0) {
         colour.batches.pop_back();
         colour.manifolds.pop_back();
+        if (contact.boxes) colour.pairs.pop_back();
     }
     contact.colour = -1;
 }

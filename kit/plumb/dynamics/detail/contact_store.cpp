@@ -56,18 +56,50 @@ void ContactStore::remove(BodyStore& bodies, ContactIndex contact) {
 void ContactStore::addNear(ContactIndex contact) {
     ContactRecord& c = contacts[contact];
     if (c.nearIndex != none || c.colour >= 0) return;
-    c.nearIndex = static_cast<std::uint32_t>(near.size());
-    near.push_back(contact);
+    if (!c.watched && (c.touching || c.manifold.count > 0)) {
+        c.watched = true;
+        watched.push_back(contact);
+    }
+    std::vector<ContactIndex>& list = c.boxes ? nearBoxes.contactOf : near;
+    const std::size_t slot = list.size();
+    c.nearIndex = static_cast<std::uint32_t>(slot);
+    list.push_back(contact);
+    if (!c.boxes) return;
+    if (slot % batchLanes == 0) nearBoxes.lanes.push_back(PairLanes{});
+    fillPair(*this, c, nearBoxes.lanes.back(), slot % batchLanes);
 }
 
 void ContactStore::removeNear(ContactIndex contact) {
     ContactRecord& c = contacts[contact];
     if (c.nearIndex == none) return;
-    const ContactIndex last = near.back();
-    near[c.nearIndex] = last;
-    contacts[last].nearIndex = c.nearIndex;
-    near.pop_back();
+    std::vector<ContactIndex>& list = c.boxes ? nearBoxes.contactOf : near;
+    const std::size_t slot = c.nearIndex, last = list.size() - 1;
+    list[slot] = list[last];
+    contacts[list[slot]].nearIndex = static_cast<std::uint32_t>(slot);
+    list.pop_back();
     c.nearIndex = none;
+    if (!c.boxes) return;
+    copyLane(nearBoxes.lanes[slot / batchLanes], slot % batchLanes, nearBoxes.lanes.back(), last % batchLanes,
+             pairRows);
+    copyLane(nearBoxes.lanes.back(), last % batchLanes, PairLanes{}, 0, pairRows);
+    if (last % batchLanes == 0) nearBoxes.lanes.pop_back();
+}
+
+void fillPair(const ContactStore& store, const ContactRecord& contact, PairLanes& pairs, std::size_t lane) {
+    const BoxOutline& a = store.boxes[contact.proxyA];
+    const BoxOutline& b = store.boxes[contact.proxyB];
+    pairs.bodyA[lane] = contact.bodyA;
+    pairs.bodyB[lane] = contact.bodyB;
+    pairs.halfXA[lane] = a.halfX;
+    pairs.halfYA[lane] = a.halfY;
+    pairs.halfXB[lane] = b.halfX;
+    pairs.halfYB[lane] = b.halfY;
+    pairs.centerXA[lane] = a.centerX;
+    pairs.centerYA[lane] = a.centerY;
+    pairs.centerXB[lane] = b.centerX;
+    pairs.centerYB[lane] = b.centerY;
+    pairs.proxyA[lane] = contact.proxyA;
+    pairs.proxyB[lane] = contact.proxyB;
 }
 
 }  // namespace plumb

@@ -3,14 +3,26 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include <plumb/collide/manifold.h>
 #include <plumb/dynamics/detail/body_store.h>
+#include <plumb/dynamics/detail/box_outline.h>
+#include <plumb/dynamics/detail/contact_batch.h>
 
 namespace plumb {
 
 using ContactIndex = std::uint32_t;
+
+/// Copies a lane of a struct that is so many rows of sixteen 4-byte values, whatever their names.
+template <class Rows>
+void copyLane(Rows& to, std::size_t toLane, const Rows& from, std::size_t fromLane, std::size_t rows) {
+    unsigned char* target = reinterpret_cast<unsigned char*>(&to) + 4 * toLane;
+    const unsigned char* source = reinterpret_cast<const unsigned char*>(&from) + 4 * fromLane;
+    for (std::size_t row = 0; row < rows; ++row)
+        std::memcpy(target + 4 * batchLanes * row, source + 4 * batchLanes * row, 4);
+}
 
 /// Impulses of one point [N s].
 struct PointMemory {
@@ -32,7 +44,8 @@ struct ContactRecord {
     bool isolated = false;  ///< left to the impacts in this step, not to the solver
     int colour = -1;        ///< where the solver has it: entry of ContactGraph.colours, and slot; -1: nowhere
     std::uint32_t slot = 0;
-    std::uint32_t nearIndex = none;
+    std::uint32_t nearIndex = none;  ///< slot in ContactStore.nearBoxes or place in near
+    bool watched = false;
     Manifold manifold;                                                   ///< while it is not with the solver
     std::array<PointMemory, 2> memory;                                   ///< likewise
     float rollImpulse = 0;                                               ///< likewise
@@ -41,10 +54,21 @@ struct ContactRecord {
     std::array<ContactIndex, 2> previous{none, none}, next{none, none};  ///< in the lists of A and B
 };
 
+/// Near contacts of two boxes, in lanes; slot = batch * batchLanes + lane.
+struct NearBoxes {
+    std::vector<PairLanes> lanes;
+    std::vector<ContactIndex> contactOf;
+};
+
 struct ContactStore {
     std::vector<ContactRecord> contacts;
     std::vector<ContactIndex> free;
-    std::vector<ContactIndex> near;  ///< with a body awake, and not with the solver
+    std::vector<BoxOutline> boxes;  ///< of each proxy
+
+    // With a body awake, and not with the solver:
+    NearBoxes nearBoxes;
+    std::vector<ContactIndex> near;     ///< of other shapes
+    std::vector<ContactIndex> watched;  ///< those that were touching or had a manifold, until they have not; and more
 
     ContactIndex add(BodyStore& bodies, const ContactRecord& contact);
     void remove(BodyStore& bodies, ContactIndex contact);
@@ -52,6 +76,9 @@ struct ContactStore {
     void removeNear(ContactIndex contact);  ///< if it is
     int side(ContactIndex contact, BodyIndex body) const { return contacts[contact].bodyA == body ? 0 : 1; }
 };
+
+/// Puts the boxes of a contact into a lane.
+void fillPair(const ContactStore& store, const ContactRecord& contact, PairLanes& pairs, std::size_t lane);
 
 /// Calls visit(contact) for each contact of a body; visit may remove the one it gets.
 template <class Visit>

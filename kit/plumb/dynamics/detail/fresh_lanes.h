@@ -21,4 +21,6 @@ struct alignas(64) FreshLanes {
     Lanes<std::int32_t> uncertain;  ///< not 0: whether and how the two meet in this step takes a closer look
 };
 
+inline constexpr std::size_t freshRows = sizeof(FreshLanes) / (sizeof(float) * batchLanes);
+
 }  // namespace plumb

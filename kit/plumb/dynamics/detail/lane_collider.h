@@ -8,9 +8,8 @@
 namespace plumb {
 
 struct LaneCollider {
-    /// Where the boxes of a batch touch.
-    void (*collideBoxes)(const ContactBatch& batch, const ManifoldLanes& manifolds, const BodyPlace* places,
-                         FreshLanes& fresh);
+    /// Where boxes touch.
+    void (*collideBoxes)(const PairLanes& pairs, const BodyPlace* places, FreshLanes& fresh);
     /// Takes fresh manifolds into the batch.
     void (*prepare)(ContactBatch& batch, ManifoldLanes& manifolds, const BodyPlace* places,
                     const SolverVelocity* velocity, const FreshLanes& fresh, float inverseStep);

@@ -9,9 +9,8 @@ namespace plumb {
 
 template <int W>
 struct BatchCollider {
-    static void collideBoxes(const ContactBatch& batch, const ManifoldLanes& m, const BodyPlace* places,
-                             FreshLanes& fresh) {
-        for (int lane = 0; lane < batchLanes; lane += W) BoxCollider<W>::collide(batch, m, lane, places, fresh);
+    static void collideBoxes(const PairLanes& pairs, const BodyPlace* places, FreshLanes& fresh) {
+        for (int lane = 0; lane < batchLanes; lane += W) BoxCollider<W>::collide(pairs, lane, places, fresh);
     }
     static void prepare(ContactBatch& batch, ManifoldLanes& m, const BodyPlace* places, const SolverVelocity* velocity,
                         const FreshLanes& fresh, float inverseStep) {

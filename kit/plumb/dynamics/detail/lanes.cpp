@@ -5,14 +5,6 @@ namespace plumb {
 
 namespace {
 
-void fillBox(const BoxOutline& box, std::size_t lane, Lanes<float>& halfX, Lanes<float>& halfY, Lanes<float>& centerX,
-             Lanes<float>& centerY) {
-    halfX[lane] = box.halfX;
-    halfY[lane] = box.halfY;
-    centerX[lane] = box.centerX;
-    centerY[lane] = box.centerY;
-}
-
 void fillRolling(const WorldState& world, const ContactRecord& contact, ContactBatch& batch, std::size_t lane) {
     const BodyRecord& a = world.bodies.record[contact.bodyA];
     const BodyRecord& b = world.bodies.record[contact.bodyB];
@@ -35,10 +27,6 @@ void fillLane(const WorldState& world, const ContactRecord& contact, ContactBatc
     batch.roundB[lane] = world.bodies.record[contact.bodyB].rho * world.proxyB(contact).convex.radius;
     batch.beltSpeed[lane] = contact.beltSpeed;
     fillRolling(world, contact, batch, lane);
-    fillBox(world.boxes[contact.proxyA], lane, manifolds.halfXA, manifolds.halfYA, manifolds.centerXA,
-            manifolds.centerYA);
-    fillBox(world.boxes[contact.proxyB], lane, manifolds.halfXB, manifolds.halfYB, manifolds.centerXB,
-            manifolds.centerYB);
     manifolds.restitution[lane] = static_cast<float>(contact.restitution);
     manifolds.touching[lane] = contact.touching ? 1 : 0;
     manifolds.count[lane] = contact.manifold.count;

@@ -49,31 +49,30 @@ bool isUncertain(const FreshLanes& fresh) {
     return std::any_of(std::begin(fresh.uncertain), std::end(fresh.uncertain), [](std::int32_t u) { return u != 0; });
 }
 
-/// Contacts in the lanes of one batch.
-struct LaneContacts {
-    const ContactIndex* contacts = nullptr;
-    std::size_t count = 0;
-    bool boxes = false;
-};
-
-/// Finds the manifolds of all lanes.
-void collideLanes(const WorldState& world, const LaneContacts& lanes, const ContactBatch& batch,
-                  const ManifoldLanes& manifolds, FreshLanes& fresh, double dt) {
-    const auto contactAt = [&](std::size_t lane) -> const ContactRecord& {
-        return world.contacts.contacts[lanes.contacts[lane]];
-    };
-    if (!lanes.boxes) {
-        for (std::size_t lane = 0; lane < lanes.count; ++lane)
-            setFresh(fresh, lane, manifoldOf(world, contactAt(lane), dt));
-        for (std::size_t lane = lanes.count; lane < batchLanes; ++lane) setFresh(fresh, lane, {});
-        return;
-    }
-    world.collider->collideBoxes(batch, manifolds, world.bodies.place.data(), fresh);
+/// Takes a closer look at the lanes of which the boxes alone do not say whether they meet.
+void settleUncertain(const WorldState& world, const ContactIndex* contacts, std::size_t count, FreshLanes& fresh,
+                     double dt) {
     if (!isUncertain(fresh)) return;
-    for (std::size_t lane = 0; lane < lanes.count; ++lane) {
+    for (std::size_t lane = 0; lane < count; ++lane) {
         if (fresh.uncertain[lane] == 0) continue;
-        const ContactRecord& contact = contactAt(lane);
+        const ContactRecord& contact = world.contacts.contacts[contacts[lane]];
         setFresh(fresh, lane, foreseen(world, contact, approachOf(world, contact).margin, dt));
+    }
+}
+
+void collideBoxes(const WorldState& world, const PairLanes& pairs, const ContactIndex* contacts, std::size_t count,
+                  FreshLanes& fresh, double dt) {
+    world.collider->collideBoxes(pairs, world.bodies.place.data(), fresh);
+    settleUncertain(world, contacts, count, fresh, dt);
+}
+
+/// One by one; lanes beyond count get no points.
+void collideOthers(const WorldState& world, const ContactIndex* contacts, std::size_t count, FreshLanes& fresh,
+                   double dt) {
+    for (std::size_t lane = 0; lane < batchLanes; ++lane) {
+        const Manifold found =
+            lane < count ? manifoldOf(world, world.contacts.contacts[contacts[lane]], dt) : Manifold{};
+        setFresh(fresh, lane, found);
     }
 }
 
@@ -89,8 +88,11 @@ void collideColour(WorldState& world, std::size_t index, std::vector<ContactInde
     for (std::size_t b = 0; b < colour.batches.size(); ++b) {
         const std::size_t first = b * batchLanes;
         const std::size_t count = std::min<std::size_t>(batchLanes, colour.contactOf.size() - first);
-        const LaneContacts lanes{&colour.contactOf[first], count, index % 2 == 0};
-        collideLanes(world, lanes, colour.batches[b], colour.manifolds[b], fresh, dt);
+        const ContactIndex* contacts = &colour.contactOf[first];
+        if (index % 2 == 0)
+            collideBoxes(world, colour.pairs[b], contacts, count, fresh, dt);
+        else
+            collideOthers(world, contacts, count, fresh, dt);
         prepareLanes(world, colour.batches[b], colour.manifolds[b], fresh, dt);
         for (std::size_t lane = 0; lane < count; ++lane)
             if (fresh.count[lane] == 0) parted.push_back(colour.contactOf[first + lane]);
@@ -105,77 +107,83 @@ void wakeTouched(WorldState& world, const ContactRecord& contact, const FreshLan
         if (world.bodies.isDynamic(body) && !world.bodies.record[body].awake) wakeIsland(world, body);
 }
 
-/// Up to sixteen near contacts of one kind, on their way through the kernels.
-struct NearBatch {
-    ContactBatch batch{};
-    ManifoldLanes manifolds{};
-    ContactIndex contacts[batchLanes];
-    std::size_t count = 0;
-};
-
 /// What has come to touch, with what has been found of it.
 struct Arrivals {
-    std::vector<NearBatch> batches;
-    struct Lane {
-        std::size_t batch, lane;
+    struct Batch {
+        ContactBatch batch{};
+        ManifoldLanes manifolds{};
+        FreshLanes fresh{};
+        ContactIndex contacts[batchLanes];
+        std::size_t count = 0;
     };
-    std::vector<Lane> lanes;
+    std::vector<Batch> batches;
 };
 
-void collideNear(WorldState& world, NearBatch& near, bool boxes, Arrivals& arrivals, double dt) {
-    if (near.count == 0) return;
-    FreshLanes fresh;
-    for (std::size_t lane = near.count; lane < batchLanes; ++lane) {
-        near.batch.bodyA[lane] = near.batch.bodyB[lane] = noBody;
-        near.manifolds.count[lane] = 0;
+void addArrival(WorldState& world, Arrivals& arrivals, ContactIndex index, const FreshLanes& fresh, std::size_t lane) {
+    const ContactRecord& contact = world.contacts.contacts[index];
+    wakeTouched(world, contact, fresh, lane);
+    if (arrivals.batches.empty() || arrivals.batches.back().count == batchLanes) arrivals.batches.emplace_back();
+    Arrivals::Batch& batch = arrivals.batches.back();
+    batch.contacts[batch.count] = index;
+    fillLane(world, contact, batch.batch, batch.manifolds, batch.count);
+    copyLane(batch.fresh, batch.count, fresh, lane, freshRows);
+    ++batch.count;
+}
+
+/// Contacts whose boxes have parted are over.
+void removeParted(WorldState& world) {
+    NearBoxes& boxes = world.contacts.nearBoxes;
+    for (std::size_t slot = 0; slot < boxes.contactOf.size();) {
+        const PairLanes& pairs = boxes.lanes[slot / batchLanes];
+        const std::size_t lane = slot % batchLanes;
+        if (world.space.boxesOverlap(pairs.proxyA[lane], pairs.proxyB[lane]))
+            ++slot;
+        else
+            removeContact(world, boxes.contactOf[slot]);
     }
-    collideLanes(world, {near.contacts, near.count, boxes}, near.batch, near.manifolds, fresh, dt);
-    bool arrived = false;
-    for (std::size_t lane = 0; lane < near.count; ++lane) {
-        if (fresh.count[lane] > 0) wakeTouched(world, world.contacts.contacts[near.contacts[lane]], fresh, lane);
-        arrived = arrived || fresh.count[lane] > 0;
+    std::vector<ContactIndex>& near = world.contacts.near;
+    for (std::size_t i = 0; i < near.size();) {
+        const ContactRecord& contact = world.contacts.contacts[near[i]];
+        if (world.space.boxesOverlap(contact.proxyA, contact.proxyB))
+            ++i;
+        else
+            removeContact(world, near[i]);
     }
-    if (arrived) prepareLanes(world, near.batch, near.manifolds, fresh, dt);
-    for (std::size_t lane = 0; lane < near.count; ++lane) {
-        world.contacts.contacts[near.contacts[lane]].manifold.count = fresh.count[lane];
-        if (fresh.count[lane] > 0) arrivals.lanes.push_back({arrivals.batches.size(), lane});
-    }
-    if (arrived) arrivals.batches.push_back(near);
-    near.count = 0;
 }
 
 /// Contacts that a wake-up adds while this goes on are looked at as well.
-void collideAllNear(WorldState& world, Arrivals& arrivals, double dt) {
-    NearBatch boxes, others;
-    std::vector<ContactIndex>& near = world.contacts.near;
-    for (std::size_t i = 0; i < near.size();) {
-        const ContactIndex index = near[i];
-        ContactRecord& contact = world.contacts.contacts[index];
-        contact.isolated = false;
-        if (!world.space.boxesOverlap(contact.proxyA, contact.proxyB)) {
-            removeContact(world, index);
-        } else {
-            NearBatch& batch = contact.boxes ? boxes : others;
-            fillLane(world, contact, batch.batch, batch.manifolds, batch.count);
-            batch.contacts[batch.count++] = index;
-            if (batch.count == batchLanes) collideNear(world, batch, contact.boxes, arrivals, dt);
-            ++i;
-        }
-        if (i == near.size()) {
-            collideNear(world, boxes, true, arrivals, dt);
-            collideNear(world, others, false, arrivals, dt);
-        }
+void collideNear(WorldState& world, Arrivals& arrivals, double dt) {
+    ContactStore& store = world.contacts;
+    for (const ContactIndex index : store.watched) store.contacts[index].manifold.count = 0;
+    FreshLanes fresh;
+    std::size_t boxes = 0, others = 0;
+    while (boxes < store.nearBoxes.contactOf.size() || others < store.near.size()) {
+        const bool isBoxes = boxes < store.nearBoxes.contactOf.size();
+        std::size_t& done = isBoxes ? boxes : others;
+        const std::vector<ContactIndex>& list = isBoxes ? store.nearBoxes.contactOf : store.near;
+        const std::size_t first = done - done % batchLanes;
+        const std::size_t count = std::min<std::size_t>(batchLanes, list.size() - first);
+        if (isBoxes)
+            collideBoxes(world, store.nearBoxes.lanes[first / batchLanes], &list[first], count, fresh, dt);
+        else
+            collideOthers(world, &list[first], count, fresh, dt);
+        const std::size_t start = done - first;
+        done = first + count;
+        for (std::size_t lane = start; lane < count; ++lane)
+            if (fresh.count[lane] > 0) addArrival(world, arrivals, list[first + lane], fresh, lane);
     }
 }
 
-/// Into a slot, if anything can come of it; else back into its record.
-void settle(WorldState& world, const NearBatch& near, std::size_t lane) {
-    const ContactIndex index = near.contacts[lane];
-    const ContactRecord& contact = world.contacts.contacts[index];
-    world.graph.add(world.bodies, world.contacts, index, near.batch, near.manifolds, lane);
-    if (bodiesReady(world, contact)) return;
-    world.graph.remove(world.bodies, world.contacts, index);
-    world.contacts.addNear(index);
+/// Into slots, if anything can come of it; else back into their records.
+void settle(WorldState& world, Arrivals::Batch& arrived, double dt) {
+    prepareLanes(world, arrived.batch, arrived.manifolds, arrived.fresh, dt);
+    for (std::size_t lane = 0; lane < arrived.count; ++lane) {
+        const ContactIndex index = arrived.contacts[lane];
+        world.graph.add(world.bodies, world.contacts, index, arrived.batch, arrived.manifolds, lane);
+        if (bodiesReady(world, world.contacts.contacts[index])) continue;
+        world.graph.remove(world.bodies, world.contacts, index);
+        world.contacts.addNear(index);
+    }
 }
 
 void part(WorldState& world, ContactIndex index) {
@@ -198,10 +206,11 @@ bool bodiesReady(const WorldState& world, const ContactRecord& contact) {
 void findContacts(WorldState& world, double dt) {
     std::vector<ContactIndex> parted;
     for (std::size_t index = 0; index < world.graph.colours.size(); ++index) collideColour(world, index, parted, dt);
+    removeParted(world);
     Arrivals arrivals;
-    collideAllNear(world, arrivals, dt);
+    collideNear(world, arrivals, dt);
     for (const ContactIndex index : parted) part(world, index);
-    for (const Arrivals::Lane& at : arrivals.lanes) settle(world, arrivals.batches[at.batch], at.lane);
+    for (Arrivals::Batch& batch : arrivals.batches) settle(world, batch, dt);
 }
 
 }  // namespace plumb

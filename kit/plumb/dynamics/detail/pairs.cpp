@@ -18,7 +18,7 @@ constexpr double boxMargin = 0.02;
 constexpr double roughest = 1e6;
 
 Aabb tightBox(const WorldState& world, ProxyId proxy, const BodyMotion& motion, const Transform& pose) {
-    const BoxOutline& box = world.boxes[proxy];
+    const BoxOutline& box = world.contacts.boxes[proxy];
     if (!box.is) return aabbOf(world.space[proxy].def.shape, pose);
     const double c = motion.rotation.cos;
     const double s = motion.rotation.sin;
@@ -63,7 +63,7 @@ ContactRecord contactOf(const WorldState& world, const Pair& pair) {
     contact.proxyB = pair.b;
     contact.bodyA = a.owner;
     contact.bodyB = b.owner;
-    contact.boxes = world.boxes[pair.a].is && world.boxes[pair.b].is;
+    contact.boxes = world.contacts.boxes[pair.a].is && world.contacts.boxes[pair.b].is;
     contact.friction = std::min(mixed(ma.friction, mb.friction, ma.frictionMix, mb.frictionMix), roughest);
     contact.restitution = mixed(ma.restitution, mb.restitution, ma.restitutionMix, mb.restitutionMix);
     const double reach = std::max(ma.rollingResistance, mb.rollingResistance) * roundingOf(a, b);
@@ -99,7 +99,7 @@ void placeBody(WorldState& world, BodyIndex body, double dt) {
     for (const ProxyId proxy : record.proxies) {
         const Aabb now = inflate(tightBox(world, proxy, motion, pose), 0.5 * static_cast<double>(contactMargin) + turn);
         Aabb swept = merge(now, {now.lower + shift, now.upper + shift});
-        if (world.boxes[proxy].bounces) swept = inflate(now, shift.norm());  // it may bounce any way
+        if (world.contacts.boxes[proxy].bounces) swept = inflate(now, shift.norm());  // it may bounce any way
         world.space.place(proxy, swept, boxMargin);
     }
 }

@@ -2,7 +2,6 @@
 // How do the two bodies of each lane stand to each other?
 #pragma once
 #include <plumb/dynamics/detail/body_place.h>
-#include <plumb/dynamics/detail/contact_batch.h>
 #include <plumb/math/detail/wide_ops.h>
 #include <plumb/math/detail/wide_rows.h>
 
@@ -20,11 +19,10 @@ struct RelativeLanes {
 };
 
 template <int W>
-[[gnu::always_inline]] inline RelativeLanes<W> relativeLanes(const ContactBatch& batch, int lane, const BodyPlace* places) {
+[[gnu::always_inline]] inline RelativeLanes<W> relativeLanes(const std::uint32_t* a, const std::uint32_t* b,
+                                                             const BodyPlace* places) {
     using F = typename Wide<W>::Float;
     const float* rows = &places->highX;
-    const std::uint32_t* a = batch.bodyA + lane;
-    const std::uint32_t* b = batch.bodyB + lane;
     const Rows<W> placeA = loadRows<W, 16>(rows, a), placeB = loadRows<W, 16>(rows, b);
     const Rows<W> angleA = loadRows<W, 16>(rows + 4, a), angleB = loadRows<W, 16>(rows + 4, b);
     const Rows<W> reachA = loadRows<W, 16>(rows + 8, a), reachB = loadRows<W, 16>(rows + 8, b);

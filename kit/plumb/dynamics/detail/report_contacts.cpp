@@ -2,6 +2,7 @@
 #include <plumb/dynamics/detail/report_contacts.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace plumb {
 
@@ -74,16 +75,22 @@ void reportBatch(WorldState& world, Colour& colour, std::size_t b) {
     }
 }
 
+/// Reports a contact that the solver does not have; false when there will be no more to report of it.
+bool stillWatched(WorldState& world, ContactIndex index) {
+    ContactRecord& contact = world.contacts.contacts[index];
+    const bool near = contact.alive && contact.nearIndex != none;
+    const bool told = contact.isolated && contact.memory[0].totalNormal > 0;  // by the impacts
+    if (near && !told) reportContact(world, contact);
+    contact.watched = near && (contact.touching || contact.manifold.count > 0);
+    return contact.watched;
+}
+
 }  // namespace
 
 void reportContacts(WorldState& world) {
     for (Colour& colour : world.graph.colours)
         for (std::size_t b = 0; b < colour.batches.size(); ++b) reportBatch(world, colour, b);
-    for (const ContactIndex index : world.contacts.near) {
-        ContactRecord& contact = world.contacts.contacts[index];
-        if (contact.isolated && contact.memory[0].totalNormal > 0) continue;  // the impacts have told
-        if (contact.touching || contact.manifold.count > 0) reportContact(world, contact);
-    }
+    std::erase_if(world.contacts.watched, [&world](ContactIndex index) { return !stillWatched(world, index); });
 }
 
 }  // namespace plumb

@@ -118,12 +118,15 @@ void flyGroup(WorldState& world, std::span<const ContactIndex> group, double dt)
 }  // namespace
 
 void sortOutContacts(WorldState& world, double dt) {
+    for (const ContactIndex index : world.isolated) world.contacts.contacts[index].isolated = false;
+    world.isolated.clear();
     std::vector<ContactIndex> candidates = findCandidates(world);
     if (candidates.empty()) return;
     const std::vector<ContactIndex> doubtful = candidates;
     keepOnly(world, candidates, [](const ContactRecord&) { return true; });
     keepOnly(world, candidates, [&](const ContactRecord& contact) { return bouncesClear(world, contact, dt); });
     addWatched(world, candidates);
+    world.isolated = candidates;
     for (const std::vector<ContactIndex>& group : groupsOf(world, candidates))
         if (!group.empty()) flyGroup(world, group, dt);
     for (const ContactIndex index : doubtful) {

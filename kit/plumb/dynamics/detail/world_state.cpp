@@ -12,26 +12,6 @@ void moveTo(WorldState& world, BodyIndex body, const BodyMotion& motion) {
         quarantineLater(world, body);
 }
 
-BoxOutline boxOutlineOf(const ShapeDef& shape, const Vec2& centerOfMass) {
-    BoxOutline outline;
-    outline.bounces = shape.material.restitution > 0;
-    const auto* polygon = std::get_if<Polygon>(&shape.shape);
-    if (polygon == nullptr || polygon->vertices.size() != 4 || polygon->radius != 0) return outline;
-    for (std::size_t i = 0; i < 4; ++i) {
-        const Vec2 edge = polygon->vertices[(i + 1) % 4] - polygon->vertices[i];
-        if (edge.x() != 0 && edge.y() != 0) return outline;
-    }
-    const Aabb box = aabbOf(shape.shape, {});
-    const Vec2 half = 0.5 * (box.upper - box.lower);
-    const Vec2 center = 0.5 * (box.upper + box.lower) - centerOfMass;
-    outline.is = true;
-    outline.halfX = static_cast<float>(half.x());
-    outline.halfY = static_cast<float>(half.y());
-    outline.centerX = static_cast<float>(center.x());
-    outline.centerY = static_cast<float>(center.y());
-    return outline;
-}
-
 Vec2 normalOf(const WorldState& world, const ContactRecord& contact) {
     return world.bodies.motion[contact.bodyA].rotation * Vec2(world.graph.manifoldOf(contact).normal.cast<double>());
 }

@@ -25,15 +25,6 @@ struct JointRecord {
     double solvedStep = 0;  ///< the step it was last solved in [s]
 };
 
-/// A shape that is a box without rounding and lies straight in its body's frame, as the lanes see it.
-struct BoxOutline {
-    bool is = false;
-    bool bounces = false;            ///< the shape's material does, whatever the shape
-    float halfX = 0, halfY = 0;      ///< [m]
-    float centerX = 0, centerY = 0;  ///< from the body's centre of mass [m]
-};
-BoxOutline boxOutlineOf(const ShapeDef& shape, const Vec2& centerOfMass);
-
 struct WorldState {
     WorldDef def;
     std::uint32_t id = 0;
@@ -42,7 +33,6 @@ struct WorldState {
 
     BodyStore bodies;
     Space space;
-    std::vector<BoxOutline> boxes;  ///< of each proxy
     ContactStore contacts;
     ContactGraph graph;
     std::vector<JointRecord> joints;
@@ -54,7 +44,8 @@ struct WorldState {
     std::vector<ContactEnd> ends;
     std::size_t reportedEnds = 0;  ///< of ends: those of the last step; what was removed since comes after them
     std::vector<Quarantined> quarantines;
-    std::vector<BodyIndex> unsound;  ///< to be put in quarantine
+    std::vector<BodyIndex> unsound;      ///< to be put in quarantine
+    std::vector<ContactIndex> isolated;  ///< contacts left to the impacts in the last step that had such
     const LaneCollider* collider = nullptr;
 
     BodyId idOf(BodyIndex body) const { return {body, bodies.record[body].generation, id}; }

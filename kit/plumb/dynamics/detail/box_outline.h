@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Which shapes can be collided side by side? Boxes that are not rounded and lie straight in their body's frame.
+#pragma once
+#include <plumb/space/shape_def.h>
+
+namespace plumb {
+
+/// A shape as the lanes see it.
+struct BoxOutline {
+    bool is = false;                 ///< such a box
+    bool bounces = false;            ///< the shape's material does, whatever the shape
+    float halfX = 0, halfY = 0;      ///< [m]
+    float centerX = 0, centerY = 0;  ///< from the body's centre of mass [m]
+};
+BoxOutline boxOutlineOf(const ShapeDef& shape, const Vec2& centerOfMass);
+
+}  // namespace plumb
