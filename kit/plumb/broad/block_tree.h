@@ -2,6 +2,7 @@
 // Where does each of a crowd of boxes lie? In an implicit hierarchy that follows them as they move.
 #pragma once
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -71,11 +72,16 @@ public:
 
     void touch(std::uint32_t slot);
     void touchAll();
-    /// Makes the bounds hold the boxes again, where slots were touched; or everywhere.
+    /// Makes the bounds hold the boxes again, where slots were touched; or everywhere. Nothing is to be touched from
+    /// then until settle.
     void refitTouched();
     void refitAll();
     /// From now on nothing is touched, and what is now is what was.
     void settle();
+
+    /// Calls visit(slot) for every box that may overlap the given one, as far as floats can tell: for none too few.
+    template <class Visit>
+    void query(const Bounds& box, Visit&& visit) const;
 
     /// The sum of half perimeters over the blocks of slots [m]: grows as the order grows stale.
     double looseness() const;
@@ -86,6 +92,17 @@ private:
         block.lowerY[lane] = bounds.lowerY;
         block.upperX[lane] = bounds.upperX;
         block.upperY[lane] = bounds.upperY;
+    }
+    static std::uint32_t notAbove(float a, float b) { return a <= b ? 1 : 0; }
+    // Bit i tells whether the block's box i overlaps. Without branches, so that compilers can make it wide.
+    static std::uint32_t overlaps(const BoxBlock& block, const Bounds& box) {
+        std::uint32_t lanes = 0;
+        for (std::uint32_t i = 0; i < width; ++i) {
+            lanes |= (notAbove(block.lowerX[i], box.upperX) & notAbove(box.lowerX, block.upperX[i]) &
+                      notAbove(block.lowerY[i], box.upperY) & notAbove(box.lowerY, block.upperY[i]))
+                     << i;
+        }
+        return lanes;
     }
     Bounds refitBlock(std::size_t level, std::uint32_t block);
     void grow();
@@ -100,5 +117,27 @@ private:
     std::vector<BoxBlock> previous_;
     std::vector<std::uint32_t> touchedBlocks_;
 };
+
+template <class Visit>
+void BlockTree::query(const Bounds& box, Visit&& visit) const {
+    struct Place {
+        std::uint32_t level, block;
+    };
+    if (levelCount_ == 0) return;
+    // Each place taken off puts at most 16 on, one level down.
+    std::array<Place, maxLevels*(width - 1) + 1> stack;
+    std::size_t size = 0;
+    stack[size++] = {static_cast<std::uint32_t>(levelCount_ - 1), 0};
+    while (size > 0) {
+        const Place place = stack[--size];
+        for (std::uint32_t lanes = overlaps(levels_[place.level][place.block], box); lanes != 0; lanes &= lanes - 1) {
+            const std::uint32_t i = place.block * width + static_cast<std::uint32_t>(std::countr_zero(lanes));
+            if (place.level == 0)
+                visit(i);
+            else
+                stack[size++] = {place.level - 1, i};
+        }
+    }
+}
 
 }  // namespace plumb

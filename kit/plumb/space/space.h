@@ -26,8 +26,29 @@ struct Proxy {
     bool alive = false;
 };
 
+/// What decides whether two shapes may collide: little, for it is asked often.
+struct Gate {
+    std::uint64_t category = 1, mask = ~std::uint64_t{0};
+    std::uint32_t owner = 0;
+    int group = 0;
+    bool fixed = false;
+};
+
+inline bool mayPair(const Gate& a, const Gate& b) {
+    if (a.owner == b.owner || (a.fixed && b.fixed)) return false;
+    if (a.group != 0 && a.group == b.group) return a.group > 0;
+    return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
+}
+
+inline Gate gateOf(const Proxy& proxy) {
+    const Filter& filter = proxy.def.filter;
+    return {filter.category, filter.mask, proxy.owner, filter.group, proxy.fixed};
+}
+
 /// May these two collide, as far as owner and filter go?
-bool mayPair(const Proxy& a, const Proxy& b);
+inline bool mayPair(const Proxy& a, const Proxy& b) {
+    return mayPair(gateOf(a), gateOf(b));
+}
 
 /// What the last look for pairs took, counted, so that it is the same on any machine.
 struct SpaceWork {
@@ -40,6 +61,8 @@ struct SpaceWork {
 /// Shapes with boxes that are larger than they need be, so that what rests or creeps is not looked at again.
 /// Three hierarchies: of what was placed lately, of what was not, and of what is fixed. A look for pairs costs in
 /// proportion to what was placed anew since the last; all else is only met where it lies in the way.
+/// The hierarchies are of floats, counted from near what moves, and find a few pairs too many; what they find is tested
+/// in double.
 class Space {
 public:
     /// lanes: boxes tested at once, 1, 4, 8 or 16; no more than the machine has. The pairs are the same for any.
@@ -62,6 +85,10 @@ public:
     /// Boxes overlap now and did not at the last call: sorted, each once; holds until the next call. Pairs whose boxes
     /// overlapped before are the owner's to remember for as long as they do.
     const SortedPairs& takeNewPairs();
+
+    /// Calls visit(id) for each shape whose box overlaps or touches the given one, wherever it was placed by now.
+    template <class Visit>
+    void query(const Aabb& box, Visit&& visit) const;
 
     const Proxy& operator[](ProxyId proxy) const { return proxies_[proxy]; }
     /// Holds the shape, with room to spare.
@@ -87,30 +114,23 @@ private:
         std::uint32_t slot = 0;
         std::uint32_t lastPlaced = 0;  ///< the look that found it placed
         Home home = Home::None;
-        bool alive = false, fixed = false;
+        bool fixed = false;
         bool moved = false;   ///< has a new box since the last look
         bool fresh = false;   ///< had none at the last look, or is to be taken as if
         bool listed = false;  ///< stands in moved_
     };
-    /// What decides on pairs, close together.
-    struct Gate {
-        std::uint64_t category = 0, mask = 0;
-        std::uint32_t owner = 0;
-        int group = 0;
-        bool fixed = false;
-    };
+    /// Shapes that have one hierarchy in common, and what tells whether its order is still good.
     struct Crowd {
         BlockTree tree;
-        std::uint32_t changes = 0;  ///< added and taken out since its order was made
-        double looseness = 0;       ///< when its order was made [m]
-        std::uint32_t moved = 0;    ///< how many of it did since the last look
-        bool allMoved = false;      ///< so many did that all are taken to have
-        bool refit = false;         ///< all of its bounds are to be made anew
-        bool stale = false;         ///< its order is to be made anew
+        std::uint32_t changes = 0;   ///< added and taken out since its order was made
+        std::uint64_t placings = 0;  ///< of its members since then
+        double looseness = 0;        ///< when its order was made [m]
+        std::uint32_t moved = 0;     ///< how many of it did since the last look
+        bool allMoved = false;       ///< so many did that all are taken to have
+        bool refit = false;          ///< all of its bounds are to be made anew
+        bool loose = false;          ///< its blocks have grown since
     };
     struct Finding;
-
-    static bool mayPair(const Gate& a, const Gate& b);
 
     void renewBox(ProxyId proxy, const Aabb& tight, double margin);
     void markMoved(ProxyId proxy);
@@ -121,6 +141,7 @@ private:
     void leave(ProxyId proxy);
     void enter(ProxyId proxy, Home home);
     void seatMoved();
+    bool isStale(const Crowd& crowd) const;
     void bringUp(Crowd& crowd);
     void sort(Crowd& crowd);
     void fill(Crowd& crowd);
@@ -151,5 +172,19 @@ private:
     std::vector<ProxyId> unsorted_, sorted_;
     RadixSort<Pair, 8> pairSort_;
 };
+
+template <class Visit>
+void Space::query(const Aabb& box, Visit&& visit) const {
+    const Bounds bounds = BoundsRounding(origin_)(box);
+    for (const Crowd& crowd : crowds_) {
+        crowd.tree.query(bounds, [&](std::uint32_t slot) {
+            const ProxyId id = crowd.tree.members()[slot];
+            if (!seats_[id].moved && overlap(placed_[id].box, box)) visit(id);
+        });
+    }
+    // The hierarchies have these where they were at the last look.
+    for (const ProxyId id : moved_)
+        if (seats_[id].moved && overlap(placed_[id].box, box)) visit(id);
+}
 
 }  // namespace plumb

@@ -98,3 +98,27 @@ TEST_CASE("the hundred largest of 10,000 boxes come last", "[broad]") {
     CHECK(std::all_of(order.end() - 100, order.end(), large));
     CHECK(std::none_of(order.begin(), order.end() - 100, large));
 }
+
+TEST_CASE("of 16,000 boxes in a column that trembles sideways, sixteen that follow each other are neighbours",
+          "[broad]") {
+    plumb::Random random(83);
+    for (const bool upright : {true, false}) {
+        Boxes boxes;
+        for (int i = 0; i < 16'000; ++i) {
+            const double tremble = random.uniform(-0.1, 0.1);
+            boxes.push_back(around(upright ? Vec2(tremble, i) : Vec2(i, tremble), 0.5));
+        }
+        // Eight of a row are 9 m long and 1.2 m wide at most; runs of more than eight in a cell are divided anew.
+        CHECK(blockSize(boxes) < 1.5 * 10.2);
+    }
+}
+
+TEST_CASE("one sort does for many crowds", "[broad]") {
+    plumb::Random random(89);
+    plumb::MortonSort sort;
+    for (const int count : {500, 3, 0, 2000, 40}) {
+        const Boxes boxes = evenBoxes(count, random);
+        const auto order = sort(boxes, runLimit);
+        CHECK((Order(order.begin(), order.end()) == plumb::mortonOrder(boxes, runLimit)));
+    }
+}

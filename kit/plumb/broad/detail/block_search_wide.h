@@ -53,6 +53,9 @@ private:
     static std::uint32_t lowestBit(std::uint32_t bits);
     static std::uint32_t countOf(std::uint32_t bits);
     static std::uint32_t bitsOf(const Mask& mask);
+    static Mask both(const Mask& a, const Mask& b);
+    static Mask overlap(const float* boxes, const Box& box);
+    static Mask overlapBeyondEdges(const float* boxes, const Box& box);
     static std::uint32_t overlaps(const float* boxes, const Box& box);
     static std::uint32_t newOverlaps(const float* boxes, const float* were, const Box& box, const Box& was);
     static std::uint32_t lanesFrom(std::uint32_t block, const Place& place);
@@ -144,29 +147,45 @@ template <int W>
 }
 
 template <int W>
+[[gnu::always_inline]] inline typename WideBlockSearch<W>::Mask WideBlockSearch<W>::both(const Mask& a, const Mask& b) {
+    if constexpr (W == 1)
+        return a && b;
+    else
+        return a & b;
+}
+
+template <int W>
+[[gnu::always_inline]] inline typename WideBlockSearch<W>::Mask WideBlockSearch<W>::overlap(const float* boxes,
+                                                                                            const Box& box) {
+    const Mask x = both(loadLanes<W>(boxes + lowerX) <= box.upperX, loadLanes<W>(boxes + upperX) >= box.lowerX);
+    const Mask y = both(loadLanes<W>(boxes + lowerY) <= box.upperY, loadLanes<W>(boxes + upperY) >= box.lowerY);
+    return both(x, y);
+}
+
+template <int W>
+[[gnu::always_inline]] inline typename WideBlockSearch<W>::Mask WideBlockSearch<W>::overlapBeyondEdges(
+    const float* boxes, const Box& box) {
+    const Mask x = both(loadLanes<W>(boxes + lowerX) < box.upperX, loadLanes<W>(boxes + upperX) > box.lowerX);
+    const Mask y = both(loadLanes<W>(boxes + lowerY) < box.upperY, loadLanes<W>(boxes + upperY) > box.lowerY);
+    return both(x, y);
+}
+
+template <int W>
 [[gnu::always_inline]] inline std::uint32_t WideBlockSearch<W>::overlaps(const float* boxes, const Box& box) {
     std::uint32_t bits = 0;
-    for (std::uint32_t i = 0; i < width; i += W) {
-        const Mask mask =
-            (loadLanes<W>(boxes + lowerX + i) <= box.upperX) & (loadLanes<W>(boxes + upperX + i) >= box.lowerX) &
-            (loadLanes<W>(boxes + lowerY + i) <= box.upperY) & (loadLanes<W>(boxes + upperY + i) >= box.lowerY);
-        bits |= bitsOf(mask) << i;
-    }
+    for (std::uint32_t i = 0; i < width; i += W) bits |= bitsOf(overlap(boxes + i, box)) << i;
     return bits;
 }
 
-// They overlap unless edges tell otherwise; they did overlap if by more than an edge: so no rounding hides a pair.
+// They may overlap if they do in float; they did for sure if they did by more than an edge: so no rounding hides a
+// pair.
 template <int W>
 [[gnu::always_inline]] inline std::uint32_t WideBlockSearch<W>::newOverlaps(const float* boxes, const float* were,
                                                                             const Box& box, const Box& was) {
     std::uint32_t bits = 0;
     for (std::uint32_t i = 0; i < width; i += W) {
-        const Mask now =
-            (loadLanes<W>(boxes + lowerX + i) <= box.upperX) & (loadLanes<W>(boxes + upperX + i) >= box.lowerX) &
-            (loadLanes<W>(boxes + lowerY + i) <= box.upperY) & (loadLanes<W>(boxes + upperY + i) >= box.lowerY);
-        const Mask then =
-            (loadLanes<W>(were + lowerX + i) < was.upperX) & (loadLanes<W>(were + upperX + i) > was.lowerX) &
-            (loadLanes<W>(were + lowerY + i) < was.upperY) & (loadLanes<W>(were + upperY + i) > was.lowerY);
+        const Mask now = overlap(boxes + i, box);
+        const Mask then = overlapBeyondEdges(were + i, was);
         if constexpr (W == 1)
             bits |= bitsOf(now && !then) << i;
         else

@@ -12,7 +12,7 @@ namespace plumb {
 namespace {
 
 /// Boxes hold what they need for this step and this much more, so that what hardly moves keeps its box [m].
-constexpr double boxMargin = 0.02;
+constexpr double boxMargin = 0.01;
 
 /// More friction than this makes no difference, and might leave the solver's floats [-].
 constexpr double roughest = 1e6;
