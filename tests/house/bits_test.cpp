@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <filesystem>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "catch.h"
 #include "house/cmake_project.h"
@@ -10,23 +13,88 @@ using namespace plumb::test;
 
 namespace {
 
-std::string hashFrom(const std::string& compiler, const std::string& optimisation) {
-    const auto build = houseFolder("bits") / (compiler + optimisation);
+namespace fs = std::filesystem;
+
+fs::path build(const std::string& compiler, const std::string& optimisation) {
+    const fs::path folder = houseFolder("bits") / (compiler + optimisation);
     buildProject({.source = std::string(PLUMB_SOURCE_DIR) + "/tests/bits",
-                  .build = build,
+                  .build = folder,
                   .options = {"-DCMAKE_CXX_COMPILER=" + compiler, "-DCMAKE_BUILD_TYPE=Release",
                               "-DCMAKE_CXX_FLAGS_RELEASE=" + optimisation + " -DNDEBUG"}});
-    const Ran ran = shell(quoted((build / "bits").string()));
+    return folder;
+}
+
+std::string hashFrom(const std::string& compiler, const std::string& optimisation) {
+    const Ran ran = shell(quoted((build(compiler, optimisation) / "bits").string()));
     REQUIRE(ran.ok);
     return ran.output;
 }
 
+/// 8 and 16 for the sources that are compiled for so many lanes, by name; 0 for others.
+int lanesOf(const std::string& source) {
+    if (source.find("_8.cpp") != std::string::npos) return 8;
+    return source.find("_16.cpp") != std::string::npos ? 16 : 0;
+}
+
+int countWideSources() {
+    int count = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(PLUMB_SOURCE_DIR) / "kit" / "plumb"))
+        if (entry.path().extension() == ".cpp" && lanesOf(entry.path().filename().string()) > 0) ++count;
+    return count;
+}
+
+/// Does a name hold a template's argument for so many lanes: "f<8>(...)", "S<8, true>::g()"?
+bool isOver(int lanes, const std::string& name) {
+    const std::string number = std::to_string(lanes);
+    return name.find("<" + number + ">") != std::string::npos || name.find("<" + number + ",") != std::string::npos;
+}
+
+struct WeakSymbols {
+    int objects = 0;                          ///< that are compiled for more lanes than all machines have
+    std::vector<std::string> misplaced = {};  ///< that they share with others
+};
+
+/// nm prints "member.o:" and then lines of address, letter and name; W, V and u are for what the linker merges.
+WeakSymbols weakSymbolsOf(const fs::path& archive) {
+    const Ran ran = shell("nm -C --defined-only " + quoted(archive.string()));
+    REQUIRE(ran.ok);
+    WeakSymbols found;
+    int lanes = 0;
+    std::istringstream lines(ran.output);
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.empty() && line.back() == ':') {
+            lanes = lanesOf(line);
+            found.objects += lanes > 0 ? 1 : 0;
+            continue;
+        }
+        const std::size_t letter = line.find(' ') + 1;
+        if (lanes == 0 || letter == 0 || letter + 2 > line.size()) continue;
+        const bool weak = std::string("WVuwv").find(line[letter]) != std::string::npos;
+        const std::string name = line.substr(letter + 2);
+        if (weak && !isOver(lanes, name)) found.misplaced.push_back(std::to_string(lanes) + " lanes: " + name);
+    }
+    return found;
+}
+
 }  // namespace
 
-TEST_CASE("GCC and Clang at -O1 and -O3 come to one state hash", "[house][build]") {
+TEST_CASE("GCC and Clang at -O1 and -O3, on 1, 4, 8 and 16 lanes, come to one state hash", "[house][build]") {
     const std::string reference = hashFrom("g++", "-O1");
-    REQUIRE(std::count(reference.begin(), reference.end(), '\n') == 5);
+    INFO(reference);
+    REQUIRE(std::count(reference.begin(), reference.end(), '\n') == 8);
+    CHECK(reference.find("lanes") == std::string::npos);
     CHECK(hashFrom("g++", "-O3") == reference);
     CHECK(hashFrom("clang++", "-O1") == reference);
     CHECK(hashFrom("clang++", "-O3") == reference);
+}
+
+// The linker keeps one of all that have a name: were it the one with wide instructions, every machine would run it.
+TEST_CASE("objects for 8 and 16 lanes share no inline code with the rest of the kit", "[house][build]") {
+    for (const std::string compiler : {"g++", "clang++"}) {
+        for (const std::string optimisation : {"-O1", "-O3"}) {
+            const WeakSymbols found = weakSymbolsOf(build(compiler, optimisation) / "plumb" / "kit" / "libplumb.a");
+            CHECK(found.objects == countWideSources());
+            for (const std::string& name : found.misplaced) FAIL_CHECK(compiler << " " << optimisation << ", " << name);
+        }
+    }
 }

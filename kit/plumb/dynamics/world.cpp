@@ -84,6 +84,7 @@ void addShape(WorldState& world, BodyIndex body, const ShapeDef& shape) {
     const bool fixed = record.type == BodyType::Static;
     const ProxyId proxy = world.space.add(shape, body, fixed, record.localCenter, box);
     record.proxies.push_back(proxy);
+    if (record.type != BodyType::Dynamic) ++world.walls;
     record.extent = std::max(record.extent, extentOf(world.space[proxy].convex));
     record.core = std::min(record.core, coreOf(shape.shape));
     std::vector<BoxOutline>& boxes = world.contacts.boxes;
@@ -117,6 +118,7 @@ BodyId World::add(const BodyDef& def) {
     const BodyIndex body = bodies.acquire();
     BodyRecord& record = bodies.record[body];
     record.type = def.type;
+    if (def.type == BodyType::Kinematic) bodies.kinematic.push_back(body);
     record.alive = true;
     record.canSleep = def.canSleep;
     record.fixedRotation = def.fixedRotation;
@@ -203,6 +205,7 @@ void World::step(double dt) {
     requireNotNegative(dt, "World.step: dt");
     WorldState& world = *state_;
     clearEvents(world);
+    world.legs.clear();
     if (dt > 0) {
         Stopwatch watch(world.profile);
         world.lastStep = dt;

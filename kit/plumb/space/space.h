@@ -90,6 +90,10 @@ public:
     template <class Visit>
     void query(const Aabb& box, Visit&& visit) const;
 
+    /// The same for those that are fixed.
+    template <class Visit>
+    void queryFixed(const Aabb& box, Visit&& visit) const;
+
     const Proxy& operator[](ProxyId proxy) const { return proxies_[proxy]; }
     /// Holds the shape, with room to spare.
     const Aabb& box(ProxyId proxy) const { return placed_[proxy].box; }
@@ -185,6 +189,17 @@ void Space::query(const Aabb& box, Visit&& visit) const {
     // The hierarchies have these where they were at the last look.
     for (const ProxyId id : moved_)
         if (seats_[id].moved && overlap(placed_[id].box, box)) visit(id);
+}
+
+template <class Visit>
+void Space::queryFixed(const Aabb& box, Visit&& visit) const {
+    const Crowd& crowd = crowds_[static_cast<std::size_t>(Home::Fixed)];
+    crowd.tree.query(BoundsRounding(origin_)(box), [&](std::uint32_t slot) {
+        const ProxyId id = crowd.tree.members()[slot];
+        if (!seats_[id].moved && overlap(placed_[id].box, box)) visit(id);
+    });
+    for (const ProxyId id : moved_)
+        if (seats_[id].moved && seats_[id].fixed && overlap(placed_[id].box, box)) visit(id);
 }
 
 }  // namespace plumb

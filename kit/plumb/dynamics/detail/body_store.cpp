@@ -29,6 +29,7 @@ BodyIndex BodyStore::acquire() {
 
 void BodyStore::release(BodyIndex body) {
     putToSleep(body);
+    std::erase(kinematic, body);
     const std::uint32_t generation = record[body].generation + 1;
     record[body] = {};
     record[body].generation = generation;

@@ -71,7 +71,8 @@ struct BodyStore {
     std::vector<SolverVelocity> before;  ///< the velocity before the contacts were solved
     std::vector<SolverTurn> turn;
     std::vector<Kick> kick;
-    std::vector<BodyIndex> awake;  ///< dynamic and kinematic bodies that are
+    std::vector<BodyIndex> awake;      ///< dynamic and kinematic bodies that are
+    std::vector<BodyIndex> kinematic;  ///< all that are
     std::vector<BodyIndex> free;
 
     BodyStore();

@@ -5,9 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include <plumb/collide/distance.h>
 #include <plumb/dynamics/detail/free_motion.h>
+#include <plumb/dynamics/detail/fresh_lanes.h>
 #include <plumb/dynamics/detail/sweep.h>
 
 namespace plumb {
@@ -23,8 +26,6 @@ constexpr double deepest = 0.02;
 constexpr double skin = 1e-4;
 /// Less than this makes no difference, and a search ends as near as that [m].
 constexpr double noticeable = 2e-5;
-/// What a kinematic body must move for bodies that hardly move to be looked at for its sake [m].
-constexpr double sweeping = 1e-3;
 
 double coreOfOutline(const Circle& circle) {
     return circle.radius;
@@ -120,12 +121,6 @@ struct Hit {
     Way wallWay;
 };
 
-/// A box around all that a shape passes through; as its corners swing out between both ends, by so much larger.
-Aabb sweptBox(const Shape& shape, const Way& way) {
-    const Aabb ends = merge(aabbOf(shape, poseOn(way, 0)), aabbOf(shape, poseOn(way, 1)));
-    return inflate(ends, std::min(std::fabs(way.turn), 2.0) * reachOf(shape, way.localCenter));
-}
-
 /// Where a body stays that meets a wall on its way: there, or, if the wall moves on, at the same place of it.
 Way stayAt(const WorldState& world, const Way& way, const Hit& hit) {
     Way stay = way;
@@ -138,45 +133,11 @@ Way stayAt(const WorldState& world, const Way& way, const Hit& hit) {
     return stay;
 }
 
-bool isWall(const WorldState& world, BodyIndex body, bool onlyFixed) {
-    const BodyType type = world.bodies.record[body].type;
-    return type == BodyType::Static || (type == BodyType::Kinematic && !onlyFixed);
-}
-
-[[maybe_unused]] bool joinedApart(const WorldState& world, BodyIndex a, BodyIndex b) {
+bool joinedApart(const WorldState& world, BodyIndex a, BodyIndex b) {
     const auto& joints = world.bodies.record[a].joints;
     return std::any_of(joints.begin(), joints.end(), [&](std::uint32_t j) {
         const JointRecord& joint = world.joints[j];
         return !joint.collideConnected && (joint.bodyA == b || joint.bodyB == b);
-    });
-}
-
-/// Has a body kept to the boxes for which its contacts were made? Not if it was pushed or deflected within the step.
-bool keptToBoxes(const WorldState& world, BodyIndex body, const Way& way) {
-    const auto& proxies = world.bodies.record[body].proxies;
-    return std::all_of(proxies.begin(), proxies.end(), [&](ProxyId proxy) {
-        return contains(world.space.box(proxy), sweptBox(world.space[proxy].def.shape, way));
-    });
-}
-
-/// Calls visit(own, other) for each shape of a body and each that it may meet on its way.
-template <class SomeSpace, class Visit>
-void forEachNear(const WorldState& world, const SomeSpace& space, BodyIndex body, const Way& way, Visit&& visit) {
-    if constexpr (requires { space.query(Aabb{}, [](ProxyId) {}); }) {
-        if (!keptToBoxes(world, body, way)) {
-            for (const ProxyId own : world.bodies.record[body].proxies) {
-                space.query(sweptBox(space[own].def.shape, way), [&](ProxyId other) {
-                    if (mayPair(space[own], space[other]) && !joinedApart(world, body, space[other].owner))
-                        visit(own, other);
-                });
-            }
-            return;
-        }
-    }
-    forEachContact(world.bodies, world.contacts, body, [&](ContactIndex index) {
-        const ContactRecord& contact = world.contacts.contacts[index];
-        const bool isA = contact.bodyA == body;
-        visit(isA ? contact.proxyA : contact.proxyB, isA ? contact.proxyB : contact.proxyA);
     });
 }
 
@@ -190,58 +151,125 @@ struct Passage {
     double travel(const BodyRecord& body) const { return (to - from).norm() + bend + std::fabs(turn) * body.extent; }
 };
 
-Passage passageOf(const Way& wall, const Way& way) {
-    const Vec2 before = way.start - wall.start;
-    const Vec2 after = before + (way.shift - wall.shift);
-    const Rot toWall = Rot::fromAngle(wall.angle).inverse();
-    const Rot turned = wall.turn == 0 ? toWall : Rot::fromAngle(wall.angle + wall.turn).inverse();
-    const double spin = std::fabs(wall.turn);
+/// A wall's way, and how it is turned at both ends.
+struct WallWay {
+    Way way;
+    Rot toWallBefore, toWallAfter;
+
+    explicit WallWay(const Way& w)
+        : way(w),
+          toWallBefore(Rot::fromAngle(w.angle).inverse()),
+          toWallAfter(w.turn == 0 ? toWallBefore : Rot::fromAngle(w.angle + w.turn).inverse()) {}
+};
+
+Passage passageOf(const WallWay& wall, const Way& way) {
+    const Vec2 before = way.start - wall.way.start;
+    const Vec2 after = before + (way.shift - wall.way.shift);
+    const double spin = std::fabs(wall.way.turn);
     const double bend = spin * (2 * (after - before).norm() + spin * std::max(before.norm(), after.norm())) / 8;
-    return {toWall * before + wall.localCenter, turned * after + wall.localCenter, bend, way.turn - wall.turn};
+    const Vec2& center = wall.way.localCenter;
+    return {wall.toWallBefore * before + center, wall.toWallAfter * after + center, bend, way.turn - wall.way.turn};
+}
+
+/// Is this so far for a body of its size that it may have gone through something?
+bool isFar(const BodyRecord& record, double travel) {
+    return travel > slow * record.core;
 }
 
 /// May a body on this way have gone through a shape of a wall?
-bool mayCross(const Passage& passage, const Shape& face, const BodyRecord& body, double core) {
-    if (passage.travel(body) <= slow * core) return false;
+bool mayCross(const Passage& passage, const Shape& face, const BodyRecord& body) {
+    if (!isFar(body, passage.travel(body))) return false;
     const Aabb line{passage.from.cwiseMin(passage.to), passage.from.cwiseMax(passage.to)};
     return overlap(inflate(line, body.extent + passage.bend), aabbOf(face, {}));
 }
 
-/// The first wall that a body crosses on its way through a part of the step.
-std::optional<Hit> firstHit(const WorldState& world, BodyIndex body, const Way& way, const Past& past, bool onlyFixed) {
-    const BodyRecord& record = world.bodies.record[body];
-    const double core = record.core;
-    std::optional<Hit> first;
-    forEachNear(world, world.space, body, way, [&](ProxyId own, ProxyId other) {
-        const BodyIndex wall = world.space[other].owner;
-        if (!isWall(world, wall, onlyFixed)) return;
-        const Way wallWay = freeWay(world, wall, past);
-        const Shape& shape = world.space[own].def.shape;
-        const Shape& face = world.space[other].def.shape;
-        if (!mayCross(passageOf(wallWay, way), face, record, core)) return;
-        const SweptShape swept{&shape, way, reachOf(shape, way.localCenter)};
-        const std::optional<double> crossing = timeOfCrossing({&face, wallWay, 0}, swept);
-        if (crossing && (!first || *crossing < first->time)) first = Hit{*crossing, wall, wallWay};
-    });
-    return first;
-}
+/// Looks for the first wall that a body crosses on its way through a part of the step.
+class Search {
+public:
+    Search(const WorldState& world, BodyIndex body, const Way& way, const Past& past)
+        : world_(world), body_(body), way_(way), past_(past) {}
 
-/// False, and nothing done, where there is no wall in the way.
-bool stop(WorldState& world, BodyIndex body, const Way& way, const Past& past) {
-    const std::optional<Hit> hit = firstHit(world, body, way, past, false);
-    if (!hit) return false;
-    Way stopped = stayAt(world, way, *hit);
-    // What moves on carries it along, perhaps into what does not.
-    if (world.bodies.record[hit->wall].type == BodyType::Kinematic) {
-        const std::optional<Hit> fixed = firstHit(world, body, stopped, past, true);
-        if (fixed) stopped = stayAt(world, stopped, *fixed);
+    const std::optional<Hit>& first() const { return first_; }
+
+    void meet(ProxyId own, ProxyId other) {
+        const BodyIndex wall = world_.space[other].owner;
+        const Way wallWay = freeWay(world_, wall, past_);
+        const Shape& shape = world_.space[own].def.shape;
+        const Shape& face = world_.space[other].def.shape;
+        if (!mayCross(passageOf(WallWay(wallWay), way_), face, world_.bodies.record[body_])) return;
+        const SweptShape swept{&shape, way_, reachOf(shape, way_.localCenter)};
+        const std::optional<double> time = timeOfCrossing({&face, wallWay, 0}, swept);
+        if (time && (!first_ || *time < first_->time)) first_ = Hit{*time, wall, wallWay};
+    }
+
+    void meet(ContactIndex index) {
+        const ContactRecord& contact = world_.contacts.contacts[index];
+        const bool isA = contact.bodyA == body_;
+        meet(isA ? contact.proxyA : contact.proxyB, isA ? contact.proxyB : contact.proxyA);
+    }
+
+    void meetFixed() {
+        meetNear([](const Space& space, const Aabb& box, auto&& visit) { space.queryFixed(box, visit); });
+    }
+
+    void meetKinematic() {
+        if (world_.bodies.kinematic.empty()) return;
+        meetNear([](const Space& space, const Aabb& box, auto&& visit) {
+            space.query(box, [&](ProxyId other) {
+                if (!space[other].fixed) visit(other);
+            });
+        });
+    }
+
+    /// In the boxes for which its contacts were made? Not if it was pushed or deflected within the step.
+    bool keptToBoxes() const {
+        const BodyPlace& place = world_.bodies.place[body_];
+        const auto excess = [](double moved, double foreseen) {
+            return std::max(std::min(foreseen, 0.0) - moved, moved - std::max(foreseen, 0.0));
+        };
+        const double aside = std::max({excess(way_.shift.x(), static_cast<double>(place.shiftX)),
+                                       excess(way_.shift.y(), static_cast<double>(place.shiftY)), 0.0});
+        const double turned = std::fabs(way_.turn) * world_.bodies.record[body_].extent;
+        return aside + std::max(turned - static_cast<double>(place.turn), 0.0) <
+               0.5 * static_cast<double>(contactMargin);
+    }
+
+private:
+    template <class Query>
+    void meetNear(Query&& query) {
+        const Space& space = world_.space;
+        const BodyRecord& record = world_.bodies.record[body_];
+        const Vec2 end = way_.start + way_.shift;
+        const Aabb box = inflate({way_.start.cwiseMin(end), way_.start.cwiseMax(end)}, record.extent);
+        query(space, box, [&](ProxyId other) {
+            if (world_.bodies.isDynamic(space[other].owner)) return;
+            for (const ProxyId own : record.proxies)
+                if (mayPair(space[own], space[other]) && !joinedApart(world_, body_, space[other].owner))
+                    meet(own, other);
+        });
+    }
+
+    const WorldState& world_;
+    BodyIndex body_;
+    const Way& way_;
+    Past past_;
+    std::optional<Hit> first_;
+};
+
+/// Puts the body to where it met the wall. What moves on carries it along, perhaps into what does not.
+void stopAt(WorldState& world, BodyIndex body, const Way& way, const Past& past, const Hit& hit) {
+    Way stopped = stayAt(world, way, hit);
+    if (world.bodies.record[hit.wall].type == BodyType::Kinematic) {
+        const Way carried = stopped;
+        Search search(world, body, carried, past);
+        search.meetFixed();
+        if (search.first()) stopped = stayAt(world, carried, *search.first());
     }
     BodyMotion motion = world.bodies.motion[body];
     motion.center = stopped.start + stopped.shift;
     motion.angle = stopped.angle + stopped.turn;
     motion.rotation = Rot::fromAngle(motion.angle);
     moveTo(world, body, motion);
-    return true;
 }
 
 /// A dynamic body that was moved by the solver or by nothing.
@@ -249,50 +277,74 @@ bool isMoved(const BodyRecord& record) {
     return record.type == BodyType::Dynamic && record.awake && !record.flown && !record.quarantined;
 }
 
-/// Is this so far for a body of its size that it may have gone through something?
-bool isFar(const WorldState& world, BodyIndex body, double travel) {
-    return travel > slow * world.bodies.record[body].core;
-}
+/// A body that may have gone through a wall: through what it has this contact with, or, without, anything fixed.
+struct Suspect {
+    BodyIndex body = noBody;
+    ContactIndex contact = none;
+};
 
-/// Bodies that hardly move themselves, but as seen from a wall that comes along.
-void addSwept(const WorldState& world, BodyIndex wall, const Way& wallWay, double dt,
-              std::vector<BodyIndex>& suspects) {
-    if (travelOf(wallWay, world.bodies.record[wall]) < sweeping) return;
+/// Bodies that have come far as seen from something kinematic, and near it.
+void addSwept(const WorldState& world, BodyIndex wall, double dt, std::vector<Suspect>& suspects) {
+    const WallWay wallWay(freeWay(world, wall, {dt, 0}));
     forEachContact(world.bodies, world.contacts, wall, [&](ContactIndex index) {
         const ContactRecord& contact = world.contacts.contacts[index];
-        const BodyIndex other = contact.bodyA == wall ? contact.bodyB : contact.bodyA;
-        const BodyRecord& record = world.bodies.record[other];
+        const bool isA = contact.bodyA == wall;
+        const BodyIndex body = isA ? contact.bodyB : contact.bodyA;
+        const BodyRecord& record = world.bodies.record[body];
         if (!isMoved(record)) return;
-        const Passage passage = passageOf(wallWay, wayOf(world, other, dt));
-        if (isFar(world, other, passage.travel(record))) suspects.push_back(other);
+        const Shape& face = world.space[isA ? contact.proxyA : contact.proxyB].def.shape;
+        const Passage passage = passageOf(wallWay, wayOf(world, body, dt));
+        if (mayCross(passage, face, record)) suspects.push_back({body, index});
     });
 }
 
 /// In the order of their slots, those that have moved far for their size, or past which a wall has.
-std::vector<BodyIndex> findSuspects(const WorldState& world, double dt) {
-    std::vector<BodyIndex> suspects;
+std::vector<Suspect> findSuspects(const WorldState& world, double dt) {
+    std::vector<Suspect> suspects;
     for (const BodyIndex body : world.bodies.awake) {
         const BodyRecord& record = world.bodies.record[body];
-        const Way way = wayOf(world, body, dt);
-        if (record.type == BodyType::Kinematic) addSwept(world, body, way, dt, suspects);
-        if (isMoved(record) && isFar(world, body, travelOf(way, record))) suspects.push_back(body);
+        if (isMoved(record) && isFar(record, travelOf(wayOf(world, body, dt), record)))
+            suspects.push_back({body, none});
     }
-    std::sort(suspects.begin(), suspects.end());
-    suspects.erase(std::unique(suspects.begin(), suspects.end()), suspects.end());
+    for (const BodyIndex wall : world.bodies.kinematic) addSwept(world, wall, dt, suspects);
+    std::sort(suspects.begin(), suspects.end(), [](const Suspect& a, const Suspect& b) {
+        return a.body != b.body ? a.body < b.body : a.contact < b.contact;
+    });
     return suspects;
 }
 
-/// Leg after leg, and a body that was stopped in one has none after it.
-template <class SomeWorld>
-void stopFlights(SomeWorld& world, double dt) {
-    if constexpr (requires { world.legs; }) {
-        std::vector<BodyIndex> stopped;
-        for (const auto& leg : world.legs) {
-            if (std::find(stopped.begin(), stopped.end(), leg.body) != stopped.end()) continue;
-            const Way way = wayBetween(leg.from, leg.to, world.bodies.record[leg.body]);
-            if (!isFar(world, leg.body, travelOf(way, world.bodies.record[leg.body]))) continue;
-            if (stop(world, leg.body, way, {dt - leg.start, dt - leg.end})) stopped.push_back(leg.body);
+/// All of one body.
+void stop(WorldState& world, std::span<const Suspect> suspects, double dt) {
+    const BodyIndex body = suspects.front().body;
+    const Way way = wayOf(world, body, dt);
+    Search search(world, body, way, {dt, 0});
+    for (const Suspect& suspect : suspects) {
+        if (suspect.contact != none) {
+            search.meet(suspect.contact);
+            continue;
         }
+        search.meetFixed();
+        // The boxes for which contacts were made hold all else; what is kinematic is looked at from its side.
+        if (!search.keptToBoxes()) search.meetKinematic();
+    }
+    if (search.first()) stopAt(world, body, way, {dt, 0}, *search.first());
+}
+
+/// Leg after leg, and a body that was stopped in one has none after it.
+void stopFlights(WorldState& world, double dt) {
+    std::vector<BodyIndex> stopped;
+    for (const Leg& leg : world.legs) {
+        const BodyRecord& record = world.bodies.record[leg.body];
+        const Way way = wayBetween(leg.from, leg.to, record);
+        if (!isFar(record, travelOf(way, record))) continue;
+        if (std::find(stopped.begin(), stopped.end(), leg.body) != stopped.end()) continue;
+        const Past past{dt - leg.start, dt - leg.end};
+        Search search(world, leg.body, way, past);
+        search.meetFixed();
+        search.meetKinematic();
+        if (!search.first()) continue;
+        stopAt(world, leg.body, way, past, *search.first());
+        stopped.push_back(leg.body);
     }
 }
 
@@ -303,7 +355,13 @@ double coreOf(const Shape& shape) {
 }
 
 void stopAtWalls(WorldState& world, double dt) {
-    for (const BodyIndex body : findSuspects(world, dt)) stop(world, body, wayOf(world, body, dt), {dt, 0});
+    if (world.walls == 0) return;
+    const std::vector<Suspect> suspects = findSuspects(world, dt);
+    for (auto first = suspects.begin(); first != suspects.end();) {
+        const auto last = std::find_if(first, suspects.end(), [&](const Suspect& s) { return s.body != first->body; });
+        stop(world, {first, last}, dt);
+        first = last;
+    }
     stopFlights(world, dt);
 }
 

@@ -17,6 +17,10 @@ constexpr std::size_t impactsPerContact = 16;
 /// A larger group is a heap as well: each impact is searched among all of them.
 constexpr std::size_t largestGroup = 200;
 
+/// What is farther apart than this has not met, and what is deeper than this has met before [m].
+constexpr double lostTouch = 1e-6;
+constexpr double lostWay = 1e-3;
+
 struct Flyer {
     BodyIndex body = noBody;
     FlyingShape flight;  ///< its shape is filled in for each contact
@@ -136,11 +140,12 @@ void partFace(const WorldState& world, Meeting& meeting, std::span<const Vec2> p
     }
 }
 
-/// Moves the two to where they meet and parts them.
-void part(const WorldState& world, Meeting& meeting, Flyer& a, Flyer& b) {
+/// Moves the two to where they meet and parts them. False when that was not found: they spin too fast.
+bool part(const WorldState& world, Meeting& meeting, Flyer& a, Flyer& b) {
     const ContactRecord& contact = world.contacts.contacts[meeting.contact];
     const double time = *meeting.time;
     const Encounter e = encounterAt(shapeOf(a, world.proxyA(contact)), shapeOf(b, world.proxyB(contact)), time);
+    if (e.distance.separation > lostTouch || e.distance.separation < -lostWay) return false;
     a.flight.from = e.a;
     b.flight.from = e.b;
     a.flight.time = b.flight.time = time;
@@ -150,7 +155,7 @@ void part(const WorldState& world, Meeting& meeting, Flyer& a, Flyer& b) {
     const std::vector<Vec2> points = touchingPoints(world, contact, a, b, e.distance);
     if (points.size() == 2) {
         partFace(world, meeting, points, a, b, law);
-        return;
+        return true;
     }
     const ImpactResult result =
         impact(sideOf(world, a, points[0]), sideOf(world, b, points[0]), e.distance.normal, law);
@@ -158,15 +163,20 @@ void part(const WorldState& world, Meeting& meeting, Flyer& a, Flyer& b) {
     apply(b, result.velocityB, result.angularVelocityB);
     meeting.normalImpulse += result.normalImpulse;
     meeting.tangentImpulse += result.tangentImpulse;
+    return true;
 }
 
-void commit(WorldState& world, const std::vector<Flyer>& flyers, const std::vector<Meeting>& meetings, double dt) {
+void commit(WorldState& world, const std::vector<Flyer>& flyers, const std::vector<Meeting>& meetings,
+            std::vector<Leg> legs, double dt) {
     for (const Flyer& f : flyers) {
         BodyRecord& record = world.bodies.record[f.body];
         if (record.type != BodyType::Dynamic) continue;  // a platform may be in many groups, and flies by itself
-        moveTo(world, f.body, fly(f.flight.from, f.flight.law, dt - f.flight.time));
+        const BodyMotion end = fly(f.flight.from, f.flight.law, dt - f.flight.time);
+        legs.push_back({f.body, f.flight.from, end, f.flight.time, dt});
+        moveTo(world, f.body, end);
         record.flown = true;
     }
+    world.legs.insert(world.legs.end(), legs.begin(), legs.end());
     for (const Meeting& m : meetings) {
         if (m.normalImpulse == 0) continue;
         ContactRecord& contact = world.contacts.contacts[m.contact];
@@ -224,15 +234,22 @@ bool flyThroughImpacts(WorldState& world, std::span<const ContactIndex> contacts
         m.time = timeOfImpact(a, b, std::max(a.time, b.time), dt);
     };
     for (Meeting& m : meetings) foresee(m);
+    std::vector<Leg> legs;
     for (std::size_t count = 0; count <= impactsPerContact * meetings.size(); ++count) {
         Meeting* next = nullptr;
         for (Meeting& m : meetings)
             if (m.time && (next == nullptr || *m.time < *next->time)) next = &m;
         if (next == nullptr) {
-            commit(world, flyers, meetings, dt);
+            commit(world, flyers, meetings, legs, dt);
             return true;
         }
-        part(world, *next, flyers[next->a], flyers[next->b]);
+        const std::array<FlyingShape, 2> before{flyers[next->a].flight, flyers[next->b].flight};
+        if (!part(world, *next, flyers[next->a], flyers[next->b])) return false;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const BodyIndex body = flyers[i == 0 ? next->a : next->b].body;
+            const BodyMotion end = fly(before[i].from, before[i].law, *next->time - before[i].time);
+            if (world.bodies.isDynamic(body)) legs.push_back({body, before[i].from, end, before[i].time, *next->time});
+        }
         for (Meeting& m : meetings) {
             const auto concerns = [&](std::size_t f) {
                 return !(world.bodies.record[flyers[f].body].type == BodyType::Static) && (m.a == f || m.b == f);

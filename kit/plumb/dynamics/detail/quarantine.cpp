@@ -45,6 +45,7 @@ void quarantine(WorldState& world) {
         world.bodies.putToSleep(body);
         BodyRecord& record = world.bodies.record[body];
         record.type = BodyType::Static;
+        std::erase(world.bodies.kinematic, body);
         record.mass = record.inertia = record.inverseMass = record.inverseInertia = 0;
         world.bodies.motion[body].velocity.setZero();
         world.bodies.motion[body].angularVelocity = 0;

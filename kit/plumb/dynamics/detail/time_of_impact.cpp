@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <plumb/dynamics/detail/continuous.h>
+
 namespace plumb {
 
 namespace {
@@ -12,7 +14,8 @@ namespace {
 constexpr double touch = 1e-12;
 /// Already touching at the start, by so much that an impact of the step before may have left [m].
 constexpr double resting = 1e-9;
-/// Where they touch and part, the search goes on after this share of what is left of the step [-].
+/// Where they touch and part, the search goes on after this share of what is left of the step, or of the time in which
+/// the two could come half through each other [-].
 constexpr double pastTouch = 1e-2;
 /// From here on Newton's method is quicker than safe steps; as a share of the extents [-].
 constexpr double near = 1e-2;
@@ -72,7 +75,9 @@ std::optional<double> timeOfImpact(const FlyingShape& a, const FlyingShape& b, d
             if (now.closingSpeed > 0) return time;
             const bool turns = now.a.angularVelocity != 0 || now.b.angularVelocity != 0;
             if (i == 0 && !turns) return std::nullopt;  // they part, and nothing brings them together again
-            time += std::max((to - time) * pastTouch, (to - from) * 1e-12);
+            const double thick = 0.5 * (coreOf(*a.shape) + coreOf(*b.shape));
+            const double part = std::min(to - time, thick / greatestClosingSpeed(a, b, now, to - time));
+            time += std::max((thick > 0 ? part : to - time) * pastTouch, to * 1e-12);
             if (time >= to) return std::nullopt;
             continue;
         }
@@ -87,7 +92,7 @@ std::optional<double> timeOfImpact(const FlyingShape& a, const FlyingShape& b, d
         if (next >= to) return ahead <= touch && now.closingSpeed > 0 ? std::optional<double>(to) : std::nullopt;
         time = next;
     }
-    return std::nullopt;
+    return time;
 }
 
 }  // namespace plumb

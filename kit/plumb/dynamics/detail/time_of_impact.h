@@ -27,6 +27,7 @@ struct Encounter {
 Encounter encounterAt(const FlyingShape& a, const FlyingShape& b, double time);
 
 /// The first time in [from, to] at which the shapes touch while they approach, to rounding; empty when there is none.
+/// Of two that spin so fast that the search takes too long, a time until which they surely do not.
 /// Conservative advancement, which cannot step past a contact, and near it Newton's method held in a bracket.
 /// Source: Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996, section 2.3.
 std::optional<double> timeOfImpact(const FlyingShape& a, const FlyingShape& b, double from, double to);

@@ -35,7 +35,9 @@ void removeContact(WorldState& world, ContactIndex index) {
 
 void removeShapes(WorldState& world, BodyIndex body) {
     forEachContact(world.bodies, world.contacts, body, [&world](ContactIndex c) { removeContact(world, c); });
-    for (const ProxyId proxy : world.bodies.record[body].proxies) world.space.remove(proxy);
+    const BodyRecord& record = world.bodies.record[body];
+    if (!world.bodies.isDynamic(body)) world.walls -= static_cast<std::uint32_t>(record.proxies.size());
+    for (const ProxyId proxy : record.proxies) world.space.remove(proxy);
     world.bodies.record[body].proxies.clear();
 }
 

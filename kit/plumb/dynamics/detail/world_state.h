@@ -25,6 +25,13 @@ struct JointRecord {
     double solvedStep = 0;  ///< the step it was last solved in [s]
 };
 
+/// What the impacts have flown a body in this step, from one to the next.
+struct Leg {
+    BodyIndex body = noBody;
+    BodyMotion from, to;
+    double start = 0, end = 0;  ///< in the step [s]
+};
+
 struct WorldState {
     WorldDef def;
     std::uint32_t id = 0;
@@ -33,8 +40,10 @@ struct WorldState {
 
     BodyStore bodies;
     Space space;
+    std::uint32_t walls = 0;  ///< shapes that nothing pushes: those of static and kinematic bodies
     ContactStore contacts;
     ContactGraph graph;
+    std::vector<Leg> legs;  ///< each body's in the order of time
     std::vector<JointRecord> joints;
     std::vector<std::uint32_t> freeJoints;
     std::vector<std::uint32_t> awakeJoints;  ///< with a body awake, in the order of their slots

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/detail/sweep.h>
+
+#include <array>
+#include <cmath>
+
+#include <plumb/collide/distance.h>
+#include <plumb/math/random.h>
+#include "catch.h"
+
+using plumb::Random;
+using plumb::Shape;
+using plumb::SweptShape;
+using plumb::Vec2;
+using plumb::Way;
+
+namespace {
+
+Vec2 randomVector(Random& random, double size) {
+    return {random.uniform(-size, size), random.uniform(-size, size)};
+}
+
+Shape randomShape(Random& random) {
+    switch (random.integer(0, 3)) {
+        case 0: return plumb::Circle{random.uniform(0.05, 1), randomVector(random, 0.5)};
+        case 1: return plumb::boxPolygon({random.uniform(0.05, 2), random.uniform(0.01, 0.5)});
+        case 2: return plumb::Segment{randomVector(random, 2), randomVector(random, 2)};
+        default: return plumb::Capsule{randomVector(random, 1), randomVector(random, 1), random.uniform(0.05, 0.5)};
+    }
+}
+
+Way randomWay(Random& random) {
+    return {randomVector(random, 2.5), randomVector(random, 4), random.uniform(-3, 3), random.uniform(-4, 4),
+            randomVector(random, 0.2)};
+}
+
+double separationAt(const SweptShape& a, const SweptShape& b, double time) {
+    return plumb::distance(*a.shape, poseOn(a.way, time), *b.shape, poseOn(b.way, time)).separation;
+}
+
+}  // namespace
+
+TEST_CASE("a swept shape meets another when sampling ten thousand poses says so", "[dynamics][sweep]") {
+    constexpr int samples = 10000;
+    Random random(11);
+    int met = 0;
+    for (int round = 0; round < 300; ++round) {
+        INFO("round " << round);
+        const Shape wall = randomShape(random), shape = randomShape(random);
+        const SweptShape a{&wall, randomWay(random), 0};
+        const SweptShape b{&shape, randomWay(random), 3.1};  // 2 sqrt(2) at most, and 0.2 sqrt(2) off the centre
+        const double limit = random.uniform(-0.1, 0.1);
+        const std::optional<double> time = plumb::timeWithin(a, b, limit, 0);
+        int first = 0;
+        while (first <= samples && separationAt(a, b, first / double(samples)) > limit) ++first;
+        if (!time) {
+            CHECK(first > samples);
+            continue;
+        }
+        ++met;
+        // Between two samples the way is 0.005 m long at most, and the search may end 0.01 mm early.
+        CHECK(separationAt(a, b, *time) < limit + 2e-5);
+        CHECK(*time <= first / double(samples));
+        if (*time > 0) CHECK(separationAt(a, b, *time) > limit - 1e-9);
+    }
+    CHECK(met > 50);
+    CHECK(met < 290);
+}
+
+TEST_CASE("a disc at 3 m in a step meets a wall 1 m off after a third of the step", "[dynamics][sweep]") {
+    const Shape wall = plumb::Segment{{-5, 0}, {5, 0}};
+    const Shape disc = plumb::Circle{0.1};
+    Way way;
+    way.start = {0, 1.1};
+    way.shift = {2, -3};
+    const auto time = plumb::timeWithin({&wall, {}, 0}, {&disc, way, 0}, 0, 0);
+    REQUIRE(time);
+    CHECK(std::fabs(*time - 1.0 / 3) < 1e-5);
+    way.shift = {2, 3};
+    CHECK_FALSE(plumb::timeWithin({&wall, {}, 0}, {&disc, way, 0}, 0, 0));
+}
