@@ -10,13 +10,15 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <compare/scene/bench.h>
+
 namespace plumb::compare {
 namespace {
 
 /// Option values as they stand on the command line.
 struct Raw {
     std::vector<std::string> scenes;
-    std::string engines, steps, dt, json, csv, report;
+    std::string engines, steps, dt, json, csv, report, repeat, threads, readme;
 };
 
 /// All of the text as a number, or nothing.
@@ -29,11 +31,16 @@ std::optional<Number> number(const std::string& text) {
     return value;
 }
 
-int stepsFrom(const std::string& text) {
-    const std::optional<int> steps = number<int>(text);
-    if (!steps || *steps < 1)
-        throw std::invalid_argument(fmt::format("--steps: \"{}\" is not a whole number of at least 1", text));
-    return *steps;
+int countFrom(const std::string& option, const std::string& text) {
+    const std::optional<int> count = number<int>(text);
+    if (!count || *count < 1)
+        throw std::invalid_argument(fmt::format("{}: \"{}\" is not a whole number of at least 1", option, text));
+    return *count;
+}
+
+void requireOneThread(const std::string& text) {
+    if (const int threads = countFrom("--threads", text); threads > 1)
+        throw std::invalid_argument(fmt::format("--threads: {} is not 1: Plumb steps on one thread so far", threads));
 }
 
 double dtFrom(const std::string& text) {
@@ -66,15 +73,10 @@ std::filesystem::path pathFrom(const std::string& option, const std::string& tex
 }
 
 struct Commands {
-    CLI::App *list, *check, *exportScene;
+    CLI::App *list, *check, *bench, *exportScene;
 };
 
-Commands describe(CLI::App& app, Raw& raw) {
-    app.require_subcommand(0, 1);
-    app.footer(
-        "Without a command: every scene in every engine, and the report in build/report/index.html.\n"
-        "Exit status: 0 all checks hold, 1 a check fails, 2 bad usage or input.");
-    CLI::App* list = app.add_subcommand("list", "scenes: name, question, engines, checks");
+CLI::App* describeCheck(CLI::App& app, Raw& raw) {
     CLI::App* check = app.add_subcommand("check", "run scenes and judge them");
     check->footer(
         "A check that looks at what a shortened run does not reach fails. A scene none of whose checks binds the\n"
@@ -86,11 +88,67 @@ Commands describe(CLI::App& app, Raw& raw) {
     check->add_option("--json", raw.json, "write metrics and verdicts to this file")->type_name("FILE");
     check->add_option("--csv", raw.csv, "write states tick by tick into this folder, a file a scene")->type_name("DIR");
     check->add_option("--report", raw.report, "write the report into this folder: index.html")->type_name("DIR");
+    return check;
+}
+
+CLI::App* describeBench(CLI::App& app, Raw& raw) {
+    CLI::App* bench = app.add_subcommand("bench", "measure how long engines take for scenes");
+    std::vector<std::string> names;
+    for (const BenchScene& scene : benchScenes()) names.push_back(scene.name);
+    bench->footer(fmt::format(
+        "Engines run in turn, each run in a process of its own; a ratio above 1 means that Plumb is faster.\nScenes: "
+        "six (the first six, which is what runs without a name), scaling (the last {}), {};\nany other scene, or "
+        "FILE.json.",
+        findBenchScenes("scaling").size(), fmt::join(names, ", ")));
+    bench->add_option("SCENE", raw.scenes, "names of scenes or groups of them, or files");
+    bench->add_option("--repeat", raw.repeat, "runs of each engine in each scene, instead of 5")->type_name("N");
+    bench->add_option("--threads", raw.threads, "threads of each engine; only 1 so far")->type_name("N");
+    bench->add_option("--engines", raw.engines, "the engines to run, instead of all")->type_name("A,B");
+    bench->add_option("--steps", raw.steps, "how many steps to run, instead of the scene's")->type_name("N");
+    bench->add_option("--json", raw.json, "write all numbers to this file")->type_name("FILE");
+    bench
+        ->add_option("--readme", raw.readme, "replace the table in this file, between its lines of bench begin and end")
+        ->type_name("FILE");
+    return bench;
+}
+
+Commands describe(CLI::App& app, Raw& raw) {
+    app.require_subcommand(0, 1);
+    app.footer(
+        "Without a command: every scene in every engine, and the report in build/report/index.html.\n"
+        "Exit status: 0 all checks hold, 1 a check fails, 2 bad usage or input.");
+    CLI::App* list = app.add_subcommand("list", "scenes: name, question, engines, checks");
+    CLI::App* check = describeCheck(app, raw);
+    CLI::App* bench = describeBench(app, raw);
     CLI::App* exportScene = app.add_subcommand("export", "print a scene as JSON");
     exportScene->add_option("SCENE", raw.scenes, "name of a scene, or FILE.json")->required()->expected(1);
     exportScene->footer("");
     list->footer("");
-    return {list, check, exportScene};
+    return {list, check, bench, exportScene};
+}
+
+void takeCheck(const CLI::App& check, const Raw& raw, const std::vector<Engine>& known, Arguments& result) {
+    result.action = Action::CheckScenes;
+    const auto given = [&](const char* option) { return check.count(option) > 0; };
+    if (given("--engines")) result.options.engines = enginesFrom(raw.engines, known);
+    if (given("--steps")) result.options.steps = countFrom("--steps", raw.steps);
+    if (given("--dt")) result.options.dt = dtFrom(raw.dt);
+    if (given("--json")) result.json = pathFrom("--json", raw.json);
+    if (given("--csv")) result.csv = pathFrom("--csv", raw.csv);
+    if (given("--report")) result.report = pathFrom("--report", raw.report);
+}
+
+void takeBench(const CLI::App& bench, const Raw& raw, const std::vector<Engine>& known, Arguments& result) {
+    result.action = Action::Bench;
+    const auto given = [&](const char* option) { return bench.count(option) > 0; };
+    std::vector<Engine> simulators = known;
+    std::erase_if(simulators, [](const Engine& engine) { return engine.name == closedFormName; });
+    if (given("--engines")) result.bench.engines = enginesFrom(raw.engines, simulators);
+    if (given("--repeat")) result.bench.repeat = countFrom("--repeat", raw.repeat);
+    if (given("--threads")) requireOneThread(raw.threads);
+    if (given("--steps")) result.bench.steps = countFrom("--steps", raw.steps);
+    if (given("--json")) result.json = pathFrom("--json", raw.json);
+    if (given("--readme")) result.bench.readme = pathFrom("--readme", raw.readme);
 }
 
 }  // namespace
@@ -109,17 +167,11 @@ Arguments parseArguments(std::span<const std::string> args, const std::vector<En
     } catch (const CLI::ParseError& error) {
         throw std::invalid_argument(fmt::format("{}; --help tells what is understood", error.what()));
     }
-    if (commands.list->parsed()) result.action = Action::ListScenes;
-    if (commands.check->parsed()) result.action = Action::CheckScenes;
-    if (commands.exportScene->parsed()) result.action = Action::ExportScene;
     result.scenes = raw.scenes;
-    const auto given = [&](const char* option) { return commands.check->count(option) > 0; };
-    if (given("--engines")) result.options.engines = enginesFrom(raw.engines, known);
-    if (given("--steps")) result.options.steps = stepsFrom(raw.steps);
-    if (given("--dt")) result.options.dt = dtFrom(raw.dt);
-    if (given("--json")) result.json = pathFrom("--json", raw.json);
-    if (given("--csv")) result.csv = pathFrom("--csv", raw.csv);
-    if (given("--report")) result.report = pathFrom("--report", raw.report);
+    if (commands.list->parsed()) result.action = Action::ListScenes;
+    if (commands.exportScene->parsed()) result.action = Action::ExportScene;
+    if (commands.check->parsed()) takeCheck(*commands.check, raw, known, result);
+    if (commands.bench->parsed()) takeBench(*commands.bench, raw, known, result);
     return result;
 }
 

@@ -16,13 +16,23 @@ enum class Action {
     ListScenes,
     CheckScenes,
     ExportScene,
+    Bench,
     Help,
+};
+
+/// How to measure speed.
+struct BenchOptions {
+    std::vector<std::string> engines;             ///< names; empty: all that simulate
+    int repeat = 5;                               ///< runs of each engine in each scene
+    std::optional<int> steps;                     ///< instead of the scene's
+    std::optional<std::filesystem::path> readme;  ///< whose table is to be replaced
 };
 
 struct Arguments {
     Action action = Action::Everything;
     std::vector<std::string> scenes;  ///< names and files, as given
     RunOptions options;
+    BenchOptions bench;
     std::optional<std::filesystem::path> json, csv, report;
     std::string help;  ///< to be printed for Help
 };

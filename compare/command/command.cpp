@@ -6,10 +6,11 @@
 
 #include <algorithm>
 #include <exception>
-#include <fstream>
 #include <ostream>
 
 #include <compare/command/arguments.h>
+#include <compare/command/bench_command.h>
+#include <compare/command/output_file.h>
 #include <compare/command/scene_choice.h>
 #include <compare/command/scene_list.h>
 #include <compare/command/verdict_json.h>
@@ -21,24 +22,6 @@ namespace plumb::compare {
 namespace {
 
 constexpr const char* defaultReport = "build/report";  // from where the program is called
-
-/// Opened before anything is run, so that a wrong path is known at once.
-class JsonFile {
-public:
-    explicit JsonFile(std::filesystem::path path) : path_(std::move(path)), file_(path_, std::ios::binary) { mind(); }
-    void write(const std::string& text) {
-        file_ << text;
-        file_.close();
-        mind();
-    }
-
-private:
-    void mind() const {
-        if (!file_) throw std::runtime_error("--json: cannot write " + path_.string());
-    }
-    std::filesystem::path path_;
-    std::ofstream file_;
-};
 
 void makeFolder(const std::string& option, const std::filesystem::path& folder) {
     std::error_code error;
@@ -60,8 +43,8 @@ std::vector<std::string> columns(const RunOptions& options) {
 
 int check(const Arguments& arguments, std::ostream& out, bool colour) {
     const std::vector<Scene> scenes = chooseScenes(arguments.scenes);
-    std::optional<JsonFile> json;
-    if (arguments.json) json.emplace(*arguments.json);
+    std::optional<OutputFile> json;
+    if (arguments.json) json.emplace("--json", *arguments.json);
     if (arguments.csv) makeFolder("--csv", *arguments.csv);
     if (arguments.report) makeFolder("--report", *arguments.report);
     const VerdictTable table(out, columns(arguments.options), scenes, colour);
@@ -104,6 +87,7 @@ int run(const Arguments& arguments, std::ostream& out, bool colour) {
         case Action::ExportScene:
             fmt::print(out, "{}\n", toJson(chooseScenes(arguments.scenes).front()));
             return allHold;
+        case Action::Bench: runBench(arguments, engines(), out); return allHold;
         case Action::CheckScenes: return check(arguments, out, colour);
         case Action::Everything: break;
     }

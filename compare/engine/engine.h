@@ -27,13 +27,24 @@ struct BodyState {
     double angularVelocity = 0;  ///< [rad/s]
 };
 
+/// A part of a step.
+struct Phase {
+    std::string name;    ///< "pairs", "solve"
+    double seconds = 0;  ///< [s]
+};
+
 /// One scene in one engine. Bodies and probes are in the scene's order.
 class Simulation {
 public:
     virtual ~Simulation() = default;
-    /// Moves on by dt > 0, the same in every step of a run [s].
+    /// Moves on by dt > 0, the same in every step of a run [s]. Does nothing beside the engine's own step that costs
+    /// time in it: this is what is timed.
     virtual void step(double dt) = 0;
+    /// An engine that keeps no count of turns counts them here, so angles are counted on when this is called after
+    /// every step.
     virtual std::vector<BodyState> states() const = 0;
+    /// Where the time of the last step went, as the engine tells it; phases that do not overlap.
+    virtual std::vector<Phase> phases() const { return {}; }
     /// The value of each of the scene's force probes now, mean over the last step; NaN where the engine cannot say, and
     /// before the first step. Angle probes are read from the states, and are NaN here.
     virtual std::vector<double> probeValues() const = 0;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include <compare/scene/name_index.h>
+
 namespace plumb::compare {
 namespace {
 
@@ -16,19 +18,15 @@ std::size_t indexOf(const std::vector<Named>& list, const std::string& name, con
     return static_cast<std::size_t>(found - list.begin());
 }
 
-struct Anchors {
-    Vec2 a, b;  // in the world [m]
-    std::optional<double> length;
-    bool collideConnected;
-};
-
-Anchors anchorsOf(const RevoluteJointDef& def) {
-    return {def.anchor, def.anchor, {}, def.collideConnected};
+JointGeometry geometryOf(const RevoluteJointDef& def, std::size_t a, std::size_t b, const Transform& intoA,
+                         const Transform& intoB) {
+    return {a, b, intoA * def.anchor, intoB * def.anchor, {}, def.motorSpeed, def.maxMotorTorque, def.collideConnected};
 }
 
-Anchors anchorsOf(const DistanceJointDef& def) {
+JointGeometry geometryOf(const DistanceJointDef& def, std::size_t a, std::size_t b, const Transform& intoA,
+                         const Transform& intoB) {
     const double apart = (def.anchorB - def.anchorA).norm();
-    return {def.anchorA, def.anchorB, def.length.value_or(apart), def.collideConnected};
+    return {a, b, intoA * def.anchorA, intoB * def.anchorB, def.length.value_or(apart), 0, 0, def.collideConnected};
 }
 
 }  // namespace
@@ -46,15 +44,19 @@ Transform startPose(const BodyDef& def) {
 }
 
 std::vector<JointGeometry> jointGeometries(const Scene& scene) {
+    const NameIndex index(scene.bodies);
+    const auto find = [&](const std::string& name) {
+        const std::optional<std::size_t> found = index.find(name);
+        return found ? *found : bodyIndex(scene, name);  // which throws
+    };
     std::vector<JointGeometry> result;
     result.reserve(scene.joints.size());
     for (const SceneJoint& joint : scene.joints) {
-        const Anchors anchors = std::visit([](const auto& def) { return anchorsOf(def); }, joint.def);
-        const std::size_t a = bodyIndex(scene, joint.bodyA);
-        const std::size_t b = bodyIndex(scene, joint.bodyB);
-        result.push_back({a, b, startPose(scene.bodies[a].def).inverse() * anchors.a,
-                          startPose(scene.bodies[b].def).inverse() * anchors.b, anchors.length,
-                          anchors.collideConnected});
+        const std::size_t a = find(joint.bodyA);
+        const std::size_t b = find(joint.bodyB);
+        const Transform intoA = startPose(scene.bodies[a].def).inverse();
+        const Transform intoB = startPose(scene.bodies[b].def).inverse();
+        result.push_back(std::visit([&](const auto& def) { return geometryOf(def, a, b, intoA, intoB); }, joint.def));
     }
     return result;
 }

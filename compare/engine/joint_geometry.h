@@ -16,6 +16,8 @@ struct JointGeometry {
     std::size_t bodyA, bodyB;         ///< indices of the scene's bodies
     Vec2 localAnchorA, localAnchorB;  ///< in the bodies' frames [m]
     std::optional<double> length;     ///< of a rod; a hinge has none [m]
+    double motorSpeed;                ///< of a hinge's motor, of B against A [rad/s]
+    double maxMotorTorque;            ///< 0: no motor; infinite for as much as it takes [N m]
     bool collideConnected;
 };
 

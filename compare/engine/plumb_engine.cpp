@@ -15,9 +15,12 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 class PlumbSimulation : public Simulation {
 public:
-    explicit PlumbSimulation(const Scene& scene) : world_({.gravity = scene.gravity, .sleeping = true, .solver = {}}) {
+    explicit PlumbSimulation(const Scene& scene)
+        : world_({.gravity = scene.gravity, .sleeping = scene.sleeping, .solver = {}}) {
         for (const SceneBody& body : scene.bodies) bodies_.push_back(world_.add(body.def));
-        for (const SceneJoint& joint : scene.joints) joints_.push_back(world_.join(withIds(scene, joint)));
+        const std::vector<JointGeometry> joints = jointGeometries(scene);
+        for (std::size_t i = 0; i < joints.size(); ++i)
+            joints_.push_back(world_.join(withIds(scene.joints[i].def, joints[i])));
         for (const Probe& probe : scene.probes) values_.push_back(reader(scene, probe));
     }
 
@@ -36,6 +39,15 @@ public:
         return result;
     }
 
+    std::vector<Phase> phases() const override {
+        const StepProfile profile = world_.profile();
+        return {{"pairs", profile.pairs},
+                {"collide", profile.collide},
+                {"impacts", profile.impacts},
+                {"solve", profile.solve},
+                {"finish", profile.finish}};
+    }
+
     std::vector<double> probeValues() const override {
         std::vector<double> result;
         result.reserve(values_.size());
@@ -44,12 +56,11 @@ public:
     }
 
 private:
-    JointDef withIds(const Scene& scene, const SceneJoint& joint) const {
-        JointDef def = joint.def;
+    JointDef withIds(JointDef def, const JointGeometry& joint) const {
         std::visit(
             [&](auto& d) {
-                d.bodyA = bodies_[bodyIndex(scene, joint.bodyA)];
-                d.bodyB = bodies_[bodyIndex(scene, joint.bodyB)];
+                d.bodyA = bodies_[joint.bodyA];
+                d.bodyB = bodies_[joint.bodyB];
             },
             def);
         return def;
@@ -84,14 +95,14 @@ private:
     bool stepped_ = false;
 };
 
-std::vector<Setting> plumbSettings(const Scene&) {
+std::vector<Setting> plumbSettings(const Scene& scene) {
     const SolverSettings solver = WorldDef{}.solver;
     return {
         {"sub-steps", fmt::format("{}", solver.subSteps)},
         {"contact stiffness",
          fmt::format("{} Hz, damping ratio {}", solver.contactFrequency, solver.contactDampingRatio)},
         {"overlap pushed out at most at", fmt::format("{} m/s", solver.contactPushSpeed)},
-        {"sleep", fmt::format("below {} m/s for {} s", solver.sleepSpeed, solver.sleepTime)},
+        {"sleep", !scene.sleeping ? "off" : fmt::format("below {} m/s for {} s", solver.sleepSpeed, solver.sleepTime)},
         {"restitution threshold", "none"},
         {"precision", "double; contact solver single, relative to the body"},
     };

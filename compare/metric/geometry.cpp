@@ -15,6 +15,7 @@ Transform poseOf(const BodyState& state) {
 }
 
 bool accepts(const Filter& a, const Filter& b) {
+    if (a.group == b.group && a.group != 0) return a.group > 0;
     return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
 }
 

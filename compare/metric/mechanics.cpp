@@ -14,14 +14,26 @@ double reachOf(const Circle& circle, const Vec2& from) {
     return (circle.center - from).norm() + circle.radius;
 }
 
-double reachOf(const Polygon& polygon, const Vec2& from) {
+double farthest(const std::vector<Vec2>& points, const Vec2& from) {
     double reach = 0;
-    for (const Vec2& vertex : polygon.vertices) reach = std::max(reach, (vertex - from).norm());
+    for (const Vec2& point : points) reach = std::max(reach, (point - from).norm());
     return reach;
+}
+
+double reachOf(const Capsule& capsule, const Vec2& from) {
+    return std::max((capsule.start - from).norm(), (capsule.end - from).norm()) + capsule.radius;
+}
+
+double reachOf(const Polygon& polygon, const Vec2& from) {
+    return farthest(polygon.vertices, from) + polygon.radius;
 }
 
 double reachOf(const Segment& segment, const Vec2& from) {
     return std::max((segment.start - from).norm(), (segment.end - from).norm());
+}
+
+double reachOf(const Chain& chain, const Vec2& from) {
+    return farthest(chain.points, from);
 }
 
 double reachOf(const BodyDef& def, const Vec2& from) {

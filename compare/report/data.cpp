@@ -20,25 +20,46 @@ json pair(const Vec2& v) {
     return {v.x(), v.y()};
 }
 
-json shapeData(const ShapeDef& def) {
-    if (const auto* circle = std::get_if<Circle>(&def.shape)) {
-        return {{"circle", {circle->center.x(), circle->center.y(), circle->radius}}};
+json pointData(const std::vector<Vec2>& points) {
+    json data = json::array();
+    for (const Vec2& point : points) {
+        data.push_back(point.x());
+        data.push_back(point.y());
     }
-    if (const auto* segment = std::get_if<Segment>(&def.shape)) {
-        return {{"segment", {segment->start.x(), segment->start.y(), segment->end.x(), segment->end.y()}}};
-    }
-    json vertices = json::array();
-    for (const Vec2& vertex : std::get<Polygon>(def.shape).vertices) {
-        vertices.push_back(vertex.x());
-        vertices.push_back(vertex.y());
-    }
-    return {{"polygon", vertices}};
+    return data;
+}
+
+/// As the page draws it: under its kind the numbers of its points, and the radius around them where there is one.
+json shapeData(const Circle& circle) {
+    return {{"circle", {circle.center.x(), circle.center.y(), circle.radius}}};
+}
+
+json shapeData(const Capsule& capsule) {
+    return {{"capsule", pointData({capsule.start, capsule.end})}, {"radius", capsule.radius}};
+}
+
+json shapeData(const Polygon& polygon) {
+    json data = {{"polygon", pointData(polygon.vertices)}};
+    if (polygon.radius > 0) data["radius"] = polygon.radius;
+    return data;
+}
+
+json shapeData(const Segment& segment) {
+    return {{"segment", pointData({segment.start, segment.end})}};
+}
+
+/// A ring comes back to its first point.
+json shapeData(const Chain& chain) {
+    std::vector<Vec2> points = chain.points;
+    if (chain.closed) points.push_back(chain.points.front());
+    return {{"chain", pointData(points)}};
 }
 
 json bodyData(const SceneBody& body) {
     constexpr const char* types[] = {"static", "kinematic", "dynamic"};
     json shapes = json::array();
-    for (const ShapeDef& shape : body.def.shapes) shapes.push_back(shapeData(shape));
+    for (const ShapeDef& shape : body.def.shapes)
+        shapes.push_back(std::visit([](const auto& s) { return shapeData(s); }, shape.shape));
     return {{"name", body.name},
             {"type", types[static_cast<int>(body.def.type)]},
             {"start", {body.def.position.x(), body.def.position.y(), body.def.angle}},

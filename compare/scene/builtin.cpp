@@ -9,15 +9,14 @@ namespace plumb::compare {
 
 std::vector<Scene> builtinScenes() {
     return {
-        freeFall(),       projectile(),   projectileDamped(), spinFree(),       //
-        bounce08(),       bounce1(),      wallTouch(),                          //
-        headOn1(),        headOn05(),     headOn0(),          oblique1(),       //
-        oblique08(),                                                            //
-        blockSlides(),    blockSticks(),  discRolls(),                          //
-        pendulum45(),     pendulum150(),  pendulumStep(),     rodPendulum90(),  //
-        doublePendulum(), hangingChain(),                                       //
-        boxAtRest(),      stackOfTen(),   smallPyramid(),                       //
-        elasticGas(),
+        freeFall(),          projectile(),       projectileDamped(), spinFree(),    bounce08(),    bounce1(),
+        wallTouch(),         headOn1(),          headOn05(),         headOn0(),     oblique1(),    oblique08(),
+        slipLandingSticks(), slipLandingSlips(), bulletWall(),       blockSlides(), blockSticks(), discRolls(),
+        discRollsDown(),     ringRollsDown(),    slideToRoll(),      tipBelow(),    tipAbove(),    conveyor(),
+        terrainBox(),        terrainDisc(),      terrainCapsule(),   pendulum45(),  pendulum150(), pendulumStep(),
+        rodPendulum90(),     doublePendulum(),   hangingChain(),     boxAtRest(),   stackOfTen(),  smallPyramid(),
+        tallStack(),         stackAwake(),       heavyOnLight(),     arch(),        dominoes(),    elasticGas(),
+        smallTumbler(),
     };
 }
 

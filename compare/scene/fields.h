@@ -2,6 +2,7 @@
 // Which fields has each part of a scene, and what are they called in a file?
 // One list a type, for reader and writer alike, so that they cannot differ. A visitor offers
 //   visit("name", field)                a field,
+//   visit.orInfinite("name", field)     a number that may be infinite,
 //   visit.shape(shape)                  a shape under its kind: "circle": {...},
 //   visit.oneOf(variant, {tags...})     one alternative of a variant under its tag.
 #pragma once
@@ -14,8 +15,14 @@
 
 namespace plumb::compare {
 
-inline constexpr std::array<const char*, 3> bodyTypeTags{"static", "kinematic", "dynamic"};     ///< as in BodyType
-inline constexpr std::initializer_list<const char*> shapeTags{"circle", "polygon", "segment"};  ///< as in Shape
+inline constexpr std::array<const char*, 3> bodyTypeTags{"static", "kinematic", "dynamic"};  ///< as in BodyType
+inline constexpr std::array<const char*, 5> mixTags{"average", "geometricMean", "minimum", "product",
+                                                    "maximum"};  ///< as in Mix
+inline constexpr std::initializer_list<const char*> shapeTags{"circle", "capsule", "polygon", "segment",
+                                                              "chain"};  ///< as in Shape
+
+/// Of a number without bound, for which JSON has no sign.
+inline constexpr const char* infiniteTag = "infinite";
 
 template <class T, class U>
 concept Is = std::same_as<std::remove_const_t<T>, U>;
@@ -24,30 +31,49 @@ void fields(auto& visit, Is<Circle> auto& x) {
     visit("radius", x.radius);
     visit("center", x.center);
 }
+void fields(auto& visit, Is<Capsule> auto& x) {
+    visit("start", x.start);
+    visit("end", x.end);
+    visit("radius", x.radius);
+}
 void fields(auto& visit, Is<Polygon> auto& x) {
     visit("vertices", x.vertices);
+    visit("radius", x.radius);
 }
 void fields(auto& visit, Is<Segment> auto& x) {
     visit("start", x.start);
     visit("end", x.end);
+    visit("before", x.before);
+    visit("after", x.after);
+}
+void fields(auto& visit, Is<Chain> auto& x) {
+    visit("points", x.points);
+    visit("closed", x.closed);
 }
 /// A box as a file may give it; it is kept as the polygon it is.
 struct BoxFields {
     Vec2 halfSize{0.5, 0.5};  ///< [m]
     Vec2 center{0, 0};        ///< [m]
+    double radius = 0;        ///< the outline lies so far outside of the box [m]
 };
 void fields(auto& visit, Is<BoxFields> auto& x) {
     visit("halfSize", x.halfSize);
     visit("center", x.center);
+    visit("radius", x.radius);
 }
 void fields(auto& visit, Is<Material> auto& x) {
     visit("density", x.density);
     visit("friction", x.friction);
     visit("restitution", x.restitution);
+    visit("rollingResistance", x.rollingResistance);
+    visit("surfaceSpeed", x.surfaceSpeed);
+    visit("frictionMix", x.frictionMix);
+    visit("restitutionMix", x.restitutionMix);
 }
 void fields(auto& visit, Is<Filter> auto& x) {
     visit("category", x.category);
     visit("mask", x.mask);
+    visit("group", x.group);
 }
 void fields(auto& visit, Is<ShapeDef> auto& x) {
     visit.shape(x.shape);
@@ -70,6 +96,7 @@ void fields(auto& visit, Is<BodyDef> auto& x) {
     visit("angularDamping", x.angularDamping);
     visit("fixedRotation", x.fixedRotation);
     visit("canSleep", x.canSleep);
+    visit("awake", x.awake);
     visit("mass", x.mass);
     visit("shapes", x.shapes);
 }
@@ -79,6 +106,8 @@ void fields(auto& visit, Is<SceneBody> auto& x) {
 }
 void fields(auto& visit, Is<RevoluteJointDef> auto& x) {
     visit("anchor", x.anchor);
+    visit("motorSpeed", x.motorSpeed);
+    visit.orInfinite("maxMotorTorque", x.maxMotorTorque);
     visit("collideConnected", x.collideConnected);
 }
 void fields(auto& visit, Is<DistanceJointDef> auto& x) {
@@ -178,6 +207,7 @@ void fields(auto& visit, Is<Scene> auto& x) {
     visit("gravity", x.gravity);
     visit("duration", x.duration);
     visit("dt", x.dt);
+    visit("sleeping", x.sleeping);
     visit("bodies", x.bodies);
     visit("joints", x.joints);
     visit("closedForm", x.closedForm);

@@ -5,6 +5,8 @@
 #include <fstream>
 #include <initializer_list>
 #include <iterator>
+#include <limits>
+#include <span>
 #include <stdexcept>
 #include <system_error>
 
@@ -46,6 +48,14 @@ public:
         if (const Json* field = find(name)) value = read(Type<T>(), *field, member(name));
     }
 
+    void orInfinite(const char* name, double& value) {
+        const Json* field = find(name);
+        if (field == nullptr) return;
+        if (!field->is_number() && *field != infiniteTag)
+            refuseKind(member(name), *field, "a number or " + Json(infiniteTag).dump());
+        value = field->is_number() ? field->get<double>() : std::numeric_limits<double>::infinity();
+    }
+
     void shape(Shape& shape) {
         const Json* given = find("box");
         if (given == nullptr) return oneOf(shape, shapeTags);
@@ -57,7 +67,9 @@ public:
         if (!(box.halfSize.x() > 0 && box.halfSize.y() > 0)) {
             plumb::refuse(member("box.halfSize"), toText(box.halfSize) + " is not positive");
         }
-        shape = boxPolygon(box.halfSize, box.center);
+        Polygon polygon = boxPolygon(box.halfSize, box.center);
+        polygon.radius = box.radius;
+        shape = std::move(polygon);
     }
 
     template <class... T>
@@ -128,10 +140,26 @@ private:
         if (!json.is_array() || json.size() != 2) refuseKind(path, json, "two numbers [x, y]");
         return {read(Type<double>(), json[0], path + "[0]"), read(Type<double>(), json[1], path + "[1]")};
     }
+    static int read(Type<int>, const Json& json, const std::string& path) {
+        const auto fits = [&] {
+            const auto value = json.get<std::int64_t>();
+            return value >= std::numeric_limits<int>::min() && value <= std::numeric_limits<int>::max();
+        };
+        const bool beyond = json.is_number_unsigned() && json.get<std::uint64_t>() > std::numeric_limits<int>::max();
+        if (!json.is_number_integer() || beyond || !fits()) refuseKind(path, json, "a whole number of 32 bits");
+        return json.get<int>();
+    }
     static BodyType read(Type<BodyType>, const Json& json, const std::string& path) {
-        const auto tag = std::ranges::find_if(bodyTypeTags, [&](const char* name) { return json == name; });
-        if (tag == std::end(bodyTypeTags)) refuseKind(path, json, "static, kinematic or dynamic");
-        return static_cast<BodyType>(tag - std::begin(bodyTypeTags));
+        return static_cast<BodyType>(tagOf(bodyTypeTags, json, path, "static, kinematic or dynamic"));
+    }
+    static Mix read(Type<Mix>, const Json& json, const std::string& path) {
+        return static_cast<Mix>(tagOf(mixTags, json, path, "average, geometricMean, minimum, product or maximum"));
+    }
+    static std::size_t tagOf(std::span<const char* const> tags, const Json& json, const std::string& path,
+                             const std::string& wanted) {
+        const auto tag = std::ranges::find_if(tags, [&](const char* name) { return json == name; });
+        if (tag == tags.end()) refuseKind(path, json, wanted);
+        return static_cast<std::size_t>(tag - tags.begin());
     }
     template <class T>
     static std::optional<T> read(Type<std::optional<T>>, const Json& json, const std::string& path) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
 #include <initializer_list>
 
 #include <compare/scene/fields.h>
@@ -28,9 +29,11 @@ public:
     static Json write(double value) { return value; }
     static Json write(bool value) { return value; }
     static Json write(std::uint64_t value) { return value; }
+    static Json write(int value) { return value; }
     static Json write(const std::string& value) { return value; }
     static Json write(const Vec2& value) { return Json::array({value.x(), value.y()}); }
     static Json write(BodyType value) { return bodyTypeTags[static_cast<std::size_t>(value)]; }
+    static Json write(Mix value) { return mixTags[static_cast<std::size_t>(value)]; }
     template <class T>
     static Json write(const std::optional<T>& value) {
         return value ? write(*value) : Json(nullptr);
@@ -45,6 +48,9 @@ public:
     template <class T>
     void operator()(const char* name, const T& value) {
         object_[name] = write(value);
+    }
+    void orInfinite(const char* name, double value) {
+        object_[name] = std::isinf(value) ? Json(infiniteTag) : Json(value);
     }
     void shape(const Shape& shape) { oneOf(shape, shapeTags); }
     template <class... T>

@@ -52,6 +52,7 @@ struct Scene {
     Vec2 gravity{0, -9.81};  ///< [m/s^2]
     double duration = 2;     ///< [s]
     double dt = 1.0 / 60;    ///< [s]
+    bool sleeping = true;    ///< may engines leave out what rests?
     std::vector<SceneBody> bodies{};
     std::vector<SceneJoint> joints{};
     std::optional<ClosedForm> closedForm{};

@@ -4,7 +4,9 @@
 #include <numbers>
 #include <span>
 
+#include <compare/scene/fields.h>
 #include <compare/scene/metric_names.h>
+#include <compare/scene/name_index.h>
 #include <compare/scene/nearest.h>
 #include <compare/scene/scene.h>
 #include <plumb/math/check.h>
@@ -39,13 +41,14 @@ std::vector<std::string> namesOf(const std::vector<Named>& things) {
 
 template <class Named>
 void validateNames(const std::vector<Named>& things, const std::string& list) {
-    const std::vector<std::string> names = namesOf(things);
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const std::string field = at(list, i) + ".name";
-        if (names[i].empty()) refuse(field, "\"\" is empty, wanted a name");
-        const auto first = static_cast<std::size_t>(std::ranges::find(names, names[i]) - names.begin());
+    const NameIndex index(things);
+    for (std::size_t i = 0; i < things.size(); ++i) {
+        const std::string& name = things[i].name;
+        if (name.empty()) refuse(at(list, i) + ".name", "\"\" is empty, wanted a name");
+        const std::size_t first = index.find(name).value_or(i);
         if (first < i)
-            refuse(field, quoted(names[i]) + " is used twice, wanted a name that differs from " + at(list, first));
+            refuse(at(list, i) + ".name",
+                   quoted(name) + " is used twice, wanted a name that differs from " + at(list, first));
     }
 }
 
@@ -69,21 +72,23 @@ void validateTime(const Scene& scene) {
 }
 
 void validateBody(const SceneBody& body, const std::string& field) {
-    constexpr const char* kinds[] = {".circle", ".polygon", ".segment"};  // in the order of Shape
     for (std::size_t i = 0; i < body.def.shapes.size(); ++i) {
         const Shape& shape = body.def.shapes[i].shape;
-        plumb::validate(shape, at(field + ".shapes", i) + kinds[shape.index()]);
+        plumb::validate(shape, at(field + ".shapes", i) + "." + shapeTags.begin()[shape.index()]);
     }
     plumb::validate(body.def, field);
 }
 
-void validateJoint(const SceneJoint& joint, const std::vector<std::string>& bodies, const std::string& field) {
-    requireKnown(joint.bodyA, bodies, field + ".bodyA", "a body");
-    requireKnown(joint.bodyB, bodies, field + ".bodyB", "a body");
+void validateJoint(const SceneJoint& joint, const Scene& scene, const NameIndex& bodies, const std::string& field) {
+    if (!bodies.find(joint.bodyA)) requireKnown(joint.bodyA, namesOf(scene.bodies), field + ".bodyA", "a body");
+    if (!bodies.find(joint.bodyB)) requireKnown(joint.bodyB, namesOf(scene.bodies), field + ".bodyB", "a body");
     if (joint.bodyA == joint.bodyB)
         refuse(field + ".bodyB", quoted(joint.bodyB) + " is bodyA too, wanted another body");
     if (const auto* revolute = std::get_if<RevoluteJointDef>(&joint.def)) {
         requireFinite(revolute->anchor, field, ".revolute.anchor");
+        requireFinite(revolute->motorSpeed, field, ".revolute.motorSpeed");
+        if (!(revolute->maxMotorTorque >= 0))  // infinite is as much as it takes
+            refuse(field + ".revolute.maxMotorTorque", toText(revolute->maxMotorTorque) + " is negative or no number");
     }
     if (const auto* distance = std::get_if<DistanceJointDef>(&joint.def)) {
         requireFinite(distance->anchorA, field, ".distance.anchorA");
@@ -218,11 +223,11 @@ void validate(const Scene& scene) {
     validateNames(scene.bodies, "bodies");
     validateNames(scene.joints, "joints");
     validateNames(scene.probes, "probes");
-    const std::vector<std::string> bodies = namesOf(scene.bodies);
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) validateBody(scene.bodies[i], at("bodies", i));
-    for (std::size_t i = 0; i < scene.joints.size(); ++i) validateJoint(scene.joints[i], bodies, at("joints", i));
+    const NameIndex index(scene.bodies);
+    for (std::size_t i = 0; i < scene.joints.size(); ++i) validateJoint(scene.joints[i], scene, index, at("joints", i));
     for (std::size_t i = 0; i < scene.probes.size(); ++i) validateProbe(scene.probes[i], scene, at("probes", i));
-    if (scene.closedForm) validateClosedForm(*scene.closedForm, bodies);
+    if (scene.closedForm) validateClosedForm(*scene.closedForm, namesOf(scene.bodies));
     for (std::size_t i = 0; i < scene.checks.size(); ++i) validateCheck(scene.checks[i], scene, at("checks", i));
 }
 

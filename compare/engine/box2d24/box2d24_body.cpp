@@ -3,6 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
+
+#include <compare/engine/mixed.h>
+#include <compare/engine/outline.h>
 #include <compare/engine/single.h>
 
 namespace plumb::compare {
@@ -26,6 +31,9 @@ b2Filter filterOf(const Filter& filter, const std::string& body) {
     result.categoryBits = static_cast<uint16>(filter.category);
     // Bits of the mask beyond 16 can be dropped: no shape of the scene has such a category.
     result.maskBits = static_cast<uint16>(filter.mask & bits);
+    result.groupIndex = static_cast<int16>(filter.group);
+    if (result.groupIndex != filter.group)
+        throw Unsupported(fmt::format("body {}: filter group {} does not fit Box2D 2.4's 16 bits", body, filter.group));
     return result;
 }
 
@@ -33,12 +41,15 @@ b2Filter filterOf(const Filter& filter, const std::string& body) {
 constexpr double leastArea = 2 * b2_epsilon;  // [m^2]
 
 void checkCorners(const Polygon& polygon, const std::string& body) {
+    if (polygon.vertices.size() > b2_maxPolygonVertices)
+        throw Unsupported(
+            fmt::format("body {}: Box2D 2.4 has no polygon of more than {} corners", body, b2_maxPolygonVertices));
     for (std::size_t i = 0; i < polygon.vertices.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             if ((polygon.vertices[i] - polygon.vertices[j]).norm() <= weldDistance)
                 throw Unsupported(
                     fmt::format("body {}: Box2D 2.4 welds polygon corners nearer than {:.4g} m", body, weldDistance));
-    if (massOf(polygon, 1).mass <= leastArea)
+    if (massOf(Polygon{polygon.vertices}, 1).mass <= leastArea)
         throw Unsupported(fmt::format("body {}: Box2D 2.4 has no polygon smaller than {:.2g} m^2", body, leastArea));
 }
 
@@ -54,7 +65,7 @@ void checkInertia(const BodyDef& def, const std::string& body) {
                         body));
 }
 
-void addShape(b2Body& body, b2FixtureDef& fixture, const Circle& circle, const std::string&) {
+void addShape(b2Body& body, b2FixtureDef fixture, const Circle& circle, const std::string&) {
     b2CircleShape shape;
     shape.m_radius = toSingle(circle.radius);
     shape.m_p = toBox2d24(circle.center);
@@ -62,7 +73,9 @@ void addShape(b2Body& body, b2FixtureDef& fixture, const Circle& circle, const s
     body.CreateFixture(&fixture);
 }
 
-void addShape(b2Body& body, b2FixtureDef& fixture, const Polygon& polygon, const std::string& name) {
+/// A rounded polygon gets its radius for a skin, which Box2D 2.4 keeps around edges, and in part around corners. The
+/// skin has no mass.
+void addShape(b2Body& body, b2FixtureDef fixture, const Polygon& polygon, const std::string& name) {
     checkCorners(polygon, name);
     const std::size_t count = polygon.vertices.size();
     b2Vec2 points[b2_maxPolygonVertices];
@@ -71,27 +84,93 @@ void addShape(b2Body& body, b2FixtureDef& fixture, const Polygon& polygon, const
     shape.Set(points, static_cast<int32>(count));
     if (shape.m_count != static_cast<int32>(count))
         throw Unsupported(fmt::format("body {}: Box2D 2.4 takes polygon corners for being in line", name));
+    shape.m_radius = std::max(shape.m_radius, toSingle(polygon.radius));
     fixture.shape = &shape;
     body.CreateFixture(&fixture);
 }
 
-void addShape(b2Body& body, b2FixtureDef& fixture, const Segment& segment, const std::string&) {
+/// Two discs, and between them a box that with its skin is as thick as they are.
+void addShape(b2Body& body, b2FixtureDef fixture, const Capsule& capsule, const std::string& name) {
+    constexpr double skin = b2_polygonRadius;
+    if (toSingle(capsule.radius) <= 2 * b2_polygonRadius)
+        throw Unsupported(fmt::format("body {}: of a capsule as thin as {} m Box2D 2.4's skin of {} m would be half",
+                                      name, capsule.radius, skin));
+    fixture.density = 0;  // the parts overlap: the body gets the capsule's mass
+    addShape(body, fixture, Circle{capsule.radius, capsule.start}, name);
+    addShape(body, fixture, Circle{capsule.radius, capsule.end}, name);
+    addShape(body, fixture, axisBox(capsule, capsule.radius - skin), name);
+}
+
+void addShape(b2Body& body, b2FixtureDef fixture, const Segment& segment, const std::string&) {
     b2EdgeShape shape;
-    shape.SetTwoSided(toBox2d24(segment.start), toBox2d24(segment.end));
+    if (hasNeighbour(segment)) {
+        const std::vector<Vec2> points = withGhosts(segment);
+        shape.SetOneSided(toBox2d24(points[0]), toBox2d24(points[1]), toBox2d24(points[2]), toBox2d24(points[3]));
+    } else {
+        shape.SetTwoSided(toBox2d24(segment.start), toBox2d24(segment.end));
+    }
     fixture.shape = &shape;
     body.CreateFixture(&fixture);
 }
 
-void addShapes(b2Body& body, const SceneBody& sceneBody, float restitutionThreshold) {
+void addShape(b2Body& body, b2FixtureDef fixture, const Chain& chain, const std::string& name) {
+    const std::vector<Vec2> wanted = chain.closed ? chain.points : withGhosts(chain);
+    std::vector<b2Vec2> points;
+    for (const Vec2& point : wanted) points.push_back(toBox2d24(point));
+    for (std::size_t i = chain.closed ? 0 : 1; i < points.size(); ++i)
+        if (b2Distance(points[i], points[(i + points.size() - 1) % points.size()]) <= b2_linearSlop)
+            throw Unsupported(
+                fmt::format("body {}: Box2D 2.4 has no chain with a segment of {} m or less", name, b2_linearSlop));
+    const auto count = static_cast<int32>(points.size());
+    b2ChainShape shape;
+    if (chain.closed)
+        shape.CreateLoop(points.data(), count);
+    else
+        shape.CreateChain(&points[1], count - 2, points.front(), points.back());
+    fixture.shape = &shape;
+    body.CreateFixture(&fixture);
+}
+
+/// The material to be asked when a contact begins; null when Box2D 2.4 knows enough itself.
+const Material* keep(const Material& material, Surfaces24& surfaces) {
+    if (mixesAsBox2d(material) && material.surfaceSpeed == 0) return nullptr;
+    return &surfaces.emplace_back(material);
+}
+
+void addShapes(b2Body& body, const SceneBody& sceneBody, float restitutionThreshold, Surfaces24& surfaces) {
     for (const ShapeDef& def : sceneBody.def.shapes) {
+        const Material& material = def.material;
+        if (material.rollingResistance > 0)
+            throw Unsupported(fmt::format("body {}: Box2D 2.4 has no rolling resistance", sceneBody.name));
         b2FixtureDef fixture;
-        fixture.density = toSingle(def.material.density);
-        fixture.friction = toSingle(def.material.friction);
-        fixture.restitution = toSingle(def.material.restitution);
+        fixture.density = toSingle(material.density);
+        fixture.friction = toSingle(material.friction);
+        fixture.restitution = toSingle(material.restitution);
         fixture.restitutionThreshold = restitutionThreshold;
         fixture.filter = filterOf(def.filter, sceneBody.name);
+        fixture.userData.pointer = reinterpret_cast<std::uintptr_t>(keep(material, surfaces));
         std::visit([&](const auto& shape) { addShape(body, fixture, shape, sceneBody.name); }, def.shape);
     }
+}
+
+const Material* surfaceOf(b2Fixture& fixture) {
+    return reinterpret_cast<const Material*>(fixture.GetUserData().pointer);
+}
+
+/// Box2D 2.4 has a shape of this body in another form, whose mass differs.
+bool needsMass(const BodyDef& def) {
+    return def.mass || std::ranges::any_of(def.shapes, [](const ShapeDef& shape) {
+               return std::holds_alternative<Capsule>(shape.shape) || isRounded(shape.shape);
+           });
+}
+
+void setMass(b2Body& body, const Mass& mass) {
+    b2MassData data;
+    data.mass = toSingle(mass.mass);
+    data.center = toBox2d24(mass.center);
+    // Box2D 2.4 wants the inertia about the body's origin.
+    data.I = toSingle(mass.inertia + mass.mass * mass.center.squaredNorm());
+    body.SetMassData(&data);
 }
 
 }  // namespace
@@ -104,7 +183,7 @@ float restitutionThreshold24(const Scene& scene) {
     return bounces(scene) ? 0.0f : b2FixtureDef().restitutionThreshold;
 }
 
-b2Body* addBody24(b2World& world, const SceneBody& sceneBody, float restitutionThreshold) {
+b2Body* addBody24(b2World& world, const SceneBody& sceneBody, float restitutionThreshold, Surfaces24& surfaces) {
     const BodyDef& def = sceneBody.def;
     checkInertia(def, sceneBody.name);
     b2BodyDef bodyDef;
@@ -116,22 +195,30 @@ b2Body* addBody24(b2World& world, const SceneBody& sceneBody, float restitutionT
     bodyDef.angularDamping = toSingle(def.angularDamping);
     bodyDef.fixedRotation = def.fixedRotation;
     bodyDef.allowSleep = def.canSleep;
+    bodyDef.awake = def.awake;
     b2Body* body = world.CreateBody(&bodyDef);
-    addShapes(*body, sceneBody, restitutionThreshold);
-    if (def.mass && def.type == BodyType::Dynamic) {
-        b2MassData mass;
-        mass.mass = toSingle(def.mass->mass);
-        mass.center = toBox2d24(def.mass->center);
-        // Box2D 2.4 wants the inertia about the body's origin.
-        mass.I = toSingle(def.mass->inertia + def.mass->mass * def.mass->center.squaredNorm());
-        body->SetMassData(&mass);
-    }
+    addShapes(*body, sceneBody, restitutionThreshold, surfaces);
+    if (def.type == BodyType::Dynamic && needsMass(def)) setMass(*body, massOf(def));
     // Last, because a velocity in the def would be the origin's, and change as shapes move the centre of mass.
     if (def.type != BodyType::Static) {
         body->SetLinearVelocity(toBox2d24(def.velocity));
         body->SetAngularVelocity(toSingle(def.angularVelocity));
     }
     return body;
+}
+
+void mixSurfaces24(b2Contact& contact) {
+    static const Material plain;
+    b2Fixture& a = *contact.GetFixtureA();
+    b2Fixture& b = *contact.GetFixtureB();
+    if (!surfaceOf(a) && !surfaceOf(b)) return;
+    const Material& ofA = surfaceOf(a) ? *surfaceOf(a) : plain;
+    const Material& ofB = surfaceOf(b) ? *surfaceOf(b) : plain;
+    contact.SetFriction(mixed(ruleOf(ofA.frictionMix, ofB.frictionMix), a.GetFriction(), b.GetFriction()));
+    contact.SetRestitution(
+        mixed(ruleOf(ofA.restitutionMix, ofB.restitutionMix), a.GetRestitution(), b.GetRestitution()));
+    // Box2D's tangent is the normal turned clockwise: on either side of it a positive speed runs clockwise around.
+    contact.SetTangentSpeed(toSingle(ofA.surfaceSpeed + ofB.surfaceSpeed));
 }
 
 BodyState stateOf24(const b2Body& body) {

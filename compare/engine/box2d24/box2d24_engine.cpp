@@ -24,9 +24,11 @@ struct PressedPair {
     double force = 0;    // mean of the last step in which they were awake [N]
 };
 
-class PressureListener : public b2ContactListener {
+class ContactListener : public b2ContactListener {
 public:
     std::vector<PressedPair> pairs;
+
+    void BeginContact(b2Contact* contact) override { mixSurfaces24(*contact); }
 
     void PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) override {
         const b2Body* a = contact->GetFixtureA()->GetBody();
@@ -54,11 +56,13 @@ class Box2d24Simulation : public Simulation {
 public:
     explicit Box2d24Simulation(const Scene& scene) : world_(toBox2d24(scene.gravity)), probes_(scene.probes.size()) {
         const float threshold = restitutionThreshold24(scene);
-        for (const SceneBody& body : scene.bodies) bodies_.push_back(addBody24(world_, body, threshold));
+        world_.SetAllowSleeping(scene.sleeping);
+        for (const SceneBody& body : scene.bodies) bodies_.push_back(addBody24(world_, body, threshold, surfaces_));
         const std::vector<JointGeometry> joints = jointGeometries(scene);
         for (std::size_t i = 0; i < joints.size(); ++i) joints_.push_back(join(joints[i], scene.joints[i].name));
         for (std::size_t i = 0; i < scene.probes.size(); ++i) watch(scene, scene.probes[i], probes_[i]);
-        world_.SetContactListener(&listener_);
+        // Told of every contact in every step, a listener costs time: only where there is something to listen to.
+        if (!listener_.pairs.empty() || !surfaces_.empty()) world_.SetContactListener(&listener_);
     }
 
     void step(double dt) override {
@@ -72,6 +76,15 @@ public:
         result.reserve(bodies_.size());
         for (const b2Body* body : bodies_) result.push_back(stateOf24(*body));
         return result;
+    }
+
+    std::vector<Phase> phases() const override {
+        const b2Profile& profile = world_.GetProfile();
+        const auto phase = [](const char* name, float milliseconds) {
+            return Phase{name, static_cast<double>(milliseconds) / 1000};
+        };
+        return {phase("collide", profile.collide), phase("solve", profile.solve - profile.broadphase),
+                phase("broad phase", profile.broadphase), phase("time of impact", profile.solveTOI)};
     }
 
     std::vector<double> probeValues() const override {
@@ -98,6 +111,9 @@ private:
             def.localAnchorB = toBox2d24(joint.localAnchorB);
             def.referenceAngle = b->GetAngle() - a->GetAngle();
             def.collideConnected = joint.collideConnected;
+            def.enableMotor = joint.maxMotorTorque > 0;
+            def.motorSpeed = toSingle(joint.motorSpeed);
+            def.maxMotorTorque = toSingleAtMost(joint.maxMotorTorque);
             return world_.CreateJoint(&def);
         }
         const auto length = toSingle(*joint.length);
@@ -130,7 +146,8 @@ private:
         return unknown;
     }
 
-    PressureListener listener_;
+    ContactListener listener_;
+    Surfaces24 surfaces_;
     b2World world_;
     std::vector<b2Body*> bodies_;
     std::vector<const b2Joint*> joints_;
@@ -146,7 +163,11 @@ std::vector<Setting> box2d24Settings(const Scene& scene) {
         {"slop", fmt::format("{} m", b2_linearSlop)},
         {"skin of polygons and segments", fmt::format("{} m", b2_polygonRadius)},
         {"position correction", fmt::format("{} of the overlap a step", b2_baumgarte)},
-        {"sleep", fmt::format("below {} m/s for {} s", b2_linearSleepTolerance, b2_timeToSleep)},
+        {"capsules", "a box and two discs, with the capsule's mass"},
+        {"rounded polygons", "a skin of their radius, with the rounded one's mass"},
+        {"chains, segments with neighbours", "solid on the right of their direction only"},
+        {"sleep",
+         !scene.sleeping ? "off" : fmt::format("below {} m/s for {} s", b2_linearSleepTolerance, b2_timeToSleep)},
         {"continuous collision", "against static bodies"},
         {"warm starting", "on"},
         {"SIMD", "none"},

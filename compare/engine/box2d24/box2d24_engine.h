@@ -6,8 +6,10 @@
 namespace plumb::compare {
 
 /// Box2D 2.4 at its defaults: 8 velocity and 3 position iterations a step. Restitution threshold 0 where a scene
-/// bounces. Unsupported: filter categories beyond 16 bits, polygons with corners that Box2D would weld, rods shorter
-/// than its slop, numbers beyond single precision.
+/// bounces. A capsule is a box and two discs on one body, with the capsule's mass; a rounded polygon has a skin of its
+/// radius, and its own mass. Unsupported: rolling resistance, polygons of more than 8 corners or with corners that
+/// Box2D would weld, capsules not thicker than twice its skin, chains with segments and rods not longer than its slop,
+/// filter categories and groups beyond 16 bits, numbers beyond single precision.
 Engine box2d24Engine();
 
 }  // namespace plumb::compare

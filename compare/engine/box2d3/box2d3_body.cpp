@@ -4,12 +4,34 @@
 #include <box2d/constants.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
+#include <compare/engine/mixed.h>
+#include <compare/engine/outline.h>
 #include <compare/engine/single.h>
 
 namespace plumb::compare {
 namespace {
+
+constexpr std::uint64_t mixCount = 5;  // of the rules in Mix
+
+/// A material's two mixing rules as a number, for Box2D 3 to carry along; 0 for its own rules.
+std::uint64_t mixesId(const Material& material) {
+    if (mixesAsBox2d(material)) return 0;
+    return 1 + static_cast<std::uint64_t>(material.frictionMix) +
+           mixCount * static_cast<std::uint64_t>(material.restitutionMix);
+}
+
+struct Mixes {
+    Mix friction, restitution;
+};
+
+Mixes mixesOf(std::uint64_t id) {
+    if (id == 0) return {Mix::GeometricMean, Mix::Maximum};
+    return {static_cast<Mix>((id - 1) % mixCount), static_cast<Mix>((id - 1) / mixCount)};
+}
 
 b2BodyType typeOf(BodyType type) {
     if (type == BodyType::Static) return b2_staticBody;
@@ -22,33 +44,80 @@ void addShape(b2BodyId body, const b2ShapeDef& def, const Circle& circle, const 
     b2CreateCircleShape(body, &def, &shape);
 }
 
+void addShape(b2BodyId body, const b2ShapeDef& def, const Capsule& capsule, const std::string& name) {
+    if ((capsule.end - capsule.start).norm() <= static_cast<double>(B2_LINEAR_SLOP))
+        throw Unsupported(fmt::format("body {}: Box2D 3 has no capsule shorter than {} m", name, B2_LINEAR_SLOP));
+    const b2Capsule shape{toBox2d3(capsule.start), toBox2d3(capsule.end), toSingle(capsule.radius)};
+    b2CreateCapsuleShape(body, &def, &shape);
+}
+
 void addShape(b2BodyId body, const b2ShapeDef& def, const Polygon& polygon, const std::string& name) {
     const std::size_t count = polygon.vertices.size();
+    if (count > B2_MAX_POLYGON_VERTICES)
+        throw Unsupported(
+            fmt::format("body {}: Box2D 3 has no polygon of more than {} corners", name, B2_MAX_POLYGON_VERTICES));
     b2Vec2 points[B2_MAX_POLYGON_VERTICES];
     for (std::size_t i = 0; i < count; ++i) points[i] = toBox2d3(polygon.vertices[i]);
     const b2Hull hull = b2ComputeHull(points, static_cast<int>(count));
     if (hull.count != static_cast<int>(count))
         throw Unsupported(fmt::format("body {}: Box2D 3 welds polygon corners nearer than {:.4g} m, or in line", name,
                                       4 * B2_LINEAR_SLOP));
-    const b2Polygon shape = b2MakePolygon(&hull, 0);
+    const b2Polygon shape = b2MakePolygon(&hull, toSingle(polygon.radius));
     b2CreatePolygonShape(body, &def, &shape);
 }
 
+/// The first and the last point of an open line are the ghosts that its ends ask for.
+void addChain(b2BodyId body, const b2ShapeDef& def, const std::vector<Vec2>& line, bool closed,
+              const std::string& name) {
+    std::vector<b2Vec2> points;
+    for (const Vec2& point : line) points.push_back(toBox2d3(point));
+    for (std::size_t i = closed ? 0 : 1; i < points.size(); ++i)
+        if (b2Distance(points[i], points[(i + points.size() - 1) % points.size()]) <= B2_LINEAR_SLOP)
+            throw Unsupported(
+                fmt::format("body {}: Box2D 3 has no chain with a segment of {} m or less", name, B2_LINEAR_SLOP));
+    b2ChainDef chainDef = b2DefaultChainDef();
+    chainDef.points = points.data();
+    chainDef.count = static_cast<int>(points.size());
+    chainDef.isLoop = closed;
+    chainDef.materials = &def.material;
+    chainDef.materialCount = 1;
+    chainDef.filter = def.filter;
+    b2CreateChain(body, &chainDef);
+}
+
 void addShape(b2BodyId body, const b2ShapeDef& def, const Segment& segment, const std::string& name) {
+    if (hasNeighbour(segment)) return addChain(body, def, withGhosts(segment), false, name);
     if ((segment.end - segment.start).norm() <= static_cast<double>(B2_LINEAR_SLOP))
         throw Unsupported(fmt::format("body {}: Box2D 3 has no segment shorter than {} m", name, B2_LINEAR_SLOP));
     const b2Segment shape{toBox2d3(segment.start), toBox2d3(segment.end)};
     b2CreateSegmentShape(body, &def, &shape);
 }
 
+void addShape(b2BodyId body, const b2ShapeDef& def, const Chain& chain, const std::string& name) {
+    if (chain.closed && chain.points.size() < 4)
+        throw Unsupported(fmt::format("body {}: Box2D 3 has no ring of fewer than 4 points", name));
+    addChain(body, def, chain.closed ? chain.points : withGhosts(chain), chain.closed, name);
+}
+
+b2SurfaceMaterial surfaceOf(const Material& material) {
+    b2SurfaceMaterial result = b2DefaultSurfaceMaterial();
+    result.friction = toSingle(material.friction);
+    result.restitution = toSingle(material.restitution);
+    result.rollingResistance = toSingle(material.rollingResistance);
+    // Box2D's tangent is the normal turned clockwise: on either side of it a positive speed runs clockwise around.
+    result.tangentSpeed = toSingle(material.surfaceSpeed);
+    result.userMaterialId = mixesId(material);
+    return result;
+}
+
 void addShapes(b2BodyId body, const SceneBody& sceneBody) {
     for (const ShapeDef& shape : sceneBody.def.shapes) {
         b2ShapeDef def = b2DefaultShapeDef();
         def.density = toSingle(shape.material.density);
-        def.material.friction = toSingle(shape.material.friction);
-        def.material.restitution = toSingle(shape.material.restitution);
+        def.material = surfaceOf(shape.material);
         def.filter.categoryBits = shape.filter.category;
         def.filter.maskBits = shape.filter.mask;
+        def.filter.groupIndex = shape.filter.group;
         std::visit([&](const auto& s) { addShape(body, def, s, sceneBody.name); }, shape.shape);
     }
 }
@@ -64,6 +133,7 @@ b2BodyDef definition(const BodyDef& def) {
     result.angularDamping = toSingle(def.angularDamping);
     result.motionLocks.angularZ = def.fixedRotation;
     result.enableSleep = def.canSleep;
+    result.isAwake = def.awake;
     return result;
 }
 
@@ -73,14 +143,24 @@ b2Vec2 toBox2d3(const Vec2& v) {
     return {toSingle(v.x()), toSingle(v.y())};
 }
 
+float mixedFriction3(float a, std::uint64_t materialA, float b, std::uint64_t materialB) {
+    return mixed(ruleOf(mixesOf(materialA).friction, mixesOf(materialB).friction), a, b);
+}
+
+float mixedRestitution3(float a, std::uint64_t materialA, float b, std::uint64_t materialB) {
+    return mixed(ruleOf(mixesOf(materialA).restitution, mixesOf(materialB).restitution), a, b);
+}
+
 b2BodyId addBody3(b2WorldId world, const SceneBody& sceneBody) {
     const BodyDef& def = sceneBody.def;
     const b2BodyDef bodyDef = definition(def);
     const b2BodyId body = b2CreateBody(world, &bodyDef);
     addShapes(body, sceneBody);
-    if (def.mass && def.type == BodyType::Dynamic) {
-        const b2MassData mass{toSingle(def.mass->mass), toBox2d3(def.mass->center), toSingle(def.mass->inertia)};
-        b2Body_SetMassData(body, mass);
+    // Box2D 3 weighs a rounded polygon as if its corners were sharp.
+    const auto rounded = [](const ShapeDef& shape) { return isRounded(shape.shape); };
+    if (def.type == BodyType::Dynamic && (def.mass || std::ranges::any_of(def.shapes, rounded))) {
+        const Mass mass = massOf(def);
+        b2Body_SetMassData(body, {toSingle(mass.mass), toBox2d3(mass.center), toSingle(mass.inertia)});
     }
     // Last, because a velocity in the def would be the origin's, and change as shapes move the centre of mass.
     if (def.type != BodyType::Static) {

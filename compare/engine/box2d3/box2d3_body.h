@@ -3,6 +3,8 @@
 #pragma once
 #include <box2d/box2d.h>
 
+#include <cstdint>
+
 #include <compare/engine/engine.h>
 
 namespace plumb::compare {
@@ -11,6 +13,10 @@ b2Vec2 toBox2d3(const Vec2& v);
 
 /// Throws Unsupported, naming the body, when Box2D 3 cannot have it as it is.
 b2BodyId addBody3(b2WorldId world, const SceneBody& body);
+
+/// A pair's coefficients by the rules that its materials name, for worlds in which some material has its own.
+float mixedFriction3(float a, std::uint64_t materialA, float b, std::uint64_t materialB);
+float mixedRestitution3(float a, std::uint64_t materialA, float b, std::uint64_t materialB);
 
 /// The angle is in (-pi, pi]: Box2D 3 keeps a rotation, and no count of turns.
 BodyState stateOf3(b2BodyId body);

@@ -5,12 +5,14 @@
 #include <box2d/constants.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include <compare/engine/box2d3/box2d3_body.h>
 #include <compare/engine/joint_geometry.h>
+#include <compare/engine/mixed.h>
 #include <compare/engine/single.h>
 
 namespace plumb::compare {
@@ -19,11 +21,23 @@ namespace {
 constexpr int subSteps = 4;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// The default world, but for gravity and the threshold of a scene that bounces.
+bool mixesAsBox2d(const Scene& scene) {
+    return std::ranges::all_of(scene.bodies, [](const SceneBody& body) {
+        return std::ranges::all_of(body.def.shapes,
+                                   [](const ShapeDef& shape) { return compare::mixesAsBox2d(shape.material); });
+    });
+}
+
+/// The default world, but for sleep, mixing rules, gravity and the threshold of a scene that bounces.
 b2WorldDef worldDef(const Scene& scene) {
     b2WorldDef def = b2DefaultWorldDef();
     def.gravity = toBox2d3(scene.gravity);
     if (bounces(scene)) def.restitutionThreshold = 0;
+    def.enableSleep = scene.sleeping;
+    if (!mixesAsBox2d(scene)) {
+        def.frictionCallback = mixedFriction3;
+        def.restitutionCallback = mixedRestitution3;
+    }
     return def;
 }
 
@@ -57,11 +71,6 @@ public:
     void step(double dt) override {
         b2World_Step(world_.id(), static_cast<float>(dt), subSteps);
         lastDt_ = dt;
-        for (std::size_t i = 0; i < bodies_.size(); ++i) {
-            // Count on through whole turns: in one step Box2D 3 turns a body by less than a half.
-            const double turned = stateOf3(bodies_[i]).angle - angles_[i];
-            angles_[i] += std::remainder(turned, 2 * std::numbers::pi);
-        }
     }
 
     std::vector<BodyState> states() const override {
@@ -69,9 +78,27 @@ public:
         result.reserve(bodies_.size());
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
             result.push_back(stateOf3(bodies_[i]));
+            // Count on through whole turns: in one step Box2D 3 turns a body by less than a half.
+            angles_[i] += std::remainder(result.back().angle - angles_[i], 2 * std::numbers::pi);
             result.back().angle = angles_[i];
         }
         return result;
+    }
+
+    std::vector<Phase> phases() const override {
+        const b2Profile profile = b2World_GetProfile(world_.id());
+        const auto phase = [](const char* name, float milliseconds) {
+            return Phase{name, static_cast<double>(milliseconds) / 1000};
+        };
+        return {phase("pairs", profile.pairs),
+                phase("collide", profile.collide),
+                phase("prepare", profile.solverSetup),
+                phase("constraints", profile.constraints),
+                phase("transforms", profile.transforms),
+                phase("events", profile.jointEvents + profile.hitEvents + profile.sensorHits),
+                phase("refit", profile.refit),
+                phase("continuous", profile.bullets),
+                phase("sleep", profile.sleepIslands)};
     }
 
     std::vector<double> probeValues() const override {
@@ -99,6 +126,9 @@ private:
         if (!joint.length) {
             b2RevoluteJointDef def = b2DefaultRevoluteJointDef();
             place(def.base, joint);
+            def.enableMotor = joint.maxMotorTorque > 0;
+            def.motorSpeed = toSingle(joint.motorSpeed);
+            def.maxMotorTorque = toSingleAtMost(joint.maxMotorTorque);
             return b2CreateRevoluteJoint(world_.id(), &def);
         }
         b2DistanceJointDef def = b2DefaultDistanceJointDef();
@@ -144,7 +174,7 @@ private:
 
     World3 world_;
     std::vector<b2BodyId> bodies_;
-    std::vector<double> angles_;  // counted on [rad]
+    mutable std::vector<double> angles_;  // when last asked for, counted on [rad]
     std::vector<b2JointId> joints_;
     std::vector<Watched> probes_;
     std::optional<double> lastDt_;  // [s]
@@ -161,7 +191,11 @@ std::vector<Setting> box2d3Settings(const Scene& scene) {
         {"joint stiffness",
          fmt::format("{} Hz, damping ratio {}", joint.base.constraintHertz, joint.base.constraintDampingRatio)},
         {"slop", fmt::format("{} m", B2_LINEAR_SLOP)},
-        {"sleep", fmt::format("below {} m/s for {} s", b2DefaultBodyDef().sleepThreshold, B2_TIME_TO_SLEEP)},
+        {"rounded polygons", "the mass of the rounded outline"},
+        {"chains, segments with neighbours", "solid on the right of their direction only"},
+        {"sleep", !scene.sleeping
+                      ? "off"
+                      : fmt::format("below {} m/s for {} s", b2DefaultBodyDef().sleepThreshold, B2_TIME_TO_SLEEP)},
         {"continuous collision", "against static bodies"},
         {"warm starting", "on"},
         {"threads", "1"},

@@ -6,8 +6,8 @@
 namespace plumb::compare {
 
 /// Box2D 3.2 or later at its defaults: 4 sub-steps a step. Restitution threshold 0 where a scene bounces. Unsupported:
-/// polygons with corners that Box2D would weld, segments and rods shorter than its slop, numbers beyond single
-/// precision.
+/// polygons of more than 8 corners or with corners that Box2D would weld, rings of fewer than 4 points, capsules,
+/// segments and rods shorter than its slop, numbers beyond single precision.
 Engine box2d3Engine();
 
 }  // namespace plumb::compare

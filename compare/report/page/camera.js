@@ -54,8 +54,8 @@ function shapeBox(shape, pose) {
         box.add(...inWorld(pose, shape.circle[0], shape.circle[1]), shape.circle[2]);
         return box;
     }
-    const points = shape.polygon ?? shape.segment;
-    for (let i = 0; i < points.length; i += 2) box.add(...inWorld(pose, points[i], points[i + 1]));
+    const points = pointsOf(shape);
+    for (let i = 0; i < points.length; i += 2) box.add(...inWorld(pose, points[i], points[i + 1]), shape.radius);
     return box;
 }
 

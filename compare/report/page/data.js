@@ -37,13 +37,19 @@ function unpackEngine(engine, scene) {
     delete engine.states;
 }
 
+/// The numbers x, y, x, y, ... of every shape but a disc.
+function pointsOf(shape) {
+    return shape.polygon ?? shape.capsule ?? shape.segment ?? shape.chain ?? [];
+}
+
 /// The furthest point of a body from its origin, for the camera.
 function reach(body) {
     let far = 0;
-    for (const {circle, polygon, segment} of body.shapes) {
+    for (const shape of body.shapes) {
+        const {circle, radius = 0} = shape;
         if (circle) far = Math.max(far, Math.hypot(circle[0], circle[1]) + circle[2]);
-        const points = polygon ?? segment ?? [];
-        for (let i = 0; i < points.length; i += 2) far = Math.max(far, Math.hypot(points[i], points[i + 1]));
+        const points = pointsOf(shape);
+        for (let i = 0; i < points.length; i += 2) far = Math.max(far, Math.hypot(points[i], points[i + 1]) + radius);
     }
     return far;
 }

@@ -34,13 +34,35 @@ function traceShape(context, camera, shape, pose) {
         context.arc(camera.x(x), camera.y(y), radius, 0, 2 * Math.PI);
         return;
     }
-    const points = shape.polygon ?? shape.segment;
-    for (let i = 0; i < points.length; i += 2) {
-        const [x, y] = inWorld(pose, points[i], points[i + 1]);
+    const flat = pointsOf(shape);
+    const points = [];
+    for (let i = 0; i < flat.length; i += 2) points.push(inWorld(pose, flat[i], flat[i + 1]));
+    if (shape.radius > 0) {
+        traceRounded(context, camera, points, shape.radius);
+        return;
+    }
+    points.forEach(([x, y], i) => {
         if (i === 0) context.moveTo(camera.x(x), camera.y(y));
         else context.lineTo(camera.x(x), camera.y(y));
-    }
+    });
     if (shape.polygon) context.closePath();
+}
+
+/// An arc around each corner, from the normal of the edge before it to that of the edge after it; a capsule is a polygon
+/// of two corners. The canvas counts angles downwards.
+function traceRounded(context, camera, corners, radius) {
+    const count = corners.length;
+    const normals = corners.map(([x, y], i) => {
+        const [nextX, nextY] = corners[(i + 1) % count];
+        return Math.atan2(x - nextX, nextY - y);
+    });
+    const last = normals[count - 1];
+    context.moveTo(camera.x(corners[0][0] + radius * Math.cos(last)), camera.y(corners[0][1] + radius * Math.sin(last)));
+    corners.forEach(([x, y], i) => {
+        const before = normals[(i + count - 1) % count];
+        context.arc(camera.x(x), camera.y(y), radius * camera.scale, -before, -normals[i], true);
+    });
+    context.closePath();
 }
 
 /// Short strokes on the side away from what moves, as a textbook draws a floor.
@@ -68,15 +90,18 @@ function drawStill(context, camera, theme, scene, box) {
         for (const shape of body.shapes) {
             context.beginPath();
             traceShape(context, camera, shape, pose);
+            const line = shape.segment ?? shape.chain;
             context.fillStyle = theme.hatching;
-            if (!shape.segment) context.fill();
+            if (!line) context.fill();
             context.strokeStyle = theme.ink;
-            context.lineWidth = shape.segment ? 3 : 1.5;
+            context.lineWidth = line ? 3 : 1.5;
             context.stroke();
-            if (!shape.segment) continue;
-            const [ax, ay, bx, by] = shape.segment;
+            if (!line) continue;
             context.beginPath();
-            hatchSegment(context, camera, box, inWorld(pose, ax, ay), inWorld(pose, bx, by));
+            for (let i = 0; i + 3 < line.length; i += 2) {
+                hatchSegment(context, camera, box, inWorld(pose, line[i], line[i + 1]),
+                             inWorld(pose, line[i + 2], line[i + 3]));
+            }
             context.strokeStyle = theme.hatch;
             context.lineWidth = 1.5;
             context.stroke();

@@ -28,6 +28,30 @@ Scene blockSlides();
 Scene blockSticks();
 Scene discRolls();
 
+// rolling.cpp
+Scene discRollsDown();
+Scene ringRollsDown();
+Scene slideToRoll();
+
+// landing.cpp
+Scene slipLandingSticks();
+Scene slipLandingSlips();
+
+// tipping.cpp
+Scene tipBelow();
+Scene tipAbove();
+
+// conveyor.cpp
+Scene conveyor();
+
+// bullets.cpp
+Scene bulletWall();
+
+// terrain.cpp
+Scene terrainBox();
+Scene terrainDisc();
+Scene terrainCapsule();
+
 // pendulum.cpp
 Scene pendulum45();
 Scene pendulum150();
@@ -40,6 +64,20 @@ Scene hangingChain();
 Scene boxAtRest();
 Scene stackOfTen();
 Scene smallPyramid();
+
+// tower.cpp
+Scene tallStack();
+Scene stackAwake();
+Scene heavyOnLight();
+
+// arch.cpp
+Scene arch();
+
+// dominoes.cpp
+Scene dominoes();
+
+// small_tumbler.cpp
+Scene smallTumbler();
 
 // gas.cpp
 Scene elasticGas();

@@ -58,6 +58,20 @@ TEST_CASE("bodies that a filter or a joint keeps from colliding may overlap", "[
     CHECK_THAT(*Geometry(joined).penetration(apart(0.5)), WithinAbs(0.5, rounding));
 }
 
+TEST_CASE("a common group decides before masks do: above 0 they collide, below 0 they may overlap",
+          "[compare][metric]") {
+    Scene scene = twoDiscs();
+    for (const int group : {1, -1}) {
+        for (SceneBody& body : scene.bodies) {
+            body.def.shapes[0].filter.group = group;
+            body.def.shapes[0].filter.mask = group > 0 ? 0 : ~std::uint64_t{0};
+        }
+        CHECK(Geometry(scene).anyMayTouch() == (group > 0));
+    }
+    scene.bodies[0].def.shapes[0].filter.group = -2;  // of two groups: the masks decide
+    CHECK(Geometry(scene).anyMayTouch());
+}
+
 TEST_CASE("two static bodies may overlap, and the two shapes of one body", "[compare][metric]") {
     Scene scene = twoDiscs();
     for (SceneBody& body : scene.bodies) body.def.type = BodyType::Static;

@@ -80,4 +80,14 @@ TEST_CASE("the far corner of a box of 3 m by 4 m at 2 rad/s moves at 5 m/s", "[c
     CHECK_THAT(*masses.fastestPoint(std::vector<BodyState>{moving({0, 0}, {0, 0}, 2)}), WithinAbs(5, rounding));
 }
 
+TEST_CASE("a capsule 4 m long and a rounded box with corners 2 m out, both of radius 0.5 m, reach 2.5 m",
+          "[compare][metric]") {
+    for (const ShapeDef& shape : {capsule({-2, 0}, {2, 0}, 0.5), roundedBox({1.2, 1.6}, 0.5)}) {
+        Scene scene = oneDisc();
+        scene.bodies[0].def.shapes = {shape};
+        const double speed = *MassModel(scene).fastestPoint(std::vector<BodyState>{moving({0, 0}, {0, 0}, 2)});
+        CHECK_THAT(speed, WithinAbs(2 * (2 + 0.5), rounding));
+    }
+}
+
 }  // namespace plumb::compare

@@ -50,6 +50,20 @@ TEST_CASE("the page knows the scene, its limits, each engine's states and curves
     CHECK_FALSE(box2d.contains("states"));
 }
 
+TEST_CASE("each shape comes to the page by its points, and its radius where it has one", "[compare][report]") {
+    Scene scene = oneDisc();
+    scene.bodies[0].def.shapes = {
+        capsule({-1, 0}, {1, 2}, 0.25), roundedBox({1, 0.5}, 0.125),     box({1, 0.5}),
+        segment({0, 1}, {2, 3}),        chain({{4, 0}, {2, 1}, {0, 0}}), loop({{0, 0}, {0, 1}, {1, 0}})};
+    const json shapes = onlyScene(runScene(scene, {}, {standing("plumb", 0)})).at("bodies").at(0).at("shapes");
+    CHECK(shapes == json::parse(R"([{"capsule": [-1, 0, 1, 2], "radius": 0.25},
+                                    {"polygon": [-1, -0.5, 1, -0.5, 1, 0.5, -1, 0.5], "radius": 0.125},
+                                    {"polygon": [-1, -0.5, 1, -0.5, 1, 0.5, -1, 0.5]},
+                                    {"segment": [0, 1, 2, 3]},
+                                    {"chain": [4, 0, 2, 1, 0, 0]},
+                                    {"chain": [0, 0, 0, 1, 1, 0, 0, 0]}])"));
+}
+
 TEST_CASE("a joint's ends are fixed to its bodies, turned as they stand at the start", "[compare][report]") {
     Scene scene = oneDisc();
     scene.closedForm.reset();

@@ -54,10 +54,10 @@ std::vector<FlyingDisc> discsOf(const Scene& gas) {
 
 }  // namespace
 
-TEST_CASE("there are at least 20 built-in scenes, at least 14 of them with a closed form", "[compare][scene]") {
+TEST_CASE("there are at least 40 built-in scenes, at least 30 of them with a closed form", "[compare][scene]") {
     const std::vector<Scene> scenes = builtinScenes();
-    CHECK(scenes.size() >= 20);
-    CHECK(std::ranges::count_if(scenes, [](const Scene& scene) { return scene.closedForm.has_value(); }) >= 14);
+    CHECK(scenes.size() >= 40);
+    CHECK(std::ranges::count_if(scenes, [](const Scene& scene) { return scene.closedForm.has_value(); }) >= 30);
 }
 
 TEST_CASE("each built-in scene is valid, asks a question, and gives a reason for each check", "[compare][scene]") {
@@ -133,7 +133,8 @@ TEST_CASE("no closed form jumps: each flight begins where the one before it ends
             }
         }
     }
-    CHECK(joins == 18 + 20 + 1 + 5 * 2);  // bounce_08, bounce_1, wall_touch, and five pairs of discs
+    // bounce_08, bounce_1, wall_touch, five pairs of discs; two landings twice, six bullets, slide_to_roll, conveyor.
+    CHECK(joins == 18 + 20 + 1 + 5 * 2 + 2 * 2 + 6 + 1 + 1);
 }
 
 TEST_CASE("the hammer of spin_free balances at its origin", "[compare][scene]") {
@@ -177,6 +178,66 @@ TEST_CASE("what stands or lies at the start touches exactly", "[compare][scene]"
     REQUIRE(stack.bodies.size() == 11);
     for (int i = 0; i < 10; ++i) {
         CHECK(gapTo(stack.bodies.at(static_cast<std::size_t>(i) + 1), {0, i}, {0, 1}) == 0);
+    }
+}
+
+TEST_CASE("what rolls, tips, stands in a row or on a hill at the start touches exactly", "[compare][scene]") {
+    for (const char* name : {"disc_rolls_down", "ring_rolls_down"}) {
+        const Scene scene = findScene(name).value();
+        const auto& line = std::get<Segment>(scene.bodies.at(0).def.shapes.at(0).shape);
+        const Vec2 along = (line.end - line.start).normalized();
+        CHECK(std::abs(std::atan2(-along.y(), along.x()) - 0.3490658503988659) < 1e-15);  // 20 degrees
+        CHECK(std::abs(gapTo(scene.bodies.at(1), line.start, {-along.y(), along.x()})) < 1e-15);
+        const Vec2 end = closedFormStates(scene, scene.duration).at(1).position;
+        CHECK((end - line.start).dot(along) < (line.end - line.start).norm() - 1);
+    }
+    for (const char* name : {"slide_to_roll", "conveyor"})
+        CHECK(gapTo(findScene(name)->bodies.at(1), {0, 0}, {0, 1}) == 0);
+    const Scene stack = findScene("tall_stack").value();
+    REQUIRE(stack.bodies.size() == 31);
+    for (int i = 0; i < 30; ++i) CHECK(gapTo(stack.bodies.at(static_cast<std::size_t>(i) + 1), {0, i}, {0, 1}) == 0);
+    const Scene row = findScene("dominoes").value();
+    for (std::size_t i = 1; i < row.bodies.size(); ++i) CHECK(gapTo(row.bodies[i], {0, 0}, {0, 1}) == 0);
+    for (const char* name : {"terrain_box", "terrain_disc"})
+        CHECK(gapTo(findScene(name)->bodies.at(1), {0, 1}, {0, 1}) == 0);
+}
+
+TEST_CASE("the block on the slope is half a degree on either side of where it tips", "[compare][scene][law]") {
+    for (const char* name : {"tip_below", "tip_above"}) {
+        const Scene scene = findScene(name).value();
+        const double slope = -scene.bodies.at(1).def.angle;
+        const double tipping = 26.565051177 / 180 * 3.141592653589793;  // FACTS section 5, block tip
+        const double halfDegree = 0.008726646259971648;
+        CHECK(std::abs(std::abs(slope - tipping) - halfDegree) < 1e-11);
+        CHECK((slope > tipping) == (scene.name == "tip_above"));
+        CHECK(std::abs(gapTo(scene.bodies.at(1), {0, 0}, {std::sin(slope), std::cos(slope)})) < 1e-15);
+        CHECK(scene.bodies.at(1).def.shapes.at(0).material.friction > std::tan(slope));
+    }
+}
+
+TEST_CASE("each stone of the arch shares a face with the next, and the first and last stand on the floor",
+          "[compare][scene]") {
+    const Scene scene = findScene("arch").value();
+    REQUIRE(scene.bodies.size() == 16);
+    const auto cornerOf = [&](std::size_t stone, std::size_t i) {
+        const BodyDef& def = scene.bodies.at(stone).def;
+        return Vec2(def.position + std::get<Polygon>(def.shapes.at(0).shape).vertices.at(i));
+    };
+    for (std::size_t stone = 1; stone < 15; ++stone) {
+        CHECK((cornerOf(stone, 3) - cornerOf(stone + 1, 0)).norm() < 1e-14);
+        CHECK((cornerOf(stone, 2) - cornerOf(stone + 1, 1)).norm() < 1e-14);
+    }
+    for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) CHECK(std::abs(cornerOf(1, i).y()) < 1e-14);
+    for (const std::size_t i : {std::size_t{2}, std::size_t{3}}) CHECK(std::abs(cornerOf(15, i).y()) < 1e-14);
+}
+
+TEST_CASE("no body of the small tumbler overlaps another at the start", "[compare][scene]") {
+    const Scene scene = findScene("small_tumbler").value();
+    REQUIRE(scene.bodies.size() == 37);
+    for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
+        CHECK(scene.bodies[i].def.position.cwiseAbs().maxCoeff() < 2.75 - 0.3);  // 0.3 is the farthest reach of any
+        for (std::size_t k = 1; k < i; ++k)
+            CHECK((scene.bodies[i].def.position - scene.bodies[k].def.position).norm() > 0.6);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <limits>
 
 #include <compare/scene/builtin.h>
 
@@ -32,8 +33,14 @@ std::string withBody(const std::string& fields) {
 
 /// No field has its default value.
 Scene fullScene() {
-    const Material material{.density = 2, .friction = 0.25, .restitution = 0.5};
-    const Filter filter{.category = 0x8000000000000001u, .mask = 6};
+    const Material material{.density = 2,
+                            .friction = 0.25,
+                            .restitution = 0.5,
+                            .rollingResistance = 0.125,
+                            .surfaceSpeed = -3,
+                            .frictionMix = Mix::Product,
+                            .restitutionMix = Mix::Average};
+    const Filter filter{.category = 0x8000000000000001u, .mask = 6, .group = -2147483647 - 1};
     const std::vector<Vec2> corners{{0, 0}, {1, 0}, {0, 1}};
     return {
         .name = "full",
@@ -41,7 +48,10 @@ Scene fullScene() {
         .gravity = {1, -2},
         .duration = 3,
         .dt = 0.1,
-        .bodies = {{"a", {.type = BodyType::Static, .shapes = {segment({0, 1}, {2, 3})}}},
+        .sleeping = false,
+        .bodies = {{"a",
+                    {.type = BodyType::Static,
+                     .shapes = {{Segment{{0, 1}, {2, 3}, Vec2(-1, 0), Vec2(4, 5)}}, loop({{0, 0}, {1, 2}, {3, 4}})}}},
                    {"b",
                     {.type = BodyType::Kinematic,
                      .position = {1.0 / 3, 2},
@@ -52,9 +62,15 @@ Scene fullScene() {
                      .linearDamping = 8,
                      .angularDamping = 9,
                      .canSleep = false,
-                     .shapes = {{Circle{0.75, {0.5, 0.25}}, material, filter}, polygon(corners)}}},
-                   {"c", {.fixedRotation = true, .mass = Mass{10, {11, 12}, 13}, .shapes = {circle(1)}}}},
-        .joints = {{"h", "a", "b", RevoluteJointDef{.anchor = {1, 2}, .collideConnected = true}},
+                     .shapes = {{Circle{0.75, {0.5, 0.25}}, material, filter}, roundedPolygon(corners, 0.125)}}},
+                   {"c",
+                    {.fixedRotation = true,
+                     .awake = false,
+                     .mass = Mass{10, {11, 12}, 13},
+                     .shapes = {capsule({1, 2}, {3, 5}, 0.25)}}}},
+        .joints = {{"h", "a", "b",
+                    RevoluteJointDef{
+                        .anchor = {1, 2}, .motorSpeed = -3, .maxMotorTorque = 4, .collideConnected = true}},
                    {"r", "b", "a",
                     DistanceJointDef{.anchorA = {1, 2}, .anchorB = {3, 4}, .length = 5, .collideConnected = true}}},
         .closedForm = ClosedForm{.formula = "f",
@@ -99,6 +115,22 @@ TEST_CASE("each field survives writing and reading to the last bit", "[compare][
     CHECK(body.shapes.at(0).filter.category == 0x8000000000000001u);
     CHECK(std::get<Polygon>(body.shapes.at(1).shape).vertices.at(1) == Vec2(1, 0));
     CHECK(std::get<Segment>(read.bodies.at(0).def.shapes.at(0).shape).end == Vec2(2, 3));
+    CHECK_FALSE(read.sleeping);
+    CHECK_FALSE(read.bodies.at(2).def.awake);
+    const Material& material = body.shapes.at(0).material;
+    CHECK(material.rollingResistance == 0.125);
+    CHECK(material.surfaceSpeed == -3);
+    CHECK(material.frictionMix == Mix::Product);
+    CHECK(material.restitutionMix == Mix::Average);
+    CHECK(body.shapes.at(0).filter.group == -2147483647 - 1);
+    CHECK(std::get<Polygon>(body.shapes.at(1).shape).radius == 0.125);
+    CHECK(std::get<Capsule>(read.bodies.at(2).def.shapes.at(0).shape).end == Vec2(3, 5));
+    CHECK(std::get<Segment>(read.bodies.at(0).def.shapes.at(0).shape).after == Vec2(4, 5));
+    const auto& ring = std::get<Chain>(read.bodies.at(0).def.shapes.at(1).shape);
+    CHECK(ring.closed);
+    CHECK(ring.points == std::vector<Vec2>{{0, 0}, {1, 2}, {3, 4}});
+    CHECK(std::get<RevoluteJointDef>(read.joints.at(0).def).motorSpeed == -3);
+    CHECK(std::get<RevoluteJointDef>(read.joints.at(0).def).maxMotorTorque == 4);
     CHECK(std::get<RevoluteJointDef>(read.joints.at(0).def).collideConnected);
     CHECK(std::get<DistanceJointDef>(read.joints.at(1).def).length == 5);
     CHECK(std::get<PiecewiseMotion>(read.closedForm->bodies.at(0)).flights.at(1).angularAcceleration == 10);
@@ -118,6 +150,7 @@ TEST_CASE("a field is written only where it differs from its default", "[compare
                               "gravity",
                               "duration",
                               "dt",
+                              "sleeping",
                               "bodies",
                               "joints",
                               "closedForm",
@@ -133,6 +166,7 @@ TEST_CASE("a field is written only where it differs from its default", "[compare
                               "angularDamping",
                               "fixedRotation",
                               "canSleep",
+                              "awake",
                               "mass",
                               "shapes",
                               "inertia",
@@ -144,6 +178,19 @@ TEST_CASE("a field is written only where it differs from its default", "[compare
                               "segment",
                               "start",
                               "end",
+                              "before",
+                              "after",
+                              "capsule",
+                              "chain",
+                              "points",
+                              "closed",
+                              "rollingResistance",
+                              "surfaceSpeed",
+                              "frictionMix",
+                              "restitutionMix",
+                              "group",
+                              "motorSpeed",
+                              "maxMotorTorque",
                               "material",
                               "density",
                               "friction",
@@ -201,6 +248,22 @@ TEST_CASE("a box of 2 m by 1 m reads as a polygon of four corners", "[compare][s
     CHECK(polygon.vertices == std::vector<Vec2>{{2, -0.5}, {4, -0.5}, {4, 0.5}, {2, 0.5}});
 }
 
+TEST_CASE("a box of 2 m by 1 m with a radius of 0.1 m reads as a rounded polygon", "[compare][scene]") {
+    const Scene scene = fromJson(withBody(R"("shapes": [{"box": {"halfSize": [1, 0.5], "radius": 0.1}}])"), "f.json");
+    const auto& polygon = std::get<Polygon>(scene.bodies.at(0).def.shapes.at(0).shape);
+    CHECK(polygon.vertices == std::vector<Vec2>{{-1, -0.5}, {1, -0.5}, {1, 0.5}, {-1, 0.5}});
+    CHECK(polygon.radius == 0.1);
+}
+
+TEST_CASE("a motor of infinite torque is written and read as \"infinite\"", "[compare][scene]") {
+    Scene scene = fullScene();
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    std::get<RevoluteJointDef>(scene.joints.at(0).def).maxMotorTorque = infinite;
+    const std::string text = toJson(scene);
+    CHECK(text.find(R"("maxMotorTorque": "infinite")") != std::string::npos);
+    CHECK(std::get<RevoluteJointDef>(fromJson(text, "f.json").joints.at(0).def).maxMotorTorque == infinite);
+}
+
 TEST_CASE("text that is not JSON is refused with its line and column", "[compare][scene][errors]") {
     CHECK(complaint("{\"name\": \"a\",\n \"dt\": 0.1\n \"duration\": 2}") ==
           "f.json:3:2: syntax error while parsing object - unexpected string literal; expected '}'");
@@ -252,7 +315,15 @@ TEST_CASE("a value of the wrong kind is refused with what was wanted", "[compare
     CHECK(complaint(withBody(R"("shapes": [{"segment": {}, "box": {}}])")) ==
           "f.json:2: bodies[0].shapes[0]: has both box and segment, wanted one of them");
     CHECK(complaint(withBody(R"("shapes": [{"material": {}}])")) ==
-          "f.json:2: bodies[0].shapes[0]: does not say of what kind it is, wanted circle, polygon or segment");
+          "f.json:2: bodies[0].shapes[0]: does not say of what kind it is, wanted circle, capsule, polygon, segment or "
+          "chain");
+    CHECK(complaint(withBody(R"("shapes": [{"circle": {}, "filter": {"group": 2147483648}}])")) ==
+          "f.json:2: bodies[0].shapes[0].filter.group: 2147483648 is not a whole number of 32 bits");
+    CHECK(complaint(withBody(R"("shapes": [{"circle": {}, "filter": {"group": 1.5}}])")) ==
+          "f.json:2: bodies[0].shapes[0].filter.group: 1.5 is not a whole number of 32 bits");
+    CHECK(complaint(withBody(R"("shapes": [{"circle": {}, "material": {"frictionMix": "largest"}}])")) ==
+          "f.json:2: bodies[0].shapes[0].material.frictionMix: \"largest\" is not average, geometricMean, minimum, "
+          "product or maximum");
 }
 
 TEST_CASE("an impossible value is refused on its line", "[compare][scene][errors]") {
@@ -260,6 +331,8 @@ TEST_CASE("an impossible value is refused on its line", "[compare][scene][errors
           "f.json:4: bodies[0].shapes[0].circle.radius: -1 is not positive");
     CHECK(complaint(withBody("\"shapes\": [\n{\"box\": {\n\"halfSize\": [0, 1]}}]")) ==
           "f.json:4: bodies[0].shapes[0].box.halfSize: (0, 1) is not positive");
+    CHECK(complaint(withBody("\"shapes\": [\n{\"capsule\": {\n\"radius\": 0}}]")) ==
+          "f.json:4: bodies[0].shapes[0].capsule.radius: 0 is not positive");
     CHECK(complaint("{\"name\": \"a b\"}") ==
           "f.json:1: name: \"a b\" is not a name of small letters, digits and underscores");
     CHECK(complaint("{\"name\": \"a\",\n\"dt\": 0}") == "f.json:2: dt: 0 is not positive");

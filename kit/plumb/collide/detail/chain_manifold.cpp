@@ -91,12 +91,29 @@ float gapAlong(const Vec2f& direction, const Vec2f& corner, const Core& other) {
     return lowest - direction.dot(corner) - other.radius;
 }
 
-/// One point at a corner, along another direction than the one found.
-Manifold turnedTo(const Vec2f& direction, float separation, const Vec2f& corner, const Manifold& found) {
+/// The vertex of a core that lies lowest along a direction; of those that lie as low, the one nearest to a corner.
+Vec2f lowestVertex(const Vec2f& direction, const Vec2f& corner, const Core& core) {
+    Vec2f best = core.vertex(0);
+    for (std::size_t i = 1; i < core.count; ++i) {
+        const Vec2f vertex = core.vertex(i);
+        const float lower = direction.dot(Vec2f(best - vertex));
+        const float noise = roundingOf(manhattan(best) + manhattan(vertex));
+        const bool nearer = (vertex - corner).squaredNorm() < (best - corner).squaredNorm();
+        if (lower > noise || (lower >= -noise && nearer)) best = vertex;
+    }
+    return best;
+}
+
+/// One point along another direction than the one found. Of what is rounded it lies straight below the core: from any
+/// other place a disc that only rolls on would seem to come nearer.
+Manifold turnedTo(const Vec2f& direction, float separation, const Vec2f& corner, const Core& other,
+                  const Manifold& found) {
     Manifold result;
     result.normal = direction;
     result.count = 1;
-    result.points[0] = {corner + direction * (0.5f * separation), separation, found.points[0].feature};
+    const Vec2f below = lowestVertex(direction, corner, other) - direction * (other.radius + 0.5f * separation);
+    const Vec2f above = corner + direction * (0.5f * separation);
+    result.points[0] = {other.radius > 0 ? below : above, separation, found.points[0].feature};
     return result;
 }
 
@@ -201,7 +218,7 @@ Manifold alongOwn(const Meeting& m) {
     const Side side = below ? Side{1 - m.side.edge, -m.side.normal, m.side.center} : m.side;
     const Manifold result = ownManifold(m.segment, side, m.other, m.far, m.margin);
     if (result.count > 0 || m.separation <= touching) return result;
-    return turnedTo(side.normal, m.separation, m.segment.vertex(m.joint.corner), m.found);
+    return turnedTo(side.normal, m.separation, m.segment.vertex(m.joint.corner), m.other, m.found);
 }
 
 /// The way found lies between both normals. The corner belongs to the segment that ends there, but for what lies along
@@ -221,10 +238,10 @@ Manifold turnedApart(const Meeting& m) {
     if (m.joint.isConvex && !convexHere) {
         // In a hollow the segment's plane bounds what the body may do, beyond its end too.
         const float gap = gapAlong(m.side.normal, corner, m.other);
-        if (gap >= 0) return turnedTo(m.side.normal, gap, corner, m.found);
+        if (gap >= 0) return turnedTo(m.side.normal, gap, corner, m.other, m.found);
     }
     if (m.separation <= touching) return {};
-    return turnedTo(convexHere ? m.joint.next : m.side.normal, m.separation, corner, m.found);
+    return turnedTo(convexHere ? m.joint.next : m.side.normal, m.separation, corner, m.other, m.found);
 }
 
 /// The way found is not allowed, and the two overlap.

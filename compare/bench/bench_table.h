@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// How do measured times look in a terminal?
+#pragma once
+#include <iosfwd>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <compare/bench/result.h>
+
+namespace plumb::compare {
+
+/// "1.23 ms", or "12.3 us" below 0.1 ms; three digits that count.
+std::string timeText(double milliseconds);
+
+/// A row a scene, as soon as it is measured; at the end the means, how times grow, and where a step goes.
+class BenchTable {
+public:
+    /// engines: the names of the columns. nameWidth: of the longest scene.
+    BenchTable(std::ostream& out, std::vector<std::string> engines, std::size_t nameWidth);
+    void head() const;
+    void row(const SceneBench& scene) const;
+    void summary(std::span<const SceneBench> results) const;
+
+private:
+    bool comparesWithPlumb() const;
+
+    std::ostream& out_;
+    std::vector<std::string> engines_;
+    std::size_t nameWidth_;
+};
+
+}  // namespace plumb::compare

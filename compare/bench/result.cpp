@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include <compare/bench/result.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumb::compare {
+namespace {
+
+const EngineBench* find(const SceneBench& scene, std::string_view engine) {
+    for (const EngineBench& bench : scene.engines)
+        if (bench.engine == engine && bench.supported()) return &bench;
+    return nullptr;
+}
+
+/// Names of engines or families in the order in which they come, each once.
+class Names {
+public:
+    void add(const std::string& name) {
+        if (std::ranges::find(list, name) == list.end()) list.push_back(name);
+    }
+    std::vector<std::string> list;
+};
+
+struct Point {
+    double x, y;
+};
+
+/// Of at least two points of different x.
+double slopeOf(const std::vector<Point>& points) {
+    const auto count = static_cast<double>(points.size());
+    Point mean{0, 0};
+    for (const Point& point : points) mean = {mean.x + point.x / count, mean.y + point.y / count};
+    double over = 0, under = 0;
+    for (const Point& point : points) {
+        over += (point.x - mean.x) * (point.y - mean.y);
+        under += (point.x - mean.x) * (point.x - mean.x);
+    }
+    return over / under;
+}
+
+std::optional<Growth> growthOf(std::span<const SceneBench> results, const std::string& family,
+                               const std::string& engine) {
+    std::vector<Point> points;
+    Growth growth{family, engine, 0, 0, 0};
+    for (const SceneBench& scene : results) {
+        const EngineBench* bench = scene.family == family ? find(scene, engine) : nullptr;
+        if (!bench) continue;
+        points.push_back({std::log(static_cast<double>(scene.bodies)), std::log(bench->msPerStep().median)});
+        growth.from = points.size() == 1 ? scene.bodies : std::min(growth.from, scene.bodies);
+        growth.to = std::max(growth.to, scene.bodies);
+    }
+    if (growth.from == growth.to) return {};
+    growth.exponent = slopeOf(points);
+    return growth;
+}
+
+}  // namespace
+
+Spread spreadOf(std::vector<double> values) {
+    std::ranges::sort(values);
+    const std::size_t middle = values.size() / 2;
+    const double median = values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+    return {values.front(), median, values.back()};
+}
+
+Spread EngineBench::msPerStep() const {
+    std::vector<double> values;
+    for (const BenchRun& run : runs) values.push_back(run.msPerStep);
+    return spreadOf(std::move(values));
+}
+
+long EngineBench::peakKb() const {
+    return std::ranges::max(runs, {}, &BenchRun::peakKb).peakKb;
+}
+
+double EngineBench::busy() const {
+    return std::ranges::min(runs, {}, &BenchRun::busy).busy;
+}
+
+std::vector<Phase> EngineBench::phases() const {
+    std::vector<Phase> means = runs.front().phases;
+    for (std::size_t i = 0; i < means.size(); ++i) {
+        double sum = 0;
+        for (const BenchRun& run : runs) sum += run.phases[i].seconds;
+        means[i].seconds = sum / static_cast<double>(runs.size());
+    }
+    return means;
+}
+
+std::vector<Ratio> ratiosOf(std::span<const SceneBench> results) {
+    std::vector<Ratio> ratios;
+    for (const SceneBench& scene : results) {
+        const EngineBench* plumb = find(scene, plumbName);
+        if (!plumb) continue;
+        for (const EngineBench& other : scene.engines) {
+            if (&other == plumb || !other.supported()) continue;
+            std::vector<double> pairwise;
+            for (std::size_t i = 0; i < plumb->runs.size(); ++i)
+                pairwise.push_back(other.runs[i].msPerStep / plumb->runs[i].msPerStep);
+            ratios.push_back({scene.scene, other.engine, spreadOf(std::move(pairwise))});
+        }
+    }
+    return ratios;
+}
+
+std::vector<MeanRatio> meanRatiosOf(std::span<const SceneBench> results) {
+    std::vector<SceneBench> alone;
+    std::ranges::copy_if(results, std::back_inserter(alone), [](const SceneBench& s) { return s.family.empty(); });
+    const std::vector<Ratio> ratios = ratiosOf(alone);
+    Names rivals;
+    for (const Ratio& ratio : ratios) rivals.add(ratio.against);
+    std::vector<MeanRatio> means;
+    for (const std::string& against : rivals.list) {
+        double logs = 0;
+        std::size_t count = 0;
+        for (const Ratio& ratio : ratios) {
+            if (ratio.against != against) continue;
+            logs += std::log(ratio.ratio.median);
+            ++count;
+        }
+        means.push_back({against, std::exp(logs / static_cast<double>(count)), count});
+    }
+    return means;
+}
+
+std::vector<Growth> growthsOf(std::span<const SceneBench> results) {
+    Names families, engines;
+    for (const SceneBench& scene : results) {
+        if (!scene.family.empty()) families.add(scene.family);
+        for (const EngineBench& bench : scene.engines) engines.add(bench.engine);
+    }
+    std::vector<Growth> growths;
+    for (const std::string& family : families.list)
+        for (const std::string& engine : engines.list)
+            if (const std::optional<Growth> growth = growthOf(results, family, engine)) growths.push_back(*growth);
+    return growths;
+}
+
+}  // namespace plumb::compare

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// What do repeated runs of several engines say together?
+#pragma once
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <compare/bench/measure.h>
+
+namespace plumb::compare {
+
+struct Spread {
+    double min = 0, median = 0, max = 0;
+};
+
+/// Of at least one value; the median of an even number is the mean of the two in the middle.
+Spread spreadOf(std::vector<double> values);
+
+/// One engine in one scene.
+struct EngineBench {
+    std::string engine{};
+    std::string version{};
+    std::vector<BenchRun> runs{};  ///< a run a repeat; the first says whether the engine can
+
+    bool supported() const { return !runs.empty() && runs.front().unsupported.empty(); }
+    Spread msPerStep() const;           ///< over the repeats
+    long peakKb() const;                ///< the largest of the repeats
+    double busy() const;                ///< the smallest of the repeats
+    std::vector<Phase> phases() const;  ///< mean of the repeats [s]
+};
+
+struct SceneBench {
+    std::string scene{};
+    std::string family{};  ///< as in BenchScene
+    std::size_t bodies = 0;
+    int steps = 0;
+    std::vector<EngineBench> engines{};
+};
+
+/// How many times longer another engine takes than Plumb, repeat by repeat: above 1 Plumb is faster.
+struct Ratio {
+    std::string scene{};
+    std::string against{};
+    Spread ratio{};
+};
+
+/// Of all scenes in which both were run; none when Plumb was not.
+std::vector<Ratio> ratiosOf(std::span<const SceneBench> results);
+
+/// The geometric mean of the median ratios against an engine, over the scenes that are no member of a family.
+struct MeanRatio {
+    std::string against{};
+    double ratio = 0;
+    std::size_t scenes = 0;
+};
+std::vector<MeanRatio> meanRatiosOf(std::span<const SceneBench> results);
+
+/// The time of a step grows as bodies^exponent: the slope of the least-squares line through log time over log bodies.
+struct Growth {
+    std::string family{};
+    std::string engine{};
+    double exponent = 0;
+    std::size_t from = 0, to = 0;  ///< bodies of the smallest and the largest scene
+};
+
+/// Of each family of which an engine ran scenes of two sizes or more.
+std::vector<Growth> growthsOf(std::span<const SceneBench> results);
+
+}  // namespace plumb::compare

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include <compare/command/bench_command.h>
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <algorithm>
+#include <ostream>
+#include <stdexcept>
+
+#include <compare/bench/bench_json.h>
+#include <compare/bench/bench_table.h>
+#include <compare/bench/readme.h>
+#include <compare/command/output_file.h>
+#include <compare/command/scene_choice.h>
+
+namespace plumb::compare {
+namespace {
+
+std::vector<Engine> chosenEngines(const BenchOptions& options, const std::vector<Engine>& engines) {
+    std::vector<Engine> chosen;
+    for (const Engine& engine : engines) {
+        const bool asked =
+            options.engines.empty() || std::ranges::find(options.engines, engine.name) != options.engines.end();
+        if (asked && engine.name != closedFormName) chosen.push_back(engine);
+    }
+    return chosen;
+}
+
+BenchRun measureOnce(const BenchScene& scene, const Engine& engine, std::optional<int> steps) {
+    if (scene.leftOut && scene.leftOut->engine == engine.name) return {.unsupported = scene.leftOut->reason};
+    return measureRun(scene.build, engine, steps);
+}
+
+/// In turn, A B A B: what slows the machine for a while slows all of them.
+SceneBench measureScene(const BenchScene& scene, const BenchOptions& options, const std::vector<Engine>& engines) {
+    SceneBench result{.scene = scene.name, .family = scene.family};
+    for (const Engine& engine : engines) result.engines.push_back({engine.name, engine.version, {}});
+    for (int repeat = 0; repeat < options.repeat; ++repeat) {
+        for (std::size_t i = 0; i < engines.size(); ++i) {
+            EngineBench& bench = result.engines[i];
+            if (repeat > 0 && !bench.supported()) continue;
+            bench.runs.push_back(measureOnce(scene, engines[i], options.steps));
+            if (!bench.supported()) continue;
+            result.bodies = bench.runs.back().bodies;
+            result.steps = bench.runs.back().steps;
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+void runBench(const Arguments& arguments, const std::vector<Engine>& engines, std::ostream& out) {
+    const std::vector<BenchScene> scenes = chooseBenchScenes(arguments.scenes);
+    const std::vector<Engine> chosen = chosenEngines(arguments.bench, engines);
+    std::optional<OutputFile> json;
+    if (arguments.json) json.emplace("--json", *arguments.json);
+    if (arguments.bench.readme) (void)readReadme(*arguments.bench.readme);  // a wrong file is known at once
+    std::vector<std::string> columns;
+    for (const Engine& engine : chosen) columns.push_back(engine.name);
+    const BenchTable table(out, columns,
+                           std::ranges::max(scenes, {}, [](const BenchScene& s) { return s.name.size(); }).name.size());
+    table.head();
+    std::vector<SceneBench> results;
+    for (const BenchScene& scene : scenes) {
+        try {
+            results.push_back(measureScene(scene, arguments.bench, chosen));
+        } catch (const std::exception& error) {
+            throw std::runtime_error(fmt::format("scene {}: {}", scene.name, error.what()));
+        }
+        table.row(results.back());
+    }
+    table.summary(results);
+    if (json) json->write(benchJson(results));
+    if (arguments.bench.readme) {
+        const std::filesystem::path& readme = *arguments.bench.readme;
+        const std::string text = withBench(readReadme(readme), benchMarkdown(results));
+        OutputFile("--readme", readme).write(text);
+    }
+}
+
+}  // namespace plumb::compare

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Can a result be written where it was asked for?
+#pragma once
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace plumb::compare {
+
+/// Opened before anything is run, so that a wrong path is known at once. Throws std::runtime_error when it cannot be
+/// written, naming the option that gave it.
+class OutputFile {
+public:
+    OutputFile(std::string option, std::filesystem::path path)
+        : option_(std::move(option)), path_(std::move(path)), file_(path_, std::ios::binary) {
+        mind();
+    }
+    void write(const std::string& text) {
+        file_ << text;
+        file_.close();
+        mind();
+    }
+
+private:
+    void mind() const {
+        if (!file_) throw std::runtime_error(option_ + ": cannot write " + path_.string());
+    }
+    std::string option_;
+    std::filesystem::path path_;
+    std::ofstream file_;
+};
+
+}  // namespace plumb::compare

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// What is the coefficient of a pair of materials, where an engine leaves the rule to its user?
+#pragma once
+#include <algorithm>
+#include <cmath>
+
+#include <plumb/space/shape_def.h>
+
+namespace plumb::compare {
+
+/// Where two materials name different rules the later one in Mix holds.
+inline Mix ruleOf(Mix a, Mix b) {
+    return std::max(a, b);
+}
+
+inline float mixed(Mix rule, float a, float b) {
+    switch (rule) {
+        case Mix::Average: return (a + b) / 2;
+        case Mix::Minimum: return std::min(a, b);
+        case Mix::Product: return a * b;
+        case Mix::Maximum: return std::max(a, b);
+        case Mix::GeometricMean: break;
+    }
+    return std::sqrt(a * b);
+}
+
+/// Both coefficients are mixed as Box2D mixes them.
+inline bool mixesAsBox2d(const Material& material) {
+    return material.frictionMix == Mix::GeometricMean && material.restitutionMix == Mix::Maximum;
+}
+
+}  // namespace plumb::compare

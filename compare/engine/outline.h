@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Which points describe a shape to an engine that has no such shape itself?
+#pragma once
+#include <vector>
+
+#include <plumb/shapes/shape.h>
+
+namespace plumb::compare {
+
+/// The points of an open chain, and one more before its start and after its end, straight on: the neighbours that
+/// engines with one-sided chains ask for.
+inline std::vector<Vec2> withGhosts(const Chain& chain) {
+    const std::vector<Vec2>& points = chain.points;
+    std::vector<Vec2> result;
+    result.reserve(points.size() + 2);
+    result.push_back(2 * points[0] - points[1]);
+    result.insert(result.end(), points.begin(), points.end());
+    result.push_back(2 * points[points.size() - 1] - points[points.size() - 2]);
+    return result;
+}
+
+/// A segment with its neighbours, likewise, straight on where it does not name one.
+inline std::vector<Vec2> withGhosts(const Segment& segment) {
+    const Vec2 along = segment.end - segment.start;
+    return {segment.before.value_or(segment.start - along), segment.start, segment.end,
+            segment.after.value_or(segment.end + along)};
+}
+
+/// A polygon with a radius: engines differ in what it weighs.
+inline bool isRounded(const Shape& shape) {
+    const auto* polygon = std::get_if<Polygon>(&shape);
+    return polygon && polygon->radius > 0;
+}
+
+inline bool hasNeighbour(const Segment& segment) {
+    return segment.before || segment.after;
+}
+
+/// The rectangle along a capsule's axis that reaches halfWidth to either side, counter-clockwise.
+inline Polygon axisBox(const Capsule& capsule, double halfWidth) {
+    const Vec2 along = (capsule.end - capsule.start).normalized();
+    const Vec2 left = halfWidth * Vec2(-along.y(), along.x());
+    return {{capsule.start - left, capsule.end - left, capsule.end + left, capsule.start + left}};
+}
+
+}  // namespace plumb::compare

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include <compare/scene/bench.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include <compare/scene/bench/scenes.h>
+
+namespace plumb::compare {
+namespace {
+
+constexpr std::ptrdiff_t six = 6;  // scenes at the head of the list
+constexpr int sizes[] = {1000, 2000, 4000, 8000, 16000, 32000, 64000};
+
+/// Measured: the first step takes 0.2 s, the twelfth 8 s.
+const LeftOut noPlaceForBox2d24{"box2d-2.4",
+                                "a step takes seconds: Box2D 2.4 enlarges boxes by four times a step's motion, and the "
+                                "paddle's tip makes 1.7 m a step"};
+
+std::vector<BenchScene> all() {
+    std::vector<BenchScene> list{
+        {"large_pyramid", "", largePyramid}, {"many_pyramids", "", manyPyramids},
+        {"joint_grid", "", jointGrid},       {"smash", "", smash},
+        {"tumbler", "", tumblerOf2025},      {"spinner", "", spinner, noPlaceForBox2d24},
+        {"small_50", "small", small50},
+    };
+    for (const int n : sizes) list.push_back({"pile_" + std::to_string(n), "pile", [n] { return pile(n); }});
+    for (const int n : sizes)
+        list.push_back({"pyramids_" + std::to_string(n), "pyramids", [n] { return pyramids(n); }});
+    return list;
+}
+
+}  // namespace
+
+const std::vector<BenchScene>& benchScenes() {
+    static const std::vector<BenchScene> list = all();
+    return list;
+}
+
+std::vector<BenchScene> findBenchScenes(const std::string& name) {
+    const std::vector<BenchScene>& list = benchScenes();
+    if (name == "six") return {list.begin(), list.begin() + six};
+    if (name == "scaling") return {list.begin() + six + 1, list.end()};
+    std::vector<BenchScene> found;
+    std::ranges::copy_if(list, std::back_inserter(found), [&](const BenchScene& s) { return s.name == name; });
+    return found;
+}
+
+}  // namespace plumb::compare

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Which scenes measure speed?
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <compare/scene/scene.h>
+
+namespace plumb::compare {
+
+/// An engine that could build a scene, and is not to be waited for.
+struct LeftOut {
+    std::string engine{};
+    std::string reason{};
+};
+
+/// A scene that is large to hold: made when it is run.
+struct BenchScene {
+    std::string name{};
+    std::string family{};            ///< scenes alike in all but size, over which growth is measured; none: a large one
+    std::function<Scene()> build{};  ///< the scene; its name is name
+    std::optional<LeftOut> leftOut{};
+};
+
+/// All of them, in the order in which they are listed.
+const std::vector<BenchScene>& benchScenes();
+
+/// The scenes that a name stands for: one scene, or a group, "six" or "scaling". Empty when there is none of that name.
+std::vector<BenchScene> findBenchScenes(const std::string& name);
+
+}  // namespace plumb::compare

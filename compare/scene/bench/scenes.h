@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// What is each scene that measures speed?
+// The six large ones are Box2D 3.2's own benchmarks (Erin Catto, MIT licence), by their numbers: sizes, places,
+// materials and steps; none of its code.
+#pragma once
+#include <compare/scene/scene.h>
+
+namespace plumb::compare {
+
+// pyramids.cpp
+Scene largePyramid();   ///< 100 rows on a floor: 5,051 bodies
+Scene manyPyramids();   ///< 20 x 20 pyramids on 20 floors: 22,001 bodies
+Scene pyramids(int n);  ///< as many pyramids of 55 boxes as n boxes make, in a square
+
+// joint_grid.cpp
+Scene jointGrid();  ///< 100 x 100 discs that hang on each other: 10,000 bodies, 19,794 hinges
+
+// smash.cpp
+Scene smash();  ///< a heavy box into 9,600 small ones asleep: 9,601 bodies
+
+// tumbler.cpp
+Scene tumblerOf2025();  ///< a turning box with 2,025 small ones inside: 2,027 bodies
+
+// spinner.cpp
+Scene spinner();  ///< a paddle in a ring full of capsules, discs and boxes: 6,078 bodies
+
+// small.cpp
+Scene small50();  ///< what a small game has on its screen: 50 bodies
+
+// pile.cpp
+Scene pile(int n);  ///< n boxes and discs in a heap of 40 layers
+
+}  // namespace plumb::compare

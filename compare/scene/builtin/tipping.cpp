@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include <compare/scene/builtin/parts.h>
+#include <compare/scene/builtin/scenes.h>
+
+namespace plumb::compare {
+namespace {
+
+const Vec2 halfSize(0.25, 0.5);                      // of the block [m]
+constexpr double tippingAngle = 0.4636476090008061;  // atan(1/2), 26.565 degrees [rad]
+
+/// A block of 1 kg, 0.5 m wide and 1 m high, stands on a slope that goes down to the right, its lower corner at (0, 0);
+/// it cannot slide.
+Scene block(double slope) {
+    const Vec2 downhill = direction(-slope);
+    const Vec2 start = -halfSize.x() * downhill + halfSize.y() * perp(downhill);
+    const Material rough{.density = 1 / (4 * halfSize.prod()), .friction = 1};
+    return {
+        .bodies = {{"incline", {.type = BodyType::Static, .shapes = {segment(-3 * downhill, 3 * downhill, rough)}}},
+                   {"block", {.position = start, .angle = -slope, .shapes = {box(halfSize, rough)}}}},
+        .probes = {{.name = "angle", .quantity = AngleProbe{"block"}, .unit = "rad"}},
+    };
+}
+
+}  // namespace
+
+Scene tipBelow() {
+    Scene scene = block(tippingAngle - degrees(0.5));
+    scene.name = "tip_below";
+    scene.question = "Does a block stand on a slope half a degree under its tipping angle?";
+    scene.duration = 5;
+    const BodyDef& start = scene.bodies[1].def;
+    scene.closedForm =
+        ClosedForm{.formula = "it stands where tan t < w / h",
+                   .source = "textbook: statics",
+                   .bodies = {PiecewiseMotion{"block", {{.position = start.position, .angle = start.angle}}}}};
+    scene.checks = {
+        ExactCheck{1e-3, sinksOnGround + "8/5 of it under a corner that carries all, 0.1 mm, which turns the block "
+                                         "by 0.2 mrad; half a degree is 8.7 mrad"},
+        invariant("probe.angle", 1e-3, "five times that turn")};
+    return scene;
+}
+
+Scene tipAbove() {
+    Scene scene = block(tippingAngle + degrees(0.5));
+    scene.name = "tip_above";
+    scene.question = "Does a block fall over on a slope half a degree past its tipping angle?";
+    scene.duration = 5;
+    scene.probes[0].expected = scene.bodies[1].def.angle - degrees(90);
+    scene.probes[0].from = 4;
+    scene.checks = {
+        invariant("probe.angle", 1e-3, "it lies on its long side, two corners 1 m apart sunk below 1 mm"),
+        invariant("penetration_max", 0.012,
+                  "its corners come down at 3 m/s, the speed of a fall from 0.5 m: 1/240 s of it"),
+        invariant("settle_time", 4, "half a degree grows by e in 0.28 s: 1.3 s to 60 degrees, then it lies")};
+    return scene;
+}
+
+}  // namespace plumb::compare

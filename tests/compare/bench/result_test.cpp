@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include <compare/bench/result.h>
+
+#include <cmath>
+
+#include "catch.h"
+#include "compare/bench/measured.h"
+
+namespace plumb::compare {
+
+using Catch::Matchers::WithinAbs;
+
+TEST_CASE("of 3, 1, 2 the median is 2, of 4, 1, 2, 3 it is 2.5", "[compare][bench]") {
+    const Spread odd = spreadOf({3, 1, 2});
+    CHECK(odd.min == 1);
+    CHECK(odd.median == 2);
+    CHECK(odd.max == 3);
+    CHECK(spreadOf({4, 1, 2, 3}).median == 2.5);
+    CHECK(spreadOf({7}).median == 7);
+}
+
+TEST_CASE("ratios go run by run, so a slow machine in one repeat does not show", "[compare][bench]") {
+    // the second repeat took everybody ten times as long
+    const std::vector<SceneBench> results{
+        measuredScene("s", {measuredEngine("plumb", {1, 10, 2}), measuredEngine("box2d-2.4", {4, 40, 6})})};
+    const std::vector<Ratio> ratios = ratiosOf(results);
+    REQUIRE(ratios.size() == 1);
+    CHECK(ratios[0].scene == "s");
+    CHECK(ratios[0].against == "box2d-2.4");
+    CHECK(ratios[0].ratio.min == 3);
+    CHECK(ratios[0].ratio.median == 4);
+    CHECK(ratios[0].ratio.max == 4);
+}
+
+TEST_CASE("an engine that cannot build a scene has no ratio, and without Plumb there is none", "[compare][bench]") {
+    CHECK(
+        ratiosOf(std::vector<SceneBench>{measuredScene("s", {measuredEngine("plumb", {1}), unableEngine("box2d-2.4")})})
+            .empty());
+    CHECK(ratiosOf(std::vector<SceneBench>{measuredScene("s", {measuredEngine("box2d-2.4", {1})})}).empty());
+}
+
+TEST_CASE("the geometric mean of ratios 2 and 8 is 4, scenes of a family not counted", "[compare][bench]") {
+    const std::vector<SceneBench> results{
+        measuredScene("a", {measuredEngine("plumb", {1}), measuredEngine("box2d-3", {2})}),
+        measuredScene("b", {measuredEngine("plumb", {1}), measuredEngine("box2d-3", {8})}),
+        measuredScene("c", {measuredEngine("plumb", {1}), unableEngine("box2d-3")}),
+        measuredScene("p_10", {measuredEngine("plumb", {1}), measuredEngine("box2d-3", {1000})}, "p")};
+    const std::vector<MeanRatio> means = meanRatiosOf(results);
+    REQUIRE(means.size() == 1);
+    CHECK(means[0].against == "box2d-3");
+    CHECK(means[0].scenes == 2);
+    CHECK_THAT(means[0].ratio, WithinAbs(4, 1e-12));
+}
+
+TEST_CASE("time as n^1.25 over three sizes shows as growth of 1.25", "[compare][bench]") {
+    std::vector<SceneBench> results;
+    constexpr std::size_t sizes[] = {1000, 4000, 64000};
+    for (const std::size_t n : sizes)
+        results.push_back(measuredScene("p_" + std::to_string(n),
+                                        {measuredEngine("plumb", {3e-4 * std::pow(static_cast<double>(n), 1.25)})}, "p",
+                                        n));
+    results.push_back(measuredScene("q_10", {measuredEngine("plumb", {1})}, "q", 10));  // one size: no growth
+    const std::vector<Growth> growths = growthsOf(results);
+    REQUIRE(growths.size() == 1);
+    CHECK(growths[0].family == "p");
+    CHECK(growths[0].engine == "plumb");
+    CHECK_THAT(growths[0].exponent, WithinAbs(1.25, 1e-12));
+    CHECK(growths[0].from == 1000);
+    CHECK(growths[0].to == 64000);
+}
+
+}  // namespace plumb::compare

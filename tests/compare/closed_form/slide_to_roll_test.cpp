@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include <compare/closed_form/slide_to_roll.h>
+
+#include <cmath>
+
+#include "catch.h"
+
+namespace plumb::compare {
+namespace {
+
+constexpr double digits = 6e-11;  // the worked numbers have ten decimals
+
+}  // namespace
+
+TEST_CASE("a disc thrown at 3 m/s with a friction of 0.2 rolls at 2 m/s after 0.5096839959 s and 1.2742099898 m",
+          "[compare][closed_form][law]") {
+    const std::vector<Flight> flights = slideToRollFlights({.speed = 3, .friction = 0.2});
+    REQUIRE(flights.size() == 2);  // FACTS section 5, slide to roll
+    CHECK(std::abs(flights[1].start - 0.5096839959) < digits);
+    CHECK(std::abs(flights[1].position.x() - 1.2742099898) < digits);
+    CHECK(flights[1].velocity == Vec2(2, 0));
+}
+
+TEST_CASE("a ball thrown at 3 m/s with a friction of 0.2 rolls at 15/7 m/s after 0.4368719965 s and 1.1233851339 m",
+          "[compare][closed_form][law]") {
+    const std::vector<Flight> flights = slideToRollFlights({.speed = 3, .friction = 0.2, .inertiaRatio = 0.4});
+    REQUIRE(flights.size() == 2);  // FACTS section 5, slide to roll
+    CHECK(std::abs(flights[1].start - 0.4368719965) < digits);
+    CHECK(std::abs(flights[1].position.x() - 1.1233851339) < digits);
+    CHECK(std::abs(flights[1].velocity.x() - 15.0 / 7) < 1e-15);
+}
+
+TEST_CASE("where the thrown disc begins to roll its sliding ends: same speed, same turn, no slip",
+          "[compare][closed_form][law]") {
+    for (const double k : {0.4, 0.5, 1.0}) {
+        const double r = 0.3;
+        const std::vector<Flight> flights = slideToRollFlights(
+            {.position = {1, 2}, .speed = 4, .radius = r, .friction = 0.3, .inertiaRatio = k, .gravity = 5});
+        REQUIRE(flights.size() == 2);
+        const Flight& slide = flights[0];
+        const Flight& roll = flights[1];
+        const double t = roll.start;
+        const double rounding = 1e-14;  // of numbers up to 10, after some ten operations
+        CHECK((slide.position + slide.velocity * t + slide.acceleration * (t * t / 2) - roll.position).norm() <
+              rounding);
+        CHECK((slide.velocity + slide.acceleration * t - roll.velocity).norm() < rounding);
+        CHECK(std::abs(slide.angularAcceleration * t - roll.angularVelocity) < rounding);
+        CHECK(std::abs(slide.angularAcceleration * t * t / 2 - roll.angle) < rounding);
+        CHECK(std::abs(roll.velocity.x() + roll.angularVelocity * r) < rounding);
+        // About a point of the floor nothing has a moment: v r - k r^2 w = v0 r, with w negative.
+        CHECK(std::abs(roll.velocity.x() * r - k * r * r * roll.angularVelocity - 4 * r) < rounding);
+    }
+}
+
+}  // namespace plumb::compare

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include <compare/command/bench_command.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include <compare/command/command.h>
+
+#include "catch.h"
+
+namespace plumb::compare {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Called {
+    int status;
+    std::string out, err;
+};
+
+Called call(const std::vector<std::string>& args) {
+    std::ostringstream out, err;
+    const int status = runCommand(args, out, err);
+    return {status, out.str(), err.str()};
+}
+
+struct Folder {
+    fs::path path = fs::temp_directory_path() / "plumb_bench_command_test";
+    Folder() {
+        fs::remove_all(path);
+        fs::create_directories(path);
+    }
+    ~Folder() { fs::remove_all(path); }
+    std::string operator/(const std::string& name) const { return (path / name).string(); }
+};
+
+std::string textOf(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void checkRefused(const std::vector<std::string>& args, const std::string& saying) {
+    const Called called = call(args);
+    INFO(called.err);
+    CHECK(called.status == 2);
+    CHECK(std::count(called.err.begin(), called.err.end(), '\n') == 1);
+    CHECK(called.err.find(saying) != std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("bench of small_50 writes sane numbers for every engine, and ratios of the same runs", "[compare][command]") {
+    const Folder folder;
+    const Called called =
+        call({"bench", "small_50", "--repeat", "3", "--steps", "20", "--threads", "1", "--json", folder / "b.json"});
+    INFO(called.out << called.err);
+    CHECK(called.status == 0);
+    CHECK(called.out.find("small_50") != std::string::npos);
+    const nlohmann::json json = nlohmann::json::parse(textOf(folder / "b.json"));
+    CHECK(json["schema"] == 1);
+    CHECK(json["runs"].size() == engines().size() - 1);  // all but the closed form
+    for (const nlohmann::json& run : json["runs"]) {
+        INFO(run.dump());
+        CHECK(run["bodies"] == 50);
+        CHECK(run["steps"] == 20);
+        CHECK(run["threads"] == 1);
+        const nlohmann::json& ms = run["ms_per_step"];
+        CHECK(ms["min"] > 0);
+        CHECK(ms["min"] <= ms["median"]);
+        CHECK(ms["median"] <= ms["max"]);
+        CHECK(ms["max"] < 1000);
+        CHECK(run["peak_kb"] > 1000);  // a program and its libraries
+        double phases = 0;
+        for (const auto& [name, value] : run["phases"].items()) phases += value.get<double>();
+        CHECK(phases > 0);
+        CHECK(phases <
+              1.1 * ms["max"].get<double>());  // parts of a step; each rounded to what the engine's clock counts
+    }
+    REQUIRE(json["ratios"].size() == engines().size() - 2);
+    for (const nlohmann::json& ratio : json["ratios"]) {
+        CHECK(ratio["engine"] == "plumb");
+        CHECK(ratio["ratio"]["min"] > 0);
+        CHECK(ratio["ratio"]["min"] <= ratio["ratio"]["max"]);
+    }
+}
+
+TEST_CASE("bench takes built-in scenes and files too, and a group stands for its scenes", "[compare][command]") {
+    const Folder folder;
+    std::ofstream(folder / "mine.json") << call({"export", "stack_of_ten"}).out;
+    const Called called =
+        call({"bench", "free_fall", folder / "mine.json", "--repeat", "1", "--steps", "2", "--engines", "plumb"});
+    INFO(called.out << called.err);
+    CHECK(called.status == 0);
+    CHECK(called.out.find("\nfree_fall ") != std::string::npos);
+    CHECK(called.out.find("\nstack_of_ten ") != std::string::npos);
+    CHECK(called.out.find("/ plumb") == std::string::npos);
+}
+
+TEST_CASE("bench puts its table into a README, and leaves the rest of it", "[compare][command]") {
+    const Folder folder;
+    std::ofstream(folder / "README.md") << "before\n<!-- bench begin -->\n<!-- bench end -->\nafter\n";
+    const Called called =
+        call({"bench", "small_50", "--repeat", "1", "--steps", "2", "--readme", folder / "README.md"});
+    INFO(called.err);
+    CHECK(called.status == 0);
+    const std::string text = textOf(folder / "README.md");
+    CHECK(text.starts_with("before\n<!-- bench begin -->\n| scene | bodies | Plumb | Box2D 2.4"));
+    CHECK(text.find("\n| small_50 | 50 | ") != std::string::npos);
+    CHECK(text.ends_with("<!-- bench end -->\nafter\n"));
+}
+
+TEST_CASE("bench refuses bad usage with status 2 and one line", "[compare][command]") {
+    const Folder folder;
+    checkRefused({"bench", "large_pyramids"}, "there is no scene \"large_pyramids\": the nearest is large_pyramid;");
+    checkRefused({"bench", "smash", "six"}, "both called \"smash\"");
+    for (const std::string bad : {"0", "-1", "2.5", "many", ""}) {
+        checkRefused({"bench", "small_50", "--repeat=" + bad}, "--repeat");
+        checkRefused({"bench", "small_50", "--steps=" + bad}, "--steps");
+        checkRefused({"bench", "small_50", "--threads=" + bad}, "--threads");
+    }
+    checkRefused({"bench", "small_50", "--threads", "2"}, "--threads: 2 is not 1: Plumb steps on one thread so far");
+    checkRefused({"bench", "small_50", "--engines", "closed-form"}, "--engines: \"closed-form\" is not an engine");
+    checkRefused({"bench", "small_50", "--csv", "x"}, "--csv");
+    checkRefused({"bench", "small_50", "--json", folder / "no/such/folder/b.json"}, "--json: cannot write");
+    std::ofstream(folder / "empty.md") << "nothing\n";
+    checkRefused({"bench", "small_50", "--readme", folder / "empty.md"}, "empty.md: it has no lines");
+    checkRefused({"bench", "small_50", "--readme", folder / "none.md"}, "none.md: cannot be read");
+}
+
+}  // namespace plumb::compare
