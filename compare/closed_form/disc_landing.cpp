@@ -30,7 +30,7 @@ std::vector<Flight> landingFlights(const DroppedDisc& disc) {
                                  .angularVelocity = disc.angularVelocity}};
     double down = std::sqrt(2 * disc.gravity * disc.height);
     double time = down / disc.gravity;
-    while (time <= disc.until) {
+    for (int i = 0; i < disc.landings; ++i) {
         flights.push_back(leave(disc, flights.back(), time, down));
         down *= disc.restitution;
         time += 2 * down / disc.gravity;

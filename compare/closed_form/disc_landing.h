@@ -15,9 +15,9 @@ struct DroppedDisc {
     double radius = 0.5;         ///< [m]
     double inertiaRatio = 0.5;   ///< k = I / (m r^2) [-]
     double friction = 0.5;       ///< mu [-]
-    double restitution = 0.5;    ///< e, > 0 [-]
+    double restitution = 0.5;    ///< e, 0 to 1 [-]
     double gravity = 9.81;       ///< [m/s^2]
-    double until = 1;            ///< flights that start later are left out [s]
+    int landings = 2;            ///< how many are told: one flight more [-]
 };
 
 /// At each landing vn' = e vn, j = (1 + e) vn, slip s = vx + w r; vx' = vx + f, w' = w + f / (k r)

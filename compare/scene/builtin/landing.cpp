@@ -14,12 +14,12 @@ Scene slipLanding(double friction) {
                            .radius = 0.5,
                            .friction = friction,
                            .restitution = 0.5,
-                           .until = 1.1};
+                           .landings = 2};
     const Vec2 start = disc.rest + Vec2(0, disc.height);
     const Material material{
         .density = discDensity(1, disc.radius), .friction = friction, .restitution = disc.restitution};
     return {
-        .duration = disc.until,
+        .duration = 1.1,
         .bodies =
             {{"floor", {.type = BodyType::Static, .shapes = {segment({-10, 0}, {10, 0}, material)}}},
              {"disc",

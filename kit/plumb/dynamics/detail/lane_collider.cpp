@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/detail/lane_collider_wide.h>
+#include <plumb/dynamics/detail/lane_collider.h>
 
 #include <algorithm>
+
+#include <plumb/dynamics/detail/lane_collider_wide.h>
 
 namespace plumb {
 
