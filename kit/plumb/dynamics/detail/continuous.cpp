@@ -11,6 +11,7 @@
 #include <plumb/collide/distance.h>
 #include <plumb/dynamics/detail/free_motion.h>
 #include <plumb/dynamics/detail/fresh_lanes.h>
+#include <plumb/dynamics/detail/pairs.h>
 #include <plumb/dynamics/detail/sweep.h>
 
 namespace plumb {
@@ -131,14 +132,6 @@ Way stayAt(const WorldState& world, const Way& way, const Hit& hit) {
     stay.turn = wall.angle - (hit.wallWay.angle + hit.wallWay.turn * hit.time);
     stay.shift = (wall.center - stay.start) + Rot::fromAngle(stay.turn) * Vec2(stay.start - wallThen);
     return stay;
-}
-
-bool joinedApart(const WorldState& world, BodyIndex a, BodyIndex b) {
-    const auto& joints = world.bodies.record[a].joints;
-    return std::any_of(joints.begin(), joints.end(), [&](std::uint32_t j) {
-        const JointRecord& joint = world.joints[j];
-        return !joint.collideConnected && (joint.bodyA == b || joint.bodyB == b);
-    });
 }
 
 /// A body's way as seen from a wall.

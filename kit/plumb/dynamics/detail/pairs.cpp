@@ -29,14 +29,6 @@ Aabb tightBox(const WorldState& world, ProxyId proxy, const BodyMotion& motion, 
     return {center - half, center + half};
 }
 
-bool joinedApart(const WorldState& world, BodyIndex a, BodyIndex b) {
-    const auto& joints = world.bodies.record[a].joints;
-    return std::any_of(joints.begin(), joints.end(), [&](std::uint32_t j) {
-        const JointRecord& joint = world.joints[j];
-        return !joint.collideConnected && (joint.bodyA == b || joint.bodyB == b);
-    });
-}
-
 double mixed(double a, double b, Mix ruleA, Mix ruleB) {
     switch (std::max(ruleA, ruleB)) {
         case Mix::Average: return 0.5 * (a + b);
@@ -87,6 +79,14 @@ void addContact(WorldState& world, const Pair& pair) {
 }
 
 }  // namespace
+
+bool joinedApart(const WorldState& world, BodyIndex a, BodyIndex b) {
+    const auto& joints = world.bodies.record[a].joints;
+    return std::any_of(joints.begin(), joints.end(), [&](std::uint32_t j) {
+        const JointRecord& joint = world.joints[j];
+        return !joint.collideConnected && (joint.bodyA == b || joint.bodyB == b);
+    });
+}
 
 void placeBody(WorldState& world, BodyIndex body, double dt) {
     const BodyRecord& record = world.bodies.record[body];

@@ -5,6 +5,8 @@
 
 namespace plumb {
 
+/// Do joints keep two bodies from touching each other?
+bool joinedApart(const WorldState& world, BodyIndex a, BodyIndex b);
 /// Renews the boxes of one body's shapes for a step of dt.
 void placeBody(WorldState& world, BodyIndex body, double dt);
 /// Makes the contacts of two bodies that were kept apart until now, where the space has found their boxes to overlap.
