@@ -2,46 +2,16 @@
 #include <compare/command/bench_command.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include <compare/command/command.h>
 
 #include "catch.h"
+#include "compare/command/called.h"
 
 namespace plumb::compare {
 namespace {
-
-namespace fs = std::filesystem;
-
-struct Called {
-    int status;
-    std::string out, err;
-};
-
-Called call(const std::vector<std::string>& args) {
-    std::ostringstream out, err;
-    const int status = runCommand(args, out, err);
-    return {status, out.str(), err.str()};
-}
-
-struct Folder {
-    fs::path path = fs::temp_directory_path() / "plumb_bench_command_test";
-    Folder() {
-        fs::remove_all(path);
-        fs::create_directories(path);
-    }
-    ~Folder() { fs::remove_all(path); }
-    std::string operator/(const std::string& name) const { return (path / name).string(); }
-};
-
-std::string textOf(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 void checkRefused(const std::vector<std::string>& args, const std::string& saying) {
     const Called called = call(args);
@@ -54,7 +24,7 @@ void checkRefused(const std::vector<std::string>& args, const std::string& sayin
 }  // namespace
 
 TEST_CASE("bench of small_50 writes sane numbers for every engine, and ratios of the same runs", "[compare][command]") {
-    const Folder folder;
+    const Folder folder("plumb_bench_command_test");
     const Called called =
         call({"bench", "small_50", "--repeat", "3", "--steps", "20", "--threads", "1", "--json", folder / "b.json"});
     INFO(called.out << called.err);
@@ -89,7 +59,7 @@ TEST_CASE("bench of small_50 writes sane numbers for every engine, and ratios of
 }
 
 TEST_CASE("bench takes built-in scenes and files too, and a group stands for its scenes", "[compare][command]") {
-    const Folder folder;
+    const Folder folder("plumb_bench_command_test");
     std::ofstream(folder / "mine.json") << call({"export", "stack_of_ten"}).out;
     const Called called =
         call({"bench", "free_fall", folder / "mine.json", "--repeat", "1", "--steps", "2", "--engines", "plumb"});
@@ -101,7 +71,7 @@ TEST_CASE("bench takes built-in scenes and files too, and a group stands for its
 }
 
 TEST_CASE("bench puts its table into a README, and leaves the rest of it", "[compare][command]") {
-    const Folder folder;
+    const Folder folder("plumb_bench_command_test");
     std::ofstream(folder / "README.md") << "before\n<!-- bench begin -->\n<!-- bench end -->\nafter\n";
     const Called called =
         call({"bench", "small_50", "--repeat", "1", "--steps", "2", "--readme", folder / "README.md"});
@@ -114,7 +84,7 @@ TEST_CASE("bench puts its table into a README, and leaves the rest of it", "[com
 }
 
 TEST_CASE("bench refuses bad usage with status 2 and one line", "[compare][command]") {
-    const Folder folder;
+    const Folder folder("plumb_bench_command_test");
     checkRefused({"bench", "large_pyramids"}, "there is no scene \"large_pyramids\": the nearest is large_pyramid;");
     checkRefused({"bench", "smash", "six"}, "both called \"smash\"");
     for (const std::string bad : {"0", "-1", "2.5", "many", ""}) {

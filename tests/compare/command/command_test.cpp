@@ -14,37 +14,12 @@
 #include <compare/scene/json.h>
 
 #include "catch.h"
+#include "compare/command/called.h"
 
 namespace plumb::compare {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Called {
-    int status;
-    std::string out, err;
-};
-
-Called call(const std::vector<std::string>& args) {
-    std::ostringstream out, err;
-    const int status = runCommand(args, out, err);
-    return {status, out.str(), err.str()};
-}
-
-struct Folder {
-    fs::path path = fs::temp_directory_path() / "plumb_command_test";
-    Folder() {
-        fs::remove_all(path);
-        fs::create_directories(path);
-    }
-    ~Folder() { fs::remove_all(path); }
-    std::string operator/(const std::string& name) const { return (path / name).string(); }
-};
-
-std::string textOf(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 void write(const std::string& path, const std::string& text) {
     std::ofstream(path, std::ios::binary) << text;
@@ -79,7 +54,7 @@ TEST_CASE("export prints a scene that reads back and runs as the built-in one", 
     const Called exported = call({"export", "free_fall"});
     CHECK(exported.status == 0);
     CHECK(fromJson(exported.out, "exported").name == "free_fall");
-    const Folder folder;
+    const Folder folder("plumb_command_test");
     write(folder / "mine.json", exported.out);
     const Called checked = call({"check", folder / "mine.json", "--engines", "plumb,closed-form"});
     INFO(checked.out << checked.err);
@@ -88,7 +63,7 @@ TEST_CASE("export prints a scene that reads back and runs as the built-in one", 
 }
 
 TEST_CASE("check writes JSON of schema 1 with metrics of every engine and the verdicts", "[compare][command]") {
-    const Folder folder;
+    const Folder folder("plumb_command_test");
     const Called called = call({"check", "free_fall", "--steps", "30", "--dt", "0.05", "--json", folder / "out.json"});
     CHECK(called.status == 0);
     const nlohmann::json json = nlohmann::json::parse(textOf(folder / "out.json"));
@@ -112,7 +87,7 @@ TEST_CASE("check writes JSON of schema 1 with metrics of every engine and the ve
 }
 
 TEST_CASE("an engine that cannot build a scene says so in the JSON, with null metrics", "[compare][command]") {
-    const Folder folder;
+    const Folder folder("plumb_command_test");
     nlohmann::json scene = nlohmann::json::parse(call({"export", "free_fall"}).out);
     scene["bodies"][0]["shapes"][0]["filter"]["category"] = 1u << 16;
     write(folder / "scene.json", scene.dump());
@@ -125,7 +100,7 @@ TEST_CASE("an engine that cannot build a scene says so in the JSON, with null me
 }
 
 TEST_CASE("a scene whose check fails gives status 1 and says which check, by how much", "[compare][command]") {
-    const Folder folder;
+    const Folder folder("plumb_command_test");
     nlohmann::json scene = nlohmann::json::parse(call({"export", "free_fall"}).out);
     scene["gravity"] = {0, -9.8};
     write(folder / "moon.json", scene.dump());
@@ -144,7 +119,7 @@ TEST_CASE("engines whose results no check looks at are shown but not judged, wit
 }
 
 TEST_CASE("check writes a CSV a scene and the report", "[compare][command]") {
-    const Folder folder;
+    const Folder folder("plumb_command_test");
     const Called called = call(
         {"check", "free_fall", "projectile", "--steps", "4", "--csv", folder / "csv", "--report", folder / "report"});
     INFO(called.err);
@@ -157,7 +132,7 @@ TEST_CASE("check writes a CSV a scene and the report", "[compare][command]") {
 }
 
 TEST_CASE("without a command every scene is run, and the report written where it is called", "[compare][command]") {
-    const Folder folder;
+    const Folder folder("plumb_command_test");
     const fs::path before = fs::current_path();
     fs::current_path(folder.path);
     const Called called = call({});
@@ -196,7 +171,7 @@ TEST_CASE("bad usage gives status 2 and one line that says what and where", "[co
 }
 
 TEST_CASE("bad files give status 2 and one line with the file and the line", "[compare][command]") {
-    const Folder folder;
+    const Folder folder("plumb_command_test");
     checkRefused({"check", folder / "missing.json"}, "missing.json");
     write(folder / "broken.json", "{\n  \"name\": \"x\",\n  oops\n}\n");
     checkRefused({"check", folder / "broken.json"}, "broken.json:3");

@@ -30,8 +30,9 @@ struct LanePreparer {
         M unclaimed[2];  ///< q has no successor
 
         void claim(int p, int q, M wanted) {
-            const M gets = M((wanted & unclaimed[q]) & single[p]);
-            same[p][q] = M(same[p][q] | gets);
+            const M free = single[p] ? unclaimed[q] : M{};
+            const M gets = free ? wanted : M{};
+            same[p][q] = gets ? gets : same[p][q];
             unclaimed[q] = gets ? M{} : unclaimed[q];
             single[p] = gets ? M{} : single[p];
         }

@@ -5,8 +5,8 @@
 
 namespace plumb {
 
-/// Flies the bodies whose contacts of this step are all isolated impacts, and gives the solver's graph the rest:
-/// contacts that have come get a slot, contacts that have gone lose theirs. Marks every body the solver is to have.
+/// Flies the bodies whose contacts of this step are all isolated impacts, and takes those contacts out of the solver's
+/// slots. All others stay there.
 void sortOutContacts(WorldState& world, double dt);
 
 }  // namespace plumb
