@@ -107,27 +107,21 @@ void wakeTouched(WorldState& world, const ContactRecord& contact, const FreshLan
         if (world.bodies.isDynamic(body) && !world.bodies.record[body].awake) wakeIsland(world, body);
 }
 
-/// What has come to touch, with what has been found of it.
+/// What has come to touch, and where.
 struct Arrivals {
-    struct Batch {
-        ContactBatch batch{};
-        ManifoldLanes manifolds{};
-        FreshLanes fresh{};
-        ContactIndex contacts[batchLanes];
-        std::size_t count = 0;
-    };
-    std::vector<Batch> batches;
+    FreshLanes fresh;
+    ContactIndex contacts[batchLanes];
+    std::size_t count = 0;
 };
 
-void addArrival(WorldState& world, Arrivals& arrivals, ContactIndex index, const FreshLanes& fresh, std::size_t lane) {
-    const ContactRecord& contact = world.contacts.contacts[index];
-    wakeTouched(world, contact, fresh, lane);
-    if (arrivals.batches.empty() || arrivals.batches.back().count == batchLanes) arrivals.batches.emplace_back();
-    Arrivals::Batch& batch = arrivals.batches.back();
-    batch.contacts[batch.count] = index;
-    fillLane(world, contact, batch.batch, batch.manifolds, batch.count);
-    copyLane(batch.fresh, batch.count, fresh, lane, freshRows);
-    ++batch.count;
+void addArrival(WorldState& world, std::vector<Arrivals>& arrivals, ContactIndex index, const FreshLanes& fresh,
+                std::size_t lane) {
+    wakeTouched(world, world.contacts.contacts[index], fresh, lane);
+    if (arrivals.empty() || arrivals.back().count == batchLanes) arrivals.emplace_back();
+    Arrivals& last = arrivals.back();
+    last.contacts[last.count] = index;
+    copyLane(last.fresh, last.count, fresh, lane, freshRows);
+    ++last.count;
 }
 
 /// Contacts whose boxes have parted are over.
@@ -152,7 +146,7 @@ void removeParted(WorldState& world) {
 }
 
 /// Contacts that a wake-up adds while this goes on are looked at as well.
-void collideNear(WorldState& world, Arrivals& arrivals, double dt) {
+void collideNear(WorldState& world, std::vector<Arrivals>& arrivals, double dt) {
     ContactStore& store = world.contacts;
     for (const ContactIndex index : store.watched) store.contacts[index].manifold.count = 0;
     FreshLanes fresh;
@@ -175,11 +169,15 @@ void collideNear(WorldState& world, Arrivals& arrivals, double dt) {
 }
 
 /// Into slots, if anything can come of it; else back into their records.
-void settle(WorldState& world, Arrivals::Batch& arrived, double dt) {
-    prepareLanes(world, arrived.batch, arrived.manifolds, arrived.fresh, dt);
-    for (std::size_t lane = 0; lane < arrived.count; ++lane) {
-        const ContactIndex index = arrived.contacts[lane];
-        world.graph.add(world.bodies, world.contacts, index, arrived.batch, arrived.manifolds, lane);
+void settle(WorldState& world, const Arrivals& arrivals, double dt) {
+    ContactBatch batch{};
+    ManifoldLanes manifolds{};
+    for (std::size_t lane = 0; lane < arrivals.count; ++lane)
+        fillLane(world, world.contacts.contacts[arrivals.contacts[lane]], batch, manifolds, lane);
+    prepareLanes(world, batch, manifolds, arrivals.fresh, dt);
+    for (std::size_t lane = 0; lane < arrivals.count; ++lane) {
+        const ContactIndex index = arrivals.contacts[lane];
+        world.graph.add(world.bodies, world.contacts, index, batch, manifolds, lane);
         if (bodiesReady(world, world.contacts.contacts[index])) continue;
         world.graph.remove(world.bodies, world.contacts, index);
         world.contacts.addNear(index);
@@ -207,10 +205,10 @@ void findContacts(WorldState& world, double dt) {
     std::vector<ContactIndex> parted;
     for (std::size_t index = 0; index < world.graph.colours.size(); ++index) collideColour(world, index, parted, dt);
     removeParted(world);
-    Arrivals arrivals;
+    std::vector<Arrivals> arrivals;
     collideNear(world, arrivals, dt);
     for (const ContactIndex index : parted) part(world, index);
-    for (Arrivals::Batch& batch : arrivals.batches) settle(world, batch, dt);
+    for (const Arrivals& some : arrivals) settle(world, some, dt);
 }
 
 }  // namespace plumb
