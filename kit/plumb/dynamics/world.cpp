@@ -13,6 +13,7 @@
 #include <plumb/dynamics/detail/pairs.h>
 #include <plumb/dynamics/detail/quarantine.h>
 #include <plumb/dynamics/detail/report_contacts.h>
+#include <plumb/dynamics/detail/shape_measure.h>
 #include <plumb/dynamics/detail/solver.h>
 #include <plumb/dynamics/detail/sort_out.h>
 #include <plumb/dynamics/detail/validate.h>

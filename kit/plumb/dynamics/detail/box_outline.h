@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which shapes can be collided side by side? Boxes that are not rounded and lie straight in their body's frame.
+// Which shapes can be collided side by side? Boxes that are not rounded and lie straight in their body's frame. Any
+// other is in a box of that kind, which tells what it cannot touch.
 #pragma once
 #include <plumb/space/shape_def.h>
 
@@ -7,8 +8,8 @@ namespace plumb {
 
 /// A shape as the lanes see it.
 struct BoxOutline {
-    bool is = false;                 ///< such a box
-    bool bounces = false;            ///< the shape's material does, whatever the shape
+    bool exact = false;              ///< the shape is the box
+    float restitution = 0;           ///< of the shape's material [-]
     float halfX = 0, halfY = 0;      ///< [m]
     float centerX = 0, centerY = 0;  ///< from the body's centre of mass [m]
 };

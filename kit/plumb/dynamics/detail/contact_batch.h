@@ -49,13 +49,22 @@ struct alignas(64) ManifoldPointLanes {
     Lanes<std::int32_t> feature;  ///< as in collide/manifold.h
 };
 
-/// Two boxes near each other in each lane: what it takes to find where they touch.
+/// Two shapes near each other in each lane, as boxes: all it takes to find where they touch if they are, and else to
+/// find that they do not.
 struct alignas(64) PairLanes {
     Lanes<std::uint32_t> bodyA, bodyB;                    ///< slots of the bodies; an empty lane has 0 and 0
     Lanes<float> halfXA, halfYA, halfXB, halfYB;          ///< [m]
     Lanes<float> centerXA, centerYA, centerXB, centerYB;  ///< from their body's centre of mass [m]
     Lanes<std::uint32_t> proxyA, proxyB;
 };
+
+/// One lane of it, but for the boxes.
+struct ShapePair {
+    std::uint32_t bodyA = 0, bodyB = 0, proxyA = 0, proxyB = 0;
+};
+inline ShapePair pairAt(const PairLanes& pairs, std::size_t lane) {
+    return {pairs.bodyA[lane], pairs.bodyB[lane], pairs.proxyA[lane], pairs.proxyB[lane]};
+}
 inline constexpr std::size_t pairRows = sizeof(PairLanes) / (sizeof(float) * batchLanes);
 
 /// What lanes keep from step to step of where their shapes touch. Parallel to the batches.

@@ -58,9 +58,9 @@ void ContactGraph::add(BodyStore& bodies, ContactStore& contacts, ContactIndex i
     if (slot % batchLanes == 0) {
         append(colour.batches);
         append(colour.manifolds);
-        if (contact.boxes) append(colour.pairs);
+        append(colour.pairs);
     }
-    if (contact.boxes) fillPair(contacts, contact, colour.pairs.back(), slot % batchLanes);
+    fillPair(contacts, contact, colour.pairs.back(), slot % batchLanes);
     colour.contactOf.push_back(index);
     contact.slot = static_cast<std::uint32_t>(slot);
     copyLane(colour, slot, batch, manifolds, lane);
@@ -119,17 +119,15 @@ void ContactGraph::remove(BodyStore& bodies, ContactStore& contacts, ContactInde
     }
     copyLane(colour, slot, colour.batches.back(), colour.manifolds.back(), last % batchLanes);
     copyLane(colour, last, ContactBatch{}, ManifoldLanes{}, 0);
-    if (contact.boxes) {
-        copyLane(colour.pairs[slot / batchLanes], slot % batchLanes, colour.pairs.back(), last % batchLanes, pairRows);
-        copyLane(colour.pairs.back(), last % batchLanes, PairLanes{}, 0, pairRows);
-    }
+    copyLane(colour.pairs[slot / batchLanes], slot % batchLanes, colour.pairs.back(), last % batchLanes, pairRows);
+    copyLane(colour.pairs.back(), last % batchLanes, PairLanes{}, 0, pairRows);
     colour.contactOf[slot] = colour.contactOf[last];
     contacts.contacts[colour.contactOf[slot]].slot = static_cast<std::uint32_t>(slot);
     colour.contactOf.pop_back();
     if (last % batchLanes == 0) {
         colour.batches.pop_back();
         colour.manifolds.pop_back();
-        if (contact.boxes) colour.pairs.pop_back();
+        colour.pairs.pop_back();
     }
     contact.colour = -1;
 }

@@ -20,7 +20,7 @@ inline constexpr int overflowColour = colourCount - 1;
 struct Colour {
     std::vector<ContactBatch> batches;
     std::vector<ManifoldLanes> manifolds;  ///< parallel to batches
-    std::vector<PairLanes> pairs;          ///< likewise, of boxes; of other shapes there are none
+    std::vector<PairLanes> pairs;          ///< likewise
     std::vector<ContactIndex> contactOf;   ///< slot to contact; slot = batch * batchLanes + lane
 };
 

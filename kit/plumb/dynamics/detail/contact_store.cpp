@@ -60,29 +60,26 @@ void ContactStore::addNear(ContactIndex contact) {
         c.watched = true;
         watched.push_back(contact);
     }
-    std::vector<ContactIndex>& list = c.boxes ? nearBoxes.contactOf : near;
-    const std::size_t slot = list.size();
+    NearPairs& near = nearOf(c);
+    const std::size_t slot = near.contactOf.size();
     c.nearIndex = static_cast<std::uint32_t>(slot);
-    list.push_back(contact);
-    if (!c.boxes) return;
-    if (slot % batchLanes == 0) nearBoxes.lanes.push_back(PairLanes{});
-    fillPair(*this, c, nearBoxes.lanes.back(), slot % batchLanes);
+    near.contactOf.push_back(contact);
+    if (slot % batchLanes == 0) near.lanes.push_back(PairLanes{});
+    fillPair(*this, c, near.lanes.back(), slot % batchLanes);
 }
 
 void ContactStore::removeNear(ContactIndex contact) {
     ContactRecord& c = contacts[contact];
     if (c.nearIndex == none) return;
-    std::vector<ContactIndex>& list = c.boxes ? nearBoxes.contactOf : near;
-    const std::size_t slot = c.nearIndex, last = list.size() - 1;
-    list[slot] = list[last];
-    contacts[list[slot]].nearIndex = static_cast<std::uint32_t>(slot);
-    list.pop_back();
+    NearPairs& near = nearOf(c);
+    const std::size_t slot = c.nearIndex, last = near.contactOf.size() - 1;
+    near.contactOf[slot] = near.contactOf[last];
+    contacts[near.contactOf[slot]].nearIndex = static_cast<std::uint32_t>(slot);
+    near.contactOf.pop_back();
     c.nearIndex = none;
-    if (!c.boxes) return;
-    copyLane(nearBoxes.lanes[slot / batchLanes], slot % batchLanes, nearBoxes.lanes.back(), last % batchLanes,
-             pairRows);
-    copyLane(nearBoxes.lanes.back(), last % batchLanes, PairLanes{}, 0, pairRows);
-    if (last % batchLanes == 0) nearBoxes.lanes.pop_back();
+    copyLane(near.lanes[slot / batchLanes], slot % batchLanes, near.lanes.back(), last % batchLanes, pairRows);
+    copyLane(near.lanes.back(), last % batchLanes, PairLanes{}, 0, pairRows);
+    if (last % batchLanes == 0) near.lanes.pop_back();
 }
 
 void fillPair(const ContactStore& store, const ContactRecord& contact, PairLanes& pairs, std::size_t lane) {

@@ -44,7 +44,7 @@ struct ContactRecord {
     bool isolated = false;  ///< left to the impacts in this step, not to the solver
     int colour = -1;        ///< where the solver has it: entry of ContactGraph.colours, and slot; -1: nowhere
     std::uint32_t slot = 0;
-    std::uint32_t nearIndex = none;  ///< slot in ContactStore.nearBoxes or place in near
+    std::uint32_t nearIndex = none;  ///< slot in ContactStore.nearBoxes or nearOthers
     bool watched = false;
     Manifold manifold;                                                   ///< while it is not with the solver
     std::array<PointMemory, 2> memory;                                   ///< likewise
@@ -54,8 +54,8 @@ struct ContactRecord {
     std::array<ContactIndex, 2> previous{none, none}, next{none, none};  ///< in the lists of A and B
 };
 
-/// Near contacts of two boxes, in lanes; slot = batch * batchLanes + lane.
-struct NearBoxes {
+/// Near contacts, in lanes; slot = batch * batchLanes + lane.
+struct NearPairs {
     std::vector<PairLanes> lanes;
     std::vector<ContactIndex> contactOf;
 };
@@ -66,14 +66,15 @@ struct ContactStore {
     std::vector<BoxOutline> boxes;  ///< of each proxy
 
     // With a body awake, and not with the solver:
-    NearBoxes nearBoxes;
-    std::vector<ContactIndex> near;     ///< of other shapes
+    NearPairs nearBoxes;
+    NearPairs nearOthers;               ///< of other shapes, in their boxes
     std::vector<ContactIndex> watched;  ///< those that were touching or had a manifold, until they have not; and more
 
     ContactIndex add(BodyStore& bodies, const ContactRecord& contact);
     void remove(BodyStore& bodies, ContactIndex contact);
     void addNear(ContactIndex contact);     ///< unless it is already, or with the solver
     void removeNear(ContactIndex contact);  ///< if it is
+    NearPairs& nearOf(const ContactRecord& contact) { return contact.boxes ? nearBoxes : nearOthers; }
     int side(ContactIndex contact, BodyIndex body) const { return contacts[contact].bodyA == body ? 0 : 1; }
 };
 

@@ -12,6 +12,7 @@
 #include <plumb/dynamics/detail/free_motion.h>
 #include <plumb/dynamics/detail/fresh_lanes.h>
 #include <plumb/dynamics/detail/pairs.h>
+#include <plumb/dynamics/detail/shape_measure.h>
 #include <plumb/dynamics/detail/sweep.h>
 
 namespace plumb {
@@ -27,34 +28,6 @@ constexpr double deepest = 0.02;
 constexpr double skin = 1e-4;
 /// Less than this makes no difference, and a search ends as near as that [m].
 constexpr double noticeable = 2e-5;
-
-double coreOfOutline(const Circle& circle) {
-    return circle.radius;
-}
-
-double coreOfOutline(const Capsule& capsule) {
-    return capsule.radius;
-}
-
-double coreOfOutline(const Segment&) {
-    return 0;
-}
-
-double coreOfOutline(const Chain&) {
-    return 0;
-}
-
-/// Of the disc around the mean of the corners.
-double coreOfOutline(const Polygon& polygon) {
-    Vec2 middle(0, 0);
-    for (const Vec2& v : polygon.vertices) middle += v / static_cast<double>(polygon.vertices.size());
-    double core = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
-        const Vec2 edge = polygon.vertices[(i + 1) % polygon.vertices.size()] - polygon.vertices[i];
-        core = std::min(core, cross(edge, Vec2(middle - polygon.vertices[i])) / edge.norm());
-    }
-    return core + polygon.radius;
-}
 
 Way wayBetween(const BodyMotion& from, const BodyMotion& to, const BodyRecord& record) {
     return {from.center, to.center - from.center, from.angle, to.angle - from.angle, record.localCenter};
@@ -88,23 +61,6 @@ Way wayOf(const WorldState& world, BodyIndex body, double dt) {
 /// No point of the body has moved farther than this [m].
 double travelOf(const Way& way, const BodyRecord& record) {
     return way.shift.norm() + std::fabs(way.turn) * record.extent;
-}
-
-/// Farthest point that turning moves along a normal: of what is rounded, of the core within [m].
-double reachOf(const Shape& shape, const Vec2& center) {
-    double reach = 0;
-    const auto take = [&](const Vec2& point) { reach = std::max(reach, (point - center).norm()); };
-    if (const auto* circle = std::get_if<Circle>(&shape)) take(circle->center);
-    if (const auto* polygon = std::get_if<Polygon>(&shape))
-        for (const Vec2& corner : polygon->vertices) take(corner);
-    const auto takeEnds = [&](const auto* line) {
-        if (line == nullptr) return;
-        take(line->start);
-        take(line->end);
-    };
-    takeEnds(std::get_if<Capsule>(&shape));
-    takeEnds(std::get_if<Segment>(&shape));
-    return reach;
 }
 
 /// When a shape that goes through a wall, or too deep into it, has met it; empty when it does neither.
@@ -342,10 +298,6 @@ void stopFlights(WorldState& world, double dt) {
 }
 
 }  // namespace
-
-double coreOf(const Shape& shape) {
-    return std::visit([](const auto& outline) { return coreOfOutline(outline); }, shape);
-}
 
 void stopAtWalls(WorldState& world, double dt) {
     if (world.walls == 0) return;

@@ -10,9 +10,6 @@
 
 namespace plumb {
 
-/// The radius of a disc that fits into a shape: what moves by less has gone through nothing [m].
-double coreOf(const Shape& shape);
-
 /// To be called when all bodies have their new places, and their forces are still known.
 void stopAtWalls(WorldState& world, double dt);
 

@@ -30,14 +30,15 @@ RelativePose relativePose(const BodyMotion& a, const BodyMotion& b) {
     return {shift.cast<float>(), static_cast<float>(turn.cos), static_cast<float>(turn.sin)};
 }
 
-Manifold foreseen(const WorldState& world, const ContactRecord& contact, float margin, double dt) {
-    const FlyingShape a = flyingShape(world, contact.bodyA, world.proxyA(contact));
-    const FlyingShape b = flyingShape(world, contact.bodyB, world.proxyB(contact));
+Manifold foreseen(const WorldState& world, const ShapePair& pair, float margin, double dt) {
+    const Proxy& proxyA = world.space[pair.proxyA];
+    const Proxy& proxyB = world.space[pair.proxyB];
+    const FlyingShape a = flyingShape(world, pair.bodyA, proxyA);
+    const FlyingShape b = flyingShape(world, pair.bodyB, proxyB);
     const std::optional<double> time = timeOfImpact(a, b, 0, dt);
     if (!time) return {};
     const Encounter meeting = encounterAt(a, b, *time);
-    Manifold m = manifold(world.proxyA(contact).convex, world.proxyB(contact).convex,
-                          relativePose(meeting.a, meeting.b), contactMargin);
+    Manifold m = manifold(proxyA.convex, proxyB.convex, relativePose(meeting.a, meeting.b), contactMargin);
     // Back to the step's start: how far each point of B still has to come along the normal. Points stay with A.
     const Rot back = meeting.a.rotation * a.from.rotation.inverse();
     const Vec2 normal = meeting.a.rotation * Vec2(m.normal.cast<double>());

@@ -7,8 +7,8 @@ namespace plumb {
 
 RelativePose relativePose(const BodyMotion& a, const BodyMotion& b);
 
-/// The manifold of a contact's shapes where and when they meet in this step, seen from the step's start; empty if they
+/// The manifold of two shapes where and when they meet in this step, seen from the step's start; empty if they
 /// do not meet. What flies past a corner is not to be held up by the face that it has before it from afar.
-Manifold foreseen(const WorldState& world, const ContactRecord& contact, float margin, double dt);
+Manifold foreseen(const WorldState& world, const ShapePair& pair, float margin, double dt);
 
 }  // namespace plumb

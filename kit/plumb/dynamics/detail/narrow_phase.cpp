@@ -27,22 +27,23 @@ struct Approach {
     Vec2f shift{0, 0};  ///< of B against A, in A's frame [m]
 };
 
-Approach approachOf(const WorldState& world, const ContactRecord& contact) {
-    const BodyPlace& a = world.bodies.place[contact.bodyA];
-    const BodyPlace& b = world.bodies.place[contact.bodyB];
+Approach approachOf(const WorldState& world, const ShapePair& pair) {
+    const BodyPlace& a = world.bodies.place[pair.bodyA];
+    const BodyPlace& b = world.bodies.place[pair.bodyB];
     const float x = b.shiftX - a.shiftX, y = b.shiftY - a.shiftY;
     const float turn = a.turn + b.turn;
     return {std::sqrt(x * x + y * y) + turn + contactMargin, turn, {a.cos * x + a.sin * y, a.cos * y - a.sin * x}};
 }
 
 /// Of any two shapes. Those that cannot come together along their normal in this step will not touch in it.
-Manifold manifoldOf(const WorldState& world, const ContactRecord& contact, double dt) {
-    const Approach approach = approachOf(world, contact);
-    const RelativePose pose = relativePose(world.bodies.motion[contact.bodyA], world.bodies.motion[contact.bodyB]);
-    const Manifold m = manifold(world.proxyA(contact).convex, world.proxyB(contact).convex, pose, approach.margin);
+Manifold manifoldOf(const WorldState& world, const ShapePair& pair, double dt) {
+    const Approach approach = approachOf(world, pair);
+    const RelativePose pose = relativePose(world.bodies.motion[pair.bodyA], world.bodies.motion[pair.bodyB]);
+    const Manifold m =
+        manifold(world.space[pair.proxyA].convex, world.space[pair.proxyB].convex, pose, approach.margin);
     if (m.count == 0 || nearestOf(m) <= contactMargin) return m;
     const float closing = approach.turn - approach.shift.dot(m.normal);
-    return nearestOf(m) > closing ? Manifold{} : foreseen(world, contact, approach.margin, dt);
+    return nearestOf(m) > closing ? Manifold{} : foreseen(world, pair, approach.margin, dt);
 }
 
 bool isUncertain(const FreshLanes& fresh) {
@@ -50,30 +51,31 @@ bool isUncertain(const FreshLanes& fresh) {
 }
 
 /// Takes a closer look at the lanes of which the boxes alone do not say whether they meet.
-void settleUncertain(const WorldState& world, const ContactIndex* contacts, std::size_t count, FreshLanes& fresh,
-                     double dt) {
+void settleUncertain(const WorldState& world, const PairLanes& pairs, std::size_t count, FreshLanes& fresh, double dt) {
     if (!isUncertain(fresh)) return;
     for (std::size_t lane = 0; lane < count; ++lane) {
         if (fresh.uncertain[lane] == 0) continue;
-        const ContactRecord& contact = world.contacts.contacts[contacts[lane]];
-        setFresh(fresh, lane, foreseen(world, contact, approachOf(world, contact).margin, dt));
+        const ShapePair pair = pairAt(pairs, lane);
+        setFresh(fresh, lane, foreseen(world, pair, approachOf(world, pair).margin, dt));
     }
 }
 
-void collideBoxes(const WorldState& world, const PairLanes& pairs, const ContactIndex* contacts, std::size_t count,
-                  FreshLanes& fresh, double dt) {
+void collideBoxes(const WorldState& world, const PairLanes& pairs, std::size_t count, FreshLanes& fresh, double dt) {
     world.collider->collideBoxes(pairs, world.bodies.place.data(), fresh);
-    settleUncertain(world, contacts, count, fresh, dt);
+    settleUncertain(world, pairs, count, fresh, dt);
 }
 
 /// One by one; lanes beyond count get no points.
-void collideOthers(const WorldState& world, const ContactIndex* contacts, std::size_t count, FreshLanes& fresh,
-                   double dt) {
-    for (std::size_t lane = 0; lane < batchLanes; ++lane) {
-        const Manifold found =
-            lane < count ? manifoldOf(world, world.contacts.contacts[contacts[lane]], dt) : Manifold{};
-        setFresh(fresh, lane, found);
-    }
+void collideOthers(const WorldState& world, const PairLanes& pairs, std::size_t count, FreshLanes& fresh, double dt) {
+    for (std::size_t lane = 0; lane < batchLanes; ++lane)
+        setFresh(fresh, lane, lane < count ? manifoldOf(world, pairAt(pairs, lane), dt) : Manifold{});
+}
+
+/// The same, but those first whose boxes cannot come together in this step: most, and all at once.
+void collideInBoxes(const WorldState& world, const PairLanes& pairs, std::size_t count, FreshLanes& fresh, double dt) {
+    world.collider->collideBoxes(pairs, world.bodies.place.data(), fresh);
+    for (std::size_t lane = 0; lane < count; ++lane)
+        if (fresh.count[lane] > 0) setFresh(fresh, lane, manifoldOf(world, pairAt(pairs, lane), dt));
 }
 
 void prepareLanes(WorldState& world, ContactBatch& batch, ManifoldLanes& manifolds, const FreshLanes& fresh,
@@ -88,22 +90,21 @@ void collideColour(WorldState& world, std::size_t index, std::vector<ContactInde
     for (std::size_t b = 0; b < colour.batches.size(); ++b) {
         const std::size_t first = b * batchLanes;
         const std::size_t count = std::min<std::size_t>(batchLanes, colour.contactOf.size() - first);
-        const ContactIndex* contacts = &colour.contactOf[first];
         if (index % 2 == 0)
-            collideBoxes(world, colour.pairs[b], contacts, count, fresh, dt);
+            collideBoxes(world, colour.pairs[b], count, fresh, dt);
         else
-            collideOthers(world, contacts, count, fresh, dt);
+            collideOthers(world, colour.pairs[b], count, fresh, dt);
         prepareLanes(world, colour.batches[b], colour.manifolds[b], fresh, dt);
         for (std::size_t lane = 0; lane < count; ++lane)
             if (fresh.count[lane] == 0) parted.push_back(colour.contactOf[first + lane]);
     }
 }
 
-void wakeTouched(WorldState& world, const ContactRecord& contact, const FreshLanes& fresh, std::size_t lane) {
+void wakeTouched(WorldState& world, const ShapePair& pair, const FreshLanes& fresh, std::size_t lane) {
     float nearest = fresh.points[0].separation[lane];
     if (fresh.count[lane] > 1) nearest = std::min(nearest, fresh.points[1].separation[lane]);
-    if (nearest > approachOf(world, contact).margin - (contactMargin - trembling)) return;
-    for (const BodyIndex body : {contact.bodyA, contact.bodyB})
+    if (nearest > approachOf(world, pair).margin - (contactMargin - trembling)) return;
+    for (const BodyIndex body : {pair.bodyA, pair.bodyB})
         if (world.bodies.isDynamic(body) && !world.bodies.record[body].awake) wakeIsland(world, body);
 }
 
@@ -114,9 +115,7 @@ struct Arrivals {
     std::size_t count = 0;
 };
 
-void addArrival(WorldState& world, std::vector<Arrivals>& arrivals, ContactIndex index, const FreshLanes& fresh,
-                std::size_t lane) {
-    wakeTouched(world, world.contacts.contacts[index], fresh, lane);
+void addArrival(std::vector<Arrivals>& arrivals, ContactIndex index, const FreshLanes& fresh, std::size_t lane) {
     if (arrivals.empty() || arrivals.back().count == batchLanes) arrivals.emplace_back();
     Arrivals& last = arrivals.back();
     last.contacts[last.count] = index;
@@ -124,24 +123,32 @@ void addArrival(WorldState& world, std::vector<Arrivals>& arrivals, ContactIndex
     ++last.count;
 }
 
-/// Contacts whose boxes have parted are over.
-void removeParted(WorldState& world) {
-    NearBoxes& boxes = world.contacts.nearBoxes;
-    for (std::size_t slot = 0; slot < boxes.contactOf.size();) {
-        const PairLanes& pairs = boxes.lanes[slot / batchLanes];
+void removeParted(WorldState& world, NearPairs& near) {
+    for (std::size_t slot = 0; slot < near.contactOf.size();) {
+        const PairLanes& pairs = near.lanes[slot / batchLanes];
         const std::size_t lane = slot % batchLanes;
         if (world.space.boxesOverlap(pairs.proxyA[lane], pairs.proxyB[lane]))
             ++slot;
         else
-            removeContact(world, boxes.contactOf[slot]);
+            removeContact(world, near.contactOf[slot]);
     }
-    std::vector<ContactIndex>& near = world.contacts.near;
-    for (std::size_t i = 0; i < near.size();) {
-        const ContactRecord& contact = world.contacts.contacts[near[i]];
-        if (world.space.boxesOverlap(contact.proxyA, contact.proxyB))
-            ++i;
-        else
-            removeContact(world, near[i]);
+}
+
+/// Of a batch of near contacts, from the given lane on.
+void collideBatch(WorldState& world, const NearPairs& near, std::size_t start, std::vector<Arrivals>& arrivals,
+                  double dt) {
+    const std::size_t first = start - start % batchLanes;
+    const std::size_t count = std::min<std::size_t>(batchLanes, near.contactOf.size() - first);
+    const PairLanes& pairs = near.lanes[first / batchLanes];
+    FreshLanes fresh;
+    if (&near == &world.contacts.nearBoxes)
+        collideBoxes(world, pairs, count, fresh, dt);
+    else
+        collideInBoxes(world, pairs, count, fresh, dt);
+    for (std::size_t lane = start - first; lane < count; ++lane) {
+        if (fresh.count[lane] == 0) continue;
+        addArrival(arrivals, near.contactOf[first + lane], fresh, lane);
+        wakeTouched(world, pairAt(near.lanes[first / batchLanes], lane), fresh, lane);
     }
 }
 
@@ -149,22 +156,14 @@ void removeParted(WorldState& world) {
 void collideNear(WorldState& world, std::vector<Arrivals>& arrivals, double dt) {
     ContactStore& store = world.contacts;
     for (const ContactIndex index : store.watched) store.contacts[index].manifold.count = 0;
-    FreshLanes fresh;
     std::size_t boxes = 0, others = 0;
-    while (boxes < store.nearBoxes.contactOf.size() || others < store.near.size()) {
+    while (boxes < store.nearBoxes.contactOf.size() || others < store.nearOthers.contactOf.size()) {
         const bool isBoxes = boxes < store.nearBoxes.contactOf.size();
+        const NearPairs& near = isBoxes ? store.nearBoxes : store.nearOthers;
         std::size_t& done = isBoxes ? boxes : others;
-        const std::vector<ContactIndex>& list = isBoxes ? store.nearBoxes.contactOf : store.near;
-        const std::size_t first = done - done % batchLanes;
-        const std::size_t count = std::min<std::size_t>(batchLanes, list.size() - first);
-        if (isBoxes)
-            collideBoxes(world, store.nearBoxes.lanes[first / batchLanes], &list[first], count, fresh, dt);
-        else
-            collideOthers(world, &list[first], count, fresh, dt);
-        const std::size_t start = done - first;
-        done = first + count;
-        for (std::size_t lane = start; lane < count; ++lane)
-            if (fresh.count[lane] > 0) addArrival(world, arrivals, list[first + lane], fresh, lane);
+        const std::size_t start = done;
+        done = std::min(start - start % batchLanes + batchLanes, near.contactOf.size());
+        collideBatch(world, near, start, arrivals, dt);
     }
 }
 
@@ -204,7 +203,8 @@ bool bodiesReady(const WorldState& world, const ContactRecord& contact) {
 void findContacts(WorldState& world, double dt) {
     std::vector<ContactIndex> parted;
     for (std::size_t index = 0; index < world.graph.colours.size(); ++index) collideColour(world, index, parted, dt);
-    removeParted(world);
+    removeParted(world, world.contacts.nearBoxes);
+    removeParted(world, world.contacts.nearOthers);
     std::vector<Arrivals> arrivals;
     collideNear(world, arrivals, dt);
     for (const ContactIndex index : parted) part(world, index);

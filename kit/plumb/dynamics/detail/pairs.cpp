@@ -19,7 +19,7 @@ constexpr double roughest = 1e6;
 
 Aabb tightBox(const WorldState& world, ProxyId proxy, const BodyMotion& motion, const Transform& pose) {
     const BoxOutline& box = world.contacts.boxes[proxy];
-    if (!box.is) return aabbOf(world.space[proxy].def.shape, pose);
+    if (!box.exact) return aabbOf(world.space[proxy].def.shape, pose);
     const double c = motion.rotation.cos;
     const double s = motion.rotation.sin;
     const double x = static_cast<double>(box.centerX), y = static_cast<double>(box.centerY);
@@ -55,7 +55,7 @@ ContactRecord contactOf(const WorldState& world, const Pair& pair) {
     contact.proxyB = pair.b;
     contact.bodyA = a.owner;
     contact.bodyB = b.owner;
-    contact.boxes = world.contacts.boxes[pair.a].is && world.contacts.boxes[pair.b].is;
+    contact.boxes = world.contacts.boxes[pair.a].exact && world.contacts.boxes[pair.b].exact;
     contact.friction = std::min(mixed(ma.friction, mb.friction, ma.frictionMix, mb.frictionMix), roughest);
     contact.restitution = mixed(ma.restitution, mb.restitution, ma.restitutionMix, mb.restitutionMix);
     const double reach = std::max(ma.rollingResistance, mb.rollingResistance) * roundingOf(a, b);
@@ -98,9 +98,10 @@ void placeBody(WorldState& world, BodyIndex body, double dt) {
     const Transform pose = world.bodies.pose(body);
     for (const ProxyId proxy : record.proxies) {
         const Aabb now = inflate(tightBox(world, proxy, motion, pose), 0.5 * static_cast<double>(contactMargin) + turn);
-        Aabb swept = merge(now, {now.lower + shift, now.upper + shift});
-        if (world.contacts.boxes[proxy].bounces) swept = inflate(now, shift.norm());  // it may bounce any way
-        world.space.place(proxy, swept, boxMargin);
+        const Aabb ahead{now.lower + shift, now.upper + shift};
+        // It may come back from anywhere, as fast as its restitution lets it.
+        const Aabb back = inflate(now, static_cast<double>(world.contacts.boxes[proxy].restitution) * shift.norm());
+        world.space.place(proxy, merge(ahead, back), boxMargin);
     }
 }
 

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include <plumb/dynamics/detail/continuous.h>
+#include <plumb/dynamics/detail/shape_measure.h>
 
 namespace plumb {
 
@@ -28,29 +29,82 @@ Vec2 velocityAt(const BodyMotion& motion, const Vec2& point) {
     return motion.velocity + perp(Vec2(point - motion.center)) * motion.angularVelocity;
 }
 
-/// Faster than this the two cannot approach at any time in the rest of the step.
-double greatestClosingSpeed(const FlyingShape& a, const FlyingShape& b, const Encounter& now, double left) {
-    const auto turning = [left](const FlyingShape& s, const BodyMotion& m) {
-        return (std::fabs(m.angularVelocity) + std::fabs(s.law.acceleration.angular) * left) * s.extent;
-    };
-    const auto pull = [](const FlyingShape& s, const BodyMotion& m) -> Vec2 {
-        return s.law.acceleration.linear - m.velocity * s.law.linearDamping;
-    };
-    const double relative = (now.b.velocity - now.a.velocity).norm();
-    const double change = (pull(b, now.b) - pull(a, now.a)).norm() * left;
-    return relative + change + turning(a, now.a) + turning(b, now.b);
+/// A bound on how two shapes approach along a normal: by no more than speed * t + bend / 2 * t^2 in a time t [m].
+struct Approach {
+    double speed = 0, bend = 0;  ///< [m/s, m/s^2]
+
+    /// So long they stay apart that are separation apart [s].
+    double safeTime(double separation) const {
+        const double fast = speed + std::sqrt(std::max(speed * speed + 2 * bend * separation, 0.0));
+        return fast > 0 ? 2 * separation / fast : std::numeric_limits<double>::infinity();
+    }
+};
+
+struct Pull {
+    Vec2 linear{0, 0};
+    double angular = 0;
+};
+
+Pull pullOn(const FlyingShape& s, const BodyMotion& now) {
+    return {s.law.acceleration.linear - now.velocity * s.law.linearDamping,
+            s.law.acceleration.angular - now.angularVelocity * s.law.angularDamping};
+}
+
+/// Of b towards a, as seen from a, which turns: only then does the spin of a large body count by how near the other is.
+/// What is left of the step is the time for which it holds.
+Approach approachTo(const FlyingShape& a, const FlyingShape& b, const BodyMotion& nowA, const BodyMotion& nowB,
+                    const Vec2& normal, double left) {
+    const Pull pullA = pullOn(a, nowA), pullB = pullOn(b, nowB);
+    const Vec2 between = nowB.center - nowA.center, relative = nowB.velocity - nowA.velocity;
+    const double uneven = std::fabs(b.law.linearDamping - a.law.linearDamping) * pullA.linear.norm() * left;
+    const double pull = (pullB.linear - pullA.linear).norm() + uneven;
+    const double swing = std::fabs(pullA.angular), spin = std::fabs(nowA.angularVelocity) + swing * left;
+    const double fastest = relative.norm() + pull * left;
+    const double farthest = between.norm() + fastest * left;
+    const double turn =
+        std::fabs(nowB.angularVelocity - nowA.angularVelocity) + (swing + std::fabs(pullB.angular)) * left;
+    const double closing = (perp(between) * nowA.angularVelocity - relative).dot(normal);
+    return {closing + turn * reachOf(*b.shape, b.localCenter),
+            pull + swing * farthest + spin * (2 * fastest + spin * farthest)};
+}
+
+/// As seen from the larger one.
+Approach approachIn(const FlyingShape& a, const FlyingShape& b, const Encounter& now, double left) {
+    if (a.extent >= b.extent) return approachTo(a, b, now.a, now.b, now.distance.normal, left);
+    return approachTo(b, a, now.b, now.a, -now.distance.normal, left);
 }
 
 /// Between a time before the touch and one after it: to the last bit that matters, on the near side.
-double bisect(const FlyingShape& a, const FlyingShape& b, double before, double after) {
+/// Regula falsi with the end that stays weighed down; where that makes no way, halving.
+/// Source: Dowell and Jarratt, "A modified regula falsi method", 1971.
+double bracketed(const FlyingShape& a, const FlyingShape& b, double before, double separationBefore, double after,
+                 double separationAfter) {
+    double outside = separationBefore, inside = separationAfter;
     for (int i = 0; i < 100; ++i) {
-        const double middle = 0.5 * (before + after);
+        const double width = after - before;
+        double middle = before + width * (outside / (outside - inside));
+        if (i % 4 == 3 || !(middle > before && middle < after)) middle = before + 0.5 * width;
         if (middle <= before || middle >= after) break;
         const double separation = encounterAt(a, b, middle).distance.separation;
         if (separation >= 0 && separation <= touch) return middle;
-        (separation > 0 ? before : after) = middle;
+        if (separation > 0) {
+            before = middle;
+            outside = separation;
+            inside *= 0.5;
+        } else {
+            after = middle;
+            inside = separation;
+            outside *= 0.5;
+        }
     }
     return before;
+}
+
+/// How long the search goes past a touch at which the two part: no longer than it takes them to come half through.
+double partingTime(const FlyingShape& a, const FlyingShape& b, const Encounter& now, double left) {
+    const double thick = 0.5 * (coreOf(*a.shape) + coreOf(*b.shape));
+    if (thick <= 0) return left * pastTouch;
+    return std::min(left, approachIn(a, b, now, left).safeTime(thick)) * pastTouch;
 }
 
 }  // namespace
@@ -66,31 +120,31 @@ Encounter encounterAt(const FlyingShape& a, const FlyingShape& b, double time) {
 }
 
 std::optional<double> timeOfImpact(const FlyingShape& a, const FlyingShape& b, double from, double to) {
+    const double scale = std::max(a.extent, b.extent), shortest = (to - from) * 1e-12;
     double time = from;
-    const double scale = std::max(a.extent, b.extent);
+    Encounter now = encounterAt(a, b, time);
     for (int i = 0; i < 1000; ++i) {
-        const Encounter now = encounterAt(a, b, time);
-        const double separation = now.distance.separation;
+        const double separation = now.distance.separation, left = to - time;
         if (separation <= (i == 0 ? resting : touch)) {
             if (now.closingSpeed > 0) return time;
             const bool turns = now.a.angularVelocity != 0 || now.b.angularVelocity != 0;
             if (i == 0 && !turns) return std::nullopt;  // they part, and nothing brings them together again
-            const double thick = 0.5 * (coreOf(*a.shape) + coreOf(*b.shape));
-            const double part = std::min(to - time, thick / greatestClosingSpeed(a, b, now, to - time));
-            time += std::max((thick > 0 ? part : to - time) * pastTouch, to * 1e-12);
+            time += std::max(partingTime(a, b, now, left), to * 1e-12);
             if (time >= to) return std::nullopt;
+            now = encounterAt(a, b, time);
             continue;
         }
-        const double fastest = greatestClosingSpeed(a, b, now, to - time);
-        double step = fastest > 0 ? separation / fastest : to - time;
-        const bool newton = separation < near * scale && now.closingSpeed > 0.01 * fastest;
-        if (newton) step = separation / now.closingSpeed;
-        if (time + step >= to && !newton) return std::nullopt;
-        const double next = std::min(time + std::max(step, (to - from) * 1e-12), to);
-        const double ahead = encounterAt(a, b, next).distance.separation;
-        if (ahead < 0) return bisect(a, b, time, next);
-        if (next >= to) return ahead <= touch && now.closingSpeed > 0 ? std::optional<double>(to) : std::nullopt;
+        const double safe = approachIn(a, b, now, left).safeTime(separation);
+        const bool newton = separation < near * scale && now.closingSpeed * safe > 0.01 * separation;
+        const double step = newton ? separation / now.closingSpeed : safe;
+        if (step >= left && !newton) return std::nullopt;
+        const double next = std::min(time + std::max(step, shortest), to);
+        const Encounter ahead = encounterAt(a, b, next);
+        const double rest = ahead.distance.separation;
+        if (rest < 0) return bracketed(a, b, time, separation, next, rest);
+        if (next >= to) return rest <= touch && now.closingSpeed > 0 ? std::optional<double>(to) : std::nullopt;
         time = next;
+        now = ahead;
     }
     return time;
 }
