@@ -5,8 +5,7 @@
 
 #include <limits>
 
-#include <compare/engine/joint_geometry.h>
-#include <plumb/dynamics/world.h>
+#include <compare/engine/plumb_world.h>
 
 namespace plumb::compare {
 namespace {
@@ -15,32 +14,27 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 class PlumbSimulation : public Simulation {
 public:
-    explicit PlumbSimulation(const Scene& scene)
-        : world_({.gravity = scene.gravity, .sleeping = scene.sleeping, .solver = {}}) {
-        for (const SceneBody& body : scene.bodies) bodies_.push_back(world_.add(body.def));
-        const std::vector<JointGeometry> joints = jointGeometries(scene);
-        for (std::size_t i = 0; i < joints.size(); ++i)
-            joints_.push_back(world_.join(withIds(scene.joints[i].def, joints[i])));
+    explicit PlumbSimulation(const Scene& scene) : made_(plumbWorld(scene)) {
         for (const Probe& probe : scene.probes) values_.push_back(reader(scene, probe));
     }
 
     void step(double dt) override {
-        world_.step(dt);
+        made_.world.step(dt);
         stepped_ = true;
     }
 
     std::vector<BodyState> states() const override {
         std::vector<BodyState> result;
-        result.reserve(bodies_.size());
-        for (const BodyId& id : bodies_) {
-            const Body body = world_.body(id);
+        result.reserve(made_.bodies.size());
+        for (const BodyId& id : made_.bodies) {
+            const Body body = made_.world.body(id);
             result.push_back({body.position(), body.angle(), body.velocity(), body.angularVelocity()});
         }
         return result;
     }
 
     std::vector<Phase> phases() const override {
-        const StepProfile profile = world_.profile();
+        const StepProfile profile = made_.world.profile();
         return {{"pairs", profile.pairs},
                 {"collide", profile.collide},
                 {"impacts", profile.impacts},
@@ -56,41 +50,29 @@ public:
     }
 
 private:
-    JointDef withIds(JointDef def, const JointGeometry& joint) const {
-        std::visit(
-            [&](auto& d) {
-                d.bodyA = bodies_[joint.bodyA];
-                d.bodyB = bodies_[joint.bodyB];
-            },
-            def);
-        return def;
-    }
-
     std::function<double()> reader(const Scene& scene, const Probe& probe) const {
         if (const auto* force = std::get_if<NormalForceProbe>(&probe.quantity)) {
-            const BodyId a = bodies_[bodyIndex(scene, force->bodyA)];
-            const BodyId b = bodies_[bodyIndex(scene, force->bodyB)];
+            const BodyId a = made_.bodies[bodyIndex(scene, force->bodyA)];
+            const BodyId b = made_.bodies[bodyIndex(scene, force->bodyB)];
             return [this, a, b] { return normalForce(a, b); };
         }
         if (const auto* force = std::get_if<JointForceProbe>(&probe.quantity)) {
-            const JointId joint = joints_[jointIndex(scene, force->joint)];
-            return [this, joint] { return world_.reaction(joint).force.norm(); };
+            const JointId joint = made_.joints[jointIndex(scene, force->joint)];
+            return [this, joint] { return made_.world.reaction(joint).force.norm(); };
         }
         return [] { return unknown; };
     }
 
     double normalForce(const BodyId& a, const BodyId& b) const {
         double sum = 0;
-        for (const Contact& contact : world_.body(a).contacts()) {
+        for (const Contact& contact : made_.world.body(a).contacts()) {
             if (contact.bodyA != b && contact.bodyB != b) continue;
             for (const ContactPoint& point : contact.points) sum += point.normalForce;
         }
         return sum;
     }
 
-    World world_;
-    std::vector<BodyId> bodies_;
-    std::vector<JointId> joints_;
+    PlumbWorld made_;
     std::vector<std::function<double()>> values_;
     bool stepped_ = false;
 };

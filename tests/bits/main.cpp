@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Prints a hash a world: the same whoever compiled it, and how, and whichever number of contacts is solved side by
 // side. Between them the worlds use every shape, material and joint, both ways an impact is solved, what catches
-// bullets, friction, damping, motors, belts, sleep, and bodies that are removed.
+// bullets, friction, damping, motors, belts, sleep, and bodies that are removed. After them come the scenes of the
+// comparison, all.
 #include <cinttypes>
 #include <cstdio>
+#include <string>
 #include <vector>
 
+#include <compare/engine/plumb_world.h>
+#include <compare/scene/builtin.h>
 #include <plumb/math/random.h>
 #include <plumb/plumb.h>
 
@@ -19,7 +23,7 @@ using plumb::World;
 namespace {
 
 struct Hash {
-    const char* name;
+    std::string name;
     std::uint64_t value;
 };
 
@@ -31,7 +35,7 @@ struct Run {
     World world(const Vec2& gravity = {0, -9.81}) const {
         return World({.gravity = gravity, .solver = {.lanes = lanes}});
     }
-    void step(const char* name, World& world, int ticks) {
+    void step(const std::string& name, World& world, int ticks) {
         for (int tick = 0; tick < ticks; ++tick) world.step(1.0 / 60);
         hashes.push_back({name, plumb::stateHash(world)});
     }
@@ -177,6 +181,14 @@ void bullets(Run& run) {
     run.step("bullets", world, 300);
 }
 
+void scenes(Run& run) {
+    for (const plumb::compare::Scene& scene : plumb::compare::builtinScenes()) {
+        plumb::compare::PlumbWorld made = plumb::compare::plumbWorld(scene, {.lanes = run.lanes});
+        for (int tick = 0; tick < stepCount(scene); ++tick) made.world.step(scene.dt);
+        run.hashes.push_back({"scene " + scene.name, plumb::stateHash(made.world)});
+    }
+}
+
 Run allOn(int lanes) {
     Run run{lanes};
     heap(run);
@@ -185,6 +197,7 @@ Run allOn(int lanes) {
     pyramid(run);
     valley(run);
     bullets(run);
+    scenes(run);
     return run;
 }
 
@@ -192,11 +205,12 @@ Run allOn(int lanes) {
 
 int main() {
     const Run scalar = allOn(1);
-    for (const Hash& hash : scalar.hashes) std::printf("%s %016" PRIx64 "\n", hash.name, hash.value);
+    for (const Hash& hash : scalar.hashes) std::printf("%s %016" PRIx64 "\n", hash.name.c_str(), hash.value);
     for (const int lanes : {4, 8, 16}) {
         const Run wide = allOn(lanes);
         for (std::size_t i = 0; i < scalar.hashes.size(); ++i)
             if (wide.hashes[i].value != scalar.hashes[i].value)
-                std::printf("%s %016" PRIx64 " on %d lanes\n", wide.hashes[i].name, wide.hashes[i].value, lanes);
+                std::printf("%s %016" PRIx64 " on %d lanes\n", wide.hashes[i].name.c_str(), wide.hashes[i].value,
+                            lanes);
     }
 }
