@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include <compare/engine/joint_geometry.h>
 #include <compare/engine/plumb_world.h>
 
 namespace plumb::compare {
