@@ -87,6 +87,7 @@ void addShape(WorldState& world, BodyIndex body, const ShapeDef& shape) {
     record.proxies.push_back(proxy);
     if (record.type != BodyType::Dynamic) ++world.walls;
     record.extent = std::max(record.extent, extentOf(world.space[proxy].convex));
+    record.reach = std::max(record.reach, reachOf(shape.shape, record.localCenter));
     record.core = std::min(record.core, coreOf(shape.shape));
     std::vector<BoxOutline>& boxes = world.contacts.boxes;
     if (boxes.size() <= proxy) boxes.resize(proxy + std::size_t{1});

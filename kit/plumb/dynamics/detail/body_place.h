@@ -12,7 +12,7 @@ struct alignas(64) BodyPlace {
     float rho = 1;                                   ///< inverse radius of gyration [1/m]
     float unused = 0;
     float shiftX = 0, shiftY = 0;  ///< of the centre in this step, if nothing is in the way [m]
-    float turn = 0;                ///< how far turning takes any point of it at most [m]
+    float turn = 0;                ///< how far turning takes its outline at most [m]
     float unused2 = 0;
     float pullX = 0, pullY = 0;  ///< speed that its acceleration gives it in half of this step [m/s]
     float unused3 = 0, unused4 = 0;

@@ -49,6 +49,7 @@ struct BodyRecord {
     double inverseMass = 0, inverseInertia = 0;
     double gravityScale = 1;
     double extent = 0;                                      ///< farthest point from the centre of mass [m]
+    double reach = 0;                                       ///< and of the cores within what is rounded [m]
     double core = std::numeric_limits<double>::infinity();  ///< radius of a disc that fits into each of its shapes [m]
     Vec2 force{0, 0};                                       ///< over the next step [N]
     double torque = 0;                                      ///< [N m]

@@ -58,9 +58,9 @@ Way wayOf(const WorldState& world, BodyIndex body, double dt) {
     return {now.center - shift, shift, now.angle - turn, turn, record.localCenter};
 }
 
-/// No point of the body has moved farther than this [m].
+/// No point of the body's outline has moved farther than this [m].
 double travelOf(const Way& way, const BodyRecord& record) {
-    return way.shift.norm() + std::fabs(way.turn) * record.extent;
+    return way.shift.norm() + std::fabs(way.turn) * record.reach;
 }
 
 /// When a shape that goes through a wall, or too deep into it, has met it; empty when it does neither.
@@ -96,8 +96,8 @@ struct Passage {
     double bend = 0;            ///< no farther than this off the straight line between the two [m]
     double turn = 0;            ///< [rad]
 
-    /// No point of the body has moved farther than this [m].
-    double travel(const BodyRecord& body) const { return (to - from).norm() + bend + std::fabs(turn) * body.extent; }
+    /// No point of the body's outline has moved farther than this [m].
+    double travel(const BodyRecord& body) const { return (to - from).norm() + bend + std::fabs(turn) * body.reach; }
 };
 
 /// A wall's way, and how it is turned at both ends.
@@ -178,7 +178,7 @@ public:
         };
         const double aside = std::max({excess(way_.shift.x(), static_cast<double>(place.shiftX)),
                                        excess(way_.shift.y(), static_cast<double>(place.shiftY)), 0.0});
-        const double turned = std::fabs(way_.turn) * world_.bodies.record[body_].extent;
+        const double turned = std::fabs(way_.turn) * world_.bodies.record[body_].reach;
         return aside + std::max(turned - static_cast<double>(place.turn), 0.0) <
                0.5 * static_cast<double>(contactMargin);
     }

@@ -15,9 +15,12 @@ namespace {
 constexpr double touch = 1e-12;
 /// Already touching at the start, by so much that an impact of the step before may have left [m].
 constexpr double resting = 1e-9;
-/// Where they touch and part, the search goes on after this share of what is left of the step, or of the time in which
-/// the two could come half through each other [-].
-constexpr double pastTouch = 1e-2;
+/// Nearer than this and parting: safe steps would be too many, for they only grow with the distance [m].
+constexpr double grazing = 1e-6;
+/// The search always goes on by this share of the time in which the two could come half through each other: where they
+/// touch and part, or hardly part but spin, safe steps would be too many. What touches and parts again in that time is
+/// less deep than the same share of its thickness [-].
+constexpr double always = 1e-2;
 /// From here on Newton's method is quicker than safe steps; as a share of the extents [-].
 constexpr double near = 1e-2;
 
@@ -75,36 +78,32 @@ Approach approachIn(const FlyingShape& a, const FlyingShape& b, const Encounter&
 }
 
 /// Between a time before the touch and one after it: to the last bit that matters, on the near side.
-/// Regula falsi with the end that stays weighed down; where that makes no way, halving.
+/// Regula falsi, an end that stays twice being halved in weight; where that makes no way, the middle.
 /// Source: Dowell and Jarratt, "A modified regula falsi method", 1971.
 double bracketed(const FlyingShape& a, const FlyingShape& b, double before, double separationBefore, double after,
                  double separationAfter) {
     double outside = separationBefore, inside = separationAfter;
+    int side = 0;
     for (int i = 0; i < 100; ++i) {
-        const double width = after - before;
-        double middle = before + width * (outside / (outside - inside));
-        if (i % 4 == 3 || !(middle > before && middle < after)) middle = before + 0.5 * width;
+        double middle = before + (after - before) * (outside / (outside - inside));
+        if (i % 8 == 7 || !(middle > before && middle < after)) middle = before + 0.5 * (after - before);
         if (middle <= before || middle >= after) break;
         const double separation = encounterAt(a, b, middle).distance.separation;
         if (separation >= 0 && separation <= touch) return middle;
-        if (separation > 0) {
-            before = middle;
-            outside = separation;
-            inside *= 0.5;
-        } else {
-            after = middle;
-            inside = separation;
-            outside *= 0.5;
-        }
+        const int now = separation > 0 ? 1 : -1;
+        (now > 0 ? before : after) = middle;
+        (now > 0 ? outside : inside) = separation;
+        if (now == side) (now > 0 ? inside : outside) *= 0.5;
+        side = now;
     }
     return before;
 }
 
-/// How long the search goes past a touch at which the two part: no longer than it takes them to come half through.
-double partingTime(const FlyingShape& a, const FlyingShape& b, const Encounter& now, double left) {
+/// The least step worth while, of a whole that is so long.
+double leastStep(const FlyingShape& a, const FlyingShape& b, const Encounter& now, double left, double whole) {
     const double thick = 0.5 * (coreOf(*a.shape) + coreOf(*b.shape));
-    if (thick <= 0) return left * pastTouch;
-    return std::min(left, approachIn(a, b, now, left).safeTime(thick)) * pastTouch;
+    const double through = thick > 0 ? approachIn(a, b, now, left).safeTime(thick) : whole;
+    return std::max(std::min(through, whole) * always, whole * 1e-12);
 }
 
 }  // namespace
@@ -120,28 +119,25 @@ Encounter encounterAt(const FlyingShape& a, const FlyingShape& b, double time) {
 }
 
 std::optional<double> timeOfImpact(const FlyingShape& a, const FlyingShape& b, double from, double to) {
-    const double scale = std::max(a.extent, b.extent), shortest = (to - from) * 1e-12;
+    const double scale = std::max(a.extent, b.extent);
     double time = from;
     Encounter now = encounterAt(a, b, time);
     for (int i = 0; i < 1000; ++i) {
         const double separation = now.distance.separation, left = to - time;
-        if (separation <= (i == 0 ? resting : touch)) {
-            if (now.closingSpeed > 0) return time;
-            const bool turns = now.a.angularVelocity != 0 || now.b.angularVelocity != 0;
-            if (i == 0 && !turns) return std::nullopt;  // they part, and nothing brings them together again
-            time += std::max(partingTime(a, b, now, left), to * 1e-12);
-            if (time >= to) return std::nullopt;
-            now = encounterAt(a, b, time);
-            continue;
-        }
-        const double safe = approachIn(a, b, now, left).safeTime(separation);
+        const bool touches = separation <= (i == 0 ? resting : touch);
+        if (touches && now.closingSpeed > 0) return time;
+        const bool turns = now.a.angularVelocity != 0 || now.b.angularVelocity != 0;
+        if (touches && i == 0 && !turns) return std::nullopt;  // they part, and nothing brings them together again
+        const double safe = touches ? 0.0 : approachIn(a, b, now, left).safeTime(separation);
+        const double least = leastStep(a, b, now, left, to - from);
+        if (std::max(safe, touches ? least : 0.0) >= left) return std::nullopt;
         const bool newton = separation < near * scale && now.closingSpeed * safe > 0.01 * separation;
-        const double step = newton ? separation / now.closingSpeed : safe;
-        if (step >= left && !newton) return std::nullopt;
-        const double next = std::min(time + std::max(step, shortest), to);
+        const double step =
+            newton ? std::max(separation / now.closingSpeed, (to - from) * 1e-12) : std::max(safe, least);
+        const double next = std::min(time + step, to);
         const Encounter ahead = encounterAt(a, b, next);
         const double rest = ahead.distance.separation;
-        if (rest < 0) return bracketed(a, b, time, separation, next, rest);
+        if (rest < 0 && !touches) return bracketed(a, b, time, separation, next, rest);
         if (next >= to) return rest <= touch && now.closingSpeed > 0 ? std::optional<double>(to) : std::nullopt;
         time = next;
         now = ahead;
