@@ -42,9 +42,9 @@ std::optional<double> probeError(const Scene& scene, std::size_t index, const Ob
     const Probe& probe = scene.probes[index];
     const std::size_t from = firstTick(probe, run.dt);
     const auto* angle = std::get_if<AngleProbe>(&probe.quantity);
-    if (angle && truth && !truth->states.empty()) {
+    if (angle && truth && from < truth->states.size()) {
         const std::size_t body = bodyIndex(scene, angle->body);
-        if (!std::isnan(truth->states.front()[body].angle)) return angleError(run, *truth, body, from);
+        if (!std::isnan(truth->states[from][body].angle)) return angleError(run, *truth, body, from);
     }
     std::optional<double> worst;
     for (std::size_t tick = from; tick < run.probes.size(); ++tick) {

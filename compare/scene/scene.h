@@ -41,7 +41,7 @@ struct JointForceProbe {
 struct Probe {
     std::string name{};
     std::variant<AngleProbe, NormalForceProbe, JointForceProbe> quantity{};
-    double expected = 0;  ///< in the quantity's unit; ignored where the closed form gives the angle
+    double expected = 0;  ///< in the quantity's unit; ignored where the closed form gives the angle then
     double from = 0;      ///< watched from here, to the end: before it the scene settles [s]
     std::string unit{};   ///< "rad", "N"
 };

@@ -76,6 +76,14 @@ TEST_CASE("an angle is held against the closed form where there is one, else aga
     CHECK_THAT(*probeError(scene, 0, seen, &silent), WithinAbs(2, rounding));
 }
 
+TEST_CASE("an angle watched after the closed form has ended is held against what is expected", "[compare][metric]") {
+    Scene scene = withAngle(2.75);
+    scene.probes[0].from = 1;
+    Observation truth = turning(scene, "closed-form", 2.5);
+    truth.states.back()[0].angle = nan;
+    CHECK_THAT(*probeError(scene, 0, turning(scene, "plumb", 3), &truth), WithinAbs(0.25, rounding));
+}
+
 TEST_CASE("an angle that is not a number is an error without bound", "[compare][metric]") {
     const Scene scene = withAngle(2);
     const Observation truth = turning(scene, "closed-form", 2.5);

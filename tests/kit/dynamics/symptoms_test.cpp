@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Once broken, each named after what was seen.
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include <plumb/plumb.h>
@@ -198,4 +199,24 @@ TEST_CASE("masses, sizes and arms that the solver's floats cannot hold are refus
                     std::invalid_argument);
     CHECK_THROWS_AS(world.body(ball).applyImpulse({1e308, 0}, {0, 1e10}), std::invalid_argument);
     CHECK(world.body(ball).velocity() == Vec2(0, 0));
+}
+
+// The first sweeps over a contact without impulses left turns behind that nothing took away again: 6 times this.
+TEST_CASE("a block that begins to tip turns as its formula says from the first step on", "[dynamics][symptom]") {
+    const Vec2 halfSize(0.25, 0.5);
+    const double halfDegree = 0.5 * std::numbers::pi / 180;
+    const double slope = std::atan(0.5) + halfDegree;
+    const plumb::Rot turn = plumb::Rot::fromAngle(-slope);
+    const Material rough{.friction = 1};
+    World world({.gravity = {0, -9.81}});
+    world.add({.type = BodyType::Static, .shapes = {plumb::segment(turn * Vec2(-3, 0), turn * Vec2(3, 0), rough)}});
+    const BodyId block = world.add({.position = turn * Vec2(-halfSize.x(), halfSize.y()),
+                                    .angle = -slope,
+                                    .shapes = {plumb::box(halfSize, rough)}});
+    const double length = halfSize.norm();
+    const double acceleration = 9.81 * std::sin(halfDegree) / (4 * length / 3);  // about the lower corner
+    for (int tick = 1; tick <= 6; ++tick) {
+        world.step(1.0 / 60);
+        CHECK_THAT(world.body(block).angularVelocity(), Catch::Matchers::WithinAbs(-acceleration * tick / 60, 2e-3));
+    }
 }

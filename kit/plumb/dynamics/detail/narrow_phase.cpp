@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <plumb/dynamics/detail/first_impulses.h>
 #include <plumb/dynamics/detail/foresee.h>
 #include <plumb/dynamics/detail/islands.h>
 #include <plumb/dynamics/detail/lane_collider.h>
@@ -174,6 +175,7 @@ void settle(WorldState& world, const Arrivals& arrivals, double dt) {
     for (std::size_t lane = 0; lane < arrivals.count; ++lane)
         fillLane(world, world.contacts.contacts[arrivals.contacts[lane]], batch, manifolds, lane);
     prepareLanes(world, batch, manifolds, arrivals.fresh, dt);
+    guessImpulses(world, batch);
     for (std::size_t lane = 0; lane < arrivals.count; ++lane) {
         const ContactIndex index = arrivals.contacts[lane];
         world.graph.add(world.bodies, world.contacts, index, batch, manifolds, lane);
