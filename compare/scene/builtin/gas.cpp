@@ -32,12 +32,13 @@ Scene elasticGas() {
     for (int i = 0; i < 20; ++i) {
         const double radius = 0.2;
         const Vec2 place(-4 + 2 * (i % 5), -3.75 + 2.5 * (i / 5));
-        const Vec2 shift(random.uniform(-0.6, 0.6), random.uniform(-0.8, 0.8));
+        const double shiftX = random.uniform(-0.6, 0.6), shiftY = random.uniform(-0.8, 0.8);
         const double heading = random.uniform(0, degrees(360));
         const double speed = random.uniform(0.5, 1.5);
-        scene.bodies.push_back(
-            {"disc_" + std::to_string(i + 1),
-             {.position = place + shift, .velocity = speed * direction(heading), .shapes = {circle(radius, elastic)}}});
+        scene.bodies.push_back({"disc_" + std::to_string(i + 1),
+                                {.position = place + Vec2(shiftX, shiftY),
+                                 .velocity = speed * direction(heading),
+                                 .shapes = {circle(radius, elastic)}}});
     }
     scene.checks = {
         AgreeCheck{1e-3, 0.3,

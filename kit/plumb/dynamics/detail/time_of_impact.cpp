@@ -15,8 +15,6 @@ namespace {
 constexpr double touch = 1e-12;
 /// Already touching at the start, by so much that an impact of the step before may have left [m].
 constexpr double resting = 1e-9;
-/// Nearer than this and parting: safe steps would be too many, for they only grow with the distance [m].
-constexpr double grazing = 1e-6;
 /// The search always goes on by this share of the time in which the two could come half through each other: where they
 /// touch and part, or hardly part but spin, safe steps would be too many. What touches and parts again in that time is
 /// less deep than the same share of its thickness [-].
@@ -130,7 +128,7 @@ std::optional<double> timeOfImpact(const FlyingShape& a, const FlyingShape& b, d
         if (touches && i == 0 && !turns) return std::nullopt;  // they part, and nothing brings them together again
         const double safe = touches ? 0.0 : approachIn(a, b, now, left).safeTime(separation);
         const double least = leastStep(a, b, now, left, to - from);
-        if (std::max(safe, touches ? least : 0.0) >= left) return std::nullopt;
+        if ((touches ? least : safe) >= left) return std::nullopt;
         const bool newton = separation < near * scale && now.closingSpeed * safe > 0.01 * separation;
         const double step =
             newton ? std::max(separation / now.closingSpeed, (to - from) * 1e-12) : std::max(safe, least);
