@@ -67,6 +67,28 @@ std::string rowOf(const SceneBench& scene) {
     return row + " " + memory + " |\n";
 }
 
+/// "pairs 12 %, solve 60 %": what share of a step each phase has, as the engine tells it.
+std::string sharesOf(const std::vector<Phase>& phases) {
+    double whole = 0;
+    for (const Phase& phase : phases) whole += phase.seconds;
+    std::vector<std::string> shares;
+    for (const Phase& phase : phases)
+        shares.push_back(fmt::format("{} {:.0f} %", phase.name, 100 * phase.seconds / whole));
+    return fmt::format("{}", fmt::join(shares, ", "));
+}
+
+std::string whereItGoes(const SceneBench& scene) {
+    for (const EngineBench& bench : scene.engines)
+        if (!isRival(bench) && bench.supported() && !bench.phases().empty())
+            return fmt::format("- {}: {}\n", scene.scene, sharesOf(bench.phases()));
+    return "";
+}
+
+/// Scenes of one kind and many sizes count for their growth, not one by one.
+bool standsAlone(const SceneBench& scene, const std::vector<Growth>& growths) {
+    return std::ranges::none_of(growths, [&](const Growth& growth) { return growth.family == scene.family; });
+}
+
 std::string nameOf(const SceneBench& scene, const std::string& engine) {
     for (const EngineBench& bench : scene.engines)
         if (bench.engine == engine) return displayName(bench);
@@ -77,19 +99,24 @@ std::string nameOf(const SceneBench& scene, const std::string& engine) {
 
 std::string benchMarkdown(std::span<const SceneBench> results) {
     const SceneBench& first = results.front();
-    std::string text = headOf(first);
-    for (const SceneBench& scene : results) text += rowOf(scene);
+    const std::vector<Growth> growths = growthsOf(results);
+    std::string text = headOf(first), shares;
+    for (const SceneBench& scene : results) {
+        if (!standsAlone(scene, growths)) continue;
+        text += rowOf(scene);
+        shares += whereItGoes(scene);
+    }
     text += fmt::format(
         "\nTime of a step on one thread, median of {} runs; how many times longer than Plumb's it is, run by run, "
-        "median "
-        "and spread.\n",
+        "median and spread.\n",
         first.engines.front().runs.size());
     for (const MeanRatio& mean : meanRatiosOf(results))
         text += fmt::format("{} over Plumb, geometric mean of {} scene{}: {:.2f}.\n", nameOf(first, mean.against),
                             mean.scenes, mean.scenes == 1 ? "" : "s", mean.ratio);
-    for (const Growth& growth : growthsOf(results))
+    for (const Growth& growth : growths)
         text += fmt::format("From {} to {} bodies ({}) the time of a step grows as n^{:.2f} in {}.\n", growth.from,
                             growth.to, growth.family, growth.exponent, nameOf(first, growth.engine));
+    if (!shares.empty()) text += "\nWhere a step of Plumb's goes:\n\n" + shares;
     return text;
 }
 

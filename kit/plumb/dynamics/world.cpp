@@ -43,7 +43,7 @@ constexpr double shortestSolved = 1e-9;
 void flyFreeBodies(WorldState& world, double dt) {
     for (const BodyIndex body : world.bodies.awake) {
         const BodyRecord& record = world.bodies.record[body];
-        if (record.pushed || record.flown) continue;
+        if (world.bodies.pushed[body] != 0 || record.flown) continue;
         moveTo(world, body, fly(world.bodies.motion[body], flightLawOf(record, world.def.gravity), dt));
     }
 }

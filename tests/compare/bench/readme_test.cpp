@@ -19,6 +19,23 @@ TEST_CASE("the table of the README has a row a scene, and each row as many cells
     CHECK(text.find("geometric mean of 1 scene: 4.00") != std::string::npos);
 }
 
+TEST_CASE("scenes of one kind and many sizes stand in the README by their growth", "[compare][bench]") {
+    const std::string text =
+        benchMarkdown(std::vector<SceneBench>{measuredScene("s", {measuredEngine("plumb", {2})}),
+                                              measuredScene("heap_10", {measuredEngine("plumb", {1})}, "heap", 10),
+                                              measuredScene("heap_40", {measuredEngine("plumb", {8})}, "heap", 40)});
+    CHECK(text.find("| s |") != std::string::npos);
+    CHECK(text.find("heap_") == std::string::npos);
+    CHECK(text.find("From 10 to 40 bodies (heap) the time of a step grows as n^1.50 in Plumb.\n") != std::string::npos);
+}
+
+TEST_CASE("the README says what share of a step each of Plumb's phases has", "[compare][bench]") {
+    EngineBench plumb = measuredEngine("plumb", {4});
+    plumb.runs[0].phases = {{"pairs", 1e-3}, {"solve", 3e-3}};
+    const std::string text = benchMarkdown(std::vector<SceneBench>{measuredScene("s", {plumb})});
+    CHECK(text.find("- s: pairs 25 %, solve 75 %\n") != std::string::npos);
+}
+
 TEST_CASE("only what stands between the two lines is replaced, and again the same way", "[compare][bench]") {
     const std::string text = "a\n<!-- bench begin -->\nold\n<!-- bench end -->\nb\n";
     const std::string once = withBench(text, "new\n");

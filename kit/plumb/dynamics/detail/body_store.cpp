@@ -23,6 +23,7 @@ BodyIndex BodyStore::acquire() {
     before.emplace_back();
     turn.emplace_back();
     kick.emplace_back();
+    pushed.emplace_back();
     place.emplace_back();
     return static_cast<BodyIndex>(record.size() - 1);
 }

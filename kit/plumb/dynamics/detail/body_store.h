@@ -28,33 +28,34 @@ struct BodyMotion {
     Rot rotation;  ///< of angle
 };
 
-/// Everything else; what a step asks of every body first.
-struct BodyRecord {
+/// Everything else. What a step asks of every body fills the first two cache lines.
+struct alignas(64) BodyRecord {
     BodyType type = BodyType::Static;
     bool alive = false;
     bool awake = false;
     bool canSleep = true;
     bool fixedRotation = false;
     bool quarantined = false;
-    bool constrained = false;  ///< the solver has it in this step
-    bool pushed = false;       ///< a constraint gave it an impulse in this step
-    bool flown = false;        ///< the impacts have moved it in this step
+    bool constrained = false;          ///< the solver has it in this step
+    bool flown = false;                ///< the impacts have moved it in this step
+    std::uint32_t solverContacts = 0;  ///< how many contacts of it the solver has
+    float rho = 1, inverseRho = 1;
+    double stillTime = 0;
+    double extent = 0;                                      ///< farthest point from the centre of mass [m]
+    double reach = 0;                                       ///< and of the cores within what is rounded [m]
+    double core = std::numeric_limits<double>::infinity();  ///< radius of a disc that fits into each of its shapes [m]
+
+    double inverseMass = 0, inverseInertia = 0;
+    Vec2 force{0, 0};   ///< over the next step [N]
+    double torque = 0;  ///< [N m]
+    double gravityScale = 1;
+    double linearDamping = 0, angularDamping = 0;
+
     std::uint32_t generation = 0;
     std::uint32_t awakeIndex = none;
     std::uint32_t firstContact = none;  ///< head of the list of its contacts
     std::uint32_t colours = 0;          ///< bit c: a contact of colour c has it
-    std::uint32_t solverContacts = 0;   ///< how many contacts of it the solver has
-    std::uint32_t doubtful = 0;         ///< how many of those may yet turn out to be isolated impacts
-    float rho = 1, inverseRho = 1;
-    double inverseMass = 0, inverseInertia = 0;
-    double gravityScale = 1;
-    double extent = 0;                                      ///< farthest point from the centre of mass [m]
-    double reach = 0;                                       ///< and of the cores within what is rounded [m]
-    double core = std::numeric_limits<double>::infinity();  ///< radius of a disc that fits into each of its shapes [m]
-    Vec2 force{0, 0};                                       ///< over the next step [N]
-    double torque = 0;                                      ///< [N m]
-    double linearDamping = 0, angularDamping = 0;
-    double stillTime = 0;
+    std::uint32_t doubtful = 0;         ///< how many of the solver's contacts may yet turn out to be isolated impacts
     double mass = 0, inertia = 0;
     Vec2 localCenter{0, 0};
     std::vector<ProxyId> proxies;
@@ -72,6 +73,7 @@ struct BodyStore {
     std::vector<SolverVelocity> before;  ///< the velocity before the contacts were solved
     std::vector<SolverTurn> turn;
     std::vector<Kick> kick;
+    std::vector<std::uint8_t> pushed;  ///< 1: a constraint gave it an impulse in this step
     std::vector<BodyIndex> awake;      ///< dynamic and kinematic bodies that are
     std::vector<BodyIndex> kinematic;  ///< all that are
     std::vector<BodyIndex> free;

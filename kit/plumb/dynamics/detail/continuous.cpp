@@ -50,7 +50,7 @@ Way freeWay(const WorldState& world, BodyIndex body, const Past& past) {
 /// How a body has come through this step.
 Way wayOf(const WorldState& world, BodyIndex body, double dt) {
     const BodyRecord& record = world.bodies.record[body];
-    if (!record.pushed) return freeWay(world, body, {dt, 0});
+    if (world.bodies.pushed[body] == 0) return freeWay(world, body, {dt, 0});
     const BodyMotion& now = world.bodies.motion[body];
     const SolverDisplacement& moved = world.bodies.displacement[body];
     const Vec2 shift(static_cast<double>(moved.x), static_cast<double>(moved.y));

@@ -63,7 +63,7 @@ bool isStill(const WorldState& world, BodyIndex body) {
             std::max(speed, std::hypot(static_cast<double>(moved.x), static_cast<double>(moved.y)) / world.lastStep);
     }
     // What nothing holds drifts on however slowly: only a body that is pushed upon may be stopped.
-    return record.pushed ? speed < world.def.solver.sleepSpeed && !drivenFromOutside(world, body) : speed == 0;
+    return world.bodies.pushed[body] != 0 ? speed < world.def.solver.sleepSpeed && !drivenFromOutside(world, body) : speed == 0;
 }
 
 bool countStillness(WorldState& world, double dt) {

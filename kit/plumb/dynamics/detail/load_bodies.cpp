@@ -24,7 +24,8 @@ void loadBody(WorldState& world, BodyIndex body, double dt) {
     const BodyMotion& motion = bodies.motion[body];
     const FlightLaw law = flightLawOf(record, world.def.gravity);
     const Acceleration& a = law.acceleration;
-    record.constrained = record.pushed = record.flown = false;
+    record.constrained = record.flown = false;
+    bodies.pushed[body] = 0;
     if (!isSound(motion) || !isSound(a)) {
         quarantineLater(world, body);
         bodies.rest(body);

@@ -133,19 +133,17 @@ void subStep(Solving& solving, bool first) {
 }
 
 void markPushed(WorldState& world) {
-    const auto markOne = [&world](BodyIndex body) { world.bodies.record[body].pushed = world.bodies.isDynamic(body); };
+    std::uint8_t* pushed = world.bodies.pushed.data();
     for (const Colour& colour : world.graph.colours) {
         for (const ContactBatch& batch : colour.batches) {
             for (std::size_t lane = 0; lane < batchLanes; ++lane) {
                 if (batch.pushed[lane] == 0) continue;
-                markOne(batch.bodyA[lane]);
-                markOne(batch.bodyB[lane]);
+                pushed[batch.bodyA[lane]] = pushed[batch.bodyB[lane]] = 1;
             }
         }
     }
     for (const std::uint32_t index : world.awakeJoints) {
-        markOne(world.joints[index].bodyA);
-        markOne(world.joints[index].bodyB);
+        pushed[world.joints[index].bodyA] = pushed[world.joints[index].bodyB] = 1;
     }
 }
 
@@ -169,7 +167,8 @@ void storeBodies(Solving& solving) {
     BodyStore& bodies = solving.world.bodies;
     for (const BodyIndex body : solving.solved) {
         const BodyRecord& record = bodies.record[body];
-        if (!record.pushed) continue;
+        if (record.type != BodyType::Dynamic) bodies.pushed[body] = 0;
+        if (bodies.pushed[body] == 0) continue;
         BodyMotion motion = bodies.motion[body];
         const SolverVelocity& v = bodies.velocity[body];
         const SolverDisplacement& d = bodies.displacement[body];
