@@ -145,12 +145,14 @@ void Body::applyForce(const Vec2& force, const Vec2& at) {
     BodyRecord& record = world_->bodies.record[index_];
     record.force += force;
     record.torque += cross(Vec2(at - centerOfMass()), force);
+    world_->bodies.forced.push_back(index_);
     wakeIsland(*world_, index_);
 }
 
 void Body::applyTorque(double torque) {
     requireFinite(torque, "Body.applyTorque: torque");
     world_->bodies.record[index_].torque += torque;
+    world_->bodies.forced.push_back(index_);
     wakeIsland(*world_, index_);
 }
 

@@ -49,10 +49,11 @@ void flyFreeBodies(WorldState& world, double dt) {
 }
 
 void clearForces(BodyStore& bodies) {
-    for (const BodyIndex body : bodies.awake) {
+    for (const BodyIndex body : bodies.forced) {
         bodies.record[body].force.setZero();
         bodies.record[body].torque = 0;
     }
+    bodies.forced.clear();
 }
 
 /// Notes how long each phase takes. Nothing else depends on it.
@@ -214,7 +215,7 @@ void World::step(double dt) {
         loadBodies(world, dt);
         quarantine(world);
         if (dt >= shortestSolved) {
-            findPairs(world, dt);
+            findPairs(world);
             watch.lap(&StepProfile::pairs);
             findContacts(world, dt);
             watch.lap(&StepProfile::collide);

@@ -76,6 +76,7 @@ struct BodyStore {
     std::vector<std::uint8_t> pushed;  ///< 1: a constraint gave it an impulse in this step
     std::vector<BodyIndex> awake;      ///< dynamic and kinematic bodies that are
     std::vector<BodyIndex> kinematic;  ///< all that are
+    std::vector<BodyIndex> forced;     ///< with a force or torque for the next step; some may be named twice
     std::vector<BodyIndex> free;
 
     BodyStore();

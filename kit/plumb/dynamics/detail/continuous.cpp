@@ -47,20 +47,30 @@ Way freeWay(const WorldState& world, BodyIndex body, const Past& past) {
     return wayBetween(fly(now, law, -past.from), past.to > 0 ? fly(now, law, -past.to) : now, record);
 }
 
+/// What the solver has moved a body by.
+struct Moved {
+    Vec2 shift{0, 0};
+    double turn = 0;
+};
+
+Moved movedBy(const WorldState& world, BodyIndex body) {
+    const SolverDisplacement& moved = world.bodies.displacement[body];
+    return {Vec2(static_cast<double>(moved.x), static_cast<double>(moved.y)),
+            static_cast<double>(world.bodies.turn[body].angle)};
+}
+
 /// How a body has come through this step.
 Way wayOf(const WorldState& world, BodyIndex body, double dt) {
-    const BodyRecord& record = world.bodies.record[body];
     if (world.bodies.pushed[body] == 0) return freeWay(world, body, {dt, 0});
     const BodyMotion& now = world.bodies.motion[body];
-    const SolverDisplacement& moved = world.bodies.displacement[body];
-    const Vec2 shift(static_cast<double>(moved.x), static_cast<double>(moved.y));
-    const double turn = static_cast<double>(world.bodies.turn[body].angle);
-    return {now.center - shift, shift, now.angle - turn, turn, record.localCenter};
+    const Moved moved = movedBy(world, body);
+    return {now.center - moved.shift, moved.shift, now.angle - moved.turn, moved.turn,
+            world.bodies.record[body].localCenter};
 }
 
 /// No point of the body's outline has moved farther than this [m].
-double travelOf(const Way& way, const BodyRecord& record) {
-    return way.shift.norm() + std::fabs(way.turn) * record.reach;
+double travelOf(const Vec2& shift, double turn, const BodyRecord& record) {
+    return shift.norm() + std::fabs(turn) * record.reach;
 }
 
 /// When a shape that goes through a wall, or too deep into it, has met it; empty when it does neither.
@@ -221,6 +231,17 @@ void stopAt(WorldState& world, BodyIndex body, const Way& way, const Past& past,
     moveTo(world, body, motion);
 }
 
+/// Asked of all that moves, so that nothing is looked up that need not be.
+bool hasComeFar(const WorldState& world, BodyIndex body, double dt) {
+    const BodyRecord& record = world.bodies.record[body];
+    if (world.bodies.pushed[body] != 0) {
+        const Moved moved = movedBy(world, body);
+        return isFar(record, travelOf(moved.shift, moved.turn, record));
+    }
+    const Way way = freeWay(world, body, {dt, 0});
+    return isFar(record, travelOf(way.shift, way.turn, record));
+}
+
 /// A dynamic body that was moved by the solver or by nothing.
 bool isMoved(const BodyRecord& record) {
     return record.type == BodyType::Dynamic && record.awake && !record.flown && !record.quarantined;
@@ -250,11 +271,8 @@ void addSwept(const WorldState& world, BodyIndex wall, double dt, std::vector<Su
 /// In the order of their slots, those that have moved far for their size, or past which a wall has.
 std::vector<Suspect> findSuspects(const WorldState& world, double dt) {
     std::vector<Suspect> suspects;
-    for (const BodyIndex body : world.bodies.awake) {
-        const BodyRecord& record = world.bodies.record[body];
-        if (isMoved(record) && isFar(record, travelOf(wayOf(world, body, dt), record)))
-            suspects.push_back({body, none});
-    }
+    for (const BodyIndex body : world.bodies.awake)
+        if (isMoved(world.bodies.record[body]) && hasComeFar(world, body, dt)) suspects.push_back({body, none});
     for (const BodyIndex wall : world.bodies.kinematic) addSwept(world, wall, dt, suspects);
     std::sort(suspects.begin(), suspects.end(), [](const Suspect& a, const Suspect& b) {
         return a.body != b.body ? a.body < b.body : a.contact < b.contact;
@@ -285,7 +303,7 @@ void stopFlights(WorldState& world, double dt) {
     for (const Leg& leg : world.legs) {
         const BodyRecord& record = world.bodies.record[leg.body];
         const Way way = wayBetween(leg.from, leg.to, record);
-        if (!isFar(record, travelOf(way, record))) continue;
+        if (!isFar(record, travelOf(way.shift, way.turn, record))) continue;
         if (std::find(stopped.begin(), stopped.end(), leg.body) != stopped.end()) continue;
         const Past past{dt - leg.start, dt - leg.end};
         Search search(world, leg.body, way, past);

@@ -34,7 +34,7 @@ void wakeOne(WorldState& world, BodyIndex body) {
         return;
     }
     world.bodies.wake(body);
-    loadBody(world, body, world.lastStep);
+    (void)loadBody(world, body, world.lastStep);
     world.jointsChanged = world.jointsChanged || !world.bodies.record[body].joints.empty();
     forEachContact(world.bodies, world.contacts, body, [&](ContactIndex c) { world.contacts.addNear(c); });
 }
@@ -63,7 +63,8 @@ bool isStill(const WorldState& world, BodyIndex body) {
             std::max(speed, std::hypot(static_cast<double>(moved.x), static_cast<double>(moved.y)) / world.lastStep);
     }
     // What nothing holds drifts on however slowly: only a body that is pushed upon may be stopped.
-    return world.bodies.pushed[body] != 0 ? speed < world.def.solver.sleepSpeed && !drivenFromOutside(world, body) : speed == 0;
+    return world.bodies.pushed[body] != 0 ? speed < world.def.solver.sleepSpeed && !drivenFromOutside(world, body)
+                                          : speed == 0;
 }
 
 bool countStillness(WorldState& world, double dt) {

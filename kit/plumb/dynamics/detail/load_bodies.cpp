@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <plumb/dynamics/detail/free_motion.h>
+#include <plumb/dynamics/detail/pairs.h>
 #include <plumb/dynamics/detail/quarantine.h>
 
 namespace plumb {
@@ -18,7 +19,7 @@ SolverVelocity rowOf(const Vec2& linear, double angular, float inverseRho, float
 
 }  // namespace
 
-void loadBody(WorldState& world, BodyIndex body, double dt) {
+bool loadBody(WorldState& world, BodyIndex body, double dt) {
     BodyStore& bodies = world.bodies;
     BodyRecord& record = bodies.record[body];
     const BodyMotion& motion = bodies.motion[body];
@@ -29,7 +30,7 @@ void loadBody(WorldState& world, BodyIndex body, double dt) {
     if (!isSound(motion) || !isSound(a)) {
         quarantineLater(world, body);
         bodies.rest(body);
-        return;
+        return false;
     }
     BodyPlace place = placeOf(motion, record.rho);
     const Vec2 shift = motion.velocity * dt + a.linear * (0.5 * dt * dt);
@@ -52,10 +53,12 @@ void loadBody(WorldState& world, BodyIndex body, double dt) {
     bodies.kick[body].gain = rowOf(a.linear * linear.gain, a.angular * angular.gain, record.inverseRho, 0);
     bodies.kick[body].keep = {static_cast<float>(linear.keep), static_cast<float>(linear.keep),
                               static_cast<float>(angular.keep), 1};
+    return true;
 }
 
 void loadBodies(WorldState& world, double dt) {
-    for (const BodyIndex body : world.bodies.awake) loadBody(world, body, dt);
+    for (const BodyIndex body : world.bodies.awake)
+        if (loadBody(world, body, dt)) placeBody(world, body, dt);
 }
 
 }  // namespace plumb

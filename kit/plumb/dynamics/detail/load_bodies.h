@@ -5,10 +5,10 @@
 
 namespace plumb {
 
-/// Puts every awake body's state into the floats of narrow phase and solver. Marks those for quarantine whose state is
-/// out of the range of sound numbers, and leaves them out.
+/// Puts every awake body's state into the floats of narrow phase and solver, and renews the boxes of its shapes. Marks
+/// those for quarantine whose state is out of the range of sound numbers, and leaves them out.
 void loadBodies(WorldState& world, double dt);
-/// One body that woke up within the step.
-void loadBody(WorldState& world, BodyIndex body, double dt);
+/// One body that woke up within the step; its boxes stay. False if it was left out.
+bool loadBody(WorldState& world, BodyIndex body, double dt);
 
 }  // namespace plumb

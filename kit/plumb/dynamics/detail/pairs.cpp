@@ -112,8 +112,7 @@ void pairShapes(WorldState& world, BodyIndex a, BodyIndex b) {
                 addContact(world, {std::min(pa, pb), std::max(pa, pb)});
 }
 
-void findPairs(WorldState& world, double dt) {
-    for (const BodyIndex body : world.bodies.awake) placeBody(world, body, dt);
+void findPairs(WorldState& world) {
     for (const Pair& pair : world.space.takeNewPairs()) addContact(world, pair);
 }
 

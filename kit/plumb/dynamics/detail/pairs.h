@@ -11,7 +11,7 @@ bool joinedApart(const WorldState& world, BodyIndex a, BodyIndex b);
 void placeBody(WorldState& world, BodyIndex body, double dt);
 /// Makes the contacts of two bodies that were kept apart until now, where the space has found their boxes to overlap.
 void pairShapes(WorldState& world, BodyIndex a, BodyIndex b);
-/// Renews the boxes of all that is awake, and makes contacts of the new pairs.
-void findPairs(WorldState& world, double dt);
+/// Makes contacts of the pairs whose boxes have come to overlap.
+void findPairs(WorldState& world);
 
 }  // namespace plumb

@@ -166,15 +166,14 @@ Rot turnedOn(const BodyMotion& motion, double turn) {
 void storeBodies(Solving& solving) {
     BodyStore& bodies = solving.world.bodies;
     for (const BodyIndex body : solving.solved) {
-        const BodyRecord& record = bodies.record[body];
-        if (record.type != BodyType::Dynamic) bodies.pushed[body] = 0;
+        const SolverVelocity& v = bodies.velocity[body];
+        if (v.inverseMass == 0) bodies.pushed[body] = 0;
         if (bodies.pushed[body] == 0) continue;
         BodyMotion motion = bodies.motion[body];
-        const SolverVelocity& v = bodies.velocity[body];
         const SolverDisplacement& d = bodies.displacement[body];
         motion.center += Vec2(static_cast<double>(d.x), static_cast<double>(d.y));
         motion.velocity = {static_cast<double>(v.x), static_cast<double>(v.y)};
-        motion.angularVelocity = static_cast<double>(v.w * record.rho);
+        motion.angularVelocity = static_cast<double>(v.w * bodies.turn[body].rho);
         const double turn = static_cast<double>(bodies.turn[body].angle);
         motion.angle += turn;
         motion.rotation = turnedOn(motion, turn);
