@@ -6,12 +6,14 @@
 
 namespace plumb {
 
-/// A shape as the lanes see it.
+/// A shape as the lanes see it: inside a box with a radius around it.
 struct BoxOutline {
-    bool exact = false;              ///< the shape is the box
-    float restitution = 0;           ///< of the shape's material [-]
+    bool exact = false;              ///< the shape is the box, and has no radius
+    bool upright = false;            ///< the shape is the box and the radius: a disc, a capsule that lies straight, ...
     float halfX = 0, halfY = 0;      ///< [m]
+    float radius = 0;                ///< [m]
     float centerX = 0, centerY = 0;  ///< from the body's centre of mass [m]
+    float restitution = 0;           ///< of the shape's material [-]
 };
 BoxOutline boxOutlineOf(const ShapeDef& shape, const Vec2& centerOfMass);
 

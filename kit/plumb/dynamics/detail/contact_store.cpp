@@ -87,10 +87,10 @@ void fillPair(const ContactStore& store, const ContactRecord& contact, PairLanes
     const BoxOutline& b = store.boxes[contact.proxyB];
     pairs.bodyA[lane] = contact.bodyA;
     pairs.bodyB[lane] = contact.bodyB;
-    pairs.halfXA[lane] = a.halfX;
-    pairs.halfYA[lane] = a.halfY;
-    pairs.halfXB[lane] = b.halfX;
-    pairs.halfYB[lane] = b.halfY;
+    pairs.halfXA[lane] = a.halfX + a.radius;
+    pairs.halfYA[lane] = a.halfY + a.radius;
+    pairs.halfXB[lane] = b.halfX + b.radius;
+    pairs.halfYB[lane] = b.halfY + b.radius;
     pairs.centerXA[lane] = a.centerX;
     pairs.centerYA[lane] = a.centerY;
     pairs.centerXB[lane] = b.centerX;

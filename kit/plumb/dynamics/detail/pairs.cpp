@@ -19,14 +19,14 @@ constexpr double roughest = 1e6;
 
 Aabb tightBox(const WorldState& world, ProxyId proxy, const BodyMotion& motion, const Transform& pose) {
     const BoxOutline& box = world.contacts.boxes[proxy];
-    if (!box.exact) return aabbOf(world.space[proxy].def.shape, pose);
+    if (!box.upright) return aabbOf(world.space[proxy].def.shape, pose);
     const double c = motion.rotation.cos;
     const double s = motion.rotation.sin;
     const double x = static_cast<double>(box.centerX), y = static_cast<double>(box.centerY);
     const double hx = static_cast<double>(box.halfX), hy = static_cast<double>(box.halfY);
     const Vec2 center(motion.center.x() + (c * x - s * y), motion.center.y() + (s * x + c * y));
     const Vec2 half(std::fabs(c) * hx + std::fabs(s) * hy, std::fabs(s) * hx + std::fabs(c) * hy);
-    return {center - half, center + half};
+    return inflate({center - half, center + half}, static_cast<double>(box.radius));
 }
 
 double mixed(double a, double b, Mix ruleA, Mix ruleB) {
