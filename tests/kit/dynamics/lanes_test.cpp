@@ -29,7 +29,8 @@ struct BoxPairs {
     double size[batchLanes];
 };
 
-void addBody(BoxPairs& pairs, const Vec2& center, double angle) {
+template <class Pairs>
+void addBody(Pairs& pairs, const Vec2& center, double angle) {
     BodyMotion motion;
     motion.center = center;
     motion.angle = angle;
@@ -68,6 +69,74 @@ BoxPairs randomPairs(Random& random) {
         pairs.pairs.halfYB[lane] = static_cast<float>(hb.y());
     }
     return pairs;
+}
+
+/// Sixteen pairs of a disc and something that lies straight, in either order.
+struct DiscPairs {
+    std::vector<BodyMotion> motion{1};
+    std::vector<BodyPlace> place{1};
+    PairLanes pairs{};
+    std::vector<Convex> a, b;
+    double size[batchLanes];
+};
+
+ShapeDef straightShape(Random& random, double scale, const Vec2& center) {
+    const Vec2 half = scale * Vec2(random.uniform(0.2, 1), 1);
+    const double radius = scale * random.uniform(0.1, 0.5);
+    switch (random.integer(0, 4)) {
+        case 0: return {.shape = boxPolygon(half, center)};
+        case 1: {
+            Polygon rounded = boxPolygon(half, center);
+            rounded.radius = radius;
+            return {.shape = rounded};
+        }
+        case 2: return {.shape = Circle{.radius = scale, .center = center}};
+        case 3:
+            return {.shape = Capsule{
+                        .start = center - Vec2(half.x(), 0), .end = center + Vec2(half.x(), 0), .radius = radius}};
+        default: return {.shape = Segment{.start = center - Vec2(0, half.y()), .end = center + Vec2(0, half.y())}};
+    }
+}
+
+DiscPairs randomDiscPairs(Random& random) {
+    DiscPairs pairs;
+    for (std::uint32_t lane = 0; lane < batchLanes; ++lane) {
+        const double scale = std::exp(random.uniform(-2, 2));
+        const auto offset = [&] {
+            const double x = scale * random.uniform(-1, 1);
+            return Vec2(x, scale * random.uniform(-1, 1));
+        };
+        const Vec2 centerA = offset(), centerB = offset();  // of the shapes, from their centres of mass
+        const ShapeDef disc{.shape = Circle{.radius = scale * random.uniform(0.1, 1), .center = centerA}};
+        const ShapeDef other = straightShape(random, scale, centerB);
+        const double way = random.uniform(-std::numbers::pi, std::numbers::pi);
+        const double angleA = random.uniform(-3, 3), angleB = random.uniform(-3, 3);
+        const Vec2 at(1000 * random.uniform(-1, 1), 1000 * random.uniform(-1, 1));
+        const Vec2 apart = scale * random.uniform(0, 2.2) * Vec2(std::cos(way), std::sin(way));
+        const bool discFirst = random.integer(0, 1) == 0;
+        const ShapeDef& a = discFirst ? disc : other;
+        const ShapeDef& b = discFirst ? other : disc;
+        const Vec2& ca = discFirst ? centerA : centerB;
+        const Vec2& cb = discFirst ? centerB : centerA;
+        addBody(pairs, at - Rot::fromAngle(angleA) * ca, angleA);
+        addBody(pairs, at + apart - Rot::fromAngle(angleB) * cb, angleB);
+        ContactStore store;
+        store.boxes = {boxOutlineOf(a, {0, 0}), boxOutlineOf(b, {0, 0})};
+        ContactRecord contact;
+        contact.proxyB = 1;
+        contact.bodyA = 2 * lane + 1;
+        contact.bodyB = 2 * lane + 2;
+        fillPair(store, contact, pairs.pairs, lane);
+        pairs.a.push_back(convexOf(a.shape, {0, 0}));
+        pairs.b.push_back(convexOf(b.shape, {0, 0}));
+        pairs.size[lane] = 6 * scale;
+    }
+    return pairs;
+}
+
+Manifold oneByOne(const DiscPairs& pairs, std::size_t lane) {
+    return manifold(pairs.a[lane], pairs.b[lane], relativePose(pairs.motion[2 * lane + 1], pairs.motion[2 * lane + 2]),
+                    contactMargin);
 }
 
 Manifold oneByOne(const BoxPairs& pairs, std::size_t lane) {
@@ -207,6 +276,38 @@ TEST_CASE("boxes side by side have the manifolds that they have one by one, in 1
     }
     CHECK(touching > 5'000);
     CHECK(otherFace < touching / 100);  // where two faces do equally well, or a point is at the margin or the corner
+}
+
+TEST_CASE("discs side by side have the manifolds that they have one by one, in 10,000 placements",
+          "[dynamics][lanes][property]") {
+    Random random(13);
+    int touching = 0, otherFace = 0;
+    for (int round = 0; round < 10'000 / batchLanes; ++round) {
+        const DiscPairs pairs = randomDiscPairs(random);
+        FreshLanes fresh;
+        laneCollider(1).collideDiscs(pairs.pairs, pairs.place.data(), fresh);
+        for (std::size_t lane = 0; lane < batchLanes; ++lane) {
+            const Manifold one = oneByOne(pairs, lane);
+            const Manifold side = manifoldIn(fresh, lane);
+            const float tolerance = static_cast<float>(4e-6 * pairs.size[lane]);
+            INFO("round " << round << ", lane " << lane);
+            if (one.count == 0 || side.count == 0) {
+                const Manifold& found = one.count > 0 ? one : side;
+                if (found.count > 0) CHECK(std::fabs(nearestOf(found) - contactMargin) < tolerance);
+                continue;
+            }
+            ++touching;
+            CHECK(std::fabs(nearestOf(one) - nearestOf(side)) < tolerance);
+            if (one.normal.dot(side.normal) < 0.9999f || !samePoints(one, side, 10 * tolerance)) ++otherFace;
+        }
+        for (const int lanes : {4, 8, 16}) {
+            FreshLanes again;
+            laneCollider(lanes).collideDiscs(pairs.pairs, pairs.place.data(), again);
+            CHECK(sameBits(again, fresh));
+        }
+    }
+    CHECK(touching > 5'000);
+    CHECK(otherFace < touching / 100);  // where the centre lies inside, as far from two faces
 }
 
 TEST_CASE("manifolds and what the solver needs of them are the same bits at 1, 4, 8 and 16 lanes",

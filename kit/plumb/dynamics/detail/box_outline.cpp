@@ -12,23 +12,27 @@ bool isStraight(const Vec2& start, const Vec2& end) {
     return start.x() == end.x() || start.y() == end.y();
 }
 
-bool isUpright(const Circle&) {
-    return true;
+using Kind = BoxOutline::Kind;
+
+Kind kindOf(const Circle&) {
+    return Kind::Disc;
 }
-bool isUpright(const Capsule& capsule) {
-    return isStraight(capsule.start, capsule.end);
+Kind kindOf(const Capsule& capsule) {
+    return isStraight(capsule.start, capsule.end) ? Kind::Rounded : Kind::Other;
 }
-bool isUpright(const Segment& segment) {
-    return isStraight(segment.start, segment.end);
+/// A piece of a chain is more than a line: its neighbours count.
+Kind kindOf(const Segment& segment) {
+    const bool alone = !segment.before && !segment.after;
+    return alone && isStraight(segment.start, segment.end) ? Kind::Rounded : Kind::Other;
 }
-bool isUpright(const Chain&) {
-    return false;
+Kind kindOf(const Chain&) {
+    return Kind::Other;
 }
-bool isUpright(const Polygon& polygon) {
-    if (polygon.vertices.size() != 4) return false;
+Kind kindOf(const Polygon& polygon) {
+    if (polygon.vertices.size() != 4) return Kind::Other;
     for (std::size_t i = 0; i < 4; ++i)
-        if (!isStraight(polygon.vertices[i], polygon.vertices[(i + 1) % 4])) return false;
-    return true;
+        if (!isStraight(polygon.vertices[i], polygon.vertices[(i + 1) % 4])) return Kind::Other;
+    return polygon.radius > 0 ? Kind::Rounded : Kind::Box;
 }
 
 double radiusOf(const Shape& shape) {
@@ -46,10 +50,10 @@ BoxOutline boxOutlineOf(const ShapeDef& shape, const Vec2& centerOfMass) {
     const Vec2 half = 0.5 * (box.upper - box.lower) - Vec2(radius, radius);
     const Vec2 center = 0.5 * (box.upper + box.lower) - centerOfMass;
     BoxOutline outline;
-    outline.upright = std::visit([](const auto& s) { return isUpright(s); }, shape.shape);
-    outline.exact = outline.upright && std::holds_alternative<Polygon>(shape.shape) && radius == 0;
-    outline.halfX = static_cast<float>(half.x());
-    outline.halfY = static_cast<float>(half.y());
+    outline.kind = std::visit([](const auto& s) { return kindOf(s); }, shape.shape);
+    const bool disc = outline.kind == Kind::Disc;  // whose half sizes are no more than rounding
+    outline.halfX = disc ? 0.0f : static_cast<float>(half.x());
+    outline.halfY = disc ? 0.0f : static_cast<float>(half.y());
     outline.radius = static_cast<float>(radius);
     outline.centerX = static_cast<float>(center.x());
     outline.centerY = static_cast<float>(center.y());

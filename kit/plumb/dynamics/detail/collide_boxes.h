@@ -58,8 +58,9 @@ struct BoxCollider {
     };
 
     static View view(const RelativeLanes<W>& r, const PairLanes& m, int lane) {
-        const F hax = at(m.halfXA + lane), hay = at(m.halfYA + lane);
-        const F hbx = at(m.halfXB + lane), hby = at(m.halfYB + lane);
+        const F ra = at(m.radiusA + lane), rb = at(m.radiusB + lane);
+        const F hax = at(m.halfXA + lane) + ra, hay = at(m.halfYA + lane) + ra;
+        const F hbx = at(m.halfXB + lane) + rb, hby = at(m.halfYB + lane) + rb;
         const F cbx = at(m.centerXB + lane), cby = at(m.centerYB + lane);
         const F px = (r.dx + (r.cos * cbx - r.sin * cby)) - at(m.centerXA + lane);
         const F py = (r.dy + (r.sin * cbx + r.cos * cby)) - at(m.centerYA + lane);

@@ -49,12 +49,17 @@ struct alignas(64) ManifoldPointLanes {
     Lanes<std::int32_t> feature;  ///< as in collide/manifold.h
 };
 
+/// Is one of a pair a disc, and the other a disc or box? Then which.
+inline constexpr std::int32_t noDisc = 0, discFirst = 1, discSecond = 2;
+
 /// Two shapes near each other in each lane, as boxes: all it takes to find where they touch if they are, and else to
 /// find that they do not.
 struct alignas(64) PairLanes {
     Lanes<std::uint32_t> bodyA, bodyB;                    ///< slots of the bodies; an empty lane has 0 and 0
     Lanes<float> halfXA, halfYA, halfXB, halfYB;          ///< [m]
+    Lanes<float> radiusA, radiusB;                        ///< around the boxes [m]
     Lanes<float> centerXA, centerYA, centerXB, centerYB;  ///< from their body's centre of mass [m]
+    Lanes<std::int32_t> discs;                            ///< of noDisc, discFirst, discSecond
     Lanes<std::uint32_t> proxyA, proxyB;
 };
 

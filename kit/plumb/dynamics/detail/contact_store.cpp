@@ -28,6 +28,12 @@ void unlink(BodyStore& bodies, ContactStore& store, ContactIndex contact, int si
     if (next != none) store.contacts[next].previous[at(store.side(next, body))] = previous;
 }
 
+std::int32_t discsOf(BoxOutline::Kind a, BoxOutline::Kind b) {
+    using Kind = BoxOutline::Kind;
+    if (b == Kind::Disc && a != Kind::Other) return discSecond;
+    return a == Kind::Disc && b != Kind::Other ? discFirst : noDisc;
+}
+
 }  // namespace
 
 ContactIndex ContactStore::add(BodyStore& bodies, const ContactRecord& contact) {
@@ -87,10 +93,13 @@ void fillPair(const ContactStore& store, const ContactRecord& contact, PairLanes
     const BoxOutline& b = store.boxes[contact.proxyB];
     pairs.bodyA[lane] = contact.bodyA;
     pairs.bodyB[lane] = contact.bodyB;
-    pairs.halfXA[lane] = a.halfX + a.radius;
-    pairs.halfYA[lane] = a.halfY + a.radius;
-    pairs.halfXB[lane] = b.halfX + b.radius;
-    pairs.halfYB[lane] = b.halfY + b.radius;
+    pairs.halfXA[lane] = a.halfX;
+    pairs.halfYA[lane] = a.halfY;
+    pairs.halfXB[lane] = b.halfX;
+    pairs.halfYB[lane] = b.halfY;
+    pairs.radiusA[lane] = a.radius;
+    pairs.radiusB[lane] = b.radius;
+    pairs.discs[lane] = discsOf(a.kind, b.kind);
     pairs.centerXA[lane] = a.centerX;
     pairs.centerYA[lane] = a.centerY;
     pairs.centerXB[lane] = b.centerX;

@@ -8,8 +8,10 @@
 namespace plumb {
 
 struct LaneCollider {
-    /// Where boxes touch.
+    /// Where boxes touch, taken with their radii as boxes without.
     void (*collideBoxes)(const PairLanes& pairs, const BodyPlace* places, FreshLanes& fresh);
+    /// Where discs touch; lanes without a disc are filled with anything.
+    void (*collideDiscs)(const PairLanes& pairs, const BodyPlace* places, FreshLanes& fresh);
     /// Takes fresh manifolds into the batch.
     void (*prepare)(ContactBatch& batch, ManifoldLanes& manifolds, const BodyPlace* places,
                     const SolverVelocity* velocity, const FreshLanes& fresh, float inverseStep);

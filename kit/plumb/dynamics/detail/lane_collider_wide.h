@@ -2,6 +2,7 @@
 // How does a batch go through W lanes at a time?
 #pragma once
 #include <plumb/dynamics/detail/collide_boxes.h>
+#include <plumb/dynamics/detail/collide_discs.h>
 #include <plumb/dynamics/detail/lane_collider.h>
 #include <plumb/dynamics/detail/prepare_lanes.h>
 
@@ -12,6 +13,9 @@ struct BatchCollider {
     static void collideBoxes(const PairLanes& pairs, const BodyPlace* places, FreshLanes& fresh) {
         for (int lane = 0; lane < batchLanes; lane += W) BoxCollider<W>::collide(pairs, lane, places, fresh);
     }
+    static void collideDiscs(const PairLanes& pairs, const BodyPlace* places, FreshLanes& fresh) {
+        for (int lane = 0; lane < batchLanes; lane += W) DiscCollider<W>::collide(pairs, lane, places, fresh);
+    }
     static void prepare(ContactBatch& batch, ManifoldLanes& m, const BodyPlace* places, const SolverVelocity* velocity,
                         const FreshLanes& fresh, float inverseStep) {
         for (int lane = 0; lane < batchLanes; lane += W)
@@ -20,6 +24,7 @@ struct BatchCollider {
 };
 
 template <int W>
-const LaneCollider WideLaneCollider<W>::collider{BatchCollider<W>::collideBoxes, BatchCollider<W>::prepare};
+const LaneCollider WideLaneCollider<W>::collider{BatchCollider<W>::collideBoxes, BatchCollider<W>::collideDiscs,
+                                                 BatchCollider<W>::prepare};
 
 }  // namespace plumb

@@ -51,7 +51,7 @@ bool isUncertain(const FreshLanes& fresh) {
     return std::any_of(std::begin(fresh.uncertain), std::end(fresh.uncertain), [](std::int32_t u) { return u != 0; });
 }
 
-/// Takes a closer look at the lanes of which the boxes alone do not say whether they meet.
+/// Takes a closer look at the lanes of which outlines alone do not say whether they meet.
 void settleUncertain(const WorldState& world, const PairLanes& pairs, std::size_t count, FreshLanes& fresh, double dt) {
     if (!isUncertain(fresh)) return;
     for (std::size_t lane = 0; lane < count; ++lane) {
@@ -66,17 +66,26 @@ void collideBoxes(const WorldState& world, const PairLanes& pairs, std::size_t c
     settleUncertain(world, pairs, count, fresh, dt);
 }
 
-/// One by one; lanes beyond count get no points.
-void collideOthers(const WorldState& world, const PairLanes& pairs, std::size_t count, FreshLanes& fresh, double dt) {
-    for (std::size_t lane = 0; lane < batchLanes; ++lane)
-        setFresh(fresh, lane, lane < count ? manifoldOf(world, pairAt(pairs, lane), dt) : Manifold{});
+/// Those whose boxes cannot come together in this step all at once; the rest one by one.
+void collideAny(const WorldState& world, const PairLanes& pairs, std::size_t count, FreshLanes& fresh, double dt) {
+    world.collider->collideBoxes(pairs, world.bodies.place.data(), fresh);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+        fresh.uncertain[lane] = 0;
+        if (pairs.discs[lane] == noDisc && fresh.count[lane] > 0)
+            setFresh(fresh, lane, manifoldOf(world, pairAt(pairs, lane), dt));
+    }
 }
 
-/// The same, but those first whose boxes cannot come together in this step: most, and all at once.
-void collideInBoxes(const WorldState& world, const PairLanes& pairs, std::size_t count, FreshLanes& fresh, double dt) {
-    world.collider->collideBoxes(pairs, world.bodies.place.data(), fresh);
-    for (std::size_t lane = 0; lane < count; ++lane)
-        if (fresh.count[lane] > 0) setFresh(fresh, lane, manifoldOf(world, pairAt(pairs, lane), dt));
+/// Lanes of discs at once, lanes of other shapes by themselves; lanes beyond count get no points.
+void collideOthers(const WorldState& world, const PairLanes& pairs, std::size_t count, FreshLanes& fresh, double dt) {
+    const auto discs = count - static_cast<std::size_t>(std::count(pairs.discs, pairs.discs + count, noDisc));
+    FreshLanes round;
+    if (discs > 0) world.collider->collideDiscs(pairs, world.bodies.place.data(), discs == count ? fresh : round);
+    if (discs < count) collideAny(world, pairs, count, fresh, dt);
+    for (std::size_t lane = 0; discs > 0 && discs < count && lane < count; ++lane)
+        if (pairs.discs[lane] != noDisc) copyLane(fresh, lane, round, lane, freshRows);
+    for (std::size_t lane = count; lane < batchLanes; ++lane) setFresh(fresh, lane, {});
+    settleUncertain(world, pairs, count, fresh, dt);
 }
 
 void prepareLanes(WorldState& world, ContactBatch& batch, ManifoldLanes& manifolds, const FreshLanes& fresh,
@@ -145,7 +154,7 @@ void collideBatch(WorldState& world, const NearPairs& near, std::size_t start, s
     if (&near == &world.contacts.nearBoxes)
         collideBoxes(world, pairs, count, fresh, dt);
     else
-        collideInBoxes(world, pairs, count, fresh, dt);
+        collideOthers(world, pairs, count, fresh, dt);
     for (std::size_t lane = start - first; lane < count; ++lane) {
         if (fresh.count[lane] == 0) continue;
         addArrival(arrivals, near.contactOf[first + lane], fresh, lane);

@@ -19,7 +19,7 @@ constexpr double roughest = 1e6;
 
 Aabb tightBox(const WorldState& world, ProxyId proxy, const BodyMotion& motion, const Transform& pose) {
     const BoxOutline& box = world.contacts.boxes[proxy];
-    if (!box.upright) return aabbOf(world.space[proxy].def.shape, pose);
+    if (box.kind == BoxOutline::Kind::Other) return aabbOf(world.space[proxy].def.shape, pose);
     const double c = motion.rotation.cos;
     const double s = motion.rotation.sin;
     const double x = static_cast<double>(box.centerX), y = static_cast<double>(box.centerY);
@@ -55,7 +55,8 @@ ContactRecord contactOf(const WorldState& world, const Pair& pair) {
     contact.proxyB = pair.b;
     contact.bodyA = a.owner;
     contact.bodyB = b.owner;
-    contact.boxes = world.contacts.boxes[pair.a].exact && world.contacts.boxes[pair.b].exact;
+    const auto isBox = [&](ProxyId proxy) { return world.contacts.boxes[proxy].kind == BoxOutline::Kind::Box; };
+    contact.boxes = isBox(pair.a) && isBox(pair.b);
     contact.friction = std::min(mixed(ma.friction, mb.friction, ma.frictionMix, mb.frictionMix), roughest);
     contact.restitution = mixed(ma.restitution, mb.restitution, ma.restitutionMix, mb.restitutionMix);
     const double reach = std::max(ma.rollingResistance, mb.rollingResistance) * roundingOf(a, b);

@@ -18,6 +18,17 @@ struct RelativeLanes {
     F turn;            ///< and how far turning of both may take a point in addition [m]
 };
 
+/// b - a of numbers in two parts, to the last bit but one: what moves along together stays as far apart, and is not
+/// pushed about by rounding. The error of the high parts' difference is kept.
+/// Source: Knuth, TAOCP 2, 4.2.2, theorem B.
+template <class F>
+[[gnu::always_inline]] inline F difference(F highB, F lowB, F highA, F lowA) {
+    const F d = highB - highA;
+    const F part = d - highB;
+    const F error = (highB - (d - part)) - (highA + part);
+    return d + (error + (lowB - lowA));
+}
+
 template <int W>
 [[gnu::always_inline]] inline RelativeLanes<W> relativeLanes(const std::uint32_t* a, const std::uint32_t* b,
                                                              const BodyPlace* places) {
@@ -27,8 +38,8 @@ template <int W>
     const Rows<W> angleA = loadRows<W, 16>(rows + 4, a), angleB = loadRows<W, 16>(rows + 4, b);
     const Rows<W> reachA = loadRows<W, 16>(rows + 8, a), reachB = loadRows<W, 16>(rows + 8, b);
     RelativeLanes<W> r;
-    r.apartX = (placeB.x - placeA.x) + (placeB.z - placeA.z);
-    r.apartY = (placeB.y - placeA.y) + (placeB.w - placeA.w);
+    r.apartX = difference(placeB.x, placeB.z, placeA.x, placeA.z);
+    r.apartY = difference(placeB.y, placeB.w, placeA.y, placeA.w);
     const F c = angleA.x, s = angleA.y;
     r.dx = c * r.apartX + s * r.apartY;
     r.dy = c * r.apartY - s * r.apartX;
