@@ -2,7 +2,6 @@
 #include <plumb/dynamics/detail/first_impulses.h>
 
 #include <plumb/dynamics/detail/contact_solver.h>
-#include <plumb/dynamics/detail/fresh_lanes.h>
 
 namespace plumb {
 
