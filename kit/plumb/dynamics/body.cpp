@@ -27,6 +27,15 @@ void velocityChanged(WorldState& world, BodyIndex body) {
     wakeNeighbours(world, body);
 }
 
+/// Over the next step; noted once, so that forces at rest in a game that pauses cost nothing more.
+void addForce(WorldState& world, BodyIndex body, const Vec2& force, double torque) {
+    BodyRecord& record = world.bodies.record[body];
+    if (record.force.isZero(0) && record.torque == 0) world.bodies.forced.push_back(body);
+    record.force += force;
+    record.torque += torque;
+    wakeIsland(world, body);
+}
+
 void requireMovable(const WorldState& world, BodyIndex body, const char* what) {
     if (world.bodies.record[body].type == BodyType::Static)
         refuse(what, "the body is static (or in quarantine), and stays where it is");
@@ -142,18 +151,12 @@ void Body::applyForce(const Vec2& force) {
 void Body::applyForce(const Vec2& force, const Vec2& at) {
     requireFinite(force, "Body.applyForce: force");
     requireFinite(at, "Body.applyForce: at");
-    BodyRecord& record = world_->bodies.record[index_];
-    record.force += force;
-    record.torque += cross(Vec2(at - centerOfMass()), force);
-    world_->bodies.forced.push_back(index_);
-    wakeIsland(*world_, index_);
+    addForce(*world_, index_, force, cross(Vec2(at - centerOfMass()), force));
 }
 
 void Body::applyTorque(double torque) {
     requireFinite(torque, "Body.applyTorque: torque");
-    world_->bodies.record[index_].torque += torque;
-    world_->bodies.forced.push_back(index_);
-    wakeIsland(*world_, index_);
+    addForce(*world_, index_, {0, 0}, torque);
 }
 
 void Body::applyImpulse(const Vec2& impulse) {

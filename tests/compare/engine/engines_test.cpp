@@ -8,19 +8,13 @@
 #include <numbers>
 
 #include "catch.h"
+#include "compare/engine/simulators.h"
 #include "compare/scripted.h"
 
 namespace plumb::compare {
 namespace {
 
 using Catch::Matchers::WithinAbs;
-
-/// Those that simulate.
-std::vector<Engine> simulators() {
-    std::vector<Engine> result = engines();
-    std::erase_if(result, [](const Engine& engine) { return engine.name == closedFormName; });
-    return result;
-}
 
 SceneBody floorBody() {
     SceneBody body;

@@ -9,18 +9,13 @@
 #include <compare/engine/engine.h>
 
 #include "catch.h"
+#include "compare/engine/simulators.h"
 #include "compare/scripted.h"
 
 namespace plumb::compare {
 namespace {
 
 using Catch::Matchers::WithinAbs;
-
-std::vector<Engine> simulators() {
-    std::vector<Engine> result = engines();
-    std::erase_if(result, [](const Engine& engine) { return engine.name == closedFormName; });
-    return result;
-}
 
 SceneBody body(const std::string& name, const ShapeDef& shape, const Vec2& position) {
     return {name, {.position = position, .shapes = {shape}}};

@@ -247,58 +247,63 @@ void solveAll(const ContactSolver& solver, Pile& pile) {
     solver.bounce(&pile.batch, 1, pile.bodies());
 }
 
+/// How much two manifolds may differ.
+struct Slack {
+    float separation = 0;  ///< some twenty roundings of numbers up to the sizes [m]
+    float place = 0;       ///< of points [m]
+    float cosine = 1;      ///< between the normals
+};
+
+struct Agreement {
+    int touching = 0;
+    int otherwise = 0;  ///< of those: along another face, or at other points
+};
+
+void compare(const Manifold& one, const Manifold& side, const Slack& slack, Agreement& agreement) {
+    if (one.count == 0 || side.count == 0) {  // both, or one of them by a rounding
+        const Manifold& found = one.count > 0 ? one : side;
+        if (found.count > 0) CHECK(std::fabs(nearestOf(found) - contactMargin) < slack.separation);
+        return;
+    }
+    ++agreement.touching;
+    CHECK(std::fabs(nearestOf(one) - nearestOf(side)) < slack.separation);
+    if (one.normal.dot(side.normal) < slack.cosine || !samePoints(one, side, slack.place)) ++agreement.otherwise;
+}
+
 }  // namespace
 
 TEST_CASE("boxes side by side have the manifolds that they have one by one, in 10,000 placements",
           "[dynamics][lanes][property]") {
     Random random(11);
-    int touching = 0, otherFace = 0;
+    Agreement agreement;
     for (int round = 0; round < 10'000 / batchLanes; ++round) {
         const BoxPairs pairs = randomPairs(random);
         FreshLanes fresh;
         laneCollider(1).collideBoxes(pairs.pairs, pairs.place.data(), fresh);
         for (std::size_t lane = 0; lane < batchLanes; ++lane) {
-            const Manifold one = oneByOne(pairs, lane);
-            const Manifold side = manifoldIn(fresh, lane);
-            // some twenty roundings of numbers up to the sizes; along a face a turn of 1e-7 moves a cut by as much
-            // again
-            const float tolerance = static_cast<float>(4e-6 * pairs.size[lane]);
             INFO("round " << round << ", lane " << lane);
-            if (one.count == 0 || side.count == 0) {  // both, or one of them by a rounding
-                const Manifold& found = one.count > 0 ? one : side;
-                if (found.count > 0) CHECK(std::fabs(nearestOf(found) - contactMargin) < tolerance);
-                continue;
-            }
-            ++touching;
-            CHECK(std::fabs(nearestOf(one) - nearestOf(side)) < tolerance);
-            if (one.normal.dot(side.normal) < 0.99999f || !samePoints(one, side, 3 * tolerance)) ++otherFace;
+            // along a face a turn of 1e-7 moves a cut by as much again
+            const float tolerance = static_cast<float>(4e-6 * pairs.size[lane]);
+            compare(oneByOne(pairs, lane), manifoldIn(fresh, lane), {tolerance, 3 * tolerance, 0.99999f}, agreement);
         }
     }
-    CHECK(touching > 5'000);
-    CHECK(otherFace < touching / 100);  // where two faces do equally well, or a point is at the margin or the corner
+    CHECK(agreement.touching > 5'000);
+    // where two faces do equally well, or a point is at the margin or the corner
+    CHECK(agreement.otherwise < agreement.touching / 100);
 }
 
 TEST_CASE("discs side by side have the manifolds that they have one by one, in 10,000 placements",
           "[dynamics][lanes][property]") {
     Random random(13);
-    int touching = 0, otherFace = 0;
+    Agreement agreement;
     for (int round = 0; round < 10'000 / batchLanes; ++round) {
         const DiscPairs pairs = randomDiscPairs(random);
         FreshLanes fresh;
         laneCollider(1).collideDiscs(pairs.pairs, pairs.place.data(), fresh);
         for (std::size_t lane = 0; lane < batchLanes; ++lane) {
-            const Manifold one = oneByOne(pairs, lane);
-            const Manifold side = manifoldIn(fresh, lane);
-            const float tolerance = static_cast<float>(4e-6 * pairs.size[lane]);
             INFO("round " << round << ", lane " << lane);
-            if (one.count == 0 || side.count == 0) {
-                const Manifold& found = one.count > 0 ? one : side;
-                if (found.count > 0) CHECK(std::fabs(nearestOf(found) - contactMargin) < tolerance);
-                continue;
-            }
-            ++touching;
-            CHECK(std::fabs(nearestOf(one) - nearestOf(side)) < tolerance);
-            if (one.normal.dot(side.normal) < 0.9999f || !samePoints(one, side, 10 * tolerance)) ++otherFace;
+            const float tolerance = static_cast<float>(4e-6 * pairs.size[lane]);
+            compare(oneByOne(pairs, lane), manifoldIn(fresh, lane), {tolerance, 10 * tolerance, 0.9999f}, agreement);
         }
         for (const int lanes : {4, 8, 16}) {
             FreshLanes again;
@@ -306,8 +311,9 @@ TEST_CASE("discs side by side have the manifolds that they have one by one, in 1
             CHECK(sameBits(again, fresh));
         }
     }
-    CHECK(touching > 5'000);
-    CHECK(otherFace < touching / 100);  // where the centre lies inside, as far from two faces
+    CHECK(agreement.touching > 5'000);
+    // where the centre lies inside, as far from two faces
+    CHECK(agreement.otherwise < agreement.touching / 100);
 }
 
 TEST_CASE("manifolds and what the solver needs of them are the same bits at 1, 4, 8 and 16 lanes",

@@ -58,7 +58,6 @@ void guessImpulses(const WorldState& world, ContactBatch& batch) {
             batch.points[p].normalImpulse[lane] = own.points[p].normalImpulse[lane];
             batch.points[p].tangentImpulse[lane] = own.points[p].tangentImpulse[lane];
         }
-        batch.rollImpulse[lane] = own.rollImpulse[lane];
     }
 }
 

@@ -133,6 +133,7 @@ void addArrival(std::vector<Arrivals>& arrivals, ContactIndex index, const Fresh
     ++last.count;
 }
 
+/// Contacts whose boxes have parted are over.
 void removeParted(WorldState& world, NearPairs& near) {
     for (std::size_t slot = 0; slot < near.contactOf.size();) {
         const PairLanes& pairs = near.lanes[slot / batchLanes];

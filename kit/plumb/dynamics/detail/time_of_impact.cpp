@@ -97,13 +97,6 @@ double bracketed(const FlyingShape& a, const FlyingShape& b, double before, doub
     return before;
 }
 
-/// The least step worth while, of a whole that is so long.
-double leastStep(const FlyingShape& a, const FlyingShape& b, const Encounter& now, double left, double whole) {
-    const double thick = 0.5 * (coreOf(*a.shape) + coreOf(*b.shape));
-    const double through = thick > 0 ? approachIn(a, b, now, left).safeTime(thick) : whole;
-    return std::max(std::min(through, whole) * always, whole * 1e-12);
-}
-
 }  // namespace
 
 Encounter encounterAt(const FlyingShape& a, const FlyingShape& b, double time) {
@@ -117,7 +110,8 @@ Encounter encounterAt(const FlyingShape& a, const FlyingShape& b, double time) {
 }
 
 std::optional<double> timeOfImpact(const FlyingShape& a, const FlyingShape& b, double from, double to) {
-    const double scale = std::max(a.extent, b.extent);
+    const double scale = std::max(a.extent, b.extent), whole = to - from, shortest = whole * 1e-12;
+    const double thick = 0.5 * (coreOf(*a.shape) + coreOf(*b.shape));
     double time = from;
     Encounter now = encounterAt(a, b, time);
     for (int i = 0; i < 1000; ++i) {
@@ -126,12 +120,13 @@ std::optional<double> timeOfImpact(const FlyingShape& a, const FlyingShape& b, d
         if (touches && now.closingSpeed > 0) return time;
         const bool turns = now.a.angularVelocity != 0 || now.b.angularVelocity != 0;
         if (touches && i == 0 && !turns) return std::nullopt;  // they part, and nothing brings them together again
-        const double safe = touches ? 0.0 : approachIn(a, b, now, left).safeTime(separation);
-        const double least = leastStep(a, b, now, left, to - from);
+        const Approach approach = approachIn(a, b, now, left);
+        const double safe = touches ? 0.0 : approach.safeTime(separation);
+        const double through = thick > 0 ? approach.safeTime(thick) : whole;
+        const double least = std::max(std::min(through, whole) * always, shortest);
         if ((touches ? least : safe) >= left) return std::nullopt;
         const bool newton = separation < near * scale && now.closingSpeed * safe > 0.01 * separation;
-        const double step =
-            newton ? std::max(separation / now.closingSpeed, (to - from) * 1e-12) : std::max(safe, least);
+        const double step = newton ? std::max(separation / now.closingSpeed, shortest) : std::max(safe, least);
         const double next = std::min(time + step, to);
         const Encounter ahead = encounterAt(a, b, next);
         const double rest = ahead.distance.separation;

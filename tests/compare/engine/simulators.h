@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Which engines have a world of their own? All but the closed form.
+#pragma once
+#include <vector>
+
+#include <compare/engine/engine.h>
+
+namespace plumb::compare {
+
+inline std::vector<Engine> simulators() {
+    std::vector<Engine> result = engines();
+    std::erase_if(result, [](const Engine& engine) { return engine.name == closedFormName; });
+    return result;
+}
+
+}  // namespace plumb::compare
