@@ -5,11 +5,13 @@
 #include <numbers>
 #include <vector>
 
+#include <plumb/collide/distance.h>
 #include <plumb/collide/manifold.h>
 #include <plumb/dynamics/detail/body_store.h>
 #include <plumb/dynamics/detail/contact_solver.h>
 #include <plumb/dynamics/detail/foresee.h>
 #include <plumb/dynamics/detail/lane_collider.h>
+#include <plumb/dynamics/detail/shape_measure.h>
 #include <plumb/math/random.h>
 
 #include "catch.h"
@@ -98,6 +100,32 @@ ShapeDef straightShape(Random& random, double scale, const Vec2& center) {
     }
 }
 
+/// Shapes whose bodies have their centres of mass at their origins.
+void fillOne(PairLanes& pairs, std::size_t lane, const ShapeDef& a, const ShapeDef& b, std::uint32_t bodyA,
+             std::uint32_t bodyB) {
+    ContactStore store;
+    store.boxes = {boxOutlineOf(a, {0, 0}), boxOutlineOf(b, {0, 0})};
+    ContactRecord contact;
+    contact.proxyB = 1;
+    contact.bodyA = bodyA;
+    contact.bodyB = bodyB;
+    fillPair(store, contact, pairs, lane);
+}
+
+Shape anyShape(Random& random) {
+    const auto point = [&] {
+        const double x = random.uniform(-1, 1);
+        return Vec2(x, random.uniform(-1, 1));
+    };
+    const Vec2 first = point(), second = point(), third = point(), fourth = point();
+    switch (random.integer(0, 3)) {
+        case 0: return Circle{.radius = random.uniform(0.1, 1), .center = first};
+        case 1: return Capsule{.start = first, .end = second, .radius = random.uniform(0.05, 0.5)};
+        case 2: return Segment{.start = first, .end = second};
+        default: return hullOf(std::vector<Vec2>{first, second, third, fourth});
+    }
+}
+
 DiscPairs randomDiscPairs(Random& random) {
     DiscPairs pairs;
     for (std::uint32_t lane = 0; lane < batchLanes; ++lane) {
@@ -120,13 +148,7 @@ DiscPairs randomDiscPairs(Random& random) {
         const Vec2& cb = discFirst ? centerB : centerA;
         addBody(pairs, at - Rot::fromAngle(angleA) * ca, angleA);
         addBody(pairs, at + apart - Rot::fromAngle(angleB) * cb, angleB);
-        ContactStore store;
-        store.boxes = {boxOutlineOf(a, {0, 0}), boxOutlineOf(b, {0, 0})};
-        ContactRecord contact;
-        contact.proxyB = 1;
-        contact.bodyA = 2 * lane + 1;
-        contact.bodyB = 2 * lane + 2;
-        fillPair(store, contact, pairs.pairs, lane);
+        fillOne(pairs.pairs, lane, a, b, 2 * lane + 1, 2 * lane + 2);
         pairs.a.push_back(convexOf(a.shape, {0, 0}));
         pairs.b.push_back(convexOf(b.shape, {0, 0}));
         pairs.size[lane] = 6 * scale;
@@ -314,6 +336,42 @@ TEST_CASE("discs side by side have the manifolds that they have one by one, in 1
     CHECK(agreement.touching > 5'000);
     // where the centre lies inside, as far from two faces
     CHECK(agreement.otherwise < agreement.touching / 100);
+}
+
+TEST_CASE("of 10,000 shapes that meet another in the step none is passed over because of its box",
+          "[dynamics][lanes][property]") {
+    Random random(14);
+    int met = 0, passedOver = 0;
+    for (int round = 0; round < 10'000; ++round) {
+        const Shape a = anyShape(random), b = anyShape(random);
+        std::vector<BodyPlace> place(3);
+        BodyMotion still, moving;
+        moving.center = {random.uniform(-2.5, 2.5), random.uniform(-2.5, 2.5)};
+        moving.angle = random.uniform(-3, 3);
+        moving.rotation = Rot::fromAngle(moving.angle);
+        const Vec2 shift = random.uniform(0, 1) * Vec2(random.uniform(-4, 4), random.uniform(-4, 4));
+        const double turn = random.uniform(-1, 1);
+        place[1] = placeOf(still, 1);
+        place[2] = placeOf(moving, 1);
+        place[2].shiftX = static_cast<float>(shift.x());
+        place[2].shiftY = static_cast<float>(shift.y());
+        place[2].turn = static_cast<float>(std::fabs(turn) * reachOf(b, {0, 0}));
+        PairLanes pairs{};
+        fillOne(pairs, 0, {.shape = a}, {.shape = b}, 1, 2);
+        FreshLanes fresh;
+        laneCollider(1).collideBoxes(pairs, place.data(), fresh);
+        bool meets = false;
+        for (int i = 0; i <= 20; ++i) {
+            const Transform pose{moving.center + shift * (i / 20.0), Rot::fromAngle(moving.angle + turn * i / 20.0)};
+            meets = meets || distance(a, {}, b, pose).separation < 0;
+        }
+        met += meets ? 1 : 0;
+        passedOver += fresh.count[0] == 0 ? 1 : 0;
+        INFO("round " << round);
+        if (meets) CHECK(fresh.count[0] > 0);
+    }
+    CHECK(met > 2'000);
+    CHECK(passedOver > 2'000);
 }
 
 TEST_CASE("manifolds and what the solver needs of them are the same bits at 1, 4, 8 and 16 lanes",
