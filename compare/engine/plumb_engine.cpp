@@ -59,7 +59,7 @@ private:
         }
         if (const auto* force = std::get_if<JointForceProbe>(&probe.quantity)) {
             const JointId joint = made_.joints[jointIndex(scene, force->joint)];
-            return [this, joint] { return made_.world.reaction(joint).force.norm(); };
+            return [this, joint] { return made_.world.joint(joint).reaction().force.norm(); };
         }
         return [] { return unknown; };
     }
@@ -67,7 +67,7 @@ private:
     double normalForce(const BodyId& a, const BodyId& b) const {
         double sum = 0;
         for (const Contact& contact : made_.world.body(a).contacts()) {
-            if (contact.bodyA != b && contact.bodyB != b) continue;
+            if (contact.shapeA.body != b && contact.shapeB.body != b) continue;
             for (const ContactPoint& point : contact.points) sum += point.normalForce;
         }
         return sum;

@@ -42,7 +42,7 @@ void requireMovable(const WorldState& world, BodyIndex body, const char* what) {
 }
 
 Contact contactOf(const WorldState& world, const ContactRecord& record) {
-    Contact contact{world.idOf(record.bodyA), world.idOf(record.bodyB), normalOf(world, record), {}};
+    Contact contact{world.idOfShape(record.proxyA), world.idOfShape(record.proxyB), normalOf(world, record), {}};
     const double time = record.colour >= 0 ? world.lastStep : record.memoryStep;
     const auto memory = world.graph.memoryOf(record);
     for (std::size_t p = 0; p < static_cast<std::size_t>(world.graph.manifoldOf(record).count); ++p) {
@@ -58,51 +58,55 @@ Contact contactOf(const WorldState& world, const ContactRecord& record) {
 
 }  // namespace
 
-BodyType Body::type() const {
+BodyId BodyView::id() const {
+    return world_->idOf(index_);
+}
+
+BodyType BodyView::type() const {
     return world_->bodies.record[index_].type;
 }
 
-Vec2 Body::position() const {
+Vec2 BodyView::position() const {
     return world_->bodies.origin(index_);
 }
 
-double Body::angle() const {
+double BodyView::angle() const {
     return world_->bodies.motion[index_].angle;
 }
 
-Transform Body::pose() const {
+Transform BodyView::pose() const {
     return world_->bodies.pose(index_);
 }
 
-Vec2 Body::centerOfMass() const {
+Vec2 BodyView::centerOfMass() const {
     return world_->bodies.motion[index_].center;
 }
 
-Vec2 Body::velocity() const {
+Vec2 BodyView::velocity() const {
     return world_->bodies.motion[index_].velocity;
 }
 
-double Body::angularVelocity() const {
+double BodyView::angularVelocity() const {
     return world_->bodies.motion[index_].angularVelocity;
 }
 
-double Body::mass() const {
+double BodyView::mass() const {
     return world_->bodies.record[index_].mass;
 }
 
-double Body::inertia() const {
+double BodyView::inertia() const {
     return world_->bodies.record[index_].inertia;
 }
 
-bool Body::awake() const {
+bool BodyView::awake() const {
     return world_->bodies.record[index_].awake;
 }
 
-bool Body::quarantined() const {
+bool BodyView::quarantined() const {
     return world_->bodies.record[index_].quarantined;
 }
 
-std::vector<Contact> Body::contacts() const {
+std::vector<Contact> BodyView::contacts() const {
     std::vector<Contact> contacts;
     forEachContact(world_->bodies, world_->contacts, index_, [&](ContactIndex index) {
         const ContactRecord& record = world_->contacts.contacts[index];

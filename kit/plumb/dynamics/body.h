@@ -20,44 +20,79 @@ struct ContactPoint {
 
 /// What presses on a body.
 struct Contact {
-    BodyId bodyA, bodyB;
+    ShapeId shapeA, shapeB;
     Vec2 normal{0, 1};                 ///< from A to B [-]
     std::vector<ContactPoint> points;  ///< one or two
 };
 
-/// A view of one body of a world; valid while the body and its world are, and gets what is true when it is asked.
-/// Setters throw std::invalid_argument on a value that is not finite, and wake the body.
-class Body {
+/// A view of one body of a world, which may not change it; valid while the body and its world are, and gets what is
+/// true when it is asked.
+class BodyView {
 public:
+    BodyId id() const;
     BodyType type() const;
-    Vec2 position() const;           ///< of the body's origin [m]
-    double angle() const;            ///< counted on through whole turns [rad]
-    Transform pose() const;          ///< local to world
-    Vec2 centerOfMass() const;       ///< in the world [m]
-    Vec2 velocity() const;           ///< of the centre of mass [m/s]
-    double angularVelocity() const;  ///< [rad/s]
-    double mass() const;             ///< 0 unless dynamic [kg]
-    double inertia() const;          ///< about the centre of mass; 0 unless dynamic [kg m^2]
+    Vec2 position() const;                     ///< of the body's origin [m]
+    double angle() const;                      ///< counted on through whole turns [rad]
+    Transform pose() const;                    ///< local to world
+    Vec2 centerOfMass() const;                 ///< in the world [m]
+    Vec2 velocity() const;                     ///< of the centre of mass [m/s]
+    double angularVelocity() const;            ///< [rad/s]
+    Vec2 velocityAt(const Vec2& point) const;  ///< of a point of the world that moves with the body [m/s]
+    double mass() const;                       ///< 0 unless dynamic [kg]
+    double inertia() const;                    ///< about the centre of mass; 0 unless dynamic [kg m^2]
+    double gravityScale() const;               ///< [-]
+    double linearDamping() const;              ///< [1/s]
+    double angularDamping() const;             ///< [1/s]
     bool awake() const;
+    bool enabled() const;
     bool quarantined() const;
+    std::uint64_t tag() const;
 
+    std::vector<ShapeId> shapes() const;  ///< in the order in which they were added
+    std::vector<JointId> joints() const;
     /// What touches the body, with the forces of the last step.
     std::vector<Contact> contacts() const;
 
-    void setVelocity(const Vec2& velocity);                  ///< [m/s]
-    void setAngularVelocity(double angularVelocity);         ///< [rad/s]
-    void setPose(const Vec2& position, double angle);        ///< a jump, no motion in between [m, rad]
-    void applyForce(const Vec2& force);                      ///< at the centre of mass, over the next step [N]
-    void applyForce(const Vec2& force, const Vec2& at);      ///< at a point of the world, over the next step [N, m]
-    void applyTorque(double torque);                         ///< over the next step [N m]
-    void applyImpulse(const Vec2& impulse);                  ///< at the centre of mass, now [N s]
-    void applyImpulse(const Vec2& impulse, const Vec2& at);  ///< at a point of the world, now [N s, m]
+protected:
+    friend class World;
+    BodyView(WorldState& world, std::uint32_t index) : world_(&world), index_(index) {}
+    WorldState* world_;
+    std::uint32_t index_;
+};
+
+/// The same, and changes it, at any time between steps. Whatever sleeps and is concerned wakes. Each throws
+/// std::invalid_argument, and changes nothing, on a value that is not finite or that the body cannot have.
+class Body : public BodyView {
+public:
+    void setVelocity(const Vec2& velocity);            ///< [m/s]
+    void setAngularVelocity(double angularVelocity);   ///< [rad/s]
+    void setPose(const Vec2& position, double angle);  ///< a jump, no motion in between [m, rad]
+    /// Gives a kinematic body the velocity that takes it there in a step of dt; it goes on so until told otherwise.
+    void moveTo(const Vec2& position, double angle, double dt);  ///< [m, rad, s]
+    void applyForce(const Vec2& force);                          ///< at the centre of mass, over the next step [N]
+    void applyForce(const Vec2& force, const Vec2& at);          ///< at a point of the world, over the next step [N, m]
+    void applyTorque(double torque);                             ///< over the next step [N m]
+    void applyImpulse(const Vec2& impulse);                      ///< at the centre of mass, now [N s]
+    void applyImpulse(const Vec2& impulse, const Vec2& at);      ///< at a point of the world, now [N s, m]
+    void applyAngularImpulse(double impulse);                    ///< now [N m s]
+
+    void setType(BodyType type);             ///< a static body loses its velocity; a dynamic one needs a mass
+    void setMass(const Mass& mass);          ///< of a dynamic body, instead of what its shapes give
+    void setMassFromShapes();                ///< of a dynamic body
+    void setGravityScale(double scale);      ///< [-]
+    void setLinearDamping(double damping);   ///< >= 0 [1/s]
+    void setAngularDamping(double damping);  ///< >= 0 [1/s]
+    void setFixedRotation(bool fixed);
+    void setLocks(bool lockX, bool lockY);  ///< as BodyDef.lockX and lockY: it stays where it is now along them
+    void setCanSleep(bool canSleep);
+    void wake();
+    void sleep();                   ///< with all that touches it or is joined to it, until something wakes it
+    void setEnabled(bool enabled);  ///< false: it stays where it is, and nothing meets it
+    void setTag(std::uint64_t tag);
 
 private:
     friend class World;
-    Body(WorldState& world, std::uint32_t index) : world_(&world), index_(index) {}
-    WorldState* world_;
-    std::uint32_t index_;
+    using BodyView::BodyView;
 };
 
 }  // namespace plumb

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What does a body start as?
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,8 +27,12 @@ struct BodyDef {
     double linearDamping = 0;    ///< v decays as exp(-damping t), >= 0 [1/s]
     double angularDamping = 0;   ///< >= 0 [1/s]
     bool fixedRotation = false;  ///< nothing turns it
+    bool lockX = false;          ///< a dynamic body stays where it is along x, whatever pushes it
+    bool lockY = false;          ///< and along y
     bool canSleep = true;
-    bool awake = true;  ///< false: asleep until something touches it
+    bool awake = true;      ///< false: asleep until something touches it
+    bool enabled = true;    ///< false: it stays where it is, and nothing meets it
+    std::uint64_t tag = 0;  ///< whatever its owner wants to know it by
     std::optional<Mass> mass =
         std::nullopt;  ///< instead of what the shapes and their densities give; mass > 0, inertia > 0
     std::vector<ShapeDef> shapes =

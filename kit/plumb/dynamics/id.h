@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Which body, which joint? An id stays valid until its thing is removed, and is never reused.
+// Which body, which shape, which joint? An id stays valid until its thing is removed, and is never reused.
 #pragma once
+#include <cstddef>
 #include <cstdint>
-#include <string>
+#include <functional>
 
 namespace plumb {
 
@@ -21,4 +22,32 @@ struct JointId {
     friend bool operator==(const JointId&, const JointId&) = default;
 };
 
+/// number: counted from 0 on each body, in the order in which its shapes were added; BodyDef.shapes[i] has number i.
+struct ShapeId {
+    BodyId body;
+    std::uint32_t number = 0;
+    friend bool operator==(const ShapeId&, const ShapeId&) = default;
+};
+
 }  // namespace plumb
+
+/// For whoever keeps what is theirs in a std::unordered_map.
+template <>
+struct std::hash<plumb::BodyId> {
+    std::size_t operator()(const plumb::BodyId& id) const noexcept {
+        const std::uint64_t bits = (std::uint64_t{id.generation} << 32 | id.index) ^ std::uint64_t{id.world} << 48;
+        return std::hash<std::uint64_t>{}(bits);
+    }
+};
+template <>
+struct std::hash<plumb::JointId> {
+    std::size_t operator()(const plumb::JointId& id) const noexcept {
+        return std::hash<plumb::BodyId>{}({id.index, id.generation, id.world});
+    }
+};
+template <>
+struct std::hash<plumb::ShapeId> {
+    std::size_t operator()(const plumb::ShapeId& id) const noexcept {
+        return std::hash<plumb::BodyId>{}(id.body) * 31 + id.number;
+    }
+};

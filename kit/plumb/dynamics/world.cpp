@@ -80,11 +80,11 @@ double extentOf(const Convex& convex) {
     return static_cast<double>(farthest + convex.radius);
 }
 
-void addShape(WorldState& world, BodyIndex body, const ShapeDef& shape) {
+void addShape(WorldState& world, BodyIndex body, const ShapeDef& shape, std::uint32_t number) {
     BodyRecord& record = world.bodies.record[body];
     const Aabb box = aabbOf(shape.shape, world.bodies.pose(body));
     const bool fixed = record.type == BodyType::Static;
-    const ProxyId proxy = world.space.add(shape, body, fixed, record.localCenter, box);
+    const ProxyId proxy = world.space.add(shape, body, fixed, record.localCenter, box, number);
     record.proxies.push_back(proxy);
     if (record.type != BodyType::Dynamic) ++world.walls;
     record.extent = std::max(record.extent, extentOf(world.space[proxy].convex));
@@ -96,8 +96,14 @@ void addShape(WorldState& world, BodyIndex body, const ShapeDef& shape) {
 }
 
 void addShapes(WorldState& world, BodyIndex body, const BodyDef& def) {
-    for (const ShapeDef& shape : def.shapes)
-        for (const Shape& piece : piecesOf(shape.shape)) addShape(world, body, {piece, shape.material, shape.filter});
+    for (const ShapeDef& shape : def.shapes) {
+        const std::uint32_t number = world.bodies.record[body].shapesMade++;
+        for (const Shape& piece : piecesOf(shape.shape)) {
+            ShapeDef part = shape;
+            part.shape = piece;
+            addShape(world, body, part, number);
+        }
+    }
 }
 
 }  // namespace
@@ -142,42 +148,6 @@ BodyId World::add(const BodyDef& def) {
     return state_->idOf(body);
 }
 
-JointId World::join(const JointDef& def) {
-    validate(*state_, def);
-    WorldState& world = *state_;
-    std::uint32_t index = static_cast<std::uint32_t>(world.joints.size());
-    if (world.freeJoints.empty()) {
-        world.joints.emplace_back();
-    } else {
-        index = world.freeJoints.back();
-        world.freeJoints.pop_back();
-    }
-    JointRecord& record = world.joints[index];
-    std::visit(
-        [&](const auto& d) {
-            record.bodyA = d.bodyA.index;
-            record.bodyB = d.bodyB.index;
-            record.collideConnected = d.collideConnected;
-        },
-        def);
-    if (const auto* revolute = std::get_if<RevoluteJointDef>(&def))
-        record.joint = RevoluteJoint(*revolute, world.bodies);
-    else
-        record.joint = DistanceJoint(std::get<DistanceJointDef>(def), world.bodies);
-    world.jointsChanged = true;
-    for (const BodyIndex body : {record.bodyA, record.bodyB}) {
-        world.bodies.record[body].joints.push_back(index);
-        wakeIsland(world, body);
-    }
-    if (!record.collideConnected) {
-        forEachContact(world.bodies, world.contacts, record.bodyA, [&](ContactIndex c) {
-            const ContactRecord& contact = world.contacts.contacts[c];
-            if (contact.bodyA == record.bodyB || contact.bodyB == record.bodyB) removeContact(world, c);
-        });
-    }
-    return {index, record.generation, world.id};
-}
-
 void World::remove(BodyId id) {
     requireBody(*state_, id, "BodyId");
     WorldState& world = *state_;
@@ -186,22 +156,6 @@ void World::remove(BodyId id) {
     for (const std::uint32_t joint : joints) remove(JointId{joint, world.joints[joint].generation, world.id});
     removeShapes(world, id.index);
     world.bodies.release(id.index);
-}
-
-void World::remove(JointId id) {
-    requireJoint(*state_, id, "JointId");
-    WorldState& world = *state_;
-    JointRecord& record = world.joints[id.index];
-    for (const BodyIndex body : {record.bodyA, record.bodyB}) {
-        wakeIsland(world, body);
-        std::erase(world.bodies.record[body].joints, id.index);
-    }
-    world.jointsChanged = true;
-    if (!record.collideConnected) pairShapes(world, record.bodyA, record.bodyB);
-    const std::uint32_t generation = record.generation + 1;
-    record = {};
-    record.generation = generation;
-    world.freeJoints.push_back(id.index);
 }
 
 void World::step(double dt) {
@@ -239,33 +193,14 @@ bool World::contains(BodyId id) const {
     return isKnown(*state_, id);
 }
 
-bool World::contains(JointId id) const {
-    return isKnown(*state_, id);
-}
-
 Body World::body(BodyId id) {
     requireBody(*state_, id, "BodyId");
     return {*state_, id.index};
 }
 
-const Body World::body(BodyId id) const {
+BodyView World::body(BodyId id) const {
     requireBody(*state_, id, "BodyId");
     return {*state_, id.index};
-}
-
-JointReaction World::reaction(JointId id) const {
-    requireJoint(*state_, id, "JointId");
-    const double time = state_->joints[id.index].solvedStep;
-    if (time == 0) return {};
-    return std::visit(
-        [time]<class Joint>(const Joint& joint) -> JointReaction {
-            if constexpr (std::is_same_v<Joint, std::monostate>)
-                return {};
-            else
-                return {Vec2(joint.reaction().template cast<double>()) / time,
-                        static_cast<double>(joint.angularReaction()) / time};
-        },
-        state_->joints[id.index].joint);
 }
 
 std::vector<BodyId> World::bodies() const {

@@ -2,29 +2,29 @@
 // How does a set of bodies move on from one tick to the next?
 #pragma once
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include <plumb/collide/distance.h>
 #include <plumb/dynamics/body.h>
 #include <plumb/dynamics/body_def.h>
 #include <plumb/dynamics/events.h>
 #include <plumb/dynamics/id.h>
+#include <plumb/dynamics/joint.h>
 #include <plumb/dynamics/joint_def.h>
+#include <plumb/dynamics/query.h>
 #include <plumb/dynamics/solver_settings.h>
 #include <plumb/dynamics/step_profile.h>
+#include <plumb/shapes/aabb.h>
 
 namespace plumb {
 
 struct WorldDef {
     Vec2 gravity{0, -9.81};  ///< [m/s^2]
     bool sleeping = true;    ///< may what rests be left out of the step?
+    double hitSpeed = 1;     ///< what comes together faster is a ContactHit, >= 0, may be infinite [m/s]
     SolverSettings solver = {};
-};
-
-/// What a joint does to hold its bodies, as means over the last step.
-struct JointReaction {
-    Vec2 force{0, 0};   ///< on bodyB, at its anchor [N]
-    double torque = 0;  ///< on bodyB [N m]
 };
 
 /// Bodies, their contacts and joints. Can be moved, not copied; what was moved from can only be assigned to or
@@ -38,27 +38,57 @@ public:
     ~World();
 
     BodyId add(const BodyDef& def);
+    ShapeId add(BodyId body, const ShapeDef& shape);  ///< mass follows, unless it was given
     JointId join(const JointDef& def);
-    void remove(BodyId body);  ///< with its joints
-    void remove(JointId joint);
+    void remove(BodyId body);    ///< with its shapes and joints
+    void remove(ShapeId shape);  ///< mass follows, unless it was given
+    void remove(JointId joint);  ///< with the gears that it drives
 
     /// Moves the world on by dt [s], finite and not negative. Never throws for another reason.
     void step(double dt);
 
     bool contains(BodyId body) const;
+    bool contains(ShapeId shape) const;
     bool contains(JointId joint) const;
     Body body(BodyId body);
-    const Body body(BodyId body) const;
-    JointReaction reaction(JointId joint) const;
+    BodyView body(BodyId body) const;
+    Joint joint(JointId joint);
+    JointView joint(JointId joint) const;
+    ShapeDef shape(ShapeId shape) const;
+    void set(ShapeId shape, const ShapeDef& def);  ///< in its place; mass follows, unless it was given
 
     std::vector<BodyId> bodies() const;  ///< in the order of their slots
+    std::vector<JointId> joints() const;
     Vec2 gravity() const;
     void setGravity(const Vec2& gravity);  ///< wakes every body [m/s^2]
+
+    // What is where, now. Each looks at the shapes that collide with a shape of the filter; sensors are left out.
+    /// The first shape on the way from one point to another.
+    std::optional<CastHit> castRay(const Vec2& from, const Vec2& to, const Filter& filter = {}) const;
+    /// All of them, in the order in which the ray comes to them.
+    std::vector<CastHit> castRayAll(const Vec2& from, const Vec2& to, const Filter& filter = {}) const;
+    /// The first shape that a shape meets as it is shifted, without turning.
+    std::optional<CastHit> castShape(const Shape& shape, const Transform& pose, const Vec2& shift,
+                                     const Filter& filter = {}) const;
+    std::vector<CastHit> castShapeAll(const Shape& shape, const Transform& pose, const Vec2& shift,
+                                      const Filter& filter = {}) const;
+    // Shapes that overlap or touch, in the order of their bodies' slots and their numbers.
+    std::vector<ShapeId> overlapBox(const Aabb& box, const Filter& filter = {}) const;
+    std::vector<ShapeId> overlapShape(const Shape& shape, const Transform& pose, const Filter& filter = {}) const;
+    std::vector<ShapeId> overlapPoint(const Vec2& point, const Filter& filter = {}) const;
+    /// The shape nearest to a point, of those no farther than within [m].
+    std::optional<Nearest> nearest(const Vec2& point, double within, const Filter& filter = {}) const;
+    Distance distance(ShapeId a, ShapeId b) const;
 
     // What happened in the last step; valid until the next call that changes the world.
     std::span<const ContactBegin> contactBegins() const;
     std::span<const ContactEnd> contactEnds() const;
+    std::span<const ContactHit> contactHits() const;
+    std::span<const SensorBegin> sensorBegins() const;
+    std::span<const SensorEnd> sensorEnds() const;
+    std::span<const JointBroke> jointBreaks() const;
     std::span<const Quarantined> quarantines() const;
+    std::vector<BodyMoved> moves() const;  ///< in the order of their slots; without those removed since
     StepProfile profile() const;
 
 private:

@@ -33,7 +33,7 @@ struct Fnv1a {
 std::uint64_t stateHash(const World& world) {
     Fnv1a hash;
     for (const BodyId id : world.bodies()) {
-        const Body body = world.body(id);
+        const BodyView body = world.body(id);
         hash.add((std::uint64_t{id.index} << 32) | id.generation);
         hash.add(body.position());
         hash.add(body.angle());

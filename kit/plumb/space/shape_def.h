@@ -2,6 +2,7 @@
 // What is a body's outline made of, and what does it collide with?
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,10 +37,29 @@ struct Filter {
     int group = 0;
 };
 
+/// What a contact rule may go by, when another shape comes to touch its own.
+struct ContactQuestion {
+    Vec2 normal{0, 1};       ///< from its own shape to the other, in the world [-]
+    Vec2 localNormal{0, 1};  ///< the same in the frame of its own body [-]
+    Vec2 velocity{0, 0};     ///< of the other against its own, where they meet, in the world [m/s]
+    double separation = 0;   ///< negative when they overlap [m]
+    std::uint64_t tag = 0;   ///< of its own shape
+    std::uint64_t otherTag = 0;
+};
+
+/// May the two touch? Asked when they have come so near that they may touch within the step; the answer holds until
+/// they have parted. A pure function of what it is given: it is asked in no order that is promised, and its answers are
+/// part of what makes a world the same again.
+using ContactRule = bool (*)(const ContactQuestion&);
+
 struct ShapeDef {
     Shape shape = Circle{};
     Material material{};
     Filter filter{};
+    bool sensor = false;                        ///< touches nothing, and tells what overlaps it
+    std::optional<Vec2> oneWay = std::nullopt;  ///< solid only to what comes from there; in the body's frame, not 0 [-]
+    ContactRule rule = nullptr;                 ///< without one, it touches whatever its filter lets
+    std::uint64_t tag = 0;                      ///< whatever its owner wants to know it by
 };
 
 /// A disc around a point of the body's frame.

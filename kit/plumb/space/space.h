@@ -20,9 +20,10 @@ using ProxyId = std::uint32_t;
 /// A shape in the space, owned by a body or mover.
 struct Proxy {
     ShapeDef def;
-    Convex convex;            ///< the shape as seen from the owner's centre of mass
-    std::uint32_t owner = 0;  ///< an index its owner's side knows; shapes of one owner never pair
-    bool fixed = false;       ///< never moves by itself, and never pairs with another that is fixed
+    Convex convex;             ///< the shape as seen from the owner's centre of mass
+    std::uint32_t owner = 0;   ///< an index its owner's side knows; shapes of one owner never pair
+    std::uint32_t number = 0;  ///< which of its owner's shapes it is, or is a piece of
+    bool fixed = false;        ///< never moves by itself, and never pairs with another that is fixed
     bool alive = false;
 };
 
@@ -69,7 +70,8 @@ public:
     explicit Space(int lanes = 16) : lanes_(lanes) {}
     void setLanes(int lanes) { lanes_ = lanes; }
 
-    ProxyId add(const ShapeDef& def, std::uint32_t owner, bool fixed, const Vec2& localCenter, const Aabb& tight);
+    ProxyId add(const ShapeDef& def, std::uint32_t owner, bool fixed, const Vec2& localCenter, const Aabb& tight,
+                std::uint32_t number = 0);
     void remove(ProxyId proxy);
 
     /// Tells where a shape is and will be; a box that no longer holds it, or holds far too much, is renewed with

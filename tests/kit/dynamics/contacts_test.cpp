@@ -61,7 +61,7 @@ TEST_CASE("in a stack of ten 1 kg boxes the i-th contact from above carries i ti
         for (int i = 0; i < 10; ++i) {
             double force = 0;
             for (const plumb::Contact& contact : world.body(boxes[static_cast<std::size_t>(i)]).contacts()) {
-                if (contact.bodyB != boxes[static_cast<std::size_t>(i)]) continue;
+                if (contact.shapeB.body != boxes[static_cast<std::size_t>(i)]) continue;
                 for (const plumb::ContactPoint& point : contact.points) force += point.normalForce;
             }
             INFO("box " << i);

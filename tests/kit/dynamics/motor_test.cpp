@@ -27,7 +27,7 @@ struct Wheel {
     JointId joint;
     double angle() const { return world.body(wheel).angle(); }
     double speed() const { return world.body(wheel).angularVelocity(); }
-    double torque() const { return world.reaction(joint).torque; }
+    double torque() const { return world.joint(joint).reaction().torque; }
 };
 
 Wheel wheelOf(double inertia, double speed, double torque, const Vec2& gravity = {0, 0}) {
@@ -118,7 +118,7 @@ TEST_CASE("a motor of endless torque turns an arm at 1 rad/s against m g l cos p
         CHECK(std::fabs(world.body(arm).angle() - angle) < 2e-3);
         CHECK(std::fabs(world.body(arm).angularVelocity() - 1) < 1e-4);
         CHECK((world.body(arm).position() - Vec2(std::cos(angle), std::sin(angle))).norm() < 2e-3);
-        if (tick > 1) CHECK(std::fabs(world.reaction(joint).torque - 10 * std::cos(angle - 0.5 * dt)) < 0.1);
+        if (tick > 1) CHECK(std::fabs(world.joint(joint).reaction().torque - 10 * std::cos(angle - 0.5 * dt)) < 0.1);
     }
 }
 

@@ -141,7 +141,7 @@ TEST_CASE("an id of a removed body is refused even after its slot was used again
     CHECK(refusal([&] { world.remove(first); }).find("removed") != std::string::npos);
     CHECK(refusal([&] { other.body(second); }).find("another world") != std::string::npos);
     CHECK(refusal([&] { world.remove(plumb::JointId{}); }) != "");
-    CHECK(refusal([&] { world.reaction(plumb::JointId{5, 0, second.world}); }) != "");
+    CHECK(refusal([&] { world.joint(plumb::JointId{5, 0, second.world}).reaction(); }) != "");
 }
 
 TEST_CASE("removing a body takes its joints and contacts along and wakes what lay on it", "[dynamics]") {
@@ -215,7 +215,7 @@ TEST_CASE("a ball that lands tells so once, with point, normal and speed, and on
         world.step(1.0 / 60);
         for (const plumb::ContactBegin& event : world.contactBegins()) {
             ++begins;
-            CHECK((event.bodyA == floor && event.bodyB == ball));
+            CHECK((event.shapeA.body == floor && event.shapeB.body == ball));
             CHECK(event.normal.y() > 0.999);
             CHECK(event.point.norm() < 0.01);
             // sqrt(2 g 1 m) = 4.429 m/s, told as it was at the step's start, at most a step and a sub-step before

@@ -52,6 +52,7 @@ struct alignas(64) BodyRecord {
     double linearDamping = 0, angularDamping = 0;
 
     std::uint32_t generation = 0;
+    std::uint32_t shapesMade = 0;  ///< the next shape's number
     std::uint32_t awakeIndex = none;
     std::uint32_t firstContact = none;  ///< head of the list of its contacts
     std::uint32_t colours = 0;          ///< bit c: a contact of colour c has it

@@ -183,9 +183,9 @@ void commit(WorldState& world, const std::vector<Flyer>& flyers, const std::vect
         contact.memory[0].totalNormal = static_cast<float>(m.normalImpulse);
         contact.memory[0].totalTangent = static_cast<float>(m.tangentImpulse);
         contact.memoryStep = dt;
-        if (contact.touching) world.ends.push_back({world.idOf(contact.bodyA), world.idOf(contact.bodyB)});
+        if (contact.touching) world.ends.push_back({world.idOfShape(contact.proxyA), world.idOfShape(contact.proxyB)});
         world.begins.push_back(
-            {world.idOf(contact.bodyA), world.idOf(contact.bodyB), m.where.pointA, m.where.normal, m.approachSpeed});
+            {world.idOfShape(contact.proxyA), world.idOfShape(contact.proxyB), m.where.pointA, m.where.normal, m.approachSpeed});
         contact.touching = true;
     }
 }

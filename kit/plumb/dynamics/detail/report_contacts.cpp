@@ -31,7 +31,7 @@ Touch touchOf(const WorldState& world, const ContactRecord& contact) {
 }
 
 ContactBegin beginOf(const WorldState& world, const ContactRecord& contact, std::size_t point) {
-    return {world.idOf(contact.bodyA), world.idOf(contact.bodyB), pointOf(world, contact, point),
+    return {world.idOfShape(contact.proxyA), world.idOfShape(contact.proxyB), pointOf(world, contact, point),
             normalOf(world, contact), std::max(static_cast<double>(contact.approachSpeed), 0.0)};
 }
 
@@ -57,7 +57,7 @@ void reportContact(WorldState& world, ContactRecord& contact) {
         world.begins.push_back(beginOf(world, contact, touch.point));
     } else if (contact.touching && !touch.pressed && touch.separation >= apart) {
         contact.touching = false;
-        world.ends.push_back({world.idOf(contact.bodyA), world.idOf(contact.bodyB)});
+        world.ends.push_back({world.idOfShape(contact.proxyA), world.idOfShape(contact.proxyB)});
     }
 }
 

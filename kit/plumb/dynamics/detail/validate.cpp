@@ -46,6 +46,11 @@ void validateJoint(const WorldState& world, const DistanceJointDef& def) {
     if (def.length) requirePositive(*def.length, "DistanceJointDef.length");
 }
 
+template <class Def>
+void validateJoint(const WorldState&, const Def&) {
+    refuse("JointDef", "not made yet");
+}
+
 template <class Id>
 std::string textOf(const Id& id) {
     return "{index " + std::to_string(id.index) + ", generation " + std::to_string(id.generation) + ", world " +

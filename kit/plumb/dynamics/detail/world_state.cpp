@@ -28,7 +28,7 @@ Vec2 pointOf(const WorldState& world, const ContactRecord& contact, std::size_t 
 
 void removeContact(WorldState& world, ContactIndex index) {
     const ContactRecord& contact = world.contacts.contacts[index];
-    if (contact.touching) world.ends.push_back({world.idOf(contact.bodyA), world.idOf(contact.bodyB)});
+    if (contact.touching) world.ends.push_back({world.idOfShape(contact.proxyA), world.idOfShape(contact.proxyB)});
     world.graph.remove(world.bodies, world.contacts, index);
     world.contacts.remove(world.bodies, index);
 }

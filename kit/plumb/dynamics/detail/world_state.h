@@ -58,6 +58,7 @@ struct WorldState {
     const LaneCollider* collider = nullptr;
 
     BodyId idOf(BodyIndex body) const { return {body, bodies.record[body].generation, id}; }
+    ShapeId idOfShape(ProxyId proxy) const { return {idOf(space[proxy].owner), space[proxy].number}; }
     const Proxy& proxyA(const ContactRecord& c) const { return space[c.proxyA]; }
     const Proxy& proxyB(const ContactRecord& c) const { return space[c.proxyB]; }
 };

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// What lies along a line, or within an outline?
+#pragma once
+#include <plumb/dynamics/id.h>
+#include <plumb/math/vec2.h>
+
+namespace plumb {
+
+/// Where a ray, or a shape that moves straight on, meets a shape first.
+struct CastHit {
+    ShapeId shape;
+    Vec2 point{0, 0};     ///< where they meet, in the world [m]
+    Vec2 normal{0, 1};    ///< outward from what was met; against the motion where it began inside [-]
+    double fraction = 0;  ///< of the way, 0 to 1; 0 where it began inside or touching [-]
+};
+
+/// The shape nearest to something.
+struct Nearest {
+    ShapeId shape;
+    double separation = 0;  ///< negative inside it [m]
+    Vec2 point{0, 0};       ///< the nearest of the shape, in the world [m]
+    Vec2 normal{0, 1};      ///< from the shape to what was asked about [-]
+};
+
+}  // namespace plumb
