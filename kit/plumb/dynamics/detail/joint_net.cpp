@@ -143,13 +143,58 @@ private:
     void findMasses(double step) {
         step_ = step;
         masses_.reserve(net_.bodies.size());
+        bool tight = false;
         for (std::size_t b = 0; b < net_.bodies.size(); ++b) {
             const double mass = 1 / static_cast<double>(bodies_.velocity[net_.bodies[b]].inverseMass);
             const double rho = static_cast<double>(bodies_.turn[net_.bodies[b]].rho);
             const Vec3 needed = times(net_.stiffness[b], step * step);
             const double linear = std::max({mass, needed[0], needed[1]});
-            masses_.push_back({linear, linear, rho > 0 ? std::max(mass / (rho * rho), needed[2]) : 0.0});
+            masses_.push_back({linear, linear, rho > 0 ? mass / (rho * rho) : 0.0});
+            tight = tight || 2 * needed[2] > masses_.back()[2];
         }
+        if (tight) slowDown();
+    }
+
+    /// Inertia for those that are pulled back faster than can be followed.
+    void slowDown() {
+        const std::vector<double> company = companyOf();
+        for (std::size_t b = 0; b < masses_.size(); ++b) {
+            const double needed = 2 * net_.stiffness[b][2] * step_ * step_ - company[b];
+            if (masses_[b][2] > 0) masses_[b][2] = std::max(masses_[b][2], needed);
+        }
+    }
+
+    /// For each body, the least by which its neighbours, each free but for it, add to its inertia when it turns:
+    /// sum m' r^2 - |sum m' r|^2 / (m + sum m'), m' what a neighbour weighs at the anchor at r, whichever way.
+    std::vector<double> companyOf() const {
+        struct Company {
+            double mass = 0, squares = 0;
+            Vec2 moment{0, 0};
+        };
+        std::vector<Company> company(masses_.size());
+        for (std::size_t j = 0; j < rows_.size(); ++j) {
+            if (!rows_[j].holdsPoint) continue;
+            const auto& nodes = net_.seats[j].node;
+            for (std::size_t e = 0; e < 2; ++e) {
+                if (nodes[e] == JointNet::Seats::fixed) continue;
+                const double weight = weightOf(nodes[1 - e], rows_[j].arm[1 - e], masses_[nodes[e]][0]);
+                Company& c = company[nodes[e]];
+                c.mass += weight;
+                c.moment += weight * rows_[j].arm[e];
+                c.squares += weight * rows_[j].arm[e].squaredNorm();
+            }
+        }
+        std::vector<double> added(masses_.size());
+        for (std::size_t b = 0; b < added.size(); ++b)
+            added[b] = company[b].squares - company[b].moment.squaredNorm() / (masses_[b][0] + company[b].mass);
+        return added;
+    }
+
+    /// What does not move weighs a million times what hangs on it.
+    double weightOf(std::uint32_t node, const Vec2& arm, double hanging) const {
+        if (node == JointNet::Seats::fixed) return 1e6 * hanging;
+        const double turning = masses_[node][2] > 0 ? arm.squaredNorm() / masses_[node][2] : 0.0;
+        return 1 / (1 / masses_[node][0] + turning);
     }
 
     /// By the forces of this pass.
@@ -171,7 +216,8 @@ private:
         }
         const double kept = 1 - std::min(0.5 * step_ / memory, 1.0);
         for (std::size_t b = 0; b < fresh.size(); ++b)
-            for (std::size_t i = 0; i < 3; ++i) net_.stiffness[b][i] = std::max(fresh[b][i], kept * net_.stiffness[b][i]);
+            for (std::size_t i = 0; i < 3; ++i)
+                net_.stiffness[b][i] = std::max(fresh[b][i], kept * net_.stiffness[b][i]);
     }
 
     /// What a body of the net answers an impulse of (x, y, turn) with.

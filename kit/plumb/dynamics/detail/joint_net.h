@@ -11,9 +11,10 @@
 //
 // A tight line swings sideways the faster the lighter it is: at its tension F a link turns back at k = F.r [N m/rad]
 // for each anchor r, a rod of length l swings its ends back at F/l [N/m]. What that would make faster than the sub-step
-// h can follow is given more inertia in here, I >= h^2 k, so that it swings as slowly as it can be followed. Source:
-// Andrews, Teichmann, Kry, "Geometric stiffness for real-time constrained multibody dynamics", Comput. Graph. Forum 36
-// (2017) 235, there as a term of its own.
+// h can follow is given more inertia in here, until I + I' >= 2 h^2 k, and m >= h^2 k, so that it swings as slowly as
+// it can be followed; I' is what its neighbours must be moved by for it to turn. Source: Andrews, Teichmann, Kry,
+// "Geometric stiffness for real-time constrained multibody dynamics", Comput. Graph. Forum 36 (2017) 235, there as a
+// term of its own.
 //
 // What fills in too much, as a cloth of hinges does, is swept instead, joint by joint, with soft corrections and the
 // impulses of the step before as a first guess.

@@ -69,6 +69,7 @@ void holdRow(JointRows& rows, const JointRow& row, const Course& course, const E
 
 void holdPoint(JointRows& rows, const Ends& now, const Ends& later, const JointPass& pass) {
     const Vec2 gap = now.apart(), gapLater = later.apart();
+    rows.holdsPoint = true;
     JointRow x, y;
     x.at[0] = {-1, 0, now.a.arm.y()};
     x.at[1] = {1, 0, -now.b.arm.y()};

@@ -44,6 +44,7 @@ struct JointRows {
     std::array<Vec2, 2> arm{Vec2{0, 0},
                             Vec2{0, 0}};  ///< of the first two ends: to where the force counts as acting [m]
     double length = 0;                    ///< of what swings between two anchors; 0: nothing does [m]
+    bool holdsPoint = false;              ///< keeps the anchors together
 };
 
 /// A spring along a row, that wants the row's coordinate to be 0.
