@@ -93,7 +93,11 @@ void setMass(BodyRecord& body, const Mass& mass) {
     body.inertia = mass.inertia;
     body.inverseMass = 1 / mass.mass;
     body.inverseInertia = body.fixedRotation ? 0 : 1 / mass.inertia;
-    const double rho = std::sqrt(body.inverseInertia * mass.mass);
+    setRho(body, body.inverseInertia);
+}
+
+void setRho(BodyRecord& body, double inverseInertia) {
+    const double rho = std::sqrt(inverseInertia * body.mass);
     body.rho = static_cast<float>(rho);
     body.inverseRho = rho > 0 ? static_cast<float>(1 / rho) : 0.0f;
 }

@@ -109,5 +109,7 @@ Acceleration accelerationOf(const BodyRecord& body, const Vec2& gravity);
 
 /// Sets mass, inertia and all that follows from them.
 void setMass(BodyRecord& body, const Mass& mass);
+/// What the solver takes for a body's inertia; until setMass, or joints, say something else.
+void setRho(BodyRecord& body, double inverseInertia);
 
 }  // namespace plumb
