@@ -56,7 +56,7 @@ struct ShapeDef {
     Shape shape = Circle{};
     Material material{};
     Filter filter{};
-    bool sensor = false;                        ///< touches nothing, and tells what overlaps it
+    bool sensor = false;  ///< touches nothing, and tells what overlaps it; weighs what its density says
     std::optional<Vec2> oneWay = std::nullopt;  ///< solid only to what comes from there; in the body's frame, not 0 [-]
     ContactRule rule = nullptr;                 ///< without one, it touches whatever its filter lets
     std::uint64_t tag = 0;                      ///< whatever its owner wants to know it by

@@ -16,7 +16,7 @@ Aabb nowhere() {
 }  // namespace
 
 ProxyId Space::add(const ShapeDef& def, std::uint32_t owner, bool fixed, const Vec2& localCenter, const Aabb& tight,
-                   std::uint32_t number) {
+                   std::uint32_t number, bool piece) {
     ProxyId id = static_cast<ProxyId>(proxies_.size());
     if (free_.empty()) {
         proxies_.emplace_back();
@@ -28,7 +28,7 @@ ProxyId Space::add(const ShapeDef& def, std::uint32_t owner, bool fixed, const V
         id = free_.back();
         free_.pop_back();
     }
-    proxies_[id] = {def, convexOf(def.shape, localCenter), owner, number, fixed, true};
+    proxies_[id] = {def, convexOf(def.shape, localCenter), owner, number, piece, fixed, true};
     gates_[id] = gateOf(proxies_[id]);
     seats_[id].fixed = fixed;
     placed_[id].box = tight;
@@ -37,10 +37,26 @@ ProxyId Space::add(const ShapeDef& def, std::uint32_t owner, bool fixed, const V
 }
 
 void Space::remove(ProxyId id) {
-    leave(id);
+    hide(id);
     proxies_[id].alive = false;
-    seats_[id].moved = false;
     free_.push_back(id);
+}
+
+void Space::hide(ProxyId id) {
+    leave(id);
+    seats_[id].moved = false;
+}
+
+void Space::change(ProxyId id, const ShapeDef& def) {
+    proxies_[id].def = def;
+    gates_[id] = gateOf(proxies_[id]);
+}
+
+void Space::change(ProxyId id, bool fixed, const Vec2& localCenter) {
+    proxies_[id].convex = convexOf(proxies_[id].def.shape, localCenter);
+    proxies_[id].fixed = fixed;
+    gates_[id] = gateOf(proxies_[id]);
+    seats_[id].fixed = fixed;
 }
 
 void Space::markMoved(ProxyId id) {

@@ -201,9 +201,10 @@ private:
         const Vec2 end = way_.start + way_.shift;
         const Aabb box = inflate({way_.start.cwiseMin(end), way_.start.cwiseMax(end)}, record.extent);
         query(space, box, [&](ProxyId other) {
-            if (world_.bodies.isDynamic(space[other].owner)) return;
+            if (world_.bodies.isDynamic(space[other].owner) || space[other].def.sensor) return;
             for (const ProxyId own : record.proxies)
-                if (mayPair(space[own], space[other]) && !joinedApart(world_, body_, space[other].owner))
+                if (!space[own].def.sensor && mayPair(space[own], space[other]) &&
+                    !joinedApart(world_, body_, space[other].owner))
                     meet(own, other);
         });
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <plumb/dynamics/detail/report_contacts.h>
 #include <plumb/dynamics/detail/time_of_impact.h>
 #include <plumb/impact/impact.h>
 
@@ -184,8 +185,9 @@ void commit(WorldState& world, const std::vector<Flyer>& flyers, const std::vect
         contact.memory[0].totalTangent = static_cast<float>(m.tangentImpulse);
         contact.memoryStep = dt;
         if (contact.touching) world.ends.push_back({world.idOfShape(contact.proxyA), world.idOfShape(contact.proxyB)});
-        world.begins.push_back(
-            {world.idOfShape(contact.proxyA), world.idOfShape(contact.proxyB), m.where.pointA, m.where.normal, m.approachSpeed});
+        world.begins.push_back({world.idOfShape(contact.proxyA), world.idOfShape(contact.proxyB), m.where.pointA,
+                                m.where.normal, m.approachSpeed});
+        if (m.approachSpeed > world.def.hitSpeed) world.hits.push_back(hitOf(world.begins.back()));
         contact.touching = true;
     }
 }

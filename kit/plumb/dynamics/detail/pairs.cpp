@@ -6,6 +6,8 @@
 
 #include <plumb/dynamics/detail/fresh_lanes.h>
 #include <plumb/dynamics/detail/islands.h>
+#include <plumb/dynamics/detail/sensors.h>
+#include <plumb/dynamics/detail/shape_measure.h>
 
 namespace plumb {
 
@@ -27,6 +29,13 @@ Aabb tightBox(const WorldState& world, ProxyId proxy, const BodyMotion& motion, 
     const Vec2 center(motion.center.x() + (c * x - s * y), motion.center.y() + (s * x + c * y));
     const Vec2 half(std::fabs(c) * hx + std::fabs(s) * hy, std::fabs(s) * hx + std::fabs(c) * hy);
     return inflate({center - half, center + half}, static_cast<double>(box.radius));
+}
+
+/// A sensor has no part in the reach of its body.
+double sensorTurn(const WorldState& world, ProxyId proxy, const BodyRecord& record, const BodyMotion& motion,
+                  double dt) {
+    return reachOf(world.space[proxy].def.shape, record.localCenter) *
+           std::min(std::fabs(motion.angularVelocity) * dt, 2.0);
 }
 
 double mixed(double a, double b, Mix ruleA, Mix ruleB) {
@@ -66,6 +75,10 @@ ContactRecord contactOf(const WorldState& world, const Pair& pair) {
 }
 
 void addContact(WorldState& world, const Pair& pair) {
+    if (world.space[pair.a].def.sensor || world.space[pair.b].def.sensor) {
+        addSensorPair(world, pair);
+        return;
+    }
     const BodyIndex a = world.space[pair.a].owner;
     const BodyIndex b = world.space[pair.b].owner;
     if (!world.bodies.isDynamic(a) && !world.bodies.isDynamic(b)) return;
@@ -98,7 +111,10 @@ void placeBody(WorldState& world, BodyIndex body, double dt) {
     const double turn = moves ? static_cast<double>(place.turn) : 0.0;
     const Transform pose = world.bodies.pose(body);
     for (const ProxyId proxy : record.proxies) {
-        const Aabb now = inflate(tightBox(world, proxy, motion, pose), 0.5 * static_cast<double>(contactMargin) + turn);
+        const bool sensor = world.contacts.boxes[proxy].sensor;
+        const double swing = sensor && moves ? sensorTurn(world, proxy, record, motion, dt) : turn;
+        const Aabb now =
+            inflate(tightBox(world, proxy, motion, pose), 0.5 * static_cast<double>(contactMargin) + swing);
         const Aabb ahead{now.lower + shift, now.upper + shift};
         // It may come back from anywhere, as fast as its restitution lets it.
         const Aabb back = inflate(now, static_cast<double>(world.contacts.boxes[proxy].restitution) * shift.norm());
@@ -107,9 +123,12 @@ void placeBody(WorldState& world, BodyIndex body, double dt) {
 }
 
 void pairShapes(WorldState& world, BodyIndex a, BodyIndex b) {
+    if (!world.bodies.record[a].enabled || !world.bodies.record[b].enabled) return;
+    const auto isSensor = [&world](ProxyId proxy) { return world.space[proxy].def.sensor; };  // is not kept apart
     for (const ProxyId pa : world.bodies.record[a].proxies)
         for (const ProxyId pb : world.bodies.record[b].proxies)
-            if (mayPair(world.space[pa], world.space[pb]) && world.space.previousBoxesOverlap(pa, pb))
+            if (!isSensor(pa) && !isSensor(pb) && mayPair(world.space[pa], world.space[pb]) &&
+                world.space.previousBoxesOverlap(pa, pb))
                 addContact(world, {std::min(pa, pb), std::max(pa, pb)});
 }
 
