@@ -57,9 +57,11 @@ struct ShapeDef {
     Material material{};
     Filter filter{};
     bool sensor = false;  ///< touches nothing, and tells what overlaps it; weighs what its density says
-    std::optional<Vec2> oneWay = std::nullopt;  ///< solid only to what comes from there; in the body's frame, not 0 [-]
-    ContactRule rule = nullptr;                 ///< without one, it touches whatever its filter lets
-    std::uint64_t tag = 0;                      ///< whatever its owner wants to know it by
+    /// Solid only to what comes from there, within 60 degrees, and does not yet overlap by more than 5 mm; what was on
+    /// it stays until it slides off. In the body's frame, not 0 [-]
+    std::optional<Vec2> oneWay = std::nullopt;
+    ContactRule rule = nullptr;  ///< without one, it touches whatever its filter lets
+    std::uint64_t tag = 0;       ///< whatever its owner wants to know it by
 };
 
 /// A disc around a point of the body's frame.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <plumb/dynamics/detail/contact_rules.h>
 #include <plumb/dynamics/detail/fresh_lanes.h>
 #include <plumb/dynamics/detail/islands.h>
 #include <plumb/dynamics/detail/sensors.h>
@@ -71,6 +72,7 @@ ContactRecord contactOf(const WorldState& world, const Pair& pair) {
     const double reach = std::max(ma.rollingResistance, mb.rollingResistance) * roundingOf(a, b);
     contact.rollingReach = static_cast<float>(std::min(reach, roughest));
     contact.beltSpeed = static_cast<float>(ma.surfaceSpeed + mb.surfaceSpeed);
+    contact.ruled = hasRule(a.def) || hasRule(b.def);
     return contact;
 }
 
