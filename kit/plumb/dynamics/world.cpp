@@ -141,6 +141,7 @@ void World::remove(BodyId id) {
     removeShapes(world, id.index);
     world.parkedMass.erase(id.index);
     world.gone.push_back(id.index);
+    std::erase(world.unsound, id.index);
     world.bodies.release(id.index);
 }
 

@@ -20,7 +20,10 @@ JointId World::join(const JointDef& def) {
     JointRecord& record = world.joints[index];
     std::visit(
         [&]<class Def>(const Def& d) {
-            if constexpr (requires { d.bodyA; d.collideConnected; }) {
+            if constexpr (requires {
+                              d.bodyA;
+                              d.collideConnected;
+                          }) {
                 record.bodyA = d.bodyA.index;
                 record.bodyB = d.bodyB.index;
                 record.collideConnected = d.collideConnected;

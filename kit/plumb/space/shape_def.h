@@ -27,6 +27,7 @@ struct Material {
     double surfaceSpeed = 0;               ///< of a belt: clockwise around the outline, so its top runs to +x [m/s]
     Mix frictionMix = Mix::GeometricMean;  ///< how a pair's friction comes from both
     Mix restitutionMix = Mix::Maximum;     ///< how a pair's restitution comes from both
+    friend bool operator==(const Material&, const Material&) = default;
 };
 
 /// Two shapes collide when each one's category is in the other's mask; but of one group other than 0, always when it
@@ -35,6 +36,7 @@ struct Filter {
     std::uint64_t category = 1;
     std::uint64_t mask = ~std::uint64_t{0};
     int group = 0;
+    friend bool operator==(const Filter&, const Filter&) = default;
 };
 
 /// What a contact rule may go by, when another shape comes to touch its own.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include <plumb/dynamics/detail/islands.h>
 #include <plumb/dynamics/detail/pairs.h>
 #include <plumb/dynamics/detail/sensors.h>
 #include <plumb/dynamics/detail/shape_measure.h>
@@ -144,6 +145,47 @@ void addShape(WorldState& world, BodyIndex body, const ShapeDef& def, std::uint3
     measure(world, added, record);
 }
 
+void wakeTouching(WorldState& world, BodyIndex body, std::uint32_t number) {
+    std::vector<BodyIndex> others;
+    forEachContact(world.bodies, world.contacts, body, [&](ContactIndex index) {
+        const ContactRecord& contact = world.contacts.contacts[index];
+        const bool first = contact.bodyA == body;
+        if (contact.touching && (first ? world.proxyA(contact) : world.proxyB(contact)).number == number)
+            others.push_back(first ? contact.bodyB : contact.bodyA);
+    });
+    for (const BodyIndex other : others) wakeIsland(world, other);
+    wakeIsland(world, body);
+}
+
+void alterShape(WorldState& world, BodyIndex body, const ShapeDef& def, std::uint32_t number) {
+    const std::span<const ProxyId> pieces = piecesOf(world, body, number);
+    const ShapeDef before = world.space[pieces.front()].def;
+    for (const ProxyId proxy : pieces) {
+        ShapeDef part = def;
+        part.shape = world.space[proxy].def.shape;
+        world.space.change(proxy, part);
+        outline(world, proxy, world.bodies.record[body].localCenter);
+    }
+    if (before.material == def.material && before.filter == def.filter) return;
+    forEachContact(world.bodies, world.contacts, body, [&](ContactIndex index) {
+        ContactRecord& contact = world.contacts.contacts[index];
+        if (std::find(pieces.begin(), pieces.end(), contact.bodyA == body ? contact.proxyA : contact.proxyB) ==
+            pieces.end())
+            return;
+        if (!mayPair(world.proxyA(contact), world.proxyB(contact))) {
+            removeContact(world, index);
+            return;
+        }
+        mixMaterials(world, contact);
+        settleAnew(world, index);
+    });
+    if (before.filter == def.filter || !world.bodies.record[body].enabled) return;
+    for (const ProxyId proxy : pieces) {
+        removeSensorPairs(world, proxy);
+        pairShape(world, proxy);
+    }
+}
+
 void removeShape(WorldState& world, BodyIndex body, std::uint32_t number) {
     BodyRecord& record = world.bodies.record[body];
     const std::span<const ProxyId> pieces = piecesOf(world, body, number);
@@ -211,7 +253,10 @@ void giveMass(WorldState& world, BodyIndex body, const Mass& mass) {
 void followShapes(WorldState& world, BodyIndex body) {
     const BodyRecord& record = world.bodies.record[body];
     if (record.type != BodyType::Dynamic || record.massGiven) return;
-    giveMass(world, body, massOfShapes(world, body));
+    const Mass mass = massOfShapes(world, body);
+    if (mass.mass == record.mass && mass.inertia == record.inertia && mass.center == record.localCenter) return;
+    giveMass(world, body, mass);
+    wakeIsland(world, body);
 }
 
 }  // namespace plumb

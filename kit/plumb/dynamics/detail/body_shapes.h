@@ -17,6 +17,10 @@ Mass massOfShapesWithout(const WorldState& world, BodyIndex body, std::uint32_t 
 
 /// Puts a shape where the body is now, behind those of lower numbers.
 void addShape(WorldState& world, BodyIndex body, const ShapeDef& def, std::uint32_t number);
+/// Gives a shape another material, filter or tag, and keeps contacts and their impulses where they may stay.
+void alterShape(WorldState& world, BodyIndex body, const ShapeDef& def, std::uint32_t number);
+/// Wakes what touches a shape, before it changes or goes, and its body.
+void wakeTouching(WorldState& world, BodyIndex body, std::uint32_t number);
 /// Takes a shape out of the space, and its contacts with it.
 void removeShape(WorldState& world, BodyIndex body, std::uint32_t number);
 void removeShapes(WorldState& world, BodyIndex body);

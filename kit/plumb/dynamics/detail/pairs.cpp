@@ -58,8 +58,6 @@ double roundingOf(const Proxy& a, const Proxy& b) {
 ContactRecord contactOf(const WorldState& world, const Pair& pair) {
     const Proxy& a = world.space[pair.a];
     const Proxy& b = world.space[pair.b];
-    const Material& ma = a.def.material;
-    const Material& mb = b.def.material;
     ContactRecord contact;
     contact.proxyA = pair.a;
     contact.proxyB = pair.b;
@@ -67,12 +65,8 @@ ContactRecord contactOf(const WorldState& world, const Pair& pair) {
     contact.bodyB = b.owner;
     const auto isBox = [&](ProxyId proxy) { return world.contacts.boxes[proxy].kind == BoxOutline::Kind::Box; };
     contact.boxes = isBox(pair.a) && isBox(pair.b);
-    contact.friction = std::min(mixed(ma.friction, mb.friction, ma.frictionMix, mb.frictionMix), roughest);
-    contact.restitution = mixed(ma.restitution, mb.restitution, ma.restitutionMix, mb.restitutionMix);
-    const double reach = std::max(ma.rollingResistance, mb.rollingResistance) * roundingOf(a, b);
-    contact.rollingReach = static_cast<float>(std::min(reach, roughest));
-    contact.beltSpeed = static_cast<float>(ma.surfaceSpeed + mb.surfaceSpeed);
     contact.ruled = hasRule(a.def) || hasRule(b.def);
+    mixMaterials(world, contact);
     return contact;
 }
 
@@ -94,7 +88,30 @@ void addContact(WorldState& world, const Pair& pair) {
     }
 }
 
+bool isPaired(const WorldState& world, ProxyId a, ProxyId b) {
+    const BodyIndex owner = world.space[a].owner;
+    const BodyIndex body = world.bodies.isDynamic(owner) ? owner : world.space[b].owner;
+    bool paired = false;
+    forEachContact(world.bodies, world.contacts, body, [&](ContactIndex index) {
+        const ContactRecord& contact = world.contacts.contacts[index];
+        paired = paired || (contact.proxyA == std::min(a, b) && contact.proxyB == std::max(a, b));
+    });
+    return paired;
+}
+
 }  // namespace
+
+void mixMaterials(const WorldState& world, ContactRecord& contact) {
+    const Proxy& a = world.proxyA(contact);
+    const Proxy& b = world.proxyB(contact);
+    const Material& ma = a.def.material;
+    const Material& mb = b.def.material;
+    contact.friction = std::min(mixed(ma.friction, mb.friction, ma.frictionMix, mb.frictionMix), roughest);
+    contact.restitution = mixed(ma.restitution, mb.restitution, ma.restitutionMix, mb.restitutionMix);
+    const double reach = std::max(ma.rollingResistance, mb.rollingResistance) * roundingOf(a, b);
+    contact.rollingReach = static_cast<float>(std::min(reach, roughest));
+    contact.beltSpeed = static_cast<float>(ma.surfaceSpeed + mb.surfaceSpeed);
+}
 
 bool joinedApart(const WorldState& world, BodyIndex a, BodyIndex b) {
     const auto& joints = world.bodies.record[a].joints;
@@ -132,6 +149,17 @@ void pairShapes(WorldState& world, BodyIndex a, BodyIndex b) {
             if (!isSensor(pa) && !isSensor(pb) && mayPair(world.space[pa], world.space[pb]) &&
                 world.space.previousBoxesOverlap(pa, pb))
                 addContact(world, {std::min(pa, pb), std::max(pa, pb)});
+}
+
+void pairShape(WorldState& world, ProxyId proxy) {
+    std::vector<ProxyId> others;
+    world.space.query(world.space.box(proxy), [&](ProxyId other) {
+        if (mayPair(world.space[proxy], world.space[other]) && world.space.previousBoxesOverlap(proxy, other))
+            others.push_back(other);
+    });
+    std::sort(others.begin(), others.end());
+    for (const ProxyId other : others)
+        if (!isPaired(world, proxy, other)) addContact(world, {std::min(proxy, other), std::max(proxy, other)});
 }
 
 void findPairs(WorldState& world) {
