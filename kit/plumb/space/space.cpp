@@ -3,6 +3,8 @@
 
 #include <limits>
 
+#include <plumb/math/detail/bytes_of.h>
+
 namespace plumb {
 
 namespace {
@@ -94,6 +96,29 @@ void Space::enter(ProxyId id, Home home) {
     seats_[id].home = home;
     ++crowd.changes;
     crowd.tree.putPrevious(seats_[id].slot, BoundsRounding(origin_)(previousBox(id)));
+}
+
+void Space::reserve(std::size_t shapes) {
+    proxies_.reserve(shapes);
+    placed_.reserve(shapes);
+    previousBoxes_.reserve(shapes);
+    seats_.reserve(shapes);
+    gates_.reserve(shapes);
+    free_.reserve(shapes);
+    moved_.reserve(shapes);
+    crowdOf(Home::Moving).tree.reserve(shapes);
+}
+
+std::size_t Space::bytes() const {
+    std::size_t bytes = bytesOf(proxies_) + bytesOf(placed_) + bytesOf(previousBoxes_) + bytesOf(seats_) +
+                        bytesOf(gates_) + bytesOf(free_) + bytesOf(moved_) + bytesOf(pairs_) + bytesOf(sortBoxes_) +
+                        bytesOf(unsorted_) + bytesOf(sorted_) + mortonSort_.bytes() + pairSort_.bytes();
+    for (const Crowd& crowd : crowds_) bytes += crowd.tree.bytes();
+    for (const Proxy& proxy : proxies_) {
+        bytes += proxy.convex.vertices.bytes() + proxy.convex.normals.bytes();
+        if (const auto* polygon = std::get_if<Polygon>(&proxy.def.shape)) bytes += bytesOf(polygon->vertices);
+    }
+    return bytes;
 }
 
 }  // namespace plumb

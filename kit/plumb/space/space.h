@@ -113,6 +113,11 @@ public:
     /// Did they, at the last look for pairs?
     bool previousBoxesOverlap(ProxyId a, ProxyId b) const { return overlap(previousBox(a), previousBox(b)); }
 
+    /// Makes room for so many shapes.
+    void reserve(std::size_t shapes);
+    /// Of memory that it holds.
+    std::size_t bytes() const;
+
     const SpaceWork& work() const { return work_; }
 
 private:

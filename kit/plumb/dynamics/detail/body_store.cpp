@@ -9,6 +9,21 @@ BodyStore::BodyStore() {
     acquire();  // slot 0
 }
 
+void BodyStore::reserve(std::size_t bodies) {
+    motion.reserve(bodies);
+    record.reserve(bodies);
+    velocity.reserve(bodies);
+    displacement.reserve(bodies);
+    warm.reserve(bodies);
+    before.reserve(bodies);
+    turn.reserve(bodies);
+    kick.reserve(bodies);
+    pushed.reserve(bodies);
+    place.reserve(bodies);
+    awake.reserve(bodies);
+    free.reserve(bodies);
+}
+
 BodyIndex BodyStore::acquire() {
     if (!free.empty()) {
         const BodyIndex body = free.back();

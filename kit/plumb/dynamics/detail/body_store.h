@@ -84,6 +84,7 @@ struct BodyStore {
     std::vector<BodyIndex> free;
 
     BodyStore();
+    void reserve(std::size_t bodies);
     BodyIndex acquire();
     void release(BodyIndex body);
     void wake(BodyIndex body);
