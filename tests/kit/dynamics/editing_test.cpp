@@ -307,7 +307,8 @@ TEST_CASE("a box on the floor that grows ten times as heavy keeps its touch and 
         CHECK(world.contactBegins().size() + world.contactEnds().size() == 0);
     }
     double force = 0;
-    for (const plumb::ContactPoint& point : world.body(rest.box).contacts()[0].points) force += point.normalForce;
+    const plumb::Contact contact = world.body(rest.box).contacts()[0];
+    for (const plumb::ContactPoint& point : contact.points) force += point.normalForce;
     CHECK(std::fabs(force - 98.1) < 0.5);
     CHECK(world.body(rest.box).inertia() == 10.0 / 6);
     world.body(rest.box).setMassFromShapes();
@@ -323,8 +324,8 @@ TEST_CASE("a box whose centre of mass is moved beyond its support tips over, and
     world.body(box).setMass({1, {0.3, 0}, 0.2});
     world.step(dt);
     REQUIRE(world.body(box).contacts().size() == 1);
-    for (const plumb::ContactPoint& point : world.body(box).contacts()[0].points)
-        CHECK(std::fabs(point.position.y()) < 2e-3);
+    const plumb::Contact contact = world.body(box).contacts()[0];
+    for (const plumb::ContactPoint& point : contact.points) CHECK(std::fabs(point.position.y()) < 2e-3);
     steps(world, 60);
     CHECK(world.body(box).position().y() < 0.3);
 }

@@ -65,7 +65,7 @@ void addWatched(WorldState& world, std::vector<ContactIndex>& candidates) {
                 ContactRecord& contact = world.contacts.contacts[index];
                 const bool free = bodiesReady(world, contact) && !isConstrained(world, contact) &&
                                   contact.verdict != Verdict::Through;
-                if (contact.isolated || contact.restitution == 0 || !free) return;
+                if (contact.isolated || !free) return;
                 contact.isolated = true;
                 candidates.push_back(index);
             });
