@@ -51,6 +51,11 @@ public:
         const std::uint16_t* touched;  ///< of each block of levels[0], one bit a lane
     };
 
+    /// Makes room for so many slots.
+    void reserve(std::size_t slots);
+    /// Of memory that it holds.
+    std::size_t bytes() const;
+
     std::uint32_t slotCount() const { return static_cast<std::uint32_t>(members_.size()); }
     std::uint32_t memberCount() const { return memberCount_; }
     /// The member of each slot; noMember in a hole.

@@ -9,6 +9,7 @@
 #include <plumb/collide/distance.h>
 #include <plumb/dynamics/body.h>
 #include <plumb/dynamics/body_def.h>
+#include <plumb/dynamics/counts.h>
 #include <plumb/dynamics/events.h>
 #include <plumb/dynamics/id.h>
 #include <plumb/dynamics/joint.h>
@@ -90,6 +91,9 @@ public:
     std::span<const Quarantined> quarantines() const;
     std::vector<BodyMoved> moves() const;  ///< in the order of their slots; without those removed since
     StepProfile profile() const;
+
+    void reserve(const Capacity& capacity);
+    WorldCounts counts() const;  ///< takes a look at all there is
 
 private:
     std::unique_ptr<WorldState> state_;

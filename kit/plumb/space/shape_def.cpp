@@ -52,6 +52,9 @@ void validate(const ShapeDef& def, const std::string& field) {
     requireWithin(def.material.restitution, 0, 1, field, ".material.restitution");
     requireNotNegative(def.material.rollingResistance, field, ".material.rollingResistance");
     requireFinite(def.material.surfaceSpeed, field, ".material.surfaceSpeed");
+    if (!def.oneWay) return;
+    requireFinite(*def.oneWay, field, ".oneWay");
+    if (def.oneWay->isZero(0)) refuse(field + ".oneWay", "(0, 0) is no direction");
 }
 
 }  // namespace plumb

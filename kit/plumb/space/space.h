@@ -23,6 +23,7 @@ struct Proxy {
     Convex convex;             ///< the shape as seen from the owner's centre of mass
     std::uint32_t owner = 0;   ///< an index its owner's side knows; shapes of one owner never pair
     std::uint32_t number = 0;  ///< which of its owner's shapes it is, or is a piece of
+    bool piece = false;        ///< of a chain
     bool fixed = false;        ///< never moves by itself, and never pairs with another that is fixed
     bool alive = false;
 };
@@ -33,17 +34,18 @@ struct Gate {
     std::uint32_t owner = 0;
     int group = 0;
     bool fixed = false;
+    bool sensor = false;
 };
 
 inline bool mayPair(const Gate& a, const Gate& b) {
-    if (a.owner == b.owner || (a.fixed && b.fixed)) return false;
+    if (a.owner == b.owner || (a.fixed && b.fixed) || (a.sensor && b.sensor)) return false;
     if (a.group != 0 && a.group == b.group) return a.group > 0;
     return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
 }
 
 inline Gate gateOf(const Proxy& proxy) {
     const Filter& filter = proxy.def.filter;
-    return {filter.category, filter.mask, proxy.owner, filter.group, proxy.fixed};
+    return {filter.category, filter.mask, proxy.owner, filter.group, proxy.fixed, proxy.def.sensor};
 }
 
 /// May these two collide, as far as owner and filter go?
@@ -71,8 +73,16 @@ public:
     void setLanes(int lanes) { lanes_ = lanes; }
 
     ProxyId add(const ShapeDef& def, std::uint32_t owner, bool fixed, const Vec2& localCenter, const Aabb& tight,
-                std::uint32_t number = 0);
+                std::uint32_t number = 0, bool piece = false);
     void remove(ProxyId proxy);
+
+    /// Takes a shape out until it is placed and renewed; it keeps its id.
+    void hide(ProxyId proxy);
+    /// Another material, filter or tag, or another way to meet what it meets; the outline stays. What has come to pair
+    /// thereby is the owner's to find, or to renew.
+    void change(ProxyId proxy, const ShapeDef& def);
+    /// Now fixed, or not any more, and seen from another centre of mass. To be renewed if fixed has changed.
+    void change(ProxyId proxy, bool fixed, const Vec2& localCenter);
 
     /// Tells where a shape is and will be; a box that no longer holds it, or holds far too much, is renewed with
     /// margin [m] to spare.
@@ -102,6 +112,11 @@ public:
     bool boxesOverlap(ProxyId a, ProxyId b) const { return overlap(placed_[a].box, placed_[b].box); }
     /// Did they, at the last look for pairs?
     bool previousBoxesOverlap(ProxyId a, ProxyId b) const { return overlap(previousBox(a), previousBox(b)); }
+
+    /// Makes room for so many shapes.
+    void reserve(std::size_t shapes);
+    /// Of memory that it holds.
+    std::size_t bytes() const;
 
     const SpaceWork& work() const { return work_; }
 
