@@ -27,9 +27,10 @@ inline double gapAt(const Case& c, double fraction) {
 /// Of convex shapes the gap is a convex function of the fraction: thirds close in on its least.
 inline double leastGap(const Case& c) {
     double low = 0, high = 1;
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < 60; ++i) {
         const double a = low + (high - low) / 3, b = high - (high - low) / 3;
-        (gapAt(c, a) < gapAt(c, b) ? high : low) = gapAt(c, a) < gapAt(c, b) ? b : a;
+        const bool before = gapAt(c, a) < gapAt(c, b);
+        (before ? high : low) = before ? b : a;
     }
     return std::min({gapAt(c, low), gapAt(c, 0), gapAt(c, 1)});
 }

@@ -10,6 +10,7 @@
 #include <plumb/dynamics/detail/distance_joint.h>
 #include <plumb/dynamics/detail/lane_collider.h>
 #include <plumb/dynamics/detail/revolute_joint.h>
+#include <plumb/dynamics/detail/strays.h>
 #include <plumb/dynamics/world.h>
 #include <plumb/space/space.h>
 
@@ -56,6 +57,7 @@ struct WorldState {
     std::vector<BodyIndex> unsound;      ///< to be put in quarantine
     std::vector<ContactIndex> isolated;  ///< contacts left to the impacts in the last step that had such
     const LaneCollider* collider = nullptr;
+    Strays strays;
 
     BodyId idOf(BodyIndex body) const { return {body, bodies.record[body].generation, id}; }
     ShapeId idOfShape(ProxyId proxy) const { return {idOf(space[proxy].owner), space[proxy].number}; }
