@@ -153,3 +153,30 @@ TEST_CASE("a cast shape without size is a ray, to the last places, 20,000 times"
     CHECK(worst < 30 * std::numeric_limits<double>::epsilon() / 2 * 12);  // of numbers up to 12
     CHECK(hits > 2000);
 }
+
+TEST_CASE("a chain meets, and is met, where the first of its segments is, 4,000 times", "[collide]") {
+    Random random(37);
+    int differ = 0, hits = 0;
+    for (int i = 0; i < 4000; ++i) {
+        plumb::Chain chain;
+        for (int k = 0; k < 4; ++k) chain.points.push_back(randomVec2(random, 2));
+        const Transform chainPose{randomVec2(random, 2), turnBy(random.uniform(-3, 3))};
+        const Shape other = randomShape(random, randomKind(random), 1);
+        const Transform pose{randomVec2(random, 6), turnBy(random.uniform(-3, 3))};
+        const Vec2 shift = randomVec2(random, 9);
+        const bool moves = random.integer(0, 1) == 0;
+        const auto castOf = [&](const Shape& line) {
+            return moves ? castShape(line, chainPose, shift, other, pose)
+                         : castShape(other, pose, shift, line, chainPose);
+        };
+        double first = 2;
+        for (std::size_t k = 0; k < 3; ++k)
+            if (const std::optional<CastPoint> hit = castOf(plumb::Segment{chain.points[k], chain.points[k + 1]}))
+                first = std::min(first, hit->fraction);
+        const std::optional<CastPoint> hit = castOf(chain);
+        differ += hit ? hit->fraction != first : first != 2;
+        hits += hit.has_value();
+    }
+    CHECK(differ == 0);
+    CHECK(hits > 500);
+}

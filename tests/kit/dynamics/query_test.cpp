@@ -8,10 +8,9 @@
 
 #include "catch.h"
 
-namespace {
+namespace plumb::test {
 
-using namespace plumb;
-using plumb::test::containsText;
+namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 const double notANumber = std::numeric_limits<double>::quiet_NaN();
@@ -170,3 +169,5 @@ TEST_CASE("queries refuse what is no place, no shape and no distance, by name an
     refuses([&] { world.distance({body, 1}, {body, 0}); }, "World.distance: a.number: 1 is no shape");
     refuses([&] { world.distance({body, 0}, {}); }, "World.distance: b.body");
 }
+
+}  // namespace plumb::test
