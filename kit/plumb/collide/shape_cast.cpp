@@ -2,6 +2,7 @@
 #include <plumb/collide/shape_cast.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -28,24 +29,21 @@ double touchOf(const Outline& target, const Outline& moving, const Vec2& shift) 
     return eightRoundings * (largestOf(target) + largestOf(moving) + shift.cwiseAbs().maxCoeff());
 }
 
-Outline shifted(const Outline& outline, const Vec2& shift) {
-    Outline result = outline;
-    for (std::size_t i = 0; i < outline.count; ++i) result.corners[i] += shift;
-    return result;
-}
-
 std::optional<CastPoint> overlapping(const Distance& now, const Vec2& point, const Vec2& shift) {
     const double length = std::sqrt(shift.dot(shift));
     return CastPoint{point, length > 0 ? Vec2(-shift / length) : now.normal, 0};
 }
 
 /// The outlines of convex shapes, seen from one origin, as is the point that is found.
-std::optional<CastPoint> castOutline(const Outline& moving, const Vec2& shift, const Outline& target) {
+std::optional<CastPoint> castOutline(Outline moving, const Vec2& shift, const Outline& target) {
+    std::array<Vec2, maxPolygonVertices> start;  // of its corners
+    std::copy_n(moving.corners.begin(), moving.count, start.begin());
     const double radii = target.radius + moving.radius, touch = touchOf(target, moving, shift);
     double fraction = 0;
     Vec2 normal{0, 0};
     for (int i = 0; i < mostSteps; ++i) {
-        const Distance now = coreDistance(target, shifted(moving, shift * fraction));
+        for (std::size_t k = 0; k < moving.count; ++k) moving.corners[k] = start[k] + shift * fraction;
+        const Distance now = coreDistance(target, moving);
         const double separation = now.separation - radii;
         const Vec2 point = now.pointA + now.normal * target.radius;
         if (i == 0 && separation <= 0) return overlapping(now, point, shift);
