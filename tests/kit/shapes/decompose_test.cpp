@@ -196,13 +196,21 @@ const char* faultOf(const Points& outline, const std::vector<Polygon>& pieces, R
     return nullptr;
 }
 
-std::string complaintAbout(const Points& outline) {
+struct Taken {
+    std::vector<Polygon> pieces;
+    std::string complaint;
+};
+
+Taken takeApart(const Points& outline) {
     try {
-        convexPieces(outline);
+        return {convexPieces(outline), ""};
     } catch (const std::invalid_argument& refused) {
-        return refused.what();
+        return {{}, refused.what()};
     }
-    return "";
+}
+
+std::string complaintAbout(const Points& outline) {
+    return takeApart(outline).complaint;
 }
 
 }  // namespace
@@ -221,15 +229,12 @@ TEST_CASE("pieces of 8,000 random outlines cover them, and nothing else, without
         for (int i = 0; i < 2000; ++i) {
             const Points outline = disguised(family.make(random), random);
             corners += outline.size();
-            std::string fault = complaintAbout(outline);
-            if (fault.empty()) {
-                const std::vector<Polygon> pieces = convexPieces(outline);
-                pieceCount += pieces.size();
-                const char* wrong = faultOf(outline, pieces, random);
-                if (wrong) fault = wrong;
-            } else {
-                ++refused;
-            }
+            const Taken taken = takeApart(outline);
+            std::string fault = taken.complaint;
+            refused += !fault.empty();
+            pieceCount += taken.pieces.size();
+            const char* wrong = fault.empty() ? faultOf(outline, taken.pieces, random) : nullptr;
+            if (wrong) fault = wrong;
             if (!fault.empty() && faults++ == 0) first = "outline " + std::to_string(i) + ": " + fault;
         }
         INFO(family.name << ": " << corners << " corners, " << pieceCount << " pieces, " << refused << " refused; "
@@ -237,6 +242,35 @@ TEST_CASE("pieces of 8,000 random outlines cover them, and nothing else, without
         CHECK(faults == 0);
         CHECK(2 * pieceCount < corners);
     }
+}
+
+TEST_CASE("20,000 outlines on a coarse grid, most of them at fault, are taken apart rightly or refused", "[shapes]") {
+    Random random(99);
+    int taken = 0, faults = 0;
+    std::string first;
+    for (int i = 0; i < 20'000; ++i) {
+        const int cells = random.integer(1, 6), count = random.integer(3, 9);
+        // As far out as a body may lie, a coarse grid of doubles is fine enough for it; and so small that squares
+        // vanish.
+        const double size = std::exp2(random.integer(0, 4) ? 0 : random.integer(-400, 40));
+        Points outline;
+        for (int k = 0; k < count; ++k) {
+            const double x = random.integer(0, cells);
+            outline.push_back(size * Vec2(x, random.integer(0, cells)));
+        }
+        auto [pieces, complaint] = takeApart(outline);
+        if (!complaint.empty()) continue;
+        ++taken;
+        Points unit = outline;
+        for (Vec2& p : unit) p /= size;
+        for (Polygon& piece : pieces)
+            for (Vec2& p : piece.vertices) p /= size;
+        const char* fault = faultOf(unit, pieces, random);
+        if (fault && faults++ == 0) first = "outline " + std::to_string(i) + ": " + fault;
+    }
+    INFO(faults << " faults, the first: " << first);
+    CHECK(faults == 0);
+    CHECK(taken > 2000);
 }
 
 TEST_CASE("a convex outline of 64 corners is one piece, one of 65 two", "[shapes]") {
