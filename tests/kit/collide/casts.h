@@ -35,10 +35,22 @@ inline double leastGap(const Case& c) {
     return std::min({gapAt(c, low), gapAt(c, 0), gapAt(c, 1)});
 }
 
+/// A line along the way lies between the two: a short proof that they never meet.
+inline bool passesBeside(const Case& c) {
+    const double way = length(c.shift);
+    const Point aside = way > 0 ? Point{-c.shift.y, c.shift.x} * (1 / way) : Point{0, 1};
+    return gapAlong(c.target, c.moving, aside) > 0 || gapAlong(c.target, c.moving, aside * -1) > 0;
+}
+
 /// Thirty roundings of the largest numbers: to turn, shift, subtract, project, and come back from a fraction takes
 /// about ten, here as there; a root adds some.
 inline double toleranceOf(const Case& c) {
     return 30 * std::numeric_limits<double>::epsilon() / 2 * c.size;
+}
+
+/// Are they deep in each other somewhere on the way?
+inline bool surelyMeet(const Case& c) {
+    return !passesBeside(c) && leastGap(c) < -toleranceOf(c);
 }
 
 inline const char* faultOfHit(const Case& c, const plumb::CastPoint& hit) {
@@ -69,7 +81,7 @@ inline const char* faultOfHit(const Case& c, const plumb::CastPoint& hit) {
 /// Null when the cast is right.
 inline const char* faultOf(const Case& c, const std::optional<plumb::CastPoint>& hit) {
     if (hit) return faultOfHit(c, *hit);
-    return leastGap(c) < -toleranceOf(c) ? "missed" : nullptr;
+    return surelyMeet(c) ? "missed" : nullptr;
 }
 
 }  // namespace casts

@@ -83,10 +83,8 @@ inline Case caseOf(const Outline& piece, const Known& known, const Mover& mover,
 /// The gap's least value, over pieces, up to a part of the way: nowhere may it be less than nothing.
 inline bool isMetBefore(const Known& known, const Mover& mover, double part) {
     if (isOutOfReach(known, mover)) return false;
-    return std::any_of(known.pieces.begin(), known.pieces.end(), [&](const Outline& piece) {
-        const Case c = caseOf(piece, known, mover, part);
-        return leastGap(c) < -toleranceOf(c);
-    });
+    return std::any_of(known.pieces.begin(), known.pieces.end(),
+                       [&](const Outline& piece) { return surelyMeet(caseOf(piece, known, mover, part)); });
 }
 
 inline bool isRightlyMet(const Known& known, const Mover& mover, const CastHit& hit) {
