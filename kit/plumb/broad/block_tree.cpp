@@ -179,6 +179,11 @@ void BlockTree::settle() {
     touchedBlocks_.clear();
 }
 
+Bounds BlockTree::bounds() const {
+    if (levelCount_ == 0) return {notANumber, notANumber, notANumber, notANumber};
+    return boundsOf(levels_[levelCount_ - 1][0]);
+}
+
 double BlockTree::looseness() const {
     if (levelCount_ < 2) return 0;
     double sum = 0;

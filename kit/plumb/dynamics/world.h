@@ -77,7 +77,7 @@ public:
     std::vector<ShapeId> overlapBox(const Aabb& box, const Filter& filter = {}) const;
     std::vector<ShapeId> overlapShape(const Shape& shape, const Transform& pose, const Filter& filter = {}) const;
     std::vector<ShapeId> overlapPoint(const Vec2& point, const Filter& filter = {}) const;
-    /// The shape nearest to a point, of those no farther than within [m].
+    /// The shape nearest to a point, of those no farther than within, >= 0, may be infinite [m].
     std::optional<Nearest> nearest(const Vec2& point, double within, const Filter& filter = {}) const;
     Distance distance(ShapeId a, ShapeId b) const;
 

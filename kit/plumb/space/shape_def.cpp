@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <plumb/math/check.h>
+#include <plumb/shapes/decompose.h>
 
 namespace plumb {
 
@@ -43,6 +44,12 @@ ShapeDef chain(std::vector<Vec2> points, const Material& material) {
 
 ShapeDef loop(std::vector<Vec2> points, const Material& material) {
     return {.shape = Chain{std::move(points), true}, .material = material};
+}
+
+std::vector<ShapeDef> outline(std::vector<Vec2> points, const Material& material) {
+    std::vector<ShapeDef> shapes;
+    for (Polygon& piece : convexPieces(points)) shapes.push_back({.shape = std::move(piece), .material = material});
+    return shapes;
 }
 
 void validate(const ShapeDef& def, const std::string& field) {

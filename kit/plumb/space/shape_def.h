@@ -85,6 +85,10 @@ ShapeDef chain(std::vector<Vec2> points, const Material& material = {});
 /// The same, closed: from the last point on to the first.
 ShapeDef loop(std::vector<Vec2> points, const Material& material = {});
 
+/// A simple outline, convex or not, either way round, in as many convex polygons as it takes: BodyDef.shapes of it. See
+/// shapes/decompose.h for what it refuses.
+std::vector<ShapeDef> outline(std::vector<Vec2> points, const Material& material = {});
+
 /// Throws std::invalid_argument naming the field, the value and what was wanted; field is the name of the def itself.
 void validate(const ShapeDef& def, const std::string& field);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/space/space.h>
 
+#include <algorithm>
 #include <limits>
 
 #include <plumb/math/detail/bytes_of.h>
@@ -119,6 +120,27 @@ std::size_t Space::bytes() const {
         if (const auto* polygon = std::get_if<Polygon>(&proxy.def.shape)) bytes += bytesOf(polygon->vertices);
     }
     return bytes;
+}
+
+/// A ray that goes far beyond all there is would be coarse in floats.
+RayPart Space::partWithin(const Vec2& halfSize, const Vec2& from, const Vec2& to) const {
+    constexpr double far = 8192;
+    const Vec2 reach = (from - origin_).cwiseAbs().cwiseMax((to - origin_).cwiseAbs());
+    if (reach.maxCoeff() < far) return {};
+    RayPart part{1, 0};
+    for (const Crowd& crowd : crowds_) {
+        const Bounds bounds = crowd.tree.bounds();
+        if (!(bounds.lowerX <= bounds.upperX)) continue;
+        const Vec2 lower(static_cast<double>(bounds.lowerX), static_cast<double>(bounds.lowerY));
+        const Vec2 upper(static_cast<double>(bounds.upperX), static_cast<double>(bounds.upperY));
+        // A millionth more, for the roundings of the bounds.
+        const Vec2 spare = halfSize + 1e-6 * (lower.cwiseAbs().cwiseMax(upper.cwiseAbs()));
+        const RayPart here = clipRay(from, to, {lower + origin_ - spare, upper + origin_ + spare});
+        if (!(here.first <= here.last)) continue;
+        part =
+            part.first <= part.last ? RayPart{std::min(part.first, here.first), std::max(part.last, here.last)} : here;
+    }
+    return part;
 }
 
 }  // namespace plumb

@@ -6,6 +6,7 @@
 
 #include <plumb/dynamics/detail/body_shapes.h>
 #include <plumb/dynamics/detail/load_bodies.h>
+#include <plumb/dynamics/detail/pairs.h>
 
 namespace plumb {
 
@@ -95,6 +96,7 @@ std::vector<BodyIndex> islandOf(const WorldState& world, BodyIndex seed, std::ve
 
 void putToSleep(WorldState& world, const std::vector<BodyIndex>& island) {
     for (const BodyIndex body : island) {
+        if (hasLeftItsBoxes(world, body)) placeBody(world, body, 0);
         world.bodies.motion[body].velocity.setZero();
         world.bodies.motion[body].angularVelocity = 0;
         world.bodies.putToSleep(body);

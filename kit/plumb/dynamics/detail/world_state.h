@@ -13,6 +13,7 @@
 #include <plumb/dynamics/detail/joint_store.h>
 #include <plumb/dynamics/detail/lane_collider.h>
 #include <plumb/dynamics/detail/sensor_store.h>
+#include <plumb/dynamics/detail/strays.h>
 #include <plumb/dynamics/world.h>
 #include <plumb/space/space.h>
 
@@ -58,6 +59,7 @@ struct WorldState {
     std::vector<BodyIndex> unsound;      ///< to be put in quarantine
     std::vector<ContactIndex> isolated;  ///< contacts left to the impacts in the last step that had such
     const LaneCollider* collider = nullptr;
+    Strays strays;
 
     BodyId idOf(BodyIndex body) const { return {body, bodies.record[body].generation, id}; }
     ShapeId idOfShape(ProxyId proxy) const { return {idOf(space[proxy].owner), space[proxy].number}; }
