@@ -72,10 +72,11 @@ bool isStop(RowState state) {
     return state == RowState::AtLowerStop || state == RowState::AtUpperStop;
 }
 
-/// d of a damper, w what a unit impulse does to the row's speed: more than this takes all of the speed away.
+/// d of a damper, w what a unit impulse does to the row's speed: more than this takes all of the speed away, less than
+/// that nothing, and its inverse would be too large a number.
 double slopeOf(const JointRow& row, double w) {
-    constexpr double most = 30;
-    return row.damper > 0 && w > 0 ? exponentialMinus1(std::min(row.damper * w, most)) / w : 0.0;
+    constexpr double least = 1e-16, most = 30;
+    return row.damper * w > least ? exponentialMinus1(std::min(row.damper * w, most)) / w : 0.0;
 }
 
 /// Before a sub-step, a damper goes by the speed there was.
