@@ -5,7 +5,7 @@ namespace plumb {
 
 Decay decay(double damping, double time) {
     const double x = damping * time;
-    if (x == 0) return {1, time, 0.5 * time * time};
+    if (x < 1e-17) return {1, time, 0.5 * time * time};  // no other numbers, and 1 / damping^2 may be too large
     const double lost = -exponentialMinus1(-x);
     // (x - lost) / k^2 cancels for small x: below 0.05 by its series, to 1e-17 after eight terms
     double rest = x - lost;

@@ -15,6 +15,11 @@ void release(JointRow& row) {
 
 }  // namespace
 
+double boundOf(double force) {
+    constexpr double most = 1e40;
+    return force < most ? force : unlimited;
+}
+
 JointRow rowAlong(const Vec2& axis, const Ends& ends) {
     JointRow row;
     const Vec2 fromA = ends.a.arm + ends.apart();
@@ -77,7 +82,7 @@ void keepWithin(JointRow& row, const Limit& limit, const Course& course, double 
 
 void drive(JointRow& row, double speed, double force, const JointPass& pass) {
     row.holds = false;
-    row.high = force > 0 ? force * (0.5 * pass.step) : 0.0;
+    row.high = force > 0 ? boundOf(force) * (0.5 * pass.step) : 0.0;
     row.low = -row.high;
     row.target = speed;
 }

@@ -94,6 +94,8 @@ JointRows rowsFor(const Ends& ends);
 void hold(JointRow& row, const Course& course, double speed, const JointPass& pass);
 /// Keeps the coordinate within a limit; what the row held is now only what its motor may do.
 void keepWithin(JointRow& row, const Limit& limit, const Course& course, double speed, const JointPass& pass);
+/// More force or torque than anything in a world could need is no bound, so that its numbers cannot overflow.
+double boundOf(double force);
 /// Drives it at a speed with no more than a force or torque; 0: not at all.
 void drive(JointRow& row, double speed, double force, const JointPass& pass);
 

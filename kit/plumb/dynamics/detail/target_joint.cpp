@@ -25,7 +25,7 @@ JointRows TargetJoint::rows(const Ends& now, const JointPass& pass) const {
     for (const Vec2& axis : axes(now)) {
         JointRow& row = rows.row[rows.count++] = rowAlong(axis, now);
         pull(row, spring_, axis.dot(now.apart()), pass);
-        row.bounded = def_.maxForce < unlimited;
+        row.bounded = boundOf(def_.maxForce) < unlimited;
         if (row.bounded) row.high = def_.maxForce * (0.5 * pass.step);
         row.low = -row.high;
     }
