@@ -4,6 +4,7 @@
 #include <plumb/dynamics/detail/body_shapes.h>
 #include <plumb/dynamics/detail/islands.h>
 #include <plumb/dynamics/detail/joints_edit.h>
+#include <plumb/dynamics/detail/validate.h>
 #include <plumb/dynamics/detail/world_state.h>
 #include <plumb/math/check.h>
 
@@ -37,8 +38,9 @@ void addForce(WorldState& world, BodyIndex body, const Vec2& force, double torqu
     wakeIsland(world, body);
 }
 
-void requireMovable(const WorldState& world, BodyIndex body, const char* what) {
-    if (world.bodies.record[body].type == BodyType::Static) refuse(what, "the body is static, and stays where it is");
+void requireMovable(const WorldState& world, BodyIndex body, const char* field, const std::string& value) {
+    if (world.bodies.record[body].type == BodyType::Static)
+        refuse(field, value + " to a body that is static, and stays where it is");
 }
 
 Contact contactOf(const WorldState& world, const ContactRecord& record) {
@@ -159,14 +161,14 @@ std::vector<Contact> BodyView::contacts() const {
 
 void Body::setVelocity(const Vec2& velocity) {
     requireFinite(velocity, "Body.setVelocity: velocity");
-    requireMovable(*world_, index_, "Body.setVelocity");
+    requireMovable(*world_, index_, "Body.setVelocity: velocity", toText(velocity));
     world_->bodies.motion[index_].velocity = velocity;
     velocityChanged(*world_, index_);
 }
 
 void Body::setAngularVelocity(double angularVelocity) {
     requireFinite(angularVelocity, "Body.setAngularVelocity: angularVelocity");
-    requireMovable(*world_, index_, "Body.setAngularVelocity");
+    requireMovable(*world_, index_, "Body.setAngularVelocity: angularVelocity", toText(angularVelocity));
     if (world_->bodies.record[index_].fixedRotation && angularVelocity != 0)
         refuse("Body.setAngularVelocity: angularVelocity",
                toText(angularVelocity) + " on a body of fixed rotation, not 0");
@@ -237,14 +239,16 @@ void Body::moveTo(const Vec2& position, double angle, double dt) {
     requireFinite(angle, "Body.moveTo: angle");
     requirePositive(dt, "Body.moveTo: dt");
     const BodyRecord& record = world_->bodies.record[index_];
-    if (record.type != BodyType::Kinematic) refuse("Body.moveTo", "the body is not kinematic");
+    if (record.type != BodyType::Kinematic)
+        refuse("Body.moveTo", "the body is not kinematic, but " + nameOf(record.type));
     BodyMotion& motion = world_->bodies.motion[index_];
     const Vec2 target = position + Rot::fromAngle(angle) * record.localCenter;
     const Vec2 velocity = (target - motion.center) / dt;
     const double turn = (angle - motion.angle) / dt;
     requireFinite(velocity, "Body.moveTo: position, for the velocity it takes");
     requireFinite(turn, "Body.moveTo: angle, for the angular velocity it takes");
-    if (record.fixedRotation && turn != 0) refuse("Body.moveTo: angle", "the body is of fixed rotation");
+    if (record.fixedRotation && turn != 0)
+        refuse("Body.moveTo: angle", toText(angle) + " to a body of fixed rotation, not " + toText(motion.angle));
     motion.velocity = velocity;
     motion.angularVelocity = turn;
     velocityChanged(*world_, index_);

@@ -26,6 +26,7 @@ Mass massOf(const BodyDef& def) {
 }
 
 void validate(const BodyDef& def, const std::string& field) {
+    requireType(def.type, field + ".type");
     requireFinite(def.position, field, ".position");
     requireFinite(def.angle, field, ".angle");
     requireFinite(def.velocity, field, ".velocity");
@@ -37,7 +38,8 @@ void validate(const BodyDef& def, const std::string& field) {
         requireShape(def.shapes[i], field + ".shapes[" + std::to_string(i) + "]");
     if (def.fixedRotation && def.angularVelocity != 0)
         refuse(field + ".angularVelocity", toText(def.angularVelocity) + " on a body of fixed rotation, not 0");
-    if (def.mass && def.type != BodyType::Dynamic) refuse(field + ".mass", "given to a body that is not dynamic");
+    if (def.mass && def.type != BodyType::Dynamic)
+        refuse(field + ".mass", toText(def.mass->mass) + " kg given to a body that is not dynamic");
     if (def.type == BodyType::Dynamic) validateMass(def, field);
     if (def.type != BodyType::Static) return;
     if (!def.velocity.isZero(0)) refuse(field + ".velocity", toText(def.velocity) + " on a static body, not (0, 0)");

@@ -30,7 +30,8 @@ void changeMass(WorldState& world, BodyIndex body, const Mass& mass) {
 }
 
 void requireDynamic(const WorldState& world, BodyIndex body, const char* what) {
-    if (!world.bodies.isDynamic(body)) refuse(what, "the body is not dynamic, and has no mass");
+    if (!world.bodies.isDynamic(body))
+        refuse(what, "the body is not dynamic, but " + nameOf(world.bodies.record[body].type) + ", and has no mass");
 }
 
 /// Awake if it can be moved or moves by itself.
@@ -43,6 +44,7 @@ void wakeIfMoving(WorldState& world, BodyIndex body) {
 }  // namespace
 
 void Body::setType(BodyType type) {
+    requireType(type, "Body.setType: type");
     WorldState& world = *world_;
     BodyRecord& record = world.bodies.record[index_];
     if (type == record.type) return;

@@ -10,8 +10,9 @@ namespace plumb {
 namespace {
 
 void requireSide(const ImpactSide& side, std::string_view field) {
-    if (!(side.inverseMass >= 0)) requireNotNegative(side.inverseMass, field, ".inverseMass");
-    if (!(side.inverseInertia >= 0)) requireNotNegative(side.inverseInertia, field, ".inverseInertia");
+    requireNotNegative(side.inverseMass, field, ".inverseMass");
+    requireNotNegative(side.inverseInertia, field, ".inverseInertia");
+    requireFinite(side.arm, field, ".arm");
 }
 
 /// How the two points' relative velocity answers to an impulse at them: (n, t)' = (n, t) + K (jn, jt).
@@ -68,6 +69,7 @@ Impulses solve(const Response& k, double approach, double slip, const ImpactLaw&
 ImpactResult impact(const ImpactSide& a, const ImpactSide& b, const Vec2& normal, const ImpactLaw& law) {
     requireWithin(law.restitution, 0, 1, "ImpactLaw", ".restitution");
     if (!(law.friction >= 0)) requireNotNegative(law.friction, "ImpactLaw", ".friction");
+    if (std::fabs(normal.squaredNorm() - 1) > 1e-5) refuse("impact: normal", toText(normal) + " is not a unit vector");
     requireSide(a, "ImpactSide a");
     requireSide(b, "ImpactSide b");
 

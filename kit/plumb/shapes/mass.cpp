@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/shapes/mass.h>
 
+#include <cmath>
 #include <numbers>
+#include <string>
 
+#include <plumb/math/check.h>
 #include <plumb/math/trig.h>
 
 namespace plumb {
@@ -86,9 +89,21 @@ Mass lineMass(const Vec2& start, const Vec2& end) {
     return {0, 0.5 * (start + end), 0};
 }
 
+void requirePart(const Mass& part, std::size_t index) {
+    const bool sound = part.mass >= 0 && std::isfinite(part.mass) && part.center.allFinite() && part.inertia >= 0 &&
+                       std::isfinite(part.inertia);
+    if (sound) return;
+    const std::string field = "combine: parts[" + std::to_string(index) + "]";
+    requireNotNegative(part.mass, field, ".mass");
+    requireFinite(part.center, field, ".center");
+    requireNotNegative(part.inertia, field, ".inertia");
+}
+
 }  // namespace
 
 Mass massOf(const Shape& shape, double density) {
+    validate(shape, "massOf: shape");
+    requireNotNegative(density, "massOf: density");
     if (const auto* circle = std::get_if<Circle>(&shape)) return circleMass(*circle, density);
     if (const auto* capsule = std::get_if<Capsule>(&shape)) return capsuleMass(*capsule, density);
     if (const auto* polygon = std::get_if<Polygon>(&shape)) return polygonMass(*polygon, density);
@@ -98,6 +113,7 @@ Mass massOf(const Shape& shape, double density) {
 }
 
 Mass combine(std::span<const Mass> parts) {
+    for (std::size_t i = 0; i < parts.size(); ++i) requirePart(parts[i], i);
     Mass all;
     const Mass* heaviest = nullptr;
     for (const Mass& part : parts) {

@@ -13,7 +13,8 @@ struct Mass {
     double inertia = 0;  ///< about the centre of mass [kg m^2]
 };
 
-/// Mass of a shape of even density.
+/// Mass of a shape of even density. Throws std::invalid_argument unless the shape is one that a body can have, and the
+/// density finite and not negative.
 /// circle:  m = d pi r^2, I = m r^2 / 2
 /// capsule: a rectangle and two half discs, l long between their centres: m = d (2 r l + pi r^2),
 ///          I = d 2 r l (l^2 + 4 r^2) / 12 + d pi r^2 (r^2 / 2 + l^2 / 4 + 4 r l / 3 pi)
@@ -27,7 +28,8 @@ struct Mass {
 /// Test: "mass properties of random polygons match numerical integration"
 Mass massOf(const Shape& shape, double density);
 
-/// Several shapes as one: masses add, inertia by the parallel axis theorem.
+/// Several shapes as one: masses add, inertia by the parallel axis theorem. Throws std::invalid_argument
+/// unless all are finite, and no mass or inertia is negative.
 Mass combine(std::span<const Mass> parts);
 
 }  // namespace plumb

@@ -168,6 +168,7 @@ void validateChain(const Chain& chain, const std::string& field) {
 
 Polygon boxPolygon(const Vec2& halfSize, const Vec2& center) {
     requirePositive(halfSize, "box.halfSize");
+    requireFinite(center, "box.center");
     const double w = halfSize.x();
     const double h = halfSize.y();
     return {{center + Vec2(-w, -h), center + Vec2(w, -h), center + Vec2(w, h), center + Vec2(-w, h)}};

@@ -56,7 +56,7 @@ inline constexpr int maxPolygonVertices = 64;
 using Shape = std::variant<Circle, Capsule, Polygon, Segment, Chain>;
 
 /// An upright rectangle around center; halfSize is half its width and half its height. Throws std::invalid_argument
-/// unless both are positive.
+/// unless both are positive, and all is finite.
 Polygon boxPolygon(const Vec2& halfSize, const Vec2& center = {0, 0});
 
 /// Throws std::invalid_argument unless the shape is one a body can have; field names it in the message.

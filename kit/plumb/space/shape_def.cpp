@@ -8,6 +8,22 @@
 
 namespace plumb {
 
+namespace {
+
+void requireMix(Mix mix, const std::string& field, const char* member) {
+    switch (mix) {
+        case Mix::Average:
+        case Mix::GeometricMean:
+        case Mix::Minimum:
+        case Mix::Product:
+        case Mix::Maximum: return;
+    }
+    refuse(field + member,
+           std::to_string(static_cast<int>(mix)) + " is none of Average, GeometricMean, Minimum, Product and Maximum");
+}
+
+}  // namespace
+
 ShapeDef circle(double radius, const Material& material) {
     return {.shape = Circle{.radius = radius}, .material = material};
 }
@@ -59,6 +75,8 @@ void validate(const ShapeDef& def, const std::string& field) {
     requireWithin(def.material.restitution, 0, 1, field, ".material.restitution");
     requireNotNegative(def.material.rollingResistance, field, ".material.rollingResistance");
     requireFinite(def.material.surfaceSpeed, field, ".material.surfaceSpeed");
+    requireMix(def.material.frictionMix, field, ".material.frictionMix");
+    requireMix(def.material.restitutionMix, field, ".material.restitutionMix");
     if (!def.oneWay) return;
     requireFinite(*def.oneWay, field, ".oneWay");
     if (def.oneWay->isZero(0)) refuse(field + ".oneWay", "(0, 0) is no direction");

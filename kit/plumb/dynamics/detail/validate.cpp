@@ -16,10 +16,9 @@ namespace {
 /// Farther from its body's origin than this, a shape's corners are too coarse in the solver's floats to touch anything.
 constexpr double farthestCorner = 1e5;
 
-template <class Id>
-std::string textOf(const Id& id) {
-    return "{index " + std::to_string(id.index) + ", generation " + std::to_string(id.generation) + ", world " +
-           std::to_string(id.world) + "}";
+std::string textOf(std::uint32_t index, std::uint32_t generation, std::uint32_t world) {
+    return "{index " + std::to_string(index) + ", generation " + std::to_string(generation) + ", world " +
+           std::to_string(world) + "}";
 }
 
 /// Says which way an id is wrong.
@@ -32,6 +31,14 @@ template <class Id>
 }
 
 }  // namespace
+
+std::string textOf(BodyId id) {
+    return textOf(id.index, id.generation, id.world);
+}
+
+std::string textOf(JointId id) {
+    return textOf(id.index, id.generation, id.world);
+}
 
 void validate(const WorldDef& def) {
     requireFinite(def.gravity, "WorldDef.gravity");
@@ -47,6 +54,19 @@ void validate(const WorldDef& def) {
         refuse("WorldDef.solver.lanes", std::to_string(s.lanes) + " is not 1, 4, 8 or 16");
 }
 
+std::string nameOf(BodyType type) {
+    return type == BodyType::Static ? "static" : type == BodyType::Kinematic ? "kinematic" : "dynamic";
+}
+
+void requireType(BodyType type, const std::string& field) {
+    switch (type) {
+        case BodyType::Static:
+        case BodyType::Kinematic:
+        case BodyType::Dynamic: return;
+    }
+    refuse(field, std::to_string(static_cast<int>(type)) + " is none of Static, Kinematic and Dynamic");
+}
+
 void requireMass(const Mass& mass, const std::string& field, const std::string& why) {
     const std::string hint = why.empty() ? why : " (" + why + ")";
     if (why.empty()) requireFinite(mass.center, field, ".center");
@@ -54,6 +74,10 @@ void requireMass(const Mass& mass, const std::string& field, const std::string& 
         refuse(field + ".mass", toText(mass.mass) + " is not a positive finite mass" + hint);
     if (!(mass.inertia > 0) || !std::isfinite(mass.inertia))
         refuse(field + ".inertia", toText(mass.inertia) + " is not a positive finite moment of inertia" + hint);
+    const double off = mass.center.cwiseAbs().maxCoeff();
+    if (why.empty() && off > farthestCorner)
+        refuse(field + ".center",
+               toText(mass.center) + " is more than " + toText(farthestCorner) + " m from the body's origin");
     // The solver's floats hold the squares and products of what is within these.
     requireWithin(mass.mass, 1e-12, 1e12, field, ".mass");
     requireWithin(std::sqrt(mass.inertia / mass.mass), 1e-6, 1e6, field, ".inertia, its radius of gyration");
@@ -66,6 +90,11 @@ void requireShape(const ShapeDef& def, const std::string& field) {
     if (reach > farthestCorner)
         refuse(field + ".shape", toText(reach) + " m from the body's origin, at most " + toText(farthestCorner) +
                                      " m was wanted: place the body there instead, or use several");
+    const Mass mass = massOf(def.shape, def.material.density);
+    if (!std::isfinite(mass.mass) || !std::isfinite(mass.inertia))
+        refuse(field + ".material.density", toText(def.material.density) + " makes a mass of " + toText(mass.mass) +
+                                                " kg with a moment of inertia of " + toText(mass.inertia) +
+                                                " kg m^2, finite ones were wanted");
 }
 
 bool isKnown(const WorldState& world, ShapeId id) {

@@ -8,6 +8,10 @@
 
 namespace plumb {
 
+/// "{index 1, generation 0, world 2}"
+std::string textOf(BodyId id);
+std::string textOf(JointId id);
+
 /// Does an id name a thing that is in this world now?
 bool isKnown(const WorldState& world, BodyId id);
 bool isKnown(const WorldState& world, JointId id);
@@ -16,6 +20,8 @@ bool isKnown(const WorldState& world, ShapeId id);
 
 // Each throws std::invalid_argument naming the field, the value and what was wanted.
 void validate(const WorldDef& def);
+std::string nameOf(BodyType type);
+void requireType(BodyType type, const std::string& field);
 /// Of a dynamic body; why says what else could have been given.
 void requireMass(const Mass& mass, const std::string& field, const std::string& why = {});
 /// A shape that a body can have.

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// Is there anything that goes into the kit, and that no table spoils?
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "catch.h"
+#include "house/declarations.h"
+#include "kit/dynamics/bad_input.h"
+
+namespace plumb::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+using NameSet = std::set<std::string>;
+
+Declarations publicDeclarations() {
+    const fs::path kit = fs::path(PLUMB_SOURCE_DIR) / "kit";
+    std::vector<fs::path> headers;
+    for (const auto& entry : fs::recursive_directory_iterator(kit / "plumb"))
+        if (entry.path().extension() == ".h" && entry.path().parent_path().filename() != "detail")
+            headers.push_back(entry.path());
+    std::sort(headers.begin(), headers.end());
+    Declarations all;
+    for (const fs::path& header : headers) {
+        std::ostringstream text;
+        text << std::ifstream(header).rdbuf();
+        addDeclarations(all, text.str());
+    }
+    return all;
+}
+
+/// What the kit only gives back.
+const NameSet results{
+    "BodyMoved",       "CastHit",       "CastPoint",       "Contact",     "ContactBegin", "ContactEnd",
+    "ContactHit",      "ContactPoint",  "ContactQuestion", "Distance",    "ImpactResult", "JointBroke",
+    "JointCoordinate", "JointReaction", "Nearest",         "Quarantined", "SensorBegin",  "SensorEnd",
+    "SinCos",          "SpaceWork",     "StepProfile",     "WorldCounts", "Pair",         "Manifold",
+    "ManifoldPoint"};
+/// Spoilt as arguments of the calls that take them.
+const NameSet arguments{"Aabb",    "BodyId", "Capacity", "ImpactLaw", "ImpactSide",
+                        "JointId", "Rot",    "ShapeId",  "Transform"};
+/// Of the layers beneath World, for whoever builds on them: asked a million times a step, they take what they are
+/// given.
+const NameSet unchecked{"BlockTree.View", "Bounds", "BoxBlock", "BoxProbe",    "Convex",
+                        "Gate",           "Proxy",  "RayPart",  "RelativePose"};
+
+const NameSet worldClasses{"World", "Body", "BodyView", "Joint", "JointView"};
+const NameSet lowerClasses{"BlockTree",  "BoundsRounding", "Bvh",    "FewVectors",
+                           "MortonSort", "RadixSort",      "Random", "Space"};
+
+/// Of the layers beneath, as said above; what they do with numbers that are none is in their headers.
+const NameSet uncheckedFunctions{"aabbOf",      "arcTangent",        "bruteForcePairs", "castRay",     "castShape",
+                                 "clipRay",     "contains",          "convexOf",        "cross",       "distance",
+                                 "exponential", "exponentialMinus1", "gateOf",          "inflate",     "manifold",
+                                 "mayMeet",     "mayPair",           "merge",           "mortonOrder", "overlap",
+                                 "perp",        "piecesOf",          "pointProbe",      "probeLimit",  "rayProbe",
+                                 "sinCos",      "stateHash"};
+/// They make a def, which is checked when it is given to a world.
+const NameSet makers{"capsule", "chain", "circle", "loop", "polygon", "roundedPolygon", "segment"};
+/// They are what checks.
+const NameSet checks{"refuse", "requireFinite", "requireNotNegative", "requirePositive", "requireWithin",
+                     "toText", "validate"};
+
+/// Arguments of which none is wrong, or that a table of their own spoils.
+const std::set<std::pair<std::string, std::string>> otherwise{{"Body.setCanSleep", "canSleep"},
+                                                              {"Body.setEnabled", "enabled"},
+                                                              {"Body.setFixedRotation", "fixed"},
+                                                              {"Body.setLocks", "lockX"},
+                                                              {"Body.setLocks", "lockY"},
+                                                              {"Body.setTag", "tag"},
+                                                              {"Joint.set", "def"},
+                                                              {"World.World", "def"},
+                                                              {"World.add", "def"},
+                                                              {"World.add", "shape"},
+                                                              {"World.join", "def"},
+                                                              {"World.set", "def"},
+                                                              {"World.contains", "body"},
+                                                              {"World.contains", "shape"},
+                                                              {"World.contains", "joint"},
+                                                              {"box", "material"},
+                                                              {"outline", "material"},
+                                                              {"roundedBox", "material"},
+                                                              {"roundedBox", "radius"},
+                                                              {"massOf", "def"},
+                                                              {"World.castRay", "filter"},
+                                                              {"World.castRayAll", "filter"},
+                                                              {"World.castShape", "filter"},
+                                                              {"World.castShapeAll", "filter"},
+                                                              {"World.overlapBox", "filter"},
+                                                              {"World.overlapShape", "filter"},
+                                                              {"World.overlapPoint", "filter"},
+                                                              {"World.nearest", "filter"}};
+
+bool has(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool isLeftOut(const std::string& function) {
+    const std::size_t dot = function.find('.');
+    if (dot != std::string::npos) return !worldClasses.contains(function.substr(0, dot));
+    return uncheckedFunctions.contains(function) || makers.contains(function) || checks.contains(function);
+}
+
+std::vector<std::string> missingIn(const Declarations& all, const Covered& tables, const Covered& calls) {
+    std::vector<std::string> missing;
+    for (const auto& [name, fields] : all.structs) {
+        if (results.contains(name) || arguments.contains(name) || unchecked.contains(name)) continue;
+        if (!tables.contains(name)) missing.push_back("struct " + name);
+        for (const std::string& field : fields)
+            if (tables.contains(name) && !has(tables.at(name), field)) missing.push_back(name + "." + field);
+    }
+    for (const auto& [name, none] : all.classes)
+        if (!worldClasses.contains(name) && !lowerClasses.contains(name)) missing.push_back("class " + name);
+    for (const auto& [name, parameters] : all.functions) {
+        if (isLeftOut(name)) continue;
+        for (const std::string& parameter : parameters)
+            if (!otherwise.contains({name, parameter}) && !(calls.contains(name) && has(calls.at(name), parameter)))
+                missing.push_back(name + "(" + parameter + ")");
+    }
+    return missing;
+}
+
+std::vector<std::string> strangersIn(const Declarations& all, const Covered& tables) {
+    std::vector<std::string> strangers;
+    for (const auto& [name, fields] : tables)
+        for (const std::string& field : fields)
+            if (!all.structs.contains(name) || !has(all.structs.at(name), field))
+                strangers.push_back(name + "." + field);
+    return strangers;
+}
+
+}  // namespace
+
+TEST_CASE("every field and argument that goes into the kit is in a table of how it can be wrong",
+          "[dynamics][errors][house]") {
+    const Declarations all = publicDeclarations();
+    REQUIRE(all.structs.size() > 50);
+    Covered tables = coveredDefs();
+    tables.merge(coveredJoints());
+    CHECK(missingIn(all, tables, coveredCalls()) == std::vector<std::string>{});
+    CHECK(strangersIn(all, tables) == std::vector<std::string>{});
+}
+
+TEST_CASE("a new field, struct, class, function or argument is missed in the tables", "[dynamics][errors][house]") {
+    const Covered tables{{"BallDef", {"radius"}}}, calls{{"World.drop", {"ball"}}};
+    const auto missing = [&](const std::string& header) {
+        Declarations all;
+        addDeclarations(all, header);
+        return missingIn(all, tables, calls);
+    };
+    using Missing = std::vector<std::string>;
+    CHECK(missing("namespace plumb {\nstruct BallDef { double radius = 1; ///< [m]\n};\n}") == Missing{});
+    CHECK(missing("struct BallDef { double radius = 1, weight{2}; };") == Missing{"BallDef.weight"});
+    CHECK(missing("struct BallDef {\n  std::optional<Vec2>\n      spin = std::nullopt;\n};") ==
+          Missing{"BallDef.spin"});
+    CHECK(missing("struct BatDef { double length = 1; };") == Missing{"struct BatDef"});
+    CHECK(missing("class Umpire {\npublic:\n    void call(double strike);\n};") == Missing{"class Umpire"});
+    CHECK(missing("class World {\npublic:\n    void drop(const BallDef& ball);\nprivate:\n    void lose(int x);\n};") ==
+          Missing{});
+    CHECK(missing("class World {\npublic:\n    void drop(const BallDef& ball, double from = 1);\n};") ==
+          Missing{"World.drop(from)"});
+    CHECK(missing("double swing(double angle);") == Missing{"swing(angle)"});
+}
+
+}  // namespace plumb::test
