@@ -535,7 +535,7 @@ TEST_CASE("each argument of a call is refused by name, value and wish when it is
     }
 }
 
-TEST_CASE("a world that has refused 1,000 calls goes on as one that was never asked", "[dynamics][errors]") {
+TEST_CASE("a world that has refused 400 calls goes on as one that was never asked", "[dynamics][errors]") {
     Bench asked, left;
     for (const BadCall& bad : allCalls()) CHECK(refusalOf([&] { bad.call(asked); }) != "");
     for (Bench* bench : {&asked, &left}) {

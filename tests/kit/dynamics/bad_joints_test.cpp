@@ -362,8 +362,8 @@ TEST_CASE("numbers from 1e-320 to infinity in a joint are refused, or leave ever
 }
 
 TEST_CASE(
-    "such numbers given to a joint that has held for a step are refused, or leave every body finite or "
-    "quarantined",
+    "such numbers given to a joint that has held for a step are refused, or leave every body finite and "
+    "out of quarantine",
     "[dynamics][joints][errors]") {
     forEachKind([](const std::string& name, const auto& fields, const auto& sound) {
         const auto set = [&sound](Bench& bench, const auto& def) {
