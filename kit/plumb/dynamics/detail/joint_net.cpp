@@ -81,7 +81,8 @@ double slopeOf(const JointRow& row, double w) {
 /// Before a sub-step, a damper goes by the speed there was.
 void dampAhead(JointRow& row, double w, double speed) {
     if (row.bounded || !(row.damper > 0) || !(w > 0)) return;
-    row.push += exponentialMinus1(-row.damper * w) / w * speed;
+    row.dampPush = exponentialMinus1(-row.damper * w) / w * speed;
+    row.push += row.dampPush;
     row.damper = 0;
 }
 
@@ -164,18 +165,31 @@ public:
         findMasses();
     }
 
-    void run() {
+    void run(Audit* audit) {
         for (int turn = 0; turn < mostTurns; ++turn) {
             solve();
             const bool changed = changeStates();
             if (!findStiffness() && !changed) break;
         }
+        if (audit != nullptr) tell(*audit);
         for (std::size_t b = 0; b < net_.bodies.size(); ++b) setVelocity(bodies_, net_.bodies[b], after_[b]);
         for (std::size_t j = 0; j < rows_.size(); ++j) addLoad(joints_.loads[net_.joints[j]], rows_[j], impulses_[j]);
         for (std::size_t b = 0; b < net_.bodies.size(); ++b) slow(bodies_.record[net_.bodies[b]], needed_[b]);
     }
 
 private:
+    void tell(Audit& audit) const {
+        for (std::size_t j = 0; j < rows_.size(); ++j) {
+            Vec3 before{}, after{}, slopes{};
+            for (std::size_t r = 0; r < rows_[j].count; ++r) {
+                before[r] = speedOf(j, r, before_);
+                after[r] = speedOf(j, r, after_);
+                slopes[r] = slopeOf(rows_[j].row[r], yields_[j][r]);
+            }
+            audit.noteRows(bodies_, rows_[j], impulses_[j], before, after, slopes);
+        }
+    }
+
     /// From the next step on, contacts see a body as heavy to turn as its joints do: else they would feed it.
     static void slow(BodyRecord& record, double inertia) {
         if (record.inverseInertia > 0) setRho(record, 1 / std::max(record.inertia, inertia));
@@ -433,6 +447,12 @@ double soughtImpulse(const JointRow& row, double v, double old, double w) {
     return std::min(std::max(at, old - (v - row.lowerStop) / w), old - (v - row.upperStop) / w);
 }
 
+Vec3 speedsOf(const JointRows& rows, const BodyStore& bodies) {
+    Vec3 speeds{};
+    for (std::size_t r = 0; r < rows.count; ++r) speeds[r] = speedOf(rows, rows.row[r], bodies);
+    return speeds;
+}
+
 /// One joint of a net that is swept: first the rows that are driven or limited, one by one.
 void sweepJoint(JointRecord& record, JointLoad& load, const JointRows& rows, BodyStore& bodies, const Softness& soft) {
     for (std::size_t r = 0; r < rows.count; ++r) push(rows, rows.row[r], record.impulse[r], bodies);
@@ -453,13 +473,20 @@ void sweepJoint(JointRecord& record, JointLoad& load, const JointRows& rows, Bod
 
 void solveNet(JointNet& net, JointStore& joints, BodyStore& bodies, const NetPass& pass) {
     if (net.direct) {
-        Pass(net, joints, bodies, pass.direct).run();
+        Pass(net, joints, bodies, pass.direct).run(pass.audit);
         return;
     }
     net.hinges.solve(*pass.hingeSolver, bodies.solverBodies(), pass.hinges);
-    for (const JointIndex index : net.others)
-        sweepJoint(joints[index], joints.loads[index], joints.rowsOf(index, bodies, pass.swept), bodies,
-                   pass.hinges.soft);
+    for (const JointIndex index : net.others) {
+        const JointRows rows = joints.rowsOf(index, bodies, pass.swept);
+        const Vec3 before = speedsOf(rows, bodies);
+        sweepJoint(joints[index], joints.loads[index], rows, bodies, pass.hinges.soft);
+        if (pass.audit == nullptr) continue;
+        Vec3 slopes{};
+        for (std::size_t r = 0; r < rows.count; ++r)
+            slopes[r] = slopeOf(rows.row[r], yieldOf(bodies, rows, rows.row[r]));
+        pass.audit->noteRows(bodies, rows, joints[index].impulse, before, speedsOf(rows, bodies), slopes);
+    }
 }
 
 }  // namespace plumb

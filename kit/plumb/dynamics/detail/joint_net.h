@@ -19,6 +19,7 @@
 // What fills in too much, as a cloth of hinges does, is swept instead, joint by joint, with soft corrections and the
 // impulses of the step before as a first guess.
 #pragma once
+#include <plumb/dynamics/detail/audit.h>
 #include <plumb/dynamics/detail/block_solver.h>
 #include <plumb/dynamics/detail/hinge_sweep.h>
 #include <plumb/dynamics/detail/joint_store.h>
@@ -49,6 +50,7 @@ struct NetPass {
     JointPass swept;
     HingePass hinges;
     const HingeSolver* hingeSolver = nullptr;
+    Audit* audit = nullptr;  ///< keeps account, if there is one
 };
 
 /// The nets of the joints that act and have a body awake, in the order of their first joints.

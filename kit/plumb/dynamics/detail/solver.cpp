@@ -88,8 +88,22 @@ void prepareJoints(WorldState& world, double dt) {
     world.springs.share(world.joints, world.bodies, dt / world.def.solver.subSteps);
 }
 
-void solveJoints(WorldState& world, const NetPass& pass) {
-    for (JointNet& net : world.nets) solveNet(net, world.joints, world.bodies, pass);
+Vec2 momentumOf(const WorldState& world, const JointNet& net) {
+    Vec2 sum(0, 0);
+    for (const BodyIndex body : net.bodies) {
+        const SolverVelocity& v = world.bodies.velocity[body];
+        sum += world.bodies.record[body].mass * Vec2(static_cast<double>(v.x), static_cast<double>(v.y));
+    }
+    return sum;
+}
+
+void solveJoints(WorldState& world, NetPass pass) {
+    pass.audit = world.audit.get();
+    for (JointNet& net : world.nets) {
+        const Vec2 before = pass.audit != nullptr ? momentumOf(world, net) : Vec2(0, 0);
+        solveNet(net, world.joints, world.bodies, pass);
+        if (pass.audit != nullptr) pass.audit->noteGround(momentumOf(world, net) - before);
+    }
 }
 
 /// What all of the solver's phases need.
@@ -102,7 +116,8 @@ struct Solving {
     Pass pass;
 };
 
-/// What stands on something fixed stands twice as stiffly: the ground does not give.
+/// What stands on something fixed stands twice as stiffly: the ground does not give. Calls solve(solver, batches,
+/// count, pass, entry of the graph's colours).
 template <class Solve>
 void forEachColour(Solving& solving, Solve&& solve) {
     auto& colours = solving.world.graph.colours;
@@ -112,29 +127,50 @@ void forEachColour(Solving& solving, Solve&& solve) {
         const int colour = colourAt(index);
         const bool ground = colour >= fixedColour && colour != overflowColour;
         const ContactSolver& solver = colour == overflowColour ? scalarContactSolver : solving.contacts;
-        solve(solver, batches.data(), batches.size(), ground ? solving.pass.groundContacts : solving.pass.contacts);
+        solve(solver, colours[index], ground ? solving.pass.groundContacts : solving.pass.contacts, index);
     }
 }
 
 void solveHalf(Solving& solving, const NetPass& joints, bool first) {
+    WorldState& world = solving.world;
     const std::uint32_t* list = solving.solved.data();
-    if (joints.direct.correct)
-        solving.world.springs.noteSpeeds(solving.world.joints, solving.world.bodies, joints.direct.step);
+    if (joints.direct.correct) world.springs.noteSpeeds(world.joints, world.bodies, joints.direct.step);
+    if (world.audit) world.audit->beforeKick(world, solving.solved);
     kickBodies(list, solving.solved.size(), solving.bodies, first);
-    if (solving.world.awakeJoints.empty()) return;
-    solveJoints(solving.world, joints);
+    if (world.audit) world.audit->afterKick(world);
+    if (world.awakeJoints.empty()) return;
+    solveJoints(world, joints);
     markBodies(list, solving.solved.size(), solving.bodies);
 }
 
+/// One way of going over all contacts: a function of ContactSolver.
+using ContactWork = void (*ContactSolver::*)(ContactBatch*, std::size_t, const SolverBodies&, const ContactPass&);
+
+void solveContacts(Solving& solving, ContactWork work) {
+    forEachColour(solving,
+                  [&](const ContactSolver& solver, Colour& colour, const ContactPass& pass, std::size_t index) {
+                      if (solving.world.audit)
+                          solving.world.audit->solveContacts(solving.world, scalarContactSolver.*work, index, pass);
+                      else
+                          (solver.*work)(colour.batches.data(), colour.batches.size(), solving.bodies, pass);
+                  });
+}
+
+void bounceContacts(Solving& solving) {
+    forEachColour(solving, [&](const ContactSolver& solver, Colour& colour, const ContactPass&, std::size_t index) {
+        if (solving.world.audit)
+            solving.world.audit->bounceContacts(solving.world, index);
+        else
+            solver.bounce(colour.batches.data(), colour.batches.size(), solving.bodies);
+    });
+}
+
 void subStep(Solving& solving, bool first) {
-    const SolverBodies& bodies = solving.bodies;
     solveHalf(solving, solving.pass.solveJoints, first);
-    forEachColour(solving, [&](const ContactSolver& solver, ContactBatch* batches, std::size_t count,
-                               const ContactPass& pass) { solver.solve(batches, count, bodies, pass); });
-    solving.mover.move(solving.solved.data(), solving.solved.size(), bodies, solving.pass.step);
+    solveContacts(solving, &ContactSolver::solve);
+    solving.mover.move(solving.solved.data(), solving.solved.size(), solving.bodies, solving.pass.step);
     solveHalf(solving, solving.pass.relaxJoints, false);
-    forEachColour(solving, [&](const ContactSolver& solver, ContactBatch* batches, std::size_t count,
-                               const ContactPass& pass) { solver.relax(batches, count, bodies, pass); });
+    solveContacts(solving, &ContactSolver::relax);
 }
 
 void markPushed(WorldState& world) {
@@ -200,15 +236,16 @@ void solveConstraints(WorldState& world, double dt) {
                     passOf(world.def.solver, h)};
     if (solving.solved.empty()) return;
     prepareJoints(world, dt);
-    const SolverBodies& bodies = solving.bodies;
-    forEachColour(solving, [&](const ContactSolver& solver, const ContactBatch* batches, std::size_t count,
-                               const ContactPass&) { solver.gatherWarmStart(batches, count, bodies); });
+    if (world.audit) world.audit->begin(world);
+    forEachColour(solving, [&](const ContactSolver& solver, const Colour& colour, const ContactPass&, std::size_t) {
+        solver.gatherWarmStart(colour.batches.data(), colour.batches.size(), solving.bodies);
+    });
     for (int i = 0; i < subSteps; ++i) subStep(solving, i == 0);
-    forEachColour(solving, [&](const ContactSolver& solver, ContactBatch* batches, std::size_t count,
-                               const ContactPass&) { solver.bounce(batches, count, bodies); });
+    bounceContacts(solving);
     for (const JointNet& net : world.nets) net.hinges.tellLoads(world.joints);
     markPushed(world);
     storeBodies(solving);
+    if (world.audit) world.audit->end(world, solving.solved, dt);
 }
 
 }  // namespace plumb
