@@ -1,23 +1,31 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/joint.h>
 
-#include <plumb/dynamics/detail/world_state.h>
+#include <plumb/dynamics/detail/joints_edit.h>
+#include <plumb/dynamics/detail/validate.h>
 
 namespace plumb {
 
+JointDef JointView::def() const {
+    return world_->joints[index_].def;
+}
+
 JointReaction JointView::reaction() const {
-    const JointRecord& record = world_->joints[index_];
-    const double time = record.solvedStep;
-    if (time == 0) return {};
-    return std::visit(
-        [time]<class Joint>(const Joint& joint) -> JointReaction {
-            if constexpr (std::is_same_v<Joint, std::monostate>)
-                return {};
-            else
-                return {Vec2(joint.reaction().template cast<double>()) / time,
-                        static_cast<double>(joint.angularReaction()) / time};
-        },
-        record.joint);
+    const JointLoad& load = world_->joints[index_].load;
+    return {load.force(), load.torque()};
+}
+
+JointCoordinate JointView::coordinate() const {
+    return {world_->joints.coordinateOf(index_, world_->bodies), world_->joints.speedOf(index_, world_->bodies)};
+}
+
+double JointView::error() const {
+    return world_->joints.errorOf(index_, world_->bodies);
+}
+
+void Joint::set(const JointDef& def) {
+    validateChange(*world_, world_->joints[index_].def, def);
+    changeJoint(*world_, index_, def);
 }
 
 }  // namespace plumb

@@ -8,6 +8,7 @@
 #include <plumb/dynamics/detail/continuous.h>
 #include <plumb/dynamics/detail/free_motion.h>
 #include <plumb/dynamics/detail/islands.h>
+#include <plumb/dynamics/detail/joints_edit.h>
 #include <plumb/dynamics/detail/load_bodies.h>
 #include <plumb/dynamics/detail/narrow_phase.h>
 #include <plumb/dynamics/detail/pairs.h>
@@ -32,6 +33,7 @@ std::uint32_t nextWorldId() {
 
 void clearEvents(WorldState& world) {
     world.begins.clear();
+    world.breaks.clear();
     world.quarantines.clear();
     world.ends.erase(world.ends.begin(), world.ends.begin() + static_cast<std::ptrdiff_t>(world.reportedEnds));
 }
@@ -145,6 +147,7 @@ BodyId World::add(const BodyDef& def) {
     bodies.rest(body);
     const bool moves = def.type == BodyType::Dynamic || !def.velocity.isZero(0) || def.angularVelocity != 0;
     if (moves && def.awake) bodies.wake(body);
+    if (def.type == BodyType::Dynamic) lockBody(*state_, body, def.lockX, def.lockY);
     return state_->idOf(body);
 }
 
@@ -152,8 +155,7 @@ void World::remove(BodyId id) {
     requireBody(*state_, id, "BodyId");
     WorldState& world = *state_;
     wakeNeighbours(world, id.index);
-    const std::vector<std::uint32_t> joints = world.bodies.record[id.index].joints;
-    for (const std::uint32_t joint : joints) remove(JointId{joint, world.joints[joint].generation, world.id});
+    removeJointsOf(world, id.index);
     removeShapes(world, id.index);
     world.bodies.release(id.index);
 }
@@ -180,6 +182,7 @@ void World::step(double dt) {
         }
         flyFreeBodies(world, dt);
         stopAtWalls(world, dt);
+        breakJoints(world);
         reportContacts(world);
         clearForces(world.bodies);
         quarantine(world);

@@ -39,6 +39,7 @@ struct alignas(64) BodyRecord {
     bool constrained = false;          ///< the solver has it in this step
     bool flown = false;                ///< the impacts have moved it in this step
     std::uint32_t solverContacts = 0;  ///< how many contacts of it the solver has
+    std::uint32_t actingJoints = 0;    ///< how many of its joints are the solver's
     float rho = 1, inverseRho = 1;
     double stillTime = 0;
     double extent = 0;                                      ///< farthest point from the centre of mass [m]
@@ -60,7 +61,7 @@ struct alignas(64) BodyRecord {
     double mass = 0, inertia = 0;
     Vec2 localCenter{0, 0};
     std::vector<ProxyId> proxies;
-    std::vector<std::uint32_t> joints;
+    std::vector<std::uint32_t> joints;  ///< all of its joints
 };
 
 /// Parallel arrays, indexed by a body's slot; slot 0 is nobody's.

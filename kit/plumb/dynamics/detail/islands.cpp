@@ -23,8 +23,9 @@ void forEachNeighbour(const WorldState& world, BodyIndex body, Visit&& visit) {
         if (contact.touching && world.bodies.isDynamic(other)) visit(other);
     });
     for (const std::uint32_t j : world.bodies.record[body].joints) {
-        const BodyIndex other = world.joints[j].bodyA == body ? world.joints[j].bodyB : world.joints[j].bodyA;
-        if (world.bodies.isDynamic(other)) visit(other);
+        const JointRecord& joint = world.joints[j];
+        const BodyIndex other = joint.bodyA == body ? joint.bodyB : joint.bodyA;
+        if (joint.acts() && world.bodies.isDynamic(other)) visit(other);
     }
 }
 

@@ -11,16 +11,16 @@ namespace plumb {
 
 namespace {
 
-/// Joints that share a body are held this stiffly, as a share of the sub-step rate, so that their give falls with the
-/// step. A joint alone on its bodies closes its whole gap in one sub-step, which is truer; a grid of joints, which one
-/// sweep does not solve, blows up on that (tried).
+/// Nets of joints that are swept are held this stiffly, as a share of the sub-step rate, so that their give falls with
+/// the step. Those that are solved at once close their whole gaps in one sub-step, which is truer; what one sweep does
+/// not solve blows up on that (tried).
 constexpr double jointFrequencyShare = 0.25;
 constexpr double jointDampingRatio = 2;
 
 struct Pass {
     float step = 0;
     ContactPass contacts, groundContacts;
-    JointPass solveJoints, relaxJoints;
+    NetPass solveJoints, relaxJoints;
 };
 
 Pass passOf(const SolverSettings& settings, double h) {
@@ -32,10 +32,10 @@ Pass passOf(const SolverSettings& settings, double h) {
     };
     pass.contacts = contactPass(settings.contactFrequency);
     pass.groundContacts = contactPass(2 * settings.contactFrequency);
-    const Softness rigid{static_cast<float>(1 / h), 1, 0};
-    const float pull = static_cast<float>(settings.contactPushSpeed);
-    pass.solveJoints = {pass.step, true, pull, rigid, softness(jointFrequencyShare / h, jointDampingRatio, h)};
-    pass.relaxJoints = {pass.step, false, pull, {}, {}};
+    const Softness soft = softness(jointFrequencyShare / h, jointDampingRatio, h);
+    const double pull = settings.contactPushSpeed;
+    pass.solveJoints = {{h, true, 1 / h, pull}, {h, true, static_cast<double>(soft.biasRate), pull}, soft};
+    pass.relaxJoints = {{h, false, 0, pull}, {h, false, 0, pull}, {}};
     return pass;
 }
 
@@ -46,47 +46,37 @@ std::vector<BodyIndex> solvedBodies(WorldState& world) {
     solved.reserve(world.bodies.awake.size() + batchLanes);
     for (const BodyIndex body : world.bodies.awake) {
         BodyRecord& record = world.bodies.record[body];
-        record.constrained = record.type == BodyType::Dynamic && (record.solverContacts > 0 || !record.joints.empty());
+        record.constrained = record.type == BodyType::Dynamic && (record.solverContacts > 0 || record.actingJoints > 0);
         if (record.constrained || record.type == BodyType::Kinematic) solved.push_back(body);
     }
     while (solved.size() % batchLanes != 0) solved.push_back(noBody);
     return solved;
 }
 
-template <class Visit>
-void forEachJoint(WorldState& world, Visit&& visit) {
-    for (const std::uint32_t index : world.awakeJoints) {
-        JointRecord& record = world.joints[index];
-        std::visit(
-            [&]<class Joint>(Joint& joint) {
-                if constexpr (!std::is_same_v<Joint, std::monostate>) visit(joint, record);
-            },
-            record.joint);
-    }
-}
-
-void findAwakeJoints(WorldState& world) {
+void findAwakeNets(WorldState& world) {
     if (!world.jointsChanged) return;
     world.jointsChanged = false;
+    const std::vector<JointNet> before = std::move(world.nets);
+    world.nets = findNets(world.joints, world.bodies);
+    keepStiffness(before, world.nets);
     world.awakeJoints.clear();
-    for (std::uint32_t index = 0; index < world.joints.size(); ++index) {
-        const JointRecord& record = world.joints[index];
-        if (std::holds_alternative<std::monostate>(record.joint)) continue;
-        if (world.bodies.record[record.bodyA].awake || world.bodies.record[record.bodyB].awake)
-            world.awakeJoints.push_back(index);
+    for (const JointNet& net : world.nets)
+        world.awakeJoints.insert(world.awakeJoints.end(), net.joints.begin(), net.joints.end());
+    std::sort(world.awakeJoints.begin(), world.awakeJoints.end());
+}
+
+void prepareJoints(WorldState& world, double dt) {
+    findAwakeNets(world);
+    for (const JointIndex index : world.awakeJoints) {
+        world.joints[index].load = {};
+        world.joints[index].load.time = dt;
     }
+    world.springs.prepare(world.awakeJoints, world.joints, world.bodies);
 }
 
-bool isAlone(const BodyStore& bodies, const JointRecord& joint) {
-    const auto single = [&bodies](BodyIndex body) {
-        return !bodies.isDynamic(body) || bodies.record[body].joints.size() == 1;
-    };
-    return single(joint.bodyA) && single(joint.bodyB);
-}
-
-void solveJoints(WorldState& world, const JointPass& pass) {
-    forEachJoint(world, [&](auto& joint, const JointRecord&) { joint.warmStart(world.bodies); });
-    forEachJoint(world, [&](auto& joint, const JointRecord&) { joint.solve(world.bodies, pass); });
+void solveJoints(WorldState& world, const NetPass& pass) {
+    world.springs.pull(world.joints, world.bodies, pass.direct.step, pass.direct.correct);
+    for (JointNet& net : world.nets) solveNet(net, world.joints, world.bodies, pass);
 }
 
 /// What all of the solver's phases need.
@@ -113,7 +103,7 @@ void forEachColour(Solving& solving, Solve&& solve) {
     }
 }
 
-void solveHalf(Solving& solving, const JointPass& joints, bool first) {
+void solveHalf(Solving& solving, const NetPass& joints, bool first) {
     const std::uint32_t* list = solving.solved.data();
     kickBodies(list, solving.solved.size(), solving.bodies, first);
     if (solving.world.awakeJoints.empty()) return;
@@ -142,9 +132,8 @@ void markPushed(WorldState& world) {
             }
         }
     }
-    for (const std::uint32_t index : world.awakeJoints) {
-        pushed[world.joints[index].bodyA] = pushed[world.joints[index].bodyB] = 1;
-    }
+    for (const JointNet& net : world.nets)
+        for (const BodyIndex body : net.bodies) pushed[body] = 1;
 }
 
 /// A rotation turned on by a small angle: by the series in double, which leaves no more than rounding.
@@ -187,7 +176,6 @@ void solveConstraints(WorldState& world, double dt) {
     const int subSteps = world.def.solver.subSteps;
     const double h = dt / subSteps;
     const int lanes = world.def.solver.lanes;
-    findAwakeJoints(world);
     world.bodies.rest(noBody);
     Solving solving{world,
                     world.bodies.solverBodies(),
@@ -196,10 +184,7 @@ void solveConstraints(WorldState& world, double dt) {
                     solvedBodies(world),
                     passOf(world.def.solver, h)};
     if (solving.solved.empty()) return;
-    forEachJoint(world, [&world, dt](auto& joint, JointRecord& record) {
-        record.solvedStep = dt;
-        joint.prepare(world.bodies, isAlone(world.bodies, record));
-    });
+    prepareJoints(world, dt);
     const SolverBodies& bodies = solving.bodies;
     forEachColour(solving, [&](const ContactSolver& solver, const ContactBatch* batches, std::size_t count,
                                const ContactPass&) { solver.gatherWarmStart(batches, count, bodies); });

@@ -14,7 +14,7 @@ namespace {
 /// Joined bodies and those with a contact that does not bounce clear are the solver's.
 bool isConstrained(const WorldState& world, BodyIndex body) {
     const BodyRecord& record = world.bodies.record[body];
-    return record.type == BodyType::Dynamic && (!record.joints.empty() || record.solverContacts > record.doubtful);
+    return record.type == BodyType::Dynamic && (record.actingJoints > 0 || record.solverContacts > record.doubtful);
 }
 
 bool isConstrained(const WorldState& world, const ContactRecord& contact) {

@@ -10,47 +10,6 @@ namespace plumb {
 
 namespace {
 
-void validateBodies(const WorldState& world, BodyId a, BodyId b, const std::string& def) {
-    requireBody(world, a, def + ".bodyA");
-    requireBody(world, b, def + ".bodyB");
-    if (a == b) refuse(def + ".bodyB", "is the same body as bodyA, two were wanted");
-    if (!world.bodies.isDynamic(a.index) && !world.bodies.isDynamic(b.index))
-        refuse(def + ".bodyB", "neither it nor bodyA is dynamic, so the joint could move nothing");
-}
-
-/// An arm longer than this is too coarse in the solver's floats.
-void requireNear(const WorldState& world, BodyId body, const Vec2& anchor, const std::string& field) {
-    constexpr double longest = 1e5;
-    if ((anchor - world.bodies.motion[body.index].center).norm() <= longest) return;
-    refuse(field, toText(anchor) + " is more than " + toText(longest) + " m from the body it is on");
-}
-
-void validateJoint(const WorldState& world, const RevoluteJointDef& def) {
-    validateBodies(world, def.bodyA, def.bodyB, "RevoluteJointDef");
-    requireFinite(def.anchor, "RevoluteJointDef.anchor");
-    requireNear(world, def.bodyA, def.anchor, "RevoluteJointDef.anchor");
-    requireNear(world, def.bodyB, def.anchor, "RevoluteJointDef.anchor");
-    requireFinite(def.motorSpeed, "RevoluteJointDef.motorSpeed");
-    if (def.maxMotorTorque != std::numeric_limits<double>::infinity())
-        requireNotNegative(def.maxMotorTorque, "RevoluteJointDef.maxMotorTorque");
-}
-
-void validateJoint(const WorldState& world, const DistanceJointDef& def) {
-    validateBodies(world, def.bodyA, def.bodyB, "DistanceJointDef");
-    requireFinite(def.anchorA, "DistanceJointDef.anchorA");
-    requireFinite(def.anchorB, "DistanceJointDef.anchorB");
-    if (def.anchorA == def.anchorB)
-        refuse("DistanceJointDef.anchorB", toText(def.anchorB) + " is anchorA too, so the rod would have no direction");
-    requireNear(world, def.bodyA, def.anchorA, "DistanceJointDef.anchorA");
-    requireNear(world, def.bodyB, def.anchorB, "DistanceJointDef.anchorB");
-    if (def.length) requirePositive(*def.length, "DistanceJointDef.length");
-}
-
-template <class Def>
-void validateJoint(const WorldState&, const Def&) {
-    refuse("JointDef", "not made yet");
-}
-
 template <class Id>
 std::string textOf(const Id& id) {
     return "{index " + std::to_string(id.index) + ", generation " + std::to_string(id.generation) + ", world " +
@@ -81,10 +40,6 @@ void validate(const WorldDef& def) {
         refuse("WorldDef.solver.lanes", std::to_string(s.lanes) + " is not 1, 4, 8 or 16");
 }
 
-void validate(const WorldState& world, const JointDef& def) {
-    std::visit([&world](const auto& d) { validateJoint(world, d); }, def);
-}
-
 bool isKnown(const WorldState& world, BodyId id) {
     const auto& records = world.bodies.record;
     return id.world == world.id && id.index < records.size() && records[id.index].alive &&
@@ -92,9 +47,9 @@ bool isKnown(const WorldState& world, BodyId id) {
 }
 
 bool isKnown(const WorldState& world, JointId id) {
-    const auto& joints = world.joints;
+    const auto& joints = world.joints.records;
     return id.world == world.id && id.index < joints.size() && joints[id.index].generation == id.generation &&
-           !std::holds_alternative<std::monostate>(joints[id.index].joint);
+           !joints[id.index].isFree() && !joints[id.index].isHidden();
 }
 
 void requireBody(const WorldState& world, BodyId id, std::string_view field) {

@@ -14,6 +14,8 @@ bool isKnown(const WorldState& world, JointId id);
 // Each throws std::invalid_argument naming the field, the value and what was wanted.
 void validate(const WorldDef& def);
 void validate(const WorldState& world, const JointDef& def);
+/// And unless it is of the kind, the bodies, the anchors and the axes of what it is to replace.
+void validateChange(const WorldState& world, const JointDef& from, const JointDef& to);
 void requireBody(const WorldState& world, BodyId id, std::string_view field);
 void requireJoint(const WorldState& world, JointId id, std::string_view field);
 

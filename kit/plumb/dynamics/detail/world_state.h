@@ -1,29 +1,19 @@
 // SPDX-License-Identifier: MIT
 // What is a world made of, behind its door?
 #pragma once
-#include <variant>
 #include <vector>
 
 #include <plumb/dynamics/detail/body_store.h>
 #include <plumb/dynamics/detail/contact_graph.h>
 #include <plumb/dynamics/detail/contact_store.h>
-#include <plumb/dynamics/detail/distance_joint.h>
+#include <plumb/dynamics/detail/joint_net.h>
+#include <plumb/dynamics/detail/joint_springs.h>
+#include <plumb/dynamics/detail/joint_store.h>
 #include <plumb/dynamics/detail/lane_collider.h>
-#include <plumb/dynamics/detail/revolute_joint.h>
 #include <plumb/dynamics/world.h>
 #include <plumb/space/space.h>
 
 namespace plumb {
-
-using AnyJoint = std::variant<std::monostate, RevoluteJoint, DistanceJoint>;
-
-struct JointRecord {
-    AnyJoint joint;  ///< monostate: a free slot
-    BodyIndex bodyA = noBody, bodyB = noBody;
-    bool collideConnected = false;
-    std::uint32_t generation = 0;
-    double solvedStep = 0;  ///< the step it was last solved in [s]
-};
 
 /// What the impacts have flown a body in this step, from one to the next.
 struct Leg {
@@ -44,14 +34,16 @@ struct WorldState {
     ContactStore contacts;
     ContactGraph graph;
     std::vector<Leg> legs;  ///< each body's in the order of time
-    std::vector<JointRecord> joints;
-    std::vector<std::uint32_t> freeJoints;
-    std::vector<std::uint32_t> awakeJoints;  ///< with a body awake, in the order of their slots
-    bool jointsChanged = false;              ///< awakeJoints is out of date
+    JointStore joints;
+    std::vector<JointNet> nets;           ///< of what is awake
+    std::vector<JointIndex> awakeJoints;  ///< those of the nets, in the order of their slots
+    bool jointsChanged = false;           ///< nets and awakeJoints are out of date
+    JointSprings springs;
 
     std::vector<ContactBegin> begins;
     std::vector<ContactEnd> ends;
     std::size_t reportedEnds = 0;  ///< of ends: those of the last step; what was removed since comes after them
+    std::vector<JointBroke> breaks;
     std::vector<Quarantined> quarantines;
     std::vector<BodyIndex> unsound;      ///< to be put in quarantine
     std::vector<ContactIndex> isolated;  ///< contacts left to the impacts in the last step that had such

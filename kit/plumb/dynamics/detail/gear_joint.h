@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// How does one joint drive another?
+//
+// One row: the rate of a + ratio b, a and b the coordinates of two joints, so up to four bodies feel it.
+#pragma once
+#include <plumb/dynamics/detail/joint_rows.h>
+
+namespace plumb {
+
+/// One of the two joints, as it stands.
+struct Geared {
+    std::array<BodyIndex, 2> body{};
+    JointRow row;  ///< of its coordinate
+    Course course;
+    double speed = 0;  ///< [m/s or rad/s]
+};
+
+class GearJoint {
+public:
+    /// at: the joints' slots and their coordinates now.
+    GearJoint(const GearJointDef& def, double a, double b)
+        : jointA(def.jointA.index), jointB(def.jointB.index), ratio_(def.ratio), total_(a + def.ratio * b) {}
+
+    std::uint32_t jointA = 0, jointB = 0;
+
+    void set(const GearJointDef& def, double a, double b) {
+        ratio_ = def.ratio;
+        total_ = a + def.ratio * b;
+    }
+    double ratio() const { return ratio_; }
+    double total() const { return total_; }
+    JointRows rows(const Geared& a, const Geared& b, const JointPass& pass) const;
+
+private:
+    double ratio_ = 1;
+    double total_ = 0;  ///< what a + ratio b is to stay [m or rad]
+};
+
+}  // namespace plumb

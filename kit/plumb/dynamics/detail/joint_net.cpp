@@ -1,0 +1,382 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/detail/joint_net.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumb {
+
+namespace {
+
+/// e: give of a row, as a share of what its own impulse does to it [-]. Rows that say the same share their load, and
+/// what their numbers disagree by is not multiplied by more than its inverse.
+constexpr double give = 1e-5;
+
+/// A line's stiffness is forgotten in so long [s].
+constexpr double memory = 2;
+
+/// Rows that change their state after this many turns stay as they are until the next pass.
+constexpr int mostTurns = 8;
+
+/// What the body answers an impulse of (x, y, turn) with.
+Vec3 answerOf(const BodyStore& bodies, BodyIndex body, const Vec3& impulse) {
+    const double inverseMass = static_cast<double>(bodies.velocity[body].inverseMass);
+    const double rho = static_cast<double>(bodies.turn[body].rho);
+    return {inverseMass * impulse[0], inverseMass * impulse[1], inverseMass * rho * rho * impulse[2]};
+}
+
+double dot(const Vec3& a, const Vec3& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Vec3 times(const Vec3& v, double factor) {
+    return {v[0] * factor, v[1] * factor, v[2] * factor};
+}
+
+void add(Vec3& to, const Vec3& v) {
+    for (std::size_t i = 0; i < 3; ++i) to[i] += v[i];
+}
+
+Vec3 velocityOf(const BodyStore& bodies, BodyIndex body) {
+    const SolverVelocity& v = bodies.velocity[body];
+    const double spin = static_cast<double>(v.w) * static_cast<double>(bodies.turn[body].rho);
+    return {static_cast<double>(v.x), static_cast<double>(v.y), spin};
+}
+
+void setVelocity(BodyStore& bodies, BodyIndex body, const Vec3& velocity) {
+    SolverVelocity& v = bodies.velocity[body];
+    v.x = static_cast<float>(velocity[0]);
+    v.y = static_cast<float>(velocity[1]);
+    v.w = static_cast<float>(velocity[2] * static_cast<double>(bodies.turn[body].inverseRho));
+}
+
+/// What a row's own impulse does to its speed.
+double softnessOf(const BodyStore& bodies, const JointRows& rows, const JointRow& row) {
+    double sum = 0;
+    for (std::size_t e = 0; e < rows.ends; ++e) sum += dot(row.at[e], answerOf(bodies, rows.body[e], row.at[e]));
+    return sum;
+}
+
+void addLoad(JointLoad& load, const JointRows& rows, const Vec3& impulse) {
+    for (std::size_t r = 0; r < rows.count; ++r) {
+        const Vec3& at = rows.row[r].at[1];
+        const Vec2 along(at[0], at[1]);
+        load.impulse += along * impulse[r];
+        load.turning += (at[2] - cross(rows.arm[1], along)) * impulse[r];
+    }
+}
+
+bool isStop(RowState state) {
+    return state == RowState::AtLowerStop || state == RowState::AtUpperStop;
+}
+
+/// Does the row have a speed that it is to have, or an impulse?
+bool hasSpeed(const JointRow& row, RowState state) {
+    return row.holds || state == RowState::AtTarget || isStop(state);
+}
+
+double speedWanted(const JointRow& row, RowState state) {
+    if (row.holds || !isStop(state)) return row.target;
+    return state == RowState::AtLowerStop ? row.lowerStop : row.upperStop;
+}
+
+/// The part of the curve next to the one on which speed and impulse are no answer.
+RowState nextState(const JointRow& row, RowState state, double speed, double impulse) {
+    if (row.holds) return RowState::AtTarget;
+    switch (state) {
+        case RowState::AtTarget:
+            if (impulse > row.high) return RowState::AtHigh;
+            return impulse < row.low ? RowState::AtLow : state;
+        case RowState::AtHigh:
+            if (speed < row.lowerStop) return RowState::AtLowerStop;
+            return speed > row.target && row.high > row.low ? RowState::AtTarget
+                   : speed > row.upperStop                  ? RowState::AtUpperStop
+                                                            : state;
+        case RowState::AtLow:
+            if (speed > row.upperStop) return RowState::AtUpperStop;
+            return speed < row.target && row.high > row.low ? RowState::AtTarget
+                   : speed < row.lowerStop                  ? RowState::AtLowerStop
+                                                            : state;
+        case RowState::AtLowerStop: return impulse < row.high ? RowState::AtHigh : state;
+        case RowState::AtUpperStop: return impulse > row.low ? RowState::AtLow : state;
+    }
+    return state;
+}
+
+/// A state from another step may name a stop that is not there now.
+RowState soundState(const JointRow& row, RowState state) {
+    if (state == RowState::AtLowerStop && !(row.lowerStop > -unlimited)) return RowState::AtHigh;
+    if (state == RowState::AtUpperStop && !(row.upperStop < unlimited)) return RowState::AtLow;
+    if (state == RowState::AtTarget && !(row.high > row.low)) return RowState::AtLow;
+    return state;
+}
+
+/// One pass over one net.
+class Pass {
+public:
+    Pass(JointNet& net, JointStore& joints, BodyStore& bodies, const JointPass& pass)
+        : net_(net), joints_(joints), bodies_(bodies), impulses_(net.joints.size()) {
+        rows_.reserve(net.joints.size());
+        for (const JointIndex index : net.joints) {
+            rows_.push_back(joints.rowsOf(index, bodies, pass));
+            for (std::size_t r = 0; r < rows_.back().count; ++r)
+                if (!rows_.back().row[r].holds)
+                    joints[index].states[r] = soundState(rows_.back().row[r], joints[index].states[r]);
+        }
+        before_.reserve(net.bodies.size());
+        for (const BodyIndex body : net.bodies) before_.push_back(velocityOf(bodies, body));
+        findMasses(pass.step);
+    }
+
+    void run() {
+        for (int turn = 0; turn < mostTurns; ++turn) {
+            solve();
+            if (!changeStates()) break;
+        }
+        for (std::size_t b = 0; b < net_.bodies.size(); ++b) setVelocity(bodies_, net_.bodies[b], after_[b]);
+        for (std::size_t j = 0; j < rows_.size(); ++j) addLoad(joints_[net_.joints[j]].load, rows_[j], impulses_[j]);
+        findStiffness();
+    }
+
+private:
+    /// Of each body, and no less than its stiffness needs.
+    void findMasses(double step) {
+        step_ = step;
+        masses_.reserve(net_.bodies.size());
+        bool tight = false;
+        for (std::size_t b = 0; b < net_.bodies.size(); ++b) {
+            const double mass = 1 / static_cast<double>(bodies_.velocity[net_.bodies[b]].inverseMass);
+            const double rho = static_cast<double>(bodies_.turn[net_.bodies[b]].rho);
+            const Vec3 needed = times(net_.stiffness[b], step * step);
+            const double linear = std::max({mass, needed[0], needed[1]});
+            masses_.push_back({linear, linear, rho > 0 ? mass / (rho * rho) : 0.0});
+            tight = tight || 2 * needed[2] > masses_.back()[2];
+        }
+        if (tight) slowDown();
+    }
+
+    /// Inertia for those that are pulled back faster than can be followed.
+    void slowDown() {
+        const std::vector<double> company = companyOf();
+        for (std::size_t b = 0; b < masses_.size(); ++b) {
+            const double needed = 2 * net_.stiffness[b][2] * step_ * step_ - company[b];
+            if (masses_[b][2] > 0) masses_[b][2] = std::max(masses_[b][2], needed);
+        }
+    }
+
+    /// For each body, the least by which its neighbours, each free but for it, add to its inertia when it turns:
+    /// sum m' r^2 - |sum m' r|^2 / (m + sum m'), m' what a neighbour weighs at the anchor at r, whichever way.
+    std::vector<double> companyOf() const {
+        struct Company {
+            double mass = 0, squares = 0;
+            Vec2 moment{0, 0};
+        };
+        std::vector<Company> company(masses_.size());
+        for (std::size_t j = 0; j < rows_.size(); ++j) {
+            if (!rows_[j].holdsPoint) continue;
+            const auto& nodes = net_.seats[j].node;
+            for (std::size_t e = 0; e < 2; ++e) {
+                if (nodes[e] == JointNet::Seats::fixed) continue;
+                const double weight = weightOf(nodes[1 - e], rows_[j].arm[1 - e], masses_[nodes[e]][0]);
+                Company& c = company[nodes[e]];
+                c.mass += weight;
+                c.moment += weight * rows_[j].arm[e];
+                c.squares += weight * rows_[j].arm[e].squaredNorm();
+            }
+        }
+        std::vector<double> added(masses_.size());
+        for (std::size_t b = 0; b < added.size(); ++b)
+            added[b] = company[b].squares - company[b].moment.squaredNorm() / (masses_[b][0] + company[b].mass);
+        return added;
+    }
+
+    /// What does not move weighs a million times what hangs on it.
+    double weightOf(std::uint32_t node, const Vec2& arm, double hanging) const {
+        if (node == JointNet::Seats::fixed) return 1e6 * hanging;
+        const double turning = masses_[node][2] > 0 ? arm.squaredNorm() / masses_[node][2] : 0.0;
+        return 1 / (1 / masses_[node][0] + turning);
+    }
+
+    /// By the forces of this pass.
+    void findStiffness() {
+        // It falls slowly: one that follows the forces' every turn pumps up what swings (tried).
+        std::vector<Vec3> fresh(net_.stiffness.size());
+        const double rate = 2 / step_;  // impulses are of half a sub-step
+        for (std::size_t j = 0; j < rows_.size(); ++j) {
+            for (std::size_t e = 0; e < 2; ++e) {
+                const std::uint32_t node = net_.seats[j].node[e];
+                if (node == JointNet::Seats::fixed) continue;
+                Vec2 force(0, 0);
+                for (std::size_t r = 0; r < rows_[j].count; ++r)
+                    force += Vec2(rows_[j].row[r].at[e][0], rows_[j].row[r].at[e][1]) * (impulses_[j][r] * rate);
+                fresh[node][2] += force.dot(rows_[j].arm[e]);
+                if (!(rows_[j].length > 0)) continue;
+                for (std::size_t i = 0; i < 2; ++i) fresh[node][i] += 2 * force.norm() / rows_[j].length;
+            }
+        }
+        const double kept = 1 - std::min(0.5 * step_ / memory, 1.0);
+        for (std::size_t b = 0; b < fresh.size(); ++b)
+            for (std::size_t i = 0; i < 3; ++i)
+                net_.stiffness[b][i] = std::max(fresh[b][i], kept * net_.stiffness[b][i]);
+    }
+
+    /// What a body of the net answers an impulse of (x, y, turn) with.
+    Vec3 answerOf(std::uint32_t node, const Vec3& impulse) const {
+        const Vec3& mass = masses_[node];
+        return {impulse[0] / mass[0], impulse[1] / mass[1], mass[2] > 0 ? impulse[2] / mass[2] : 0.0};
+    }
+
+    RowState stateOf(std::size_t j, std::size_t r) const { return joints_[net_.joints[j]].states[r]; }
+    bool isActive(std::size_t j, std::size_t r) const {
+        return r < rows_[j].count && hasSpeed(rows_[j].row[r], stateOf(j, r));
+    }
+
+    double speedOf(std::size_t j, std::size_t r, const std::vector<Vec3>& velocities) const {
+        double speed = 0;
+        for (std::size_t e = 0; e < rows_[j].ends; ++e) {
+            const std::uint32_t node = net_.seats[j].node[e];
+            const Vec3 v = node != JointNet::Seats::fixed ? velocities[node] : velocityOf(bodies_, rows_[j].body[e]);
+            speed += dot(rows_[j].row[r].at[e], v);
+        }
+        return speed;
+    }
+
+    /// To the velocities, what rows give whose impulse is known.
+    void giveKnown() {
+        after_ = before_;
+        for (std::size_t j = 0; j < rows_.size(); ++j) {
+            for (std::size_t r = 0; r < rows_[j].count; ++r) {
+                if (isActive(j, r)) continue;
+                const JointRow& row = rows_[j].row[r];
+                const double impulse = stateOf(j, r) == RowState::AtHigh ? row.high : row.low;
+                impulses_[j][r] = impulse;
+                if (impulse == 0) continue;
+                for (std::size_t e = 0; e < rows_[j].ends; ++e) {
+                    const std::uint32_t node = net_.seats[j].node[e];
+                    if (node == JointNet::Seats::fixed) continue;
+                    add(after_[node], answerOf(node, times(row.at[e], impulse)));
+                }
+            }
+        }
+    }
+
+    void fillBodies() {
+        for (std::size_t b = 0; b < net_.bodies.size(); ++b) {
+            Mat3& m = net_.solver.diagonal(static_cast<std::uint32_t>(b));
+            for (std::size_t i = 0; i < 3; ++i) m[i][i] = masses_[b][i] > 0 ? masses_[b][i] : 1;
+        }
+    }
+
+    void fillJoint(std::size_t j) {
+        const JointRows& rows = rows_[j];
+        const std::uint32_t node = static_cast<std::uint32_t>(net_.bodies.size() + j);
+        Vec3& right = answer_[node];
+        Mat3& diagonal = net_.solver.diagonal(node);
+        std::array<Mat3, mostEnds> blocks;
+        for (std::size_t r = 0; r < mostRows; ++r) {
+            diagonal[r][r] = -1;
+            right[r] = 0;
+            if (!isActive(j, r)) continue;
+            const JointRow& row = rows.row[r];
+            const double softness = softnessOf(bodies_, rows, row);
+            if (!(softness > 0)) continue;  // nothing that it could move
+            diagonal[r][r] = -give * softness;
+            right[r] = speedOf(j, r, after_) - speedWanted(row, stateOf(j, r));
+            for (std::size_t e = 0; e < rows.ends; ++e) blocks[e][r] = times(row.at[e], -1);
+        }
+        for (std::size_t e = 0; e < rows.ends; ++e) {
+            if (net_.seats[j].node[e] == JointNet::Seats::fixed) continue;
+            if (masses_[net_.seats[j].node[e]][2] == 0)  // nothing turns it
+                for (std::size_t r = 0; r < mostRows; ++r) blocks[e][r][2] = 0;
+            net_.solver.add(net_.seats[j].edge[e], blocks[e]);
+        }
+    }
+
+    void solve() {
+        giveKnown();
+        answer_.assign(net_.bodies.size() + rows_.size(), Vec3{});
+        net_.solver.clear();
+        fillBodies();
+        for (std::size_t j = 0; j < rows_.size(); ++j) fillJoint(j);
+        net_.solver.factor();
+        net_.solver.solve(answer_);
+        for (std::size_t b = 0; b < net_.bodies.size(); ++b) add(after_[b], answer_[b]);
+        for (std::size_t j = 0; j < rows_.size(); ++j)
+            for (std::size_t r = 0; r < rows_[j].count; ++r)
+                if (isActive(j, r)) impulses_[j][r] = answer_[net_.bodies.size() + j][r];
+    }
+
+    bool changeStates() {
+        bool changed = false;
+        for (std::size_t j = 0; j < rows_.size(); ++j) {
+            for (std::size_t r = 0; r < rows_[j].count; ++r) {
+                const JointRow& row = rows_[j].row[r];
+                if (row.holds) continue;
+                RowState& state = joints_[net_.joints[j]].states[r];
+                const RowState next = nextState(row, state, speedOf(j, r, after_), impulses_[j][r]);
+                changed = changed || next != state;
+                state = next;
+            }
+        }
+        return changed;
+    }
+
+    JointNet& net_;
+    JointStore& joints_;
+    BodyStore& bodies_;
+    std::vector<JointRows> rows_;  ///< of the joints
+    std::vector<Vec3> impulses_;   ///< likewise
+    double step_ = 0;
+    std::vector<Vec3> masses_;          ///< of the bodies: along x, y, turning; 0: nothing turns it
+    std::vector<Vec3> before_, after_;  ///< velocities of the bodies
+    std::vector<Vec3> answer_;
+};
+
+/// One joint of a net that is swept: its rows one after the other, those that hold last.
+void sweepJoint(JointRecord& record, const JointRows& rows, BodyStore& bodies, const Softness& soft) {
+    const auto push = [&](const JointRow& row, double impulse) {
+        for (std::size_t e = 0; e < rows.ends; ++e) {
+            if (bodies.velocity[rows.body[e]].inverseMass == 0) continue;
+            Vec3 v = velocityOf(bodies, rows.body[e]);
+            add(v, answerOf(bodies, rows.body[e], times(row.at[e], impulse)));
+            setVelocity(bodies, rows.body[e], v);
+        }
+    };
+    const auto speed = [&](const JointRow& row) {
+        double sum = 0;
+        for (std::size_t e = 0; e < rows.ends; ++e) sum += dot(row.at[e], velocityOf(bodies, rows.body[e]));
+        return sum;
+    };
+    for (std::size_t r = 0; r < rows.count; ++r) push(rows.row[r], record.impulse[r]);
+    for (const bool holds : {false, true}) {
+        for (std::size_t r = 0; r < rows.count; ++r) {
+            const JointRow& row = rows.row[r];
+            const double softness = softnessOf(bodies, rows, row);
+            if (row.holds != holds || !(softness > 0)) continue;
+            const double v = speed(row), old = record.impulse[r];
+            double now = old - (v - row.target) * static_cast<double>(soft.massScale) / softness -
+                         static_cast<double>(soft.impulseScale) * old;
+            if (!holds) {
+                now = std::clamp(old - (v - row.target) / softness, row.low, row.high);
+                now = std::max(now, old - (v - row.lowerStop) / softness);
+                now = std::min(now, old - (v - row.upperStop) / softness);
+            }
+            record.impulse[r] = now;
+            push(row, now - old);
+        }
+    }
+    addLoad(record.load, rows, record.impulse);
+}
+
+}  // namespace
+
+void solveNet(JointNet& net, JointStore& joints, BodyStore& bodies, const NetPass& pass) {
+    if (net.direct) {
+        Pass(net, joints, bodies, pass.direct).run();
+        return;
+    }
+    for (const JointIndex index : net.joints)
+        sweepJoint(joints[index], joints.rowsOf(index, bodies, pass.swept), bodies, pass.soft);
+}
+
+}  // namespace plumb

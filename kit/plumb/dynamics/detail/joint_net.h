@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// How are all joints of a machine solved at once?
+//
+// Joints that hang together through bodies are a net. One pass finds the change of velocity u and the impulses L of
+//   M u - J^T L = 0,   J u + e L = r
+// M masses, J the rows, r what the rows lack, e a little give that keeps rows apart which say the same; with each row
+// on the part of its curve (see joint_rows.h) on which its answer lies, found by turns. No impulse is remembered: a
+// chain of a thousand links, or one that carries a thousand times its weight, is solved in one pass, as a pendulum is.
+// Source: Baraff, "Linear-time dynamics using Lagrange multipliers", SIGGRAPH 1996; principal pivoting: Murty 1988.
+// Tests: "a chain of 20 links holds a load of a thousand times their mass"
+//
+// A tight line swings sideways the faster the lighter it is: at its tension F a link turns back at k = F.r [N m/rad]
+// for each anchor r, a rod of length l swings its ends back at F/l [N/m]. What that would make faster than the sub-step
+// h can follow is given more inertia in here, until I + I' >= 2 h^2 k, and m >= h^2 k, so that it swings as slowly as
+// it can be followed; I' is what its neighbours must be moved by for it to turn. Source: Andrews, Teichmann, Kry,
+// "Geometric stiffness for real-time constrained multibody dynamics", Comput. Graph. Forum 36 (2017) 235, there as a
+// term of its own.
+//
+// What fills in too much, as a cloth of hinges does, is swept instead, joint by joint, with soft corrections and the
+// impulses of the step before as a first guess.
+#pragma once
+#include <plumb/dynamics/detail/block_solver.h>
+#include <plumb/dynamics/detail/joint_store.h>
+#include <plumb/dynamics/detail/softness.h>
+
+namespace plumb {
+
+struct JointNet {
+    /// What the net's solver knows a joint's end by: the nodes of bodies come first.
+    struct Seats {
+        static constexpr std::uint32_t fixed = ~std::uint32_t{0};  ///< nothing of the net's
+        std::array<std::uint32_t, mostEnds> node{fixed, fixed, fixed, fixed};
+        std::array<std::size_t, mostEnds> edge{};
+    };
+
+    std::vector<JointIndex> joints;
+    std::vector<Seats> seats;  ///< of the joints
+    std::vector<BodyIndex> bodies;
+    std::vector<Vec3> stiffness;  ///< of the bodies, by the forces of late: along x, y, turning [N/m, N m/rad]
+    bool direct = true;           ///< solved at once, else swept
+    BlockSolver solver;
+};
+
+/// What one pass over the joints is told.
+struct NetPass {
+    JointPass direct;  ///< for nets that are solved at once
+    JointPass swept;
+    Softness soft;
+};
+
+/// The nets of the joints that act and have a body awake, in the order of their first joints.
+std::vector<JointNet> findNets(const JointStore& joints, const BodyStore& bodies);
+
+/// Bodies that were in a net before keep their stiffness.
+void keepStiffness(const std::vector<JointNet>& before, std::vector<JointNet>& nets);
+
+/// Changes velocities to what the joints ask for, and adds to their loads.
+void solveNet(JointNet& net, JointStore& joints, BodyStore& bodies, const NetPass& pass);
+
+}  // namespace plumb

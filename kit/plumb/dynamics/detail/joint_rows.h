@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// What does a joint ask of the velocities of its bodies?
+//
+// A row sees v = sum over its ends of (x, y, turn) . (vx, vy, w), and gives each end (x, y, turn) times its impulse L.
+// What it wants is one curve, L falling as v grows, of which a hinge's rows, a motor's and a limit's are parts:
+//
+//      L |      lower stop
+//        |        |
+//   high |        +------.          v below the target: all that the motor has
+//        |               | target
+//    low |               '------.   v above it: all that it has, the other way
+//        |                      |
+//        +----------------------+--- v
+//                       upper stop
+//
+// Source: the speed at which a joint is held, as a complementarity problem: Murty, "Linear complementarity", 1988.
+#pragma once
+#include <array>
+#include <limits>
+
+#include <plumb/dynamics/detail/joint_end.h>
+#include <plumb/dynamics/detail/mat3.h>
+#include <plumb/dynamics/joint_def.h>
+
+namespace plumb {
+
+inline constexpr std::size_t mostRows = 3, mostEnds = 4;
+
+struct JointRow {
+    std::array<Vec3, mostEnds> at{};            ///< of each end: x, y [-], turn [m], for what turns 0, 0, [-]
+    double target = 0;                          ///< [m/s or rad/s]
+    double low = -unlimited, high = unlimited;  ///< [N s or N m s]
+    double lowerStop = -unlimited, upperStop = unlimited;  ///< [m/s or rad/s]
+    bool holds = true;  ///< nothing but the target, with all the impulse that it takes
+};
+
+/// On which part of its curve a row was last.
+enum class RowState : std::uint8_t { AtTarget, AtLow, AtHigh, AtLowerStop, AtUpperStop };
+
+struct JointRows {
+    std::size_t count = 0, ends = 2;
+    std::array<BodyIndex, mostEnds> body{};
+    std::array<JointRow, mostRows> row;
+    std::array<Vec2, 2> arm{Vec2{0, 0},
+                            Vec2{0, 0}};  ///< of the first two ends: to where the force counts as acting [m]
+    double length = 0;                    ///< of what swings between two anchors; 0: nothing does [m]
+    bool holdsPoint = false;              ///< keeps the anchors together
+};
+
+/// A spring along a row, that wants the row's coordinate to be 0.
+struct SpringRow {
+    std::array<Vec3, 2> at{};
+    double stretch = 0;  ///< [m or rad]
+    Spring spring;
+};
+
+struct SpringRows {
+    std::size_t count = 0;
+    std::array<BodyIndex, 2> body{};
+    std::array<SpringRow, mostRows> row;
+    double mostForce = unlimited;  ///< of all of them together [N]
+    Vec2 armB{0, 0};               ///< as in JointRows
+};
+
+/// What a joint is told when it is asked for its rows.
+struct JointPass {
+    double step = 0;      ///< h [s]
+    bool correct = true;  ///< before the sub-step: errors are to be gone after it; after it: only velocities
+    double rate = 0;      ///< share of an error that is to be gone [1/s]
+    double fastest = 0;   ///< that an error is taken back [m/s]
+};
+
+/// A coordinate that a row is the rate of: now, and after the coming sub-step as things move now.
+struct Course {
+    double now = 0, later = 0;  ///< [m or rad]
+};
+
+/// Along an axis that is fixed to A, where B's anchor is.
+JointRow rowAlong(const Vec2& axis, const Ends& ends);
+/// B's angle less A's.
+JointRow rowTurning();
+/// v of a row of two ends.
+double speedOf(const JointRow& row, const Ends& ends);
+/// An empty set for two ends.
+JointRows rowsFor(const Ends& ends);
+
+/// Keeps the coordinate at 0: with the error it has now taken back at the pass's rate, and with all of what it would
+/// otherwise gain in the sub-step, to any order.
+void hold(JointRow& row, const Course& course, double speed, const JointPass& pass);
+/// Keeps the coordinate within a limit; what the row held is now only what its motor may do.
+void keepWithin(JointRow& row, const Limit& limit, const Course& course, double speed, const JointPass& pass);
+/// Drives it at a speed with no more than a force or torque; 0: not at all.
+void drive(JointRow& row, double speed, double force, const JointPass& pass);
+
+/// Adds a row that is held, or two that hold the anchors together.
+void holdRow(JointRows& rows, const JointRow& row, const Course& course, const Ends& now, const JointPass& pass);
+void holdPoint(JointRows& rows, const Ends& now, const Ends& later, const JointPass& pass);
+
+/// An empty set for two ends; then a spring along a row, or two that pull the anchors together.
+SpringRows springsFor(const Ends& ends);
+void addSpring(SpringRows& springs, const JointRow& row, double stretch, const Spring& spring);
+void addPointSpring(SpringRows& springs, const Ends& ends, const Spring& spring);
+
+}  // namespace plumb

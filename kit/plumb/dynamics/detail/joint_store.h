@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Which joints are there, and what is kept of each?
+#pragma once
+#include <variant>
+#include <vector>
+
+#include <plumb/dynamics/detail/distance_joint.h>
+#include <plumb/dynamics/detail/gear_joint.h>
+#include <plumb/dynamics/detail/lock_joint.h>
+#include <plumb/dynamics/detail/motor_joint.h>
+#include <plumb/dynamics/detail/prismatic_joint.h>
+#include <plumb/dynamics/detail/pulley_joint.h>
+#include <plumb/dynamics/detail/revolute_joint.h>
+#include <plumb/dynamics/detail/target_joint.h>
+#include <plumb/dynamics/detail/weld_joint.h>
+#include <plumb/dynamics/detail/wheel_joint.h>
+
+namespace plumb {
+
+using JointIndex = std::uint32_t;
+
+/// Only keeps its bodies from touching.
+struct FilterJoint {};
+
+/// monostate: a free slot.
+using AnyJoint = std::variant<std::monostate, RevoluteJoint, PrismaticJoint, DistanceJoint, WeldJoint, WheelJoint,
+                              PulleyJoint, GearJoint, MotorJoint, TargetJoint, LockJoint, FilterJoint>;
+
+/// Impulses on B in the last step it was solved in, and how long that was.
+struct JointLoad {
+    Vec2 impulse{0, 0};  ///< [N s]
+    double turning = 0;  ///< about B's anchor [N m s]
+    double time = 0;     ///< [s]
+
+    Vec2 force() const { return time > 0 ? Vec2(impulse / time) : Vec2(0, 0); }
+    double torque() const { return time > 0 ? turning / time : 0.0; }
+};
+
+struct JointRecord {
+    AnyJoint joint;
+    JointDef def;
+    BodyIndex bodyA = noBody, bodyB = noBody;  ///< noBody: the world; of a gear, what its joints move
+    bool collideConnected = false;
+    std::uint32_t generation = 0;
+    Breaking breaking;
+    JointLoad load;
+    std::array<RowState, mostRows> states{};
+    Vec3 impulse{};  ///< of half a sub-step, while its net is swept [N s or N m s]
+
+    bool isFree() const { return std::holds_alternative<std::monostate>(joint); }
+    bool isHidden() const { return std::holds_alternative<LockJoint>(joint); }
+    bool acts() const { return !isFree() && !std::holds_alternative<FilterJoint>(joint); }
+};
+
+struct JointStore {
+    std::vector<JointRecord> records;
+    std::vector<JointIndex> free;
+    std::vector<JointIndex> gears;  ///< those that two others drive
+
+    JointRecord& operator[](JointIndex joint) { return records[joint]; }
+    const JointRecord& operator[](JointIndex joint) const { return records[joint]; }
+
+    JointIndex acquire();
+    void release(JointIndex joint);
+
+    /// What a joint asks for in this half of a sub-step.
+    JointRows rowsOf(JointIndex joint, const BodyStore& bodies, const JointPass& pass) const;
+    SpringRows springsOf(JointIndex joint, const BodyStore& bodies) const;
+    /// Where the last step has left it [m or rad].
+    double coordinateOf(JointIndex joint, const BodyStore& bodies) const;
+    double speedOf(JointIndex joint, const BodyStore& bodies) const;  ///< [m/s or rad/s]
+    double errorOf(JointIndex joint, const BodyStore& bodies) const;  ///< [m]
+};
+
+/// The joint that a def describes, where the bodies stand now.
+AnyJoint makeJoint(const JointDef& def, const JointStore& joints, const BodyStore& bodies);
+
+}  // namespace plumb

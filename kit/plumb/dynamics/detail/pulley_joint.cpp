@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/detail/pulley_joint.h>
+
+#include <algorithm>
+
+namespace plumb {
+
+PulleyJoint::PulleyJoint(const PulleyJointDef& def, const BodyStore& bodies)
+    : anchors{anchorAt(def.bodyA.index, def.anchorA, bodies), anchorAt(def.bodyB.index, def.anchorB, bodies)} {
+    set(def);
+}
+
+void PulleyJoint::set(const PulleyJointDef& def) {
+    def_ = def;
+    length_ = (def.anchorA - def.groundA).norm() + def.ratio * (def.anchorB - def.groundB).norm();
+}
+
+double PulleyJoint::coordinate(const Ends& ends) const {
+    return (ends.a.point - def_.groundA).norm() + def_.ratio * (ends.b.point - def_.groundB).norm();
+}
+
+JointRow PulleyJoint::coordinateRow(const Ends& ends) const {
+    JointRow row;
+    const Vec2 alongA = (ends.a.point - def_.groundA).stableNormalized();
+    const Vec2 alongB = def_.ratio * (ends.b.point - def_.groundB).stableNormalized();
+    row.at[0] = {alongA.x(), alongA.y(), cross(ends.a.arm, alongA)};
+    row.at[1] = {alongB.x(), alongB.y(), cross(ends.b.arm, alongB)};
+    return row;
+}
+
+JointRows PulleyJoint::rows(const Ends& now, const JointPass& pass) const {
+    const Ends later = after(now, pass.step);
+    JointRows rows = rowsFor(now);
+    JointRow& row = rows.row[rows.count++] = coordinateRow(now);
+    keepWithin(row, {-unlimited, length_}, {coordinate(now), coordinate(later)}, speedOf(row, now), pass);
+    return rows;
+}
+
+double PulleyJoint::error(const Ends& ends) const {
+    return std::max(coordinate(ends) - length_, 0.0);
+}
+
+}  // namespace plumb

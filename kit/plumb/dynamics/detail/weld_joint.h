@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// How are two bodies held together as one?
+//
+// Rows for the gap along x and y and for the angle; what is to give has a spring instead.
+#pragma once
+#include <plumb/dynamics/detail/joint_rows.h>
+
+namespace plumb {
+
+class WeldJoint {
+public:
+    AnchorPair anchors;
+
+    WeldJoint(const WeldJointDef& def, const BodyStore& bodies);
+
+    void set(const WeldJointDef& def) { def_ = def; }
+    JointRows rows(const Ends& now, const JointPass& pass) const;
+    SpringRows springs(const Ends& now) const;
+    double coordinate(const Ends& ends) const { return ends.angle() - reference_; }
+    static JointRow coordinateRow(const Ends&) { return rowTurning(); }
+    double error(const Ends& ends) const { return def_.spring ? 0.0 : ends.apart().norm(); }
+
+private:
+    WeldJointDef def_;
+    double reference_ = 0;  ///< B's angle less A's when the joint was made [rad]
+};
+
+}  // namespace plumb

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/detail/wheel_joint.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumb {
+
+WheelJoint::WheelJoint(const WheelJointDef& def, const BodyStore& bodies)
+    : anchors{anchorAt(def.bodyA.index, def.anchor, bodies), anchorAt(def.bodyB.index, def.anchor, bodies)},
+      def_(def),
+      localAxis_(bodies.motion[anchors.a.body].rotation.inverse() * Vec2(def.axis.stableNormalized())) {}
+
+JointRows WheelJoint::rows(const Ends& now, const JointPass& pass) const {
+    const Ends later = after(now, pass.step);
+    JointRows rows = rowsFor(now);
+    holdRow(rows, rowAlong(perp(axis(now)), now), {aside(now), aside(later)}, now, pass);
+    if (def_.maxMotorTorque > 0) {
+        JointRow& turning = rows.row[rows.count++] = rowTurning();
+        drive(turning, def_.motorSpeed, def_.maxMotorTorque, pass);
+    }
+    if (def_.limit) {
+        JointRow& sliding = rows.row[rows.count++] = coordinateRow(now);
+        keepWithin(sliding, *def_.limit, {coordinate(now), coordinate(later)}, speedOf(sliding, now), pass);
+    }
+    return rows;
+}
+
+SpringRows WheelJoint::springs(const Ends& now) const {
+    SpringRows springs = springsFor(now);
+    if (def_.spring) addSpring(springs, coordinateRow(now), coordinate(now) - def_.restShift, *def_.spring);
+    return springs;
+}
+
+double WheelJoint::error(const Ends& ends) const {
+    const double shift = coordinate(ends);
+    const double beyond = def_.limit ? std::max({0.0, def_.limit->lower - shift, shift - def_.limit->upper}) : 0.0;
+    return std::max(std::fabs(aside(ends)), beyond);
+}
+
+}  // namespace plumb
