@@ -11,7 +11,7 @@ JointDef JointView::def() const {
 }
 
 JointReaction JointView::reaction() const {
-    const JointLoad& load = world_->joints[index_].load;
+    const JointLoad& load = world_->joints.loads[index_];
     return {load.force(), load.torque()};
 }
 

@@ -64,6 +64,7 @@ void seat(JointNet& net, const JointStore& joints, const BodyStore& bodies, std:
     const std::size_t loops = edges.size() + 1 - std::min<std::size_t>(edges.size(), node);
     const std::size_t most = std::max(fewUpdates, updatesPerNode * node);
     net.direct = loops <= std::max(fewLoops, net.joints.size() / joinsPerLoop) && net.solver.analyse(node, edges, most);
+    if (!net.direct) net.others = net.hinges.take(net.joints, joints, bodies);
 }
 
 }  // namespace

@@ -134,7 +134,7 @@ public:
             if (!changeStates()) break;
         }
         for (std::size_t b = 0; b < net_.bodies.size(); ++b) setVelocity(bodies_, net_.bodies[b], after_[b]);
-        for (std::size_t j = 0; j < rows_.size(); ++j) addLoad(joints_[net_.joints[j]].load, rows_[j], impulses_[j]);
+        for (std::size_t j = 0; j < rows_.size(); ++j) addLoad(joints_.loads[net_.joints[j]], rows_[j], impulses_[j]);
         findStiffness();
     }
 
@@ -332,40 +332,64 @@ private:
     std::vector<Vec3> answer_;
 };
 
-/// One joint of a net that is swept: its rows one after the other, those that hold last.
-void sweepJoint(JointRecord& record, const JointRows& rows, BodyStore& bodies, const Softness& soft) {
-    const auto push = [&](const JointRow& row, double impulse) {
-        for (std::size_t e = 0; e < rows.ends; ++e) {
-            if (bodies.velocity[rows.body[e]].inverseMass == 0) continue;
-            Vec3 v = velocityOf(bodies, rows.body[e]);
-            add(v, answerOf(bodies, rows.body[e], times(row.at[e], impulse)));
-            setVelocity(bodies, rows.body[e], v);
-        }
-    };
-    const auto speed = [&](const JointRow& row) {
-        double sum = 0;
-        for (std::size_t e = 0; e < rows.ends; ++e) sum += dot(row.at[e], velocityOf(bodies, rows.body[e]));
-        return sum;
-    };
-    for (std::size_t r = 0; r < rows.count; ++r) push(rows.row[r], record.impulse[r]);
-    for (const bool holds : {false, true}) {
-        for (std::size_t r = 0; r < rows.count; ++r) {
-            const JointRow& row = rows.row[r];
-            const double softness = softnessOf(bodies, rows, row);
-            if (row.holds != holds || !(softness > 0)) continue;
-            const double v = speed(row), old = record.impulse[r];
-            double now = old - (v - row.target) * static_cast<double>(soft.massScale) / softness -
-                         static_cast<double>(soft.impulseScale) * old;
-            if (!holds) {
-                now = std::clamp(old - (v - row.target) / softness, row.low, row.high);
-                now = std::max(now, old - (v - row.lowerStop) / softness);
-                now = std::min(now, old - (v - row.upperStop) / softness);
-            }
-            record.impulse[r] = now;
-            push(row, now - old);
+void push(const JointRows& rows, const JointRow& row, double impulse, BodyStore& bodies) {
+    for (std::size_t e = 0; e < rows.ends; ++e) {
+        if (bodies.velocity[rows.body[e]].inverseMass == 0) continue;
+        Vec3 v = velocityOf(bodies, rows.body[e]);
+        add(v, answerOf(bodies, rows.body[e], times(row.at[e], impulse)));
+        setVelocity(bodies, rows.body[e], v);
+    }
+}
+
+double speedOf(const JointRows& rows, const JointRow& row, const BodyStore& bodies) {
+    double sum = 0;
+    for (std::size_t e = 0; e < rows.ends; ++e) sum += dot(row.at[e], velocityOf(bodies, rows.body[e]));
+    return sum;
+}
+
+/// The rows that hold, all together.
+void sweepHolding(JointRecord& record, const JointRows& rows, BodyStore& bodies, const Softness& soft) {
+    Mat3 k;
+    Vec3 lacking{};
+    for (std::size_t r = 0; r < mostRows; ++r) {
+        k[r][r] = 1;
+        if (r >= rows.count || !rows.row[r].holds) continue;
+        lacking[r] = rows.row[r].target - speedOf(rows, rows.row[r], bodies);
+        k[r][r] = softnessOf(bodies, rows, rows.row[r]) * (1 + give);
+        for (std::size_t c = 0; c < r; ++c) {
+            if (!rows.row[c].holds) continue;
+            double sum = 0;
+            for (std::size_t e = 0; e < rows.ends; ++e)
+                sum += dot(rows.row[c].at[e], answerOf(bodies, rows.body[e], rows.row[r].at[e]));
+            k[r][c] = k[c][r] = sum;
         }
     }
-    addLoad(record.load, rows, record.impulse);
+    const Vec3 change = symmetricInverse(k) * lacking;
+    for (std::size_t r = 0; r < rows.count; ++r) {
+        if (!rows.row[r].holds) continue;
+        const double added = change[r] * static_cast<double>(soft.massScale) -
+                             record.impulse[r] * static_cast<double>(soft.impulseScale);
+        record.impulse[r] += added;
+        push(rows, rows.row[r], added, bodies);
+    }
+}
+
+/// One joint of a net that is swept: first the rows that are driven or limited, one by one.
+void sweepJoint(JointRecord& record, JointLoad& load, const JointRows& rows, BodyStore& bodies, const Softness& soft) {
+    for (std::size_t r = 0; r < rows.count; ++r) push(rows, rows.row[r], record.impulse[r], bodies);
+    for (std::size_t r = 0; r < rows.count; ++r) {
+        const JointRow& row = rows.row[r];
+        const double softness = softnessOf(bodies, rows, row);
+        if (row.holds || !(softness > 0)) continue;
+        const double v = speedOf(rows, row, bodies), old = record.impulse[r];
+        double now = std::clamp(old - (v - row.target) / softness, row.low, row.high);
+        now = std::max(now, old - (v - row.lowerStop) / softness);
+        now = std::min(now, old - (v - row.upperStop) / softness);
+        record.impulse[r] = now;
+        push(rows, row, now - old, bodies);
+    }
+    sweepHolding(record, rows, bodies, soft);
+    addLoad(load, rows, record.impulse);
 }
 
 }  // namespace
@@ -375,8 +399,10 @@ void solveNet(JointNet& net, JointStore& joints, BodyStore& bodies, const NetPas
         Pass(net, joints, bodies, pass.direct).run();
         return;
     }
-    for (const JointIndex index : net.joints)
-        sweepJoint(joints[index], joints.rowsOf(index, bodies, pass.swept), bodies, pass.soft);
+    net.hinges.solve(*pass.hingeSolver, bodies.solverBodies(), pass.hinges);
+    for (const JointIndex index : net.others)
+        sweepJoint(joints[index], joints.loads[index], joints.rowsOf(index, bodies, pass.swept), bodies,
+                   pass.hinges.soft);
 }
 
 }  // namespace plumb

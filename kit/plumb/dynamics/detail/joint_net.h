@@ -20,8 +20,8 @@
 // impulses of the step before as a first guess.
 #pragma once
 #include <plumb/dynamics/detail/block_solver.h>
+#include <plumb/dynamics/detail/hinge_sweep.h>
 #include <plumb/dynamics/detail/joint_store.h>
-#include <plumb/dynamics/detail/softness.h>
 
 namespace plumb {
 
@@ -36,16 +36,19 @@ struct JointNet {
     std::vector<JointIndex> joints;
     std::vector<Seats> seats;  ///< of the joints
     std::vector<BodyIndex> bodies;
-    std::vector<Vec3> stiffness;  ///< of the bodies, by the forces of late: along x, y, turning [N/m, N m/rad]
-    bool direct = true;           ///< solved at once, else swept
-    BlockSolver solver;
+    std::vector<Vec3> stiffness;     ///< of the bodies, by the forces of late: along x, y, turning [N/m, N m/rad]
+    bool direct = true;              ///< solved at once, else swept
+    BlockSolver solver;              ///< when solved at once
+    HingeSweep hinges;               ///< when swept: its plain hinges
+    std::vector<JointIndex> others;  ///< and the rest
 };
 
 /// What one pass over the joints is told.
 struct NetPass {
     JointPass direct;  ///< for nets that are solved at once
     JointPass swept;
-    Softness soft;
+    HingePass hinges;
+    const HingeSolver* hingeSolver = nullptr;
 };
 
 /// The nets of the joints that act and have a body awake, in the order of their first joints.

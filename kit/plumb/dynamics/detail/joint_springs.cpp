@@ -85,15 +85,17 @@ void giveAll(JointLoad& load, BodyStore& bodies, const SpringRows& springs, Vec3
 
 }  // namespace
 
-void JointSprings::prepare(const std::vector<JointIndex>& joints, const JointStore& store, const BodyStore& bodies) {
+void JointSprings::find(const std::vector<JointIndex>& joints, const JointStore& store) {
     joints_.clear();
-    for (const JointIndex joint : joints) {
-        const SpringRows springs = store.springsOf(joint, bodies);
-        if (springs.count == 0) continue;
-        joints_.push_back(joint);
-        load_.resize(bodies.record.size(), 0.0);
-        for (const BodyIndex body : springs.body) load_[body] = 0;
-    }
+    for (const JointIndex joint : joints)
+        if (store.hasSpring(joint)) joints_.push_back(joint);
+}
+
+void JointSprings::prepare(const JointStore& store, const BodyStore& bodies) {
+    if (joints_.empty()) return;
+    load_.resize(bodies.record.size(), 0.0);
+    for (const JointIndex joint : joints_)
+        for (const BodyIndex body : {store[joint].bodyA, store[joint].bodyB}) load_[body] = 0;
     for (const JointIndex joint : joints_) {
         const SpringRows springs = store.springsOf(joint, bodies);
         for (std::size_t r = 0; r < springs.count; ++r) {
@@ -108,7 +110,7 @@ void JointSprings::pull(JointStore& store, BodyStore& bodies, double step, bool 
     const double half = 0.5 * step;
     for (const JointIndex joint : joints_) {
         const SpringRows springs = store.springsOf(joint, bodies);
-        JointLoad& load = store[joint].load;
+        JointLoad& load = store.loads[joint];
         const double most = springs.mostForce * half;
         const bool bounded = most < unlimited;
         if (dampFirst && !bounded) giveAll(load, bodies, springs, dampings(bodies, springs, half), most);

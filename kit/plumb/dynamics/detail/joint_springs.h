@@ -19,8 +19,10 @@ namespace plumb {
 
 class JointSprings {
 public:
-    /// At the start of a step: which of these joints have springs, and how they load their bodies.
-    void prepare(const std::vector<JointIndex>& joints, const JointStore& store, const BodyStore& bodies);
+    /// Which of these joints have springs?
+    void find(const std::vector<JointIndex>& joints, const JointStore& store);
+    /// At the start of a step: how do they load their bodies?
+    void prepare(const JointStore& store, const BodyStore& bodies);
     /// Half a sub-step of their forces; damping comes first in the half before the motion, last in the one after it.
     void pull(JointStore& store, BodyStore& bodies, double step, bool dampFirst);
     bool empty() const { return joints_.empty(); }

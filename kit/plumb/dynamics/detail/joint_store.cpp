@@ -33,6 +33,7 @@ Geared geared(const JointStore& joints, JointIndex index, const BodyStore& bodie
 JointIndex JointStore::acquire() {
     if (free.empty()) {
         records.emplace_back();
+        loads.emplace_back();
         return static_cast<JointIndex>(records.size() - 1);
     }
     const JointIndex joint = free.back();
@@ -44,6 +45,7 @@ void JointStore::release(JointIndex joint) {
     const std::uint32_t generation = records[joint].generation + 1;
     std::erase(gears, joint);
     records[joint] = {};
+    loads[joint] = {};
     records[joint].generation = generation;
     free.push_back(joint);
 }
@@ -61,6 +63,17 @@ JointRows JointStore::rowsOf(JointIndex index, const BodyStore& bodies, const Jo
             }
         },
         records[index].joint);
+}
+
+bool JointStore::hasSpring(JointIndex index) const {
+    return std::visit(
+        []<class Def>(const Def& def) {
+            bool has = std::is_same_v<Def, TargetJointDef>;
+            if constexpr (requires { def.spring; }) has = has || def.spring.has_value();
+            if constexpr (requires { def.bending; }) has = has || def.bending.has_value();
+            return has;
+        },
+        records[index].def);
 }
 
 SpringRows JointStore::springsOf(JointIndex index, const BodyStore& bodies) const {

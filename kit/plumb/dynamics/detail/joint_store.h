@@ -43,17 +43,18 @@ struct JointRecord {
     bool collideConnected = false;
     std::uint32_t generation = 0;
     Breaking breaking;
-    JointLoad load;
     std::array<RowState, mostRows> states{};
     Vec3 impulse{};  ///< of half a sub-step, while its net is swept [N s or N m s]
 
     bool isFree() const { return std::holds_alternative<std::monostate>(joint); }
     bool isHidden() const { return std::holds_alternative<LockJoint>(joint); }
+    bool mayBreak() const { return breaking.force < unlimited || breaking.torque < unlimited; }
     bool acts() const { return !isFree() && !std::holds_alternative<FilterJoint>(joint); }
 };
 
 struct JointStore {
     std::vector<JointRecord> records;
+    std::vector<JointLoad> loads;  ///< of the records: written every step, so apart from what is not
     std::vector<JointIndex> free;
     std::vector<JointIndex> gears;  ///< those that two others drive
 
@@ -65,6 +66,7 @@ struct JointStore {
 
     /// What a joint asks for in this half of a sub-step.
     JointRows rowsOf(JointIndex joint, const BodyStore& bodies, const JointPass& pass) const;
+    bool hasSpring(JointIndex joint) const;
     SpringRows springsOf(JointIndex joint, const BodyStore& bodies) const;
     /// Where the last step has left it [m or rad].
     double coordinateOf(JointIndex joint, const BodyStore& bodies) const;

@@ -126,6 +126,7 @@ void changeJoint(WorldState& world, JointIndex index, const JointDef& def) {
     }
     record.def = def;
     record.breaking = bodies.breaking;
+    world.jointsChanged = true;
     std::visit(Setter{world, record.joint}, def);
     for (const BodyIndex body : {record.bodyA, record.bodyB}) wakeIsland(world, body);
 }
@@ -136,9 +137,9 @@ void removeJointsOf(WorldState& world, BodyIndex body) {
 
 void breakJoints(WorldState& world) {
     std::vector<JointIndex> broken;
-    for (const JointIndex index : world.awakeJoints) {
+    for (const JointIndex index : world.breakable) {
         const JointRecord& record = world.joints[index];
-        const JointLoad& load = record.load;
+        const JointLoad& load = world.joints.loads[index];
         if (load.force().norm() <= record.breaking.force && std::abs(load.torque()) <= record.breaking.torque) continue;
         const auto idOrNone = [&](BodyIndex body) { return body == noBody ? BodyId{} : world.idOf(body); };
         world.breaks.push_back({JointId{index, record.generation, world.id}, idOrNone(record.bodyA),

@@ -20,6 +20,8 @@ public:
     double coordinate(const Ends& ends) const { return ends.angle() - reference_; }
     static JointRow coordinateRow(const Ends&) { return rowTurning(); }
     double error(const Ends& ends) const;
+    /// Without motor, limit and spring.
+    bool isPlain() const { return def_.maxMotorTorque == 0 && !def_.limit && !def_.spring; }
 
 private:
     RevoluteJointDef def_;

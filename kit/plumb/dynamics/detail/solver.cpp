@@ -34,8 +34,13 @@ Pass passOf(const SolverSettings& settings, double h) {
     pass.groundContacts = contactPass(2 * settings.contactFrequency);
     const Softness soft = softness(jointFrequencyShare / h, jointDampingRatio, h);
     const double pull = settings.contactPushSpeed;
-    pass.solveJoints = {{h, true, 1 / h, pull}, {h, true, static_cast<double>(soft.biasRate), pull}, soft};
-    pass.relaxJoints = {{h, false, 0, pull}, {h, false, 0, pull}, {}};
+    const HingeSolver& hinges = hingeSolver(settings.lanes);
+    const float fastest = static_cast<float>(pull);
+    pass.solveJoints = {{h, true, 1 / h, pull},
+                        {h, true, static_cast<double>(soft.biasRate), pull},
+                        {pass.step, true, fastest, soft},
+                        &hinges};
+    pass.relaxJoints = {{h, false, 0, pull}, {h, false, 0, pull}, {pass.step, false, fastest, {}}, &hinges};
     return pass;
 }
 
@@ -57,21 +62,30 @@ void findAwakeNets(WorldState& world) {
     if (!world.jointsChanged) return;
     world.jointsChanged = false;
     const std::vector<JointNet> before = std::move(world.nets);
+    for (const JointNet& net : before) net.hinges.release(world.joints);
     world.nets = findNets(world.joints, world.bodies);
     keepStiffness(before, world.nets);
     world.awakeJoints.clear();
     for (const JointNet& net : world.nets)
         world.awakeJoints.insert(world.awakeJoints.end(), net.joints.begin(), net.joints.end());
     std::sort(world.awakeJoints.begin(), world.awakeJoints.end());
+    const auto only = [&world](auto&& test) {
+        std::vector<JointIndex> some;
+        std::copy_if(world.awakeJoints.begin(), world.awakeJoints.end(), std::back_inserter(some), test);
+        return some;
+    };
+    world.breakable = only([&world](JointIndex index) { return world.joints[index].mayBreak(); });
+    world.springs.find(world.awakeJoints, world.joints);
 }
 
 void prepareJoints(WorldState& world, double dt) {
     findAwakeNets(world);
     for (const JointIndex index : world.awakeJoints) {
-        world.joints[index].load = {};
-        world.joints[index].load.time = dt;
+        world.joints.loads[index] = {};
+        world.joints.loads[index].time = dt;
     }
-    world.springs.prepare(world.awakeJoints, world.joints, world.bodies);
+    for (JointNet& net : world.nets) net.hinges.prepare(hingeSolver(world.def.solver.lanes), world.bodies);
+    world.springs.prepare(world.joints, world.bodies);
 }
 
 void solveJoints(WorldState& world, const NetPass& pass) {
@@ -191,6 +205,7 @@ void solveConstraints(WorldState& world, double dt) {
     for (int i = 0; i < subSteps; ++i) subStep(solving, i == 0);
     forEachColour(solving, [&](const ContactSolver& solver, ContactBatch* batches, std::size_t count,
                                const ContactPass&) { solver.bounce(batches, count, bodies); });
+    for (const JointNet& net : world.nets) net.hinges.tellLoads(world.joints);
     markPushed(world);
     storeBodies(solving);
 }

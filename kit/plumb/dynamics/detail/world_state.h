@@ -37,6 +37,7 @@ struct WorldState {
     JointStore joints;
     std::vector<JointNet> nets;           ///< of what is awake
     std::vector<JointIndex> awakeJoints;  ///< those of the nets, in the order of their slots
+    std::vector<JointIndex> breakable;    ///< those of them that may break
     bool jointsChanged = false;           ///< nets and awakeJoints are out of date
     JointSprings springs;
 
