@@ -128,14 +128,12 @@ public:
         return mouse;
     }
 
-    /// A rope that is never taut, and keeps the bodies from touching.
+    /// Friction of no force, which keeps the bodies from touching.
     b2Joint* operator()(const FilterJointDef&) const {
-        b2DistanceJointDef made;
+        b2FrictionJointDef made;
         place(made);
         made.collideConnected = false;
-        made.minLength = 0;
-        made.maxLength = toSingle(farAway);
-        return built_.world.CreateJoint(&made);
+        return create(made);
     }
 
 private:
