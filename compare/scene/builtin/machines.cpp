@@ -58,7 +58,7 @@ void addGear(Scene& scene, const std::string& a, const std::string& b, double ra
 Scene scissorLift() {
     Scene scene{
         .name = "scissor_lift",
-        .question = "Four stages of crossed bars are drawn together at the foot: how high do they lift 50 kg?",
+        .question = "Four stages of crossed bars are drawn together at the foot: how high do they lift 10 kg?",
         .duration = 3,
         .bodies = {pivotBody({0, 0})},
     };
@@ -66,7 +66,7 @@ Scene scissorLift() {
     const double top = stages * risePerStage(start);
     scene.bodies.push_back(ghost("foot", {start, 0}, 0, box({0.1, 0.05}), 2));
     scene.bodies.push_back(ghost("slide", {start, top}, 0, box({0.1, 0.05}), 2));
-    scene.bodies.push_back(ghost("platform", {0, top}, 0, box({1, 0.05}), 50));
+    scene.bodies.push_back(ghost("platform", {0, top}, 0, box({1, 0.05}), 10));
     hinge(scene, "pin", "pivot", "up_1", {0, 0});
     hinge(scene, "foot_pin", "foot", "down_1", {start, 0});
     hinge(scene, "top_pin", "down_4", "platform", {0, top});

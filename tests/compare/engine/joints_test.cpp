@@ -7,8 +7,10 @@
 #include <set>
 
 #include <compare/engine/engine.h>
+#include <compare/engine/plumb_world.h>
 #include <compare/metric/joint_state.h>
 #include <compare/metric/observation.h>
+#include <compare/scene/builtin.h>
 
 #include "catch.h"
 #include "compare/engine/simulators.h"
@@ -266,6 +268,25 @@ TEST_CASE("a sensor counts what flies into it, each time, and touches nothing", 
         CHECK(seen.probes.front().at(0) == 0);
         CHECK(seen.probes.back().at(0) == 1);
         CHECK_THAT(last(seen).position.x(), WithinAbs(3, 1e-5));
+    }
+}
+
+TEST_CASE("Plumb's joints say of themselves what is measured of them, in every built-in scene", "[compare][engine]") {
+    for (const Scene& scene : builtinScenes()) {
+        if (scene.joints.empty()) continue;
+        PlumbWorld made = plumbWorld(scene);
+        const JointStates joints(scene);
+        for (int step = 0; step < 20; ++step) made.world.step(scene.dt);
+        std::vector<BodyState> states;
+        for (const BodyId id : made.bodies) {
+            const Body body = made.world.body(id);
+            states.push_back({body.position(), body.angle(), {}, 0});
+        }
+        for (std::size_t i = 0; i < made.joints.size(); ++i) {
+            INFO(scene.name << ", " << scene.joints[i].name);
+            REQUIRE(made.world.contains(made.joints[i]));
+            CHECK_THAT(made.world.joint(made.joints[i]).error(), WithinAbs(joints.gap(i, states), 1e-6));
+        }
     }
 }
 
