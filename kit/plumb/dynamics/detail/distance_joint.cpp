@@ -33,19 +33,18 @@ JointRows DistanceJoint::rows(const Ends& now, const JointPass& pass) const {
         holdRow(rows, coordinateRow(now), {length - length_, then - length_}, now, pass);
         return rows;
     }
-    const bool limited = def_.minLength > 0 || def_.maxLength < unlimited;
-    if (def_.maxMotorForce == 0 && !limited) return rows;
     JointRow& stretching = rows.row[rows.count++] = coordinateRow(now);
     drive(stretching, def_.motorSpeed, def_.maxMotorForce, pass);
-    const Limit limit{def_.minLength, def_.maxLength};
-    if (limited) keepWithin(stretching, limit, {length, then}, speedOf(stretching, now), pass);
+    if (def_.minLength > 0 || def_.maxLength < unlimited)
+        keepWithin(stretching, {def_.minLength, def_.maxLength}, {length, then}, speedOf(stretching, now), pass);
+    pull(stretching, *def_.spring, length - length_, pass);
     return rows;
 }
 
-SpringRows DistanceJoint::springs(const Ends& now) const {
-    SpringRows springs = springsFor(now);
-    if (def_.spring) addSpring(springs, coordinateRow(now), coordinate(now) - length_, *def_.spring);
-    return springs;
+SpringLoad DistanceJoint::springLoad(const Ends& now) const {
+    SpringLoad load;
+    if (def_.spring) addLoad(load, coordinateRow(now), *def_.spring);
+    return load;
 }
 
 double DistanceJoint::error(const Ends& ends) const {

@@ -15,7 +15,7 @@ public:
 
     void set(const DistanceJointDef& def);
     JointRows rows(const Ends& now, const JointPass& pass) const;
-    SpringRows springs(const Ends& now) const;
+    SpringLoad springLoad(const Ends& now) const;
     static double coordinate(const Ends& ends) { return ends.apart().norm(); }
     static JointRow coordinateRow(const Ends& ends);
     double error(const Ends& ends) const;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <plumb/math/trig.h>
+
 namespace plumb {
 
 namespace {
@@ -51,7 +53,7 @@ void setVelocity(BodyStore& bodies, BodyIndex body, const Vec3& velocity) {
 }
 
 /// What a row's own impulse does to its speed.
-double softnessOf(const BodyStore& bodies, const JointRows& rows, const JointRow& row) {
+double yieldOf(const BodyStore& bodies, const JointRows& rows, const JointRow& row) {
     double sum = 0;
     for (std::size_t e = 0; e < rows.ends; ++e) sum += dot(row.at[e], answerOf(bodies, rows.body[e], row.at[e]));
     return sum;
@@ -70,33 +72,61 @@ bool isStop(RowState state) {
     return state == RowState::AtLowerStop || state == RowState::AtUpperStop;
 }
 
-/// Does the row have a speed that it is to have, or an impulse?
-bool hasSpeed(const JointRow& row, RowState state) {
-    return row.holds || state == RowState::AtTarget || isStop(state);
+/// d of a damper, w what a unit impulse does to the row's speed: more than this takes all of the speed away.
+double slopeOf(const JointRow& row, double w) {
+    constexpr double most = 30;
+    return row.damper > 0 && w > 0 ? exponentialMinus1(std::min(row.damper * w, most)) / w : 0.0;
 }
 
-double speedWanted(const JointRow& row, RowState state) {
-    if (row.holds || !isStop(state)) return row.target;
-    return state == RowState::AtLowerStop ? row.lowerStop : row.upperStop;
+/// Before a sub-step, a damper goes by the speed there was.
+void dampAhead(JointRow& row, double w, double speed) {
+    if (row.bounded || !(row.damper > 0) || !(w > 0)) return;
+    row.push += exponentialMinus1(-row.damper * w) / w * speed;
+    row.damper = 0;
+}
+
+/// A row on a part of its curve: v + give L = speed, or, if there is no such thing, L = impulse.
+struct Wish {
+    bool known = false;
+    double impulse = 0;
+    double speed = 0, give = 0;
+};
+
+Wish wishOf(const JointRow& row, RowState state, double w) {
+    if (row.holds) return {false, 0, row.target, give * w};
+    if (isStop(state)) return {false, 0, state == RowState::AtLowerStop ? row.lowerStop : row.upperStop, give * w};
+    const double slope = slopeOf(row, w);
+    if (row.bounded) {
+        if (state == RowState::AtTarget && slope > 0) return {false, 0, row.push / slope, 1 / slope};
+        return {true, state == RowState::AtTarget ? std::clamp(row.push, row.low, row.high)
+                      : state == RowState::AtHigh ? row.high
+                                                  : row.low};
+    }
+    if (state == RowState::AtTarget) return {false, 0, row.target, give * w};
+    const double impulse = row.push + (state == RowState::AtHigh ? row.high : row.low);
+    if (slope > 0) return {false, 0, impulse / slope, 1 / slope};
+    return {true, impulse};
 }
 
 /// The part of the curve next to the one on which speed and impulse are no answer.
-RowState nextState(const JointRow& row, RowState state, double speed, double impulse) {
+RowState nextState(const JointRow& row, RowState state, double speed, double total, double w) {
     if (row.holds) return RowState::AtTarget;
+    const double aside = row.push - slopeOf(row, w) * speed;
+    if (row.bounded)
+        return aside > row.high ? RowState::AtHigh : aside < row.low ? RowState::AtLow : RowState::AtTarget;
+    const double impulse = total - aside;
+    const bool driven = row.high > row.low;
     switch (state) {
         case RowState::AtTarget:
             if (impulse > row.high) return RowState::AtHigh;
             return impulse < row.low ? RowState::AtLow : state;
         case RowState::AtHigh:
-            if (speed < row.lowerStop) return RowState::AtLowerStop;
-            return speed > row.target && row.high > row.low ? RowState::AtTarget
-                   : speed > row.upperStop                  ? RowState::AtUpperStop
-                                                            : state;
         case RowState::AtLow:
+            if (speed < row.lowerStop) return RowState::AtLowerStop;
             if (speed > row.upperStop) return RowState::AtUpperStop;
-            return speed < row.target && row.high > row.low ? RowState::AtTarget
-                   : speed < row.lowerStop                  ? RowState::AtLowerStop
-                                                            : state;
+            return driven && (speed > row.target) == (state == RowState::AtHigh) && speed != row.target
+                       ? RowState::AtTarget
+                       : state;
         case RowState::AtLowerStop: return impulse < row.high ? RowState::AtHigh : state;
         case RowState::AtUpperStop: return impulse > row.low ? RowState::AtLow : state;
     }
@@ -107,8 +137,8 @@ RowState nextState(const JointRow& row, RowState state, double speed, double imp
 RowState soundState(const JointRow& row, RowState state) {
     if (state == RowState::AtLowerStop && !(row.lowerStop > -unlimited)) return RowState::AtHigh;
     if (state == RowState::AtUpperStop && !(row.upperStop < unlimited)) return RowState::AtLow;
-    if (state == RowState::AtTarget && !(row.high > row.low)) return RowState::AtLow;
-    return state;
+    if (state == RowState::AtTarget && !row.bounded && !(row.high > row.low)) return RowState::AtLow;
+    return row.bounded && isStop(state) ? RowState::AtTarget : state;
 }
 
 /// One pass over one net.
@@ -119,35 +149,41 @@ public:
         rows_.reserve(net.joints.size());
         for (const JointIndex index : net.joints) {
             rows_.push_back(joints.rowsOf(index, bodies, pass));
-            for (std::size_t r = 0; r < rows_.back().count; ++r)
-                if (!rows_.back().row[r].holds)
-                    joints[index].states[r] = soundState(rows_.back().row[r], joints[index].states[r]);
+            yields_.emplace_back();
+            for (std::size_t r = 0; r < rows_.back().count; ++r) {
+                JointRow& row = rows_.back().row[r];
+                yields_.back()[r] = yieldOf(bodies, rows_.back(), row);
+                if (pass.correct) dampAhead(row, yields_.back()[r], joints[index].speeds[r]);
+                if (!row.holds) joints[index].states[r] = soundState(row, joints[index].states[r]);
+            }
         }
         before_.reserve(net.bodies.size());
         for (const BodyIndex body : net.bodies) before_.push_back(velocityOf(bodies, body));
-        findMasses(pass.step);
+        step_ = pass.step;
+        stiffnessBefore_ = net.stiffness;
+        findMasses();
     }
 
     void run() {
         for (int turn = 0; turn < mostTurns; ++turn) {
             solve();
-            if (!changeStates()) break;
+            const bool changed = changeStates();
+            if (!findStiffness() && !changed) break;
         }
         for (std::size_t b = 0; b < net_.bodies.size(); ++b) setVelocity(bodies_, net_.bodies[b], after_[b]);
         for (std::size_t j = 0; j < rows_.size(); ++j) addLoad(joints_.loads[net_.joints[j]], rows_[j], impulses_[j]);
-        findStiffness();
     }
 
 private:
     /// Of each body, and no less than its stiffness needs.
-    void findMasses(double step) {
-        step_ = step;
+    void findMasses() {
+        masses_.clear();
         masses_.reserve(net_.bodies.size());
         bool tight = false;
         for (std::size_t b = 0; b < net_.bodies.size(); ++b) {
             const double mass = 1 / static_cast<double>(bodies_.velocity[net_.bodies[b]].inverseMass);
             const double rho = static_cast<double>(bodies_.turn[net_.bodies[b]].rho);
-            const Vec3 needed = times(net_.stiffness[b], step * step);
+            const Vec3 needed = times(net_.stiffness[b], step_ * step_);
             const double linear = std::max({mass, needed[0], needed[1]});
             masses_.push_back({linear, linear, rho > 0 ? mass / (rho * rho) : 0.0});
             tight = tight || 2 * needed[2] > masses_.back()[2];
@@ -197,8 +233,8 @@ private:
         return 1 / (1 / masses_[node][0] + turning);
     }
 
-    /// By the forces of this pass.
-    void findStiffness() {
+    /// By the forces of this pass; true when a line has become so tight that the pass is not to be believed.
+    bool findStiffness() {
         // It falls slowly: one that follows the forces' every turn pumps up what swings (tried).
         std::vector<Vec3> fresh(net_.stiffness.size());
         const double rate = 2 / step_;  // impulses are of half a sub-step
@@ -217,7 +253,18 @@ private:
         const double kept = 1 - std::min(0.5 * step_ / memory, 1.0);
         for (std::size_t b = 0; b < fresh.size(); ++b)
             for (std::size_t i = 0; i < 3; ++i)
-                net_.stiffness[b][i] = std::max(fresh[b][i], kept * net_.stiffness[b][i]);
+                net_.stiffness[b][i] = std::max(fresh[b][i], kept * stiffnessBefore_[b][i]);
+        return haveMassesGrown();
+    }
+
+    bool haveMassesGrown() {
+        constexpr double unnoticed = 1.5;
+        const std::vector<Vec3> used = masses_;
+        findMasses();
+        for (std::size_t b = 0; b < used.size(); ++b)
+            for (std::size_t i = 0; i < 3; ++i)
+                if (masses_[b][i] > unnoticed * used[b][i]) return true;
+        return false;
     }
 
     /// What a body of the net answers an impulse of (x, y, turn) with.
@@ -227,9 +274,7 @@ private:
     }
 
     RowState stateOf(std::size_t j, std::size_t r) const { return joints_[net_.joints[j]].states[r]; }
-    bool isActive(std::size_t j, std::size_t r) const {
-        return r < rows_[j].count && hasSpeed(rows_[j].row[r], stateOf(j, r));
-    }
+    Wish wish(std::size_t j, std::size_t r) const { return wishOf(rows_[j].row[r], stateOf(j, r), yields_[j][r]); }
 
     double speedOf(std::size_t j, std::size_t r, const std::vector<Vec3>& velocities) const {
         double speed = 0;
@@ -246,9 +291,10 @@ private:
         after_ = before_;
         for (std::size_t j = 0; j < rows_.size(); ++j) {
             for (std::size_t r = 0; r < rows_[j].count; ++r) {
-                if (isActive(j, r)) continue;
+                const Wish known = wish(j, r);
+                if (!known.known) continue;
                 const JointRow& row = rows_[j].row[r];
-                const double impulse = stateOf(j, r) == RowState::AtHigh ? row.high : row.low;
+                const double impulse = known.impulse;
                 impulses_[j][r] = impulse;
                 if (impulse == 0) continue;
                 for (std::size_t e = 0; e < rows_[j].ends; ++e) {
@@ -276,12 +322,12 @@ private:
         for (std::size_t r = 0; r < mostRows; ++r) {
             diagonal[r][r] = -1;
             right[r] = 0;
-            if (!isActive(j, r)) continue;
+            if (r >= rows.count || !(yields_[j][r] > 0)) continue;  // nothing that it could move
+            const Wish wanted = wish(j, r);
+            if (wanted.known) continue;
             const JointRow& row = rows.row[r];
-            const double softness = softnessOf(bodies_, rows, row);
-            if (!(softness > 0)) continue;  // nothing that it could move
-            diagonal[r][r] = -give * softness;
-            right[r] = speedOf(j, r, after_) - speedWanted(row, stateOf(j, r));
+            diagonal[r][r] = -wanted.give;
+            right[r] = speedOf(j, r, after_) - wanted.speed;
             for (std::size_t e = 0; e < rows.ends; ++e) blocks[e][r] = times(row.at[e], -1);
         }
         for (std::size_t e = 0; e < rows.ends; ++e) {
@@ -303,7 +349,7 @@ private:
         for (std::size_t b = 0; b < net_.bodies.size(); ++b) add(after_[b], answer_[b]);
         for (std::size_t j = 0; j < rows_.size(); ++j)
             for (std::size_t r = 0; r < rows_[j].count; ++r)
-                if (isActive(j, r)) impulses_[j][r] = answer_[net_.bodies.size() + j][r];
+                if (!wish(j, r).known) impulses_[j][r] = answer_[net_.bodies.size() + j][r];
     }
 
     bool changeStates() {
@@ -313,7 +359,7 @@ private:
                 const JointRow& row = rows_[j].row[r];
                 if (row.holds) continue;
                 RowState& state = joints_[net_.joints[j]].states[r];
-                const RowState next = nextState(row, state, speedOf(j, r, after_), impulses_[j][r]);
+                const RowState next = nextState(row, state, speedOf(j, r, after_), impulses_[j][r], yields_[j][r]);
                 changed = changed || next != state;
                 state = next;
             }
@@ -325,8 +371,10 @@ private:
     JointStore& joints_;
     BodyStore& bodies_;
     std::vector<JointRows> rows_;  ///< of the joints
-    std::vector<Vec3> impulses_;   ///< likewise
+    std::vector<Vec3> yields_;     ///< what a unit impulse of theirs does to the rows' speeds
+    std::vector<Vec3> impulses_;   ///< of the rows
     double step_ = 0;
+    std::vector<Vec3> stiffnessBefore_;
     std::vector<Vec3> masses_;          ///< of the bodies: along x, y, turning; 0: nothing turns it
     std::vector<Vec3> before_, after_;  ///< velocities of the bodies
     std::vector<Vec3> answer_;
@@ -341,12 +389,6 @@ void push(const JointRows& rows, const JointRow& row, double impulse, BodyStore&
     }
 }
 
-double speedOf(const JointRows& rows, const JointRow& row, const BodyStore& bodies) {
-    double sum = 0;
-    for (std::size_t e = 0; e < rows.ends; ++e) sum += dot(row.at[e], velocityOf(bodies, rows.body[e]));
-    return sum;
-}
-
 /// The rows that hold, all together.
 void sweepHolding(JointRecord& record, const JointRows& rows, BodyStore& bodies, const Softness& soft) {
     Mat3 k;
@@ -355,7 +397,7 @@ void sweepHolding(JointRecord& record, const JointRows& rows, BodyStore& bodies,
         k[r][r] = 1;
         if (r >= rows.count || !rows.row[r].holds) continue;
         lacking[r] = rows.row[r].target - speedOf(rows, rows.row[r], bodies);
-        k[r][r] = softnessOf(bodies, rows, rows.row[r]) * (1 + give);
+        k[r][r] = yieldOf(bodies, rows, rows.row[r]) * (1 + give);
         for (std::size_t c = 0; c < r; ++c) {
             if (!rows.row[c].holds) continue;
             double sum = 0;
@@ -374,17 +416,24 @@ void sweepHolding(JointRecord& record, const JointRows& rows, BodyStore& bodies,
     }
 }
 
+/// Where a row's curve meets v + w (L - old), what it can reach by its own impulse.
+double soughtImpulse(const JointRow& row, double v, double old, double w) {
+    const double slope = slopeOf(row, w);
+    const auto onSlope = [&](double bound) { return (row.push + bound - slope * (v - w * old)) / (1 + slope * w); };
+    if (row.bounded) return std::clamp(onSlope(0), row.low, row.high);
+    const double at = std::clamp(old - (v - row.target) / w, onSlope(row.low), onSlope(row.high));
+    return std::min(std::max(at, old - (v - row.lowerStop) / w), old - (v - row.upperStop) / w);
+}
+
 /// One joint of a net that is swept: first the rows that are driven or limited, one by one.
 void sweepJoint(JointRecord& record, JointLoad& load, const JointRows& rows, BodyStore& bodies, const Softness& soft) {
     for (std::size_t r = 0; r < rows.count; ++r) push(rows, rows.row[r], record.impulse[r], bodies);
     for (std::size_t r = 0; r < rows.count; ++r) {
         const JointRow& row = rows.row[r];
-        const double softness = softnessOf(bodies, rows, row);
-        if (row.holds || !(softness > 0)) continue;
-        const double v = speedOf(rows, row, bodies), old = record.impulse[r];
-        double now = std::clamp(old - (v - row.target) / softness, row.low, row.high);
-        now = std::max(now, old - (v - row.lowerStop) / softness);
-        now = std::min(now, old - (v - row.upperStop) / softness);
+        const double w = yieldOf(bodies, rows, row);
+        if (row.holds || !(w > 0)) continue;
+        const double old = record.impulse[r];
+        const double now = soughtImpulse(row, speedOf(rows, row, bodies), old, w);
         record.impulse[r] = now;
         push(rows, row, now - old, bodies);
     }

@@ -5,6 +5,16 @@
 
 namespace plumb {
 
+namespace {
+
+/// A row that was just made holds; one that is to do something else does nothing else before.
+void release(JointRow& row) {
+    if (row.holds) row.low = row.high = row.target = 0;
+    row.holds = false;
+}
+
+}  // namespace
+
 JointRow rowAlong(const Vec2& axis, const Ends& ends) {
     JointRow row;
     const Vec2 fromA = ends.a.arm + ends.apart();
@@ -27,6 +37,17 @@ double speedOf(const JointRow& row, const Ends& ends) {
     return part(row.at[0], ends.a) + part(row.at[1], ends.b);
 }
 
+double speedOf(const JointRows& rows, const JointRow& row, const BodyStore& bodies) {
+    double speed = 0;
+    for (std::size_t e = 0; e < rows.ends; ++e) {
+        const SolverVelocity& v = bodies.velocity[rows.body[e]];
+        const double spin = static_cast<double>(v.w) * static_cast<double>(bodies.turn[rows.body[e]].rho);
+        speed +=
+            row.at[e][0] * static_cast<double>(v.x) + row.at[e][1] * static_cast<double>(v.y) + row.at[e][2] * spin;
+    }
+    return speed;
+}
+
 JointRows rowsFor(const Ends& ends) {
     JointRows rows;
     rows.body = {ends.a.body, ends.b.body, noBody, noBody};
@@ -42,8 +63,7 @@ void hold(JointRow& row, const Course& course, double speed, const JointPass& pa
 }
 
 void keepWithin(JointRow& row, const Limit& limit, const Course& course, double speed, const JointPass& pass) {
-    if (row.holds) row.low = row.high = row.target = 0;
-    row.holds = false;
+    release(row);
     // A gap may be closed in the sub-step, all of it; what is beyond the limit is taken back as any error is.
     const auto allowed = [&pass](double room) {
         if (room >= 0) return room / pass.step;
@@ -79,21 +99,16 @@ void holdPoint(JointRows& rows, const Ends& now, const Ends& later, const JointP
     holdRow(rows, y, {gap.y(), gapLater.y()}, now, pass);
 }
 
-SpringRows springsFor(const Ends& ends) {
-    SpringRows springs;
-    springs.body = {ends.a.body, ends.b.body};
-    springs.armB = ends.b.arm;
-    return springs;
+void pull(JointRow& row, const Spring& spring, double stretch, const JointPass& pass) {
+    release(row);
+    row.push = -spring.stiffness * pass.springShare * stretch * (0.5 * pass.step);
+    row.damper = spring.damping * (0.5 * pass.step);
 }
 
-void addSpring(SpringRows& springs, const JointRow& row, double stretch, const Spring& spring) {
-    springs.row[springs.count++] = {{row.at[0], row.at[1]}, stretch, spring};
-}
-
-void addPointSpring(SpringRows& springs, const Ends& ends, const Spring& spring) {
-    const Vec2 gap = ends.apart();
-    addSpring(springs, rowAlong({1, 0}, ends), gap.x(), spring);
-    addSpring(springs, rowAlong({0, 1}, ends), gap.y(), spring);
+void addLoad(SpringLoad& load, const JointRow& row, const Spring& spring, bool heldTurn) {
+    SpringLoad::Row& added = load.row[load.count++];
+    added = {{row.at[0], row.at[1]}, spring.stiffness};
+    if (heldTurn) added.at[0][2] = added.at[1][2] = 0;
 }
 
 }  // namespace plumb

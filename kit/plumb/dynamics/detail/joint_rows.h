@@ -2,7 +2,8 @@
 // What does a joint ask of the velocities of its bodies?
 //
 // A row sees v = sum over its ends of (x, y, turn) . (vx, vy, w), and gives each end (x, y, turn) times its impulse L.
-// What it wants is one curve, L falling as v grows, of which a hinge's rows, a motor's and a limit's are parts:
+// What it wants is L = a spring's push - d v + what its curve says, falling as v grows, of which a hinge's rows, a
+// motor's and a limit's are parts:
 //
 //      L |      lower stop
 //        |        |
@@ -13,7 +14,10 @@
 //        +----------------------+--- v
 //                       upper stop
 //
-// Source: the speed at which a joint is held, as a complementarity problem: Murty, "Linear complementarity", 1988.
+// A damper c takes the part 1 - exp(-c w h / 2) of v in half a sub-step h, if nothing else acts, w what a unit of L
+// does to v: d = (exp(c w h / 2) - 1) / w, for the v after it. It does so in the half after a sub-step; in the
+// half before, it goes by the speed there was, and is a push. Source: the speed at which a joint is held, as a
+// complementarity problem: Murty, "Linear complementarity", 1988.
 #pragma once
 #include <array>
 #include <limits>
@@ -31,7 +35,10 @@ struct JointRow {
     double target = 0;                          ///< [m/s or rad/s]
     double low = -unlimited, high = unlimited;  ///< [N s or N m s]
     double lowerStop = -unlimited, upperStop = unlimited;  ///< [m/s or rad/s]
-    bool holds = true;  ///< nothing but the target, with all the impulse that it takes
+    bool holds = true;     ///< nothing but the target, with all the impulse that it takes
+    double push = 0;       ///< of a spring [N s or N m s]
+    double damper = 0;     ///< c h / 2 [N s^2/m or N m s^2]
+    bool bounded = false;  ///< low and high bound spring and damper; there is no target, and no stop
 };
 
 /// On which part of its curve a row was last.
@@ -47,27 +54,23 @@ struct JointRows {
     bool holdsPoint = false;              ///< keeps the anchors together
 };
 
-/// A spring along a row, that wants the row's coordinate to be 0.
-struct SpringRow {
-    std::array<Vec3, 2> at{};
-    double stretch = 0;  ///< [m or rad]
-    Spring spring;
-};
-
-struct SpringRows {
+/// How springs load the bodies at a joint's ends.
+struct SpringLoad {
+    struct Row {
+        std::array<Vec3, 2> at{};
+        double stiffness = 0;  ///< [N/m or N m/rad]
+    };
     std::size_t count = 0;
-    std::array<BodyIndex, 2> body{};
-    std::array<SpringRow, mostRows> row;
-    double mostForce = unlimited;  ///< of all of them together [N]
-    Vec2 armB{0, 0};               ///< as in JointRows
+    std::array<Row, mostRows> row;
 };
 
 /// What a joint is told when it is asked for its rows.
 struct JointPass {
-    double step = 0;      ///< h [s]
-    bool correct = true;  ///< before the sub-step: errors are to be gone after it; after it: only velocities
-    double rate = 0;      ///< share of an error that is to be gone [1/s]
-    double fastest = 0;   ///< that an error is taken back [m/s]
+    double step = 0;         ///< h [s]
+    bool correct = true;     ///< before the sub-step: errors are to be gone after it; after it: only velocities
+    double rate = 0;         ///< share of an error that is to be gone [1/s]
+    double fastest = 0;      ///< that an error is taken back [m/s]
+    double springShare = 1;  ///< of springs' stiffness (see joint_springs.h)
 };
 
 /// A coordinate that a row is the rate of: now, and after the coming sub-step as things move now.
@@ -81,6 +84,8 @@ JointRow rowAlong(const Vec2& axis, const Ends& ends);
 JointRow rowTurning();
 /// v of a row of two ends.
 double speedOf(const JointRow& row, const Ends& ends);
+/// v of any row, as the bodies move now within a step.
+double speedOf(const JointRows& rows, const JointRow& row, const BodyStore& bodies);
 /// An empty set for two ends.
 JointRows rowsFor(const Ends& ends);
 
@@ -96,9 +101,9 @@ void drive(JointRow& row, double speed, double force, const JointPass& pass);
 void holdRow(JointRows& rows, const JointRow& row, const Course& course, const Ends& now, const JointPass& pass);
 void holdPoint(JointRows& rows, const Ends& now, const Ends& later, const JointPass& pass);
 
-/// An empty set for two ends; then a spring along a row, or two that pull the anchors together.
-SpringRows springsFor(const Ends& ends);
-void addSpring(SpringRows& springs, const JointRow& row, double stretch, const Spring& spring);
-void addPointSpring(SpringRows& springs, const Ends& ends, const Spring& spring);
+/// Adds a spring to a row, stretched by so much, beside what else there is on it.
+void pull(JointRow& row, const Spring& spring, double stretch, const JointPass& pass);
+/// And to its load; heldTurn: the joint lets nothing turn, so that turning is no way out for the spring.
+void addLoad(SpringLoad& load, const JointRow& row, const Spring& spring, bool heldTurn = false);
 
 }  // namespace plumb

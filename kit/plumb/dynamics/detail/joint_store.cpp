@@ -50,7 +50,8 @@ void JointStore::release(JointIndex joint) {
     free.push_back(joint);
 }
 
-JointRows JointStore::rowsOf(JointIndex index, const BodyStore& bodies, const JointPass& pass) const {
+JointRows JointStore::rowsOf(JointIndex index, const BodyStore& bodies, JointPass pass) const {
+    pass.springShare = records[index].springShare;
     return std::visit(
         [&]<class Joint>(const Joint& joint) -> JointRows {
             if constexpr (hasEnds<Joint>) {
@@ -76,11 +77,11 @@ bool JointStore::hasSpring(JointIndex index) const {
         records[index].def);
 }
 
-SpringRows JointStore::springsOf(JointIndex index, const BodyStore& bodies) const {
+SpringLoad JointStore::springLoadOf(JointIndex index, const BodyStore& bodies) const {
     return std::visit(
-        [&]<class Joint>(const Joint& joint) -> SpringRows {
-            if constexpr (hasEnds<Joint>)
-                return joint.springs(endsNow(joint.anchors, bodies));
+        [&]<class Joint>(const Joint& joint) -> SpringLoad {
+            if constexpr (requires(const Ends& ends) { joint.springLoad(ends); })
+                return joint.springLoad(endsAtRest(joint.anchors, bodies));
             else
                 return {};
         },

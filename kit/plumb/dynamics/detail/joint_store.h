@@ -44,7 +44,9 @@ struct JointRecord {
     std::uint32_t generation = 0;
     Breaking breaking;
     std::array<RowState, mostRows> states{};
-    Vec3 impulse{};  ///< of half a sub-step, while its net is swept [N s or N m s]
+    double springShare = 1;  ///< in this step (see joint_springs.h)
+    Vec3 speeds{};           ///< of the rows, before the sub-step: what dampers go by [m/s or rad/s]
+    Vec3 impulse{};          ///< of half a sub-step, while its net is swept [N s or N m s]
 
     bool isFree() const { return std::holds_alternative<std::monostate>(joint); }
     bool isHidden() const { return std::holds_alternative<LockJoint>(joint); }
@@ -65,9 +67,9 @@ struct JointStore {
     void release(JointIndex joint);
 
     /// What a joint asks for in this half of a sub-step.
-    JointRows rowsOf(JointIndex joint, const BodyStore& bodies, const JointPass& pass) const;
+    JointRows rowsOf(JointIndex joint, const BodyStore& bodies, JointPass pass) const;
     bool hasSpring(JointIndex joint) const;
-    SpringRows springsOf(JointIndex joint, const BodyStore& bodies) const;
+    SpringLoad springLoadOf(JointIndex joint, const BodyStore& bodies) const;
     /// Where the last step has left it [m or rad].
     double coordinateOf(JointIndex joint, const BodyStore& bodies) const;
     double speedOf(JointIndex joint, const BodyStore& bodies) const;  ///< [m/s or rad/s]

@@ -20,7 +20,6 @@ public:
         if (y_) holdRow(rows, rowAlong({0, 1}, now), {off.y(), later.y()}, now, pass);
         return rows;
     }
-    static SpringRows springs(const Ends& now) { return springsFor(now); }
     static double coordinate(const Ends&) { return 0; }
     static JointRow coordinateRow(const Ends&) { return {}; }
     double error(const Ends& ends) const {

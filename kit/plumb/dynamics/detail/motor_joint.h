@@ -15,7 +15,6 @@ public:
 
     void set(const MotorJointDef& def);
     JointRows rows(const Ends& now, const JointPass& pass) const;
-    static SpringRows springs(const Ends& now) { return springsFor(now); }
     double coordinate(const Ends& ends) const { return off(ends).norm(); }
     JointRow coordinateRow(const Ends& ends) const;
     static double error(const Ends&) { return 0; }  ///< it may be off, as far as its force goes

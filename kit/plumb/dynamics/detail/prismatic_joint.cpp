@@ -17,18 +17,19 @@ JointRows PrismaticJoint::rows(const Ends& now, const JointPass& pass) const {
     JointRows rows = rowsFor(now);
     holdRow(rows, rowAlong(perp(axis(now)), now), {aside(now), aside(later)}, now, pass);
     holdRow(rows, rowTurning(), {turned(now), turned(later)}, now, pass);
-    if (def_.maxMotorForce == 0 && !def_.limit) return rows;
+    if (def_.maxMotorForce == 0 && !def_.limit && !def_.spring) return rows;
     JointRow& sliding = rows.row[rows.count++] = coordinateRow(now);
     drive(sliding, def_.motorSpeed, def_.maxMotorForce, pass);
     const Course course{coordinate(now), coordinate(later)};
     if (def_.limit) keepWithin(sliding, *def_.limit, course, speedOf(sliding, now), pass);
+    if (def_.spring) pull(sliding, *def_.spring, course.now - def_.restShift, pass);
     return rows;
 }
 
-SpringRows PrismaticJoint::springs(const Ends& now) const {
-    SpringRows springs = springsFor(now);
-    if (def_.spring) addSpring(springs, coordinateRow(now), coordinate(now) - def_.restShift, *def_.spring);
-    return springs;
+SpringLoad PrismaticJoint::springLoad(const Ends& now) const {
+    SpringLoad load;
+    if (def_.spring) addLoad(load, coordinateRow(now), *def_.spring, true);
+    return load;
 }
 
 double PrismaticJoint::error(const Ends& ends) const {

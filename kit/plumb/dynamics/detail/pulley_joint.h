@@ -16,7 +16,6 @@ public:
 
     void set(const PulleyJointDef& def);
     JointRows rows(const Ends& now, const JointPass& pass) const;
-    static SpringRows springs(const Ends& now) { return springsFor(now); }
     double coordinate(const Ends& ends) const;
     JointRow coordinateRow(const Ends& ends) const;
     double error(const Ends& ends) const;

@@ -14,18 +14,19 @@ JointRows RevoluteJoint::rows(const Ends& now, const JointPass& pass) const {
     const Ends later = after(now, pass.step);
     JointRows rows = rowsFor(now);
     holdPoint(rows, now, later, pass);
-    if (def_.maxMotorTorque == 0 && !def_.limit) return rows;
+    if (isPlain()) return rows;
     JointRow& turning = rows.row[rows.count++] = rowTurning();
     drive(turning, def_.motorSpeed, def_.maxMotorTorque, pass);
     const Course course{coordinate(now), coordinate(later)};
     if (def_.limit) keepWithin(turning, *def_.limit, course, speedOf(turning, now), pass);
+    if (def_.spring) pull(turning, *def_.spring, course.now - def_.restAngle, pass);
     return rows;
 }
 
-SpringRows RevoluteJoint::springs(const Ends& now) const {
-    SpringRows springs = springsFor(now);
-    if (def_.spring) addSpring(springs, rowTurning(), coordinate(now) - def_.restAngle, *def_.spring);
-    return springs;
+SpringLoad RevoluteJoint::springLoad(const Ends&) const {
+    SpringLoad load;
+    if (def_.spring) addLoad(load, rowTurning(), *def_.spring);
+    return load;
 }
 
 double RevoluteJoint::error(const Ends& ends) const {

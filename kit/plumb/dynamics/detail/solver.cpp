@@ -85,11 +85,10 @@ void prepareJoints(WorldState& world, double dt) {
         world.joints.loads[index].time = dt;
     }
     for (JointNet& net : world.nets) net.hinges.prepare(hingeSolver(world.def.solver.lanes), world.bodies);
-    world.springs.prepare(world.joints, world.bodies);
+    world.springs.share(world.joints, world.bodies, dt / world.def.solver.subSteps);
 }
 
 void solveJoints(WorldState& world, const NetPass& pass) {
-    world.springs.pull(world.joints, world.bodies, pass.direct.step, pass.direct.correct);
     for (JointNet& net : world.nets) solveNet(net, world.joints, world.bodies, pass);
 }
 
@@ -119,6 +118,8 @@ void forEachColour(Solving& solving, Solve&& solve) {
 
 void solveHalf(Solving& solving, const NetPass& joints, bool first) {
     const std::uint32_t* list = solving.solved.data();
+    if (joints.direct.correct)
+        solving.world.springs.noteSpeeds(solving.world.joints, solving.world.bodies, joints.direct.step);
     kickBodies(list, solving.solved.size(), solving.bodies, first);
     if (solving.world.awakeJoints.empty()) return;
     solveJoints(solving.world, joints);

@@ -14,11 +14,28 @@ void TargetJoint::set(const TargetJointDef& def, const BodyStore& bodies) {
     spring_ = def.spring.value_or(springOf(5, 0.7, bodies.record[def.body.index].mass));
 }
 
-SpringRows TargetJoint::springs(const Ends& now) const {
-    SpringRows springs = springsFor(now);
-    addPointSpring(springs, now, spring_);
-    springs.mostForce = def_.maxForce;
-    return springs;
+std::array<Vec2, 2> TargetJoint::axes(const Ends& ends) {
+    const Vec2 way = ends.apart();
+    const Vec2 along = way.squaredNorm() > 0 ? Vec2(way.stableNormalized()) : Vec2(1, 0);
+    return {along, perp(along)};
+}
+
+JointRows TargetJoint::rows(const Ends& now, const JointPass& pass) const {
+    JointRows rows = rowsFor(now);
+    for (const Vec2& axis : axes(now)) {
+        JointRow& row = rows.row[rows.count++] = rowAlong(axis, now);
+        pull(row, spring_, axis.dot(now.apart()), pass);
+        row.bounded = def_.maxForce < unlimited;
+        if (row.bounded) row.high = def_.maxForce * (0.5 * pass.step);
+        row.low = -row.high;
+    }
+    return rows;
+}
+
+SpringLoad TargetJoint::springLoad(const Ends& now) const {
+    SpringLoad load;
+    for (const Vec2& axis : axes(now)) addLoad(load, rowAlong(axis, now), spring_);
+    return load;
 }
 
 }  // namespace plumb

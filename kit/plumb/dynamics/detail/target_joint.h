@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How is a point of a body dragged to a point of the world?
 //
-// No rows: a spring from the one to the other, of bounded force.
+// Two rows, along the pull and across it: a spring from the one to the other, of bounded force.
 #pragma once
 #include <plumb/dynamics/detail/joint_rows.h>
 
@@ -14,13 +14,16 @@ public:
     TargetJoint(const TargetJointDef& def, const BodyStore& bodies);
 
     void set(const TargetJointDef& def, const BodyStore& bodies);
-    static JointRows rows(const Ends& now, const JointPass&) { return rowsFor(now); }
-    SpringRows springs(const Ends& now) const;
+    JointRows rows(const Ends& now, const JointPass& pass) const;
+    SpringLoad springLoad(const Ends& now) const;
     static double coordinate(const Ends& ends) { return ends.apart().norm(); }
     static JointRow coordinateRow(const Ends& ends) { return rowAlong(ends.apart().stableNormalized(), ends); }
     static double error(const Ends&) { return 0; }
 
 private:
+    /// Along the way to the target, and across it.
+    static std::array<Vec2, 2> axes(const Ends& ends);
+
     TargetJointDef def_;
     Spring spring_;
 };

@@ -12,15 +12,22 @@ JointRows WeldJoint::rows(const Ends& now, const JointPass& pass) const {
     const Ends later = after(now, pass.step);
     JointRows rows = rowsFor(now);
     if (!def_.spring) holdPoint(rows, now, later, pass);
-    if (!def_.bending) holdRow(rows, rowTurning(), {coordinate(now), coordinate(later)}, now, pass);
+    for (const int axis : {0, 1})
+        if (def_.spring)
+            pull(rows.row[rows.count++] = rowAlong(Vec2::Unit(axis), now), *def_.spring, now.apart()[axis], pass);
+    if (def_.bending)
+        pull(rows.row[rows.count++] = rowTurning(), *def_.bending, coordinate(now), pass);
+    else
+        holdRow(rows, rowTurning(), {coordinate(now), coordinate(later)}, now, pass);
     return rows;
 }
 
-SpringRows WeldJoint::springs(const Ends& now) const {
-    SpringRows springs = springsFor(now);
-    if (def_.spring) addPointSpring(springs, now, *def_.spring);
-    if (def_.bending) addSpring(springs, rowTurning(), coordinate(now), *def_.bending);
-    return springs;
+SpringLoad WeldJoint::springLoad(const Ends& now) const {
+    SpringLoad load;
+    for (const int axis : {0, 1})
+        if (def_.spring) addLoad(load, rowAlong(Vec2::Unit(axis), now), *def_.spring, !def_.bending);
+    if (def_.bending) addLoad(load, rowTurning(), *def_.bending);
+    return load;
 }
 
 }  // namespace plumb

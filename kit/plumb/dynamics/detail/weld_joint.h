@@ -15,7 +15,7 @@ public:
 
     void set(const WeldJointDef& def) { def_ = def; }
     JointRows rows(const Ends& now, const JointPass& pass) const;
-    SpringRows springs(const Ends& now) const;
+    SpringLoad springLoad(const Ends& now) const;
     double coordinate(const Ends& ends) const { return ends.angle() - reference_; }
     static JointRow coordinateRow(const Ends&) { return rowTurning(); }
     double error(const Ends& ends) const { return def_.spring ? 0.0 : ends.apart().norm(); }

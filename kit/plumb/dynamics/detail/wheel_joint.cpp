@@ -19,17 +19,18 @@ JointRows WheelJoint::rows(const Ends& now, const JointPass& pass) const {
         JointRow& turning = rows.row[rows.count++] = rowTurning();
         drive(turning, def_.motorSpeed, def_.maxMotorTorque, pass);
     }
-    if (def_.limit) {
-        JointRow& sliding = rows.row[rows.count++] = coordinateRow(now);
-        keepWithin(sliding, *def_.limit, {coordinate(now), coordinate(later)}, speedOf(sliding, now), pass);
-    }
+    if (!def_.limit && !def_.spring) return rows;
+    JointRow& sliding = rows.row[rows.count++] = coordinateRow(now);
+    const Course course{coordinate(now), coordinate(later)};
+    if (def_.limit) keepWithin(sliding, *def_.limit, course, speedOf(sliding, now), pass);
+    if (def_.spring) pull(sliding, *def_.spring, course.now - def_.restShift, pass);
     return rows;
 }
 
-SpringRows WheelJoint::springs(const Ends& now) const {
-    SpringRows springs = springsFor(now);
-    if (def_.spring) addSpring(springs, coordinateRow(now), coordinate(now) - def_.restShift, *def_.spring);
-    return springs;
+SpringLoad WheelJoint::springLoad(const Ends& now) const {
+    SpringLoad load;
+    if (def_.spring) addLoad(load, coordinateRow(now), *def_.spring);
+    return load;
 }
 
 double WheelJoint::error(const Ends& ends) const {

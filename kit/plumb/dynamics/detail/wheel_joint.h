@@ -16,7 +16,7 @@ public:
 
     void set(const WheelJointDef& def) { def_ = def; }
     JointRows rows(const Ends& now, const JointPass& pass) const;
-    SpringRows springs(const Ends& now) const;
+    SpringLoad springLoad(const Ends& now) const;
     double coordinate(const Ends& ends) const { return axis(ends).dot(ends.apart()); }
     JointRow coordinateRow(const Ends& ends) const { return rowAlong(axis(ends), ends); }
     double error(const Ends& ends) const;

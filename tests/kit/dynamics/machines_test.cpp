@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <plumb/plumb.h>
+#include <plumb/record/state_hash.h>
+#include "catch.h"
+
+using plumb::BodyId;
+using plumb::BodyType;
+using plumb::JointId;
+using plumb::Mass;
+using plumb::Vec2;
+using plumb::World;
+
+namespace {
+
+constexpr double g = 9.81;
+constexpr double dt = 1.0 / 60;
+
+double energyOf(const World& world) {
+    double energy = 0;
+    for (const BodyId id : world.bodies()) {
+        const plumb::BodyView body = world.body(id);
+        energy += 0.5 * body.mass() * body.velocity().squaredNorm() +
+                  0.5 * body.inertia() * body.angularVelocity() * body.angularVelocity() +
+                  body.mass() * g * body.centerOfMass().y();
+    }
+    return energy;
+}
+
+/// 20 links of half a metre from (0, 0), and a load at their end.
+struct Chain {
+    World world{{.sleeping = false}};
+    std::vector<JointId> joints;
+    BodyId load;
+    double linkMass = 0;
+
+    Chain(double loadRatio, const Vec2& along) {
+        const double angle = std::atan2(along.y(), along.x());
+        BodyId last = world.add({.type = BodyType::Static});
+        for (int i = 0; i < 20; ++i) {
+            const BodyId link = world.add(
+                {.position = (0.25 + 0.5 * i) * along,
+                 .angle = angle,
+                 .shapes = {{.shape = plumb::Capsule{{-0.25, 0}, {0.25, 0}, 0.05}, .filter = {.group = -1}}}});
+            linkMass = world.body(link).mass();
+            joints.push_back(
+                world.join(plumb::RevoluteJointDef{.bodyA = last, .bodyB = link, .anchor = 0.5 * i * along}));
+            last = link;
+        }
+        const double mass = loadRatio * linkMass;
+        load = world.add({.position = 10.5 * along,
+                          .mass = Mass{mass, {0, 0}, 0.1 * mass},
+                          .shapes = {{.shape = plumb::Circle{0.5}, .filter = {.group = -1}}}});
+        joints.push_back(world.join(plumb::RevoluteJointDef{.bodyA = last, .bodyB = load, .anchor = 10 * along}));
+    }
+    double worstError() const {
+        double worst = 0;
+        for (const JointId joint : joints) worst = std::max(worst, world.joint(joint).error());
+        return worst;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a chain of 20 links holds a load of a thousand times their mass", "[dynamics][joints]") {
+    for (const double ratio : {1.0, 10.0, 100.0, 1000.0, 10000.0}) {
+        INFO("load of " << ratio << " links");
+        Chain chain(ratio, {0, -1});
+        chain.world.body(chain.load).setVelocity({3, 0});
+        const double start = energyOf(chain.world), swing = 0.5 * 9 * (ratio + 20) * chain.linkMass;
+        double error = 0, energy = 0;
+        for (int tick = 0; tick < 1200; ++tick) {
+            chain.world.step(dt);
+            error = std::max(error, chain.worstError());
+            energy = std::max(energy, std::fabs(energyOf(chain.world) - start));
+        }
+        CHECK(error < 1e-3);
+        CHECK(energy < 0.05 * swing);
+    }
+}
+
+TEST_CASE("a double pendulum that turns over keeps its energy to 1 % for 60 s", "[dynamics][joints][law]") {
+    World world({.sleeping = false});
+    const BodyId base = world.add({.type = BodyType::Static});
+    const BodyId upper = world.add({.position = {1, 0}, .shapes = {plumb::box({1, 0.05})}});
+    const BodyId lower = world.add({.position = {3, 0}, .shapes = {plumb::box({1, 0.05})}});
+    world.join(plumb::RevoluteJointDef{.bodyA = base, .bodyB = upper});
+    world.join(plumb::RevoluteJointDef{.bodyA = upper, .bodyB = lower, .anchor = {2, 0}});
+    const double start = energyOf(world), range = world.body(upper).mass() * g * 4;  // 1 m and 3 m down
+    double worst = 0;
+    for (int tick = 0; tick < 3600; ++tick) {
+        world.step(dt);
+        worst = std::max(worst, std::fabs(energyOf(world) - start));
+    }
+    CHECK(worst < 0.01 * range);
+}
+
+TEST_CASE("a bridge of 30 planks between two banks bears a heavy box at its middle", "[dynamics][joints]") {
+    World world;
+    const BodyId banks = world.add({.type = BodyType::Static});
+    std::vector<JointId> joints;
+    BodyId last = banks;
+    for (int i = 0; i < 30; ++i) {
+        const BodyId plank = world.add({.position = {i + 0.5, 0}, .shapes = {plumb::box({0.5, 0.1}, {.density = 20})}});
+        joints.push_back(world.join(plumb::RevoluteJointDef{.bodyA = last, .bodyB = plank, .anchor = {double(i), 0}}));
+        last = plank;
+    }
+    joints.push_back(world.join(plumb::RevoluteJointDef{.bodyA = last, .bodyB = banks, .anchor = {30, 0}}));
+    const BodyId box = world.add({.position = {15, 3}, .shapes = {plumb::box({1, 1}, {.density = 100})}});
+    double worst = 0;
+    for (int tick = 0; tick < 900; ++tick) {
+        world.step(dt);
+        for (const JointId joint : joints) worst = std::max(worst, world.joint(joint).error());
+    }
+    CHECK(worst < 5e-3);
+    CHECK(world.body(box).velocity().norm() < 0.05);
+    CHECK(world.body(box).position().y() > -4);
+    // Both banks together bear all there is: 30 planks of 4 kg and a box of 400 kg.
+    const double borne =
+        world.joint(joints.back()).reaction().force.y() - world.joint(joints.front()).reaction().force.y();
+    CHECK(std::fabs(std::fabs(borne) - 520 * g) < 0.02 * 520 * g);
+}
+
+TEST_CASE("more hinges than a body needs share its load, and swing on", "[dynamics][joints]") {
+    // A swing on three parallel arms, of which two would do: rows that say what others say.
+    World world({.sleeping = false});
+    const BodyId beam = world.add({.type = BodyType::Static});
+    const Vec2 down(std::sin(1.0), -std::cos(1.0));
+    const BodyId seat = world.add({.position = down, .shapes = {plumb::box({1.2, 0.1})}});
+    std::vector<JointId> joints;
+    for (const double x : {-1.0, 0.0, 1.0}) {
+        const BodyId arm =
+            world.add({.position = Vec2(x, 0) + 0.5 * down, .angle = 1.0, .shapes = {plumb::box({0.02, 0.5})}});
+        joints.push_back(world.join(plumb::RevoluteJointDef{.bodyA = beam, .bodyB = arm, .anchor = {x, 0}}));
+        joints.push_back(world.join(plumb::RevoluteJointDef{.bodyA = arm, .bodyB = seat, .anchor = Vec2(x, 0) + down}));
+    }
+    double worst = 0;
+    const double start = energyOf(world);
+    for (int tick = 0; tick < 1200; ++tick) {
+        world.step(dt);
+        for (const JointId joint : joints) worst = std::max(worst, world.joint(joint).error());
+    }
+    CHECK(worst < 1e-4);
+    CHECK(std::fabs(energyOf(world) - start) < 0.01 * world.body(seat).mass() * g);
+}
+
+TEST_CASE("machines are the same to the bit for any number of lanes", "[dynamics][joints]") {
+    std::vector<std::uint64_t> hashes;
+    for (const int lanes : {1, 4, 8, 16}) {
+        World world({.solver = {.lanes = lanes}});
+        const BodyId frame = world.add({.type = BodyType::Static});
+        std::vector<BodyId> grid;
+        for (int i = 0; i < 400; ++i) {
+            const Vec2 at(0.5 * (i % 20), -0.5 * (i / 20));
+            grid.push_back(
+                world.add({.position = at, .shapes = {{.shape = plumb::Circle{0.2}, .filter = {.group = -1}}}}));
+            const auto hinge = [&](BodyId other, const Vec2& anchor) {
+                world.join(plumb::RevoluteJointDef{.bodyA = other, .bodyB = grid.back(), .anchor = anchor});
+            };
+            if (i % 20 > 0) hinge(grid[grid.size() - 2], at - Vec2(0.25, 0));
+            if (i >= 20) hinge(grid[grid.size() - 21], at + Vec2(0, 0.25));
+            if (i == 0 || i == 19) hinge(frame, at);
+        }
+        // Not a plain hinge, so swept by itself.
+        world.join(plumb::DistanceJointDef{.bodyA = grid[25],
+                                           .bodyB = grid[68],
+                                           .anchorA = world.body(grid[25]).position(),
+                                           .anchorB = world.body(grid[68]).position()});
+        world.body(grid[395]).applyImpulse({5, 1});
+        for (int tick = 0; tick < 120; ++tick) world.step(dt);
+        hashes.push_back(plumb::stateHash(world));
+    }
+    CHECK(std::count(hashes.begin(), hashes.end(), hashes.front()) == 4);
+}
