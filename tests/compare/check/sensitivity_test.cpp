@@ -115,6 +115,15 @@ TEST_CASE("a spring 1 % too soft, or one that damps by 0.1 %, turns the undamped
                   }));
 }
 
+TEST_CASE("a damper 1 % too strong turns the damped springs red, springs 5 % too soft or motors 2 % too fast the car",
+          "[compare][check]") {
+    checkTurnsRed({"springs_damped"},
+                  eachJoint<DistanceJointDef>([](DistanceJointDef& def) { def.spring->damping *= 1.01; }));
+    checkTurnsRed({"car_over_hills"},
+                  eachJoint<WheelJointDef>([](WheelJointDef& def) { def.spring->stiffness *= 0.95; }));
+    checkTurnsRed({"car_over_hills"}, eachJoint<WheelJointDef>([](WheelJointDef& def) { def.motorSpeed *= 1.02; }));
+}
+
 TEST_CASE("a pulley or gear of 1.01 for 1, or a gear left out, turns the machines red", "[compare][check]") {
     checkTurnsRed({"atwood_machine"}, eachJoint<PulleyJointDef>([](PulleyJointDef& def) { def.ratio *= 1.01; }));
     checkTurnsRed({"gear_train"}, eachJoint<GearJointDef>([](GearJointDef& def) { def.ratio *= 1.01; }));
