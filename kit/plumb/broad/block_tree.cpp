@@ -5,6 +5,8 @@
 #include <bit>
 #include <limits>
 
+#include <plumb/math/detail/bytes_of.h>
+
 namespace plumb {
 namespace {
 
@@ -95,6 +97,24 @@ void BlockTree::grow() {
     }
 }
 
+void BlockTree::reserve(std::size_t slots) {
+    std::size_t blocks = (slots + width - 1) / width;
+    members_.reserve(slots);
+    previous_.reserve(blocks);
+    touchedBlocks_.reserve(blocks);
+    for (std::size_t level = 0; blocks > 1; ++level) {
+        levels_[level].reserve(blocks);
+        touched_[level].reserve(blocks);
+        blocks = (blocks + width - 1) / width;
+    }
+}
+
+std::size_t BlockTree::bytes() const {
+    std::size_t bytes = bytesOf(members_) + bytesOf(previous_) + bytesOf(touchedBlocks_);
+    for (std::size_t level = 0; level < maxLevels; ++level) bytes += bytesOf(levels_[level]) + bytesOf(touched_[level]);
+    return bytes;
+}
+
 // The bounds around stay as they are: they hold what is left.
 void BlockTree::erase(std::uint32_t slot) {
     members_[slot] = noMember;
@@ -157,6 +177,11 @@ void BlockTree::settle() {
         touched_[0][block] = 0;
     }
     touchedBlocks_.clear();
+}
+
+Bounds BlockTree::bounds() const {
+    if (levelCount_ == 0) return {notANumber, notANumber, notANumber, notANumber};
+    return boundsOf(levels_[levelCount_ - 1][0]);
 }
 
 double BlockTree::looseness() const {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <plumb/broad/box_block.h>
+#include <plumb/broad/box_probe.h>
 #include <plumb/shapes/aabb.h>
 
 namespace plumb {
@@ -51,6 +52,11 @@ public:
         const std::uint16_t* touched;  ///< of each block of levels[0], one bit a lane
     };
 
+    /// Makes room for so many slots.
+    void reserve(std::size_t slots);
+    /// Of memory that it holds.
+    std::size_t bytes() const;
+
     std::uint32_t slotCount() const { return static_cast<std::uint32_t>(members_.size()); }
     std::uint32_t memberCount() const { return memberCount_; }
     /// The member of each slot; noMember in a hole.
@@ -82,6 +88,14 @@ public:
     /// Calls visit(slot) for every box that may overlap the given one, as far as floats can tell: for none too few.
     template <class Visit>
     void query(const Bounds& box, Visit&& visit) const;
+
+    /// Calls visit(slot) for every box whose key is the limit or less, nearer ones sooner as far as blocks tell; visit
+    /// returns the limit from then on, no larger than it was. Returns the last limit.
+    template <class Visit>
+    float probe(const BoxProbe& probe, float limit, Visit&& visit) const;
+
+    /// Holds all boxes, as far as they were refitted; NaN when there are none.
+    Bounds bounds() const;
 
     /// The sum of half perimeters over the blocks of slots [m]: grows as the order grows stale.
     double looseness() const;
@@ -138,6 +152,36 @@ void BlockTree::query(const Bounds& box, Visit&& visit) const {
                 stack[size++] = {place.level - 1, i};
         }
     }
+}
+
+template <class Visit>
+float BlockTree::probe(const BoxProbe& probe, float limit, Visit&& visit) const {
+    struct Place {
+        float key;
+        std::uint32_t level, block;
+    };
+    if (levelCount_ == 0) return limit;
+    std::array<Place, maxLevels*(width - 1) + 1> stack;
+    alignas(64) std::array<float, width> keys;
+    std::size_t size = 0;
+    stack[size++] = {0, static_cast<std::uint32_t>(levelCount_ - 1), 0};
+    while (size > 0) {
+        const Place place = stack[--size];
+        if (place.key > limit) continue;
+        const std::size_t first = size;
+        std::uint32_t lanes = probe.keys(probe, levels_[place.level][place.block], limit, keys.data());
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+            // The nearest comes to lie on top.
+            std::size_t at = size++;
+            for (; at > first && stack[at - 1].key < keys[lane]; --at) stack[at] = stack[at - 1];
+            stack[at] = {keys[lane], place.level - 1, place.block * width + lane};
+        }
+        if (place.level > 0) continue;
+        for (; size > first; --size)
+            if (stack[size - 1].key <= limit) limit = visit(stack[size - 1].block);
+    }
+    return limit;
 }
 
 }  // namespace plumb

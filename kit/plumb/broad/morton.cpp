@@ -9,6 +9,7 @@
 #include <limits>
 
 #include <plumb/broad/radix_sort.h>
+#include <plumb/math/detail/bytes_of.h>
 
 namespace plumb {
 namespace {
@@ -181,6 +182,11 @@ std::vector<std::uint32_t> mortonOrder(std::span<const Aabb> boxes, std::uint32_
     MortonSort sort;
     const std::span<const std::uint32_t> order = sort(boxes, runLimit);
     return {order.begin(), order.end()};
+}
+
+std::size_t MortonSort::bytes() const {
+    const Memory& m = *memory_;
+    return sizeof m + bytesOf(m.items) + bytesOf(m.open) + bytesOf(m.order) + m.sort.bytes();
 }
 
 }  // namespace plumb

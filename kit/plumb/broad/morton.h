@@ -28,6 +28,9 @@ public:
     /// Holds until the next call.
     std::span<const std::uint32_t> operator()(std::span<const Aabb> boxes, std::uint32_t runLimit);
 
+    /// Of memory that it holds.
+    std::size_t bytes() const;
+
 private:
     struct Memory;
     std::unique_ptr<Memory> memory_;

@@ -35,6 +35,9 @@ public:
         if (from.data() != items.data()) std::copy(from.begin(), from.end(), items.begin());
     }
 
+    /// Of memory that it holds.
+    std::size_t bytes() const { return other_.capacity() * sizeof(Item); }
+
 private:
     std::vector<Item> other_;
 };

@@ -20,6 +20,8 @@ public:
 
     Vec2f operator[](std::size_t i) const { return {x()[i], y()[i]}; }
     const float* x() const { return many_.empty() ? few_.data() : many_.data(); }
+    /// Of memory beside itself.
+    std::size_t bytes() const { return many_.capacity() * sizeof(float); }
     const float* y() const { return many_.empty() ? few_.data() + few : many_.data() + many_.size() / 2; }
 
 private:

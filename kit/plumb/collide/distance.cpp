@@ -2,81 +2,16 @@
 #include <plumb/collide/distance.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
 
+#include <plumb/collide/detail/outline.h>
 #include <plumb/shapes/chain.h>
 
 namespace plumb {
 
 namespace {
-
-/// Corners with the edges that leave them, and a radius around all.
-struct Outline {
-    std::array<Vec2, maxPolygonVertices> corners, normals;
-    std::size_t count = 0;  ///< of corners
-    std::size_t edges = 0;  ///< as many, but for a circle: it has none
-    double radius = 0;      ///< [m]
-
-    std::size_t after(std::size_t i) const { return i + 1 < count ? i + 1 : 0; }
-    Vec2 edgeFrom(std::size_t i) const { return corners[after(i)] - corners[i]; }
-};
-
-Vec2 unit(const Vec2& v) {
-    return v / std::sqrt(v.dot(v));
-}
-
-Outline outlineOf(const Circle& circle) {
-    Outline outline;
-    outline.corners[0] = circle.center;
-    outline.count = 1;
-    outline.radius = circle.radius;
-    return outline;
-}
-
-Outline outlineOf(const Polygon& polygon) {
-    Outline outline;
-    outline.radius = polygon.radius;
-    outline.count = outline.edges = polygon.vertices.size();
-    std::copy(polygon.vertices.begin(), polygon.vertices.end(), outline.corners.begin());
-    for (std::size_t i = 0; i < outline.edges; ++i) outline.normals[i] = unit(-perp(outline.edgeFrom(i)));
-    return outline;
-}
-
-Outline outlineOf(const Vec2& start, const Vec2& end, double radius) {
-    const Vec2 along = unit(end - start);
-    const Vec2 right = -perp(along);
-    Outline outline;
-    outline.radius = radius;
-    outline.count = outline.edges = 4;
-    std::copy_n(std::array{start, end, end, start}.begin(), 4, outline.corners.begin());
-    std::copy_n(std::array<Vec2, 4>{right, along, -right, -along}.begin(), 4, outline.normals.begin());
-    return outline;
-}
-
-Outline outlineOf(const Segment& segment) {
-    return outlineOf(segment.start, segment.end, 0);
-}
-
-Outline outlineOf(const Capsule& capsule) {
-    return outlineOf(capsule.start, capsule.end, capsule.radius);
-}
-
-/// A chain has none: it goes piece by piece.
-Outline outlineOf(const Chain&) {
-    return {};
-}
-
-/// The shape turned as it lies in the world, its place seen from origin: numbers no larger than need be.
-Outline outlineOf(const Shape& shape, const Transform& pose, const Vec2& origin) {
-    Outline outline = std::visit([](const auto& s) { return outlineOf(s); }, shape);
-    const Vec2 shift = pose.position - origin;
-    for (std::size_t i = 0; i < outline.count; ++i) outline.corners[i] = pose.rotation * outline.corners[i] + shift;
-    for (std::size_t i = 0; i < outline.edges; ++i) outline.normals[i] = pose.rotation * outline.normals[i];
-    return outline;
-}
 
 /// The edge that the whole of the other shape is farthest outside of, and the other's corner nearest to its line.
 struct Axis {
@@ -149,7 +84,8 @@ Distance exchanged(const Distance& d) {
     return {d.separation, -d.normal, d.pointB, d.pointA};
 }
 
-/// Of the cores, without the radii.
+}  // namespace
+
 Distance coreDistance(const Outline& a, const Outline& b) {
     if (a.edges == 0 && b.edges == 0) {
         const Vec2 between = b.corners[0] - a.corners[0];
@@ -170,6 +106,8 @@ Distance coreDistance(const Outline& a, const Outline& b) {
     if (!(best.squared > 0)) return axis;  // so near that squares vanish
     return nearerB ? exchanged(best.distance) : best.distance;
 }
+
+namespace {
 
 Distance pieceDistance(const Shape& a, const Transform& poseA, const Shape& b, const Transform& poseB) {
     const Vec2& origin = poseA.position;

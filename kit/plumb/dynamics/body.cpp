@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/body.h>
 
+#include <plumb/dynamics/detail/body_shapes.h>
 #include <plumb/dynamics/detail/islands.h>
-#include <plumb/dynamics/detail/pairs.h>
+#include <plumb/dynamics/detail/joints_edit.h>
 #include <plumb/dynamics/detail/world_state.h>
 #include <plumb/math/check.h>
 
@@ -37,8 +38,7 @@ void addForce(WorldState& world, BodyIndex body, const Vec2& force, double torqu
 }
 
 void requireMovable(const WorldState& world, BodyIndex body, const char* what) {
-    if (world.bodies.record[body].type == BodyType::Static)
-        refuse(what, "the body is static (or in quarantine), and stays where it is");
+    if (world.bodies.record[body].type == BodyType::Static) refuse(what, "the body is static, and stays where it is");
 }
 
 Contact contactOf(const WorldState& world, const ContactRecord& record) {
@@ -98,6 +98,48 @@ double BodyView::inertia() const {
     return world_->bodies.record[index_].inertia;
 }
 
+Vec2 BodyView::velocityAt(const Vec2& point) const {
+    requireFinite(point, "BodyView.velocityAt: point");
+    const BodyMotion& motion = world_->bodies.motion[index_];
+    return motion.velocity + perp(Vec2(point - motion.center)) * motion.angularVelocity;
+}
+
+double BodyView::gravityScale() const {
+    return world_->bodies.record[index_].gravityScale;
+}
+
+double BodyView::linearDamping() const {
+    return world_->bodies.record[index_].linearDamping;
+}
+
+double BodyView::angularDamping() const {
+    return world_->bodies.record[index_].angularDamping;
+}
+
+bool BodyView::enabled() const {
+    return world_->bodies.record[index_].enabled;
+}
+
+std::uint64_t BodyView::tag() const {
+    return world_->bodies.record[index_].tag;
+}
+
+std::vector<ShapeId> BodyView::shapes() const {
+    std::vector<ShapeId> shapes;
+    for (const ProxyId proxy : world_->bodies.record[index_].proxies) {
+        const std::uint32_t number = world_->space[proxy].number;
+        if (shapes.empty() || shapes.back().number != number) shapes.push_back({id(), number});
+    }
+    return shapes;
+}
+
+std::vector<JointId> BodyView::joints() const {
+    std::vector<JointId> joints;
+    for (const JointIndex joint : world_->bodies.record[index_].joints)
+        if (!world_->joints[joint].isHidden()) joints.push_back({joint, world_->joints[joint].generation, world_->id});
+    return joints;
+}
+
 bool BodyView::awake() const {
     return world_->bodies.record[index_].awake;
 }
@@ -141,10 +183,9 @@ void Body::setPose(const Vec2& position, double angle) {
     motion.rotation = Rot::fromAngle(angle);
     motion.center = position + motion.rotation * world_->bodies.record[index_].localCenter;
     // It has left whatever it was near; the space is to look anew, also at what sleeps where it has come to.
-    forEachContact(world_->bodies, world_->contacts, index_, [this](ContactIndex c) { removeContact(*world_, c); });
     world_->bodies.rest(index_);
-    placeBody(*world_, index_, 0);
-    for (const ProxyId proxy : world_->bodies.record[index_].proxies) world_->space.renew(proxy);
+    meetAnew(*world_, index_);
+    moveLocks(*world_, index_);
     wakeIsland(*world_, index_);
 }
 
@@ -180,6 +221,33 @@ void Body::applyImpulse(const Vec2& impulse, const Vec2& at) {
     motion.velocity = velocity;
     motion.angularVelocity += turn;
     wakeIsland(*world_, index_);
+}
+
+void Body::applyAngularImpulse(double impulse) {
+    requireFinite(impulse, "Body.applyAngularImpulse: impulse");
+    const double inverse = world_->bodies.record[index_].inverseInertia;
+    const double turn = inverse > 0 ? impulse * inverse : 0.0;
+    requireFinite(turn, "Body.applyAngularImpulse: impulse, for the angular velocity it would give");
+    world_->bodies.motion[index_].angularVelocity += turn;
+    wakeIsland(*world_, index_);
+}
+
+void Body::moveTo(const Vec2& position, double angle, double dt) {
+    requireFinite(position, "Body.moveTo: position");
+    requireFinite(angle, "Body.moveTo: angle");
+    requirePositive(dt, "Body.moveTo: dt");
+    const BodyRecord& record = world_->bodies.record[index_];
+    if (record.type != BodyType::Kinematic) refuse("Body.moveTo", "the body is not kinematic");
+    BodyMotion& motion = world_->bodies.motion[index_];
+    const Vec2 target = position + Rot::fromAngle(angle) * record.localCenter;
+    const Vec2 velocity = (target - motion.center) / dt;
+    const double turn = (angle - motion.angle) / dt;
+    requireFinite(velocity, "Body.moveTo: position, for the velocity it takes");
+    requireFinite(turn, "Body.moveTo: angle, for the angular velocity it takes");
+    if (record.fixedRotation && turn != 0) refuse("Body.moveTo: angle", "the body is of fixed rotation");
+    motion.velocity = velocity;
+    motion.angularVelocity = turn;
+    velocityChanged(*world_, index_);
 }
 
 }  // namespace plumb

@@ -28,7 +28,9 @@ struct ContactHit {
     double approachSpeed = 0;  ///< along the normal [m/s]
 };
 
-/// A shape came into a sensor, or began to overlap it where it stands.
+/// A shape came into a sensor, or began to overlap it where it stands: seen at the step's end. What passes right
+/// through a sensor within a step begins and ends in it. Neither of two sensors is told of the other, nor is a static
+/// sensor of what is static; filters and groups count as for a touch.
 struct SensorBegin {
     ShapeId sensor, visitor;
 };

@@ -6,11 +6,12 @@
 
 namespace plumb {
 
-/// Where a ray, or a shape that moves straight on, meets a shape first.
+/// Where a ray, or a shape that moves straight on, meets a shape first. A ray of no length, or a shape that is shifted
+/// by nothing, meets what it is in or touches; the normal is then the nearest way out.
 struct CastHit {
     ShapeId shape;
     Vec2 point{0, 0};     ///< where they meet, in the world [m]
-    Vec2 normal{0, 1};    ///< outward from what was met; against the motion where it began inside [-]
+    Vec2 normal{0, 1};    ///< outward from what was met; where it began inside, against the motion [-]
     double fraction = 0;  ///< of the way, 0 to 1; 0 where it began inside or touching [-]
 };
 

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 
+#include <plumb/dynamics/detail/body_shapes.h>
 #include <plumb/dynamics/detail/continuous.h>
 #include <plumb/dynamics/detail/free_motion.h>
 #include <plumb/dynamics/detail/islands.h>
@@ -14,12 +15,11 @@
 #include <plumb/dynamics/detail/pairs.h>
 #include <plumb/dynamics/detail/quarantine.h>
 #include <plumb/dynamics/detail/report_contacts.h>
-#include <plumb/dynamics/detail/shape_measure.h>
+#include <plumb/dynamics/detail/sensors.h>
 #include <plumb/dynamics/detail/solver.h>
 #include <plumb/dynamics/detail/sort_out.h>
 #include <plumb/dynamics/detail/validate.h>
 #include <plumb/math/check.h>
-#include <plumb/shapes/chain.h>
 
 namespace plumb {
 
@@ -34,6 +34,9 @@ std::uint32_t nextWorldId() {
 void clearEvents(WorldState& world) {
     world.begins.clear();
     world.breaks.clear();
+    world.hits.clear();
+    world.sensors.begins.clear();
+    world.sensors.ends.clear();
     world.quarantines.clear();
     world.ends.erase(world.ends.begin(), world.ends.begin() + static_cast<std::ptrdiff_t>(world.reportedEnds));
 }
@@ -75,37 +78,15 @@ private:
     Clock::time_point last_;
 };
 
-double extentOf(const Convex& convex) {
-    float farthest = 0;
-    for (int i = 0; i < convex.count; ++i)
-        farthest = std::max(farthest, convex.vertices[static_cast<std::size_t>(i)].norm());
-    return static_cast<double>(farthest + convex.radius);
-}
-
-void addShape(WorldState& world, BodyIndex body, const ShapeDef& shape, std::uint32_t number) {
-    BodyRecord& record = world.bodies.record[body];
-    const Aabb box = aabbOf(shape.shape, world.bodies.pose(body));
-    const bool fixed = record.type == BodyType::Static;
-    const ProxyId proxy = world.space.add(shape, body, fixed, record.localCenter, box, number);
-    record.proxies.push_back(proxy);
-    if (record.type != BodyType::Dynamic) ++world.walls;
-    record.extent = std::max(record.extent, extentOf(world.space[proxy].convex));
-    record.reach = std::max(record.reach, reachOf(shape.shape, record.localCenter));
-    record.core = std::min(record.core, coreOf(shape.shape));
-    std::vector<BoxOutline>& boxes = world.contacts.boxes;
-    if (boxes.size() <= proxy) boxes.resize(proxy + std::size_t{1});
-    boxes[proxy] = boxOutlineOf(shape, record.localCenter);
-}
-
 void addShapes(WorldState& world, BodyIndex body, const BodyDef& def) {
-    for (const ShapeDef& shape : def.shapes) {
-        const std::uint32_t number = world.bodies.record[body].shapesMade++;
-        for (const Shape& piece : piecesOf(shape.shape)) {
-            ShapeDef part = shape;
-            part.shape = piece;
-            addShape(world, body, part, number);
-        }
-    }
+    for (const ShapeDef& shape : def.shapes) addShape(world, body, shape, world.bodies.record[body].shapesMade++);
+}
+
+/// What was awake in the step; the rest of what moves() tells is looked up when it is asked for.
+void noteMovers(WorldState& world) {
+    world.movers = world.bodies.awake;
+    world.sleepers.clear();
+    world.gone.clear();
 }
 
 }  // namespace
@@ -131,6 +112,9 @@ BodyId World::add(const BodyDef& def) {
     record.type = def.type;
     if (def.type == BodyType::Kinematic) bodies.kinematic.push_back(body);
     record.alive = true;
+    record.enabled = def.enabled;
+    record.tag = def.tag;
+    record.massGiven = def.mass.has_value();
     record.canSleep = def.canSleep;
     record.fixedRotation = def.fixedRotation;
     record.gravityScale = def.gravityScale;
@@ -147,7 +131,8 @@ BodyId World::add(const BodyDef& def) {
     bodies.rest(body);
     const bool moves = def.type == BodyType::Dynamic || !def.velocity.isZero(0) || def.angularVelocity != 0;
     if (moves && def.awake) bodies.wake(body);
-    if (def.type == BodyType::Dynamic) lockBody(*state_, body, def.lockX, def.lockY);
+    lockBody(*state_, body, def.lockX, def.lockY);
+    if (!def.awake) bodies.putToSleep(body);
     return state_->idOf(body);
 }
 
@@ -157,6 +142,9 @@ void World::remove(BodyId id) {
     wakeNeighbours(world, id.index);
     removeJointsOf(world, id.index);
     removeShapes(world, id.index);
+    world.parkedMass.erase(id.index);
+    world.gone.push_back(id.index);
+    std::erase(world.unsound, id.index);
     world.bodies.release(id.index);
 }
 
@@ -186,9 +174,10 @@ void World::step(double dt) {
         reportContacts(world);
         clearForces(world.bodies);
         quarantine(world);
-        sleepIslands(world, dt);
-        watch.lap(&StepProfile::finish);
+        if (dt >= shortestSolved) watchSensors(world, dt);
     }
+    noteMovers(world);
+    if (dt > 0) sleepIslands(world, dt);
     world.reportedEnds = world.ends.size();
 }
 
@@ -221,18 +210,6 @@ void World::setGravity(const Vec2& gravity) {
     requireFinite(gravity, "World.setGravity: gravity");
     state_->def.gravity = gravity;
     for (BodyIndex body = 1; body < state_->bodies.record.size(); ++body) wakeIsland(*state_, body);
-}
-
-std::span<const ContactBegin> World::contactBegins() const {
-    return state_->begins;
-}
-
-std::span<const ContactEnd> World::contactEnds() const {
-    return {state_->ends.data(), state_->reportedEnds};
-}
-
-std::span<const Quarantined> World::quarantines() const {
-    return state_->quarantines;
 }
 
 StepProfile World::profile() const {

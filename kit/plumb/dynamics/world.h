@@ -9,6 +9,7 @@
 #include <plumb/collide/distance.h>
 #include <plumb/dynamics/body.h>
 #include <plumb/dynamics/body_def.h>
+#include <plumb/dynamics/counts.h>
 #include <plumb/dynamics/events.h>
 #include <plumb/dynamics/id.h>
 #include <plumb/dynamics/joint.h>
@@ -76,7 +77,7 @@ public:
     std::vector<ShapeId> overlapBox(const Aabb& box, const Filter& filter = {}) const;
     std::vector<ShapeId> overlapShape(const Shape& shape, const Transform& pose, const Filter& filter = {}) const;
     std::vector<ShapeId> overlapPoint(const Vec2& point, const Filter& filter = {}) const;
-    /// The shape nearest to a point, of those no farther than within [m].
+    /// The shape nearest to a point, of those no farther than within, >= 0, may be infinite [m].
     std::optional<Nearest> nearest(const Vec2& point, double within, const Filter& filter = {}) const;
     Distance distance(ShapeId a, ShapeId b) const;
 
@@ -90,6 +91,9 @@ public:
     std::span<const Quarantined> quarantines() const;
     std::vector<BodyMoved> moves() const;  ///< in the order of their slots; without those removed since
     StepProfile profile() const;
+
+    void reserve(const Capacity& capacity);
+    WorldCounts counts() const;  ///< takes a look at all there is
 
 private:
     std::unique_ptr<WorldState> state_;

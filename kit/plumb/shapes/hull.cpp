@@ -6,29 +6,12 @@
 #include <numeric>
 
 #include <plumb/math/check.h>
+#include <plumb/shapes/detail/scaled_points.h>
 
 namespace plumb {
 namespace {
 
-/// A little more than what a polygon is held to, so that rounding does not make it refuse what comes from here.
-constexpr double hullTolerance = 1.5e-6;
-
 using Indices = std::vector<std::size_t>;
-
-/// Points from the first one, times a power of two, so that products of huge or tiny lengths neither overflow nor
-/// vanish.
-std::vector<Vec2> scaledPoints(std::span<const Vec2> points) {
-    double largest = 0;
-    for (const Vec2& p : points) largest = std::max({largest, std::fabs(p.x()), std::fabs(p.y())});
-    int exponent = 0;
-    std::frexp(largest, &exponent);
-    std::vector<Vec2> scaled;
-    scaled.reserve(points.size());
-    for (const Vec2& p : points) scaled.emplace_back(std::ldexp(p.x(), -exponent), std::ldexp(p.y(), -exponent));
-    const Vec2 first = scaled.front();
-    for (Vec2& p : scaled) p -= first;
-    return scaled;
-}
 
 /// Andrew's monotone chain: the lower outline from left to right, then the upper one back.
 Indices outlineOf(const std::vector<Vec2>& points) {
@@ -55,15 +38,6 @@ Indices outlineOf(const std::vector<Vec2>& points) {
     return hull;
 }
 
-double extentOf(const std::vector<Vec2>& points) {
-    Vec2 lower = points.front(), upper = points.front();
-    for (const Vec2& p : points) {
-        lower = lower.cwiseMin(p);
-        upper = upper.cwiseMax(p);
-    }
-    return (upper - lower).norm();
-}
-
 /// One round along the outline without the corners that are hardly any: too near to the one before, or hardly a turn.
 Indices withoutFlats(const Indices& outline, const std::vector<Vec2>& points, double shortest) {
     Indices kept;
@@ -72,7 +46,7 @@ Indices withoutFlats(const Indices& outline, const std::vector<Vec2>& points, do
         const std::size_t after = i + 1 < outline.size() ? outline[i + 1] : (kept.empty() ? before : kept.front());
         const Vec2 in = points[outline[i]] - points[before];
         const Vec2 out = points[after] - points[outline[i]];
-        const bool corner = in.norm() > shortest && cross(in, out) > hullTolerance * in.norm() * out.norm();
+        const bool corner = in.norm() > shortest && cross(in, out) > cornerTolerance * in.norm() * out.norm();
         if (corner) kept.push_back(outline[i]);
     }
     return kept;
@@ -86,7 +60,7 @@ Polygon hullOf(std::span<const Vec2> points) {
     Indices hull;
     if (!points.empty()) {
         const std::vector<Vec2> scaled = scaledPoints(points);
-        const double shortest = hullTolerance * extentOf(scaled);
+        const double shortest = cornerTolerance * extentOf(scaled);
         hull = outlineOf(scaled);
         for (std::size_t before = hull.size() + 1; hull.size() < before;) {
             before = hull.size();

@@ -13,6 +13,7 @@ namespace plumb {
 struct Circle {
     double radius = 0.5;  ///< > 0 [m]
     Vec2 center{0, 0};    ///< in the body's frame [m]
+    friend bool operator==(const Circle&, const Circle&) = default;
 };
 
 /// All that is within radius of a line: a stadium.
@@ -20,6 +21,7 @@ struct Capsule {
     Vec2 start{-0.5, 0};  ///< in the body's frame [m]
     Vec2 end{0.5, 0};     ///< not equal to start [m]
     double radius = 0.5;  ///< > 0 [m]
+    friend bool operator==(const Capsule&, const Capsule&) = default;
 };
 
 /// A convex polygon, counter-clockwise, 3 to maxPolygonVertices corners, no three of them in line: every edge longer
@@ -28,6 +30,7 @@ struct Capsule {
 struct Polygon {
     std::vector<Vec2> vertices = {};  ///< in the body's frame [m]
     double radius = 0;                ///< >= 0 [m]
+    friend bool operator==(const Polygon&, const Polygon&) = default;
 };
 
 /// A line from start to end, solid from both sides. Has no area, so no mass. Where the line goes on, before its start
@@ -38,12 +41,14 @@ struct Segment {
     Vec2 end{1, 0};                             ///< not equal to start [m]
     std::optional<Vec2> before = std::nullopt;  ///< the point the line comes from before start [m]
     std::optional<Vec2> after = std::nullopt;   ///< the point the line goes on to after end [m]
+    friend bool operator==(const Segment&, const Segment&) = default;
 };
 
 /// A line through points, smooth to slide along and solid from both sides. Has no area, so no mass.
 struct Chain {
     std::vector<Vec2> points = {};  ///< 2 or more, 3 or more if closed; no two in succession equal [m]
     bool closed = false;            ///< goes on from the last point to the first
+    friend bool operator==(const Chain&, const Chain&) = default;
 };
 
 inline constexpr int maxPolygonVertices = 64;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <plumb/math/check.h>
+#include <plumb/shapes/decompose.h>
 
 namespace plumb {
 
@@ -45,6 +46,12 @@ ShapeDef loop(std::vector<Vec2> points, const Material& material) {
     return {.shape = Chain{std::move(points), true}, .material = material};
 }
 
+std::vector<ShapeDef> outline(std::vector<Vec2> points, const Material& material) {
+    std::vector<ShapeDef> shapes;
+    for (Polygon& piece : convexPieces(points)) shapes.push_back({.shape = std::move(piece), .material = material});
+    return shapes;
+}
+
 void validate(const ShapeDef& def, const std::string& field) {
     validate(def.shape, field + ".shape");
     requireNotNegative(def.material.density, field, ".material.density");
@@ -52,6 +59,9 @@ void validate(const ShapeDef& def, const std::string& field) {
     requireWithin(def.material.restitution, 0, 1, field, ".material.restitution");
     requireNotNegative(def.material.rollingResistance, field, ".material.rollingResistance");
     requireFinite(def.material.surfaceSpeed, field, ".material.surfaceSpeed");
+    if (!def.oneWay) return;
+    requireFinite(*def.oneWay, field, ".oneWay");
+    if (def.oneWay->isZero(0)) refuse(field + ".oneWay", "(0, 0) is no direction");
 }
 
 }  // namespace plumb

@@ -27,6 +27,7 @@ struct Material {
     double surfaceSpeed = 0;               ///< of a belt: clockwise around the outline, so its top runs to +x [m/s]
     Mix frictionMix = Mix::GeometricMean;  ///< how a pair's friction comes from both
     Mix restitutionMix = Mix::Maximum;     ///< how a pair's restitution comes from both
+    friend bool operator==(const Material&, const Material&) = default;
 };
 
 /// Two shapes collide when each one's category is in the other's mask; but of one group other than 0, always when it
@@ -35,6 +36,7 @@ struct Filter {
     std::uint64_t category = 1;
     std::uint64_t mask = ~std::uint64_t{0};
     int group = 0;
+    friend bool operator==(const Filter&, const Filter&) = default;
 };
 
 /// What a contact rule may go by, when another shape comes to touch its own.
@@ -56,10 +58,12 @@ struct ShapeDef {
     Shape shape = Circle{};
     Material material{};
     Filter filter{};
-    bool sensor = false;                        ///< touches nothing, and tells what overlaps it
-    std::optional<Vec2> oneWay = std::nullopt;  ///< solid only to what comes from there; in the body's frame, not 0 [-]
-    ContactRule rule = nullptr;                 ///< without one, it touches whatever its filter lets
-    std::uint64_t tag = 0;                      ///< whatever its owner wants to know it by
+    bool sensor = false;  ///< touches nothing, and tells what overlaps it; weighs what its density says
+    /// Solid only to what comes from there, within 60 degrees, and does not yet overlap by more than 5 mm; what was on
+    /// it stays until it slides off. In the body's frame, not 0 [-]
+    std::optional<Vec2> oneWay = std::nullopt;
+    ContactRule rule = nullptr;  ///< without one, it touches whatever its filter lets
+    std::uint64_t tag = 0;       ///< whatever its owner wants to know it by
 };
 
 /// A disc around a point of the body's frame.
@@ -80,6 +84,10 @@ ShapeDef segment(const Vec2& start, const Vec2& end, const Material& material = 
 ShapeDef chain(std::vector<Vec2> points, const Material& material = {});
 /// The same, closed: from the last point on to the first.
 ShapeDef loop(std::vector<Vec2> points, const Material& material = {});
+
+/// A simple outline, convex or not, either way round, in as many convex polygons as it takes: BodyDef.shapes of it. See
+/// shapes/decompose.h for what it refuses.
+std::vector<ShapeDef> outline(std::vector<Vec2> points, const Material& material = {});
 
 /// Throws std::invalid_argument naming the field, the value and what was wanted; field is the name of the def itself.
 void validate(const ShapeDef& def, const std::string& field);

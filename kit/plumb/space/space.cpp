@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/space/space.h>
 
+#include <algorithm>
 #include <limits>
+
+#include <plumb/math/detail/bytes_of.h>
 
 namespace plumb {
 
@@ -16,7 +19,7 @@ Aabb nowhere() {
 }  // namespace
 
 ProxyId Space::add(const ShapeDef& def, std::uint32_t owner, bool fixed, const Vec2& localCenter, const Aabb& tight,
-                   std::uint32_t number) {
+                   std::uint32_t number, bool piece) {
     ProxyId id = static_cast<ProxyId>(proxies_.size());
     if (free_.empty()) {
         proxies_.emplace_back();
@@ -28,7 +31,7 @@ ProxyId Space::add(const ShapeDef& def, std::uint32_t owner, bool fixed, const V
         id = free_.back();
         free_.pop_back();
     }
-    proxies_[id] = {def, convexOf(def.shape, localCenter), owner, number, fixed, true};
+    proxies_[id] = {def, convexOf(def.shape, localCenter), owner, number, piece, fixed, true};
     gates_[id] = gateOf(proxies_[id]);
     seats_[id].fixed = fixed;
     placed_[id].box = tight;
@@ -37,10 +40,26 @@ ProxyId Space::add(const ShapeDef& def, std::uint32_t owner, bool fixed, const V
 }
 
 void Space::remove(ProxyId id) {
-    leave(id);
+    hide(id);
     proxies_[id].alive = false;
-    seats_[id].moved = false;
     free_.push_back(id);
+}
+
+void Space::hide(ProxyId id) {
+    leave(id);
+    seats_[id].moved = false;
+}
+
+void Space::change(ProxyId id, const ShapeDef& def) {
+    proxies_[id].def = def;
+    gates_[id] = gateOf(proxies_[id]);
+}
+
+void Space::change(ProxyId id, bool fixed, const Vec2& localCenter) {
+    proxies_[id].convex = convexOf(proxies_[id].def.shape, localCenter);
+    proxies_[id].fixed = fixed;
+    gates_[id] = gateOf(proxies_[id]);
+    seats_[id].fixed = fixed;
 }
 
 void Space::markMoved(ProxyId id) {
@@ -78,6 +97,50 @@ void Space::enter(ProxyId id, Home home) {
     seats_[id].home = home;
     ++crowd.changes;
     crowd.tree.putPrevious(seats_[id].slot, BoundsRounding(origin_)(previousBox(id)));
+}
+
+void Space::reserve(std::size_t shapes) {
+    proxies_.reserve(shapes);
+    placed_.reserve(shapes);
+    previousBoxes_.reserve(shapes);
+    seats_.reserve(shapes);
+    gates_.reserve(shapes);
+    free_.reserve(shapes);
+    moved_.reserve(shapes);
+    crowdOf(Home::Moving).tree.reserve(shapes);
+}
+
+std::size_t Space::bytes() const {
+    std::size_t bytes = bytesOf(proxies_) + bytesOf(placed_) + bytesOf(previousBoxes_) + bytesOf(seats_) +
+                        bytesOf(gates_) + bytesOf(free_) + bytesOf(moved_) + bytesOf(pairs_) + bytesOf(sortBoxes_) +
+                        bytesOf(unsorted_) + bytesOf(sorted_) + mortonSort_.bytes() + pairSort_.bytes();
+    for (const Crowd& crowd : crowds_) bytes += crowd.tree.bytes();
+    for (const Proxy& proxy : proxies_) {
+        bytes += proxy.convex.vertices.bytes() + proxy.convex.normals.bytes();
+        if (const auto* polygon = std::get_if<Polygon>(&proxy.def.shape)) bytes += bytesOf(polygon->vertices);
+    }
+    return bytes;
+}
+
+/// A ray that goes far beyond all there is would be coarse in floats.
+RayPart Space::partWithin(const Vec2& halfSize, const Vec2& from, const Vec2& to) const {
+    constexpr double far = 8192;
+    const Vec2 reach = (from - origin_).cwiseAbs().cwiseMax((to - origin_).cwiseAbs());
+    if (reach.maxCoeff() < far) return {};
+    RayPart part{1, 0};
+    for (const Crowd& crowd : crowds_) {
+        const Bounds bounds = crowd.tree.bounds();
+        if (!(bounds.lowerX <= bounds.upperX)) continue;
+        const Vec2 lower(static_cast<double>(bounds.lowerX), static_cast<double>(bounds.lowerY));
+        const Vec2 upper(static_cast<double>(bounds.upperX), static_cast<double>(bounds.upperY));
+        // A millionth more, for the roundings of the bounds.
+        const Vec2 spare = halfSize + 1e-6 * (lower.cwiseAbs().cwiseMax(upper.cwiseAbs()));
+        const RayPart here = clipRay(from, to, {lower + origin_ - spare, upper + origin_ + spare});
+        if (!(here.first <= here.last)) continue;
+        part =
+            part.first <= part.last ? RayPart{std::min(part.first, here.first), std::max(part.last, here.last)} : here;
+    }
+    return part;
 }
 
 }  // namespace plumb

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <plumb/broad/block_tree.h>
+#include <plumb/broad/box_probe.h>
 #include <plumb/broad/morton.h>
 #include <plumb/broad/pair.h>
 #include <plumb/broad/radix_sort.h>
@@ -23,6 +24,7 @@ struct Proxy {
     Convex convex;             ///< the shape as seen from the owner's centre of mass
     std::uint32_t owner = 0;   ///< an index its owner's side knows; shapes of one owner never pair
     std::uint32_t number = 0;  ///< which of its owner's shapes it is, or is a piece of
+    bool piece = false;        ///< of a chain
     bool fixed = false;        ///< never moves by itself, and never pairs with another that is fixed
     bool alive = false;
 };
@@ -33,17 +35,22 @@ struct Gate {
     std::uint32_t owner = 0;
     int group = 0;
     bool fixed = false;
+    bool sensor = false;
 };
 
-inline bool mayPair(const Gate& a, const Gate& b) {
-    if (a.owner == b.owner || (a.fixed && b.fixed)) return false;
+/// As far as their filters go.
+inline bool mayMeet(const Gate& a, const Gate& b) {
     if (a.group != 0 && a.group == b.group) return a.group > 0;
     return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
 }
 
+inline bool mayPair(const Gate& a, const Gate& b) {
+    return a.owner != b.owner && !(a.fixed && b.fixed) && !(a.sensor && b.sensor) && mayMeet(a, b);
+}
+
 inline Gate gateOf(const Proxy& proxy) {
     const Filter& filter = proxy.def.filter;
-    return {filter.category, filter.mask, proxy.owner, filter.group, proxy.fixed};
+    return {filter.category, filter.mask, proxy.owner, filter.group, proxy.fixed, proxy.def.sensor};
 }
 
 /// May these two collide, as far as owner and filter go?
@@ -71,8 +78,16 @@ public:
     void setLanes(int lanes) { lanes_ = lanes; }
 
     ProxyId add(const ShapeDef& def, std::uint32_t owner, bool fixed, const Vec2& localCenter, const Aabb& tight,
-                std::uint32_t number = 0);
+                std::uint32_t number = 0, bool piece = false);
     void remove(ProxyId proxy);
+
+    /// Takes a shape out until it is placed and renewed; it keeps its id.
+    void hide(ProxyId proxy);
+    /// Another material, filter or tag, or another way to meet what it meets; the outline stays. What has come to pair
+    /// thereby is the owner's to find, or to renew.
+    void change(ProxyId proxy, const ShapeDef& def);
+    /// Now fixed, or not any more, and seen from another centre of mass. To be renewed if fixed has changed.
+    void change(ProxyId proxy, bool fixed, const Vec2& localCenter);
 
     /// Tells where a shape is and will be; a box that no longer holds it, or holds far too much, is renewed with
     /// margin [m] to spare.
@@ -96,12 +111,29 @@ public:
     template <class Visit>
     void queryFixed(const Aabb& box, Visit&& visit) const;
 
+    /// Calls visit(id) for each shape whose box something of this half size may meet that moves from one point to
+    /// another, those on its way sooner as far as they are known to be; visit returns up to which fraction of the way
+    /// more is wanted, at first and at most 1.
+    template <class Visit>
+    void castBox(const Vec2& halfSize, const Vec2& from, const Vec2& to, Visit&& visit) const;
+
+    /// The same for each whose box may be no farther from a point than within [m], at first; visit returns a new
+    /// within.
+    template <class Visit>
+    void findNear(const Vec2& point, double within, Visit&& visit) const;
+
+    const Gate& gate(ProxyId proxy) const { return gates_[proxy]; }
     const Proxy& operator[](ProxyId proxy) const { return proxies_[proxy]; }
     /// Holds the shape, with room to spare.
     const Aabb& box(ProxyId proxy) const { return placed_[proxy].box; }
     bool boxesOverlap(ProxyId a, ProxyId b) const { return overlap(placed_[a].box, placed_[b].box); }
     /// Did they, at the last look for pairs?
     bool previousBoxesOverlap(ProxyId a, ProxyId b) const { return overlap(previousBox(a), previousBox(b)); }
+
+    /// Makes room for so many shapes.
+    void reserve(std::size_t shapes);
+    /// Of memory that it holds.
+    std::size_t bytes() const;
 
     const SpaceWork& work() const { return work_; }
 
@@ -138,6 +170,9 @@ private:
     };
     struct Finding;
 
+    RayPart partWithin(const Vec2& halfSize, const Vec2& from, const Vec2& to) const;
+    template <class Visit>
+    void probe(const BoxProbe& probe, float limit, Visit&& visit) const;
     void renewBox(ProxyId proxy, const Aabb& tight, double margin);
     void markMoved(ProxyId proxy);
     const Aabb& previousBox(ProxyId proxy) const {
@@ -202,6 +237,55 @@ void Space::queryFixed(const Aabb& box, Visit&& visit) const {
     });
     for (const ProxyId id : moved_)
         if (seats_[id].moved && seats_[id].fixed && overlap(placed_[id].box, box)) visit(id);
+}
+
+/// visit returns a float, for a limit.
+template <class Visit>
+void Space::probe(const BoxProbe& probe, float limit, Visit&& visit) const {
+    for (const Crowd& crowd : crowds_) {
+        limit = crowd.tree.probe(probe, limit, [&](std::uint32_t slot) {
+            const ProxyId id = crowd.tree.members()[slot];
+            if (!seats_[id].moved) limit = visit(id);
+            return limit;
+        });
+    }
+}
+
+template <class Visit>
+void Space::castBox(const Vec2& halfSize, const Vec2& from, const Vec2& to, Visit&& visit) const {
+    const RayPart part = partWithin(halfSize, from, to);
+    double wanted = 1;
+    if (part.first <= part.last) {
+        const Vec2 way = to - from, first = from + way * part.first, last = from + way * part.last;
+        const auto limitOf = [&](double fraction) {
+            return probeLimit((fraction - part.first) / std::max(part.last - part.first, 1e-300));
+        };
+        probe(rayProbe(first, last, halfSize, origin_, lanes_), limitOf(1), [&](ProxyId id) {
+            wanted = visit(id);
+            return limitOf(wanted);
+        });
+    }
+    for (const ProxyId id : moved_) {
+        if (!seats_[id].moved) continue;
+        const Aabb& box = placed_[id].box;
+        const RayPart met = clipRay(from, to, {box.lower - halfSize, box.upper + halfSize});
+        if (met.first <= met.last && met.first <= wanted) wanted = visit(id);
+    }
+}
+
+template <class Visit>
+void Space::findNear(const Vec2& point, double within, Visit&& visit) const {
+    probe(pointProbe(point, origin_, lanes_), probeLimit(within), [&](ProxyId id) {
+        within = visit(id);
+        return probeLimit(within);
+    });
+    constexpr double nearly = 1 - 1e-12;  // roundings must not leave out what is just so far
+    for (const ProxyId id : moved_) {
+        if (!seats_[id].moved) continue;
+        const Aabb& box = placed_[id].box;
+        const Vec2 away = (box.lower - point).cwiseMax(point - box.upper);
+        if (away.maxCoeff() * nearly <= within) within = visit(id);
+    }
 }
 
 }  // namespace plumb

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "catch.h"
+#include "kit/collide/placed_outline.h"
 #include "kit/collide/placements.h"
 
 namespace {
@@ -17,36 +18,6 @@ using plumb::Shape;
 using plumb::Transform;
 using plumb::Vec2;
 
-/// The standard library's, which the kit does not use: the angle is nothing the reference has to know.
-Rot turnBy(double angle) {
-    return {std::cos(angle), std::sin(angle)};
-}
-
-Point pointOf(const Vec2& v) {
-    return {v.x(), v.y()};
-}
-
-/// As it lies in the world.
-Outline outlineOf(const Shape& shape, const Transform& pose) {
-    Outline outline;
-    const auto add = [&](const Vec2& corner) { outline.corners.push_back(pointOf(pose * corner)); };
-    if (const auto* circle = std::get_if<plumb::Circle>(&shape)) {
-        add(circle->center);
-        outline.radius = circle->radius;
-    } else if (const auto* polygon = std::get_if<plumb::Polygon>(&shape)) {
-        for (const Vec2& corner : polygon->vertices) add(corner);
-        outline.radius = polygon->radius;
-    } else if (const auto* capsule = std::get_if<plumb::Capsule>(&shape)) {
-        add(capsule->start);
-        add(capsule->end);
-        outline.radius = capsule->radius;
-    } else {
-        add(std::get<plumb::Segment>(shape).start);
-        add(std::get<plumb::Segment>(shape).end);
-    }
-    return outline;
-}
-
 struct Placed {
     Shape a, b;
     Transform poseA, poseB;
@@ -55,13 +26,6 @@ struct Placed {
 
 Distance distanceOf(const Placed& p) {
     return distance(p.a, p.poseA, p.b, p.poseB);
-}
-
-double largestNumber(const Shape& shape) {
-    double largest = 0;
-    const Outline outline = outlineOf(shape, {});
-    for (const Point p : outline.corners) largest = std::max(largest, length(p));
-    return largest + outline.radius;
 }
 
 Placed randomPlaced(plumb::Random& random, Kind kindA, Kind kindB) {

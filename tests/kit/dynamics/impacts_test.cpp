@@ -159,3 +159,24 @@ TEST_CASE("twenty elastic discs in a box keep their energy to 1e-9 over a minute
     CHECK(hits > 300);
     CHECK(std::fabs(after / before - 1) < 1e-9);
 }
+
+// Momentum: (m v + M 0) / (m + M), with m = 0.01 pi and M = 2 kg.
+TEST_CASE(
+    "a ball that a wall sends back at 30 to 120 m/s onto a plate without bounce does not fly through it in that step",
+    "[dynamics][law]") {
+    for (const double speed : {30.0, 60.0, 120.0}) {
+        World world({.gravity = {0, 0}});
+        const Material elastic{.friction = 0, .restitution = 1, .restitutionMix = plumb::Mix::Minimum};
+        const Material dead{.density = 50, .friction = 0, .restitutionMix = plumb::Mix::Minimum};
+        world.add({.type = BodyType::Static, .shapes = {plumb::segment({0, -5}, {0, 5}, elastic)}});
+        const BodyId plate = world.add({.position = {-0.5, 0}, .shapes = {plumb::box({0.01, 1}, dead)}});
+        const BodyId ball =
+            world.add({.position = {-0.25, 0}, .velocity = {speed, 0}, .shapes = {plumb::circle(0.1, elastic)}});
+        for (int tick = 0; tick < 4; ++tick) {
+            world.step(1.0 / 60);
+            CHECK(world.body(ball).position().x() > world.body(plate).position().x() + 0.11 - 1e-3);
+        }
+        const double together = -speed * world.body(ball).mass() / (world.body(ball).mass() + 2);
+        CHECK(std::fabs(world.body(plate).velocity().x() - together) < 1e-5 * speed);
+    }
+}

@@ -110,18 +110,23 @@ TEST_CASE("a bridge of 30 planks between two banks bears a heavy box at its midd
     }
     joints.push_back(world.join(plumb::RevoluteJointDef{.bodyA = last, .bodyB = banks, .anchor = {30, 0}}));
     const BodyId box = world.add({.position = {15, 3}, .shapes = {plumb::box({1, 1}, {.density = 100})}});
-    double worst = 0;
+    const auto worst = [&] {
+        double error = 0;
+        for (const JointId joint : joints) error = std::max(error, world.joint(joint).error());
+        return error;
+    };
+    double atLanding = 0, atRest = 0, borne = 0;
     for (int tick = 0; tick < 900; ++tick) {
         world.step(dt);
-        for (const JointId joint : joints) worst = std::max(worst, world.joint(joint).error());
+        (tick < 600 ? atLanding : atRest) = std::max(tick < 600 ? atLanding : atRest, worst());
+        if (tick < 600) continue;
+        borne += world.joint(joints.back()).reaction().force.y() - world.joint(joints.front()).reaction().force.y();
     }
-    CHECK(worst < 5e-3);
-    CHECK(world.body(box).velocity().norm() < 0.05);
-    CHECK(world.body(box).position().y() > -4);
+    CHECK(atLanding < 0.05);  // 400 kg from 2 m, on planks of 4 kg
+    CHECK(atRest < 5e-3);
+    CHECK(world.body(box).position().y() > 0.8);
     // Both banks together bear all there is: 30 planks of 4 kg and a box of 400 kg.
-    const double borne =
-        world.joint(joints.back()).reaction().force.y() - world.joint(joints.front()).reaction().force.y();
-    CHECK(std::fabs(std::fabs(borne) - 520 * g) < 0.02 * 520 * g);
+    CHECK(std::fabs(std::fabs(borne / 300) - 520 * g) < 0.01 * 520 * g);
 }
 
 TEST_CASE("more hinges than a body needs share its load, and swing on", "[dynamics][joints]") {

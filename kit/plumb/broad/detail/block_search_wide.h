@@ -52,7 +52,6 @@ private:
     static Box around(const float* boxes, std::uint32_t lanes);
     static std::uint32_t lowestBit(std::uint32_t bits);
     static std::uint32_t countOf(std::uint32_t bits);
-    static std::uint32_t bitsOf(const Mask& mask);
     static Mask both(const Mask& a, const Mask& b);
     static Mask overlap(const float* boxes, const Box& box);
     static Mask overlapBeyondEdges(const float* boxes, const Box& box);
@@ -127,26 +126,6 @@ std::uint32_t WideBlockSearch<W>::countOf(std::uint32_t bits) {  // of 16
 }
 
 template <int W>
-[[gnu::always_inline]] inline std::uint32_t WideBlockSearch<W>::bitsOf(const Mask& mask) {
-    if constexpr (W == 1) {
-        return mask ? 1 : 0;
-#if defined(__x86_64__)
-    } else if constexpr (W == 4) {
-        return static_cast<std::uint32_t>(__builtin_ia32_movmskps(Float(mask)));
-    } else if constexpr (W == 8) {
-        return static_cast<std::uint32_t>(__builtin_ia32_movmskps256(Float(mask)));
-    } else if constexpr (W == 16) {
-        typedef int Ints __attribute__((vector_size(64)));
-        return static_cast<std::uint32_t>(__builtin_ia32_cvtd2mask512(Ints(mask)));
-#endif
-    } else {
-        std::uint32_t bits = 0;
-        for (int i = 0; i < W; ++i) bits |= static_cast<std::uint32_t>(mask[i] & 1) << i;
-        return bits;
-    }
-}
-
-template <int W>
 [[gnu::always_inline]] inline typename WideBlockSearch<W>::Mask WideBlockSearch<W>::both(const Mask& a, const Mask& b) {
     if constexpr (W == 1)
         return a && b;
@@ -173,7 +152,7 @@ template <int W>
 template <int W>
 [[gnu::always_inline]] inline std::uint32_t WideBlockSearch<W>::overlaps(const float* boxes, const Box& box) {
     std::uint32_t bits = 0;
-    for (std::uint32_t i = 0; i < width; i += W) bits |= bitsOf(overlap(boxes + i, box)) << i;
+    for (std::uint32_t i = 0; i < width; i += W) bits |= bitsOf<W>(overlap(boxes + i, box)) << i;
     return bits;
 }
 
@@ -187,9 +166,9 @@ template <int W>
         const Mask now = overlap(boxes + i, box);
         const Mask then = overlapBeyondEdges(were + i, was);
         if constexpr (W == 1)
-            bits |= bitsOf(now && !then) << i;
+            bits |= bitsOf<W>(now && !then) << i;
         else
-            bits |= bitsOf(now & ~then) << i;
+            bits |= bitsOf<W>(now & ~then) << i;
     }
     return bits;
 }

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include <plumb/dynamics/detail/mat3.h>
+#include <plumb/math/detail/bytes_of.h>
 
 namespace plumb {
 
@@ -34,6 +35,10 @@ public:
     void factor();
     /// Replaces the right side by the solution.
     void solve(std::span<Vec3> x) const;
+
+    std::size_t bytes() const {
+        return bytesOf(blocks_) + bytesOf(places_) + bytesOf(steps_) + bytesOf(lowers_) + bytesOf(updates_);
+    }
 
 private:
     struct Lower {

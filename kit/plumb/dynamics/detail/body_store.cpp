@@ -9,6 +9,21 @@ BodyStore::BodyStore() {
     acquire();  // slot 0
 }
 
+void BodyStore::reserve(std::size_t bodies) {
+    motion.reserve(bodies);
+    record.reserve(bodies);
+    velocity.reserve(bodies);
+    displacement.reserve(bodies);
+    warm.reserve(bodies);
+    before.reserve(bodies);
+    turn.reserve(bodies);
+    kick.reserve(bodies);
+    pushed.reserve(bodies);
+    place.reserve(bodies);
+    awake.reserve(bodies);
+    free.reserve(bodies);
+}
+
 BodyIndex BodyStore::acquire() {
     if (!free.empty()) {
         const BodyIndex body = free.back();
@@ -42,7 +57,7 @@ void BodyStore::release(BodyIndex body) {
 void BodyStore::wake(BodyIndex body) {
     BodyRecord& r = record[body];
     r.stillTime = 0;
-    if (r.awake || r.type == BodyType::Static) return;
+    if (r.awake || r.type == BodyType::Static || !r.enabled) return;
     r.awake = true;
     r.awakeIndex = static_cast<std::uint32_t>(awake.size());
     awake.push_back(body);
@@ -88,12 +103,20 @@ Acceleration accelerationOf(const BodyRecord& body, const Vec2& gravity) {
 
 void setMass(BodyRecord& body, const Mass& mass) {
     body.localCenter = mass.center;
-    if (body.type != BodyType::Dynamic) return;
+    if (body.type != BodyType::Dynamic) {
+        body.mass = body.inertia = body.inverseMass = body.inverseInertia = 0;
+        body.rho = body.inverseRho = 1;
+        return;
+    }
     body.mass = mass.mass;
     body.inertia = mass.inertia;
     body.inverseMass = 1 / mass.mass;
     body.inverseInertia = body.fixedRotation ? 0 : 1 / mass.inertia;
-    const double rho = std::sqrt(body.inverseInertia * mass.mass);
+    setRho(body, body.inverseInertia);
+}
+
+void setRho(BodyRecord& body, double inverseInertia) {
+    const double rho = std::sqrt(inverseInertia * body.mass);
     body.rho = static_cast<float>(rho);
     body.inverseRho = rho > 0 ? static_cast<float>(1 / rho) : 0.0f;
 }

@@ -60,7 +60,10 @@ struct alignas(64) BodyRecord {
     std::uint32_t doubtful = 0;         ///< how many of the solver's contacts may yet turn out to be isolated impacts
     double mass = 0, inertia = 0;
     Vec2 localCenter{0, 0};
-    std::vector<ProxyId> proxies;
+    bool enabled = true;
+    bool massGiven = false;  ///< not what its shapes and their densities give
+    std::uint64_t tag = 0;
+    std::vector<ProxyId> proxies;       ///< in the order of their numbers
     std::vector<std::uint32_t> joints;  ///< all of its joints
 };
 
@@ -82,6 +85,7 @@ struct BodyStore {
     std::vector<BodyIndex> free;
 
     BodyStore();
+    void reserve(std::size_t bodies);
     BodyIndex acquire();
     void release(BodyIndex body);
     void wake(BodyIndex body);
@@ -90,6 +94,8 @@ struct BodyStore {
     void rest(BodyIndex body);
 
     bool isDynamic(BodyIndex body) const { return record[body].type == BodyType::Dynamic; }
+    /// Can something push it?
+    bool canMove(BodyIndex body) const { return isDynamic(body) && record[body].enabled; }
     Vec2 origin(BodyIndex body) const { return motion[body].center - motion[body].rotation * record[body].localCenter; }
     Transform pose(BodyIndex body) const { return {origin(body), motion[body].rotation}; }
     SolverBodies solverBodies() {
@@ -109,5 +115,7 @@ Acceleration accelerationOf(const BodyRecord& body, const Vec2& gravity);
 
 /// Sets mass, inertia and all that follows from them.
 void setMass(BodyRecord& body, const Mass& mass);
+/// What the solver takes for a body's inertia; until setMass, or joints, say something else.
+void setRho(BodyRecord& body, double inverseInertia);
 
 }  // namespace plumb

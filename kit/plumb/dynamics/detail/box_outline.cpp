@@ -50,6 +50,7 @@ BoxOutline boxOutlineOf(const ShapeDef& shape, const Vec2& centerOfMass) {
     const Vec2 half = 0.5 * (box.upper - box.lower) - Vec2(radius, radius);
     const Vec2 center = 0.5 * (box.upper + box.lower) - centerOfMass;
     BoxOutline outline;
+    outline.sensor = shape.sensor;
     outline.kind = std::visit([](const auto& s) { return kindOf(s); }, shape.shape);
     const bool disc = outline.kind == Kind::Disc;  // whose half sizes are no more than rounding
     outline.halfX = disc ? 0.0f : static_cast<float>(half.x());

@@ -17,6 +17,7 @@ struct BoxOutline {
         Disc,     ///< all of it, without a box
     };
     Kind kind = Kind::Other;
+    bool sensor = false;
     float halfX = 0, halfY = 0;      ///< [m]
     float radius = 0;                ///< [m]
     float centerX = 0, centerY = 0;  ///< from the body's centre of mass [m]

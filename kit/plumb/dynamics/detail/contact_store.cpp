@@ -53,6 +53,7 @@ ContactIndex ContactStore::add(BodyStore& bodies, const ContactRecord& contact) 
 
 void ContactStore::remove(BodyStore& bodies, ContactIndex contact) {
     removeNear(contact);
+    if (contacts[contact].verdict != Verdict::Open) std::erase(judged, contact);
     unlink(bodies, *this, contact, 0, contacts[contact].bodyA);
     unlink(bodies, *this, contact, 1, contacts[contact].bodyB);
     contacts[contact].alive = false;
@@ -66,6 +67,7 @@ void ContactStore::addNear(ContactIndex contact) {
         c.watched = true;
         watched.push_back(contact);
     }
+    c.met = false;
     NearPairs& near = nearOf(c);
     const std::size_t slot = near.contactOf.size();
     c.nearIndex = static_cast<std::uint32_t>(slot);

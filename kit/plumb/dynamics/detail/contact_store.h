@@ -30,6 +30,13 @@ struct PointMemory {
     float totalNormal = 0, totalTangent = 0;      ///< over the whole of the last step it was solved in
 };
 
+/// What the shapes' rules have said.
+enum class Verdict : std::uint8_t {
+    Open,     ///< not asked
+    Solid,    ///< they may touch
+    Through,  ///< nothing is to come of their being near
+};
+
 /// Two shapes whose boxes overlap. Asleep it is nowhere else; awake it is either near, looked at once a step, or, as
 /// soon as the shapes touch or may touch within the step, in a slot of the solver.
 struct ContactRecord {
@@ -42,7 +49,11 @@ struct ContactRecord {
     bool boxes = false;  ///< both shapes are boxes that lie straight in their bodies' frames
     bool touching = false;
     bool isolated = false;  ///< left to the impacts in this step, not to the solver
-    int colour = -1;        ///< where the solver has it: entry of ContactGraph.colours, and slot; -1: nowhere
+    bool ruled = false;     ///< a shape of the two has a rule or is solid one way only
+    bool admitted = false;  ///< what the rules have said, when there is a verdict
+    bool met = false;       ///< of what is near: had a manifold in this step
+    Verdict verdict = Verdict::Open;
+    int colour = -1;  ///< where the solver has it: entry of ContactGraph.colours, and slot; -1: nowhere
     std::uint32_t slot = 0;
     std::uint32_t nearIndex = none;  ///< slot in ContactStore.nearBoxes or nearOthers
     bool watched = false;
@@ -69,6 +80,8 @@ struct ContactStore {
     NearPairs nearBoxes;
     NearPairs nearOthers;               ///< of other shapes, in their boxes
     std::vector<ContactIndex> watched;  ///< those that were touching or had a manifold, until they have not; and more
+
+    std::vector<ContactIndex> judged;  ///< those with a verdict
 
     ContactIndex add(BodyStore& bodies, const ContactRecord& contact);
     void remove(BodyStore& bodies, ContactIndex contact);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <plumb/collide/distance.h>
+#include <plumb/dynamics/detail/contact_rules.h>
 #include <plumb/dynamics/detail/free_motion.h>
 #include <plumb/dynamics/detail/fresh_lanes.h>
 #include <plumb/dynamics/detail/pairs.h>
@@ -151,6 +152,9 @@ public:
     const std::optional<Hit>& first() const { return first_; }
 
     void meet(ProxyId own, ProxyId other) {
+        const bool ruled = hasRule(world_.space[own].def) || hasRule(world_.space[other].def);
+        const Verdict verdict = ruled ? verdictOn(own, other) : Verdict::Solid;
+        if (verdict == Verdict::Through) return;
         const BodyIndex wall = world_.space[other].owner;
         const Way wallWay = freeWay(world_, wall, past_);
         const Shape& shape = world_.space[own].def.shape;
@@ -158,7 +162,9 @@ public:
         if (!mayCross(passageOf(WallWay(wallWay), way_), face, world_.bodies.record[body_])) return;
         const SweptShape swept{&shape, way_, reachOf(shape, way_.localCenter)};
         const std::optional<double> time = timeOfCrossing({&face, wallWay, 0}, swept);
-        if (time && (!first_ || *time < first_->time)) first_ = Hit{*time, wall, wallWay};
+        if (!time || (first_ && *time >= first_->time)) return;
+        if (verdict == Verdict::Solid || isSolidAt(*time, {&face, wallWay, 0}, swept, own, other))
+            first_ = Hit{*time, wall, wallWay};
     }
 
     void meet(ContactIndex index) {
@@ -194,6 +200,30 @@ public:
     }
 
 private:
+    Verdict verdictOn(ProxyId own, ProxyId other) const {
+        Verdict verdict = Verdict::Open;
+        forEachContact(world_.bodies, world_.contacts, body_, [&](ContactIndex index) {
+            const ContactRecord& contact = world_.contacts.contacts[index];
+            if (contact.proxyA + contact.proxyB == own + other && (contact.proxyA == own || contact.proxyB == own))
+                verdict = contact.verdict;
+        });
+        return verdict;
+    }
+
+    /// Asks the rules of what was not seen coming, where it meets the wall.
+    bool isSolidAt(double time, const SweptShape& wall, const SweptShape& swept, ProxyId own, ProxyId other) const {
+        const Distance met = distance(*wall.shape, poseOn(wall.way, time), *swept.shape, poseOn(swept.way, time));
+        const double duration = std::max(past_.from - past_.to, 1e-9);
+        const auto velocityOf = [&](const Way& way, const Vec2& point) {
+            return Vec2((way.shift + perp(Vec2(point - way.start - way.shift * time)) * way.turn) / duration);
+        };
+        const Face face{met.normal, velocityOf(swept.way, met.pointB) - velocityOf(wall.way, met.pointA),
+                        met.separation};
+        const Proxy& a = world_.space[other];
+        const Proxy& b = world_.space[own];
+        return rulesAdmit(world_, a, b, face) && comesFromOpenSide(world_, a, b, face, false);
+    }
+
     template <class Query>
     void meetNear(Query&& query) {
         const Space& space = world_.space;
@@ -201,9 +231,10 @@ private:
         const Vec2 end = way_.start + way_.shift;
         const Aabb box = inflate({way_.start.cwiseMin(end), way_.start.cwiseMax(end)}, record.extent);
         query(space, box, [&](ProxyId other) {
-            if (world_.bodies.isDynamic(space[other].owner)) return;
+            if (world_.bodies.isDynamic(space[other].owner) || space[other].def.sensor) return;
             for (const ProxyId own : record.proxies)
-                if (mayPair(space[own], space[other]) && !joinedApart(world_, body_, space[other].owner))
+                if (!space[own].def.sensor && mayPair(space[own], space[other]) &&
+                    !joinedApart(world_, body_, space[other].owner))
                     meet(own, other);
         });
     }

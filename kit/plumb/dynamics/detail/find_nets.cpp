@@ -40,7 +40,7 @@ constexpr std::size_t fewUpdates = 4000;
 void seat(JointNet& net, const JointStore& joints, const BodyStore& bodies, std::vector<std::uint32_t>& nodeOf) {
     for (const JointIndex index : net.joints) {
         for (const BodyIndex body : endsOf(joints, index)) {
-            if (!bodies.isDynamic(body) || nodeOf[body] != JointNet::Seats::fixed) continue;
+            if (!bodies.canMove(body) || nodeOf[body] != JointNet::Seats::fixed) continue;
             nodeOf[body] = static_cast<std::uint32_t>(net.bodies.size());
             net.bodies.push_back(body);
         }
@@ -52,7 +52,7 @@ void seat(JointNet& net, const JointStore& joints, const BodyStore& bodies, std:
         JointNet::Seats seats;
         const auto ends = endsOf(joints, index);
         for (std::size_t e = 0; e < mostEnds; ++e) {
-            if (!bodies.isDynamic(ends[e])) continue;
+            if (!bodies.canMove(ends[e])) continue;
             seats.node[e] = nodeOf[ends[e]];
             seats.edge[e] = edges.size();
             edges.push_back({node, seats.node[e]});
@@ -76,19 +76,18 @@ std::vector<JointNet> findNets(const JointStore& joints, const BodyStore& bodies
         if (!joints[index].acts()) continue;
         const auto ends = endsOf(joints, index);
         const auto isAwake = [&](BodyIndex body) { return bodies.record[body].awake; };
-        const auto isDynamic = [&](BodyIndex body) { return bodies.isDynamic(body); };
+        const auto isDynamic = [&](BodyIndex body) { return bodies.canMove(body); };
         const auto first = std::find_if(ends.begin(), ends.end(), isDynamic);
         if (first == ends.end() || std::none_of(ends.begin(), ends.end(), isAwake)) continue;
         awake.push_back(index);
         for (const BodyIndex body : ends)
-            if (bodies.isDynamic(body)) groups.unite(*first, body);
+            if (bodies.canMove(body)) groups.unite(*first, body);
     }
     std::vector<JointNet> nets;
     std::vector<std::uint32_t> netOf(bodies.record.size(), none);
     for (const JointIndex index : awake) {
         const auto ends = endsOf(joints, index);
-        const BodyIndex body =
-            *std::find_if(ends.begin(), ends.end(), [&](BodyIndex b) { return bodies.isDynamic(b); });
+        const BodyIndex body = *std::find_if(ends.begin(), ends.end(), [&](BodyIndex b) { return bodies.canMove(b); });
         std::uint32_t& net = netOf[groups.of(body)];
         if (net == none) {
             net = static_cast<std::uint32_t>(nets.size());

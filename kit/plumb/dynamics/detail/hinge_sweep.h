@@ -3,6 +3,7 @@
 #pragma once
 #include <plumb/dynamics/detail/hinge_solver.h>
 #include <plumb/dynamics/detail/joint_store.h>
+#include <plumb/math/detail/bytes_of.h>
 
 namespace plumb {
 
@@ -20,6 +21,8 @@ public:
     void solve(const HingeSolver& solver, const SolverBodies& bodies, const HingePass& pass);
     /// Adds what the step's impulses were to the joints' loads.
     void tellLoads(JointStore& store) const;
+
+    std::size_t bytes() const { return bytesOf(batches_) + bytesOf(jointOf_); }
 
 private:
     std::vector<HingeBatch> batches_;

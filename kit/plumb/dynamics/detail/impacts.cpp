@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <plumb/dynamics/detail/contact_rules.h>
+#include <plumb/dynamics/detail/report_contacts.h>
 #include <plumb/dynamics/detail/time_of_impact.h>
 #include <plumb/impact/impact.h>
 
@@ -31,6 +33,7 @@ struct Meeting {
     ContactIndex contact = 0;
     std::size_t a = 0, b = 0;
     std::optional<double> time;
+    bool through = false;  ///< is let pass, as its rules say
     double approachSpeed = 0, normalImpulse = 0, tangentImpulse = 0;
     Distance where;
 };
@@ -141,6 +144,19 @@ void partFace(const WorldState& world, Meeting& meeting, std::span<const Vec2> p
 }
 
 /// Moves the two to where they meet and parts them. False when that was not found: they spin too fast.
+/// Of what the narrow phase did not see coming, the rules are asked where it meets.
+bool isLetThrough(WorldState& world, const Meeting& meeting, const Flyer& a, const Flyer& b) {
+    const ContactRecord& contact = world.contacts.contacts[meeting.contact];
+    if (!contact.ruled || contact.verdict == Verdict::Solid) return false;
+    const Encounter e =
+        encounterAt(shapeOf(a, world.proxyA(contact)), shapeOf(b, world.proxyB(contact)), *meeting.time);
+    const ImpactSide sa{e.a.velocity, e.a.angularVelocity, 0, 0, e.distance.pointA - e.a.center};
+    const ImpactSide sb{e.b.velocity, e.b.angularVelocity, 0, 0, e.distance.pointB - e.b.center};
+    const Vec2 velocity =
+        (sb.velocity + perp(sb.arm) * sb.angularVelocity) - (sa.velocity + perp(sa.arm) * sa.angularVelocity);
+    return !isSolid(world, meeting.contact, {e.distance.normal, velocity, e.distance.separation});
+}
+
 bool part(const WorldState& world, Meeting& meeting, Flyer& a, Flyer& b) {
     const ContactRecord& contact = world.contacts.contacts[meeting.contact];
     const double time = *meeting.time;
@@ -184,8 +200,9 @@ void commit(WorldState& world, const std::vector<Flyer>& flyers, const std::vect
         contact.memory[0].totalTangent = static_cast<float>(m.tangentImpulse);
         contact.memoryStep = dt;
         if (contact.touching) world.ends.push_back({world.idOfShape(contact.proxyA), world.idOfShape(contact.proxyB)});
-        world.begins.push_back(
-            {world.idOfShape(contact.proxyA), world.idOfShape(contact.proxyB), m.where.pointA, m.where.normal, m.approachSpeed});
+        world.begins.push_back({world.idOfShape(contact.proxyA), world.idOfShape(contact.proxyB), m.where.pointA,
+                                m.where.normal, m.approachSpeed});
+        if (m.approachSpeed > world.def.hitSpeed) world.hits.push_back(hitOf(world.begins.back()));
         contact.touching = true;
     }
 }
@@ -228,6 +245,8 @@ bool flyThroughImpacts(WorldState& world, std::span<const ContactIndex> contacts
         meetings.push_back(meeting);
     }
     const auto foresee = [&](Meeting& m) {
+        m.time.reset();
+        if (m.through) return;
         const ContactRecord& contact = world.contacts.contacts[m.contact];
         const FlyingShape a = shapeOf(flyers[m.a], world.proxyA(contact));
         const FlyingShape b = shapeOf(flyers[m.b], world.proxyB(contact));
@@ -242,6 +261,11 @@ bool flyThroughImpacts(WorldState& world, std::span<const ContactIndex> contacts
         if (next == nullptr) {
             commit(world, flyers, meetings, legs, dt);
             return true;
+        }
+        if (isLetThrough(world, *next, flyers[next->a], flyers[next->b])) {
+            next->through = true;
+            next->time.reset();
+            continue;
         }
         const std::array<FlyingShape, 2> before{flyers[next->a].flight, flyers[next->b].flight};
         if (!part(world, *next, flyers[next->a], flyers[next->b])) return false;

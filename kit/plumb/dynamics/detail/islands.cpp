@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <plumb/dynamics/detail/body_shapes.h>
 #include <plumb/dynamics/detail/load_bodies.h>
+#include <plumb/dynamics/detail/pairs.h>
 
 namespace plumb {
 
@@ -20,12 +22,12 @@ void forEachNeighbour(const WorldState& world, BodyIndex body, Visit&& visit) {
     forEachContact(world.bodies, world.contacts, body, [&](ContactIndex index) {
         const ContactRecord& contact = world.contacts.contacts[index];
         const BodyIndex other = otherOf(contact, body);
-        if (contact.touching && world.bodies.isDynamic(other)) visit(other);
+        if (contact.touching && world.bodies.canMove(other)) visit(other);
     });
     for (const std::uint32_t j : world.bodies.record[body].joints) {
         const JointRecord& joint = world.joints[j];
         const BodyIndex other = joint.bodyA == body ? joint.bodyB : joint.bodyA;
-        if (joint.acts() && world.bodies.isDynamic(other)) visit(other);
+        if (joint.acts() && world.bodies.canMove(other)) visit(other);
     }
 }
 
@@ -94,6 +96,7 @@ std::vector<BodyIndex> islandOf(const WorldState& world, BodyIndex seed, std::ve
 
 void putToSleep(WorldState& world, const std::vector<BodyIndex>& island) {
     for (const BodyIndex body : island) {
+        if (hasLeftItsBoxes(world, body)) placeBody(world, body, 0);
         world.bodies.motion[body].velocity.setZero();
         world.bodies.motion[body].angularVelocity = 0;
         world.bodies.putToSleep(body);
@@ -102,7 +105,10 @@ void putToSleep(WorldState& world, const std::vector<BodyIndex>& island) {
     for (const BodyIndex body : island) {
         forEachContact(world.bodies, world.contacts, body, [&](ContactIndex index) {
             ContactRecord& contact = world.contacts.contacts[index];
-            if (world.bodies.record[otherOf(contact, body)].awake) return;
+            if (world.bodies.record[otherOf(contact, body)].awake) {  // looked at as long as that is, but not solved
+                if (contact.colour >= 0) settleAnew(world, index);
+                return;
+            }
             contact.memoryStep = world.lastStep;
             world.graph.remove(world.bodies, world.contacts, index);
             world.contacts.removeNear(index);
@@ -113,7 +119,7 @@ void putToSleep(WorldState& world, const std::vector<BodyIndex>& island) {
 }  // namespace
 
 void wakeIsland(WorldState& world, BodyIndex seed) {
-    if (!world.bodies.isDynamic(seed)) return;
+    if (!world.bodies.canMove(seed)) return;
     std::vector<BodyIndex> reached{seed};
     wakeOne(world, seed);
     for (std::size_t i = 0; i < reached.size(); ++i) {
@@ -131,6 +137,18 @@ void wakeNeighbours(WorldState& world, BodyIndex body) {
     for (const BodyIndex other : neighbours) wakeIsland(world, other);
 }
 
+void sleepIsland(WorldState& world, BodyIndex body) {
+    if (!world.bodies.record[body].awake) return;
+    if (!world.bodies.isDynamic(body)) {
+        putToSleep(world, {body});
+        return;
+    }
+    std::vector<bool> seen(world.bodies.record.size(), false);
+    const std::vector<BodyIndex> island = islandOf(world, body, seen);
+    const auto driven = [&world](BodyIndex b) { return drivenFromOutside(world, b); };
+    if (std::none_of(island.begin(), island.end(), driven)) putToSleep(world, island);
+}
+
 void sleepIslands(WorldState& world, double dt) {
     if (!world.def.sleeping || !countStillness(world, dt)) return;
     std::vector<bool> seen(world.bodies.record.size(), false);
@@ -141,7 +159,9 @@ void sleepIslands(WorldState& world, double dt) {
         const bool still = std::all_of(island.begin(), island.end(), [&](BodyIndex body) {
             return world.bodies.record[body].stillTime >= world.def.solver.sleepTime;
         });
-        if (still) putToSleep(world, island);
+        if (!still) continue;
+        putToSleep(world, island);
+        world.sleepers.insert(world.sleepers.end(), island.begin(), island.end());
     }
 }
 

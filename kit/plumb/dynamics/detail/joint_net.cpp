@@ -172,9 +172,15 @@ public:
         }
         for (std::size_t b = 0; b < net_.bodies.size(); ++b) setVelocity(bodies_, net_.bodies[b], after_[b]);
         for (std::size_t j = 0; j < rows_.size(); ++j) addLoad(joints_.loads[net_.joints[j]], rows_[j], impulses_[j]);
+        for (std::size_t b = 0; b < net_.bodies.size(); ++b) slow(bodies_.record[net_.bodies[b]], needed_[b]);
     }
 
 private:
+    /// From the next step on, contacts see a body as heavy to turn as its joints do: else they would feed it.
+    static void slow(BodyRecord& record, double inertia) {
+        if (record.inverseInertia > 0) setRho(record, 1 / std::max(record.inertia, inertia));
+    }
+
     /// Of each body, and no less than its stiffness needs.
     void findMasses() {
         masses_.clear();
@@ -188,6 +194,7 @@ private:
             masses_.push_back({linear, linear, rho > 0 ? mass / (rho * rho) : 0.0});
             tight = tight || 2 * needed[2] > masses_.back()[2];
         }
+        needed_.assign(masses_.size(), 0.0);
         if (tight) slowDown();
     }
 
@@ -195,8 +202,8 @@ private:
     void slowDown() {
         const std::vector<double> company = companyOf();
         for (std::size_t b = 0; b < masses_.size(); ++b) {
-            const double needed = 2 * net_.stiffness[b][2] * step_ * step_ - company[b];
-            if (masses_[b][2] > 0) masses_[b][2] = std::max(masses_[b][2], needed);
+            needed_[b] = 2 * net_.stiffness[b][2] * step_ * step_ - company[b];
+            if (masses_[b][2] > 0) masses_[b][2] = std::max(masses_[b][2], needed_[b]);
         }
     }
 
@@ -375,6 +382,7 @@ private:
     std::vector<Vec3> impulses_;   ///< of the rows
     double step_ = 0;
     std::vector<Vec3> stiffnessBefore_;
+    std::vector<double> needed_;        ///< inertia of the bodies, for what they are pulled back by [kg m^2]
     std::vector<Vec3> masses_;          ///< of the bodies: along x, y, turning; 0: nothing turns it
     std::vector<Vec3> before_, after_;  ///< velocities of the bodies
     std::vector<Vec3> answer_;

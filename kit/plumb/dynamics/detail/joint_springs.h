@@ -16,6 +16,7 @@
 #include <vector>
 
 #include <plumb/dynamics/detail/joint_store.h>
+#include <plumb/math/detail/bytes_of.h>
 
 namespace plumb {
 
@@ -27,6 +28,8 @@ public:
     void share(JointStore& store, const BodyStore& bodies, double h);
     /// Before each sub-step, before any force: how fast do their rows go?
     void noteSpeeds(JointStore& store, const BodyStore& bodies, double h) const;
+
+    std::size_t bytes() const { return bytesOf(joints_) + bytesOf(load_); }
 
 private:
     std::vector<JointIndex> joints_;

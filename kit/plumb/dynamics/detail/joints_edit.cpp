@@ -56,6 +56,7 @@ void unlink(WorldState& world, JointIndex index) {
         std::vector<JointIndex>& joints = world.bodies.record[body].joints;
         joints.erase(std::find(joints.begin(), joints.end(), index));
         if (record.acts()) --world.bodies.record[body].actingJoints;
+        if (world.bodies.isDynamic(body)) setRho(world.bodies.record[body], world.bodies.record[body].inverseInertia);
     }
     if (!record.collideConnected) pairShapes(world, record.bodyA, record.bodyB);
 }

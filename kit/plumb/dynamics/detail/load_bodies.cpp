@@ -57,6 +57,7 @@ bool loadBody(WorldState& world, BodyIndex body, double dt) {
 }
 
 void loadBodies(WorldState& world, double dt) {
+    world.strays.forget();
     for (const BodyIndex body : world.bodies.awake)
         if (loadBody(world, body, dt)) placeBody(world, body, dt);
 }

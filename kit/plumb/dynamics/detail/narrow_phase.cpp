@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <plumb/dynamics/detail/contact_rules.h>
 #include <plumb/dynamics/detail/first_impulses.h>
 #include <plumb/dynamics/detail/foresee.h>
 #include <plumb/dynamics/detail/islands.h>
@@ -145,6 +146,27 @@ void removeParted(WorldState& world, NearPairs& near) {
     }
 }
 
+Manifold manifoldAt(const FreshLanes& fresh, std::size_t lane) {
+    Manifold manifold;
+    manifold.normal = {fresh.normalX[lane], fresh.normalY[lane]};
+    manifold.count = fresh.count[lane];
+    for (std::size_t p = 0; p < 2; ++p) {
+        const FreshPoint& point = fresh.points[p];
+        manifold.points[p] = {{point.x[lane], point.y[lane]}, point.separation[lane], 0};
+    }
+    return manifold;
+}
+
+/// Not what is let through.
+bool mayArrive(WorldState& world, ContactIndex index, const FreshLanes& fresh, std::size_t lane) {
+    ContactRecord& contact = world.contacts.contacts[index];
+    contact.met = true;
+    if (!contact.ruled) return true;
+    if (isSolid(world, index, faceOf(world, contact.bodyA, contact.bodyB, manifoldAt(fresh, lane)))) return true;
+    contact.manifold.count = 0;
+    return false;
+}
+
 /// Of a batch of near contacts, from the given lane on.
 void collideBatch(WorldState& world, const NearPairs& near, std::size_t start, std::vector<Arrivals>& arrivals,
                   double dt) {
@@ -158,7 +180,9 @@ void collideBatch(WorldState& world, const NearPairs& near, std::size_t start, s
         collideOthers(world, pairs, count, fresh, dt);
     for (std::size_t lane = start - first; lane < count; ++lane) {
         if (fresh.count[lane] == 0) continue;
-        addArrival(arrivals, near.contactOf[first + lane], fresh, lane);
+        const ContactIndex index = near.contactOf[first + lane];
+        if (!mayArrive(world, index, fresh, lane)) continue;
+        addArrival(arrivals, index, fresh, lane);
         wakeTouched(world, pairAt(near.lanes[first / batchLanes], lane), fresh, lane);
     }
 }
@@ -166,7 +190,8 @@ void collideBatch(WorldState& world, const NearPairs& near, std::size_t start, s
 /// Contacts that a wake-up adds while this goes on are looked at as well.
 void collideNear(WorldState& world, std::vector<Arrivals>& arrivals, double dt) {
     ContactStore& store = world.contacts;
-    for (const ContactIndex index : store.watched) store.contacts[index].manifold.count = 0;
+    for (const ContactIndex index : store.watched) store.contacts[index].met = false;
+    for (const ContactIndex index : store.judged) store.contacts[index].met = false;
     std::size_t boxes = 0, others = 0;
     while (boxes < store.nearBoxes.contactOf.size() || others < store.nearOthers.contactOf.size()) {
         const bool isBoxes = boxes < store.nearBoxes.contactOf.size();
@@ -176,6 +201,8 @@ void collideNear(WorldState& world, std::vector<Arrivals>& arrivals, double dt) 
         done = std::min(start - start % batchLanes + batchLanes, near.contactOf.size());
         collideBatch(world, near, start, arrivals, dt);
     }
+    for (const ContactIndex index : store.watched)
+        if (!store.contacts[index].met) store.contacts[index].manifold.count = 0;
 }
 
 /// Into slots, if anything can come of it; else back into their records.
@@ -199,6 +226,7 @@ void part(WorldState& world, ContactIndex index) {
     ContactRecord& contact = world.contacts.contacts[index];
     world.graph.remove(world.bodies, world.contacts, index);
     world.contacts.addNear(index);
+    contact.manifold.count = 0;
     contact.memory = {};
     contact.rollImpulse = 0;
 }
@@ -215,10 +243,12 @@ bool bodiesReady(const WorldState& world, const ContactRecord& contact) {
 void findContacts(WorldState& world, double dt) {
     std::vector<ContactIndex> parted;
     for (std::size_t index = 0; index < world.graph.colours.size(); ++index) collideColour(world, index, parted, dt);
+    judgeSolved(world, parted);
     removeParted(world, world.contacts.nearBoxes);
     removeParted(world, world.contacts.nearOthers);
     std::vector<Arrivals> arrivals;
     collideNear(world, arrivals, dt);
+    forgetParted(world);
     for (const ContactIndex index : parted) part(world, index);
     for (const Arrivals& some : arrivals) settle(world, some, dt);
 }

@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include <plumb/dynamics/detail/contact_rules.h>
 #include <plumb/dynamics/detail/fresh_lanes.h>
 #include <plumb/dynamics/detail/islands.h>
+#include <plumb/dynamics/detail/sensors.h>
+#include <plumb/dynamics/detail/shape_measure.h>
 
 namespace plumb {
 
@@ -29,6 +32,13 @@ Aabb tightBox(const WorldState& world, ProxyId proxy, const BodyMotion& motion, 
     return inflate({center - half, center + half}, static_cast<double>(box.radius));
 }
 
+/// A sensor has no part in the reach of its body.
+double sensorTurn(const WorldState& world, ProxyId proxy, const BodyRecord& record, const BodyMotion& motion,
+                  double dt) {
+    return reachOf(world.space[proxy].def.shape, record.localCenter) *
+           std::min(std::fabs(motion.angularVelocity) * dt, 2.0);
+}
+
 double mixed(double a, double b, Mix ruleA, Mix ruleB) {
     switch (std::max(ruleA, ruleB)) {
         case Mix::Average: return 0.5 * (a + b);
@@ -48,8 +58,6 @@ double roundingOf(const Proxy& a, const Proxy& b) {
 ContactRecord contactOf(const WorldState& world, const Pair& pair) {
     const Proxy& a = world.space[pair.a];
     const Proxy& b = world.space[pair.b];
-    const Material& ma = a.def.material;
-    const Material& mb = b.def.material;
     ContactRecord contact;
     contact.proxyA = pair.a;
     contact.proxyB = pair.b;
@@ -57,15 +65,16 @@ ContactRecord contactOf(const WorldState& world, const Pair& pair) {
     contact.bodyB = b.owner;
     const auto isBox = [&](ProxyId proxy) { return world.contacts.boxes[proxy].kind == BoxOutline::Kind::Box; };
     contact.boxes = isBox(pair.a) && isBox(pair.b);
-    contact.friction = std::min(mixed(ma.friction, mb.friction, ma.frictionMix, mb.frictionMix), roughest);
-    contact.restitution = mixed(ma.restitution, mb.restitution, ma.restitutionMix, mb.restitutionMix);
-    const double reach = std::max(ma.rollingResistance, mb.rollingResistance) * roundingOf(a, b);
-    contact.rollingReach = static_cast<float>(std::min(reach, roughest));
-    contact.beltSpeed = static_cast<float>(ma.surfaceSpeed + mb.surfaceSpeed);
+    contact.ruled = hasRule(a.def) || hasRule(b.def);
+    mixMaterials(world, contact);
     return contact;
 }
 
 void addContact(WorldState& world, const Pair& pair) {
+    if (world.space[pair.a].def.sensor || world.space[pair.b].def.sensor) {
+        addSensorPair(world, pair);
+        return;
+    }
     const BodyIndex a = world.space[pair.a].owner;
     const BodyIndex b = world.space[pair.b].owner;
     if (!world.bodies.isDynamic(a) && !world.bodies.isDynamic(b)) return;
@@ -79,7 +88,30 @@ void addContact(WorldState& world, const Pair& pair) {
     }
 }
 
+bool isPaired(const WorldState& world, ProxyId a, ProxyId b) {
+    const BodyIndex owner = world.space[a].owner;
+    const BodyIndex body = world.bodies.isDynamic(owner) ? owner : world.space[b].owner;
+    bool paired = false;
+    forEachContact(world.bodies, world.contacts, body, [&](ContactIndex index) {
+        const ContactRecord& contact = world.contacts.contacts[index];
+        paired = paired || (contact.proxyA == std::min(a, b) && contact.proxyB == std::max(a, b));
+    });
+    return paired;
+}
+
 }  // namespace
+
+void mixMaterials(const WorldState& world, ContactRecord& contact) {
+    const Proxy& a = world.proxyA(contact);
+    const Proxy& b = world.proxyB(contact);
+    const Material& ma = a.def.material;
+    const Material& mb = b.def.material;
+    contact.friction = std::min(mixed(ma.friction, mb.friction, ma.frictionMix, mb.frictionMix), roughest);
+    contact.restitution = mixed(ma.restitution, mb.restitution, ma.restitutionMix, mb.restitutionMix);
+    const double reach = std::max(ma.rollingResistance, mb.rollingResistance) * roundingOf(a, b);
+    contact.rollingReach = static_cast<float>(std::min(reach, roughest));
+    contact.beltSpeed = static_cast<float>(ma.surfaceSpeed + mb.surfaceSpeed);
+}
 
 bool joinedApart(const WorldState& world, BodyIndex a, BodyIndex b) {
     const auto& joints = world.bodies.record[a].joints;
@@ -98,7 +130,10 @@ void placeBody(WorldState& world, BodyIndex body, double dt) {
     const double turn = moves ? static_cast<double>(place.turn) : 0.0;
     const Transform pose = world.bodies.pose(body);
     for (const ProxyId proxy : record.proxies) {
-        const Aabb now = inflate(tightBox(world, proxy, motion, pose), 0.5 * static_cast<double>(contactMargin) + turn);
+        const bool sensor = world.contacts.boxes[proxy].sensor;
+        const double swing = sensor && moves ? sensorTurn(world, proxy, record, motion, dt) : turn;
+        const Aabb now =
+            inflate(tightBox(world, proxy, motion, pose), 0.5 * static_cast<double>(contactMargin) + swing);
         const Aabb ahead{now.lower + shift, now.upper + shift};
         // It may come back from anywhere, as fast as its restitution lets it.
         const Aabb back = inflate(now, static_cast<double>(world.contacts.boxes[proxy].restitution) * shift.norm());
@@ -107,10 +142,24 @@ void placeBody(WorldState& world, BodyIndex body, double dt) {
 }
 
 void pairShapes(WorldState& world, BodyIndex a, BodyIndex b) {
+    if (!world.bodies.record[a].enabled || !world.bodies.record[b].enabled) return;
+    const auto isSensor = [&world](ProxyId proxy) { return world.space[proxy].def.sensor; };  // is not kept apart
     for (const ProxyId pa : world.bodies.record[a].proxies)
         for (const ProxyId pb : world.bodies.record[b].proxies)
-            if (mayPair(world.space[pa], world.space[pb]) && world.space.previousBoxesOverlap(pa, pb))
+            if (!isSensor(pa) && !isSensor(pb) && mayPair(world.space[pa], world.space[pb]) &&
+                world.space.previousBoxesOverlap(pa, pb))
                 addContact(world, {std::min(pa, pb), std::max(pa, pb)});
+}
+
+void pairShape(WorldState& world, ProxyId proxy) {
+    std::vector<ProxyId> others;
+    world.space.query(world.space.box(proxy), [&](ProxyId other) {
+        if (mayPair(world.space[proxy], world.space[other]) && world.space.previousBoxesOverlap(proxy, other))
+            others.push_back(other);
+    });
+    std::sort(others.begin(), others.end());
+    for (const ProxyId other : others)
+        if (!isPaired(world, proxy, other)) addContact(world, {std::min(proxy, other), std::max(proxy, other)});
 }
 
 void findPairs(WorldState& world) {

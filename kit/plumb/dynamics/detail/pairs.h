@@ -11,6 +11,10 @@ bool joinedApart(const WorldState& world, BodyIndex a, BodyIndex b);
 void placeBody(WorldState& world, BodyIndex body, double dt);
 /// Makes the contacts of two bodies that were kept apart until now, where the space has found their boxes to overlap.
 void pairShapes(WorldState& world, BodyIndex a, BodyIndex b);
+/// Makes the contacts of a shape that were kept apart until now, likewise.
+void pairShape(WorldState& world, ProxyId proxy);
+/// Works out what two shapes' materials are together.
+void mixMaterials(const WorldState& world, ContactRecord& contact);
 /// Makes contacts of the pairs whose boxes have come to overlap.
 void findPairs(WorldState& world);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include <plumb/dynamics/detail/body_shapes.h>
 #include <plumb/dynamics/detail/islands.h>
 
 namespace plumb {
@@ -41,12 +42,8 @@ void quarantine(WorldState& world) {
     world.unsound.clear();
     for (const BodyIndex body : leaving) {
         wakeNeighbours(world, body);
-        removeShapes(world, body);
+        if (world.bodies.record[body].enabled) hideShapes(world, body);
         world.bodies.putToSleep(body);
-        BodyRecord& record = world.bodies.record[body];
-        record.type = BodyType::Static;
-        std::erase(world.bodies.kinematic, body);
-        record.mass = record.inertia = record.inverseMass = record.inverseInertia = 0;
         world.bodies.motion[body].velocity.setZero();
         world.bodies.motion[body].angularVelocity = 0;
         world.bodies.rest(body);

@@ -12,7 +12,7 @@ bool isSound(const Acceleration& acceleration);
 /// Marks a body, to be taken out by the next quarantine().
 void quarantineLater(WorldState& world, BodyIndex body);
 
-/// Takes the marked bodies out: at rest, without shapes, and an event for each.
+/// Takes the marked bodies out: at rest, disabled, and an event for each.
 void quarantine(WorldState& world);
 
 }  // namespace plumb

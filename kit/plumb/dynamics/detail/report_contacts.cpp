@@ -35,8 +35,10 @@ ContactBegin beginOf(const WorldState& world, const ContactRecord& contact, std:
             normalOf(world, contact), std::max(static_cast<double>(contact.approachSpeed), 0.0)};
 }
 
-/// Not 0 for the lanes in which a touch begins or ends. Without branches, so that compilers can make it wide.
-void markChanges(const ContactBatch& batch, const ManifoldLanes& manifolds, Lanes<std::int32_t>& changed) {
+/// Not 0 for the lanes in which a touch begins or ends, or is a hit. Without branches, so that compilers can make it
+/// wide.
+void markChanges(const ContactBatch& batch, const ManifoldLanes& manifolds, float hitSpeed,
+                 Lanes<std::int32_t>& changed) {
     for (std::size_t lane = 0; lane < batchLanes; ++lane) {
         const std::int32_t count = manifolds.count[lane];
         const float first = count > 0 ? batch.points[0].separation[lane] : apart;
@@ -46,12 +48,15 @@ void markChanges(const ContactBatch& batch, const ManifoldLanes& manifolds, Lane
             (batch.points[0].totalNormal[lane] > 0 ? 1 : 0) | (batch.points[1].totalNormal[lane] > 0 ? 1 : 0);
         const std::int32_t begins = pressed | (nearest <= 0 ? 1 : 0);
         const std::int32_t ends = (1 - pressed) & (nearest >= apart ? 1 : 0);
-        changed[lane] = manifolds.touching[lane] != 0 ? ends : begins;
+        const std::int32_t hits = pressed & (manifolds.approachSpeed[lane] > hitSpeed ? 1 : 0);
+        changed[lane] = (manifolds.touching[lane] != 0 ? ends : begins) | hits;
     }
 }
 
 void reportContact(WorldState& world, ContactRecord& contact) {
     const Touch touch = touchOf(world, contact);
+    if (contact.colour >= 0 && touch.pressed && static_cast<double>(contact.approachSpeed) > world.def.hitSpeed)
+        world.hits.push_back(hitOf(beginOf(world, contact, touch.point)));
     if (!contact.touching && (touch.pressed || touch.separation <= 0)) {
         contact.touching = true;
         world.begins.push_back(beginOf(world, contact, touch.point));
@@ -65,7 +70,7 @@ void reportBatch(WorldState& world, Colour& colour, std::size_t b) {
     const std::size_t first = b * batchLanes;
     const std::size_t count = std::min<std::size_t>(batchLanes, colour.contactOf.size() - first);
     Lanes<std::int32_t> changed;
-    markChanges(colour.batches[b], colour.manifolds[b], changed);
+    markChanges(colour.batches[b], colour.manifolds[b], static_cast<float>(world.def.hitSpeed), changed);
     for (std::size_t lane = 0; lane < count; ++lane) {
         if (changed[lane] == 0) continue;
         ContactRecord& contact = world.contacts.contacts[colour.contactOf[first + lane]];

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/detail/validate.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
-#include <string>
 
+#include <plumb/dynamics/detail/body_shapes.h>
 #include <plumb/math/check.h>
+#include <plumb/shapes/aabb.h>
 
 namespace plumb {
 
 namespace {
+
+/// Farther from its body's origin than this, a shape's corners are too coarse in the solver's floats to touch anything.
+constexpr double farthestCorner = 1e5;
 
 template <class Id>
 std::string textOf(const Id& id) {
@@ -29,6 +35,7 @@ template <class Id>
 
 void validate(const WorldDef& def) {
     requireFinite(def.gravity, "WorldDef.gravity");
+    if (def.hitSpeed != std::numeric_limits<double>::infinity()) requireNotNegative(def.hitSpeed, "WorldDef.hitSpeed");
     const SolverSettings& s = def.solver;
     requireWithin(s.subSteps, 1, 64, "WorldDef.solver.subSteps");
     requirePositive(s.contactFrequency, "WorldDef.solver.contactFrequency");
@@ -38,6 +45,31 @@ void validate(const WorldDef& def) {
     requireNotNegative(s.sleepTime, "WorldDef.solver.sleepTime");
     if (s.lanes != 1 && s.lanes != 4 && s.lanes != 8 && s.lanes != 16)
         refuse("WorldDef.solver.lanes", std::to_string(s.lanes) + " is not 1, 4, 8 or 16");
+}
+
+void requireMass(const Mass& mass, const std::string& field, const std::string& why) {
+    const std::string hint = why.empty() ? why : " (" + why + ")";
+    if (why.empty()) requireFinite(mass.center, field, ".center");
+    if (!(mass.mass > 0) || !std::isfinite(mass.mass))
+        refuse(field + ".mass", toText(mass.mass) + " is not a positive finite mass" + hint);
+    if (!(mass.inertia > 0) || !std::isfinite(mass.inertia))
+        refuse(field + ".inertia", toText(mass.inertia) + " is not a positive finite moment of inertia" + hint);
+    // The solver's floats hold the squares and products of what is within these.
+    requireWithin(mass.mass, 1e-12, 1e12, field, ".mass");
+    requireWithin(std::sqrt(mass.inertia / mass.mass), 1e-6, 1e6, field, ".inertia, its radius of gyration");
+}
+
+void requireShape(const ShapeDef& def, const std::string& field) {
+    validate(def, field);
+    const Aabb box = aabbOf(def.shape, {});
+    const double reach = std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff());
+    if (reach > farthestCorner)
+        refuse(field + ".shape", toText(reach) + " m from the body's origin, at most " + toText(farthestCorner) +
+                                     " m was wanted: place the body there instead, or use several");
+}
+
+bool isKnown(const WorldState& world, ShapeId id) {
+    return isKnown(world, id.body) && !piecesOf(world, id.body.index, id.number).empty();
 }
 
 bool isKnown(const WorldState& world, BodyId id) {
@@ -54,6 +86,14 @@ bool isKnown(const WorldState& world, JointId id) {
 
 void requireBody(const WorldState& world, BodyId id, std::string_view field) {
     if (!isKnown(world, id)) refuseId(world, id, field, "body");
+}
+
+void requireShape(const WorldState& world, ShapeId id, std::string_view field) {
+    const std::string name(field);
+    requireBody(world, id.body, name + ".body");
+    if (!isKnown(world, id))
+        refuse(name + ".number",
+               std::to_string(id.number) + " names no shape of that body: it was removed, or never was");
 }
 
 void requireJoint(const WorldState& world, JointId id, std::string_view field) {

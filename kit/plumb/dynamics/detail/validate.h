@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What may come in through the world's door?
 #pragma once
+#include <string>
 #include <string_view>
 
 #include <plumb/dynamics/detail/world_state.h>
@@ -11,12 +12,19 @@ namespace plumb {
 bool isKnown(const WorldState& world, BodyId id);
 bool isKnown(const WorldState& world, JointId id);
 
+bool isKnown(const WorldState& world, ShapeId id);
+
 // Each throws std::invalid_argument naming the field, the value and what was wanted.
 void validate(const WorldDef& def);
+/// Of a dynamic body; why says what else could have been given.
+void requireMass(const Mass& mass, const std::string& field, const std::string& why = {});
+/// A shape that a body can have.
+void requireShape(const ShapeDef& def, const std::string& field);
 void validate(const WorldState& world, const JointDef& def);
 /// And unless it is of the kind, the bodies, the anchors and the axes of what it is to replace.
 void validateChange(const WorldState& world, const JointDef& from, const JointDef& to);
 void requireBody(const WorldState& world, BodyId id, std::string_view field);
+void requireShape(const WorldState& world, ShapeId id, std::string_view field);
 void requireJoint(const WorldState& world, JointId id, std::string_view field);
 
 }  // namespace plumb

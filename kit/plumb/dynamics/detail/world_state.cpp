@@ -33,12 +33,4 @@ void removeContact(WorldState& world, ContactIndex index) {
     world.contacts.remove(world.bodies, index);
 }
 
-void removeShapes(WorldState& world, BodyIndex body) {
-    forEachContact(world.bodies, world.contacts, body, [&world](ContactIndex c) { removeContact(world, c); });
-    const BodyRecord& record = world.bodies.record[body];
-    if (!world.bodies.isDynamic(body)) world.walls -= static_cast<std::uint32_t>(record.proxies.size());
-    for (const ProxyId proxy : record.proxies) world.space.remove(proxy);
-    world.bodies.record[body].proxies.clear();
-}
-
 }  // namespace plumb

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What is a world made of, behind its door?
 #pragma once
+#include <map>
+
 #include <vector>
 
 #include <plumb/dynamics/detail/body_store.h>
@@ -10,6 +12,8 @@
 #include <plumb/dynamics/detail/joint_springs.h>
 #include <plumb/dynamics/detail/joint_store.h>
 #include <plumb/dynamics/detail/lane_collider.h>
+#include <plumb/dynamics/detail/sensor_store.h>
+#include <plumb/dynamics/detail/strays.h>
 #include <plumb/dynamics/world.h>
 #include <plumb/space/space.h>
 
@@ -29,10 +33,12 @@ struct WorldState {
     StepProfile profile;
 
     BodyStore bodies;
+    std::map<BodyIndex, Mass> parkedMass;  ///< given to bodies that are not dynamic now
     Space space;
-    std::uint32_t walls = 0;  ///< shapes that nothing pushes: those of static and kinematic bodies
+    std::uint32_t walls = 0;  ///< shapes that nothing pushes: those of static and kinematic bodies, but for sensors
     ContactStore contacts;
     ContactGraph graph;
+    SensorStore sensors;
     std::vector<Leg> legs;  ///< each body's in the order of time
     JointStore joints;
     std::vector<JointNet> nets;           ///< of what is awake
@@ -45,10 +51,15 @@ struct WorldState {
     std::vector<ContactEnd> ends;
     std::size_t reportedEnds = 0;  ///< of ends: those of the last step; what was removed since comes after them
     std::vector<JointBroke> breaks;
+    std::vector<ContactHit> hits;
     std::vector<Quarantined> quarantines;
+    std::vector<BodyIndex> movers;       ///< those that were awake in the last step
+    std::vector<BodyIndex> sleepers;     ///< of those: they fell asleep at its end
+    std::vector<BodyIndex> gone;         ///< slots of bodies that were removed since
     std::vector<BodyIndex> unsound;      ///< to be put in quarantine
     std::vector<ContactIndex> isolated;  ///< contacts left to the impacts in the last step that had such
     const LaneCollider* collider = nullptr;
+    Strays strays;
 
     BodyId idOf(BodyIndex body) const { return {body, bodies.record[body].generation, id}; }
     ShapeId idOfShape(ProxyId proxy) const { return {idOf(space[proxy].owner), space[proxy].number}; }
@@ -63,7 +74,5 @@ Vec2 normalOf(const WorldState& world, const ContactRecord& contact);
 Vec2 pointOf(const WorldState& world, const ContactRecord& contact, std::size_t point);
 /// Takes a contact out of the world, with an end event if it was touching.
 void removeContact(WorldState& world, ContactIndex contact);
-/// Takes a body's shapes out of the space, and its contacts with them.
-void removeShapes(WorldState& world, BodyIndex body);
 
 }  // namespace plumb

@@ -70,4 +70,25 @@ inline typename Wide<W>::Float squareRoot(typename Wide<W>::Float v) {
 #endif
 }
 
+/// Bit i tells whether lane i of a comparison holds.
+template <int W>
+[[gnu::always_inline]] inline std::uint32_t bitsOf(const typename Wide<W>::Mask& mask) {
+    if constexpr (W == 1) {
+        return mask ? 1 : 0;
+#if defined(__x86_64__)
+    } else if constexpr (W == 4) {
+        return static_cast<std::uint32_t>(__builtin_ia32_movmskps(typename Wide<W>::Float(mask)));
+    } else if constexpr (W == 8) {
+        return static_cast<std::uint32_t>(__builtin_ia32_movmskps256(typename Wide<W>::Float(mask)));
+    } else if constexpr (W == 16) {
+        typedef int Ints __attribute__((vector_size(64)));
+        return static_cast<std::uint32_t>(__builtin_ia32_cvtd2mask512(Ints(mask)));
+#endif
+    } else {
+        std::uint32_t bits = 0;
+        for (int i = 0; i < W; ++i) bits |= static_cast<std::uint32_t>(mask[i] & 1) << i;
+        return bits;
+    }
+}
+
 }  // namespace plumb

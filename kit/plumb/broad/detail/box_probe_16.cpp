@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: MIT
+#if defined(__GNUC__)
+#include <plumb/broad/detail/box_probe_wide.h>
+
+template struct plumb::WideBoxProbe<16>;
+#endif

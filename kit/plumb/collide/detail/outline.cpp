@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/collide/detail/outline.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumb {
+
+namespace {
+
+Vec2 unit(const Vec2& v) {
+    return v / std::sqrt(v.dot(v));
+}
+
+Outline outlineOf(const Circle& circle) {
+    Outline outline;
+    outline.corners[0] = circle.center;
+    outline.count = 1;
+    outline.radius = circle.radius;
+    return outline;
+}
+
+Outline outlineOf(const Polygon& polygon) {
+    Outline outline;
+    outline.radius = polygon.radius;
+    outline.count = outline.edges = polygon.vertices.size();
+    std::copy(polygon.vertices.begin(), polygon.vertices.end(), outline.corners.begin());
+    for (std::size_t i = 0; i < outline.edges; ++i) outline.normals[i] = unit(-perp(outline.edgeFrom(i)));
+    return outline;
+}
+
+Outline outlineOf(const Vec2& start, const Vec2& end, double radius) {
+    const Vec2 along = unit(end - start);
+    const Vec2 right = -perp(along);
+    Outline outline;
+    outline.radius = radius;
+    outline.count = outline.edges = 4;
+    std::copy_n(std::array{start, end, end, start}.begin(), 4, outline.corners.begin());
+    std::copy_n(std::array<Vec2, 4>{right, along, -right, -along}.begin(), 4, outline.normals.begin());
+    return outline;
+}
+
+Outline outlineOf(const Segment& segment) {
+    return outlineOf(segment.start, segment.end, 0);
+}
+
+Outline outlineOf(const Capsule& capsule) {
+    return outlineOf(capsule.start, capsule.end, capsule.radius);
+}
+
+/// A chain has none: it goes piece by piece.
+Outline outlineOf(const Chain&) {
+    return {};
+}
+
+}  // namespace
+
+Outline outlineOf(const Shape& shape, const Transform& pose, const Vec2& origin) {
+    Outline outline = std::visit([](const auto& s) { return outlineOf(s); }, shape);
+    const Vec2 shift = pose.position - origin;
+    for (std::size_t i = 0; i < outline.count; ++i) outline.corners[i] = pose.rotation * outline.corners[i] + shift;
+    for (std::size_t i = 0; i < outline.edges; ++i) outline.normals[i] = pose.rotation * outline.normals[i];
+    return outline;
+}
+
+}  // namespace plumb

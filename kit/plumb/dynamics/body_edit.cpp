@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/body.h>
+
+#include <plumb/dynamics/detail/body_shapes.h>
+#include <plumb/dynamics/detail/islands.h>
+#include <plumb/dynamics/detail/joints_edit.h>
+#include <plumb/dynamics/detail/validate.h>
+#include <plumb/dynamics/detail/world_state.h>
+#include <plumb/math/check.h>
+
+namespace plumb {
+
+namespace {
+
+/// The mass of a body that is about to be dynamic; refused if it has none.
+Mass massWhenDynamic(const WorldState& world, BodyIndex body) {
+    const auto parked = world.parkedMass.find(body);
+    if (parked != world.parkedMass.end()) return parked->second;
+    const Mass mass = massOfShapes(world, body);
+    requireMass(mass, "Body.setType: Dynamic, for the shapes'",
+                "a dynamic body needs a shape with area and density, or BodyDef.mass");
+    return mass;
+}
+
+/// A given mass is kept for when the body is dynamic again.
+void changeMass(WorldState& world, BodyIndex body, const Mass& mass) {
+    const BodyRecord& record = world.bodies.record[body];
+    if (record.type == BodyType::Dynamic) world.parkedMass.erase(body);
+    giveMass(world, body, mass);
+}
+
+void requireDynamic(const WorldState& world, BodyIndex body, const char* what) {
+    if (!world.bodies.isDynamic(body)) refuse(what, "the body is not dynamic, and has no mass");
+}
+
+/// Awake if it can be moved or moves by itself.
+void wakeIfMoving(WorldState& world, BodyIndex body) {
+    const BodyMotion& motion = world.bodies.motion[body];
+    wakeIsland(world, body);
+    if (!motion.velocity.isZero(0) || motion.angularVelocity != 0) world.bodies.wake(body);
+}
+
+}  // namespace
+
+void Body::setType(BodyType type) {
+    WorldState& world = *world_;
+    BodyRecord& record = world.bodies.record[index_];
+    if (type == record.type) return;
+    const Mass mass = type == BodyType::Dynamic ? massWhenDynamic(world, index_) : Mass{};
+    if (world.bodies.isDynamic(index_) && record.massGiven)
+        world.parkedMass[index_] = {record.mass, record.localCenter, record.inertia};
+    const bool enabled = record.enabled;
+    wakeNeighbours(world, index_);
+    if (enabled) hideShapes(world, index_);
+    world.bodies.putToSleep(index_);
+    std::erase(world.bodies.kinematic, index_);
+    record.type = type;
+    if (type == BodyType::Kinematic) world.bodies.kinematic.push_back(index_);
+    changeMass(world, index_, mass);
+    fixShapes(world, index_);
+    BodyMotion& motion = world.bodies.motion[index_];
+    if (type == BodyType::Static) {
+        motion.velocity.setZero();
+        motion.angularVelocity = 0;
+    }
+    world.bodies.rest(index_);
+    world.jointsChanged = true;
+    if (!enabled) return;
+    showShapes(world, index_);
+    wakeIfMoving(world, index_);
+    wakeNeighbours(world, index_);
+}
+
+void Body::setMass(const Mass& mass) {
+    requireDynamic(*world_, index_, "Body.setMass");
+    requireMass(mass, "Body.setMass: mass");
+    world_->bodies.record[index_].massGiven = true;
+    giveMass(*world_, index_, mass);
+    wakeIsland(*world_, index_);
+}
+
+void Body::setMassFromShapes() {
+    requireDynamic(*world_, index_, "Body.setMassFromShapes");
+    const Mass mass = massOfShapes(*world_, index_);
+    requireMass(mass, "Body.setMassFromShapes: the shapes'", "they have no area or no density");
+    world_->bodies.record[index_].massGiven = false;
+    giveMass(*world_, index_, mass);
+    wakeIsland(*world_, index_);
+}
+
+void Body::setGravityScale(double scale) {
+    requireFinite(scale, "Body.setGravityScale: scale");
+    world_->bodies.record[index_].gravityScale = scale;
+    wakeIsland(*world_, index_);
+}
+
+void Body::setLinearDamping(double damping) {
+    requireNotNegative(damping, "Body.setLinearDamping: damping");
+    world_->bodies.record[index_].linearDamping = damping;
+}
+
+void Body::setAngularDamping(double damping) {
+    requireNotNegative(damping, "Body.setAngularDamping: damping");
+    world_->bodies.record[index_].angularDamping = damping;
+}
+
+void Body::setFixedRotation(bool fixed) {
+    BodyRecord& record = world_->bodies.record[index_];
+    if (fixed == record.fixedRotation) return;
+    record.fixedRotation = fixed;
+    BodyMotion& motion = world_->bodies.motion[index_];
+    if (fixed) motion.angularVelocity = 0;
+    giveMass(*world_, index_, {record.mass, record.localCenter, record.inertia});
+    if (record.type == BodyType::Kinematic && motion.velocity.isZero(0) && motion.angularVelocity == 0)
+        sleepIsland(*world_, index_);
+    wakeIsland(*world_, index_);
+    wakeNeighbours(*world_, index_);
+}
+
+void Body::setLocks(bool lockX, bool lockY) {
+    lockBody(*world_, index_, lockX, lockY);
+}
+
+void Body::setCanSleep(bool canSleep) {
+    world_->bodies.record[index_].canSleep = canSleep;
+    if (!canSleep) wakeIsland(*world_, index_);
+}
+
+void Body::wake() {
+    wakeIsland(*world_, index_);
+}
+
+void Body::sleep() {
+    sleepIsland(*world_, index_);
+}
+
+void Body::setEnabled(bool enabled) {
+    WorldState& world = *world_;
+    BodyRecord& record = world.bodies.record[index_];
+    if (enabled == record.enabled) return;
+    wakeNeighbours(world, index_);
+    world.jointsChanged = true;
+    if (enabled) {
+        record.quarantined = false;
+        showShapes(world, index_);
+        wakeIfMoving(world, index_);
+        return;
+    }
+    hideShapes(world, index_);
+    world.bodies.putToSleep(index_);
+}
+
+void Body::setTag(std::uint64_t tag) {
+    world_->bodies.record[index_].tag = tag;
+}
+
+}  // namespace plumb

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/detail/contact_rules.h>
+
+#include <algorithm>
+
+namespace plumb {
+
+namespace {
+
+/// Cosine of the angle from a one-way direction within which it is solid [-].
+constexpr double widest = 0.5;
+/// What overlaps by no more than this has just been let up, or stands at a seam [m].
+constexpr double slop = 5e-3;
+
+/// A shape, and the other as it comes.
+struct Side {
+    const Proxy& own;
+    const Proxy& other;
+    Vec2 normal;    ///< from its own shape to the other
+    Vec2 velocity;  ///< of the other
+};
+
+std::array<Side, 2> sidesOf(const Proxy& a, const Proxy& b, const Face& face) {
+    return {Side{a, b, face.normal, face.velocity}, Side{b, a, -face.normal, -face.velocity}};
+}
+
+Vec2 velocityAt(const BodyMotion& motion, const Vec2& point) {
+    return motion.velocity + perp(Vec2(point - motion.center)) * motion.angularVelocity;
+}
+
+Face faceOf(const WorldState& world, const ContactRecord& contact) {
+    return faceOf(world, contact.bodyA, contact.bodyB, world.graph.manifoldOf(contact));
+}
+
+}  // namespace
+
+Face faceOf(const WorldState& world, BodyIndex a, BodyIndex b, const Manifold& manifold) {
+    const ManifoldPoint& first = manifold.points[0];
+    const ManifoldPoint& second = manifold.points[1];
+    const ManifoldPoint& nearest = manifold.count > 1 && second.separation < first.separation ? second : first;
+    const BodyMotion& ma = world.bodies.motion[a];
+    const BodyMotion& mb = world.bodies.motion[b];
+    const Vec2 point = ma.center + ma.rotation * Vec2(nearest.position.cast<double>());
+    return {ma.rotation * Vec2(manifold.normal.cast<double>()), velocityAt(mb, point) - velocityAt(ma, point),
+            static_cast<double>(nearest.separation)};
+}
+
+bool hasRule(const ShapeDef& shape) {
+    return shape.rule != nullptr || shape.oneWay.has_value();
+}
+
+bool rulesAdmit(const WorldState& world, const Proxy& a, const Proxy& b, const Face& face) {
+    const std::array<Side, 2> sides = sidesOf(a, b, face);
+    return std::all_of(sides.begin(), sides.end(), [&](const Side& side) {
+        if (side.own.def.rule == nullptr) return true;
+        ContactQuestion question;
+        question.normal = side.normal;
+        question.localNormal = world.bodies.motion[side.own.owner].rotation.inverse() * side.normal;
+        question.velocity = side.velocity;
+        question.separation = face.separation;
+        question.tag = side.own.def.tag;
+        question.otherTag = side.other.def.tag;
+        return side.own.def.rule(question);
+    });
+}
+
+bool comesFromOpenSide(const WorldState& world, const Proxy& a, const Proxy& b, const Face& face, bool wasSolid) {
+    const std::array<Side, 2> sides = sidesOf(a, b, face);
+    return std::all_of(sides.begin(), sides.end(), [&](const Side& side) {
+        if (!side.own.def.oneWay) return true;
+        const Vec2 open = world.bodies.motion[side.own.owner].rotation * *side.own.def.oneWay;
+        const bool above = side.normal.dot(open) >= widest * open.norm();
+        return above && (wasSolid || face.separation >= -slop);
+    });
+}
+
+bool isSolid(WorldState& world, ContactIndex index, const Face& face) {
+    ContactRecord& contact = world.contacts.contacts[index];
+    const Proxy& a = world.proxyA(contact);
+    const Proxy& b = world.proxyB(contact);
+    if (contact.verdict == Verdict::Open) {
+        contact.admitted = rulesAdmit(world, a, b, face);
+        world.contacts.judged.push_back(index);
+    }
+    const bool was = contact.verdict == Verdict::Solid;
+    const bool solid = contact.admitted && comesFromOpenSide(world, a, b, face, was);
+    contact.verdict = solid ? Verdict::Solid : Verdict::Through;
+    return solid;
+}
+
+void judgeSolved(WorldState& world, std::vector<ContactIndex>& parted) {
+    for (const ContactIndex index : world.contacts.judged) {
+        const ContactRecord& contact = world.contacts.contacts[index];
+        if (contact.colour < 0 || world.graph.manifoldOf(contact).count == 0) continue;
+        if (!isSolid(world, index, faceOf(world, contact))) parted.push_back(index);
+    }
+}
+
+void forgetParted(WorldState& world) {
+    std::erase_if(world.contacts.judged, [&world](ContactIndex index) {
+        ContactRecord& contact = world.contacts.contacts[index];
+        const bool solved = contact.colour >= 0;
+        const bool parted =
+            solved ? world.graph.manifoldOf(contact).count == 0 : contact.nearIndex != none && !contact.met;
+        if (parted) contact.verdict = Verdict::Open;
+        return parted;
+    });
+}
+
+}  // namespace plumb

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// May two shapes touch that have a rule or a one-way side?
+//
+// A rule is asked when the two come near, and its answer holds until they have parted. A one-way side is looked at
+// anew in each step, for it is passed through while the two are near: solid is what comes from within 60 degrees of
+// its direction and does not overlap yet; what was solid stays so, however deep a load presses it, until it has slid
+// off to the side or below.
+#pragma once
+#include <plumb/dynamics/detail/world_state.h>
+
+namespace plumb {
+
+/// How two shapes come to meet.
+struct Face {
+    Vec2 normal{0, 1};      ///< from A to B, in the world [-]
+    Vec2 velocity{0, 0};    ///< of B against A, where they meet [m/s]
+    double separation = 0;  ///< negative when they overlap [m]
+};
+/// Of a manifold with a point, where the bodies are now.
+Face faceOf(const WorldState& world, BodyIndex a, BodyIndex b, const Manifold& manifold);
+
+bool hasRule(const ShapeDef& shape);
+/// What both shapes' rules say, and whether one comes from the open side of the other.
+bool rulesAdmit(const WorldState& world, const Proxy& a, const Proxy& b, const Face& face);
+bool comesFromOpenSide(const WorldState& world, const Proxy& a, const Proxy& b, const Face& face, bool wasSolid);
+
+/// Finds the verdict on a contact, and says whether the two may touch.
+bool isSolid(WorldState& world, ContactIndex contact, const Face& face);
+/// Looks again at what the solver has; puts what has slid off to the contacts that are to part.
+void judgeSolved(WorldState& world, std::vector<ContactIndex>& parted);
+/// Of those that have parted in this step there is no verdict any more.
+void forgetParted(WorldState& world);
+
+}  // namespace plumb

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Which shapes are there to be found, for whoever looks through a filter?
+#pragma once
+#include <plumb/dynamics/detail/world_state.h>
+
+namespace plumb {
+
+/// Finds candidates by their boxes, wherever the last step or a call since has moved them: all that are in question,
+/// some that are not, and some twice.
+class Onlooker {
+public:
+    Onlooker(const WorldState& world, const Filter& filter)
+        : world_(world), gate_{filter.category, filter.mask, 0, filter.group, false} {}
+
+    const Shape& shape(ProxyId id) const { return world_.space[id].def.shape; }
+    Transform pose(ProxyId id) const { return world_.bodies.pose(world_.space[id].owner); }
+    ShapeId idOf(ProxyId id) const { return world_.idOfShape(id); }
+
+    /// Whatever a box of this half size may meet on its way; visit(id) gives the fraction of it up to which more is
+    /// wanted.
+    template <class Visit>
+    void lookAlong(const Vec2& halfSize, const Vec2& from, const Vec2& to, Visit&& visit) const {
+        double wanted = 1;
+        const auto look = [&](ProxyId id) {
+            if (sees(id)) wanted = visit(id);
+            return wanted;
+        };
+        world_.space.castBox(halfSize, from, to, look);
+        forEachStray([&](const Stray& stray) {
+            const RayPart met = clipRay(from, to, {stray.box.lower - halfSize, stray.box.upper + halfSize});
+            if (met.first <= met.last) look(stray.proxy);
+        });
+    }
+
+    /// Whatever may be no farther from a point than within; visit(id) gives the distance up to which more is wanted.
+    template <class Visit>
+    void lookAround(const Vec2& point, double within, Visit&& visit) const {
+        const auto look = [&](ProxyId id) {
+            if (sees(id)) within = visit(id);
+            return within;
+        };
+        world_.space.findNear(point, within, look);
+        forEachStray([&](const Stray& stray) { look(stray.proxy); });
+    }
+
+    /// Whatever may be in a box.
+    template <class Visit>
+    void lookInto(const Aabb& tight, Visit&& visit) const {
+        // What just touches is not to be lost to roundings.
+        const Aabb box = inflate(tight, 1e-15 * tight.lower.cwiseAbs().cwiseMax(tight.upper.cwiseAbs()).maxCoeff());
+        const auto look = [&](ProxyId id) {
+            if (sees(id)) visit(id);
+        };
+        world_.space.query(box, look);
+        forEachStray([&](const Stray& stray) {
+            if (overlap(stray.box, box)) look(stray.proxy);
+        });
+    }
+
+private:
+    bool sees(ProxyId id) const { return mayMeet(gate_, world_.space.gate(id)) && !world_.space[id].def.sensor; }
+
+    template <class Visit>
+    void forEachStray(Visit&& visit) const {
+        for (const Stray& stray : world_.strays.of(world_))
+            if (world_.space[stray.proxy].alive) visit(stray);
+    }
+
+    const WorldState& world_;
+    Gate gate_;
+};
+
+}  // namespace plumb

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include <plumb/dynamics/counts.h>
+#include <plumb/dynamics/detail/world_state.h>
+#include <plumb/dynamics/world.h>
+#include <plumb/math/check.h>
+#include <plumb/math/detail/bytes_of.h>
+
+namespace plumb {
+
+namespace {
+
+/// What is counted by 32 bits.
+void requireCountable(std::size_t count, const char* field) {
+    constexpr std::size_t most = ~std::uint32_t{0} - 1;
+    if (count > most) refuse(field, std::to_string(count) + " is more than " + std::to_string(most));
+}
+
+template <class... Vectors>
+std::size_t sumOf(const Vectors&... vectors) {
+    return (std::size_t{0} + ... + bytesOf(vectors));
+}
+
+std::size_t bytesOf(const BodyStore& b) {
+    std::size_t bytes = sumOf(b.motion, b.record, b.place, b.velocity, b.displacement, b.warm, b.before, b.turn, b.kick,
+                              b.pushed, b.awake, b.kinematic, b.forced, b.free);
+    for (const BodyRecord& record : b.record) bytes += sumOf(record.proxies, record.joints);
+    return bytes;
+}
+
+std::size_t bytesOf(const ContactStore& c) {
+    return sumOf(c.contacts, c.free, c.boxes, c.watched, c.judged, c.nearBoxes.lanes, c.nearBoxes.contactOf,
+                 c.nearOthers.lanes, c.nearOthers.contactOf);
+}
+
+std::size_t bytesOf(const ContactGraph& graph) {
+    std::size_t bytes = 0;
+    for (const Colour& colour : graph.colours)
+        bytes += sumOf(colour.batches, colour.manifolds, colour.pairs, colour.contactOf);
+    return bytes;
+}
+
+/// A node of a std::map is a colour and three pointers more than what is in it.
+std::size_t bytesOf(const std::map<BodyIndex, Mass>& map) {
+    return map.size() * (sizeof(std::pair<const BodyIndex, Mass>) + 4 * sizeof(void*));
+}
+
+std::size_t bytesOf(const JointStore& j) {
+    return sumOf(j.records, j.loads, j.free, j.gears);
+}
+
+std::size_t bytesOf(const std::vector<JointNet>& nets) {
+    std::size_t bytes = nets.capacity() * sizeof(JointNet);
+    for (const JointNet& net : nets)
+        bytes += sumOf(net.joints, net.seats, net.bodies, net.stiffness, net.others) + net.solver.bytes() +
+                 net.hinges.bytes();
+    return bytes;
+}
+
+std::size_t bytesOf(const WorldState& w) {
+    const SensorStore& s = w.sensors;
+    return sizeof w + bytesOf(w.bodies) + w.space.bytes() + bytesOf(w.contacts) + bytesOf(w.graph) +
+           bytesOf(w.parkedMass) + sumOf(s.pairs, s.inside, s.begins, s.ends) + bytesOf(w.joints) + bytesOf(w.nets) +
+           w.springs.bytes() +
+           sumOf(w.legs, w.awakeJoints, w.breakable, w.begins, w.ends, w.breaks, w.hits, w.quarantines, w.movers,
+                 w.sleepers, w.gone, w.unsound, w.isolated);
+}
+
+}  // namespace
+
+void World::reserve(const Capacity& capacity) {
+    requireCountable(capacity.bodies, "Capacity.bodies");
+    requireCountable(capacity.shapes, "Capacity.shapes");
+    requireCountable(capacity.contacts, "Capacity.contacts");
+    requireCountable(capacity.joints, "Capacity.joints");
+    WorldState& world = *state_;
+    world.bodies.reserve(capacity.bodies + 1);  // and nobody
+    world.movers.reserve(capacity.bodies);
+    world.space.reserve(capacity.shapes);
+    world.contacts.boxes.reserve(capacity.shapes);
+    world.contacts.contacts.reserve(capacity.contacts);
+    world.contacts.free.reserve(capacity.contacts);
+    world.joints.records.reserve(capacity.joints);
+    world.joints.loads.reserve(capacity.joints);
+}
+
+WorldCounts World::counts() const {
+    const WorldState& world = *state_;
+    WorldCounts counts;
+    for (const BodyRecord& record : world.bodies.record) {
+        counts.bodies += record.alive ? 1 : 0;
+        for (std::size_t i = 0; i < record.proxies.size(); ++i) {
+            const bool fresh =
+                i == 0 || world.space[record.proxies[i]].number != world.space[record.proxies[i - 1]].number;
+            counts.shapes += fresh ? 1 : 0;
+        }
+    }
+    counts.awakeBodies = world.bodies.awake.size();
+    counts.joints = joints().size();
+    for (const ContactRecord& contact : world.contacts.contacts) {
+        counts.contacts += contact.alive ? 1 : 0;
+        counts.touchingContacts += contact.alive && contact.touching ? 1 : 0;
+    }
+    for (std::size_t i = 0; i < world.graph.colours.size(); i += 2) {
+        const bool used = !world.graph.colours[i].contactOf.empty() || !world.graph.colours[i + 1].contactOf.empty();
+        counts.colours += used ? 1 : 0;
+    }
+    counts.bytes = bytesOf(world);
+    return counts;
+}
+
+}  // namespace plumb

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include <plumb/dynamics/detail/world_state.h>
+#include <plumb/dynamics/world.h>
+
+namespace plumb {
+
+std::span<const ContactBegin> World::contactBegins() const {
+    return state_->begins;
+}
+
+std::span<const ContactEnd> World::contactEnds() const {
+    return {state_->ends.data(), state_->reportedEnds};
+}
+
+std::span<const ContactHit> World::contactHits() const {
+    return state_->hits;
+}
+
+std::span<const SensorBegin> World::sensorBegins() const {
+    return state_->sensors.begins;
+}
+
+std::span<const SensorEnd> World::sensorEnds() const {
+    return state_->sensors.ends;
+}
+
+std::span<const Quarantined> World::quarantines() const {
+    return state_->quarantines;
+}
+
+std::vector<BodyMoved> World::moves() const {
+    const auto sorted = [](std::vector<BodyIndex> bodies) {
+        std::sort(bodies.begin(), bodies.end());
+        return bodies;
+    };
+    const std::vector<BodyIndex> sleepers = sorted(state_->sleepers), gone = sorted(state_->gone);
+    std::vector<BodyMoved> moves;
+    for (const BodyIndex body : sorted(state_->movers)) {
+        if (std::binary_search(gone.begin(), gone.end(), body)) continue;
+        const bool sleeps = std::binary_search(sleepers.begin(), sleepers.end(), body);
+        moves.push_back({state_->idOf(body), state_->bodies.pose(body), sleeps});
+    }
+    return moves;
+}
+
+}  // namespace plumb

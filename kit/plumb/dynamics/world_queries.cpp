@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+// What is where, now? The part of World that answers.
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include <plumb/collide/ray_cast.h>
+#include <plumb/collide/shape_cast.h>
+#include <plumb/dynamics/detail/onlooker.h>
+#include <plumb/dynamics/detail/validate.h>
+#include <plumb/dynamics/world.h>
+#include <plumb/math/check.h>
+
+namespace plumb {
+
+namespace {
+
+void requireShape(const Shape& shape, const Transform& pose, const std::string& query) {
+    validate(shape, query + ": shape");
+    requireFinite(pose.position, query, ": pose.position");
+    const Rot& r = pose.rotation;
+    const Vec2 direction(r.cos, r.sin);
+    requireFinite(direction, query, ": pose.rotation");
+    if (!(std::fabs(direction.squaredNorm() - 1) < 1e-6))
+        refuse(query + ": pose.rotation", toText(direction) + " is not the cosine and sine of an angle");
+}
+
+std::tuple<std::uint32_t, std::uint32_t> placeOf(const ShapeId& shape) {
+    return {shape.body.index, shape.number};
+}
+
+/// Of two pieces of a chain that are met at their joint, one is the first whatever order they were found in.
+bool isBefore(const CastHit& a, const CastHit& b) {
+    const auto rank = [](const CastHit& hit) {
+        return std::tuple(hit.fraction, placeOf(hit.shape), hit.normal.x(), hit.normal.y());
+    };
+    return rank(a) < rank(b);
+}
+
+bool isNearer(const Nearest& a, const Nearest& b) {
+    const auto rank = [](const Nearest& n) {
+        return std::tuple(n.separation, placeOf(n.shape), n.normal.x(), n.normal.y());
+    };
+    return rank(a) < rank(b);
+}
+
+/// What moves straight on, as a whole within a box.
+struct Mover {
+    Vec2 halfSize, from, to;
+};
+
+Mover moverOf(const Shape& shape, const Transform& pose, const Vec2& shift) {
+    const Aabb box = aabbOf(shape, pose);
+    const Vec2 center = 0.5 * box.lower + 0.5 * box.upper;
+    return {0.5 * (box.upper - box.lower), center, center + shift};
+}
+
+/// meet(id) is where a shape is met, if it is.
+template <class Meet>
+std::optional<CastHit> firstHit(const Onlooker& onlooker, const Mover& mover, Meet&& meet) {
+    std::optional<CastHit> first;
+    onlooker.lookAlong(mover.halfSize, mover.from, mover.to, [&](ProxyId id) {
+        if (const std::optional<CastPoint> met = meet(id)) {
+            const CastHit hit{onlooker.idOf(id), met->point, met->normal, met->fraction};
+            if (!first || isBefore(hit, *first)) first = hit;
+        }
+        return first ? first->fraction : 1.0;
+    });
+    return first;
+}
+
+template <class Meet>
+std::vector<CastHit> allHits(const Onlooker& onlooker, const Mover& mover, Meet&& meet) {
+    std::vector<CastHit> hits;
+    onlooker.lookAlong(mover.halfSize, mover.from, mover.to, [&](ProxyId id) {
+        if (const std::optional<CastPoint> met = meet(id))
+            hits.push_back({onlooker.idOf(id), met->point, met->normal, met->fraction});
+        return 1.0;
+    });
+    std::sort(hits.begin(), hits.end(), [](const CastHit& a, const CastHit& b) {
+        return a.shape == b.shape ? isBefore(a, b) : placeOf(a.shape) < placeOf(b.shape);
+    });
+    const auto sameShape = [](const CastHit& a, const CastHit& b) { return a.shape == b.shape; };
+    hits.erase(std::unique(hits.begin(), hits.end(), sameShape), hits.end());
+    std::sort(hits.begin(), hits.end(), isBefore);
+    return hits;
+}
+
+auto meetRay(const Onlooker& onlooker, const Vec2& from, const Vec2& to) {
+    return [&](ProxyId id) { return plumb::castRay(from, to, onlooker.shape(id), onlooker.pose(id)); };
+}
+
+auto meetShape(const Onlooker& onlooker, const Shape& shape, const Transform& pose, const Vec2& shift) {
+    return [&](ProxyId id) { return plumb::castShape(shape, pose, shift, onlooker.shape(id), onlooker.pose(id)); };
+}
+
+/// Those that overlap or touch a shape.
+std::vector<ShapeId> overlapping(const Onlooker& onlooker, const Shape& shape, const Transform& pose) {
+    std::vector<ShapeId> found;
+    onlooker.lookInto(aabbOf(shape, pose), [&](ProxyId id) {
+        if (plumb::distance(onlooker.shape(id), onlooker.pose(id), shape, pose).separation <= 0)
+            found.push_back(onlooker.idOf(id));
+    });
+    std::sort(found.begin(), found.end(), [](const ShapeId& a, const ShapeId& b) { return placeOf(a) < placeOf(b); });
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+}
+
+/// A box may be flat, and then is a line, or a point.
+Shape shapeOf(const Aabb& box) {
+    const Vec2 size = box.upper - box.lower;
+    const bool wide = size.x() * size.x() > 0, high = size.y() * size.y() > 0;
+    if (!wide && !high) return Circle{.radius = 0, .center = box.lower};
+    if (!wide || !high) return Segment{box.lower, box.upper};
+    return Polygon{{box.lower, {box.upper.x(), box.lower.y()}, box.upper, {box.lower.x(), box.upper.y()}}};
+}
+
+/// Those of one shape.
+std::vector<ProxyId> proxiesOf(const WorldState& world, const ShapeId& id, const std::string& field) {
+    requireBody(world, id.body, field + ".body");
+    std::vector<ProxyId> proxies;
+    for (const ProxyId proxy : world.bodies.record[id.body.index].proxies)
+        if (world.space[proxy].number == id.number) proxies.push_back(proxy);
+    if (proxies.empty())
+        refuse(field + ".number", std::to_string(id.number) + " is no shape of its body that anything could meet");
+    return proxies;
+}
+
+}  // namespace
+
+std::optional<CastHit> World::castRay(const Vec2& from, const Vec2& to, const Filter& filter) const {
+    requireFinite(from, "World.castRay: from");
+    requireFinite(to, "World.castRay: to");
+    const Onlooker onlooker(*state_, filter);
+    return firstHit(onlooker, {{0, 0}, from, to}, meetRay(onlooker, from, to));
+}
+
+std::vector<CastHit> World::castRayAll(const Vec2& from, const Vec2& to, const Filter& filter) const {
+    requireFinite(from, "World.castRayAll: from");
+    requireFinite(to, "World.castRayAll: to");
+    const Onlooker onlooker(*state_, filter);
+    return allHits(onlooker, {{0, 0}, from, to}, meetRay(onlooker, from, to));
+}
+
+std::optional<CastHit> World::castShape(const Shape& shape, const Transform& pose, const Vec2& shift,
+                                        const Filter& filter) const {
+    requireShape(shape, pose, "World.castShape");
+    requireFinite(shift, "World.castShape: shift");
+    const Onlooker onlooker(*state_, filter);
+    return firstHit(onlooker, moverOf(shape, pose, shift), meetShape(onlooker, shape, pose, shift));
+}
+
+std::vector<CastHit> World::castShapeAll(const Shape& shape, const Transform& pose, const Vec2& shift,
+                                         const Filter& filter) const {
+    requireShape(shape, pose, "World.castShapeAll");
+    requireFinite(shift, "World.castShapeAll: shift");
+    const Onlooker onlooker(*state_, filter);
+    return allHits(onlooker, moverOf(shape, pose, shift), meetShape(onlooker, shape, pose, shift));
+}
+
+std::vector<ShapeId> World::overlapBox(const Aabb& box, const Filter& filter) const {
+    requireFinite(box.lower, "World.overlapBox: box.lower");
+    requireFinite(box.upper, "World.overlapBox: box.upper");
+    if (!(box.lower.x() <= box.upper.x() && box.lower.y() <= box.upper.y()))
+        refuse("World.overlapBox: box.upper", toText(box.upper) + " is below box.lower " + toText(box.lower));
+    return overlapping({*state_, filter}, shapeOf(box), {});
+}
+
+std::vector<ShapeId> World::overlapShape(const Shape& shape, const Transform& pose, const Filter& filter) const {
+    requireShape(shape, pose, "World.overlapShape");
+    return overlapping({*state_, filter}, shape, pose);
+}
+
+std::vector<ShapeId> World::overlapPoint(const Vec2& point, const Filter& filter) const {
+    requireFinite(point, "World.overlapPoint: point");
+    return overlapping({*state_, filter}, Circle{.radius = 0}, {point, {}});
+}
+
+std::optional<Nearest> World::nearest(const Vec2& point, double within, const Filter& filter) const {
+    requireFinite(point, "World.nearest: point");
+    if (!(within >= 0)) refuse("World.nearest: within", toText(within) + " is not a distance");
+    const Onlooker onlooker(*state_, filter);
+    std::optional<Nearest> nearest;
+    onlooker.lookAround(point, within, [&](ProxyId id) {
+        const Distance d = plumb::distance(onlooker.shape(id), onlooker.pose(id), Circle{.radius = 0}, {point, {}});
+        const Nearest here{onlooker.idOf(id), d.separation, d.pointA, d.normal};
+        if (d.separation <= within && (!nearest || isNearer(here, *nearest))) nearest = here;
+        return nearest ? std::max(nearest->separation, 0.0) : within;
+    });
+    return nearest;
+}
+
+Distance World::distance(ShapeId a, ShapeId b) const {
+    const WorldState& world = *state_;
+    const std::vector<ProxyId> piecesA = proxiesOf(world, a, "World.distance: a");
+    const std::vector<ProxyId> piecesB = proxiesOf(world, b, "World.distance: b");
+    const Transform poseA = world.bodies.pose(a.body.index), poseB = world.bodies.pose(b.body.index);
+    std::optional<Distance> nearest;
+    for (const ProxyId pieceA : piecesA) {
+        for (const ProxyId pieceB : piecesB) {
+            const Distance here =
+                plumb::distance(world.space[pieceA].def.shape, poseA, world.space[pieceB].def.shape, poseB);
+            if (!nearest || here.separation < nearest->separation) nearest = here;
+        }
+    }
+    return *nearest;
+}
+
+}  // namespace plumb

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+
+#include <plumb/dynamics/detail/body_shapes.h>
+#include <plumb/dynamics/detail/validate.h>
+#include <plumb/dynamics/world.h>
+#include <plumb/math/check.h>
+
+namespace plumb {
+
+namespace {
+
+bool weighsByShapes(const BodyRecord& record) {
+    return record.type == BodyType::Dynamic && !record.massGiven;
+}
+
+/// The mass of a body when one of its shapes is this one.
+void requireMassWith(const WorldState& world, ShapeId id, const ShapeDef& def, const char* field) {
+    if (!weighsByShapes(world.bodies.record[id.body.index])) return;
+    const std::array<Mass, 2> parts{massOfShapesWithout(world, id.body.index, id.number),
+                                    massOf(def.shape, def.material.density)};
+    requireMass(combine(parts), std::string(field) + ", for the body's",
+                "a dynamic body needs a shape with area and density, or a mass of its own");
+}
+
+bool meetsAlike(const ShapeDef& a, const ShapeDef& b) {
+    return a.shape == b.shape && a.sensor == b.sensor && a.oneWay == b.oneWay && a.rule == b.rule;
+}
+
+}  // namespace
+
+ShapeId World::add(BodyId id, const ShapeDef& shape) {
+    requireBody(*state_, id, "BodyId");
+    requireShape(shape, "ShapeDef");
+    const ShapeId added{id, state_->bodies.record[id.index].shapesMade};
+    requireMassWith(*state_, added, shape, "ShapeDef");
+    ++state_->bodies.record[id.index].shapesMade;
+    addShape(*state_, id.index, shape, added.number);
+    followShapes(*state_, id.index);
+    if (!shape.sensor) wakeTouching(*state_, id.index, added.number);
+    return added;
+}
+
+void World::remove(ShapeId id) {
+    requireShape(*state_, id, "ShapeId");
+    const BodyIndex body = id.body.index;
+    if (weighsByShapes(state_->bodies.record[body]))
+        requireMass(massOfShapesWithout(*state_, body, id.number), "World.remove: ShapeId, for the other shapes'",
+                    "a dynamic body needs a shape with area and density, or a mass of its own");
+    if (!state_->space[piecesOf(*state_, body, id.number).front()].def.sensor) wakeTouching(*state_, body, id.number);
+    removeShape(*state_, body, id.number);
+    followShapes(*state_, body);
+}
+
+bool World::contains(ShapeId id) const {
+    return isKnown(*state_, id);
+}
+
+ShapeDef World::shape(ShapeId id) const {
+    requireShape(*state_, id, "ShapeId");
+    return shapeOf(*state_, piecesOf(*state_, id.body.index, id.number));
+}
+
+void World::set(ShapeId id, const ShapeDef& def) {
+    const ShapeDef before = shape(id);
+    requireShape(def, "ShapeDef");
+    requireMassWith(*state_, id, def, "ShapeDef");
+    const BodyIndex body = id.body.index;
+    const bool alike = meetsAlike(before, def);
+    const bool same = alike && before.material == def.material && before.filter == def.filter;
+    if (!same && !(before.sensor && def.sensor)) wakeTouching(*state_, body, id.number);
+    if (alike) {
+        alterShape(*state_, body, def, id.number);
+    } else {
+        removeShape(*state_, body, id.number);
+        addShape(*state_, body, def, id.number);
+    }
+    followShapes(*state_, body);
+}
+
+}  // namespace plumb

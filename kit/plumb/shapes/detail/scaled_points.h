@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// How do points look from among them, in numbers near 1?
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include <plumb/math/vec2.h>
+
+namespace plumb {
+
+/// The least edge over the extent, and the least sine of a corner, of polygons that are made here: a little more than
+/// what a polygon is held to, so that rounding does not make it refuse them [-].
+inline constexpr double cornerTolerance = 1.5e-6;
+
+/// Points from the first one, times a power of two, so that products of huge or tiny lengths neither overflow nor
+/// vanish.
+inline std::vector<Vec2> scaledPoints(std::span<const Vec2> points) {
+    double largest = 0;
+    for (const Vec2& p : points) largest = std::max({largest, std::fabs(p.x()), std::fabs(p.y())});
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    std::vector<Vec2> scaled;
+    scaled.reserve(points.size());
+    for (const Vec2& p : points) scaled.emplace_back(std::ldexp(p.x(), -exponent), std::ldexp(p.y(), -exponent));
+    const Vec2 first = scaled.front();
+    for (Vec2& p : scaled) p -= first;
+    return scaled;
+}
+
+/// The diagonal of the upright box around points.
+inline double extentOf(const std::vector<Vec2>& points) {
+    Vec2 lower = points.front(), upper = points.front();
+    for (const Vec2& p : points) {
+        lower = lower.cwiseMin(p);
+        upper = upper.cwiseMax(p);
+    }
+    return (upper - lower).norm();
+}
+
+}  // namespace plumb

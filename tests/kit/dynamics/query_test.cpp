@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/query.h>
+
+#include <limits>
+#include <stdexcept>
+
+#include <plumb/dynamics/world.h>
+
+#include "catch.h"
+
+namespace plumb::test {
+
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+const double notANumber = std::numeric_limits<double>::quiet_NaN();
+
+BodyId addBox(World& world, const Vec2& place, const Filter& filter = {}, BodyType type = BodyType::Static) {
+    ShapeDef shape = box({0.5, 0.5});
+    shape.filter = filter;
+    return world.add({.type = type, .position = place, .shapes = {shape}});
+}
+
+template <class Call>
+std::string complaintOf(Call&& call) {
+    try {
+        call();
+    } catch (const std::invalid_argument& refused) {
+        return refused.what();
+    }
+    return "nothing";
+}
+
+}  // namespace
+
+TEST_CASE("a ray finds what was added, has jumped here or was removed, without a step between", "[dynamics]") {
+    World world;
+    const BodyId near = addBox(world, {5, 0}), far = addBox(world, {8, 0});
+    REQUIRE(world.castRay({0, 0}, {10, 0}));
+    CHECK(world.castRay({0, 0}, {10, 0})->shape == ShapeId{near, 0});
+    CHECK(world.castRay({0, 0}, {10, 0})->fraction == 0.45);
+    world.body(far).setPose({3, 0}, 0);
+    CHECK(world.castRay({0, 0}, {10, 0})->shape == ShapeId{far, 0});
+    world.remove(far);
+    CHECK(world.castRay({0, 0}, {10, 0})->shape == ShapeId{near, 0});
+    world.step(1.0 / 60);
+    CHECK(world.castRay({0, 0}, {10, 0})->shape == ShapeId{near, 0});
+    world.remove(near);
+    CHECK_FALSE(world.castRay({0, 0}, {10, 0}));
+}
+
+TEST_CASE("a box at rest that was struck at 500 m/s in the last step is found where it has flown to", "[dynamics]") {
+    World world({.gravity = {0, 0}});
+    const BodyId struck = addBox(world, {0, 0}, {}, BodyType::Dynamic);
+    ShapeDef hammer = circle(0.5, {.density = 1000, .restitution = 1});
+    world.add({.position = {-3, 0}, .velocity = {500, 0}, .shapes = {hammer}});
+    world.step(1.0 / 60);
+    const Vec2 now = world.body(struck).position();
+    REQUIRE(now.x() > 3);
+    CHECK(world.overlapPoint(now) == std::vector{ShapeId{struck, 0}});
+    CHECK(world.castRay(now + Vec2(0, 5), now)->shape == ShapeId{struck, 0});
+    CHECK(world.nearest(now, 0)->shape == ShapeId{struck, 0});
+}
+
+TEST_CASE("of shapes met at once the one of the first body is found, and of one body the first shape", "[dynamics]") {
+    World world;
+    const BodyId first = world.add(
+        {.type = BodyType::Static, .position = {5, 0}, .shapes = {circle(0.25), box({0.5, 0.5}), box({0.5, 0.5})}});
+    const BodyId second = addBox(world, {5, 0});
+    CHECK(world.castRay({0, 0}, {10, 0})->shape == ShapeId{first, 1});
+    const std::vector<CastHit> all = world.castRayAll({0, 0}, {10, 0});
+    REQUIRE(all.size() == 4);
+    CHECK(all[0].shape == ShapeId{first, 1});
+    CHECK(all[1].shape == ShapeId{first, 2});
+    CHECK(all[2].shape == ShapeId{second, 0});
+    CHECK(all[3].shape == ShapeId{first, 0});
+    const std::vector<ShapeId> here = world.overlapPoint({5, 0});
+    CHECK(here == std::vector{ShapeId{first, 0}, ShapeId{first, 1}, ShapeId{first, 2}, ShapeId{second, 0}});
+}
+
+TEST_CASE("a chain of six segments is one shape to every query", "[dynamics]") {
+    World world;
+    const BodyId body = world.add(
+        {.type = BodyType::Static, .shapes = {chain({{0, 0}, {1, 1}, {2, 0}, {3, 1}, {4, 0}, {5, 1}, {6, 0}})}});
+    const ShapeId line{body, 0};
+    const std::vector<CastHit> hits = world.castRayAll({-1, 0.5}, {7, 0.5});
+    REQUIRE(hits.size() == 1);
+    CHECK(hits[0].shape == line);
+    CHECK(hits[0].point == Vec2(0.5, 0.5));
+    CHECK(world.castShapeAll(Circle{0.25}, {{-1, 0.5}, {}}, {8, 0}).size() == 1);
+    CHECK(world.overlapBox({{-1, 0}, {7, 1}}) == std::vector{line});
+    CHECK(world.overlapShape(Circle{3}, {{3, 0}, {}}) == std::vector{line});
+    CHECK(world.nearest({3, 2}, 10)->point == Vec2(3, 1));
+}
+
+TEST_CASE("a query meets what its filter would collide with, and no sensor", "[dynamics]") {
+    World world;
+    const BodyId plain = addBox(world, {1, 0}), second = addBox(world, {3, 0}, {.category = 2});
+    const BodyId shy = addBox(world, {5, 0}, {.mask = 4}), grouped = addBox(world, {7, 0}, {.mask = 0, .group = 5});
+    ShapeDef sensor = box({0.5, 0.5});
+    sensor.sensor = true;
+    world.add({.type = BodyType::Static, .position = {9, 0}, .shapes = {sensor}});
+    const auto found = [&](const Filter& filter) {
+        std::vector<BodyId> bodies;
+        for (const CastHit& hit : world.castRayAll({0, 0}, {10, 0}, filter)) bodies.push_back(hit.shape.body);
+        return bodies;
+    };
+    CHECK(found({}) == std::vector{plain, second});
+    CHECK(found({.category = 4}) == std::vector{plain, second, shy});
+    CHECK(found({.mask = 2}) == std::vector{second});
+    CHECK(found({.mask = 0, .group = 5}) == std::vector{grouped});
+    CHECK(found({.group = -5}) == std::vector{plain, second});
+}
+
+TEST_CASE("what just touches a box, a shape or a point overlaps it; what is 1e-9 m off does not", "[dynamics]") {
+    World world;
+    const BodyId body = addBox(world, {2, 0});
+    const std::vector<ShapeId> it{{body, 0}};
+    CHECK(world.overlapBox({{0, 0}, {1.5, 1}}) == it);
+    CHECK(world.overlapBox({{0, 0}, {1.5 - 1e-9, 1}}).empty());
+    CHECK(world.overlapBox({{1.5, -2}, {1.5, 2}}) == it);
+    CHECK(world.overlapBox({{2, 0.5}, {2, 0.5}}) == it);
+    CHECK(world.overlapPoint({1.5, 0.5}) == it);
+    CHECK(world.overlapPoint({1.5 - 1e-9, 0.5}).empty());
+    CHECK(world.overlapShape(Circle{0.5}, {{1, 0}, {}}) == it);
+    CHECK(world.overlapShape(Circle{0.5}, {{1 - 1e-9, 0}, {}}).empty());
+    CHECK(world.nearest({0, 0}, 1.5)->separation == 1.5);
+    CHECK_FALSE(world.nearest({0, 0}, 1.5 - 1e-9));
+    CHECK(world.nearest({2, 0.25}, 0)->separation == -0.25);
+}
+
+TEST_CASE("a ray of 2e12 m through a world of 3 m meets a box as a short one does", "[dynamics]") {
+    World world;
+    const BodyId body = addBox(world, {2, 0});
+    world.step(1.0 / 60);
+    const std::optional<CastHit> hit = world.castRay({-1e12, 0.25}, {1e12, 0.25});
+    REQUIRE(hit);
+    CHECK(hit->shape.body == body);
+    CHECK(std::fabs(hit->point.x() - 1.5) < 1e-3);  // of 1e12 m, a double tells 1e-4
+    CHECK_FALSE(world.castRay({-1e12, 0.75}, {1e12, 0.75}));
+}
+
+TEST_CASE("queries refuse what is no place, no shape and no distance, by name and value", "[dynamics]") {
+    World world;
+    const BodyId body = addBox(world, {0, 0});
+    const auto refuses = [](auto&& call, const std::string& text) {
+        CHECK_THAT(complaintOf(call), containsText(text));
+    };
+    const Transform bent{{0, 0}, {1, 1}};
+    const Shape disc = Circle{1}, none = Circle{-1};
+    refuses([&] { world.castRay({notANumber, 0}, {1, 0}); }, "World.castRay: from: (nan, 0) is not finite");
+    refuses([&] { world.castRay({0, 0}, {1, inf}); }, "World.castRay: to: (1, inf) is not finite");
+    refuses([&] { world.castRayAll({notANumber, 0}, {1, 0}); }, "World.castRayAll: from: (nan, 0)");
+    refuses([&] { world.castRayAll({0, 0}, {1, inf}); }, "World.castRayAll: to: (1, inf)");
+    refuses([&] { world.castShape(none, {}, {1, 0}); }, "World.castShape: shape.radius: -1 is not positive");
+    refuses([&] { world.castShape(disc, {{0, notANumber}, {}}, {1, 0}); }, "World.castShape: pose.position: (0, nan)");
+    refuses([&] { world.castShape(disc, bent, {1, 0}); }, "World.castShape: pose.rotation: (1, 1) is not the cosine");
+    refuses([&] { world.castShape(disc, {}, {notANumber, 0}); }, "World.castShape: shift: (nan, 0)");
+    refuses([&] { world.castShapeAll(none, {}, {1, 0}); }, "World.castShapeAll: shape.radius");
+    refuses([&] { world.castShapeAll(disc, {}, {inf, 0}); }, "World.castShapeAll: shift: (inf, 0)");
+    refuses([&] { world.overlapBox({{notANumber, 0}, {1, 1}}); }, "World.overlapBox: box.lower: (nan, 0)");
+    refuses([&] { world.overlapBox({{0, 0}, {1, inf}}); }, "World.overlapBox: box.upper: (1, inf)");
+    refuses([&] { world.overlapBox({{0, 0}, {1, -1}}); }, "World.overlapBox: box.upper: (1, -1) is below box.lower");
+    refuses([&] { world.overlapShape(none, {}); }, "World.overlapShape: shape.radius");
+    refuses([&] { world.overlapPoint({0, inf}); }, "World.overlapPoint: point: (0, inf)");
+    refuses([&] { world.nearest({notANumber, 0}, 1); }, "World.nearest: point: (nan, 0)");
+    refuses([&] { world.nearest({0, 0}, -1); }, "World.nearest: within: -1 is not a distance");
+    refuses([&] { world.nearest({0, 0}, notANumber); }, "World.nearest: within: nan is not a distance");
+    refuses([&] { world.distance({body, 1}, {body, 0}); }, "World.distance: a.number: 1 is no shape");
+    refuses([&] { world.distance({body, 0}, {}); }, "World.distance: b.body");
+}
+
+}  // namespace plumb::test
