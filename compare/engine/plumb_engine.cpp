@@ -17,6 +17,10 @@ class PlumbSimulation : public Simulation {
 public:
     explicit PlumbSimulation(const Scene& scene) : made_(plumbWorld(scene)) {
         for (const Probe& probe : scene.probes) values_.push_back(reader(scene, probe));
+        for (const SceneJoint& joint : scene.joints) {
+            const Breaking breaking = breakingOf(joint.def);
+            breaks_ = breaks_ || breaking.force < unlimited || breaking.torque < unlimited;
+        }
     }
 
     void step(double dt) override {
@@ -28,7 +32,7 @@ public:
         std::vector<BodyState> result;
         result.reserve(made_.bodies.size());
         for (const BodyId& id : made_.bodies) {
-            const Body body = made_.world.body(id);
+            const BodyView body = made_.world.body(id);
             result.push_back({body.position(), body.angle(), body.velocity(), body.angularVelocity()});
         }
         return result;
@@ -50,6 +54,13 @@ public:
         return result;
     }
 
+    Broken brokenJoints() const override {
+        if (!breaks_) return {};
+        Broken broken;
+        for (const JointId& joint : made_.joints) broken.push_back(!made_.world.contains(joint));
+        return broken;
+    }
+
 private:
     std::function<double()> reader(const Scene& scene, const Probe& probe) const {
         if (const auto* force = std::get_if<NormalForceProbe>(&probe.quantity)) {
@@ -59,7 +70,10 @@ private:
         }
         if (const auto* force = std::get_if<JointForceProbe>(&probe.quantity)) {
             const JointId joint = made_.joints[jointIndex(scene, force->joint)];
-            return [this, joint] { return made_.world.joint(joint).reaction().force.norm(); };
+            return [this, joint] {
+                const World& world = made_.world;
+                return world.contains(joint) ? world.joint(joint).reaction().force.norm() : unknown;
+            };
         }
         return [] { return unknown; };
     }
@@ -76,6 +90,7 @@ private:
     PlumbWorld made_;
     std::vector<std::function<double()>> values_;
     bool stepped_ = false;
+    bool breaks_ = false;
 };
 
 std::vector<Setting> plumbSettings(const Scene& scene) {
