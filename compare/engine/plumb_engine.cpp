@@ -16,7 +16,11 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 class PlumbSimulation : public Simulation {
 public:
     explicit PlumbSimulation(const Scene& scene) : made_(plumbWorld(scene)) {
-        for (const Probe& probe : scene.probes) values_.push_back(reader(scene, probe));
+        for (const Probe& probe : scene.probes) {
+            if (const auto* count = std::get_if<SensorCountProbe>(&probe.quantity))
+                gates_.push_back({made_.bodies[bodyIndex(scene, count->body)], values_.size()});
+            values_.push_back(reader(scene, probe));
+        }
         for (const SceneJoint& joint : scene.joints) {
             const Breaking breaking = breakingOf(joint.def);
             breaks_ = breaks_ || breaking.force < unlimited || breaking.torque < unlimited;
@@ -26,6 +30,9 @@ public:
     void step(double dt) override {
         made_.world.step(dt);
         stepped_ = true;
+        for (Gate& gate : gates_)
+            for (const SensorBegin& begin : made_.world.sensorBegins())
+                if (begin.sensor.body == gate.body) ++gate.visits;
     }
 
     std::vector<BodyState> states() const override {
@@ -51,6 +58,7 @@ public:
         std::vector<double> result;
         result.reserve(values_.size());
         for (const auto& value : values_) result.push_back(stepped_ ? value() : unknown);
+        for (const Gate& gate : gates_) result[gate.probe] = gate.visits;
         return result;
     }
 
@@ -62,6 +70,13 @@ public:
     }
 
 private:
+    /// A body with sensors, and how often something came into them.
+    struct Gate {
+        BodyId body;
+        std::size_t probe;
+        int visits = 0;
+    };
+
     std::function<double()> reader(const Scene& scene, const Probe& probe) const {
         if (const auto* force = std::get_if<NormalForceProbe>(&probe.quantity)) {
             const BodyId a = made_.bodies[bodyIndex(scene, force->bodyA)];
@@ -89,6 +104,7 @@ private:
 
     PlumbWorld made_;
     std::vector<std::function<double()>> values_;
+    std::vector<Gate> gates_;
     bool stepped_ = false;
     bool breaks_ = false;
 };
