@@ -177,7 +177,36 @@ public:
         for (std::size_t b = 0; b < net_.bodies.size(); ++b) slow(bodies_.record[net_.bodies[b]], needed_[b]);
     }
 
+    /// Not what the rows want, but that what they hold goes on as it does.
+    void push(BodyIndex body, const Vec3& impulse) {
+        after_ = before_;
+        const auto at = std::find(net_.bodies.begin(), net_.bodies.end(), body);
+        const auto node = static_cast<std::uint32_t>(at - net_.bodies.begin());
+        add(after_[node], answerOf(node, impulse));
+        for (std::size_t j = 0; j < rows_.size(); ++j) {
+            for (std::size_t r = 0; r < rows_[j].count; ++r) {
+                JointRow& row = rows_[j].row[r];
+                const double speed = speedOf(j, r, before_);
+                if (row.holds)
+                    row.target = speed;
+                else
+                    row = free(row, speed, stateOf(j, r));
+            }
+        }
+        solveFor();
+        for (std::size_t b = 0; b < net_.bodies.size(); ++b) setVelocity(bodies_, net_.bodies[b], after_[b]);
+        for (std::size_t j = 0; j < rows_.size(); ++j) addLoad(joints_.loads[net_.joints[j]], rows_[j], impulses_[j]);
+    }
+
 private:
+    /// A row at its stop stays there; another gives nothing more.
+    static JointRow free(JointRow row, double speed, RowState state) {
+        row.low = row.high = row.push = row.damper = 0;
+        row.bounded = !isStop(state);
+        if (isStop(state)) row.lowerStop = row.upperStop = row.target = speed;
+        return row;
+    }
+
     void tell(Audit& audit) const {
         for (std::size_t j = 0; j < rows_.size(); ++j) {
             Vec3 before{}, after{}, slopes{};
@@ -361,6 +390,11 @@ private:
 
     void solve() {
         giveKnown();
+        solveFor();
+    }
+
+    /// What takes after_ to where the rows want it.
+    void solveFor() {
         answer_.assign(net_.bodies.size() + rows_.size(), Vec3{});
         net_.solver.clear();
         fillBodies();
@@ -487,6 +521,10 @@ void solveNet(JointNet& net, JointStore& joints, BodyStore& bodies, const NetPas
             slopes[r] = slopeOf(rows.row[r], yieldOf(bodies, rows, rows.row[r]));
         pass.audit->noteRows(bodies, rows, joints[index].impulse, before, speedsOf(rows, bodies), slopes);
     }
+}
+
+void pushNet(JointNet& net, JointStore& joints, BodyStore& bodies, BodyIndex body, const Vec3& impulse, double h) {
+    Pass(net, joints, bodies, {h, false, 0, 0}).push(body, impulse);
 }
 
 }  // namespace plumb

@@ -6,6 +6,7 @@
 
 #include <plumb/dynamics/detail/body_solver.h>
 #include <plumb/dynamics/detail/contact_solver.h>
+#include <plumb/dynamics/detail/joint_impacts.h>
 
 namespace plumb {
 
@@ -114,6 +115,7 @@ struct Solving {
     const BodySolver& mover;
     std::vector<BodyIndex> solved;
     Pass pass;
+    std::vector<ContactIndex> bounces;  ///< of what hangs on joints
 };
 
 /// What stands on something fixed stands twice as stiffly: the ground does not give. Calls solve(solver, batches,
@@ -140,6 +142,7 @@ void solveHalf(Solving& solving, const NetPass& joints, bool first) {
     if (world.audit) world.audit->afterKick(world);
     if (world.awakeJoints.empty()) return;
     solveJoints(world, joints);
+    if (!solving.bounces.empty()) bounceHanging(world, solving.bounces, joints.direct.step);
     markBodies(list, solving.solved.size(), solving.bodies);
 }
 
@@ -233,9 +236,11 @@ void solveConstraints(WorldState& world, double dt) {
                     contactSolver(lanes),
                     bodySolver(lanes),
                     solvedBodies(world),
-                    passOf(world.def.solver, h)};
+                    passOf(world.def.solver, h),
+                    {}};
     if (solving.solved.empty()) return;
     prepareJoints(world, dt);
+    solving.bounces = takeHangingBounces(world);
     if (world.audit) world.audit->begin(world);
     forEachColour(solving, [&](const ContactSolver& solver, const Colour& colour, const ContactPass&, std::size_t) {
         solver.gatherWarmStart(colour.batches.data(), colour.batches.size(), solving.bodies);
