@@ -62,6 +62,9 @@ void keepStiffness(const std::vector<JointNet>& before, std::vector<JointNet>& n
 /// Changes velocities to what the joints ask for, and adds to their loads.
 void solveNet(JointNet& net, JointStore& joints, BodyStore& bodies, const NetPass& pass);
 
+/// Of a net that is solved at once: takes out what contacts have done to what the joints hold.
+void holdNet(JointNet& net, JointStore& joints, BodyStore& bodies, JointPass pass, Audit* audit);
+
 /// Gives a body of a net that is solved at once an impulse (x, y, turning), and all of the net what follows from it.
 void pushNet(JointNet& net, JointStore& joints, BodyStore& bodies, BodyIndex body, const Vec3& impulse, double h);
 

@@ -73,6 +73,7 @@ struct JointPass {
     bool correct = true;     ///< before the sub-step: errors are to be gone after it; after it: only velocities
     double rate = 0;         ///< share of an error that is to be gone [1/s]
     double fastest = 0;      ///< that an error is taken back [m/s]
+    bool onlyHold = false;   ///< what is driven or sprung does nothing, but for its stops
     double springShare = 1;  ///< of springs' stiffness (see joint_springs.h)
 };
 

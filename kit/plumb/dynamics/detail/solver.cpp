@@ -168,9 +168,33 @@ void bounceContacts(Solving& solving) {
     });
 }
 
+/// The joints have the last word before bodies move: a blow on a plank of a bridge is a blow on the bridge. What they
+/// take out is not what the contacts have done, and so not in their next first guess.
+void holdAgain(Solving& solving) {
+    WorldState& world = solving.world;
+    BodyStore& bodies = world.bodies;
+    for (JointNet& net : world.nets) {
+        const auto touched = [&](BodyIndex body) { return bodies.record[body].solverContacts > 0; };
+        if (!net.direct || std::none_of(net.bodies.begin(), net.bodies.end(), touched)) continue;
+        std::vector<SolverVelocity> was;
+        for (const BodyIndex body : net.bodies) was.push_back(bodies.velocity[body]);
+        const Vec2 momentum = world.audit ? momentumOf(world, net) : Vec2(0, 0);
+        holdNet(net, world.joints, bodies, solving.pass.solveJoints.direct, world.audit.get());
+        if (world.audit) world.audit->noteGround(momentumOf(world, net) - momentum);
+        for (std::size_t i = 0; i < net.bodies.size(); ++i) {
+            const SolverVelocity& now = bodies.velocity[net.bodies[i]];
+            SolverVelocity& before = bodies.before[net.bodies[i]];
+            before.x += now.x - was[i].x;
+            before.y += now.y - was[i].y;
+            before.w += now.w - was[i].w;
+        }
+    }
+}
+
 void subStep(Solving& solving, bool first) {
     solveHalf(solving, solving.pass.solveJoints, first);
     solveContacts(solving, &ContactSolver::solve);
+    holdAgain(solving);
     solving.mover.move(solving.solved.data(), solving.solved.size(), solving.bodies, solving.pass.step);
     solveHalf(solving, solving.pass.relaxJoints, false);
     solveContacts(solving, &ContactSolver::relax);
@@ -206,6 +230,12 @@ Rot turnedOn(const BodyMotion& motion, double turn) {
     return turned;
 }
 
+/// What joints have made heavier to turn keeps its momentum: else it would be fed.
+double slowerBy(const BodyStore& bodies, BodyIndex body) {
+    const double rho = static_cast<double>(bodies.record[body].rho), was = static_cast<double>(bodies.turn[body].rho);
+    return rho < was ? rho / was * (rho / was) : 1.0;
+}
+
 void storeBodies(Solving& solving) {
     BodyStore& bodies = solving.world.bodies;
     for (const BodyIndex body : solving.solved) {
@@ -216,7 +246,7 @@ void storeBodies(Solving& solving) {
         const SolverDisplacement& d = bodies.displacement[body];
         motion.center += Vec2(static_cast<double>(d.x), static_cast<double>(d.y));
         motion.velocity = {static_cast<double>(v.x), static_cast<double>(v.y)};
-        motion.angularVelocity = static_cast<double>(v.w * bodies.turn[body].rho);
+        motion.angularVelocity = static_cast<double>(v.w * bodies.turn[body].rho) * slowerBy(bodies, body);
         const double turn = static_cast<double>(bodies.turn[body].angle);
         motion.angle += turn;
         motion.rotation = turnedOn(motion, turn);
