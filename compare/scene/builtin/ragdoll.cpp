@@ -63,7 +63,8 @@ Scene ragdoll() {
         addLimb(scene, {side + "thigh", "torso", hip, hip + thigh, 0.07, {-0.5, 1.8}});
         addLimb(scene, {side + "shin", side + "thigh", hip + thigh, hip + thigh + shin, 0.05, {-2.2, 0}});
     }
-    scene.checks.push_back(invariant("joint_error_max", 1e-2, "1 cm, at a fall of 3 m"));
+    scene.checks.push_back(invariant("joint_error_max", 4e-2,
+                                     "what a limb comes in a sub-step at 8 m/s, 3.3 cm, when the floor stops it"));
     scene.checks.push_back(invariant("penetration_max", 1e-2, "1 cm, at a fall of 3 m"));
     scene.checks.push_back(invariant("settle_time", 9, "stairs of 2.8 m are soon over, and friction does the rest"));
     return scene;

@@ -7,6 +7,7 @@
 #include <plumb/dynamics/detail/body_solver.h>
 #include <plumb/dynamics/detail/contact_solver.h>
 #include <plumb/dynamics/detail/joint_impacts.h>
+#include <plumb/dynamics/detail/lanes.h>
 
 namespace plumb {
 
@@ -247,6 +248,7 @@ void storeBodies(Solving& solving) {
         motion.center += Vec2(static_cast<double>(d.x), static_cast<double>(d.y));
         motion.velocity = {static_cast<double>(v.x), static_cast<double>(v.y)};
         motion.angularVelocity = static_cast<double>(v.w * bodies.turn[body].rho) * slowerBy(bodies, body);
+        if (bodies.record[body].rho != bodies.turn[body].rho) renewRho(solving.world, body);
         const double turn = static_cast<double>(bodies.turn[body].angle);
         motion.angle += turn;
         motion.rotation = turnedOn(motion, turn);
