@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include <compare/closed_form/oscillator.h>
 #include <compare/closed_form/pendulum.h>
 
 namespace plumb::compare {
@@ -43,13 +44,33 @@ BodyState stateOf(const DampedFlight& motion, const BodyDef& def, double t) {
             def.angularVelocity * std::exp(-def.angularDamping * t)};
 }
 
+/// theta, and 0 while it hangs still: before its time, and on the side on which others swing for it.
+Swing swingOf(const PendulumMotion& motion, double t) {
+    const Pendulum pendulum{motion.equivalentLength, motion.gravity, motion.amplitude};
+    if (motion.from > 0 && t < motion.from) return {0, 0};
+    // Released at rest at one amplitude it passes straight down, on its way up to it, after three quarters of a period.
+    const double since = motion.from > 0 ? t - motion.from + 0.75 * periodOf(pendulum) : t;
+    const Swing swing = swingAt(pendulum, since);
+    const bool handedOn =
+        (motion.side == Side::Left && swing.angle > 0) || (motion.side == Side::Right && swing.angle < 0);
+    return handedOn ? Swing{0, 0} : swing;
+}
+
 BodyState stateOf(const PendulumMotion& motion, const BodyDef&, double t) {
-    const Swing swing = swingAt({motion.equivalentLength, motion.gravity, motion.amplitude}, t);
+    const Swing swing = swingOf(motion, t);
     const double sine = std::sin(swing.angle);
     const double cosine = std::cos(swing.angle);
-    const double turned = motion.turns ? swing.angle - motion.amplitude : 0;
-    return {motion.pivot + motion.length * Vec2(sine, -cosine), motion.bodyAngle + turned,
-            motion.length * swing.angularVelocity * Vec2(cosine, sine), motion.turns ? swing.angularVelocity : 0};
+    const double turned = motion.turns ? swing.angle - swingOf(motion, 0).angle : 0;
+    const Vec2 approach = t < motion.from ? motion.approach : Vec2(0, 0);
+    return {motion.pivot + motion.length * Vec2(sine, -cosine) + approach * (t - motion.from),
+            motion.bodyAngle + turned, motion.length * swing.angularVelocity * Vec2(cosine, sine) + approach,
+            motion.turns ? swing.angularVelocity : 0};
+}
+
+BodyState stateOf(const OscillatorMotion& motion, const BodyDef& def, double t) {
+    const Displacement x =
+        displacementAt({motion.mass, motion.stiffness, motion.damping, motion.offset, motion.speed}, t);
+    return {motion.rest + x.value * motion.direction, def.angle, x.speed * motion.direction, 0};
 }
 
 }  // namespace

@@ -27,6 +27,9 @@ struct BodyState {
     double angularVelocity = 0;  ///< [rad/s]
 };
 
+/// By place in the scene, whether a joint has broken; one that is not in the list has not.
+using Broken = std::vector<bool>;
+
 /// A part of a step.
 struct Phase {
     std::string name;    ///< "pairs", "solve"
@@ -45,9 +48,12 @@ public:
     virtual std::vector<BodyState> states() const = 0;
     /// Where the time of the last step went, as the engine tells it; phases that do not overlap.
     virtual std::vector<Phase> phases() const { return {}; }
-    /// The value of each of the scene's force probes now, mean over the last step; NaN where the engine cannot say, and
-    /// before the first step. Angle probes are read from the states, and are NaN here.
+    /// The value of each of the scene's probes now: forces as means over the last step, and what sensors have counted
+    /// since the start. NaN where the engine cannot say, and of forces before the first step. What can be read from the
+    /// states is NaN here.
     virtual std::vector<double> probeValues() const = 0;
+    /// Which joints have broken so far.
+    virtual Broken brokenJoints() const { return {}; }
 };
 
 /// A name and a value, as the report lists them: "sub-steps", "4".

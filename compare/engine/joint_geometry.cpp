@@ -2,7 +2,9 @@
 #include <compare/engine/joint_geometry.h>
 
 #include <algorithm>
+#include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include <compare/scene/name_index.h>
 
@@ -18,16 +20,46 @@ std::size_t indexOf(const std::vector<Named>& list, const std::string& name, con
     return static_cast<std::size_t>(found - list.begin());
 }
 
-JointGeometry geometryOf(const RevoluteJointDef& def, std::size_t a, std::size_t b, const Transform& intoA,
-                         const Transform& intoB) {
-    return {a, b, intoA * def.anchor, intoB * def.anchor, {}, def.motorSpeed, def.maxMotorTorque, def.collideConnected};
+std::optional<double> lengthOf(const DistanceJointDef& def) {
+    return def.length.value_or((def.anchorB - def.anchorA).norm());
+}
+std::optional<double> lengthOf(const PulleyJointDef& def) {
+    return (def.anchorA - def.groundA).norm() + def.ratio * (def.anchorB - def.groundB).norm();
+}
+std::optional<double> lengthOf(const auto&) {
+    return {};
 }
 
-JointGeometry geometryOf(const DistanceJointDef& def, std::size_t a, std::size_t b, const Transform& intoA,
-                         const Transform& intoB) {
-    const double apart = (def.anchorB - def.anchorA).norm();
-    return {a, b, intoA * def.anchorA, intoB * def.anchorB, def.length.value_or(apart), 0, 0, def.collideConnected};
+/// Where the def takes hold of the two bodies, in the world.
+std::pair<Vec2, Vec2> anchorsOf(const auto& def, const Scene& scene, const JointGeometry& joint) {
+    if constexpr (requires { def.anchor; })
+        return {def.anchor, def.anchor};
+    else if constexpr (requires { def.anchorA; })
+        return {def.anchorA, def.anchorB};
+    else  // at their origins
+        return {scene.bodies[joint.bodyA].def.position, scene.bodies[joint.bodyB].def.position};
 }
+
+Transform intoFrame(const Scene& scene, std::size_t body) {
+    return startPose(scene.bodies[body].def).inverse();
+}
+
+void place(JointGeometry& joint, const Scene& scene, const auto& def) {
+    const auto [anchorA, anchorB] = anchorsOf(def, scene, joint);
+    joint.localAnchorA = intoFrame(scene, joint.bodyA) * anchorA;
+    joint.localAnchorB = intoFrame(scene, joint.bodyB) * anchorB;
+    joint.length = lengthOf(def);
+    if constexpr (requires { def.axis; })
+        joint.localAxis = intoFrame(scene, joint.bodyA).rotation * Vec2(def.axis.normalized());
+    if constexpr (requires { def.collideConnected; }) joint.collideConnected = def.collideConnected;
+}
+
+void place(JointGeometry& joint, const Scene& scene, const TargetJointDef& def) {
+    joint.localAnchorA = def.target;
+    joint.localAnchorB = intoFrame(scene, joint.bodyB) * def.anchor;
+}
+
+void place(JointGeometry&, const Scene&, const GearJointDef&) {}
 
 }  // namespace
 
@@ -43,6 +75,23 @@ Transform startPose(const BodyDef& def) {
     return {def.position, Rot::fromAngle(def.angle)};
 }
 
+Spring springOf(const TargetJointDef& def, const BodyDef& body) {
+    if (def.spring) return *def.spring;
+    const double mass = body.type == BodyType::Dynamic ? massOf(body).mass : 0;
+    const double rate = 2 * std::numbers::pi * 5;
+    return {mass * rate * rate, 2 * 0.7 * mass * rate};
+}
+
+Breaking breakingOf(const JointDef& def) {
+    const auto its = [](const auto& d) {
+        if constexpr (requires { d.breaking; })
+            return d.breaking;
+        else
+            return Breaking{};
+    };
+    return std::visit(its, def);
+}
+
 std::vector<JointGeometry> jointGeometries(const Scene& scene) {
     const NameIndex index(scene.bodies);
     const auto find = [&](const std::string& name) {
@@ -52,11 +101,18 @@ std::vector<JointGeometry> jointGeometries(const Scene& scene) {
     std::vector<JointGeometry> result;
     result.reserve(scene.joints.size());
     for (const SceneJoint& joint : scene.joints) {
-        const std::size_t a = find(joint.bodyA);
-        const std::size_t b = find(joint.bodyB);
-        const Transform intoA = startPose(scene.bodies[a].def).inverse();
-        const Transform intoB = startPose(scene.bodies[b].def).inverse();
-        result.push_back(std::visit([&](const auto& def) { return geometryOf(def, a, b, intoA, intoB); }, joint.def));
+        JointGeometry geometry{.def = joint.def};
+        if (std::holds_alternative<GearJointDef>(joint.def)) {
+            geometry.jointA = jointIndex(scene, joint.jointA);
+            geometry.jointB = jointIndex(scene, joint.jointB);
+        } else if (std::holds_alternative<TargetJointDef>(joint.def)) {
+            geometry.bodyB = find(joint.bodyA);
+        } else {
+            geometry.bodyA = find(joint.bodyA);
+            geometry.bodyB = find(joint.bodyB);
+        }
+        std::visit([&](const auto& def) { place(geometry, scene, def); }, joint.def);
+        result.push_back(std::move(geometry));
     }
     return result;
 }

@@ -16,19 +16,30 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 class PlumbSimulation : public Simulation {
 public:
     explicit PlumbSimulation(const Scene& scene) : made_(plumbWorld(scene)) {
-        for (const Probe& probe : scene.probes) values_.push_back(reader(scene, probe));
+        for (const Probe& probe : scene.probes) {
+            if (const auto* count = std::get_if<SensorCountProbe>(&probe.quantity))
+                gates_.push_back({made_.bodies[bodyIndex(scene, count->body)], values_.size()});
+            values_.push_back(reader(scene, probe));
+        }
+        for (const SceneJoint& joint : scene.joints) {
+            const Breaking breaking = breakingOf(joint.def);
+            breaks_ = breaks_ || breaking.force < unlimited || breaking.torque < unlimited;
+        }
     }
 
     void step(double dt) override {
         made_.world.step(dt);
         stepped_ = true;
+        for (Gate& gate : gates_)
+            for (const SensorBegin& begin : made_.world.sensorBegins())
+                if (begin.sensor.body == gate.body) ++gate.visits;
     }
 
     std::vector<BodyState> states() const override {
         std::vector<BodyState> result;
         result.reserve(made_.bodies.size());
         for (const BodyId& id : made_.bodies) {
-            const Body body = made_.world.body(id);
+            const BodyView body = made_.world.body(id);
             result.push_back({body.position(), body.angle(), body.velocity(), body.angularVelocity()});
         }
         return result;
@@ -47,10 +58,25 @@ public:
         std::vector<double> result;
         result.reserve(values_.size());
         for (const auto& value : values_) result.push_back(stepped_ ? value() : unknown);
+        for (const Gate& gate : gates_) result[gate.probe] = gate.visits;
         return result;
     }
 
+    Broken brokenJoints() const override {
+        if (!breaks_) return {};
+        Broken broken;
+        for (const JointId& joint : made_.joints) broken.push_back(!made_.world.contains(joint));
+        return broken;
+    }
+
 private:
+    /// A body with sensors, and how often something came into them.
+    struct Gate {
+        BodyId body;
+        std::size_t probe;
+        int visits = 0;
+    };
+
     std::function<double()> reader(const Scene& scene, const Probe& probe) const {
         if (const auto* force = std::get_if<NormalForceProbe>(&probe.quantity)) {
             const BodyId a = made_.bodies[bodyIndex(scene, force->bodyA)];
@@ -59,7 +85,10 @@ private:
         }
         if (const auto* force = std::get_if<JointForceProbe>(&probe.quantity)) {
             const JointId joint = made_.joints[jointIndex(scene, force->joint)];
-            return [this, joint] { return made_.world.joint(joint).reaction().force.norm(); };
+            return [this, joint] {
+                const World& world = made_.world;
+                return world.contains(joint) ? world.joint(joint).reaction().force.norm() : unknown;
+            };
         }
         return [] { return unknown; };
     }
@@ -75,7 +104,9 @@ private:
 
     PlumbWorld made_;
     std::vector<std::function<double()>> values_;
+    std::vector<Gate> gates_;
     bool stepped_ = false;
+    bool breaks_ = false;
 };
 
 std::vector<Setting> plumbSettings(const Scene& scene) {

@@ -6,13 +6,20 @@
 namespace plumb::compare {
 namespace {
 
-JointDef withIds(JointDef def, const BodyId& a, const BodyId& b) {
-    std::visit(
-        [&](auto& d) {
-            d.bodyA = a;
-            d.bodyB = b;
-        },
-        def);
+JointDef withIds(const JointGeometry& joint, const PlumbWorld& made) {
+    JointDef def = joint.def;
+    const auto name = [&](auto& d) {
+        if constexpr (requires { d.bodyA; }) {
+            d.bodyA = made.bodies[joint.bodyA];
+            d.bodyB = made.bodies[joint.bodyB];
+        } else if constexpr (requires { d.jointA; }) {
+            d.jointA = made.joints[joint.jointA];
+            d.jointB = made.joints[joint.jointB];
+        } else {
+            d.body = made.bodies[joint.bodyB];
+        }
+    };
+    std::visit(name, def);
     return def;
 }
 
@@ -21,11 +28,8 @@ JointDef withIds(JointDef def, const BodyId& a, const BodyId& b) {
 PlumbWorld plumbWorld(const Scene& scene, const SolverSettings& solver) {
     PlumbWorld made{World({.gravity = scene.gravity, .sleeping = scene.sleeping, .solver = solver}), {}, {}};
     for (const SceneBody& body : scene.bodies) made.bodies.push_back(made.world.add(body.def));
-    const std::vector<JointGeometry> joints = jointGeometries(scene);
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-        const BodyId a = made.bodies[joints[i].bodyA], b = made.bodies[joints[i].bodyB];
-        made.joints.push_back(made.world.join(withIds(scene.joints[i].def, a, b)));
-    }
+    for (const JointGeometry& joint : jointGeometries(scene))
+        made.joints.push_back(made.world.join(withIds(joint, made)));
     return made;
 }
 

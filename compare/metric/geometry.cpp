@@ -19,14 +19,20 @@ bool accepts(const Filter& a, const Filter& b) {
     return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
 }
 
+/// From all sides: what passes a one-way shape overlaps it rightly.
+bool isSolid(const ShapeDef& shape) {
+    return !shape.sensor && !shape.oneWay;
+}
+
 }  // namespace
 
-Geometry::Geometry(const Scene& scene) : joints_(jointGeometries(scene)) {
+Geometry::Geometry(const Scene& scene) : joints_(scene) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i)
         for (const ShapeDef& shape : scene.bodies[i].def.shapes)
-            shapes_.push_back({i, shape, scene.bodies[i].def.type == BodyType::Dynamic});
-    for (const JointGeometry& joint : joints_)
-        if (!joint.collideConnected) keptApart_.insert(std::minmax(joint.bodyA, joint.bodyB));
+            if (isSolid(shape) && scene.bodies[i].def.enabled)
+                shapes_.push_back({i, shape, scene.bodies[i].def.type == BodyType::Dynamic});
+    for (const JointGeometry& joint : joints_.joints())
+        if (!joint.collideConnected && joint.bodyA != noBody) keptApart_.insert(std::minmax(joint.bodyA, joint.bodyB));
     for (std::size_t i = 0; i < shapes_.size() && !anyMayTouch_; ++i)
         for (std::size_t j = 0; j < i && !anyMayTouch_; ++j) anyMayTouch_ = mayTouch(shapes_[i], shapes_[j]);
 }
@@ -55,14 +61,12 @@ std::optional<double> Geometry::penetration(std::span<const BodyState> states) c
     return deepest;
 }
 
-std::optional<double> Geometry::jointError(std::span<const BodyState> states) const {
+std::optional<double> Geometry::jointError(std::span<const BodyState> states, const Broken& broken) const {
     double worst = 0;
-    for (const JointGeometry& joint : joints_) {
-        const BodyState& a = states[joint.bodyA];
-        const BodyState& b = states[joint.bodyB];
-        if (!isFinite(a) || !isFinite(b)) return {};
-        const Vec2 apart = poseOf(b) * joint.localAnchorB - poseOf(a) * joint.localAnchorA;
-        worst = std::max(worst, std::abs(apart.norm() - joint.length.value_or(0)));
+    for (std::size_t joint = 0; joint < joints_.joints().size(); ++joint) {
+        if (joint < broken.size() && broken[joint]) continue;
+        if (!joints_.isKnown(joint, states)) return {};
+        worst = std::max(worst, joints_.gap(joint, states));
     }
     return worst;
 }

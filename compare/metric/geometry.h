@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <compare/engine/engine.h>
-#include <compare/engine/joint_geometry.h>
+#include <compare/metric/joint_state.h>
 #include <plumb/broad/bvh.h>
 
 namespace plumb::compare {
@@ -18,17 +18,17 @@ class Geometry {
 public:
     explicit Geometry(const Scene& scene);
 
-    /// Some two bodies of the scene could touch: one of them is dynamic, their shapes' filters let them, and no joint
-    /// forbids it.
+    /// Some two bodies of the scene could touch: one of them is dynamic, their shapes' filters let them, no joint
+    /// forbids it, and neither shape is a sensor or a one-way shape.
     bool anyMayTouch() const { return anyMayTouch_; }
-    bool anyJoint() const { return !joints_.empty(); }
+    bool anyJoint() const { return !joints_.joints().empty(); }
 
     /// The deepest overlap of two shapes that may touch, 0 when none do [m]. Empty when a state is not finite.
     std::optional<double> penetration(std::span<const BodyState> states) const;
 
-    /// The farthest that a hinge's two points are apart, or a rod's two ends are from its length [m]. Empty when a
-    /// state of a joined body is not finite.
-    std::optional<double> jointError(std::span<const BodyState> states) const;
+    /// The farthest that a joint is from what it holds, but for those that have broken [m]. Empty when a state of a
+    /// joined body is not finite. Bodies that it kept apart are still taken to be, when it has broken.
+    std::optional<double> jointError(std::span<const BodyState> states, const Broken& broken = {}) const;
 
 private:
     struct Placed {
@@ -39,7 +39,7 @@ private:
     bool mayTouch(const Placed& a, const Placed& b) const;
 
     std::vector<Placed> shapes_;
-    std::vector<JointGeometry> joints_;
+    JointStates joints_;
     std::set<std::pair<std::size_t, std::size_t>> keptApart_;
     bool anyMayTouch_ = false;
 };

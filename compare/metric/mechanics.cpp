@@ -49,7 +49,7 @@ Vec2 centerOf(const BodyState& state, const Mass& mass) {
     return Transform{state.position, Rot::fromAngle(state.angle)} * mass.center;
 }
 
-MassModel::MassModel(const Scene& scene) : gravity_(scene.gravity) {
+MassModel::MassModel(const Scene& scene) : gravity_(scene.gravity), joints_(scene) {
     double total = 0;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const BodyDef& def = scene.bodies[i].def;
@@ -63,7 +63,7 @@ MassModel::MassModel(const Scene& scene) : gravity_(scene.gravity) {
     if (total > 0) startCenter_ /= total;
 }
 
-std::optional<Mechanics> MassModel::at(std::span<const BodyState> states) const {
+std::optional<Mechanics> MassModel::at(std::span<const BodyState> states, const Broken& broken) const {
     Mechanics sum;
     for (const Moving& moving : moving_) {
         const BodyState& state = states[moving.body];
@@ -80,6 +80,10 @@ std::optional<Mechanics> MassModel::at(std::span<const BodyState> states) const 
         sum.momentumSize += m * state.velocity.norm();
         sum.angularMomentum += m * cross(arm, state.velocity) + spin;
         sum.angularMomentumSize += m * arm.norm() * state.velocity.norm() + std::abs(spin);
+    }
+    for (std::size_t joint = 0; joint < joints_.joints().size(); ++joint) {
+        if (joint < broken.size() && broken[joint]) continue;
+        if (joints_.isKnown(joint, states)) sum.elastic += joints_.springEnergy(joint, states);
     }
     return sum;
 }

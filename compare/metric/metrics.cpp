@@ -17,8 +17,6 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr double divergenceLimit = 0.01;  // [m]
 constexpr double settledSpeed = 0.05;     // [m/s]
 
-using Rows = std::vector<std::vector<BodyState>>;
-
 /// The largest distance of the given bodies at one tick. Where `of` is not a number the distance is without bound, or
 /// unsaid when it may be silent; where `from` is not, likewise.
 double farthest(const std::vector<std::size_t>& bodies, const std::vector<BodyState>& of, bool ofMayBeSilent,
@@ -68,12 +66,13 @@ struct Drifts {
     bool lost = false;  // a state was not a number
 
     void add(const Mechanics& start, const Mechanics& now) {
-        energy = std::max(energy, std::abs((now.kinetic - start.kinetic) + (now.lifted - start.lifted)));
+        const double stored = (now.lifted - start.lifted) + (now.elastic - start.elastic);
+        energy = std::max(energy, std::abs((now.kinetic - start.kinetic) + stored));
         momentum = std::max(momentum, (now.momentum - start.momentum).norm());
         angularMomentum = std::max(angularMomentum, std::abs(now.angularMomentum - start.angularMomentum));
         kinetic = std::max(kinetic, now.kinetic);
-        lowest = std::min(lowest, now.lifted);
-        highest = std::max(highest, now.lifted);
+        lowest = std::min(lowest, stored);
+        highest = std::max(highest, stored);
         momentumSize = std::max(momentumSize, now.momentumSize);
         angularMomentumSize = std::max(angularMomentumSize, now.angularMomentumSize);
     }
@@ -87,9 +86,10 @@ void measureMechanics(const MassModel& masses, const Observation& run, Measured&
     if (!masses.anyDynamic()) return;
     std::optional<Mechanics> start;
     Drifts drifts;
-    for (const std::vector<BodyState>& row : run.states) {
-        const std::optional<Mechanics> now = masses.at(row);
-        measured.series.energy.push_back(now ? now->kinetic + now->potential : run.partial ? unsaid : unbounded);
+    for (std::size_t tick = 0; tick < run.states.size(); ++tick) {
+        const std::optional<Mechanics> now = masses.at(run.states[tick], brokenBy(run, tick));
+        const double lost = run.partial ? unsaid : unbounded;
+        measured.series.energy.push_back(now ? now->kinetic + now->potential + now->elastic : lost);
         if (!start) start = now;
         if (now) drifts.add(*start, *now);
         if (!now && !run.partial) drifts.lost = true;
@@ -111,21 +111,23 @@ std::optional<double> settleTime(const MassModel& masses, const Observation& run
     return static_cast<double>(settled) * run.dt;
 }
 
-/// The largest of a quantity over a run; a tick that has none makes it infinite.
+/// The largest over a run of a quantity of a tick; a tick that has none makes it infinite.
 template <class Quantity>
-double worstOf(const Rows& states, Quantity quantity) {
+double worstOf(const Observation& run, Quantity quantity) {
     double worst = 0;
-    for (const std::vector<BodyState>& row : states)
-        worst = std::max(worst, std::optional<double>(quantity(row)).value_or(unbounded));
+    for (std::size_t tick = 0; tick < run.states.size(); ++tick)
+        worst = std::max(worst, std::optional<double>(quantity(tick)).value_or(unbounded));
     return worst;
 }
 
 void measureGeometry(const Scene& scene, const Observation& run, Metrics& metrics) {
     const Geometry geometry(scene);
     if (geometry.anyMayTouch())
-        metrics["penetration_max"] = worstOf(run.states, [&](const auto& row) { return geometry.penetration(row); });
+        metrics["penetration_max"] =
+            worstOf(run, [&](std::size_t tick) { return geometry.penetration(run.states[tick]); });
     if (geometry.anyJoint())
-        metrics["joint_error_max"] = worstOf(run.states, [&](const auto& row) { return geometry.jointError(row); });
+        metrics["joint_error_max"] =
+            worstOf(run, [&](std::size_t tick) { return geometry.jointError(run.states[tick], brokenBy(run, tick)); });
 }
 
 std::vector<std::size_t> allBodies(const Scene& scene) {

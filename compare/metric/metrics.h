@@ -16,19 +16,19 @@ namespace plumb::compare {
 ///   error_end                the same at the last tick at which the closed form holds [m]
 ///   divergence_max           the largest distance of a body from the same one in Plumb [m]
 ///   divergence_time          the first time at which that distance is over 1 cm; empty when it never is [s]
-///   energy_drift             largest |E(t) - E(0)| / largest energy of the run. E is kinetic plus potential; the
-///   largest
-///                            energy is the larger of the kinetic energy's maximum and the potential's range, so that
-///                            it does not depend on where height counts from [-]
+///   energy_drift             largest |E(t) - E(0)| / largest energy of the run. E is kinetic, potential, and what is
+///   in
+///                            the springs of joints; the largest energy is the larger of the kinetic energy's maximum
+///                            and the range of the rest, so that it does not depend on where height counts from [-]
 ///   momentum_drift           largest |P(t) - P(0)| / largest sum of |m v| [-]
 ///   angular_momentum_drift   largest |L(t) - L(0)| / largest sum of (m |c - o| |v| + I |w|), about o, the centre of
-///   all
-///                            masses at the start [-]
+///                            all masses at the start [-]
 ///   penetration_max          the deepest overlap of two bodies that may touch [m]
-///   joint_error_max          the farthest a joint was torn [m]
+///   joint_error_max          the farthest a joint that has not broken was torn, where it leaves no freedom [m]
 ///   settle_time              the first time from which on no point of a body is faster than 0.05 m/s [s]
 ///   ms_per_step              median wall time of a step [ms]
-///   probe.<name>             the largest distance of a watched quantity from what is expected, in the quantity's unit
+///   probe.<name>             the largest distance of a watched quantity, or of the value that the probe says counts,
+///                            from what is expected, in the quantity's unit
 /// A drift of nothing relative to nothing is 0. Without a dynamic body there are no drifts and no settle_time.
 using Metrics = std::map<std::string, std::optional<double>>;
 
@@ -37,7 +37,7 @@ using Metrics = std::map<std::string, std::optional<double>>;
 struct Series {
     std::vector<double> error;       ///< largest distance of a body from the closed form [m]
     std::vector<double> divergence;  ///< largest distance of a body from the same one in Plumb [m]
-    std::vector<double> energy;      ///< kinetic plus potential, potential 0 at the world's origin [J]
+    std::vector<double> energy;      ///< kinetic, potential and of springs, potential 0 at the world's origin [J]
 };
 
 struct Measured {

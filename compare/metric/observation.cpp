@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cmath>
 
-#include <compare/engine/joint_geometry.h>
+#include <compare/metric/joint_state.h>
 
 namespace plumb::compare {
 namespace {
@@ -17,19 +17,47 @@ double median(std::vector<double> values) {
     return (*middle + *std::max_element(values.begin(), middle)) / 2;
 }
 
-/// What the simulation says of forces, and the angles out of the states.
-std::vector<double> probeRow(const Scene& scene, const Simulation& simulation, const std::vector<BodyState>& states) {
-    std::vector<double> row = simulation.probeValues();
-    for (std::size_t i = 0; i < scene.probes.size(); ++i)
-        if (const auto* angle = std::get_if<AngleProbe>(&scene.probes[i].quantity))
-            row[i] = states[bodyIndex(scene, angle->body)].angle;
-    return row;
+bool holds(const Broken& broken, std::size_t joint) {
+    return joint >= broken.size() || !broken[joint];
 }
 
-void look(const Scene& scene, const Simulation& simulation, Observation& seen) {
-    seen.states.push_back(simulation.states());
-    seen.probes.push_back(probeRow(scene, simulation, seen.states.back()));
-}
+/// Writes down what a simulation comes to.
+class Recorder {
+public:
+    explicit Recorder(const Scene& scene) : scene_(scene), joints_(scene) {}
+
+    void look(const Simulation& simulation, Observation& seen) const {
+        seen.states.push_back(simulation.states());
+        const Broken broken = simulation.brokenJoints();
+        for (std::size_t i = 0; i < broken.size(); ++i) {
+            if (seen.brokenAt.size() <= i) seen.brokenAt.resize(i + 1);
+            if (broken[i] && !seen.brokenAt[i]) seen.brokenAt[i] = seen.states.size() - 1;
+        }
+        std::vector<double> row = simulation.probeValues();
+        for (std::size_t i = 0; i < scene_.probes.size(); ++i)
+            if (isSeen(scene_.probes[i])) row[i] = valueOf(scene_.probes[i], seen.states.back(), broken);
+        seen.probes.push_back(std::move(row));
+    }
+
+private:
+    double valueOf(const Probe& probe, const std::vector<BodyState>& states, const Broken& broken) const {
+        const auto stateOf = [&](const std::string& body) { return states[bodyIndex(scene_, body)]; };
+        if (const auto* angle = std::get_if<AngleProbe>(&probe.quantity)) return stateOf(angle->body).angle;
+        if (const auto* position = std::get_if<PositionProbe>(&probe.quantity))
+            return stateOf(position->body).position.dot(position->direction);
+        if (const auto* velocity = std::get_if<VelocityProbe>(&probe.quantity))
+            return stateOf(velocity->body).velocity.dot(velocity->direction);
+        if (const auto* limit = std::get_if<LimitProbe>(&probe.quantity)) {
+            const std::size_t joint = jointIndex(scene_, limit->joint);
+            return holds(broken, joint) ? joints_.beyondLimit(joint, states) : 0;
+        }
+        const auto& joint = std::get<JointBrokenProbe>(probe.quantity).joint;
+        return holds(broken, jointIndex(scene_, joint)) ? 0 : 1;
+    }
+
+    const Scene& scene_;
+    JointStates joints_;
+};
 
 }  // namespace
 
@@ -47,17 +75,33 @@ Observation observe(const Scene& scene, const Engine& engine) {
         seen.unsupported = reason.what();
         return seen;
     }
-    look(scene, *simulation, seen);
+    const Recorder recorder(scene);
+    recorder.look(*simulation, seen);
     std::vector<double> milliseconds;
     for (int step = 0; step < stepCount(scene); ++step) {
         const auto start = std::chrono::steady_clock::now();
         simulation->step(scene.dt);
         const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
         milliseconds.push_back(taken.count());
-        look(scene, *simulation, seen);
+        recorder.look(*simulation, seen);
     }
     if (!seen.partial && !milliseconds.empty()) seen.msPerStep = median(std::move(milliseconds));
     return seen;
+}
+
+Broken brokenBy(const Observation& run, std::size_t tick) {
+    Broken broken(run.brokenAt.size());
+    for (std::size_t i = 0; i < broken.size(); ++i) broken[i] = run.brokenAt[i] && *run.brokenAt[i] <= tick;
+    return broken;
+}
+
+bool isSeen(const Probe& probe) {
+    const auto saidByEngine = [](const auto& quantity) {
+        using T = std::decay_t<decltype(quantity)>;
+        return std::is_same_v<T, NormalForceProbe> || std::is_same_v<T, JointForceProbe> ||
+               std::is_same_v<T, SensorCountProbe>;
+    };
+    return !std::visit(saidByEngine, probe.quantity);
 }
 
 bool isFinite(const BodyState& state) {

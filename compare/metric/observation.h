@@ -22,11 +22,19 @@ struct Observation {
     std::vector<std::vector<BodyState>> states;
     /// [tick][probe]; NaN where the engine cannot say.
     std::vector<std::vector<double>> probes;
+    /// [joint] the tick at which it was first seen broken; none for one that held. Ends with the last that broke.
+    std::vector<std::optional<std::size_t>> brokenAt;
     std::optional<double> msPerStep;  ///< median of the run [ms]
 };
 
 /// Runs a scene in an engine and looks at it after every step. An engine that cannot build it is observed as such.
 Observation observe(const Scene& scene, const Engine& engine);
+
+/// Which joints had broken by a tick.
+Broken brokenBy(const Observation& run, std::size_t tick);
+
+/// What the probe watches can be told from where the bodies are and which joints have broken.
+bool isSeen(const Probe& probe);
 
 /// Every number of the state is finite.
 bool isFinite(const BodyState& state);

@@ -4,35 +4,54 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include <compare/engine/joint_geometry.h>
 
 namespace plumb::compare {
 namespace {
 
+constexpr double unsaid = std::numeric_limits<double>::quiet_NaN();
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-/// The tick from which on the probe is watched: the first at or after its time, up to rounding.
-std::size_t firstTick(const Probe& probe, double dt) {
+/// Ticks from the first at or after the probe's start to the last at or before its end, up to rounding.
+struct Window {
+    std::size_t first, end;
+};
+
+Window windowOf(const Probe& probe, double dt, std::size_t ticks) {
     constexpr double slack = 1e-9;  // of a step
-    return static_cast<std::size_t>(std::max(0.0, std::ceil(probe.from / dt - slack)));
+    const double first = std::max(0.0, std::ceil(probe.from / dt - slack));
+    const double end = probe.until > 0 ? std::floor(probe.until / dt + slack) + 1 : static_cast<double>(ticks);
+    return {static_cast<std::size_t>(first), static_cast<std::size_t>(std::min(end, static_cast<double>(ticks)))};
 }
 
-std::optional<double> worse(std::optional<double> worst, double error) {
-    return std::max(worst.value_or(error), error);
-}
+/// Two values of one tick.
+struct Pair {
+    double value, expected;
+};
 
-std::optional<double> angleError(const Observation& run, const Observation& truth, std::size_t body, std::size_t from) {
-    std::optional<double> worst;
-    for (std::size_t tick = from; tick < std::min(run.states.size(), truth.states.size()); ++tick) {
-        const double expected = truth.states[tick][body].angle;
-        const double angle = run.states[tick][body].angle;
-        if (std::isnan(expected)) continue;
-        const bool lost = !std::isfinite(angle);
-        if (lost && run.partial) continue;
-        worst = worse(worst, lost ? unbounded : std::abs(angle - expected));
+/// Those that count.
+std::vector<Pair> watched(std::vector<Pair> pairs, Watch watch) {
+    if (watch == Watch::Every || pairs.size() < 2) return pairs;
+    if (watch == Watch::Last) return {pairs.back()};
+    const auto size = [](double value) { return std::isfinite(value) ? std::abs(value) : unbounded; };
+    Pair largest = pairs.front();  // each on its own: they need not come at the same tick
+    for (const Pair& pair : pairs) {
+        if (size(pair.value) > size(largest.value)) largest.value = pair.value;
+        if (size(pair.expected) > size(largest.expected)) largest.expected = pair.expected;
     }
-    return worst;
+    return {largest};
+}
+
+std::optional<double> worst(const std::vector<Pair>& pairs) {
+    std::optional<double> result;
+    for (const Pair& pair : pairs) {
+        const double error = std::isfinite(pair.value) ? std::abs(pair.value - pair.expected) : unbounded;
+        result = std::max(result.value_or(error), error);
+    }
+    return result;
 }
 
 }  // namespace
@@ -40,20 +59,21 @@ std::optional<double> angleError(const Observation& run, const Observation& trut
 std::optional<double> probeError(const Scene& scene, std::size_t index, const Observation& run,
                                  const Observation* truth) {
     const Probe& probe = scene.probes[index];
-    const std::size_t from = firstTick(probe, run.dt);
+    const Window window = windowOf(probe, run.dt, run.probes.size());
     const auto* angle = std::get_if<AngleProbe>(&probe.quantity);
-    if (angle && truth && from < truth->states.size()) {
-        const std::size_t body = bodyIndex(scene, angle->body);
-        if (!std::isnan(truth->states[from][body].angle)) return angleError(run, *truth, body, from);
-    }
-    std::optional<double> worst;
-    for (std::size_t tick = from; tick < run.probes.size(); ++tick) {
+    const auto expectedAt = [&, body = angle ? bodyIndex(scene, angle->body) : 0](std::size_t tick) {
+        return truth && tick < truth->states.size() ? truth->states[tick][body].angle : unsaid;
+    };
+    const bool byTruth = angle && !std::isnan(expectedAt(window.first));
+    std::vector<Pair> pairs;
+    for (std::size_t tick = window.first; tick < window.end; ++tick) {
         const double value = run.probes[tick][index];
-        // A force that is NaN is one the engine does not know; an angle that is NaN is a body gone astray.
-        if (std::isnan(value) && (!angle || run.partial)) continue;
-        worst = worse(worst, std::isfinite(value) ? std::abs(value - probe.expected) : unbounded);
+        const double expected = byTruth ? expectedAt(tick) : probe.expected;
+        // What an engine says that is not a number is what it does not know; an angle like that is a body gone astray.
+        const bool unknown = std::isnan(value) && (!isSeen(probe) || run.partial);
+        if (!unknown && !std::isnan(expected)) pairs.push_back({value, expected});
     }
-    return worst;
+    return worst(watched(std::move(pairs), probe.watch));
 }
 
 }  // namespace plumb::compare

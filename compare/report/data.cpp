@@ -6,9 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include <compare/engine/engine.h>
+#include <compare/engine/joint_geometry.h>
 #include <compare/report/curve.h>
 #include <compare/report/playback.h>
+#include <compare/scene/fields.h>
 #include <plumb/math/transform.h>
 
 namespace plumb::compare {
@@ -66,29 +67,16 @@ json bodyData(const SceneBody& body) {
             {"shapes", shapes}};
 }
 
-std::size_t bodyIndex(const Scene& scene, const std::string& name) {
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        if (scene.bodies[i].name == name) return i;
-    }
-    throw std::invalid_argument("SceneJoint.body: \"" + name + "\" is not a body of " + scene.name);
-}
-
-/// A joint as two bodies and a point fixed to each: the page draws it wherever the bodies go.
-json jointData(const Scene& scene, const SceneJoint& joint) {
-    const std::size_t a = bodyIndex(scene, joint.bodyA);
-    const std::size_t b = bodyIndex(scene, joint.bodyB);
-    const auto local = [&](std::size_t body, const Vec2& anchor) {
-        const BodyDef& def = scene.bodies[body].def;
-        return pair(Transform{def.position, Rot::fromAngle(def.angle)}.inverse() * anchor);
-    };
-    json data = {{"name", joint.name}, {"a", a}, {"b", b}};
-    if (const auto* distance = std::get_if<DistanceJointDef>(&joint.def)) {
-        data.update({{"type", "distance"}, {"atA", local(a, distance->anchorA)}, {"atB", local(b, distance->anchorB)}});
-    } else {
-        const Vec2& anchor = std::get<RevoluteJointDef>(joint.def).anchor;
-        data.update({{"type", "revolute"}, {"atA", local(a, anchor)}, {"atB", local(b, anchor)}});
-    }
-    return data;
+/// A joint as two bodies and a point fixed to each: the page draws it wherever the bodies go. Null for a gear, which
+/// has no place of its own, and for a target, which has one body.
+json jointData(const SceneJoint& joint, const JointGeometry& geometry) {
+    if (geometry.bodyA == noBody) return {};
+    return {{"name", joint.name},
+            {"a", geometry.bodyA},
+            {"b", geometry.bodyB},
+            {"type", jointTags.begin()[joint.def.index()]},
+            {"atA", pair(geometry.localAnchorA)},
+            {"atB", pair(geometry.localAnchorB)}};
 }
 
 /// Null where the series does not exist or says nothing.
@@ -178,7 +166,11 @@ json sceneData(const SceneResult& result, const PlaybackFormat& format, const Re
                  {"curveStride", stride}};
     for (const char* list : {"bodies", "joints", "probes", "engines", "outcomes"}) data[list] = json::array();
     for (const SceneBody& body : scene.bodies) data["bodies"].push_back(bodyData(body));
-    for (const SceneJoint& joint : scene.joints) data["joints"].push_back(jointData(scene, joint));
+    const std::vector<JointGeometry> joints = jointGeometries(scene);
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        json joint = jointData(scene.joints[i], joints[i]);
+        if (!joint.is_null()) data["joints"].push_back(std::move(joint));
+    }
     for (const Probe& probe : scene.probes) {
         data["probes"].push_back({{"name", probe.name}, {"unit", probe.unit}, {"from", probe.from}});
     }

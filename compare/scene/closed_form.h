@@ -35,6 +35,13 @@ struct DampedFlight {
     double damping = 0;       ///< k, > 0 [1/s]
 };
 
+/// On which side of straight down does a pendulum swing? What meets others there hands its motion on to them.
+enum class Side {
+    Both,
+    Left,   ///< the rest of the time it hangs still
+    Right,  ///< likewise
+};
+
 /// A body that swings about a fixed point, released at rest: theta'' = -(g / L) sin theta, theta from straight down.
 struct PendulumMotion {
     std::string body{};
@@ -45,9 +52,24 @@ struct PendulumMotion {
     double amplitude = 0.5;       ///< theta at t = 0; positive to the right [rad]
     double bodyAngle = 0;         ///< of the body at t = 0; it turns with theta when turns is true [rad]
     bool turns = true;            ///< false for a bob on a rod that leaves it free to keep its angle
+    double from = 0;              ///< not 0: it passes straight down then, on its way up to amplitude [s]
+    Vec2 approach{0, 0};          ///< at which it comes to there, straight; 0: it hangs there until then [m/s]
+    Side side = Side::Both;
 };
 
-using BodyMotion = std::variant<PiecewiseMotion, DampedFlight, PendulumMotion>;
+/// A mass on a spring and a damper, about where it rests: m x'' = -k x - c x', along a line.
+struct OscillatorMotion {
+    std::string body{};
+    Vec2 rest{0, 0};       ///< where it comes to rest [m]
+    Vec2 direction{0, 1};  ///< of x, a unit vector [-]
+    double offset = 0;     ///< x at t = 0 [m]
+    double speed = 0;      ///< x' at t = 0 [m/s]
+    double mass = 1;       ///< m [kg]
+    double stiffness = 1;  ///< k, > 0 [N/m]
+    double damping = 0;    ///< c, >= 0 [N s/m]
+};
+
+using BodyMotion = std::variant<PiecewiseMotion, DampedFlight, PendulumMotion, OscillatorMotion>;
 
 struct ClosedForm {
     std::string formula{};             ///< in plain text, for the report

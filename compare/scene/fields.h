@@ -2,27 +2,50 @@
 // Which fields has each part of a scene, and what are they called in a file?
 // One list a type, for reader and writer alike, so that they cannot differ. A visitor offers
 //   visit("name", field)                a field,
-//   visit.orInfinite("name", field)     a number that may be infinite,
+//   visit.orInfinite("name", field)     a number that may be infinite, of either sign,
 //   visit.shape(shape)                  a shape under its kind: "circle": {...},
 //   visit.oneOf(variant, {tags...})     one alternative of a variant under its tag.
 #pragma once
 #include <array>
 #include <concepts>
 #include <initializer_list>
+#include <span>
 #include <type_traits>
 
 #include <compare/scene/scene.h>
 
 namespace plumb::compare {
 
-inline constexpr std::array<const char*, 3> bodyTypeTags{"static", "kinematic", "dynamic"};  ///< as in BodyType
-inline constexpr std::array<const char*, 5> mixTags{"average", "geometricMean", "minimum", "product",
-                                                    "maximum"};  ///< as in Mix
+// What the enumerators are called in a file, in their order.
+inline constexpr std::array<const char*, 3> bodyTypeTags{"static", "kinematic", "dynamic"};
+inline constexpr std::array<const char*, 5> mixTags{"average", "geometricMean", "minimum", "product", "maximum"};
+inline constexpr std::array<const char*, 3> sideTags{"both", "left", "right"};
+inline constexpr std::array<const char*, 3> watchTags{"every", "largest", "last"};
+constexpr std::span<const char* const> tagsOf(BodyType) {
+    return bodyTypeTags;
+}
+constexpr std::span<const char* const> tagsOf(Mix) {
+    return mixTags;
+}
+constexpr std::span<const char* const> tagsOf(Side) {
+    return sideTags;
+}
+constexpr std::span<const char* const> tagsOf(Watch) {
+    return watchTags;
+}
+
 inline constexpr std::initializer_list<const char*> shapeTags{"circle", "capsule", "polygon", "segment",
                                                               "chain"};  ///< as in Shape
 
-/// Of a number without bound, for which JSON has no sign.
+inline constexpr std::initializer_list<const char*> jointTags{"revolute", "prismatic", "distance", "weld",   "wheel",
+                                                              "pulley",   "gear",      "motor",    "target", "filter"};
+inline constexpr std::initializer_list<const char*> motionTags{"piecewise", "damped", "pendulum", "oscillator"};
+inline constexpr std::initializer_list<const char*> probeTags{"angle",    "normalForce", "jointForce",  "position",
+                                                              "velocity", "limit",       "jointBroken", "sensorCount"};
+
+// Of a number without bound, for which JSON has no sign.
 inline constexpr const char* infiniteTag = "infinite";
+inline constexpr const char* minusInfiniteTag = "-infinite";
 
 template <class T, class U>
 concept Is = std::same_as<std::remove_const_t<T>, U>;
@@ -79,6 +102,9 @@ void fields(auto& visit, Is<ShapeDef> auto& x) {
     visit.shape(x.shape);
     visit("material", x.material);
     visit("filter", x.filter);
+    visit("sensor", x.sensor);
+    visit("oneWay", x.oneWay);
+    visit("tag", x.tag);
 }
 void fields(auto& visit, Is<Mass> auto& x) {
     visit("mass", x.mass);
@@ -95,8 +121,12 @@ void fields(auto& visit, Is<BodyDef> auto& x) {
     visit("linearDamping", x.linearDamping);
     visit("angularDamping", x.angularDamping);
     visit("fixedRotation", x.fixedRotation);
+    visit("lockX", x.lockX);
+    visit("lockY", x.lockY);
     visit("canSleep", x.canSleep);
     visit("awake", x.awake);
+    visit("enabled", x.enabled);
+    visit("tag", x.tag);
     visit("mass", x.mass);
     visit("shapes", x.shapes);
 }
@@ -104,23 +134,108 @@ void fields(auto& visit, Is<SceneBody> auto& x) {
     visit("name", x.name);
     fields(visit, x.def);
 }
+void fields(auto& visit, Is<Spring> auto& x) {
+    visit("stiffness", x.stiffness);
+    visit("damping", x.damping);
+}
+void fields(auto& visit, Is<Limit> auto& x) {
+    visit.orInfinite("lower", x.lower);
+    visit.orInfinite("upper", x.upper);
+}
+void fields(auto& visit, Is<Breaking> auto& x) {
+    visit.orInfinite("force", x.force);
+    visit.orInfinite("torque", x.torque);
+}
 void fields(auto& visit, Is<RevoluteJointDef> auto& x) {
     visit("anchor", x.anchor);
     visit("motorSpeed", x.motorSpeed);
     visit.orInfinite("maxMotorTorque", x.maxMotorTorque);
+    visit("limit", x.limit);
+    visit("spring", x.spring);
+    visit("restAngle", x.restAngle);
     visit("collideConnected", x.collideConnected);
+    visit("breaking", x.breaking);
+}
+void fields(auto& visit, Is<PrismaticJointDef> auto& x) {
+    visit("anchor", x.anchor);
+    visit("axis", x.axis);
+    visit("motorSpeed", x.motorSpeed);
+    visit.orInfinite("maxMotorForce", x.maxMotorForce);
+    visit("limit", x.limit);
+    visit("spring", x.spring);
+    visit("restShift", x.restShift);
+    visit("collideConnected", x.collideConnected);
+    visit("breaking", x.breaking);
 }
 void fields(auto& visit, Is<DistanceJointDef> auto& x) {
     visit("anchorA", x.anchorA);
     visit("anchorB", x.anchorB);
     visit("length", x.length);
+    visit("spring", x.spring);
+    visit("minLength", x.minLength);
+    visit.orInfinite("maxLength", x.maxLength);
+    visit("motorSpeed", x.motorSpeed);
+    visit.orInfinite("maxMotorForce", x.maxMotorForce);
     visit("collideConnected", x.collideConnected);
+    visit("breaking", x.breaking);
 }
+void fields(auto& visit, Is<WeldJointDef> auto& x) {
+    visit("anchor", x.anchor);
+    visit("spring", x.spring);
+    visit("bending", x.bending);
+    visit("collideConnected", x.collideConnected);
+    visit("breaking", x.breaking);
+}
+void fields(auto& visit, Is<WheelJointDef> auto& x) {
+    visit("anchor", x.anchor);
+    visit("axis", x.axis);
+    visit("motorSpeed", x.motorSpeed);
+    visit.orInfinite("maxMotorTorque", x.maxMotorTorque);
+    visit("limit", x.limit);
+    visit("spring", x.spring);
+    visit("restShift", x.restShift);
+    visit("collideConnected", x.collideConnected);
+    visit("breaking", x.breaking);
+}
+void fields(auto& visit, Is<PulleyJointDef> auto& x) {
+    visit("groundA", x.groundA);
+    visit("groundB", x.groundB);
+    visit("anchorA", x.anchorA);
+    visit("anchorB", x.anchorB);
+    visit("ratio", x.ratio);
+    visit("collideConnected", x.collideConnected);
+    visit("breaking", x.breaking);
+}
+void fields(auto& visit, Is<GearJointDef> auto& x) {
+    visit("ratio", x.ratio);
+    visit("breaking", x.breaking);
+}
+void fields(auto& visit, Is<MotorJointDef> auto& x) {
+    visit("offset", x.offset);
+    visit("angle", x.angle);
+    visit("rate", x.rate);
+    visit("velocity", x.velocity);
+    visit("angularVelocity", x.angularVelocity);
+    visit.orInfinite("maxForce", x.maxForce);
+    visit.orInfinite("maxTorque", x.maxTorque);
+    visit("collideConnected", x.collideConnected);
+    visit("breaking", x.breaking);
+}
+void fields(auto& visit, Is<TargetJointDef> auto& x) {
+    visit("anchor", x.anchor);
+    visit("target", x.target);
+    visit("spring", x.spring);
+    visit.orInfinite("maxForce", x.maxForce);
+    visit("breaking", x.breaking);
+}
+void fields(auto&, Is<FilterJointDef> auto&) {}
 void fields(auto& visit, Is<SceneJoint> auto& x) {
     visit("name", x.name);
     visit("bodyA", x.bodyA);
     visit("bodyB", x.bodyB);
-    visit.oneOf(x.def, {"revolute", "distance"});
+    visit("jointA", x.jointA);
+    visit("jointB", x.jointB);
+    visit.oneOf(x.def, jointTags);
 }
 void fields(auto& visit, Is<Flight> auto& x) {
     visit("start", x.start);
@@ -151,9 +266,22 @@ void fields(auto& visit, Is<PendulumMotion> auto& x) {
     visit("amplitude", x.amplitude);
     visit("bodyAngle", x.bodyAngle);
     visit("turns", x.turns);
+    visit("from", x.from);
+    visit("approach", x.approach);
+    visit("side", x.side);
+}
+void fields(auto& visit, Is<OscillatorMotion> auto& x) {
+    visit("body", x.body);
+    visit("rest", x.rest);
+    visit("direction", x.direction);
+    visit("offset", x.offset);
+    visit("speed", x.speed);
+    visit("mass", x.mass);
+    visit("stiffness", x.stiffness);
+    visit("damping", x.damping);
 }
 void fields(auto& visit, Is<BodyMotion> auto& x) {
-    visit.oneOf(x, {"piecewise", "damped", "pendulum"});
+    visit.oneOf(x, motionTags);
 }
 void fields(auto& visit, Is<ClosedForm> auto& x) {
     visit("formula", x.formula);
@@ -171,11 +299,30 @@ void fields(auto& visit, Is<NormalForceProbe> auto& x) {
 void fields(auto& visit, Is<JointForceProbe> auto& x) {
     visit("joint", x.joint);
 }
+void fields(auto& visit, Is<PositionProbe> auto& x) {
+    visit("body", x.body);
+    visit("direction", x.direction);
+}
+void fields(auto& visit, Is<VelocityProbe> auto& x) {
+    visit("body", x.body);
+    visit("direction", x.direction);
+}
+void fields(auto& visit, Is<LimitProbe> auto& x) {
+    visit("joint", x.joint);
+}
+void fields(auto& visit, Is<JointBrokenProbe> auto& x) {
+    visit("joint", x.joint);
+}
+void fields(auto& visit, Is<SensorCountProbe> auto& x) {
+    visit("body", x.body);
+}
 void fields(auto& visit, Is<Probe> auto& x) {
     visit("name", x.name);
-    visit.oneOf(x.quantity, {"angle", "normalForce", "jointForce"});
+    visit.oneOf(x.quantity, probeTags);
     visit("expected", x.expected);
     visit("from", x.from);
+    visit("until", x.until);
+    visit("watch", x.watch);
     visit("unit", x.unit);
 }
 void fields(auto& visit, Is<ExactCheck> auto& x) {

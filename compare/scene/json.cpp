@@ -24,6 +24,14 @@ namespace {
     plumb::refuse(path.empty() ? "scene" : path, given + " is not " + wanted);
 }
 
+/// "a, b or c".
+std::string oneOfText(std::span<const char* const> tags) {
+    std::string text;
+    for (std::size_t i = 0; i < tags.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == tags.size() ? " or " : ", ") + std::string(tags[i]);
+    return text;
+}
+
 /// Which read is meant, where nothing else tells.
 template <class T>
 using Type = std::type_identity<T>;
@@ -51,9 +59,15 @@ public:
     void orInfinite(const char* name, double& value) {
         const Json* field = find(name);
         if (field == nullptr) return;
-        if (!field->is_number() && *field != infiniteTag)
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        if (field->is_number())
+            value = field->get<double>();
+        else if (*field == infiniteTag)
+            value = infinity;
+        else if (*field == minusInfiniteTag)
+            value = -infinity;
+        else
             refuseKind(member(name), *field, "a number or " + Json(infiniteTag).dump());
-        value = field->is_number() ? field->get<double>() : std::numeric_limits<double>::infinity();
     }
 
     void shape(Shape& shape) {
@@ -75,7 +89,6 @@ public:
     template <class... T>
     void oneOf(std::variant<T...>& value, std::initializer_list<const char*> tags) {
         std::size_t found = 0;
-        std::string wanted;
         for (std::size_t i = 0; i < tags.size(); ++i) {
             const bool here = find(tags.begin()[i]) != nullptr;
             if (here && found > 0) {
@@ -83,10 +96,9 @@ public:
                                          ", wanted one of them");
             }
             if (here) found = i + 1;
-            wanted += (i == 0 ? "" : i + 1 == tags.size() ? " or " : ", ") + std::string(tags.begin()[i]);
         }
         if (found == 0) {
-            kindWanted_ = wanted;  // not refused before a misspelled field, which says more
+            kindWanted_ = oneOfText(tags);  // not refused before a misspelled field, which says more
             return;
         }
         readAlternative(value, found - 1, tags.begin()[found - 1], std::index_sequence_for<T...>());
@@ -149,17 +161,13 @@ private:
         if (!json.is_number_integer() || beyond || !fits()) refuseKind(path, json, "a whole number of 32 bits");
         return json.get<int>();
     }
-    static BodyType read(Type<BodyType>, const Json& json, const std::string& path) {
-        return static_cast<BodyType>(tagOf(bodyTypeTags, json, path, "static, kinematic or dynamic"));
-    }
-    static Mix read(Type<Mix>, const Json& json, const std::string& path) {
-        return static_cast<Mix>(tagOf(mixTags, json, path, "average, geometricMean, minimum, product or maximum"));
-    }
-    static std::size_t tagOf(std::span<const char* const> tags, const Json& json, const std::string& path,
-                             const std::string& wanted) {
+    template <class E>
+    requires std::is_enum_v<E>
+    static E read(Type<E>, const Json& json, const std::string& path) {
+        const std::span<const char* const> tags = tagsOf(E{});
         const auto tag = std::ranges::find_if(tags, [&](const char* name) { return json == name; });
-        if (tag == tags.end()) refuseKind(path, json, wanted);
-        return static_cast<std::size_t>(tag - tags.begin());
+        if (tag == tags.end()) refuseKind(path, json, oneOfText(tags));
+        return static_cast<E>(tag - tags.begin());
     }
     template <class T>
     static std::optional<T> read(Type<std::optional<T>>, const Json& json, const std::string& path) {

@@ -15,7 +15,8 @@ std::string toJson(const Scene& scene);
 
 /// The scene that the text describes; file names the text in messages. Fields may be left out where they have a
 /// default. Beside "circle", "capsule", "polygon", "segment" and "chain" a shape may be "box": {"halfSize": [x, y],
-/// "center": [x, y], "radius": r}. A motor's torque may be "infinite".
+/// "center": [x, y], "radius": r}. What bounds a motor, a limit or a joint may be "infinite", a lower limit
+/// "-infinite".
 /// Throws std::invalid_argument with one line that says where, what, and what was wanted: "FILE:LINE:COLUMN: ..." for
 /// text that is not JSON, "FILE:LINE: bodies[2].shapes[0].circle.radius: -1 is not positive" for what is no scene.
 /// Unknown fields and fields given twice are refused.

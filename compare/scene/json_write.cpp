@@ -13,7 +13,7 @@ namespace {
 class Writer {
 public:
     template <class T>
-    static Json write(const T& value) {
+    requires(!std::is_enum_v<T>) static Json write(const T& value) {
         Writer full;
         fields(full, value);
         const T byDefault{};
@@ -32,8 +32,9 @@ public:
     static Json write(int value) { return value; }
     static Json write(const std::string& value) { return value; }
     static Json write(const Vec2& value) { return Json::array({value.x(), value.y()}); }
-    static Json write(BodyType value) { return bodyTypeTags[static_cast<std::size_t>(value)]; }
-    static Json write(Mix value) { return mixTags[static_cast<std::size_t>(value)]; }
+    template <class E>
+    requires std::is_enum_v<E>
+    static Json write(E value) { return tagsOf(value)[static_cast<std::size_t>(value)]; }
     template <class T>
     static Json write(const std::optional<T>& value) {
         return value ? write(*value) : Json(nullptr);
@@ -50,7 +51,7 @@ public:
         object_[name] = write(value);
     }
     void orInfinite(const char* name, double value) {
-        object_[name] = std::isinf(value) ? Json(infiniteTag) : Json(value);
+        object_[name] = !std::isinf(value) ? Json(value) : Json(value > 0 ? infiniteTag : minusInfiniteTag);
     }
     void shape(const Shape& shape) { oneOf(shape, shapeTags); }
     template <class... T>

@@ -19,9 +19,10 @@ struct SceneBody {
 };
 
 struct SceneJoint {
-    std::string name{};            ///< unique in the scene
-    std::string bodyA{}, bodyB{};  ///< names
-    JointDef def{};                ///< its ids are left empty; each engine fills in its own
+    std::string name{};              ///< unique in the scene
+    std::string bodyA{}, bodyB{};    ///< names; a target has a bodyA only, and a gear neither
+    JointDef def{};                  ///< its ids are left empty; each engine fills in its own
+    std::string jointA{}, jointB{};  ///< names of joints before it: what a gear couples
 };
 
 /// The body's angle [rad].
@@ -37,13 +38,48 @@ struct JointForceProbe {
     std::string joint{};
 };
 
+/// How far the body's origin lies along a direction, from the world's origin [m].
+struct PositionProbe {
+    std::string body{};
+    Vec2 direction{0, 1};  ///< a unit vector [-]
+};
+/// How fast the body's centre of mass moves along a direction [m/s].
+struct VelocityProbe {
+    std::string body{};
+    Vec2 direction{1, 0};  ///< a unit vector [-]
+};
+/// By how much a hinge, a slide or a wheel is beyond its limit, 0 within [rad or m].
+struct LimitProbe {
+    std::string joint{};
+};
+/// 1 once the joint has broken, 0 before.
+struct JointBrokenProbe {
+    std::string joint{};
+};
+/// How often something has come into a sensor of the body, since the start.
+struct SensorCountProbe {
+    std::string body{};
+};
+
+/// Which of its values between from and until are held against what is expected?
+enum class Watch {
+    Every,    ///< each of them
+    Largest,  ///< the one farthest from zero: how far a swing goes
+    Last,     ///< what it comes to
+};
+
+using Quantity = std::variant<AngleProbe, NormalForceProbe, JointForceProbe, PositionProbe, VelocityProbe, LimitProbe,
+                              JointBrokenProbe, SensorCountProbe>;
+
 /// A quantity watched beside the positions; its metric is probe.<name>, the largest distance from expected.
 struct Probe {
     std::string name{};
-    std::variant<AngleProbe, NormalForceProbe, JointForceProbe> quantity{};
-    double expected = 0;  ///< in the quantity's unit; ignored where the closed form gives the angle then
-    double from = 0;      ///< watched from here, to the end: before it the scene settles [s]
-    std::string unit{};   ///< "rad", "N"
+    Quantity quantity{};
+    double expected = 0;         ///< in the quantity's unit; ignored where the closed form gives every angle then
+    double from = 0;             ///< watched from here: before it the scene settles [s]
+    std::string unit{};          ///< "rad", "N"
+    double until = 0;            ///< to here; 0: to the end [s]
+    Watch watch = Watch::Every;  ///< which values count
 };
 
 struct Scene {

@@ -7,37 +7,15 @@
 #include <compare/scene/fields.h>
 #include <compare/scene/metric_names.h>
 #include <compare/scene/name_index.h>
-#include <compare/scene/nearest.h>
+#include <compare/scene/named.h>
 #include <compare/scene/scene.h>
+#include <compare/scene/validate_joint.h>
 #include <plumb/math/check.h>
 
 namespace plumb::compare {
 namespace {
 
 constexpr double maxSteps = 1e7;  // a day and a half at 60 Hz; a state of each is kept
-
-std::string at(const std::string& list, std::size_t index) {
-    return list + "[" + std::to_string(index) + "]";
-}
-
-std::string quoted(const std::string& name) {
-    return "\"" + name + "\"";
-}
-
-/// what: "a body", "an engine".
-void requireKnown(const std::string& name, std::span<const std::string> known, const std::string& field,
-                  const std::string& what) {
-    if (std::ranges::find(known, name) != known.end()) return;
-    const std::string hint = known.empty() ? "there is none" : "the nearest is " + nearest(name, known);
-    refuse(field, quoted(name) + " is not the name of " + what + ", " + hint);
-}
-
-template <class Named>
-std::vector<std::string> namesOf(const std::vector<Named>& things) {
-    std::vector<std::string> names;
-    for (const Named& thing : things) names.push_back(thing.name);
-    return names;
-}
 
 template <class Named>
 void validateNames(const std::vector<Named>& things, const std::string& list) {
@@ -74,31 +52,11 @@ void validateTime(const Scene& scene) {
 void validateBody(const SceneBody& body, const std::string& field) {
     for (std::size_t i = 0; i < body.def.shapes.size(); ++i) {
         const Shape& shape = body.def.shapes[i].shape;
-        plumb::validate(shape, at(field + ".shapes", i) + "." + shapeTags.begin()[shape.index()]);
+        const std::string path = at(field + ".shapes", i);
+        plumb::validate(shape, path + "." + shapeTags.begin()[shape.index()]);
+        if (body.def.shapes[i].rule != nullptr) refuse(path + ".rule", "is code, and a scene is data: wanted none");
     }
     plumb::validate(body.def, field);
-}
-
-void validateJoint(const SceneJoint& joint, const Scene& scene, const NameIndex& bodies, const std::string& field) {
-    if (!bodies.find(joint.bodyA)) requireKnown(joint.bodyA, namesOf(scene.bodies), field + ".bodyA", "a body");
-    if (!bodies.find(joint.bodyB)) requireKnown(joint.bodyB, namesOf(scene.bodies), field + ".bodyB", "a body");
-    if (joint.bodyA == joint.bodyB)
-        refuse(field + ".bodyB", quoted(joint.bodyB) + " is bodyA too, wanted another body");
-    if (const auto* revolute = std::get_if<RevoluteJointDef>(&joint.def)) {
-        requireFinite(revolute->anchor, field, ".revolute.anchor");
-        requireFinite(revolute->motorSpeed, field, ".revolute.motorSpeed");
-        if (!(revolute->maxMotorTorque >= 0))  // infinite is as much as it takes
-            refuse(field + ".revolute.maxMotorTorque", toText(revolute->maxMotorTorque) + " is negative or no number");
-    }
-    if (const auto* distance = std::get_if<DistanceJointDef>(&joint.def)) {
-        requireFinite(distance->anchorA, field, ".distance.anchorA");
-        requireFinite(distance->anchorB, field, ".distance.anchorB");
-        if (distance->length) requirePositive(*distance->length, field, ".distance.length");
-        if (!distance->length && distance->anchorA == distance->anchorB) {
-            refuse(field + ".distance.anchorB",
-                   toText(distance->anchorB) + " is anchorA too, wanted another point or a length");
-        }
-    }
 }
 
 void validateMotion(const PiecewiseMotion& motion, const std::string& field) {
@@ -139,17 +97,35 @@ void validateMotion(const PendulumMotion& motion, const std::string& field) {
     if (!(std::abs(motion.amplitude) < std::numbers::pi)) {
         refuse(path + ".amplitude", toText(motion.amplitude) + " is not between -pi and pi");
     }
+    requireNotNegative(motion.from, path, ".from");
+    requireFinite(motion.approach, path, ".approach");
+}
+
+void requireUnit(const Vec2& direction, const std::string& field) {
+    constexpr double rounding = 1e-9;
+    requireFinite(direction, field);
+    if (std::abs(direction.norm() - 1) > rounding) refuse(field, toText(direction) + " is not of length 1");
+}
+
+void validateMotion(const OscillatorMotion& motion, const std::string& field) {
+    const std::string path = field + ".oscillator";
+    requireFinite(motion.rest, path, ".rest");
+    requireUnit(motion.direction, path + ".direction");
+    requireFinite(motion.offset, path, ".offset");
+    requireFinite(motion.speed, path, ".speed");
+    requirePositive(motion.mass, path, ".mass");
+    requirePositive(motion.stiffness, path, ".stiffness");
+    requireNotNegative(motion.damping, path, ".damping");
 }
 
 void validateClosedForm(const ClosedForm& form, const std::vector<std::string>& bodies) {
     requireNotNegative(form.until, "closedForm.until");
     if (form.bodies.empty()) refuse("closedForm.bodies", "there is none, wanted at least one");
-    constexpr const char* kinds[] = {".piecewise", ".damped", ".pendulum"};  // in the order of BodyMotion
     std::vector<std::string> described;
     for (std::size_t i = 0; i < form.bodies.size(); ++i) {
         const std::string field = at("closedForm.bodies", i);
         const std::string body = std::visit([](const auto& motion) { return motion.body; }, form.bodies[i]);
-        const std::string bodyField = field + kinds[form.bodies[i].index()] + ".body";
+        const std::string bodyField = field + "." + motionTags.begin()[form.bodies[i].index()] + ".body";
         requireKnown(body, bodies, bodyField, "a body");
         if (std::ranges::find(described, body) != described.end()) {
             refuse(bodyField, quoted(body) + " has a motion already, wanted one for each body");
@@ -161,21 +137,25 @@ void validateClosedForm(const ClosedForm& form, const std::vector<std::string>& 
 
 void validateProbe(const Probe& probe, const Scene& scene, const std::string& field) {
     const std::vector<std::string> bodies = namesOf(scene.bodies);
-    if (const auto* angle = std::get_if<AngleProbe>(&probe.quantity)) {
-        requireKnown(angle->body, bodies, field + ".angle.body", "a body");
-    }
+    const std::string path = field + "." + probeTags.begin()[probe.quantity.index()];
+    const auto check = [&](const auto& quantity) {
+        if constexpr (requires { quantity.body; }) requireKnown(quantity.body, bodies, path + ".body", "a body");
+        if constexpr (requires { quantity.direction; }) requireUnit(quantity.direction, path + ".direction");
+        if constexpr (requires { quantity.joint; })
+            requireKnown(quantity.joint, namesOf(scene.joints), path + ".joint", "a joint");
+    };
+    std::visit(check, probe.quantity);
     if (const auto* force = std::get_if<NormalForceProbe>(&probe.quantity)) {
-        requireKnown(force->bodyA, bodies, field + ".normalForce.bodyA", "a body");
-        requireKnown(force->bodyB, bodies, field + ".normalForce.bodyB", "a body");
-        if (force->bodyA == force->bodyB) {
-            refuse(field + ".normalForce.bodyB", quoted(force->bodyB) + " is bodyA too, wanted another body");
-        }
-    }
-    if (const auto* force = std::get_if<JointForceProbe>(&probe.quantity)) {
-        requireKnown(force->joint, namesOf(scene.joints), field + ".jointForce.joint", "a joint");
+        requireKnown(force->bodyA, bodies, path + ".bodyA", "a body");
+        requireKnown(force->bodyB, bodies, path + ".bodyB", "a body");
+        if (force->bodyA == force->bodyB)
+            refuse(path + ".bodyB", quoted(force->bodyB) + " is bodyA too, wanted another body");
     }
     requireFinite(probe.expected, field, ".expected");
     requireNotNegative(probe.from, field, ".from");
+    requireNotNegative(probe.until, field, ".until");
+    if (probe.until > 0 && probe.until < probe.from)
+        refuse(field + ".until", toText(probe.until) + " is before from, " + toText(probe.from));
 }
 
 void validateEngines(const std::vector<std::string>& names, const std::string& field) {
@@ -225,7 +205,7 @@ void validate(const Scene& scene) {
     validateNames(scene.probes, "probes");
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) validateBody(scene.bodies[i], at("bodies", i));
     const NameIndex index(scene.bodies);
-    for (std::size_t i = 0; i < scene.joints.size(); ++i) validateJoint(scene.joints[i], scene, index, at("joints", i));
+    for (std::size_t i = 0; i < scene.joints.size(); ++i) validateJoint(scene, i, index);
     for (std::size_t i = 0; i < scene.probes.size(); ++i) validateProbe(scene.probes[i], scene, at("probes", i));
     if (scene.closedForm) validateClosedForm(*scene.closedForm, namesOf(scene.bodies));
     for (std::size_t i = 0; i < scene.checks.size(); ++i) validateCheck(scene.checks[i], scene, at("checks", i));

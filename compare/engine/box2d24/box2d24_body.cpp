@@ -142,7 +142,11 @@ void addShapes(b2Body& body, const SceneBody& sceneBody, float restitutionThresh
         const Material& material = def.material;
         if (material.rollingResistance > 0)
             throw Unsupported(fmt::format("body {}: Box2D 2.4 has no rolling resistance", sceneBody.name));
+        if (def.oneWay)
+            throw Unsupported(
+                fmt::format("body {}: Box2D 2.4 leaves one-way shapes to its user's own code", sceneBody.name));
         b2FixtureDef fixture;
+        fixture.isSensor = def.sensor;
         fixture.density = toSingle(material.density);
         fixture.friction = toSingle(material.friction);
         fixture.restitution = toSingle(material.restitution);
@@ -186,7 +190,10 @@ float restitutionThreshold24(const Scene& scene) {
 b2Body* addBody24(b2World& world, const SceneBody& sceneBody, float restitutionThreshold, Surfaces24& surfaces) {
     const BodyDef& def = sceneBody.def;
     checkInertia(def, sceneBody.name);
+    if (def.lockX || def.lockY)
+        throw Unsupported(fmt::format("body {}: Box2D 2.4 has no lock along an axis", sceneBody.name));
     b2BodyDef bodyDef;
+    bodyDef.enabled = def.enabled;
     bodyDef.type = typeOf(def.type);
     bodyDef.position = toBox2d24(def.position);
     bodyDef.angle = toSingle(def.angle);

@@ -4,9 +4,12 @@
 #include <box2d/box2d.h>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
+#include <utility>
 
 #include <compare/engine/box2d24/box2d24_body.h>
+#include <compare/engine/box2d24/box2d24_joint.h>
 #include <compare/engine/joint_geometry.h>
 #include <compare/engine/single.h>
 
@@ -24,11 +27,23 @@ struct PressedPair {
     double force = 0;    // mean of the last step in which they were awake [N]
 };
 
+/// A body with sensors, and how often something came into them.
+struct Gate {
+    const b2Body* body;
+    int count = 0;
+};
+
 class ContactListener : public b2ContactListener {
 public:
     std::vector<PressedPair> pairs;
+    std::vector<Gate> gates;
 
-    void BeginContact(b2Contact* contact) override { mixSurfaces24(*contact); }
+    void BeginContact(b2Contact* contact) override {
+        mixSurfaces24(*contact);
+        for (Gate& gate : gates)
+            for (const b2Fixture* fixture : {contact->GetFixtureA(), contact->GetFixtureB()})
+                if (fixture->IsSensor() && fixture->GetBody() == gate.body) ++gate.count;
+    }
 
     void PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) override {
         const b2Body* a = contact->GetFixtureA()->GetBody();
@@ -58,17 +73,18 @@ public:
         const float threshold = restitutionThreshold24(scene);
         world_.SetAllowSleeping(scene.sleeping);
         for (const SceneBody& body : scene.bodies) bodies_.push_back(addBody24(world_, body, threshold, surfaces_));
-        const std::vector<JointGeometry> joints = jointGeometries(scene);
-        for (std::size_t i = 0; i < joints.size(); ++i) joints_.push_back(join(joints[i], scene.joints[i].name));
+        join(scene);
         for (std::size_t i = 0; i < scene.probes.size(); ++i) watch(scene, scene.probes[i], probes_[i]);
         // Told of every contact in every step, a listener costs time: only where there is something to listen to.
-        if (!listener_.pairs.empty() || !surfaces_.empty()) world_.SetContactListener(&listener_);
+        if (!listener_.pairs.empty() || !listener_.gates.empty() || !surfaces_.empty())
+            world_.SetContactListener(&listener_);
     }
 
     void step(double dt) override {
         world_.Step(static_cast<float>(dt), velocityIterations, positionIterations);
         listener_.finishStep(dt);
         lastDt_ = dt;
+        breakJoints();
     }
 
     std::vector<BodyState> states() const override {
@@ -94,39 +110,49 @@ public:
         return result;
     }
 
+    Broken brokenJoints() const override {
+        if (breakable_.empty()) return {};
+        Broken broken;
+        for (const b2Joint* joint : joints_) broken.push_back(joint == nullptr);
+        return broken;
+    }
+
 private:
     struct Watched {
         std::optional<std::size_t> pair;  // index of a pressed pair
-        const b2Joint* joint = nullptr;
+        std::optional<std::size_t> joint;
+        std::optional<std::size_t> gate;  // index of a body whose sensors count
     };
 
-    const b2Joint* join(const JointGeometry& joint, const std::string& name) {
-        b2Body* a = bodies_[joint.bodyA];
-        b2Body* b = bodies_[joint.bodyB];
-        if (!joint.length) {
-            b2RevoluteJointDef def;
-            def.bodyA = a;
-            def.bodyB = b;
-            def.localAnchorA = toBox2d24(joint.localAnchorA);
-            def.localAnchorB = toBox2d24(joint.localAnchorB);
-            def.referenceAngle = b->GetAngle() - a->GetAngle();
-            def.collideConnected = joint.collideConnected;
-            def.enableMotor = joint.maxMotorTorque > 0;
-            def.motorSpeed = toSingle(joint.motorSpeed);
-            def.maxMotorTorque = toSingleAtMost(joint.maxMotorTorque);
-            return world_.CreateJoint(&def);
+    /// Those that a scene lets break: Box2D 2.4 leaves it to its user to look at what they bear.
+    void breakJoints() {
+        const auto inverseDt = static_cast<float>(1 / *lastDt_);
+        for (const auto& [index, breaking] : breakable_) {
+            const b2Joint* joint = joints_[index];
+            if (!joint) continue;
+            const auto force = static_cast<double>(joint->GetReactionForce(inverseDt).Length());
+            const auto torque = static_cast<double>(joint->GetReactionTorque(inverseDt));
+            if (force > breaking.force || std::abs(torque) > breaking.torque) destroy(index);
         }
-        const auto length = toSingle(*joint.length);
-        if (length < b2_linearSlop)
-            throw Unsupported(fmt::format("joint {}: Box2D 2.4 has no rod shorter than {} m", name, b2_linearSlop));
-        b2DistanceJointDef def;
-        def.bodyA = a;
-        def.bodyB = b;
-        def.localAnchorA = toBox2d24(joint.localAnchorA);
-        def.localAnchorB = toBox2d24(joint.localAnchorB);
-        def.length = def.minLength = def.maxLength = length;  // no stiffness: a rigid rod
-        def.collideConnected = joint.collideConnected;
-        return world_.CreateJoint(&def);
+    }
+
+    /// With the gears that it drives, before it.
+    void destroy(std::size_t index) {
+        for (const auto& [gear, ends] : gears_)
+            if ((ends.first == index || ends.second == index) && joints_[gear]) destroy(gear);
+        world_.DestroyJoint(joints_[index]);
+        joints_[index] = nullptr;
+    }
+
+    void join(const Scene& scene) {
+        const std::vector<JointGeometry> joints = jointGeometries(scene);
+        for (std::size_t i = 0; i < joints.size(); ++i) {
+            joints_.push_back(addJoint24({world_, scene, bodies_, joints_}, joints[i], scene.joints[i].name));
+            const Breaking breaking = breakingOf(joints[i].def);
+            if (breaking.force < unlimited || breaking.torque < unlimited) breakable_.emplace_back(i, breaking);
+            if (std::holds_alternative<GearJointDef>(joints[i].def))
+                gears_.push_back({i, {joints[i].jointA, joints[i].jointB}});
+        }
     }
 
     void watch(const Scene& scene, const Probe& probe, Watched& watched) {
@@ -135,14 +161,19 @@ private:
             listener_.pairs.push_back(
                 {bodies_[bodyIndex(scene, force->bodyA)], bodies_[bodyIndex(scene, force->bodyB)]});
         } else if (const auto* jointForce = std::get_if<JointForceProbe>(&probe.quantity)) {
-            watched.joint = joints_[jointIndex(scene, jointForce->joint)];
+            watched.joint = jointIndex(scene, jointForce->joint);
+        } else if (const auto* count = std::get_if<SensorCountProbe>(&probe.quantity)) {
+            watched.gate = listener_.gates.size();
+            listener_.gates.push_back({bodies_[bodyIndex(scene, count->body)]});
         }
     }
 
     double valueOf(const Watched& probe) const {
+        if (probe.gate) return listener_.gates[*probe.gate].count;
         if (!lastDt_) return unknown;
         if (probe.pair) return listener_.pairs[*probe.pair].force;
-        if (probe.joint) return probe.joint->GetReactionForce(static_cast<float>(1 / *lastDt_)).Length();
+        if (probe.joint && joints_[*probe.joint])
+            return joints_[*probe.joint]->GetReactionForce(static_cast<float>(1 / *lastDt_)).Length();
         return unknown;
     }
 
@@ -150,7 +181,9 @@ private:
     Surfaces24 surfaces_;
     b2World world_;
     std::vector<b2Body*> bodies_;
-    std::vector<const b2Joint*> joints_;
+    std::vector<b2Joint*> joints_;  // null where one has broken
+    std::vector<std::pair<std::size_t, Breaking>> breakable_;
+    std::vector<std::pair<std::size_t, std::pair<std::size_t, std::size_t>>> gears_;  // and the joints they couple
     std::vector<Watched> probes_;
     std::optional<double> lastDt_;  // [s]
 };
@@ -163,6 +196,7 @@ std::vector<Setting> box2d24Settings(const Scene& scene) {
         {"slop", fmt::format("{} m", b2_linearSlop)},
         {"skin of polygons and segments", fmt::format("{} m", b2_polygonRadius)},
         {"position correction", fmt::format("{} of the overlap a step", b2_baumgarte)},
+        {"joints that break", "looked at by the user after each step"},
         {"capsules", "a box and two discs, with the capsule's mass"},
         {"rounded polygons", "a skin of their radius, with the rounded one's mass"},
         {"chains, segments with neighbours", "solid on the right of their direction only"},

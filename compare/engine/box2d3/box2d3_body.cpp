@@ -82,6 +82,7 @@ void addChain(b2BodyId body, const b2ShapeDef& def, const std::vector<Vec2>& lin
     chainDef.materials = &def.material;
     chainDef.materialCount = 1;
     chainDef.filter = def.filter;
+    chainDef.enableSensorEvents = def.enableSensorEvents;
     b2CreateChain(body, &chainDef);
 }
 
@@ -110,9 +111,14 @@ b2SurfaceMaterial surfaceOf(const Material& material) {
     return result;
 }
 
-void addShapes(b2BodyId body, const SceneBody& sceneBody) {
+void addShapes(b2BodyId body, const SceneBody& sceneBody, bool senses) {
     for (const ShapeDef& shape : sceneBody.def.shapes) {
+        if (shape.oneWay)
+            throw Unsupported(
+                fmt::format("body {}: Box2D 3 leaves one-way shapes to its user's own code", sceneBody.name));
         b2ShapeDef def = b2DefaultShapeDef();
+        def.isSensor = shape.sensor;
+        def.enableSensorEvents = senses;
         def.density = toSingle(shape.material.density);
         def.material = surfaceOf(shape.material);
         def.filter.categoryBits = shape.filter.category;
@@ -131,7 +137,8 @@ b2BodyDef definition(const BodyDef& def) {
     result.gravityScale = toSingle(def.gravityScale);
     result.linearDamping = toSingle(def.linearDamping);
     result.angularDamping = toSingle(def.angularDamping);
-    result.motionLocks.angularZ = def.fixedRotation;
+    result.motionLocks = {.linearX = def.lockX, .linearY = def.lockY, .angularZ = def.fixedRotation};
+    result.isEnabled = def.enabled;
     result.enableSleep = def.canSleep;
     result.isAwake = def.awake;
     return result;
@@ -151,11 +158,11 @@ float mixedRestitution3(float a, std::uint64_t materialA, float b, std::uint64_t
     return mixed(ruleOf(mixesOf(materialA).restitution, mixesOf(materialB).restitution), a, b);
 }
 
-b2BodyId addBody3(b2WorldId world, const SceneBody& sceneBody) {
+b2BodyId addBody3(b2WorldId world, const SceneBody& sceneBody, bool senses) {
     const BodyDef& def = sceneBody.def;
     const b2BodyDef bodyDef = definition(def);
     const b2BodyId body = b2CreateBody(world, &bodyDef);
-    addShapes(body, sceneBody);
+    addShapes(body, sceneBody, senses);
     // Box2D 3 weighs a rounded polygon as if its corners were sharp.
     const auto rounded = [](const ShapeDef& shape) { return isRounded(shape.shape); };
     if (def.type == BodyType::Dynamic && (def.mass || std::ranges::any_of(def.shapes, rounded))) {

@@ -11,8 +11,8 @@ namespace plumb::compare {
 
 b2Vec2 toBox2d3(const Vec2& v);
 
-/// Throws Unsupported, naming the body, when Box2D 3 cannot have it as it is.
-b2BodyId addBody3(b2WorldId world, const SceneBody& body);
+/// senses: its shapes are seen by sensors. Throws Unsupported, naming the body, when Box2D 3 cannot have it as it is.
+b2BodyId addBody3(b2WorldId world, const SceneBody& body, bool senses);
 
 /// A pair's coefficients by the rules that its materials name, for worlds in which some material has its own.
 float mixedFriction3(float a, std::uint64_t materialA, float b, std::uint64_t materialB);

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include <compare/engine/box2d3/box2d3_body.h>
+#include <compare/engine/box2d3/box2d3_joint.h>
 #include <compare/engine/joint_geometry.h>
 #include <compare/engine/mixed.h>
 #include <compare/engine/single.h>
@@ -25,6 +26,12 @@ bool mixesAsBox2d(const Scene& scene) {
     return std::ranges::all_of(scene.bodies, [](const SceneBody& body) {
         return std::ranges::all_of(body.def.shapes,
                                    [](const ShapeDef& shape) { return compare::mixesAsBox2d(shape.material); });
+    });
+}
+
+bool hasSensors(const Scene& scene) {
+    return std::ranges::any_of(scene.bodies, [](const SceneBody& body) {
+        return std::ranges::any_of(body.def.shapes, [](const ShapeDef& shape) { return shape.sensor; });
     });
 }
 
@@ -59,18 +66,20 @@ private:
 class Box2d3Simulation : public Simulation {
 public:
     explicit Box2d3Simulation(const Scene& scene) : world_(worldDef(scene)), probes_(scene.probes.size()) {
+        senses_ = hasSensors(scene);
         for (const SceneBody& body : scene.bodies) {
-            bodies_.push_back(addBody3(world_.id(), body));
+            bodies_.push_back(addBody3(world_.id(), body, senses_));
             angles_.push_back(body.def.angle);
         }
-        const std::vector<JointGeometry> joints = jointGeometries(scene);
-        for (std::size_t i = 0; i < joints.size(); ++i) joints_.push_back(join(joints[i], scene.joints[i].name));
+        join(scene);
         for (std::size_t i = 0; i < scene.probes.size(); ++i) probes_[i] = watch(scene, scene.probes[i]);
     }
 
     void step(double dt) override {
         b2World_Step(world_.id(), static_cast<float>(dt), subSteps);
         lastDt_ = dt;
+        if (breaks_) breakJoints();
+        if (senses_) countVisits();
     }
 
     std::vector<BodyState> states() const override {
@@ -108,35 +117,48 @@ public:
         return result;
     }
 
+    Broken brokenJoints() const override {
+        if (!breaks_) return {};
+        Broken broken;
+        for (const b2JointId& joint : joints_) broken.push_back(!b2Joint_IsValid(joint));
+        return broken;
+    }
+
 private:
     struct Watched {
         std::optional<std::pair<b2BodyId, b2BodyId>> bodies;
-        std::optional<b2JointId> joint;
+        std::optional<std::size_t> joint;
+        std::optional<b2BodyId> gate;  // whose sensors count
+        int visits = 0;
     };
 
-    void place(b2JointDef& def, const JointGeometry& joint) const {
-        def.bodyIdA = bodies_[joint.bodyA];
-        def.bodyIdB = bodies_[joint.bodyB];
-        def.localFrameA.p = toBox2d3(joint.localAnchorA);
-        def.localFrameB.p = toBox2d3(joint.localAnchorB);
-        def.collideConnected = joint.collideConnected;
+    void join(const Scene& scene) {
+        const std::vector<JointGeometry> joints = jointGeometries(scene);
+        for (std::size_t i = 0; i < joints.size(); ++i) {
+            joints_.push_back(addJoint3({world_.id(), scene, bodies_, scene.dt / subSteps}, joints[i], i));
+            const Breaking breaking = breakingOf(joints[i].def);
+            if (breaking.force < unlimited || breaking.torque < unlimited) breaks_ = true;
+        }
     }
 
-    b2JointId join(const JointGeometry& joint, const std::string& name) const {
-        if (!joint.length) {
-            b2RevoluteJointDef def = b2DefaultRevoluteJointDef();
-            place(def.base, joint);
-            def.enableMotor = joint.maxMotorTorque > 0;
-            def.motorSpeed = toSingle(joint.motorSpeed);
-            def.maxMotorTorque = toSingleAtMost(joint.maxMotorTorque);
-            return b2CreateRevoluteJoint(world_.id(), &def);
+    /// Those of which an event says that they bore too much: Box2D 3 leaves it to its user to remove them.
+    void breakJoints() {
+        const b2JointEvents events = b2World_GetJointEvents(world_.id());
+        std::vector<std::size_t> broken;
+        for (int i = 0; i < events.count; ++i) broken.push_back(jointOf3(events.jointEvents[i].userData));
+        for (const std::size_t index : broken) {
+            b2DestroyJoint(joints_[index]);
+            joints_[index] = b2_nullJointId;
         }
-        b2DistanceJointDef def = b2DefaultDistanceJointDef();
-        place(def.base, joint);
-        def.length = toSingle(*joint.length);  // no spring: a rigid rod
-        if (def.length < B2_LINEAR_SLOP)
-            throw Unsupported(fmt::format("joint {}: Box2D 3 has no rod shorter than {} m", name, B2_LINEAR_SLOP));
-        return b2CreateDistanceJoint(world_.id(), &def);
+    }
+
+    void countVisits() {
+        const b2SensorEvents events = b2World_GetSensorEvents(world_.id());
+        for (int i = 0; i < events.beginCount; ++i) {
+            const b2BodyId body = b2Shape_GetBody(events.beginEvents[i].sensorShapeId);
+            for (Watched& probe : probes_)
+                if (probe.gate && B2_ID_EQUALS(*probe.gate, body)) ++probe.visits;
+        }
     }
 
     Watched watch(const Scene& scene, const Probe& probe) const {
@@ -144,15 +166,19 @@ private:
         if (const auto* force = std::get_if<NormalForceProbe>(&probe.quantity))
             watched.bodies = {bodies_[bodyIndex(scene, force->bodyA)], bodies_[bodyIndex(scene, force->bodyB)]};
         else if (const auto* jointForce = std::get_if<JointForceProbe>(&probe.quantity))
-            watched.joint = joints_[jointIndex(scene, jointForce->joint)];
+            watched.joint = jointIndex(scene, jointForce->joint);
+        else if (const auto* count = std::get_if<SensorCountProbe>(&probe.quantity))
+            watched.gate = bodies_[bodyIndex(scene, count->body)];
         return watched;
     }
 
     double valueOf(const Watched& probe) const {
+        if (probe.gate) return probe.visits;
         if (!lastDt_) return unknown;
         if (probe.bodies) return normalImpulse(probe.bodies->first, probe.bodies->second) / *lastDt_;
         // Of the last sub-step: Box2D 3 keeps no mean for joints.
-        if (probe.joint) return static_cast<double>(b2Length(b2Joint_GetConstraintForce(*probe.joint)));
+        if (probe.joint && b2Joint_IsValid(joints_[*probe.joint]))
+            return static_cast<double>(b2Length(b2Joint_GetConstraintForce(joints_[*probe.joint])));
         return unknown;
     }
 
@@ -175,7 +201,8 @@ private:
     World3 world_;
     std::vector<b2BodyId> bodies_;
     mutable std::vector<double> angles_;  // when last asked for, counted on [rad]
-    std::vector<b2JointId> joints_;
+    std::vector<b2JointId> joints_;       // null where one has broken
+    bool breaks_ = false, senses_ = false;
     std::vector<Watched> probes_;
     std::optional<double> lastDt_;  // [s]
 };
@@ -190,6 +217,8 @@ std::vector<Setting> box2d3Settings(const Scene& scene) {
         {"overlap pushed out at most at", fmt::format("{} m/s", world.contactSpeed)},
         {"joint stiffness",
          fmt::format("{} Hz, damping ratio {}", joint.base.constraintHertz, joint.base.constraintDampingRatio)},
+        {"springs", "frequencies of the mass that they move at the start"},
+        {"joints that break", "removed by the user when an event says so"},
         {"slop", fmt::format("{} m", B2_LINEAR_SLOP)},
         {"rounded polygons", "the mass of the rounded outline"},
         {"chains, segments with neighbours", "solid on the right of their direction only"},

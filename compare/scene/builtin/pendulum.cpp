@@ -132,6 +132,16 @@ Scene doublePendulum() {
     };
 }
 
+Scene doublePendulumMinute() {
+    Scene scene = doublePendulum();
+    scene.name = "double_pendulum_minute";
+    scene.question = "Two weights swing on two rods: is their energy still there after a minute?";
+    scene.duration = 60;
+    scene.checks = {invariant("energy_drift", 1e-2, "nothing takes energy: second order at 240 sub-steps a second"),
+                    invariant("joint_error_max", 1e-3, "what is off by 1 mm of 1 m is seen by no one")};
+    return scene;
+}
+
 Scene hangingChain() {
     const SceneBody anchor = pivotBody(pivot);
     const SceneBody weights[] = {weight("weight_1", pivot + Vec2(0, -1)), weight("weight_2", pivot + Vec2(0, -2)),

@@ -58,7 +58,45 @@ Scene pendulum150();
 Scene pendulumStep();
 Scene rodPendulum90();
 Scene doublePendulum();
+Scene doublePendulumMinute();
 Scene hangingChain();
+
+// springs.cpp
+Scene springUndamped();
+Scene springsDamped();
+
+// atwood.cpp
+Scene atwoodMachine();
+
+// cradle.cpp
+Scene cradleOne();
+Scene cradleTwo();
+Scene cradleGap();
+
+// ballistic_pendulum.cpp
+Scene ballisticPendulum();
+
+// chains.cpp
+Scene catenary();
+Scene loadedChain();
+
+// bridge.cpp
+Scene bridgeUnderLoad();
+Scene breakingBridge();
+
+// car.cpp
+Scene carOverHills();
+
+// ragdoll.cpp
+Scene ragdoll();
+
+// machines.cpp
+Scene scissorLift();
+Scene gearTrain();
+
+// gates.cpp
+Scene sensorGate();
+Scene oneWayPlatform();
 
 // stack.cpp
 Scene boxAtRest();

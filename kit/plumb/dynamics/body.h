@@ -76,6 +76,7 @@ public:
     void applyImpulse(const Vec2& impulse, const Vec2& at);      ///< at a point of the world, now [N s, m]
     void applyAngularImpulse(double impulse);                    ///< now [N m s]
 
+    // What changes its type or its mass stays where it is, and every point of it moves on as it did.
     void setType(BodyType type);             ///< a static body loses its velocity; a dynamic one needs a mass
     void setMass(const Mass& mass);          ///< of a dynamic body, instead of what its shapes give
     void setMassFromShapes();                ///< of a dynamic body
@@ -87,7 +88,7 @@ public:
     void setCanSleep(bool canSleep);
     void wake();
     void sleep();                   ///< with all that touches it or is joined to it, until something wakes it
-    void setEnabled(bool enabled);  ///< false: it stays where it is, and nothing meets it
+    void setEnabled(bool enabled);  ///< false: it stays where it is, and nothing meets it; true: it moves on
     void setTag(std::uint64_t tag);
 
 private:

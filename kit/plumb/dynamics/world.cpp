@@ -45,12 +45,20 @@ void clearEvents(WorldState& world) {
 /// [s].
 constexpr double shortestSolved = 1e-9;
 
+/// A phase is over: what it did to the energy.
+void book(WorldState& world, double EnergyLedger::*entry) {
+    if (world.audit) world.audit->book(world, entry, &MomentumLedger::solver);
+}
+
 void flyFreeBodies(WorldState& world, double dt) {
     for (const BodyIndex body : world.bodies.awake) {
         const BodyRecord& record = world.bodies.record[body];
         if (world.bodies.pushed[body] != 0 || record.flown) continue;
-        moveTo(world, body, fly(world.bodies.motion[body], flightLawOf(record, world.def.gravity), dt));
+        const BodyMotion from = world.bodies.motion[body];
+        moveTo(world, body, fly(from, flightLawOf(record, world.def.gravity), dt));
+        if (world.audit) world.audit->noteFlight(world, body, from, world.bodies.motion[body], dt);
     }
+    book(world, &EnergyLedger::solver);
 }
 
 void clearForces(BodyStore& bodies) {
@@ -98,6 +106,7 @@ World::World(const WorldDef& def) {
     state_->id = nextWorldId();
     state_->collider = &laneCollider(def.solver.lanes);
     state_->space.setLanes(def.solver.lanes);
+    if (def.ledger) state_->audit = std::make_unique<Audit>();
 }
 
 World::World(World&&) noexcept = default;
@@ -153,24 +162,30 @@ void World::step(double dt) {
     WorldState& world = *state_;
     clearEvents(world);
     world.legs.clear();
+    if (world.audit) world.audit->book(world, &EnergyLedger::edits, &MomentumLedger::edits);
     if (dt > 0) {
         Stopwatch watch(world.profile);
         world.lastStep = dt;
         loadBodies(world, dt);
         quarantine(world);
+        book(world, &EnergyLedger::solver);
         if (dt >= shortestSolved) {
             findPairs(world);
             watch.lap(&StepProfile::pairs);
             findContacts(world, dt);
             watch.lap(&StepProfile::collide);
             sortOutContacts(world, dt);
+            book(world, &EnergyLedger::impacts);
             watch.lap(&StepProfile::impacts);
             solveConstraints(world, dt);
+            book(world, &EnergyLedger::solver);
             watch.lap(&StepProfile::solve);
         }
         flyFreeBodies(world, dt);
         stopAtWalls(world, dt);
+        book(world, &EnergyLedger::solver);
         breakJoints(world);
+        book(world, &EnergyLedger::breaking);
         reportContacts(world);
         clearForces(world.bodies);
         quarantine(world);
@@ -178,6 +193,7 @@ void World::step(double dt) {
     }
     noteMovers(world);
     if (dt > 0) sleepIslands(world, dt);
+    book(world, &EnergyLedger::solver);
     world.reportedEnds = world.ends.size();
 }
 
@@ -193,6 +209,13 @@ Body World::body(BodyId id) {
 BodyView World::body(BodyId id) const {
     requireBody(*state_, id, "BodyId");
     return {*state_, id.index};
+}
+
+Ledger World::ledger() const {
+    if (!state_->audit) refuse("World.ledger", "WorldDef.ledger was not set, so no account was kept");
+    Audit now = *state_->audit;
+    now.book(*state_, &EnergyLedger::edits, &MomentumLedger::edits);
+    return now.ledger();
 }
 
 std::vector<BodyId> World::bodies() const {

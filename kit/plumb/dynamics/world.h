@@ -14,6 +14,7 @@
 #include <plumb/dynamics/id.h>
 #include <plumb/dynamics/joint.h>
 #include <plumb/dynamics/joint_def.h>
+#include <plumb/dynamics/ledger.h>
 #include <plumb/dynamics/query.h>
 #include <plumb/dynamics/solver_settings.h>
 #include <plumb/dynamics/step_profile.h>
@@ -25,6 +26,7 @@ struct WorldDef {
     Vec2 gravity{0, -9.81};  ///< [m/s^2]
     bool sleeping = true;    ///< may what rests be left out of the step?
     double hitSpeed = 1;     ///< what comes together faster is a ContactHit, >= 0, may be infinite [m/s]
+    bool ledger = false;     ///< is account to be kept of energy and momentum? Steps then take several times as long
     SolverSettings solver = {};
 };
 
@@ -91,6 +93,9 @@ public:
     std::span<const Quarantined> quarantines() const;
     std::vector<BodyMoved> moves() const;  ///< in the order of their slots; without those removed since
     StepProfile profile() const;
+
+    /// Up to now. Throws std::invalid_argument unless WorldDef.ledger was set.
+    Ledger ledger() const;
 
     void reserve(const Capacity& capacity);
     WorldCounts counts() const;  ///< takes a look at all there is

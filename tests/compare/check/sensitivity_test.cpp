@@ -5,6 +5,7 @@
 #include <compare/scene/builtin.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "catch.h"
@@ -31,6 +32,15 @@ std::vector<Engine> withBrokenPlumb(const Break& breakScene) {
 void eachShape(Scene& scene, const std::function<void(ShapeDef&)>& change) {
     for (SceneBody& body : scene.bodies)
         for (ShapeDef& shape : body.def.shapes) change(shape);
+}
+
+/// Of joints of one kind.
+template <class Def>
+Break eachJoint(const std::function<void(Def&)>& change) {
+    return [change](Scene& scene) {
+        for (SceneJoint& joint : scene.joints)
+            if (Def* def = std::get_if<Def>(&joint.def)) change(*def);
+    };
 }
 
 /// Passes as it is, fails when broken, without the help of a Box2D to compare with.
@@ -95,6 +105,58 @@ TEST_CASE("a gravity of 9.80 turns every scene that falls or rests red", "[compa
                   [](Scene& scene) { scene.gravity *= 9.80 / 9.81; });
     checkTurnsRed({"box_at_rest", "stack_of_ten", "hanging_chain", "block_sticks"},
                   [](Scene& scene) { scene.gravity *= 0.9; });
+}
+
+TEST_CASE("a spring 1 % too soft, or one that damps by 0.1 %, turns the undamped spring red", "[compare][check]") {
+    checkTurnsRed({"spring_undamped"},
+                  eachJoint<DistanceJointDef>([](DistanceJointDef& def) { def.spring->stiffness *= 0.99; }));
+    checkTurnsRed({"spring_undamped"}, eachJoint<DistanceJointDef>([](DistanceJointDef& def) {
+                      def.spring->damping = 0.001 * 2 * std::sqrt(def.spring->stiffness);
+                  }));
+}
+
+TEST_CASE("a damper 1 % too strong turns the damped springs red, springs 5 % too soft or motors 2 % too fast the car",
+          "[compare][check]") {
+    checkTurnsRed({"springs_damped"},
+                  eachJoint<DistanceJointDef>([](DistanceJointDef& def) { def.spring->damping *= 1.01; }));
+    checkTurnsRed({"car_over_hills"},
+                  eachJoint<WheelJointDef>([](WheelJointDef& def) { def.spring->stiffness *= 0.95; }));
+    checkTurnsRed({"car_over_hills"}, eachJoint<WheelJointDef>([](WheelJointDef& def) { def.motorSpeed *= 1.02; }));
+}
+
+TEST_CASE("a pulley or gear of 1.01 for 1, or a gear left out, turns the machines red", "[compare][check]") {
+    checkTurnsRed({"atwood_machine"}, eachJoint<PulleyJointDef>([](PulleyJointDef& def) { def.ratio *= 1.01; }));
+    checkTurnsRed({"gear_train"}, eachJoint<GearJointDef>([](GearJointDef& def) { def.ratio *= 1.01; }));
+    checkTurnsRed({"gear_train"}, [](Scene& scene) { scene.joints.pop_back(); });
+}
+
+TEST_CASE("motors 1 % off turn the machines red", "[compare][check]") {
+    checkTurnsRed({"gear_train"},
+                  eachJoint<RevoluteJointDef>([](RevoluteJointDef& def) { def.maxMotorTorque *= 1.01; }));
+    checkTurnsRed({"scissor_lift"},
+                  eachJoint<PrismaticJointDef>([](PrismaticJointDef& def) { def.motorSpeed *= 0.99; }));
+}
+
+TEST_CASE("a rail that is bent by half a degree turns the scissor lift red", "[compare][check]") {
+    checkTurnsRed({"scissor_lift"},
+                  eachJoint<PrismaticJointDef>([](PrismaticJointDef& def) { def.axis += Vec2(0, 0.01); }));
+}
+
+TEST_CASE("hinges 1 mm beside their places, or a load 2 % too light, turn the chains red", "[compare][check]") {
+    checkTurnsRed({"loaded_chain"}, eachJoint<RevoluteJointDef>([](RevoluteJointDef& def) { def.anchor.x() += 1e-3; }));
+    checkTurnsRed({"catenary", "loaded_chain"}, [](Scene& scene) { scene.gravity *= 0.98; });
+}
+
+TEST_CASE("a bullet that is 2 % too slow, or bounces back, turns the ballistic pendulum red", "[compare][check]") {
+    checkTurnsRed({"ballistic_pendulum"}, [](Scene& scene) { scene.bodies.back().def.velocity *= 0.98; });
+    checkTurnsRed({"ballistic_pendulum"},
+                  [](Scene& scene) { eachShape(scene, [](ShapeDef& s) { s.material.restitution = 0.05; }); });
+}
+
+TEST_CASE("a little damping turns the double pendulum red within its minute", "[compare][check]") {
+    checkTurnsRed({"double_pendulum_minute"}, [](Scene& scene) {
+        for (SceneBody& body : scene.bodies) body.def.linearDamping = 1e-3;
+    });
 }
 
 }  // namespace plumb::compare

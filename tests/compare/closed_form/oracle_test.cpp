@@ -167,4 +167,48 @@ TEST_CASE("in every built-in closed form the velocity is the rate of the positio
     CHECK(looked > 4000);
 }
 
+TEST_CASE("a pendulum on one side only hangs still while another swings for it, and both make one whole swing",
+          "[compare][closed_form]") {
+    const PendulumMotion whole{.body = "ball", .pivot = {1, 2}, .length = 1, .amplitude = -0.5};
+    PendulumMotion left = whole, right = whole;
+    left.side = Side::Left;
+    right.side = Side::Right;
+    for (double t = 0; t < 5; t += 0.05) {
+        const BodyState state = ballAt(sceneOf(whole), t);
+        const bool isLeft = state.position.x() < 1;
+        CHECK((ballAt(sceneOf(isLeft ? left : right), t).position - state.position).norm() < 1e-14);
+        const BodyState still = ballAt(sceneOf(isLeft ? right : left), t);
+        CHECK((still.position - Vec2(1, 1)).norm() < 1e-15);
+        CHECK(still.velocity == Vec2(0, 0));
+        CHECK(still.angularVelocity == 0);
+    }
+    // A body's angle is what it is at the start: this one hangs still then.
+    CHECK(ballAt(sceneOf(right), 0).angle == 0);
+    CHECK(ballAt(sceneOf(left), 0).angle == 0);
+}
+
+TEST_CASE("a pendulum hit at 0.4 s hangs until then, and is up at its amplitude a quarter of a period later",
+          "[compare][closed_form]") {
+    PendulumMotion hit{.body = "ball", .pivot = {0, 1}, .length = 1, .amplitude = 0.5, .turns = false};
+    hit.from = 0.4;
+    CHECK(ballAt(sceneOf(hit), 0.3).position == Vec2(0, 0));
+    const BodyState moving = ballAt(sceneOf(hit), 0.4 + 1e-9);
+    // v^2 = 2 g l (1 - cos 0.5), to the right
+    CHECK(std::abs(moving.velocity.x() - std::sqrt(2 * 9.81 * (1 - std::cos(0.5)))) < 1e-8);
+    const double quarter = 2.0060666807 / 4 * 1.0158534;  // FACTS section 5: T0 of 1 m; AGM(1, cos 0.25) by hand
+    CHECK(std::abs(ballAt(sceneOf(hit), 0.4 + quarter).position.x() - std::sin(0.5)) < 1e-6);
+    hit.approach = {3, 0};  // what hits it comes at 3 m/s
+    CHECK((ballAt(sceneOf(hit), 0.1).position - Vec2(-0.9, 0)).norm() < 1e-15);
+    CHECK(ballAt(sceneOf(hit), 0.1).velocity == Vec2(3, 0));
+}
+
+TEST_CASE("an oscillator moves along its direction about where it rests", "[compare][closed_form]") {
+    const OscillatorMotion motion{
+        .body = "ball", .rest = {1, 2}, .direction = {0.6, 0.8}, .offset = 0.5, .mass = 1, .stiffness = 4};
+    const BodyState half = ballAt(sceneOf(motion), 3.141592653589793 / 2);  // half of a period of pi
+    CHECK((half.position - Vec2(0.7, 1.6)).norm() < 1e-14);
+    const BodyState quarter = ballAt(sceneOf(motion), 3.141592653589793 / 4);
+    CHECK((quarter.velocity - Vec2(-0.6, -0.8)).norm() < 1e-14);  // 0.5 times 2 rad/s
+}
+
 }  // namespace plumb::compare

@@ -32,7 +32,7 @@ SceneBody boxBody(const std::string& name, const Vec2& position) {
     return body;
 }
 
-Probe probe(const std::string& name, const std::variant<AngleProbe, NormalForceProbe, JointForceProbe>& quantity) {
+Probe probe(const std::string& name, const Quantity& quantity) {
     Probe result;
     result.name = name;
     result.quantity = quantity;

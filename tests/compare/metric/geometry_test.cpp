@@ -117,4 +117,22 @@ TEST_CASE("a hinge 1 m from both bodies is torn by what one of them moves, and n
     CHECK_THAT(*geometry.jointError(states), WithinAbs(0, rounding));
 }
 
+TEST_CASE("a joint that has broken is torn no longer", "[compare][metric]") {
+    Scene scene = twoDiscs();
+    scene.joints = {rod(false)};
+    CHECK_THAT(*Geometry(scene).jointError(apart(5), {false}), WithinAbs(3, rounding));
+    CHECK(*Geometry(scene).jointError(apart(5), {true}) == 0);
+}
+
+TEST_CASE("what is in a sensor, passes a one-way shape or is not enabled overlaps rightly", "[compare][metric]") {
+    for (int which = 0; which < 3; ++which) {
+        Scene scene = twoDiscs();
+        if (which == 0) scene.bodies[0].def.shapes[0].sensor = true;
+        if (which == 1) scene.bodies[0].def.shapes[0].oneWay = Vec2(0, 1);
+        if (which == 2) scene.bodies[0].def.enabled = false;
+        CHECK_FALSE(Geometry(scene).anyMayTouch());
+        CHECK(*Geometry(scene).penetration(apart(0.5)) == 0);
+    }
+}
+
 }  // namespace plumb::compare

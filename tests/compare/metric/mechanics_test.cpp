@@ -90,4 +90,13 @@ TEST_CASE("a capsule 4 m long and a rounded box with corners 2 m out, both of ra
     }
 }
 
+TEST_CASE("a spring of 8 N/m that is 0.5 m too long holds 1 J, and none once it has broken", "[compare][metric]") {
+    Scene scene = oneDisc();
+    scene.bodies.push_back({"post", {.type = BodyType::Static}});
+    scene.joints = {{"spring", "post", "disc", DistanceJointDef{.length = 1, .spring = Spring{8, 0}}}};
+    const std::vector<BodyState> states{at(1.5, 0), at(0, 0)};
+    CHECK_THAT(MassModel(scene).at(states)->elastic, WithinAbs(1, rounding));
+    CHECK(MassModel(scene).at(states, {true})->elastic == 0);
+}
+
 }  // namespace plumb::compare

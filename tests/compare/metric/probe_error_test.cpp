@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <compare/metric/probe_error.h>
 
+#include <cmath>
+
 #include "catch.h"
 #include "compare/scripted.h"
 
@@ -89,6 +91,66 @@ TEST_CASE("an angle that is not a number is an error without bound", "[compare][
     const Observation truth = turning(scene, "closed-form", 2.5);
     CHECK(probeError(scene, 0, turning(scene, "box2d-3", nan), &truth) == infinity);
     CHECK(probeError(scene, 0, turning(scene, "box2d-3", nan), nullptr) == infinity);
+}
+
+TEST_CASE("of a swing that grows, the largest and the last value are watched, and none after the end",
+          "[compare][metric]") {
+    // 0.1 s a step: -t at even ticks, t at odd ones
+    const auto swing = [](double t) {
+        BodyState state;
+        state.angle = std::lround(t * 10) % 2 == 0 ? -t : t;
+        return std::vector<BodyState>{state};
+    };
+    Scene scene = withAngle(0.7);
+    scene.probes[0].until = 0.8;
+    scene.probes[0].watch = Watch::Largest;
+    const Observation seen = observe(scene, scripted("plumb", {swing}));
+    CHECK_THAT(*probeError(scene, 0, seen, nullptr), WithinAbs(1.5, rounding));  // -0.8 is the farthest
+    scene.probes[0].until = 0.7;
+    CHECK_THAT(*probeError(scene, 0, seen, nullptr), WithinAbs(0, rounding));
+    scene.probes[0].watch = Watch::Last;
+    scene.probes[0].until = 0.6;
+    CHECK_THAT(*probeError(scene, 0, seen, nullptr), WithinAbs(1.3, rounding));
+    scene.probes[0].watch = Watch::Every;
+    scene.probes[0].from = 0.3;
+    CHECK_THAT(*probeError(scene, 0, seen, nullptr), WithinAbs(1.3, rounding));
+}
+
+TEST_CASE("the largest angle is held against the largest of the closed form, whenever that comes",
+          "[compare][metric]") {
+    Scene scene = withAngle(9);
+    scene.probes[0].watch = Watch::Largest;
+    const auto rising = [](double peak) {
+        return [peak](double t) {
+            BodyState state;
+            state.angle = t < 0.55 ? peak * t : peak * (1 - t);
+            return std::vector<BodyState>{state};
+        };
+    };
+    const Observation truth = observe(scene, scripted("closed-form", {rising(1)}));
+    const Observation seen = observe(scene, scripted("plumb", {rising(1.5)}));
+    CHECK_THAT(*probeError(scene, 0, seen, &truth), WithinAbs(0.25, rounding));  // 0.75 for 0.5
+}
+
+TEST_CASE("places, speeds, limits and broken joints are read from what is seen", "[compare][metric]") {
+    Scene scene = oneDisc();
+    scene.bodies.push_back({"post", {.type = BodyType::Static}});
+    scene.joints = {{"hinge", "post", "disc", RevoluteJointDef{.limit = Limit{-0.25, 0.25}, .breaking = {.force = 1}}}};
+    const std::vector<std::pair<Quantity, double>> expected{{PositionProbe{"disc", {0, 1}}, 2},
+                                                            {PositionProbe{"disc", {0.6, 0.8}}, 2.2},
+                                                            {VelocityProbe{"disc", {1, 0}}, 3},
+                                                            {LimitProbe{"hinge"}, 0.75},
+                                                            {JointBrokenProbe{"hinge"}, 0}};
+    for (const auto& [quantity, value] : expected) {
+        scene.probes = {{.name = "p", .quantity = quantity, .expected = value}};
+        BodyState disc = at(1, 2);
+        disc.velocity = {3, 4};
+        disc.angle = 1;
+        const auto states = [disc](double) { return std::vector<BodyState>{disc, at(0, 0)}; };
+        INFO(value);
+        const Observation seen = observe(scene, scripted("plumb", {states}));
+        CHECK_THAT(*probeError(scene, 0, seen, nullptr), WithinAbs(0, rounding));
+    }
 }
 
 }  // namespace plumb::compare

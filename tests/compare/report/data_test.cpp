@@ -72,8 +72,10 @@ TEST_CASE("a joint's ends are fixed to its bodies, turned as they stand at the s
     scene.bodies[1].def.position = {2, 1};
     scene.bodies[1].def.angle = std::numbers::pi / 2;
     // One metre above the turned body: ahead of it along its own x.
-    scene.joints = {{"rod", "disc", "turned", DistanceJointDef{{}, {}, {0.5, 0}, {2, 2}, {}, false}},
-                    {"pin", "disc", "turned", RevoluteJointDef{{}, {}, {2, 2}, false}}};
+    scene.joints = {{"rod", "disc", "turned", DistanceJointDef{.anchorA = {0.5, 0}, .anchorB = {2, 2}}},
+                    {"pin", "disc", "turned", RevoluteJointDef{.anchor = {2, 2}}},
+                    {"mouse", "disc", "", TargetJointDef{}},  // has no second body to be drawn to
+                    {"axis", "disc", "turned", PrismaticJointDef{.anchor = {2, 2}}}};
     SceneResult result;
     result.scene = scene;
     const json joints = onlyScene(result).at("joints");
@@ -84,6 +86,8 @@ TEST_CASE("a joint's ends are fixed to its bodies, turned as they stand at the s
     CHECK(std::abs(joints.at(0).at("atB").at(1).get<double>()) < 1e-15);
     CHECK(joints.at(1).at("type") == "revolute");
     CHECK(joints.at(1).at("atA") == json({2.0, 2.0}));
+    CHECK(joints.size() == 3);
+    CHECK(joints.at(2).at("type") == "prismatic");
 }
 
 TEST_CASE("a scene without closed form has no engine of that name in the page", "[compare][report]") {

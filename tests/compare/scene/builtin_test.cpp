@@ -7,6 +7,8 @@
 
 #include <compare/closed_form/disc_impact.h>
 #include <compare/closed_form/oracle.h>
+#include <compare/metric/geometry.h>
+#include <compare/metric/joint_state.h>
 #include <compare/metric/metrics.h>
 #include <compare/scene/metric_names.h>
 
@@ -54,10 +56,10 @@ std::vector<FlyingDisc> discsOf(const Scene& gas) {
 
 }  // namespace
 
-TEST_CASE("there are at least 40 built-in scenes, at least 30 of them with a closed form", "[compare][scene]") {
+TEST_CASE("there are at least 60 built-in scenes, at least 40 of them with a closed form", "[compare][scene]") {
     const std::vector<Scene> scenes = builtinScenes();
-    CHECK(scenes.size() >= 40);
-    CHECK(std::ranges::count_if(scenes, [](const Scene& scene) { return scene.closedForm.has_value(); }) >= 30);
+    CHECK(scenes.size() >= 60);
+    CHECK(std::ranges::count_if(scenes, [](const Scene& scene) { return scene.closedForm.has_value(); }) >= 40);
 }
 
 TEST_CASE("each built-in scene is valid, asks a question, and gives a reason for each check", "[compare][scene]") {
@@ -135,8 +137,9 @@ TEST_CASE("no closed form jumps: each flight begins where the one before it ends
             }
         }
     }
-    // bounce_08, bounce_1, wall_touch, five pairs of discs; two landings twice, six bullets, slide_to_roll, conveyor.
-    CHECK(joins == 18 + 20 + 1 + 5 * 2 + 2 * 2 + 6 + 1 + 1);
+    // bounce_08, bounce_1, wall_touch, five pairs of discs; two landings twice, six bullets, slide_to_roll, conveyor,
+    // one_way_platform.
+    CHECK(joins == 18 + 20 + 1 + 5 * 2 + 2 * 2 + 6 + 1 + 1 + 1);
 }
 
 TEST_CASE("the hammer of spin_free balances at its origin", "[compare][scene]") {
@@ -302,6 +305,74 @@ TEST_CASE("the double pendulum starts at 60 and 0 degrees with -19.62 J", "[comp
     CHECK(std::abs(std::atan2(upper.x(), -upper.y()) - 1.0471975511965976) < 1e-15);
     CHECK(std::abs((lower - upper).x()) < 1e-15);
     CHECK(std::abs(9.81 * (upper.y() + lower.y()) + 19.62) < 1e-14);  // FACTS section 5, double pendulum
+}
+
+TEST_CASE("no joint of a built-in scene is torn or beyond its limit at the start", "[compare][scene]") {
+    for (const Scene& scene : builtinScenes()) {
+        const JointStates joints(scene);
+        std::vector<BodyState> start;
+        for (const SceneBody& body : scene.bodies) start.push_back({body.def.position, body.def.angle, {}, 0});
+        for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+            INFO(scene.name << ", " << scene.joints[i].name);
+            CHECK(joints.gap(i, start) < 1e-14);  // rounding of metres
+            CHECK(joints.beyondLimit(i, start) == 0);
+        }
+    }
+}
+
+TEST_CASE("nothing overlaps at the start of the scenes that are held together", "[compare][scene]") {
+    for (const char* name : {"cradle_one", "cradle_two", "cradle_gap", "ballistic_pendulum", "bridge_under_load",
+                             "breaking_bridge", "car_over_hills", "ragdoll", "one_way_platform"}) {
+        const Scene scene = findScene(name).value();
+        std::vector<BodyState> start;
+        for (const SceneBody& body : scene.bodies) start.push_back({body.def.position, body.def.angle, {}, 0});
+        INFO(name);
+        CHECK(*Geometry(scene).penetration(start) < 1e-14);
+    }
+}
+
+TEST_CASE("the discs of the cradle touch, and those that swing hang 30 degrees to the left", "[compare][scene]") {
+    const Scene two = findScene("cradle_two").value();
+    REQUIRE(two.bodies.size() == 6);
+    for (std::size_t i = 4; i < 6; ++i)
+        CHECK(std::abs((two.bodies[i].def.position - two.bodies[i - 1].def.position).norm() - 0.2) < 1e-15);
+    for (const std::size_t swung : {std::size_t{1}, std::size_t{2}}) {
+        const Vec2 hinge = std::get<RevoluteJointDef>(two.joints.at(swung - 1).def).anchor;
+        const Vec2 hang = two.bodies[swung].def.position - hinge;
+        CHECK(std::abs(std::atan2(hang.x(), -hang.y()) + 0.5235987755982988) < 1e-15);
+    }
+    // While one side is out the other hangs: at no time are more than two away from the middle.
+    for (double t = 0; t < two.duration; t += 0.05) {
+        const std::vector<BodyState> states = closedFormStates(two, t);
+        CHECK(std::ranges::count_if(states, [](const BodyState& s) { return std::abs(s.angle) > 1e-9; }) <= 2);
+    }
+}
+
+TEST_CASE("the bullet hits the block's wall at the end of the third step, and both rise by 4.21 cm",
+          "[compare][scene][law]") {
+    const Scene scene = findScene("ballistic_pendulum").value();
+    const std::vector<BodyState> hit = closedFormStates(scene, 0.05);
+    CHECK(std::abs(hit.at(2).position.x() + 0.05 - 0.4) < 1e-15);  // its rim at the wall, 0.4 m from the middle
+    // v' = 0.1 * 10 / 1.1 = 0.909 m/s, squared over 19.62
+    CHECK(std::abs(scene.probes.at(0).expected - 0.0421227) < 1e-7);
+    const std::vector<BodyState> end = closedFormStates(scene, scene.duration);  // half a period: down again
+    CHECK(std::abs(end.at(1).position.y()) < 1e-14);
+    CHECK((end.at(2).position - end.at(1).position - hit.at(2).position).norm() < 1e-14);
+}
+
+TEST_CASE("the gear train's energy is the work of its motor", "[compare][scene][law]") {
+    const Scene scene = findScene("gear_train").value();
+    std::vector<BodyState> end = closedFormStates(scene, 2);
+    end[0] = {scene.bodies[0].def.position, 0, {0, 0}, 0};  // the wall, of which it says nothing
+    double energy = 0;
+    for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
+        const Mass mass = massOf(scene.bodies[i].def);
+        energy += (mass.mass * end[i].velocity.squaredNorm() + mass.inertia * std::pow(end[i].angularVelocity, 2)) / 2;
+    }
+    CHECK(std::abs(energy - 6 * end.at(1).angle) < 1e-11);
+    for (std::size_t gear = 4; gear < 7; ++gear) CHECK(JointStates(scene).gap(gear, end) < 1e-14);
+    CHECK(std::abs(end.at(1).angle + 2 * end.at(2).angle) < 1e-14);
+    CHECK(std::abs(end.at(2).angle - 0.5 * end.at(3).angle) < 1e-14);
 }
 
 }  // namespace plumb::compare

@@ -31,6 +31,27 @@ std::string withBody(const std::string& fields) {
     return "{\"name\": \"a\", \"bodies\": [\n{\"name\": \"b\", " + fields + "}]}";
 }
 
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+/// One of each kind, between the bodies a and b; no field has its default value.
+std::vector<SceneJoint> fullJoints() {
+    const Limit limit{-unbounded, 0.5};
+    const Spring spring{20, 3};
+    const Breaking breaking{100, 50};
+    return {
+        {"h", "a", "b", RevoluteJointDef{{}, {}, {1, 2}, -3, 4, limit, spring, 0.25, true, breaking}},
+        {"s", "a", "b", PrismaticJointDef{{}, {}, {1, 2}, {0, 2}, -3, 4, limit, spring, 0.25, true, breaking}},
+        {"r", "b", "a", DistanceJointDef{{}, {}, {1, 2}, {3, 4}, 5, spring, 1, 6, -7, unbounded, true, breaking}},
+        {"w", "a", "b", WeldJointDef{{}, {}, {1, 2}, spring, Spring{7, 8}, true, breaking}},
+        {"v", "a", "b", WheelJointDef{{}, {}, {1, 2}, {1, 1}, -3, 4, limit, spring, 0.25, true, breaking}},
+        {"p", "a", "b", PulleyJointDef{{}, {}, {1, 9}, {2, 9}, {1, 2}, {3, 4}, 2, false, breaking}},
+        {.name = "g", .def = GearJointDef{{}, {}, -2.5, breaking}, .jointA = "h", .jointB = "s"},
+        {"m", "a", "b", MotorJointDef{{}, {}, Vec2(1, 2), 0.5, 6, {3, 4}, 5, 7, unbounded, false, breaking}},
+        {"t", "b", "", TargetJointDef{{}, {1, 2}, {3, 4}, spring, 60, breaking}},
+        {"f", "a", "b", FilterJointDef{}},
+    };
+}
+
 /// No field has its default value.
 Scene fullScene() {
     const Material material{.density = 2,
@@ -62,25 +83,32 @@ Scene fullScene() {
                      .linearDamping = 8,
                      .angularDamping = 9,
                      .canSleep = false,
-                     .shapes = {{Circle{0.75, {0.5, 0.25}}, material, filter}, roundedPolygon(corners, 0.125)}}},
+                     .shapes = {{Circle{0.75, {0.5, 0.25}}, material, filter, true, Vec2(0, 2), nullptr, 9},
+                                roundedPolygon(corners, 0.125)}}},
                    {"c",
                     {.fixedRotation = true,
+                     .lockX = true,
+                     .lockY = true,
                      .awake = false,
+                     .enabled = false,
+                     .tag = 0x8000000000000002u,
                      .mass = Mass{10, {11, 12}, 13},
                      .shapes = {capsule({1, 2}, {3, 5}, 0.25)}}}},
-        .joints = {{"h", "a", "b",
-                    RevoluteJointDef{
-                        .anchor = {1, 2}, .motorSpeed = -3, .maxMotorTorque = 4, .collideConnected = true}},
-                   {"r", "b", "a",
-                    DistanceJointDef{.anchorA = {1, 2}, .anchorB = {3, 4}, .length = 5, .collideConnected = true}}},
+        .joints = fullJoints(),
         .closedForm = ClosedForm{.formula = "f",
                                  .source = "s",
                                  .until = 2,
                                  .bodies = {PiecewiseMotion{"a", {{}, {1, {2, 3}, {4, 5}, {6, 7}, 8, 9, 10}}},
-                                            PendulumMotion{"b", {1, 2}, 3, 4, 5, -0.5, 6, false}}},
+                                            PendulumMotion{"b", {1, 2}, 3, 4, 5, -0.5, 6, false, 7, {8, 9}, Side::Left},
+                                            OscillatorMotion{"c", {1, 2}, {1, 0}, 3, 4, 5, 6, 7}}},
         .probes = {{"p", AngleProbe{"a"}, 1, 2, "rad"},
                    {"q", NormalForceProbe{"a", "b"}, 3, 4, "N"},
-                   {"r", JointForceProbe{"h"}, 5, 6, "N"}},
+                   {"r", JointForceProbe{"h"}, 5, 6, "N", 7, Watch::Largest},
+                   {"s", PositionProbe{"a", {1, 0}}, 1, 2, "m", 3, Watch::Last},
+                   {"t", VelocityProbe{"a", {0, 1}}, 1, 2, "m/s"},
+                   {"u", LimitProbe{"h"}, 1, 2, "rad"},
+                   {"v", JointBrokenProbe{"h"}, 1, 2, "-"},
+                   {"w", SensorCountProbe{"a"}, 1, 2, "-"}},
         .checks = {ExactCheck{0.5, "e"}, AgreeCheck{0.25, 2, "a"},
                    InvariantCheck{"energy_drift", 0.125, {"plumb", "box2d-3"}, "i"}, OrderCheck{3, {"box2d-2.4"}, "o"}},
     };
@@ -132,12 +160,69 @@ TEST_CASE("each field survives writing and reading to the last bit", "[compare][
     CHECK(std::get<RevoluteJointDef>(read.joints.at(0).def).motorSpeed == -3);
     CHECK(std::get<RevoluteJointDef>(read.joints.at(0).def).maxMotorTorque == 4);
     CHECK(std::get<RevoluteJointDef>(read.joints.at(0).def).collideConnected);
-    CHECK(std::get<DistanceJointDef>(read.joints.at(1).def).length == 5);
+    CHECK(std::get<DistanceJointDef>(read.joints.at(2).def).length == 5);
     CHECK(std::get<PiecewiseMotion>(read.closedForm->bodies.at(0)).flights.at(1).angularAcceleration == 10);
     CHECK_FALSE(std::get<PendulumMotion>(read.closedForm->bodies.at(1)).turns);
+    CHECK(std::get<PendulumMotion>(read.closedForm->bodies.at(1)).side == Side::Left);
+    CHECK(std::get<OscillatorMotion>(read.closedForm->bodies.at(2)).damping == 7);
+    CHECK(read.probes.at(3).watch == Watch::Last);
+    CHECK(read.probes.at(3).until == 3);
     CHECK(std::get<JointForceProbe>(read.probes.at(2).quantity).joint == "h");
     CHECK(std::get<InvariantCheck>(read.checks.at(2)).engines.at(1) == "box2d-3");
     CHECK(std::get<OrderCheck>(read.checks.at(3)).reason == "o");
+}
+
+TEST_CASE("each kind of joint survives writing and reading, with its spring, limit and what breaks it",
+          "[compare][scene]") {
+    const std::vector<SceneJoint> joints = fromJson(toJson(fullScene()), "f.json").joints;
+    REQUIRE(joints.size() == std::variant_size_v<JointDef>);
+    for (std::size_t i = 0; i < joints.size(); ++i) CHECK(joints[i].def.index() == i);
+    const auto& hinge = std::get<RevoluteJointDef>(joints[0].def);
+    CHECK(hinge.limit->lower == -unbounded);
+    CHECK(hinge.limit->upper == 0.5);
+    CHECK(hinge.spring->stiffness == 20);
+    CHECK(hinge.spring->damping == 3);
+    CHECK(hinge.restAngle == 0.25);
+    CHECK(hinge.breaking.force == 100);
+    CHECK(hinge.breaking.torque == 50);
+    CHECK(std::get<PrismaticJointDef>(joints[1].def).axis == Vec2(0, 2));
+    CHECK(std::get<DistanceJointDef>(joints[2].def).maxMotorForce == unbounded);
+    CHECK(std::get<DistanceJointDef>(joints[2].def).maxLength == 6);
+    CHECK(std::get<WeldJointDef>(joints[3].def).bending->damping == 8);
+    CHECK(std::get<WheelJointDef>(joints[4].def).restShift == 0.25);
+    CHECK(std::get<PulleyJointDef>(joints[5].def).groundB == Vec2(2, 9));
+    CHECK(std::get<GearJointDef>(joints[6].def).ratio == -2.5);
+    CHECK(joints[6].jointB == "s");
+    CHECK(std::get<MotorJointDef>(joints[7].def).offset == Vec2(1, 2));
+    CHECK(std::get<MotorJointDef>(joints[7].def).maxTorque == unbounded);
+    CHECK(std::get<TargetJointDef>(joints[8].def).target == Vec2(3, 4));
+    CHECK(joints[8].bodyB.empty());
+}
+
+TEST_CASE("a sensor, a one-way shape, tags, locks and what is not enabled survive writing and reading",
+          "[compare][scene]") {
+    const Scene read = fromJson(toJson(fullScene()), "f.json");
+    const ShapeDef& shape = read.bodies.at(1).def.shapes.at(0);
+    CHECK(shape.sensor);
+    CHECK(shape.oneWay == Vec2(0, 2));
+    CHECK(shape.tag == 9);
+    const BodyDef& body = read.bodies.at(2).def;
+    CHECK(body.lockX);
+    CHECK(body.lockY);
+    CHECK_FALSE(body.enabled);
+    CHECK(body.tag == 0x8000000000000002u);
+}
+
+TEST_CASE("a spring with nothing said of it is written, and a joint without one reads without one",
+          "[compare][scene]") {
+    Scene scene = fullScene();
+    scene.joints = {{"r", "a", "b", DistanceJointDef{.anchorB = {0, 1}, .spring = Spring{}}}};
+    scene.probes.clear();
+    const std::string text = toJson(scene);
+    CHECK(text.find(R"("spring": {})") != std::string::npos);
+    CHECK(std::get<DistanceJointDef>(fromJson(text, "f.json").joints.at(0).def).spring.has_value());
+    scene.joints = {{"r", "a", "b", DistanceJointDef{.anchorB = {0, 1}}}};
+    CHECK_FALSE(std::get<DistanceJointDef>(fromJson(toJson(scene), "f.json").joints.at(0).def).spring);
 }
 
 TEST_CASE("a field is written only where it differs from its default", "[compare][scene]") {
@@ -235,7 +320,56 @@ TEST_CASE("a field is written only where it differs from its default", "[compare
                               "invariant",
                               "metric",
                               "engines",
-                              "order"}) {
+                              "order",
+                              "sensor",
+                              "oneWay",
+                              "tag",
+                              "lockX",
+                              "lockY",
+                              "enabled",
+                              "limit",
+                              "lower",
+                              "upper",
+                              "spring",
+                              "stiffness",
+                              "damping",
+                              "breaking",
+                              "force",
+                              "torque",
+                              "restAngle",
+                              "prismatic",
+                              "axis",
+                              "maxMotorForce",
+                              "restShift",
+                              "minLength",
+                              "maxLength",
+                              "weld",
+                              "bending",
+                              "wheel",
+                              "pulley",
+                              "groundA",
+                              "groundB",
+                              "ratio",
+                              "gear",
+                              "jointA",
+                              "jointB",
+                              "motor",
+                              "offset",
+                              "rate",
+                              "maxForce",
+                              "maxTorque",
+                              "target",
+                              "approach",
+                              "side",
+                              "oscillator",
+                              "rest",
+                              "direction",
+                              "speed",
+                              "watch",
+                              "position",
+                              "velocity",
+                              "jointBroken",
+                              "sensorCount"}) {
         INFO(field);
         CHECK(text.find("\"" + std::string(field) + "\":") != std::string::npos);
     }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include <plumb/collide/distance.h>
+
 namespace plumb::test {
 
 namespace {
@@ -187,10 +189,13 @@ void passMoreTime(RandomEditor& e) {
     for (int i = 0; i < 40; ++i) e.step(1.0 / 60);
 }
 
+bool passes(const Filter& a, const Filter& b) {
+    if (a.group != 0 && a.group == b.group) return a.group > 0;
+    return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
+}
+
 bool mayMeet(const ShapeDef& a, const ShapeDef& b) {
-    if (a.sensor || b.sensor) return false;
-    if (a.filter.group != 0 && a.filter.group == b.filter.group) return a.filter.group > 0;
-    return (a.filter.category & b.filter.mask) != 0 && (b.filter.category & a.filter.mask) != 0;
+    return !a.sensor && !b.sensor && passes(a.filter, b.filter);
 }
 
 }  // namespace
@@ -242,9 +247,63 @@ BodyId RandomEditor::makeBody() {
 void RandomEditor::step(double dt) {
     world.step(dt);
     ++steps;
+    lastStep_ = dt;
     followEvents();
     checkContacts();
-    if (steps % 16 == 0) check();
+    checkMoves();
+    if (steps % 16 != 0) return;
+    check();
+    if (dt >= 1e-9) checkSensors();
+}
+
+/// All that is awake has been told, in order, and what fell asleep is not.
+void RandomEditor::checkMoves() const {
+    std::uint32_t last = 0;
+    std::size_t awake = 0;
+    for (const BodyMoved& move : world.moves()) {
+        if (move.body.index <= last) FAIL("moves out of order");
+        last = move.body.index;
+        const BodyView body = world.body(move.body);
+        if (move.fellAsleep == body.awake()) FAIL("asleep and awake at once");
+        if (!(move.pose.position == body.position())) FAIL("moved to where it is not");
+        awake += body.awake() ? std::size_t{1} : 0;
+    }
+    if (awake != world.counts().awakeBodies) FAIL("something is awake and was not told");
+}
+
+/// What sensors have told is what overlaps; but for what was pushed aside in this step, and is found in the next.
+void RandomEditor::checkSensors() const {
+    struct Placed {
+        ShapeId id;
+        ShapeDef def;
+        Aabb box;
+        BodyView body;
+    };
+    std::vector<Placed> all;
+    for (const BodyId id : world.bodies()) {
+        const BodyView body = world.body(id);
+        if (!body.enabled()) continue;
+        for (const ShapeId& shape : body.shapes()) {
+            const ShapeDef def = world.shape(shape);
+            all.push_back({shape, def, aabbOf(def.shape, body.pose()), body});
+        }
+    }
+    const auto speedOf = [](const BodyView& b) { return b.velocity().norm() + 3 * std::fabs(b.angularVelocity()); };
+    for (const Placed& sensor : all) {
+        if (!sensor.def.sensor) continue;
+        for (const Placed& other : all) {
+            if (other.id.body == sensor.id.body || other.def.sensor) continue;
+            const auto told = inside_.find(keyOf(sensor.id, other.id));
+            const bool inside = told != inside_.end() && told->second > 0;
+            if (!inside && !overlap(sensor.box, other.box)) continue;
+            const bool fixed = sensor.body.type() == BodyType::Static && other.body.type() == BodyType::Static;
+            const double apart =
+                distance(sensor.def.shape, sensor.body.pose(), other.def.shape, other.body.pose()).separation;
+            const bool truth = !fixed && passes(sensor.def.filter, other.def.filter) && apart <= 0;
+            const double lag = 0.02 + 2 * lastStep_ * (speedOf(sensor.body) + speedOf(other.body));
+            if (inside != truth && !(std::fabs(apart) < lag)) FAIL("who is in a sensor is not who was told");
+        }
+    }
 }
 
 void RandomEditor::followEvents() {

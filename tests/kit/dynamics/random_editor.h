@@ -88,8 +88,11 @@ private:
         return {a.body.index, a.body.generation, a.number, b.body.index, b.body.generation, b.number};
     }
     void checkContacts();
+    void checkMoves() const;
+    void checkSensors() const;
     void followEvents();
 
+    double lastStep_ = 0;
     std::map<Key, int> touching_, inside_;
 };
 

@@ -370,3 +370,52 @@ TEST_CASE("shapes that are woken by the thousand are found again", "[space]") {
     // Rows drawn together to 0.7 m, boxes 0.72 m wide: each meets the next one of its row.
     CHECK(space.takeNewPairs().size() == 40 * 39);
 }
+
+TEST_CASE("a hidden shape is met by nothing until it is placed and renewed", "[space]") {
+    Space space;
+    const ProxyId a = space.add(shapeOf({}), 1, false, {0, 0}, around({0, 0}, 1));
+    const ProxyId b = space.add(shapeOf({}), 2, false, {0, 0}, around({1, 0}, 1));
+    const auto found = [&] {
+        int count = 0;
+        space.query(around({0, 0}, 5), [&](ProxyId) { ++count; });
+        return count;
+    };
+    CHECK(space.takeNewPairs().size() == 1);
+    for (const bool looked : {true, false}) {
+        space.hide(b);
+        CHECK(found() == 1);
+        if (looked) CHECK(space.takeNewPairs().empty());
+        space.place(b, around({1, 1}, 1), margin);
+        space.renew(b);
+        CHECK(found() == 2);
+        CHECK(space.takeNewPairs() == SortedPairs{{a, b}});
+    }
+    space.hide(b);
+    space.remove(b);
+    CHECK(space.add(shapeOf({}), 3, false, {0, 0}, around({1, 0}, 1)) == b);
+    CHECK(space.takeNewPairs() == SortedPairs{{a, b}});
+}
+
+TEST_CASE("a shape that is fixed from now on pairs with what moves, and no more with what is fixed", "[space]") {
+    Space space;
+    const ProxyId a = space.add(shapeOf({}), 1, false, {0, 0}, around({0, 0}, 1));
+    const ProxyId b = space.add(shapeOf({}), 2, true, {0, 0}, around({1, 0}, 1));
+    const ProxyId c = space.add(shapeOf({}), 3, false, {0, 0}, around({0, 1}, 1));
+    CHECK(space.takeNewPairs().size() == 3);
+    space.change(a, true, {0, 0});
+    space.renew(a);
+    CHECK(space.takeNewPairs() == SortedPairs{{a, c}});
+    space.change(a, false, {0, 0});
+    space.renew(a);
+    CHECK(space.takeNewPairs() == SortedPairs{{a, b}, {a, c}});
+}
+
+TEST_CASE("a sensor pairs with a shape, and not with a sensor", "[space]") {
+    Space space;
+    ShapeDef sensor = shapeOf({});
+    sensor.sensor = true;
+    const ProxyId a = space.add(sensor, 1, false, {0, 0}, around({0, 0}, 1));
+    const ProxyId b = space.add(sensor, 2, false, {0, 0}, around({1, 0}, 1));
+    const ProxyId c = space.add(shapeOf({}), 3, false, {0, 0}, around({0, 1}, 1));
+    CHECK(space.takeNewPairs() == SortedPairs{{a, c}, {b, c}});
+}

@@ -79,11 +79,12 @@ bool isSolid(WorldState& world, ContactIndex index, const Face& face) {
     const Proxy& a = world.proxyA(contact);
     const Proxy& b = world.proxyB(contact);
     if (contact.verdict == Verdict::Open) {
-        contact.admitted = rulesAdmit(world, a, b, face);
         world.contacts.judged.push_back(index);
+        if (!rulesAdmit(world, a, b, face)) contact.verdict = Verdict::Refused;
     }
+    if (contact.verdict == Verdict::Refused) return false;
     const bool was = contact.verdict == Verdict::Solid;
-    const bool solid = contact.admitted && comesFromOpenSide(world, a, b, face, was);
+    const bool solid = comesFromOpenSide(world, a, b, face, was);
     contact.verdict = solid ? Verdict::Solid : Verdict::Through;
     return solid;
 }

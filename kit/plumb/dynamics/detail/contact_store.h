@@ -34,8 +34,13 @@ struct PointMemory {
 enum class Verdict : std::uint8_t {
     Open,     ///< not asked
     Solid,    ///< they may touch
-    Through,  ///< nothing is to come of their being near
+    Through,  ///< not from this side
+    Refused,  ///< a rule has said no
 };
+/// Is nothing to come of their being near?
+inline bool letsPass(Verdict verdict) {
+    return verdict == Verdict::Through || verdict == Verdict::Refused;
+}
 
 /// Two shapes whose boxes overlap. Asleep it is nowhere else; awake it is either near, looked at once a step, or, as
 /// soon as the shapes touch or may touch within the step, in a slot of the solver.
@@ -50,18 +55,17 @@ struct ContactRecord {
     bool touching = false;
     bool isolated = false;  ///< left to the impacts in this step, not to the solver
     bool ruled = false;     ///< a shape of the two has a rule or is solid one way only
-    bool admitted = false;  ///< what the rules have said, when there is a verdict
     bool met = false;       ///< of what is near: had a manifold in this step
+    bool watched = false;
     Verdict verdict = Verdict::Open;
     int colour = -1;  ///< where the solver has it: entry of ContactGraph.colours, and slot; -1: nowhere
     std::uint32_t slot = 0;
-    std::uint32_t nearIndex = none;  ///< slot in ContactStore.nearBoxes or nearOthers
-    bool watched = false;
-    Manifold manifold;                                                   ///< while it is not with the solver
-    std::array<PointMemory, 2> memory;                                   ///< likewise
-    float rollImpulse = 0;                                               ///< likewise
-    float approachSpeed = 0;                                             ///< at the last step's start [m/s]
-    double memoryStep = 0;                                               ///< the step that memory's totals are of [s]
+    std::uint32_t nearIndex = none;     ///< slot in ContactStore.nearBoxes or nearOthers
+    Manifold manifold;                  ///< while it is not with the solver
+    std::array<PointMemory, 2> memory;  ///< likewise
+    float rollImpulse = 0;              ///< likewise
+    float approachSpeed = 0;            ///< at the last step's start [m/s]
+    double memoryStep = 0;              ///< the step that memory's totals are of [s]
     std::array<ContactIndex, 2> previous{none, none}, next{none, none};  ///< in the lists of A and B
 };
 

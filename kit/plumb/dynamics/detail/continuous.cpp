@@ -154,7 +154,7 @@ public:
     void meet(ProxyId own, ProxyId other) {
         const bool ruled = hasRule(world_.space[own].def) || hasRule(world_.space[other].def);
         const Verdict verdict = ruled ? verdictOn(own, other) : Verdict::Solid;
-        if (verdict == Verdict::Through) return;
+        if (letsPass(verdict)) return;
         const BodyIndex wall = world_.space[other].owner;
         const Way wallWay = freeWay(world_, wall, past_);
         const Shape& shape = world_.space[own].def.shape;

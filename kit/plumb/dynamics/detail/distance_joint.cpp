@@ -43,7 +43,7 @@ JointRows DistanceJoint::rows(const Ends& now, const JointPass& pass) const {
 
 SpringLoad DistanceJoint::springLoad(const Ends& now) const {
     SpringLoad load;
-    if (def_.spring) addLoad(load, coordinateRow(now), *def_.spring);
+    if (def_.spring) addLoad(load, coordinateRow(now), *def_.spring, coordinate(now) - length_);
     return load;
 }
 

@@ -64,12 +64,14 @@ std::vector<JointIndex> HingeSweep::take(const std::vector<JointIndex>& joints, 
         batches_.insert(batches_.end(), filling.batches.begin(), filling.batches.end());
         jointOf_.insert(jointOf_.end(), filling.jointOf.begin(), filling.jointOf.end());
     }
+    generationOf_.clear();
+    for (const JointIndex joint : jointOf_) generationOf_.push_back(joint == none ? 0 : store[joint].generation);
     return left;
 }
 
 void HingeSweep::release(JointStore& store) const {
     for (std::size_t i = 0; i < jointOf_.size(); ++i) {
-        if (jointOf_[i] == none || store[jointOf_[i]].isFree()) continue;
+        if (jointOf_[i] == none || store[jointOf_[i]].generation != generationOf_[i]) continue;
         const HingeBatch& batch = batches_[i / batchLanes];
         const std::size_t lane = i % batchLanes;
         store[jointOf_[i]].impulse = {static_cast<double>(batch.impulseX[lane]),

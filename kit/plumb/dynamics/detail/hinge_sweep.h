@@ -26,7 +26,8 @@ public:
 
 private:
     std::vector<HingeBatch> batches_;
-    std::vector<JointIndex> jointOf_;  ///< batch * batchLanes + lane; none for an empty lane
+    std::vector<JointIndex> jointOf_;          ///< batch * batchLanes + lane; none for an empty lane
+    std::vector<std::uint32_t> generationOf_;  ///< of those joints
 };
 
 }  // namespace plumb

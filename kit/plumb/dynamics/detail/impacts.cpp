@@ -35,6 +35,8 @@ struct Meeting {
     std::optional<double> time;
     bool through = false;  ///< is let pass, as its rules say
     double approachSpeed = 0, normalImpulse = 0, tangentImpulse = 0;
+    double friction = 0, drivers = 0;  ///< energy that friction and what is not pushed have given [J]
+    Vec2 onA{0, 0};                    ///< impulse [N s]
     Distance where;
 };
 
@@ -90,10 +92,15 @@ std::vector<Vec2> touchingPoints(const WorldState& world, const ContactRecord& c
     return points;
 }
 
+/// What B was given at a point, along the normal and along perp(normal) [N s].
+struct PointImpulse {
+    Vec2 point{0, 0};
+    double normal = 0, tangent = 0;
+};
+
 /// Two points at once: each parts at its share of its own approach; found by turns until nothing changes.
-void partFace(const WorldState& world, Meeting& meeting, std::span<const Vec2> points, Flyer& a, Flyer& b,
-              const ImpactLaw& law) {
-    const Vec2 n = meeting.where.normal;
+std::vector<PointImpulse> partFace(const WorldState& world, const Vec2& n, std::span<const Vec2> points, Flyer& a,
+                                   Flyer& b, const ImpactLaw& law) {
     const auto speedAt = [&](const Vec2& p) {
         const BodyMotion& ma = a.flight.from;
         const BodyMotion& mb = b.flight.from;
@@ -137,9 +144,30 @@ void partFace(const WorldState& world, Meeting& meeting, std::span<const Vec2> p
             impulse.tangent = tangent;
         }
     }
-    for (const Impulse& impulse : impulses) {
-        meeting.normalImpulse += impulse.normal;
-        meeting.tangentImpulse += impulse.tangent;
+    std::vector<PointImpulse> given;
+    for (std::size_t i = 0; i < 2; ++i) given.push_back({points[i], impulses[i].normal, impulses[i].tangent});
+    return given;
+}
+
+Vec2 velocityAt(const BodyMotion& motion, const Vec2& point) {
+    return motion.velocity + perp(Vec2(point - motion.center)) * motion.angularVelocity;
+}
+
+/// What the impulses did to the energy, by the speeds before and after them, and to whom.
+void account(const WorldState& world, Meeting& meeting, const std::vector<PointImpulse>& given,
+             const std::array<BodyMotion, 2>& before, const std::array<BodyMotion, 2>& after) {
+    const ContactRecord& contact = world.contacts.contacts[meeting.contact];
+    const Vec2 n = meeting.where.normal, t = perp(n);
+    for (const PointImpulse& point : given) {
+        const Vec2 va = 0.5 * (velocityAt(before[0], point.point) + velocityAt(after[0], point.point));
+        const Vec2 vb = 0.5 * (velocityAt(before[1], point.point) + velocityAt(after[1], point.point));
+        const Vec2 impulse = n * point.normal + t * point.tangent;
+        meeting.normalImpulse += point.normal;
+        meeting.tangentImpulse += point.tangent;
+        meeting.friction += point.tangent * t.dot(vb - va);
+        if (!world.bodies.isDynamic(contact.bodyA)) meeting.drivers += impulse.dot(va);
+        if (!world.bodies.isDynamic(contact.bodyB)) meeting.drivers -= impulse.dot(vb);
+        meeting.onA -= impulse;
     }
 }
 
@@ -169,17 +197,27 @@ bool part(const WorldState& world, Meeting& meeting, Flyer& a, Flyer& b) {
     meeting.approachSpeed = std::max(meeting.approachSpeed, e.closingSpeed);
     const ImpactLaw law{contact.restitution, contact.friction};
     const std::vector<Vec2> points = touchingPoints(world, contact, a, b, e.distance);
+    std::vector<PointImpulse> given;
     if (points.size() == 2) {
-        partFace(world, meeting, points, a, b, law);
-        return true;
+        given = partFace(world, e.distance.normal, points, a, b, law);
+    } else {
+        const ImpactResult result =
+            impact(sideOf(world, a, points[0]), sideOf(world, b, points[0]), e.distance.normal, law);
+        apply(a, result.velocityA, result.angularVelocityA);
+        apply(b, result.velocityB, result.angularVelocityB);
+        given = {{points[0], result.normalImpulse, result.tangentImpulse}};
     }
-    const ImpactResult result =
-        impact(sideOf(world, a, points[0]), sideOf(world, b, points[0]), e.distance.normal, law);
-    apply(a, result.velocityA, result.angularVelocityA);
-    apply(b, result.velocityB, result.angularVelocityB);
-    meeting.normalImpulse += result.normalImpulse;
-    meeting.tangentImpulse += result.tangentImpulse;
+    account(world, meeting, given, {e.a, e.b}, {a.flight.from, b.flight.from});
     return true;
+}
+
+void tell(WorldState& world, const Meeting& m) {
+    if (!world.audit) return;
+    const ContactRecord& contact = world.contacts.contacts[m.contact];
+    const bool pushA = world.bodies.isDynamic(contact.bodyA), pushB = world.bodies.isDynamic(contact.bodyB);
+    world.audit->note(&EnergyLedger::friction, m.friction);
+    world.audit->note(&EnergyLedger::drivers, m.drivers);
+    if (pushA != pushB) world.audit->note(&MomentumLedger::ground, pushA ? m.onA : Vec2(-m.onA));
 }
 
 void commit(WorldState& world, const std::vector<Flyer>& flyers, const std::vector<Meeting>& meetings,
@@ -192,9 +230,12 @@ void commit(WorldState& world, const std::vector<Flyer>& flyers, const std::vect
         moveTo(world, f.body, end);
         record.flown = true;
     }
+    for (const Leg& leg : legs)
+        if (world.audit) world.audit->noteFlight(world, leg.body, leg.from, leg.to, leg.end - leg.start);
     world.legs.insert(world.legs.end(), legs.begin(), legs.end());
     for (const Meeting& m : meetings) {
         if (m.normalImpulse == 0) continue;
+        tell(world, m);
         ContactRecord& contact = world.contacts.contacts[m.contact];
         contact.memory[0].totalNormal = static_cast<float>(m.normalImpulse);
         contact.memory[0].totalTangent = static_cast<float>(m.tangentImpulse);

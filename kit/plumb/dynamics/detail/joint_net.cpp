@@ -79,10 +79,18 @@ double slopeOf(const JointRow& row, double w) {
     return row.damper * w > least ? exponentialMinus1(std::min(row.damper * w, most)) / w : 0.0;
 }
 
+/// All but what it holds, and where it stops.
+void giveNothing(JointRow& row) {
+    if (row.holds) return;
+    row.push = row.damper = row.low = row.high = 0;
+    row.bounded = false;
+}
+
 /// Before a sub-step, a damper goes by the speed there was.
 void dampAhead(JointRow& row, double w, double speed) {
     if (row.bounded || !(row.damper > 0) || !(w > 0)) return;
-    row.push += exponentialMinus1(-row.damper * w) / w * speed;
+    row.dampPush = exponentialMinus1(-row.damper * w) / w * speed;
+    row.push += row.dampPush;
     row.damper = 0;
 }
 
@@ -153,11 +161,13 @@ public:
         for (const JointIndex index : net.joints) {
             rows_.push_back(joints.rowsOf(index, bodies, pass));
             yields_.emplace_back();
+            states_.push_back(joints[index].states);
             for (std::size_t r = 0; r < rows_.back().count; ++r) {
                 JointRow& row = rows_.back().row[r];
                 yields_.back()[r] = yieldOf(bodies, rows_.back(), row);
+                if (pass.onlyHold) giveNothing(row);
                 if (pass.correct) dampAhead(row, yields_.back()[r], joints[index].speeds[r]);
-                if (!row.holds) joints[index].states[r] = soundState(row, joints[index].states[r]);
+                if (!row.holds) states_.back()[r] = soundState(row, states_.back()[r]);
             }
         }
         before_.reserve(net.bodies.size());
@@ -167,47 +177,93 @@ public:
         findMasses();
     }
 
-    void run() {
+    void run(Audit* audit, bool remember) {
         for (int turn = 0; turn < mostTurns; ++turn) {
             solve();
-            const bool changed = changeStates();
-            if (!findStiffness() && !changed) break;
+            if (!changeStates()) break;
         }
+        if (audit != nullptr) tell(*audit);
+        if (remember) noteStates();
         for (std::size_t b = 0; b < net_.bodies.size(); ++b) setVelocity(bodies_, net_.bodies[b], after_[b]);
         for (std::size_t j = 0; j < rows_.size(); ++j) addLoad(joints_.loads[net_.joints[j]], rows_[j], impulses_[j]);
+        findStiffness();
         for (std::size_t b = 0; b < net_.bodies.size(); ++b) slow(bodies_.record[net_.bodies[b]], needed_[b]);
     }
 
+    /// Not what the rows want, but that what they hold goes on as it does.
+    void push(BodyIndex body, const Vec3& impulse) {
+        after_ = before_;
+        const auto at = std::find(net_.bodies.begin(), net_.bodies.end(), body);
+        const auto node = static_cast<std::uint32_t>(at - net_.bodies.begin());
+        add(after_[node], answerOf(node, impulse));
+        for (std::size_t j = 0; j < rows_.size(); ++j) {
+            for (std::size_t r = 0; r < rows_[j].count; ++r) {
+                JointRow& row = rows_[j].row[r];
+                const double speed = speedOf(j, r, before_);
+                if (row.holds)
+                    row.target = speed;
+                else
+                    row = free(row, speed, stateOf(j, r));
+            }
+        }
+        solveFor();
+        for (std::size_t b = 0; b < net_.bodies.size(); ++b) setVelocity(bodies_, net_.bodies[b], after_[b]);
+        for (std::size_t j = 0; j < rows_.size(); ++j) addLoad(joints_.loads[net_.joints[j]], rows_[j], impulses_[j]);
+    }
+
 private:
+    void noteStates() const {
+        for (std::size_t j = 0; j < states_.size(); ++j) joints_[net_.joints[j]].states = states_[j];
+    }
+
+    /// A row at its stop stays there; another gives nothing more.
+    static JointRow free(JointRow row, double speed, RowState state) {
+        row.low = row.high = row.push = row.damper = 0;
+        row.bounded = !isStop(state);
+        if (isStop(state)) row.lowerStop = row.upperStop = row.target = speed;
+        return row;
+    }
+
+    void tell(Audit& audit) const {
+        for (std::size_t j = 0; j < rows_.size(); ++j) {
+            Vec3 before{}, after{}, slopes{};
+            for (std::size_t r = 0; r < rows_[j].count; ++r) {
+                before[r] = speedOf(j, r, before_);
+                after[r] = speedOf(j, r, after_);
+                slopes[r] = slopeOf(rows_[j].row[r], yields_[j][r]);
+            }
+            audit.noteRows(bodies_, rows_[j], impulses_[j], before, after, slopes);
+        }
+    }
+
     /// From the next step on, contacts see a body as heavy to turn as its joints do: else they would feed it.
     static void slow(BodyRecord& record, double inertia) {
         if (record.inverseInertia > 0) setRho(record, 1 / std::max(record.inertia, inertia));
     }
 
-    /// Of each body, and no less than its stiffness needs.
+    /// Of each body, as the step has them; what swings along x and y weighs no less than its stiffness needs.
     void findMasses() {
-        masses_.clear();
         masses_.reserve(net_.bodies.size());
-        bool tight = false;
         for (std::size_t b = 0; b < net_.bodies.size(); ++b) {
             const double mass = 1 / static_cast<double>(bodies_.velocity[net_.bodies[b]].inverseMass);
             const double rho = static_cast<double>(bodies_.turn[net_.bodies[b]].rho);
             const Vec3 needed = times(net_.stiffness[b], step_ * step_);
             const double linear = std::max({mass, needed[0], needed[1]});
             masses_.push_back({linear, linear, rho > 0 ? mass / (rho * rho) : 0.0});
-            tight = tight || 2 * needed[2] > masses_.back()[2];
         }
-        needed_.assign(masses_.size(), 0.0);
-        if (tight) slowDown();
     }
 
-    /// Inertia for those that are pulled back faster than can be followed.
-    void slowDown() {
-        const std::vector<double> company = companyOf();
+    /// Inertia for those that are pulled back faster than can be followed, from the next step on.
+    void findNeeded() {
+        needed_.assign(masses_.size(), 0.0);
+        bool tight = false;
         for (std::size_t b = 0; b < masses_.size(); ++b) {
-            needed_[b] = 2 * net_.stiffness[b][2] * step_ * step_ - company[b];
-            if (masses_[b][2] > 0) masses_[b][2] = std::max(masses_[b][2], needed_[b]);
+            needed_[b] = 2 * net_.stiffness[b][2] * step_ * step_;
+            tight = tight || needed_[b] > bodies_.record[net_.bodies[b]].inertia;
         }
+        if (!tight) return;
+        const std::vector<double> company = companyOf();
+        for (std::size_t b = 0; b < masses_.size(); ++b) needed_[b] -= company[b];
     }
 
     /// For each body, the least by which its neighbours, each free but for it, add to its inertia when it turns:
@@ -243,8 +299,8 @@ private:
         return 1 / (1 / masses_[node][0] + turning);
     }
 
-    /// By the forces of this pass; true when a line has become so tight that the pass is not to be believed.
-    bool findStiffness() {
+    /// By the forces of this pass.
+    void findStiffness() {
         // It falls slowly: one that follows the forces' every turn pumps up what swings (tried).
         std::vector<Vec3> fresh(net_.stiffness.size());
         const double rate = 2 / step_;  // impulses are of half a sub-step
@@ -264,17 +320,7 @@ private:
         for (std::size_t b = 0; b < fresh.size(); ++b)
             for (std::size_t i = 0; i < 3; ++i)
                 net_.stiffness[b][i] = std::max(fresh[b][i], kept * stiffnessBefore_[b][i]);
-        return haveMassesGrown();
-    }
-
-    bool haveMassesGrown() {
-        constexpr double unnoticed = 1.5;
-        const std::vector<Vec3> used = masses_;
-        findMasses();
-        for (std::size_t b = 0; b < used.size(); ++b)
-            for (std::size_t i = 0; i < 3; ++i)
-                if (masses_[b][i] > unnoticed * used[b][i]) return true;
-        return false;
+        findNeeded();
     }
 
     /// What a body of the net answers an impulse of (x, y, turn) with.
@@ -283,7 +329,7 @@ private:
         return {impulse[0] / mass[0], impulse[1] / mass[1], mass[2] > 0 ? impulse[2] / mass[2] : 0.0};
     }
 
-    RowState stateOf(std::size_t j, std::size_t r) const { return joints_[net_.joints[j]].states[r]; }
+    RowState stateOf(std::size_t j, std::size_t r) const { return states_[j][r]; }
     Wish wish(std::size_t j, std::size_t r) const { return wishOf(rows_[j].row[r], stateOf(j, r), yields_[j][r]); }
 
     double speedOf(std::size_t j, std::size_t r, const std::vector<Vec3>& velocities) const {
@@ -350,6 +396,11 @@ private:
 
     void solve() {
         giveKnown();
+        solveFor();
+    }
+
+    /// What takes after_ to where the rows want it.
+    void solveFor() {
         answer_.assign(net_.bodies.size() + rows_.size(), Vec3{});
         net_.solver.clear();
         fillBodies();
@@ -368,7 +419,7 @@ private:
             for (std::size_t r = 0; r < rows_[j].count; ++r) {
                 const JointRow& row = rows_[j].row[r];
                 if (row.holds) continue;
-                RowState& state = joints_[net_.joints[j]].states[r];
+                RowState& state = states_[j][r];
                 const RowState next = nextState(row, state, speedOf(j, r, after_), impulses_[j][r], yields_[j][r]);
                 changed = changed || next != state;
                 state = next;
@@ -380,9 +431,10 @@ private:
     JointNet& net_;
     JointStore& joints_;
     BodyStore& bodies_;
-    std::vector<JointRows> rows_;  ///< of the joints
-    std::vector<Vec3> yields_;     ///< what a unit impulse of theirs does to the rows' speeds
-    std::vector<Vec3> impulses_;   ///< of the rows
+    std::vector<JointRows> rows_;                         ///< of the joints
+    std::vector<std::array<RowState, mostRows>> states_;  ///< of the rows
+    std::vector<Vec3> yields_;                            ///< what a unit impulse of theirs does to the rows' speeds
+    std::vector<Vec3> impulses_;                          ///< of the rows
     double step_ = 0;
     std::vector<Vec3> stiffnessBefore_;
     std::vector<double> needed_;        ///< inertia of the bodies, for what they are pulled back by [kg m^2]
@@ -436,6 +488,12 @@ double soughtImpulse(const JointRow& row, double v, double old, double w) {
     return std::min(std::max(at, old - (v - row.lowerStop) / w), old - (v - row.upperStop) / w);
 }
 
+Vec3 speedsOf(const JointRows& rows, const BodyStore& bodies) {
+    Vec3 speeds{};
+    for (std::size_t r = 0; r < rows.count; ++r) speeds[r] = speedOf(rows, rows.row[r], bodies);
+    return speeds;
+}
+
 /// One joint of a net that is swept: first the rows that are driven or limited, one by one.
 void sweepJoint(JointRecord& record, JointLoad& load, const JointRows& rows, BodyStore& bodies, const Softness& soft) {
     for (std::size_t r = 0; r < rows.count; ++r) push(rows, rows.row[r], record.impulse[r], bodies);
@@ -456,13 +514,41 @@ void sweepJoint(JointRecord& record, JointLoad& load, const JointRows& rows, Bod
 
 void solveNet(JointNet& net, JointStore& joints, BodyStore& bodies, const NetPass& pass) {
     if (net.direct) {
-        Pass(net, joints, bodies, pass.direct).run();
+        Pass(net, joints, bodies, pass.direct).run(pass.audit, true);
         return;
     }
     net.hinges.solve(*pass.hingeSolver, bodies.solverBodies(), pass.hinges);
-    for (const JointIndex index : net.others)
-        sweepJoint(joints[index], joints.loads[index], joints.rowsOf(index, bodies, pass.swept), bodies,
-                   pass.hinges.soft);
+    for (const JointIndex index : net.others) {
+        const JointRows rows = joints.rowsOf(index, bodies, pass.swept);
+        const Vec3 before = speedsOf(rows, bodies);
+        sweepJoint(joints[index], joints.loads[index], rows, bodies, pass.hinges.soft);
+        if (pass.audit == nullptr) continue;
+        Vec3 slopes{};
+        for (std::size_t r = 0; r < rows.count; ++r)
+            slopes[r] = slopeOf(rows.row[r], yieldOf(bodies, rows, rows.row[r]));
+        pass.audit->noteRows(bodies, rows, joints[index].impulse, before, speedsOf(rows, bodies), slopes);
+    }
+}
+
+void holdNet(JointNet& net, JointStore& joints, BodyStore& bodies, JointPass pass, Audit* audit) {
+    // Once more, if the first time has changed the turning by so much that what it foresaw is not what will be.
+    constexpr double far = 0.02;
+    pass.onlyHold = true;
+    for (int time = 0; time < 3; ++time) {
+        std::vector<float> before;
+        for (const BodyIndex body : net.bodies) before.push_back(bodies.velocity[body].w);
+        Pass(net, joints, bodies, pass).run(audit, false);
+        bool changed = false;
+        for (std::size_t b = 0; b < net.bodies.size(); ++b) {
+            const float turn = (bodies.velocity[net.bodies[b]].w - before[b]) * bodies.turn[net.bodies[b]].rho;
+            changed = changed || std::fabs(static_cast<double>(turn)) * pass.step > far;
+        }
+        if (!changed) return;
+    }
+}
+
+void pushNet(JointNet& net, JointStore& joints, BodyStore& bodies, BodyIndex body, const Vec3& impulse, double h) {
+    Pass(net, joints, bodies, {h, false, 0, 0}).push(body, impulse);
 }
 
 }  // namespace plumb

@@ -19,6 +19,7 @@
 // What fills in too much, as a cloth of hinges does, is swept instead, joint by joint, with soft corrections and the
 // impulses of the step before as a first guess.
 #pragma once
+#include <plumb/dynamics/detail/audit.h>
 #include <plumb/dynamics/detail/block_solver.h>
 #include <plumb/dynamics/detail/hinge_sweep.h>
 #include <plumb/dynamics/detail/joint_store.h>
@@ -49,6 +50,7 @@ struct NetPass {
     JointPass swept;
     HingePass hinges;
     const HingeSolver* hingeSolver = nullptr;
+    Audit* audit = nullptr;  ///< keeps account, if there is one
 };
 
 /// The nets of the joints that act and have a body awake, in the order of their first joints.
@@ -59,5 +61,11 @@ void keepStiffness(const std::vector<JointNet>& before, std::vector<JointNet>& n
 
 /// Changes velocities to what the joints ask for, and adds to their loads.
 void solveNet(JointNet& net, JointStore& joints, BodyStore& bodies, const NetPass& pass);
+
+/// Of a net that is solved at once: takes out what contacts have done to what the joints hold.
+void holdNet(JointNet& net, JointStore& joints, BodyStore& bodies, JointPass pass, Audit* audit);
+
+/// Gives a body of a net that is solved at once an impulse (x, y, turning), and all of the net what follows from it.
+void pushNet(JointNet& net, JointStore& joints, BodyStore& bodies, BodyIndex body, const Vec3& impulse, double h);
 
 }  // namespace plumb

@@ -110,9 +110,9 @@ void pull(JointRow& row, const Spring& spring, double stretch, const JointPass& 
     row.damper = spring.damping * (0.5 * pass.step);
 }
 
-void addLoad(SpringLoad& load, const JointRow& row, const Spring& spring, bool heldTurn) {
+void addLoad(SpringLoad& load, const JointRow& row, const Spring& spring, double stretch, bool heldTurn) {
     SpringLoad::Row& added = load.row[load.count++];
-    added = {{row.at[0], row.at[1]}, spring.stiffness};
+    added = {{row.at[0], row.at[1]}, spring.stiffness, stretch};
     if (heldTurn) added.at[0][2] = added.at[1][2] = 0;
 }
 

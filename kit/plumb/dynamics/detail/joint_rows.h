@@ -37,6 +37,7 @@ struct JointRow {
     double lowerStop = -unlimited, upperStop = unlimited;  ///< [m/s or rad/s]
     bool holds = true;     ///< nothing but the target, with all the impulse that it takes
     double push = 0;       ///< of a spring [N s or N m s]
+    double dampPush = 0;   ///< the part of push that is a damper's [N s or N m s]
     double damper = 0;     ///< c h / 2 [N s^2/m or N m s^2]
     bool bounded = false;  ///< low and high bound spring and damper; there is no target, and no stop
 };
@@ -59,9 +60,11 @@ struct SpringLoad {
     struct Row {
         std::array<Vec3, 2> at{};
         double stiffness = 0;  ///< [N/m or N m/rad]
+        double stretch = 0;    ///< [m or rad]
     };
     std::size_t count = 0;
     std::array<Row, mostRows> row;
+    double mostForce = unlimited;  ///< of all of them together [N]
 };
 
 /// What a joint is told when it is asked for its rows.
@@ -70,6 +73,7 @@ struct JointPass {
     bool correct = true;     ///< before the sub-step: errors are to be gone after it; after it: only velocities
     double rate = 0;         ///< share of an error that is to be gone [1/s]
     double fastest = 0;      ///< that an error is taken back [m/s]
+    bool onlyHold = false;   ///< what is driven or sprung does nothing, but for its stops
     double springShare = 1;  ///< of springs' stiffness (see joint_springs.h)
 };
 
@@ -106,6 +110,6 @@ void holdPoint(JointRows& rows, const Ends& now, const Ends& later, const JointP
 /// Adds a spring to a row, stretched by so much, beside what else there is on it.
 void pull(JointRow& row, const Spring& spring, double stretch, const JointPass& pass);
 /// And to its load; heldTurn: the joint lets nothing turn, so that turning is no way out for the spring.
-void addLoad(SpringLoad& load, const JointRow& row, const Spring& spring, bool heldTurn = false);
+void addLoad(SpringLoad& load, const JointRow& row, const Spring& spring, double stretch, bool heldTurn = false);
 
 }  // namespace plumb

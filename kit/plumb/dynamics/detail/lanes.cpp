@@ -54,4 +54,19 @@ void setFresh(FreshLanes& fresh, std::size_t lane, const Manifold& manifold) {
     }
 }
 
+void renewRho(WorldState& world, BodyIndex body) {
+    const float rho = world.bodies.record[body].rho;
+    forEachContact(world.bodies, world.contacts, body, [&](ContactIndex index) {
+        const ContactRecord& contact = world.contacts.contacts[index];
+        if (contact.colour < 0) return;
+        Colour& colour = world.graph.colours[static_cast<std::size_t>(contact.colour)];
+        ContactBatch& batch = colour.batches[contact.slot / batchLanes];
+        const std::size_t lane = contact.slot % batchLanes;
+        const bool isA = contact.bodyA == body;
+        (isA ? batch.rollRhoA : batch.rollRhoB)[lane] = rho;
+        (isA ? batch.roundA : batch.roundB)[lane] =
+            rho * (isA ? world.proxyA(contact) : world.proxyB(contact)).convex.radius;
+    });
+}
+
 }  // namespace plumb

@@ -12,4 +12,7 @@ void fillLane(const WorldState& world, const ContactRecord& contact, ContactBatc
 /// Puts a manifold where the kernels find it.
 void setFresh(FreshLanes& fresh, std::size_t lane, const Manifold& manifold);
 
+/// A body has become as heavy to turn as its joints need: so its contacts' lanes are to have it.
+void renewRho(WorldState& world, BodyIndex body);
+
 }  // namespace plumb

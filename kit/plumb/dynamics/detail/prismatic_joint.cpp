@@ -28,7 +28,7 @@ JointRows PrismaticJoint::rows(const Ends& now, const JointPass& pass) const {
 
 SpringLoad PrismaticJoint::springLoad(const Ends& now) const {
     SpringLoad load;
-    if (def_.spring) addLoad(load, coordinateRow(now), *def_.spring, true);
+    if (def_.spring) addLoad(load, coordinateRow(now), *def_.spring, coordinate(now) - def_.restShift, true);
     return load;
 }
 

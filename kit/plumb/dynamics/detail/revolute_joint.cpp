@@ -23,9 +23,9 @@ JointRows RevoluteJoint::rows(const Ends& now, const JointPass& pass) const {
     return rows;
 }
 
-SpringLoad RevoluteJoint::springLoad(const Ends&) const {
+SpringLoad RevoluteJoint::springLoad(const Ends& now) const {
     SpringLoad load;
-    if (def_.spring) addLoad(load, rowTurning(), *def_.spring);
+    if (def_.spring) addLoad(load, rowTurning(), *def_.spring, coordinate(now) - def_.restAngle);
     return load;
 }
 

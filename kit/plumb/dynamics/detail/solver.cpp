@@ -6,6 +6,8 @@
 
 #include <plumb/dynamics/detail/body_solver.h>
 #include <plumb/dynamics/detail/contact_solver.h>
+#include <plumb/dynamics/detail/joint_impacts.h>
+#include <plumb/dynamics/detail/lanes.h>
 
 namespace plumb {
 
@@ -88,8 +90,22 @@ void prepareJoints(WorldState& world, double dt) {
     world.springs.share(world.joints, world.bodies, dt / world.def.solver.subSteps);
 }
 
-void solveJoints(WorldState& world, const NetPass& pass) {
-    for (JointNet& net : world.nets) solveNet(net, world.joints, world.bodies, pass);
+Vec2 momentumOf(const WorldState& world, const JointNet& net) {
+    Vec2 sum(0, 0);
+    for (const BodyIndex body : net.bodies) {
+        const SolverVelocity& v = world.bodies.velocity[body];
+        sum += world.bodies.record[body].mass * Vec2(static_cast<double>(v.x), static_cast<double>(v.y));
+    }
+    return sum;
+}
+
+void solveJoints(WorldState& world, NetPass pass) {
+    pass.audit = world.audit.get();
+    for (JointNet& net : world.nets) {
+        const Vec2 before = pass.audit != nullptr ? momentumOf(world, net) : Vec2(0, 0);
+        solveNet(net, world.joints, world.bodies, pass);
+        if (pass.audit != nullptr) pass.audit->noteGround(momentumOf(world, net) - before);
+    }
 }
 
 /// What all of the solver's phases need.
@@ -100,9 +116,11 @@ struct Solving {
     const BodySolver& mover;
     std::vector<BodyIndex> solved;
     Pass pass;
+    std::vector<ContactIndex> bounces;  ///< of what hangs on joints
 };
 
-/// What stands on something fixed stands twice as stiffly: the ground does not give.
+/// What stands on something fixed stands twice as stiffly: the ground does not give. Calls solve(solver, batches,
+/// count, pass, entry of the graph's colours).
 template <class Solve>
 void forEachColour(Solving& solving, Solve&& solve) {
     auto& colours = solving.world.graph.colours;
@@ -112,29 +130,75 @@ void forEachColour(Solving& solving, Solve&& solve) {
         const int colour = colourAt(index);
         const bool ground = colour >= fixedColour && colour != overflowColour;
         const ContactSolver& solver = colour == overflowColour ? scalarContactSolver : solving.contacts;
-        solve(solver, batches.data(), batches.size(), ground ? solving.pass.groundContacts : solving.pass.contacts);
+        solve(solver, colours[index], ground ? solving.pass.groundContacts : solving.pass.contacts, index);
     }
 }
 
 void solveHalf(Solving& solving, const NetPass& joints, bool first) {
+    WorldState& world = solving.world;
     const std::uint32_t* list = solving.solved.data();
-    if (joints.direct.correct)
-        solving.world.springs.noteSpeeds(solving.world.joints, solving.world.bodies, joints.direct.step);
+    if (joints.direct.correct) world.springs.noteSpeeds(world.joints, world.bodies, joints.direct.step);
+    if (world.audit) world.audit->beforeKick(world, solving.solved);
     kickBodies(list, solving.solved.size(), solving.bodies, first);
-    if (solving.world.awakeJoints.empty()) return;
-    solveJoints(solving.world, joints);
+    if (world.audit) world.audit->afterKick(world);
+    if (world.awakeJoints.empty()) return;
+    solveJoints(world, joints);
+    if (!solving.bounces.empty()) bounceHanging(world, solving.bounces, joints.direct.step);
     markBodies(list, solving.solved.size(), solving.bodies);
 }
 
+/// One way of going over all contacts: a function of ContactSolver.
+using ContactWork = void (*ContactSolver::*)(ContactBatch*, std::size_t, const SolverBodies&, const ContactPass&);
+
+void solveContacts(Solving& solving, ContactWork work) {
+    forEachColour(solving,
+                  [&](const ContactSolver& solver, Colour& colour, const ContactPass& pass, std::size_t index) {
+                      if (solving.world.audit)
+                          solving.world.audit->solveContacts(solving.world, scalarContactSolver.*work, index, pass);
+                      else
+                          (solver.*work)(colour.batches.data(), colour.batches.size(), solving.bodies, pass);
+                  });
+}
+
+void bounceContacts(Solving& solving) {
+    forEachColour(solving, [&](const ContactSolver& solver, Colour& colour, const ContactPass&, std::size_t index) {
+        if (solving.world.audit)
+            solving.world.audit->bounceContacts(solving.world, index);
+        else
+            solver.bounce(colour.batches.data(), colour.batches.size(), solving.bodies);
+    });
+}
+
+/// The joints have the last word before bodies move: a blow on a plank of a bridge is a blow on the bridge. What they
+/// take out is not what the contacts have done, and so not in their next first guess.
+void holdAgain(Solving& solving) {
+    WorldState& world = solving.world;
+    BodyStore& bodies = world.bodies;
+    for (JointNet& net : world.nets) {
+        const auto touched = [&](BodyIndex body) { return bodies.record[body].solverContacts > 0; };
+        if (!net.direct || std::none_of(net.bodies.begin(), net.bodies.end(), touched)) continue;
+        std::vector<SolverVelocity> was;
+        for (const BodyIndex body : net.bodies) was.push_back(bodies.velocity[body]);
+        const Vec2 momentum = world.audit ? momentumOf(world, net) : Vec2(0, 0);
+        holdNet(net, world.joints, bodies, solving.pass.solveJoints.direct, world.audit.get());
+        if (world.audit) world.audit->noteGround(momentumOf(world, net) - momentum);
+        for (std::size_t i = 0; i < net.bodies.size(); ++i) {
+            const SolverVelocity& now = bodies.velocity[net.bodies[i]];
+            SolverVelocity& before = bodies.before[net.bodies[i]];
+            before.x += now.x - was[i].x;
+            before.y += now.y - was[i].y;
+            before.w += now.w - was[i].w;
+        }
+    }
+}
+
 void subStep(Solving& solving, bool first) {
-    const SolverBodies& bodies = solving.bodies;
     solveHalf(solving, solving.pass.solveJoints, first);
-    forEachColour(solving, [&](const ContactSolver& solver, ContactBatch* batches, std::size_t count,
-                               const ContactPass& pass) { solver.solve(batches, count, bodies, pass); });
-    solving.mover.move(solving.solved.data(), solving.solved.size(), bodies, solving.pass.step);
+    solveContacts(solving, &ContactSolver::solve);
+    holdAgain(solving);
+    solving.mover.move(solving.solved.data(), solving.solved.size(), solving.bodies, solving.pass.step);
     solveHalf(solving, solving.pass.relaxJoints, false);
-    forEachColour(solving, [&](const ContactSolver& solver, ContactBatch* batches, std::size_t count,
-                               const ContactPass& pass) { solver.relax(batches, count, bodies, pass); });
+    solveContacts(solving, &ContactSolver::relax);
 }
 
 void markPushed(WorldState& world) {
@@ -167,6 +231,12 @@ Rot turnedOn(const BodyMotion& motion, double turn) {
     return turned;
 }
 
+/// What joints have made heavier to turn keeps its momentum: else it would be fed.
+double slowerBy(const BodyStore& bodies, BodyIndex body) {
+    const double rho = static_cast<double>(bodies.record[body].rho), was = static_cast<double>(bodies.turn[body].rho);
+    return rho < was ? rho / was * (rho / was) : 1.0;
+}
+
 void storeBodies(Solving& solving) {
     BodyStore& bodies = solving.world.bodies;
     for (const BodyIndex body : solving.solved) {
@@ -177,7 +247,8 @@ void storeBodies(Solving& solving) {
         const SolverDisplacement& d = bodies.displacement[body];
         motion.center += Vec2(static_cast<double>(d.x), static_cast<double>(d.y));
         motion.velocity = {static_cast<double>(v.x), static_cast<double>(v.y)};
-        motion.angularVelocity = static_cast<double>(v.w * bodies.turn[body].rho);
+        motion.angularVelocity = static_cast<double>(v.w * bodies.turn[body].rho) * slowerBy(bodies, body);
+        if (bodies.record[body].rho != bodies.turn[body].rho) renewRho(solving.world, body);
         const double turn = static_cast<double>(bodies.turn[body].angle);
         motion.angle += turn;
         motion.rotation = turnedOn(motion, turn);
@@ -197,18 +268,21 @@ void solveConstraints(WorldState& world, double dt) {
                     contactSolver(lanes),
                     bodySolver(lanes),
                     solvedBodies(world),
-                    passOf(world.def.solver, h)};
+                    passOf(world.def.solver, h),
+                    {}};
     if (solving.solved.empty()) return;
     prepareJoints(world, dt);
-    const SolverBodies& bodies = solving.bodies;
-    forEachColour(solving, [&](const ContactSolver& solver, const ContactBatch* batches, std::size_t count,
-                               const ContactPass&) { solver.gatherWarmStart(batches, count, bodies); });
+    solving.bounces = takeHangingBounces(world);
+    if (world.audit) world.audit->begin(world);
+    forEachColour(solving, [&](const ContactSolver& solver, const Colour& colour, const ContactPass&, std::size_t) {
+        solver.gatherWarmStart(colour.batches.data(), colour.batches.size(), solving.bodies);
+    });
     for (int i = 0; i < subSteps; ++i) subStep(solving, i == 0);
-    forEachColour(solving, [&](const ContactSolver& solver, ContactBatch* batches, std::size_t count,
-                               const ContactPass&) { solver.bounce(batches, count, bodies); });
+    bounceContacts(solving);
     for (const JointNet& net : world.nets) net.hinges.tellLoads(world.joints);
     markPushed(world);
     storeBodies(solving);
+    if (world.audit) world.audit->end(world, solving.solved, dt);
 }
 
 }  // namespace plumb

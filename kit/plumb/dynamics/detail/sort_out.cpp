@@ -63,8 +63,8 @@ void addWatched(WorldState& world, std::vector<ContactIndex>& candidates) {
             if (!world.bodies.isDynamic(body)) continue;
             forEachContact(world.bodies, world.contacts, body, [&](ContactIndex index) {
                 ContactRecord& contact = world.contacts.contacts[index];
-                const bool free = bodiesReady(world, contact) && !isConstrained(world, contact) &&
-                                  contact.verdict != Verdict::Through;
+                const bool free =
+                    bodiesReady(world, contact) && !isConstrained(world, contact) && !letsPass(contact.verdict);
                 if (contact.isolated || !free) return;
                 contact.isolated = true;
                 candidates.push_back(index);

@@ -34,7 +34,8 @@ JointRows TargetJoint::rows(const Ends& now, const JointPass& pass) const {
 
 SpringLoad TargetJoint::springLoad(const Ends& now) const {
     SpringLoad load;
-    for (const Vec2& axis : axes(now)) addLoad(load, rowAlong(axis, now), spring_);
+    for (const Vec2& axis : axes(now)) addLoad(load, rowAlong(axis, now), spring_, axis.dot(now.apart()));
+    load.mostForce = def_.maxForce;
     return load;
 }
 

@@ -25,8 +25,8 @@ JointRows WeldJoint::rows(const Ends& now, const JointPass& pass) const {
 SpringLoad WeldJoint::springLoad(const Ends& now) const {
     SpringLoad load;
     for (const int axis : {0, 1})
-        if (def_.spring) addLoad(load, rowAlong(Vec2::Unit(axis), now), *def_.spring, !def_.bending);
-    if (def_.bending) addLoad(load, rowTurning(), *def_.bending);
+        if (def_.spring) addLoad(load, rowAlong(Vec2::Unit(axis), now), *def_.spring, now.apart()[axis], !def_.bending);
+    if (def_.bending) addLoad(load, rowTurning(), *def_.bending, coordinate(now));
     return load;
 }
 

@@ -29,7 +29,7 @@ JointRows WheelJoint::rows(const Ends& now, const JointPass& pass) const {
 
 SpringLoad WheelJoint::springLoad(const Ends& now) const {
     SpringLoad load;
-    if (def_.spring) addLoad(load, coordinateRow(now), *def_.spring);
+    if (def_.spring) addLoad(load, coordinateRow(now), *def_.spring, coordinate(now) - def_.restShift);
     return load;
 }
 

@@ -2,9 +2,11 @@
 // What is a world made of, behind its door?
 #pragma once
 #include <map>
+#include <memory>
 
 #include <vector>
 
+#include <plumb/dynamics/detail/audit.h>
 #include <plumb/dynamics/detail/body_store.h>
 #include <plumb/dynamics/detail/contact_graph.h>
 #include <plumb/dynamics/detail/contact_store.h>
@@ -59,6 +61,7 @@ struct WorldState {
     std::vector<BodyIndex> unsound;      ///< to be put in quarantine
     std::vector<ContactIndex> isolated;  ///< contacts left to the impacts in the last step that had such
     const LaneCollider* collider = nullptr;
+    std::unique_ptr<Audit> audit;  ///< if WorldDef.ledger asks for one
     Strays strays;
 
     BodyId idOf(BodyIndex body) const { return {body, bodies.record[body].generation, id}; }

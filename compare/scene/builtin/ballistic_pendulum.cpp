@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include <compare/closed_form/ballistic_pendulum.h>
+#include <compare/closed_form/pendulum.h>
+#include <compare/scene/builtin/parts.h>
+#include <compare/scene/builtin/scenes.h>
+
+namespace plumb::compare {
+namespace {
+
+constexpr double height = 0.1;   // half of the block's [m]
+constexpr double radius = 0.05;  // of the bullet [m]
+constexpr double inside = 0.4;   // half of the room in the block [m]
+
+/// A block with room for a bullet: a floor, and a wall at either end.
+SceneBody block(double mass) {
+    const Material smooth{.friction = 0};
+    const ShapeDef floor{boxPolygon({inside + 0.2, 0.05}, {0, -height}), smooth};
+    const ShapeDef front{boxPolygon({0.1, height}, {inside + 0.1, 0}), smooth};
+    const ShapeDef back{boxPolygon({0.1, height}, {-inside - 0.1, 0}), smooth};
+    return {"block", {.canSleep = false, .mass = Mass{mass, {0, 0}, mass / 10}, .shapes = {floor, front, back}}};
+}
+
+SceneJoint rod(const std::string& name, const Vec2& hold, double length) {
+    return {name, "pivot", "block", DistanceJointDef{.anchorA = hold + Vec2(0, length), .anchorB = hold}};
+}
+
+}  // namespace
+
+Scene ballisticPendulum() {
+    const BallisticPendulum shot{.bullet = 0.1, .block = 1, .speed = 10, .length = 1, .gravity = gravity};
+    const double impact = 3.0 / 60;  // at a step's end, so that each engine has it there [s]
+    const Vec2 hit(inside - radius, 0.05 - height + radius), approach(shot.speed, 0);
+    const Material lead{.density = discDensity(shot.bullet, radius), .friction = 0};
+    PendulumMotion swing{.body = "block",
+                         .pivot = {0, shot.length},
+                         .length = shot.length,
+                         .equivalentLength = shot.length,
+                         .gravity = gravity,
+                         .amplitude = amplitudeOf(shot),
+                         .turns = false,
+                         .from = impact};
+    PendulumMotion bullet = swing;
+    bullet.body = "bullet";
+    bullet.pivot = hit + swing.pivot;
+    bullet.approach = approach;
+    const double half = periodOf({shot.length, gravity, swing.amplitude}) / 2;
+    return {
+        .name = "ballistic_pendulum",
+        .question = "How high does a block of 1 kg on two rods swing that stops 100 g at 10 m/s?",
+        .duration = impact + half,
+        .bodies = {pivotBody({0, shot.length}),
+                   block(shot.block),
+                   {"bullet",
+                    {.position = hit - impact * approach,
+                     .velocity = approach,
+                     .canSleep = false,
+                     .shapes = {circle(radius, lead)}}}},
+        .joints = {rod("left_rod", {-inside, 0}, shot.length), rod("right_rod", {inside, 0}, shot.length)},
+        .closedForm = ClosedForm{.formula = "h = (m v / (m + M))^2 / (2 g), then a pendulum",
+                                 .source = "Robins 1742: the impact keeps momentum, the swing energy",
+                                 .bodies = {swing, bullet}},
+        .probes = {{.name = "rise",
+                    .quantity = PositionProbe{"block", {0, 1}},
+                    .expected = riseOf(shot),
+                    .unit = "m",
+                    .watch = Watch::Largest}},
+        .checks = {ExactCheck{4e-3, "an impact put off by one sub-step of 1/240 s at 0.91 m/s"},
+                   invariant("probe.rise", 0.01 * riseOf(shot), "1 % of the rise, half of that of the speed")},
+    };
+}
+
+}  // namespace plumb::compare

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// How does a complaint about what a scene names read?
+#pragma once
+#include <algorithm>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <compare/scene/nearest.h>
+#include <plumb/math/check.h>
+
+namespace plumb::compare {
+
+inline std::string at(const std::string& list, std::size_t index) {
+    return list + "[" + std::to_string(index) + "]";
+}
+
+inline std::string quoted(const std::string& name) {
+    return "\"" + name + "\"";
+}
+
+/// what: "a body", "an engine".
+inline void requireKnown(const std::string& name, std::span<const std::string> known, const std::string& field,
+                         const std::string& what) {
+    if (std::ranges::find(known, name) != known.end()) return;
+    const std::string hint = known.empty() ? "there is none" : "the nearest is " + nearest(name, known);
+    refuse(field, quoted(name) + " is not the name of " + what + ", " + hint);
+}
+
+template <class Named>
+std::vector<std::string> namesOf(const std::vector<Named>& things) {
+    std::vector<std::string> names;
+    for (const Named& thing : things) names.push_back(thing.name);
+    return names;
+}
+
+}  // namespace plumb::compare

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/detail/audit.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <plumb/dynamics/detail/world_state.h>
+
+namespace plumb {
+
+namespace {
+
+double kineticOf(const BodyRecord& body, const Vec2& velocity, double spin) {
+    return 0.5 * body.mass * velocity.squaredNorm() +
+           (body.inverseInertia > 0 ? 0.5 * body.inertia * spin * spin : 0.0);
+}
+
+double gravitationalOf(const BodyRecord& body, const Vec2& center, const Vec2& gravity) {
+    return -body.mass * body.gravityScale * gravity.dot(center);
+}
+
+double springEnergyOf(const SpringLoad& load) {
+    double squares = 0, energy = 0, stiffness = 0;
+    for (std::size_t r = 0; r < load.count; ++r) {
+        const SpringLoad::Row& row = load.row[r];
+        energy += 0.5 * row.stiffness * row.stretch * row.stretch;
+        squares += row.stretch * row.stretch;
+        stiffness = row.stiffness;
+    }
+    const double stretch = std::sqrt(squares);
+    if (stiffness * stretch <= load.mostForce) return energy;
+    return load.mostForce * (stretch - 0.5 * load.mostForce / stiffness);  // one that pulls no harder
+}
+
+/// The speed of a contact's point on one body along an axis, its arm's part times rho given.
+double speedAlong(const SolverVelocity& v, double x, double y, double turn) {
+    return x * static_cast<double>(v.x) + y * static_cast<double>(v.y) + turn * static_cast<double>(v.w);
+}
+
+Vec2 velocityOf(const SolverVelocity& v) {
+    return {static_cast<double>(v.x), static_cast<double>(v.y)};
+}
+
+}  // namespace
+
+/// One contact: its impulses, and the velocities of its bodies.
+struct Audit::Lane {
+    const ContactBatch& batch;
+    std::size_t lane;
+    SolverVelocity a, b;
+    double normal[2] = {0, 0}, tangent[2] = {0, 0}, roll = 0;
+
+    Lane(const ContactBatch& from, std::size_t at, const std::vector<SolverVelocity>& velocities)
+        : batch(from), lane(at), a(velocities[from.bodyA[at]]), b(velocities[from.bodyB[at]]) {
+        for (std::size_t p = 0; p < 2; ++p) {
+            normal[p] = static_cast<double>(batch.points[p].normalImpulse[lane]);
+            tangent[p] = static_cast<double>(batch.points[p].tangentImpulse[lane]);
+        }
+        roll = static_cast<double>(batch.rollImpulse[lane]);
+    }
+    double nx() const { return static_cast<double>(batch.normalX[lane]); }
+    double ny() const { return static_cast<double>(batch.normalY[lane]); }
+    // Along the normal, and along the tangent (-ny, nx), of a point on A and on B.
+    double normalA(std::size_t p) const {
+        return speedAlong(a, nx(), ny(), -static_cast<double>(batch.points[p].anchorTangentA[lane]));
+    }
+    double normalB(std::size_t p) const {
+        return speedAlong(b, nx(), ny(), -static_cast<double>(batch.points[p].anchorTangentB[lane]));
+    }
+    double tangentA(std::size_t p) const {
+        return speedAlong(a, -ny(), nx(), static_cast<double>(batch.points[p].anchorNormalA[lane]));
+    }
+    double tangentB(std::size_t p) const {
+        return speedAlong(b, -ny(), nx(), static_cast<double>(batch.points[p].anchorNormalB[lane]));
+    }
+    double rollA() const { return static_cast<double>(batch.rollRhoA[lane] * a.w); }
+    double rollB() const { return static_cast<double>(batch.rollRhoB[lane] * b.w); }
+};
+
+void Audit::note(Energy entry, double energy) {
+    ledger_.energy.*entry += energy;
+    notedEnergy_ += energy;
+}
+
+void Audit::note(Momentum entry, const Vec2& momentum) {
+    ledger_.momentum.*entry += momentum;
+    notedMomentum_ += momentum;
+}
+
+void Audit::book(const WorldState& world, Energy energy, Momentum momentum) {
+    EnergyLedger& e = ledger_.energy;
+    e.kinetic = e.gravitational = e.spring = 0;
+    Vec2 sum(0, 0);
+    for (BodyIndex body = 1; body < world.bodies.record.size(); ++body) {
+        const BodyRecord& record = world.bodies.record[body];
+        if (!record.alive || record.type != BodyType::Dynamic) continue;
+        const BodyMotion& motion = world.bodies.motion[body];
+        e.kinetic += kineticOf(record, motion.velocity, motion.angularVelocity);
+        e.gravitational += gravitationalOf(record, motion.center, world.def.gravity);
+        sum += record.mass * motion.velocity;
+    }
+    for (JointIndex joint = 0; joint < world.joints.records.size(); ++joint)
+        if (world.joints.hasSpring(joint)) e.spring += springEnergyOf(world.joints.springLoadOf(joint, world.bodies));
+    e.*energy += (e.stored() - energy_) - notedEnergy_;
+    ledger_.momentum.*momentum += (sum - momentum_) - notedMomentum_;
+    ledger_.momentum.momentum = momentum_ = sum;
+    energy_ = e.stored();
+    notedEnergy_ = 0;
+    notedMomentum_.setZero();
+}
+
+void Audit::noteFlight(const WorldState& world, BodyIndex body, const BodyMotion& from, const BodyMotion& to,
+                       double time) {
+    const BodyRecord& record = world.bodies.record[body];
+    if (record.type != BodyType::Dynamic) return;
+    const double work = record.force.dot(to.center - from.center) + record.torque * (to.angle - from.angle);
+    const Vec2 pull = record.mass * record.gravityScale * world.def.gravity * time, push = record.force * time;
+    note(&EnergyLedger::forces, work);
+    note(&MomentumLedger::gravity, pull);
+    note(&MomentumLedger::forces, push);
+    if (record.linearDamping == 0 && record.angularDamping == 0) return;
+    const auto energyAt = [&](const BodyMotion& m) {
+        return kineticOf(record, m.velocity, m.angularVelocity) + gravitationalOf(record, m.center, world.def.gravity);
+    };
+    note(&EnergyLedger::damping, energyAt(to) - energyAt(from) - work);
+    note(&MomentumLedger::damping, record.mass * (to.velocity - from.velocity) - pull - push);
+}
+
+void Audit::begin(const WorldState& world) {
+    dampedEnergy_.assign(world.bodies.record.size(), 0.0);
+    dampedMomentum_.assign(world.bodies.record.size(), Vec2(0, 0));
+}
+
+void Audit::beforeKick(const WorldState& world, const std::vector<BodyIndex>& solved) {
+    const double half = 0.5 * world.lastStep / world.def.solver.subSteps;
+    unwarmed_ = world.bodies.velocity;
+    for (const BodyIndex body : solved) {
+        SolverVelocity& v = unwarmed_[body];
+        const Kick& kick = world.bodies.kick[body];
+        const BodyRecord& record = world.bodies.record[body];
+        const double rho = static_cast<double>(world.bodies.turn[body].rho);
+        const double before = kineticOf(record, velocityOf(v), static_cast<double>(v.w) * rho);
+        const Vec2 start = velocityOf(v);
+        v = {v.x * kick.keep.x, v.y * kick.keep.y, v.w * kick.keep.w, v.inverseMass};
+        dampedEnergy_[body] += kineticOf(record, velocityOf(v), static_cast<double>(v.w) * rho) - before;
+        dampedMomentum_[body] += record.mass * (velocityOf(v) - start);
+        const Vec2 gain(static_cast<double>(kick.gain.x), static_cast<double>(kick.gain.y));
+        const Vec2 pull = record.mass * record.gravityScale * world.def.gravity + record.force;
+        if (record.linearDamping > 0) dampedMomentum_[body] += record.mass * gain - pull * half;
+        v = {v.x + kick.gain.x, v.y + kick.gain.y, v.w + kick.gain.w, v.inverseMass};
+    }
+}
+
+void Audit::afterKick(const WorldState& world) {
+    for (std::size_t index = 0; index < world.graph.colours.size(); ++index) {
+        const Colour& colour = world.graph.colours[index];
+        for (std::size_t slot = 0; slot < colour.contactOf.size(); ++slot) {
+            const ContactBatch& batch = colour.batches[slot / batchLanes];
+            const std::size_t lane = slot % batchLanes;
+            Lane before(batch, lane, unwarmed_);
+            std::fill(std::begin(before.normal), std::end(before.normal), 0.0);
+            std::fill(std::begin(before.tangent), std::end(before.tangent), 0.0);
+            before.roll = 0;
+            noteContact(before, Lane(batch, lane, world.bodies.velocity), hits(world, index, slot / batchLanes, lane));
+        }
+    }
+}
+
+/// Faster than gravity makes in two steps what has lain still.
+bool Audit::hits(const WorldState& world, std::size_t colour, std::size_t batch, std::size_t lane) const {
+    const double approach = static_cast<double>(world.graph.colours[colour].manifolds[batch].approachSpeed[lane]);
+    return approach > 2 * world.def.gravity.norm() * world.lastStep + 1e-3;
+}
+
+void Audit::noteContact(const Lane& before, const Lane& after, bool hits) {
+    const ContactBatch& batch = after.batch;
+    const double belt = batch.belts ? static_cast<double>(batch.beltSpeed[after.lane]) : 0.0;
+    const bool pushA = after.a.inverseMass > 0, pushB = after.b.inverseMass > 0;
+    double friction = 0, impacts = 0, drivers = 0;
+    Vec2 impulse(0, 0);
+    for (std::size_t p = 0; p < 2; ++p) {
+        const double normal = after.normal[p] - before.normal[p], tangent = after.tangent[p] - before.tangent[p];
+        const double na = 0.5 * (before.normalA(p) + after.normalA(p)),
+                     nb = 0.5 * (before.normalB(p) + after.normalB(p));
+        const double ta = 0.5 * (before.tangentA(p) + after.tangentA(p));
+        const double tb = 0.5 * (before.tangentB(p) + after.tangentB(p));
+        impacts += normal * (nb - na);
+        friction += tangent * (tb - ta + belt);
+        drivers -= tangent * belt;
+        // What is not pushed works on what is.
+        if (!pushA) drivers += normal * na + tangent * ta;
+        if (!pushB) drivers -= normal * nb + tangent * tb;
+        impulse += Vec2(after.nx(), after.ny()) * normal + Vec2(-after.ny(), after.nx()) * tangent;
+    }
+    if (batch.rolls) {
+        const double roll = after.roll - before.roll;
+        const double ra = 0.5 * (before.rollA() + after.rollA()), rb = 0.5 * (before.rollB() + after.rollB());
+        friction += roll * (rb - ra);
+        if (!pushA) drivers += roll * ra;
+        if (!pushB) drivers -= roll * rb;
+    }
+    note(&EnergyLedger::friction, friction);
+    note(&EnergyLedger::drivers, drivers);
+    if (hits) note(&EnergyLedger::impacts, impacts);
+    if (pushA != pushB) note(&MomentumLedger::ground, pushB ? impulse : Vec2(-impulse));
+}
+
+void Audit::solveContacts(WorldState& world,
+                          void (*solve)(ContactBatch*, std::size_t, const SolverBodies&, const ContactPass&),
+                          std::size_t colour, const ContactPass& pass) {
+    Colour& all = world.graph.colours[colour];
+    for (std::size_t slot = 0; slot < all.contactOf.size(); ++slot) {
+        ContactBatch& batch = all.batches[slot / batchLanes];
+        const std::size_t lane = slot % batchLanes;
+        ContactBatch single{};
+        copyLane(single, 0, batch, lane, batchRows);
+        single.belts = batch.belts;
+        single.rolls = batch.rolls;
+        single.bounces = batch.bounces;
+        const Lane before(batch, lane, world.bodies.velocity);
+        solve(&single, 1, world.bodies.solverBodies(), pass);
+        copyLane(batch, lane, single, 0, batchRows);
+        noteContact(before, Lane(batch, lane, world.bodies.velocity), hits(world, colour, slot / batchLanes, lane));
+    }
+}
+
+/// Its impulses are counted in the totals only.
+void Audit::bounceContacts(WorldState& world, std::size_t colour) {
+    Colour& all = world.graph.colours[colour];
+    for (std::size_t slot = 0; slot < all.contactOf.size(); ++slot) {
+        ContactBatch& batch = all.batches[slot / batchLanes];
+        const std::size_t lane = slot % batchLanes;
+        if (!batch.bounces) continue;
+        ContactBatch single{};
+        copyLane(single, 0, batch, lane, batchRows);
+        single.bounces = true;
+        Lane before(batch, lane, world.bodies.velocity);
+        for (std::size_t p = 0; p < 2; ++p) before.normal[p] = static_cast<double>(batch.points[p].totalNormal[lane]);
+        scalarContactSolver.bounce(&single, 1, world.bodies.solverBodies());
+        copyLane(batch, lane, single, 0, batchRows);
+        Lane after(batch, lane, world.bodies.velocity);
+        for (std::size_t p = 0; p < 2; ++p) after.normal[p] = static_cast<double>(batch.points[p].totalNormal[lane]);
+        noteContact(before, after, true);
+    }
+}
+
+void Audit::noteRows(const BodyStore& bodies, const JointRows& rows, const Vec3& impulses, const Vec3& before,
+                     const Vec3& after, const Vec3& slopes) {
+    for (std::size_t r = 0; r < rows.count; ++r) {
+        const JointRow& row = rows.row[r];
+        const double mean = 0.5 * (before[r] + after[r]);
+        for (std::size_t e = 0; e < rows.ends; ++e) {
+            const SolverVelocity& v = bodies.velocity[rows.body[e]];
+            if (v.inverseMass > 0) continue;
+            const double spin = static_cast<double>(v.w) * static_cast<double>(bodies.turn[rows.body[e]].rho);
+            const Vec3& at = row.at[e];
+            note(&EnergyLedger::drivers,
+                 -impulses[r] * (at[0] * static_cast<double>(v.x) + at[1] * static_cast<double>(v.y) + at[2] * spin));
+        }
+        if (row.holds) continue;
+        const double damper = row.dampPush - slopes[r] * after[r];
+        note(&EnergyLedger::damping, damper * mean);
+        if (row.bounded) continue;
+        const double curve = impulses[r] - row.push - (damper - row.dampPush);
+        const double motor = std::clamp(curve, row.low, row.high);
+        note(&EnergyLedger::motors, motor * mean);
+        note(&EnergyLedger::impacts, (curve - motor) * mean);
+    }
+}
+
+void Audit::end(const WorldState& world, const std::vector<BodyIndex>& solved, double dt) {
+    for (const BodyIndex body : solved) {
+        const BodyRecord& record = world.bodies.record[body];
+        if (world.bodies.pushed[body] == 0 || record.type != BodyType::Dynamic) continue;
+        note(&EnergyLedger::damping, dampedEnergy_[body]);
+        note(&MomentumLedger::damping, dampedMomentum_[body]);
+        const SolverDisplacement& moved = world.bodies.displacement[body];
+        const Vec2 shift(static_cast<double>(moved.x), static_cast<double>(moved.y));
+        const double turn = static_cast<double>(world.bodies.turn[body].angle);
+        note(&EnergyLedger::forces, record.force.dot(shift) + record.torque * turn);
+        note(&MomentumLedger::forces, record.force * dt);
+        note(&MomentumLedger::gravity, record.mass * record.gravityScale * world.def.gravity * dt);
+    }
+}
+
+}  // namespace plumb

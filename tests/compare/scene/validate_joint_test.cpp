@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include <compare/scene/validate_joint.h>
+
+#include <functional>
+#include <limits>
+
+#include "catch.h"
+
+namespace plumb::compare {
+namespace {
+
+constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// A hinge, a slide and a gear between them; then the joint that is asked about.
+Scene sceneWith(const SceneJoint& joint) {
+    return {.name = "valid",
+            .bodies = {{"ground", {.type = BodyType::Static}}, {"ball", {.shapes = {circle(0.5)}}}},
+            .joints = {{"hinge", "ground", "ball", RevoluteJointDef{}},
+                       {"slide", "ground", "ball", PrismaticJointDef{}},
+                       {.name = "gear", .def = GearJointDef{}, .jointA = "hinge", .jointB = "slide"},
+                       joint}};
+}
+
+std::string complaint(const SceneJoint& joint) {
+    try {
+        validate(sceneWith(joint));
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "valid";
+}
+
+std::string complaint(const JointDef& def) {
+    return complaint(SceneJoint{"joint", "ground", "ball", def});
+}
+
+}  // namespace
+
+TEST_CASE("one of each kind of joint is valid, and what may be infinite is", "[compare][scene]") {
+    CHECK(complaint(RevoluteJointDef{.maxMotorTorque = infinite, .limit = Limit{-infinite, 0}}) == "valid");
+    CHECK(complaint(PrismaticJointDef{.maxMotorForce = infinite, .limit = Limit{0, infinite}}) == "valid");
+    CHECK(complaint(DistanceJointDef{.length = 1, .spring = Spring{}, .maxLength = 1}) == "valid");
+    CHECK(complaint(WeldJointDef{.spring = Spring{1, 2}}) == "valid");
+    CHECK(complaint(WheelJointDef{.breaking = {.force = 5}}) == "valid");
+    CHECK(complaint(PulleyJointDef{}) == "valid");
+    CHECK(complaint(MotorJointDef{.maxForce = infinite, .maxTorque = infinite}) == "valid");
+    CHECK(complaint(SceneJoint{"joint", "ball", "", TargetJointDef{}}) == "valid");
+    CHECK(complaint(FilterJointDef{}) == "valid");
+}
+
+TEST_CASE("an impossible number in a joint is refused by its field", "[compare][scene][errors]") {
+    const std::string at = "joints[3].";
+    CHECK(complaint(RevoluteJointDef{.limit = Limit{1, -1}}) ==
+          at + "revolute.limit.upper: -1 is not at least lower, 1");
+    CHECK(complaint(RevoluteJointDef{.limit = Limit{notANumber, 0}}) ==
+          at + "revolute.limit.upper: 0 is not at least lower, nan");
+    CHECK(complaint(RevoluteJointDef{.maxMotorTorque = -1}) ==
+          at + "revolute.maxMotorTorque: -1 is negative or no number");
+    CHECK(complaint(RevoluteJointDef{.restAngle = infinite}) == at + "revolute.restAngle: inf is not finite");
+    CHECK(complaint(RevoluteJointDef{.spring = Spring{-1, 0}}) == at + "revolute.spring.stiffness: -1 is negative");
+    CHECK(complaint(PrismaticJointDef{.axis = {0, 0}}) == at + "prismatic.axis: (0, 0) has no direction");
+    CHECK(complaint(PrismaticJointDef{.maxMotorForce = notANumber}) ==
+          at + "prismatic.maxMotorForce: nan is negative or no number");
+    CHECK(complaint(DistanceJointDef{.anchorB = {0, 1}, .minLength = 2, .maxLength = 1}) ==
+          at + "distance.maxLength: 1 is not at least minLength, 2");
+    CHECK(complaint(WeldJointDef{.bending = Spring{0, -2}}) == at + "weld.bending.damping: -2 is negative");
+    CHECK(complaint(WheelJointDef{.axis = {notANumber, 0}}) == at + "wheel.axis: (nan, 0) is not finite");
+    CHECK(complaint(PulleyJointDef{.ratio = 0}) == at + "pulley.ratio: 0 is not positive");
+    CHECK(complaint(MotorJointDef{.rate = -1}) == at + "motor.rate: -1 is negative");
+    CHECK(complaint(SceneJoint{"joint", "ball", "", TargetJointDef{.maxForce = -1}}) ==
+          at + "target.maxForce: -1 is negative or no number");
+    CHECK(complaint(WheelJointDef{.breaking = {.torque = 0}}) == at + "wheel.breaking.torque: 0 is not positive");
+}
+
+TEST_CASE("a gear couples two joints that stand before it and turn or slide", "[compare][scene][errors]") {
+    const auto gear = [](const std::string& a, const std::string& b, double ratio = 1) {
+        return complaint(SceneJoint{.name = "joint", .def = GearJointDef{.ratio = ratio}, .jointA = a, .jointB = b});
+    };
+    CHECK(gear("hinge", "slide") == "valid");
+    CHECK(gear("hinge", "hinge") == "joints[3].jointB: \"hinge\" is jointA too, wanted another joint");
+    CHECK(gear("hinge", "slid") ==
+          "joints[3].jointB: \"slid\" is not the name of a joint before it, the nearest is slide");
+    CHECK(gear("joint", "slide").starts_with("joints[3].jointA: \"joint\" is not the name of a joint before it"));
+    CHECK(gear("gear", "slide") == "joints[3].jointA: \"gear\" is neither revolute nor prismatic");
+    CHECK(gear("hinge", "slide", 0) == "joints[3].gear.ratio: 0 couples nothing");
+    CHECK(complaint(SceneJoint{"joint", "ball", "", GearJointDef{}, "hinge", "slide"}) ==
+          "joints[3].bodyA: \"ball\" is one too many: a gear couples two joints");
+}
+
+TEST_CASE("a target has one body, and only gears name joints", "[compare][scene][errors]") {
+    CHECK(complaint(TargetJointDef{}) == "joints[3].bodyB: \"ball\" is one too many: a target has one body");
+    CHECK(complaint(SceneJoint{"joint", "ground", "ball", WeldJointDef{}, "hinge", ""}) ==
+          "joints[3].jointA: \"hinge\" is one too many: only a gear couples joints");
+    CHECK(complaint(SceneJoint{"joint", "bal", "", TargetJointDef{}}) ==
+          "joints[3].bodyA: \"bal\" is not the name of a body, the nearest is ball");
+}
+
+TEST_CASE("a shape's rule is code and cannot stand in a scene", "[compare][scene][errors]") {
+    Scene scene = sceneWith({"joint", "ground", "ball", FilterJointDef{}});
+    scene.bodies[1].def.shapes[0].rule = [](const ContactQuestion&) { return true; };
+    CHECK_THROWS_WITH(validate(scene), "bodies[1].shapes[0].rule: is code, and a scene is data: wanted none");
+}
+
+}  // namespace plumb::compare
