@@ -35,11 +35,11 @@ Declarations publicDeclarations() {
 
 /// What the kit only gives back.
 const NameSet results{
-    "BodyMoved",       "CastHit",       "CastPoint",       "Contact",     "ContactBegin", "ContactEnd",
-    "ContactHit",      "ContactPoint",  "ContactQuestion", "Distance",    "ImpactResult", "JointBroke",
-    "JointCoordinate", "JointReaction", "Nearest",         "Quarantined", "SensorBegin",  "SensorEnd",
-    "SinCos",          "SpaceWork",     "StepProfile",     "WorldCounts", "Pair",         "Manifold",
-    "ManifoldPoint"};
+    "BodyMoved",    "CastHit",        "CastPoint",       "Contact",         "ContactBegin",  "ContactEnd",
+    "ContactHit",   "ContactPoint",   "ContactQuestion", "Distance",        "ImpactResult",  "JointBroke",
+    "EnergyLedger", "MomentumLedger", "Ledger",          "JointCoordinate", "JointReaction", "Nearest",
+    "Quarantined",  "SensorBegin",    "SensorEnd",       "SinCos",          "SpaceWork",     "StepProfile",
+    "WorldCounts",  "Pair",           "Manifold",        "ManifoldPoint"};
 /// Spoilt as arguments of the calls that take them.
 const NameSet arguments{"Aabb",    "BodyId", "Capacity", "ImpactLaw", "ImpactSide",
                         "JointId", "Rot",    "ShapeId",  "Transform"};

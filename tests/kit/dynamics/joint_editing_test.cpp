@@ -299,3 +299,24 @@ TEST_CASE("a motor that is at its limit of 1 N and is given endless force has it
     CHECK(std::fabs(hinge - 3) < 1e-4);  // the solver's give of 1e-5
     CHECK(std::fabs(slide + 3) < 1e-4);
 }
+
+TEST_CASE("a motor at its stop that is given endless force stays there, and turned round leaves it at its speed",
+          "[dynamics][joints][motor]") {
+    using namespace plumb;
+    World world({.gravity = {0, 0}});
+    PrismaticJointDef def{.anchor = {0, 2}, .motorSpeed = 3, .maxMotorForce = 50, .limit = Limit{-1, 0.5}};
+    def.bodyA = world.add({.type = BodyType::Static});
+    def.bodyB = world.add({.position = {0, 2}, .shapes = {circle(0.5), box({1, 0.2})}});
+    const JointId joint = world.join(def);
+    for (int i = 0; i < 60; ++i) world.step(dt);
+    CHECK(std::fabs(world.joint(joint).coordinate().value - 0.5) < 1e-3);
+    def.maxMotorForce = unlimited;
+    world.joint(joint).set(def);
+    world.step(dt);
+    CHECK(std::fabs(world.joint(joint).coordinate().value - 0.5) < 1e-3);
+    CHECK_FALSE(world.body(def.bodyB).quarantined());
+    def.motorSpeed = -3;
+    world.joint(joint).set(def);
+    world.step(dt);
+    CHECK(std::fabs(world.joint(joint).coordinate().speed + 3) < 1e-3);
+}

@@ -144,8 +144,7 @@ RowState nextState(const JointRow& row, RowState state, double speed, double tot
 
 /// A state from another step may name a stop, or a bound of force, that is not there now.
 RowState soundState(const JointRow& row, RowState state) {
-    if (state == RowState::AtHigh && !(row.high < unlimited)) return RowState::AtTarget;
-    if (state == RowState::AtLow && !(row.low > -unlimited)) return RowState::AtTarget;
+    if (!(row.high < unlimited)) return RowState::AtTarget;  // which its stops bound
     if (state == RowState::AtLowerStop && !(row.lowerStop > -unlimited)) return RowState::AtHigh;
     if (state == RowState::AtUpperStop && !(row.upperStop < unlimited)) return RowState::AtLow;
     if (state == RowState::AtTarget && !row.bounded && !(row.high > row.low)) return RowState::AtLow;
