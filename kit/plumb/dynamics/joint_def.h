@@ -2,6 +2,8 @@
 // Which bodies are held together, and how?
 //
 // A joint is given where the bodies stand now: anchors and axes in the world, and angles and shifts counted from here.
+// Anchors lie within 1e5 m of their bodies' centres of mass; other places, angles, lengths, ratios, rates and speeds
+// within 1e15, beyond which a body would be put in quarantine. Forces of 1e40 or more are as good as infinite.
 #pragma once
 #include <limits>
 #include <optional>
