@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/detail/body_solver.h>
 
-#include <algorithm>
-
 #include <plumb/dynamics/detail/body_solver_wide.h>
+#include <plumb/math/detail/for_lanes.h>
 #include <plumb/math/trig.h>
 
 namespace plumb {
@@ -33,12 +32,12 @@ extern template struct WideBodySolver<16>;
 
 const BodySolver& bodySolver(int lanes) {
 #if defined(__GNUC__)
-    const int wanted = std::min(lanes, machineLanes());
-    if (wanted >= 16) return WideBodySolver<16>::solver;
-    if (wanted >= 8) return WideBodySolver<8>::solver;
-    if (wanted >= 4) return WideBodySolver<4>::solver;
-#endif
+    return forLanes(lanes, WideBodySolver<1>::solver, WideBodySolver<4>::solver, WideBodySolver<8>::solver,
+                    WideBodySolver<16>::solver);
+#else
+    (void)lanes;
     return WideBodySolver<1>::solver;
+#endif
 }
 
 SinCosMinus1 turnedFar(float angle) {

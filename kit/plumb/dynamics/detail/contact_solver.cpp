@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/detail/contact_solver.h>
 
-#include <algorithm>
-
+#include <plumb/math/detail/for_lanes.h>
 #include <plumb/math/detail/wide_ops.h>
 
 namespace plumb {
@@ -209,12 +208,12 @@ const ContactSolver scalarContactSolver{gatherWarmStart, solve, relax, bounce};
 
 const ContactSolver& contactSolver(int lanes) {
 #if defined(__GNUC__)
-    const int wanted = std::min(lanes, machineLanes());
-    if (wanted >= 16) return WideContactSolver<16>::solver;
-    if (wanted >= 8) return WideContactSolver<8>::solver;
-    if (wanted >= 4) return WideContactSolver<4>::solver;
-#endif
+    return forLanes(lanes, scalarContactSolver, WideContactSolver<4>::solver, WideContactSolver<8>::solver,
+                    WideContactSolver<16>::solver);
+#else
+    (void)lanes;
     return scalarContactSolver;
+#endif
 }
 
 }  // namespace plumb

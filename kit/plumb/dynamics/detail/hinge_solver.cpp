@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/detail/hinge_solver.h>
 
-#include <algorithm>
-
 #include <plumb/dynamics/detail/hinge_solver_wide.h>
+#include <plumb/math/detail/for_lanes.h>
 
 namespace plumb {
 
@@ -16,12 +15,12 @@ extern template struct WideHingeSolver<16>;
 
 const HingeSolver& hingeSolver(int lanes) {
 #if defined(__GNUC__)
-    const int wanted = std::min(lanes, machineLanes());
-    if (wanted >= 16) return WideHingeSolver<16>::solver;
-    if (wanted >= 8) return WideHingeSolver<8>::solver;
-    if (wanted >= 4) return WideHingeSolver<4>::solver;
-#endif
+    return forLanes(lanes, WideHingeSolver<1>::solver, WideHingeSolver<4>::solver, WideHingeSolver<8>::solver,
+                    WideHingeSolver<16>::solver);
+#else
+    (void)lanes;
     return WideHingeSolver<1>::solver;
+#endif
 }
 
 }  // namespace plumb

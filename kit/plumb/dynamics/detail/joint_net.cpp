@@ -4,152 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include <plumb/math/trig.h>
+#include <plumb/dynamics/detail/joint_answer.h>
+#include <plumb/dynamics/detail/joint_curve.h>
+#include <plumb/dynamics/detail/joint_sweep.h>
 
 namespace plumb {
 
 namespace {
-
-/// e: give of a row, as a share of what its own impulse does to it [-]. Rows that say the same share their load, and
-/// what their numbers disagree by is not multiplied by more than its inverse.
-constexpr double give = 1e-5;
 
 /// A line's stiffness is forgotten in so long [s].
 constexpr double memory = 2;
 
 /// Rows that change their state after this many turns stay as they are until the next pass.
 constexpr int mostTurns = 8;
-
-/// What the body answers an impulse of (x, y, turn) with.
-Vec3 answerOf(const BodyStore& bodies, BodyIndex body, const Vec3& impulse) {
-    const double inverseMass = static_cast<double>(bodies.velocity[body].inverseMass);
-    const double rho = static_cast<double>(bodies.turn[body].rho);
-    return {inverseMass * impulse[0], inverseMass * impulse[1], inverseMass * rho * rho * impulse[2]};
-}
-
-double dot(const Vec3& a, const Vec3& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vec3 times(const Vec3& v, double factor) {
-    return {v[0] * factor, v[1] * factor, v[2] * factor};
-}
-
-void add(Vec3& to, const Vec3& v) {
-    for (std::size_t i = 0; i < 3; ++i) to[i] += v[i];
-}
-
-Vec3 velocityOf(const BodyStore& bodies, BodyIndex body) {
-    const SolverVelocity& v = bodies.velocity[body];
-    const double spin = static_cast<double>(v.w) * static_cast<double>(bodies.turn[body].rho);
-    return {static_cast<double>(v.x), static_cast<double>(v.y), spin};
-}
-
-void setVelocity(BodyStore& bodies, BodyIndex body, const Vec3& velocity) {
-    SolverVelocity& v = bodies.velocity[body];
-    v.x = static_cast<float>(velocity[0]);
-    v.y = static_cast<float>(velocity[1]);
-    v.w = static_cast<float>(velocity[2] * static_cast<double>(bodies.turn[body].inverseRho));
-}
-
-/// What a row's own impulse does to its speed.
-double yieldOf(const BodyStore& bodies, const JointRows& rows, const JointRow& row) {
-    double sum = 0;
-    for (std::size_t e = 0; e < rows.ends; ++e) sum += dot(row.at[e], answerOf(bodies, rows.body[e], row.at[e]));
-    return sum;
-}
-
-void addLoad(JointLoad& load, const JointRows& rows, const Vec3& impulse) {
-    for (std::size_t r = 0; r < rows.count; ++r) {
-        const Vec3& at = rows.row[r].at[1];
-        const Vec2 along(at[0], at[1]);
-        load.impulse += along * impulse[r];
-        load.turning += (at[2] - cross(rows.arm[1], along)) * impulse[r];
-    }
-}
-
-bool isStop(RowState state) {
-    return state == RowState::AtLowerStop || state == RowState::AtUpperStop;
-}
-
-/// d of a damper, w what a unit impulse does to the row's speed: more than this takes all of the speed away, less than
-/// that nothing, and its inverse would be too large a number.
-double slopeOf(const JointRow& row, double w) {
-    constexpr double least = 1e-16, most = 30;
-    return row.damper * w > least ? exponentialMinus1(std::min(row.damper * w, most)) / w : 0.0;
-}
-
-/// All but what it holds, and where it stops.
-void giveNothing(JointRow& row) {
-    if (row.holds) return;
-    row.push = row.damper = row.low = row.high = 0;
-    row.bounded = false;
-}
-
-/// Before a sub-step, a damper goes by the speed there was.
-void dampAhead(JointRow& row, double w, double speed) {
-    if (row.bounded || !(row.damper > 0) || !(w > 0)) return;
-    row.dampPush = exponentialMinus1(-row.damper * w) / w * speed;
-    row.push += row.dampPush;
-    row.damper = 0;
-}
-
-/// A row on a part of its curve: v + give L = speed, or, if there is no such thing, L = impulse.
-struct Wish {
-    bool known = false;
-    double impulse = 0;
-    double speed = 0, give = 0;
-};
-
-Wish wishOf(const JointRow& row, RowState state, double w) {
-    if (row.holds) return {false, 0, row.target, give * w};
-    if (isStop(state)) return {false, 0, state == RowState::AtLowerStop ? row.lowerStop : row.upperStop, give * w};
-    const double slope = slopeOf(row, w);
-    if (row.bounded) {
-        if (state == RowState::AtTarget && slope > 0) return {false, 0, row.push / slope, 1 / slope};
-        return {true, state == RowState::AtTarget ? std::clamp(row.push, row.low, row.high)
-                      : state == RowState::AtHigh ? row.high
-                                                  : row.low};
-    }
-    if (state == RowState::AtTarget) return {false, 0, row.target, give * w};
-    const double impulse = row.push + (state == RowState::AtHigh ? row.high : row.low);
-    if (slope > 0) return {false, 0, impulse / slope, 1 / slope};
-    return {true, impulse};
-}
-
-/// The part of the curve next to the one on which speed and impulse are no answer.
-RowState nextState(const JointRow& row, RowState state, double speed, double total, double w) {
-    if (row.holds) return RowState::AtTarget;
-    const double aside = row.push - slopeOf(row, w) * speed;
-    if (row.bounded)
-        return aside > row.high ? RowState::AtHigh : aside < row.low ? RowState::AtLow : RowState::AtTarget;
-    const double impulse = total - aside;
-    const bool driven = row.high > row.low;
-    switch (state) {
-        case RowState::AtTarget:
-            if (impulse > row.high) return RowState::AtHigh;
-            return impulse < row.low ? RowState::AtLow : state;
-        case RowState::AtHigh:
-        case RowState::AtLow:
-            if (speed < row.lowerStop) return RowState::AtLowerStop;
-            if (speed > row.upperStop) return RowState::AtUpperStop;
-            return driven && (speed > row.target) == (state == RowState::AtHigh) && speed != row.target
-                       ? RowState::AtTarget
-                       : state;
-        case RowState::AtLowerStop: return impulse < row.high ? RowState::AtHigh : state;
-        case RowState::AtUpperStop: return impulse > row.low ? RowState::AtLow : state;
-    }
-    return state;
-}
-
-/// A state from another step may name a stop, or a bound of force, that is not there now.
-RowState soundState(const JointRow& row, RowState state) {
-    if (!(row.high < unlimited)) return RowState::AtTarget;  // which its stops bound
-    if (state == RowState::AtLowerStop && !(row.lowerStop > -unlimited)) return RowState::AtHigh;
-    if (state == RowState::AtUpperStop && !(row.upperStop < unlimited)) return RowState::AtLow;
-    if (state == RowState::AtTarget && !row.bounded && !(row.high > row.low)) return RowState::AtLow;
-    return row.bounded && isStop(state) ? RowState::AtTarget : state;
-}
 
 /// One pass over one net.
 class Pass {
@@ -442,71 +309,10 @@ private:
     std::vector<Vec3> answer_;
 };
 
-void push(const JointRows& rows, const JointRow& row, double impulse, BodyStore& bodies) {
-    for (std::size_t e = 0; e < rows.ends; ++e) {
-        if (bodies.velocity[rows.body[e]].inverseMass == 0) continue;
-        Vec3 v = velocityOf(bodies, rows.body[e]);
-        add(v, answerOf(bodies, rows.body[e], times(row.at[e], impulse)));
-        setVelocity(bodies, rows.body[e], v);
-    }
-}
-
-/// The rows that hold, all together.
-void sweepHolding(JointRecord& record, const JointRows& rows, BodyStore& bodies, const Softness& soft) {
-    Mat3 k;
-    Vec3 lacking{};
-    for (std::size_t r = 0; r < mostRows; ++r) {
-        k[r][r] = 1;
-        if (r >= rows.count || !rows.row[r].holds) continue;
-        lacking[r] = rows.row[r].target - speedOf(rows, rows.row[r], bodies);
-        k[r][r] = yieldOf(bodies, rows, rows.row[r]) * (1 + give);
-        for (std::size_t c = 0; c < r; ++c) {
-            if (!rows.row[c].holds) continue;
-            double sum = 0;
-            for (std::size_t e = 0; e < rows.ends; ++e)
-                sum += dot(rows.row[c].at[e], answerOf(bodies, rows.body[e], rows.row[r].at[e]));
-            k[r][c] = k[c][r] = sum;
-        }
-    }
-    const Vec3 change = symmetricInverse(k) * lacking;
-    for (std::size_t r = 0; r < rows.count; ++r) {
-        if (!rows.row[r].holds) continue;
-        const double added = change[r] * static_cast<double>(soft.massScale) -
-                             record.impulse[r] * static_cast<double>(soft.impulseScale);
-        record.impulse[r] += added;
-        push(rows, rows.row[r], added, bodies);
-    }
-}
-
-/// Where a row's curve meets v + w (L - old), what it can reach by its own impulse.
-double soughtImpulse(const JointRow& row, double v, double old, double w) {
-    const double slope = slopeOf(row, w);
-    const auto onSlope = [&](double bound) { return (row.push + bound - slope * (v - w * old)) / (1 + slope * w); };
-    if (row.bounded) return std::clamp(onSlope(0), row.low, row.high);
-    const double at = std::clamp(old - (v - row.target) / w, onSlope(row.low), onSlope(row.high));
-    return std::min(std::max(at, old - (v - row.lowerStop) / w), old - (v - row.upperStop) / w);
-}
-
 Vec3 speedsOf(const JointRows& rows, const BodyStore& bodies) {
     Vec3 speeds{};
     for (std::size_t r = 0; r < rows.count; ++r) speeds[r] = speedOf(rows, rows.row[r], bodies);
     return speeds;
-}
-
-/// One joint of a net that is swept: first the rows that are driven or limited, one by one.
-void sweepJoint(JointRecord& record, JointLoad& load, const JointRows& rows, BodyStore& bodies, const Softness& soft) {
-    for (std::size_t r = 0; r < rows.count; ++r) push(rows, rows.row[r], record.impulse[r], bodies);
-    for (std::size_t r = 0; r < rows.count; ++r) {
-        const JointRow& row = rows.row[r];
-        const double w = yieldOf(bodies, rows, row);
-        if (row.holds || !(w > 0)) continue;
-        const double old = record.impulse[r];
-        const double now = soughtImpulse(row, speedOf(rows, row, bodies), old, w);
-        record.impulse[r] = now;
-        push(rows, row, now - old, bodies);
-    }
-    sweepHolding(record, rows, bodies, soft);
-    addLoad(load, rows, record.impulse);
 }
 
 }  // namespace

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/detail/lane_collider.h>
 
-#include <algorithm>
-
 #include <plumb/dynamics/detail/lane_collider_wide.h>
+#include <plumb/math/detail/for_lanes.h>
 
 namespace plumb {
 
@@ -16,12 +15,12 @@ extern template struct WideLaneCollider<16>;
 
 const LaneCollider& laneCollider(int lanes) {
 #if defined(__GNUC__)
-    const int wanted = std::min(lanes, machineLanes());
-    if (wanted >= 16) return WideLaneCollider<16>::collider;
-    if (wanted >= 8) return WideLaneCollider<8>::collider;
-    if (wanted >= 4) return WideLaneCollider<4>::collider;
-#endif
+    return forLanes(lanes, WideLaneCollider<1>::collider, WideLaneCollider<4>::collider, WideLaneCollider<8>::collider,
+                    WideLaneCollider<16>::collider);
+#else
+    (void)lanes;
     return WideLaneCollider<1>::collider;
+#endif
 }
 
 }  // namespace plumb
