@@ -25,8 +25,10 @@ JointDef withIds(const JointGeometry& joint, const PlumbWorld& made) {
 
 }  // namespace
 
-PlumbWorld plumbWorld(const Scene& scene, const SolverSettings& solver) {
-    PlumbWorld made{World({.gravity = scene.gravity, .sleeping = scene.sleeping, .solver = solver}), {}, {}};
+PlumbWorld plumbWorld(const Scene& scene, WorldDef def) {
+    def.gravity = scene.gravity;
+    def.sleeping = scene.sleeping;
+    PlumbWorld made{World(def), {}, {}};
     for (const SceneBody& body : scene.bodies) made.bodies.push_back(made.world.add(body.def));
     for (const JointGeometry& joint : jointGeometries(scene))
         made.joints.push_back(made.world.join(withIds(joint, made)));

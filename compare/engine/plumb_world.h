@@ -15,6 +15,7 @@ struct PlumbWorld {
     std::vector<JointId> joints;
 };
 
-PlumbWorld plumbWorld(const Scene& scene, const SolverSettings& solver = {});
+/// The scene says which gravity there is, and whether what rests may sleep; the rest is as given.
+PlumbWorld plumbWorld(const Scene& scene, WorldDef def = {});
 
 }  // namespace plumb::compare

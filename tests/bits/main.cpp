@@ -183,7 +183,7 @@ void bullets(Run& run) {
 
 void scenes(Run& run) {
     for (const plumb::compare::Scene& scene : plumb::compare::builtinScenes()) {
-        plumb::compare::PlumbWorld made = plumb::compare::plumbWorld(scene, {.lanes = run.lanes});
+        plumb::compare::PlumbWorld made = plumb::compare::plumbWorld(scene, {.solver = {.lanes = run.lanes}});
         for (int tick = 0; tick < stepCount(scene); ++tick) made.world.step(scene.dt);
         run.hashes.push_back({"scene " + scene.name, plumb::stateHash(made.world)});
     }

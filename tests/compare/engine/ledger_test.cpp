@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Does the world's own account of its energy close in every scene, and is what it says is stored what there is?
+#include <algorithm>
+#include <cmath>
+
+#include <compare/engine/plumb_world.h>
+#include <compare/metric/mechanics.h>
+#include <compare/scene/builtin.h>
+
+#include "catch.h"
+
+namespace plumb::compare {
+namespace {
+
+/// What is worked out from the scene's masses and springs and the states that are seen.
+Mechanics lookAt(const PlumbWorld& made, const MassModel& masses) {
+    std::vector<BodyState> states;
+    for (const BodyId& id : made.bodies) {
+        const BodyView body = made.world.body(id);
+        states.push_back({body.position(), body.angle(), body.velocity(), body.angularVelocity()});
+    }
+    Broken broken;
+    for (const JointId& joint : made.joints) broken.push_back(!made.world.contains(joint));
+    return masses.at(states, broken).value();
+}
+
+}  // namespace
+
+TEST_CASE("the ledger closes over every scene, and what it says is stored is what is seen", "[compare][ledger][law]") {
+    for (const Scene& scene : builtinScenes()) {
+        INFO(scene.name);
+        PlumbWorld made = plumbWorld(scene, {.ledger = true});
+        const MassModel masses(scene);
+        double largest = 0, worstOpen = 0, worstSeen = 0;
+        for (int tick = 0; tick < stepCount(scene); ++tick) {
+            made.world.step(scene.dt);
+            const Ledger ledger = made.world.ledger();
+            const EnergyLedger& e = ledger.energy;
+            const Mechanics seen = lookAt(made, masses);
+            largest = std::max({largest, std::fabs(seen.kinetic), std::fabs(seen.potential), seen.elastic});
+            worstOpen = std::max(worstOpen, std::fabs(e.stored() - e.gained()));
+            worstSeen = std::max({worstSeen, std::fabs(e.kinetic - seen.kinetic),
+                                  std::fabs(e.gravitational - seen.potential), std::fabs(e.spring - seen.elastic)});
+        }
+        CHECK(worstOpen <= 1e-6 * largest);
+        CHECK(worstSeen <= 1e-6 * largest);
+    }
+}
+
+}  // namespace plumb::compare
