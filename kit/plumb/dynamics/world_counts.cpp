@@ -54,7 +54,7 @@ std::size_t bytesOf(const std::vector<JointNet>& nets) {
     std::size_t bytes = nets.capacity() * sizeof(JointNet);
     for (const JointNet& net : nets)
         bytes += sumOf(net.joints, net.seats, net.bodies, net.stiffness, net.others) + net.solver.bytes() +
-                 net.hinges.bytes();
+                 net.work.bytes() + net.hinges.bytes();
     return bytes;
 }
 

@@ -253,7 +253,7 @@ void Audit::noteRows(const BodyStore& bodies, const JointRows& rows, const Vec3&
             const SolverVelocity& v = bodies.velocity[rows.body[e]];
             if (v.inverseMass > 0) continue;
             const double spin = static_cast<double>(v.w) * static_cast<double>(bodies.turn[rows.body[e]].rho);
-            const Vec3& at = row.at[e];
+            const Vec3& at = rows.at(r, e);
             note(&EnergyLedger::drivers,
                  -impulses[r] * (at[0] * static_cast<double>(v.x) + at[1] * static_cast<double>(v.y) + at[2] * spin));
         }

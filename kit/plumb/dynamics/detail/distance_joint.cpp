@@ -24,21 +24,19 @@ JointRow DistanceJoint::coordinateRow(const Ends& ends) {
     return row;
 }
 
-JointRows DistanceJoint::rows(const Ends& now, const JointPass& pass) const {
-    const Ends later = after(now, pass.step);
-    JointRows rows = rowsFor(now);
+void DistanceJoint::ask(JointRows& rows, const Ends& now, const JointPass& pass) const {
+    const Ends later = ahead(now, pass);
     const double length = coordinate(now), then = coordinate(later);
     rows.length = length;
     if (!def_.spring) {
         holdRow(rows, coordinateRow(now), {length - length_, then - length_}, now, pass);
-        return rows;
+        return;
     }
-    JointRow& stretching = rows.row[rows.count++] = coordinateRow(now);
+    JointRow& stretching = rows.add() = coordinateRow(now);
     drive(stretching, def_.motorSpeed, def_.maxMotorForce, pass);
     if (def_.minLength > 0 || def_.maxLength < unlimited)
         keepWithin(stretching, {def_.minLength, def_.maxLength}, {length, then}, speedOf(stretching, now), pass);
     pull(stretching, *def_.spring, length - length_, pass);
-    return rows;
 }
 
 SpringLoad DistanceJoint::springLoad(const Ends& now) const {

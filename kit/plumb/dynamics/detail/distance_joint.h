@@ -14,7 +14,7 @@ public:
     DistanceJoint(const DistanceJointDef& def, const BodyStore& bodies);
 
     void set(const DistanceJointDef& def);
-    JointRows rows(const Ends& now, const JointPass& pass) const;
+    void ask(JointRows& rows, const Ends& now, const JointPass& pass) const;
     SpringLoad springLoad(const Ends& now) const;
     static double coordinate(const Ends& ends) { return ends.apart().norm(); }
     static JointRow coordinateRow(const Ends& ends);

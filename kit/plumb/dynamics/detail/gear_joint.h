@@ -29,7 +29,7 @@ public:
     }
     double ratio() const { return ratio_; }
     double total() const { return total_; }
-    JointRows rows(const Geared& a, const Geared& b, const JointPass& pass) const;
+    void ask(JointRows& rows, const Geared& a, const Geared& b, const JointPass& pass) const;
 
 private:
     double ratio_ = 1;

@@ -38,9 +38,10 @@ inline void setVelocity(BodyStore& bodies, BodyIndex body, const Vec3& velocity)
 }
 
 /// What a row's own impulse does to its speed.
-inline double yieldOf(const BodyStore& bodies, const JointRows& rows, const JointRow& row) {
+inline double yieldOf(const BodyStore& bodies, const JointRows& rows, std::size_t row) {
     double sum = 0;
-    for (std::size_t e = 0; e < rows.ends; ++e) sum += dot(row.at[e], answerOf(bodies, rows.body[e], row.at[e]));
+    for (std::size_t e = 0; e < rows.ends; ++e)
+        sum += dot(rows.at(row, e), answerOf(bodies, rows.body[e], rows.at(row, e)));
     return sum;
 }
 

@@ -9,13 +9,6 @@
 // Source: Baraff, "Linear-time dynamics using Lagrange multipliers", SIGGRAPH 1996; principal pivoting: Murty 1988.
 // Tests: "a chain of 20 links holds a load of a thousand times their mass"
 //
-// A tight line swings sideways the faster the lighter it is: at its tension F a link turns back at k = F.r [N m/rad]
-// for each anchor r, a rod of length l swings its ends back at F/l [N/m]. What that would make faster than the sub-step
-// h can follow is given more inertia in here, until I + I' >= 2 h^2 k, and m >= h^2 k, so that it swings as slowly as
-// it can be followed; I' is what its neighbours must be moved by for it to turn. Source: Andrews, Teichmann, Kry,
-// "Geometric stiffness for real-time constrained multibody dynamics", Comput. Graph. Forum 36 (2017) 235, there as a
-// term of its own.
-//
 // What fills in too much, as a cloth of hinges does, is swept instead, joint by joint, with soft corrections and the
 // impulses of the step before as a first guess.
 #pragma once
@@ -23,6 +16,7 @@
 #include <plumb/dynamics/detail/block_solver.h>
 #include <plumb/dynamics/detail/hinge_sweep.h>
 #include <plumb/dynamics/detail/joint_store.h>
+#include <plumb/dynamics/detail/net_work.h>
 
 namespace plumb {
 
@@ -40,6 +34,7 @@ struct JointNet {
     std::vector<Vec3> stiffness;     ///< of the bodies, by the forces of late: along x, y, turning [N/m, N m/rad]
     bool direct = true;              ///< solved at once, else swept
     BlockSolver solver;              ///< when solved at once
+    NetWork work;                    ///< likewise
     HingeSweep hinges;               ///< when swept: its plain hinges
     std::vector<JointIndex> others;  ///< and the rest
 };

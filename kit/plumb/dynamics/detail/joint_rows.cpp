@@ -42,22 +42,24 @@ double speedOf(const JointRow& row, const Ends& ends) {
     return part(row.at[0], ends.a) + part(row.at[1], ends.b);
 }
 
-double speedOf(const JointRows& rows, const JointRow& row, const BodyStore& bodies) {
+double speedOf(const JointRows& rows, std::size_t row, const BodyStore& bodies) {
     double speed = 0;
     for (std::size_t e = 0; e < rows.ends; ++e) {
+        const Vec3& at = rows.at(row, e);
         const SolverVelocity& v = bodies.velocity[rows.body[e]];
         const double spin = static_cast<double>(v.w) * static_cast<double>(bodies.turn[rows.body[e]].rho);
-        speed +=
-            row.at[e][0] * static_cast<double>(v.x) + row.at[e][1] * static_cast<double>(v.y) + row.at[e][2] * spin;
+        speed += at[0] * static_cast<double>(v.x) + at[1] * static_cast<double>(v.y) + at[2] * spin;
     }
     return speed;
 }
 
-JointRows rowsFor(const Ends& ends) {
-    JointRows rows;
+void start(JointRows& rows, const Ends& ends) {
+    rows.count = 0;
+    rows.ends = 2;
     rows.body = {ends.a.body, ends.b.body, noBody, noBody};
     rows.arm = {ends.a.arm, ends.b.arm};
-    return rows;
+    rows.length = 0;
+    rows.holdsPoint = false;
 }
 
 void hold(JointRow& row, const Course& course, double speed, const JointPass& pass) {
@@ -88,7 +90,7 @@ void drive(JointRow& row, double speed, double force, const JointPass& pass) {
 }
 
 void holdRow(JointRows& rows, const JointRow& row, const Course& course, const Ends& now, const JointPass& pass) {
-    JointRow& held = rows.row[rows.count++] = row;
+    JointRow& held = rows.add() = row;
     hold(held, course, speedOf(held, now), pass);
 }
 

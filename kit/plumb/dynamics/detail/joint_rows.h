@@ -31,7 +31,7 @@ namespace plumb {
 inline constexpr std::size_t mostRows = 3, mostEnds = 4;
 
 struct JointRow {
-    std::array<Vec3, mostEnds> at{};            ///< of each end: x, y [-], turn [m], for what turns 0, 0, [-]
+    std::array<Vec3, 2> at{};                   ///< of two ends: x, y [-], turn [m], for what turns 0, 0, [-]
     double target = 0;                          ///< [m/s or rad/s]
     double low = -unlimited, high = unlimited;  ///< [N s or N m s]
     double lowerStop = -unlimited, upperStop = unlimited;  ///< [m/s or rad/s]
@@ -49,10 +49,19 @@ struct JointRows {
     std::size_t count = 0, ends = 2;
     std::array<BodyIndex, mostEnds> body{};
     std::array<JointRow, mostRows> row;
+    std::array<Vec3, 2> far{};  ///< of the third and fourth end, which only a single row has
     std::array<Vec2, 2> arm{Vec2{0, 0},
                             Vec2{0, 0}};  ///< of the first two ends: to where the force counts as acting [m]
     double length = 0;                    ///< of what swings between two anchors; 0: nothing does [m]
     bool holdsPoint = false;              ///< keeps the anchors together
+
+    const Vec3& at(std::size_t r, std::size_t end) const { return end < 2 ? row[r].at[end] : far[end - 2]; }
+    JointRow& add() { return row[count++] = JointRow{}; }
+    bool allHold() const {
+        for (std::size_t r = 0; r < count; ++r)
+            if (!row[r].holds) return false;
+        return true;
+    }
 };
 
 /// How springs load the bodies at a joint's ends.
@@ -89,9 +98,13 @@ JointRow rowTurning();
 /// v of a row of two ends.
 double speedOf(const JointRow& row, const Ends& ends);
 /// v of any row, as the bodies move now within a step.
-double speedOf(const JointRows& rows, const JointRow& row, const BodyStore& bodies);
-/// An empty set for two ends.
-JointRows rowsFor(const Ends& ends);
+double speedOf(const JointRows& rows, std::size_t row, const BodyStore& bodies);
+/// None yet, for two ends.
+void start(JointRows& rows, const Ends& ends);
+/// After the sub-step, if errors are to be gone by then; else nobody asks.
+inline Ends ahead(const Ends& now, const JointPass& pass) {
+    return pass.correct ? after(now, pass.step) : now;
+}
 
 /// Keeps the coordinate at 0: with the error it has now taken back at the pass's rate, and with all of what it would
 /// otherwise gain in the sub-step, to any order.

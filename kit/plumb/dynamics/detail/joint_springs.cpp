@@ -53,9 +53,10 @@ void JointSprings::share(JointStore& store, const BodyStore& bodies, double h) {
 
 void JointSprings::noteSpeeds(JointStore& store, const BodyStore& bodies, double h) const {
     const JointPass pass{h, false, 0, 0};
+    JointRows rows;
     for (const JointIndex joint : joints_) {
-        const JointRows rows = store.rowsOf(joint, bodies, pass);
-        for (std::size_t r = 0; r < rows.count; ++r) store[joint].speeds[r] = speedOf(rows, rows.row[r], bodies);
+        store.ask(joint, bodies, pass, rows);
+        for (std::size_t r = 0; r < rows.count; ++r) store[joint].speeds[r] = speedOf(rows, r, bodies);
     }
 }
 

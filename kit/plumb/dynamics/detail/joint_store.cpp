@@ -50,17 +50,20 @@ void JointStore::release(JointIndex joint) {
     free.push_back(joint);
 }
 
-JointRows JointStore::rowsOf(JointIndex index, const BodyStore& bodies, JointPass pass) const {
+void JointStore::ask(JointIndex index, const BodyStore& bodies, JointPass pass, JointRows& rows) const {
     pass.springShare = records[index].springShare;
-    return std::visit(
-        [&]<class Joint>(const Joint& joint) -> JointRows {
+    std::visit(
+        [&]<class Joint>(const Joint& joint) {
             if constexpr (hasEnds<Joint>) {
-                return joint.rows(endsNow(joint.anchors, bodies), pass);
+                const Ends now = endsNow(joint.anchors, bodies);
+                start(rows, now);
+                joint.ask(rows, now, pass);
             } else if constexpr (std::is_same_v<Joint, GearJoint>) {
-                return joint.rows(geared(*this, joint.jointA, bodies, pass.step, true),
-                                  geared(*this, joint.jointB, bodies, pass.step, true), pass);
+                start(rows, {});
+                joint.ask(rows, geared(*this, joint.jointA, bodies, pass.step, true),
+                          geared(*this, joint.jointB, bodies, pass.step, true), pass);
             } else {
-                return {};
+                start(rows, {});
             }
         },
         records[index].joint);

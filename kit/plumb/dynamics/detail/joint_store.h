@@ -67,7 +67,7 @@ struct JointStore {
     void release(JointIndex joint);
 
     /// What a joint asks for in this half of a sub-step.
-    JointRows rowsOf(JointIndex joint, const BodyStore& bodies, JointPass pass) const;
+    void ask(JointIndex joint, const BodyStore& bodies, JointPass pass, JointRows& rows) const;
     bool hasSpring(JointIndex joint) const;
     SpringLoad springLoadOf(JointIndex joint, const BodyStore& bodies) const;
     /// Where the last step has left it [m or rad].

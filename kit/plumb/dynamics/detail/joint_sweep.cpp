@@ -10,11 +10,11 @@ namespace plumb {
 
 namespace {
 
-void push(const JointRows& rows, const JointRow& row, double impulse, BodyStore& bodies) {
+void push(const JointRows& rows, std::size_t row, double impulse, BodyStore& bodies) {
     for (std::size_t e = 0; e < rows.ends; ++e) {
         if (bodies.velocity[rows.body[e]].inverseMass == 0) continue;
         Vec3 v = velocityOf(bodies, rows.body[e]);
-        add(v, answerOf(bodies, rows.body[e], times(row.at[e], impulse)));
+        add(v, answerOf(bodies, rows.body[e], times(rows.at(row, e), impulse)));
         setVelocity(bodies, rows.body[e], v);
     }
 }
@@ -26,13 +26,13 @@ void sweepHolding(JointRecord& record, const JointRows& rows, BodyStore& bodies,
     for (std::size_t r = 0; r < mostRows; ++r) {
         k[r][r] = 1;
         if (r >= rows.count || !rows.row[r].holds) continue;
-        lacking[r] = rows.row[r].target - speedOf(rows, rows.row[r], bodies);
-        k[r][r] = yieldOf(bodies, rows, rows.row[r]) * (1 + rowGive);
+        lacking[r] = rows.row[r].target - speedOf(rows, r, bodies);
+        k[r][r] = yieldOf(bodies, rows, r) * (1 + rowGive);
         for (std::size_t c = 0; c < r; ++c) {
             if (!rows.row[c].holds) continue;
             double sum = 0;
             for (std::size_t e = 0; e < rows.ends; ++e)
-                sum += dot(rows.row[c].at[e], answerOf(bodies, rows.body[e], rows.row[r].at[e]));
+                sum += dot(rows.at(c, e), answerOf(bodies, rows.body[e], rows.at(r, e)));
             k[r][c] = k[c][r] = sum;
         }
     }
@@ -42,7 +42,7 @@ void sweepHolding(JointRecord& record, const JointRows& rows, BodyStore& bodies,
         const double added = change[r] * static_cast<double>(soft.massScale) -
                              record.impulse[r] * static_cast<double>(soft.impulseScale);
         record.impulse[r] += added;
-        push(rows, rows.row[r], added, bodies);
+        push(rows, r, added, bodies);
     }
 }
 
@@ -58,15 +58,15 @@ double soughtImpulse(const JointRow& row, double v, double old, double w) {
 }  // namespace
 
 void sweepJoint(JointRecord& record, JointLoad& load, const JointRows& rows, BodyStore& bodies, const Softness& soft) {
-    for (std::size_t r = 0; r < rows.count; ++r) push(rows, rows.row[r], record.impulse[r], bodies);
+    for (std::size_t r = 0; r < rows.count; ++r) push(rows, r, record.impulse[r], bodies);
     for (std::size_t r = 0; r < rows.count; ++r) {
         const JointRow& row = rows.row[r];
-        const double w = yieldOf(bodies, rows, row);
+        const double w = yieldOf(bodies, rows, r);
         if (row.holds || !(w > 0)) continue;
         const double old = record.impulse[r];
-        const double now = soughtImpulse(row, speedOf(rows, row, bodies), old, w);
+        const double now = soughtImpulse(row, speedOf(rows, r, bodies), old, w);
         record.impulse[r] = now;
-        push(rows, row, now - old, bodies);
+        push(rows, r, now - old, bodies);
     }
     sweepHolding(record, rows, bodies, soft);
     addLoad(load, rows, record.impulse);

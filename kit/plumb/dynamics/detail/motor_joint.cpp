@@ -22,8 +22,7 @@ JointRow MotorJoint::coordinateRow(const Ends& ends) const {
     return rowAlong(off(ends).stableNormalized(), ends);
 }
 
-JointRows MotorJoint::rows(const Ends& now, const JointPass& pass) const {
-    JointRows rows = rowsFor(now);
+void MotorJoint::ask(JointRows& rows, const Ends& now, const JointPass& pass) const {
     const Vec2 wanted = now.a.rotation * def_.velocity - off(now) * def_.rate;
     const Vec2 fromA = now.a.arm + now.apart();
     const Vec2 speed = (now.b.velocity + perp(now.b.arm) * now.b.spin) - (now.a.velocity + perp(fromA) * now.a.spin);
@@ -32,15 +31,14 @@ JointRows MotorJoint::rows(const Ends& now, const JointPass& pass) const {
         const Vec2 missing = wanted - speed;
         const Vec2 way = missing.squaredNorm() > 0 ? Vec2(missing.stableNormalized()) : Vec2(1, 0);
         for (const Vec2& axis : {way, perp(way)}) {
-            JointRow& row = rows.row[rows.count++] = rowAlong(axis, now);
+            JointRow& row = rows.add() = rowAlong(axis, now);
             drive(row, axis.dot(wanted), def_.maxForce, pass);
         }
     }
     if (def_.maxTorque > 0) {
-        JointRow& row = rows.row[rows.count++] = rowTurning();
+        JointRow& row = rows.add() = rowTurning();
         drive(row, def_.angularVelocity - (now.angle() - angle_) * def_.rate, def_.maxTorque, pass);
     }
-    return rows;
 }
 
 }  // namespace plumb

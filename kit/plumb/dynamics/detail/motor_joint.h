@@ -14,7 +14,7 @@ public:
     MotorJoint(const MotorJointDef& def, const BodyStore& bodies);
 
     void set(const MotorJointDef& def);
-    JointRows rows(const Ends& now, const JointPass& pass) const;
+    void ask(JointRows& rows, const Ends& now, const JointPass& pass) const;
     double coordinate(const Ends& ends) const { return off(ends).norm(); }
     JointRow coordinateRow(const Ends& ends) const;
     static double error(const Ends&) { return 0; }  ///< it may be off, as far as its force goes

@@ -28,12 +28,10 @@ JointRow PulleyJoint::coordinateRow(const Ends& ends) const {
     return row;
 }
 
-JointRows PulleyJoint::rows(const Ends& now, const JointPass& pass) const {
-    const Ends later = after(now, pass.step);
-    JointRows rows = rowsFor(now);
-    JointRow& row = rows.row[rows.count++] = coordinateRow(now);
+void PulleyJoint::ask(JointRows& rows, const Ends& now, const JointPass& pass) const {
+    const Ends later = ahead(now, pass);
+    JointRow& row = rows.add() = coordinateRow(now);
     keepWithin(row, {-unlimited, length_}, {coordinate(now), coordinate(later)}, speedOf(row, now), pass);
-    return rows;
 }
 
 double PulleyJoint::error(const Ends& ends) const {

@@ -15,7 +15,7 @@ public:
     PulleyJoint(const PulleyJointDef& def, const BodyStore& bodies);
 
     void set(const PulleyJointDef& def);
-    JointRows rows(const Ends& now, const JointPass& pass) const;
+    void ask(JointRows& rows, const Ends& now, const JointPass& pass) const;
     double coordinate(const Ends& ends) const;
     JointRow coordinateRow(const Ends& ends) const;
     double error(const Ends& ends) const;

@@ -20,16 +20,14 @@ std::array<Vec2, 2> TargetJoint::axes(const Ends& ends) {
     return {along, perp(along)};
 }
 
-JointRows TargetJoint::rows(const Ends& now, const JointPass& pass) const {
-    JointRows rows = rowsFor(now);
+void TargetJoint::ask(JointRows& rows, const Ends& now, const JointPass& pass) const {
     for (const Vec2& axis : axes(now)) {
-        JointRow& row = rows.row[rows.count++] = rowAlong(axis, now);
+        JointRow& row = rows.add() = rowAlong(axis, now);
         pull(row, spring_, axis.dot(now.apart()), pass);
         row.bounded = boundOf(def_.maxForce) < unlimited;
         if (row.bounded) row.high = def_.maxForce * (0.5 * pass.step);
         row.low = -row.high;
     }
-    return rows;
 }
 
 SpringLoad TargetJoint::springLoad(const Ends& now) const {

@@ -8,18 +8,15 @@ WeldJoint::WeldJoint(const WeldJointDef& def, const BodyStore& bodies)
       def_(def),
       reference_(bodies.motion[anchors.b.body].angle - bodies.motion[anchors.a.body].angle) {}
 
-JointRows WeldJoint::rows(const Ends& now, const JointPass& pass) const {
-    const Ends later = after(now, pass.step);
-    JointRows rows = rowsFor(now);
+void WeldJoint::ask(JointRows& rows, const Ends& now, const JointPass& pass) const {
+    const Ends later = ahead(now, pass);
     if (!def_.spring) holdPoint(rows, now, later, pass);
     for (const int axis : {0, 1})
-        if (def_.spring)
-            pull(rows.row[rows.count++] = rowAlong(Vec2::Unit(axis), now), *def_.spring, now.apart()[axis], pass);
+        if (def_.spring) pull(rows.add() = rowAlong(Vec2::Unit(axis), now), *def_.spring, now.apart()[axis], pass);
     if (def_.bending)
-        pull(rows.row[rows.count++] = rowTurning(), *def_.bending, coordinate(now), pass);
+        pull(rows.add() = rowTurning(), *def_.bending, coordinate(now), pass);
     else
         holdRow(rows, rowTurning(), {coordinate(now), coordinate(later)}, now, pass);
-    return rows;
 }
 
 SpringLoad WeldJoint::springLoad(const Ends& now) const {

@@ -14,7 +14,7 @@ public:
     WeldJoint(const WeldJointDef& def, const BodyStore& bodies);
 
     void set(const WeldJointDef& def) { def_ = def; }
-    JointRows rows(const Ends& now, const JointPass& pass) const;
+    void ask(JointRows& rows, const Ends& now, const JointPass& pass) const;
     SpringLoad springLoad(const Ends& now) const;
     double coordinate(const Ends& ends) const { return ends.angle() - reference_; }
     static JointRow coordinateRow(const Ends&) { return rowTurning(); }

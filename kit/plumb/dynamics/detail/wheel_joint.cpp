@@ -11,20 +11,18 @@ WheelJoint::WheelJoint(const WheelJointDef& def, const BodyStore& bodies)
       def_(def),
       localAxis_(bodies.motion[anchors.a.body].rotation.inverse() * Vec2(def.axis.stableNormalized())) {}
 
-JointRows WheelJoint::rows(const Ends& now, const JointPass& pass) const {
-    const Ends later = after(now, pass.step);
-    JointRows rows = rowsFor(now);
+void WheelJoint::ask(JointRows& rows, const Ends& now, const JointPass& pass) const {
+    const Ends later = ahead(now, pass);
     holdRow(rows, rowAlong(perp(axis(now)), now), {aside(now), aside(later)}, now, pass);
     if (def_.maxMotorTorque > 0) {
-        JointRow& turning = rows.row[rows.count++] = rowTurning();
+        JointRow& turning = rows.add() = rowTurning();
         drive(turning, def_.motorSpeed, def_.maxMotorTorque, pass);
     }
-    if (!def_.limit && !def_.spring) return rows;
-    JointRow& sliding = rows.row[rows.count++] = coordinateRow(now);
+    if (!def_.limit && !def_.spring) return;
+    JointRow& sliding = rows.add() = coordinateRow(now);
     const Course course{coordinate(now), coordinate(later)};
     if (def_.limit) keepWithin(sliding, *def_.limit, course, speedOf(sliding, now), pass);
     if (def_.spring) pull(sliding, *def_.spring, course.now - def_.restShift, pass);
-    return rows;
 }
 
 SpringLoad WheelJoint::springLoad(const Ends& now) const {

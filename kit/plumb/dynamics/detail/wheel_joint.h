@@ -15,7 +15,7 @@ public:
     WheelJoint(const WheelJointDef& def, const BodyStore& bodies);
 
     void set(const WheelJointDef& def) { def_ = def; }
-    JointRows rows(const Ends& now, const JointPass& pass) const;
+    void ask(JointRows& rows, const Ends& now, const JointPass& pass) const;
     SpringLoad springLoad(const Ends& now) const;
     double coordinate(const Ends& ends) const { return axis(ends).dot(ends.apart()); }
     JointRow coordinateRow(const Ends& ends) const { return rowAlong(axis(ends), ends); }
