@@ -153,6 +153,40 @@ TEST_CASE("a bullet that is 2 % too slow, or bounces back, turns the ballistic p
                   [](Scene& scene) { eachShape(scene, [](ShapeDef& s) { s.material.restitution = 0.05; }); });
 }
 
+TEST_CASE("a restitution 1 % too small, a little rubbing or a disc 3 % too heavy turns the cradles red",
+          "[compare][check]") {
+    const std::vector<std::string> cradles{"cradle_one", "cradle_two", "cradle_gap"};
+    checkTurnsRed(cradles, [](Scene& scene) { eachShape(scene, [](ShapeDef& s) { s.material.restitution = 0.99; }); });
+    checkTurnsRed(cradles, [](Scene& scene) {
+        for (SceneBody& body : scene.bodies) body.def.linearDamping = 0.02;
+    });
+    checkTurnsRed(cradles, [](Scene& scene) { scene.bodies.back().def.shapes.front().material.density *= 1.03; });
+}
+
+TEST_CASE("hinges 2 cm beside their places, a joint too strong or too weak turn the bridges red", "[compare][check]") {
+    checkTurnsRed({"bridge_under_load"},
+                  eachJoint<RevoluteJointDef>([](RevoluteJointDef& def) { def.anchor.y() += 0.02; }));
+    for (const double force : {1e3, 1e6})
+        checkTurnsRed({"breaking_bridge"}, eachJoint<RevoluteJointDef>([force](RevoluteJointDef& def) {
+                          if (def.breaking.force < unlimited) def.breaking.force = force;
+                      }));
+}
+
+TEST_CASE("limbs that bend too far, or stairs of ice, turn the doll red", "[compare][check]") {
+    checkTurnsRed({"ragdoll"}, eachJoint<RevoluteJointDef>([](RevoluteJointDef& def) { def.limit.reset(); }));
+    checkTurnsRed({"ragdoll"}, [](Scene& scene) { eachShape(scene, [](ShapeDef& s) { s.material.friction = 0; }); });
+}
+
+TEST_CASE("a gate that is solid, or looks for nothing, and a platform that is solid either way turn red",
+          "[compare][check]") {
+    checkTurnsRed({"sensor_gate"}, [](Scene& scene) { eachShape(scene, [](ShapeDef& s) { s.sensor = false; }); });
+    checkTurnsRed({"sensor_gate"}, [](Scene& scene) { scene.bodies.front().def.shapes.front().filter.mask = 0; });
+    checkTurnsRed({"one_way_platform"}, [](Scene& scene) { eachShape(scene, [](ShapeDef& s) { s.oneWay.reset(); }); });
+    checkTurnsRed({"one_way_platform"}, [](Scene& scene) {
+        eachShape(scene, [](ShapeDef& s) { s.oneWay = s.oneWay ? std::optional<Vec2>(-*s.oneWay) : std::nullopt; });
+    });
+}
+
 TEST_CASE("a little damping turns the double pendulum red within its minute", "[compare][check]") {
     checkTurnsRed({"double_pendulum_minute"}, [](Scene& scene) {
         for (SceneBody& body : scene.bodies) body.def.linearDamping = 1e-3;
