@@ -23,6 +23,10 @@ double JointView::error() const {
     return world_->joints.errorOf(index_, world_->bodies);
 }
 
+double JointView::angleError() const {
+    return world_->joints.angleErrorOf(index_, world_->bodies);
+}
+
 void Joint::set(const JointDef& def) {
     validateChange(*world_, world_->joints[index_].def, def);
     changeJoint(*world_, index_, def);

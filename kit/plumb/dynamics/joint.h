@@ -27,6 +27,7 @@ public:
     JointReaction reaction() const;
     JointCoordinate coordinate() const;
     double error() const;  ///< how far the anchors are from where the joint wants them: what joint_error_max is of [m]
+    double angleError() const;  ///< how far the bodies are turned from what it lets them turn [rad]
 
 protected:
     friend class World;

@@ -87,6 +87,7 @@ void writeJoint(Writer& write, const JointView& joint) {
     write("force", joint.reaction().force);
     write("torque", joint.reaction().torque);
     write("error", joint.error());
+    write("angle error", joint.angleError());
 }
 
 void writeShape(Writer& write, const ShapeDef& def) {

@@ -51,11 +51,12 @@ struct Seen {
     }
 };
 
-/// What a kind of joint should say of its coordinate and error.
+/// What a kind of joint should say of its coordinate and errors.
 struct Kind {
     std::string name;
     JointDef def;
     std::function<double(const Place&, const Place&)> coordinate, error;
+    bool turns = true;  ///< whatever way it is turned is right
 };
 
 std::vector<Kind> kindsBetween(BodyId a, BodyId b, const Place& atA, const Place& atB, plumb::Random& random) {
@@ -84,10 +85,10 @@ std::vector<Kind> kindsBetween(BodyId a, BodyId b, const Place& atA, const Place
     using namespace plumb;
     return {
         {"revolute", RevoluteJointDef{.bodyA = a, .bodyB = b, .anchor = p}, turn, gap},
-        {"prismatic", PrismaticJointDef{.bodyA = a, .bodyB = b, .anchor = p, .axis = way}, along, aside},
+        {"prismatic", PrismaticJointDef{.bodyA = a, .bodyB = b, .anchor = p, .axis = way}, along, aside, false},
         {"rod", DistanceJointDef{.bodyA = a, .bodyB = b, .anchorA = p, .anchorB = q}, length,
          [=](const Place& x, const Place& y) { return std::fabs(length(x, y) - (q - p).norm()); }},
-        {"weld", WeldJointDef{.bodyA = a, .bodyB = b, .anchor = p}, turn, gap},
+        {"weld", WeldJointDef{.bodyA = a, .bodyB = b, .anchor = p}, turn, gap, false},
         {"wheel", WheelJointDef{.bodyA = a, .bodyB = b, .anchor = p, .axis = way}, along, aside},
         {"pulley",
          PulleyJointDef{.bodyA = a,
@@ -113,7 +114,7 @@ Place moved(const Place& place, const Vec2& velocity, double spin, double time) 
 
 }  // namespace
 
-TEST_CASE("coordinate, speed and error of each kind of joint are what 1,000 seeded pairs of poses say",
+TEST_CASE("coordinate, speed and errors of each kind of joint are what 1,000 seeded pairs of poses say",
           "[dynamics][joints]") {
     plumb::Random random(41);
     double worstValue = 0, worstSpeed = 0, worstError = 0;
@@ -137,6 +138,8 @@ TEST_CASE("coordinate, speed and error of each kind of joint are what 1,000 seed
             const plumb::JointView joint = world.joint(joints[k]);
             worstValue = std::max(worstValue, std::fabs(joint.coordinate().value - value(0)));
             worstError = std::max(worstError, std::fabs(joint.error() - kinds[k].error(toA, toB)));
+            const double turned = kinds[k].turns ? 0.0 : std::fabs((toB.angle - toA.angle) - (atB.angle - atA.angle));
+            worstError = std::max(worstError, std::fabs(joint.angleError() - turned));
             // Distances that have shrunk to nearly nothing turn too fast for a difference quotient.
             if (kinds[k].name != "revolute" && kinds[k].name != "weld" && std::fabs(value(0)) < 0.1) continue;
             constexpr double h = 1e-5;
@@ -148,6 +151,17 @@ TEST_CASE("coordinate, speed and error of each kind of joint are what 1,000 seed
     CHECK(worstError < 1e-12);
     // h^2 / 6 of a third derivative of up to (speeds of 20 m/s)^3 / (0.1 m)^2, and roundings of 10 m over h
     CHECK(worstSpeed < 1e-5 * 1e-5 / 6 * 8000 / 0.01 + 1e-8);
+}
+
+TEST_CASE("a hinge tells by how much it is beyond its limit", "[dynamics][joints]") {
+    World world;
+    const BodyId base = world.add({.type = BodyType::Static}), arm = world.add(bodyAt({{0, 0}, 0}));
+    const JointId hinge = world.join(
+        plumb::RevoluteJointDef{.bodyA = base, .bodyB = arm, .anchor = {0, 0}, .limit = plumb::Limit{-0.25, 0.5}});
+    for (const auto& [angle, beyond] : {std::pair{0.4, 0.0}, {0.75, 0.25}, {-0.2, 0.0}, {-1.0, 0.75}}) {
+        world.body(arm).setPose({0, 0}, angle);
+        CHECK(std::fabs(world.joint(hinge).angleError() - beyond) < 1e-15);
+    }
 }
 
 TEST_CASE("a gear's coordinate is its joints', and its error is what it has slipped", "[dynamics][joints]") {

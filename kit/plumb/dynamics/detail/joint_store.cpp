@@ -116,6 +116,17 @@ double JointStore::errorOf(JointIndex index, const BodyStore& bodies) const {
         records[index].joint);
 }
 
+double JointStore::angleErrorOf(JointIndex index, const BodyStore& bodies) const {
+    return std::visit(
+        [&]<class Joint>(const Joint& joint) -> double {
+            if constexpr (requires(const Ends& ends) { joint.angleError(ends); })
+                return joint.angleError(endsAtRest(joint.anchors, bodies));
+            else
+                return 0;
+        },
+        records[index].joint);
+}
+
 AnyJoint makeJoint(const JointDef& def, const JointStore& joints, const BodyStore& bodies) {
     struct Maker {
         const JointStore& joints;

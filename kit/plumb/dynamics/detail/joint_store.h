@@ -72,8 +72,9 @@ struct JointStore {
     SpringLoad springLoadOf(JointIndex joint, const BodyStore& bodies) const;
     /// Where the last step has left it [m or rad].
     double coordinateOf(JointIndex joint, const BodyStore& bodies) const;
-    double speedOf(JointIndex joint, const BodyStore& bodies) const;  ///< [m/s or rad/s]
-    double errorOf(JointIndex joint, const BodyStore& bodies) const;  ///< [m]
+    double speedOf(JointIndex joint, const BodyStore& bodies) const;       ///< [m/s or rad/s]
+    double errorOf(JointIndex joint, const BodyStore& bodies) const;       ///< [m]
+    double angleErrorOf(JointIndex joint, const BodyStore& bodies) const;  ///< [rad]
 };
 
 /// The joint that a def describes, where the bodies stand now.

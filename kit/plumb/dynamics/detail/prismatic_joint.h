@@ -4,6 +4,8 @@
 // Three rows: B's anchor is to stay on the axis, and its angle as it was; the third shifts it along the axis, for a
 // motor and a limit.
 #pragma once
+#include <cmath>
+
 #include <plumb/dynamics/detail/joint_rows.h>
 
 namespace plumb {
@@ -20,6 +22,7 @@ public:
     double coordinate(const Ends& ends) const { return axis(ends).dot(ends.apart()); }
     JointRow coordinateRow(const Ends& ends) const { return rowAlong(axis(ends), ends); }
     double error(const Ends& ends) const;
+    double angleError(const Ends& ends) const { return std::fabs(turned(ends)); }
 
 private:
     Vec2 axis(const Ends& ends) const { return ends.a.rotation * localAxis_; }

@@ -28,9 +28,12 @@ SpringLoad RevoluteJoint::springLoad(const Ends& now) const {
 }
 
 double RevoluteJoint::error(const Ends& ends) const {
+    return std::max(ends.apart().norm(), angleError(ends) * ends.b.arm.norm());
+}
+
+double RevoluteJoint::angleError(const Ends& ends) const {
     const double turned = coordinate(ends);
-    const double beyond = def_.limit ? std::max({0.0, def_.limit->lower - turned, turned - def_.limit->upper}) : 0.0;
-    return std::max(ends.apart().norm(), beyond * ends.b.arm.norm());
+    return def_.limit ? std::max({0.0, def_.limit->lower - turned, turned - def_.limit->upper}) : 0.0;
 }
 
 }  // namespace plumb

@@ -20,6 +20,7 @@ public:
     double coordinate(const Ends& ends) const { return ends.angle() - reference_; }
     static JointRow coordinateRow(const Ends&) { return rowTurning(); }
     double error(const Ends& ends) const;
+    double angleError(const Ends& ends) const;  ///< beyond its limit
     /// Without motor, limit and spring.
     bool isPlain() const { return def_.maxMotorTorque == 0 && !def_.limit && !def_.spring; }
 

@@ -3,6 +3,8 @@
 //
 // Rows for the gap along x and y and for the angle; what is to give has a spring instead.
 #pragma once
+#include <cmath>
+
 #include <plumb/dynamics/detail/joint_rows.h>
 
 namespace plumb {
@@ -18,6 +20,7 @@ public:
     SpringLoad springLoad(const Ends& now) const;
     double coordinate(const Ends& ends) const { return ends.angle() - reference_; }
     static JointRow coordinateRow(const Ends&) { return rowTurning(); }
+    double angleError(const Ends& ends) const { return def_.bending ? 0.0 : std::fabs(coordinate(ends)); }
     double error(const Ends& ends) const { return def_.spring ? 0.0 : ends.apart().norm(); }
 
 private:
