@@ -2,6 +2,7 @@
 #include <compare/engine/plumb_world.h>
 
 #include <compare/engine/joint_geometry.h>
+#include <plumb/shapes/chain.h>
 
 namespace plumb::compare {
 namespace {
@@ -23,12 +24,20 @@ JointDef withIds(const JointGeometry& joint, const PlumbWorld& made) {
     return def;
 }
 
+Capacity capacityFor(const Scene& scene) {
+    Capacity capacity{.bodies = scene.bodies.size(), .joints = scene.joints.size()};
+    for (const SceneBody& body : scene.bodies)
+        for (const ShapeDef& shape : body.def.shapes) capacity.shapes += piecesOf(shape.shape).size();
+    return capacity;
+}
+
 }  // namespace
 
 PlumbWorld plumbWorld(const Scene& scene, WorldDef def) {
     def.gravity = scene.gravity;
     def.sleeping = scene.sleeping;
     PlumbWorld made{World(def), {}, {}};
+    made.world.reserve(capacityFor(scene));
     for (const SceneBody& body : scene.bodies) made.bodies.push_back(made.world.add(body.def));
     for (const JointGeometry& joint : jointGeometries(scene))
         made.joints.push_back(made.world.join(withIds(joint, made)));

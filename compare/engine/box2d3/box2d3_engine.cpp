@@ -41,6 +41,12 @@ b2WorldDef worldDef(const Scene& scene) {
     def.gravity = toBox2d3(scene.gravity);
     if (bounces(scene)) def.restitutionThreshold = 0;
     def.enableSleep = scene.sleeping;
+    for (const SceneBody& body : scene.bodies) {
+        const bool fixed = body.def.type == BodyType::Static;
+        const int shapes = static_cast<int>(body.def.shapes.size());
+        ++(fixed ? def.capacity.staticBodyCount : def.capacity.dynamicBodyCount);
+        (fixed ? def.capacity.staticShapeCount : def.capacity.dynamicShapeCount) += shapes;
+    }
     if (!mixesAsBox2d(scene)) {
         def.frictionCallback = mixedFriction3;
         def.restitutionCallback = mixedRestitution3;
