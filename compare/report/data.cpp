@@ -71,12 +71,15 @@ json bodyData(const SceneBody& body) {
 /// has no place of its own, and for a target, which has one body.
 json jointData(const SceneJoint& joint, const JointGeometry& geometry) {
     if (geometry.bodyA == noBody) return {};
-    return {{"name", joint.name},
-            {"a", geometry.bodyA},
-            {"b", geometry.bodyB},
-            {"type", jointTags.begin()[joint.def.index()]},
-            {"atA", pair(geometry.localAnchorA)},
-            {"atB", pair(geometry.localAnchorB)}};
+    json data{{"name", joint.name},
+              {"a", geometry.bodyA},
+              {"b", geometry.bodyB},
+              {"type", jointTags.begin()[joint.def.index()]},
+              {"atA", pair(geometry.localAnchorA)},
+              {"atB", pair(geometry.localAnchorB)}};
+    if (const auto* pulley = std::get_if<PulleyJointDef>(&joint.def))
+        data["over"] = {pair(pulley->groundA), pair(pulley->groundB)};
+    return data;
 }
 
 /// Null where the series does not exist or says nothing.

@@ -79,6 +79,7 @@ function sceneBox(scene) {
         }
     }
     for (const joint of scene.joints) {
+        for (const point of joint.over ?? []) box.add(...point);
         for (const [body, at] of [[joint.a, joint.atA], [joint.b, joint.atB]]) {
             const [x, y, angle] = scene.bodies[body].start;
             box.add(...inWorld({x, y, angle}, at[0], at[1]));

@@ -139,13 +139,18 @@ function drawBody(context, camera, body, pose, look, color) {
     context.setLineDash(look.dash);
 }
 
-/// A rod from anchor to anchor, or the arms from both bodies to their hinge.
+/// The line by which a joint is known: a rod or a slide's way from anchor to anchor, a rope over its pulleys, or the arm
+/// from a body to its hinge.
+function lineOf(joint, a, b, poseB) {
+    if (joint.over) return [a, ...joint.over, b];
+    return ["distance", "prismatic"].includes(joint.type) ? [a, b] : [b, [poseB.x, poseB.y]];
+}
+
 function drawJoint(context, camera, joint, poseA, poseB) {
     const a = inWorld(poseA, joint.atA[0], joint.atA[1]);
     const b = inWorld(poseB, joint.atB[0], joint.atB[1]);
-    const path = joint.type === "distance" ? [a, b] : [b, [poseB.x, poseB.y]];
     context.beginPath();
-    for (const [x, y] of path) context.lineTo(camera.x(x), camera.y(y));
+    for (const [x, y] of lineOf(joint, a, b, poseB)) context.lineTo(camera.x(x), camera.y(y));
     context.stroke();
     context.setLineDash([]);
     for (const [x, y] of [a, b]) {
