@@ -47,4 +47,23 @@ TEST_CASE("the ledger closes over every scene, and what it says is stored is wha
     }
 }
 
+TEST_CASE("friction, blows and dampers never give, in any scene, and few joules go without a cause",
+          "[compare][ledger][law]") {
+    for (const Scene& scene : builtinScenes()) {
+        INFO(scene.name);
+        PlumbWorld made = plumbWorld(scene, {.ledger = true});
+        double largest = 1e-6;
+        for (int tick = 0; tick < stepCount(scene); ++tick) {
+            made.world.step(scene.dt);
+            const EnergyLedger e = made.world.ledger().energy;
+            largest = std::max({largest, e.kinetic, std::fabs(e.gravitational), e.spring, e.drivers});
+            CHECK(e.friction < 3e-3 * largest);  // a joint has the last word, and may turn a limb back a little
+            CHECK(e.impacts < 1e-4 * largest);
+            CHECK(e.damping <= 0);
+        }
+        // The worst is the doll, whose limbs the floor stops at 8 m/s: 15 %.
+        CHECK(std::fabs(made.world.ledger().energy.solver) < 0.2 * largest);
+    }
+}
+
 }  // namespace plumb::compare

@@ -41,15 +41,34 @@ Vec2 velocityOf(const SolverVelocity& v) {
     return {static_cast<double>(v.x), static_cast<double>(v.y)};
 }
 
+/// Faster than gravity makes in two steps what has lain still.
+bool hits(const WorldState& world, const ManifoldLanes& manifolds, std::size_t lane) {
+    return static_cast<double>(manifolds.approachSpeed[lane]) > 2 * world.def.gravity.norm() * world.lastStep + 1e-3;
+}
+
+/// Calls visit(batch, its manifolds, lane).
+template <class Visit>
+void forEachLane(const WorldState& world, Visit&& visit) {
+    for (const Colour& colour : world.graph.colours)
+        for (std::size_t slot = 0; slot < colour.contactOf.size(); ++slot)
+            visit(colour.batches[slot / batchLanes], colour.manifolds[slot / batchLanes], slot % batchLanes);
+}
+
 }  // namespace
 
-/// One contact: its impulses, and the velocities of its bodies.
+/// One contact: what it has given, and the velocities of its bodies.
 struct Audit::Lane {
     const ContactBatch& batch;
     std::size_t lane;
     SolverVelocity a, b;
     double normal[2] = {0, 0}, tangent[2] = {0, 0}, roll = 0;
 
+    /// Before it has given anything.
+    static Lane before(const ContactBatch& from, std::size_t at, const std::vector<SolverVelocity>& velocities) {
+        Lane lane(from, at, velocities);
+        lane.normal[0] = lane.normal[1] = lane.tangent[0] = lane.tangent[1] = lane.roll = 0;
+        return lane;
+    }
     Lane(const ContactBatch& from, std::size_t at, const std::vector<SolverVelocity>& velocities)
         : batch(from), lane(at), a(velocities[from.bodyA[at]]), b(velocities[from.bodyB[at]]) {
         for (std::size_t p = 0; p < 2; ++p) {
@@ -133,9 +152,9 @@ void Audit::begin(const WorldState& world) {
 
 void Audit::beforeKick(const WorldState& world, const std::vector<BodyIndex>& solved) {
     const double half = 0.5 * world.lastStep / world.def.solver.subSteps;
-    unwarmed_ = world.bodies.velocity;
+    start_ = world.bodies.velocity;
     for (const BodyIndex body : solved) {
-        SolverVelocity& v = unwarmed_[body];
+        SolverVelocity& v = start_[body];
         const Kick& kick = world.bodies.kick[body];
         const BodyRecord& record = world.bodies.record[body];
         const double rho = static_cast<double>(world.bodies.turn[body].rho);
@@ -149,27 +168,6 @@ void Audit::beforeKick(const WorldState& world, const std::vector<BodyIndex>& so
         if (record.linearDamping > 0) dampedMomentum_[body] += record.mass * gain - pull * half;
         v = {v.x + kick.gain.x, v.y + kick.gain.y, v.w + kick.gain.w, v.inverseMass};
     }
-}
-
-void Audit::afterKick(const WorldState& world) {
-    for (std::size_t index = 0; index < world.graph.colours.size(); ++index) {
-        const Colour& colour = world.graph.colours[index];
-        for (std::size_t slot = 0; slot < colour.contactOf.size(); ++slot) {
-            const ContactBatch& batch = colour.batches[slot / batchLanes];
-            const std::size_t lane = slot % batchLanes;
-            Lane before(batch, lane, unwarmed_);
-            std::fill(std::begin(before.normal), std::end(before.normal), 0.0);
-            std::fill(std::begin(before.tangent), std::end(before.tangent), 0.0);
-            before.roll = 0;
-            noteContact(before, Lane(batch, lane, world.bodies.velocity), hits(world, index, slot / batchLanes, lane));
-        }
-    }
-}
-
-/// Faster than gravity makes in two steps what has lain still.
-bool Audit::hits(const WorldState& world, std::size_t colour, std::size_t batch, std::size_t lane) const {
-    const double approach = static_cast<double>(world.graph.colours[colour].manifolds[batch].approachSpeed[lane]);
-    return approach > 2 * world.def.gravity.norm() * world.lastStep + 1e-3;
 }
 
 void Audit::noteContact(const Lane& before, const Lane& after, bool hits) {
@@ -205,67 +203,74 @@ void Audit::noteContact(const Lane& before, const Lane& after, bool hits) {
     if (pushA != pushB) note(&MomentumLedger::ground, pushB ? impulse : Vec2(-impulse));
 }
 
-void Audit::solveContacts(WorldState& world,
-                          void (*solve)(ContactBatch*, std::size_t, const SolverBodies&, const ContactPass&),
-                          std::size_t colour, const ContactPass& pass) {
-    Colour& all = world.graph.colours[colour];
-    for (std::size_t slot = 0; slot < all.contactOf.size(); ++slot) {
-        ContactBatch& batch = all.batches[slot / batchLanes];
-        const std::size_t lane = slot % batchLanes;
-        ContactBatch single{};
-        copyLane(single, 0, batch, lane, batchRows);
-        single.belts = batch.belts;
-        single.rolls = batch.rolls;
-        single.bounces = batch.bounces;
-        const Lane before(batch, lane, world.bodies.velocity);
-        solve(&single, 1, world.bodies.solverBodies(), pass);
-        copyLane(batch, lane, single, 0, batchRows);
-        noteContact(before, Lane(batch, lane, world.bodies.velocity), hits(world, colour, slot / batchLanes, lane));
-    }
+Audit::Given Audit::givenBy(const JointRows& rows, std::size_t row, double impulse) {
+    Given given;
+    given.body = rows.body;
+    given.all = impulse;
+    for (std::size_t e = 0; e < rows.ends; ++e) given.at[e] = rows.at(row, e);
+    return given;
 }
 
-/// Its impulses are counted in the totals only.
-void Audit::bounceContacts(WorldState& world, std::size_t colour) {
-    Colour& all = world.graph.colours[colour];
-    for (std::size_t slot = 0; slot < all.contactOf.size(); ++slot) {
-        ContactBatch& batch = all.batches[slot / batchLanes];
-        const std::size_t lane = slot % batchLanes;
-        if (!batch.bounces) continue;
-        ContactBatch single{};
-        copyLane(single, 0, batch, lane, batchRows);
-        single.bounces = true;
-        Lane before(batch, lane, world.bodies.velocity);
-        for (std::size_t p = 0; p < 2; ++p) before.normal[p] = static_cast<double>(batch.points[p].totalNormal[lane]);
-        scalarContactSolver.bounce(&single, 1, world.bodies.solverBodies());
-        copyLane(batch, lane, single, 0, batchRows);
-        Lane after(batch, lane, world.bodies.velocity);
-        for (std::size_t p = 0; p < 2; ++p) after.normal[p] = static_cast<double>(batch.points[p].totalNormal[lane]);
-        noteContact(before, after, true);
-    }
-}
-
-void Audit::noteRows(const BodyStore& bodies, const JointRows& rows, const Vec3& impulses, const Vec3& before,
-                     const Vec3& after, const Vec3& slopes) {
+void Audit::noteRows(const JointRows& rows, const Vec3& impulses, const Vec3& after, const Vec3& slopes) {
     for (std::size_t r = 0; r < rows.count; ++r) {
         const JointRow& row = rows.row[r];
-        const double mean = 0.5 * (before[r] + after[r]);
-        for (std::size_t e = 0; e < rows.ends; ++e) {
-            const SolverVelocity& v = bodies.velocity[rows.body[e]];
-            if (v.inverseMass > 0) continue;
-            const double spin = static_cast<double>(v.w) * static_cast<double>(bodies.turn[rows.body[e]].rho);
-            const Vec3& at = rows.at(r, e);
-            note(&EnergyLedger::drivers,
-                 -impulses[r] * (at[0] * static_cast<double>(v.x) + at[1] * static_cast<double>(v.y) + at[2] * spin));
-        }
+        Given& given = given_.emplace_back(givenBy(rows, r, impulses[r]));
         if (row.holds) continue;
-        const double damper = row.dampPush - slopes[r] * after[r];
-        note(&EnergyLedger::damping, damper * mean);
+        given.damper = row.dampPush - slopes[r] * after[r];
         if (row.bounded) continue;
-        const double curve = impulses[r] - row.push - (damper - row.dampPush);
-        const double motor = std::clamp(curve, row.low, row.high);
-        note(&EnergyLedger::motors, motor * mean);
-        note(&EnergyLedger::impacts, (curve - motor) * mean);
+        const double curve = impulses[r] - row.push - (given.damper - row.dampPush);
+        given.motor = std::clamp(curve, row.low, row.high);
+        given.impact = curve - given.motor;
     }
+}
+
+void Audit::noteImpact(const JointRows& rows, double impulse) {
+    given_.push_back(givenBy(rows, 0, impulse));
+    given_.back().impact = impulse;
+}
+
+void Audit::noteGiven(const BodyStore& bodies, const Given& given) {
+    double mean = 0, driven = 0;
+    for (std::size_t e = 0; e < mostEnds; ++e) {
+        const BodyIndex body = given.body[e];
+        const Vec3& at = given.at[e];
+        const double turn = at[2] * static_cast<double>(bodies.turn[body].rho);
+        const SolverVelocity& now = bodies.velocity[body];
+        mean += 0.5 * (speedAlong(start_[body], at[0], at[1], turn) + speedAlong(now, at[0], at[1], turn));
+        if (now.inverseMass == 0) driven += speedAlong(now, at[0], at[1], turn);
+    }
+    note(&EnergyLedger::drivers, -given.all * driven);
+    note(&EnergyLedger::damping, given.damper * mean);
+    note(&EnergyLedger::motors, given.motor * mean);
+    note(&EnergyLedger::impacts, given.impact * mean);
+}
+
+void Audit::endHalf(const WorldState& world) {
+    forEachLane(world, [&](const ContactBatch& batch, const ManifoldLanes& manifolds, std::size_t lane) {
+        const Lane after(batch, lane, world.bodies.velocity);
+        noteContact(Lane::before(batch, lane, start_), after, hits(world, manifolds, lane));
+    });
+    for (const Given& given : given_) noteGiven(world.bodies, given);
+    given_.clear();
+}
+
+void Audit::beforeBounces(const WorldState& world) {
+    start_ = world.bodies.velocity;
+    totals_.clear();
+    forEachLane(world, [&](const ContactBatch& batch, const ManifoldLanes&, std::size_t lane) {
+        for (const PointLanes& point : batch.points) totals_.push_back(point.totalNormal[lane]);
+    });
+}
+
+/// What has been given since then is counted in the totals only.
+void Audit::afterBounces(const WorldState& world) {
+    std::size_t next = 0;
+    forEachLane(world, [&](const ContactBatch& batch, const ManifoldLanes&, std::size_t lane) {
+        Lane after = Lane::before(batch, lane, world.bodies.velocity);
+        for (std::size_t p = 0; p < 2; ++p)
+            after.normal[p] = static_cast<double>(batch.points[p].totalNormal[lane] - totals_[next++]);
+        noteContact(Lane::before(batch, lane, start_), after, true);
+    });
 }
 
 void Audit::end(const WorldState& world, const std::vector<BodyIndex>& solved, double dt) {

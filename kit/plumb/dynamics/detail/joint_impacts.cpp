@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <optional>
 
+#include <plumb/dynamics/detail/joint_answer.h>
+
 namespace plumb {
 
 namespace {
@@ -105,6 +107,16 @@ void giveBoth(WorldState& world, const ContactRecord& contact, std::size_t point
     give(world, contact.bodyB, slot.push(world.bodies, contact.bodyB, point), impulse, h);
 }
 
+/// How fast the point parts, as a row.
+JointRows partingRow(const WorldState& world, const ContactRecord& contact, std::size_t point) {
+    const Slot slot(world, contact);
+    JointRows rows;
+    rows.body = {contact.bodyA, contact.bodyB, noBody, noBody};
+    rows.add().at = {times(slot.push(world.bodies, contact.bodyA, point), -1),
+                     slot.push(world.bodies, contact.bodyB, point)};
+    return rows;
+}
+
 /// Tries how much a small impulse does, and gives what is then known to be needed.
 void bounce(WorldState& world, const Point& point, double h) {
     const ContactRecord& contact = world.contacts.contacts[point.contact];
@@ -120,9 +132,7 @@ void bounce(WorldState& world, const Point& point, double h) {
     ContactBatch& batch = colour.batches[contact.slot / batchLanes];
     batch.points[point.number].totalNormal[slot.lane] += static_cast<float>(impulse);
     batch.pushed[slot.lane] = -1;
-    if (!world.audit) return;
-    const double after = approachOf(world, contact, point.number);
-    world.audit->note(&EnergyLedger::impacts, -0.5 * impulse * (point.approach + after));
+    if (world.audit) world.audit->noteImpact(partingRow(world, contact, point.number), impulse);
 }
 
 }  // namespace

@@ -121,8 +121,7 @@ private:
             Vec3 slopes{};
             for (std::size_t r = 0; r < work_.rows[j].count; ++r)
                 slopes[r] = slopeOf(work_.rows[j].row[r], work_.yields[j][r]);
-            audit.noteRows(bodies_, work_.rows[j], work_.impulses[j], speedsOf(j, work_.before),
-                           speedsOf(j, work_.after), slopes);
+            audit.noteRows(work_.rows[j], work_.impulses[j], speedsOf(j, work_.after), slopes);
         }
     }
 
@@ -269,12 +268,11 @@ void solveNet(JointNet& net, JointStore& joints, BodyStore& bodies, const NetPas
     JointRows rows;
     for (const JointIndex index : net.others) {
         joints.ask(index, bodies, pass.swept, rows);
-        const Vec3 before = speedsOf(rows, bodies);
         sweepJoint(joints[index], joints.loads[index], rows, bodies, pass.hinges.soft);
         if (pass.audit == nullptr) continue;
         Vec3 slopes{};
         for (std::size_t r = 0; r < rows.count; ++r) slopes[r] = slopeOf(rows.row[r], yieldOf(bodies, rows, r));
-        pass.audit->noteRows(bodies, rows, joints[index].impulse, before, speedsOf(rows, bodies), slopes);
+        pass.audit->noteRows(rows, joints[index].impulse, speedsOf(rows, bodies), slopes);
     }
 }
 

@@ -90,9 +90,9 @@ void prepareJoints(WorldState& world, double dt) {
     world.springs.share(world.joints, world.bodies, dt / world.def.solver.subSteps);
 }
 
-Vec2 momentumOf(const WorldState& world, const JointNet& net) {
+Vec2 momentumOf(const WorldState& world, const std::vector<BodyIndex>& bodies) {
     Vec2 sum(0, 0);
-    for (const BodyIndex body : net.bodies) {
+    for (const BodyIndex body : bodies) {
         const SolverVelocity& v = world.bodies.velocity[body];
         sum += world.bodies.record[body].mass * Vec2(static_cast<double>(v.x), static_cast<double>(v.y));
     }
@@ -102,9 +102,9 @@ Vec2 momentumOf(const WorldState& world, const JointNet& net) {
 void solveJoints(WorldState& world, NetPass pass) {
     pass.audit = world.audit.get();
     for (JointNet& net : world.nets) {
-        const Vec2 before = pass.audit != nullptr ? momentumOf(world, net) : Vec2(0, 0);
+        const Vec2 before = pass.audit != nullptr ? momentumOf(world, net.bodies) : Vec2(0, 0);
         solveNet(net, world.joints, world.bodies, pass);
-        if (pass.audit != nullptr) pass.audit->noteGround(momentumOf(world, net) - before);
+        if (pass.audit != nullptr) pass.audit->noteGround(momentumOf(world, net.bodies) - before);
     }
 }
 
@@ -119,8 +119,7 @@ struct Solving {
     std::vector<ContactIndex> bounces;  ///< of what hangs on joints
 };
 
-/// What stands on something fixed stands twice as stiffly: the ground does not give. Calls solve(solver, batches,
-/// count, pass, entry of the graph's colours).
+/// What stands on something fixed stands twice as stiffly: the ground does not give. Calls solve(solver, colour, pass).
 template <class Solve>
 void forEachColour(Solving& solving, Solve&& solve) {
     auto& colours = solving.world.graph.colours;
@@ -130,8 +129,16 @@ void forEachColour(Solving& solving, Solve&& solve) {
         const int colour = colourAt(index);
         const bool ground = colour >= fixedColour && colour != overflowColour;
         const ContactSolver& solver = colour == overflowColour ? scalarContactSolver : solving.contacts;
-        solve(solver, colours[index], ground ? solving.pass.groundContacts : solving.pass.contacts, index);
+        solve(solver, colours[index], ground ? solving.pass.groundContacts : solving.pass.contacts);
     }
+}
+
+void bounceWhatHangs(Solving& solving, double h) {
+    WorldState& world = solving.world;
+    if (solving.bounces.empty()) return;
+    const Vec2 before = world.audit ? momentumOf(world, solving.solved) : Vec2(0, 0);
+    bounceHanging(world, solving.bounces, h);
+    if (world.audit) world.audit->noteGround(momentumOf(world, solving.solved) - before);
 }
 
 void solveHalf(Solving& solving, const NetPass& joints, bool first) {
@@ -140,10 +147,9 @@ void solveHalf(Solving& solving, const NetPass& joints, bool first) {
     if (joints.direct.correct) world.springs.noteSpeeds(world.joints, world.bodies, joints.direct.step);
     if (world.audit) world.audit->beforeKick(world, solving.solved);
     kickBodies(list, solving.solved.size(), solving.bodies, first);
-    if (world.audit) world.audit->afterKick(world);
     if (world.awakeJoints.empty()) return;
     solveJoints(world, joints);
-    if (!solving.bounces.empty()) bounceHanging(world, solving.bounces, joints.direct.step);
+    bounceWhatHangs(solving, joints.direct.step);
     markBodies(list, solving.solved.size(), solving.bodies);
 }
 
@@ -151,22 +157,17 @@ void solveHalf(Solving& solving, const NetPass& joints, bool first) {
 using ContactWork = void (*ContactSolver::*)(ContactBatch*, std::size_t, const SolverBodies&, const ContactPass&);
 
 void solveContacts(Solving& solving, ContactWork work) {
-    forEachColour(solving,
-                  [&](const ContactSolver& solver, Colour& colour, const ContactPass& pass, std::size_t index) {
-                      if (solving.world.audit)
-                          solving.world.audit->solveContacts(solving.world, scalarContactSolver.*work, index, pass);
-                      else
-                          (solver.*work)(colour.batches.data(), colour.batches.size(), solving.bodies, pass);
-                  });
+    forEachColour(solving, [&](const ContactSolver& solver, Colour& colour, const ContactPass& pass) {
+        (solver.*work)(colour.batches.data(), colour.batches.size(), solving.bodies, pass);
+    });
 }
 
 void bounceContacts(Solving& solving) {
-    forEachColour(solving, [&](const ContactSolver& solver, Colour& colour, const ContactPass&, std::size_t index) {
-        if (solving.world.audit)
-            solving.world.audit->bounceContacts(solving.world, index);
-        else
-            solver.bounce(colour.batches.data(), colour.batches.size(), solving.bodies);
+    if (solving.world.audit) solving.world.audit->beforeBounces(solving.world);
+    forEachColour(solving, [&](const ContactSolver& solver, Colour& colour, const ContactPass&) {
+        solver.bounce(colour.batches.data(), colour.batches.size(), solving.bodies);
     });
+    if (solving.world.audit) solving.world.audit->afterBounces(solving.world);
 }
 
 /// The joints have the last word before bodies move: a blow on a plank of a bridge is a blow on the bridge. What they
@@ -179,9 +180,9 @@ void holdAgain(Solving& solving) {
         if (!net.direct || std::none_of(net.bodies.begin(), net.bodies.end(), touched)) continue;
         std::vector<SolverVelocity> was;
         for (const BodyIndex body : net.bodies) was.push_back(bodies.velocity[body]);
-        const Vec2 momentum = world.audit ? momentumOf(world, net) : Vec2(0, 0);
+        const Vec2 momentum = world.audit ? momentumOf(world, net.bodies) : Vec2(0, 0);
         holdNet(net, world.joints, bodies, solving.pass.solveJoints.direct, world.audit.get());
-        if (world.audit) world.audit->noteGround(momentumOf(world, net) - momentum);
+        if (world.audit) world.audit->noteGround(momentumOf(world, net.bodies) - momentum);
         for (std::size_t i = 0; i < net.bodies.size(); ++i) {
             const SolverVelocity& now = bodies.velocity[net.bodies[i]];
             SolverVelocity& before = bodies.before[net.bodies[i]];
@@ -196,9 +197,11 @@ void subStep(Solving& solving, bool first) {
     solveHalf(solving, solving.pass.solveJoints, first);
     solveContacts(solving, &ContactSolver::solve);
     holdAgain(solving);
+    if (solving.world.audit) solving.world.audit->endHalf(solving.world);
     solving.mover.move(solving.solved.data(), solving.solved.size(), solving.bodies, solving.pass.step);
     solveHalf(solving, solving.pass.relaxJoints, false);
     solveContacts(solving, &ContactSolver::relax);
+    if (solving.world.audit) solving.world.audit->endHalf(solving.world);
 }
 
 void markPushed(WorldState& world) {
@@ -274,7 +277,7 @@ void solveConstraints(WorldState& world, double dt) {
     prepareJoints(world, dt);
     solving.bounces = takeHangingBounces(world);
     if (world.audit) world.audit->begin(world);
-    forEachColour(solving, [&](const ContactSolver& solver, const Colour& colour, const ContactPass&, std::size_t) {
+    forEachColour(solving, [&](const ContactSolver& solver, const Colour& colour, const ContactPass&) {
         solver.gatherWarmStart(colour.batches.data(), colour.batches.size(), solving.bodies);
     });
     for (int i = 0; i < subSteps; ++i) subStep(solving, i == 0);
