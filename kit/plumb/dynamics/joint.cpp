@@ -7,7 +7,7 @@
 namespace plumb {
 
 JointDef JointView::def() const {
-    return world_->joints[index_].def;
+    return world_->joints[index_].def();
 }
 
 JointReaction JointView::reaction() const {
@@ -28,7 +28,7 @@ double JointView::angleError() const {
 }
 
 void Joint::set(const JointDef& def) {
-    validateChange(*world_, world_->joints[index_].def, def);
+    validateChange(*world_, world_->joints[index_].def(), def);
     changeJoint(*world_, index_, def);
 }
 

@@ -13,6 +13,7 @@ public:
 
     DistanceJoint(const DistanceJointDef& def, const BodyStore& bodies);
 
+    const DistanceJointDef& def() const { return def_; }
     void set(const DistanceJointDef& def);
     void ask(JointRows& rows, const Ends& now, const JointPass& pass) const;
     SpringLoad springLoad(const Ends& now) const;

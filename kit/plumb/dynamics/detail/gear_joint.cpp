@@ -11,12 +11,12 @@ void GearJoint::ask(JointRows& rows, const Geared& a, const Geared& b, const Joi
     row.at[0] = a.row.at[1];
     rows.far[0] = a.row.at[0];
     for (std::size_t i = 0; i < 3; ++i) {
-        row.at[1][i] = ratio_ * b.row.at[1][i];
-        rows.far[1][i] = ratio_ * b.row.at[0][i];
+        row.at[1][i] = def_.ratio * b.row.at[1][i];
+        rows.far[1][i] = def_.ratio * b.row.at[0][i];
     }
-    const Course course{a.course.now + ratio_ * b.course.now - total_,
-                        a.course.later + ratio_ * b.course.later - total_};
-    hold(row, course, a.speed + ratio_ * b.speed, pass);
+    const Course course{a.course.now + def_.ratio * b.course.now - total_,
+                        a.course.later + def_.ratio * b.course.later - total_};
+    hold(row, course, a.speed + def_.ratio * b.speed, pass);
 }
 
 }  // namespace plumb

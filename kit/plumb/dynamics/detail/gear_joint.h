@@ -19,20 +19,21 @@ class GearJoint {
 public:
     /// at: the joints' slots and their coordinates now.
     GearJoint(const GearJointDef& def, double a, double b)
-        : jointA(def.jointA.index), jointB(def.jointB.index), ratio_(def.ratio), total_(a + def.ratio * b) {}
+        : jointA(def.jointA.index), jointB(def.jointB.index), def_(def), total_(a + def.ratio * b) {}
 
     std::uint32_t jointA = 0, jointB = 0;
 
+    const GearJointDef& def() const { return def_; }
     void set(const GearJointDef& def, double a, double b) {
-        ratio_ = def.ratio;
+        def_ = def;
         total_ = a + def.ratio * b;
     }
-    double ratio() const { return ratio_; }
+    double ratio() const { return def_.ratio; }
     double total() const { return total_; }
     void ask(JointRows& rows, const Geared& a, const Geared& b, const JointPass& pass) const;
 
 private:
-    double ratio_ = 1;
+    GearJointDef def_;
     double total_ = 0;  ///< what a + ratio b is to stay [m or rad]
 };
 

@@ -69,15 +69,26 @@ void JointStore::ask(JointIndex index, const BodyStore& bodies, JointPass pass, 
         records[index].joint);
 }
 
+JointDef JointRecord::def() const {
+    return std::visit(
+        []<class Joint>(const Joint& any) -> JointDef {
+            if constexpr (requires { any.def(); })
+                return any.def();
+            else
+                return {};
+        },
+        joint);
+}
+
 bool JointStore::hasSpring(JointIndex index) const {
     return std::visit(
-        []<class Def>(const Def& def) {
-            bool has = std::is_same_v<Def, TargetJointDef>;
-            if constexpr (requires { def.spring; }) has = has || def.spring.has_value();
-            if constexpr (requires { def.bending; }) has = has || def.bending.has_value();
+        []<class Joint>(const Joint& joint) {
+            bool has = std::is_same_v<Joint, TargetJoint>;
+            if constexpr (requires { joint.def().spring.has_value(); }) has = has || joint.def().spring.has_value();
+            if constexpr (requires { joint.def().bending; }) has = has || joint.def().bending.has_value();
             return has;
         },
-        records[index].def);
+        records[index].joint);
 }
 
 SpringLoad JointStore::springLoadOf(JointIndex index, const BodyStore& bodies) const {
@@ -143,7 +154,7 @@ AnyJoint makeJoint(const JointDef& def, const JointStore& joints, const BodyStor
         }
         AnyJoint operator()(const MotorJointDef& d) const { return MotorJoint(d, bodies); }
         AnyJoint operator()(const TargetJointDef& d) const { return TargetJoint(d, bodies); }
-        AnyJoint operator()(const FilterJointDef&) const { return FilterJoint{}; }
+        AnyJoint operator()(const FilterJointDef& d) const { return FilterJoint(d); }
     };
     return std::visit(Maker{joints, bodies}, def);
 }

@@ -20,7 +20,14 @@ namespace plumb {
 using JointIndex = std::uint32_t;
 
 /// Only keeps its bodies from touching.
-struct FilterJoint {};
+class FilterJoint {
+public:
+    explicit FilterJoint(const FilterJointDef& def) : def_(def) {}
+    const FilterJointDef& def() const { return def_; }
+
+private:
+    FilterJointDef def_;
+};
 
 /// monostate: a free slot.
 using AnyJoint = std::variant<std::monostate, RevoluteJoint, PrismaticJoint, DistanceJoint, WeldJoint, WheelJoint,
@@ -38,7 +45,6 @@ struct JointLoad {
 
 struct JointRecord {
     AnyJoint joint;
-    JointDef def;
     BodyIndex bodyA = noBody, bodyB = noBody;  ///< noBody: the world; of a gear, what its joints move
     bool collideConnected = false;
     std::uint32_t generation = 0;
@@ -49,6 +55,7 @@ struct JointRecord {
     Vec3 impulse{};          ///< of half a sub-step, while its net is swept [N s or N m s]
 
     bool isFree() const { return std::holds_alternative<std::monostate>(joint); }
+    JointDef def() const;  ///< of one that is neither free nor hidden
     bool isHidden() const { return std::holds_alternative<LockJoint>(joint); }
     bool mayBreak() const { return breaking.force < unlimited || breaking.torque < unlimited; }
     bool acts() const { return !isFree() && !std::holds_alternative<FilterJoint>(joint); }

@@ -77,7 +77,7 @@ struct Setter {
     }
     void operator()(const MotorJointDef& d) const { std::get<MotorJoint>(joint).set(d); }
     void operator()(const TargetJointDef& d) const { std::get<TargetJoint>(joint).set(d, world.bodies); }
-    void operator()(const FilterJointDef&) const {}
+    void operator()(const FilterJointDef& d) const { joint = FilterJoint(d); }
 };
 
 template <class Visit>
@@ -96,7 +96,6 @@ JointIndex addJoint(WorldState& world, const JointDef& def) {
     const JointBodies bodies = bodiesOf(world, def);
     record.joint = std::move(joint);
     if (std::holds_alternative<GearJoint>(record.joint)) world.joints.gears.push_back(index);
-    record.def = def;
     record.bodyA = bodies.a;
     record.bodyB = bodies.b;
     record.collideConnected = bodies.collideConnected;
@@ -125,7 +124,6 @@ void changeJoint(WorldState& world, JointIndex index, const JointDef& def) {
         record.collideConnected = bodies.collideConnected;
         link(world, index);
     }
-    record.def = def;
     record.breaking = bodies.breaking;
     world.jointsChanged = true;
     std::visit(Setter{world, record.joint}, def);

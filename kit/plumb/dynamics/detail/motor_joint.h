@@ -13,6 +13,7 @@ public:
 
     MotorJoint(const MotorJointDef& def, const BodyStore& bodies);
 
+    const MotorJointDef& def() const { return def_; }
     void set(const MotorJointDef& def);
     void ask(JointRows& rows, const Ends& now, const JointPass& pass) const;
     double coordinate(const Ends& ends) const { return off(ends).norm(); }

@@ -16,6 +16,7 @@ public:
 
     PrismaticJoint(const PrismaticJointDef& def, const BodyStore& bodies);
 
+    const PrismaticJointDef& def() const { return def_; }
     void set(const PrismaticJointDef& def) { def_ = def; }
     void ask(JointRows& rows, const Ends& now, const JointPass& pass) const;
     SpringLoad springLoad(const Ends& now) const;

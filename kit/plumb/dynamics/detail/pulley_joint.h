@@ -14,6 +14,7 @@ public:
 
     PulleyJoint(const PulleyJointDef& def, const BodyStore& bodies);
 
+    const PulleyJointDef& def() const { return def_; }
     void set(const PulleyJointDef& def);
     void ask(JointRows& rows, const Ends& now, const JointPass& pass) const;
     double coordinate(const Ends& ends) const;

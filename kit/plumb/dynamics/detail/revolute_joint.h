@@ -14,6 +14,7 @@ public:
 
     RevoluteJoint(const RevoluteJointDef& def, const BodyStore& bodies);
 
+    const RevoluteJointDef& def() const { return def_; }
     void set(const RevoluteJointDef& def) { def_ = def; }
     void ask(JointRows& rows, const Ends& now, const JointPass& pass) const;
     SpringLoad springLoad(const Ends& now) const;

@@ -13,6 +13,7 @@ public:
 
     TargetJoint(const TargetJointDef& def, const BodyStore& bodies);
 
+    const TargetJointDef& def() const { return def_; }
     void set(const TargetJointDef& def, const BodyStore& bodies);
     void ask(JointRows& rows, const Ends& now, const JointPass& pass) const;
     SpringLoad springLoad(const Ends& now) const;

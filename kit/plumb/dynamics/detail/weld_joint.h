@@ -15,6 +15,7 @@ public:
 
     WeldJoint(const WeldJointDef& def, const BodyStore& bodies);
 
+    const WeldJointDef& def() const { return def_; }
     void set(const WeldJointDef& def) { def_ = def; }
     void ask(JointRows& rows, const Ends& now, const JointPass& pass) const;
     SpringLoad springLoad(const Ends& now) const;

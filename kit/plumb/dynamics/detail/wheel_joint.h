@@ -14,6 +14,7 @@ public:
 
     WheelJoint(const WheelJointDef& def, const BodyStore& bodies);
 
+    const WheelJointDef& def() const { return def_; }
     void set(const WheelJointDef& def) { def_ = def; }
     void ask(JointRows& rows, const Ends& now, const JointPass& pass) const;
     SpringLoad springLoad(const Ends& now) const;
