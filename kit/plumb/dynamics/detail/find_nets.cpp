@@ -37,7 +37,8 @@ constexpr std::size_t fewLoops = 16;
 constexpr std::size_t updatesPerNode = 8;
 constexpr std::size_t fewUpdates = 4000;
 
-void seat(JointNet& net, const JointStore& joints, const BodyStore& bodies, std::vector<std::uint32_t>& nodeOf) {
+void seat(JointNet& net, const JointStore& joints, const BodyStore& bodies, int atOnce,
+          std::vector<std::uint32_t>& nodeOf) {
     for (const JointIndex index : net.joints) {
         for (const BodyIndex body : endsOf(joints, index)) {
             if (!bodies.canMove(body) || nodeOf[body] != JointNet::Seats::fixed) continue;
@@ -63,13 +64,14 @@ void seat(JointNet& net, const JointStore& joints, const BodyStore& bodies, std:
     for (const BodyIndex body : net.bodies) nodeOf[body] = JointNet::Seats::fixed;
     const std::size_t loops = edges.size() + 1 - std::min<std::size_t>(edges.size(), node);
     const std::size_t most = std::max(fewUpdates, updatesPerNode * node);
-    net.direct = loops <= std::max(fewLoops, net.joints.size() / joinsPerLoop) && net.solver.analyse(node, edges, most);
+    net.direct = net.joints.size() <= static_cast<std::size_t>(atOnce) &&
+                 loops <= std::max(fewLoops, net.joints.size() / joinsPerLoop) && net.solver.analyse(node, edges, most);
     if (!net.direct) net.others = net.hinges.take(net.joints, joints, bodies);
 }
 
 }  // namespace
 
-std::vector<JointNet> findNets(const JointStore& joints, const BodyStore& bodies) {
+std::vector<JointNet> findNets(const JointStore& joints, const BodyStore& bodies, int atOnce) {
     Groups groups(bodies.record.size());
     std::vector<JointIndex> awake;
     for (JointIndex index = 0; index < joints.records.size(); ++index) {
@@ -96,7 +98,7 @@ std::vector<JointNet> findNets(const JointStore& joints, const BodyStore& bodies
         nets[net].joints.push_back(index);
     }
     std::vector<std::uint32_t> nodeOf(bodies.record.size(), JointNet::Seats::fixed);
-    for (JointNet& net : nets) seat(net, joints, bodies, nodeOf);
+    for (JointNet& net : nets) seat(net, joints, bodies, atOnce, nodeOf);
     return nets;
 }
 

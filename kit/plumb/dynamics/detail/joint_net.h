@@ -49,7 +49,8 @@ struct NetPass {
 };
 
 /// The nets of the joints that act and have a body awake, in the order of their first joints.
-std::vector<JointNet> findNets(const JointStore& joints, const BodyStore& bodies);
+/// atOnce: those of more joints are swept.
+std::vector<JointNet> findNets(const JointStore& joints, const BodyStore& bodies, int atOnce);
 
 /// Bodies that were in a net before keep their stiffness.
 void keepStiffness(const std::vector<JointNet>& before, std::vector<JointNet>& nets);

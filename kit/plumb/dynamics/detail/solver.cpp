@@ -65,7 +65,7 @@ void findAwakeNets(WorldState& world) {
     world.jointsChanged = false;
     const std::vector<JointNet> before = std::move(world.nets);
     for (const JointNet& net : before) net.hinges.release(world.joints);
-    world.nets = findNets(world.joints, world.bodies);
+    world.nets = findNets(world.joints, world.bodies, world.def.solver.jointsAtOnce);
     keepStiffness(before, world.nets);
     world.awakeJoints.clear();
     for (const JointNet& net : world.nets)

@@ -50,6 +50,7 @@ void validate(const WorldDef& def) {
     requirePositive(s.contactPushSpeed, "WorldDef.solver.contactPushSpeed");
     requireNotNegative(s.sleepSpeed, "WorldDef.solver.sleepSpeed");
     requireNotNegative(s.sleepTime, "WorldDef.solver.sleepTime");
+    requireNotNegative(s.jointsAtOnce, "WorldDef.solver.jointsAtOnce");
     if (s.lanes != 1 && s.lanes != 4 && s.lanes != 8 && s.lanes != 16)
         refuse("WorldDef.solver.lanes", std::to_string(s.lanes) + " is not 1, 4, 8 or 16");
 }
