@@ -189,7 +189,7 @@ TEST_CASE("queries refuse what is no place, no shape and no distance, by name an
     refuses([&] { world.nearest({notANumber, 0}, 1); }, "World.nearest: point: (nan, 0)");
     refuses([&] { world.nearest({0, 0}, -1); }, "World.nearest: within: -1 is not a distance");
     refuses([&] { world.nearest({0, 0}, notANumber); }, "World.nearest: within: nan is not a distance");
-    refuses([&] { world.distance({body, 1}, {body, 0}); }, "World.distance: a.number: 1 is no shape");
+    refuses([&] { world.distance({body, 1}, {body, 0}); }, "World.distance: a.number: 1 names no shape");
     refuses([&] { world.distance({body, 0}, {}); }, "World.distance: b.body");
 }
 
