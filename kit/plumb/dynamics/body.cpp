@@ -4,6 +4,7 @@
 #include <plumb/dynamics/detail/body_shapes.h>
 #include <plumb/dynamics/detail/islands.h>
 #include <plumb/dynamics/detail/joints_edit.h>
+#include <plumb/dynamics/detail/quarantine.h>
 #include <plumb/dynamics/detail/validate.h>
 #include <plumb/dynamics/detail/world_state.h>
 #include <plumb/math/check.h>
@@ -181,6 +182,7 @@ void Body::setPose(const Vec2& position, double angle) {
     requireFinite(angle, "Body.setPose: angle");
     wakeNeighbours(*world_, index_);
     BodyMotion& motion = world_->bodies.motion[index_];
+    const bool sound = isSound(motion);
     motion.angle = angle;
     motion.rotation = Rot::fromAngle(angle);
     motion.center = position + motion.rotation * world_->bodies.record[index_].localCenter;
@@ -188,6 +190,7 @@ void Body::setPose(const Vec2& position, double angle) {
     world_->bodies.rest(index_);
     meetAnew(*world_, index_);
     moveLocks(*world_, index_);
+    world_->jointsChanged = world_->jointsChanged || isSound(motion) != sound;
     wakeIsland(*world_, index_);
 }
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <new>
+#include <stdexcept>
+#include <string>
 
 #include <plumb/dynamics/counts.h>
 #include <plumb/dynamics/detail/world_state.h>
@@ -15,6 +18,19 @@ namespace {
 void requireCountable(std::size_t count, const char* field) {
     constexpr std::size_t most = ~std::uint32_t{0} - 1;
     if (count > most) refuse(field, std::to_string(count) + " is more than " + std::to_string(most));
+}
+
+/// What is not to be had is refused by name. Room that was made before stays.
+template <class Reserve>
+void makeRoom(std::size_t count, const char* field, Reserve&& reserve) {
+    const std::string complaint = std::to_string(count) + " is more than there is memory for";
+    try {
+        reserve(count);
+    } catch (const std::bad_alloc&) {
+        refuse(field, complaint);
+    } catch (const std::length_error&) {
+        refuse(field, complaint);
+    }
 }
 
 template <class... Vectors>
@@ -75,14 +91,22 @@ void World::reserve(const Capacity& capacity) {
     requireCountable(capacity.contacts, "Capacity.contacts");
     requireCountable(capacity.joints, "Capacity.joints");
     WorldState& world = *state_;
-    world.bodies.reserve(capacity.bodies + 1);  // and nobody
-    world.movers.reserve(capacity.bodies);
-    world.space.reserve(capacity.shapes);
-    world.contacts.boxes.reserve(capacity.shapes);
-    world.contacts.contacts.reserve(capacity.contacts);
-    world.contacts.free.reserve(capacity.contacts);
-    world.joints.records.reserve(capacity.joints);
-    world.joints.loads.reserve(capacity.joints);
+    makeRoom(capacity.bodies, "Capacity.bodies", [&](std::size_t bodies) {
+        world.bodies.reserve(bodies + 1);  // and nobody
+        world.movers.reserve(bodies);
+    });
+    makeRoom(capacity.shapes, "Capacity.shapes", [&](std::size_t shapes) {
+        world.space.reserve(shapes);
+        world.contacts.boxes.reserve(shapes);
+    });
+    makeRoom(capacity.contacts, "Capacity.contacts", [&](std::size_t contacts) {
+        world.contacts.contacts.reserve(contacts);
+        world.contacts.free.reserve(contacts);
+    });
+    makeRoom(capacity.joints, "Capacity.joints", [&](std::size_t joints) {
+        world.joints.records.reserve(joints);
+        world.joints.loads.reserve(joints);
+    });
 }
 
 WorldCounts World::counts() const {

@@ -78,6 +78,32 @@ TEST_CASE("a world with room for 1000 bodies takes them in without moving what i
 }
 
 #if defined(PLUMB_TEST_MALLOC_SAYS)
+// Where more memory is promised than there is, there is room.
+TEST_CASE("room for 4 billion of anything is made, or refused by name and number", "[dynamics][counts]") {
+    using plumb::Capacity;
+    const std::size_t most = ~std::uint32_t{0} - std::size_t{1};
+    const std::vector<std::pair<std::size_t Capacity::*, std::string>> fields{{&Capacity::bodies, "bodies"},
+                                                                              {&Capacity::shapes, "shapes"},
+                                                                              {&Capacity::contacts, "contacts"},
+                                                                              {&Capacity::joints, "joints"}};
+    for (const auto& [field, name] : fields) {
+        World world;
+        const plumb::BodyId body = world.add({.shapes = {plumb::circle(0.5)}});
+        Capacity capacity;
+        capacity.*field = most;
+        std::string said;
+        try {
+            world.reserve(capacity);
+        } catch (const std::invalid_argument& refusal) {
+            said = refusal.what();
+        }
+        const std::string expected = "Capacity." + name + ": 4294967294 is more than there is memory for";
+        CHECK((said.empty() || said == expected));
+        world.step(1.0 / 60);
+        CHECK(world.body(body).position().y() < 0);
+    }
+}
+
 namespace {
 
 std::size_t allocated() {

@@ -49,7 +49,9 @@ TEST_CASE("a ray finds what was added, has jumped here or was removed, without a
     CHECK_FALSE(world.castRay({0, 0}, {10, 0}));
 }
 
-TEST_CASE("a box at rest that was struck at 500 m/s in the last step is found where it has flown to", "[dynamics]") {
+TEST_CASE(
+    "a box at rest that was struck at 500 m/s in the last step is found where it has flown to, until it is disabled",
+    "[dynamics]") {
     World world({.gravity = {0, 0}});
     const BodyId struck = addBox(world, {0, 0}, {}, BodyType::Dynamic);
     ShapeDef hammer = circle(0.5, {.density = 1000, .restitution = 1});
@@ -60,6 +62,10 @@ TEST_CASE("a box at rest that was struck at 500 m/s in the last step is found wh
     CHECK(world.overlapPoint(now) == std::vector{ShapeId{struck, 0}});
     CHECK(world.castRay(now + Vec2(0, 5), now)->shape == ShapeId{struck, 0});
     CHECK(world.nearest(now, 0)->shape == ShapeId{struck, 0});
+    world.body(struck).setEnabled(false);
+    CHECK(world.overlapPoint(now).empty());
+    CHECK_FALSE(world.castRay(now + Vec2(0, 5), now));
+    CHECK_FALSE(world.nearest(now, 0));
 }
 
 TEST_CASE("of shapes met at once the one of the first body is found, and of one body the first shape", "[dynamics]") {
@@ -140,6 +146,23 @@ TEST_CASE("a ray of 2e12 m through a world of 3 m meets a box as a short one doe
     CHECK_FALSE(world.castRay({-1e12, 0.75}, {1e12, 0.75}));
 }
 
+TEST_CASE("a ray and a disc still meet the floor after a ball was put 1e99 m away", "[dynamics]") {
+    World world;
+    const BodyId floor = world.add({.type = BodyType::Static, .shapes = {segment({-12, 0}, {12, 0})}});
+    const BodyId ball = world.add({.position = {0, 5}, .shapes = {circle(0.5)}});
+    world.step(1.0 / 60);
+    world.body(ball).setPose({-2e99, -8e99}, 0);
+    for (int tick = 0; tick < 3; ++tick) {
+        world.step(1.0 / 60);
+        REQUIRE(world.castRay({0, 1}, {1, -1}));
+        CHECK(world.castRay({0, 1}, {1, -1})->shape.body == floor);
+        CHECK(world.castShape(Circle{0.25}, {{0, 1}, {}}, {1, -2}));
+        CHECK(world.nearest({0, 1}, 2));
+        CHECK(world.overlapPoint({0, 0}).size() == 1);
+    }
+    CHECK(world.body(ball).quarantined());
+}
+
 TEST_CASE("queries refuse what is no place, no shape and no distance, by name and value", "[dynamics]") {
     World world;
     const BodyId body = addBox(world, {0, 0});
@@ -166,7 +189,7 @@ TEST_CASE("queries refuse what is no place, no shape and no distance, by name an
     refuses([&] { world.nearest({notANumber, 0}, 1); }, "World.nearest: point: (nan, 0)");
     refuses([&] { world.nearest({0, 0}, -1); }, "World.nearest: within: -1 is not a distance");
     refuses([&] { world.nearest({0, 0}, notANumber); }, "World.nearest: within: nan is not a distance");
-    refuses([&] { world.distance({body, 1}, {body, 0}); }, "World.distance: a.number: 1 is no shape");
+    refuses([&] { world.distance({body, 1}, {body, 0}); }, "World.distance: a.number: 1 names no shape");
     refuses([&] { world.distance({body, 0}, {}); }, "World.distance: b.body");
 }
 

@@ -1,39 +1,80 @@
 // SPDX-License-Identifier: MIT
 #include "kit/dynamics/random_editor.h"
 
+#include <cstdlib>
+
 namespace {
 
 using plumb::test::RandomEditor;
 
+/// Ten times as many with PLUMB_FULL=1 in the environment.
+std::uint64_t seedsOf(std::uint64_t few) {
+    const char* full = std::getenv("PLUMB_FULL");
+    return full != nullptr && std::string(full) == "1" ? 10 * few : few;
+}
+
+void add(RandomEditor::Tally& sum, const RandomEditor::Tally& part) {
+    using Tally = RandomEditor::Tally;
+    for (const auto count :
+         {&Tally::steps, &Tally::begins, &Tally::hits, &Tally::visits, &Tally::quarantines, &Tally::joints,
+          &Tally::breaks, &Tally::gears, &Tally::refusals, &Tally::asked, &Tally::found})
+        sum.*count += part.*count;
+}
+
 }  // namespace
 
-TEST_CASE("a world that is edited in 100,000 random ways tells the truth about itself", "[dynamics][editing][law]") {
-    long long begins = 0, hits = 0, visits = 0, quarantines = 0;
-    for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+TEST_CASE("a world that is edited and asked in 100,000 random ways tells the truth about itself",
+          "[dynamics][editing][law]") {
+    RandomEditor::Tally sum;
+    const std::uint64_t seeds = seedsOf(50);
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         INFO("seed " << seed);
-        RandomEditor editor(seed, 16);
-        editor.run(plumb::test::bodyActions(), 2000);
+        RandomEditor editor(seed, {.wild = seed % 3 == 0, .ledger = seed % 5 == 0});
+        editor.run(plumb::test::allActions(), 2000);
         editor.check();
-        begins += editor.begins;
-        hits += editor.hits;
-        visits += editor.visits;
-        quarantines += editor.quarantines;
+        add(sum, editor.tally);
     }
-    CHECK(begins > 10000);
-    CHECK(hits > 1000);
-    CHECK(visits > 1000);
-    CHECK(quarantines > 10);
+    const auto share = static_cast<long long>(seeds);
+    CHECK(sum.begins > 100 * share);
+    CHECK(sum.hits > 20 * share);
+    CHECK(sum.visits > 20 * share);
+    CHECK(sum.quarantines > share / 5);
+    CHECK(sum.joints > 100 * share);
+    CHECK(sum.breaks > 10 * share);
+    CHECK(sum.gears > share);
+    CHECK(sum.refusals > 100 * share);
+    CHECK(sum.asked > 200 * share);
+    CHECK(sum.found > sum.asked / 4);
 }
 
 TEST_CASE("a world that is edited in 3,000 random ways has the same bits for 1, 4, 8 and 16 lanes",
           "[dynamics][editing][law]") {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-        std::vector<std::uint64_t> hashes;
+        std::vector<std::uint64_t> states, heard;
         for (const int lanes : {1, 4, 8, 16}) {
-            RandomEditor editor(seed, lanes);
-            editor.run(plumb::test::bodyActions(), 3000);
-            hashes.push_back(plumb::stateHash(editor.world));
+            RandomEditor editor(seed, {.lanes = lanes, .wild = seed % 3 == 0});
+            editor.run(plumb::test::allActions(), 3000);
+            states.push_back(plumb::stateHash(editor.world));
+            heard.push_back(editor.heard);
         }
-        for (const std::uint64_t hash : hashes) CHECK(hash == hashes[0]);
+        for (const std::uint64_t hash : states) CHECK(hash == states[0]);
+        for (const std::uint64_t hash : heard) CHECK(hash == heard[0]);
+    }
+}
+
+TEST_CASE("a world that is asked 300 questions, or keeps account, goes on as one that does neither",
+          "[dynamics][editing][law]") {
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        INFO("seed " << seed);
+        std::vector<std::uint64_t> states;
+        for (const bool asks : {true, false}) {
+            for (const bool ledger : {true, false}) {
+                RandomEditor editor(seed, {.ledger = ledger, .asks = asks});
+                editor.run(plumb::test::allActions(), 2000);
+                if (asks) CHECK(editor.tally.asked > 300);
+                states.push_back(plumb::stateHash(editor.world));
+            }
+        }
+        for (const std::uint64_t hash : states) CHECK(hash == states[0]);
     }
 }

@@ -220,3 +220,39 @@ TEST_CASE("a block that begins to tip turns as its formula says from the first s
         CHECK_THAT(world.body(block).angularVelocity(), Catch::Matchers::WithinAbs(-acceleration * tick / 60, 2e-3));
     }
 }
+
+TEST_CASE("the ledger is of numbers after a body on a spring was given 1e300 m/s, or put 1e300 m away",
+          "[dynamics][symptom]") {
+    for (const bool away : {false, true}) {
+        World world({.ledger = true});
+        const BodyId hook = world.add({.type = BodyType::Static});
+        const BodyId ball = world.add({.position = {0, -2}, .shapes = {plumb::circle(1)}});
+        world.join(plumb::DistanceJointDef{
+            .bodyA = hook, .bodyB = ball, .anchorB = {0, -2}, .spring = plumb::Spring{.stiffness = 100}});
+        step(world, 10);
+        if (away)
+            world.body(ball).setPose({1e300, 0}, 0);
+        else
+            world.body(ball).setVelocity({1e300, 0});
+        for (int tick = 0; tick < 3; ++tick) {
+            const plumb::Ledger ledger = world.ledger();
+            CHECK(std::isfinite(ledger.energy.stored()));
+            CHECK(std::fabs(ledger.energy.stored() - ledger.energy.gained()) < 1e-9);
+            CHECK((ledger.momentum.momentum - ledger.momentum.gained()).norm() < 1e-9);
+            world.step(1.0 / 60);
+        }
+        CHECK(world.body(ball).quarantined());
+    }
+}
+
+TEST_CASE("a touch that begins in the step in which its body goes into quarantine is not told to end before it began",
+          "[dynamics][symptom]") {
+    World world;
+    world.add({.type = BodyType::Static, .shapes = {plumb::segment({-10, 0}, {10, 0})}});
+    const BodyId ball = world.add({.position = {0, 0.99}, .shapes = {plumb::circle(1)}});
+    world.body(ball).applyForce({9e14 * world.body(ball).mass(), 0});
+    world.step(2);
+    REQUIRE(world.quarantines().size() == 1);
+    CHECK(world.contactEnds().size() == world.contactBegins().size());
+    CHECK(world.contactEnds().empty());
+}

@@ -144,6 +144,29 @@ TEST_CASE("an id of a removed body is refused even after its slot was used again
     CHECK(refusal([&] { world.joint(plumb::JointId{5, 0, second.world}).reaction(); }) != "");
 }
 
+TEST_CASE("an id that never was is not told that it was removed", "[dynamics][errors]") {
+    World world;
+    const BodyId body = world.add(ballAt(0, 0));
+    const plumb::JointId joint = world.join(plumb::TargetJointDef{.body = body});
+    const auto says = [](const std::string& text, const std::string& part) {
+        INFO(text);
+        CHECK(text.find(part) != std::string::npos);
+    };
+    for (const BodyId& wrong : {BodyId{99, 0, body.world}, {body.index, 1, body.world}, {0, 0, body.world}})
+        says(refusal([&] { world.body(wrong); }), "names no body of this world: there never was such a one");
+    for (const plumb::JointId& wrong : {plumb::JointId{99, 0, body.world}, {joint.index, 1, body.world}})
+        says(refusal([&] { world.remove(wrong); }), "names no joint of this world: there never was such a one");
+    says(refusal([&] { (void)world.shape({body, 7}); }), "7 names no shape of that body: there never was such a one");
+    world.add(body, plumb::circle(1));
+    world.remove(plumb::ShapeId{body, 1});
+    says(refusal([&] { (void)world.shape({body, 1}); }), "1 names no shape of that body any more: it was removed");
+    says(refusal([&] { (void)world.distance({body, 0}, {body, 1}); }), "b.number: 1 names no shape of that body any");
+    world.remove(joint);
+    world.remove(body);
+    says(refusal([&] { world.body(body); }), "it was removed");
+    says(refusal([&] { world.joint(joint); }), "it was removed");
+}
+
 TEST_CASE("removing a body takes its joints and contacts along and wakes what lay on it", "[dynamics]") {
     Resting scene;
     const BodyId rider = scene.world.add(ballAt(0, 1.5));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <plumb/dynamics/detail/quarantine.h>
 #include <plumb/dynamics/detail/world_state.h>
 
 namespace plumb {
@@ -110,16 +111,19 @@ void Audit::book(const WorldState& world, Energy energy, Momentum momentum) {
     EnergyLedger& e = ledger_.energy;
     e.kinetic = e.gravitational = e.spring = 0;
     Vec2 sum(0, 0);
+    const auto sound = [&](BodyIndex body) { return isSound(world.bodies.motion[body]); };
     for (BodyIndex body = 1; body < world.bodies.record.size(); ++body) {
         const BodyRecord& record = world.bodies.record[body];
         if (!record.alive || record.type != BodyType::Dynamic) continue;
         const BodyMotion& motion = world.bodies.motion[body];
+        if (!sound(body)) continue;  // it goes into quarantine before it can do anything
         e.kinetic += kineticOf(record, motion.velocity, motion.angularVelocity);
         e.gravitational += gravitationalOf(record, motion.center, world.def.gravity);
         sum += record.mass * motion.velocity;
     }
     for (JointIndex joint = 0; joint < world.joints.records.size(); ++joint)
-        if (world.joints.hasSpring(joint)) e.spring += springEnergyOf(world.joints.springLoadOf(joint, world.bodies));
+        if (world.joints.hasSpring(joint) && sound(world.joints[joint].bodyA) && sound(world.joints[joint].bodyB))
+            e.spring += springEnergyOf(world.joints.springLoadOf(joint, world.bodies));
     e.*energy += (e.stored() - energy_) - notedEnergy_;
     ledger_.momentum.*momentum += (sum - momentum_) - notedMomentum_;
     ledger_.momentum.momentum = momentum_ = sum;

@@ -3,19 +3,12 @@
 #include <map>
 #include <numeric>
 
+#include <plumb/dynamics/detail/joint_bodies.h>
 #include <plumb/dynamics/detail/joint_net.h>
 
 namespace plumb {
 
 namespace {
-
-/// The bodies of a joint in the order of its rows' ends.
-std::array<BodyIndex, mostEnds> endsOf(const JointStore& joints, JointIndex index) {
-    const JointRecord& record = joints[index];
-    const auto* gear = std::get_if<GearJoint>(&record.joint);
-    if (gear == nullptr) return {record.bodyA, record.bodyB, noBody, noBody};
-    return {record.bodyA, record.bodyB, joints[gear->jointA].bodyA, joints[gear->jointB].bodyA};
-}
 
 /// Sets of bodies that hang together, each known by one of them.
 class Groups {
@@ -75,12 +68,12 @@ std::vector<JointNet> findNets(const JointStore& joints, const BodyStore& bodies
     Groups groups(bodies.record.size());
     std::vector<JointIndex> awake;
     for (JointIndex index = 0; index < joints.records.size(); ++index) {
-        if (!joints[index].acts()) continue;
+        if (!joints[index].acts() || !holdsSomething(joints, bodies, index)) continue;
         const auto ends = endsOf(joints, index);
         const auto isAwake = [&](BodyIndex body) { return bodies.record[body].awake; };
         const auto isDynamic = [&](BodyIndex body) { return bodies.canMove(body); };
         const auto first = std::find_if(ends.begin(), ends.end(), isDynamic);
-        if (first == ends.end() || std::none_of(ends.begin(), ends.end(), isAwake)) continue;
+        if (std::none_of(ends.begin(), ends.end(), isAwake)) continue;
         awake.push_back(index);
         for (const BodyIndex body : ends)
             if (bodies.canMove(body)) groups.unite(*first, body);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <plumb/dynamics/detail/body_shapes.h>
+#include <plumb/dynamics/detail/joint_bodies.h>
 #include <plumb/dynamics/detail/load_bodies.h>
 #include <plumb/dynamics/detail/pairs.h>
 
@@ -24,10 +25,11 @@ void forEachNeighbour(const WorldState& world, BodyIndex body, Visit&& visit) {
         const BodyIndex other = otherOf(contact, body);
         if (contact.touching && world.bodies.canMove(other)) visit(other);
     });
-    for (const std::uint32_t j : world.bodies.record[body].joints) {
-        const JointRecord& joint = world.joints[j];
-        const BodyIndex other = joint.bodyA == body ? joint.bodyB : joint.bodyA;
-        if (joint.acts() && world.bodies.canMove(other)) visit(other);
+    for (const JointIndex joint : world.bodies.record[body].joints) {
+        if (!world.joints[joint].acts()) continue;
+        forEachBody(world.joints, joint, [&](BodyIndex other) {
+            if (other != body && world.bodies.canMove(other)) visit(other);
+        });
     }
 }
 
@@ -50,9 +52,11 @@ bool drivenFromOutside(const WorldState& world, BodyIndex body) {
         const BodyRecord& other = world.bodies.record[otherOf(contact, body)];
         driven = driven || (contact.touching && other.type == BodyType::Kinematic && other.awake);
     });
-    for (const std::uint32_t j : world.bodies.record[body].joints)
-        for (const BodyIndex end : {world.joints[j].bodyA, world.joints[j].bodyB})
+    for (const JointIndex joint : world.bodies.record[body].joints) {
+        forEachBody(world.joints, joint, [&](BodyIndex end) {
             driven = driven || (world.bodies.record[end].type == BodyType::Kinematic && world.bodies.record[end].awake);
+        });
+    }
     return driven;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <plumb/dynamics/detail/islands.h>
+#include <plumb/dynamics/detail/joint_bodies.h>
 #include <plumb/dynamics/detail/pairs.h>
 
 namespace plumb {
@@ -34,12 +35,11 @@ JointBodies bodiesOf(const WorldState& world, const JointDef& def) {
 void link(WorldState& world, JointIndex index) {
     const JointRecord& record = world.joints[index];
     world.jointsChanged = true;
-    for (const BodyIndex body : {record.bodyA, record.bodyB}) {
-        if (body == noBody) continue;
+    forEachBody(world.joints, index, [&](BodyIndex body) {
         world.bodies.record[body].joints.push_back(index);
         if (record.acts()) ++world.bodies.record[body].actingJoints;
-        wakeIsland(world, body);
-    }
+    });
+    forEachBody(world.joints, index, [&](BodyIndex body) { wakeIsland(world, body); });
     if (record.collideConnected) return;
     forEachContact(world.bodies, world.contacts, record.bodyA, [&](ContactIndex c) {
         const ContactRecord& contact = world.contacts.contacts[c];
@@ -50,14 +50,13 @@ void link(WorldState& world, JointIndex index) {
 void unlink(WorldState& world, JointIndex index) {
     const JointRecord& record = world.joints[index];
     world.jointsChanged = true;
-    for (const BodyIndex body : {record.bodyA, record.bodyB}) {
-        if (body == noBody) continue;
-        wakeIsland(world, body);
+    forEachBody(world.joints, index, [&](BodyIndex body) { wakeIsland(world, body); });
+    forEachBody(world.joints, index, [&](BodyIndex body) {
         std::vector<JointIndex>& joints = world.bodies.record[body].joints;
         joints.erase(std::find(joints.begin(), joints.end(), index));
         if (record.acts()) --world.bodies.record[body].actingJoints;
         if (world.bodies.isDynamic(body)) setRho(world.bodies.record[body], world.bodies.record[body].inverseInertia);
-    }
+    });
     if (!record.collideConnected) pairShapes(world, record.bodyA, record.bodyB);
 }
 
@@ -127,7 +126,7 @@ void changeJoint(WorldState& world, JointIndex index, const JointDef& def) {
     record.breaking = bodies.breaking;
     world.jointsChanged = true;
     std::visit(Setter{world, record.joint}, def);
-    for (const BodyIndex body : {record.bodyA, record.bodyB}) wakeIsland(world, body);
+    forEachBody(world.joints, index, [&](BodyIndex body) { wakeIsland(world, body); });
 }
 
 void removeJointsOf(WorldState& world, BodyIndex body) {

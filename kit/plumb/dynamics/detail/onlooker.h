@@ -62,8 +62,10 @@ private:
 
     template <class Visit>
     void forEachStray(Visit&& visit) const {
-        for (const Stray& stray : world_.strays.of(world_))
-            if (world_.space[stray.proxy].alive) visit(stray);
+        for (const Stray& stray : world_.strays.of(world_)) {
+            const Proxy& proxy = world_.space[stray.proxy];
+            if (proxy.alive && world_.bodies.record[proxy.owner].enabled) visit(stray);
+        }
     }
 
     const WorldState& world_;

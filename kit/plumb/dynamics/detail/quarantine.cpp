@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/detail/quarantine.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -19,6 +20,20 @@ bool within(double value) {
 
 bool within(const Vec2& value) {
     return within(value.x()) && within(value.y());
+}
+
+/// What has begun in this very step and ends in it, from an end on, has not been: ends are told before begins.
+void unsayTouches(WorldState& world, std::size_t from) {
+    const auto isUnsaid = [&world](const ContactEnd& end) {
+        const auto begin = std::find_if(world.begins.begin(), world.begins.end(), [&end](const ContactBegin& b) {
+            return b.shapeA == end.shapeA && b.shapeB == end.shapeB;
+        });
+        if (begin == world.begins.end()) return false;
+        world.begins.erase(begin);
+        return true;
+    };
+    const auto first = world.ends.begin() + static_cast<std::ptrdiff_t>(from);
+    world.ends.erase(std::remove_if(first, world.ends.end(), isUnsaid), world.ends.end());
 }
 
 }  // namespace
@@ -42,8 +57,13 @@ void quarantine(WorldState& world) {
     world.unsound.clear();
     for (const BodyIndex body : leaving) {
         wakeNeighbours(world, body);
-        if (world.bodies.record[body].enabled) hideShapes(world, body);
+        if (world.bodies.record[body].enabled) {
+            const std::size_t told = world.ends.size();
+            hideShapes(world, body);
+            unsayTouches(world, told);
+        }
         world.bodies.putToSleep(body);
+        world.jointsChanged = world.jointsChanged || !world.bodies.record[body].joints.empty();
         world.bodies.motion[body].velocity.setZero();
         world.bodies.motion[body].angularVelocity = 0;
         world.bodies.rest(body);

@@ -6,6 +6,7 @@
 
 #include <plumb/dynamics/detail/body_solver.h>
 #include <plumb/dynamics/detail/contact_solver.h>
+#include <plumb/dynamics/detail/joint_bodies.h>
 #include <plumb/dynamics/detail/joint_impacts.h>
 #include <plumb/dynamics/detail/lanes.h>
 
@@ -60,6 +61,13 @@ std::vector<BodyIndex> solvedBodies(WorldState& world) {
     return solved;
 }
 
+/// What sleeps bears what it did; a joint that holds nothing any more bears nothing.
+void forgetLoads(WorldState& world) {
+    for (JointIndex index = 0; index < world.joints.records.size(); ++index)
+        if (world.joints[index].acts() && !holdsSomething(world.joints, world.bodies, index))
+            world.joints.loads[index] = {};
+}
+
 void findAwakeNets(WorldState& world) {
     if (!world.jointsChanged) return;
     world.jointsChanged = false;
@@ -71,6 +79,7 @@ void findAwakeNets(WorldState& world) {
     for (const JointNet& net : world.nets)
         world.awakeJoints.insert(world.awakeJoints.end(), net.joints.begin(), net.joints.end());
     std::sort(world.awakeJoints.begin(), world.awakeJoints.end());
+    forgetLoads(world);
     const auto only = [&world](auto&& test) {
         std::vector<JointIndex> some;
         std::copy_if(world.awakeJoints.begin(), world.awakeJoints.end(), std::back_inserter(some), test);
@@ -273,8 +282,8 @@ void solveConstraints(WorldState& world, double dt) {
                     solvedBodies(world),
                     passOf(world.def.solver, h),
                     {}};
-    if (solving.solved.empty()) return;
     prepareJoints(world, dt);
+    if (solving.solved.empty()) return;
     solving.bounces = takeHangingBounces(world);
     if (world.audit) world.audit->begin(world);
     forEachColour(solving, [&](const ContactSolver& solver, const Colour& colour, const ContactPass&) {

@@ -21,12 +21,14 @@ std::string textOf(std::uint32_t index, std::uint32_t generation, std::uint32_t 
            std::to_string(world) + "}";
 }
 
-/// Says which way an id is wrong.
+/// Says which way an id is wrong; made is whether its slot has ever been used as often as it says.
 template <class Id>
-[[noreturn]] void refuseId(const WorldState& world, const Id& id, std::string_view field, const char* thing) {
+[[noreturn]] void refuseId(const WorldState& world, const Id& id, bool made, std::string_view field,
+                           const char* thing) {
     const std::string what = textOf(id);
     if (id.world == 0) refuse(field, what + " names no " + thing + ": it was never set");
     if (id.world != world.id) refuse(field, what + " belongs to another world");
+    if (!made) refuse(field, what + " names no " + thing + " of this world: there never was such a one");
     refuse(field, what + " names no " + thing + " of this world any more: it was removed");
 }
 
@@ -115,19 +117,27 @@ bool isKnown(const WorldState& world, JointId id) {
 }
 
 void requireBody(const WorldState& world, BodyId id, std::string_view field) {
-    if (!isKnown(world, id)) refuseId(world, id, field, "body");
+    if (isKnown(world, id)) return;
+    const auto& records = world.bodies.record;
+    const bool made = id.index < records.size() && id.generation < records[id.index].generation;
+    refuseId(world, id, made, field, "body");
 }
 
 void requireShape(const WorldState& world, ShapeId id, std::string_view field) {
     const std::string name(field);
     requireBody(world, id.body, name + ".body");
-    if (!isKnown(world, id))
-        refuse(name + ".number",
-               std::to_string(id.number) + " names no shape of that body: it was removed, or never was");
+    if (isKnown(world, id)) return;
+    const bool made = id.number < world.bodies.record[id.body.index].shapesMade;
+    refuse(name + ".number",
+           std::to_string(id.number) + (made ? " names no shape of that body any more: it was removed"
+                                             : " names no shape of that body: there never was such a one"));
 }
 
 void requireJoint(const WorldState& world, JointId id, std::string_view field) {
-    if (!isKnown(world, id)) refuseId(world, id, field, "joint");
+    if (isKnown(world, id)) return;
+    const auto& joints = world.joints.records;
+    const bool made = id.index < joints.size() && id.generation < joints[id.index].generation;
+    refuseId(world, id, made, field, "joint");
 }
 
 }  // namespace plumb

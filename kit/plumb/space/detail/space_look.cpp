@@ -25,6 +25,8 @@ constexpr std::uint32_t looksBetweenRests = 32;
 constexpr std::uint32_t restingOf = 8;
 /// Floats tell a millimetre this far from their origin [m].
 constexpr double far = 8192;
+/// What was put farther away is not followed: seen from there, all else would lie beyond the floats [m].
+constexpr double farthest = 1e16;
 constexpr std::uint32_t looksBetweenOrigins = 64;
 /// Boxes stand in the order that shapes were added in, and are read in another: asked for so many ahead.
 constexpr std::uint32_t boxesAhead = 24;
@@ -60,7 +62,8 @@ void Space::seatMoved() {
 void Space::follow() {
     const Aabb& box = placed_[moved_[moved_.size() / 2]].box;
     const Vec2 center = 0.5 * box.lower + 0.5 * box.upper;
-    if (!center.allFinite() || (center - origin_).lpNorm<Eigen::Infinity>() < far) return;
+    const double away = center.lpNorm<Eigen::Infinity>();
+    if (!(away < farthest) || (center - origin_).lpNorm<Eigen::Infinity>() < far) return;
     if (originLook_ != 0 && look_ - originLook_ < looksBetweenOrigins) return;
     origin_ = center;
     originLook_ = look_;

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include <plumb/plumb.h>
+
+#include "catch.h"
+
+using plumb::BodyId;
+using plumb::BodyType;
+using plumb::GearJointDef;
+using plumb::JointId;
+using plumb::RevoluteJointDef;
+using plumb::World;
+
+namespace {
+
+constexpr double dt = 1.0 / 60;
+
+/// Two wheels on a fixed base that is each hinge's bodyB, geared.
+struct Gearing {
+    World world;
+    BodyId base = world.add({.type = BodyType::Static});
+    BodyId one = world.add({.position = {-2, 0}, .shapes = {plumb::circle(1)}});
+    BodyId two = world.add({.position = {2, 0}, .shapes = {plumb::circle(1)}});
+    JointId hingeOne = world.join(RevoluteJointDef{.bodyA = one, .bodyB = base, .anchor = {-2, 0}});
+    JointId hingeTwo = world.join(RevoluteJointDef{.bodyA = two, .bodyB = base, .anchor = {2, 0}});
+    JointId gear = world.join(GearJointDef{.jointA = hingeOne, .jointB = hingeTwo});
+};
+
+}  // namespace
+
+TEST_CASE(
+    "two geared wheels whose hinges have them as bodyA sleep and wake together, and the gear's torque is a number",
+    "[dynamics][joints]") {
+    Gearing g;
+    g.world.body(g.one).sleep();
+    CHECK_FALSE(g.world.body(g.two).awake());
+    g.world.body(g.two).setAngularVelocity(3);
+    CHECK(g.world.body(g.one).awake());
+    for (int tick = 0; tick < 30; ++tick) g.world.step(dt);
+    CHECK(std::isfinite(g.world.joint(g.gear).reaction().torque));
+    CHECK(std::fabs(g.world.body(g.one).angularVelocity() + 1.5) < 1e-3);
+    CHECK(std::fabs(g.world.body(g.two).angularVelocity() - 1.5) < 1e-3);
+}
+
+TEST_CASE("each body that a gear moves names it, and once", "[dynamics][joints]") {
+    Gearing g;
+    const std::vector<JointId> ofOne{g.hingeOne, g.gear}, ofTwo{g.hingeTwo, g.gear};
+    const std::vector<JointId> ofBase{g.hingeOne, g.hingeTwo, g.gear};
+    CHECK(g.world.body(g.one).joints() == ofOne);
+    CHECK(g.world.body(g.two).joints() == ofTwo);
+    CHECK(g.world.body(g.base).joints() == ofBase);
+    g.world.remove(g.hingeOne);
+    CHECK_FALSE(g.world.contains(g.gear));
+    CHECK(g.world.body(g.one).joints().empty());
+    CHECK(g.world.body(g.base).joints() == std::vector{g.hingeTwo});
+}
+
+TEST_CASE("a rod bears nothing once the ball that hung on it is made static or disabled", "[dynamics][joints]") {
+    for (const bool disabled : {false, true}) {
+        World world;
+        const BodyId hook = world.add({.type = BodyType::Static, .position = {0, 2}});
+        const BodyId ball = world.add({.shapes = {plumb::circle(1)}});
+        const JointId rod =
+            world.join(plumb::DistanceJointDef{.bodyA = hook, .bodyB = ball, .anchorA = {0, 2}, .anchorB = {0, 0}});
+        for (int tick = 0; tick < 10; ++tick) world.step(dt);
+        CHECK(world.joint(rod).reaction().force.y() > 30);
+        if (disabled)
+            world.body(ball).setEnabled(false);
+        else
+            world.body(ball).setType(BodyType::Static);
+        world.step(dt);
+        CHECK(world.joint(rod).reaction().force.isZero(0));
+    }
+}
+
+TEST_CASE("a ball on a rod swings on when the ball above it goes into quarantine", "[dynamics][joints]") {
+    World world;
+    const BodyId above = world.add({.position = {0, 0}, .shapes = {plumb::circle(0.5)}});
+    const BodyId below = world.add({.position = {1, -1}, .shapes = {plumb::circle(0.5)}});
+    const JointId rod =
+        world.join(plumb::DistanceJointDef{.bodyA = above, .bodyB = below, .anchorA = {0, 0}, .anchorB = {1, -1}});
+    world.step(dt);
+    const plumb::Vec2 hook = world.body(above).position();
+    world.body(above).setVelocity({1e300, 0});
+    for (int tick = 0; tick < 60; ++tick) {
+        world.step(dt);
+        REQUIRE(world.joint(rod).reaction().force.allFinite());
+        REQUIRE(std::fabs((world.body(below).position() - hook).norm() - std::sqrt(2.0)) < 1e-3);
+    }
+    CHECK(world.body(above).quarantined());
+    CHECK_FALSE(world.body(below).quarantined());
+}
+
+TEST_CASE("a ball falls freely while what it hangs on is 1e99 m away, and hangs again when that is back",
+          "[dynamics][joints]") {
+    for (const BodyType type : {BodyType::Static, BodyType::Kinematic}) {
+        World world({.ledger = true});
+        const BodyId hook = world.add({.type = type});
+        const BodyId ball = world.add({.position = {0, -1}, .shapes = {plumb::circle(0.5)}});
+        const JointId rod = world.join(plumb::DistanceJointDef{.bodyA = hook, .bodyB = ball, .anchorB = {0, -1}});
+        world.step(dt);
+        world.body(hook).setPose({1e99, 1e99}, 0);
+        for (int tick = 0; tick < 10; ++tick) world.step(dt);
+        CHECK(world.joint(rod).reaction().force.isZero(0));
+        CHECK(std::fabs(world.body(ball).velocity().y() + 9.81 * 10 * dt) < 1e-6);
+        CHECK(std::isfinite(world.ledger().energy.gained()));
+        world.body(hook).setEnabled(true);
+        world.body(hook).setPose({0, 0}, 0);
+        for (int tick = 0; tick < 120; ++tick) world.step(dt);
+        CHECK(std::fabs((world.body(ball).position() - world.body(hook).position()).norm() - 1) < 1e-3);
+    }
+}
