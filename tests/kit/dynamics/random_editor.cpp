@@ -165,7 +165,7 @@ void passMoreTime(RandomEditor& e) {
 
 RandomEditor::RandomEditor(std::uint64_t seed, const Manner& how)
     : manner(how),
-      world({.hitSpeed = 0.5, .ledger = how.ledger, .solver = {.lanes = how.lanes}}),
+      world({.hitSpeed = 0.5, .ledger = how.ledger, .solver = {.jointsAtOnce = how.jointsAtOnce, .lanes = how.lanes}}),
       random(seed),
       asker(~seed) {
     BodyDef ground{.type = BodyType::Static, .shapes = {segment({-12, 0}, {12, 0}), chain({{-12, 8}, {-12, 0}})}};

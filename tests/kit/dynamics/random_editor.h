@@ -21,7 +21,8 @@ struct Manner {
     int lanes = 16;
     bool wild = false;    ///< now and then, numbers of joints that nobody in his right mind would give
     bool ledger = false;  ///< does the world keep account?
-    bool asks = true;     ///< does it ask what it draws to ask, or only draws?
+    int jointsAtOnce = 1000000;
+    bool asks = true;  ///< does it ask what it draws to ask, or only draws?
 };
 
 /// Does random things to a world. A list of actions says what: each family of them has a file of its own.
