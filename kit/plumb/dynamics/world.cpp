@@ -190,10 +190,13 @@ void World::step(double dt) {
         clearForces(world.bodies);
         quarantine(world);
         if (dt >= shortestSolved) watchSensors(world, dt);
+        noteMovers(world);
+        sleepIslands(world, dt);
+        book(world, &EnergyLedger::solver);
+        watch.lap(&StepProfile::finish);
+    } else {
+        noteMovers(world);
     }
-    noteMovers(world);
-    if (dt > 0) sleepIslands(world, dt);
-    book(world, &EnergyLedger::solver);
     world.reportedEnds = world.ends.size();
 }
 

@@ -129,3 +129,13 @@ TEST_CASE("the bytes that a world of 1275 bodies counts are what malloc gave it,
     }
 }
 #endif
+
+TEST_CASE("each phase of a step takes time, and the phases are the whole", "[dynamics]") {
+    World world;
+    world.add({.type = BodyType::Static, .shapes = {plumb::segment({-20, 0}, {20, 0})}});
+    for (int i = 0; i < 30; ++i) world.add({.position = {-15.0 + i, 0.5}, .shapes = {plumb::box({0.4, 0.5})}});
+    for (int tick = 0; tick < 5; ++tick) world.step(1.0 / 60);
+    const plumb::StepProfile p = world.profile();
+    for (const double phase : {p.pairs, p.collide, p.impacts, p.solve, p.finish}) CHECK(phase > 0);
+    CHECK(std::fabs(p.pairs + p.collide + p.impacts + p.solve + p.finish - p.total) < 1e-9);
+}

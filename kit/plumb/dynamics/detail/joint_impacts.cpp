@@ -12,6 +12,8 @@ namespace {
 
 /// More impacts than this for each contact in a sub-step: a heap, for the solver.
 constexpr std::size_t impactsPerContact = 16;
+/// More contacts than this at once: likewise. Each impact looks at all of them.
+constexpr std::size_t mostHanging = 64;
 
 /// A point of a contact, as it stands.
 struct Point {
@@ -150,9 +152,15 @@ std::vector<ContactIndex> takeHangingBounces(WorldState& world) {
                 const auto hangs = [&](BodyIndex body) { return world.bodies.record[body].actingJoints > 0; };
                 if (contact.restitution <= 0 || !(hangs(contact.bodyA) || hangs(contact.bodyB))) continue;
                 found.push_back(index);
-                for (PointLanes& point : colour.batches[b].points) point.bounceSpeed[lane] = 0;
             }
         }
+    }
+    if (found.size() > mostHanging) return {};
+    for (const ContactIndex index : found) {
+        const ContactRecord& contact = world.contacts.contacts[index];
+        Colour& colour = world.graph.colours[static_cast<std::size_t>(contact.colour)];
+        for (PointLanes& point : colour.batches[contact.slot / batchLanes].points)
+            point.bounceSpeed[contact.slot % batchLanes] = 0;
     }
     std::sort(found.begin(), found.end());
     return found;
