@@ -97,6 +97,8 @@ struct BodyStore {
     /// Can something push it?
     bool canMove(BodyIndex body) const { return isDynamic(body) && record[body].enabled; }
     Vec2 origin(BodyIndex body) const { return motion[body].center - motion[body].rotation * record[body].localCenter; }
+    /// The centre of mass was there all along: also where the last step began.
+    void recenterPlace(BodyIndex body, const Vec2& shift);
     Transform pose(BodyIndex body) const { return {origin(body), motion[body].rotation}; }
     SolverBodies solverBodies() {
         return {velocity.data(), warm.data(), before.data(), displacement.data(), turn.data(), kick.data()};

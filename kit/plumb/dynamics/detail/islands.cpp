@@ -39,7 +39,7 @@ void wakeOne(WorldState& world, BodyIndex body) {
         return;
     }
     world.bodies.wake(body);
-    (void)loadBody(world, body, world.lastStep);
+    if (loadBody(world, body, world.lastStep)) placeBody(world, body, world.lastStep);
     world.jointsChanged = world.jointsChanged || !world.bodies.record[body].joints.empty();
     forEachContact(world.bodies, world.contacts, body, [&](ContactIndex c) { world.contacts.addNear(c); });
 }
