@@ -38,6 +38,7 @@ struct alignas(64) BodyRecord {
     bool quarantined = false;
     bool constrained = false;          ///< the solver has it in this step
     bool flown = false;                ///< the impacts have moved it in this step
+    bool boxesWait = false;            ///< it was woken since its boxes were placed
     std::uint32_t solverContacts = 0;  ///< how many contacts of it the solver has
     std::uint32_t actingJoints = 0;    ///< how many of its joints are the solver's
     float rho = 1, inverseRho = 1;

@@ -39,7 +39,8 @@ void wakeOne(WorldState& world, BodyIndex body) {
         return;
     }
     world.bodies.wake(body);
-    if (loadBody(world, body, world.lastStep)) placeBody(world, body, world.lastStep);
+    (void)loadBody(world, body, world.lastStep);
+    world.bodies.record[body].boxesWait = true;  // a pair whose boxes part within a step, and meet again, would be lost
     world.jointsChanged = world.jointsChanged || !world.bodies.record[body].joints.empty();
     forEachContact(world.bodies, world.contacts, body, [&](ContactIndex c) { world.contacts.addNear(c); });
 }
