@@ -68,6 +68,33 @@ TEST_CASE(
     CHECK_FALSE(world.nearest(now, 0));
 }
 
+TEST_CASE("it is found there too when its centre of mass is put back to where it was before the step", "[dynamics]") {
+    World world({.gravity = {0, 0}});
+    const BodyId struck = addBox(world, {0, 0}, {}, BodyType::Dynamic);
+    const ShapeDef hammer = circle(0.5, {.density = 1000, .restitution = 1});
+    world.add({.position = {-3, 0}, .velocity = {500, 0}, .shapes = {hammer}});
+    world.step(1.0 / 60);
+    const Vec2 now = world.body(struck).position();
+    REQUIRE(now.x() > 3);
+    world.body(struck).setMass({1, -now, 1});
+    REQUIRE(world.body(struck).position() == now);
+    CHECK(world.overlapPoint(now) == std::vector{ShapeId{struck, 0}});
+    CHECK(world.castRay(now + Vec2(0, 5), now));
+}
+
+TEST_CASE("a body that was made asleep, and flies on when it is touched, is found where it has flown to",
+          "[dynamics]") {
+    World world({.gravity = {0, 0}});
+    const BodyId sleeper = world.add({.velocity = {20, 0}, .awake = false, .shapes = {box({0.5, 0.5})}});
+    world.add({.position = {-1.0, 0}, .velocity = {1, 0}, .shapes = {box({0.5, 0.5})}});
+    world.step(1.0 / 60);
+    const Vec2 now = world.body(sleeper).position();
+    REQUIRE(world.body(sleeper).awake());
+    REQUIRE(now.x() > 0.2);
+    CHECK(world.overlapPoint(now + Vec2(0.49, 0)) == std::vector{ShapeId{sleeper, 0}});
+    CHECK(world.castRay(now + Vec2(0.45, 5), now + Vec2(0.45, 0)));
+}
+
 TEST_CASE("of shapes met at once the one of the first body is found, and of one body the first shape", "[dynamics]") {
     World world;
     const BodyId first = world.add(

@@ -158,7 +158,7 @@ void passTime(RandomEditor& e) {
 }
 
 void passMoreTime(RandomEditor& e) {
-    for (int i = 0; i < 30; ++i) e.step(1.0 / 60);
+    for (int i = 0; i < 20; ++i) e.step(1.0 / 60);
 }
 
 }  // namespace
@@ -277,7 +277,7 @@ void RandomEditor::step(double dt) {
 std::vector<RandomEditor::Action> bodyActions() {
     return {{20, makeOrRemove}, {4, removeBody}, {6, addShape},  {6, removeShape},  {20, setShape},  {6, setType},
             {6, setMass},       {10, setMotion}, {6, setPose},   {4, moveTo},       {10, push},      {6, setManner},
-            {8, setEnabled},    {6, rest},       {45, passTime}, {1, passMoreTime}, {4, fetchStrays}};
+            {8, setEnabled},    {6, rest},       {36, passTime}, {1, passMoreTime}, {4, fetchStrays}};
 }
 
 std::vector<RandomEditor::Action> allActions() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What can a world be asked between steps and edits? Each answer is that of a look at all there is, with the functions
-// that the kit has for single shapes; and nothing changes by it.
+// What can a world be asked between steps and edits? Each answer is that of a look at all there is, with the
+// functions that the kit has for single shapes; and nothing changes by it.
 #include <algorithm>
 #include <limits>
 #include <optional>

@@ -76,6 +76,7 @@ void recenter(WorldState& world, BodyIndex body, const Vec2& localCenter) {
     motion.center += moved;
     motion.velocity += perp(moved) * motion.angularVelocity;
     record.localCenter = localCenter;
+    world.bodies.recenterPlace(body, shift);
     for (const ProxyId proxy : record.proxies) {
         world.space.change(proxy, record.type == BodyType::Static, localCenter);
         outline(world, proxy, localCenter);

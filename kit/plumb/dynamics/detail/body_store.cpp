@@ -5,6 +5,17 @@
 
 namespace plumb {
 
+namespace {
+
+void putCenter(BodyPlace& place, const Vec2& center) {
+    place.highX = static_cast<float>(center.x());
+    place.highY = static_cast<float>(center.y());
+    place.lowX = static_cast<float>(center.x() - static_cast<double>(place.highX));
+    place.lowY = static_cast<float>(center.y() - static_cast<double>(place.highY));
+}
+
+}  // namespace
+
 BodyStore::BodyStore() {
     acquire();  // slot 0
 }
@@ -83,12 +94,17 @@ void BodyStore::rest(BodyIndex body) {
     kick[body] = {};
 }
 
+void BodyStore::recenterPlace(BodyIndex body, const Vec2& shift) {
+    BodyPlace& then = place[body];
+    const Rot turned{static_cast<double>(then.cos), static_cast<double>(then.sin)};
+    const Vec2 center(static_cast<double>(then.highX) + static_cast<double>(then.lowX),
+                      static_cast<double>(then.highY) + static_cast<double>(then.lowY));
+    putCenter(then, center + turned * shift);
+}
+
 BodyPlace placeOf(const BodyMotion& motion, float rho) {
     BodyPlace place;
-    place.highX = static_cast<float>(motion.center.x());
-    place.highY = static_cast<float>(motion.center.y());
-    place.lowX = static_cast<float>(motion.center.x() - static_cast<double>(place.highX));
-    place.lowY = static_cast<float>(motion.center.y() - static_cast<double>(place.highY));
+    putCenter(place, motion.center);
     place.cos = static_cast<float>(motion.rotation.cos);
     place.sin = static_cast<float>(motion.rotation.sin);
     place.rho = rho;

@@ -38,6 +38,7 @@ struct alignas(64) BodyRecord {
     bool quarantined = false;
     bool constrained = false;          ///< the solver has it in this step
     bool flown = false;                ///< the impacts have moved it in this step
+    bool boxesWait = false;            ///< it was woken since its boxes were placed
     std::uint32_t solverContacts = 0;  ///< how many contacts of it the solver has
     std::uint32_t actingJoints = 0;    ///< how many of its joints are the solver's
     float rho = 1, inverseRho = 1;
@@ -97,6 +98,8 @@ struct BodyStore {
     /// Can something push it?
     bool canMove(BodyIndex body) const { return isDynamic(body) && record[body].enabled; }
     Vec2 origin(BodyIndex body) const { return motion[body].center - motion[body].rotation * record[body].localCenter; }
+    /// The centre of mass was there all along: also where the last step began.
+    void recenterPlace(BodyIndex body, const Vec2& shift);
     Transform pose(BodyIndex body) const { return {origin(body), motion[body].rotation}; }
     SolverBodies solverBodies() {
         return {velocity.data(), warm.data(), before.data(), displacement.data(), turn.data(), kick.data()};

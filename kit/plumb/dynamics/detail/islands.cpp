@@ -40,6 +40,7 @@ void wakeOne(WorldState& world, BodyIndex body) {
     }
     world.bodies.wake(body);
     (void)loadBody(world, body, world.lastStep);
+    world.bodies.record[body].boxesWait = true;  // a pair whose boxes part within a step, and meet again, would be lost
     world.jointsChanged = world.jointsChanged || !world.bodies.record[body].joints.empty();
     forEachContact(world.bodies, world.contacts, body, [&](ContactIndex c) { world.contacts.addNear(c); });
 }

@@ -58,8 +58,11 @@ bool loadBody(WorldState& world, BodyIndex body, double dt) {
 
 void loadBodies(WorldState& world, double dt) {
     world.strays.forget();
-    for (const BodyIndex body : world.bodies.awake)
-        if (loadBody(world, body, dt)) placeBody(world, body, dt);
+    for (const BodyIndex body : world.bodies.awake) {
+        if (!loadBody(world, body, dt)) continue;
+        placeBody(world, body, dt);
+        world.bodies.record[body].boxesWait = false;
+    }
 }
 
 }  // namespace plumb

@@ -22,6 +22,7 @@ void addStrays(const WorldState& world, BodyIndex body, std::vector<Stray>& stra
 /// Is it so near to where the step foresaw it that its boxes hold it? Costs a look at three cache lines; a no is no
 /// proof. Boxes hold all between the step's start and what was foreseen, and half a contactMargin more all around.
 bool surelyKept(const WorldState& world, BodyIndex body) {
+    if (world.bodies.record[body].boxesWait) return false;
     const BodyMotion& now = world.bodies.motion[body];
     const BodyPlace& then = world.bodies.place[body];
     const auto aside = [](double at, float high, float low, float shift) {
