@@ -48,6 +48,14 @@ TEST_CASE("a world that is edited and asked in 100,000 random ways tells the tru
     CHECK(sum.found > sum.asked / 4);
 }
 
+TEST_CASE(
+    "a swept joint whose bodies leave the range of numbers bears nothing, and does not break of what is no number",
+    "[dynamics][editing]") {
+    RandomEditor editor(69, {.wild = true, .jointsAtOnce = 2});
+    editor.run(plumb::test::allActions(), 2000);
+    editor.check();
+}
+
 TEST_CASE("a world that is edited in 3,000 random ways has the same bits for 1, 4, 8 and 16 lanes",
           "[dynamics][editing][law]") {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {

@@ -2,6 +2,7 @@
 #include <plumb/dynamics/detail/joints_edit.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <plumb/dynamics/detail/islands.h>
 #include <plumb/dynamics/detail/joint_bodies.h>
@@ -138,6 +139,7 @@ void breakJoints(WorldState& world) {
     for (const JointIndex index : world.breakable) {
         const JointRecord& record = world.joints[index];
         const JointLoad& load = world.joints.loads[index];
+        if (!load.force().allFinite() || !std::isfinite(load.torque())) continue;  // its bodies leave, not the joint
         if (load.force().norm() <= record.breaking.force && std::abs(load.torque()) <= record.breaking.torque) continue;
         const auto idOrNone = [&](BodyIndex body) { return body == noBody ? BodyId{} : world.idOf(body); };
         world.breaks.push_back({JointId{index, record.generation, world.id}, idOrNone(record.bodyA),

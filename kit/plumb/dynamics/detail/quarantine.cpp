@@ -63,7 +63,10 @@ void quarantine(WorldState& world) {
             unsayTouches(world, told);
         }
         world.bodies.putToSleep(body);
-        world.jointsChanged = world.jointsChanged || !world.bodies.record[body].joints.empty();
+        for (const JointIndex joint : world.bodies.record[body].joints) {
+            world.joints.loads[joint] = {};  // what it bore was no number
+            world.jointsChanged = true;
+        }
         world.bodies.motion[body].velocity.setZero();
         world.bodies.motion[body].angularVelocity = 0;
         world.bodies.rest(body);

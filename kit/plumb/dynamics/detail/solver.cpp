@@ -61,11 +61,15 @@ std::vector<BodyIndex> solvedBodies(WorldState& world) {
     return solved;
 }
 
-/// What sleeps bears what it did; a joint that holds nothing any more bears nothing.
+/// What sleeps bears what it did; a joint that holds nothing any more bears nothing, and one whose body has left the
+/// range of numbers has no first guess.
 void forgetLoads(WorldState& world) {
-    for (JointIndex index = 0; index < world.joints.records.size(); ++index)
-        if (world.joints[index].acts() && !holdsSomething(world.joints, world.bodies, index))
-            world.joints.loads[index] = {};
+    for (JointIndex index = 0; index < world.joints.records.size(); ++index) {
+        JointRecord& record = world.joints[index];
+        if (!record.acts()) continue;
+        if (!holdsSomething(world.joints, world.bodies, index)) world.joints.loads[index] = {};
+        for (double& impulse : record.impulse) impulse = std::isfinite(impulse) ? impulse : 0;
+    }
 }
 
 void findAwakeNets(WorldState& world) {
@@ -73,13 +77,13 @@ void findAwakeNets(WorldState& world) {
     world.jointsChanged = false;
     const std::vector<JointNet> before = std::move(world.nets);
     for (const JointNet& net : before) net.hinges.release(world.joints);
+    forgetLoads(world);
     world.nets = findNets(world.joints, world.bodies, world.def.solver.jointsAtOnce);
     keepStiffness(before, world.nets);
     world.awakeJoints.clear();
     for (const JointNet& net : world.nets)
         world.awakeJoints.insert(world.awakeJoints.end(), net.joints.begin(), net.joints.end());
     std::sort(world.awakeJoints.begin(), world.awakeJoints.end());
-    forgetLoads(world);
     const auto only = [&world](auto&& test) {
         std::vector<JointIndex> some;
         std::copy_if(world.awakeJoints.begin(), world.awakeJoints.end(), std::back_inserter(some), test);
