@@ -21,7 +21,7 @@ struct Manner {
     int lanes = 16;
     bool wild = false;    ///< now and then, numbers of joints that nobody in his right mind would give
     bool ledger = false;  ///< does the world keep account?
-    int jointsAtOnce = 1000000;
+    int jointsAtOnce = SolverSettings{}.jointsAtOnce;
     bool asks = true;  ///< does it ask what it draws to ask, or only draws?
 };
 

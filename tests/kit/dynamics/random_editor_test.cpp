@@ -29,8 +29,9 @@ TEST_CASE("a world that is edited and asked in 100,000 random ways tells the tru
     const std::uint64_t seeds = seedsOf(50);
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         INFO("seed " << seed);
-        RandomEditor editor(
-            seed, {.wild = seed % 3 == 0, .ledger = seed % 5 == 0, .jointsAtOnce = seed % 4 == 1 ? 2 : 1000000});
+        RandomEditor editor(seed, {.wild = seed % 3 == 0,
+                                   .ledger = seed % 5 == 0,
+                                   .jointsAtOnce = seed % 4 == 1 ? 2 : plumb::SolverSettings{}.jointsAtOnce});
         editor.run(plumb::test::allActions(), 2000);
         editor.check();
         add(sum, editor.tally);
@@ -61,8 +62,9 @@ TEST_CASE("a world that is edited in 3,000 random ways has the same bits for 1, 
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         std::vector<std::uint64_t> states, heard;
         for (const int lanes : {1, 4, 8, 16}) {
-            RandomEditor editor(seed,
-                                {.lanes = lanes, .wild = seed % 3 == 0, .jointsAtOnce = seed % 2 == 0 ? 0 : 1000000});
+            RandomEditor editor(seed, {.lanes = lanes,
+                                       .wild = seed % 3 == 0,
+                                       .jointsAtOnce = seed % 2 == 0 ? 0 : plumb::SolverSettings{}.jointsAtOnce});
             editor.run(plumb::test::allActions(), 3000);
             states.push_back(plumb::stateHash(editor.world));
             heard.push_back(editor.heard);
