@@ -106,9 +106,14 @@ World::World(const WorldDef& def) {
     state_->id = nextWorldId();
     state_->collider = &laneCollider(def.solver.lanes);
     state_->space.setLanes(def.solver.lanes);
-    if (def.ledger) state_->audit = std::make_unique<Audit>();
+    if (def.ledger) state_->audit.emplace();
 }
 
+World::World(const World& other) : state_(std::make_unique<WorldState>(*other.state_)) {}
+World& World::operator=(const World& other) {
+    state_ = std::make_unique<WorldState>(*other.state_);
+    return *this;
+}
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 World::~World() = default;

@@ -30,13 +30,15 @@ struct WorldDef {
     SolverSettings solver = {};
 };
 
-/// Bodies, their contacts and joints. Can be moved, not copied; what was moved from can only be assigned to or
-/// destroyed. Every call that takes a def or an id throws std::invalid_argument when it is not one the world can take,
+/// Bodies, their contacts and joints. A copy goes on as the original would have, to the last bit, and knows its things
+/// by the same ids; what was moved from can only be assigned to or destroyed. Every call that takes a def or an id throws std::invalid_argument when it is not one the world can take,
 /// and then changes nothing.
 class World {
 public:
     explicit World(const WorldDef& def = {});
+    World(const World& other);
     World(World&&) noexcept;
+    World& operator=(const World& other);
     World& operator=(World&&) noexcept;
     ~World();
 

@@ -112,8 +112,12 @@ Vec2 momentumOf(const WorldState& world, const std::vector<BodyIndex>& bodies) {
     return sum;
 }
 
+Audit* auditOf(WorldState& world) {
+    return world.audit ? &*world.audit : nullptr;
+}
+
 void solveJoints(WorldState& world, NetPass pass) {
-    pass.audit = world.audit.get();
+    pass.audit = auditOf(world);
     for (JointNet& net : world.nets) {
         const Vec2 before = pass.audit != nullptr ? momentumOf(world, net.bodies) : Vec2(0, 0);
         solveNet(net, world.joints, world.bodies, pass);
@@ -194,7 +198,7 @@ void holdAgain(Solving& solving) {
         std::vector<SolverVelocity> was;
         for (const BodyIndex body : net.bodies) was.push_back(bodies.velocity[body]);
         const Vec2 momentum = world.audit ? momentumOf(world, net.bodies) : Vec2(0, 0);
-        holdNet(net, world.joints, bodies, solving.pass.solveJoints.direct, world.audit.get());
+        holdNet(net, world.joints, bodies, solving.pass.solveJoints.direct, auditOf(world));
         if (world.audit) world.audit->noteGround(momentumOf(world, net.bodies) - momentum);
         for (std::size_t i = 0; i < net.bodies.size(); ++i) {
             const SolverVelocity& now = bodies.velocity[net.bodies[i]];

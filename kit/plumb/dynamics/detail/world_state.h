@@ -2,8 +2,7 @@
 // What is a world made of, behind its door?
 #pragma once
 #include <map>
-#include <memory>
-
+#include <optional>
 #include <vector>
 
 #include <plumb/dynamics/detail/audit.h>
@@ -61,7 +60,7 @@ struct WorldState {
     std::vector<BodyIndex> unsound;      ///< to be put in quarantine
     std::vector<ContactIndex> isolated;  ///< contacts left to the impacts in the last step that had such
     const LaneCollider* collider = nullptr;
-    std::unique_ptr<Audit> audit;  ///< if WorldDef.ledger asks for one
+    std::optional<Audit> audit;  ///< if WorldDef.ledger asks for one
     Strays strays;
 
     BodyId idOf(BodyIndex body) const { return {body, bodies.record[body].generation, id}; }
