@@ -9,6 +9,7 @@
 #include <plumb/dynamics/detail/body_store.h>
 #include <plumb/dynamics/detail/contact_graph.h>
 #include <plumb/dynamics/detail/contact_store.h>
+#include <plumb/dynamics/detail/field_store.h>
 #include <plumb/dynamics/detail/joint_net.h>
 #include <plumb/dynamics/detail/joint_springs.h>
 #include <plumb/dynamics/detail/joint_store.h>
@@ -47,6 +48,7 @@ struct WorldState {
     std::vector<JointIndex> breakable;    ///< those of them that may break
     bool jointsChanged = false;           ///< nets and awakeJoints are out of date
     JointSprings springs;
+    FieldStore fields;
 
     std::vector<ContactBegin> begins;
     std::vector<ContactEnd> ends;
