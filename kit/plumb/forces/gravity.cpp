@@ -19,7 +19,7 @@ double strengthOf(const MutualGravity& gravity, const PointMass& a, const PointM
     requireSound(gravity);
     requireNotNegative(a.mass, "PointMass a", ".mass");
     requireNotNegative(b.mass, "PointMass b", ".mass");
-    return gravity.constant * a.mass * b.mass;
+    return gravity.constant * (a.mass * b.mass);  // the same bits from either side
 }
 
 double softened(const MutualGravity& gravity, double squaredDistance) {
