@@ -39,10 +39,11 @@ Slowing meanSlowing(const FieldPull& pull, double damping, const Vec2& accelerat
 
 /// What friction takes off, of what would have become of a velocity.
 Vec2 rubbedOff(const Vec2& before, const Vec2& to, double most) {
-    const Vec2 mean = 0.5 * (before + to);
-    const double speed = mean.norm();
-    if (most <= 0 || to.norm() <= most || speed <= 0) return most > 0 ? Vec2(-to) : Vec2(0, 0);
-    const Vec2 off = -mean * (most / speed);
+    if (most <= 0) return {0, 0};
+    if (to.norm() <= most) return -to;
+    // What contacts push against each other may be turned round by the rest of the kick: there is no mean way then.
+    const Vec2 way = before.dot(to) > 0 ? Vec2(before + to) : to;
+    const Vec2 off = -way * (most / way.norm());
     return to.dot(Vec2(to + off)) > 0 ? off : Vec2(-to);
 }
 
