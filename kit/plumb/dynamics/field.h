@@ -17,14 +17,14 @@ namespace plumb {
 
 /// An attractor that a body carries, and that pulls on it as it pulls on the others.
 struct Magnet {
-    BodyId body;     ///< of any type
-    Attractor pull;  ///< its centre in the body's frame
+    BodyId body = {};     ///< of any type
+    Attractor pull = {};  ///< its centre in the body's frame
 };
 
 /// Water: it bears what is in it, and holds it back. Its drag and its flow act on the part below the surface:
 /// dv/dt = -(drag A / m) (v - flow), and turning likewise. A that part's area [m^2], m the body's mass [kg]
 struct Pool {
-    Fluid fluid;
+    Fluid fluid = {};
     double drag = 0;  ///< >= 0 [kg/(m^2 s)]
     Vec2 flow{0, 0};  ///< [m/s]
 };
@@ -38,7 +38,7 @@ using FieldLaw = std::variant<UniformGravity, MutualGravity, Drag, Attractor, Ma
 /// damping, whose strength is that at mid-way, and friction act with it exactly, and so never turn anything back.
 /// What mutual gravity, or a magnet that is awake, draws does not fall asleep.
 struct FieldDef {
-    FieldLaw law;
+    FieldLaw law = UniformGravity{};
     /// Only on what has its centre of mass here; in the world, with an area [m]
     std::optional<Shape> region = std::nullopt;
     Filter filter = {};  ///< only on what has a shape that collides with a shape of this

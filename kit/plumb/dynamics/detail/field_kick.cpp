@@ -17,7 +17,7 @@ struct Slowing {
 
 Slowing slowingAt(const FieldPull& pull, double damping, const Vec2& acceleration, const Vec2& velocity) {
     Slowing s{damping + pull.linear, acceleration + pull.flow};
-    for (const QuadraticDrag& drag : pull.quadratic) {
+    for (const SpeedDrag& drag : pull.quadratic) {
         const double rate = drag.rate * (velocity - drag.flow).norm();
         s.rate += rate;
         s.drive += rate * drag.flow;

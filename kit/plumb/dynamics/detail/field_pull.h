@@ -8,7 +8,7 @@
 namespace plumb {
 
 /// Drag by the square of the speed, per mass.
-struct QuadraticDrag {
+struct SpeedDrag {
     double rate = 0;  ///< [1/m]
     Vec2 flow{0, 0};  ///< [m/s]
 };
@@ -19,7 +19,7 @@ struct FieldPull {
     Acceleration unaccounted;        ///< of that: what has no potential energy
     double linear = 0, turning = 0;  ///< [1/s]
     Vec2 flow{0, 0};                 ///< sum of each linear rate times its flow [m/s^2]
-    std::vector<QuadraticDrag> quadratic;
+    std::vector<SpeedDrag> quadratic;
     double friction = 0, spinFriction = 0;  ///< [m/s^2, rad/s^2]
 };
 
