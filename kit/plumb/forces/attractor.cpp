@@ -2,9 +2,9 @@
 #include <plumb/forces/attractor.h>
 
 #include <cmath>
-#include <numbers>
 
 #include <plumb/math/check.h>
+#include <plumb/math/logarithm.h>
 
 namespace plumb {
 namespace {
@@ -20,18 +20,6 @@ double softened(const Attractor& attractor, double squaredDistance) {
     return std::sqrt(squaredDistance + attractor.softening * attractor.softening);
 }
 
-/// ln x, x > 0: ln (m 2^k) with m near 1, by the series of the hyperbolic arc tangent.
-double naturalLogarithm(double x) {
-    if (x == 0) return -std::numeric_limits<double>::infinity();
-    int exponent = 0;
-    double m = std::frexp(x, &exponent);
-    if (m < 0.70710678118654752) m *= 2, --exponent;
-    const double z = (m - 1) / (m + 1);
-    double sum = 0;
-    for (int i = 21; i >= 3; i -= 2) sum = (sum + 1.0 / i) * z * z;
-    return 2 * (z + z * sum) + exponent * std::numbers::ln2;
-}
-
 double raised(double base, int power) {
     double product = 1;
     for (int i = 0; i < power; ++i) product *= base;
@@ -40,7 +28,7 @@ double raised(double base, int power) {
 
 /// Without a range; q softened distance.
 double energyAt(const Attractor& attractor, double q) {
-    if (attractor.power == 1) return attractor.strength * naturalLogarithm(q);
+    if (attractor.power == 1) return attractor.strength * logarithm(q);
     const int n = attractor.power - 1;
     return -attractor.strength / (n * raised(q, n));
 }
@@ -53,8 +41,9 @@ Vec2 attraction(const Attractor& attractor, const Vec2& position) {
     const double squared = d.squaredNorm();
     if (squared > attractor.range * attractor.range) return {0, 0};
     const double divisor = raised(softened(attractor, squared), attractor.power + 1);
-    if (divisor == 0) return {0, 0};  // at the centre, or too near for numbers
-    return -(attractor.strength / divisor) * d;
+    const double pull = attractor.strength / divisor;
+    if (!std::isfinite(pull)) return {0, 0};  // at the centre, or too near for numbers
+    return -pull * d;
 }
 
 double potentialEnergy(const Attractor& attractor, const Vec2& position) {

@@ -42,9 +42,9 @@ Vec2 gravityForce(const MutualGravity& gravity, const PointMass& a, const PointM
     const double strength = strengthOf(gravity, a, b);
     const Vec2 d = b.position - a.position;
     const double r = softened(gravity, d.squaredNorm());
-    const double cube = r * r * r;
-    if (cube == 0) return {0, 0};  // at one place, or too near for numbers
-    return -(strength / cube) * d;
+    const double pull = strength / (r * r * r);
+    if (!std::isfinite(pull)) return {0, 0};  // at one place, or too near for numbers
+    return -pull * d;
 }
 
 double potentialEnergy(const MutualGravity& gravity, const PointMass& a, const PointMass& b) {

@@ -70,7 +70,7 @@ TEST_CASE("a spring of no length has no direction, and no NaN", "[forces]") {
     CHECK(dampingPower(spring, {{1, 1}, {0, 0}}, {{1, 1}, {3, 4}}) == 0);
     CHECK(potentialEnergy(spring, {1, 1}, {1, 1}) == 200);
     const Vec2 close = springForce(spring, {}, {{0, 1e-160}, {0, 0}});
-    CHECK(std::fabs(close.y() - 200) < 1e-3);  // its square is small enough to lose digits
+    CHECK(std::fabs(close.y() - 200) < 0.03);  // its square, 2024 of the least numbers, is rounded to a whole one
 }
 
 TEST_CASE("springs that gain energy are refused by name", "[forces][errors]") {
