@@ -8,9 +8,9 @@
 namespace plumb {
 
 struct Aim {
-    Vec2 target{0, 0};       ///< from the muzzle, of up to 1e100 [m]
-    double speed = 0;        ///< of the shot on leaving the muzzle, 0 to 1e100 [m/s]
-    Vec2 gravity{0, -9.81};  ///< of up to 1e100 [m/s^2]
+    Vec2 target{0, 0};       ///< from the muzzle [m]
+    double speed = 0;        ///< of the shot on leaving the muzzle, >= 0 [m/s]
+    Vec2 gravity{0, -9.81};  ///< [m/s^2]
 };
 
 /// None, one or two shots: the low arc first, then the high one.
@@ -20,7 +20,7 @@ struct Aim {
 /// [s], u velocity [m/s]. No subtraction loses digits, and as gravity goes to 0 the low arc goes to D / v.
 /// A speed within 1e-15 of the least counts as it: one shot. Without gravity there is no high arc. A target at the
 /// muzzle is hit at once, by one shot straight up. What would take no finite time is left out.
-/// Throws std::invalid_argument on numbers beyond the ranges above, on a negative speed, and on NaN.
+/// Throws std::invalid_argument on input out of range (shot.h).
 /// Source: |d / t - g t / 2| = v, squared, is quadratic in t^2; the lecture, slides 13-16, of which it mends the cases
 /// that were lost. Test: "a million shots of fixed speed hit, by both arcs"
 std::vector<Shot> aim(const Aim& problem);

@@ -6,15 +6,15 @@
 namespace plumb {
 
 struct TimeAim {
-    Vec2 target{0, 0};       ///< from the muzzle, of up to 1e100 [m]
-    double time = 1;         ///< to the target, 1e-100 to 1e100 [s]
-    Vec2 gravity{0, -9.81};  ///< of up to 1e100 [m/s^2]
+    Vec2 target{0, 0};       ///< from the muzzle [m]
+    double time = 1;         ///< to the target, 1e-10>= 0 [s]
+    Vec2 gravity{0, -9.81};  ///< [m/s^2]
 };
 
 /// There always is one:
 ///   u = d / t - g t / 2
 /// u velocity [m/s], d target [m], t time [s], g gravity [m/s^2]. For a target that moves, give where it will be.
-/// Throws std::invalid_argument on numbers beyond the ranges above.
+/// Throws std::invalid_argument on input out of range (shot.h).
 /// Test: "a million shots of fixed time are at their target then"
 Shot aimInTime(const TimeAim& problem);
 

@@ -8,9 +8,9 @@
 namespace plumb {
 
 struct LinearDrag {
-    double rate = 0;         ///< drag over mass and speed, 0 to 1e100 [1/s]
-    Vec2 wind{0, 0};         ///< velocity of the air, of up to 1e100 [m/s]
-    Vec2 gravity{0, -9.81};  ///< of up to 1e100 [m/s^2]
+    double rate = 0;         ///< drag over mass and speed, >= 0 [1/s]
+    Vec2 wind{0, 0};         ///< velocity of the air [m/s]
+    Vec2 gravity{0, -9.81};  ///< [m/s^2]
 };
 
 struct FlightState {
@@ -21,8 +21,8 @@ struct FlightState {
 /// Where a shot launched with a velocity is after a time, and how fast.
 ///   x = u r + a m,  x' = u e^(-k t) + a r,  r = (1 - e^(-k t)) / k,  m = (t - r) / k,  a = g + k W
 /// x position [m], u velocity at the launch [m/s], t time [s], k rate [1/s], W wind [m/s], g gravity [m/s^2]; r and m
-/// are smooth to k = 0, where they are t and t^2 / 2. Exact to rounding. Throws std::invalid_argument on numbers beyond
-/// the ranges above, and on a time outside 0 to 1e100. Source: x'' = g - k (x' - W). Test: "10,000 flights through
+/// are smooth to k = 0, where they are t and t^2 / 2. Exact to rounding. Throws std::invalid_argument on input
+/// out of range (shot.h). Source: x'' = g - k (x' - W). Test: "10,000 flights through
 /// linear drag agree with a Runge-Kutta method of order 4"
 FlightState linearDragFlight(const Vec2& velocity, double time, const LinearDrag& drag);
 
@@ -36,7 +36,7 @@ std::optional<PathPoint> linearDragApex(const Vec2& velocity, const LinearDrag& 
 /// muzzle's own level and without vertical wind
 ///   t = (q + W0(-q e^-q)) / k,  q = 1 + k w / |g|
 /// W0 Lambert's function. Here it is found by Newton's method on the height, which is a convex or concave function of
-/// time, so that the method comes to its last zero from one side. Throws as above, and on a height beyond 1e100.
+/// time, so that the method comes to its last zero from one side. Throws as above.
 std::optional<PathPoint> linearDragLanding(const Vec2& velocity, double height, const LinearDrag& drag);
 
 }  // namespace plumb

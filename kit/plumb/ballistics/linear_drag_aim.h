@@ -8,9 +8,9 @@
 namespace plumb {
 
 struct LinearDragAim {
-    Vec2 target{0, 0};  ///< from the muzzle, of up to 1e100 [m]
-    double speed = 0;   ///< on leaving the muzzle, as seen by the world, 0 to 1e100 [m/s]
-    LinearDrag drag;
+    Vec2 target{0, 0};  ///< from the muzzle [m]
+    double speed = 0;   ///< on leaving the muzzle, as seen by the world, >= 0 [m/s]
+    LinearDrag drag{};
 };
 
 /// None, one or two shots, the earlier first.
@@ -19,14 +19,14 @@ struct LinearDragAim {
 /// concave function of m, so the left side less the right is convex in m: at most two zeros, and Newton's method comes
 /// to each from outside without stepping over it. Two that rounding cannot tell apart count as one.
 /// A target at the muzzle is hit at once, by one shot straight up. What would take no finite time is left out.
-/// Throws std::invalid_argument on numbers beyond the ranges above.
+/// Throws std::invalid_argument on input out of range (shot.h).
 /// Test: "a million shots of fixed speed through linear drag hit, and where there is none no angle does"
 std::vector<Shot> aimThroughLinearDrag(const LinearDragAim& problem);
 
 struct LinearDragTimeAim {
-    Vec2 target{0, 0};  ///< from the muzzle, of up to 1e100 [m]
-    double time = 1;    ///< to the target, 1e-100 to 1e100 [s]
-    LinearDrag drag;
+    Vec2 target{0, 0};  ///< from the muzzle [m]
+    double time = 1;    ///< to the target, 1e-10>= 0 [s]
+    LinearDrag drag{};
 };
 
 /// The shot that is at the target after a time: u = (d - a m) / r. Throws as above.

@@ -8,11 +8,11 @@
 namespace plumb {
 
 struct MovingAim {
-    Vec2 target{0, 0};           ///< where it is at the launch, from the muzzle; of up to 1e100 [m]
-    Vec2 targetVelocity{0, 0};   ///< of up to 1e100; it stays as it is [m/s]
-    Vec2 shooterVelocity{0, 0};  ///< of up to 1e100; the shot has it as well [m/s]
-    double speed = 0;            ///< of the shot as the shooter sees it, 0 to 1e100 [m/s]
-    Vec2 gravity{0, -9.81};      ///< of the shot; the target has none; of up to 1e100 [m/s^2]
+    Vec2 target{0, 0};           ///< where it is at the launch, from the muzzle [m]
+    Vec2 targetVelocity{0, 0};   ///< it stays as it is [m/s]
+    Vec2 shooterVelocity{0, 0};  ///< the shot has it as well [m/s]
+    double speed = 0;            ///< of the shot as the shooter sees it, >= 0 [m/s]
+    Vec2 gravity{0, -9.81};      ///< of the shot; the target has none [m/s^2]
 };
 
 /// All shots that hit, up to four, the earliest first.
@@ -23,7 +23,7 @@ struct MovingAim {
 /// between whose extremes, found from those of its derivatives, each root is bracketed and then refined on the equation
 /// that is not squared. Two that lie so close that rounding decides between none and two count as one.
 /// A target at the muzzle is hit at once, by one shot straight up. Shots that take more than 1e70 s are left out.
-/// Throws std::invalid_argument on numbers beyond the ranges above.
+/// Throws std::invalid_argument on input out of range (shot.h).
 /// Test: "a million shots at moving targets hit, and a scan over time finds no other"
 std::vector<Shot> aimAtMoving(const MovingAim& problem);
 

@@ -9,15 +9,15 @@
 namespace plumb {
 
 struct WallAim {
-    Vec2 target{0, 0};        ///< from the muzzle, of up to 1e100 [m]
-    std::vector<Vec2> walls;  ///< tops to fly over, of up to 1e100; a thick wall has two: its upper corners [m]
-    double margin = 0;        ///< straight above each top, 0 to 1e100 [m]
-    double speed = 0;         ///< for aimOver only, 0 to 1e100 [m/s]
-    Vec2 gravity{0, -9.81};   ///< of up to 1e100 [m/s^2]
+    Vec2 target{0, 0};          ///< from the muzzle [m]
+    std::vector<Vec2> walls{};  ///< tops to fly over; a thick wall has two: its upper corners [m]
+    double margin = 0;          ///< straight above each top, >= 0 [m]
+    double speed = 0;           ///< for aimOver only, >= 0 [m/s]
+    Vec2 gravity{0, -9.81};     ///< [m/s^2]
 };
 
 /// Those of aim()'s shots that pass every wall above its top and the margin, to rounding: a wall that does not stand
-/// between muzzle and target is passed. Throws std::invalid_argument on numbers beyond the ranges above.
+/// between muzzle and target is passed. Throws std::invalid_argument on input out of range (shot.h).
 /// Test: "a million shots over a wall hit and clear it, and no other angle does"
 std::vector<Shot> aimOver(const WallAim& problem);
 

@@ -5,12 +5,12 @@
 namespace plumb {
 
 struct QuadraticDrag {
-    double coefficient = 0;  ///< drag over mass and speed squared, rho C A / (2 m), 1e-50 to 1e50 [1/m]
-    double gravity = 9.81;   ///< 1e-50 to 1e50 [m/s^2]
+    double coefficient = 0;  ///< drag over mass and speed squared, rho C A / (2 m), 1e-5>= 0 [1/m]
+    double gravity = 9.81;   ///< 1e-5>= 0 [m/s^2]
 };
 
 /// The speed at which drag bears the weight: sqrt(g / c) [m/s], c coefficient [1/m], g gravity [m/s^2].
-/// Throws std::invalid_argument on numbers beyond the ranges above, as all of these.
+/// Throws std::invalid_argument on input out of range (shot.h), as all of these.
 double terminalSpeed(const QuadraticDrag& drag);
 
 struct VerticalShot {
@@ -20,7 +20,7 @@ struct VerticalShot {
     double returnSpeed = 0;  ///< there [m/s]
 };
 
-/// A shot straight up and its return, of a speed of 0 to 1e50.
+/// A shot straight up and its return.
 ///   t = (V / g) atan(u / V),  H = (V^2 / (2 g)) ln(1 + (u / V)^2),  u' = u V / sqrt(u^2 + V^2)
 ///   t' = (V / g) artanh(u' / V)
 /// t, t' times up and down [s], H height [m], u, u' speeds at the launch and the return [m/s], V terminal speed [m/s],
@@ -33,7 +33,7 @@ struct Fall {
     double speed = 0;     ///< [m/s]
 };
 
-/// After a time of 0 to 1e50 at which it was let go, at rest.
+/// A time after it was let go, at rest.
 ///   v = V tanh(g t / V),  s = (V^2 / g) ln cosh(g t / V)
 /// v speed [m/s], s distance [m], V terminal speed [m/s], g gravity [m/s^2], t time [s]. Throws, source, test as above.
 Fall fallFor(double time, const QuadraticDrag& drag);

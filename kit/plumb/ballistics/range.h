@@ -8,14 +8,14 @@
 namespace plumb {
 
 struct Launch {
-    Vec2 velocity{0, 0};     ///< of up to 1e100 [m/s]
-    double height = 0;       ///< of the muzzle above the ground; negative below it; up to 1e100 [m]
-    Vec2 gravity{0, -9.81};  ///< of up to 1e100 [m/s^2]
+    Vec2 velocity{0, 0};     ///< [m/s]
+    double height = 0;       ///< of the muzzle above the ground; negative below it [m]
+    Vec2 gravity{0, -9.81};  ///< [m/s^2]
 };
 
 /// The highest point; empty when the shot does not rise, or nothing pulls it back.
 ///   t = -(u . g) / g^2
-/// u velocity [m/s], g gravity [m/s^2], t time [s]. Throws std::invalid_argument on numbers beyond the ranges above.
+/// u velocity [m/s], g gravity [m/s^2], t time [s]. Throws std::invalid_argument on input out of range (shot.h).
 /// Test: "100,000 apexes and landings are where a path looked at in small steps has them"
 std::optional<PathPoint> apexOf(const Launch& launch);
 
@@ -26,9 +26,9 @@ std::optional<PathPoint> apexOf(const Launch& launch);
 std::optional<PathPoint> landingOf(const Launch& launch);
 
 struct RangeAim {
-    double speed = 0;        ///< 0 to 1e100 [m/s]
-    double height = 0;       ///< of the muzzle above the ground; negative below it; up to 1e100 [m]
-    Vec2 gravity{0, -9.81};  ///< of up to 1e100 [m/s^2]
+    double speed = 0;        ///< >= 0 [m/s]
+    double height = 0;       ///< of the muzzle above the ground; negative below it [m]
+    Vec2 gravity{0, -9.81};  ///< [m/s^2]
 };
 
 struct GreatestRange {
@@ -40,7 +40,7 @@ struct GreatestRange {
 /// without gravity.
 ///   R = (v / |g|) sqrt(v^2 + 2 |g| h),  tan a = v / sqrt(v^2 + 2 |g| h)
 /// R range [m], v speed [m/s], g gravity [m/s^2], h height [m], a angle above the level [rad]
-/// Throws std::invalid_argument on numbers beyond the ranges above.
+/// Throws std::invalid_argument on input out of range (shot.h).
 /// Source: the envelope of all shots of that speed, y = v^2 / (2 g) - g x^2 / (2 v^2), at y = -h.
 /// Test: "no angle of 100,000 goes further than the greatest range"
 std::optional<GreatestRange> greatestRange(const RangeAim& problem);

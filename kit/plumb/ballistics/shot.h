@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What does an answer to "how to aim" hold?
 // In this module the muzzle is at the origin and everything is relative to it. Gravity is a vector, of any direction
-// and down to none; up is against it. Where a list of shots is the answer, the earliest stands first.
+// and down to none; up is against it. Where a list of shots is the answer, the earliest stands first. Numbers may be up
+// to 1e50 in size, and some must not be negative, or must be positive; what is not so is refused with a
+// std::invalid_argument.
 #pragma once
 #include <plumb/math/vec2.h>
 
