@@ -74,7 +74,7 @@ std::vector<LabResult> runLabs(const std::vector<Lab>& labs, const RunOptions& o
                                bool colour) {
     std::vector<LabResult> results;
     if (labs.empty()) return results;
-    fmt::print(out, "\n{:6}lab, and what was measured in it\n", "");
+    fmt::print(out, "{:6}lab, and what was measured in it\n", "");
     for (const Lab& lab : labs) {
         try {
             results.push_back(runLab(lab, options.engines, engines()));
@@ -95,6 +95,7 @@ int check(const Arguments& arguments, std::ostream& out, bool colour) {
     if (arguments.csv) makeFolder("--csv", *arguments.csv);
     if (arguments.report) makeFolder("--report", *arguments.report);
     const std::vector<SceneResult> scenes = runScenes(choice.scenes, arguments.options, out, colour);
+    if (!choice.scenes.empty() && !choice.labs.empty()) fmt::print(out, "\n");
     const std::vector<LabResult> labs = runLabs(choice.labs, arguments.options, out, colour);
     if (json) json->write(verdictJson(scenes, labs));
     if (arguments.csv) {

@@ -7,8 +7,8 @@ namespace plumb::compare {
 
 std::vector<Lab> builtinLabs() {
     return {
-        // frameRate(),
-        // integrators(),
+        frameRate(),
+        integrators(),
         // broadPhases(),
         // bulletAndWindow(),
     };

@@ -146,9 +146,9 @@ class LabChart {
             connectSeparatedPoints: true, dateWindow: xRange, valueRange: yRange, logscale: y.logarithmic,
             xlabel: axisTitle(x), ylabel: axisTitle(y), xLabelHeight: text + 8, yLabelWidth: text + 8,
             axisLabelFontSize: text, gridLineColor: themeColor("--grid"), axisLineColor: themeColor("--axis"),
-            highlightCircleSize: 3, rightGap: 2 * text, xRangePad: 0,
+            highlightCircleSize: 3, rightGap: Math.round(2.2 * text), xRangePad: 0,
             axes: {
-                x: {logscale: x.logarithmic, ticker: axisTicker(x, 4.5 * text)},
+                x: {logscale: x.logarithmic, axisLabelWidth: 4 * text, ticker: axisTicker(x, 4.5 * text)},
                 y: {axisLabelWidth: Math.round(4.3 * text), ticker: axisTicker(y, 1.9 * text)},
             },
             highlightCallback: (event, at) => this.read(at),
