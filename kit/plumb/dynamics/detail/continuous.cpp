@@ -9,12 +9,12 @@
 #include <vector>
 
 #include <plumb/collide/distance.h>
+#include <plumb/collide/sweep.h>
 #include <plumb/dynamics/detail/contact_rules.h>
 #include <plumb/dynamics/detail/free_motion.h>
 #include <plumb/dynamics/detail/fresh_lanes.h>
 #include <plumb/dynamics/detail/pairs.h>
 #include <plumb/dynamics/detail/shape_measure.h>
-#include <plumb/dynamics/detail/sweep.h>
 
 namespace plumb {
 
