@@ -9,8 +9,8 @@ std::vector<Lab> builtinLabs() {
     return {
         frameRate(),
         integrators(),
-        // broadPhases(),
-        // bulletAndWindow(),
+        broadPhases(),
+        bulletAndWindow(),
     };
 }
 

@@ -27,6 +27,9 @@ Motion motionOf(const FlatMotion& state) {
     return {state.head<2>(), state.tail<2>()};
 }
 
+constexpr int springSteps = 1000;   // on the oscillator, whose energy is watched
+constexpr double springStep = 0.1;  // of 1 / w [s]
+
 /// x' = v, v' = a(x): what methods of first order equations take.
 auto derivativeOf(const MotionProblem& problem) {
     return [&problem](double, const FlatMotion& state) -> FlatMotion {
@@ -102,17 +105,17 @@ struct EnergyRun {
 };
 
 struct EnergyError {
+    int steps = 0;
     std::vector<Point> worst{};  ///< the largest relative error so far, about 200 points over the run
-    double atEnd = 0;            ///< energy over energy at the start, less 1 [-]
 };
 
 EnergyError energyErrorOf(const EnergyRun& run, const Method& method) {
     const double start = run.problem.energy(run.problem.start), every = run.endTime / 200;
     EnergyError error;
-    double worst = 0, next = 0;
+    double worst = 0, next = every;
     const auto see = [&](double time, const Motion& motion) {
-        error.atEnd = run.problem.energy(motion) / start - 1;
-        worst = std::max(worst, std::fabs(error.atEnd));
+        ++error.steps;
+        worst = std::max(worst, std::fabs(run.problem.energy(motion) / start - 1));
         if (time < next) return;
         error.worst.push_back({time / run.problem.period, worst});
         next += every * std::max(1.0, std::ceil((time - next) / every));
@@ -128,11 +131,17 @@ double finalError(const MotionProblem& problem, const Motion& motion, double end
     return (motion.position - problem.truePosition(endTime)).norm();
 }
 
-constexpr double leastError = 1e-11, mostError = 0.1;  // of the points that a slope is fitted to [m]
+/// Runs whose place at the end is held against the closed form.
+struct ErrorRun {
+    MotionProblem problem;
+    double endTime = 0;  ///< [s]
+    int fewest = 0;      ///< steps
+    int doublings = 0;   ///< of the number of steps; a tenth of the tolerance each
+};
 
-/// The error at the end over the step: over the mean step, of the one that chooses its own.
-std::vector<Point> errorsOf(const MotionProblem& problem, const Method& method, double endTime, int fewest,
-                            int doublings) {
+/// The error at the end over the step: over the mean step, of the one that chooses its own. By rising step.
+std::vector<Point> errorsOf(const ErrorRun& run, const Method& method) {
+    const auto& [problem, endTime, fewest, doublings] = run;
     std::vector<Point> errors;
     Motion last = problem.start;
     const auto keep = [&](double, const Motion& motion) { last = motion; };
@@ -148,63 +157,113 @@ std::vector<Point> errorsOf(const MotionProblem& problem, const Method& method, 
     return errors;
 }
 
-double slopeOf(const std::vector<Point>& errors) {
-    std::vector<Point> fitted;
-    for (const Point& point : errors)
-        if (point.y >= leastError && point.y <= mostError) fitted.push_back(point);
-    return exponent(fitted).value_or(std::nan(""));
+constexpr double rounding = 1e-11;  // what lies below is of no method: up to 256,000 steps' rounding [m]
+constexpr std::size_t fitted = 4;   // of the smallest steps, where the next power of the step matters least
+
+double slopeOf(std::vector<Point> errors) {
+    std::erase_if(errors, [](const Point& point) { return point.y < rounding; });
+    errors.resize(std::min(errors.size(), fitted));
+    return exponent(errors).value_or(std::nan(""));
 }
 
 void addEnergy(const std::string& title, const EnergyRun& run, LabRun& result) {
-    Graph graph{.title = title, .x = {"periods", ""}, .y = {"largest energy error so far, of the whole", "", true}};
-    std::vector<std::string> words;
+    Graph graph{.title = title, .x = {"periods", ""}, .y = {"largest relative energy error so far", "", true}};
     for (const Method& method : methods()) {
         const EnergyError error = energyErrorOf(run, method);
-        graph.curves.push_back({.name = method.name, .points = error.worst});
+        const std::string note =
+            method.step ? "" : fmt::format("{} steps at a tolerance of {:.0e}", error.steps, run.tolerance);
+        graph.curves.push_back({.name = method.name, .points = error.worst, .note = note});
         result.values["energy." + run.problem.name + "." + method.tag] = error.worst.back().y;
-        words.push_back(fmt::format("{} {:.2e}", method.name, error.worst.back().y));
     }
     result.graphs.push_back(graph);
-    result.seen.push_back(fmt::format("Largest energy error on the {} in {:.0f} periods: {}.", run.problem.name,
-                                      run.endTime / run.problem.period, fmt::join(words, ", ")));
 }
 
-void addErrors(const std::string& title, const MotionProblem& problem, double endTime, int fewest, int doublings,
-               LabRun& result) {
+void addErrors(const std::string& title, const ErrorRun& run, LabRun& result) {
     Graph graph{.title = title, .x = {"step", "s", true}, .y = {"distance from the closed form", "m", true}};
     std::vector<std::string> words;
     for (const Method& method : methods()) {
-        const std::vector<Point> errors = errorsOf(problem, method, endTime, fewest, doublings);
+        const std::vector<Point> errors = errorsOf(run, method);
         const double slope = slopeOf(errors);
         const std::string note = fmt::format("slope {:.2f}", slope);
         graph.curves.push_back({.name = method.name, .points = errors, .note = note});
-        result.values["order." + problem.name + "." + method.tag] = std::fabs(slope - method.order);
+        result.values["order." + run.problem.name + "." + method.tag] = std::fabs(slope - method.order);
         words.push_back(fmt::format("{} {:.2f}", method.name, slope));
     }
     result.graphs.push_back(graph);
-    result.seen.push_back(fmt::format("The error on the {} falls with the step to the power of: {}.", problem.name,
+    result.seen.push_back(fmt::format("The error on the {} falls with the step to the power of: {}.", run.problem.name,
                                       fmt::join(words, ", ")));
+}
+
+void tellEnergies(LabRun& result) {
+    const auto energy = [&](const std::string& of) { return result.values.at("energy." + of); };
+    result.seen.push_back(
+        fmt::format("After {} steps of {} / w explicit Euler's oscillator has {:.0f} times its energy, and no smaller "
+                    "step keeps it from growing; semi-implicit Euler's stays within {:.1f} %, velocity Verlet's within "
+                    "{:.2f} %, for ever. Midpoint's is {:.1f} % too much and rising, RK4's {:.4f} % too little and "
+                    "falling.",
+                    springSteps, springStep, energy("oscillator.explicit_euler") + 1,
+                    100 * energy("oscillator.semi_implicit_euler"), 100 * energy("oscillator.velocity_verlet"),
+                    100 * energy("oscillator.midpoint"), 100 * energy("oscillator.rk4")));
+    result.seen.push_back(fmt::format(
+        "On ten turns of an orbit of e = 0.5 the largest error of energy is {:.2g} of it for explicit "
+        "Euler, {:.2g} for semi-implicit Euler, {:.2g} for velocity Verlet, {:.2g} for midpoint, {:.2g} "
+        "for RK4, {:.2g} for Dormand-Prince.",
+        energy("orbit.explicit_euler"), energy("orbit.semi_implicit_euler"), energy("orbit.velocity_verlet"),
+        energy("orbit.midpoint"), energy("orbit.rk4"), energy("orbit.dormand_prince")));
+    const double known = std::pow(1 + springStep * springStep, springSteps);
+    result.values["energy.oscillator.explicit_euler.off"] =
+        std::fabs((energy("oscillator.explicit_euler") + 1) / known - 1);
 }
 
 LabRun runIntegrators(const std::vector<Engine>&) {
     LabRun result;
     const MotionProblem spring = oscillator(), orbit = keplerOrbit(0.5);
-    addEnergy("Oscillator, 1,000 steps of 0.1 / w: energy", {spring, 100, 1000}, result);
+    addEnergy("Oscillator, 1,000 steps of 0.1 / w: energy", {spring, springSteps * springStep, springSteps}, result);
     addEnergy("Orbit of e = 0.5, 1,000 steps a turn: energy", {orbit, 10 * orbit.period, 10000}, result);
-    // Not a whole number of periods: there the semi-implicit method's error is of second order.
-    addErrors("Oscillator after 10 s", spring, 10, 100, 8, result);
-    addErrors("Orbit after 1.3 turns", orbit, 1.3 * orbit.period, 250, 10, result);
+    tellEnergies(result);
+    // Not after whole periods: there the semi-implicit method's error is of second order.
+    addErrors("Oscillator after 10 s: error", {spring, 10, 100, 8}, result);
+    addErrors("Orbit after 1.3 turns: error", {orbit, 1.3 * orbit.period, 250, 10}, result);
+    return result;
+}
+
+LabCheck energyCheck(const std::string& of, double limit, const std::string& reason) {
+    return {.name = "energy.oscillator." + of, .limit = limit, .reason = reason};
+}
+
+std::vector<LabCheck> checks() {
+    const double z = springStep, roundedUp = 1 + 1e-9;
+    std::vector<LabCheck> result{
+        energyCheck("explicit_euler.off", 1e-10, "each step multiplies it by 1 + z^2, z = h w; 1,000 roundings"),
+        energyCheck("semi_implicit_euler", roundedUp * (z / 2) / (1 - z / 2),
+                    "it stays below 1 / (1 - z / 2) of itself"),
+        energyCheck("velocity_verlet", roundedUp * z * z / 4, "it stays above 1 - z^2 / 4 of itself"),
+        energyCheck("midpoint", roundedUp * (std::pow(1 + z * z * z * z / 4, springSteps) - 1),
+                    "each step multiplies it by 1 + z^4 / 4"),
+        energyCheck("rk4", roundedUp * springSteps * std::pow(z, 6) / 72,
+                    "each step multiplies it by 1 - z^6 / 72 + z^8 / 576"),
+    };
+    for (const std::string problem : {"oscillator", "orbit"})
+        for (const Method& method : methods())
+            result.push_back({.name = "order." + problem + "." + method.tag,
+                              .limit = method.step ? 0.05 : 0.5,
+                              .reason = method.step
+                                            ? fmt::format("the slope is its order, {}; the next power of the step adds "
+                                                          "a few hundredths",
+                                                          method.order)
+                                            : "the slope is 5, its order, if all steps shrink alike; the tolerance "
+                                              "shrinks some more than others"});
     return result;
 }
 
 }  // namespace
 
 Lab integrators() {
-    Lab lab{.name = "integrators",
+    return {.name = "integrators",
             .question = "What does each method of integration lose, and how fast does its error fall with the step?",
-            .varied = "the step",
+            .varied = "the step, and with Dormand-Prince the tolerance that chooses it",
+            .checks = checks(),
             .run = runIntegrators};
-    return lab;
 }
 
 }  // namespace plumb::compare
