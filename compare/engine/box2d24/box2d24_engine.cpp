@@ -113,6 +113,11 @@ public:
         return result;
     }
 
+    void makeBullets(const Scene& scene) {
+        for (std::size_t i = 0; i < bodies_.size(); ++i)
+            if (!scene.bodies[i].def.velocity.isZero(0)) bodies_[i]->SetBullet(true);
+    }
+
     Broken brokenJoints() const override {
         if (breakable_.empty()) return {};
         Broken broken;
@@ -225,9 +230,13 @@ std::vector<Setting> box2d24Settings(const Scene& scene) {
 
 }  // namespace
 
-Engine box2d24Engine() {
-    return {"box2d-2.4", PLUMB_BOX2D24_VERSION, box2d24Settings,
-            [](const Scene& scene) { return std::make_unique<Box2d24Simulation>(scene); }};
+Engine box2d24Engine(bool bullets) {
+    return {bullets ? "box2d-2.4 bullets" : "box2d-2.4", PLUMB_BOX2D24_VERSION, box2d24Settings,
+            [bullets](const Scene& scene) {
+                auto simulation = std::make_unique<Box2d24Simulation>(scene);
+                if (bullets) simulation->makeBullets(scene);
+                return simulation;
+            }};
 }
 
 }  // namespace plumb::compare

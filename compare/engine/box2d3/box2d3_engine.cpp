@@ -126,6 +126,11 @@ public:
         return result;
     }
 
+    void makeBullets(const Scene& scene) {
+        for (std::size_t i = 0; i < bodies_.size(); ++i)
+            if (!scene.bodies[i].def.velocity.isZero(0)) b2Body_SetBullet(bodies_[i], true);
+    }
+
     Broken brokenJoints() const override {
         if (!breaks_) return {};
         Broken broken;
@@ -259,9 +264,12 @@ std::string version() {
 
 }  // namespace
 
-Engine box2d3Engine() {
-    return {"box2d-3", version(), box2d3Settings,
-            [](const Scene& scene) { return std::make_unique<Box2d3Simulation>(scene); }};
+Engine box2d3Engine(bool bullets) {
+    return {bullets ? "box2d-3 bullets" : "box2d-3", version(), box2d3Settings, [bullets](const Scene& scene) {
+                auto simulation = std::make_unique<Box2d3Simulation>(scene);
+                if (bullets) simulation->makeBullets(scene);
+                return simulation;
+            }};
 }
 
 }  // namespace plumb::compare
