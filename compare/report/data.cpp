@@ -8,6 +8,7 @@
 
 #include <compare/engine/joint_geometry.h>
 #include <compare/report/curve.h>
+#include <compare/report/lab_data.h>
 #include <compare/report/playback.h>
 #include <compare/scene/fields.h>
 #include <plumb/math/transform.h>
@@ -187,11 +188,12 @@ json sceneData(const SceneResult& result, const PlaybackFormat& format, const Re
 
 }  // namespace
 
-json reportData(const std::vector<SceneResult>& results, const ReportSettings& settings) {
+json reportData(const std::vector<SceneResult>& results, const std::vector<LabResult>& labs,
+                const ReportSettings& settings) {
     const std::vector<PlaybackFormat> formats = fitPlayback(results, settings.playbackBudget);
     json scenes = json::array();
     for (std::size_t i = 0; i < results.size(); ++i) scenes.push_back(sceneData(results[i], formats[i], settings));
-    return {{"schema", 1}, {"scenes", scenes}};
+    return {{"schema", 1}, {"scenes", scenes}, {"labs", labsData(labs)}};
 }
 
 std::string scriptText(const json& data) {
