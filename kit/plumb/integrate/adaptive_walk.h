@@ -69,7 +69,7 @@ public:
     double time() const { return time_; }                               ///< after the last step [s]
     double startTime() const { return startTime_; }                     ///< before it [s]
     const DormandPrinceStep<State>& lastStep() const { return made_; }  ///< its way, and where it led: .end
-    IntegrationEnd end() const { return end_; }
+    IntegrationEnd end() const { return end_; }                         ///< once advance() is false
     int accepted() const { return accepted_; }
     int rejected() const { return tried_ - accepted_; }
 
