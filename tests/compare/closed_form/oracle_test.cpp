@@ -195,7 +195,7 @@ TEST_CASE("a pendulum hit at 0.4 s hangs until then, and is up at its amplitude 
     const BodyState moving = ballAt(sceneOf(hit), 0.4 + 1e-9);
     // v^2 = 2 g l (1 - cos 0.5), to the right
     CHECK(std::abs(moving.velocity.x() - std::sqrt(2 * 9.81 * (1 - std::cos(0.5)))) < 1e-8);
-    const double quarter = 2.0060666807 / 4 * 1.0158534;  // FACTS section 5: T0 of 1 m; AGM(1, cos 0.25) by hand
+    const double quarter = 2.0060666807 / 4 * 1.0158534;  // T0 of 1 m; AGM(1, cos 0.25) by hand
     CHECK(std::abs(ballAt(sceneOf(hit), 0.4 + quarter).position.x() - std::sin(0.5)) < 1e-6);
     hit.approach = {3, 0};  // what hits it comes at 3 m/s
     CHECK((ballAt(sceneOf(hit), 0.1).position - Vec2(-0.9, 0)).norm() < 1e-15);
@@ -209,6 +209,28 @@ TEST_CASE("an oscillator moves along its direction about where it rests", "[comp
     CHECK((half.position - Vec2(0.7, 1.6)).norm() < 1e-14);
     const BodyState quarter = ballAt(sceneOf(motion), 3.141592653589793 / 4);
     CHECK((quarter.velocity - Vec2(-0.6, -0.8)).norm() < 1e-14);  // 0.5 times 2 rad/s
+}
+
+// Terminal speed sqrt(9.81 / 0.005); worked numbers computed to 30 digits.
+TEST_CASE("what falls with drag is at 25.748172225 m/s after 3 s, 41.234527650 m down",
+          "[compare][closed_form][facts]") {
+    const DragFall motion{.body = "ball", .position = {1, 2}, .terminalSpeed = std::sqrt(9.81 / 0.005)};
+    const BodyState state = ballAt(sceneOf(motion), 3);
+    CHECK(std::abs(state.velocity.y() + 25.748172225) < 1e-9);
+    CHECK((state.position - Vec2(1, 2 - 41.234527650)).norm() < 1e-9);
+}
+
+TEST_CASE("an ellipse in the world has its near end where it is said to be, and drifts", "[compare][closed_form]") {
+    const KeplerMotion motion{.body = "ball",
+                              .focus = {1, 2},
+                              .drift = {0.5, 0},
+                              .nearEnd = {0, 1},
+                              .semiMajorAxis = 2,
+                              .eccentricity = 0.5,
+                              .period = 8,
+                              .since = 4};
+    CHECK((ballAt(sceneOf(motion), 0).position - Vec2(1, -1)).norm() < 1e-12);  // the far end, 3 m below the focus
+    CHECK((ballAt(sceneOf(motion), 4).position - Vec2(3, 3)).norm() < 1e-12);   // the near end, 1 m above it
 }
 
 }  // namespace plumb::compare
