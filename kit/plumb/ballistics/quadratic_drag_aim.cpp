@@ -18,7 +18,7 @@ namespace {
 /// A launch, by how much steeper it is than the line to the target.
 struct Launched {
     double steeper = 0;
-    double time = 0;  ///< to the target, in units of v / g
+    double time = 0;        ///< to the target, in units of v / g
     bool straight = false;  ///< as without gravity: the others say nothing
 };
 
@@ -158,7 +158,7 @@ std::vector<Shot> aimThroughQuadraticDrag(const QuadraticDragAim& problem) {
     const double distance = detail::lengthOf(problem.target);
     detail::Level level(problem.gravity);
     const double strength = 2 * problem.coefficient * v * (v / level.gravity);
-    if (distance == 0 || strength == 0) return aim({problem.target, v, problem.gravity});
+    if (distance <= detail::muzzle || strength == 0) return aim({problem.target, v, problem.gravity});
     std::vector<Shot> shots;
     if (!(strength < 1e60)) {
         addStraight(shots, problem, distance);
@@ -177,7 +177,8 @@ std::vector<Shot> aimThroughQuadraticDrag(const QuadraticDragAim& problem) {
         if (launch.straight)
             addStraight(shots, problem, distance);
         else
-            addFinite(shots, level.right + (reach.line + launch.steeper) * level.up, v, launch.time * (v / level.gravity));
+            addFinite(shots, level.right + (reach.line + launch.steeper) * level.up, v,
+                      launch.time * (v / level.gravity));
     return shots;
 }
 

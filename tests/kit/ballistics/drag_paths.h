@@ -71,18 +71,20 @@ struct FlownShot {
     double path = 0;  ///< length
 };
 
+/// To a tolerance a step; without one, to 1e-9, and where that is not enough to tell a miss of 1e-9, to 1e-12.
 template <typename Air>
-FlownShot flyShot(const Air& air, const Shot& shot, const Vec2& target, double tolerance = 1e-10) {
+FlownShot flyShot(const Air& air, const Shot& shot, const Vec2& target, double tolerance = 0) {
     FlownShot flown;
     Vec2 last(0, 0);
-    fly(air, shot.velocity, shot.time, tolerance, [&](const FlightVector& s, double time) {
+    fly(air, shot.velocity, shot.time, tolerance > 0 ? tolerance : 1e-9, [&](const FlightVector& s, double time) {
         const Vec2 place(s[0], s[1]);
         flown.path += (place - last).norm();
         last = place;
         if (time == shot.time) flown.miss = (place - target).norm();
         return false;
     });
-    return flown;
+    const bool unclear = tolerance == 0 && flown.miss > 1e-9 * flown.path;
+    return unclear ? flyShot(air, shot, target, 1e-12) : flown;
 }
 
 struct Pass {

@@ -78,7 +78,7 @@ TEST_CASE("a million shots of fixed speed through linear drag hit, and where the
         ++counts[shots.size()];
         for (const Shot& shot : shots) {
             speed.hold(std::fabs(shot.velocity.norm() / problem.speed - 1), where);
-            const FlownShot flown = flyShot(airOf(problem.drag), shot, problem.target, 1e-9);
+            const FlownShot flown = flyShot(airOf(problem.drag), shot, problem.target);
             miss.hold(flown.miss / flown.path, where);
         }
         disorder += shots.size() == 2 && shots[0].time > shots[1].time;
@@ -109,7 +109,7 @@ TEST_CASE("a million shots of fixed time through linear drag are at their target
         const LinearDragAim other = randomAim(random);
         const LinearDragTimeAim problem{other.target, magnitude(random, 0.01, 3) / other.drag.rate, other.drag};
         const Shot shot = aimThroughLinearDragInTime(problem);
-        const FlownShot flown = flyShot(airOf(problem.drag), shot, problem.target, 1e-9);
+        const FlownShot flown = flyShot(airOf(problem.drag), shot, problem.target);
         miss.hold(flown.miss / flown.path, [&] { return text(other) + describe("time", problem.time); });
     }
     miss.print();
