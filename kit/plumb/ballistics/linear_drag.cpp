@@ -33,7 +33,9 @@ FlightState stateAt(const Vec2& velocity, double time, const LinearDrag& drag) {
 
 std::optional<PathPoint> pointAt(const Vec2& velocity, double time, const LinearDrag& drag) {
     if (!std::isfinite(time)) return std::nullopt;
-    return PathPoint{stateAt(velocity, time, drag).position, time};
+    const Vec2 position = stateAt(velocity, time, drag).position;
+    if (!position.allFinite()) return std::nullopt;
+    return PathPoint{position, time};
 }
 
 /// Upward motion alone.

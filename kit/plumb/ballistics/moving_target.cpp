@@ -128,7 +128,8 @@ std::vector<Shot> aimAtMoving(const MovingAim& problem) {
                       problem.speed};
     const double distance = detail::lengthOf(chase.target);
     const double gravity = detail::lengthOf(problem.gravity);
-    if (distance == 0) return {{chase.speed * detail::Level(problem.gravity).up + problem.shooterVelocity, 0}};
+    if (distance <= detail::muzzle)
+        return {{chase.speed * detail::Level(problem.gravity).up + problem.shooterVelocity, 0}};
 
     // Before, the shot and the target together cannot have come so far, even straight at each other; after, gravity has
     // taken the shot further than both can make good. A little is added to either side for rounding.

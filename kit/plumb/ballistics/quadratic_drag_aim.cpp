@@ -18,7 +18,8 @@ namespace {
 /// A launch, by how much steeper it is than the line to the target.
 struct Launched {
     double steeper = 0;
-    double time = 0;  ///< to the target, in units of v / g
+    double time = 0;        ///< to the target, in units of v / g
+    bool straight = false;  ///< as without gravity: the others say nothing
 };
 
 /// The target to the right and gravity down, in units of v^2 / g.
@@ -73,12 +74,20 @@ struct Reach {
         const double high = highArc(1);
         if (!std::isfinite(high)) return {};
         const double square = 1 + line * line;
-        const double dragged = square / highArc(growth);
-        const std::optional<Launched> first = zeroFrom(dragged > 0 ? dragged : square / high, square / high, true);
-        if (!first) return {};
+        std::vector<Launched> found;
+        if (across * growth * std::sqrt(square) < 1e-12) {
+            found.push_back({.straight = true});  // gravity bends it by less
+        } else {
+            const double dragged = square / highArc(growth);
+            const std::optional<Launched> first = zeroFrom(dragged > 0 ? dragged : square / high, square / high, true);
+            if (!first) return {};
+            found.push_back(*first);
+        }
+        // Numbers of the power of 4 of this are at hand below; a shot that flies so far is of no use.
+        if (!(high < 1e60)) return found;
         const std::optional<Launched> last = zeroFrom(high, high, false);
-        if (!last || !(last->steeper > first->steeper)) return {*first};
-        return {*first, *last};
+        if (last && last->steeper > found[0].steeper) found.push_back(*last);
+        return found;
     }
 };
 
@@ -119,12 +128,10 @@ void addFinite(std::vector<Shot>& shots, const Vec2& direction, double speed, do
         shots.push_back({detail::withLength(direction, speed), time});
 }
 
-std::vector<Shot> straightShots(const QuadraticDragAim& problem, double distance) {
-    std::vector<Shot> shots;
+void addStraight(std::vector<Shot>& shots, const QuadraticDragAim& problem, double distance) {
     const double z = problem.coefficient * distance;
     const double stretch = z > 0 ? exponentialMinus1(z) / z : 1;
     addFinite(shots, problem.target, problem.speed, stretch * (distance / problem.speed));
-    return shots;
 }
 
 std::vector<Shot> plumbShots(const QuadraticDragAim& problem, const detail::Level& level, double up) {
@@ -151,8 +158,12 @@ std::vector<Shot> aimThroughQuadraticDrag(const QuadraticDragAim& problem) {
     const double distance = detail::lengthOf(problem.target);
     detail::Level level(problem.gravity);
     const double strength = 2 * problem.coefficient * v * (v / level.gravity);
-    if (distance == 0 || strength == 0) return aim({problem.target, v, problem.gravity});
-    if (!(strength < 1e200)) return straightShots(problem, distance);
+    if (distance <= detail::muzzle || strength == 0) return aim({problem.target, v, problem.gravity});
+    std::vector<Shot> shots;
+    if (!(strength < 1e60)) {
+        addStraight(shots, problem, distance);
+        return shots;
+    }
 
     const double up = problem.target.dot(level.up);
     if (problem.target.dot(level.right) < 0) level.right = -level.right;
@@ -162,9 +173,12 @@ std::vector<Shot> aimThroughQuadraticDrag(const QuadraticDragAim& problem) {
     const double z = 2 * problem.coefficient * distance;
     const double growth = z < 1e-3 ? 1 + z / 3 : 2 * (exponentialMinus1(z) - z) / (z * z);
     const Reach reach{right / v * (level.gravity / v), up / right, strength, growth};
-    std::vector<Shot> shots;
     for (const Launched& launch : reach.launches())
-        addFinite(shots, level.right + (reach.line + launch.steeper) * level.up, v, launch.time * (v / level.gravity));
+        if (launch.straight)
+            addStraight(shots, problem, distance);
+        else
+            addFinite(shots, level.right + (reach.line + launch.steeper) * level.up, v,
+                      launch.time * (v / level.gravity));
     return shots;
 }
 

@@ -71,8 +71,8 @@ public:
     /// A width over which W grows by little, and that is not far beyond where the path would cross without drag.
     double panelAt(double bend) const {
         const At now = at(bend);
-        const double smooth = 1.5 / (strength_ * now.cosh * now.rate());
-        return std::min({1.0, smooth, std::max(2.5 * steeper_ / secant_, bend)});
+        const double smooth = 0.5 / (strength_ * now.cosh * now.rate());
+        return std::min({0.8, smooth, std::max(2.5 * steeper_ / secant_, bend)});
     }
 
     Crossing crossingAt(double bend, const Sums& sums) const {
@@ -132,7 +132,7 @@ struct Bracket {
 };
 
 bool bracketCrossing(const Path& path, Bracket& bracket) {
-    constexpr int mostPanels = 1000;
+    constexpr int mostPanels = 500;
     for (int panels = 0; panels < mostPanels; ++panels) {
         bracket.from = bracket.to;
         bracket.before = bracket.after;
