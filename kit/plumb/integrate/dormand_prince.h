@@ -21,9 +21,9 @@ struct DormandPrinceStep {
 };
 
 /// A step h [s] from time t [s], of either sign, with slope = f(t, y), which the step before has found: six
-/// evaluations. As a method of fixed steps it is of order 5; an oscillator keeps 1 - z^6 / 1800 + z^8 / 1600 of its
-/// energy a step, z = h w, and is stable for z < 0.997.
-/// Source: Dormand and Prince, J. Comp. Appl. Math. 6, 1980; coefficients as in Hairer, Norsett, Wanner, table II.5.2.
+/// evaluations. As a method of fixed steps it is of order 5; an oscillator keeps 1 - z^6 / 1800 + z^8 / 1600 of
+/// its energy a step, z = h w, and is stable for z < 0.997.
+/// Source: Dormand and Prince, J. Comp. Appl. Math. 6, 1980; coefficients as in Hairer, Norsett, Wanner, II.5.
 /// Test: "halving the step divides the error by 2 to the power of the order"
 template <EigenState State, typename Derivative>
 DormandPrinceStep<State> dormandPrinceStep(const Derivative& derivative, double time, const State& state,

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Where does y' = f(t, y) lead in one step of a given length?
 //
-// Each takes derivative f, called as State f(double time, const State& state), the time [s], the state and the step h
-// [s], of either sign, and returns the state a step later. Each throws std::invalid_argument on a time or a step that
-// is not finite, and on a derivative of another size than the state; what overflows is infinite or NaN. With z = h w on
-// an oscillator of w [rad/s], and h L on a decay y' = -L y:
+// Each takes derivative f, called as State f(double time, const State& state), the time [s], the state and the
+// step h [s], of either sign, and returns the state a step later. Each throws std::invalid_argument on a time or
+// a step that is not finite, and on a derivative of another size than the state; what overflows is infinite or
+// NaN. With z = h w on an oscillator of w [rad/s], and h L on a decay y' = -L y:
 //
 //               order  evaluations  oscillator        its energy, a step     decay         constant acceleration
 //   Euler       1      1            never stable      (1 + z^2)              h L < 2       -a h t / 2

@@ -38,10 +38,10 @@ struct CrossingSearch {
 };
 CrossingSearch findCrossing(const std::function<double(double)>& quantity, int signBefore, Crossing crossing);
 
-/// The same until quantity g, called as double g(double time, const State& state), first crosses zero, or reaches it; a
-/// start on zero is no crossing. It is looked for at eight places a step, and then bisected to the last place of the
-/// step's interpolant of fourth order: what crosses and is back within an eighth of a step may be missed, which
-/// AdaptiveSettings.longestStep prevents. NaN is no crossing. Ends at endTime when there is none.
+/// The same until quantity g, called as double g(double time, const State& state), first crosses zero, or reaches
+/// it; a start on zero is no crossing. It is looked for at eight places a step, and then bisected to the last
+/// place of the step's interpolant of fourth order: what crosses and is back within an eighth of a step may be
+/// missed, which AdaptiveSettings.longestStep prevents. NaN is no crossing. Ends at endTime when there is none.
 /// Test: "the time at which a thrown ball comes down is the closed form's, 1,000,000 times"
 template <EigenState State, typename Derivative, typename Quantity>
 Integration<State> integrateUntil(Derivative derivative, double time, const State& state, double endTime,

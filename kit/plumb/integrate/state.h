@@ -11,8 +11,8 @@
 
 namespace plumb {
 
-/// A vector (or matrix) of doubles of Eigen's, of fixed or dynamic size; no expression. What gives derivatives is to
-/// return the like, not an expression either.
+/// A vector (or matrix) of doubles of Eigen's, of fixed or dynamic size; no expression. What gives derivatives is
+/// to return the like, not an expression either.
 template <typename T>
 concept EigenState = std::derived_from<T, Eigen::PlainObjectBase<T>> && std::same_as<typename T::Scalar, double>;
 

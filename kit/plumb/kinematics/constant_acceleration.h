@@ -30,12 +30,13 @@ struct MotionSolutions {
 enum class MotionTimes { NotNegative, AnyReal };
 
 /// v = u + a t,  d = u t + a t^2 / 2 = (u + v) t / 2,  v^2 = u^2 + 2 a d;  symbols and units as in KnownMotion.
-/// All real solutions, each quantity within four of its last place; how many there are is exact as well. Magnitudes are
-/// to be 0 or 1e-90 to 1e90: farther out digits may be lost, and a solution that is no finite number is left out.
-/// Throws std::invalid_argument unless three are given, each finite. Source: textbook; the quadratic by its larger root
-/// and the product of the two (Press et al., "Numerical Recipes", 5.6), its discriminant with the exact products after
-/// Kahan. Tests: "1,000,000 motions are found again from any three of their five numbers", "each of 10,000,000 answers
-/// is within four of its last place of the textbook's in long double"
+/// All real solutions, each quantity within four of its last place; how many there are is exact as well.
+/// Magnitudes are to be 0 or 1e-90 to 1e90: farther out digits may be lost, and a solution that is no finite
+/// number is left out.
+/// Throws std::invalid_argument unless three are given, each finite. Source: textbook; the quadratic by its
+/// larger root and the product of the two (Press et al., "Numerical Recipes", 5.6), its discriminant with the
+/// exact products after Kahan. Tests: "1,000,000 motions are found again from any three of their five numbers",
+/// "each of 10,000,000 answers is within four of its last place of the textbook's in long double"
 MotionSolutions solveMotion(const KnownMotion& known, MotionTimes times = MotionTimes::NotNegative);
 
 /// The same in the plane, where the time is given: then two of the four vectors give the others.
@@ -57,7 +58,8 @@ struct PlaneMotionSolution {
     bool infinitelyMany = false;
 };
 
-/// Each axis by solveMotion, at any real time. Throws std::invalid_argument unless two vectors are given, all finite.
+/// Each axis by solveMotion, at any real time.
+/// Throws std::invalid_argument unless two vectors are given, all finite, and a finite time.
 /// Test: "a motion in the plane is that of its axes"
 PlaneMotionSolution solveMotion(const KnownPlaneMotion& known);
 

@@ -15,8 +15,8 @@ struct UnitStep {
     double xx, vv, slope;
 };
 
-// Near z = 1: cos r and sin(r) / r by their series in r^2 = theta^2 (1 - z^2), of either sign, at most 1 in size. The
-// next terms are below 1e-17.
+// Near z = 1: cos r and sin(r) / r by their series in r^2 = theta^2 (1 - z^2), of either sign, at most 1 in size.
+// The next terms are below 1e-17.
 UnitStep nearCritical(double z, double theta, double square) {
     double cosine = 1, sine = 1;
     for (int n = 9; n >= 1; --n) {

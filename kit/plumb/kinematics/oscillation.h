@@ -31,11 +31,13 @@ struct Oscillator {
 /// negative.
 Oscillator oscillatorOf(double mass, double stiffness, double damping);
 
-/// T = 2 pi / (w sqrt(1 - z^2)) [s]; empty when it does not swing, z >= 1 or w = 0.
+/// T = 2 pi / (w sqrt(1 - z^2)) [s]; empty when it does not swing, z >= 1 or w = 0. Throws as oscillatorStep does.
+/// Test: "a spring of 4 N/m and 0.4 N s/m takes 1 kg from 1 m to -0.2580702634 m in 1 s; its period is
+/// 3.1574194170 s"
 std::optional<double> dampedPeriod(const Oscillator& oscillator);
 
-/// What a time makes of position and velocity: x = xx x0 + xv v0, v = vx x0 + vv v0, x from rest. It may be kept for as
-/// long as the time step stays.
+/// What a time makes of position and velocity: x = xx x0 + xv v0, v = vx x0 + vv v0, x from rest. It may be kept
+/// for as long as the time step stays.
 struct OscillatorStep {
     double xx = 1;  ///< [-]
     double xv = 0;  ///< [s]
@@ -43,12 +45,13 @@ struct OscillatorStep {
     double vv = 1;  ///< [-]
 };
 
-/// The exact step of any length, swinging, critical or creeping: with s = w sqrt(1 - z^2), E = e^(-z w t),
+/// The exact step of any length, swinging, critical or creeping: with s = w sqrt(1 - z^2) and E = e^(-z w t),
 ///   xx, vv = E (cos s t +- z w sin(s t) / s),  xv = E sin(s t) / s,  vx = -w^2 xv
-/// and cosh, sinh for z > 1. Near z = 1 by the series of cos r and sin(r) / r in r^2, so it is smooth there; for z > 1
-/// by the two rates, the slow one as w / (z + sqrt(z^2 - 1)). t time, >= 0 [s]. Source: textbook; any damping. Without
-/// a spring, w = 0, nothing damps: that is moveWithDrag. Throws std::invalid_argument on what is negative or not
-/// finite, w t included. Test: "an oscillator of any damping is where a fine Runge-Kutta takes it, 1,000,000 times"
+/// and cosh, sinh for z > 1. Near z = 1 by the series of cos r and sin(r) / r in r^2, so it is smooth there; for
+/// z > 1 by the two rates, the slow one as w / (z + sqrt(z^2 - 1)). w, z as in Oscillator, t time, >= 0 [s].
+/// Source: textbook. Holds for any damping; without a spring, w = 0, nothing damps: that is moveWithDrag. Exact
+/// to the rounding of w t. Throws std::invalid_argument on what is negative or not finite, w t included.
+/// Test: "an oscillator of any damping is where the matrix exponential takes it, 1,000,000 times"
 OscillatorStep oscillatorStep(const Oscillator& oscillator, double time);
 
 /// The same applied: towards rest [m]. Both axes of a point alike.

@@ -19,20 +19,20 @@ struct Ticks {
     double lost = 0;      ///< real time left out, for it was more than longestElapsed [s]
 };
 
-/// A clock that counts ticks. With T the time taken in so far, each elapsed time cut to longestElapsed, times the time
-/// scale, and no time while it is paused [s]; tick n is due as soon as
+/// A clock that counts ticks. With T the time taken in so far, each elapsed time cut to longestElapsed, times the
+/// time scale, and no time while it is paused [s]; tick n is due as soon as
 ///   T + 1 ns >= n interval
-/// Elapsed times of 1/60 s, rounded to doubles, add up to a little less than they should: the nanosecond keeps them
-/// from delaying an exact tick, until they are off by more, in 50 days at the soonest. T itself is kept to twice a
-/// double's digits, so no rounding adds up. Test: "0.02 s is due 150 times in exactly 3 s at 24, 25, 60, 75, 144 and
-/// 240 Hz"
+/// Elapsed times of 1/60 s, rounded to doubles, add up to a little less than they should: the nanosecond keeps
+/// them from delaying an exact tick, until they are off by more, in 50 days at the soonest. T itself is kept to
+/// twice a double's digits, so no rounding adds up. Test: "0.02 s is due 150 times in exactly 3 s at 24, 25, 60,
+/// 75, 144 and 240 Hz"
 class FixedClock {
 public:
     /// Throws std::invalid_argument that names the field; more than a million ticks at once are refused as well.
     explicit FixedClock(const ClockSettings& settings = {});
 
-    /// Takes in the real time since the last call [s]. Throws std::invalid_argument, and changes nothing, when it is
-    /// negative or not finite.
+    /// Takes in the real time since the last call [s]. Throws std::invalid_argument, and changes nothing, when it
+    /// is negative or not finite.
     Ticks advance(double elapsed);
 
     void pause() { paused_ = true; }

@@ -79,7 +79,8 @@ TEST_CASE("no step is longer than asked, and the steps of a walk join up", "[int
     CHECK_FALSE(walk.advance());
 }
 
-// Of fourth order everywhere, so halving the step divides a single step's error by 2^5, within the next term of it.
+// Of fourth order everywhere, so halving the step divides a single step's error by 2^5, within the next term of
+// it.
 TEST_CASE("the state within a step is of fourth order", "[integrate]") {
     const auto errorAt = [](double fraction, double h) {
         const Vector2 start(std::cos(0.3), -std::sin(0.3));

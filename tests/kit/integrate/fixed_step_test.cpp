@@ -69,8 +69,8 @@ TEST_CASE("the energy of an oscillator after 1,000 steps of z = 0.1", "[integrat
     CHECK(energiesAfter(Method::VelocityVerlet, 0.1, 1'000'000).least > 1 - 0.01 / 4 - 1e-9);
 }
 
-// The factors of the table to the power of 1,000 steps, at several z; RK4's and Dormand-Prince's to their next terms,
-// which are below z^10 a step.
+// The factors of the table to the power of 1,000 steps, at several z; RK4's and Dormand-Prince's to their next
+// terms, which are below z^10 a step.
 TEST_CASE("an oscillator's energy grows by 1 + z^2, 1 + z^4 / 4, 1 - z^6 / 72 + z^8 / 576 a step",
           "[integrate][facts]") {
     for (const double z : {0.001, 0.05, 0.1, 0.3}) {
@@ -113,8 +113,8 @@ TEST_CASE("halving the step divides the error by 2 to the power of the order", "
                   << ": slope at t = 10, N = 250 to 500: " << slopeOf(method, 250, 500) << '\n';
 }
 
-// Just outside, the energy grows without bound; just inside, it never exceeds a bound: 1 / (1 - z / 2) of semi-implicit
-// Euler, and of Verlet 1 / (1 - z^2 / 4). RK4 and Dormand-Prince lose.
+// Just outside, the energy grows without bound; just inside, it never exceeds a bound: 1 / (1 - z / 2) of
+// semi-implicit Euler, and of Verlet 1 / (1 - z^2 / 4). RK4 and Dormand-Prince lose.
 TEST_CASE("an oscillator is stable just below the limits 2, 2, 2 sqrt(2) and 0.9972 and not just above",
           "[integrate][facts]") {
     CHECK(energiesAfter(Method::SemiImplicitEuler, 1.999, 100'000).most < 1 / (1 - 1.999 / 2) * (1 + 1e-6));

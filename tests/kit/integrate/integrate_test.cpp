@@ -34,8 +34,8 @@ double second(double, const Vector2& y) {
 
 }  // namespace
 
-// Dormand-Prince and its interpolant are exact on a parabola: what is left are roundings of the height, some four of
-// the last place a step for 30 steps at most, over the speed it comes down at; and of the time.
+// Dormand-Prince and its interpolant are exact on a parabola: what is left are roundings of the height, some four
+// of the last place a step for 30 steps at most, over the speed it comes down at; and of the time.
 TEST_CASE("the time at which a thrown ball comes down is the closed form's, 1,000,000 times", "[integrate]") {
     Random random(67);
     double worst = 0;
@@ -103,7 +103,8 @@ TEST_CASE("what is below zero for 0.02 s only is found with a longest step of 0.
     CHECK(std::fabs(found.time - std::acos(-0.99995)) < 1e-6);  // the slope there is 0.01: 1e-9 over it, ten times
 }
 
-// FACTS.md section 3: c = 0.005, up 50: t_up, H, speed of return, t_down. All by integration; the tolerance is 1e-12.
+// FACTS.md section 3: c = 0.005, up 50: t_up, H, speed of return, t_down. All by integration; the tolerance is
+// 1e-12.
 TEST_CASE(
     "50 m/s up against quadratic drag of 0.005 rises 82.163273487 m in 3.8191317573 s and returns at 33.155434439",
     "[integrate][facts]") {

@@ -9,8 +9,8 @@
 
 namespace plumb::test {
 
-/// About a sun of G M = 1 at the origin, with semi-major axis 1 and eccentricity 0.5: a period of 2 pi, energy -1/2 and
-/// angular momentum sqrt(3)/2. Time 0 is at perihelion, (0.5, 0).
+/// About a sun of G M = 1 at the origin, with semi-major axis 1 and eccentricity 0.5: a period of 2 pi, energy
+/// -1/2 and angular momentum sqrt(3)/2. Time 0 is at perihelion, (0.5, 0).
 inline Phase<Vec2> perihelion() {
     return {{0.5, 0}, {0, std::sqrt(3.0)}};
 }

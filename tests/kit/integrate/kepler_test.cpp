@@ -64,8 +64,8 @@ TEST_CASE("ten Kepler orbits of 1,000 steps: energy off by 0.58, 9.1e-3, 1.07e-4
     CHECK(tenOrbits(Method::DormandPrince, 1000).energyError < 1e-10);
 }
 
-// FACTS.md section 4 has 4e-15 for the symplectic pair. It is all rounding, so it depends on the order of operations: a
-// walk of 40,000 roundings of 1e-16 is 2e-14.
+// FACTS.md section 4 has 4e-15 for the symplectic pair. It is all rounding, so it depends on the order of
+// operations: a walk of 40,000 roundings of 1e-16 is 2e-14.
 TEST_CASE("only the symplectic pair keeps angular momentum over ten Kepler orbits", "[integrate][facts]") {
     for (const Method method : methods) {
         const double error = tenOrbits(method, 1000).momentumError;
@@ -76,8 +76,8 @@ TEST_CASE("only the symplectic pair keeps angular momentum over ten Kepler orbit
     }
 }
 
-// FACTS.md section 4: "Trap: sampled at whole orbits semi-implicit shows slope 2", for its error of first order swings
-// and is nothing there.
+// FACTS.md section 4: "Trap: sampled at whole orbits semi-implicit shows slope 2", for its error of first order
+// swings and is nothing there.
 TEST_CASE("seen all along the orbit semi-implicit Euler is of order 1, seen at whole orbits it seems of order 2",
           "[integrate][facts]") {
     const auto slope = [](double fewer, double more) { return std::log2(fewer / more); };
@@ -92,8 +92,8 @@ TEST_CASE("seen all along the orbit semi-implicit Euler is of order 1, seen at w
     CHECK(std::fabs(slope(orbitError(Method::RungeKutta4, 2000), orbitError(Method::RungeKutta4, 4000)) - 4) < 0.05);
 }
 
-// A step's error changes the energy by about as much, and the period by 3/2 of it: over 10.3 orbits the planet is then
-// off by 3 pi 10.3 of that, times its speed. The tolerances are per component; 100 covers both.
+// A step's error changes the energy by about as much, and the period by 3/2 of it: over 10.3 orbits the planet is
+// then off by 3 pi 10.3 of that, times its speed. The tolerances are per component; 100 covers both.
 TEST_CASE("after 10.3 Kepler orbits Dormand-Prince is where Kepler's equation says, to 100 tolerances a step",
           "[integrate]") {
     const double time = 10.3 * 2 * std::numbers::pi;

@@ -23,7 +23,8 @@ using plumb::solveMotion;
 
 using Long = long double;
 
-/// A number and how far it may be from the true one: running error analysis, Higham, "Accuracy and Stability", 3.3.
+/// A number and how far it may be from the true one: running error analysis, Higham, "Accuracy and Stability",
+/// 3.3.
 struct Bounded {
     Long value, error;
     Bounded(Long exact) : value(exact), error(0) {}
@@ -77,7 +78,8 @@ std::vector<Case> casesOf(double D, double U, double V, double A, double T) {
     };
 }
 
-// The textbook's roots: u^2 + 2 a d here, t = (v - u) / a, for v of either sign; and t = (v - u) / a likewise for u.
+// The textbook's roots: u^2 + 2 a d here, t = (v - u) / a, for v of either sign; and t = (v - u) / a likewise for
+// u.
 std::vector<Case> quadraticCases(double D, double U, double V, double A) {
     const Bounded d(D), u(U), v(V), a(A), two(2);
     std::vector<Case> list;

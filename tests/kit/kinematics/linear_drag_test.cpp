@@ -30,7 +30,8 @@ double ulps(double found, Long truth) {
     return static_cast<double>(std::fabs(found - truth)) / ulp;
 }
 
-// Below 1/8 the first twelve terms of the series, whose next is below 1e-22; above, x - 1 + e^-x loses 8 bits of 64.
+// Below 1/8 the first twelve terms of the series, whose next is below 1e-22; above, x - 1 + e^-x loses 8 bits of
+// 64.
 Long reachOf(Long k, Long t) {
     const Long x = k * t;
     if (x > 0.125L) return (x + std::expm1(-x)) / k / k;

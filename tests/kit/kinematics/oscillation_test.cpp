@@ -30,8 +30,8 @@ Matrix product(const Matrix& a, const Matrix& b) {
     return {a[0] * b[0] + a[1] * b[2], a[0] * b[1] + a[1] * b[3], a[2] * b[0] + a[3] * b[2], a[2] * b[1] + a[3] * b[3]};
 }
 
-/// e^(A theta) for A = (0 1; -1 -2z): Taylor's series of a short step, squared until it is the whole. It knows of no
-/// swinging or creeping. Source: Moler and Van Loan, "Nineteen dubious ways", 1978, method 3.
+/// e^(A theta) for A = (0 1; -1 -2z): Taylor's series of a short step, squared until it is the whole. It knows of
+/// no swinging or creeping. Source: Moler and Van Loan, "Nineteen dubious ways", 1978, method 3.
 Matrix exponentialOf(Long z, Long theta) {
     int halvings = 0;
     for (; theta * (1 + 2 * z) > 0.5L; theta /= 2) ++halvings;
@@ -66,8 +66,8 @@ double distance(const OscillatorStep& a, const OscillatorStep& b, double w) {
 
 }  // namespace
 
-// All parts are at most 1 in size. A rounding of theta = w t, and of the root times it, moves them by theta (1 + 2 z)
-// of the last place; four operations add theirs.
+// All parts are at most 1 in size. A rounding of theta = w t, and of the root times it, moves them by theta (1 +
+// 2 z) of the last place; four operations add theirs.
 TEST_CASE("an oscillator of any damping is where the matrix exponential takes it, 1,000,000 times", "[kinematics]") {
     Random random(17);
     double worst = 0, atZ = 0, atTheta = 0;

@@ -16,8 +16,8 @@ inline Exact exactSum(double a, double b) {
     return {value, (a - (value - bPart)) + (b - bPart)};
 }
 
-/// a b, while neither is beyond 1e299 nor the product, when it is not 0, below 1e-290; farther out lost is no number,
-/// or not all of it. Source: Veltkamp's splitting and Dekker's product, Numerische Mathematik 18, 1971.
+/// a b, while neither is beyond 1e299 nor the product, when it is not 0, below 1e-290; farther out lost is no
+/// number, or not all of it. Source: Veltkamp's splitting and Dekker's product, Numerische Mathematik 18, 1971.
 inline Exact exactProduct(double a, double b) {
     constexpr double split = 0x1p27 + 1;
     const double aHigh = split * a - (split * a - a), aLow = a - aHigh;
