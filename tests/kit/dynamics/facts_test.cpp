@@ -3,6 +3,8 @@
 #include <cmath>
 #include <iostream>
 
+#include <Eigen/LU>
+
 #include <plumb/plumb.h>
 
 #include "catch.h"
@@ -46,6 +48,15 @@ struct HeavyAtwood {
         hang(light, {-radius, 0}, 1 / radius);
     }
 };
+
+/// Newton's and Euler's laws for the three of them, solved: acceleration [m/s^2], pull on the heavy and the light [N].
+Eigen::Vector3d atwoodByNewton(double wheelMass) {
+    Eigen::Matrix3d laws;
+    laws << 3, 1, 0,           // m1 a = m1 g - T1
+        2, 0, -1,              // m2 a = T2 - m2 g
+        wheelMass / 2, -1, 1;  // (M r^2 / 2) (a / r) = (T1 - T2) r
+    return laws.inverse() * Eigen::Vector3d(3 * g, -2 * g, 0);
+}
 
 /// Angles of two rods of 1 m with 1 kg at each end, from straight down, and how fast they turn.
 test::State<4> doublePendulumRate(const test::State<4>& s) {
@@ -103,6 +114,7 @@ bool standsOut(double part) {
 
 // FACTS section 5, Atwood: g (m1 - m2) / (m1 + m2 + M / 2), with a wheel of M = 1 kg, and of none.
 TEST_CASE("3 kg beside 2 kg over a wheel of 1 kg fall at 1.7836363636 m/s^2", "[dynamics][facts][law]") {
+    CHECK(std::fabs(atwoodByNewton(1).x() - 1.7836363636) < digits);
     HeavyAtwood machine(1);
     run(machine.world, 1);
     const double fallen = -machine.world.body(machine.heavy).position().y();
@@ -113,6 +125,7 @@ TEST_CASE("3 kg beside 2 kg over a wheel of 1 kg fall at 1.7836363636 m/s^2", "[
 
 TEST_CASE("3 kg beside 2 kg on a pulley fall at 1.962 m/s^2 and pull the rope with 23.544 N",
           "[dynamics][facts][law]") {
+    CHECK((atwoodByNewton(0) - Eigen::Vector3d(1.962, 23.544, 23.544)).norm() < 1e-13);
     World world({.sleeping = false});
     const BodyId heavy = world.add({.position = {1, 0}, .mass = Mass{3, {0, 0}, 1}});
     const BodyId light = world.add({.position = {-1, 0}, .mass = Mass{2, {0, 0}, 1}});
@@ -131,14 +144,17 @@ TEST_CASE("under ten boxes of 1 kg the floor bears 98.1 N, and the contact over 
     std::vector<BodyId> boxes;
     for (int i = 0; i < 10; ++i)
         boxes.push_back(world.add({.position = {0, 0.5 + i}, .shapes = {box({0.5, 0.5}, {.density = 1})}}));
-    run(world, 4);
+    run(world, 10);
+    double worst = 0;
     for (std::size_t i = 0; i < 10; ++i) {
         double borne = 0;
         for (const Contact& contact : world.body(boxes[i]).contacts())
             for (const ContactPoint& point : contact.points)
                 if (point.position.y() < world.body(boxes[i]).position().y()) borne += point.normalForce;
-        CHECK(std::fabs(borne - static_cast<double>(10 - i) * g) < 0.01 * 98.1);  // at rest to a hundredth
+        worst = std::max(worst, std::fabs(borne - static_cast<double>(10 - i) * g));
     }
+    std::cout << "dynamics: contacts in a stack of ten bear their weights to " << worst << " N\n";
+    CHECK(worst < 1e-3);  // of 98 N, in single precision, at rest
 }
 
 TEST_CASE("four blocks reach out over a table by 1.0416666667 of their length, and no further",
