@@ -7,7 +7,7 @@
 
 namespace plumb::compare {
 
-TEST_CASE("3 kg beside 2 kg fall at 1.962 m/s^2 and pull the rope with 23.544 N", "[compare][closed_form][law]") {
+TEST_CASE("3 kg beside 2 kg fall at 1.962 m/s^2 and pull the rope with 23.544 N", "[compare][closed_form][facts][law]") {
     const AtwoodMachine machine{.massA = 2, .massB = 3};
     CHECK(std::abs(accelerationOf(machine) - 1.962) < 1e-14);  // FACTS section 5, Atwood
     CHECK(std::abs(tensionOf(machine) - 23.544) < 1e-13);

@@ -24,7 +24,7 @@ DiscFlights oblique(double restitution) {
 
 }  // namespace
 
-TEST_CASE("discs of 2 kg and 1 kg at 3 and -1 m/s part at 1/3 and 13/3 m/s when e = 1", "[compare][closed_form][law]") {
+TEST_CASE("discs of 2 kg and 1 kg at 3 and -1 m/s part at 1/3 and 13/3 m/s when e = 1", "[compare][closed_form][facts][law]") {
     const DiscFlights flights = headOn(1);  // FACTS section 5, 1D impact
     REQUIRE(flights.a.size() == 2);
     REQUIRE(flights.b.size() == 2);
@@ -35,7 +35,7 @@ TEST_CASE("discs of 2 kg and 1 kg at 3 and -1 m/s part at 1/3 and 13/3 m/s when 
     CHECK((flights.b[1].position - Vec2(1.25, 0)).norm() < 5 * rounding);
 }
 
-TEST_CASE("discs of 2 kg and 1 kg at 3 and -1 m/s part at 1 and 3 m/s when e = 0.5", "[compare][closed_form][law]") {
+TEST_CASE("discs of 2 kg and 1 kg at 3 and -1 m/s part at 1 and 3 m/s when e = 0.5", "[compare][closed_form][facts][law]") {
     const DiscFlights flights = headOn(0.5);  // FACTS section 5, 1D impact
     CHECK((flights.a[1].velocity - Vec2(1, 0)).norm() < 5 * rounding);
     CHECK((flights.b[1].velocity - Vec2(3, 0)).norm() < 5 * rounding);
@@ -48,7 +48,7 @@ TEST_CASE("discs of 2 kg and 1 kg at 3 and -1 m/s go on together at 5/3 m/s when
     CHECK((flights.b[1].velocity - Vec2(5.0 / 3, 0)).norm() < 5 * rounding);
 }
 
-TEST_CASE("equal discs that meet at 30 degrees part at right angles when e = 1", "[compare][closed_form][law]") {
+TEST_CASE("equal discs that meet at 30 degrees part at right angles when e = 1", "[compare][closed_form][facts][law]") {
     const DiscFlights flights = oblique(1);  // FACTS section 5, 2D equal discs, to ten decimals
     CHECK((flights.a[1].velocity - Vec2(0.25, -0.4330127019)).norm() < 1e-10);
     CHECK((flights.b[1].velocity - Vec2(0.75, 0.4330127019)).norm() < 1e-10);
@@ -56,7 +56,7 @@ TEST_CASE("equal discs that meet at 30 degrees part at right angles when e = 1",
     CHECK(std::abs(flights.a[1].start - 2) < 5 * rounding);
 }
 
-TEST_CASE("equal discs that meet at 30 degrees with e = 0.8 part as worked out", "[compare][closed_form][law]") {
+TEST_CASE("equal discs that meet at 30 degrees with e = 0.8 part as worked out", "[compare][closed_form][facts][law]") {
     const DiscFlights flights = oblique(0.8);  // FACTS section 5, 2D equal discs, to ten decimals
     CHECK((flights.a[1].velocity - Vec2(0.325, -0.3897114317)).norm() < 1e-10);
     CHECK((flights.b[1].velocity - Vec2(0.675, 0.3897114317)).norm() < 1e-10);
