@@ -126,7 +126,7 @@ void runKind(const Kind& kind, const PairFinder& find, LabRun& run) {
                 .x = {"boxes n", "", true},
                 .y = {"time of a search", "s", true}};
     std::string told = fmt::format("{} boxes in the {} scene, {} pairs that overlap: tests made, and time, by",
-                                   countText(sizes[std::size(sizes) - 1]), kind.name, countText(pairs.points.back().y));
+                                   sizes[std::size(sizes) - 1], kind.name, countText(pairs.points.back().y));
     for (std::size_t i = 0; i < std::size(ways); ++i) {
         const Measurement& m = measured[i];
         tests.curves.push_back({.name = ways[i].name, .points = m.tests, .note = powerNote(m.tests)});

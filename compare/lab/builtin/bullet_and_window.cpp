@@ -169,11 +169,11 @@ std::string sentence(const Graph& graph) {
         if (missed == 0)
             none.push_back(label);
         else
-            some.push_back(fmt::format("{} {:.0f}, the first at {:.3g} m/s", label, missed, firstMiss(curve)));
+            some.push_back(fmt::format("{:.0f} in {}, from {:.3g} m/s on", missed, label, firstMiss(curve)));
     }
     std::string text = fmt::format("{}, {} bullets:", graph.title, starts * speeds().size());
     if (!none.empty()) text += fmt::format(" none goes through in {};", fmt::join(none, ", "));
-    if (!some.empty()) text += fmt::format(" through go in {};", fmt::join(some, "; in "));
+    if (!some.empty()) text += fmt::format(" through go {};", fmt::join(some, "; "));
     text.back() = '.';
     return text;
 }

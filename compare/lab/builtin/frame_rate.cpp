@@ -141,7 +141,7 @@ Graph heightGraph(const std::string& title) {
 }
 
 void runClock(const Scene& scene, const ClockSettings& clock, LabRun& run, Graph& endGraph) {
-    Graph graph = heightGraph("Fixed clock: what is shown");
+    Graph graph = heightGraph("Fixed clock: what is shown, one tick behind");
     for (const Display& display : shownDisplays())
         graph.curves.push_back({display.name, byFixedClock(scene, display, clock).heights});
     run.graphs.push_back(graph);

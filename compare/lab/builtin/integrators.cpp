@@ -77,18 +77,13 @@ double slopeOf(std::vector<Point> errors) {
 
 void addEnergy(const std::string& title, const EnergyRun& run, const Methods& methods, LabRun& result) {
     Graph graph{.title = title, .x = {"time", "periods"}, .y = {"largest relative energy error so far", "", true}};
-    std::vector<std::string> words;
     for (const Method& method : methods) {
         const EnergyError error = energyErrorOf(run, method);
-        const double worst = error.worst.back().y;
         const std::string note = method.step ? "" : fmt::format("{} steps", error.steps);
         graph.curves.push_back({.name = method.name, .points = error.worst, .note = note});
-        result.values["energy." + run.problem.name + "." + method.tag] = worst;
-        words.push_back(fmt::format("{:.2g} by {}", worst, method.name));
+        result.values["energy." + run.problem.name + "." + method.tag] = error.worst.back().y;
     }
     result.graphs.push_back(graph);
-    result.seen.push_back(fmt::format("The largest error of energy on the {} in {:.0f} periods, of the whole: {}.",
-                                      run.problem.name, run.endTime / run.problem.period, fmt::join(words, ", ")));
 }
 
 void addErrors(const std::string& title, const ErrorRun& run, const Methods& methods, LabRun& result) {
@@ -99,15 +94,15 @@ void addErrors(const std::string& title, const ErrorRun& run, const Methods& met
         const double slope = slopeOf(errors);
         graph.curves.push_back({.name = method.name, .points = errors, .note = fmt::format("slope {:.2f}", slope)});
         result.values["order." + run.problem.name + "." + method.tag] = std::fabs(slope - method.order);
-        words.push_back(fmt::format("{:.2f} of {}", slope, method.name));
+        words.push_back(fmt::format("{:.2f} ({})", slope, method.name));
     }
     result.graphs.push_back(graph);
-    result.seen.push_back(
-        fmt::format("The error on the {} falls as a power of the step: {}.", run.problem.name, fmt::join(words, ", ")));
+    result.seen.push_back(fmt::format("The error on the {} falls with the step to the power of {}.", run.problem.name,
+                                      fmt::join(words, ", ")));
 }
 
-/// What the first graph shows, in words.
-std::string energySentence(const LabRun& result) {
+/// What the graphs of energy show, in words.
+std::string springSentence(const LabRun& result) {
     const auto percent = [&](const std::string& method) {
         return 100 * result.values.at("energy.oscillator." + method);
     };
@@ -120,13 +115,21 @@ std::string energySentence(const LabRun& result) {
         percent("velocity_verlet"), percent("midpoint"), percent("rk4"));
 }
 
+std::string orbitSentence(const Methods& methods, const LabRun& result) {
+    std::vector<std::string> words;
+    for (const Method& method : methods)
+        words.push_back(fmt::format("{:.2g} ({})", result.values.at("energy.orbit." + method.tag), method.name));
+    return fmt::format("On ten turns of the orbit the energy is off by up to {}, of the whole.",
+                       fmt::join(words, ", "));
+}
+
 LabRun runIntegrators(const Methods& methods) {
     LabRun result;
     const MotionProblem spring = oscillator(), orbit = keplerOrbit(0.5);
     addEnergy("Oscillator, 1,000 steps of 0.1 / w: energy", {spring, springSteps * springStep, {springSteps}}, methods,
               result);
     addEnergy("Orbit of e = 0.5, 1,000 steps a turn: energy", {orbit, 10 * orbit.period, {10'000}}, methods, result);
-    result.seen.insert(result.seen.begin(), energySentence(result));
+    result.seen = {springSentence(result), orbitSentence(methods, result)};
     // Not after whole periods: there the semi-implicit method's error is of second order.
     addErrors("Oscillator after 10 s: error", {spring, 10, {100, 1e-3}, 9}, methods, result);
     addErrors("Orbit after 1.3 turns: error", {orbit, 1.3 * orbit.period, {250, 1e-3}, 11}, methods, result);

@@ -61,7 +61,7 @@ std::vector<Method> knownMethods() {
             {"velocity Verlet", "velocity_verlet", 2, verletStep},
             {"midpoint", "midpoint", 2, midpointMethodStep},
             {"RK4", "rk4", 4, rk4Step},
-            {"Dormand-Prince, adaptive", "dormand_prince", 5, {}}};
+            {"adaptive Dormand-Prince", "dormand_prince", 5, {}}};
 }
 
 int walk(const Method& method, const MotionProblem& problem, double endTime, const Effort& effort,
