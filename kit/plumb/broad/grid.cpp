@@ -29,7 +29,7 @@ struct Entry {
     friend auto operator<=>(const Entry&, const Entry&) = default;
 };
 
-/// What share of the values is smaller? Puts them into another order.
+/// What this share of the values is below. Puts them into another order.
 double quantile(std::vector<double>& values, double share) {
     const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), at, values.end());
@@ -39,7 +39,7 @@ double quantile(std::vector<double>& values, double share) {
 /// Of the boxes in cells, what the grid is laid out by; few that lie far away or are large do not move it.
 struct Crowd {
     Vec2 middle{0, 0};   ///< of the lower corners [m]
-    double size = 0;     ///< the median of the larger sides [m]
+    double size = 0;     ///< nine of ten have no larger side [m]
     double spacing = 0;  ///< as if the middle quarter of them lay evenly, in a square or in a row [m]
 };
 
@@ -57,7 +57,7 @@ Crowd crowdOf(std::span<const Aabb> extents) {
     const double inSquare = std::sqrt(width.x()) * std::sqrt(width.y()) / std::sqrt(count / 4);
     crowd.spacing = std::max(inSquare, width.maxCoeff() / (count / 2));
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = sizeOf(extents[i]);
-    crowd.size = quantile(values, 0.5);
+    crowd.size = quantile(values, 0.9);
     return crowd;
 }
 

@@ -64,27 +64,27 @@ private:
     std::array<Ahead, maxPolygonVertices> corners_;
 };
 
-/// How long two shapes surely stay apart that are so far apart along the normal: the bound s of the header, whose zero
-/// is approached by chords from its near side. left when that is longer.
-double timeApart(const Front& a, const Front& b, double radii, double left) {
+/// How long two cores surely stay farther apart than this, as they are now: until the bound s of the header has come
+/// down to it, which chords approach from its near side. left when that is sooner.
+double timeApart(const Front& a, const Front& b, double distance, double left) {
     double time = 0;
     for (int i = 0; i < 3; ++i) {
-        const Ahead backA = a.hindmost(time), frontB = b.hindmost(time);
-        const auto gapAt = [&](double t) { return a.hindmost(t).at(t) + b.hindmost(t).at(t) - radii; };
-        const Ahead pair{backA.place + frontB.place - radii, backA.speed + frontB.speed, backA.bend + frontB.bend};
+        const Ahead behindA = a.hindmost(time), aheadB = b.hindmost(time);
+        const Ahead pair{behindA.place + aheadB.place - distance, behindA.speed + aheadB.speed,
+                         behindA.bend + aheadB.bend};
         const double gap = pair.at(time), closing = pair.bend * time - pair.speed;
         if (!(gap > 0)) break;
-        // No later than these two corners meet.
+        // No later than these two corners come so near.
         const double fastest = closing + std::sqrt(closing * closing + 2 * pair.bend * gap);
         const double far = 2 * gap < fastest * (left - time) ? time + 2 * gap / fastest : left;
-        const double gapThen = gapAt(far);
+        const double gapThen = a.hindmost(far).at(far) + b.hindmost(far).at(far) - distance;
         if (gapThen >= 0) return far;
         time += (far - time) * (gap / (gap - gapThen));
     }
     return time;
 }
 
-/// Of convex shapes, by the end of the time that is given.
+/// Of convex shapes, before the end of the time that is given.
 std::optional<Touch> touchOf(const Shape& a, const Way& wayA, const Shape& b, const Way& wayB, double tolerance,
                              double end) {
     double time = 0;
@@ -94,14 +94,14 @@ std::optional<Touch> touchOf(const Shape& a, const Way& wayA, const Shape& b, co
         const Outline outlineA = outlineOf(a, poseA, origin), outlineB = outlineOf(b, poseB, origin);
         const Distance core = coreDistance(outlineA, outlineB);
         const double radii = outlineA.radius + outlineB.radius, separation = core.separation - radii;
-        const Vec2 surfaceA = core.pointA + core.normal * outlineA.radius;
-        const Touch touch{time, origin + surfaceA + core.normal * (0.5 * separation), core.normal};
+        if (!std::isfinite(separation)) return std::nullopt;
+        const Vec2 middle = core.pointA + core.normal * (outlineA.radius + 0.5 * separation);
+        const Touch touch{time, origin + middle, core.normal};
         if (separation <= tolerance || i == mostTouchSteps) return touch;
-        const auto front = [&](const Outline& outline, const Way& way, const Vec2& direction) {
-            return Front(outline, way.start + way.shift * time - origin, way, direction);
-        };
-        const double apart =
-            timeApart(front(outlineA, wayA, -core.normal), front(outlineB, wayB, core.normal), radii, end - time);
+        const Front frontA(outlineA, wayA.start + wayA.shift * time - origin, wayA, -core.normal);
+        const Front frontB(outlineB, wayB.start + wayB.shift * time - origin, wayB, core.normal);
+        // Half of the tolerance is left between them, so that a normal can be told.
+        const double apart = timeApart(frontA, frontB, radii + 0.5 * tolerance, end - time);
         if (!(apart < end - time)) return std::nullopt;
         if (!(time + apart > time)) return touch;
         time += apart;

@@ -29,24 +29,25 @@ struct Touch {
     Vec2 normal{0, 1};  ///< unit, from A to B [-]
 };
 
-/// The first time at which two shapes of any kind on their ways are within tolerance [m] of each other; empty when they
-/// never are within the step. No touch is missed: never do they come to a distance of 0 before that time. What overlaps
-/// at the start touches at time 0, and the normal is the shortest way out. A touch to which the two come at a speed u
-/// along the normal is told tolerance / u too early at most; what passes by within the tolerance touches.
+/// When two shapes of any kind on their ways first touch; empty when they do not within the step. At the time that is
+/// told they are within tolerance [m] of each other, and before it they never come nearer than half of that: no touch
+/// is missed, a touch to which they come at a speed u along the normal is told tolerance / u too early at most, and
+/// what passes by within the tolerance may be told as a touch. What is within it at the start touches at time 0; if it
+/// overlaps there, the normal is the shortest way out.
 /// Conservative advancement. Along the normal n of the nearest points, while D passes, the two stay apart by at least
 ///   s(D) = min over B's corners (b + vb D - kb D^2 / 2) - max over A's corners (a + va D + ka D^2 / 2) - radii
 /// b, a places of the corners along n [m], vb, va their velocities along n [m], kb, ka = turn^2 |arm| bounds of how
 /// these change [m], arm from the centre of mass to the corner [m]; all by the step. s is concave, so that a chord of
 /// it ends before its zero: time goes on by such chords. Holds: to the rounding of distance(); a chain is its segments.
 /// A search of more than 10,000 steps, as of bodies that turn a thousand times beside each other, ends at a time before
-/// which they surely do not touch, and gives that. Throws std::invalid_argument on a way that is not finite, and unless
+/// which they surely do not touch, and tells that. Throws std::invalid_argument on a way that is not finite, and unless
 /// the tolerance is positive. Source: Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996,
 /// section 2.3; the bound along one axis: Tang, Kim and Manocha, "C2A: controlled conservative advancement", ICRA 2009,
 /// but to second order. Test: "1,000,000 swept pairs touch where fine stepping says, none missed and none made up"
 std::optional<Touch> firstTouch(const Shape& a, const Way& wayA, const Shape& b, const Way& wayB,
                                 double tolerance = 1e-5);
 
-/// One shape of a body on its way, as the engine has it.
+/// One shape of a body on its way.
 struct SweptShape {
     const Shape* shape = nullptr;  ///< convex: not a chain
     Way way;
@@ -55,8 +56,7 @@ struct SweptShape {
 
 /// The first time in [from, 1] at which the signed distance of the two is limit [m] or less, a hundredth of a
 /// millimetre at most too early; empty when there is none. A search that takes too long ends at a time until which
-/// there is surely none, and gives that. Quicker by the step than firstTouch, with more steps: for what hardly ever
-/// meets.
+/// there is surely none, and gives that. What the engine asks; firstTouch asks the same of any shapes, more sharply.
 /// Conservative advancement in the frame of a: with the distance s along the normal n, the speed u at which the centre
 /// of b comes along n, and a bound k on how fast u may change as a turns, no approach is missed in
 ///   D = 2 (s - limit) / (c + sqrt(c^2 + 2 k (s - limit))), c = u + |wB - wA| reach

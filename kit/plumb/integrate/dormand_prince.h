@@ -20,10 +20,11 @@ struct DormandPrinceStep {
     }
 };
 
-/// A step h [s] from time t [s], of either sign, with slope = f(t, y), which the step before has found. Six
-/// evaluations. As a method of fixed steps: order 5; an oscillator is stable for z < 1 and gains below 2e-6 z^6 of its
-/// energy a step. Source: Dormand and Prince, J. Comp. Appl. Math. 6, 1980; coefficients as in Hairer, Norsett, Wanner,
-/// table II.5.2. Test: "halving the step divides the error by 2 to the power of the order"
+/// A step h [s] from time t [s], of either sign, with slope = f(t, y), which the step before has found: six
+/// evaluations. As a method of fixed steps it is of order 5; an oscillator keeps 1 - z^6 / 1800 + z^8 / 1600 of its
+/// energy a step, z = h w, and is stable for z < 0.997.
+/// Source: Dormand and Prince, J. Comp. Appl. Math. 6, 1980; coefficients as in Hairer, Norsett, Wanner, table II.5.2.
+/// Test: "halving the step divides the error by 2 to the power of the order"
 template <EigenState State, typename Derivative>
 DormandPrinceStep<State> dormandPrinceStep(const Derivative& derivative, double time, const State& state,
                                            const State& slope, double step) {

@@ -24,7 +24,7 @@ State explicitEulerStep(const Derivative& derivative, double time, const State& 
     requireFinite(time, "time");
     requireFinite(step, "step");
     const State slope = derivative(time, state);
-    requireSizeOf(state, slope);
+    requireSizeOf(state, slope, "derivative", "state");
     return state + step * slope;
 }
 
@@ -44,7 +44,7 @@ State rungeKutta4Step(const Derivative& derivative, double time, const State& st
     requireFinite(step, "step");
     const double middle = time + 0.5 * step;
     const State k1 = derivative(time, state);
-    requireSizeOf(state, k1);
+    requireSizeOf(state, k1, "derivative", "state");
     const State k2 = derivative(middle, State(state + 0.5 * step * k1));
     const State k3 = derivative(middle, State(state + 0.5 * step * k2));
     const State k4 = derivative(time + step, State(state + step * k3));

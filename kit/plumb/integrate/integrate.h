@@ -3,6 +3,7 @@
 #pragma once
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include <plumb/integrate/adaptive_walk.h>
 
@@ -19,9 +20,9 @@ struct Integration {
 /// From time to endTime [s], in either direction, by an AdaptiveWalk: errors, tolerances and ends are told there.
 ///   integrate([](double t, const State& y) -> State { ... }, 0, start, 10).state
 template <EigenState State, typename Derivative>
-Integration<State> integrate(const Derivative& derivative, double time, const State& state, double endTime,
+Integration<State> integrate(Derivative derivative, double time, const State& state, double endTime,
                              const AdaptiveSettings& settings = {}) {
-    AdaptiveWalk<State, Derivative> walk(derivative, time, state, endTime, settings);
+    AdaptiveWalk<State, Derivative> walk(std::move(derivative), time, state, endTime, settings);
     while (walk.advance()) {
     }
     return {walk.end(), walk.time(), walk.lastStep().end, walk.accepted(), walk.rejected()};
@@ -43,10 +44,10 @@ CrossingSearch findCrossing(const std::function<double(double)>& quantity, int s
 /// AdaptiveSettings.longestStep prevents. NaN is no crossing. Ends at endTime when there is none.
 /// Test: "the time at which a thrown ball comes down is the closed form's, 1,000,000 times"
 template <EigenState State, typename Derivative, typename Quantity>
-Integration<State> integrateUntil(const Derivative& derivative, double time, const State& state, double endTime,
+Integration<State> integrateUntil(Derivative derivative, double time, const State& state, double endTime,
                                   const Quantity& quantity, Crossing crossing = Crossing::Either,
                                   const AdaptiveSettings& settings = {}) {
-    AdaptiveWalk<State, Derivative> walk(derivative, time, state, endTime, settings);
+    AdaptiveWalk<State, Derivative> walk(std::move(derivative), time, state, endTime, settings);
     const auto timeAt = [&](double fraction) {
         return fraction == 1 ? walk.time() : walk.startTime() + fraction * (walk.time() - walk.startTime());
     };

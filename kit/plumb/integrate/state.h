@@ -3,6 +3,7 @@
 #pragma once
 #include <concepts>
 #include <string>
+#include <string_view>
 
 #include <Eigen/Core>
 
@@ -15,13 +16,13 @@ namespace plumb {
 template <typename T>
 concept EigenState = std::derived_from<T, Eigen::PlainObjectBase<T>> && std::same_as<typename T::Scalar, double>;
 
-/// Throws std::invalid_argument when a derivative is not of the state's size.
+/// Throws std::invalid_argument when what is named is not of the state's size.
 template <EigenState State>
-void requireSizeOf(const State& state, const State& derivative) {
+void requireSizeOf(const State& state, const State& other, std::string_view name, std::string_view nameOfState) {
     if constexpr (State::SizeAtCompileTime == Eigen::Dynamic) {
-        if (derivative.rows() != state.rows() || derivative.cols() != state.cols())
-            refuse("derivative", "size " + std::to_string(derivative.size()) + " is not that of the state, " +
-                                     std::to_string(state.size()));
+        if (other.rows() != state.rows() || other.cols() != state.cols())
+            refuse(name, "size " + std::to_string(other.size()) + " is not the " + std::string(nameOfState) + "'s, " +
+                             std::to_string(state.size()));
     }
 }
 

@@ -32,9 +32,9 @@ Phase<State> semiImplicitEulerStep(const Acceleration& acceleration, double time
                                    double step) {
     requireFinite(time, "time");
     requireFinite(step, "step");
+    requireSizeOf(from.position, from.velocity, "velocity", "position");
     const State start = acceleration(time, from.position, from.velocity);
-    requireSizeOf(from.position, start);
-    requireSizeOf(from.position, from.velocity);
+    requireSizeOf(from.position, start, "acceleration", "position");
     const State velocity = from.velocity + step * start;
     return {from.position + step * velocity, velocity};
 }
@@ -45,12 +45,13 @@ template <EigenState State, typename Acceleration>
 Phase<State> velocityVerletStep(const Acceleration& acceleration, double time, const Phase<State>& from, double step) {
     requireFinite(time, "time");
     requireFinite(step, "step");
+    requireSizeOf(from.position, from.velocity, "velocity", "position");
     const State start = acceleration(time, from.position, from.velocity);
-    requireSizeOf(from.position, start);
-    requireSizeOf(from.position, from.velocity);
-    const State position = from.position + step * (from.velocity + 0.5 * step * start);
+    requireSizeOf(from.position, start, "acceleration", "position");
+    const State half = from.velocity + 0.5 * step * start;
+    const State position = from.position + step * half;
     const State end = acceleration(time + step, position, State(from.velocity + step * start));
-    return {position, from.velocity + 0.5 * step * (start + end)};
+    return {position, half + 0.5 * step * end};
 }
 
 }  // namespace plumb

@@ -10,11 +10,11 @@ namespace plumb {
 
 /// What is known of a motion along one axis: three of the five. Of a turn, read angle for displacement, and so on.
 struct KnownMotion {
-    std::optional<double> displacement;   ///< d, from where it was at the start [m]
-    std::optional<double> startVelocity;  ///< u [m/s]
-    std::optional<double> endVelocity;    ///< v [m/s]
-    std::optional<double> acceleration;   ///< a [m/s^2]
-    std::optional<double> time;           ///< t, from start to end [s]
+    std::optional<double> displacement = std::nullopt;   ///< d, from where it was at the start [m]
+    std::optional<double> startVelocity = std::nullopt;  ///< u [m/s]
+    std::optional<double> endVelocity = std::nullopt;    ///< v [m/s]
+    std::optional<double> acceleration = std::nullopt;   ///< a [m/s^2]
+    std::optional<double> time = std::nullopt;           ///< t, from start to end [s]
 };
 
 struct SolvedMotion {
@@ -34,16 +34,17 @@ enum class MotionTimes { NotNegative, AnyReal };
 /// to be 0 or 1e-90 to 1e90: farther out digits may be lost, and a solution that is no finite number is left out.
 /// Throws std::invalid_argument unless three are given, each finite. Source: textbook; the quadratic by its larger root
 /// and the product of the two (Press et al., "Numerical Recipes", 5.6), its discriminant with the exact products after
-/// Kahan. Test: "1,000,000 motions are found again from any three of their five numbers"
+/// Kahan. Tests: "1,000,000 motions are found again from any three of their five numbers", "each of 10,000,000 answers
+/// is within four of its last place of the textbook's in long double"
 MotionSolutions solveMotion(const KnownMotion& known, MotionTimes times = MotionTimes::NotNegative);
 
 /// The same in the plane, where the time is given: then two of the four vectors give the others.
 struct KnownPlaneMotion {
-    std::optional<Vec2> displacement;   ///< [m]
-    std::optional<Vec2> startVelocity;  ///< [m/s]
-    std::optional<Vec2> endVelocity;    ///< [m/s]
-    std::optional<Vec2> acceleration;   ///< [m/s^2]
-    double time = 0;                    ///< of either sign [s]
+    std::optional<Vec2> displacement = std::nullopt;   ///< [m]
+    std::optional<Vec2> startVelocity = std::nullopt;  ///< [m/s]
+    std::optional<Vec2> endVelocity = std::nullopt;    ///< [m/s]
+    std::optional<Vec2> acceleration = std::nullopt;   ///< [m/s^2]
+    double time = 0;                                   ///< of either sign [s]
 };
 
 struct SolvedPlaneMotion {

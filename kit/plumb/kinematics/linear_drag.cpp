@@ -7,10 +7,10 @@
 namespace plumb {
 namespace {
 
-// (x - 1 + e^-x) / x^2 by its series 1/2! - x/3! + x^2/4! ..., whose next term is below 1e-17 up to x = 1.
+// (x - 1 + e^-x) / x^2 by its series 1/2! - x/3! + x^2/4! ..., whose next term is below 1e-17 up to x = 2.
 double reachFactor(double x) {
     double sum = 0;
-    for (int n = 19; n >= 2; --n) sum = (1 - x * sum) / n;
+    for (int n = 25; n >= 2; --n) sum = (1 - x * sum) / n;
     return sum;
 }
 
@@ -22,7 +22,7 @@ DragStep dragStep(double drag, double time) {
     const double x = drag * time;
     if (x < 1e-17) return {1, time, 0.5 * time * time};
     const double gain = -exponentialMinus1(-x);
-    if (x > 1) return {exponential(-x), gain / drag, (time - gain / drag) / drag};
+    if (x > 2) return {exponential(-x), gain / drag, (time - gain / drag) / drag};
     return {exponential(-x), gain / drag, reachFactor(x) * time * time};
 }
 

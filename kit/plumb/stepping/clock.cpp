@@ -29,8 +29,10 @@ void requireSettings(const ClockSettings& settings) {
     requireWithin(settings.interval, 1e-6, 1e6, "ClockSettings.interval");
     requirePositive(settings.longestElapsed, "ClockSettings.longestElapsed");
     requireNotNegative(settings.timeScale, "ClockSettings.timeScale");
-    const double most = settings.longestElapsed * settings.timeScale / settings.interval;
-    if (!(most <= 1e6)) refuse("ClockSettings.longestElapsed", toText(most) + " ticks at once are more than a million");
+    const double most = settings.timeScale * settings.longestElapsed / settings.interval;
+    if (!(most <= 1e6))
+        refuse("ClockSettings.timeScale", toText(settings.timeScale) + " times longestElapsed is " + toText(most) +
+                                              " ticks at once, more than a million");
 }
 
 }  // namespace

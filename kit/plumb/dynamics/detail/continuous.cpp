@@ -44,7 +44,7 @@ Way freeWay(const WorldState& world, BodyIndex body, const Past& past) {
     const BodyRecord& record = world.bodies.record[body];
     const BodyMotion& now = world.bodies.motion[body];
     if (!record.awake) return wayBetween(now, now, record);
-    const FlightLaw law = flightLawOf(record, world.def.gravity);
+    const FlightLaw law = flightLawOf(world, body);
     return wayBetween(fly(now, law, -past.from), past.to > 0 ? fly(now, law, -past.to) : now, record);
 }
 

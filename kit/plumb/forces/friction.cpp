@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/forces/friction.h>
+
+#include <plumb/math/check.h>
+
+namespace plumb {
+namespace {
+
+void requireSound(const GroundFriction& ground) {
+    requireNotNegative(ground.friction, "GroundFriction", ".friction");
+    requireNotNegative(ground.gravity, "GroundFriction", ".gravity");
+    requireNotNegative(ground.lever, "GroundFriction", ".lever");
+}
+
+}  // namespace
+
+Vec2 frictionForce(const GroundFriction& ground, double mass, const Vec2& velocity) {
+    requireSound(ground);
+    requireNotNegative(mass, "frictionForce: mass");
+    const double speed = velocity.norm();
+    if (speed == 0) return {0, 0};
+    return -(ground.friction * mass * ground.gravity) * (velocity / speed);
+}
+
+double frictionTorque(const GroundFriction& ground, double mass, double angularVelocity) {
+    requireSound(ground);
+    requireNotNegative(mass, "frictionTorque: mass");
+    const double most = ground.friction * mass * ground.gravity * ground.lever;
+    return angularVelocity > 0 ? -most : angularVelocity < 0 ? most : 0;
+}
+
+Vec2 velocityAfterFriction(const GroundFriction& ground, const Vec2& velocity, double time) {
+    requireSound(ground);
+    requireNotNegative(time, "velocityAfterFriction: time");
+    const double speed = velocity.norm();
+    const double loss = ground.friction * ground.gravity * time;
+    if (speed <= loss) return {0, 0};
+    return (1 - loss / speed) * velocity;
+}
+
+double angularVelocityAfterFriction(const GroundFriction& ground, double mass, double inertia, double angularVelocity,
+                                    double time) {
+    requirePositive(inertia, "angularVelocityAfterFriction: inertia");
+    requireNotNegative(time, "angularVelocityAfterFriction: time");
+    const double change = frictionTorque(ground, mass, angularVelocity) / inertia * time;
+    const double after = angularVelocity + change;
+    return after * angularVelocity > 0 ? after : 0;
+}
+
+}  // namespace plumb

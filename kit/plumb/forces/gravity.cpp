@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/forces/gravity.h>
+
+#include <cmath>
+#include <numbers>
+
+#include <plumb/math/check.h>
+
+namespace plumb {
+namespace {
+
+void requireSound(const MutualGravity& gravity) {
+    requireNotNegative(gravity.constant, "MutualGravity", ".constant");
+    requireNotNegative(gravity.softening, "MutualGravity", ".softening");
+}
+
+/// G mA mB [N m^2].
+double strengthOf(const MutualGravity& gravity, const PointMass& a, const PointMass& b) {
+    requireSound(gravity);
+    requireNotNegative(a.mass, "PointMass a", ".mass");
+    requireNotNegative(b.mass, "PointMass b", ".mass");
+    return gravity.constant * (a.mass * b.mass);  // the same bits from either side
+}
+
+double softened(const MutualGravity& gravity, double squaredDistance) {
+    return std::sqrt(squaredDistance + gravity.softening * gravity.softening);
+}
+
+}  // namespace
+
+Vec2 gravityForce(const UniformGravity& gravity, double mass) {
+    requireNotNegative(mass, "gravityForce: mass");
+    return mass * gravity.acceleration;
+}
+
+double potentialEnergy(const UniformGravity& gravity, double mass, const Vec2& position) {
+    requireNotNegative(mass, "potentialEnergy: mass");
+    return -mass * gravity.acceleration.dot(position);
+}
+
+Vec2 gravityForce(const MutualGravity& gravity, const PointMass& a, const PointMass& b) {
+    const double strength = strengthOf(gravity, a, b);
+    const Vec2 d = b.position - a.position;
+    const double r = softened(gravity, d.squaredNorm());
+    const double pull = strength / (r * r * r);
+    if (!std::isfinite(pull)) return {0, 0};  // at one place, or too near for numbers
+    return -pull * d;
+}
+
+double potentialEnergy(const MutualGravity& gravity, const PointMass& a, const PointMass& b) {
+    const double strength = strengthOf(gravity, a, b);
+    if (strength == 0) return 0;
+    return -strength / softened(gravity, (b.position - a.position).squaredNorm());
+}
+
+double circularOrbitSpeed(const MutualGravity& gravity, double totalMass, double distance) {
+    requireSound(gravity);
+    requirePositive(totalMass, "circularOrbitSpeed: totalMass");
+    requirePositive(distance, "circularOrbitSpeed: distance");
+    const double r = softened(gravity, distance * distance);
+    return distance / r * std::sqrt(gravity.constant * totalMass / r);
+}
+
+double orbitPeriod(const MutualGravity& gravity, double totalMass, double semiMajorAxis) {
+    requireSound(gravity);
+    requirePositive(totalMass, "orbitPeriod: totalMass");
+    requirePositive(semiMajorAxis, "orbitPeriod: semiMajorAxis");
+    return 2 * std::numbers::pi * semiMajorAxis * std::sqrt(semiMajorAxis / (gravity.constant * totalMass));
+}
+
+}  // namespace plumb
