@@ -118,7 +118,7 @@ void runEngine(const Engine& engine, const std::vector<Forecast>& forecasts, Lab
                     engineLabel(engine.name), speeds, ticks, off, lengthText(worst)));
 }
 
-LabRun runForecast(const std::vector<Engine>& engines) {
+LabRun runForecast(const Forecaster& foretell, const std::vector<Engine>& engines) {
     const PlumbWorld made = plumbWorld(room());
     LabRun run;
     std::vector<Forecast> forecasts;
@@ -128,7 +128,7 @@ LabRun runForecast(const std::vector<Engine>& engines) {
                 .y = {"y", "m"},
                 .curves = {}};
     for (int i = 0; i < speeds; ++i) {
-        forecasts.push_back(forecast(made.world, shotAt(speedAt(i)), ticks, dt));
+        forecasts.push_back(foretell(made.world, shotAt(speedAt(i)), ticks, dt));
         hits += forecasts.back().hits.size();
         if (speedAt(i) == shownSpeed)
             paths.curves.push_back({.name = "forecast", .points = over(foreseen(forecasts.back())), .theory = true});
@@ -145,7 +145,11 @@ LabRun runForecast(const std::vector<Engine>& engines) {
 
 }  // namespace
 
-Lab forecasts() {
+Forecast foretold(const World& world, const BodyDef& shot, int steps, double interval) {
+    return forecast(world, shot, steps, interval);
+}
+
+Lab forecasts(const Forecaster& foretell) {
     return {
         .name = "forecast",
         .question = "A shot is forecast, bounces and all, and then fired: does it fly as was foretold?",
@@ -157,7 +161,7 @@ Lab forecasts() {
                     .bound = Bound::AtLeast,
                     .limit = 3.0 * speeds,
                     .reason = "each shot meets walls, mill or boxes, three times at least in the mean"}},
-        .run = runForecast,
+        .run = [foretell](const std::vector<Engine>& engines) { return runForecast(foretell, engines); },
     };
 }
 
