@@ -22,14 +22,14 @@ constexpr double shownSpeed = 12;  // [m/s]
 constexpr int speeds = 33;         // from 4 to 20 m/s
 const Vec2 muzzle(-6, 2);
 
-/// A room with a step, a sill, two loose boxes and a mill that turns.
+/// A room with a step, two loose boxes and a mill that turns. Clockwise: Box2D's chains are solid from one side only.
 Scene room() {
     const Material lively{.restitution = 0.6};
     Scene scene{.name = "room", .question = "Where does a shot come to?", .duration = ticks * dt, .dt = dt};
     scene.bodies = {
         {"walls",
          {.type = BodyType::Static,
-          .shapes = {{.shape = Chain{{{-8, 6}, {-8, 0}, {2, 0}, {2, 1}, {8, 1}, {8, 6}}, true}, .material = lively}}}},
+          .shapes = {{.shape = Chain{{{-8, 6}, {8, 6}, {8, 1}, {2, 1}, {2, 0}, {-8, 0}}, true}, .material = lively}}}},
         {"mill",
          {.type = BodyType::Kinematic,
           .position = {0, 3},
@@ -70,9 +70,11 @@ bool sameBits(const Vec2& a, const Vec2& b) {
     return std::memcmp(a.data(), b.data(), sizeof(double) * 2) == 0;
 }
 
-std::vector<Point> over(const std::vector<Vec2>& path) {
+/// One coordinate over time.
+std::vector<Point> overTime(const std::vector<Vec2>& path, int axis) {
     std::vector<Point> points;
-    for (const Vec2& place : path) points.push_back({place.x(), place.y()});
+    for (std::size_t tick = 0; tick < path.size(); ++tick)
+        points.push_back({static_cast<double>(tick) * dt, path[tick][axis]});
     return points;
 }
 
@@ -123,23 +125,24 @@ LabRun runForecast(const Forecaster& foretell, const std::vector<Engine>& engine
     LabRun run;
     std::vector<Forecast> forecasts;
     std::size_t hits = 0;
-    Graph paths{.title = "The shot at 12 m/s: forecast, and where it then flew",
-                .x = {"x", "m"},
-                .y = {"y", "m"},
-                .curves = {}};
+    Graph across{.title = "The shot at 12 m/s: how far across", .x = {"time", "s"}, .y = {"x", "m"}, .curves = {}};
+    Graph height{.title = "The same shot: how high", .x = {"time", "s"}, .y = {"y", "m"}, .curves = {}};
+    const auto draw = [&](const std::string& name, const std::vector<Vec2>& path, bool theory) {
+        across.curves.push_back({.name = name, .points = overTime(path, 0), .theory = theory});
+        height.curves.push_back({.name = name, .points = overTime(path, 1), .theory = theory});
+    };
     for (int i = 0; i < speeds; ++i) {
         forecasts.push_back(foretell(made.world, shotAt(speedAt(i)), ticks, dt));
         hits += forecasts.back().hits.size();
-        if (speedAt(i) == shownSpeed)
-            paths.curves.push_back({.name = "forecast", .points = over(foreseen(forecasts.back())), .theory = true});
+        if (speedAt(i) == shownSpeed) draw("forecast", foreseen(forecasts.back()), true);
     }
-    for (const Engine& engine : engines) paths.curves.push_back({engine.name, over(fired(shownSpeed, engine))});
+    for (const Engine& engine : engines) draw(engine.name, fired(shownSpeed, engine), false);
     Graph apart{.title = "The same shot: how far from its forecast", .x = {"time", "s"}, .y = {"distance", "m"}};
     Graph overSpeed{
         .title = "The farthest from the forecast in 3 s", .x = {"speed of the shot", "m/s"}, .y = {"distance", "m"}};
     for (const Engine& engine : engines) runEngine(engine, forecasts, run, apart, overSpeed);
     run.values["bounces"] = static_cast<double>(hits);
-    run.graphs = {paths, apart, overSpeed};
+    run.graphs = {across, height, apart, overSpeed};
     return run;
 }
 
