@@ -26,12 +26,12 @@ DragStep dragStep(double drag, double time) {
     return {exponential(-x), gain / drag, reachFactor(x) * time * time};
 }
 
-PointMotion moveWithDrag(const PointMotion& from, const LinearDrag& law, double time) {
+PointMotion moveWithDrag(const PointMotion& from, const DragLaw& law, double time) {
     requireFinite(from.position, "PointMotion.position");
     requireFinite(from.velocity, "PointMotion.velocity");
-    requireFinite(law.wind, "LinearDrag.wind");
-    requireFinite(law.acceleration, "LinearDrag.acceleration");
-    requireNotNegative(law.drag, "LinearDrag.drag");
+    requireFinite(law.wind, "DragLaw.wind");
+    requireFinite(law.acceleration, "DragLaw.acceleration");
+    requireNotNegative(law.drag, "DragLaw.drag");
     const DragStep step = dragStep(law.drag, time);
     const Vec2 relative = from.velocity - law.wind;
     return {from.position + law.wind * time + relative * step.gain + law.acceleration * step.reach,

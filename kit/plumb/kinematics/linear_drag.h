@@ -6,7 +6,7 @@
 namespace plumb {
 
 /// dv/dt = a - k (v - W)
-struct LinearDrag {
+struct DragLaw {
     double drag = 0;          ///< k, >= 0; the drag's coefficient over the mass [1/s]
     Vec2 wind{0, 0};          ///< W, what the air does [m/s]
     Vec2 acceleration{0, 0};  ///< a, of gravity and other constant forces [m/s^2]
@@ -25,10 +25,10 @@ struct DragStep {
 DragStep dragStep(double drag, double time);
 
 /// v = W + (v0 - W) keep + a gain,  x = x0 + W t + (v0 - W) gain + a reach: exact for any time.
-/// x position [m], v velocity [m/s], the rest as in LinearDrag and DragStep, t time, >= 0 [s].
+/// x position [m], v velocity [m/s], the rest as in DragLaw and DragStep, t time, >= 0 [s].
 /// Source: textbook; holds for a drag proportional to the speed (small or slow things; Stokes). Without drag it is
 /// moveAccelerated. Throws std::invalid_argument on what is not finite, and on a negative drag or time.
 /// Test: "a point in wind and drag is where a fine Runge-Kutta takes it"
-PointMotion moveWithDrag(const PointMotion& from, const LinearDrag& law, double time);
+PointMotion moveWithDrag(const PointMotion& from, const DragLaw& law, double time);
 
 }  // namespace plumb

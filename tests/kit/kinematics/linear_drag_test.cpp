@@ -14,9 +14,9 @@
 
 namespace {
 
+using plumb::DragLaw;
 using plumb::dragStep;
 using plumb::DragStep;
-using plumb::LinearDrag;
 using plumb::moveWithDrag;
 using plumb::PointMotion;
 using plumb::Random;
@@ -83,7 +83,7 @@ TEST_CASE("without drag, and with a drag of 1e-300 or 5e-324, a step is that of 
 TEST_CASE("a shot of 20 m/s at 45 degrees with drag 0.2 flies 29.091533064 m, against a wind of 5 m/s 26.126035300 m",
           "[kinematics][facts]") {
     const PointMotion shot{{0, 0}, {20 * std::sqrt(0.5), 20 * std::sqrt(0.5)}};
-    const LinearDrag air{.drag = 0.2, .acceleration = {0, -9.81}};
+    const DragLaw air{.drag = 0.2, .acceleration = {0, -9.81}};
     const PointMotion down = moveWithDrag(shot, air, 2.6501815833);
     CHECK(std::fabs(down.position.x() - 29.091533064) < 1e-9);
     CHECK(std::fabs(down.position.y()) < 11 * 1e-10);  // it falls at 11 m/s, and T has ten digits behind the point
@@ -101,7 +101,7 @@ TEST_CASE("a point in wind and drag is where a fine Runge-Kutta takes it", "[kin
     double worst = 0;
     for (int i = 0; i < plumb::test::cases(2000); ++i) {
         const auto vector = [&](double most) { return Vec2(random.uniform(-most, most), random.uniform(-most, most)); };
-        const LinearDrag law{random.uniform(0, 3), vector(10), vector(10)};
+        const DragLaw law{random.uniform(0, 3), vector(10), vector(10)};
         const PointMotion from{vector(10), vector(30)};
         const double time = random.uniform(0, 3);
         Eigen::Vector4d state(from.position.x(), from.position.y(), from.velocity.x(), from.velocity.y());
@@ -119,7 +119,7 @@ TEST_CASE("a point in wind and drag is where a fine Runge-Kutta takes it", "[kin
 }
 
 TEST_CASE("60 steps with drag lead where one step does", "[kinematics]") {
-    const LinearDrag law{0.7, {3, -1}, {0, -9.81}};
+    const DragLaw law{0.7, {3, -1}, {0, -9.81}};
     PointMotion point{{1, 2}, {30, 20}};
     const PointMotion atOnce = moveWithDrag(point, law, 3);
     for (int i = 0; i < 60; ++i) point = moveWithDrag(point, law, 0.05);
@@ -131,8 +131,8 @@ TEST_CASE("the largest drag stops a point in the wind at once, and a negative on
     const PointMotion still = moveWithDrag({{1, 2}, {30, 20}}, {.drag = 1e300, .wind = {2, 0}}, 3);
     CHECK(still.position == Vec2(7, 2));
     CHECK(still.velocity == Vec2(2, 0));
-    CHECK_THROWS_WITH(moveWithDrag({}, {.drag = -1}, 1), "LinearDrag.drag: -1 is negative");
-    CHECK_THROWS_WITH(moveWithDrag({}, {.wind = {0, NAN}}, 1), "LinearDrag.wind: (0, nan) is not finite");
+    CHECK_THROWS_WITH(moveWithDrag({}, {.drag = -1}, 1), "DragLaw.drag: -1 is negative");
+    CHECK_THROWS_WITH(moveWithDrag({}, {.wind = {0, NAN}}, 1), "DragLaw.wind: (0, nan) is not finite");
     CHECK_THROWS_WITH(moveWithDrag({}, {}, -1), "time: -1 is negative");
     CHECK_THROWS_WITH(dragStep(INFINITY, 1), "drag: inf is not finite");
 }
