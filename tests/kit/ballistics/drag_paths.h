@@ -62,7 +62,7 @@ void fly(const Air& air, const Vec2& velocity, double end, double tolerance, con
             state = next;
             if (arrive(state, time)) return;
         }
-        step *= std::clamp(0.9 * std::pow(size + 1e-10, -0.2), 0.2, 5.0);
+        step *= size < 1e4 ? std::clamp(0.9 * std::pow(size + 1e-10, -0.2), 0.2, 5.0) : 0.1;  // or it is no number
     }
 }
 

@@ -177,7 +177,7 @@ TEST_CASE("where a target comes out of reach, two shots come together, and then 
 TEST_CASE("heavy drag, at five hundred times the terminal speed, still has its shots", "[ballistics]") {
     const double coefficient = 9.81 * 500 * 500 / 1e4;  // c v^2 / g = 250,000 at 100 m/s
     const QuadraticAir air{coefficient};
-    for (const Vec2& target : {Vec2(0.01, 0.001), Vec2(0.02, 0), Vec2(0.02, -0.05), Vec2(0.02, -3)}) {
+    for (const Vec2& target : {Vec2(0.01, 0.001), Vec2(0.02, 0), Vec2(0.02, -0.05), Vec2(0.02, -0.2), Vec2(0.02, -3)}) {
         const std::vector<Shot> shots =
             aimThroughQuadraticDrag({.target = target, .speed = 100, .coefficient = coefficient});
         REQUIRE(shots.size() == 2);
