@@ -159,8 +159,8 @@ Found bracketCrossing(const Path& path, Bracket& bracket) {
     return Found::Nothing;
 }
 
-/// Back from the bracket's far end, first to where the parabola through both ends crosses, with the slope at the far
-/// one.
+/// Back from the bracket's far end, first to where the parabola through both ends crosses, with the slope at the
+/// far one.
 double firstStep(const Path& path, const Bracket& bracket) {
     const Path::At end = path.at(bracket.to);
     const double width = bracket.to - bracket.from;
