@@ -50,8 +50,8 @@ public:
 
     /// No shot is there before: without drag, with all of the pull and straight at the target, it would be then.
     double soonest() const { return 2 * distance_ / (speed_ + std::sqrt(speed_ * speed_ + 2 * pull_ * distance_)); }
-    /// None is there after: the circle's centre is too far away then, for the radius is below speed sqrt(2 sag) and
-    /// below speed / rate.
+    /// None is there after: the circle's centre is too far away then, for the radius is below speed sqrt(2 sag)
+    /// and below speed / rate.
     double latest() const {
         const double root = (speed_ + std::sqrt(speed_ * speed_ + 2 * pull_ * distance_)) / pull_;
         double sag = 0.5 * root * root;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/ballistics/quadratic_drag_aim.h>
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -30,7 +29,8 @@ struct Reach {
     double growth;    ///< how much more a flat shot falls on the way to the target than without drag
 
     struct Gap {
-        double value, slope;  ///< of across / crossing - 1 by the slope of the launch; positive when it falls short
+        double value;  ///< across / crossing - 1, positive when it falls short
+        double slope;  ///< of that, by the slope of the launch
         double time;
     };
     std::optional<Gap> gapAt(double steeper) const {
@@ -40,8 +40,8 @@ struct Reach {
         return Gap{ratio - 1, -ratio * at->acrossSlope / at->across, at->time};
     }
 
-    /// Without drag, and with so many times gravity: (b + S) / x, the steepness of the high arc; NaN when none hits.
-    /// That of the low one is (1 + line^2) over it.
+    /// Without drag, and with so many times gravity: (b + S) / x, the steepness of the high arc; NaN when none
+    /// hits. That of the low one is (1 + line^2) over it.
     double highArc(double gravities) const {
         const double x = gravities * across;
         const double b = 1 - x * line;
@@ -83,7 +83,7 @@ struct Reach {
             if (!first) return {};
             found.push_back(*first);
         }
-        // Numbers of the power of 4 of this are at hand below; a shot that flies so far is of no use.
+        // Its fourth power must be a number; and who wants a shot that flies so far?
         if (!(high < 1e60)) return found;
         const std::optional<Launched> last = zeroFrom(high, high, false);
         if (last && last->steeper > found[0].steeper) found.push_back(*last);
@@ -116,8 +116,10 @@ struct Plumb {
     // e^(c s) = cosh z + q sinh z for z = g t / V: solved for e^z - 1.
     double timeToFall(double distance, double startSpeed) const {
         const double q = startSpeed / terminal;
-        const double grown = exponentialMinus1(2 * coefficient * distance);
-        const double first = exponentialMinus1(coefficient * distance);
+        const double depth = coefficient * distance;
+        if (depth > 300) return (depth + logarithm(2 / (1 + q))) * terminal / gravity;  // the rest is below e^-600
+        const double grown = exponentialMinus1(2 * depth);
+        const double first = exponentialMinus1(depth);
         const double root = grown > 0 ? grown / (std::sqrt(q * q + grown) + q) : 0;
         return logarithm1Plus((first + root) / (1 + q)) * terminal / gravity;
     }

@@ -24,9 +24,9 @@ struct QuadraticAir {
     Vec2 accelerationAt(const Vec2& velocity) const { return gravity - coefficient * velocity.norm() * velocity; }
 };
 
-/// Steps of Dormand and Prince's method of order 5 with the error of its order 4 ("A family of embedded Runge-Kutta
-/// formulae", 1980, table 2), each as long as a tolerance allows; calls arrive(state, time) after each, and stops at
-/// the end, or when that says so.
+/// Steps of Dormand and Prince's method of order 5 with the error of its order 4 ("A family of embedded
+/// Runge-Kutta formulae", 1980, table 2), each as long as a tolerance allows; calls arrive(state, time) after
+/// each, and stops at the end, or when that says so.
 template <typename Air, typename Arrive>
 void fly(const Air& air, const Vec2& velocity, double end, double tolerance, const Arrive& arrive) {
     static constexpr double a[7][6] = {{},
@@ -62,7 +62,7 @@ void fly(const Air& air, const Vec2& velocity, double end, double tolerance, con
             state = next;
             if (arrive(state, time)) return;
         }
-        step *= std::clamp(0.9 * std::pow(size + 1e-10, -0.2), 0.2, 5.0);
+        step *= size < 1e4 ? std::clamp(0.9 * std::pow(size + 1e-10, -0.2), 0.2, 5.0) : 0.1;  // or it is no number
     }
 }
 

@@ -14,7 +14,8 @@ using plumb::Random;
 using plumb::Shot;
 using plumb::Vec2;
 
-// FACTS section 3: the two angles at which 20 m/s hits (30, 5) m, the lecture, slide 14; here the speed is asked for.
+// FACTS section 3: the two angles at which 20 m/s hits (30, 5) m, the lecture, slide 14; here the speed is asked
+// for.
 TEST_CASE("at 36.176477529 and at 63.285844679 degrees it takes 20 m/s to hit (30 m, 5 m)", "[ballistics][facts]") {
     for (const double degrees : {36.176477529, 63.285844679}) {
         const std::optional<Shot> shot = aimAtAngle({.target = {30, 5}, .angle = degrees * pi / 180});

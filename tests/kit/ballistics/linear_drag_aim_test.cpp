@@ -94,7 +94,7 @@ TEST_CASE("a million shots of fixed speed through linear drag hit, and where the
               << "; a scan over angles finds " << found[0] << " of " << scanned[0] << " without, " << found[1] << " of "
               << scanned[1] << " with\n";
     CHECK(speed.value() < 1e-12);
-    CHECK(miss.value() < 1e-6);
+    CHECK(miss.value() <= 1e-9);  // what is more was integrated again, to 1e-12
     CHECK(disorder == 0);
     CHECK(found[0] == 0);
     CHECK(scanned[0] > cases(1'000'000) / 10'000);
@@ -113,7 +113,7 @@ TEST_CASE("a million shots of fixed time through linear drag are at their target
         miss.hold(flown.miss / flown.path, [&] { return text(other) + describe("time", problem.time); });
     }
     miss.print();
-    CHECK(miss.value() < 1e-6);
+    CHECK(miss.value() <= 1e-9);  // what is more was integrated again, to 1e-12
 }
 
 TEST_CASE("as drag goes to 0 the shots go to those without it, and where drag is 0 they are those", "[ballistics]") {

@@ -36,8 +36,8 @@ MovingAim randomChase(Random& random) {
     return problem;
 }
 
-/// How far the target is from all that the shot can reach at a time, over what either goes: in the frame that falls
-/// with the shot and flies with the shooter, where shots go straight and the target rises.
+/// How far the target is from all that the shot can reach at a time, over what either goes: in the frame that
+/// falls with the shot and flies with the shooter, where shots go straight and the target rises.
 double gapAt(Real t, const MovingAim& problem) {
     const auto part = [&](auto get) {
         return get(problem.target) + t * (Real(get(problem.targetVelocity)) - get(problem.shooterVelocity)) -
@@ -149,8 +149,8 @@ TEST_CASE("at a target that stands still it is aim(), and without gravity the fi
 
 TEST_CASE("a target dropped as the shot leaves is hit by pointing at it, and the shooter's speed is the shot's",
           "[ballistics]") {
-    // The monkey and the hunter: in the frame that falls with both the shot goes straight. Here gravity is the shot's
-    // alone, so the target that stands still is the one that has to be led.
+    // The monkey and the hunter: in the frame that falls with both the shot goes straight. Here gravity is the
+    // shot's alone, so the target that stands still is the one that has to be led.
     const std::vector<Shot> still = aimAtMoving({.target = {30, 5}, .targetVelocity = {0, 0}, .speed = 20});
     REQUIRE(still.size() == 2);
     CHECK(std::fabs(still[0].time - 1.8582692722) < 5e-11);  // FACTS section 3, low arc

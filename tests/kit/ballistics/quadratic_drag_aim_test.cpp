@@ -74,7 +74,7 @@ TEST_CASE("a million shots through quadratic drag hit, and where there is none n
               << "; a scan over angles finds " << found[0] << " of " << scanned[0] << " without, " << found[1] << " of "
               << scanned[1] << " with\n";
     CHECK(speed.value() < 1e-12);
-    CHECK(miss.value() < 1e-6);
+    CHECK(miss.value() <= 1e-9);  // what is more was integrated again, to 1e-12
     CHECK(disorder == 0);
     CHECK(found[0] == 0);
     CHECK(scanned[0] > cases(1'000'000) / 10'000);
@@ -101,7 +101,8 @@ TEST_CASE("one over the distance at which a path crosses a line is convex in the
 
 TEST_CASE("straight up and down through quadratic drag the times are those of the closed forms",
           "[ballistics][facts]") {
-    // FACTS section 3, "c = 0.005, up 50": back at the muzzle's level after 3.8191317573 + 4.3779184523 s; and the top.
+    // FACTS section 3, "c = 0.005, up 50": back at the muzzle's level after 3.8191317573 + 4.3779184523 s; and the
+    // top.
     const std::vector<Shot> back = aimThroughQuadraticDrag({.target = {0, -1e-12}, .speed = 50, .coefficient = 0.005});
     REQUIRE(back.size() == 2);
     CHECK(std::fabs(back[1].time - (3.8191317573 + 4.3779184523)) < 1e-10);
@@ -177,7 +178,8 @@ TEST_CASE("where a target comes out of reach, two shots come together, and then 
 TEST_CASE("heavy drag, at five hundred times the terminal speed, still has its shots", "[ballistics]") {
     const double coefficient = 9.81 * 500 * 500 / 1e4;  // c v^2 / g = 250,000 at 100 m/s
     const QuadraticAir air{coefficient};
-    for (const Vec2& target : {Vec2(0.01, 0.001), Vec2(0.02, 0), Vec2(0.02, -0.05), Vec2(0.02, -3)}) {
+    for (const Vec2& target :
+         {Vec2(0.01, 0.001), Vec2(0.02, 0), Vec2(0.02, -0.05), Vec2(0.02, -0.2), Vec2(0.02, -3), Vec2(0, -3)}) {
         const std::vector<Shot> shots =
             aimThroughQuadraticDrag({.target = target, .speed = 100, .coefficient = coefficient});
         REQUIRE(shots.size() == 2);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How many problems of aiming are solved a second? ./tests/run "[benchmark][shots]"; one over the mean is the answer.
-#define CATCH_CONFIG_ENABLE_BENCHMARKING
+// How many problems of aiming are solved a second? ./tests/run "[!benchmark]"; one over the mean is the answer.
 #include <vector>
 
 #include <plumb/ballistics/apex.h>
