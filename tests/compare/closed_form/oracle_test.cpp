@@ -41,7 +41,7 @@ const PiecewiseMotion twoFlights{"ball",
 TEST_CASE("a shot of 20 m/s at 45 degrees lands at 40.774719674 m after 2.8832080782 s, at most 10.193679918 m high",
           "[compare][closed_form][law]") {
     const Scene scene = findScene("projectile").value();
-    // FACTS section 3, v = 20 exact limit: nine decimals of metres, ten of seconds, times 20 m/s.
+    // Worked numbers of the firing solution, v = 20 exact limit: nine decimals of metres, ten of seconds, times 20 m/s.
     const Vec2 landing = closedFormStates(scene, 2.8832080782).at(0).position;
     CHECK(std::abs(landing.x() - 40.774719674) < 2e-9);
     CHECK(std::abs(landing.y()) < 2e-9);
@@ -53,7 +53,7 @@ TEST_CASE("a shot of 20 m/s at 45 degrees lands at 40.774719674 m after 2.883208
 TEST_CASE("a shot of 20 m/s at 45 degrees with k = 0.2 lands at 29.091533064 m after 2.6501815833 s",
           "[compare][closed_form][law]") {
     const Scene scene = findScene("projectile_damped").value();
-    // FACTS section 3, k = 0.2: range, flight time, apex and its time.
+    // Worked numbers of the firing solution, k = 0.2: range, flight time, apex and its time.
     const Vec2 landing = closedFormStates(scene, 2.6501815833).at(0).position;
     CHECK(std::abs(landing.x() - 29.091533064) < 2e-9);
     CHECK(std::abs(landing.y()) < 2e-9);

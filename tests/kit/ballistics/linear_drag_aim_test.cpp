@@ -50,8 +50,8 @@ bool scan(const LinearDragAim& problem) {
 
 }  // namespace
 
-// FACTS section 3, "k = 0.2, 45 degrees, v = 20": lands at 29.091533064 m after 2.6501815833 s; "plus wind -5" at
-// 26.126035300 m. Neither is the greatest range, so one arc is that of 45 degrees.
+// Worked numbers of the firing solution, "k = 0.2, 45 degrees, v = 20": lands at 29.091533064 m after 2.6501815833 s;
+// "plus wind -5" at 26.126035300 m. Neither is the greatest range, so one arc is that of 45 degrees.
 TEST_CASE("at 20 m/s with drag of 0.2 / s, 29.091533064 m is hit at 45 degrees, and 26.126035300 m in wind",
           "[ballistics][facts]") {
     const auto offOf45 = [](double x, const Vec2& wind) {

@@ -38,8 +38,8 @@ double lambert(double x) {
 
 }  // namespace
 
-// FACTS section 3, "k = 0.2, 45 degrees, v = 20": T 2.6501815833 s, R 29.091533064 m, apex 8.5791237899 m at
-// 1.2666983553 s; "plus wind -5": same T, R 26.126035300 m.
+// Worked numbers of the firing solution, "k = 0.2, 45 degrees, v = 20": T 2.6501815833 s, R 29.091533064 m,
+// apex 8.5791237899 m at 1.2666983553 s; "plus wind -5": same T, R 26.126035300 m.
 TEST_CASE("20 m/s at 45 degrees with drag of 0.2 / s lands after 2.6501815833 s, wind or not", "[ballistics][facts]") {
     const Vec2 velocity = towards(pi / 4, 20);
     const std::optional<PathPoint> landing = linearDragLanding(velocity, 0, {.rate = 0.2});
@@ -130,7 +130,7 @@ TEST_CASE("apex and landing through linear drag are where 10,000 flights turn an
         const bool below = heightAt(1e5 * (scale + 1 / drag.rate)) < 0;
         const bool upwind = drag.rate * seenUpright(drag.wind, drag.gravity).y > 0.99 * drag.gravity.norm();
         if (!upwind) wrong += (above && below) != landing.has_value();
-        // T = (q + W0(-q e^-q)) / k, without wind along gravity, FACTS section 3.
+        // T = (q + W0(-q e^-q)) / k, without wind along gravity, Worked numbers of the firing solution.
         const double rise = static_cast<double>(seenUpright(start, drag.gravity).y);
         LinearDrag level = drag;
         level.wind = plumb::perp(drag.gravity) * 0.3;

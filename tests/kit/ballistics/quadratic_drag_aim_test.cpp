@@ -101,8 +101,8 @@ TEST_CASE("one over the distance at which a path crosses a line is convex in the
 
 TEST_CASE("straight up and down through quadratic drag the times are those of the closed forms",
           "[ballistics][facts]") {
-    // FACTS section 3, "c = 0.005, up 50": back at the muzzle's level after 3.8191317573 + 4.3779184523 s; and the
-    // top.
+    // Worked numbers of the firing solution, "c = 0.005, up 50": back at the muzzle's level after 3.8191317573
+    // + 4.3779184523 s; and the top.
     const std::vector<Shot> back = aimThroughQuadraticDrag({.target = {0, -1e-12}, .speed = 50, .coefficient = 0.005});
     REQUIRE(back.size() == 2);
     CHECK(std::fabs(back[1].time - (3.8191317573 + 4.3779184523)) < 1e-10);

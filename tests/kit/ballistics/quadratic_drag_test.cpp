@@ -13,9 +13,9 @@ using plumb::shootUp;
 using plumb::terminalSpeed;
 using plumb::VerticalShot;
 
-// FACTS section 3, "c = 0.005, up 50": terminal speed 44.294469181, rise 3.8191317573 s to 82.163273487 m, return
-// at 33.155434439 m/s after 4.3779184523 s. Section 5, "terminal speed": after 3 s 25.748172225 m/s,
-// fallen 41.234527650.
+// Worked numbers of the firing solution, "c = 0.005, up 50": terminal speed 44.294469181, rise 3.8191317573 s
+// to 82.163273487 m, return at 33.155434439 m/s after 4.3779184523 s. Section 5, "terminal speed": after 3
+// s 25.748172225 m/s, fallen 41.234527650.
 TEST_CASE("50 m/s up through drag of 0.005 / m rises 82.163273487 m and returns at 33.155434439 m/s",
           "[ballistics][facts]") {
     const QuadraticDrag drag{.coefficient = 0.005};

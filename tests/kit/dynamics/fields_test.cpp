@@ -77,7 +77,7 @@ TEST_CASE("an orbit keeps its energy for 100 rounds", "[dynamics][fields]") {
 
 TEST_CASE("a world's drag brings what falls to its terminal speed", "[dynamics][fields][facts]") {
     World world;
-    // FACTS of the textbook: c = 0.005 /m, v_t = 44.294469181 m/s; after 3 s 25.748172225 m/s, fallen 41.234527650 m.
+    // Textbook: c = 0.005 /m, v_t = 44.294469181 m/s; after 3 s 25.748172225 m/s, fallen 41.234527650 m.
     world.addField({.law = Drag{.quadratic = 0.005}});
     const BodyId ball = disc(world, {0, 0}, {0, 0});
     run(world, 3);
