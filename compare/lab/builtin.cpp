@@ -11,6 +11,7 @@ std::vector<Lab> builtinLabs() {
         integrators(),
         broadPhases(),
         bulletAndWindow(),
+        forecasts(),
     };
 }
 

@@ -15,6 +15,7 @@ std::vector<Scene> builtinScenes() {
         spinFree(),
         projectileFan(),
         projectileFanDrag(),
+        movingTarget(),
         terminalSpeed(),
         twoBodyOrbit(),
         buoyantBox(),

@@ -4,48 +4,43 @@
 #include <cmath>
 #include <numbers>
 
+#include <compare/closed_form/kepler.h>
+
 namespace plumb::compare {
 namespace {
 
-/// Newton's method from E = t + e sin t, which for e = 0.5 is at the last bit after four rounds; it is given twenty.
-double eccentricAnomaly(double time, double eccentricity) {
-    double anomaly = time + eccentricity * std::sin(time);
-    for (int round = 0; round < 20; ++round) {
-        const double off = anomaly - eccentricity * std::sin(anomaly) - time;
-        anomaly -= off / (1 - eccentricity * std::cos(anomaly));
-    }
-    return anomaly;
-}
+constexpr double turn = 2 * std::numbers::pi;  // [s]
 
 }  // namespace
 
 MotionProblem oscillator() {
-    return {
-        .name = "oscillator",
-        .acceleration = [](const Vec2& position) -> Vec2 { return -position; },
-        .start = {{1, 0}, {0, 0}},
-        .energy =
-            [](const Motion& motion) { return 0.5 * (motion.velocity.squaredNorm() + motion.position.squaredNorm()); },
-        .truePosition = [](double time) { return Vec2(std::cos(time), 0); },
-        .period = 2 * std::numbers::pi};
+    const auto energy = [](const Motion& motion) {
+        return 0.5 * (motion.velocity.squaredNorm() + motion.position.squaredNorm());
+    };
+    return {.name = "oscillator",
+            .acceleration = [](const Vec2& position) -> Vec2 { return -position; },
+            .start = {{1, 0}, {0, 0}},
+            .energy = energy,
+            .truePosition = [](double time) { return Vec2(std::cos(time), 0); },
+            .period = turn};
 }
 
 MotionProblem keplerOrbit(double eccentricity) {
-    const double e = eccentricity;
-    return {
-        .name = "orbit",
-        .acceleration = [](const Vec2& position) -> Vec2 {
-            const double distance = position.norm();
-            return -position / (distance * distance * distance);
-        },
-        .start = {{1 - e, 0}, {0, std::sqrt((1 + e) / (1 - e))}},
-        .energy = [](const Motion& motion) { return 0.5 * motion.velocity.squaredNorm() - 1 / motion.position.norm(); },
-        .truePosition =
-            [e](double time) {
-                const double anomaly = eccentricAnomaly(time, e);
-                return Vec2(std::cos(anomaly) - e, std::sqrt(1 - e * e) * std::sin(anomaly));
-            },
-        .period = 2 * std::numbers::pi};
+    const KeplerOrbit orbit{.eccentricity = eccentricity, .period = turn};
+    const auto acceleration = [](const Vec2& position) -> Vec2 {
+        const double distance = position.norm();
+        return -position / (distance * distance * distance);
+    };
+    const auto energy = [](const Motion& motion) {
+        return 0.5 * motion.velocity.squaredNorm() - 1 / motion.position.norm();
+    };
+    const double nearest = 1 - eccentricity;
+    return {.name = "orbit",
+            .acceleration = acceleration,
+            .start = {{nearest, 0}, {0, std::sqrt((1 + eccentricity) / nearest)}},
+            .energy = energy,
+            .truePosition = [orbit](double time) { return keplerState(orbit, time).position; },
+            .period = turn};
 }
 
 }  // namespace plumb::compare

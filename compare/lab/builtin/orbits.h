@@ -21,12 +21,12 @@ struct MotionProblem {
     double period = 0;                                ///< [s]
 };
 
-/// x = cos t: x'' = -x, from 1 m at rest.
+/// x'' = -x, from 1 m at rest: x = cos t.
 MotionProblem oscillator();
 
-/// x'' = -x / |x|^3 about the origin, semi-major axis 1 m, period 2 pi s, from the nearest point (1 - e, 0) on.
-/// x = (cos E - e, sqrt(1 - e^2) sin E), with the eccentric anomaly E [rad] from Kepler's E - e sin E = t.
-/// e eccentricity, 0 to below 1 [-]. Source: textbook. Test: "Kepler's orbit closes, keeps its energy, and sweeps ..."
+/// x'' = -x / |x|^3 about the origin, from the nearest point (1 - e, 0) on; semi-major axis 1 m, period 2 pi s. The
+/// closed form is keplerState (compare/closed_form/kepler.h). e: eccentricity, from 0 to below 1 [-].
+/// Test: "the true paths obey their accelerations, start where they should, and keep their energy"
 MotionProblem keplerOrbit(double eccentricity);
 
 }  // namespace plumb::compare

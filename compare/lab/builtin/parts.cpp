@@ -8,7 +8,9 @@ namespace plumb::compare {
 std::string engineLabel(const std::string& name) {
     if (name == plumbName) return "Plumb";
     if (!isBox2d(name)) return name;
-    return "Box2D " + name.substr(name.find('-') + 1);
+    const std::string version = name.substr(name.find('-') + 1);
+    const std::size_t flag = version.find(" bullets");
+    return "Box2D " + version.substr(0, flag) + (flag == std::string::npos ? "" : " with bullets");
 }
 
 std::vector<double> geometricSteps(double low, double high, int count) {

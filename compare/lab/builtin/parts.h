@@ -8,7 +8,7 @@
 
 namespace plumb::compare {
 
-/// As a person calls the engine: "Box2D 2.4" for "box2d-2.4".
+/// As a person calls the engine: "Box2D 2.4" for "box2d-2.4", "Box2D 3 with bullets" for "box2d-3 bullets".
 std::string engineLabel(const std::string& name);
 
 /// count values from low to high, each the same multiple of the one before.

@@ -52,8 +52,10 @@ function powerTicker(low, high, pixels, space) {
     return ticks;
 }
 
-/// The least and the largest of those that an axis can show; whole powers of ten, or a little room on either side.
-function axisRange(columns, {logarithmic}, tight) {
+/// The least and the largest of those that an axis can show; whole powers of ten, or a little room on either side. A
+/// share is shown from 0 to 100 %.
+function axisRange(columns, {logarithmic, unit}, tight) {
+    if (unit === "%" && !logarithmic) return [-4, 104];
     let low = Infinity;
     let high = -Infinity;
     for (const value of columns.flatMap((column) => Array.from(column))) {

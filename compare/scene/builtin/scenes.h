@@ -15,6 +15,9 @@ Scene spinFree();
 Scene projectileFan();
 Scene projectileFanDrag();
 
+// aim.cpp
+Scene movingTarget();
+
 // field.cpp
 Scene terminalSpeed();
 Scene twoBodyOrbit();

@@ -16,9 +16,9 @@ struct ApexAim {
 /// Empty when the target is above the apex, when the shot has no time to get there (a level target, apex 0), and
 /// without gravity.
 ///   w = sqrt(2 |g| H),  t = w / |g| + sqrt(2 (H - y) / |g|),  the level part of the velocity is x / t
-/// w upward part of the velocity [m/s], g gravity [m/s^2], H apex [m], (x, y) target along the level and up [m], t time
-/// [s]. Throws std::invalid_argument on input out of range (shot.h).
-/// Test: "a million shots over a given apex hit, and rise just so high"
+/// w upward part of the velocity [m/s], g gravity [m/s^2], H apex [m], (x, y) target along the level and up [m], t
+/// time [s]. Throws std::invalid_argument on input out of range (shot.h). Test: "a million shots over a given apex
+/// hit, and rise just so high"
 std::optional<Shot> aimByApex(const ApexAim& problem);
 
 }  // namespace plumb

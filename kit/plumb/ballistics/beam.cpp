@@ -16,7 +16,7 @@ std::optional<Shot> aimBeam(const BeamAim& problem) {
 
     const double v = problem.speed;
     const double distance = detail::lengthOf(problem.target);
-    if (distance == 0) return Shot{Vec2(v, 0) + problem.shooterVelocity, 0};
+    if (distance <= detail::muzzle) return Shot{Vec2(v, 0) + problem.shooterVelocity, 0};
     // Parts of the target's velocity: away from the muzzle, and across.
     const Vec2 n = detail::directionOf(problem.target);
     const Vec2 w = problem.targetVelocity - problem.shooterVelocity;

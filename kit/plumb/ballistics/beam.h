@@ -14,8 +14,8 @@ struct BeamAim {
     double speed = 0;            ///< of the shot as the shooter sees it, >= 0 [m/s]
 };
 
-/// The earliest shot that hits; empty when the target is too fast. What stands in its way, a ray says that is cast from
-/// the muzzle along velocity * time.
+/// The earliest shot that hits; empty when the target is too fast. What stands in its way, a ray says that is cast
+/// from the muzzle along velocity * time.
 ///   t = D^2 / (S - d . w),  S^2 = (v D - |d x w|) (v D + |d x w|)
 /// d target [m], D its distance [m], w its velocity less the shooter's, v speed [m/s], t time [s]
 /// A target at the muzzle is hit at once, by a shot to +x.

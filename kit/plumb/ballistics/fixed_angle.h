@@ -19,7 +19,8 @@ struct AngleAim {
 /// n direction of the barrel [-], d target [m], g gravity [m/s^2], t time [s], v speed [m/s], a angle [rad]
 /// Throws std::invalid_argument on input out of range (shot.h).
 /// Source: the parts of d = v n t + g t^2 / 2 across n and across g.
-/// Test: "a million shots at fixed angles hit, and where there is none the target is not below the line of the barrel"
+/// Test: "a million shots at fixed angles hit, and where there is none the target is not below the line of the
+/// barrel"
 std::optional<Shot> aimAtAngle(const AngleAim& problem);
 
 }  // namespace plumb

@@ -17,7 +17,7 @@ std::vector<Shot> aim(const Aim& problem) {
     const Vec2& g = problem.gravity;
     const double v = problem.speed;
     const double distance = detail::lengthOf(d);
-    if (distance == 0) return {{v * detail::Level(g).up, 0}};
+    if (distance <= detail::muzzle) return {{v * detail::Level(g).up, 0}};
     const double gravity = detail::lengthOf(g);
     const double least = detail::leastSpeedSquared(d, distance, g, gravity);
     double spare = v * v - least;

@@ -14,10 +14,9 @@ struct SlowestAim {
 
 /// Of speed 0 when the target is straight below. Empty without gravity, where any slower shot hits as well.
 ///   v^2 = |g| D - g . d,  t^2 = 2 D / |g|
-/// v speed [m/s], g gravity [m/s^2], d target [m], D its distance [m], t time [s]. The shot halves the angle between
-/// straight up and the target.
-/// Throws std::invalid_argument on input out of range (shot.h).
-/// Source: where the two arcs of fixed speed become one. Test: "a million slowest shots hit, and slower ones do not"
+/// v speed [m/s], g gravity [m/s^2], d target [m], D its distance [m], t time [s]. The shot halves the angle
+/// between straight up and the target. Throws std::invalid_argument on input out of range (shot.h). Source: where
+/// the two arcs of fixed speed become one. Test: "a million slowest shots hit, and slower ones do not"
 std::optional<Shot> aimSlowest(const SlowestAim& problem);
 
 }  // namespace plumb

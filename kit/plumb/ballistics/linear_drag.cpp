@@ -33,7 +33,9 @@ FlightState stateAt(const Vec2& velocity, double time, const LinearDrag& drag) {
 
 std::optional<PathPoint> pointAt(const Vec2& velocity, double time, const LinearDrag& drag) {
     if (!std::isfinite(time)) return std::nullopt;
-    return PathPoint{stateAt(velocity, time, drag).position, time};
+    const Vec2 position = stateAt(velocity, time, drag).position;
+    if (!position.allFinite()) return std::nullopt;
+    return PathPoint{position, time};
 }
 
 /// Upward motion alone.
@@ -50,9 +52,9 @@ struct Rise {
         return speed > 0 ? (speed + root) / pull : 2 * height / (root - speed);
     }
 
-    /// When it comes down to a height below the muzzle; infinite when it never does. The height is bent to one side
-    /// only, so that from the second step on Newton's method comes to its zero from one side. Where it is bent upward,
-    /// a step past its lowest point says that there is none.
+    /// When it comes down to a height below the muzzle; infinite when it never does. The height is bent to one
+    /// side only, so that from the second step on Newton's method comes to its zero from one side. Where it is
+    /// bent upward, a step past its lowest point says that there is none.
     double landingTime(double height) const {
         double time = timeWithoutDrag(std::max(height, 0.0));
         for (int i = 0; i < 200; ++i) {

@@ -20,10 +20,10 @@ struct FlightState {
 
 /// Where a shot launched with a velocity is after a time, and how fast.
 ///   x = u r + a m,  x' = u e^(-k t) + a r,  r = (1 - e^(-k t)) / k,  m = (t - r) / k,  a = g + k W
-/// x position [m], u velocity at the launch [m/s], t time [s], k rate [1/s], W wind [m/s], g gravity [m/s^2]; r and m
-/// are smooth to k = 0, where they are t and t^2 / 2. Exact to rounding. Throws std::invalid_argument on input
-/// out of range (shot.h). Source: x'' = g - k (x' - W). Test: "10,000 flights through
-/// linear drag agree with a Runge-Kutta method of order 4"
+/// x position [m], u velocity at the launch [m/s], t time [s], k rate [1/s], W wind [m/s], g gravity [m/s^2]; r
+/// and m are smooth to k = 0, where they are t and t^2 / 2. Exact to rounding. Throws std::invalid_argument on
+/// input out of range (shot.h). Source: x'' = g - k (x' - W). Test: "10,000 flights through linear drag agree with
+/// a Runge-Kutta method of order 4"
 FlightState linearDragFlight(const Vec2& velocity, double time, const LinearDrag& drag);
 
 /// The highest point; empty when the shot does not rise, or nothing pulls it back.
@@ -32,11 +32,11 @@ FlightState linearDragFlight(const Vec2& velocity, double time, const LinearDrag
 /// Test: "apex and landing through linear drag are where 10,000 flights turn and touch the ground"
 std::optional<PathPoint> linearDragApex(const Vec2& velocity, const LinearDrag& drag);
 
-/// Where the shot comes down on the level ground that lies a height below the muzzle; empty when it never does. On the
-/// muzzle's own level and without vertical wind
+/// Where the shot comes down on the level ground that lies a height below the muzzle; empty when it never does. On
+/// the muzzle's own level and without vertical wind
 ///   t = (q + W0(-q e^-q)) / k,  q = 1 + k w / |g|
-/// W0 Lambert's function. Here it is found by Newton's method on the height, which is a convex or concave function of
-/// time, so that the method comes to its last zero from one side. Throws as above.
+/// W0 Lambert's function. Here it is found by Newton's method on the height, which is a convex or concave function
+/// of time, so that the method comes to its last zero from one side. Throws as above.
 std::optional<PathPoint> linearDragLanding(const Vec2& velocity, double height, const LinearDrag& drag);
 
 }  // namespace plumb

@@ -50,8 +50,8 @@ public:
 
     /// No shot is there before: without drag, with all of the pull and straight at the target, it would be then.
     double soonest() const { return 2 * distance_ / (speed_ + std::sqrt(speed_ * speed_ + 2 * pull_ * distance_)); }
-    /// None is there after: the circle's centre is too far away then, for the radius is below speed sqrt(2 sag) and
-    /// below speed / rate.
+    /// None is there after: the circle's centre is too far away then, for the radius is below speed sqrt(2 sag)
+    /// and below speed / rate.
     double latest() const {
         const double root = (speed_ + std::sqrt(speed_ * speed_ + 2 * pull_ * distance_)) / pull_;
         double sag = 0.5 * root * root;
@@ -94,23 +94,26 @@ std::vector<Shot> aimThroughLinearDrag(const LinearDragAim& problem) {
     detail::requireSize(problem.target, "LinearDragAim", ".target");
     detail::requireAmount(problem.speed, "LinearDragAim", ".speed");
     require(problem.drag);
-    if (detail::lengthOf(problem.target) == 0) return {{problem.speed * detail::Level(problem.drag.gravity).up, 0}};
+    if (detail::lengthOf(problem.target) <= detail::muzzle)
+        return {{problem.speed * detail::Level(problem.drag.gravity).up, 0}};
 
     const Circle circle(problem);
-    const double soonest = circle.soonest();
     std::vector<Shot> shots;
-    if (!std::isfinite(soonest)) return shots;
-    const std::optional<double> first = circle.zeroFrom(soonest, true);
+    const auto add = [&](double time) {
+        const Shot shot = circle.shotAt(time);
+        if (std::isfinite(time) && shot.velocity.allFinite()) shots.push_back(shot);
+    };
+    const std::optional<double> first = circle.zeroFrom(circle.soonest(), true);
     if (!first) return shots;
-    shots.push_back(circle.shotAt(*first));
-    const double latest = circle.latest();
-    if (!std::isfinite(latest)) return shots;
-    const std::optional<double> last = circle.zeroFrom(latest, false);
-    if (!last || !(*last > *first)) return shots;
-    // Both found where the gap is no more than rounding: is it more between them?
-    const double between = 0.5 * (*first + *last);
-    if (circle.at(between).gap == 0) return {circle.shotAt(between)};
-    shots.push_back(circle.shotAt(*last));
+    const std::optional<double> last = circle.zeroFrom(circle.latest(), false);
+    if (!last || !(*last > *first)) {
+        add(*first);
+    } else if (const double between = 0.5 * (*first + *last); circle.at(between).gap == 0) {
+        add(between);  // both were found where the gap is no more than rounding, and it is no more between them
+    } else {
+        add(*first);
+        add(*last);
+    }
     return shots;
 }
 

@@ -128,10 +128,11 @@ std::vector<Shot> aimAtMoving(const MovingAim& problem) {
                       problem.speed};
     const double distance = detail::lengthOf(chase.target);
     const double gravity = detail::lengthOf(problem.gravity);
-    if (distance == 0) return {{chase.speed * detail::Level(problem.gravity).up + problem.shooterVelocity, 0}};
+    if (distance <= detail::muzzle)
+        return {{chase.speed * detail::Level(problem.gravity).up + problem.shooterVelocity, 0}};
 
-    // Before, the shot and the target together cannot have come so far, even straight at each other; after, gravity has
-    // taken the shot further than both can make good. A little is added to either side for rounding.
+    // Before, the shot and the target together cannot have come so far, even straight at each other; after,
+    // gravity has taken the shot further than both can make good. A little is added to either side for rounding.
     const double closing = chase.speed + detail::lengthOf(chase.velocity);
     const double root = std::sqrt(closing * closing + 2 * gravity * distance);
     constexpr double longest = 1e70;

@@ -40,7 +40,7 @@ Fall fallFor(double time, const QuadraticDrag& drag) {
     detail::requireAmount(time, "fallFor: ", "time");
     const double z = drag.gravity * time / terminal;
     const double lost = -exponentialMinus1(-2 * z);
-    // ln cosh z = z + ln(1 - lost / 2); for a small z its half is the square of sinh(z / 2), 2 of which are cosh z - 1.
+    // ln cosh z = z + ln(1 - lost / 2), and for a small z ln(1 + (e^z - 1)^2 / (2 e^z)).
     const double grown = exponentialMinus1(z < 1 ? z : 0);
     const double cosh = z < 1 ? logarithm1Plus(0.5 * grown * grown / (1 + grown)) : z + logarithm1Plus(-0.5 * lost);
     return {.distance = terminal * terminal / drag.gravity * cosh, .speed = terminal * lost / (2 - lost)};

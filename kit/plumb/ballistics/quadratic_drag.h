@@ -23,9 +23,9 @@ struct VerticalShot {
 /// A shot straight up and its return.
 ///   t = (V / g) atan(u / V),  H = (V^2 / (2 g)) ln(1 + (u / V)^2),  u' = u V / sqrt(u^2 + V^2)
 ///   t' = (V / g) artanh(u' / V)
-/// t, t' times up and down [s], H height [m], u, u' speeds at the launch and the return [m/s], V terminal speed [m/s],
-/// g gravity [m/s^2]. Throws as above. Source: v' = -g - c v |v|. Test: "10,000 vertical shots through quadratic drag
-/// agree with a Runge-Kutta method of order 4"
+/// t, t' times up and down [s], H height [m], u, u' speeds at the launch and the return [m/s], V terminal speed
+/// [m/s], g gravity [m/s^2]. Throws as above. Source: v' = -g - c v |v|. Test: "10,000 vertical shots through
+/// quadratic drag agree with a Runge-Kutta method of order 4"
 VerticalShot shootUp(double speed, const QuadraticDrag& drag);
 
 struct Fall {
@@ -35,7 +35,8 @@ struct Fall {
 
 /// A time after it was let go, at rest.
 ///   v = V tanh(g t / V),  s = (V^2 / g) ln cosh(g t / V)
-/// v speed [m/s], s distance [m], V terminal speed [m/s], g gravity [m/s^2], t time [s]. Throws, source, test as above.
+/// v speed [m/s], s distance [m], V terminal speed [m/s], g gravity [m/s^2], t time [s]. Throws, source, test as
+/// above.
 Fall fallFor(double time, const QuadraticDrag& drag);
 
 }  // namespace plumb

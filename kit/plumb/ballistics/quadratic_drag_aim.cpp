@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/ballistics/quadratic_drag_aim.h>
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -18,7 +17,8 @@ namespace {
 /// A launch, by how much steeper it is than the line to the target.
 struct Launched {
     double steeper = 0;
-    double time = 0;  ///< to the target, in units of v / g
+    double time = 0;        ///< to the target, in units of v / g
+    bool straight = false;  ///< as without gravity: the others say nothing
 };
 
 /// The target to the right and gravity down, in units of v^2 / g.
@@ -29,7 +29,8 @@ struct Reach {
     double growth;    ///< how much more a flat shot falls on the way to the target than without drag
 
     struct Gap {
-        double value, slope;  ///< of across / crossing - 1 by the slope of the launch; positive when it falls short
+        double value;  ///< across / crossing - 1, positive when it falls short
+        double slope;  ///< of that, by the slope of the launch
         double time;
     };
     std::optional<Gap> gapAt(double steeper) const {
@@ -39,8 +40,8 @@ struct Reach {
         return Gap{ratio - 1, -ratio * at->acrossSlope / at->across, at->time};
     }
 
-    /// Without drag, and with so many times gravity: (b + S) / x, the steepness of the high arc; NaN when none hits.
-    /// That of the low one is (1 + line^2) over it.
+    /// Without drag, and with so many times gravity: (b + S) / x, the steepness of the high arc; NaN when none
+    /// hits. That of the low one is (1 + line^2) over it.
     double highArc(double gravities) const {
         const double x = gravities * across;
         const double b = 1 - x * line;
@@ -73,12 +74,20 @@ struct Reach {
         const double high = highArc(1);
         if (!std::isfinite(high)) return {};
         const double square = 1 + line * line;
-        const double dragged = square / highArc(growth);
-        const std::optional<Launched> first = zeroFrom(dragged > 0 ? dragged : square / high, square / high, true);
-        if (!first) return {};
+        std::vector<Launched> found;
+        if (across * growth * std::sqrt(square) < 1e-12) {
+            found.push_back({.straight = true});  // gravity bends it by less
+        } else {
+            const double dragged = square / highArc(growth);
+            const std::optional<Launched> first = zeroFrom(dragged > 0 ? dragged : square / high, square / high, true);
+            if (!first) return {};
+            found.push_back(*first);
+        }
+        // Its fourth power must be a number; and who wants a shot that flies so far?
+        if (!(high < 1e60)) return found;
         const std::optional<Launched> last = zeroFrom(high, high, false);
-        if (!last || !(last->steeper > first->steeper)) return {*first};
-        return {*first, *last};
+        if (last && last->steeper > found[0].steeper) found.push_back(*last);
+        return found;
     }
 };
 
@@ -107,8 +116,10 @@ struct Plumb {
     // e^(c s) = cosh z + q sinh z for z = g t / V: solved for e^z - 1.
     double timeToFall(double distance, double startSpeed) const {
         const double q = startSpeed / terminal;
-        const double grown = exponentialMinus1(2 * coefficient * distance);
-        const double first = exponentialMinus1(coefficient * distance);
+        const double depth = coefficient * distance;
+        if (depth > 300) return (depth + logarithm(2 / (1 + q))) * terminal / gravity;  // the rest is below e^-600
+        const double grown = exponentialMinus1(2 * depth);
+        const double first = exponentialMinus1(depth);
         const double root = grown > 0 ? grown / (std::sqrt(q * q + grown) + q) : 0;
         return logarithm1Plus((first + root) / (1 + q)) * terminal / gravity;
     }
@@ -119,12 +130,10 @@ void addFinite(std::vector<Shot>& shots, const Vec2& direction, double speed, do
         shots.push_back({detail::withLength(direction, speed), time});
 }
 
-std::vector<Shot> straightShots(const QuadraticDragAim& problem, double distance) {
-    std::vector<Shot> shots;
+void addStraight(std::vector<Shot>& shots, const QuadraticDragAim& problem, double distance) {
     const double z = problem.coefficient * distance;
     const double stretch = z > 0 ? exponentialMinus1(z) / z : 1;
     addFinite(shots, problem.target, problem.speed, stretch * (distance / problem.speed));
-    return shots;
 }
 
 std::vector<Shot> plumbShots(const QuadraticDragAim& problem, const detail::Level& level, double up) {
@@ -151,8 +160,12 @@ std::vector<Shot> aimThroughQuadraticDrag(const QuadraticDragAim& problem) {
     const double distance = detail::lengthOf(problem.target);
     detail::Level level(problem.gravity);
     const double strength = 2 * problem.coefficient * v * (v / level.gravity);
-    if (distance == 0 || strength == 0) return aim({problem.target, v, problem.gravity});
-    if (!(strength < 1e200)) return straightShots(problem, distance);
+    if (distance <= detail::muzzle || strength == 0) return aim({problem.target, v, problem.gravity});
+    std::vector<Shot> shots;
+    if (!(strength < 1e60)) {
+        addStraight(shots, problem, distance);
+        return shots;
+    }
 
     const double up = problem.target.dot(level.up);
     if (problem.target.dot(level.right) < 0) level.right = -level.right;
@@ -162,9 +175,12 @@ std::vector<Shot> aimThroughQuadraticDrag(const QuadraticDragAim& problem) {
     const double z = 2 * problem.coefficient * distance;
     const double growth = z < 1e-3 ? 1 + z / 3 : 2 * (exponentialMinus1(z) - z) / (z * z);
     const Reach reach{right / v * (level.gravity / v), up / right, strength, growth};
-    std::vector<Shot> shots;
     for (const Launched& launch : reach.launches())
-        addFinite(shots, level.right + (reach.line + launch.steeper) * level.up, v, launch.time * (v / level.gravity));
+        if (launch.straight)
+            addStraight(shots, problem, distance);
+        else
+            addFinite(shots, level.right + (reach.line + launch.steeper) * level.up, v,
+                      launch.time * (v / level.gravity));
     return shots;
 }
 

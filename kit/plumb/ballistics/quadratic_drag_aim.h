@@ -19,12 +19,12 @@ struct QuadraticDragAim {
 /// u velocity [m/s], g gravity [m/s^2], c coefficient [1/m]. The path is integrated over its slope (Bernoulli's
 /// hodograph, 1719), so that it takes a few dozen points of Gauss's; a launch is judged by where it crosses the
 /// straight line to the target. One over the distance of that point is a convex function of the launch's slope, so
-/// Newton's method comes to either shot from outside: from the low arc of the greater gravity that drag amounts to on a
-/// flat path, and from the high arc without drag. Targets straight above and below have closed forms, and so has none
-/// of the two, drag or gravity. That it is convex is an observation over 100,000 paths, not proven; so are the counts.
-/// A shot within 1e-11 of the greatest reach counts as there. A target at the muzzle is hit at once, by one shot
-/// straight up. What would take no finite time is left out.
-/// Error of place below 1e-9 of the path. Throws std::invalid_argument on input out of range (shot.h).
+/// Newton's method comes to either shot from outside: from the low arc of the greater gravity that drag amounts to
+/// on a flat path, and from the high arc without drag. Convex is what 100,000 paths were; it is not proven.
+/// Targets straight above and below have closed forms, as has everything without drag or without gravity.
+/// A target within 1e-11 of the greatest reach counts as there. A target at the muzzle is hit at once, by one shot
+/// straight up. What would take no finite time is left out. Error of place below 1e-9 of the path.
+/// Throws std::invalid_argument on input out of range (shot.h).
 /// Test: "a million shots through quadratic drag hit, and where there is none no angle does"
 std::vector<Shot> aimThroughQuadraticDrag(const QuadraticDragAim& problem);
 

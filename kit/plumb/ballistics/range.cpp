@@ -16,8 +16,9 @@ void require(const Launch& launch) {
 }
 
 std::optional<PathPoint> pointAt(const Launch& launch, double time) {
-    if (!std::isfinite(time)) return std::nullopt;
-    return PathPoint{time * (launch.velocity + 0.5 * time * launch.gravity), time};
+    const Vec2 position = time * (launch.velocity + 0.5 * time * launch.gravity);
+    if (!std::isfinite(time) || !position.allFinite()) return std::nullopt;
+    return PathPoint{position, time};
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ std::optional<PathPoint> apexOf(const Launch& launch);
 
 /// Where the shot comes down on the level ground; empty when it never does.
 ///   t = (w + sqrt(w^2 + 2 |g| h)) / |g|
-/// w upward part of the velocity [m/s], h height [m], g gravity [m/s^2], t time [s]. A shot that starts on the ground,
-/// and not upward, is there at once. Throws and test as above.
+/// w upward part of the velocity [m/s], h height [m], g gravity [m/s^2], t time [s]. A shot that starts on the
+/// ground, and not upward, is there at once. Throws and test as above.
 std::optional<PathPoint> landingOf(const Launch& launch);
 
 struct RangeAim {
@@ -36,8 +36,8 @@ struct GreatestRange {
     Shot shot;         ///< that reaches it, to the right of someone who stands upright
 };
 
-/// The furthest a shot of a given speed comes along the level ground; empty when it does not rise up to the ground, and
-/// without gravity.
+/// The furthest a shot of a given speed comes along the level ground; empty when it does not rise up to the
+/// ground, and without gravity.
 ///   R = (v / |g|) sqrt(v^2 + 2 |g| h),  tan a = v / sqrt(v^2 + 2 |g| h)
 /// R range [m], v speed [m/s], g gravity [m/s^2], h height [m], a angle above the level [rad]
 /// Throws std::invalid_argument on input out of range (shot.h).

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What does an answer to "how to aim" hold?
-// In this module the muzzle is at the origin and everything is relative to it. Gravity is a vector, of any direction
-// and down to none; up is against it. Where a list of shots is the answer, the earliest stands first. Numbers may be up
-// to 1e50 in size, and some must not be negative, or must be positive; what is not so is refused with a
-// std::invalid_argument.
+// In this module the muzzle is at the origin and all else relative to it; a target within 1e-200 m is at the
+// muzzle. Gravity is a vector, of any direction and down to none; up is against it, and +y without it. Where a
+// list of shots is the answer, the earliest stands first. Numbers may be up to 1e50 in size, and those marked so
+// must not be negative, or must be positive, 1e-50 at least; what is not so is refused with a
+// std::invalid_argument that names it.
 #pragma once
 #include <plumb/math/vec2.h>
 

@@ -23,7 +23,7 @@ constexpr double early = 1e-5;
 /// A search with more steps than this goes no further. One at a rod that turns three times takes some hundred.
 constexpr int mostSteps = 500;
 
-/// The same, of firstTouch: one that turns ten times around a place that it grazes takes some thousand.
+/// The same, of firstTouch: one at a disc that circles another ten times, 0.1 mm off, takes some five thousand.
 constexpr int mostTouchSteps = 10'000;
 
 void requireSound(const Way& way, const std::string& name) {
@@ -36,7 +36,7 @@ void requireSound(const Way& way, const std::string& name) {
 
 /// How far ahead along a direction something is after a while: place + speed t - bend / 2 t^2, or farther.
 struct Ahead {
-    double place = 0, speed = 0, bend = 0;  ///< [m, m/s, m/s^2], where the step is the second
+    double place = 0, speed = 0, bend = 0;  ///< [m], [m], [m], each by the step
     double at(double time) const { return place + (speed - 0.5 * bend * time) * time; }
 };
 

@@ -5,7 +5,7 @@
 #include <plumb/collide/distance.h>
 #include <plumb/dynamics/detail/field_pull.h>
 #include <plumb/dynamics/detail/islands.h>
-#include <plumb/dynamics/detail/outline.h>
+#include <plumb/dynamics/detail/placed_outline.h>
 #include <plumb/dynamics/detail/validate.h>
 #include <plumb/dynamics/world.h>
 #include <plumb/math/check.h>
@@ -23,7 +23,7 @@ void blast(WorldState& world, ShapeId id, const Shape& shape, const Explosion& e
     const BodyIndex body = id.body.index;
     const BodyRecord& record = world.bodies.record[body];
     BodyMotion& motion = world.bodies.motion[body];
-    const Outline outline = outlineOf(shape, record, motion);
+    const PlacedOutline outline = placedOutline(shape, record, motion);
     const Distance near = distance(Circle{1e-9, explosion.center}, {}, shape, world.bodies.pose(body));
     const Vec2 seen = near.pointB - explosion.center;
     const bool within = near.separation <= 0;

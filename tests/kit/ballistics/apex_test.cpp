@@ -14,7 +14,8 @@ using plumb::Random;
 using plumb::Shot;
 using plumb::Vec2;
 
-// FACTS section 3, "exact limit": the shot of 20 m/s at 45 degrees rises 10.193679918 m, comes down at 40.774719674 m.
+// Worked numbers of the firing solution, "exact limit": the shot of 20 m/s at 45 degrees rises 10.193679918 m, comes
+// down at 40.774719674 m.
 TEST_CASE("over an apex of 10.193679918 m to 40.774719674 m it takes 20 m/s at 45 degrees", "[ballistics][facts]") {
     const std::optional<Shot> shot = aimByApex({.target = {40.774719674, 0}, .apex = 10.193679918});
     REQUIRE(shot);

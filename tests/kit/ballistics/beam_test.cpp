@@ -14,7 +14,7 @@ using plumb::Random;
 using plumb::Shot;
 using plumb::Vec2;
 
-// FACTS section 3, "no gravity, d = (30, 10), w = (-4, 3)", v = 20 m/s.
+// Worked numbers of the firing solution, "no gravity, d = (30, 10), w = (-4, 3)", v = 20 m/s.
 TEST_CASE("a beam of 20 m/s meets a target from (30 m, 10 m) at (-4, 3) m/s after 1.4105352667 s",
           "[ballistics][facts]") {
     const std::optional<Shot> shot = aimBeam({.target = {30, 10}, .targetVelocity = {-4, 3}, .speed = 20});

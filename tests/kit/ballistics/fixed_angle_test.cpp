@@ -14,14 +14,16 @@ using plumb::Random;
 using plumb::Shot;
 using plumb::Vec2;
 
-// FACTS section 3: the two angles at which 20 m/s hits (30, 5) m, the lecture, slide 14; here the speed is asked for.
+// Worked numbers of the firing solution: the two angles at which 20 m/s hits (30, 5) m, the lecture, slide 14; here the
+// speed is asked for.
 TEST_CASE("at 36.176477529 and at 63.285844679 degrees it takes 20 m/s to hit (30 m, 5 m)", "[ballistics][facts]") {
     for (const double degrees : {36.176477529, 63.285844679}) {
         const std::optional<Shot> shot = aimAtAngle({.target = {30, 5}, .angle = degrees * pi / 180});
         REQUIRE(shot);
         CHECK(std::fabs(shot->velocity.norm() - 20) < 1e-8);  // the angle's last digit is worth 1e-9
     }
-    // FACTS section 3, the formula v^2 = g x^2 / (2 cos^2 a (x tan a - y)) at 45 degrees: 9.81 * 900 / 25.
+    // Worked numbers of the firing solution, the formula v^2 = g x^2 / (2 cos^2 a (x tan a - y)) at 45 degrees: 9.81 *
+    // 900 / 25.
     const std::optional<Shot> shot = aimAtAngle({.target = {30, 5}, .angle = pi / 4});
     REQUIRE(shot);
     CHECK(std::fabs(shot->velocity.squaredNorm() - 353.16) < 1e-12);

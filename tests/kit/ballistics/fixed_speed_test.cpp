@@ -36,7 +36,7 @@ std::string text(const Aim& problem) {
 
 }  // namespace
 
-// FACTS section 3, reference cases; the lecture, slides 13 to 16: v = 20 m/s, d = (30, 5) m.
+// Worked numbers of the firing solution, reference cases; the lecture, slides 13 to 16: v = 20 m/s, d = (30, 5) m.
 TEST_CASE("at 20 m/s a target at (30 m, 5 m) is hit at 36.176477529 and at 63.285844679 degrees",
           "[ballistics][facts]") {
     const std::vector<Shot> shots = aim({.target = {30, 5}, .speed = 20});
@@ -51,14 +51,14 @@ TEST_CASE("at 20 m/s a target at (30 m, 5 m) is hit at 36.176477529 and at 63.28
     CHECK(std::fabs(degrees(shots[1].velocity) - 63.285844679) < 5e-10);
 }
 
-// FACTS section 3; slide 16 puts gravity to 18: S^2 = B^2 - g^2 D^2 = -203600.
+// Worked numbers of the firing solution; slide 16 puts gravity to 18: S^2 = B^2 - g^2 D^2 = -203600.
 TEST_CASE("at a gravity of 18 m/s^2 no shot of 20 m/s hits (30 m, 5 m)", "[ballistics][facts]") {
     CHECK(aim({.target = {30, 5}, .speed = 20, .gravity = {0, -18}}).empty());
     const double b = 400 - 18 * 5;
     CHECK(b * b - 18 * 18 * (30 * 30 + 5 * 5) == -203600);
 }
 
-// FACTS section 3: the exact limit is v^2 / g = 40.774719674 m, at 45 degrees, t 2.8832080782 s.
+// Worked numbers of the firing solution: the exact limit is v^2 / g = 40.774719674 m, at 45 degrees, t 2.8832080782 s.
 TEST_CASE("at 20 m/s a level target at 40.774719674 m, the limit, is hit by one shot, at 45 degrees",
           "[ballistics][facts]") {
     const double limit = 20 * 20 / 9.81;
@@ -178,7 +178,7 @@ TEST_CASE("straight up and straight down, at rest and at the muzzle, there is an
 }
 
 // The lecture's pseudo-code, slide 16: t^2 = (-b -+ S) / (2 a) with a = g^2, b = -4 B, c = 4 D^2.
-// FACTS section 3, lecture defects 1, 5 and 6.
+// Worked numbers of the firing solution, lecture defects 1, 5 and 6.
 TEST_CASE("where the lecture's pseudo-code gives 178.83 s, 0 or 0 / 0, the shot is right", "[ballistics][facts]") {
     // 1: "/ 2 * a" divides by 2 and multiplies by a: times come out g^2 times as long.
     const std::vector<Shot> low = aim({.target = {30, 5}, .speed = 20});

@@ -12,7 +12,7 @@ using plumb::Shot;
 using plumb::TimeAim;
 using plumb::Vec2;
 
-// FACTS section 3, "t = 2 to d".
+// Worked numbers of the firing solution, "t = 2 to d".
 TEST_CASE("a shot of 2 s to (30 m, 5 m) leaves with (15, 12.31) m/s", "[ballistics][facts]") {
     const Shot shot = aimInTime({.target = {30, 5}, .time = 2});
     CHECK(shot.time == 2);

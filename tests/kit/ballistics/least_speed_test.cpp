@@ -14,7 +14,7 @@ using plumb::Shot;
 using plumb::SlowestAim;
 using plumb::Vec2;
 
-// FACTS section 3, "min speed to d".
+// Worked numbers of the firing solution, "min speed to d".
 TEST_CASE("18.638924382 m/s at 49.731161104 degrees is the least that hits (30 m, 5 m)", "[ballistics][facts]") {
     const std::optional<Shot> shot = aimSlowest({.target = {30, 5}});
     REQUIRE(shot);

@@ -36,8 +36,8 @@ MovingAim randomChase(Random& random) {
     return problem;
 }
 
-/// How far the target is from all that the shot can reach at a time, over what either goes: in the frame that falls
-/// with the shot and flies with the shooter, where shots go straight and the target rises.
+/// How far the target is from all that the shot can reach at a time, over what either goes: in the frame that
+/// falls with the shot and flies with the shooter, where shots go straight and the target rises.
 double gapAt(Real t, const MovingAim& problem) {
     const auto part = [&](auto get) {
         return get(problem.target) + t * (Real(get(problem.targetVelocity)) - get(problem.shooterVelocity)) -
@@ -63,7 +63,7 @@ int crossings(const MovingAim& problem) {
 
 }  // namespace
 
-// FACTS section 3, "no gravity, d = (30, 10), w = (-4, 3)", v = 20 m/s.
+// Worked numbers of the firing solution, "no gravity, d = (30, 10), w = (-4, 3)", v = 20 m/s.
 TEST_CASE("at 20 m/s a target from (30 m, 10 m) at (-4, 3) m/s is met after 1.4105352667 s", "[ballistics][facts]") {
     const MovingAim problem{.target = {30, 10}, .targetVelocity = {-4, 3}, .speed = 20, .gravity = {0, 0}};
     const std::vector<Shot> shots = aimAtMoving(problem);
@@ -149,11 +149,11 @@ TEST_CASE("at a target that stands still it is aim(), and without gravity the fi
 
 TEST_CASE("a target dropped as the shot leaves is hit by pointing at it, and the shooter's speed is the shot's",
           "[ballistics]") {
-    // The monkey and the hunter: in the frame that falls with both the shot goes straight. Here gravity is the shot's
-    // alone, so the target that stands still is the one that has to be led.
+    // The monkey and the hunter: in the frame that falls with both the shot goes straight. Here gravity is the
+    // shot's alone, so the target that stands still is the one that has to be led.
     const std::vector<Shot> still = aimAtMoving({.target = {30, 5}, .targetVelocity = {0, 0}, .speed = 20});
     REQUIRE(still.size() == 2);
-    CHECK(std::fabs(still[0].time - 1.8582692722) < 5e-11);  // FACTS section 3, low arc
+    CHECK(std::fabs(still[0].time - 1.8582692722) < 5e-11);  // Worked numbers of the firing solution, low arc
     CHECK(std::fabs(still[1].time - 3.3367464652) < 5e-11);
     // Shooter and target at the same velocity see the same: so does the shot.
     const std::vector<Shot> both =

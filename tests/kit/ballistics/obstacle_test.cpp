@@ -59,8 +59,8 @@ std::string text(const WallAim& problem) {
 
 }  // namespace
 
-// The lecture, slide 16: the lob over a wall. FACTS section 3 has both arcs of 20 m/s to (30, 5) m: at x = 15 m the low
-// one is 6.733 m high, the high one 16.153 m.
+// The lecture, slide 16: the lob over a wall. Worked numbers of the firing solution has both arcs of 20 m/s to (30, 5)
+// m: at x = 15 m the low one is 6.733 m high, the high one 16.153 m.
 TEST_CASE("a wall of 8 m half way leaves the lob of two shots, one of 6 m both, one of 17 m none",
           "[ballistics][facts]") {
     const auto count = [](double height) {

@@ -17,7 +17,8 @@ using plumb::PathPoint;
 using plumb::Random;
 using plumb::Vec2;
 
-// FACTS section 3, "v = 20 exact limit": range 40.774719674 m at 45 degrees, t 2.8832080782 s, apex 10.193679918 m.
+// Worked numbers of the firing solution, "v = 20 exact limit": range 40.774719674 m at 45 degrees, t 2.8832080782 s,
+// apex 10.193679918 m.
 TEST_CASE("at 20 m/s the greatest range is 40.774719674 m, over an apex of 10.193679918 m", "[ballistics][facts]") {
     const std::optional<GreatestRange> result = greatestRange({.speed = 20});
     REQUIRE(result);

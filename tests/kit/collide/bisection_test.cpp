@@ -30,7 +30,7 @@ std::optional<CollisionTime> ballOnFloor(double contact, int probes) {
 
 }  // namespace
 
-// FACTS.md, section 7, slide 24: contact in (.375, .4375), probes .5, .25, .375, .4375, .40625; error <= 1/32.
+// The lecture, slide 24: contact in (.375, .4375), probes .5, .25, .375, .4375, .40625; error <= 1/32.
 TEST_CASE("the lecture's five probes are 0.5, 0.25, 0.375, 0.4375 and 0.40625", "[collide][sweep][facts]") {
     for (const double contact : {0.376, 0.39, 0.41, 0.437}) {
         const auto time = ballOnFloor(contact, 5);
@@ -116,7 +116,7 @@ TEST_CASE("bisection does not see what went right through, nor what touched and 
                       plumb::test::containsText("bisectCollision.probes: -1 is not"));
 }
 
-// FACTS.md, section 7, slide 25: at 1000 m/s and 1/60 s a bullet moves 16.667 m between two frames.
+// The lecture, slide 25: at 1000 m/s and 1/60 s a bullet moves 16.667 m between two frames.
 TEST_CASE("a bullet at 1000 m/s goes 16.667 m a frame: the overlap test misses the window, the swept test never does",
           "[collide][sweep][facts]") {
     constexpr double frame = 1.0 / 60, thickness = 0.1, diameter = 0.02;

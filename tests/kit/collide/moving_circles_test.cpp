@@ -55,7 +55,7 @@ int spend(MovingCircle& ball, std::span<const MovingCircle> posts, double step) 
 
 }  // namespace
 
-// FACTS.md, section 7, slide 26: r = 1, v = 10, (8, 1): t = .6267949192.
+// The lecture, slide 26: r = 1, v = 10, (8, 1): t = .6267949192.
 TEST_CASE("a circle of 1 m at 10 m/s touches one of 1 m at (8, 1) after .6267949192 s", "[collide][sweep][facts]") {
     const MovingCircle moving{1, {0, 0}, {10, 0}}, still{1, {8, 1}, {0, 0}};
     const std::optional<Touch> touch = firstTouch(moving, still);
@@ -101,7 +101,8 @@ TEST_CASE("1,000,000 pairs of moving circles touch at the first time that they a
         worst = std::max(worst, std::fabs(gap));
         faults += std::fabs(gap) > 4e-14 || touch->time > nearest + 1e-6 || gapAt(a, b, 0) < -1e-14;
     }
-    std::cout << "[sweep] circles: " << hits << " of " << count << " touch, to " << worst << " m; faults " << faults << "\n";
+    std::cout << "[sweep] circles: " << hits << " of " << count << " touch, to " << worst << " m; faults " << faults
+              << "\n";
     CHECK(faults == 0);
     CHECK(hits > count / 10);
 }

@@ -77,7 +77,7 @@ TEST_CASE("an orbit keeps its energy for 100 rounds", "[dynamics][fields]") {
 
 TEST_CASE("a world's drag brings what falls to its terminal speed", "[dynamics][fields][facts]") {
     World world;
-    // FACTS of the textbook: c = 0.005 /m, v_t = 44.294469181 m/s; after 3 s 25.748172225 m/s, fallen 41.234527650 m.
+    // Textbook: c = 0.005 /m, v_t = 44.294469181 m/s; after 3 s 25.748172225 m/s, fallen 41.234527650 m.
     world.addField({.law = Drag{.quadratic = 0.005}});
     const BodyId ball = disc(world, {0, 0}, {0, 0});
     run(world, 3);
@@ -115,7 +115,8 @@ TEST_CASE("a puck on the ground stops where the formula says", "[dynamics][field
 TEST_CASE("what friction holds on the ground is not moved by less than it bears", "[dynamics][fields]") {
     World world = empty();
     world.addField({.law = GroundFriction{.friction = 0.5}});
-    const BodyId a = world.add({.shapes = {box({0.5, 0.5})}}), b = world.add({.position = {1, 0}, .shapes = {box({0.5, 0.5})}});
+    const BodyId a = world.add({.shapes = {box({0.5, 0.5})}}),
+                 b = world.add({.position = {1, 0}, .shapes = {box({0.5, 0.5})}});
     for (int tick = 0; tick < 120; ++tick) {  // the two together bear 9.81 N
         world.body(a).applyForce({9, 0});
         world.step(dt);
@@ -143,7 +144,8 @@ TEST_CASE("a magnet on a body is drawn as it draws", "[dynamics][fields]") {
     const BodyId iron = disc(world, {0, 0}, {0, 0}, 1), magnet = disc(world, {3, 0}, {0, 0}, 2);
     world.addField({.law = Magnet{magnet, {.strength = 5, .power = 2}}});
     run(world, 0.9);
-    const Vec2 p = world.body(iron).mass() * world.body(iron).velocity() + world.body(magnet).mass() * world.body(magnet).velocity();
+    const Vec2 p = world.body(iron).mass() * world.body(iron).velocity() +
+                   world.body(magnet).mass() * world.body(magnet).velocity();
     CHECK(world.body(iron).velocity().x() > 0.3);
     CHECK(p.norm() < 1e-13);
     const EnergyLedger& e = world.ledger().energy;

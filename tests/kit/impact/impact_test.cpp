@@ -116,7 +116,8 @@ void Audit::hold(const ImpactSide& a, const ImpactSide& b, const Vec2& normal, c
 
 }  // namespace
 
-TEST_CASE("2 kg at 3 m/s and 1 kg at -1 m/s part at 1/3 and 13/3 m/s, or at e = 0.5 at 1 and 3", "[impact][law]") {
+TEST_CASE("2 kg at 3 m/s and 1 kg at -1 m/s part at 1/3 and 13/3 m/s, or at e = 0.5 at 1 and 3",
+          "[impact][facts][law]") {
     const ImpactSide a{.velocity = {3, 0}, .inverseMass = 0.5};
     const ImpactSide b{.velocity = {-1, 0}, .inverseMass = 1};
     const ImpactResult elastic = plumb::impact(a, b, {1, 0}, {.restitution = 1});
@@ -131,7 +132,7 @@ TEST_CASE("2 kg at 3 m/s and 1 kg at -1 m/s part at 1/3 and 13/3 m/s, or at e = 
     CHECK(near(none.velocityB, {5.0 / 3, 0}, 1e-15));
 }
 
-TEST_CASE("equal discs that meet 30 degrees off the line part as the lecture says", "[impact][law]") {
+TEST_CASE("equal discs that meet 30 degrees off the line part as the lecture says", "[impact][facts][law]") {
     const ImpactSide a{.velocity = {1, 0}, .inverseMass = 1};
     const ImpactSide b{.inverseMass = 1};
     const Vec2 normal(std::sqrt(3.0) / 2, 0.5);
@@ -143,7 +144,7 @@ TEST_CASE("equal discs that meet 30 degrees off the line part as the lecture say
     CHECK(near(lossy.velocityB, {0.675, 0.3897114317}, digits));
 }
 
-TEST_CASE("a disc thrown at the floor rolls off at friction 0.5, and slips at 0.2", "[impact][law]") {
+TEST_CASE("a disc thrown at the floor rolls off at friction 0.5, and slips at 0.2", "[impact][facts][law]") {
     const ImpactResult rolls =
         plumb::impact(floorSide, discOnFloor({4, -3}), {0, 1}, {.restitution = 0.5, .friction = 0.5});
     CHECK(rolls.sticks);
@@ -157,7 +158,7 @@ TEST_CASE("a disc thrown at the floor rolls off at friction 0.5, and slips at 0.
     CHECK(near(slips.angularVelocityB, -3.6, digits));
 }
 
-TEST_CASE("the friction at which the thrown disc ceases to slip is 8/27", "[impact][law]") {
+TEST_CASE("the friction at which the thrown disc ceases to slip is 8/27", "[impact][facts][law]") {
     const auto sticks = [](double friction) {
         return plumb::impact(floorSide, discOnFloor({4, -3}), {0, 1}, {.restitution = 0.5, .friction = friction})
             .sticks;
@@ -166,7 +167,7 @@ TEST_CASE("the friction at which the thrown disc ceases to slip is 8/27", "[impa
     CHECK(sticks(8.0 / 27 + 1e-12));
 }
 
-TEST_CASE("two equal discs that graze stick by a tangential mass of a sixth of one", "[impact][law]") {
+TEST_CASE("two equal discs that graze stick by a tangential mass of a sixth of one", "[impact][facts][law]") {
     // Discs of 3 kg and 0.5 m, side by side; slip 2 m/s.
     const double inverseInertia = 1 / (0.5 * 3 * 0.25);
     const ImpactSide a{.velocity = {1, 2}, .inverseMass = 1.0 / 3, .inverseInertia = inverseInertia, .arm = {0.5, 0}};

@@ -52,7 +52,7 @@ double decayed(const Step& stepOnce, double h) {
 
 }  // namespace
 
-// FACTS.md section 4, table: energy after 1000 steps at z = 0.1; the digits given there.
+// Worked numbers of the integrators, table: energy after 1000 steps at z = 0.1; the digits given there.
 TEST_CASE("the energy of an oscillator after 1,000 steps of z = 0.1", "[integrate][facts]") {
     CHECK(std::fabs(energiesAfter(Method::ExplicitEuler, 0.1, 1000).last - 20959.155638) < 5e-7);
     CHECK(std::fabs(energiesAfter(Method::Midpoint, 0.1, 1000).last - 1.0253148001) < 5e-11);
@@ -83,7 +83,7 @@ TEST_CASE("an oscillator's energy grows by 1 + z^2, 1 + z^4 / 4, 1 - z^6 / 72 + 
     }
 }
 
-// FACTS.md section 4: fall 1 s, h = 0.1, and the table's free-fall errors -a h t / 2, +a h t / 2, 0.
+// Worked numbers of the integrators: fall 1 s, h = 0.1, and the table's free-fall errors -a h t / 2, +a h t / 2, 0.
 TEST_CASE("1 s of free fall in steps of 0.1 s ends at -4.4145, -5.3955 and, four times, at -4.905 m",
           "[integrate][facts]") {
     const auto gravity = [](double, const Number&, const Number&) -> Number { return Number(-9.81); };
@@ -99,7 +99,7 @@ TEST_CASE("1 s of free fall in steps of 0.1 s ends at -4.4145, -5.3955 and, four
     }
 }
 
-// FACTS.md section 4: measured global slopes at t = 10, N = 500 to 2000.
+// Worked numbers of the integrators: measured global slopes at t = 10, N = 500 to 2000.
 TEST_CASE("halving the step divides the error by 2 to the power of the order", "[integrate][facts]") {
     CHECK(std::fabs(slopeOf(Method::ExplicitEuler, 500, 1000) - 1.04) < 5e-3);
     CHECK(std::fabs(slopeOf(Method::ExplicitEuler, 1000, 2000) - 1.02) < 5e-3);
@@ -131,7 +131,7 @@ TEST_CASE("an oscillator is stable just below the limits 2, 2, 2 sqrt(2) and 0.9
     }
 }
 
-// FACTS.md section 4: decay limits |h L|: Euler and RK2 2, RK4 2.785.
+// Worked numbers of the integrators: decay limits |h L|: Euler and RK2 2, RK4 2.785.
 TEST_CASE("a decay is stable up to h L = 2, 2 and 2.785", "[integrate][facts]") {
     const auto euler = [](const auto& f, const Number& y, double h) { return plumb::explicitEulerStep(f, 0, y, h); };
     const auto midpoint = [](const auto& f, const Number& y, double h) { return plumb::midpointStep(f, 0, y, h); };

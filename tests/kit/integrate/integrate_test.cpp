@@ -103,8 +103,8 @@ TEST_CASE("what is below zero for 0.02 s only is found with a longest step of 0.
     CHECK(std::fabs(found.time - std::acos(-0.99995)) < 1e-6);  // the slope there is 0.01: 1e-9 over it, ten times
 }
 
-// FACTS.md section 3: c = 0.005, up 50: t_up, H, speed of return, t_down. All by integration; the tolerance is
-// 1e-12.
+// Worked numbers of the firing solution: c = 0.005, up 50: t_up, H, speed of return, t_down. All by integration; the
+// tolerance is 1e-12.
 TEST_CASE(
     "50 m/s up against quadratic drag of 0.005 rises 82.163273487 m in 3.8191317573 s and returns at 33.155434439",
     "[integrate][facts]") {
@@ -120,7 +120,7 @@ TEST_CASE(
     CHECK(std::fabs(down.time - top.time - 4.3779184523) < 1e-10);
 }
 
-// FACTS.md section 3: k = 0.2, 45 degrees, v = 20: T, R and the apex.
+// Worked numbers of the firing solution: k = 0.2, 45 degrees, v = 20: T, R and the apex.
 TEST_CASE("20 m/s at 45 degrees against linear drag of 0.2 comes down after 2.6501815833 s at 29.091533064 m",
           "[integrate][facts]") {
     const auto drag = [](double, const Vector4& y) -> Vector4 { return {y[2], y[3], -0.2 * y[2], -9.81 - 0.2 * y[3]}; };

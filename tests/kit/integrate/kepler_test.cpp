@@ -53,7 +53,7 @@ Eigen::Vector4d planetSlope(double, const Eigen::Vector4d& y) {
 
 }  // namespace
 
-// FACTS.md section 4: Kepler e = 0.5, 1000 steps/orbit, 10 orbits, worst dE/E, to the digits given.
+// Worked numbers of the integrators: Kepler e = 0.5, 1000 steps/orbit, 10 orbits, worst dE/E, to the digits given.
 TEST_CASE("ten Kepler orbits of 1,000 steps: energy off by 0.58, 9.1e-3, 1.07e-4, 1.27e-4 and 4.6e-9",
           "[integrate][facts]") {
     CHECK(std::fabs(tenOrbits(Method::ExplicitEuler, 1000).energyError - 0.58) < 5e-3);
@@ -64,8 +64,8 @@ TEST_CASE("ten Kepler orbits of 1,000 steps: energy off by 0.58, 9.1e-3, 1.07e-4
     CHECK(tenOrbits(Method::DormandPrince, 1000).energyError < 1e-10);
 }
 
-// FACTS.md section 4 has 4e-15 for the symplectic pair. It is all rounding, so it depends on the order of
-// operations: a walk of 40,000 roundings of 1e-16 is 2e-14.
+// The integrators' worked numbers have 4e-15 for the symplectic pair. It is all rounding, so it depends on the order
+// of operations: a walk of 40,000 roundings of 1e-16 is 2e-14.
 TEST_CASE("only the symplectic pair keeps angular momentum over ten Kepler orbits", "[integrate][facts]") {
     for (const Method method : methods) {
         const double error = tenOrbits(method, 1000).momentumError;
@@ -76,8 +76,8 @@ TEST_CASE("only the symplectic pair keeps angular momentum over ten Kepler orbit
     }
 }
 
-// FACTS.md section 4: "Trap: sampled at whole orbits semi-implicit shows slope 2", for its error of first order
-// swings and is nothing there.
+// Worked numbers of the integrators: "Trap: sampled at whole orbits semi-implicit shows slope 2", for its error of
+// first order swings and is nothing there.
 TEST_CASE("seen all along the orbit semi-implicit Euler is of order 1, seen at whole orbits it seems of order 2",
           "[integrate][facts]") {
     const auto slope = [](double fewer, double more) { return std::log2(fewer / more); };

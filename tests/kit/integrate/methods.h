@@ -9,7 +9,7 @@
 
 namespace plumb::test {
 
-/// In the order of FACTS.md section 4's table.
+/// In the order of the lecture's table.
 enum class Method { ExplicitEuler, SemiImplicitEuler, VelocityVerlet, Midpoint, RungeKutta4, DormandPrince };
 constexpr std::array<Method, 6> methods = {Method::ExplicitEuler, Method::SemiImplicitEuler, Method::VelocityVerlet,
                                            Method::Midpoint,      Method::RungeKutta4,       Method::DormandPrince};

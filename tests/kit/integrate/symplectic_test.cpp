@@ -36,7 +36,7 @@ double dampedError(Method method, double z, int steps) {
 
 }  // namespace
 
-// FACTS.md section 4, invariants. 100,000 steps round by some 1e-16 each.
+// Worked numbers of the integrators, invariants. 100,000 steps round by some 1e-16 each.
 TEST_CASE("semi-implicit Euler and velocity Verlet keep their shadow of the energy", "[integrate][facts]") {
     const double w2 = 4;
     const auto pull = [&](double, const Number& x, const Number&) -> Number { return -w2 * x; };
@@ -60,7 +60,7 @@ TEST_CASE("semi-implicit Euler and velocity Verlet keep their shadow of the ener
     }
 }
 
-// FACTS.md section 4: z = h w < 2.
+// Worked numbers of the integrators: z = h w < 2.
 TEST_CASE("semi-implicit springs hold below k / m = 14400 at 60 Hz and below 10000 at 0.02 s", "[integrate][facts]") {
     CHECK(springReach(14'390, 1.0 / 60) < 100);
     CHECK(springReach(14'410, 1.0 / 60) > 1e10);

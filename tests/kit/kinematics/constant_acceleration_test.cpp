@@ -183,7 +183,7 @@ TEST_CASE("whether a throw reaches a height is decided to the last bit: 10 m/s a
     CHECK(apex.motions[0].endVelocity == 0);
 }
 
-// FACTS.md section 7, slide 7: thrown up at 10 m/s, a ball rises 5 m where g is 10; section 3: apex = v_y^2 / 2g.
+// The lecture, slide 7: thrown up at 10 m/s, a ball rises 5 m where g is 10; section 3: apex = v_y^2 / 2g.
 TEST_CASE("a ball thrown up at 10 m/s rises 5 m at g = 10; at 45 degrees and 20 m/s 10.193679918 m at 9.81",
           "[kinematics][facts]") {
     const MotionSolutions toss = solveMotion({.startVelocity = 10, .endVelocity = 0, .acceleration = -10});
@@ -199,7 +199,7 @@ TEST_CASE("a ball thrown up at 10 m/s rises 5 m at g = 10; at 45 degrees and 20 
     CHECK(std::fabs(back.motions[1].time - 2.8832080782) < 5e-11);  // the same section, "v=20 exact limit"
 }
 
-// FACTS.md section 4: 1 s of free fall, the exact step: -4.905.
+// Worked numbers of the integrators: 1 s of free fall, the exact step: -4.905.
 TEST_CASE("ten steps of 0.1 s of free fall end at -4.905 m", "[kinematics][facts]") {
     plumb::PointMotion ball;
     for (int i = 0; i < 10; ++i) ball = plumb::moveAccelerated(ball, {0, -9.81}, 0.1);
@@ -279,7 +279,8 @@ TEST_CASE("a motion in the plane is that of its axes", "[kinematics]") {
     const plumb::PlaneMotionSolution shot = plumb::solveMotion(
         plumb::KnownPlaneMotion{.displacement = Vec2(30, 5), .acceleration = Vec2(0, -9.81), .time = 2});
     REQUIRE(shot.motion);
-    CHECK((shot.motion->startVelocity - Vec2(15, 12.31)).norm() < 1e-14);  // FACTS.md section 3, "t=2 to d"
+    CHECK((shot.motion->startVelocity - Vec2(15, 12.31)).norm() <
+          1e-14);  // Worked numbers of the firing solution, "t=2 to d"
     CHECK((shot.motion->endVelocity - Vec2(15, 12.31 - 2 * 9.81)).norm() < 1e-14);
     const plumb::PlaneMotionSolution open =
         plumb::solveMotion(plumb::KnownPlaneMotion{.startVelocity = Vec2(1, 2), .endVelocity = Vec2(1, 2)});

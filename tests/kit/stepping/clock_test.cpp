@@ -23,7 +23,7 @@ constexpr std::array<int, 6> displayRates = {24, 25, 60, 75, 144, 240};
 
 }  // namespace
 
-// FACTS.md sections 3 (the lecture's defect 9) and 7, slides 10-11.
+// The lecture, slides 9 to 11.
 TEST_CASE("0.02 s is due 150 times in exactly 3 s at 24, 25, 60, 75, 144 and 240 Hz", "[stepping][rates][facts]") {
     for (const int rate : displayRates) {
         FixedClock clock({.interval = 0.02});

@@ -10,8 +10,8 @@ struct ValueAndSlope {
 };
 
 /// To the last places. f(x) gives value and slope and has another sign at low than at high, of which lowIsPositive
-/// tells the one; 0 < low < high. Newton's method, and where it leaves the bracket or is slow, halves of the bracket's
-/// exponents: so it ends, for any f, in time. Source: Press et al., "Numerical Recipes", 9.4, rtsafe.
+/// tells the one; 0 < low < high. Newton's method, and where it leaves the bracket or is slow, halves of the
+/// bracket's exponents: so it ends, for any f, in time. Source: Press et al., "Numerical Recipes", 9.4, rtsafe.
 template <typename Function>
 double rootBetween(double low, double high, bool lowIsPositive, const Function& f) {
     double last = high - low;

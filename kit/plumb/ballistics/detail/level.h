@@ -8,10 +8,13 @@
 
 namespace plumb::detail {
 
+/// A target no further away is at the muzzle: times to it could not be told from 0.
+inline constexpr double muzzle = 1e-200;
+
 /// As Vec2::norm, to the last place for tiny vectors as well.
 inline double lengthOf(const Vec2& v) {
     const double square = v.squaredNorm();
-    if (square > 1e-280) return std::sqrt(square);
+    if (!(square <= 1e-280)) return std::sqrt(square);
     const double larger = std::max(std::fabs(v.x()), std::fabs(v.y()));
     if (!(larger > 0)) return 0;
     const double x = v.x() / larger, y = v.y() / larger;

@@ -71,8 +71,21 @@ public:
     /// A width over which W grows by little, and that is not far beyond where the path would cross without drag.
     double panelAt(double bend) const {
         const At now = at(bend);
-        const double smooth = 1.5 / (strength_ * now.cosh * now.rate());
-        return std::min({1.0, smooth, std::max(2.5 * steeper_ / secant_, bend)});
+        const double smooth = 0.5 / (strength_ * now.cosh * now.rate());
+        return std::min({0.8, smooth, std::max(2.5 * steeper_ / secant_, bend)});
+    }
+
+    /// Does it fall straight down from here on, at the terminal speed, to rounding?
+    bool fallsStraight(double bend) const {
+        if (bend < 40) return false;
+        const At now = at(bend);
+        return now.steeper - steeper_ + launch_ < 0 && std::fabs(0.5 * strength_ * now.cosh * now.rate() - 1) < 1e-12;
+    }
+
+    Crossing crossingBelow(const Sums& sums) const {
+        const double change = 2 * launch_ + strength_ * secant_;
+        return {sums.across, 1 / square_ + change * sums.acrossChange,
+                sums.time + sums.above * std::sqrt(0.5 * strength_)};
     }
 
     Crossing crossingAt(double bend, const Sums& sums) const {
@@ -131,20 +144,23 @@ struct Bracket {
     Sums before, after;
 };
 
-bool bracketCrossing(const Path& path, Bracket& bracket) {
+enum class Found { Crossing, StraightFall, Nothing };
+
+Found bracketCrossing(const Path& path, Bracket& bracket) {
     constexpr int mostPanels = 1000;
     for (int panels = 0; panels < mostPanels; ++panels) {
         bracket.from = bracket.to;
         bracket.before = bracket.after;
         bracket.to += path.panelAt(bracket.from);
         path.add(bracket.after, bracket.from, bracket.to);
-        if (!(bracket.after.above > 0)) return bracket.to > bracket.from;
+        if (!(bracket.after.above > 0)) return bracket.to > bracket.from ? Found::Crossing : Found::Nothing;
+        if (path.fallsStraight(bracket.to)) return Found::StraightFall;
     }
-    return false;
+    return Found::Nothing;
 }
 
-/// Back from the bracket's far end, first to where the parabola through both ends crosses, with the slope at the far
-/// one.
+/// Back from the bracket's far end, first to where the parabola through both ends crosses, with the slope at the
+/// far one.
 double firstStep(const Path& path, const Bracket& bracket) {
     const Path::At end = path.at(bracket.to);
     const double width = bracket.to - bracket.from;
@@ -159,7 +175,9 @@ double firstStep(const Path& path, const Bracket& bracket) {
 std::optional<Crossing> crossingOf(double line, double steeper, double strength) {
     const Path path(line, steeper, strength);
     Bracket bracket;
-    if (!bracketCrossing(path, bracket)) return std::nullopt;
+    const Found found = bracketCrossing(path, bracket);
+    if (found == Found::Nothing) return std::nullopt;
+    if (found == Found::StraightFall) return path.crossingBelow(bracket.after);
     Sums sums = bracket.after;
     double bend = bracket.to;
     double step = firstStep(path, bracket);

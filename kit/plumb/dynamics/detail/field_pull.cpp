@@ -6,7 +6,7 @@
 
 #include <plumb/collide/distance.h>
 #include <plumb/dynamics/detail/islands.h>
-#include <plumb/dynamics/detail/outline.h>
+#include <plumb/dynamics/detail/placed_outline.h>
 #include <plumb/dynamics/detail/quarantine.h>
 
 namespace plumb {
@@ -66,7 +66,7 @@ void forEachSubmerged(const WorldState& world, BodyIndex body, const BodyMotion&
     const BodyRecord& record = world.bodies.record[body];
     for (const ProxyId proxy : record.proxies) {
         const ShapeDef& def = world.space[proxy].def;
-        const Outline outline = outlineOf(def.shape, record, motion);
+        const PlacedOutline outline = placedOutline(def.shape, record, motion);
         if (def.sensor || !outline.hasArea) continue;
         const Submerged part = submergedPart(outline.corners, outline.radius, fluid);
         if (part.area > 0) visit(part);

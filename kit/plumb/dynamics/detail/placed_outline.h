@@ -8,13 +8,13 @@
 
 namespace plumb {
 
-struct Outline {
+struct PlacedOutline {
     std::vector<Vec2> corners;  ///< in the world [m]
     double radius = 0;          ///< the outline lies that far outside of them [m]
     bool hasArea = false;
 };
 
 /// Of a shape on a body that is there.
-Outline outlineOf(const Shape& shape, const BodyRecord& body, const BodyMotion& there);
+PlacedOutline placedOutline(const Shape& shape, const BodyRecord& body, const BodyMotion& there);
 
 }  // namespace plumb

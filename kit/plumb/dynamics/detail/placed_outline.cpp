@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/detail/outline.h>
+#include <plumb/dynamics/detail/placed_outline.h>
 
 namespace plumb {
 
 namespace {
 
-Outline localOutline(const Circle& circle) {
+PlacedOutline localOutline(const Circle& circle) {
     return {{circle.center}, circle.radius, true};
 }
-Outline localOutline(const Capsule& capsule) {
+PlacedOutline localOutline(const Capsule& capsule) {
     return {{capsule.start, capsule.end}, capsule.radius, true};
 }
-Outline localOutline(const Polygon& polygon) {
+PlacedOutline localOutline(const Polygon& polygon) {
     return {polygon.vertices, polygon.radius, true};
 }
-Outline localOutline(const Segment& segment) {
+PlacedOutline localOutline(const Segment& segment) {
     return {{segment.start, segment.end}, 0, false};
 }
-Outline localOutline(const Chain& chain) {
+PlacedOutline localOutline(const Chain& chain) {
     return {chain.points, 0, false};
 }
 
 }  // namespace
 
-Outline outlineOf(const Shape& shape, const BodyRecord& body, const BodyMotion& there) {
-    Outline outline = std::visit([](const auto& s) { return localOutline(s); }, shape);
+PlacedOutline placedOutline(const Shape& shape, const BodyRecord& body, const BodyMotion& there) {
+    PlacedOutline outline = std::visit([](const auto& s) { return localOutline(s); }, shape);
     for (Vec2& corner : outline.corners) corner = there.center + there.rotation * Vec2(corner - body.localCenter);
     return outline;
 }

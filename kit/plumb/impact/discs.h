@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// How do two discs part that touch, and one that touches a wall, with spin and friction?
+#pragma once
+#include <plumb/impact/impact.h>
+
+namespace plumb {
+
+struct Disc {
+    Vec2 position{0, 0};         ///< of its centre [m]
+    double radius = 0.5;         ///< > 0 [m]
+    double mass = 1;             ///< > 0; infinite: it does not give way, nor turn [kg]
+    double inertiaRatio = 0.5;   ///< k = I / (m r^2): 1/2 for a full disc, 1 for a ring, 2/5 for a ball, > 0 [-]
+    Vec2 velocity{0, 0};         ///< [m/s]
+    double angularVelocity = 0;  ///< [rad/s]
+};
+
+/// impact() at the point where they touch, along the line of their centres; they are taken to touch. Two whose centres
+/// are at one place have no such line: nothing changes. Where the slip between them ends, the impulse along it is
+/// slip times m k / (2 (1 + k)) for two alike: a sixth of the mass for full discs.
+/// Throws std::invalid_argument as impact() does, and on a radius, mass or inertia ratio that is not positive.
+/// Tests: "equal discs that meet 30 degrees off the line part as the lecture says", "two alike discs that graze pass on
+/// slip by a sixth of their mass"
+ImpactResult collideDiscs(const Disc& a, const Disc& b, const ImpactLaw& law);
+
+struct ImpactWall {
+    Vec2 normal{0, 1};    ///< a unit vector out of the wall [-]
+    Vec2 velocity{0, 0};  ///< of its surface, as of a lift or a belt [m/s]
+};
+
+/// impact() of a wall, which is A, and a disc, which is B, where the disc touches it. For a wall at rest, with s the
+/// slip at the point and jn = (1 + e) m |vn| the impulse along the normal:
+///   it ends with an impulse of m s k / (1 + k), a third of m s for a disc, 2/7 for a ball, where that is at most f jn;
+///   else it is f jn against the slip.
+/// Source: Routh, "Dynamics of a System of Rigid Bodies", part 1, 1905, ch. 5; Brach, "Mechanical Impact Dynamics",
+/// 1991. Test: "a disc thrown at the floor rolls off at friction 0.5, and slips at 0.2"
+ImpactResult collideWithWall(const Disc& disc, const ImpactWall& wall, const ImpactLaw& law);
+
+}  // namespace plumb

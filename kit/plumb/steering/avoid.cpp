@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/steering/avoid.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <plumb/math/check.h>
+#include <plumb/steering/detail/vectors.h>
+
+namespace plumb {
+namespace {
+
+/// How far off a centre one has to turn to pass it at a distance.
+double turningDistance(const Agent& agent, double distance) {
+    const double turn = agent.maxSpeed * agent.maxSpeed / (agent.maxAcceleration / 2);
+    return std::sqrt(distance * distance + 2 * distance * turn) + 2 * agent.maxSpeed * agent.responseTime;
+}
+
+/// The direction from the origin that touches a circle around d, B in radius, on the side of heading.
+Vec2 tangentTo(const Vec2& d, double b, const Vec2& heading) {
+    const double squared = d.squaredNorm();
+    const double along = std::sqrt(std::max(0.0, squared - b * b));
+    const double side = cross(d, heading) >= 0 ? 1 : -1;
+    return (along * d + side * b * perp(d)) / squared;
+}
+
+Vec2 nearestOn(const WallSegment& wall, const Vec2& p) {
+    const Vec2 along = wall.end - wall.start;
+    const double squared = along.squaredNorm();
+    if (squared == 0) return wall.start;
+    return wall.start + std::clamp((p - wall.start).dot(along) / squared, 0.0, 1.0) * along;
+}
+
+}  // namespace
+
+Vec2 avoidObstacles(const Agent& agent, std::span<const RoundObstacle> obstacles, double clearance) {
+    validate(agent);
+    requireNotNegative(clearance, "avoidObstacles: clearance");
+    const Vec2 heading = headingOf(agent);
+    double first = std::numeric_limits<double>::infinity();
+    Vec2 wanted(0, 0);
+    for (const RoundObstacle& obstacle : obstacles) {
+        requireFinite(obstacle.center, "RoundObstacle", ".center");
+        requireNotNegative(obstacle.radius, "RoundObstacle", ".radius");
+        const Vec2 d = obstacle.center - agent.position;
+        const double distance = d.norm(), b = agent.radius + obstacle.radius + clearance;
+        if (distance >= turningDistance(agent, b)) continue;
+        const double along = d.dot(heading), across = std::fabs(cross(heading, d));
+        if (distance > b && (along <= 0 || across >= b)) continue;
+        const double reached = distance > b ? along - std::sqrt(b * b - across * across) : distance - b;
+        if (reached >= first) continue;
+        first = reached;
+        wanted = distance > b ? tangentTo(d, b, heading) : Vec2(-detail::directionOf(d));
+    }
+    return wanted.isZero(0) ? Vec2(0, 0) : steerTo(agent, agent.maxSpeed * wanted);
+}
+
+Vec2 avoidWalls(const Agent& agent, std::span<const WallSegment> walls, double clearance) {
+    validate(agent);
+    requireNotNegative(clearance, "avoidWalls: clearance");
+    Vec2 wanted = agent.velocity, away(0, 0);
+    bool blocked = false;
+    for (const WallSegment& wall : walls) {
+        requireFinite(wall.start, "WallSegment", ".start");
+        requireFinite(wall.end, "WallSegment", ".end");
+        const Vec2 off = agent.position - nearestOn(wall, agent.position);
+        const Vec2 normal = detail::directionOf(off);
+        const double room = off.norm() - agent.radius - clearance;
+        const double towards = -agent.velocity.dot(normal);
+        const double needed = towards * towards / agent.maxAcceleration + 2 * towards * agent.responseTime;
+        if (room > 0 && (towards <= 0 || room >= needed)) continue;
+        blocked = true;
+        wanted += std::max(0.0, -wanted.dot(normal)) * normal;
+        away += (room > 0 ? 0 : 1) * normal;
+    }
+    if (!blocked) return {0, 0};
+    return steerTo(agent, detail::limited(wanted + agent.maxSpeed * away, agent.maxSpeed));
+}
+
+}  // namespace plumb

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/steering/flock.h>
+
+#include <plumb/math/check.h>
+#include <plumb/math/trig.h>
+#include <plumb/steering/detail/vectors.h>
+#include <plumb/steering/seek.h>
+
+namespace plumb {
+namespace {
+
+/// Who is a neighbour.
+class Sight {
+public:
+    Sight(const Agent& agent, const Neighborhood& neighborhood) : agent_(agent), radius_(neighborhood.radius) {
+        validate(agent);
+        requirePositive(neighborhood.radius, "Neighborhood", ".radius");
+        requireWithin(neighborhood.view, 0, std::numbers::pi, "Neighborhood", ".view");
+        leastCosine_ = sinCos(neighborhood.view).cos;
+        all_ = neighborhood.view == std::numbers::pi;
+        heading_ = headingOf(agent);
+    }
+
+    bool sees(const Seen& other) const {
+        const Vec2 d = other.position - agent_.position;
+        const double distance = d.norm();
+        if (!(distance > 0) || distance >= radius_) return false;
+        return all_ || d.dot(heading_) >= leastCosine_ * distance;
+    }
+
+private:
+    const Agent& agent_;
+    double radius_;
+    double leastCosine_ = -1;
+    bool all_ = true;
+    Vec2 heading_{1, 0};
+};
+
+}  // namespace
+
+Vec2 separate(const Agent& agent, std::span<const Seen> others, const Neighborhood& neighborhood) {
+    const Sight sight(agent, neighborhood);
+    Vec2 push(0, 0);
+    for (const Seen& other : others) {
+        if (!sight.sees(other)) continue;
+        const Vec2 away = agent.position - other.position;
+        const double distance = away.norm();
+        push += (1 - distance / neighborhood.radius) / distance * away;
+    }
+    return detail::limited(agent.maxAcceleration * push, agent.maxAcceleration);
+}
+
+Vec2 align(const Agent& agent, std::span<const Seen> others, const Neighborhood& neighborhood) {
+    const Sight sight(agent, neighborhood);
+    Vec2 sum(0, 0);
+    int count = 0;
+    for (const Seen& other : others)
+        if (sight.sees(other)) sum += other.velocity, ++count;
+    return count > 0 ? steerTo(agent, sum / count) : Vec2(0, 0);
+}
+
+Vec2 cohere(const Agent& agent, std::span<const Seen> others, const Neighborhood& neighborhood) {
+    const Sight sight(agent, neighborhood);
+    Vec2 sum(0, 0);
+    int count = 0;
+    for (const Seen& other : others)
+        if (sight.sees(other)) sum += other.position - agent.position, ++count;
+    return count > 0 ? arrive(agent, agent.position + sum / count) : Vec2(0, 0);
+}
+
+}  // namespace plumb

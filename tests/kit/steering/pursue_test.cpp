@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/steering/pursue.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include <plumb/steering/seek.h>
+
+#include "cases.h"
+#include "catch.h"
+#include "kit/steering/agents.h"
+
+using namespace plumb;
+using namespace agents;
+
+namespace {
+
+constexpr double never = 1e9;
+
+/// When the agent is within 0.3 m of what moves straight on [s].
+template <typename Behaviour>
+double caughtAfter(Agent agent, Seen quarry, double mostTime, const Behaviour& behaviour) {
+    for (int i = 0; i * dt < mostTime; ++i) {
+        if ((agent.position - quarry.position).norm() < 0.3) return i * dt;
+        agent = moved(agent, behaviour(agent, quarry), dt);
+        quarry.position += quarry.velocity * dt;
+    }
+    return never;
+}
+
+double nearestPass(Agent agent, Seen threat, bool evades) {
+    double least = never;
+    for (int i = 0; i < 8 * 60; ++i) {
+        agent = moved(agent, evades ? evade(agent, threat) : flee(agent, threat.position), dt);
+        threat.position += threat.velocity * dt;
+        least = std::min(least, (agent.position - threat.position).norm());
+    }
+    return least;
+}
+
+}  // namespace
+
+TEST_CASE("who pursues catches no later than who seeks in 20,000 chases, and a tenth sooner in the mean",
+          "[steering]") {
+    Random random(83);
+    int chases = 0, onlyPursued = 0, later = 0;
+    double saved = 0, most = 0;
+    for (int i = 0; i < test::cases(20'000); ++i) {
+        Agent agent = randomAgent(random);
+        agent.velocity = {0, 0};
+        agent.maxAcceleration = agent.maxSpeed / random.uniform(0.1, 1);  // it stops within a second
+        const Seen quarry{agent.position + random.uniform(3, 20) * randomDirection(random),
+                          random.uniform(0.3, 0.9) * agent.maxSpeed * randomDirection(random)};
+        const double time = 200;
+        const double pursued =
+            caughtAfter(agent, quarry, time, [](const Agent& a, const Seen& q) { return pursue(a, q, 100); });
+        const double sought =
+            caughtAfter(agent, quarry, time, [](const Agent& a, const Seen& q) { return seek(a, q.position); });
+        ++chases;
+        onlyPursued += pursued < never && sought == never;
+        if (pursued == never || sought == never) continue;
+        later += pursued > sought;
+        saved += (sought - pursued) / sought;
+        most = std::max(most, pursued - sought);
+    }
+    std::cout << "steering: of " << chases << " chases " << onlyPursued << " were won by pursuit only; it saves "
+              << 100 * saved / chases << " % of the time in the mean, and is later by at most " << most << " s\n";
+    CHECK(later == 0);
+    CHECK(saved / chases > 0.1);
+}
+
+TEST_CASE("a quarry that would get away through a door is caught by pursuit, and not by seeking", "[steering]") {
+    // 5 m from the middle of the floor to the door; the hunter stands 6 m aside of the way, as fast as the quarry.
+    const Agent hunter{.position = {3, 4}, .maxSpeed = 3, .maxAcceleration = 30};
+    const Seen quarry{{0, 0}, {2.4, 0}};
+    const double door = 5 / 2.4;
+    CHECK(caughtAfter(hunter, quarry, door, [](const Agent& a, const Seen& q) { return pursue(a, q); }) < door);
+    CHECK(caughtAfter(hunter, quarry, door, [](const Agent& a, const Seen& q) { return seek(a, q.position); }) ==
+          never);
+}
+
+TEST_CASE("who evades 20,000 stampedes is missed by a metre, who flees is not", "[steering]") {
+    Random random(84);
+    int evaded = 0, fled = 0;
+    const int stampedes = test::cases(20'000);
+    for (int i = 0; i < stampedes; ++i) {
+        Agent agent = randomAgent(random);
+        agent.velocity = {0, 0};
+        const Vec2 from = randomDirection(random);
+        // Twice as fast, straight at a place near the agent.
+        const Vec2 aim = agent.position + randomVec2(random, 0.1);
+        const Seen threat{aim + 8 * agent.maxSpeed * from, -2 * agent.maxSpeed * from};
+        evaded += nearestPass(agent, threat, true) > 1;
+        fled += nearestPass(agent, threat, false) > 1;
+    }
+    std::cout << "steering: of " << stampedes << " stampedes " << evaded << " missed who evades by a metre, " << fled
+              << " who flees\n";
+    CHECK(evaded == stampedes);
+    CHECK(fled < 0.5 * stampedes);
+}
+
+TEST_CASE("pursuit aims where a straight course meets: 4 s away for 3 m/s beside 5 m/s", "[steering]") {
+    // 16 m off to the side of its way: it goes 12 m in 4 s, and the hunter 20 m.
+    const Agent hunter{.maxSpeed = 5, .maxAcceleration = 1e6, .responseTime = 1};
+    const Vec2 wanted = pursue(hunter, {{16, 0}, {0, 3}});
+    CHECK((wanted - Vec2(4, 3)).norm() < 1e-14);
+    // What flies away faster is sought where it is at most ahead.
+    CHECK((pursue(hunter, {{1, 0}, {9, 0}}, 2) - Vec2(5, 0)).norm() < 1e-14);
+    CHECK(pursue(hunter, {{0, 0}, {0, 3}}).norm() == 0);
+    CHECK(evade(hunter, {{0, 0}, {0, 0}}).allFinite());
+}
+
+TEST_CASE("looking back in time is refused by name", "[steering][errors]") {
+    CHECK_THROWS_WITH(pursue({}, {}, -1), "pursue: mostAhead: -1 is negative");
+    CHECK_THROWS_WITH(evade({}, {}, std::nan("")), "evade: mostAhead: nan is not finite");
+}
