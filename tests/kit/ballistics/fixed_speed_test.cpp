@@ -178,7 +178,7 @@ TEST_CASE("straight up and straight down, at rest and at the muzzle, there is an
 }
 
 // The lecture's pseudo-code, slide 16: t^2 = (-b -+ S) / (2 a) with a = g^2, b = -4 B, c = 4 D^2.
-// Worked numbers of the firing solution, lecture defects 1, 5 and 6.
+// Worked numbers of the firing solution, lecture defects 1, 2, 5 and 6.
 TEST_CASE("where the lecture's pseudo-code gives 178.83 s, 0 or 0 / 0, the shot is right", "[ballistics][facts]") {
     // 1: "/ 2 * a" divides by 2 and multiplies by a: times come out g^2 times as long.
     const std::vector<Shot> low = aim({.target = {30, 5}, .speed = 20});
@@ -186,6 +186,11 @@ TEST_CASE("where the lecture's pseudo-code gives 178.83 s, 0 or 0 / 0, the shot 
     const double root = std::sqrt(b * b - 4 * a * c);
     CHECK(std::fabs(std::sqrt((-b - root) / 2 * a) - 178.83) < 5e-3);
     CHECK(std::fabs(low[0].time - 1.8582692722) < 5e-11);
+    // 2: it returns (2 d - g t^2) / (2 v^2), where a direction is (2 d - g t^2) / (2 v t).
+    const double wrongTime = std::sqrt((-b - root) / 2 * a);
+    const Vec2 printed = (2 * Vec2(30, 5) + wrongTime * wrongTime * Vec2(0, 9.81)) / (2 * 20 * 20);
+    CHECK((printed - Vec2(0.075, 392.18)).norm() < 5e-3);
+    CHECK(std::fabs(degrees(printed) - 89.99) < 5e-3);
 
     // 5: in float, v = 1000 and x = 1, the minus root cancels to 0 where 0.001 s is due; in double at 1e8 m/s.
     const float fb = -4e6f, fa = 9.81f * 9.81f;
