@@ -15,9 +15,9 @@ struct Drag {
 };
 
 /// c = rho C A / 2 [kg/m]
-/// rho density of the air, 1.2 on the ground [kg/m^3], C drag coefficient, about 0.5 for a ball [-], A area seen from
-/// the front [m^2]; in two dimensions rho is a density per area [kg/m^2], and A a width [m].
-/// Throws std::invalid_argument on a number that is negative or not finite.
+/// rho density of the air, 1.2 on the ground [kg/m^3], C drag coefficient, about 0.5 for a ball [-], A area seen
+/// from the front [m^2]; in two dimensions rho is a density per area [kg/m^2], and A a width [m]. Throws
+/// std::invalid_argument on a number that is negative or not finite.
 double quadraticDrag(double density, double dragCoefficient, double area);
 
 /// Throws std::invalid_argument on a drag that is negative or not finite, as all of these.
@@ -31,8 +31,8 @@ double terminalSpeed(const Drag& drag, double force);
 
 /// Where drag alone brings a mass m > 0 [kg] within a time t >= 0 [s], exactly: u keeps its direction, and
 ///   u' = u e^(-a t) / (1 + b |u| E),  E = (1 - e^(-a t)) / a, or t where a = 0
-/// a = k / m [1/s], b = c / m [1/m]. Source: Bernoulli's equation, s' = -a s - b s^2. However long the time, it never
-/// turns back. Test: "drag's closed form is where 100,000 fine integrations come out"
+/// a = k / m [1/s], b = c / m [1/m]. Source: Bernoulli's equation, s' = -a s - b s^2. However long the time, it
+/// never turns back. Test: "drag's closed form is where 100,000 fine integrations come out"
 Vec2 velocityAfterDrag(const Drag& drag, double mass, const Vec2& velocity, double time);
 
 }  // namespace plumb

@@ -29,14 +29,14 @@ struct Blast {
 
 /// J = j w s away from the centre, at the nearest point [N s]
 /// s = 1 as far as d = R, then 1 - (d - R) / f, none from d = R + f on; d distance of the nearest point [m]
-/// A body around the centre is hit at its centre of mass, away from the explosion's; one whose centre of mass is just
-/// there is not pushed. Source: the law of Box2D 3.1's b2World_Explode; as an even blast meets a width.
-/// Throws std::invalid_argument on a radius, falloff or width that is negative or not finite, and on a strength that is
+/// A body around the centre is hit at its centre of mass, away from the explosion's; one whose centre of mass is
+/// just there is not pushed. Source: the law of b2World_Explode of Box2D 3. Throws
+/// std::invalid_argument on a radius, falloff or width that is negative or not finite, and on a strength that is
 /// not finite. Test: "a blast of 3 N s/m at half its falloff gives 2 m of width 3 N s"
 Blast blastOn(const Explosion& explosion, const BlastTarget& target);
 
-/// How wide points, each with a radius around it, are across a direction [m]: a polygon's corners and its rounding, a
-/// capsule's ends and its radius, a circle's centre and its radius. 0 for no points, or no direction.
+/// How wide points, each with a radius around it, are across a direction [m]: a polygon's corners and its
+/// rounding, a capsule's ends and its radius, a circle's centre and its radius. 0 for no points, or no direction.
 /// Throws std::invalid_argument on a radius that is negative or not finite.
 double widthAcross(std::span<const Vec2> points, double radius, const Vec2& direction);
 

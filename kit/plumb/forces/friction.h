@@ -5,8 +5,8 @@
 
 namespace plumb {
 
-/// Dry friction on the whole base of a thing, for games seen from above. Sliding and turning brake each for itself: a
-/// thing that does both is braked a little more than in truth.
+/// Dry friction on the whole base of a thing, for games seen from above. Sliding and turning brake each for
+/// itself: what does both is braked more than in truth.
 struct GroundFriction {
     double friction = 0.5;  ///< mu, Coulomb coefficient, >= 0 [-]
     double gravity = 9.81;  ///< g, into the ground, >= 0 [m/s^2]
@@ -17,8 +17,8 @@ struct GroundFriction {
 /// Throws std::invalid_argument on a number of the law, or a mass, that is negative or not finite.
 Vec2 frictionForce(const GroundFriction& ground, double mass, const Vec2& velocity);
 
-/// -mu m g l [N m], against the turning; none at rest. For a disc of radius R that presses evenly: the mean distance of
-/// its points from its centre is l = 2 R / 3.
+/// -mu m g l [N m], against the turning; none at rest. For a disc of radius R that presses evenly: the mean
+/// distance of its points from its centre is l = 2 R / 3.
 double frictionTorque(const GroundFriction& ground, double mass, double angularVelocity);
 
 /// After friction alone, for a time t >= 0 [s], exactly: |v| falls by mu g t, and not below 0.

@@ -32,8 +32,8 @@ struct PointMass {
 /// On B; A bears the opposite:  F = -G mA mB d / (d^2 + s^2)^(3/2) [N]
 /// d from A to B [m], s softening [m]. Two that are at one place do not pull each other.
 /// Source: Newton, "Principia", 1687, book 3, prop. 7; softening: Aarseth, "Dynamical evolution of clusters of
-/// galaxies", MNRAS 126, 1963. Throws std::invalid_argument on a constant, softening or mass that is negative or not
-/// finite. Tests: "a satellite on a circle is back after one period", and as above
+/// galaxies", MNRAS 126, 1963. Throws std::invalid_argument on a constant, softening or mass that is negative or
+/// not finite. Tests: "two masses on a circle are back after one period, whatever the softening", and as above
 Vec2 gravityForce(const MutualGravity& gravity, const PointMass& a, const PointMass& b);
 
 /// U = -G mA mB / sqrt(d^2 + s^2) [J], 0 far apart; minus infinity at one place without softening.

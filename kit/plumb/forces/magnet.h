@@ -25,11 +25,11 @@ struct MagnetPull {
 /// On B, with d from A to B [m], q = sqrt(d^2 + s^2) [m]:
 ///   F = 3 K ((mA . mB) d + (mB . d) mA + (mA . d) mB) / q^5 - 15 K (mA . d) (mB . d) d / q^7
 ///   torque = mB x H,  H = K (3 (mA . d) d / q^5 - mA / q^3)  the field of A there [T]
-/// A bears the opposite force; its torque is that of magnetPull(law, b, a). Two at one place do nothing.
-/// Source: Yung, Landecker, Villani, "An analytic solution for the force between two magnetic dipoles", Magnetic and
-/// Electrical Separation 9, 1998; both are slopes of the energy below. Throws std::invalid_argument on a constant or
-/// softening that is negative or not finite. Tests: "two magnets in line pull with 6 K m^2 / r^4, side by side they
-/// push with half of it", "two magnets keep their angular momentum, 100,000 times"
+/// A bears the opposite force; its torque is that of magnetPull(law, b, a). Two at one place do nothing. Source:
+/// Yung, Landecker, Villani, "An analytic solution for the force between two magnetic dipoles", Magnetic and
+/// Electrical Separation 9, 1998; both are slopes of the energy below. Throws std::invalid_argument on a constant
+/// or softening that is negative or not finite. Tests: "two magnets in line pull with 6 K m^2 / r^4, side by side
+/// they push with half of it", "two magnets keep their angular momentum, 100,000 times"
 MagnetPull magnetPull(const Magnetism& law, const Dipole& a, const Dipole& b);
 
 /// U = -mB . H [J], 0 far apart. Test: "the slope of every potential energy is its force, in 100,000 places each"

@@ -14,12 +14,12 @@ struct Disc {
     double angularVelocity = 0;  ///< [rad/s]
 };
 
-/// impact() at the point where they touch, along the line of their centres; they are taken to touch. Two whose centres
-/// are at one place have no such line: nothing changes. Where the slip between them ends, the impulse along it is
-/// slip times m k / (2 (1 + k)) for two alike: a sixth of the mass for full discs.
+/// impact() at the point where they touch, along the line of their centres; they are taken to touch. Two whose
+/// centres are at one place have no such line: nothing changes. Where the slip between them ends, the impulse
+/// along it is slip times m k / (2 (1 + k)) for two alike: a sixth of the mass for full discs.
 /// Throws std::invalid_argument as impact() does, and on a radius, mass or inertia ratio that is not positive.
-/// Tests: "equal discs that meet 30 degrees off the line part as the lecture says", "two alike discs that graze pass on
-/// slip by a sixth of their mass"
+/// Tests: "equal discs that meet 30 degrees off the line of centres part as the lecture says", "two alike discs that
+/// graze pass on slip by a sixth of their mass"
 ImpactResult collideDiscs(const Disc& a, const Disc& b, const ImpactLaw& law);
 
 struct ImpactWall {
@@ -27,12 +27,13 @@ struct ImpactWall {
     Vec2 velocity{0, 0};  ///< of its surface, as of a lift or a belt [m/s]
 };
 
-/// impact() of a wall, which is A, and a disc, which is B, where the disc touches it. For a wall at rest, with s the
-/// slip at the point and jn = (1 + e) m |vn| the impulse along the normal:
-///   it ends with an impulse of m s k / (1 + k), a third of m s for a disc, 2/7 for a ball, where that is at most f jn;
-///   else it is f jn against the slip.
-/// Source: Routh, "Dynamics of a System of Rigid Bodies", part 1, 1905, ch. 5; Brach, "Mechanical Impact Dynamics",
-/// 1991. Test: "a disc thrown at the floor rolls off at friction 0.5, and slips at 0.2"
+/// impact() of a wall, which is A, and a disc, which is B, where the disc touches it. For a wall at rest, along it:
+///   jt = m s k / (1 + k), which ends the slip, where that is at most f jn; else jt = f jn against the slip
+/// s slip at the point [m/s], jn = (1 + e) m |vn| impulse along the normal [N s], f friction [-]. k / (1 + k) is a
+/// third for a full disc, 2/7 for a ball.
+/// Source: Routh, "Dynamics of a System of Rigid Bodies", part 1, 1905, ch. 5; Brach, "Mechanical Impact
+/// Dynamics", 1991. Tests: "a disc that comes down at (4, -3) m/s rolls off at friction 0.5, slips at 0.2,
+/// and the threshold is 8/27", "what ends the slip is a third of it for a disc, 2/7 for a ball, a half for a ring"
 ImpactResult collideWithWall(const Disc& disc, const ImpactWall& wall, const ImpactLaw& law);
 
 }  // namespace plumb

@@ -14,12 +14,13 @@ struct Particle {
 };
 
 /// impact() of two particles, which cannot turn; normal a unit vector from A to B.
-/// Throws std::invalid_argument as impact() does, and on a mass that is not positive. Test: "equal particles that meet
-/// 30 degrees off the line part as the lecture says"
+/// Throws std::invalid_argument as impact() does, and on a mass that is not positive. Test: "equal particles that
+/// meet 30 degrees off the line part as the lecture says"
 ImpactResult collideParticles(const Particle& a, const Particle& b, const Vec2& normal, const ImpactLaw& law = {});
 
-/// impact() of a particle that hits a wall at rest: its velocity afterwards [m/s]. normal: a unit vector out of the
-/// wall. Along the normal v' = -e v, along the wall friction takes up to f (1 + e) |v|, and no more than there is.
+/// impact() of a particle that hits a wall at rest: its velocity afterwards [m/s]. normal: a unit vector out of
+/// the wall. Along the normal v' = -e v, along the wall friction takes up to f (1 + e) |v|, and no more than there
+/// is.
 Vec2 bounceOffWall(const Vec2& velocity, const Vec2& normal, const ImpactLaw& law = {});
 
 /// One that moves on a line.
@@ -34,8 +35,9 @@ struct LineImpact {
 };
 
 /// vA' = (P - e mB (vA - vB)) / M,  vB' = (P + e mA (vA - vB)) / M,  for A to the left of B
-/// P = mA vA + mB vB momentum [N s], M = mA + mB [kg], e restitution, 0 to 1 [-]. Source: Newton, "Principia", 1687,
-/// scholium to the laws. Test: "2 kg at 3 m/s and 1 kg at -1 m/s part at 1/3 and 13/3 m/s, or at e = 0.5 at 1 and 3"
+/// P = mA vA + mB vB momentum [N s], M = mA + mB [kg], e restitution, 0 to 1 [-].
+/// Source: Newton, "Principia", 1687, scholium to the laws. Test: "on a line, 2 kg at 3 m/s and 1 kg at -1 m/s part
+/// at 1/3 and 13/3 m/s, or at e = 0.5 at 1 and 3"
 LineImpact collideInLine(const LineParticle& a, const LineParticle& b, double restitution = 1);
 
 struct RowImpact {
@@ -44,12 +46,12 @@ struct RowImpact {
     bool parted = true;                   ///< false when the most impacts did not do
 };
 
-/// A row of particles that touch, from left to right, as Newton's cradle or balls dropped on each other: they hit two
-/// at a time, from the left, until no two approach each other by more than 1e-12 of the largest speed. Where e < 1 that
-/// may take very many impacts, of less and less: no more than maxImpacts are worked out. Source: Herrmann, Seitz, "How
-/// does the ball-chain work?", Am. J. Phys. 50, 1982: as if there were gaps between them. Throws std::invalid_argument
-/// as collideInLine does. Tests: "in a cradle of five as many balls go out as come in", "three balls dropped on each
-/// other, each far lighter, rise 49 times as high"
+/// A row of particles that touch, from left to right, as Newton's cradle or balls dropped on each other: they hit
+/// two at a time, in sweeps from the left, until no two approach each other by more than 1e-12 of the largest
+/// speed. Where e < 1 that may take very many impacts, of less and less: maxImpacts at most.
+/// Source: Herrmann, Seitz, "How does the ball-chain work?", Am. J. Phys. 50, 1982; as if there were gaps between.
+/// Throws std::invalid_argument as collideInLine does. Tests: "in a cradle of five as many balls go out as come
+/// in", "three balls dropped on each other, each far lighter, rise 49 times as high"
 RowImpact collideRow(std::span<const LineParticle> row, double restitution = 1, int maxImpacts = 100'000);
 
 }  // namespace plumb

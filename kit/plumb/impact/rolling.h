@@ -22,9 +22,10 @@ struct Rolling {
 };
 
 /// s = v0 + w0 r,  t = |s| k / ((1 + k) mu g),  v = (v0 - k w0 r) / (1 + k),  x = (v0 + v) t / 2
-/// s slip [m/s]. Empty when it slips and nothing rubs. Source: Coriolis, "Theorie mathematique des effets du jeu de
-/// billard", 1835; the angular momentum about the floor is kept: v - k w r. Throws std::invalid_argument on numbers
-/// that are not as above. Test: "a disc thrown at 3 m/s with a friction of 0.2 rolls at 2 m/s after 0.5096839959 s"
+/// s slip [m/s], t, v, x the time, speed and distance of Rolling. Empty when it slips and nothing rubs.
+/// Source: Coriolis, "Theorie mathematique des effets du jeu de billard", 1835; the angular momentum about the floor
+/// is kept: v - k w r. Throws std::invalid_argument on numbers that are not as above. Test: "a disc thrown at 3 m/s
+/// with a friction of 0.2 rolls at 2 m/s after 0.5096839959 s, 1.2742099898 m on"
 std::optional<Rolling> slideToRoll(const SlidingDisc& disc);
 
 }  // namespace plumb

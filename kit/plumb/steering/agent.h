@@ -7,10 +7,10 @@
 
 namespace plumb {
 
-/// A vehicle in Reynolds' sense: a point that may speed up any way, within limits. Every behaviour of this module takes
-/// one and returns the acceleration it would like [m/s^2], no more than maxAcceleration, and zero for nothing to do.
-/// Each throws std::invalid_argument unless maxSpeed, maxAcceleration and responseTime are positive and finite, and the
-/// radius not negative.
+/// A vehicle in Reynolds' sense: a point that may speed up any way, within limits. Every behaviour of this module
+/// takes one and returns the acceleration it would like [m/s^2], no more than maxAcceleration, and zero for
+/// nothing to do. Each throws std::invalid_argument unless maxSpeed, maxAcceleration and responseTime are positive
+/// and finite, and the radius not negative.
 struct Agent {
     Vec2 position{0, 0};         ///< [m]
     Vec2 velocity{0, 0};         ///< [m/s]
@@ -32,8 +32,8 @@ Vec2 headingOf(const Agent& agent);
 /// Test: "no behaviour asks for more than the agent has, or for what is no number, 100,000 times"
 Vec2 steerTo(const Agent& agent, const Vec2& wantedVelocity);
 
-/// Where it is after a time dt >= 0 [s]: v' = v + a dt, no more than V, x' = x + (v + v') dt / 2. For agents that are
-/// no bodies of a world; there, mass times acceleration is a force.
+/// Where it is after a time dt >= 0 [s]: v' = v + a dt, no more than V, x' = x + (v + v') dt / 2. For agents that
+/// are no bodies of a world; there, mass times acceleration is a force.
 Agent moved(const Agent& agent, const Vec2& acceleration, double dt);
 
 }  // namespace plumb

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <plumb/math/check.h>
 #include <plumb/steering/detail/vectors.h>
@@ -30,6 +31,14 @@ Vec2 nearestOn(const WallSegment& wall, const Vec2& p) {
     const double squared = along.squaredNorm();
     if (squared == 0) return wall.start;
     return wall.start + std::clamp((p - wall.start).dot(along) / squared, 0.0, 1.0) * along;
+}
+
+/// What is left of a velocity without its parts against the normals. Taking out one may bring back another, but less:
+/// in a corner of 60 degrees, half of it.
+Vec2 withoutTowards(Vec2 velocity, const std::vector<Vec2>& normals) {
+    for (int pass = 0; pass < 10; ++pass)
+        for (const Vec2& normal : normals) velocity += std::max(0.0, -velocity.dot(normal)) * normal;
+    return velocity;
 }
 
 }  // namespace
@@ -59,8 +68,8 @@ Vec2 avoidObstacles(const Agent& agent, std::span<const RoundObstacle> obstacles
 Vec2 avoidWalls(const Agent& agent, std::span<const WallSegment> walls, double clearance) {
     validate(agent);
     requireNotNegative(clearance, "avoidWalls: clearance");
-    Vec2 wanted = agent.velocity, away(0, 0);
-    bool blocked = false;
+    std::vector<Vec2> normals;  // of the walls in the way
+    Vec2 away(0, 0);
     for (const WallSegment& wall : walls) {
         requireFinite(wall.start, "WallSegment", ".start");
         requireFinite(wall.end, "WallSegment", ".end");
@@ -70,12 +79,12 @@ Vec2 avoidWalls(const Agent& agent, std::span<const WallSegment> walls, double c
         const double towards = -agent.velocity.dot(normal);
         const double needed = towards * towards / agent.maxAcceleration + 2 * towards * agent.responseTime;
         if (room > 0 && (towards <= 0 || room >= needed)) continue;
-        blocked = true;
-        wanted += std::max(0.0, -wanted.dot(normal)) * normal;
-        away += (room > 0 ? 0 : 1) * normal;
+        normals.push_back(normal);
+        if (room <= 0) away += normal;
     }
-    if (!blocked) return {0, 0};
-    return steerTo(agent, detail::limited(wanted + agent.maxSpeed * away, agent.maxSpeed));
+    if (normals.empty()) return {0, 0};
+    const Vec2 wanted = withoutTowards(agent.velocity, normals) + agent.maxSpeed * away;
+    return steerTo(agent, detail::limited(wanted, agent.maxSpeed));
 }
 
 }  // namespace plumb

@@ -20,8 +20,8 @@ struct Wish {
 /// All together: the sum of weight times acceleration. What pulls against each other may cancel.
 Vec2 steerByWeight(const Agent& agent, std::span<const Wish> wishes);
 
-/// One after the other, most important first, each in full as long as there is any left of maxAcceleration: the last
-/// that gets something gets the rest. Weights scale the wishes.
+/// One after the other, most important first, each in full as long as there is any left of maxAcceleration: the
+/// last that gets something gets the rest. Weights scale the wishes.
 Vec2 steerByBudget(const Agent& agent, std::span<const Wish> wishes);
 
 /// Only the first that wants anything at all.

@@ -61,11 +61,18 @@ Vec2 align(const Agent& agent, std::span<const Seen> others, const Neighborhood&
 
 Vec2 cohere(const Agent& agent, std::span<const Seen> others, const Neighborhood& neighborhood) {
     const Sight sight(agent, neighborhood);
-    Vec2 sum(0, 0);
+    Vec2 offset(0, 0), velocity(0, 0);
     int count = 0;
-    for (const Seen& other : others)
-        if (sight.sees(other)) sum += other.position - agent.position, ++count;
-    return count > 0 ? arrive(agent, agent.position + sum / count) : Vec2(0, 0);
+    for (const Seen& other : others) {
+        if (!sight.sees(other)) continue;
+        offset += other.position - agent.position;
+        velocity += other.velocity;
+        ++count;
+    }
+    if (count == 0) return {0, 0};
+    const Vec2 approach = offset / count * (agent.maxSpeed / slowingDistanceOf(agent));
+    const Vec2 wanted = velocity / count + detail::limited(approach, agent.maxSpeed);
+    return steerTo(agent, detail::limited(wanted, agent.maxSpeed));
 }
 
 }  // namespace plumb

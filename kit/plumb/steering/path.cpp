@@ -7,6 +7,7 @@
 #include <string>
 
 #include <plumb/math/check.h>
+#include <plumb/steering/detail/vectors.h>
 #include <plumb/steering/seek.h>
 
 namespace plumb {
@@ -59,6 +60,17 @@ double abreastOf(const Path& path, const Vec2& p, double progress, double reach,
     return best.along;
 }
 
+Vec2 pointAt(const Path& path, double along, double length) {
+    double left = along - roundsBefore(path, along, length);
+    for (std::size_t i = 0; i < edgesOf(path); ++i) {
+        const Vec2 edge = edgeOf(path, i);
+        const double size = edge.norm();
+        if (left < size) return path.points[i] + edge * (std::max(0.0, left) / size);
+        left -= size;
+    }
+    return path.closed ? path.points.front() : path.points.back();
+}
+
 void requireSound(const Path& path) {
     if (path.points.size() < 2) refuse("Path.points", std::to_string(path.points.size()) + " points, not two or more");
     for (const Vec2& point : path.points) requireFinite(point, "Path.points");
@@ -77,14 +89,7 @@ Vec2 pointOn(const Path& path, double along) {
     const double length = lengthOf(path);
     requirePositive(length, "Path.points: length");
     requireFinite(along, "pointOn: along");
-    double left = along - roundsBefore(path, along, length);
-    for (std::size_t i = 0; i < edgesOf(path); ++i) {
-        const Vec2 edge = edgeOf(path, i);
-        const double size = edge.norm();
-        if (left < size) return path.points[i] + edge * (std::max(0.0, left) / size);
-        left -= size;
-    }
-    return path.closed ? path.points.front() : path.points.back();
+    return pointAt(path, along, length);
 }
 
 PathStep followPath(const Agent& agent, const Path& path, double progress, double ahead) {
@@ -95,7 +100,10 @@ PathStep followPath(const Agent& agent, const Path& path, double progress, doubl
     const double here = abreastOf(path, agent.position, progress, std::min(ahead, length), length);
     const double there = here + ahead;
     if (!path.closed && there >= length) return {arrive(agent, path.points.back()), std::min(here, length)};
-    return {seek(agent, pointOn(path, there)), here};
+    const Vec2 direction = detail::directionOf(pointAt(path, there, length) - agent.position);
+    // As slow as arrive would have it, so that it need not stop short at the end.
+    const double slow = path.closed ? 1 : std::min(1.0, (length - here) / slowingDistanceOf(agent));
+    return {steerTo(agent, slow * agent.maxSpeed * direction), here};
 }
 
 }  // namespace plumb

@@ -11,13 +11,13 @@ struct Seen {
     Vec2 velocity{0, 0};  ///< [m/s]
 };
 
-/// Seeks where the quarry will be met if it goes on as it does: after the least T >= 0 with |d + w T| = V T, and where
-/// there is none, or it is longer, after mostAhead [s].
+/// Seeks where the quarry will be met if it goes on as it does: after the least T >= 0 with |d + w T| = V T, and
+/// where there is none, or it is longer, after mostAhead [s].
 ///   T = d^2 / (sqrt((d . w)^2 + (V^2 - w^2) d^2) - d . w)
-/// d from the agent to the quarry [m], w velocity of the quarry, V speed of the agent [m/s]. Source: Reynolds 1999,
-/// "Pursuit", with the time of meeting for his estimate. Throws std::invalid_argument on a mostAhead that is negative
-/// or not finite. Test: "who pursues catches no later than who seeks in 20,000 chases, and a
-/// tenth sooner in the mean"
+/// d from the agent to the quarry [m], w velocity of the quarry, V speed of the agent [m/s]. Source: Reynolds
+/// 1999, "Pursuit", with the time of meeting for his estimate. Throws std::invalid_argument on a mostAhead that is
+/// negative or not finite. Test: "who pursues catches no later than who seeks in 20,000 chases, and a tenth sooner
+/// in the mean"
 Vec2 pursue(const Agent& agent, const Seen& quarry, double mostAhead = 5);
 
 /// Flees from where the pursuer will be when it could be here: after d / |w|, and no more than mostAhead [s].

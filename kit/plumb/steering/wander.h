@@ -23,10 +23,10 @@ struct WanderStep {
     WanderState state;        ///< for the next time
 };
 
-/// Seeks a target on a circle ahead of it, that is turned by chance: by sqrt(dt) jitter in the mean of squares, so that
-/// it strolls alike at any frame rate. Source: Reynolds 1999, "Wander". Throws std::invalid_argument on settings that
-/// are not as above and a dt that is negative or not finite. Tests: "who wanders keeps to 85 % of the speed or more,
-/// and goes the same way for the same seed", "who wanders strays alike at 30 and at 240 Hz"
+/// Seeks a target on a circle ahead of it, that is turned by chance: by sqrt(dt) jitter in the mean of squares, so
+/// that it strolls alike at any frame rate. Source: Reynolds 1999, "Wander". Throws std::invalid_argument on
+/// settings that are not as above and a dt that is negative or not finite. Tests: "who wanders keeps to 85 % of
+/// the speed or more, and goes the same way for the same seed", "who wanders strays alike at 30 and at 240 Hz"
 WanderStep wander(const Agent& agent, const WanderState& state, double dt, const WanderSettings& settings = {});
 
 }  // namespace plumb

@@ -95,8 +95,9 @@ Points randomRounded(Random& random, double size) {
 }
 
 Fluid randomFluid(Random& random) {
-    const Vec2 surface(random.uniform(-5, 5), random.uniform(-5, 5));
-    return {.surface = surface, .gravity = Rot::fromAngle(random.uniform(-3, 3)) * Vec2(0, -random.uniform(1, 20))};
+    const Vec2 surface{random.uniform(-5, 5), random.uniform(-5, 5)};
+    const Rot turn = Rot::fromAngle(random.uniform(-3, 3));
+    return {.surface = surface, .gravity = turn * Vec2(0, -random.uniform(1, 20))};
 }
 
 /// Areas and their moments over the size's square and cube, so that a centroid far off a sliver counts as little as
@@ -117,8 +118,9 @@ TEST_CASE("areas under water are those of the polygon that is left, in 100,000 p
     for (int i = 0; i < places; ++i) {
         const double size = std::exp(random.uniform(-3, 3));
         const Fluid fluid = randomFluid(random);
-        const Vec2 center = fluid.surface + size * Vec2(random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5));
-        const Points star = placed(randomStar(random, size), center, random.uniform(-3, 3));
+        const Vec2 center = fluid.surface + size * Vec2{random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5)};
+        const double angle = random.uniform(-3, 3);
+        const Points star = placed(randomStar(random, size), center, angle);
         const Submerged found = submergedPart(star, 0, fluid), left = fanOf(clipped(star, fluid), fluid);
         worst = std::max(worst, difference(found, left, center, size));
         if (found.area > 0)
@@ -141,8 +143,9 @@ TEST_CASE("rounded areas under water are those of 400 pieces a corner, in 10,000
     for (int i = 0; i < places; ++i) {
         const double size = std::exp(random.uniform(-3, 3)), radius = size * random.uniform(0.05, 1);
         const Fluid fluid = randomFluid(random);
-        const Vec2 center = fluid.surface + 2 * size * Vec2(random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5));
-        const Points corners = placed(randomRounded(random, size), center, random.uniform(-3, 3));
+        const Vec2 center = fluid.surface + 2 * size * Vec2{random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5)};
+        const double angle = random.uniform(-3, 3);
+        const Points corners = placed(randomRounded(random, size), center, angle);
         const Submerged found = submergedPart(corners, radius, fluid);
         const Submerged left = fanOf(clipped(polygonised(corners, radius, pieces), fluid), fluid);
         worst = std::max(worst, difference(found, left, center, 2 * size));

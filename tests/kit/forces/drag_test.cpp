@@ -87,8 +87,8 @@ TEST_CASE("drag's closed form is where 100,000 fine integrations come out", "[fo
     const int places = test::cases(100'000);
     for (int i = 0; i < places; ++i) {
         const double mass = logUniform(random, 0.1, 10), time = logUniform(random, 0.01, 10);
-        const Vec2 velocity(random.uniform(-10, 10), random.uniform(-10, 10));
-        const Vec2 wind(random.uniform(-10, 10), random.uniform(-10, 10));
+        const Vec2 velocity{random.uniform(-10, 10), random.uniform(-10, 10)};
+        const Vec2 wind{random.uniform(-10, 10), random.uniform(-10, 10)};
         // Rates of up to 3 / s of each kind, or none, whatever the mass.
         const double linear = random.integer(0, 3) == 0 ? 0 : mass * random.uniform(0, 3);
         const double quadratic = random.integer(0, 3) == 0 ? 0 : mass * random.uniform(0, 3) / (velocity - wind).norm();
@@ -112,7 +112,7 @@ TEST_CASE("drag for a time at once is as for its parts, 100,000 times", "[forces
     for (int i = 0; i < test::cases(100'000); ++i) {
         const Drag drag{logUniform(random, 1e-9, 1e3), logUniform(random, 1e-9, 1e3), {3, -2}};
         const double first = logUniform(random, 1e-6, 10), second = logUniform(random, 1e-6, 10);
-        const Vec2 velocity(random.uniform(-100, 100), random.uniform(-100, 100));
+        const Vec2 velocity{random.uniform(-100, 100), random.uniform(-100, 100)};
         const Vec2 once = velocityAfterDrag(drag, 1, velocity, first + second);
         const Vec2 twice = velocityAfterDrag(drag, 1, velocityAfterDrag(drag, 1, velocity, first), second);
         worst = std::max(worst, (once - twice).norm() / velocity.norm());

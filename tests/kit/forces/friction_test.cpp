@@ -37,7 +37,7 @@ TEST_CASE("friction never turns a thing round, and parts of a time add up, 100,0
     int faults = 0;
     for (int i = 0; i < test::cases(100'000); ++i) {
         const GroundFriction ground{random.uniform(0, 2), random.uniform(0, 20), random.uniform(0, 1)};
-        const Vec2 velocity(random.uniform(-10, 10), random.uniform(-10, 10));
+        const Vec2 velocity{random.uniform(-10, 10), random.uniform(-10, 10)};
         const double first = random.uniform(0, 1), second = random.uniform(0, 1);
         const Vec2 half = velocityAfterFriction(ground, velocity, first);
         const Vec2 twice = velocityAfterFriction(ground, half, second);

@@ -31,6 +31,12 @@ double randomSize(Random& random, double least) {
     return std::exp(random.uniform(std::log(least), -std::log(least)));
 }
 
+/// Any way, by 0.1 to 10.
+Vec2 randomOffset(Random& random) {
+    const Vec2 direction = randomVec2(random, 1).normalized();
+    return direction * randomSize(random, 0.1);
+}
+
 /// The derivative at 0 by differences of fourth order: off by h^4 / 30 of the fifth derivative, and by 3 / (2 h) of the
 /// rounding of the values.
 template <typename Energy>
@@ -54,7 +60,7 @@ double attractorError(Random& random) {
                         .strength = random.uniform(-10, 10),
                         .power = random.integer(1, 8),
                         .softening = random.integer(0, 1) == 0 ? 0 : randomSize(random, 0.1)};
-    const Vec2 place = attractor.center + randomVec2(random, 1).normalized() * randomSize(random, 0.1);
+    const Vec2 place = attractor.center + randomOffset(random);
     const double d = (place - attractor.center).norm();
     const double q = std::hypot(d, attractor.softening);
     if (random.integer(0, 1) == 0) attractor.range = d + 0.01 * q;
@@ -68,7 +74,7 @@ double mutualGravityError(Random& random) {
                                 .softening = random.integer(0, 1) == 0 ? 0 : randomSize(random, 0.1)};
     const PointMass a{randomSize(random, 0.01), randomVec2(random, 5)};
     PointMass b{randomSize(random, 0.01), {0, 0}};
-    b.position = a.position + randomVec2(random, 1).normalized() * randomSize(random, 0.1);
+    b.position = a.position + randomOffset(random);
     const double q = std::hypot((b.position - a.position).norm(), gravity.softening);
     const Vec2 uphill = gradient(step * q, [&](const Vec2& r) {
         return potentialEnergy(gravity, a, {b.mass, b.position + r});
@@ -87,7 +93,7 @@ double uniformGravityError(Random& random) {
 double springError(Random& random) {
     const SpringDamper spring{.stiffness = randomSize(random, 0.01), .restLength = random.uniform(0, 5)};
     const Vec2 a = randomVec2(random, 5);
-    const Vec2 b = a + randomVec2(random, 1).normalized() * randomSize(random, 0.1);
+    const Vec2 b = a + randomOffset(random);
     const double d = (b - a).norm();
     const Vec2 uphill = gradient(step * d, [&](const Vec2& r) { return potentialEnergy(spring, a, Vec2(b + r)); });
     // The energy is d^2 / 2 - L d and a constant: the fifth derivative is that of L d, and the constant is only
@@ -100,7 +106,7 @@ double magnetError(Random& random) {
     const Magnetism law{.constant = randomSize(random, 0.01),
                         .softening = random.integer(0, 1) == 0 ? 0 : randomSize(random, 0.1)};
     const Dipole a{randomVec2(random, 5), randomVec2(random, 3)};
-    const Vec2 place = a.position + randomVec2(random, 1).normalized() * randomSize(random, 0.1);
+    const Vec2 place = a.position + randomOffset(random);
     const Vec2 moment = randomVec2(random, 3);
     const double q = std::hypot((place - a.position).norm(), law.softening);
     const MagnetPull pull = magnetPull(law, a, {place, moment});

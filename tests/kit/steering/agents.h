@@ -24,13 +24,19 @@ inline Vec2 randomDirection(Random& random) {
     return {std::cos(angle), std::sin(angle)};
 }
 
+/// Any way, by low to high.
+inline Vec2 randomOffset(Random& random, double low, double high) {
+    const Vec2 direction = randomDirection(random);
+    return direction * random.uniform(low, high);
+}
+
 /// At 1 to 10 m/s, to brake within 0.1 to 2 s, and to respond within 0.05 to 0.3 s: at 60 Hz no motion of it is coarse.
 inline Agent randomAgent(Random& random) {
     Agent agent{.position = randomVec2(random, 20), .radius = random.uniform(0.1, 1)};
     agent.maxSpeed = random.uniform(1, 10);
     agent.maxAcceleration = agent.maxSpeed / random.uniform(0.1, 2);
     agent.responseTime = random.uniform(0.05, 0.3);
-    agent.velocity = random.uniform(0, agent.maxSpeed) * randomDirection(random);
+    agent.velocity = randomOffset(random, 0, agent.maxSpeed);
     return agent;
 }
 

@@ -56,7 +56,7 @@ TEST_CASE("who follows 1,000 winding paths keeps within their radius, and comes 
         const double bend = std::max(2 * v * v / agent.maxAcceleration, 2 * response) * random.uniform(1, 3);
         const double ahead = random.uniform(std::max(response, 0.1 * bend), bend / 2);
         const double radius = ahead * ahead / (2 * bend);
-        const Points points = windingPath(random, bend, 200);
+        const Points points = windingPath(random, bend, 100);
         const Path path{points};
         agent.position = points[0];
         agent.velocity = v * (points[1] - points[0]).normalized();
@@ -67,7 +67,7 @@ TEST_CASE("who follows 1,000 winding paths keeps within their radius, and comes 
             back += step.progress < progress;
             progress = step.progress;
             agent = moved(agent, step.acceleration, dt);
-            if (k % 5 == 0) worst = std::max(worst, distanceTo(points, agent.position) / radius);
+            if (k % 10 == 0) worst = std::max(worst, distanceTo(points, agent.position) / radius);
         }
         unfinished += (agent.position - points.back()).norm() > 1e-3 * bend;
     }

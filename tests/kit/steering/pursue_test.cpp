@@ -49,8 +49,8 @@ TEST_CASE("who pursues catches no later than who seeks in 20,000 chases, and a t
         Agent agent = randomAgent(random);
         agent.velocity = {0, 0};
         agent.maxAcceleration = agent.maxSpeed / random.uniform(0.1, 1);  // it stops within a second
-        const Seen quarry{agent.position + random.uniform(3, 20) * randomDirection(random),
-                          random.uniform(0.3, 0.9) * agent.maxSpeed * randomDirection(random)};
+        const Seen quarry{agent.position + randomOffset(random, 3, 20),
+                          agent.maxSpeed * randomOffset(random, 0.3, 0.9)};
         const double time = 200;
         const double pursued =
             caughtAfter(agent, quarry, time, [](const Agent& a, const Seen& q) { return pursue(a, q, 100); });

@@ -30,7 +30,7 @@ TEST_CASE("who flees is as far away after 10 s as full speed allows, but for tur
     Random random(81);
     for (int i = 0; i < test::cases(10'000); ++i) {
         Agent agent = randomAgent(random);
-        const Vec2 threat = agent.position + random.uniform(0.1, 5) * randomDirection(random);
+        const Vec2 threat = agent.position + randomOffset(random, 0.1, 5);
         for (int k = 0; k < 600; ++k) agent = moved(agent, flee(agent, threat), dt);
         // Turning round takes 2 V / A and some response times, in which it may go the other way at V.
         const double lost = 2 * (2 * agent.maxSpeed / agent.maxAcceleration + 5 * agent.responseTime) * agent.maxSpeed;
@@ -45,7 +45,7 @@ TEST_CASE("10,000 agents arrive, stay, and swing past by less than 1 % of the sl
         Agent agent = randomAgent(random);
         const double slowing = slowingDistanceOf(agent);
         // From where it has room to brake, or to turn round.
-        const Vec2 target = agent.position + random.uniform(1.5, 5) * slowing * randomDirection(random);
+        const Vec2 target = agent.position + slowing * randomOffset(random, 1.5, 5);
         double least = 1e9, swing = 0;
         // The way there at V, and at the end e^(-V t / D) of D: fifteen times D / V is 3e-7 of it.
         const double time = 22 * slowing / agent.maxSpeed;

@@ -55,16 +55,16 @@ TEST_CASE("who wanders keeps to 85 % of the speed or more, and goes the same way
 }
 
 TEST_CASE("who wanders strays alike at 30 and at 240 Hz", "[steering]") {
-    // The mean square of how far 1,000 come in 20 s: its own spread over 1,000 is some 4 %.
+    // The mean square of how far 300 come in 20 s, whose own spread is some 6 %.
     const auto meanSquare = [](double step) {
         double sum = 0;
-        for (std::uint64_t seed = 1; seed <= 1000; ++seed) sum += strolled(seed, 20, step).agent.position.squaredNorm();
-        return sum / 1000;
+        for (std::uint64_t seed = 1; seed <= 300; ++seed) sum += strolled(seed, 20, step).agent.position.squaredNorm();
+        return sum / 300;
     };
     const double coarse = meanSquare(1.0 / 30), fine = meanSquare(1.0 / 240);
     std::cout << "steering: who wanders strays by " << std::sqrt(coarse) << " m in 20 s at 30 Hz, by "
               << std::sqrt(fine) << " m at 240 Hz\n";
-    CHECK(std::fabs(coarse / fine - 1) < 0.2);
+    CHECK(std::fabs(coarse / fine - 1) < 0.25);
     CHECK(meanSquare(1.0 / 30) < 0.9 * 60 * 60);  // not as far as straight on
 }
 
