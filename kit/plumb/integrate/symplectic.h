@@ -6,7 +6,7 @@
 // time or a step that is not finite, and on a velocity or an acceleration of another size than the position. On an
 // oscillator of w [rad/s], with z = h w, each keeps a shadow of the energy to rounding, and the energy near it:
 //
-//                    order  stable  shadow                         energy over shadow                 free fall
+//                    order  stable  shadow                         energy over shadow                   free fall
 //   semi-implicit    1      z < 2   v^2 + w^2 x^2 - h w^2 x v      1 / (1 + z / 2) to 1 / (1 - z / 2)   +a h t / 2
 //   velocity Verlet  2      z < 2   v^2 + w^2 x^2 (1 - z^2 / 4)    1 to 1 / (1 - z^2 / 4)               exact
 //
