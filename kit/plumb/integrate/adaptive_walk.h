@@ -21,10 +21,11 @@ enum class IntegrationEnd {
 };
 
 /// A walk from a time to another, before or after it, step by step, for who wants to see or to stop on the way;
-/// integrate() goes all of it. Derivative is as in fixed_step.h. The error of each step is held to AdaptiveSettings.
-/// At the end it is the tolerance times the number of steps, or less, on an equation that amplifies no error; energy
-/// drifts as slowly. Nothing makes it go on for ever.
-/// Throws std::invalid_argument on a time or a state that is not finite, a derivative of another size, bad settings.
+/// integrate() goes all of it. Derivative is as in fixed_step.h. The error of each step is held to
+/// AdaptiveSettings. At the end it is the tolerance times the number of steps, or less, on an equation that
+/// amplifies no error; energy drifts as slowly. Nothing makes it go on for ever.
+/// Throws std::invalid_argument on a time or a state that is not finite, a derivative of another size, bad
+/// settings.
 /// Source: Dormand and Prince's pair with local extrapolation; step control after Hairer, Norsett, Wanner, II.4.
 /// Tests: "an oscillator is within the tolerance times the steps after 100 s", "whatever is integrated ends, and
 /// says why"

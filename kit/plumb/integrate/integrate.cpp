@@ -6,9 +6,9 @@
 namespace plumb {
 namespace {
 
-bool counts(int signBefore, Crossing crossing) {
-    if (crossing == Crossing::Rising) return signBefore < 0;
-    if (crossing == Crossing::Falling) return signBefore > 0;
+bool counts(int signBefore, ZeroCrossing crossing) {
+    if (crossing == ZeroCrossing::Rising) return signBefore < 0;
+    if (crossing == ZeroCrossing::Falling) return signBefore > 0;
     return signBefore != 0;
 }
 
@@ -23,7 +23,7 @@ double bisected(const std::function<double(double)>& quantity, double low, doubl
 
 }  // namespace
 
-CrossingSearch findCrossing(const std::function<double(double)>& quantity, int signBefore, Crossing crossing) {
+CrossingSearch findCrossing(const std::function<double(double)>& quantity, int signBefore, ZeroCrossing crossing) {
     constexpr int places = 8;
     int sign = signBefore;
     for (int i = 1; i <= places; ++i) {

@@ -29,14 +29,14 @@ Integration<State> integrate(Derivative derivative, double time, const State& st
 }
 
 /// Which crossings of zero count: from below, from above.
-enum class Crossing { Either, Rising, Falling };
+enum class ZeroCrossing { Either, Rising, Falling };
 
 /// Where a quantity along a step, of its fraction, first crosses zero; and its sign at the end, for the next step.
 struct CrossingSearch {
     std::optional<double> fraction;  ///< [-]
     int sign = 0;                    ///< 1 or -1; 0 while it has only been zero
 };
-CrossingSearch findCrossing(const std::function<double(double)>& quantity, int signBefore, Crossing crossing);
+CrossingSearch findCrossing(const std::function<double(double)>& quantity, int signBefore, ZeroCrossing crossing);
 
 /// The same until quantity g, called as double g(double time, const State& state), first crosses zero, or reaches
 /// it; a start on zero is no crossing. It is looked for at eight places a step, and then bisected to the last
@@ -45,7 +45,7 @@ CrossingSearch findCrossing(const std::function<double(double)>& quantity, int s
 /// Test: "the time at which a thrown ball comes down is the closed form's, 1,000,000 times"
 template <EigenState State, typename Derivative, typename Quantity>
 Integration<State> integrateUntil(Derivative derivative, double time, const State& state, double endTime,
-                                  const Quantity& quantity, Crossing crossing = Crossing::Either,
+                                  const Quantity& quantity, ZeroCrossing crossing = ZeroCrossing::Either,
                                   const AdaptiveSettings& settings = {}) {
     AdaptiveWalk<State, Derivative> walk(std::move(derivative), time, state, endTime, settings);
     const auto timeAt = [&](double fraction) {

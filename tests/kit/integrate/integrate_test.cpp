@@ -12,12 +12,12 @@
 
 namespace {
 
-using plumb::Crossing;
 using plumb::integrate;
 using plumb::integrateUntil;
 using plumb::Integration;
 using plumb::IntegrationEnd;
 using plumb::Random;
+using plumb::ZeroCrossing;
 using std::numbers::pi;
 using Vector2 = Eigen::Vector2d;
 using Vector4 = Eigen::Vector4d;
@@ -43,7 +43,8 @@ TEST_CASE("the time at which a thrown ball comes down is the closed form's, 1,00
     for (int i = 0; i < plumb::test::cases(1'000'000); ++i) {
         const double height = i % 2 ? random.uniform(0, 20) : 0, up = random.uniform(0.1, 40);
         const auto falls = [](double, const Vector2& y) -> Vector2 { return {y[1], -9.81}; };
-        const Integration<Vector2> down = integrateUntil(falls, 0, Vector2(height, up), 100, first, Crossing::Falling);
+        const Integration<Vector2> down =
+            integrateUntil(falls, 0, Vector2(height, up), 100, first, ZeroCrossing::Falling);
         const double speed = std::sqrt(up * up + 2 * 9.81 * height), truth = (up + speed) / 9.81;
         missed += down.end != IntegrationEnd::Crossed;
         const double top = height + up * up / (2 * 9.81);
@@ -62,8 +63,8 @@ TEST_CASE("an oscillator's first zero is found within the tolerance, whatever it
         for (int i = 0; i < 500; ++i) {
             const double phase = random.uniform(-pi / 2 + 0.01, pi / 2 - 0.01);
             const Integration<Vector2> zero =
-                integrateUntil(oscillator, 0, Vector2(std::cos(phase), -std::sin(phase)), 10, first, Crossing::Either,
-                               {.absoluteTolerance = tolerance, .relativeTolerance = tolerance});
+                integrateUntil(oscillator, 0, Vector2(std::cos(phase), -std::sin(phase)), 10, first,
+                               ZeroCrossing::Either, {.absoluteTolerance = tolerance, .relativeTolerance = tolerance});
             worst = std::max(worst, std::fabs(zero.time - (pi / 2 - phase)));
             CHECK(std::fabs(zero.state[0]) < 2e-16);
         }
@@ -74,10 +75,10 @@ TEST_CASE("an oscillator's first zero is found within the tolerance, whatever it
 
 TEST_CASE("a crossing counts in the direction asked for, and a start on zero does not", "[integrate]") {
     const Vector2 start(1, 0);  // cosine; its slope starts on zero and goes down
-    CHECK(std::fabs(integrateUntil(oscillator, 0, start, 20, first, Crossing::Falling).time - pi / 2) < 1e-8);
-    CHECK(std::fabs(integrateUntil(oscillator, 0, start, 20, first, Crossing::Rising).time - 1.5 * pi) < 1e-8);
+    CHECK(std::fabs(integrateUntil(oscillator, 0, start, 20, first, ZeroCrossing::Falling).time - pi / 2) < 1e-8);
+    CHECK(std::fabs(integrateUntil(oscillator, 0, start, 20, first, ZeroCrossing::Rising).time - 1.5 * pi) < 1e-8);
     CHECK(std::fabs(integrateUntil(oscillator, 0, start, 20, second).time - pi) < 1e-8);
-    CHECK(std::fabs(integrateUntil(oscillator, 0, start, 20, second, Crossing::Falling).time - 2 * pi) < 1e-8);
+    CHECK(std::fabs(integrateUntil(oscillator, 0, start, 20, second, ZeroCrossing::Falling).time - 2 * pi) < 1e-8);
     CHECK(std::fabs(integrateUntil(oscillator, 0, start, -20, first).time + pi / 2) < 1e-8);  // back in time
     const auto clock = [](double t, const Vector2&) { return t - 3; };
     CHECK(std::fabs(integrateUntil(oscillator, 0, start, 20, clock).time - 3) < 1e-15);
@@ -98,7 +99,7 @@ TEST_CASE("without a crossing an integration reaches its end", "[integrate]") {
 TEST_CASE("what is below zero for 0.02 s only is found with a longest step of 0.1 s", "[integrate]") {
     const auto dip = [](double, const Vector2& y) { return y[0] + 0.99995; };  // cosine, near pi
     const Integration<Vector2> found =
-        integrateUntil(oscillator, 0, Vector2(1, 0), 20, dip, Crossing::Either, {.longestStep = 0.1});
+        integrateUntil(oscillator, 0, Vector2(1, 0), 20, dip, ZeroCrossing::Either, {.longestStep = 0.1});
     CHECK(found.end == IntegrationEnd::Crossed);
     CHECK(std::fabs(found.time - std::acos(-0.99995)) < 1e-6);  // the slope there is 0.01: 1e-9 over it, ten times
 }
@@ -112,10 +113,11 @@ TEST_CASE(
         return {y[1], -9.81 - 0.005 * y[1] * std::fabs(y[1])};
     };
     const plumb::AdaptiveSettings exact{.absoluteTolerance = 1e-12, .relativeTolerance = 1e-12};
-    const Integration<Vector2> top = integrateUntil(drag, 0, Vector2(0, 50), 20, second, Crossing::Either, exact);
+    const Integration<Vector2> top = integrateUntil(drag, 0, Vector2(0, 50), 20, second, ZeroCrossing::Either, exact);
     CHECK(std::fabs(top.time - 3.8191317573) < 1e-10);
     CHECK(std::fabs(top.state[0] - 82.163273487) < 1e-9);
-    const Integration<Vector2> down = integrateUntil(drag, top.time, top.state, 20, first, Crossing::Falling, exact);
+    const Integration<Vector2> down =
+        integrateUntil(drag, top.time, top.state, 20, first, ZeroCrossing::Falling, exact);
     CHECK(std::fabs(down.state[1] + 33.155434439) < 1e-9);
     CHECK(std::fabs(down.time - top.time - 4.3779184523) < 1e-10);
 }
@@ -129,10 +131,10 @@ TEST_CASE("20 m/s at 45 degrees against linear drag of 0.2 comes down after 2.65
     const Vector4 shot(0, 0, part, part);
     const auto height = [](double, const Vector4& y) { return y[1]; };
     const auto climb = [](double, const Vector4& y) { return y[3]; };
-    const Integration<Vector4> down = integrateUntil(drag, 0, shot, 20, height, Crossing::Falling, exact);
+    const Integration<Vector4> down = integrateUntil(drag, 0, shot, 20, height, ZeroCrossing::Falling, exact);
     CHECK(std::fabs(down.time - 2.6501815833) < 1e-10);
     CHECK(std::fabs(down.state[0] - 29.091533064) < 1e-9);
-    const Integration<Vector4> apex = integrateUntil(drag, 0, shot, 20, climb, Crossing::Either, exact);
+    const Integration<Vector4> apex = integrateUntil(drag, 0, shot, 20, climb, ZeroCrossing::Either, exact);
     CHECK(std::fabs(apex.time - 1.2666983553) < 1e-10);
     CHECK(std::fabs(apex.state[1] - 8.5791237899) < 1e-9);
 }

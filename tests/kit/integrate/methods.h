@@ -33,11 +33,13 @@ Phase<Vector<N>> stepOf(Method method, const Acceleration& acceleration, double 
     const auto slope = [&](double t, const Both& y) -> Both {
         const Vector<N> position = y.template head<N>(), velocity = y.template tail<N>();
         Both result;
-        result << velocity, acceleration(t, position, velocity);
+        result.template head<N>() = velocity;
+        result.template tail<N>() = acceleration(t, position, velocity);
         return result;
     };
     Both state;
-    state << from.position, from.velocity;
+    state.template head<N>() = from.position;
+    state.template tail<N>() = from.velocity;
     if (method == Method::ExplicitEuler) state = explicitEulerStep(slope, time, state, step);
     if (method == Method::Midpoint) state = midpointStep(slope, time, state, step);
     if (method == Method::RungeKutta4) state = rungeKutta4Step(slope, time, state, step);
