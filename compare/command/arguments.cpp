@@ -77,16 +77,22 @@ struct Commands {
 };
 
 CLI::App* describeCheck(CLI::App& app, Raw& raw) {
-    CLI::App* check = app.add_subcommand("check", "run scenes and judge them");
+    CLI::App* check = app.add_subcommand("check", "run scenes and labs, and judge them");
     check->footer(
         "A check that looks at what a shortened run does not reach fails. A scene none of whose checks binds the\n"
-        "engines asked for is shown, and not judged: it does not change the exit status.");
-    check->add_option("SCENE", raw.scenes, "names of scenes, or files: FILE.json; without any, all built-in ones");
+        "engines asked for is shown, and not judged: it does not change the exit status. A lab varies one quantity "
+        "and\n"
+        "draws curves over it, with steps of its own: --steps and --dt are for scenes, and --engines for the engines\n"
+        "that a lab compares.");
+    check->add_option("SCENE", raw.scenes,
+                      "names of scenes and labs, or files: FILE.json; without any, all built-in ones");
     check->add_option("--engines", raw.engines, "the engines to run, instead of all")->type_name("A,B");
     check->add_option("--steps", raw.steps, "how many steps to run, instead of the scene's")->type_name("N");
     check->add_option("--dt", raw.dt, "length of a step, instead of the scene's [s]")->type_name("S");
     check->add_option("--json", raw.json, "write metrics and verdicts to this file")->type_name("FILE");
-    check->add_option("--csv", raw.csv, "write states tick by tick into this folder, a file a scene")->type_name("DIR");
+    check
+        ->add_option("--csv", raw.csv, "write states tick by tick, and curves, into this folder, a file a scene or lab")
+        ->type_name("DIR");
     check->add_option("--report", raw.report, "write the report into this folder: index.html")->type_name("DIR");
     return check;
 }
@@ -115,9 +121,9 @@ CLI::App* describeBench(CLI::App& app, Raw& raw) {
 Commands describe(CLI::App& app, Raw& raw) {
     app.require_subcommand(0, 1);
     app.footer(
-        "Without a command: every scene in every engine, and the report in build/report/index.html.\n"
+        "Without a command: every scene in every engine, every lab, and the report in build/report/index.html.\n"
         "Exit status: 0 all checks hold, 1 a check fails, 2 bad usage or input.");
-    CLI::App* list = app.add_subcommand("list", "scenes: name, question, engines, checks");
+    CLI::App* list = app.add_subcommand("list", "scenes and labs: name, question, engines, checks");
     CLI::App* check = describeCheck(app, raw);
     CLI::App* bench = describeBench(app, raw);
     CLI::App* exportScene = app.add_subcommand("export", "print a scene as JSON");

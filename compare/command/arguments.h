@@ -12,7 +12,7 @@
 namespace plumb::compare {
 
 enum class Action {
-    Everything,  ///< no arguments: all scenes and engines, and the report
+    Everything,  ///< no arguments: all scenes, labs and engines, and the report
     ListScenes,
     CheckScenes,
     ExportScene,
@@ -30,7 +30,7 @@ struct BenchOptions {
 
 struct Arguments {
     Action action = Action::Everything;
-    std::vector<std::string> scenes;  ///< names and files, as given
+    std::vector<std::string> scenes;  ///< names, of labs as well, and files, as given
     RunOptions options;
     BenchOptions bench;
     std::optional<std::filesystem::path> json, csv, report;

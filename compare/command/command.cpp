@@ -10,6 +10,7 @@
 
 #include <compare/command/arguments.h>
 #include <compare/command/bench_command.h>
+#include <compare/command/lab_text.h>
 #include <compare/command/output_file.h>
 #include <compare/command/scene_choice.h>
 #include <compare/command/scene_list.h>
@@ -41,32 +42,78 @@ std::vector<std::string> columns(const RunOptions& options) {
     return result;
 }
 
-int check(const Arguments& arguments, std::ostream& out, bool colour) {
-    const std::vector<Scene> scenes = chooseScenes(arguments.scenes);
-    std::optional<OutputFile> json;
-    if (arguments.json) json.emplace("--json", *arguments.json);
-    if (arguments.csv) makeFolder("--csv", *arguments.csv);
-    if (arguments.report) makeFolder("--report", *arguments.report);
-    const VerdictTable table(out, columns(arguments.options), scenes, colour);
-    table.head();
+void refuseSceneOptions(const Arguments& arguments, const std::vector<Lab>& labs) {
+    if (arguments.scenes.empty() || labs.empty()) return;
+    const auto refuse = [&](const char* option) {
+        throw std::invalid_argument(
+            fmt::format("{}: {} is a lab, and has steps of its own", option, labs.front().name));
+    };
+    if (arguments.options.steps) refuse("--steps");
+    if (arguments.options.dt) refuse("--dt");
+}
+
+std::vector<SceneResult> runScenes(const std::vector<Scene>& scenes, const RunOptions& options, std::ostream& out,
+                                   bool colour) {
     std::vector<SceneResult> results;
+    if (scenes.empty()) return results;
+    const VerdictTable table(out, columns(options), scenes, colour);
+    table.head();
     for (const Scene& scene : scenes) {
         try {
-            results.push_back(runScene(scene, arguments.options, engines()));
+            results.push_back(runScene(scene, options, engines()));
         } catch (const std::exception& error) {
             throw std::runtime_error(fmt::format("scene {}: {}", scene.name, error.what()));
         }
         table.row(results.back());
     }
     table.summary(results);
-    if (json) json->write(verdictJson(results));
-    if (arguments.csv) writeCsv(results, *arguments.csv);
+    return results;
+}
+
+std::vector<LabResult> runLabs(const std::vector<Lab>& labs, const RunOptions& options, std::ostream& out,
+                               bool colour) {
+    std::vector<LabResult> results;
+    if (labs.empty()) return results;
+    fmt::print(out, "{:6}lab, and what was measured in it\n", "");
+    for (const Lab& lab : labs) {
+        try {
+            results.push_back(runLab(lab, options.engines, engines()));
+        } catch (const std::exception& error) {
+            throw std::runtime_error(fmt::format("lab {}: {}", lab.name, error.what()));
+        }
+        printLab(results.back(), out, colour);
+    }
+    printLabSummary(results, out, colour);
+    return results;
+}
+
+int check(const Arguments& arguments, std::ostream& out, bool colour) {
+    const Choice choice = chooseScenesAndLabs(arguments.scenes);
+    refuseSceneOptions(arguments, choice.labs);
+    std::optional<OutputFile> json;
+    if (arguments.json) json.emplace("--json", *arguments.json);
+    if (arguments.csv) makeFolder("--csv", *arguments.csv);
+    if (arguments.report) makeFolder("--report", *arguments.report);
+    const std::vector<SceneResult> scenes = runScenes(choice.scenes, arguments.options, out, colour);
+    if (!choice.scenes.empty() && !choice.labs.empty()) fmt::print(out, "\n");
+    const std::vector<LabResult> labs = runLabs(choice.labs, arguments.options, out, colour);
+    if (json) json->write(verdictJson(scenes, labs));
+    if (arguments.csv) {
+        writeCsv(scenes, *arguments.csv);
+        writeLabCsv(labs, *arguments.csv);
+    }
     if (arguments.report) {
-        writeReport(results, *arguments.report);
+        writeReport(scenes, *arguments.report, labs);
         fmt::print(out, "Report: {}\n", (*arguments.report / "index.html").string());
     }
-    return std::all_of(results.begin(), results.end(), [](const SceneResult& r) { return r.pass; }) ? allHold
-                                                                                                    : checkFails;
+    const auto passes = [](const auto& result) { return result.pass; };
+    return std::ranges::all_of(scenes, passes) && std::ranges::all_of(labs, passes) ? allHold : checkFails;
+}
+
+void list(std::ostream& out) {
+    const Choice all = chooseScenesAndLabs({});
+    listScenes(all.scenes, engines(), out);
+    listLabs(all.labs, out);
 }
 
 int checkEverything(Arguments arguments, std::ostream& out, bool colour) {
@@ -83,7 +130,7 @@ int checkEverything(Arguments arguments, std::ostream& out, bool colour) {
 int run(const Arguments& arguments, std::ostream& out, bool colour) {
     switch (arguments.action) {
         case Action::Help: fmt::print(out, "{}", arguments.help); return allHold;
-        case Action::ListScenes: listScenes(chooseScenes({}), engines(), out); return allHold;
+        case Action::ListScenes: list(out); return allHold;
         case Action::ExportScene:
             fmt::print(out, "{}\n", toJson(chooseScenes(arguments.scenes).front()));
             return allHold;

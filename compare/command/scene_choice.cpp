@@ -6,6 +6,7 @@
 #include <map>
 #include <stdexcept>
 
+#include <compare/lab/builtin.h>
 #include <compare/scene/builtin.h>
 #include <compare/scene/json.h>
 #include <compare/scene/nearest.h>
@@ -15,9 +16,11 @@ namespace {
 
 /// What is not a scene's own name, nor a file.
 [[noreturn]] void refuseName(const std::string& given) {
+    if (findLab(given)) throw std::invalid_argument(fmt::format("{} is a lab, not a scene: check runs it", given));
     std::vector<std::string> names;
     for (const Scene& scene : builtinScenes()) names.push_back(scene.name);
     for (const BenchScene& scene : benchScenes()) names.push_back(scene.name);
+    for (const Lab& lab : builtinLabs()) names.push_back(lab.name);
     throw std::invalid_argument(
         fmt::format("there is no scene \"{}\": the nearest is {}; list and bench --help show "
                     "all, and a file ends in .json",
@@ -64,6 +67,22 @@ std::vector<Scene> chooseScenes(std::span<const std::string> given) {
         once.add(scenes.back().name, what);
     }
     return scenes;
+}
+
+Choice chooseScenesAndLabs(std::span<const std::string> given) {
+    if (given.empty()) return {builtinScenes(), builtinLabs()};
+    Choice choice;
+    Once once;
+    for (const std::string& what : given) {
+        if (std::optional<Lab> lab = findLab(what)) {
+            once.add(lab->name, what);
+            choice.labs.push_back(*std::move(lab));
+            continue;
+        }
+        choice.scenes.push_back(choose(what));
+        once.add(choice.scenes.back().name, what);
+    }
+    return choice;
 }
 
 std::vector<BenchScene> chooseBenchScenes(std::span<const std::string> given) {

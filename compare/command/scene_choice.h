@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Which scenes are meant by names and files?
+// Which scenes and labs are meant by names and files?
 #pragma once
 #include <span>
 #include <string>
 #include <vector>
 
+#include <compare/lab/lab.h>
 #include <compare/scene/bench.h>
 #include <compare/scene/scene.h>
 
@@ -15,6 +16,14 @@ namespace plumb::compare {
 /// Throws std::invalid_argument for a name that is not known, naming the nearest, for two scenes of the same name, and
 /// as readScene does.
 std::vector<Scene> chooseScenes(std::span<const std::string> given);
+
+struct Choice {
+    std::vector<Scene> scenes;
+    std::vector<Lab> labs;
+};
+
+/// As chooseScenes, and labs by name; all of both when nothing is given.
+Choice chooseScenesAndLabs(std::span<const std::string> given);
 
 /// The scenes to be measured: scenes and groups by name, or else as chooseScenes; the group "six" when nothing is
 /// given. Throws as chooseScenes does.

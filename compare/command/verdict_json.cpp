@@ -38,12 +38,25 @@ Json sceneJson(const SceneResult& result) {
     return json;
 }
 
+Json labJson(const LabResult& result) {
+    Json json{{"name", result.lab.name}, {"checks", Json::array()}};
+    for (const LabOutcome& outcome : result.outcomes)
+        json["checks"].push_back({{"check", outcome.check.name},
+                                  {"value", numberOrNull(outcome.value)},
+                                  {"limit", outcome.check.limit},
+                                  {"pass", outcome.pass}});
+    json["pass"] = result.pass;
+    return json;
+}
+
 }  // namespace
 
-std::string verdictJson(std::span<const SceneResult> results) {
-    Json json{{"schema", 1}, {"scenes", Json::array()}};
+std::string verdictJson(std::span<const SceneResult> results, std::span<const LabResult> labs) {
+    Json json{{"schema", 1}, {"scenes", Json::array()}, {"labs", Json::array()}};
     for (const SceneResult& result : results) json["scenes"].push_back(sceneJson(result));
-    json["pass"] = std::all_of(results.begin(), results.end(), [](const SceneResult& r) { return r.pass; });
+    for (const LabResult& result : labs) json["labs"].push_back(labJson(result));
+    const auto passes = [](const auto& result) { return result.pass; };
+    json["pass"] = std::ranges::all_of(results, passes) && std::ranges::all_of(labs, passes);
     return json.dump(1) + "\n";
 }
 

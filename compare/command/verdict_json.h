@@ -5,13 +5,15 @@
 #include <string>
 
 #include <compare/check/verdict.h>
+#include <compare/lab/lab.h>
 
 namespace plumb::compare {
 
 /// {"schema":1,"scenes":[{"name","dt","steps","engines":{"<engine>":{"metrics":{"<metric>":number}}},
-///   "checks":[{"check","engine","metric","value","limit","pass"}],"pass"}],"pass"}
+///   "checks":[{"check","engine","metric","value","limit","pass"}],"pass"}],
+///   "labs":[{"name","checks":[{"check","value","limit","pass"}],"pass"}],"pass"}
 /// An engine that cannot build a scene also has "unsupported" with the reason. A metric or value that does not exist is
 /// null, and so is one without bound, for which JSON has no number: its check does not pass.
-std::string verdictJson(std::span<const SceneResult> results);
+std::string verdictJson(std::span<const SceneResult> results, std::span<const LabResult> labs = {});
 
 }  // namespace plumb::compare

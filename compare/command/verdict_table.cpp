@@ -5,8 +5,9 @@
 #include <fmt/ostream.h>
 
 #include <algorithm>
-#include <cmath>
 #include <ostream>
+
+#include <compare/metric/length_text.h>
 
 namespace plumb::compare {
 namespace {
@@ -32,16 +33,6 @@ std::string plural(std::size_t count, const std::string& what) {
 }
 
 }  // namespace
-
-std::string lengthText(double metres) {
-    if (!std::isfinite(metres)) return "infinite";
-    if (metres == 0) return "0 m";
-    if (metres < 1e-9) return fmt::format("{:.0e} m", metres);
-    if (metres < 1e-6) return fmt::format("{:.3g} nm", metres * 1e9);
-    if (metres < 1e-3) return fmt::format("{:.3g} um", metres * 1e6);
-    if (metres < 1) return fmt::format("{:.3g} mm", metres * 1e3);
-    return fmt::format("{:.3g} m", metres);
-}
 
 std::string failureText(const Scene& scene, const Outcome& outcome) {
     const bool order = outcome.check == "order";

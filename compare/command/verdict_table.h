@@ -31,9 +31,6 @@ private:
     bool colour_;
 };
 
-/// In m, mm, um or nm to three digits; as a power of ten when it is smaller still.
-std::string lengthText(double metres);
-
 /// The failed check in words: "exact: plumb error_max is 0.002 m, over 0.001 m: reason".
 std::string failureText(const Scene& scene, const Outcome& outcome);
 

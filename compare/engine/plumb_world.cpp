@@ -41,6 +41,11 @@ PlumbWorld plumbWorld(const Scene& scene, WorldDef def) {
     for (const SceneBody& body : scene.bodies) made.bodies.push_back(made.world.add(body.def));
     for (const JointGeometry& joint : jointGeometries(scene))
         made.joints.push_back(made.world.join(withIds(joint, made)));
+    for (const SceneField& field : scene.fields) {
+        FieldDef law = field.def;
+        if (auto* magnet = std::get_if<Magnet>(&law.law)) magnet->body = made.bodies[bodyIndex(scene, field.body)];
+        made.world.addField(law);
+    }
     return made;
 }
 

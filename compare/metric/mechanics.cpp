@@ -49,7 +49,7 @@ Vec2 centerOf(const BodyState& state, const Mass& mass) {
     return Transform{state.position, Rot::fromAngle(state.angle)} * mass.center;
 }
 
-MassModel::MassModel(const Scene& scene) : gravity_(scene.gravity), joints_(scene) {
+MassModel::MassModel(const Scene& scene) : gravity_(scene.gravity), joints_(scene), fields_(scene) {
     double total = 0;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const BodyDef& def = scene.bodies[i].def;
@@ -85,6 +85,7 @@ std::optional<Mechanics> MassModel::at(std::span<const BodyState> states, const 
         if (joint < broken.size() && broken[joint]) continue;
         if (joints_.isKnown(joint, states)) sum.elastic += joints_.springEnergy(joint, states);
     }
+    if (!fields_.empty()) sum.field = fields_.energyAt(states);
     return sum;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <compare/engine/engine.h>
+#include <compare/field/scene_fields.h>
 #include <compare/metric/joint_state.h>
 #include <plumb/shapes/mass.h>
 
@@ -17,6 +18,7 @@ struct Mechanics {
     double potential = 0;        ///< sum of -m s g.c, zero at the world's origin; s the body's gravity scale [J]
     double lifted = 0;           ///< potential minus that of the start, summed body by body without cancellation [J]
     double elastic = 0;          ///< in the springs of joints that have not broken: sum of k x^2 / 2 [J]
+    double field = 0;            ///< of the bodies in fields that have a potential energy [J]
     Vec2 momentum{0, 0};         ///< sum of m v [N s]
     double momentumSize = 0;     ///< sum of |m v| [N s]
     double angularMomentum = 0;  ///< sum of m (c - o) x v + I w, o the centre of all masses at the start [N m s]
@@ -51,6 +53,7 @@ private:
     Vec2 startCenter_{0, 0};
     std::vector<Moving> moving_;
     JointStates joints_;
+    SceneFields fields_;
 };
 
 /// Centre of mass in the world.

@@ -66,7 +66,7 @@ struct Drifts {
     bool lost = false;  // a state was not a number
 
     void add(const Mechanics& start, const Mechanics& now) {
-        const double stored = (now.lifted - start.lifted) + (now.elastic - start.elastic);
+        const double stored = (now.lifted - start.lifted) + (now.elastic - start.elastic) + (now.field - start.field);
         energy = std::max(energy, std::abs((now.kinetic - start.kinetic) + stored));
         momentum = std::max(momentum, (now.momentum - start.momentum).norm());
         angularMomentum = std::max(angularMomentum, std::abs(now.angularMomentum - start.angularMomentum));
@@ -89,7 +89,7 @@ void measureMechanics(const MassModel& masses, const Observation& run, Measured&
     for (std::size_t tick = 0; tick < run.states.size(); ++tick) {
         const std::optional<Mechanics> now = masses.at(run.states[tick], brokenBy(run, tick));
         const double lost = run.partial ? unsaid : unbounded;
-        measured.series.energy.push_back(now ? now->kinetic + now->potential + now->elastic : lost);
+        measured.series.energy.push_back(now ? now->kinetic + now->potential + now->elastic + now->field : lost);
         if (!start) start = now;
         if (now) drifts.add(*start, *now);
         if (!now && !run.partial) drifts.lost = true;

@@ -77,4 +77,20 @@ void writeCsv(const std::vector<SceneResult>& results, const std::filesystem::pa
     }
 }
 
+void writeLabCsv(const std::vector<LabResult>& results, const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    for (const LabResult& result : results) {
+        const std::filesystem::path path = folder / (result.lab.name + ".csv");
+        std::ofstream file(path, std::ios::binary);
+        write(file, {"graph", "curve", "x", "y"});
+        for (const Graph& graph : result.run.graphs)
+            for (const Curve& curve : graph.curves)
+                for (const Point& point : curve.points)
+                    write(file, {quoted(graph.title), quoted(curve.name), cell(point.x), cell(point.y)});
+        file.close();
+        if (!file) throw std::runtime_error("csv: cannot write " + path.string());
+    }
+}
+
 }  // namespace plumb::compare

@@ -8,6 +8,7 @@
 
 #include <compare/engine/joint_geometry.h>
 #include <compare/report/curve.h>
+#include <compare/report/lab_data.h>
 #include <compare/report/playback.h>
 #include <compare/scene/fields.h>
 #include <plumb/math/transform.h>
@@ -79,6 +80,22 @@ json jointData(const SceneJoint& joint, const JointGeometry& geometry) {
               {"atB", pair(geometry.localAnchorB)}};
     if (const auto* pulley = std::get_if<PulleyJointDef>(&joint.def))
         data["over"] = {pair(pulley->groundA), pair(pulley->groundB)};
+    return data;
+}
+
+/// What of a field can be drawn: water's surface and which way is down, or what draws, in the frame of the body that
+/// carries it.
+json fieldData(const Scene& scene, const SceneField& field) {
+    json data{{"name", field.name}};
+    if (const auto* pool = std::get_if<Pool>(&field.def.law)) {
+        data["surface"] = pair(pool->fluid.surface);
+        data["down"] = pair(pool->fluid.gravity.normalized());
+    }
+    if (const auto* attractor = std::get_if<Attractor>(&field.def.law)) data["center"] = pair(attractor->center);
+    if (const auto* magnet = std::get_if<Magnet>(&field.def.law)) {
+        data["center"] = pair(magnet->pull.center);
+        data["body"] = bodyIndex(scene, field.body);
+    }
     return data;
 }
 
@@ -167,13 +184,14 @@ json sceneData(const SceneResult& result, const PlaybackFormat& format, const Re
                  {"width", static_cast<int>(format.width)},
                  {"stride", format.stride},
                  {"curveStride", stride}};
-    for (const char* list : {"bodies", "joints", "probes", "engines", "outcomes"}) data[list] = json::array();
+    for (const char* list : {"bodies", "joints", "fields", "probes", "engines", "outcomes"}) data[list] = json::array();
     for (const SceneBody& body : scene.bodies) data["bodies"].push_back(bodyData(body));
     const std::vector<JointGeometry> joints = jointGeometries(scene);
     for (std::size_t i = 0; i < joints.size(); ++i) {
         json joint = jointData(scene.joints[i], joints[i]);
         if (!joint.is_null()) data["joints"].push_back(std::move(joint));
     }
+    for (const SceneField& field : scene.fields) data["fields"].push_back(fieldData(scene, field));
     for (const Probe& probe : scene.probes) {
         data["probes"].push_back({{"name", probe.name}, {"unit", probe.unit}, {"from", probe.from}});
     }
@@ -187,11 +205,12 @@ json sceneData(const SceneResult& result, const PlaybackFormat& format, const Re
 
 }  // namespace
 
-json reportData(const std::vector<SceneResult>& results, const ReportSettings& settings) {
+json reportData(const std::vector<SceneResult>& results, const std::vector<LabResult>& labs,
+                const ReportSettings& settings) {
     const std::vector<PlaybackFormat> formats = fitPlayback(results, settings.playbackBudget);
     json scenes = json::array();
     for (std::size_t i = 0; i < results.size(); ++i) scenes.push_back(sceneData(results[i], formats[i], settings));
-    return {{"schema", 1}, {"scenes", scenes}};
+    return {{"schema", 1}, {"scenes", scenes}, {"labs", labsData(labs)}};
 }
 
 std::string scriptText(const json& data) {

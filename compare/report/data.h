@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <compare/check/verdict.h>
+#include <compare/lab/lab.h>
 
 namespace plumb::compare {
 
@@ -18,7 +19,8 @@ struct ReportSettings {
 };
 
 /// Everything the page shows, as the page's scripts read it (page/data.js).
-nlohmann::json reportData(const std::vector<SceneResult>& results, const ReportSettings& settings = {});
+nlohmann::json reportData(const std::vector<SceneResult>& results, const std::vector<LabResult>& labs = {},
+                          const ReportSettings& settings = {});
 
 /// JSON that may stand inside a <script> element: without "<", no text in it can end the element or open a comment.
 std::string scriptText(const nlohmann::json& data);

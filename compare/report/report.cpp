@@ -11,7 +11,8 @@
 
 namespace plumb::compare {
 
-void writeReport(const std::vector<SceneResult>& results, const std::filesystem::path& folder) {
+void writeReport(const std::vector<SceneResult>& results, const std::filesystem::path& folder,
+                 const std::vector<LabResult>& labs) {
     const std::string_view whole = page();
     const std::size_t mark = whole.find(pageDataMark);
     if (mark == std::string_view::npos) throw std::logic_error("the report's page has no place for its data");
@@ -20,7 +21,7 @@ void writeReport(const std::vector<SceneResult>& results, const std::filesystem:
     std::filesystem::create_directories(folder, error);
     const std::filesystem::path path = folder / "index.html";
     std::ofstream file(path, std::ios::binary);
-    file << whole.substr(0, mark) << scriptText(reportData(results)) << whole.substr(mark + pageDataMark.size());
+    file << whole.substr(0, mark) << scriptText(reportData(results, labs)) << whole.substr(mark + pageDataMark.size());
     file.flush();
     if (!file) throw std::runtime_error("report: cannot write " + path.string());
 }

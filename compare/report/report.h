@@ -5,16 +5,21 @@
 #include <vector>
 
 #include <compare/check/verdict.h>
+#include <compare/lab/lab.h>
 
 namespace plumb::compare {
 
 /// Writes folder/index.html: one file that opens from disk with no network. Makes the folder.
 /// Throws std::runtime_error when it cannot be written.
-void writeReport(const std::vector<SceneResult>& results, const std::filesystem::path& folder);
+void writeReport(const std::vector<SceneResult>& results, const std::filesystem::path& folder,
+                 const std::vector<LabResult>& labs = {});
 
 /// Writes folder/<scene>.csv, a row a tick: t, then for each engine that ran it <engine>.<body>.x, .y and .angle of
 /// each body, <engine>.error and <engine>.energy; a cell is empty where there is no number. Makes the folder. Throws
 /// std::runtime_error when a file cannot be written.
 void writeCsv(const std::vector<SceneResult>& results, const std::filesystem::path& folder);
+
+/// Writes folder/<lab>.csv, a row a point of its curves: graph, curve, x, y. Makes the folder. Throws as writeCsv does.
+void writeLabCsv(const std::vector<LabResult>& results, const std::filesystem::path& folder);
 
 }  // namespace plumb::compare

@@ -69,7 +69,30 @@ struct OscillatorMotion {
     double damping = 0;    ///< c, >= 0 [N s/m]
 };
 
-using BodyMotion = std::variant<PiecewiseMotion, DampedFlight, PendulumMotion, OscillatorMotion>;
+/// What falls from rest in air that holds it back by the square of its speed:
+/// x = x0 - (v_t^2 / g) ln cosh(g t / v_t), v_t the terminal speed.
+struct DragFall {
+    std::string body{};
+    Vec2 position{0, 0};       ///< x0 [m]
+    double terminalSpeed = 1;  ///< > 0 [m/s]
+    double gravity = 9.81;     ///< downward, > 0 [m/s^2]
+};
+
+/// An ellipse about a focus, as the inverse square of the distance has it; e = 1 falls straight in, and holds until it
+/// is there.
+struct KeplerMotion {
+    std::string body{};
+    Vec2 focus{0, 0};          ///< at t = 0 [m]
+    Vec2 drift{0, 0};          ///< at which the focus moves [m/s]
+    Vec2 nearEnd{1, 0};        ///< from the focus to the near end, a unit vector [-]
+    double semiMajorAxis = 1;  ///< > 0 [m]
+    double eccentricity = 0;   ///< 0 to 1 [-]
+    double period = 1;         ///< > 0 [s]
+    double since = 0;          ///< the near end, at t = 0; counter-clockwise [s]
+};
+
+using BodyMotion =
+    std::variant<PiecewiseMotion, DampedFlight, PendulumMotion, OscillatorMotion, DragFall, KeplerMotion>;
 
 struct ClosedForm {
     std::string formula{};             ///< in plain text, for the report

@@ -39,7 +39,10 @@ inline constexpr std::initializer_list<const char*> shapeTags{"circle", "capsule
 
 inline constexpr std::initializer_list<const char*> jointTags{"revolute", "prismatic", "distance", "weld",   "wheel",
                                                               "pulley",   "gear",      "motor",    "target", "filter"};
-inline constexpr std::initializer_list<const char*> motionTags{"piecewise", "damped", "pendulum", "oscillator"};
+inline constexpr std::initializer_list<const char*> motionTags{"piecewise",  "damped",   "pendulum",
+                                                               "oscillator", "dragFall", "kepler"};
+inline constexpr std::initializer_list<const char*> lawTags{
+    "uniformGravity", "mutualGravity", "drag", "attractor", "magnet", "pool", "groundFriction"};
 inline constexpr std::initializer_list<const char*> probeTags{"angle",    "normalForce", "jointForce",  "position",
                                                               "velocity", "limit",       "jointBroken", "sensorCount"};
 
@@ -237,6 +240,53 @@ void fields(auto& visit, Is<SceneJoint> auto& x) {
     visit("jointB", x.jointB);
     visit.oneOf(x.def, jointTags);
 }
+void fields(auto& visit, Is<UniformGravity> auto& x) {
+    visit("acceleration", x.acceleration);
+}
+void fields(auto& visit, Is<MutualGravity> auto& x) {
+    visit("constant", x.constant);
+    visit("softening", x.softening);
+}
+void fields(auto& visit, Is<Drag> auto& x) {
+    visit("linear", x.linear);
+    visit("quadratic", x.quadratic);
+    visit("wind", x.wind);
+}
+void fields(auto& visit, Is<Attractor> auto& x) {
+    visit("center", x.center);
+    visit("strength", x.strength);
+    visit("power", x.power);
+    visit("softening", x.softening);
+    visit.orInfinite("range", x.range);
+}
+void fields(auto& visit, Is<Magnet> auto& x) {
+    fields(visit, x.pull);
+}
+void fields(auto& visit, Is<Fluid> auto& x) {
+    visit("density", x.density);
+    visit("surface", x.surface);
+    visit("gravity", x.gravity);
+}
+void fields(auto& visit, Is<Pool> auto& x) {
+    visit("fluid", x.fluid);
+    visit("drag", x.drag);
+    visit("flow", x.flow);
+}
+void fields(auto& visit, Is<GroundFriction> auto& x) {
+    visit("friction", x.friction);
+    visit("gravity", x.gravity);
+    visit("lever", x.lever);
+}
+void fields(auto& visit, Is<Shape> auto& x) {
+    visit.shape(x);
+}
+void fields(auto& visit, Is<SceneField> auto& x) {
+    visit("name", x.name);
+    visit("body", x.body);
+    visit.oneOf(x.def.law, lawTags);
+    visit("region", x.def.region);
+    visit("filter", x.def.filter);
+}
 void fields(auto& visit, Is<Flight> auto& x) {
     visit("start", x.start);
     visit("position", x.position);
@@ -279,6 +329,22 @@ void fields(auto& visit, Is<OscillatorMotion> auto& x) {
     visit("mass", x.mass);
     visit("stiffness", x.stiffness);
     visit("damping", x.damping);
+}
+void fields(auto& visit, Is<DragFall> auto& x) {
+    visit("body", x.body);
+    visit("position", x.position);
+    visit("terminalSpeed", x.terminalSpeed);
+    visit("gravity", x.gravity);
+}
+void fields(auto& visit, Is<KeplerMotion> auto& x) {
+    visit("body", x.body);
+    visit("focus", x.focus);
+    visit("drift", x.drift);
+    visit("nearEnd", x.nearEnd);
+    visit("semiMajorAxis", x.semiMajorAxis);
+    visit("eccentricity", x.eccentricity);
+    visit("period", x.period);
+    visit("since", x.since);
 }
 void fields(auto& visit, Is<BodyMotion> auto& x) {
     visit.oneOf(x, motionTags);
@@ -357,6 +423,7 @@ void fields(auto& visit, Is<Scene> auto& x) {
     visit("sleeping", x.sleeping);
     visit("bodies", x.bodies);
     visit("joints", x.joints);
+    visit("fields", x.fields);
     visit("closedForm", x.closedForm);
     visit("probes", x.probes);
     visit("checks", x.checks);

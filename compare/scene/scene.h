@@ -9,6 +9,7 @@
 #include <compare/scene/check.h>
 #include <compare/scene/closed_form.h>
 #include <plumb/dynamics/body_def.h>
+#include <plumb/dynamics/field.h>
 #include <plumb/dynamics/joint_def.h>
 
 namespace plumb::compare {
@@ -23,6 +24,12 @@ struct SceneJoint {
     std::string bodyA{}, bodyB{};    ///< names; a target has a bodyA only, and a gear neither
     JointDef def{};                  ///< its ids are left empty; each engine fills in its own
     std::string jointA{}, jointB{};  ///< names of joints before it: what a gear couples
+};
+
+struct SceneField {
+    std::string name{};  ///< unique in the scene
+    FieldDef def{};      ///< a magnet's id is left empty; each engine fills in its own
+    std::string body{};  ///< the name of what carries a magnet
 };
 
 /// The body's angle [rad].
@@ -91,6 +98,7 @@ struct Scene {
     bool sleeping = true;    ///< may engines leave out what rests?
     std::vector<SceneBody> bodies{};
     std::vector<SceneJoint> joints{};
+    std::vector<SceneField> fields{};
     std::optional<ClosedForm> closedForm{};
     std::vector<Probe> probes{};
     std::vector<Check> checks{};

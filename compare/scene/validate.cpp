@@ -10,6 +10,7 @@
 #include <compare/scene/named.h>
 #include <compare/scene/scene.h>
 #include <compare/scene/validate_joint.h>
+#include <plumb/dynamics/world.h>
 #include <plumb/math/check.h>
 
 namespace plumb::compare {
@@ -118,6 +119,43 @@ void validateMotion(const OscillatorMotion& motion, const std::string& field) {
     requireNotNegative(motion.damping, path, ".damping");
 }
 
+void validateMotion(const DragFall& motion, const std::string& field) {
+    const std::string path = field + ".dragFall";
+    requireFinite(motion.position, path, ".position");
+    requirePositive(motion.terminalSpeed, path, ".terminalSpeed");
+    requirePositive(motion.gravity, path, ".gravity");
+}
+
+void validateMotion(const KeplerMotion& motion, const std::string& field) {
+    const std::string path = field + ".kepler";
+    requireFinite(motion.focus, path, ".focus");
+    requireFinite(motion.drift, path, ".drift");
+    requireUnit(motion.nearEnd, path + ".nearEnd");
+    requirePositive(motion.semiMajorAxis, path, ".semiMajorAxis");
+    requireWithin(motion.eccentricity, 0, 1, path, ".eccentricity");
+    requirePositive(motion.period, path, ".period");
+    requireFinite(motion.since, path, ".since");
+}
+
+/// As the kit does it: its message stands after the path.
+void validateField(const Scene& scene, std::size_t index) {
+    const SceneField& field = scene.fields[index];
+    const std::string path = at("fields", index);
+    FieldDef def = field.def;
+    World world;
+    if (auto* magnet = std::get_if<Magnet>(&def.law)) {
+        requireKnown(field.body, namesOf(scene.bodies), path + ".body", "a body");
+        magnet->body = world.add({.type = BodyType::Static});
+    } else if (!field.body.empty()) {
+        refuse(path + ".body", quoted(field.body) + " carries no magnet: the field is another");
+    }
+    try {
+        (void)world.addField(def);
+    } catch (const std::invalid_argument& error) {
+        refuse(path, error.what());
+    }
+}
+
 void validateClosedForm(const ClosedForm& form, const std::vector<std::string>& bodies) {
     requireNotNegative(form.until, "closedForm.until");
     if (form.bodies.empty()) refuse("closedForm.bodies", "there is none, wanted at least one");
@@ -202,10 +240,12 @@ void validate(const Scene& scene) {
     if (scene.bodies.empty()) refuse("bodies", "there is none, wanted at least one");
     validateNames(scene.bodies, "bodies");
     validateNames(scene.joints, "joints");
+    validateNames(scene.fields, "fields");
     validateNames(scene.probes, "probes");
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) validateBody(scene.bodies[i], at("bodies", i));
     const NameIndex index(scene.bodies);
     for (std::size_t i = 0; i < scene.joints.size(); ++i) validateJoint(scene, i, index);
+    for (std::size_t i = 0; i < scene.fields.size(); ++i) validateField(scene, i);
     for (std::size_t i = 0; i < scene.probes.size(); ++i) validateProbe(scene.probes[i], scene, at("probes", i));
     if (scene.closedForm) validateClosedForm(*scene.closedForm, namesOf(scene.bodies));
     for (std::size_t i = 0; i < scene.checks.size(); ++i) validateCheck(scene.checks[i], scene, at("checks", i));

@@ -2,5 +2,6 @@
 // Everything a first program needs.
 #pragma once
 #include <plumb/dynamics/world.h>
+#include <plumb/record/forecast.h>
 #include <plumb/record/state_hash.h>
 #include <plumb/space/shape_def.h>

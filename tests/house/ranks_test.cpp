@@ -4,6 +4,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <regex>
+#include <set>
 
 #include "catch.h"
 
@@ -116,4 +119,21 @@ TEST_CASE("ranks are read from the table headed rank and modules, and from nowhe
         "\n| 9 | `dynamics` |\n";
     CHECK(ranksIn(readme, {"math", "shapes", "impact", "dynamics"}) ==
           Ranks{{"impact", 1}, {"math", 0}, {"shapes", 1}});
+}
+
+// Two types of one name in one namespace, of which a program sees one here and the other there, are no error to any
+// compiler, and wrong.
+TEST_CASE("no two headers of the kit define a type of the same name", "[house]") {
+    const std::regex definition(R"((?:^|\n)(?:struct|class|enum class)\s+(?:alignas\(\d+\)\s*)?(\w+)[^;{<(]*\{)");
+    std::map<std::string, std::set<std::string>> headers;
+    for (const SourceFile& source : kitSources()) {
+        if (!source.path.ends_with(".h")) continue;
+        for (std::sregex_iterator it(source.text.begin(), source.text.end(), definition), end; it != end; ++it)
+            headers[(*it)[1]].insert(source.path);
+    }
+    CHECK(headers.size() > 100);
+    for (const auto& [name, where] : headers) {
+        CAPTURE(name, where);
+        CHECK(where.size() == 1);
+    }
 }

@@ -12,6 +12,7 @@
 #include <compare/engine/box2d24/box2d24_joint.h>
 #include <compare/engine/joint_geometry.h>
 #include <compare/engine/single.h>
+#include <compare/field/scene_fields.h>
 
 namespace plumb::compare {
 namespace {
@@ -69,7 +70,8 @@ private:
 
 class Box2d24Simulation : public Simulation {
 public:
-    explicit Box2d24Simulation(const Scene& scene) : world_(toBox2d24(scene.gravity)), probes_(scene.probes.size()) {
+    explicit Box2d24Simulation(const Scene& scene)
+        : world_(toBox2d24(scene.gravity)), fields_(scene), probes_(scene.probes.size()) {
         const float threshold = restitutionThreshold24(scene);
         world_.SetAllowSleeping(scene.sleeping);
         for (const SceneBody& body : scene.bodies) bodies_.push_back(addBody24(world_, body, threshold, surfaces_));
@@ -81,6 +83,7 @@ public:
     }
 
     void step(double dt) override {
+        if (!fields_.empty()) applyFields(dt);
         world_.Step(static_cast<float>(dt), velocityIterations, positionIterations);
         listener_.finishStep(dt);
         lastDt_ = dt;
@@ -110,6 +113,11 @@ public:
         return result;
     }
 
+    void makeBullets(const Scene& scene) {
+        for (std::size_t i = 0; i < bodies_.size(); ++i)
+            if (!scene.bodies[i].def.velocity.isZero(0)) bodies_[i]->SetBullet(true);
+    }
+
     Broken brokenJoints() const override {
         if (breakable_.empty()) return {};
         Broken broken;
@@ -123,6 +131,16 @@ private:
         std::optional<std::size_t> joint;
         std::optional<std::size_t> gate;  // index of a body whose sensors count
     };
+
+    /// Box2D has no fields: its user applies forces before each step.
+    void applyFields(double dt) {
+        const std::vector<FieldForce> forces = fields_.at(states(), dt);
+        for (std::size_t i = 0; i < bodies_.size(); ++i) {
+            if (bodies_[i]->GetType() != b2_dynamicBody) continue;
+            bodies_[i]->ApplyForceToCenter(toBox2d24(forces[i].force), true);
+            bodies_[i]->ApplyTorque(toSingle(forces[i].torque), true);
+        }
+    }
 
     /// Those that a scene lets break: Box2D 2.4 leaves it to its user to look at what they bear.
     void breakJoints() {
@@ -180,6 +198,7 @@ private:
     ContactListener listener_;
     Surfaces24 surfaces_;
     b2World world_;
+    SceneFields fields_;
     std::vector<b2Body*> bodies_;
     std::vector<b2Joint*> joints_;  // null where one has broken
     std::vector<std::pair<std::size_t, Breaking>> breakable_;
@@ -211,9 +230,13 @@ std::vector<Setting> box2d24Settings(const Scene& scene) {
 
 }  // namespace
 
-Engine box2d24Engine() {
-    return {"box2d-2.4", PLUMB_BOX2D24_VERSION, box2d24Settings,
-            [](const Scene& scene) { return std::make_unique<Box2d24Simulation>(scene); }};
+Engine box2d24Engine(bool bullets) {
+    return {bullets ? "box2d-2.4 bullets" : "box2d-2.4", PLUMB_BOX2D24_VERSION, box2d24Settings,
+            [bullets](const Scene& scene) {
+                auto simulation = std::make_unique<Box2d24Simulation>(scene);
+                if (bullets) simulation->makeBullets(scene);
+                return simulation;
+            }};
 }
 
 }  // namespace plumb::compare

@@ -10,6 +10,7 @@ namespace plumb::compare {
 /// radius, and its own mass. Unsupported: rolling resistance, polygons of more than 8 corners or with corners that
 /// Box2D would weld, capsules not thicker than twice its skin, chains with segments and rods not longer than its slop,
 /// filter categories and groups beyond 16 bits, numbers beyond single precision.
-Engine box2d24Engine();
+/// bullets: what moves at the start is flagged as one, and the engine is called "box2d-2.4 bullets".
+Engine box2d24Engine(bool bullets = false);
 
 }  // namespace plumb::compare

@@ -15,6 +15,7 @@
 #include <compare/engine/joint_geometry.h>
 #include <compare/engine/mixed.h>
 #include <compare/engine/single.h>
+#include <compare/field/scene_fields.h>
 
 namespace plumb::compare {
 namespace {
@@ -71,7 +72,8 @@ private:
 
 class Box2d3Simulation : public Simulation {
 public:
-    explicit Box2d3Simulation(const Scene& scene) : world_(worldDef(scene)), probes_(scene.probes.size()) {
+    explicit Box2d3Simulation(const Scene& scene)
+        : world_(worldDef(scene)), fields_(scene), probes_(scene.probes.size()) {
         senses_ = hasSensors(scene);
         for (const SceneBody& body : scene.bodies) {
             bodies_.push_back(addBody3(world_.id(), body, senses_));
@@ -82,6 +84,7 @@ public:
     }
 
     void step(double dt) override {
+        if (!fields_.empty()) applyFields(dt);
         b2World_Step(world_.id(), static_cast<float>(dt), subSteps);
         lastDt_ = dt;
         if (breaks_) breakJoints();
@@ -123,6 +126,11 @@ public:
         return result;
     }
 
+    void makeBullets(const Scene& scene) {
+        for (std::size_t i = 0; i < bodies_.size(); ++i)
+            if (!scene.bodies[i].def.velocity.isZero(0)) b2Body_SetBullet(bodies_[i], true);
+    }
+
     Broken brokenJoints() const override {
         if (!breaks_) return {};
         Broken broken;
@@ -137,6 +145,15 @@ private:
         std::optional<b2BodyId> gate;  // whose sensors count
         int visits = 0;
     };
+
+    /// Box2D has no fields: its user applies forces before each step.
+    void applyFields(double dt) {
+        const std::vector<FieldForce> forces = fields_.at(states(), dt);
+        for (std::size_t i = 0; i < bodies_.size(); ++i) {
+            b2Body_ApplyForceToCenter(bodies_[i], toBox2d3(forces[i].force), true);
+            b2Body_ApplyTorque(bodies_[i], toSingle(forces[i].torque), true);
+        }
+    }
 
     void join(const Scene& scene) {
         const std::vector<JointGeometry> joints = jointGeometries(scene);
@@ -205,6 +222,7 @@ private:
     }
 
     World3 world_;
+    SceneFields fields_;
     std::vector<b2BodyId> bodies_;
     mutable std::vector<double> angles_;  // when last asked for, counted on [rad]
     std::vector<b2JointId> joints_;       // null where one has broken
@@ -246,9 +264,12 @@ std::string version() {
 
 }  // namespace
 
-Engine box2d3Engine() {
-    return {"box2d-3", version(), box2d3Settings,
-            [](const Scene& scene) { return std::make_unique<Box2d3Simulation>(scene); }};
+Engine box2d3Engine(bool bullets) {
+    return {bullets ? "box2d-3 bullets" : "box2d-3", version(), box2d3Settings, [bullets](const Scene& scene) {
+                auto simulation = std::make_unique<Box2d3Simulation>(scene);
+                if (bullets) simulation->makeBullets(scene);
+                return simulation;
+            }};
 }
 
 }  // namespace plumb::compare

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which state of the page does its address name? #scene=free_fall&t=1.2&play=1&speed=1
+// Which state of the page does its address name? #scene=free_fall&t=1.2&play=1&speed=1, or #lab=frame_rate
 
 function readAddress() {
     const fields = new URLSearchParams(location.hash.slice(1));
@@ -8,7 +8,7 @@ function readAddress() {
         return Number.isFinite(value) ? value : otherwise;
     };
     const play = fields.get("play") === "1";
-    return {scene: fields.get("scene"), time: number("t", 0), play, speed: number("speed", 1)};
+    return {scene: fields.get("scene"), lab: fields.get("lab"), time: number("t", 0), play, speed: number("speed", 1)};
 }
 
 function writeAddress({scene, time, play, speed}) {

@@ -5,6 +5,8 @@ const LOOKS = {
     "plumb": {label: "Plumb", color: "--plumb", dash: [], width: 2.5, filled: true},
     "box2d-2.4": {label: "Box2D 2.4", color: "--box2d-2", dash: [], width: 1.6},
     "box2d-3": {label: "Box2D 3", color: "--box2d-3", dash: [9, 5], width: 2},
+    "box2d-2.4 bullets": {label: "Box2D 2.4 with bullets", color: "--box2d-2", dash: [2, 4], width: 2.4},
+    "box2d-3 bullets": {label: "Box2D 3 with bullets", color: "--box2d-3", dash: [4, 3, 1, 3], width: 2.4},
     "closed-form": {label: "Closed form", color: "--closed-form", dash: [3, 4], width: 2, ghost: true},
 };
 

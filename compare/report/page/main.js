@@ -7,15 +7,19 @@ const scenePage = new ScenePage(() => {
     if (scene) writeAddress({scene: scene.name, time, play, speed});
 });
 
+const labPage = new LabPage();
+
 function showView(name) {
     document.body.dataset.view = name;
     byId("overview").hidden = name !== "overview";
     byId("scene").hidden = name !== "scene";
+    byId("lab").hidden = name !== "lab";
 }
 
-function markInList(scene) {
-    for (const link of byId("scene-list-items").querySelectorAll("a")) {
-        const here = link.dataset.scene === scene.name;
+/// At the side, and in the arrows to its neighbours in the list, before and after.
+function markInList(address, list, [before, after]) {
+    for (const link of byId("scene-list").querySelectorAll("ol a")) {
+        const here = link.getAttribute("href") === address;
         if (!here) {
             link.removeAttribute("aria-current");
             continue;
@@ -23,16 +27,32 @@ function markInList(scene) {
         link.setAttribute("aria-current", "page");
         link.scrollIntoView({block: "nearest"});
     }
-    const at = report.scenes.indexOf(scene);
-    const around = (step) => sceneAddress(report.scenes[(at + step + report.scenes.length) % report.scenes.length]);
-    byId("previous-scene").href = around(-1);
-    byId("next-scene").href = around(1);
+    const at = list.indexOf(address);
+    byId(before).href = list[(at + list.length - 1) % list.length];
+    byId(after).href = list[(at + 1) % list.length];
+}
+
+function openLab(lab) {
+    scenePage.close();
+    showView("lab");
+    if (labPage.lab !== lab) {
+        labPage.open(lab);
+        scrollTo(0, 0);
+    }
+    markInList(labAddress(lab), report.labs.map(labAddress), ["before-lab", "after-lab"]);
 }
 
 function openAddress() {
     const wanted = readAddress();
     const scene = report.scenes.find(({name}) => name === wanted.scene);
-    document.title = scene ? `${titleText(scene.name)} – Plumb compared` : "Plumb compared";
+    const lab = report.labs.find(({name}) => name === wanted.lab);
+    const title = scene ?? lab;
+    document.title = title ? `${titleText(title.name)} – Plumb compared` : "Plumb compared";
+    if (lab && !scene) {
+        openLab(lab);
+        return;
+    }
+    labPage.close();
     if (!scene) {
         scenePage.close();
         showView("overview");
@@ -43,7 +63,7 @@ function openAddress() {
         scenePage.open(scene);
         scrollTo(0, 0);
     }
-    markInList(scene);
+    markInList(sceneAddress(scene), report.scenes.map(sceneAddress), ["previous-scene", "next-scene"]);
     const speed = SPEEDS.some(([choice]) => choice === wanted.speed) ? wanted.speed : 1;
     scenePage.player.setSpeed(speed);
     scenePage.showSpeed(speed);

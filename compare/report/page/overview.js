@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What came of all scenes?
+// What came of all scenes and labs?
 
 function allEngines(report) {
     const names = new Set(report.scenes.flatMap((scene) => scene.engines.map((engine) => engine.name)));
@@ -12,7 +12,7 @@ function failures(scene) {
 }
 
 function sums(report) {
-    const outcomes = report.scenes.flatMap((scene) => scene.outcomes);
+    const outcomes = [...report.scenes, ...report.labs].flatMap((judged) => judged.outcomes);
     const exact = report.scenes.filter((scene) => scene.closedForm);
     const close = exact.filter((scene) => {
         const plumb = scene.engines.find((engine) => engine.name === "plumb")?.metrics.error_max;
@@ -24,9 +24,10 @@ function sums(report) {
         return element("li", {}, count, what);
     };
     return [
-        sum(passing(report.scenes), report.scenes, "scenes hold"),
+        ...(report.scenes.length > 0 ? [sum(passing(report.scenes), report.scenes, "scenes hold")] : []),
+        ...(report.labs.length > 0 ? [sum(passing(report.labs), report.labs, "labs hold")] : []),
         sum(passing(outcomes), outcomes, "checks hold"),
-        sum(close, exact, "closed forms met by Plumb within 1 mm"),
+        ...(exact.length > 0 ? [sum(close, exact, "closed forms met by Plumb within 1 mm")] : []),
     ];
 }
 
@@ -58,12 +59,32 @@ function verdictRow(scene, engines) {
         ...engines.map((name) => errorCell(scene, name)));
 }
 
+function labRow(lab) {
+    const failed = failures(lab);
+    return element("tr", {class: lab.pass ? null : "failing"},
+        element("td", {}, verdictMark(lab.pass)),
+        element("th", {scope: "row"}, element("a", {href: labAddress(lab)}, titleText(lab.name)),
+            element("p", {class: "question"}, lab.question),
+            ...failed.map((outcome) => element("p", {class: "failure"}, labFailureText(outcome)))),
+        element("td", {class: "number"}, `${lab.outcomes.length - failed.length}/${lab.outcomes.length}`),
+        element("td", {class: "question"}, lab.seen[0] ?? ""));
+}
+
+function fillLabs(report) {
+    byId("labs").hidden = report.labs.length === 0;
+    const heads = [columnHead("Verdict"), columnHead("Lab"), columnHead("Checks", true), columnHead("What is seen")];
+    byId("lab-verdicts").append(...table(heads, report.labs.map(labRow)));
+}
+
 function fillOverview(report) {
     const engines = allEngines(report);
     byId("sums").append(...sums(report));
     const heads = [columnHead("Verdict"), columnHead("Scene"), columnHead("Checks", true),
         ...engines.map((name) => columnHead(engineName(name), true))];
     byId("verdicts").append(...table(heads, report.scenes.map((scene) => verdictRow(scene, engines))));
+    byId("verdicts").hidden = byId("verdicts-note").hidden = report.scenes.length === 0;
+    byId("verdicts-csv").hidden = report.scenes.length === 0;
+    fillLabs(report);
     byId("verdicts-csv").addEventListener("click", () => download("plumb_numbers.csv", numbersCsv(report.scenes)));
 }
 
@@ -71,6 +92,7 @@ function fillOverview(report) {
 function fillSceneList(report) {
     const held = report.scenes.filter((scene) => scene.pass).length;
     byId("scene-list-sum").textContent = `${held} of ${report.scenes.length} scenes hold`;
+    byId("scene-list-sum").hidden = report.scenes.length === 0;
     for (const scene of report.scenes) {
         const figures = element("span", {class: "figures"});
         for (const engine of scene.engines) {
@@ -79,12 +101,27 @@ function fillSceneList(report) {
                 engineMark(engine.name), shortQuantity(engine.metrics.error_max, "m")));
         }
         const [failed] = failures(scene);
-        const [sign, word] = scene.pass ? ["✓", "holds"] : ["✗", "fails"];
-        const link = element("a", {href: sceneAddress(scene), "data-scene": scene.name, title: scene.question},
-            element("span", {class: `verdict ${word}`, "aria-label": word}, sign),
-            element("span", {class: "scene-name"}, titleText(scene.name)),
-            failed ? element("span", {class: "failure"}, failureText(scene, failed)) : null,
-            figures.childElementCount > 0 ? figures : null);
-        byId("scene-list-items").append(element("li", {}, link));
+        byId("scene-list-items").append(listItem(scene, sceneAddress(scene), failed && failureText(scene, failed),
+            figures.childElementCount > 0 ? figures : null));
+    }
+    fillLabList(report);
+}
+
+/// failure: what it says, where something fails; figures: below, or null.
+function listItem(judged, address, failure, figures) {
+    const [sign, word] = judged.pass ? ["✓", "holds"] : ["✗", "fails"];
+    return element("li", {}, element("a", {href: address, title: judged.question},
+        element("span", {class: `verdict ${word}`, "aria-label": word}, sign),
+        element("span", {class: "scene-name"}, titleText(judged.name)),
+        failure ? element("span", {class: "failure"}, failure) : null, figures));
+}
+
+function fillLabList(report) {
+    const held = report.labs.filter((lab) => lab.pass).length;
+    byId("lab-list-sum").textContent = `${held} of ${report.labs.length} labs hold`;
+    byId("lab-list-sum").hidden = report.labs.length === 0;
+    for (const lab of report.labs) {
+        const [failed] = failures(lab);
+        byId("lab-list-items").append(listItem(lab, labAddress(lab), failed && labFailureText(failed), null));
     }
 }

@@ -6,8 +6,9 @@ set(PLUMB_REPORT_PAGE_DIR "${CMAKE_CURRENT_LIST_DIR}")
 
 # The order is that of the page: a script may use those before it at once, and those after it once the page runs.
 set(PLUMB_REPORT_SCRIPTS
-    dom.js format.js formula.js engines.js data.js pose.js camera.js paper.js stage.js player.js
-    curves.js limits.js chart.js charts.js csv.js numbers.js overview.js controls.js scene_page.js address.js main.js)
+    dom.js format.js formula.js engines.js data.js pose.js camera.js paper.js field.js stage.js player.js
+    curves.js limits.js chart.js charts.js csv.js numbers.js lab_chart.js lab_page.js overview.js controls.js
+    scene_page.js address.js main.js)
 
 function(plumb_find_dygraphs name variable)
     find_file(${variable} ${name}
@@ -32,8 +33,8 @@ function(plumb_add_report_page target)
             "-DDYGRAPHS_JS=${PLUMB_DYGRAPHS_JS}" "-DDYGRAPHS_CSS=${PLUMB_DYGRAPHS_CSS}" "-DOUTPUT=${output}"
             -P "${PLUMB_REPORT_PAGE_DIR}/embed.cmake"
         DEPENDS ${scripts} "${PLUMB_REPORT_PAGE_DIR}/page.html" "${PLUMB_REPORT_PAGE_DIR}/page.css"
-            "${PLUMB_REPORT_PAGE_DIR}/scene.css" "${PLUMB_REPORT_PAGE_DIR}/embed.cmake"
-            "${PLUMB_DYGRAPHS_JS}" "${PLUMB_DYGRAPHS_CSS}"
+            "${PLUMB_REPORT_PAGE_DIR}/scene.css" "${PLUMB_REPORT_PAGE_DIR}/lab.css"
+            "${PLUMB_REPORT_PAGE_DIR}/embed.cmake" "${PLUMB_DYGRAPHS_JS}" "${PLUMB_DYGRAPHS_CSS}"
         COMMENT "Putting the report's page together"
         VERBATIM)
     target_sources(${target} PRIVATE "${output}")

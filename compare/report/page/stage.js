@@ -4,7 +4,7 @@
 function stageTheme() {
     const text = Math.round(0.8 * parseFloat(getComputedStyle(document.documentElement).fontSize));
     const theme = {text, font: getComputedStyle(document.body).fontFamily};
-    for (const name of ["paper", "minor", "major", "ruler", "still", "hatch", "ink", "muted"]) {
+    for (const name of ["paper", "minor", "major", "ruler", "still", "hatch", "ink", "muted", "water"]) {
         theme[name] = themeColor(`--stage-${name}`);
     }
     theme.hatching = hatching(theme);
@@ -228,6 +228,7 @@ function drawStage(canvas, view) {
     const text = theme.text;
     const camera = fitCamera(view.box, width, height, {left: 3.4 * text, right: text, top: text, bottom: 2 * text});
     drawPaper(context, camera, theme);
+    drawFields(context, camera, view);
     drawStill(context, camera, theme, view.scene, view.box);
     for (const engine of view.scene.running) {
         if (!view.hidden.has(engine.name)) drawEngine(context, camera, view, engine);

@@ -11,6 +11,19 @@ Scene projectile();
 Scene projectileDamped();
 Scene spinFree();
 
+// fan.cpp
+Scene projectileFan();
+Scene projectileFanDrag();
+
+// aim.cpp
+Scene movingTarget();
+
+// field.cpp
+Scene terminalSpeed();
+Scene twoBodyOrbit();
+Scene buoyantBox();
+Scene magnetCatch();
+
 // bounce.cpp
 Scene bounce08();
 Scene bounce1();

@@ -8,6 +8,7 @@
 
 namespace plumb {
 
-SortedPairs bruteForcePairs(std::span<const Aabb> boxes);
+/// Tests each two of n boxes: n (n - 1) / 2 tests.
+PairSearch bruteForcePairs(std::span<const Aabb> boxes);
 
 }  // namespace plumb

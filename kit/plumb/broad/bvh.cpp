@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/broad/bvh.h>
 
-#include <algorithm>
 #include <limits>
 #include <utility>
 
+#include <plumb/broad/detail/sort_pairs.h>
 #include <plumb/broad/morton.h>
 
 namespace plumb {
@@ -20,22 +20,6 @@ float inFloat(double x) {
     if (x > largest) return infinity;
     if (x < -largest) return -infinity;
     return static_cast<float>(x);
-}
-
-// By a, then b: a counting sort by a, then each one's b.
-SortedPairs sorted(const std::vector<Pair>& found, std::size_t count) {
-    std::vector<std::size_t> starts(count + 1);
-    for (const Pair& pair : found) ++starts[pair.a + std::size_t{1}];
-    for (std::size_t i = 0; i < count; ++i) starts[i + 1] += starts[i];
-    SortedPairs pairs(found.size());
-    for (const Pair& pair : found) pairs[starts[pair.a]++] = pair;
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i < count; ++i) {  // by now starts[i] is where i's pairs end
-        std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(begin),
-                  pairs.begin() + static_cast<std::ptrdiff_t>(starts[i]));
-        begin = starts[i];
-    }
-    return pairs;
 }
 
 /// Two blocks of one level, or a block and itself.
@@ -99,6 +83,11 @@ void Bvh::buildLevels() {
 }
 
 SortedPairs Bvh::pairs() const {
+    return countedPairs().pairs;
+}
+
+PairSearch Bvh::countedPairs() const {
+    std::uint64_t tests = 0;
     std::vector<Pair> found;
     std::vector<BlockPair> open;
     if (!levels_.empty()) open.push_back({static_cast<std::uint32_t>(levels_.size() - 1), 0, 0});
@@ -107,6 +96,7 @@ SortedPairs Bvh::pairs() const {
         open.pop_back();
         const Block& a = levels_[at.level][at.a];
         const Block& b = levels_[at.level][at.b];
+        tests += std::uint64_t{width} * width;
         for (std::uint32_t lane = 0; lane < width; ++lane) {
             const std::uint32_t i = at.a * width + lane;
             std::uint32_t mask = overlaps(b, {a.lowerX[lane], a.lowerY[lane], a.upperX[lane], a.upperY[lane]});
@@ -117,11 +107,11 @@ SortedPairs Bvh::pairs() const {
                 if (at.level > 0)
                     open.push_back({at.level - 1, i, j});
                 else if (overlap(boxes_[i], boxes_[j]))
-                    found.push_back({std::min(order_[i], order_[j]), std::max(order_[i], order_[j])});
+                    found.push_back(pairOf(order_[i], order_[j]));
             }
         }
     }
-    return sorted(found, order_.size());
+    return {sortPairs(found, order_.size()), tests};
 }
 
 }  // namespace plumb

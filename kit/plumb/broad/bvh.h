@@ -25,6 +25,9 @@ public:
     void build(std::span<const Aabb> boxes);
 
     SortedPairs pairs() const;
+    /// The same. A test is one box, or bounds of a block, against another, eight of them side by side: 64 for every two
+    /// blocks that may share a pair, lanes that hold no box among them.
+    PairSearch countedPairs() const;
 
     /// Calls visit(index) for every box that overlaps or touches the given one, in the hierarchy's order.
     template <class Visit>

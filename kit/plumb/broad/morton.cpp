@@ -159,6 +159,10 @@ void MortonSort::Memory::divide(const Range& range, std::span<const Aabb> boxes,
 }
 
 MortonSort::MortonSort() : memory_(std::make_unique<Memory>()) {}
+MortonSort::MortonSort(const MortonSort&) : MortonSort() {}
+MortonSort& MortonSort::operator=(const MortonSort&) {
+    return *this;  // nothing of it outlasts a call
+}
 MortonSort::MortonSort(MortonSort&&) noexcept = default;
 MortonSort& MortonSort::operator=(MortonSort&&) noexcept = default;
 MortonSort::~MortonSort() = default;

@@ -21,7 +21,9 @@ std::vector<std::uint32_t> mortonOrder(std::span<const Aabb> boxes, std::uint32_
 class MortonSort {
 public:
     MortonSort();
+    MortonSort(const MortonSort&);  ///< with memory of its own
     MortonSort(MortonSort&&) noexcept;
+    MortonSort& operator=(const MortonSort&);
     MortonSort& operator=(MortonSort&&) noexcept;
     ~MortonSort();
 

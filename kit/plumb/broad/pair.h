@@ -16,4 +16,10 @@ struct Pair {
 /// Sorted by a, then b; each pair once.
 using SortedPairs = std::vector<Pair>;
 
+/// What a search found, and what it did to find it.
+struct PairSearch {
+    SortedPairs pairs = {};
+    std::uint64_t tests = 0;  ///< of two boxes for overlap [-]
+};
+
 }  // namespace plumb

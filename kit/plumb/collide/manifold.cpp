@@ -38,7 +38,7 @@ RelativePose inverse(const RelativePose& pose) {
     return {turned(back, -pose.position), back.cos, back.sin};
 }
 
-Disc discOf(const Core& shape) {
+CoreDisc discOf(const Core& shape) {
     return {shape.vertex(0), shape.radius};
 }
 

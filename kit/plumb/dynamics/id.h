@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which body, which shape, which joint? An id stays valid until its thing is removed, and is never reused.
+// Which body, which shape, which joint, which field? An id stays valid until its thing is removed, and is never reused.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -22,6 +22,13 @@ struct JointId {
     friend bool operator==(const JointId&, const JointId&) = default;
 };
 
+struct FieldId {
+    std::uint32_t index = 0;
+    std::uint32_t generation = 0;
+    std::uint32_t world = 0;
+    friend bool operator==(const FieldId&, const FieldId&) = default;
+};
+
 /// number: counted from 0 on each body, in the order in which its shapes were added; BodyDef.shapes[i] has number i.
 struct ShapeId {
     BodyId body;
@@ -42,6 +49,12 @@ struct std::hash<plumb::BodyId> {
 template <>
 struct std::hash<plumb::JointId> {
     std::size_t operator()(const plumb::JointId& id) const noexcept {
+        return std::hash<plumb::BodyId>{}({id.index, id.generation, id.world});
+    }
+};
+template <>
+struct std::hash<plumb::FieldId> {
+    std::size_t operator()(const plumb::FieldId& id) const noexcept {
         return std::hash<plumb::BodyId>{}({id.index, id.generation, id.world});
     }
 };

@@ -7,6 +7,7 @@
 
 #include <plumb/dynamics/detail/body_shapes.h>
 #include <plumb/dynamics/detail/continuous.h>
+#include <plumb/dynamics/detail/field_flight.h>
 #include <plumb/dynamics/detail/free_motion.h>
 #include <plumb/dynamics/detail/islands.h>
 #include <plumb/dynamics/detail/joints_edit.h>
@@ -53,10 +54,13 @@ void book(WorldState& world, double EnergyLedger::*entry) {
 void flyFreeBodies(WorldState& world, double dt) {
     for (const BodyIndex body : world.bodies.awake) {
         const BodyRecord& record = world.bodies.record[body];
-        if (world.bodies.pushed[body] != 0 || record.flown) continue;
-        const BodyMotion from = world.bodies.motion[body];
-        moveTo(world, body, fly(from, flightLawOf(record, world.def.gravity), dt));
-        if (world.audit) world.audit->noteFlight(world, body, from, world.bodies.motion[body], dt);
+        if (world.bodies.pushed[body] != 0) continue;
+        if (!record.flown) {
+            const BodyMotion from = world.bodies.motion[body];
+            moveTo(world, body, fly(from, flightLawOf(world, body), dt));
+            if (world.audit) world.audit->noteFlight(world, body, from, world.bodies.motion[body], dt);
+        }
+        finishFlight(world, body);
     }
     book(world, &EnergyLedger::solver);
 }
@@ -106,9 +110,14 @@ World::World(const WorldDef& def) {
     state_->id = nextWorldId();
     state_->collider = &laneCollider(def.solver.lanes);
     state_->space.setLanes(def.solver.lanes);
-    if (def.ledger) state_->audit = std::make_unique<Audit>();
+    if (def.ledger) state_->audit.emplace();
 }
 
+World::World(const World& other) : state_(std::make_unique<WorldState>(*other.state_)) {}
+World& World::operator=(const World& other) {
+    state_ = std::make_unique<WorldState>(*other.state_);
+    return *this;
+}
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
@@ -166,6 +175,7 @@ void World::step(double dt) {
     if (dt > 0) {
         Stopwatch watch(world.profile);
         world.lastStep = dt;
+        foretellFlights(world, dt);
         loadBodies(world, dt);
         quarantine(world);
         book(world, &EnergyLedger::solver);

@@ -11,6 +11,7 @@
 #include <plumb/dynamics/body_def.h>
 #include <plumb/dynamics/counts.h>
 #include <plumb/dynamics/events.h>
+#include <plumb/dynamics/field.h>
 #include <plumb/dynamics/id.h>
 #include <plumb/dynamics/joint.h>
 #include <plumb/dynamics/joint_def.h>
@@ -30,13 +31,15 @@ struct WorldDef {
     SolverSettings solver = {};
 };
 
-/// Bodies, their contacts and joints. Can be moved, not copied; what was moved from can only be assigned to or
-/// destroyed. Every call that takes a def or an id throws std::invalid_argument when it is not one the world can take,
-/// and then changes nothing.
+/// Bodies, their contacts, joints and fields. A copy goes on as the original would have, to the last bit, and knows its
+/// things by the same ids; what was moved from can only be assigned to or destroyed. Every call that takes a def or an
+/// id throws std::invalid_argument when it is not one the world can take, and then changes nothing.
 class World {
 public:
     explicit World(const WorldDef& def = {});
+    World(const World& other);
     World(World&&) noexcept;
+    World& operator=(const World& other);
     World& operator=(World&&) noexcept;
     ~World();
 
@@ -46,6 +49,17 @@ public:
     void remove(BodyId body);    ///< with its shapes and joints
     void remove(ShapeId shape);  ///< mass follows, unless it was given
     void remove(JointId joint);  ///< with the gears that it drives
+
+    // Forces that fill the world or a region of it. Whatever feels one wakes when it comes, changes or goes.
+    FieldId addField(const FieldDef& def);
+    void set(FieldId field, const FieldDef& def);  ///< in its place
+    void remove(FieldId field);
+    bool contains(FieldId field) const;
+    FieldDef field(FieldId field) const;
+    std::vector<FieldId> fields() const;  ///< in the order of their slots
+    /// Pushes dynamic bodies, now: each shape that is no sensor and collides with a shape of the filter, by its width
+    /// as the explosion sees it, at its nearest point.
+    void explode(const Explosion& explosion, const Filter& filter = {});
 
     /// Moves the world on by dt [s], finite and not negative. Never throws for another reason.
     void step(double dt);

@@ -32,7 +32,7 @@ Vec2 fieldAt(const Nearness& near, const Vec2& moment, const Vec2& d) {
 
 }  // namespace
 
-MagnetPull magnetPull(const Magnetism& law, const Magnet& a, const Magnet& b) {
+MagnetPull magnetPull(const Magnetism& law, const Dipole& a, const Dipole& b) {
     requireSound(law);
     const Vec2 d = b.position - a.position;
     const Nearness near = nearnessOf(law, d);
@@ -42,7 +42,7 @@ MagnetPull magnetPull(const Magnetism& law, const Magnet& a, const Magnet& b) {
     return {3 * near.strength * near.inverseSquare * sum, cross(b.moment, fieldAt(near, a.moment, d))};
 }
 
-double potentialEnergy(const Magnetism& law, const Magnet& a, const Magnet& b) {
+double potentialEnergy(const Magnetism& law, const Dipole& a, const Dipole& b) {
     requireSound(law);
     const Vec2 d = b.position - a.position;
     return -b.moment.dot(fieldAt(nearnessOf(law, d), a.moment, d));

@@ -6,7 +6,7 @@
 namespace plumb {
 
 /// A magnet much shorter than its distance to the next: a dipole that lies in the plane.
-struct Magnet {
+struct Dipole {
     Vec2 position{0, 0};  ///< [m]
     Vec2 moment{1, 0};    ///< m, from its south to its north pole [A m^2]
 };
@@ -30,9 +30,9 @@ struct MagnetPull {
 /// Electrical Separation 9, 1998; both are slopes of the energy below. Throws std::invalid_argument on a constant
 /// or softening that is negative or not finite. Tests: "two magnets in line pull with 6 K m^2 / r^4, side by side
 /// they push with half of it", "two magnets keep their angular momentum, 100,000 times"
-MagnetPull magnetPull(const Magnetism& law, const Magnet& a, const Magnet& b);
+MagnetPull magnetPull(const Magnetism& law, const Dipole& a, const Dipole& b);
 
 /// U = -mB . H [J], 0 far apart. Test: "the slope of every potential energy is its force, in 100,000 places each"
-double potentialEnergy(const Magnetism& law, const Magnet& a, const Magnet& b);
+double potentialEnergy(const Magnetism& law, const Dipole& a, const Dipole& b);
 
 }  // namespace plumb

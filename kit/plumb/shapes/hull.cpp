@@ -1,46 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/shapes/hull.h>
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include <plumb/math/check.h>
+#include <plumb/shapes/detail/hull_outline.h>
 #include <plumb/shapes/detail/scaled_points.h>
 
 namespace plumb {
 namespace {
 
-using Indices = std::vector<std::size_t>;
-
-/// Andrew's monotone chain: the lower outline from left to right, then the upper one back.
-Indices outlineOf(const std::vector<Vec2>& points) {
-    Indices sorted(points.size());
-    std::iota(sorted.begin(), sorted.end(), std::size_t{0});
-    std::sort(sorted.begin(), sorted.end(), [&](std::size_t a, std::size_t b) {
-        if (points[a].x() != points[b].x()) return points[a].x() < points[b].x();
-        return points[a].y() != points[b].y() ? points[a].y() < points[b].y() : a < b;
-    });
-    Indices hull;
-    const auto add = [&](std::size_t index, std::size_t least) {
-        const auto turnsLeft = [&] {
-            const Vec2& end = points[hull.back()];
-            const Vec2 in = end - points[hull[hull.size() - 2]], out = points[index] - end;
-            return cross(in, out) > 0;
-        };
-        while (hull.size() > least && !turnsLeft()) hull.pop_back();
-        hull.push_back(index);
-    };
-    for (const std::size_t index : sorted) add(index, 1);
-    const std::size_t lower = hull.size();
-    for (std::size_t i = sorted.size() - 1; i-- > 0;) add(sorted[i], lower);
-    hull.pop_back();  // the first again
-    return hull;
-}
-
 /// One round along the outline without the corners that are hardly any: too near to the one before, or hardly a turn.
-Indices withoutFlats(const Indices& outline, const std::vector<Vec2>& points, double shortest) {
-    Indices kept;
+HullIndices withoutFlats(const HullIndices& outline, const std::vector<Vec2>& points, double shortest) {
+    HullIndices kept;
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const std::size_t before = kept.empty() ? outline.back() : kept.back();
         const std::size_t after = i + 1 < outline.size() ? outline[i + 1] : (kept.empty() ? before : kept.front());
@@ -57,11 +29,11 @@ Indices withoutFlats(const Indices& outline, const std::vector<Vec2>& points, do
 Polygon hullOf(std::span<const Vec2> points) {
     for (std::size_t i = 0; i < points.size(); ++i)
         if (!points[i].allFinite()) requireFinite(points[i], "hullOf.points[" + std::to_string(i) + "]");
-    Indices hull;
+    HullIndices hull;
     if (!points.empty()) {
         const std::vector<Vec2> scaled = scaledPoints(points);
         const double shortest = cornerTolerance * extentOf(scaled);
-        hull = outlineOf(scaled);
+        hull = hullOutline(scaled);
         for (std::size_t before = hull.size() + 1; hull.size() < before;) {
             before = hull.size();
             hull = withoutFlats(hull, scaled, shortest);

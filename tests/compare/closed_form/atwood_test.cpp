@@ -7,9 +7,10 @@
 
 namespace plumb::compare {
 
-TEST_CASE("3 kg beside 2 kg fall at 1.962 m/s^2 and pull the rope with 23.544 N", "[compare][closed_form][facts][law]") {
+TEST_CASE("3 kg beside 2 kg fall at 1.962 m/s^2 and pull the rope with 23.544 N",
+          "[compare][closed_form][facts][law]") {
     const AtwoodMachine machine{.massA = 2, .massB = 3};
-    CHECK(std::abs(accelerationOf(machine) - 1.962) < 1e-14);  // FACTS section 5, Atwood
+    CHECK(std::abs(accelerationOf(machine) - 1.962) < 1e-14);  // Worked numbers of response, Atwood
     CHECK(std::abs(tensionOf(machine) - 23.544) < 1e-13);
     // Newton for each: the rope lifts A and holds B back.
     CHECK(std::abs(tensionOf(machine) - 2 * (9.81 + 1.962)) < 1e-13);

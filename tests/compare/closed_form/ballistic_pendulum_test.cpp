@@ -9,7 +9,8 @@ namespace plumb::compare {
 
 TEST_CASE("a bullet of 10 g at 100.04 m/s lifts a block of 1 kg by 5 cm", "[compare][closed_form][facts][law]") {
     const BallisticPendulum shot{.bullet = 0.01, .block = 1, .speed = 100.03589856, .length = 1};
-    CHECK(std::abs(riseOf(shot) - 0.05) < 1e-11);  // FACTS section 5, ballistic pendulum: eight decimals of 100 m/s
+    CHECK(std::abs(riseOf(shot) - 0.05) <
+          1e-11);  // Worked numbers of response, ballistic pendulum: eight decimals of 100 m/s
     CHECK(std::abs(1 - std::cos(amplitudeOf(shot)) - 0.05) < 1e-11);
 }
 

@@ -19,8 +19,8 @@ double apexOf(const Flight& flight) {
 TEST_CASE("a ball dropped from 1 m at e = 0.8 bounces for 4.0637127689 s along 4.5555555556 m",
           "[compare][closed_form][facts][law]") {
     const auto flights = bouncingFlights({.height = 1, .restitution = 0.8, .until = 10, .shortestFlight = 1e-12});
-    // FACTS section 5: T = sqrt(2 h / g) (1 + e) / (1 - e), D = h (1 + e^2) / (1 - e^2), to ten decimals. What is cut
-    // off, flights below 1e-12 s, adds up to 5e-12 s.
+    // Worked numbers of response: T = sqrt(2 h / g) (1 + e) / (1 - e), D = h (1 + e^2) / (1 - e^2), to ten decimals.
+    // What is cut off, flights below 1e-12 s, adds up to 5e-12 s.
     CHECK(std::abs(flights.back().start - 4.0637127689) < 6e-11);
     double way = 1;
     for (const Flight& flight : flights) way += 2 * apexOf(flight);

@@ -24,8 +24,9 @@ DiscFlights oblique(double restitution) {
 
 }  // namespace
 
-TEST_CASE("discs of 2 kg and 1 kg at 3 and -1 m/s part at 1/3 and 13/3 m/s when e = 1", "[compare][closed_form][facts][law]") {
-    const DiscFlights flights = headOn(1);  // FACTS section 5, 1D impact
+TEST_CASE("discs of 2 kg and 1 kg at 3 and -1 m/s part at 1/3 and 13/3 m/s when e = 1",
+          "[compare][closed_form][facts][law]") {
+    const DiscFlights flights = headOn(1);  // Worked numbers of response, 1D impact
     REQUIRE(flights.a.size() == 2);
     REQUIRE(flights.b.size() == 2);
     CHECK((flights.a[1].velocity - Vec2(1.0 / 3, 0)).norm() < 5 * rounding);
@@ -35,8 +36,9 @@ TEST_CASE("discs of 2 kg and 1 kg at 3 and -1 m/s part at 1/3 and 13/3 m/s when 
     CHECK((flights.b[1].position - Vec2(1.25, 0)).norm() < 5 * rounding);
 }
 
-TEST_CASE("discs of 2 kg and 1 kg at 3 and -1 m/s part at 1 and 3 m/s when e = 0.5", "[compare][closed_form][facts][law]") {
-    const DiscFlights flights = headOn(0.5);  // FACTS section 5, 1D impact
+TEST_CASE("discs of 2 kg and 1 kg at 3 and -1 m/s part at 1 and 3 m/s when e = 0.5",
+          "[compare][closed_form][facts][law]") {
+    const DiscFlights flights = headOn(0.5);  // Worked numbers of response, 1D impact
     CHECK((flights.a[1].velocity - Vec2(1, 0)).norm() < 5 * rounding);
     CHECK((flights.b[1].velocity - Vec2(3, 0)).norm() < 5 * rounding);
 }
@@ -49,7 +51,7 @@ TEST_CASE("discs of 2 kg and 1 kg at 3 and -1 m/s go on together at 5/3 m/s when
 }
 
 TEST_CASE("equal discs that meet at 30 degrees part at right angles when e = 1", "[compare][closed_form][facts][law]") {
-    const DiscFlights flights = oblique(1);  // FACTS section 5, 2D equal discs, to ten decimals
+    const DiscFlights flights = oblique(1);  // Worked numbers of response, 2D equal discs, to ten decimals
     CHECK((flights.a[1].velocity - Vec2(0.25, -0.4330127019)).norm() < 1e-10);
     CHECK((flights.b[1].velocity - Vec2(0.75, 0.4330127019)).norm() < 1e-10);
     CHECK(std::abs(flights.a[1].velocity.dot(flights.b[1].velocity)) < rounding);
@@ -57,13 +59,13 @@ TEST_CASE("equal discs that meet at 30 degrees part at right angles when e = 1",
 }
 
 TEST_CASE("equal discs that meet at 30 degrees with e = 0.8 part as worked out", "[compare][closed_form][facts][law]") {
-    const DiscFlights flights = oblique(0.8);  // FACTS section 5, 2D equal discs, to ten decimals
+    const DiscFlights flights = oblique(0.8);  // Worked numbers of response, 2D equal discs, to ten decimals
     CHECK((flights.a[1].velocity - Vec2(0.325, -0.3897114317)).norm() < 1e-10);
     CHECK((flights.b[1].velocity - Vec2(0.675, 0.3897114317)).norm() < 1e-10);
 }
 
 TEST_CASE("a disc of 1 m at 10 m/s meets another at (8, 1) m after 0.6267949192 s", "[compare][closed_form][law]") {
-    // FACTS section 7, slide 26: radii of 1 m each.
+    // The lecture, slide 26: radii of 1 m each.
     const auto time = meetingTime({.velocity = {10, 0}, .radius = 1}, {.position = {8, 1}, .radius = 1});
     REQUIRE(time);
     CHECK(std::abs(*time - 0.6267949192) < 6e-11);

@@ -28,7 +28,7 @@ double slipOf(const Flight& flight, double radius) {
 
 TEST_CASE("a disc that lands at (4, -3) m/s with e = 0.5 sticks from a friction of 8/27 on",
           "[compare][closed_form][facts][law]") {
-    // FACTS section 5, disc on floor: both cases and the threshold between them.
+    // Worked numbers of response, disc on floor: both cases and the threshold between them.
     const Flight sticks = afterLanding(0.5);
     CHECK((sticks.velocity - Vec2(8.0 / 3, 1.5)).norm() < rounding);
     CHECK(std::abs(sticks.angularVelocity + 16.0 / 3) < rounding);

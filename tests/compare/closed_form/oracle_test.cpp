@@ -41,7 +41,7 @@ const PiecewiseMotion twoFlights{"ball",
 TEST_CASE("a shot of 20 m/s at 45 degrees lands at 40.774719674 m after 2.8832080782 s, at most 10.193679918 m high",
           "[compare][closed_form][law]") {
     const Scene scene = findScene("projectile").value();
-    // FACTS section 3, v = 20 exact limit: nine decimals of metres, ten of seconds, times 20 m/s.
+    // Worked numbers of the firing solution, v = 20 exact limit: nine decimals of metres, ten of seconds, times 20 m/s.
     const Vec2 landing = closedFormStates(scene, 2.8832080782).at(0).position;
     CHECK(std::abs(landing.x() - 40.774719674) < 2e-9);
     CHECK(std::abs(landing.y()) < 2e-9);
@@ -53,7 +53,7 @@ TEST_CASE("a shot of 20 m/s at 45 degrees lands at 40.774719674 m after 2.883208
 TEST_CASE("a shot of 20 m/s at 45 degrees with k = 0.2 lands at 29.091533064 m after 2.6501815833 s",
           "[compare][closed_form][law]") {
     const Scene scene = findScene("projectile_damped").value();
-    // FACTS section 3, k = 0.2: range, flight time, apex and its time.
+    // Worked numbers of the firing solution, k = 0.2: range, flight time, apex and its time.
     const Vec2 landing = closedFormStates(scene, 2.6501815833).at(0).position;
     CHECK(std::abs(landing.x() - 29.091533064) < 2e-9);
     CHECK(std::abs(landing.y()) < 2e-9);
@@ -195,7 +195,7 @@ TEST_CASE("a pendulum hit at 0.4 s hangs until then, and is up at its amplitude 
     const BodyState moving = ballAt(sceneOf(hit), 0.4 + 1e-9);
     // v^2 = 2 g l (1 - cos 0.5), to the right
     CHECK(std::abs(moving.velocity.x() - std::sqrt(2 * 9.81 * (1 - std::cos(0.5)))) < 1e-8);
-    const double quarter = 2.0060666807 / 4 * 1.0158534;  // FACTS section 5: T0 of 1 m; AGM(1, cos 0.25) by hand
+    const double quarter = 2.0060666807 / 4 * 1.0158534;  // T0 of 1 m; AGM(1, cos 0.25) by hand
     CHECK(std::abs(ballAt(sceneOf(hit), 0.4 + quarter).position.x() - std::sin(0.5)) < 1e-6);
     hit.approach = {3, 0};  // what hits it comes at 3 m/s
     CHECK((ballAt(sceneOf(hit), 0.1).position - Vec2(-0.9, 0)).norm() < 1e-15);
@@ -209,6 +209,28 @@ TEST_CASE("an oscillator moves along its direction about where it rests", "[comp
     CHECK((half.position - Vec2(0.7, 1.6)).norm() < 1e-14);
     const BodyState quarter = ballAt(sceneOf(motion), 3.141592653589793 / 4);
     CHECK((quarter.velocity - Vec2(-0.6, -0.8)).norm() < 1e-14);  // 0.5 times 2 rad/s
+}
+
+// Terminal speed sqrt(9.81 / 0.005); worked numbers computed to 30 digits.
+TEST_CASE("what falls with drag is at 25.748172225 m/s after 3 s, 41.234527650 m down",
+          "[compare][closed_form][facts]") {
+    const DragFall motion{.body = "ball", .position = {1, 2}, .terminalSpeed = std::sqrt(9.81 / 0.005)};
+    const BodyState state = ballAt(sceneOf(motion), 3);
+    CHECK(std::abs(state.velocity.y() + 25.748172225) < 1e-9);
+    CHECK((state.position - Vec2(1, 2 - 41.234527650)).norm() < 1e-9);
+}
+
+TEST_CASE("an ellipse in the world has its near end where it is said to be, and drifts", "[compare][closed_form]") {
+    const KeplerMotion motion{.body = "ball",
+                              .focus = {1, 2},
+                              .drift = {0.5, 0},
+                              .nearEnd = {0, 1},
+                              .semiMajorAxis = 2,
+                              .eccentricity = 0.5,
+                              .period = 8,
+                              .since = 4};
+    CHECK((ballAt(sceneOf(motion), 0).position - Vec2(1, -1)).norm() < 1e-12);  // the far end, 3 m below the focus
+    CHECK((ballAt(sceneOf(motion), 4).position - Vec2(3, 3)).norm() < 1e-12);   // the near end, 1 m above it
 }
 
 }  // namespace plumb::compare

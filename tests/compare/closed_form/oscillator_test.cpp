@@ -8,7 +8,7 @@
 namespace plumb::compare {
 
 TEST_CASE("1 kg on 4 N/m with 0.4 N s/m is at -0.2580702634 m after 1 s", "[compare][closed_form][facts][law]") {
-    // FACTS section 5, spring: ten decimals, and a period of 3.1574194170 s
+    // Worked numbers of response, spring: ten decimals, and a period of 3.1574194170 s
     const Oscillator damped{.mass = 1, .stiffness = 4, .damping = 0.4, .offset = 1};
     CHECK(std::abs(displacementAt(damped, 1).value + 0.2580702634) < 6e-11);
     // It is at rest again at each half period.

@@ -47,7 +47,7 @@ Swing integrated(const Pendulum& pendulum, double t, int steps) {
 
 TEST_CASE("a pendulum of 1 m swings 2.0060666807 s, and 1.0399733432 times as long at 45 degrees",
           "[compare][closed_form][facts][law]") {
-    // FACTS section 5, pendulum.
+    // Worked numbers of response, pendulum.
     CHECK(std::abs(smallPeriod(1) - 2.0060666807) < digits);
     const auto factor = [](double angle) { return periodOf({.amplitude = degrees(angle)}) / smallPeriod(1); };
     CHECK(std::abs(factor(45) - 1.0399733432) < digits);
@@ -57,7 +57,7 @@ TEST_CASE("a pendulum of 1 m swings 2.0060666807 s, and 1.0399733432 times as lo
 
 TEST_CASE("a rod of 1 m swings 1.6379465859 s about its end, a disc of 1 m 2.4569198789 s about its rim",
           "[compare][closed_form][facts][law]") {
-    // FACTS section 5, physical pendulum. L = I / (m l): rod (1/3) / (1/2), disc (1/2 + 1) / 1.
+    // Worked numbers of response, physical pendulum. L = I / (m l): rod (1/3) / (1/2), disc (1/2 + 1) / 1.
     CHECK(std::abs(smallPeriod(2.0 / 3) - 1.6379465859) < digits);
     CHECK(std::abs(smallPeriod(1.5) - 2.4569198789) < digits);
 }

@@ -15,7 +15,7 @@ constexpr double digits = 6e-11;  // the worked numbers have ten decimals
 TEST_CASE("a disc thrown at 3 m/s with a friction of 0.2 rolls at 2 m/s after 0.5096839959 s and 1.2742099898 m",
           "[compare][closed_form][facts][law]") {
     const std::vector<Flight> flights = slideToRollFlights({.speed = 3, .friction = 0.2});
-    REQUIRE(flights.size() == 2);  // FACTS section 5, slide to roll
+    REQUIRE(flights.size() == 2);  // Worked numbers of response, slide to roll
     CHECK(std::abs(flights[1].start - 0.5096839959) < digits);
     CHECK(std::abs(flights[1].position.x() - 1.2742099898) < digits);
     CHECK(flights[1].velocity == Vec2(2, 0));
@@ -24,7 +24,7 @@ TEST_CASE("a disc thrown at 3 m/s with a friction of 0.2 rolls at 2 m/s after 0.
 TEST_CASE("a ball thrown at 3 m/s with a friction of 0.2 rolls at 15/7 m/s after 0.4368719965 s and 1.1233851339 m",
           "[compare][closed_form][facts][law]") {
     const std::vector<Flight> flights = slideToRollFlights({.speed = 3, .friction = 0.2, .inertiaRatio = 0.4});
-    REQUIRE(flights.size() == 2);  // FACTS section 5, slide to roll
+    REQUIRE(flights.size() == 2);  // Worked numbers of response, slide to roll
     CHECK(std::abs(flights[1].start - 0.4368719965) < digits);
     CHECK(std::abs(flights[1].position.x() - 1.1233851339) < digits);
     CHECK(std::abs(flights[1].velocity.x() - 15.0 / 7) < 1e-15);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <compare/engine/engine.h>
+#include <compare/lab/builtin.h>
 #include <compare/scene/builtin.h>
 #include <compare/scene/json.h>
 
@@ -48,6 +49,49 @@ TEST_CASE("list tells name, question, engines and checks of free_fall", "[compar
     CHECK(entry.find("engines plumb, box2d-2.4") != std::string::npos);
     CHECK(entry.find("closed-form") != std::string::npos);
     CHECK(entry.find("exact: plumb within 1e-09 m") != std::string::npos);
+}
+
+TEST_CASE("list tells of the labs after the scenes, in the order in which they run", "[compare][command]") {
+    const std::string out = call({"list"}).out;
+    std::size_t at = out.find("\n" + builtinScenes().back().name + "\n");
+    for (const Lab& lab : builtinLabs()) {
+        INFO(lab.name);
+        const std::size_t next = out.find("\n" + lab.name + "\n    " + lab.question);
+        REQUIRE(next != std::string::npos);
+        CHECK(next > at);
+        at = next;
+    }
+}
+
+TEST_CASE("check takes a lab by its name, beside scenes, and writes its verdicts, curves and page",
+          "[compare][command]") {
+    const Folder folder("plumb_command_test");
+    const Called called = call({"check", "integrators", "free_fall", "--json", folder / "out.json", "--csv",
+                                folder / "csv", "--report", folder / "report"});
+    INFO(called.out << called.err);
+    CHECK(called.status == 0);
+    CHECK(called.out.find("PASS  free_fall") < called.out.find("PASS  integrators"));
+    CHECK(called.out.find("1 lab holds, 0 fail.") != std::string::npos);
+    const nlohmann::json json = nlohmann::json::parse(textOf(folder / "out.json"));
+    CHECK(json["pass"] == true);
+    CHECK(json["scenes"].size() == 1);
+    REQUIRE(json["labs"].size() == 1);
+    CHECK(json["labs"][0]["name"] == "integrators");
+    CHECK(json["labs"][0]["pass"] == true);
+    REQUIRE(json["labs"][0]["checks"].size() > 1);
+    for (const nlohmann::json& check : json["labs"][0]["checks"]) {
+        CHECK(check.size() == 4);
+        for (const char* field : {"check", "value", "limit", "pass"}) CHECK(check.contains(field));
+    }
+    CHECK(textOf(folder / "csv/integrators.csv").starts_with("graph,curve,x,y\n"));
+    CHECK(textOf(folder / "report/index.html").find("\"name\":\"integrators\"") != std::string::npos);
+}
+
+TEST_CASE("a lab alone is checked without a table of scenes", "[compare][command]") {
+    const Called called = call({"check", "integrators"});
+    CHECK(called.status == 0);
+    CHECK(called.out.find("closed form\n") == std::string::npos);
+    CHECK(called.out.find("scene") == std::string::npos);
 }
 
 TEST_CASE("export prints a scene that reads back and runs as the built-in one", "[compare][command]") {
@@ -140,6 +184,7 @@ TEST_CASE("without a command every scene is run, and the report written where it
     INFO(called.out << called.err);
     CHECK(called.status == 0);
     for (const Scene& scene : builtinScenes()) CHECK(called.out.find("PASS  " + scene.name) != std::string::npos);
+    for (const Lab& lab : builtinLabs()) CHECK(called.out.find("PASS  " + lab.name + "\n") != std::string::npos);
     CHECK(called.out.find("box2d-2.4 2.4.") != std::string::npos);
     CHECK(fs::exists(folder / "build/report/index.html"));
 }
@@ -168,6 +213,12 @@ TEST_CASE("bad usage gives status 2 and one line that says what and where", "[co
         checkRefused({"check", "free_fall", "--dt=" + dt}, "--dt");
     checkRefused({"check", "free_fall", "--dt", "100"}, "scene free_fall: dt: 100 is longer than the duration");
     checkRefused({"check", "free_fall", "free_fall"}, "both called \"free_fall\"");
+    checkRefused({"check", "frame_rate", "frame_rate"}, "both called \"frame_rate\"");
+    checkRefused({"check", "frame_rat"}, "the nearest is frame_rate");
+    checkRefused({"check", "free_fall", "frame_rate", "--steps", "5"}, "--steps: frame_rate is a lab");
+    checkRefused({"check", "frame_rate", "--dt", "0.1"}, "--dt: frame_rate is a lab");
+    checkRefused({"export", "frame_rate"}, "frame_rate is a lab, not a scene");
+    checkRefused({"bench", "frame_rate"}, "frame_rate is a lab, not a scene");
 }
 
 TEST_CASE("bad files give status 2 and one line with the file and the line", "[compare][command]") {

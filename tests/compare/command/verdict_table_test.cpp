@@ -58,16 +58,6 @@ TEST_CASE("only a terminal gets colours", "[compare][command]") {
     CHECK(shown(results, true).find("\x1b[32mPASS\x1b[0m") != std::string::npos);
 }
 
-TEST_CASE("lengths are told in the unit that fits them", "[compare][command]") {
-    CHECK(lengthText(0) == "0 m");
-    CHECK(lengthText(1.2345) == "1.23 m");
-    CHECK(lengthText(0.0417) == "41.7 mm");
-    CHECK(lengthText(12.34e-6) == "12.3 um");
-    CHECK(lengthText(5e-9) == "5 nm");
-    CHECK(lengthText(3.6e-15) == "4e-15 m");
-    CHECK(lengthText(infinity) == "infinite");
-}
-
 TEST_CASE("a failed check is told with its value, its bound and its reason", "[compare][command]") {
     const Scene scene = oneDisc();
     CHECK(failureText(scene, {"order", "plumb", "order", 1.25, 1.8, false, "second order"}) ==

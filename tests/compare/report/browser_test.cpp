@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "catch.h"
+#include "compare/lab/example_lab.h"
 #include "compare/scripted.h"
 #include "house/shell.h"
 
@@ -121,6 +122,30 @@ TEST_CASE("opened without a scene the report lists the verdicts and says what fa
     CHECK_THAT(opened.page, test::containsText("✗ fails"));
     CHECK_THAT(opened.page,
                test::containsText("Plumb: largest distance to the closed form 1.20&nbsp;mm, not ≤&nbsp;1&nbsp;mm"));
+}
+
+TEST_CASE("a link to a lab shows what was seen, its graphs drawn, and its checks", "[compare][report][build]") {
+    if (noBrowser()) return;
+    const Folder folder;
+    writeReport(results(), folder.path, {exampleResult(3)});
+    const Opened opened = open(folder, "index.html", "lab=example_lab");
+    CHECK(opened.messages == "");
+    CHECK_THAT(opened.page, test::containsText("The way grows by 2 m a second."));
+    CHECK_THAT(opened.page, test::containsText("slope: 3.00&nbsp;m/s, not ≤&nbsp;2.5&nbsp;m/s"));
+    CHECK_THAT(opened.page, test::containsText("Logarithmic axes"));
+    CHECK_THAT(opened.page, test::containsText("way [m]"));
+    CHECK_THAT(opened.page, test::containsText("dygraph-axis-label"));
+    CHECK_THAT(opened.page, test::containsText("0 of 1 labs hold"));
+}
+
+TEST_CASE("opened without a scene the report lists the labs, with or without scenes", "[compare][report][build]") {
+    if (noBrowser()) return;
+    const Folder folder;
+    writeReport({}, folder.path, {exampleResult(2)});
+    const Opened opened = open(folder, "index.html", "");
+    CHECK(opened.messages == "");
+    CHECK_THAT(opened.page, test::containsText("#lab=example_lab"));
+    CHECK_THAT(opened.page, test::containsText("1 of 1 labs hold"));
 }
 
 // What the tests above rest on: a page that may load nothing says so when it tries.

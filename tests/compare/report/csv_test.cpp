@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "catch.h"
+#include "compare/lab/example_lab.h"
 #include "compare/scripted.h"
 
 namespace plumb::compare {
@@ -62,11 +63,23 @@ TEST_CASE("a body's name with a comma and quotes stays one column", "[compare][r
     CHECK(linesOf(folder.path / "one_disc.csv").at(0).starts_with("t,\"plumb.a, \"\"b\"\".x\","));
 }
 
+TEST_CASE("a lab's CSV has a line a point, under its graph and its curve", "[compare][report]") {
+    const Folder folder;
+    writeLabCsv({exampleResult(2)}, folder.path / "deep");
+    const std::vector<std::string> lines = linesOf(folder.path / "deep" / "example_lab.csv");
+    REQUIRE(lines.size() == 7);
+    CHECK(lines[0] == "graph,curve,x,y");
+    CHECK(lines[1] == "Even axes,\"twice, \"\"doubled\"\"\",1,2");
+    CHECK(lines[6] == "Logarithmic axes,\"twice, \"\"doubled\"\"\",4,8");
+}
+
 TEST_CASE("a CSV that cannot be written is said with its path", "[compare][report]") {
     const Folder folder;
     std::ofstream(folder.path) << "a file where the folder should be";
     CHECK_THROWS_WITH(writeCsv({twoSteps()}, folder.path),
                       "csv: cannot write " + (folder.path / "one_disc.csv").string());
+    CHECK_THROWS_WITH(writeLabCsv({exampleResult(2)}, folder.path),
+                      "csv: cannot write " + (folder.path / "example_lab.csv").string());
 }
 
 }  // namespace plumb::compare

@@ -211,7 +211,7 @@ TEST_CASE("the block on the slope is half a degree on either side of where it ti
     for (const char* name : {"tip_below", "tip_above"}) {
         const Scene scene = findScene(name).value();
         const double slope = -scene.bodies.at(1).def.angle;
-        const double tipping = 26.565051177 / 180 * 3.141592653589793;  // FACTS section 5, block tip
+        const double tipping = 26.565051177 / 180 * 3.141592653589793;  // Worked numbers of response, block tip
         const double halfDegree = 0.008726646259971648;
         CHECK(std::abs(std::abs(slope - tipping) - halfDegree) < 1e-11);
         CHECK((slope > tipping) == (scene.name == "tip_above"));
@@ -251,7 +251,8 @@ TEST_CASE("the contacts of the stack of ten carry 9.81 N to 98.1 N", "[compare][
     REQUIRE(scene.probes.size() == 10);
     for (const Probe& probe : scene.probes) {
         const int carried = std::stoi(probe.name.substr(probe.name.find('_') + 1));
-        CHECK(std::abs(probe.expected - 9.81 * carried) < 1e-13);  // FACTS section 5: N_i = i m g, ten of 1 kg: 98.1
+        CHECK(std::abs(probe.expected - 9.81 * carried) <
+              1e-13);  // Worked numbers of response: N_i = i m g, ten of 1 kg: 98.1
     }
     const auto& lowest = std::get<NormalForceProbe>(scene.probes.at(0).quantity);
     CHECK(scene.probes.at(0).name == "normal_10");
@@ -304,7 +305,7 @@ TEST_CASE("the double pendulum starts at 60 and 0 degrees with -19.62 J", "[comp
     const Vec2 lower = bodyOf(scene, "lower").def.position - pivot;
     CHECK(std::abs(std::atan2(upper.x(), -upper.y()) - 1.0471975511965976) < 1e-15);
     CHECK(std::abs((lower - upper).x()) < 1e-15);
-    CHECK(std::abs(9.81 * (upper.y() + lower.y()) + 19.62) < 1e-14);  // FACTS section 5, double pendulum
+    CHECK(std::abs(9.81 * (upper.y() + lower.y()) + 19.62) < 1e-14);  // Worked numbers of response, double pendulum
 }
 
 TEST_CASE("no joint of a built-in scene is torn or beyond its limit at the start", "[compare][scene]") {

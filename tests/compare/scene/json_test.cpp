@@ -52,6 +52,21 @@ std::vector<SceneJoint> fullJoints() {
     };
 }
 
+/// One of each law; no member has its default value.
+std::vector<SceneField> fullFields() {
+    const Attractor pull{{1, 2}, 3, 4, 5, 6};
+    const Fluid water{7, {8, 9}, {1, -2}};
+    return {
+        {"u", {.law = UniformGravity{{1, 2}}}},
+        {"g", {.law = MutualGravity{3, 4}}},
+        {"d", {.law = Drag{5, 6, {7, 8}}, .region = Circle{2, {1, 1}}}},
+        {"a", {.law = pull, .filter = {2, 3, -4}}},
+        {"m", {.law = Magnet{{}, pull}}, "b"},
+        {"p", {.law = Pool{water, 3, {4, 5}}, .region = boxPolygon({1, 2})}},
+        {"f", {.law = GroundFriction{0.25, 2, 3}}},
+    };
+}
+
 /// No field has its default value.
 Scene fullScene() {
     const Material material{.density = 2,
@@ -95,6 +110,7 @@ Scene fullScene() {
                      .mass = Mass{10, {11, 12}, 13},
                      .shapes = {capsule({1, 2}, {3, 5}, 0.25)}}}},
         .joints = fullJoints(),
+        .fields = fullFields(),
         .closedForm = ClosedForm{.formula = "f",
                                  .source = "s",
                                  .until = 2,
@@ -197,6 +213,39 @@ TEST_CASE("each kind of joint survives writing and reading, with its spring, lim
     CHECK(std::get<MotorJointDef>(joints[7].def).maxTorque == unbounded);
     CHECK(std::get<TargetJointDef>(joints[8].def).target == Vec2(3, 4));
     CHECK(joints[8].bodyB.empty());
+}
+
+TEST_CASE("each law of a field survives writing and reading, with its region and its filter",
+          "[compare][scene][fields]") {
+    const std::vector<SceneField> fields = fromJson(toJson(fullScene()), "f.json").fields;
+    REQUIRE(fields.size() == std::variant_size_v<FieldLaw>);
+    for (std::size_t i = 0; i < fields.size(); ++i) CHECK(fields[i].def.law.index() == i);
+    CHECK(std::get<UniformGravity>(fields[0].def.law).acceleration == Vec2(1, 2));
+    CHECK(std::get<MutualGravity>(fields[1].def.law).softening == 4);
+    CHECK(std::get<Drag>(fields[2].def.law).wind == Vec2(7, 8));
+    CHECK(std::get<Circle>(*fields[2].def.region) == Circle{2, {1, 1}});
+    CHECK(std::get<Attractor>(fields[3].def.law).range == 6);
+    CHECK(fields[3].def.filter == Filter{2, 3, -4});
+    CHECK(std::get<Magnet>(fields[4].def.law).pull.power == 4);
+    CHECK(fields[4].body == "b");
+    CHECK(std::get<Pool>(fields[5].def.law).fluid.gravity == Vec2(1, -2));
+    CHECK(std::get<Pool>(fields[5].def.law).flow == Vec2(4, 5));
+    CHECK(std::get<Polygon>(*fields[5].def.region).vertices.size() == 4);
+    CHECK(std::get<GroundFriction>(fields[6].def.law).lever == 3);
+}
+
+TEST_CASE("a field that a world would refuse is refused with its place", "[compare][scene][fields]") {
+    const auto with = [](const std::string& field) {
+        return complaint(
+            "{\"name\": \"a\", \"bodies\": [{\"name\": \"b\", \"shapes\": [{\"circle\": {}}]}], \"fields\": [\n" +
+            field + "]}");
+    };
+    CHECK(with(R"({"name": "x", "attractor": {"power": 9}})").starts_with("f.json:2: fields[0]: Attractor.power: 9"));
+    CHECK(with(R"({"name": "x", "magnet": {}, "body": "c"})").starts_with("f.json:2: fields[0].body: \"c\" is not"));
+    CHECK(with(R"({"name": "x", "drag": {}, "body": "b"})").starts_with("f.json:2: fields[0].body: \"b\" carries"));
+    CHECK(with(R"({"name": "x", "wind": {}})").starts_with("f.json:2: fields[0].wind: unknown field"));
+    CHECK(with(R"({"name": "x", "drag": {}, "region": {"segment": {}}})").find("a line has no area") !=
+          std::string::npos);
 }
 
 TEST_CASE("a sensor, a one-way shape, tags, locks and what is not enabled survive writing and reading",

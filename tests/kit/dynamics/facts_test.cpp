@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Worked numbers of FACTS section 5 for which the kit has no closed form of its own: statics, and machines in a world.
+// Worked numbers of response for which the kit has no closed form of its own: statics, and machines
+// in a world.
 #include <cmath>
 #include <iostream>
 
@@ -112,7 +113,7 @@ bool standsOut(double part) {
 
 }  // namespace
 
-// FACTS section 5, Atwood: g (m1 - m2) / (m1 + m2 + M / 2), with a wheel of M = 1 kg, and of none.
+// Worked numbers of response, Atwood: g (m1 - m2) / (m1 + m2 + M / 2), with a wheel of M = 1 kg, and of none.
 TEST_CASE("3 kg beside 2 kg over a wheel of 1 kg fall at 1.7836363636 m/s^2", "[dynamics][facts][law]") {
     CHECK(std::fabs(atwoodByNewton(1).x() - 1.7836363636) < digits);
     HeavyAtwood machine(1);
@@ -136,7 +137,7 @@ TEST_CASE("3 kg beside 2 kg on a pulley fall at 1.962 m/s^2 and pull the rope wi
     CHECK(std::fabs(world.joint(rope).reaction().force.norm() - 23.544) < 0.01);  // of an impulse in single precision
 }
 
-// FACTS section 5, stack (Hall 2005): N_i = i m g.
+// Worked numbers of response, stack (Hall 2005): N_i = i m g.
 TEST_CASE("under ten boxes of 1 kg the floor bears 98.1 N, and the contact over each bears what is above",
           "[dynamics][facts][law]") {
     World world({.sleeping = false});
@@ -164,7 +165,7 @@ TEST_CASE("four blocks reach out over a table by 1.0416666667 of their length, a
     CHECK_FALSE(standsOut(1.01));
 }
 
-// FACTS section 5, block tip (statics): tan t = b / h, 1/2.
+// Worked numbers of response, block tip (statics): tan t = b / h, 1/2.
 TEST_CASE("a block twice as high as wide stands up to 26.565051177 degrees, and falls beyond",
           "[dynamics][facts][law]") {
     // The slope at which its centre is over the lower corner, by bisection.
@@ -179,7 +180,7 @@ TEST_CASE("a block twice as high as wide stands up to 26.565051177 degrees, and 
     CHECK(turnOnSlope(degrees(26.565051177 + 0.05)) < -0.5);
 }
 
-// FACTS section 5, double pendulum: 1 m, 1 kg each, let go at 60 and 0 degrees.
+// Worked numbers of response, double pendulum: 1 m, 1 kg each, let go at 60 and 0 degrees.
 TEST_CASE("a double pendulum let go at 60 and 0 degrees is at -0.3594603007 and -0.6464394724 rad after 1 s",
           "[dynamics][facts][law]") {
     const test::State<4> start(degrees(60), 0, 0, 0);

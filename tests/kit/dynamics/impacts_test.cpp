@@ -82,7 +82,7 @@ TEST_CASE("discs of 2 kg and 1 kg head on at 3 and -1 m/s part as Newton's law s
     struct Case {
         double e, v1, v2;
     };
-    // FACTS: e = 1: 1/3 and 13/3; e = 0.5: 1 and 3; e = 0: 5/3 both
+    // Worked numbers: e = 1: 1/3 and 13/3; e = 0.5: 1 and 3; e = 0: 5/3 both
     for (const Case& c : {Case{1, 1.0 / 3, 13.0 / 3}, Case{0.5, 1, 3}, Case{0, 5.0 / 3, 5.0 / 3}}) {
         World world({.gravity = {0, 0}});
         const Material m{.friction = 0, .restitution = c.e};

@@ -21,7 +21,8 @@ double logUniform(Random& random, double low, double high) {
 
 }  // namespace
 
-// FACTS section 5, terminal speed (textbook: v = v_t tanh(g t / v_t)), and section 3, quadratic drag c = 0.005 per kg.
+// Worked numbers of response, terminal speed (textbook: v = v_t tanh(g t / v_t)), and of quadratic drag c =
+// 0.005 per kg.
 TEST_CASE("what falls from rest is at 25.748172225 m/s after 3 s, and 41.234527650 m down", "[forces][facts][law]") {
     const Drag drag{.quadratic = 0.005};
     const auto rate = [&drag](const test::State<4>& s) -> test::State<4> {
@@ -37,7 +38,7 @@ TEST_CASE("what falls from rest is at 25.748172225 m/s after 3 s, and 41.2345276
     CHECK(std::fabs(-test::integrated<4>(test::State<4>::Zero(), 100, 10'000, rate)[3] - 44.294469181) < 0.6e-9);
 }
 
-// FACTS section 3, quadratic drag: thrown up at 50 m/s.
+// Worked numbers of the firing solution, quadratic drag: thrown up at 50 m/s.
 TEST_CASE("what is thrown up at 50 m/s turns after 3.8191317573 s at 82.163273487 m, and is back at 33.155434439 m/s",
           "[forces][facts][law]") {
     const Drag drag{.quadratic = 0.005};

@@ -35,7 +35,7 @@ TEST_CASE("two magnets keep their angular momentum, 100,000 times", "[forces][la
     for (int i = 0; i < test::cases(100'000); ++i) {
         const auto someVec2 = [&random] { return Vec2{random.uniform(-3, 3), random.uniform(-3, 3)}; };
         const Magnetism law{.constant = 1, .softening = random.integer(0, 1) == 0 ? 0 : random.uniform(0, 1)};
-        const Magnet a{someVec2(), someVec2()}, b{someVec2(), someVec2()};
+        const Dipole a{someVec2(), someVec2()}, b{someVec2(), someVec2()};
         const MagnetPull onB = magnetPull(law, a, b), onA = magnetPull(law, b, a);
         const Vec2 d = b.position - a.position;
         const double size = a.moment.norm() * b.moment.norm() / std::pow(std::hypot(d.norm(), law.softening), 3);
@@ -52,11 +52,11 @@ TEST_CASE("magnets at one place do nothing, and no NaN", "[forces]") {
     CHECK(pull.torque == 0);
     CHECK(magnetPull({}, {{0, 0}, {3, 0}}, {{1e-90, 0}, {0, 3}}).force == Vec2(0, 0));
     CHECK(magnetPull({}, {{0, 0}, {3, 0}}, {{0, 1e100}, {0, 3}}).force == Vec2(0, 0));
-    CHECK(potentialEnergy({}, Magnet{}, Magnet{}) == 0);
+    CHECK(potentialEnergy({}, Dipole{}, Dipole{}) == 0);
 }
 
 TEST_CASE("magnetism of less than nothing is refused by name", "[forces][errors]") {
     CHECK_THROWS_WITH(magnetPull({.constant = -1}, {}, {}), "Magnetism.constant: -1 is negative");
-    CHECK_THROWS_WITH(potentialEnergy(Magnetism{.softening = -1}, Magnet{}, Magnet{}),
+    CHECK_THROWS_WITH(potentialEnergy(Magnetism{.softening = -1}, Dipole{}, Dipole{}),
                       "Magnetism.softening: -1 is negative");
 }

@@ -105,7 +105,7 @@ double springError(Random& random) {
 double magnetError(Random& random) {
     const Magnetism law{.constant = randomSize(random, 0.01),
                         .softening = random.integer(0, 1) == 0 ? 0 : randomSize(random, 0.1)};
-    const Magnet a{randomVec2(random, 5), randomVec2(random, 3)};
+    const Dipole a{randomVec2(random, 5), randomVec2(random, 3)};
     const Vec2 place = a.position + randomOffset(random);
     const Vec2 moment = randomVec2(random, 3);
     const double q = std::hypot((place - a.position).norm(), law.softening);

@@ -7,7 +7,7 @@
 
 using namespace plumb;
 
-// FACTS section 5, bounce (textbook): h = 1 m, e = 0.8.
+// Worked numbers of response, bounce (textbook): h = 1 m, e = 0.8.
 TEST_CASE("a ball dropped from 1 m at e = 0.8 rests after 4.0637127689 s and 4.5555555556 m", "[impact][facts][law]") {
     const auto rest = bouncesToRest({.height = 1, .restitution = 0.8});
     REQUIRE(rest);

@@ -40,7 +40,7 @@ Disc randomDisc(Random& random) {
 
 }  // namespace
 
-// FACTS section 5, 2D equal discs.
+// Worked numbers of response, 2D equal discs.
 TEST_CASE("equal discs that meet 30 degrees off the line of centres part as the lecture says", "[impact][facts][law]") {
     const Disc a{.velocity = {1, 0}}, b{.position = {std::sqrt(3.0) / 2, 0.5}};
     const ImpactResult elastic = collideDiscs(a, b, {});
@@ -51,7 +51,7 @@ TEST_CASE("equal discs that meet 30 degrees off the line of centres part as the 
     CHECK((lossy.velocityB - Vec2(0.675, 0.3897114317)).norm() < 2 * digits);
 }
 
-// FACTS section 5, disc on floor (Routh, Brach): r = 0.5, v = (4, -3), e = 0.5.
+// Worked numbers of response, disc on floor (Routh, Brach): r = 0.5, v = (4, -3), e = 0.5.
 TEST_CASE("a disc that comes down at (4, -3) m/s rolls off at friction 0.5, slips at 0.2, and the threshold is 8/27",
           "[impact][facts][law]") {
     const Disc disc{.velocity = {4, -3}};
@@ -67,7 +67,7 @@ TEST_CASE("a disc that comes down at (4, -3) m/s rolls off at friction 0.5, slip
     CHECK(collideWithWall(disc, {}, {.restitution = 0.5, .friction = 8.0 / 27 + 1e-12}).sticks);
 }
 
-// FACTS section 5, disc on floor: what ends the slip is k / (1 + k) of it.
+// Worked numbers of response, disc on floor: what ends the slip is k / (1 + k) of it.
 TEST_CASE("what ends the slip is a third of it for a disc, 2/7 for a ball, a half for a ring", "[impact][facts][law]") {
     const auto part = [](double inertiaRatio) {
         const Disc disc{.mass = 3, .inertiaRatio = inertiaRatio, .velocity = {4, -3}, .angularVelocity = 2};
@@ -79,7 +79,7 @@ TEST_CASE("what ends the slip is a third of it for a disc, 2/7 for a ball, a hal
     CHECK(std::fabs(part(1) - 1.0 / 2) < 1e-15);
 }
 
-// FACTS section 5, disc pair: tangential mass m / 6.
+// Worked numbers of response, disc pair: tangential mass m / 6.
 TEST_CASE("two alike discs that graze pass on slip by a sixth of their mass", "[impact][facts][law]") {
     const Disc a{.mass = 3, .velocity = {1, 2}}, b{.position = {1, 0}, .mass = 3, .velocity = {-1, 0}};
     const ImpactResult r = collideDiscs(a, b, {.friction = 1});

@@ -46,7 +46,7 @@ std::vector<LineParticle> randomRow(Random& random, bool alike) {
 
 }  // namespace
 
-// FACTS section 5, 1D impact (Newton).
+// Worked numbers of response, 1D impact (Newton).
 TEST_CASE("on a line, 2 kg at 3 m/s and 1 kg at -1 m/s part at 1/3 and 13/3 m/s, or at e = 0.5 at 1 and 3",
           "[impact][facts][law]") {
     const LineImpact elastic = collideInLine({2, 3}, {1, -1});
@@ -58,7 +58,7 @@ TEST_CASE("on a line, 2 kg at 3 m/s and 1 kg at -1 m/s part at 1/3 and 13/3 m/s,
     CHECK(std::fabs(lossy.velocityB - 3) < 1e-15);
 }
 
-// FACTS section 5, 2D equal discs: without friction they part as particles do.
+// Worked numbers of response, 2D equal discs: without friction they part as particles do.
 TEST_CASE("equal particles that meet 30 degrees off the line part as the lecture says", "[impact][facts][law]") {
     const Vec2 normal(std::sqrt(3.0) / 2, 0.5);
     const ImpactResult elastic = collideParticles({.velocity = {1, 0}}, {}, normal);
@@ -79,7 +79,7 @@ TEST_CASE("a particle at (3, -4) m/s leaves the floor at (3, 2) for e = 0.5, and
     CHECK(collideInLine({1, 2}, {infinity, -1}).velocityA == -4);  // a bat comes towards it
 }
 
-// FACTS section 5, cradle (Herrmann and Seitz): n in, n out, pair after pair; five balls, two in: two out.
+// Worked numbers of response, cradle (Herrmann and Seitz): n in, n out, pair after pair; five balls, two in: two out.
 TEST_CASE("in a cradle of five as many balls go out as come in", "[impact][facts][law]") {
     for (std::size_t n = 1; n <= 5; ++n) {
         std::vector<LineParticle> balls(5);
@@ -91,7 +91,8 @@ TEST_CASE("in a cradle of five as many balls go out as come in", "[impact][facts
     }
 }
 
-// FACTS section 5, cannon (Harter, "Velocity amplification in collision experiments involving superballs", 1971).
+// Worked numbers of response, cannon (Harter, "Velocity amplification in collision experiments involving superballs",
+// 1971).
 TEST_CASE("3 kg and 1 kg that come down at 1 m/s leave the floor at 0 and 2 m/s: 4 times as high",
           "[impact][facts][law]") {
     const std::vector<LineParticle> balls{{infinity, 0}, {3, -1}, {1, -1}};

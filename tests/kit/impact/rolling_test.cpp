@@ -11,7 +11,7 @@
 
 using namespace plumb;
 
-// FACTS section 5, slide to roll (Coriolis): 3 m/s, friction 0.2.
+// Worked numbers of response, slide to roll (Coriolis): 3 m/s, friction 0.2.
 TEST_CASE("a disc thrown at 3 m/s with a friction of 0.2 rolls at 2 m/s after 0.5096839959 s, 1.2742099898 m on",
           "[impact][facts][law]") {
     const auto disc = slideToRoll({.speed = 3, .inertiaRatio = 0.5, .friction = 0.2});

@@ -197,7 +197,7 @@ Meeting meetingOf(const Convex& piece, const Core& other, float far, float margi
     m.far = far;
     m.margin = margin;
     m.found = other.count > 1 ? polygonManifold(m.segment, other, far, margin)
-                              : circleManifold(m.segment, Disc{other.vertex(0), other.radius}, far, margin);
+                              : circleManifold(m.segment, CoreDisc{other.vertex(0), other.radius}, far, margin);
     if (m.found.count == 0) return m;
     const Vec2f& way = m.found.normal;
     m.separation = nearestOf(m.found);

@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint16_t onlyPoint = 0;
 
 /// The point at which disc B is nearest along normal. Written so that what is not a number makes no contact.
-Manifold onePoint(const Vec2f& normal, float separation, const Disc& b, float margin) {
+Manifold onePoint(const Vec2f& normal, float separation, const CoreDisc& b, float margin) {
     Manifold result;
     if (!(separation <= margin)) return result;
     result.normal = normal;
@@ -41,7 +41,7 @@ Face farthestFace(const Core& a, const Vec2f& point) {
 
 }  // namespace
 
-Manifold circleManifold(const Disc& a, const Disc& b, float margin) {
+Manifold circleManifold(const CoreDisc& a, const CoreDisc& b, float margin) {
     constexpr float squaresUnderflow = 1e-18f;  // closer than this is one place: any normal parts them
     const Vec2f between = b.center - a.center;
     const float distance = std::sqrt(between.dot(between));
@@ -49,7 +49,7 @@ Manifold circleManifold(const Disc& a, const Disc& b, float margin) {
     return onePoint(normal, distance - a.radius - b.radius, b, margin);
 }
 
-Manifold circleManifold(const Core& a, const Disc& b, float far, float margin) {
+Manifold circleManifold(const Core& a, const CoreDisc& b, float far, float margin) {
     const Face face = farthestFace(a, b.center);
     const float radii = a.radius + b.radius;
     if (!(face.separation - radii <= margin)) return {};

@@ -6,14 +6,14 @@
 
 namespace plumb {
 
-struct Disc {
+struct CoreDisc {
     Vec2f center{0, 0};  ///< [m]
     float radius = 0;    ///< [m]
 };
 
-Manifold circleManifold(const Disc& a, const Disc& b, float margin);
+Manifold circleManifold(const CoreDisc& a, const CoreDisc& b, float margin);
 
 /// A core of two or more points against a circle in its frame, whose centre came from as far as this [m].
-Manifold circleManifold(const Core& a, const Disc& b, float far, float margin);
+Manifold circleManifold(const Core& a, const CoreDisc& b, float far, float margin);
 
 }  // namespace plumb

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <plumb/dynamics/detail/field_pull.h>
 #include <plumb/dynamics/detail/quarantine.h>
 #include <plumb/dynamics/detail/world_state.h>
 
@@ -110,6 +111,7 @@ void Audit::note(Momentum entry, const Vec2& momentum) {
 void Audit::book(const WorldState& world, Energy energy, Momentum momentum) {
     EnergyLedger& e = ledger_.energy;
     e.kinetic = e.gravitational = e.spring = 0;
+    e.fields = fieldEnergyOf(world);
     Vec2 sum(0, 0);
     const auto sound = [&](BodyIndex body) { return isSound(world.bodies.motion[body]); };
     for (BodyIndex body = 1; body < world.bodies.record.size(); ++body) {
@@ -141,22 +143,43 @@ void Audit::noteFlight(const WorldState& world, BodyIndex body, const BodyMotion
     note(&EnergyLedger::forces, work);
     note(&MomentumLedger::gravity, pull);
     note(&MomentumLedger::forces, push);
-    if (record.linearDamping == 0 && record.angularDamping == 0) return;
     const auto energyAt = [&](const BodyMotion& m) {
-        return kineticOf(record, m.velocity, m.angularVelocity) + gravitationalOf(record, m.center, world.def.gravity);
+        return kineticOf(record, m.velocity, m.angularVelocity) + gravitationalOf(record, m.center, world.def.gravity) +
+               fieldEnergyOf(world, body, m);
     };
+    if (!world.fields.flights.empty()) {  // what of it had which cause is told when its flight is over
+        note(&EnergyLedger::solver, energyAt(to) - energyAt(from) - work);
+        return;
+    }
+    if (record.linearDamping == 0 && record.angularDamping == 0) return;
     note(&EnergyLedger::damping, energyAt(to) - energyAt(from) - work);
     note(&MomentumLedger::damping, record.mass * (to.velocity - from.velocity) - pull - push);
+}
+
+void Audit::noteAccount(const FieldAccount& account) {
+    note(&EnergyLedger::forces, account.forced);
+    note(&EnergyLedger::damping, account.damped);
+    note(&EnergyLedger::friction, account.rubbed);
+    note(&MomentumLedger::fields, account.fields);
+    note(&MomentumLedger::damping, account.dampedMomentum);
+    note(&MomentumLedger::ground, account.rubbedMomentum);
+}
+
+void Audit::noteFieldFlight(const FieldAccount& account) {
+    noteAccount(account);
+    note(&EnergyLedger::solver, -(account.forced + account.damped + account.rubbed));
 }
 
 void Audit::begin(const WorldState& world) {
     dampedEnergy_.assign(world.bodies.record.size(), 0.0);
     dampedMomentum_.assign(world.bodies.record.size(), Vec2(0, 0));
+    fieldAccounts_.assign(world.fields.flights.size(), {});
 }
 
 void Audit::beforeKick(const WorldState& world, const std::vector<BodyIndex>& solved) {
     const double half = 0.5 * world.lastStep / world.def.solver.subSteps;
     start_ = world.bodies.velocity;
+    if (!world.fields.flights.empty()) return;  // theirs is told by noteFieldKick
     for (const BodyIndex body : solved) {
         SolverVelocity& v = start_[body];
         const Kick& kick = world.bodies.kick[body];
@@ -172,6 +195,21 @@ void Audit::beforeKick(const WorldState& world, const std::vector<BodyIndex>& so
         if (record.linearDamping > 0) dampedMomentum_[body] += record.mass * gain - pull * half;
         v = {v.x + kick.gain.x, v.y + kick.gain.y, v.w + kick.gain.w, v.inverseMass};
     }
+}
+
+void Audit::noteFieldKick(const WorldState& world, BodyIndex body, const FieldKick& kick, const Vec2& base) {
+    SolverVelocity& v = start_[body];
+    v.x += static_cast<float>(kick.kept.velocity.x());
+    v.y += static_cast<float>(kick.kept.velocity.y());
+    v.w += static_cast<float>(kick.kept.spin) * world.bodies.turn[body].inverseRho;
+    fieldsGiven_.push_back({body, kick, base});
+}
+
+void Audit::noteGiven(const BodyStore& bodies, const FieldGiven& given) {
+    const double rho = static_cast<double>(bodies.turn[given.body].rho);
+    const SolverVelocity &then = start_[given.body], &now = bodies.velocity[given.body];
+    const Push mean{0.5 * (velocityOf(then) + velocityOf(now)), 0.5 * rho * static_cast<double>(then.w + now.w)};
+    fieldAccounts_[given.body].add(bodies.record[given.body], given.kick, mean, given.base);
 }
 
 void Audit::noteContact(const Lane& before, const Lane& after, bool hits) {
@@ -256,6 +294,8 @@ void Audit::endHalf(const WorldState& world) {
     });
     for (const Given& given : given_) noteGiven(world.bodies, given);
     given_.clear();
+    for (const FieldGiven& given : fieldsGiven_) noteGiven(world.bodies, given);
+    fieldsGiven_.clear();
 }
 
 void Audit::beforeBounces(const WorldState& world) {
@@ -283,6 +323,7 @@ void Audit::end(const WorldState& world, const std::vector<BodyIndex>& solved, d
         if (world.bodies.pushed[body] == 0 || record.type != BodyType::Dynamic) continue;
         note(&EnergyLedger::damping, dampedEnergy_[body]);
         note(&MomentumLedger::damping, dampedMomentum_[body]);
+        if (!fieldAccounts_.empty()) noteAccount(fieldAccounts_[body]);
         const SolverDisplacement& moved = world.bodies.displacement[body];
         const Vec2 shift(static_cast<double>(moved.x), static_cast<double>(moved.y));
         const double turn = static_cast<double>(world.bodies.turn[body].angle);

@@ -13,6 +13,7 @@
 #include <array>
 #include <vector>
 
+#include <plumb/dynamics/detail/field_store.h>
 #include <plumb/dynamics/detail/joint_rows.h>
 #include <plumb/dynamics/ledger.h>
 
@@ -38,10 +39,15 @@ public:
     void noteFlight(const WorldState& world, std::uint32_t body, const BodyMotion& from, const BodyMotion& to,
                     double time);
 
+    /// A body that flew through fields has come to its end.
+    void noteFieldFlight(const FieldAccount& account);
+
     // What the solver does, in its order.
     void begin(const WorldState& world);
     /// Before a half sub-step's kick.
     void beforeKick(const WorldState& world, const std::vector<std::uint32_t>& solved);
+    /// What fields have given a body after that, of which base was by gravity and by forces [m/s].
+    void noteFieldKick(const WorldState& world, std::uint32_t body, const FieldKick& kick, const Vec2& base);
     /// Rows' impulses in one pass, and their speeds after it.
     void noteRows(const JointRows& rows, const Vec3& impulses, const Vec3& after, const Vec3& slopes);
     /// What takes speed out of a row, or gives it, as an impact does.
@@ -64,18 +70,28 @@ private:
         double all = 0, motor = 0, damper = 0, impact = 0;
     };
 
+    struct FieldGiven {
+        BodyIndex body = noBody;
+        FieldKick kick;
+        Vec2 base{0, 0};
+    };
+
     static Given givenBy(const JointRows& rows, std::size_t row, double impulse);
     void noteGiven(const BodyStore& bodies, const Given& given);
+    void noteGiven(const BodyStore& bodies, const FieldGiven& given);
+    void noteAccount(const FieldAccount& account);
     void noteContact(const Lane& before, const Lane& after, bool hits);
 
     Ledger ledger_;
     double energy_ = 0, notedEnergy_ = 0;
     Vec2 momentum_{0, 0}, notedMomentum_{0, 0};
-    std::vector<SolverVelocity> start_;  ///< velocities before the first impulse of what is going on
-    std::vector<Given> given_;           ///< in this half sub-step
-    std::vector<float> totals_;          ///< normal impulses of the contacts' points, before the bounces
-    std::vector<double> dampedEnergy_;   ///< of each body, in this step
-    std::vector<Vec2> dampedMomentum_;   ///< likewise
+    std::vector<SolverVelocity> start_;        ///< velocities before the first impulse of what is going on
+    std::vector<Given> given_;                 ///< in this half sub-step
+    std::vector<FieldGiven> fieldsGiven_;      ///< likewise
+    std::vector<FieldAccount> fieldAccounts_;  ///< of each body, in this step
+    std::vector<float> totals_;                ///< normal impulses of the contacts' points, before the bounces
+    std::vector<double> dampedEnergy_;         ///< of each body, in this step
+    std::vector<Vec2> dampedMomentum_;         ///< likewise
 };
 
 }  // namespace plumb

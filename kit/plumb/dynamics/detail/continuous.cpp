@@ -9,12 +9,12 @@
 #include <vector>
 
 #include <plumb/collide/distance.h>
+#include <plumb/collide/sweep.h>
 #include <plumb/dynamics/detail/contact_rules.h>
 #include <plumb/dynamics/detail/free_motion.h>
 #include <plumb/dynamics/detail/fresh_lanes.h>
 #include <plumb/dynamics/detail/pairs.h>
 #include <plumb/dynamics/detail/shape_measure.h>
-#include <plumb/dynamics/detail/sweep.h>
 
 namespace plumb {
 
@@ -44,7 +44,7 @@ Way freeWay(const WorldState& world, BodyIndex body, const Past& past) {
     const BodyRecord& record = world.bodies.record[body];
     const BodyMotion& now = world.bodies.motion[body];
     if (!record.awake) return wayBetween(now, now, record);
-    const FlightLaw law = flightLawOf(record, world.def.gravity);
+    const FlightLaw law = flightLawOf(world, body);
     return wayBetween(fly(now, law, -past.from), past.to > 0 ? fly(now, law, -past.to) : now, record);
 }
 

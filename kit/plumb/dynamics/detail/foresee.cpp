@@ -17,7 +17,7 @@ FlyingShape flyingShape(const WorldState& world, BodyIndex body, const Proxy& pr
     shape.localCenter = record.localCenter;
     shape.extent = record.extent;
     shape.from = world.bodies.motion[body];
-    if (record.awake) shape.law = flightLawOf(record, world.def.gravity);
+    if (record.awake) shape.law = flightLawOf(world, body);
     return shape;
 }
 

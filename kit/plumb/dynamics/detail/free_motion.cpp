@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/detail/free_motion.h>
 
+#include <plumb/dynamics/detail/world_state.h>
+
 namespace plumb {
 
 Decay decay(double damping, double time) {
@@ -13,9 +15,17 @@ Decay decay(double damping, double time) {
     return {1 - lost, lost / damping, rest / (damping * damping)};
 }
 
-FlightLaw flightLawOf(const BodyRecord& body, const Vec2& gravity) {
-    if (body.type != BodyType::Dynamic) return {};
-    return {accelerationOf(body, gravity), body.linearDamping, body.angularDamping};
+FlightLaw flightLawOf(const WorldState& world, BodyIndex body) {
+    const BodyRecord& record = world.bodies.record[body];
+    if (record.type != BodyType::Dynamic) return {};
+    FlightLaw law{accelerationOf(record, world.def.gravity), record.linearDamping, record.angularDamping};
+    if (world.fields.flights.empty()) return law;
+    const FieldFlight& flight = world.fields.flights[body];
+    law.acceleration.linear += flight.mean.linear;
+    law.acceleration.angular += flight.mean.angular;
+    law.linearDamping = flight.rate;
+    law.angularDamping = flight.turningRate;
+    return law;
 }
 
 BodyMotion fly(const BodyMotion& from, const FlightLaw& law, double time) {

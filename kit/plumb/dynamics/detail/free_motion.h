@@ -11,13 +11,16 @@
 
 namespace plumb {
 
+struct WorldState;
+
 /// How a body flies: what does not change in a step.
 struct FlightLaw {
     Acceleration acceleration;
     double linearDamping = 0, angularDamping = 0;  ///< [1/s]
 };
 
-FlightLaw flightLawOf(const BodyRecord& body, const Vec2& gravity);
+/// With gravity, forces and fields.
+FlightLaw flightLawOf(const WorldState& world, BodyIndex body);
 BodyMotion fly(const BodyMotion& from, const FlightLaw& law, double time);
 
 /// What a damped velocity keeps after a time, and what of an acceleration it gains: v = v0 keep + a gain.

@@ -49,7 +49,7 @@ std::size_t flyerOf(std::vector<Flyer>& flyers, const WorldState& world, BodyInd
     flyer.flight.localCenter = record.localCenter;
     flyer.flight.extent = record.extent;
     flyer.flight.from = world.bodies.motion[body];
-    flyer.flight.law = flightLawOf(record, world.def.gravity);
+    flyer.flight.law = flightLawOf(world, body);
     flyers.push_back(flyer);
     return flyers.size() - 1;
 }
@@ -256,8 +256,8 @@ bool bouncesClear(const WorldState& world, const ContactRecord& contact, double 
     const BodyMotion& b = world.bodies.motion[contact.bodyB];
     const Manifold manifold = world.graph.manifoldOf(contact);
     const Vec2 normal = a.rotation * Vec2(manifold.normal.cast<double>());
-    const Vec2 pull = accelerationOf(world.bodies.record[contact.bodyA], world.def.gravity).linear -
-                      accelerationOf(world.bodies.record[contact.bodyB], world.def.gravity).linear;
+    const Vec2 pull =
+        flightLawOf(world, contact.bodyA).acceleration.linear - flightLawOf(world, contact.bodyB).acceleration.linear;
     const double press = pull.dot(normal);
     for (int p = 0; p < manifold.count; ++p) {
         const ManifoldPoint& point = manifold.points[static_cast<std::size_t>(p)];

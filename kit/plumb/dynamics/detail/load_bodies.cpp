@@ -23,7 +23,7 @@ bool loadBody(WorldState& world, BodyIndex body, double dt) {
     BodyStore& bodies = world.bodies;
     BodyRecord& record = bodies.record[body];
     const BodyMotion& motion = bodies.motion[body];
-    const FlightLaw law = flightLawOf(record, world.def.gravity);
+    const FlightLaw law = flightLawOf(world, body);
     const Acceleration& a = law.acceleration;
     record.constrained = record.flown = false;
     bodies.pushed[body] = 0;
@@ -47,6 +47,10 @@ bool loadBody(WorldState& world, BodyIndex body, double dt) {
     bodies.displacement[body] = {};
     bodies.warm[body] = {};
     bodies.turn[body] = {0, record.rho, record.inverseRho, 0};
+    if (!world.fields.flights.empty()) {  // the fields do it all, gravity and damping included
+        bodies.kick[body] = {};
+        return true;
+    }
     const double half = 0.5 * dt / world.def.solver.subSteps;
     const Decay linear = decay(law.linearDamping, half);
     const Decay angular = decay(law.angularDamping, half);

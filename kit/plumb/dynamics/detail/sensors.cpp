@@ -7,8 +7,8 @@
 #include <tuple>
 
 #include <plumb/collide/distance.h>
+#include <plumb/collide/sweep.h>
 #include <plumb/dynamics/detail/shape_measure.h>
-#include <plumb/dynamics/detail/sweep.h>
 #include <plumb/math/trig.h>
 
 namespace plumb {

@@ -6,6 +6,7 @@
 
 #include <plumb/dynamics/detail/body_solver.h>
 #include <plumb/dynamics/detail/contact_solver.h>
+#include <plumb/dynamics/detail/field_solving.h>
 #include <plumb/dynamics/detail/joint_bodies.h>
 #include <plumb/dynamics/detail/joint_impacts.h>
 #include <plumb/dynamics/detail/lanes.h>
@@ -112,8 +113,12 @@ Vec2 momentumOf(const WorldState& world, const std::vector<BodyIndex>& bodies) {
     return sum;
 }
 
+Audit* auditOf(WorldState& world) {
+    return world.audit ? &*world.audit : nullptr;
+}
+
 void solveJoints(WorldState& world, NetPass pass) {
-    pass.audit = world.audit.get();
+    pass.audit = auditOf(world);
     for (JointNet& net : world.nets) {
         const Vec2 before = pass.audit != nullptr ? momentumOf(world, net.bodies) : Vec2(0, 0);
         solveNet(net, world.joints, world.bodies, pass);
@@ -129,6 +134,7 @@ struct Solving {
     const BodySolver& mover;
     std::vector<BodyIndex> solved;
     Pass pass;
+    FieldSolving fields;
     std::vector<ContactIndex> bounces;  ///< of what hangs on joints
 };
 
@@ -160,6 +166,7 @@ void solveHalf(Solving& solving, const NetPass& joints, bool first) {
     if (joints.direct.correct) world.springs.noteSpeeds(world.joints, world.bodies, joints.direct.step);
     if (world.audit) world.audit->beforeKick(world, solving.solved);
     kickBodies(list, solving.solved.size(), solving.bodies, first);
+    solving.fields.kick(solving.solved);
     if (world.awakeJoints.empty()) return;
     solveJoints(world, joints);
     bounceWhatHangs(solving, joints.direct.step);
@@ -194,7 +201,7 @@ void holdAgain(Solving& solving) {
         std::vector<SolverVelocity> was;
         for (const BodyIndex body : net.bodies) was.push_back(bodies.velocity[body]);
         const Vec2 momentum = world.audit ? momentumOf(world, net.bodies) : Vec2(0, 0);
-        holdNet(net, world.joints, bodies, solving.pass.solveJoints.direct, world.audit.get());
+        holdNet(net, world.joints, bodies, solving.pass.solveJoints.direct, auditOf(world));
         if (world.audit) world.audit->noteGround(momentumOf(world, net.bodies) - momentum);
         for (std::size_t i = 0; i < net.bodies.size(); ++i) {
             const SolverVelocity& now = bodies.velocity[net.bodies[i]];
@@ -212,6 +219,7 @@ void subStep(Solving& solving, bool first) {
     holdAgain(solving);
     if (solving.world.audit) solving.world.audit->endHalf(solving.world);
     solving.mover.move(solving.solved.data(), solving.solved.size(), solving.bodies, solving.pass.step);
+    solving.fields.moved();
     solveHalf(solving, solving.pass.relaxJoints, false);
     solveContacts(solving, &ContactSolver::relax);
     if (solving.world.audit) solving.world.audit->endHalf(solving.world);
@@ -285,6 +293,7 @@ void solveConstraints(WorldState& world, double dt) {
                     bodySolver(lanes),
                     solvedBodies(world),
                     passOf(world.def.solver, h),
+                    FieldSolving(world, h),
                     {}};
     prepareJoints(world, dt);
     if (solving.solved.empty()) return;

@@ -24,6 +24,13 @@ struct Stray {
 /// threads may ask. What was moved or removed since is still named: the space knows better.
 class Strays {
 public:
+    Strays() = default;
+    Strays(const Strays&) : known_(false) {}  // worked out anew
+    Strays& operator=(const Strays&) {
+        forget();
+        return *this;
+    }
+
     void forget() { known_ = false; }
     std::span<const Stray> of(const WorldState& world) const;
 

@@ -29,7 +29,7 @@ Encounter encounterAt(const FlyingShape& a, const FlyingShape& b, double time);
 /// The first time in [from, to] at which the shapes touch while they approach, to rounding; empty when there is none.
 /// A touch that goes less deep than a hundredth of their thickness before they part may be passed over. Of two that
 /// spin so fast that the search takes too long, a time until which they do not meet. Conservative advancement in the
-/// frame of the larger one, with the bound of detail/sweep.h and what the accelerations add to it; near a contact
+/// frame of the larger one, with the bound of collide/sweep.h and what the accelerations add to it; near a contact
 /// Newton's method, held in a bracket. Source: Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996,
 /// section 2.3.
 std::optional<double> timeOfImpact(const FlyingShape& a, const FlyingShape& b, double from, double to);

@@ -21,6 +21,10 @@ std::string textOf(std::uint32_t index, std::uint32_t generation, std::uint32_t 
            std::to_string(world) + "}";
 }
 
+std::string textOf(FieldId id) {
+    return textOf(id.index, id.generation, id.world);
+}
+
 /// Says which way an id is wrong; made is whether its slot has ever been used as often as it says.
 template <class Id>
 [[noreturn]] void refuseId(const WorldState& world, const Id& id, bool made, std::string_view field,
@@ -114,6 +118,19 @@ bool isKnown(const WorldState& world, JointId id) {
     const auto& joints = world.joints.records;
     return id.world == world.id && id.index < joints.size() && joints[id.index].generation == id.generation &&
            !joints[id.index].isFree() && !joints[id.index].isHidden();
+}
+
+bool isKnown(const WorldState& world, FieldId id) {
+    const auto& fields = world.fields.records;
+    return id.world == world.id && id.index < fields.size() && fields[id.index].alive &&
+           fields[id.index].generation == id.generation;
+}
+
+void requireField(const WorldState& world, FieldId id, std::string_view field) {
+    if (isKnown(world, id)) return;
+    const auto& fields = world.fields.records;
+    const bool made = id.index < fields.size() && id.generation < fields[id.index].generation;
+    refuseId(world, id, made, field, "field");
 }
 
 void requireBody(const WorldState& world, BodyId id, std::string_view field) {

@@ -15,6 +15,7 @@ std::string textOf(JointId id);
 /// Does an id name a thing that is in this world now?
 bool isKnown(const WorldState& world, BodyId id);
 bool isKnown(const WorldState& world, JointId id);
+bool isKnown(const WorldState& world, FieldId id);
 
 bool isKnown(const WorldState& world, ShapeId id);
 
@@ -31,6 +32,8 @@ void validate(const WorldState& world, const JointDef& def);
 void validateChange(const WorldState& world, const JointDef& from, const JointDef& to);
 void requireBody(const WorldState& world, BodyId id, std::string_view field);
 void requireShape(const WorldState& world, ShapeId id, std::string_view field);
+void requireField(const WorldState& world, FieldId id, std::string_view field);
+void validate(const WorldState& world, const FieldDef& def);
 void requireJoint(const WorldState& world, JointId id, std::string_view field);
 
 }  // namespace plumb

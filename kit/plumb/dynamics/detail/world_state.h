@@ -2,14 +2,14 @@
 // What is a world made of, behind its door?
 #pragma once
 #include <map>
-#include <memory>
-
+#include <optional>
 #include <vector>
 
 #include <plumb/dynamics/detail/audit.h>
 #include <plumb/dynamics/detail/body_store.h>
 #include <plumb/dynamics/detail/contact_graph.h>
 #include <plumb/dynamics/detail/contact_store.h>
+#include <plumb/dynamics/detail/field_store.h>
 #include <plumb/dynamics/detail/joint_net.h>
 #include <plumb/dynamics/detail/joint_springs.h>
 #include <plumb/dynamics/detail/joint_store.h>
@@ -48,6 +48,7 @@ struct WorldState {
     std::vector<JointIndex> breakable;    ///< those of them that may break
     bool jointsChanged = false;           ///< nets and awakeJoints are out of date
     JointSprings springs;
+    FieldStore fields;
 
     std::vector<ContactBegin> begins;
     std::vector<ContactEnd> ends;
@@ -61,7 +62,7 @@ struct WorldState {
     std::vector<BodyIndex> unsound;      ///< to be put in quarantine
     std::vector<ContactIndex> isolated;  ///< contacts left to the impacts in the last step that had such
     const LaneCollider* collider = nullptr;
-    std::unique_ptr<Audit> audit;  ///< if WorldDef.ledger asks for one
+    std::optional<Audit> audit;  ///< if WorldDef.ledger asks for one
     Strays strays;
 
     BodyId idOf(BodyIndex body) const { return {body, bodies.record[body].generation, id}; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/detail/sweep.h>
+#include <plumb/collide/sweep.h>
 
 #include <array>
 #include <cmath>
@@ -40,7 +40,7 @@ double separationAt(const SweptShape& a, const SweptShape& b, double time) {
 
 }  // namespace
 
-TEST_CASE("a swept shape meets another when sampling ten thousand poses says so", "[dynamics][sweep]") {
+TEST_CASE("a swept shape meets another when sampling ten thousand poses says so", "[collide][sweep]") {
     constexpr int samples = 10000;
     Random random(11);
     int met = 0;
@@ -67,7 +67,7 @@ TEST_CASE("a swept shape meets another when sampling ten thousand poses says so"
     CHECK(met < 290);
 }
 
-TEST_CASE("a disc at 3 m in a step meets a wall 1 m off after a third of the step", "[dynamics][sweep]") {
+TEST_CASE("a disc at 3 m in a step meets a wall 1 m off after a third of the step", "[collide][sweep]") {
     const Shape wall = plumb::Segment{{-5, 0}, {5, 0}};
     const Shape disc = plumb::Circle{0.1};
     Way way;

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <set>
+
+#include <compare/closed_form/bounce.h>
+#include <compare/closed_form/oracle.h>
+#include <compare/engine/plumb_world.h>
+#include <compare/lab/builtin/labs.h>
+#include <compare/lab/builtin/parts.h>
+#include <compare/metric/length_text.h>
+#include <compare/scene/builtin/parts.h>
+#include <plumb/math/random.h>
+#include <plumb/record/state_hash.h>
+#include <plumb/stepping/interpolate.h>
+
+namespace plumb::compare {
+namespace {
+
+constexpr double duration = 3;    // [s]
+constexpr int wantedTicks = 150;  // of 0.02 s: the lecture's interval
+constexpr double radius = 0.25;   // [m]
+constexpr int shownRates[] = {24, 60, 144};
+constexpr int allRates[] = {20, 24, 25, 30, 40, 50, 60, 72, 75, 90, 100, 120, 144, 165, 200, 240};
+
+/// A display: how long each of its frames takes, three seconds in all.
+struct Display {
+    std::string name;
+    double rate = 0;  ///< [1/s]; 0: no even one
+    std::vector<double> frames{};
+};
+
+Display evenDisplay(int rate) {
+    const int frames = static_cast<int>(duration) * rate;
+    return {fmt::format("{} Hz", rate), static_cast<double>(rate),
+            std::vector<double>(static_cast<std::size_t>(frames), 1.0 / rate)};
+}
+
+/// From 15 to 144 frames a second, at random.
+Display irregularDisplay() {
+    Display display{.name = "irregular"};
+    Random random(24);
+    for (double left = duration; left > 0; left -= display.frames.back())
+        display.frames.push_back(std::min(left, random.uniform(1.0 / 144, 1.0 / 15)));
+    return display;
+}
+
+std::vector<Display> shownDisplays() {
+    std::vector<Display> displays;
+    for (const int rate : shownRates) displays.push_back(evenDisplay(rate));
+    displays.push_back(irregularDisplay());
+    return displays;
+}
+
+Scene bouncingBall() {
+    const DroppedBall ball{.rest = {0, radius}, .height = 2, .restitution = 0.9, .until = duration};
+    return {.name = "bouncing_ball",
+            .question = "Where is a ball, dropped from 2 m with e = 0.9, after 3 s?",
+            .duration = duration,
+            .bodies = {floorBody(),
+                       {"ball",
+                        {.position = ball.rest + Vec2(0, ball.height),
+                         .shapes = {circle(radius, {.restitution = ball.restitution})}}}},
+            .closedForm = ClosedForm{.formula = "flight n leaves at e^n sqrt(2 g h) and lasts 2 e^n sqrt(2 h / g)",
+                                     .source = "textbook: Newton's law of impact",
+                                     .bodies = {PiecewiseMotion{"ball", bouncingFlights(ball)}}}};
+}
+
+double trueEnd(const Scene& scene) {
+    return closedFormStates(scene, duration).back().position.y();
+}
+
+struct Shown {
+    std::vector<Point> heights;  ///< at each frame [s, m]
+    double end = 0;              ///< the state's own height, at last [m]
+    std::int64_t ticks = 0;
+    std::uint64_t hash = 0;
+};
+
+/// The game's loop: the clock says how many ticks are due, and what is drawn lies between the last two.
+Shown byFixedClock(const Scene& scene, const Display& display, const ClockSettings& settings) {
+    PlumbWorld made = plumbWorld(scene);
+    const auto height = [&] { return made.world.body(made.bodies.back()).position().y(); };
+    FixedClock clock(settings);
+    Shown shown{.heights = {{0, height()}}};
+    double time = 0, before = height();
+    for (const double frame : display.frames) {
+        const Ticks ticks = clock.advance(frame);
+        for (int tick = 0; tick < ticks.due; ++tick) {
+            before = height();
+            made.world.step(clock.interval());
+        }
+        time += frame;
+        shown.heights.push_back({time, interpolate(before, height(), ticks.fraction)});
+    }
+    shown.end = height();
+    shown.ticks = clock.tick();
+    shown.hash = stateHash(made.world);
+    return shown;
+}
+
+/// What the lecture warns of: a step is as long as the frame took.
+Shown byVariableStep(const Scene& scene, const Display& display, const Engine& engine) {
+    const std::unique_ptr<Simulation> simulation = engine.build(scene);
+    const auto height = [&] { return simulation->states().back().position.y(); };
+    Shown shown{.heights = {{0, height()}}};
+    double time = 0;
+    for (const double frame : display.frames) {
+        simulation->step(frame);
+        time += frame;
+        shown.heights.push_back({time, height()});
+    }
+    shown.end = height();
+    return shown;
+}
+
+/// The ends over the rates, and what they say; the last display is the irregular one.
+struct Ends {
+    std::vector<Point> overRate;
+    std::set<double> heights;
+    double spread() const { return *heights.rbegin() - *heights.begin(); }
+    void add(const Display& display, const Shown& shown) {
+        if (display.rate > 0) overRate.push_back({display.rate, shown.end});
+        heights.insert(shown.end);
+    }
+};
+
+std::vector<Display> allDisplays() {
+    std::vector<Display> displays;
+    for (const int rate : allRates) displays.push_back(evenDisplay(rate));
+    displays.push_back(irregularDisplay());
+    return displays;
+}
+
+Graph heightGraph(const std::string& title) {
+    return {.title = title, .x = {"time", "s"}, .y = {"height of the centre", "m"}};
+}
+
+void runClock(const Scene& scene, const ClockSettings& clock, LabRun& run, Graph& endGraph) {
+    Graph graph = heightGraph("Fixed clock: what is shown, one tick behind");
+    for (const Display& display : shownDisplays())
+        graph.curves.push_back({display.name, byFixedClock(scene, display, clock).heights});
+    run.graphs.push_back(graph);
+
+    const std::vector<Display> displays = allDisplays();
+    const std::uint64_t hash = byFixedClock(scene, displays.front(), clock).hash;
+    Ends ends;
+    int others = 0;
+    std::int64_t ticksOff = 0;
+    for (const Display& display : displays) {
+        const Shown shown = byFixedClock(scene, display, clock);
+        ends.add(display, shown);
+        others += shown.hash != hash;
+        ticksOff = std::max<std::int64_t>(ticksOff, std::abs(shown.ticks - wantedTicks));
+    }
+    endGraph.curves.push_back({"fixed clock", ends.overRate});
+    const double error = std::fabs(*ends.heights.begin() - trueEnd(scene));
+    run.values = {{"clock.states_that_differ", others},
+                  {"clock.ticks_off", static_cast<double>(ticksOff)},
+                  {"clock.spread", ends.spread()},
+                  {"clock.error", error}};
+    run.seen.push_back(fmt::format(
+        "With the fixed clock, {} of {} displays, the irregular one among them, end with the same state hash after {} "
+        "ticks: the ball is at {:.6f} m, {} from the closed form.",
+        static_cast<int>(displays.size()) - others, displays.size(), wantedTicks, *ends.heights.begin(),
+        lengthText(error)));
+}
+
+void runEngine(const Scene& scene, const Engine& engine, LabRun& run, Graph& endGraph) {
+    const std::string label = engineLabel(engine.name);
+    Graph graph = heightGraph(fmt::format("{}, a step as long as the frame", label));
+    for (const Display& display : shownDisplays())
+        graph.curves.push_back({display.name, byVariableStep(scene, display, engine).heights});
+    run.graphs.push_back(graph);
+
+    Ends ends;
+    for (const Display& display : allDisplays()) ends.add(display, byVariableStep(scene, display, engine));
+    endGraph.curves.push_back({engine.name, ends.overRate});
+    run.values["variable.spread." + engine.name] = ends.spread();
+    run.seen.push_back(fmt::format(
+        "With a step as long as the frame, {}'s ball ends between {:.4f} m and {:.4f} m: {} apart, in {} different "
+        "places on {} displays.",
+        label, *ends.heights.begin(), *ends.heights.rbegin(), lengthText(ends.spread()), ends.heights.size(),
+        std::size(allRates) + 1));
+}
+
+LabRun runFrameRate(const ClockSettings& clock, const std::vector<Engine>& engines) {
+    const Scene scene = bouncingBall();
+    LabRun run;
+    Graph endGraph{.title = "Where the ball is after 3 s",
+                   .x = {"frames a second", "1/s", true},
+                   .y = {"height of the centre", "m"}};
+    runClock(scene, clock, run, endGraph);
+    for (const Engine& engine : engines) runEngine(scene, engine, run, endGraph);
+    const double end = trueEnd(scene);
+    endGraph.curves.push_back({.name = "closed form",
+                               .points = {{allRates[0], end}, {allRates[std::size(allRates) - 1], end}},
+                               .theory = true});
+    run.graphs.push_back(endGraph);
+    return run;
+}
+
+}  // namespace
+
+Lab frameRate(const ClockSettings& clock) {
+    return {
+        .name = "frame_rate",
+        .question = "A ball bounces for 3 s: does it end in the same place, whatever the display's frame rate?",
+        .varied = "frames a second, from 20 to 240 and irregular, between 15 and 144",
+        .checks = {{.name = "clock.states_that_differ",
+                    .reason = "the world makes the same ticks, whatever time the frames take: the same bits"},
+                   {.name = "clock.ticks_off", .reason = "3 s are 150 ticks of 0.02 s, in whole ticks"},
+                   {.name = "clock.spread", .unit = "m", .reason = "the same bits are the same place"},
+                   {.name = "clock.error",
+                    .limit = 1e-7,
+                    .unit = "m",
+                    .reason = "flights are their closed form, and each of three impacts is solved at its own time, to "
+                              "1e-9 s at 6 m/s: 2e-8 m"},
+                   {.name = "variable.spread.plumb",
+                    .limit = 1e-7,
+                    .unit = "m",
+                    .reason = "as clock.error: neither depends on the step; only the last bits do",
+                    .engine = std::string(plumbName)}},
+        .run = [clock](const std::vector<Engine>& engines) { return runFrameRate(clock, engines); },
+    };
+}
+
+}  // namespace plumb::compare

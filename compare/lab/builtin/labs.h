@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// What is each lab? What it puts to the test can be exchanged, to see that a wrong one does not pass.
+#pragma once
+#include <functional>
+#include <span>
+#include <vector>
+
+#include <compare/lab/builtin/methods.h>
+#include <compare/lab/lab.h>
+#include <plumb/broad/broad_phase.h>
+#include <plumb/collide/sweep.h>
+#include <plumb/record/forecast.h>
+#include <plumb/stepping/clock.h>
+
+namespace plumb::compare {
+
+/// frame_rate.cpp; the lecture's interval.
+Lab frameRate(const ClockSettings& clock = {.interval = 0.02});
+
+/// integrators.cpp
+Lab integrators(const std::vector<Method>& methods = knownMethods());
+
+/// broad_phases.cpp
+using PairFinder = std::function<PairSearch(BroadPhase way, std::span<const Aabb> boxes)>;
+Lab broadPhases(const PairFinder& find = findPairs);
+
+/// Is the bullet, which goes its way through one frame, seen to touch the window, which stands?
+using FrameTest = std::function<bool(const Shape& bullet, const Way& way, const Shape& window)>;
+struct FrameTests {
+    FrameTest overlapAtEnd, bisection, swept;
+};
+FrameTests lectureTests();
+
+/// bullet_and_window.cpp
+Lab bulletAndWindow(const FrameTests& tests = lectureTests());
+
+/// As the kit does it.
+Forecast foretold(const World& world, const BodyDef& shot, int ticks, double dt);
+
+/// forecast.cpp
+using Forecaster = std::function<Forecast(const World& world, const BodyDef& shot, int ticks, double dt)>;
+Lab forecasts(const Forecaster& foretell = foretold);
+
+}  // namespace plumb::compare

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// How does a person read a length?
+#pragma once
+#include <string>
+
+namespace plumb::compare {
+
+/// In m, mm, um or nm to three digits; as a power of ten when it is smaller still.
+std::string lengthText(double metres);
+
+}  // namespace plumb::compare

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/ballistics/linear_drag.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <plumb/ballistics/detail/input.h>
+#include <plumb/ballistics/detail/level.h>
+#include <plumb/ballistics/detail/linear_drag_terms.h>
+#include <plumb/math/logarithm.h>
+
+namespace plumb {
+namespace {
+
+void require(const Vec2& velocity, const LinearDrag& drag) {
+    detail::requireSize(velocity, "linear drag: ", "velocity");
+    detail::requireAmount(drag.rate, "LinearDrag", ".rate");
+    detail::requireSize(drag.wind, "LinearDrag", ".wind");
+    detail::requireSize(drag.gravity, "LinearDrag", ".gravity");
+}
+
+// Acceleration of what is at rest.
+Vec2 startOf(const LinearDrag& drag) {
+    return drag.gravity + drag.rate * drag.wind;
+}
+
+FlightState stateAt(const Vec2& velocity, double time, const LinearDrag& drag) {
+    const detail::LinearDragTerms terms = detail::linearDragTerms(drag.rate, time);
+    const Vec2 a = startOf(drag);
+    return {terms.reach * velocity + terms.sag * a, terms.decay * velocity + terms.reach * a};
+}
+
+std::optional<PathPoint> pointAt(const Vec2& velocity, double time, const LinearDrag& drag) {
+    if (!std::isfinite(time)) return std::nullopt;
+    const Vec2 position = stateAt(velocity, time, drag).position;
+    if (!position.allFinite()) return std::nullopt;
+    return PathPoint{position, time};
+}
+
+/// Upward motion alone.
+struct Rise {
+    double speed;  ///< at the launch, upward [m/s]
+    double pull;   ///< acceleration of what is at rest, downward [m/s^2]
+    double rate;
+
+    double apexTime() const { return rate > 0 ? logarithm1Plus(rate * (speed / pull)) / rate : speed / pull; }
+
+    /// Before it or at it, the time when it comes down to a height below the muzzle, if drag did nothing.
+    double timeWithoutDrag(double height) const {
+        const double root = std::sqrt(speed * speed + 2 * std::max(pull, 0.0) * height);
+        return speed > 0 ? (speed + root) / pull : 2 * height / (root - speed);
+    }
+
+    /// When it comes down to a height below the muzzle; infinite when it never does. The height is bent to one
+    /// side only, so that from the second step on Newton's method comes to its zero from one side. Where it is
+    /// bent upward, a step past its lowest point says that there is none.
+    double landingTime(double height) const {
+        double time = timeWithoutDrag(std::max(height, 0.0));
+        for (int i = 0; i < 200; ++i) {
+            const detail::LinearDragTerms terms = detail::linearDragTerms(rate, time);
+            const double above = terms.reach * speed - terms.sag * pull + height;
+            const double fall = terms.reach * pull - terms.decay * speed;
+            if (!(fall > 0)) break;
+            const double step = above / fall;
+            time += step;
+            if (std::fabs(step) <= 1e-13 * time) return time;
+        }
+        return std::numeric_limits<double>::infinity();
+    }
+};
+
+}  // namespace
+
+FlightState linearDragFlight(const Vec2& velocity, double time, const LinearDrag& drag) {
+    require(velocity, drag);
+    detail::requireAmount(time, "linear drag: ", "time");
+    return stateAt(velocity, time, drag);
+}
+
+std::optional<PathPoint> linearDragApex(const Vec2& velocity, const LinearDrag& drag) {
+    require(velocity, drag);
+    const detail::Level level(drag.gravity);
+    const Rise rise{velocity.dot(level.up), -startOf(drag).dot(level.up), drag.rate};
+    if (!(rise.speed > 0 && rise.pull > 0)) return std::nullopt;
+    return pointAt(velocity, rise.apexTime(), drag);
+}
+
+std::optional<PathPoint> linearDragLanding(const Vec2& velocity, double height, const LinearDrag& drag) {
+    require(velocity, drag);
+    detail::requireSize(height, "linear drag: ", "height");
+    const detail::Level level(drag.gravity);
+    const Rise rise{velocity.dot(level.up), -startOf(drag).dot(level.up), drag.rate};
+    if (level.gravity == 0) return std::nullopt;
+    if (rise.speed <= 0) {
+        if (height < 0) return std::nullopt;
+        return pointAt(velocity, height == 0 ? 0 : rise.landingTime(height), drag);
+    }
+    if (!(rise.pull > 0)) return std::nullopt;
+    const detail::LinearDragTerms terms = detail::linearDragTerms(drag.rate, rise.apexTime());
+    if (terms.reach * rise.speed - terms.sag * rise.pull < -height) return std::nullopt;
+    return pointAt(velocity, rise.landingTime(height), drag);
+}
+
+}  // namespace plumb

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/ballistics/obstacle.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <plumb/ballistics/detail/input.h>
+#include <plumb/ballistics/detail/level.h>
+#include <plumb/ballistics/fixed_speed.h>
+#include <plumb/ballistics/least_speed.h>
+
+namespace plumb {
+namespace {
+
+void require(const WallAim& problem) {
+    detail::requireSize(problem.target, "WallAim", ".target");
+    for (const Vec2& wall : problem.walls) detail::requireSize(wall, "WallAim", ".walls");
+    detail::requireAmount(problem.margin, "WallAim", ".margin");
+    detail::requireAmount(problem.speed, "WallAim", ".speed");
+    detail::requireSize(problem.gravity, "WallAim", ".gravity");
+}
+
+/// The problem with the target to the right, and gravity down.
+class Side {
+public:
+    explicit Side(const WallAim& problem) : level_(problem.gravity), margin_(problem.margin) {
+        if (problem.target.dot(level_.right) < 0) level_.right = -level_.right;
+        target_ = local(problem.target);
+    }
+
+    double gravity() const { return level_.gravity; }
+    const Vec2& target() const { return target_; }
+    /// Along the level, and up.
+    Vec2 local(const Vec2& v) const { return {v.dot(level_.right), v.dot(level_.up)}; }
+    Vec2 world(const Vec2& v) const { return v.x() * level_.right + v.y() * level_.up; }
+    bool isInTheWay(const Vec2& wall) const { return wall.x() > 0 && wall.x() < target_.x(); }
+
+    /// Of the least steep shot at the target that passes a wall, local and in the way: the tangent of its angle.
+    double slopeOver(const Vec2& wall) const {
+        const double part = wall.x() / target_.x();
+        const double rest = 1 - part;
+        return ((wall.y() + margin_) / wall.x() - target_.y() / target_.x() * part) / rest;
+    }
+
+private:
+    detail::Level level_;
+    double margin_;
+    Vec2 target_{0, 0};
+};
+
+}  // namespace
+
+std::vector<Shot> aimOver(const WallAim& problem) {
+    require(problem);
+    const Side side(problem);
+    std::vector<Shot> shots = aim({problem.target, problem.speed, problem.gravity});
+    std::erase_if(shots, [&](const Shot& shot) {
+        const Vec2 velocity = side.local(shot.velocity);
+        return std::ranges::any_of(problem.walls, [&](const Vec2& top) {
+            const Vec2 wall = side.local(top);
+            if (!side.isInTheWay(wall)) return false;
+            const double time = wall.x() / velocity.x();
+            return time * (velocity.y() - 0.5 * side.gravity() * time) < wall.y() + problem.margin;
+        });
+    });
+    return shots;
+}
+
+std::optional<Shot> aimSlowestOver(const WallAim& problem) {
+    require(problem);
+    std::optional<Shot> slowest = aimSlowest({problem.target, problem.gravity});
+    if (!slowest) return slowest;
+    const Side side(problem);
+    const Vec2& target = side.target();
+    const Vec2 start = side.local(slowest->velocity);
+    double needed = start.y() / start.x();
+    bool clears = true;
+    for (const Vec2& top : problem.walls) {
+        const Vec2 wall = side.local(top);
+        const double slope = side.isInTheWay(wall) ? side.slopeOver(wall) : needed;
+        if (!(slope > needed)) continue;
+        needed = slope;
+        clears = false;
+    }
+    if (clears) return slowest;
+    const double time = std::sqrt(2 * ((target.x() * needed - target.y()) / side.gravity()));
+    const double across = target.x() / time;
+    if (!std::isfinite(time) || !std::isfinite(needed)) return std::nullopt;
+    return Shot{side.world({across, needed * across}), time};
+}
+
+}  // namespace plumb

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/detail/field_solving.h>
+
+#include <plumb/dynamics/detail/field_kick.h>
+#include <plumb/dynamics/detail/free_motion.h>
+
+namespace plumb {
+
+namespace {
+
+BodyMotion solvedMotion(const BodyStore& bodies, BodyIndex body) {
+    BodyMotion motion = bodies.motion[body];
+    const SolverDisplacement& d = bodies.displacement[body];
+    motion.center += Vec2(static_cast<double>(d.x), static_cast<double>(d.y));
+    motion.angle += static_cast<double>(bodies.turn[body].angle);
+    motion.rotation = Rot::fromAngle(motion.angle);
+    return motion;
+}
+
+Push velocityOf(const BodyStore& bodies, BodyIndex body) {
+    const SolverVelocity& v = bodies.velocity[body];
+    return {{static_cast<double>(v.x), static_cast<double>(v.y)}, static_cast<double>(v.w * bodies.turn[body].rho)};
+}
+
+void add(SolverVelocity& velocity, const Push& push, float inverseRho) {
+    velocity.x += static_cast<float>(push.velocity.x());
+    velocity.y += static_cast<float>(push.velocity.y());
+    velocity.w += static_cast<float>(push.spin) * inverseRho;
+}
+
+}  // namespace
+
+void FieldSolving::look(const std::vector<BodyIndex>& solved) {
+    // What is not solved flies as it was foretold; what the impacts have flown is at the step's end already.
+    now_ = world_.bodies.motion;
+    for (const BodyIndex body : world_.bodies.awake) {
+        const BodyRecord& record = world_.bodies.record[body];
+        if (!record.constrained && !record.flown && subSteps_ > 0)
+            now_[body] = fly(now_[body], flightLawOf(world_, body), subSteps_ * h_);
+    }
+    for (const BodyIndex body : solved)
+        if (body != noBody) now_[body] = solvedMotion(world_.bodies, body);
+    pulls_.resize(solved.size());
+    for (std::size_t i = 0; i < solved.size(); ++i)
+        if (world_.bodies.canMove(solved[i])) pulls_[i] = pullOn(world_, solved[i], now_);
+    looked_ = true;
+    ++subSteps_;
+}
+
+void FieldSolving::kick(const std::vector<BodyIndex>& solved) {
+    if (world_.fields.empty()) return;
+    if (!looked_) look(solved);
+    BodyStore& bodies = world_.bodies;
+    for (std::size_t i = 0; i < solved.size(); ++i) {
+        const BodyIndex body = solved[i];
+        if (!bodies.canMove(body)) continue;
+        const BodyRecord& record = bodies.record[body];
+        const Acceleration base = accelerationOf(record, world_.def.gravity);
+        const FieldKick kick = kickOf(record, base, pulls_[i], velocityOf(bodies, body), 0.5 * h_);
+        const Push sum = sumOf(kick);
+        add(bodies.velocity[body], sum, bodies.turn[body].inverseRho);
+        add(bodies.before[body], sum, bodies.turn[body].inverseRho);
+        if (world_.audit) world_.audit->noteFieldKick(world_, body, kick, base.linear * (0.5 * h_));
+    }
+}
+
+}  // namespace plumb

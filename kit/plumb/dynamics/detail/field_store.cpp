@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/detail/field_store.h>
+
+namespace plumb {
+
+void FieldAccount::add(const BodyRecord& body, const FieldKick& kick, const Push& mean, const Vec2& base) {
+    const auto workOf = [&](const Push& push) {
+        const double turned = body.inverseInertia > 0 ? body.inertia * push.spin * mean.spin : 0.0;
+        return body.mass * push.velocity.dot(mean.velocity) + turned;
+    };
+    forced += workOf(kick.forced);
+    damped += workOf(kick.damped);
+    rubbed += workOf(kick.rubbed);
+    fields += body.mass * (kick.kept.velocity - base + kick.forced.velocity);
+    dampedMomentum += body.mass * kick.damped.velocity;
+    rubbedMomentum += body.mass * kick.rubbed.velocity;
+}
+
+FieldIndex FieldStore::acquire() {
+    if (free.empty()) {
+        records.emplace_back();
+        return static_cast<FieldIndex>(records.size() - 1);
+    }
+    const FieldIndex field = free.back();
+    free.pop_back();
+    return field;
+}
+
+void FieldStore::release(FieldIndex field) {
+    records[field] = {.def = {}, .generation = records[field].generation + 1};
+    free.push_back(field);
+    if (empty()) flights.clear();
+}
+
+}  // namespace plumb

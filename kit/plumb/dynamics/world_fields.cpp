@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Which forces fill the world? The part of World that takes them in.
+#include <algorithm>
+
+#include <plumb/collide/distance.h>
+#include <plumb/dynamics/detail/field_pull.h>
+#include <plumb/dynamics/detail/islands.h>
+#include <plumb/dynamics/detail/placed_outline.h>
+#include <plumb/dynamics/detail/validate.h>
+#include <plumb/dynamics/world.h>
+#include <plumb/math/check.h>
+
+namespace plumb {
+
+namespace {
+
+FieldRecord recordOf(const FieldDef& def, std::uint32_t generation) {
+    return {def, true, !(def.filter == Filter{}), generation};
+}
+
+/// Pushes one body by what its shape catches of an explosion.
+void blast(WorldState& world, ShapeId id, const Shape& shape, const Explosion& explosion) {
+    const BodyIndex body = id.body.index;
+    const BodyRecord& record = world.bodies.record[body];
+    BodyMotion& motion = world.bodies.motion[body];
+    const PlacedOutline outline = placedOutline(shape, record, motion);
+    const Distance near = distance(Circle{1e-9, explosion.center}, {}, shape, world.bodies.pose(body));
+    const Vec2 seen = near.pointB - explosion.center;
+    const bool within = near.separation <= 0;
+    const Vec2 direction = within ? Vec2(motion.center - explosion.center) : seen;
+    const Blast hit = blastOn(explosion, {.nearest = within ? explosion.center : near.pointB,
+                                          .centerOfMass = motion.center,
+                                          .width = widthAcross(outline.corners, outline.radius, direction)});
+    motion.velocity += hit.impulse * record.inverseMass;
+    motion.angularVelocity += cross(Vec2(hit.point - motion.center), hit.impulse) * record.inverseInertia;
+    wakeIsland(world, body);
+}
+
+}  // namespace
+
+FieldId World::addField(const FieldDef& def) {
+    validate(*state_, def);
+    const FieldIndex field = state_->fields.acquire();
+    FieldRecord& record = state_->fields.records[field];
+    record = recordOf(def, record.generation);
+    wakeWhatFeels(*state_, record);
+    return {field, record.generation, state_->id};
+}
+
+void World::set(FieldId id, const FieldDef& def) {
+    requireField(*state_, id, "FieldId");
+    validate(*state_, def);
+    FieldRecord& record = state_->fields.records[id.index];
+    wakeWhatFeels(*state_, record);
+    record = recordOf(def, record.generation);
+    wakeWhatFeels(*state_, record);
+}
+
+void World::remove(FieldId id) {
+    requireField(*state_, id, "FieldId");
+    wakeWhatFeels(*state_, state_->fields.records[id.index]);
+    state_->fields.release(id.index);
+}
+
+bool World::contains(FieldId id) const {
+    return isKnown(*state_, id);
+}
+
+FieldDef World::field(FieldId id) const {
+    requireField(*state_, id, "FieldId");
+    return state_->fields.records[id.index].def;
+}
+
+std::vector<FieldId> World::fields() const {
+    std::vector<FieldId> ids;
+    const std::vector<FieldRecord>& records = state_->fields.records;
+    for (FieldIndex field = 0; field < records.size(); ++field)
+        if (records[field].alive) ids.push_back({field, records[field].generation, state_->id});
+    return ids;
+}
+
+void World::explode(const Explosion& explosion, const Filter& filter) {
+    requireFinite(explosion.center, "Explosion.center");
+    (void)blastOn(explosion, {});
+    const double reach = explosion.radius + explosion.falloff;
+    if (!(reach > 0)) return;
+    for (const ShapeId& shape : overlapShape(Circle{reach, explosion.center}, {}, filter))
+        if (state_->bodies.canMove(shape.body.index)) blast(*state_, shape, this->shape(shape).shape, explosion);
+}
+
+}  // namespace plumb

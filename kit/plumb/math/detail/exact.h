@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// What does rounding take from a sum or a product?
+#pragma once
+
+namespace plumb {
+
+/// A number and what rounding took from it: value + lost is the true one.
+struct Exact {
+    double value, lost;
+};
+
+/// a + b. Source: Knuth, TAOCP 2, 4.2.2, theorem B.
+inline Exact exactSum(double a, double b) {
+    const double value = a + b;
+    const double bPart = value - a;
+    return {value, (a - (value - bPart)) + (b - bPart)};
+}
+
+/// a b, while neither is beyond 1e299 nor the product, when it is not 0, below 1e-290; farther out lost is no
+/// number, or not all of it. Source: Veltkamp's splitting and Dekker's product, Numerische Mathematik 18, 1971.
+inline Exact exactProduct(double a, double b) {
+    constexpr double split = 0x1p27 + 1;
+    const double aHigh = split * a - (split * a - a), aLow = a - aHigh;
+    const double bHigh = split * b - (split * b - b), bLow = b - bHigh;
+    const double value = a * b;
+    return {value, ((aHigh * bHigh - value) + aHigh * bLow + aLow * bHigh) + aLow * bLow};
+}
+
+}  // namespace plumb

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Which points, and what radius around them, hold a shape?
+#pragma once
+#include <vector>
+
+#include <plumb/shapes/shape.h>
+
+namespace plumb {
+
+/// The shape lies in the convex hull of the points, grown by the radius, and touches all sides of it.
+struct CorePoints {
+    std::vector<Vec2> points;  ///< in the body's frame [m]
+    double radius = 0;         ///< [m]
+};
+CorePoints corePointsOf(const Shape& shape);
+
+}  // namespace plumb

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/shapes/detail/hull_outline.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace plumb {
+
+// The lower outline from left to right, then the upper one back.
+HullIndices hullOutline(std::span<const Vec2> points) {
+    HullIndices sorted(points.size());
+    std::iota(sorted.begin(), sorted.end(), std::size_t{0});
+    std::sort(sorted.begin(), sorted.end(), [&](std::size_t a, std::size_t b) {
+        if (points[a].x() != points[b].x()) return points[a].x() < points[b].x();
+        return points[a].y() != points[b].y() ? points[a].y() < points[b].y() : a < b;
+    });
+    HullIndices hull;
+    const auto add = [&](std::size_t index, std::size_t least) {
+        const auto turnsLeft = [&] {
+            const Vec2& end = points[hull.back()];
+            const Vec2 in = end - points[hull[hull.size() - 2]], out = points[index] - end;
+            return cross(in, out) > 0;
+        };
+        while (hull.size() > least && !turnsLeft()) hull.pop_back();
+        hull.push_back(index);
+    };
+    for (const std::size_t index : sorted) add(index, 1);
+    const std::size_t lower = hull.size();
+    for (std::size_t i = sorted.size() - 1; i-- > 0;) add(sorted[i], lower);
+    if (hull.size() > 1) hull.pop_back();  // the first again
+    return hull;
+}
+
+}  // namespace plumb

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "house/examples.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+
+#include "catch.h"
+#include "house/cmake_project.h"
+#include "house/shell.h"
+
+using namespace plumb::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path repository = PLUMB_SOURCE_DIR;
+
+std::string textOf(const fs::path& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The README's, by the name "plumb", and those of each module's page by the module's.
+std::map<std::string, std::vector<Example>> allExamples() {
+    std::map<std::string, std::vector<Example>> examples{{"plumb", examplesOn(textOf(repository / "README.md"))}};
+    for (const auto& entry : fs::directory_iterator(repository / "kit/plumb"))
+        if (entry.is_directory())
+            examples[entry.path().filename().string()] = examplesOn(textOf(entry.path() / "README.md"));
+    return examples;
+}
+
+}  // namespace
+
+TEST_CASE("a page's programs are found, with what they print", "[house]") {
+    const std::string page =
+        "# A\n\n```cpp\nint part();\n```\n\n```cpp\nint main() {}\n```\n\n```text\n1 2\n```\nand\n"
+        "```cpp\nint main() { return 1; }\n```\nwords\n```text\nnot its own\n```\n";
+    const std::vector<Example> examples = examplesOn(page);
+    REQUIRE(examples.size() == 2);
+    CHECK(examples[0].program == "int main() {}\n");
+    CHECK(examples[0].output == "1 2\n");
+    CHECK(examples[1].output.empty());
+}
+
+TEST_CASE("every module of the kit has a page with a program, and the README leads to it", "[house]") {
+    const std::string readme = textOf(repository / "README.md");
+    for (const auto& [module, examples] : allExamples()) {
+        CAPTURE(module);
+        CHECK_FALSE(examples.empty());
+        if (module == "plumb") continue;
+        CHECK(readme.find("(kit/plumb/" + module + "/README.md)") != std::string::npos);
+        for (const Example& example : examples) CHECK_FALSE(example.output.empty());
+    }
+}
+
+TEST_CASE("every program on a page compiles, and prints what the page says", "[house][build]") {
+    const fs::path folder = houseFolder("examples"), sources = folder / "sources";
+    fs::remove_all(folder / "prefix");
+    fs::remove_all(sources);
+    fs::create_directories(sources);
+    const std::string prefix = (folder / "prefix").string();
+    mustRun(quoted(PLUMB_CMAKE) + " --install " + quoted(PLUMB_BUILD_DIR) + " --prefix " + quoted(prefix));
+    std::map<std::string, Example> byName;
+    for (const auto& [module, examples] : allExamples())
+        for (std::size_t i = 0; i < examples.size(); ++i) byName[module + "_" + std::to_string(i)] = examples[i];
+    for (const auto& [name, example] : byName) std::ofstream(sources / (name + ".cpp")) << example.program;
+    buildProject({.source = repository / "tests/examples",
+                  .build = folder / "build",
+                  .options = {std::string("-DCMAKE_CXX_COMPILER=") + PLUMB_COMPILER, "-DCMAKE_BUILD_TYPE=Release",
+                              "-DCMAKE_PREFIX_PATH=" + prefix, "-DEXAMPLES=" + sources.string()}});
+    for (const auto& [name, example] : byName) {
+        CAPTURE(name);
+        const Ran ran = shell(quoted((folder / "build" / name).string()));
+        CHECK(ran.ok);
+        if (!example.output.empty()) CHECK(ran.output == example.output);
+    }
+}
