@@ -20,8 +20,8 @@ struct SpringEnd {
 /// On B; A bears the opposite:  F = -(k (d - L) + c (vB - vA) . n) n [N]
 /// d distance [m], n unit vector from A to B [-]. Two ends at one place have no direction: there is no force then.
 /// Source: Hooke, "De potentia restitutiva", 1678. Throws std::invalid_argument on a stiffness, damping or length
-/// that is negative or not finite. Tests: "a mass on a spring is back after 2 pi sqrt(m / k)", "1 kg on 4 N/m with
-/// 0.4 N s/m is at -0.2580702634 m after 1 s"
+/// that is negative or not finite. Tests: "a mass on a spring is back after 2 pi sqrt(m / k)",
+///        "a mass of 1 kg on 4 N/m with 0.4 N s/m is at -0.2580702634 m after 1 s"
 Vec2 springForce(const SpringDamper& spring, const SpringEnd& a, const SpringEnd& b);
 
 /// U = k (d - L)^2 / 2 [J]. Test: "the slope of every potential energy is its force, in 100,000 places each"

@@ -24,7 +24,7 @@ test::State<5> swung(const SpringDamper& spring, double mass, const Vec2& anchor
 }  // namespace
 
 // Worked numbers of response, spring (zeta = c / (2 sqrt(k m))): 1 kg, 4 N/m, 0.4 N s/m, let go at 1 m.
-TEST_CASE("1 kg on 4 N/m with 0.4 N s/m is at -0.2580702634 m after 1 s", "[forces][facts][law]") {
+TEST_CASE("a mass of 1 kg on 4 N/m with 0.4 N s/m is at -0.2580702634 m after 1 s", "[forces][facts][law]") {
     const SpringDamper spring{.stiffness = 4, .damping = 0.4, .restLength = 3};
     test::State<5> start;
     start << 4, 0, 0, 0, 0;
