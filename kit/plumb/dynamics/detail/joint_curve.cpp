@@ -30,7 +30,7 @@ void dampAhead(JointRow& row, double w, double speed) {
     row.damper = 0;
 }
 
-Wish wishOf(const JointRow& row, RowState state, double w) {
+JointWish wishOf(const JointRow& row, RowState state, double w) {
     if (row.holds) return {false, 0, row.target, rowGive * w};
     if (isStop(state)) return {false, 0, state == RowState::AtLowerStop ? row.lowerStop : row.upperStop, rowGive * w};
     const double slope = slopeOf(row, w);

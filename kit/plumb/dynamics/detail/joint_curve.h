@@ -10,7 +10,7 @@ namespace plumb {
 inline constexpr double rowGive = 1e-5;
 
 /// A row on a part of its curve: v + give L = speed, or, if there is no such thing, L = impulse.
-struct Wish {
+struct JointWish {
     bool known = false;
     double impulse = 0;
     double speed = 0, give = 0;
@@ -24,7 +24,7 @@ double slopeOf(const JointRow& row, double w);
 void giveNothing(JointRow& row);
 /// Before a sub-step, a damper goes by the speed there was.
 void dampAhead(JointRow& row, double w, double speed);
-Wish wishOf(const JointRow& row, RowState state, double w);
+JointWish wishOf(const JointRow& row, RowState state, double w);
 /// The part of the curve next to the one on which speed and impulse are no answer.
 RowState nextState(const JointRow& row, RowState state, double speed, double total, double w);
 /// A state from another step may name a stop, or a bound of force, that is not there now.

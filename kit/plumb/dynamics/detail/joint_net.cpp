@@ -148,7 +148,8 @@ private:
         for (std::size_t j = 0; j < work_.rows.size(); ++j) {
             const JointRows& rows = work_.rows[j];
             for (std::size_t r = 0; r < rows.count; ++r) {
-                const Wish& wish = work_.wishes[j][r] = wishOf(rows.row[r], work_.states[j][r], work_.yields[j][r]);
+                const JointWish& wish = work_.wishes[j][r] =
+                    wishOf(rows.row[r], work_.states[j][r], work_.yields[j][r]);
                 const bool solved = !wish.known && work_.yields[j][r] > 0;  // else there is nothing that it could move
                 const double give = solved ? wish.give : notSolved;
                 same_ = same_ && give == work_.gives[j][r];
@@ -163,7 +164,7 @@ private:
         for (std::size_t j = 0; j < work_.rows.size(); ++j) {
             const JointRows& rows = work_.rows[j];
             for (std::size_t r = 0; r < rows.count; ++r) {
-                const Wish& wish = work_.wishes[j][r];
+                const JointWish& wish = work_.wishes[j][r];
                 if (!wish.known) continue;
                 work_.impulses[j][r] = wish.impulse;
                 if (wish.impulse == 0) continue;

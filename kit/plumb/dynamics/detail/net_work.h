@@ -14,7 +14,7 @@ struct NetWork {
     // Of the joints
     std::vector<JointRows> rows, rowsBefore;  ///< of this pass and the one before
     std::vector<std::array<RowState, mostRows>> states;
-    std::vector<std::array<Wish, mostRows>> wishes;
+    std::vector<std::array<JointWish, mostRows>> wishes;
     std::vector<Vec3> yields;    ///< what a unit impulse does to a row's speed
     std::vector<Vec3> impulses;  ///< in this pass
     std::vector<Vec3> gives;     ///< of the rows in the matrix that was factored last; -1: not in it
