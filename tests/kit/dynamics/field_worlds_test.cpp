@@ -83,10 +83,10 @@ TEST_CASE("a ball in a field bounces to its height, at e = 1 for a minute", "[dy
     world.add(floorDef());
     world.addField({.law = UniformGravity{{0, -9.81}}});
     const BodyId ball = world.add({.position = {0, 5.25}, .shapes = {circle(0.25, {.restitution = 1})}});
-    double highest = 0;
+    double highest = 0;  // of the last bounce, which takes 121 ticks
     for (int tick = 0; tick < 3600; ++tick) {
         world.step(dt);
-        if (tick > 3540) highest = std::max(highest, world.body(ball).position().y());
+        if (tick > 3600 - 130) highest = std::max(highest, world.body(ball).position().y());
     }
     CHECK(highest == Approx(5.25).epsilon(2e-3));
     const EnergyLedger e = world.ledger().energy;
@@ -165,7 +165,7 @@ TEST_CASE("a parachute that stops in a millisecond does not touch a wall it neve
 TEST_CASE("a leaf stays in the wind behind a wall's foot: fields do not push through what is solid",
           "[dynamics][fields]") {
     World world;
-    world.addField({.law = Drag{.linear = 5, .wind = {30, 0}}});
+    world.addField({.law = Drag{.linear = 0.05, .wind = {30, 0}}});
     world.add(floorDef());
     world.add({.type = BodyType::Static, .position = {5, 1}, .shapes = {box({0.2, 3})}});
     const BodyId leaf = world.add({.position = {0, 0.2}, .shapes = {box({0.1, 0.1})}});

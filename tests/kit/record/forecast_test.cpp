@@ -97,7 +97,7 @@ TEST_CASE("1,000 shots bounce as was forecast, to the last bit", "[record][rates
         requireAsForecast(world, body, foreseen);
         requireAsForecast(world, body, forecast(world, body, 30, dt));  // also half way
     }
-    CHECK(hits > 3000);
+    CHECK(hits > 1500);  // some fly over all within the two seconds
 }
 
 TEST_CASE("a hit's normal points away from what was hit, whichever of the two is A", "[record]") {

@@ -64,7 +64,8 @@ FieldKick kickOf(const BodyRecord& body, const Acceleration& base, const FieldPu
     const Vec2 acceleration = base.linear + pull.acceleration.linear;
     const Slowing slowing = meanSlowing(pull, body.linearDamping, acceleration, velocity.velocity, time);
     const Vec2 to = after(slowing, velocity.velocity, time);
-    kick.damped.velocity = to - velocity.velocity - acceleration * time;
+    // Without drag the difference is rounding.
+    if (slowing.rate > 0) kick.damped.velocity = to - velocity.velocity - acceleration * time;
     kick.rubbed.velocity = rubbedOff(velocity.velocity, to, pull.friction * time);
 
     kick.rate = slowing.rate;
@@ -72,7 +73,7 @@ FieldKick kickOf(const BodyRecord& body, const Acceleration& base, const FieldPu
     const Decay turning = decay(kick.turningRate, time);
     const double angular = base.angular + pull.acceleration.angular;
     const double spin = velocity.spin * turning.keep + angular * turning.gain;
-    kick.damped.spin = spin - velocity.spin - angular * time;
+    if (kick.turningRate > 0) kick.damped.spin = spin - velocity.spin - angular * time;
     kick.rubbed.spin = rubbedOff(spin, pull.spinFriction * time);
     return kick;
 }
