@@ -80,10 +80,9 @@ CLI::App* describeCheck(CLI::App& app, Raw& raw) {
     CLI::App* check = app.add_subcommand("check", "run scenes and labs, and judge them");
     check->footer(
         "A check that looks at what a shortened run does not reach fails. A scene none of whose checks binds the\n"
-        "engines asked for is shown, and not judged: it does not change the exit status. A lab varies one quantity "
-        "and\n"
-        "draws curves over it, with steps of its own: --steps and --dt are for scenes, and --engines for the engines\n"
-        "that a lab compares.");
+        "engines asked for is shown, and not judged: it does not change the exit status. A lab varies one\n"
+        "quantity and draws curves over it, with steps of its own: --steps and --dt are for scenes. A lab\n"
+        "compares those of its engines that are asked for.");
     check->add_option("SCENE", raw.scenes,
                       "names of scenes and labs, or files: FILE.json; without any, all built-in ones");
     check->add_option("--engines", raw.engines, "the engines to run, instead of all")->type_name("A,B");

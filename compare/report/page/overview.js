@@ -23,9 +23,11 @@ function sums(report) {
         const count = element("span", {class: "sum"}, element("b", {}, String(some.length)), ` of ${all.length}`);
         return element("li", {}, count, what);
     };
+    // They stand below all scenes, and are soon found from here.
+    const labsLink = report.labs.length > 0 ? element("a", {href: labAddress(report.labs[0])}, "labs hold") : null;
     return [
         ...(report.scenes.length > 0 ? [sum(passing(report.scenes), report.scenes, "scenes hold")] : []),
-        ...(report.labs.length > 0 ? [sum(passing(report.labs), report.labs, "labs hold")] : []),
+        ...(report.labs.length > 0 ? [sum(passing(report.labs), report.labs, labsLink)] : []),
         sum(passing(outcomes), outcomes, "checks hold"),
         ...(exact.length > 0 ? [sum(close, exact, "closed forms met by Plumb within 1 mm")] : []),
     ];
