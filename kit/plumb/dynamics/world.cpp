@@ -203,6 +203,7 @@ void World::step(double dt) {
         noteMovers(world);
         sleepIslands(world, dt);
         book(world, &EnergyLedger::solver);
+        world.fields.flights.clear();  // of this step, and of the bodies that were there
         watch.lap(&StepProfile::finish);
     } else {
         noteMovers(world);

@@ -280,3 +280,20 @@ TEST_CASE("a magnet whose body is removed draws nothing any more, nor does the b
     run(world, 1);
     CHECK(world.body(iron).velocity().norm() == 0);
 }
+
+TEST_CASE("a body is not quarantined for what a field did in the step before to the one that had its slot",
+          "[dynamics][fields]") {
+    World world;
+    world.addField({.law = Attractor{.center = {0, 0}, .strength = 1e300, .range = 1}});
+    const BodyId flung = world.add({.position = {0.5, 0}, .shapes = {circle(0.1)}});
+    world.step(dt);
+    REQUIRE(world.body(flung).quarantined());
+    world.remove(flung);
+
+    const BodyId next = world.add({.position = {50, 0}, .awake = false, .shapes = {circle(0.1)}});
+    REQUIRE(next.index == flung.index);
+    world.body(next).wake();
+    world.step(dt);
+    CHECK_FALSE(world.body(next).quarantined());
+    CHECK(world.body(next).velocity().y() < 0);
+}

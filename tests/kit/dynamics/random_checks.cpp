@@ -133,6 +133,7 @@ void RandomEditor::check() {
     if (counts.bodies != bodies.size() || counts.awakeBodies != awake || counts.shapes != shapes)
         FAIL("counts are not of what is there");
     checkJoints();
+    checkFields();
 }
 
 /// Each entry is a number, and together they are what is there. Rounding is of all that came and went: joints that
@@ -141,20 +142,21 @@ void RandomEditor::checkLedger() {
     const Ledger ledger = world.ledger();
     const EnergyLedger& e = ledger.energy;
     const MomentumLedger& m = ledger.momentum;
-    double energy = std::fabs(e.kinetic) + std::fabs(e.gravitational) + std::fabs(e.spring);
+    double energy = std::fabs(e.kinetic) + std::fabs(e.gravitational) + std::fabs(e.spring) + std::fabs(e.fields);
     double momentum = m.momentum.norm();
     for (const double entry :
          {e.edits, e.forces, e.drivers, e.motors, e.friction, e.impacts, e.damping, e.breaking, e.solver}) {
         if (!std::isfinite(entry)) FAIL("an entry of the energy is no number");
         energy += std::fabs(entry);
     }
-    for (const Vec2& entry : {m.edits, m.gravity, m.forces, m.ground, m.damping, m.solver}) {
+    for (const Vec2& entry : {m.edits, m.gravity, m.fields, m.forces, m.ground, m.damping, m.solver}) {
         if (!entry.allFinite()) FAIL("an entry of the momentum is no number");
         momentum += entry.norm();
     }
-    INFO(e.kinetic << " " << e.gravitational << " " << e.spring << ": edits " << e.edits << " forces " << e.forces
-                   << " drivers " << e.drivers << " motors " << e.motors << " friction " << e.friction << " impacts "
-                   << e.impacts << " damping " << e.damping << " breaking " << e.breaking << " solver " << e.solver);
+    INFO(e.kinetic << " " << e.gravitational << " " << e.spring << " " << e.fields << ": edits " << e.edits
+                   << " forces " << e.forces << " drivers " << e.drivers << " motors " << e.motors << " friction "
+                   << e.friction << " impacts " << e.impacts << " damping " << e.damping << " breaking " << e.breaking
+                   << " solver " << e.solver);
     if (!std::isfinite(energy) || !std::isfinite(momentum)) FAIL("what is there is no number");
     mostEnergy_ = std::max(mostEnergy_, energy);
     mostMomentum_ = std::max(mostMomentum_, momentum);

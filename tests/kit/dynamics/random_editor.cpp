@@ -2,12 +2,14 @@
 #include "kit/dynamics/random_editor.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace plumb::test {
 
 namespace {
 
 constexpr std::size_t mostBodies = 30;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool fromFast(const ContactQuestion& question) {
     return question.velocity.dot(question.normal) < -1;
@@ -187,6 +189,11 @@ void RandomEditor::run(const std::vector<Action>& actions, int calls) {
     }
 }
 
+double RandomEditor::amount(double usual) {
+    if (!goesWild()) return number(0, usual);
+    return oneOf<double>({0, 1e-12, 1e-6, 1e-3, 1e3, 1e6, 1e9, 1e15, 1e30, infinity}) * usual;
+}
+
 bool RandomEditor::passes(const Filter& a, const Filter& b) {
     if (a.group != 0 && a.group == b.group) return a.group > 0;
     return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
@@ -280,13 +287,27 @@ std::vector<RandomEditor::Action> bodyActions() {
             {8, setEnabled},    {6, rest},       {36, passTime}, {1, passMoreTime}, {4, fetchStrays}};
 }
 
-std::vector<RandomEditor::Action> allActions() {
+namespace {
+
+using Family = std::vector<RandomEditor::Action> (*)();
+
+std::vector<RandomEditor::Action> together(std::initializer_list<Family> families) {
     std::vector<RandomEditor::Action> all;
-    for (const auto actions : {bodyActions, jointActions, queryActions, refusedActions, worldActions}) {
-        const std::vector<RandomEditor::Action> some = actions();
+    for (const Family family : families) {
+        const std::vector<RandomEditor::Action> some = family();
         all.insert(all.end(), some.begin(), some.end());
     }
     return all;
+}
+
+}  // namespace
+
+std::vector<RandomEditor::Action> solidActions() {
+    return together({bodyActions, jointActions, queryActions, refusedActions, worldActions});
+}
+
+std::vector<RandomEditor::Action> allActions() {
+    return together({solidActions, fieldActions, copyActions});
 }
 
 }  // namespace plumb::test

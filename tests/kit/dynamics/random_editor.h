@@ -46,6 +46,9 @@ public:
         const double y = random.uniform(-size, size);
         return {x, y};
     }
+    /// Mostly up to what is usual; wildly, of any order.
+    double amount(double usual);
+    double eitherWay(double usual) { return chance(2) ? amount(usual) : -amount(usual); }
     template <class Thing>
     const Thing& oneOf(const std::vector<Thing>& things) {
         return things[static_cast<std::size_t>(random.integer(0, static_cast<int>(things.size()) - 1))];
@@ -101,7 +104,7 @@ public:
     };
     struct Tally {
         long long steps = 0, begins = 0, hits = 0, visits = 0, quarantines = 0, joints = 0, breaks = 0, gears = 0,
-                  refusals = 0, asked = 0, found = 0;
+                  refusals = 0, asked = 0, found = 0, fields = 0, blasts = 0, copies = 0;
     };
 
     const Manner manner;
@@ -111,6 +114,7 @@ public:
     std::vector<ShapeId> removedShapes;
     std::vector<Joined> joints;
     std::vector<JointId> unjoined;
+    std::vector<FieldId> fields, ended;
     Tally tally;
     std::uint64_t heard = 0xCBF29CE484222325u;
 
@@ -123,6 +127,7 @@ private:
     void checkMoves() const;
     void checkSensors() const;
     void checkJoints();
+    void checkFields() const;
     void checkLedger();
     void followEvents();
     void followBreaks();
@@ -148,6 +153,10 @@ std::vector<RandomEditor::Action> queryActions();
 std::vector<RandomEditor::Action> refusedActions();
 /// What is done to a world as a whole.
 std::vector<RandomEditor::Action> worldActions();
+std::vector<RandomEditor::Action> fieldActions();
+std::vector<RandomEditor::Action> copyActions();
+/// All but fields and copies: what the seeds of tests that are named after a symptom count on.
+std::vector<RandomEditor::Action> solidActions();
 std::vector<RandomEditor::Action> allActions();
 
 }  // namespace plumb::test

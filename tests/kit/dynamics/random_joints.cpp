@@ -13,63 +13,53 @@ namespace {
 constexpr std::size_t mostJoints = 24;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Mostly up to what is usual; wildly, of any order.
-double amount(RandomEditor& e, double usual) {
-    if (!e.goesWild()) return e.number(0, usual);
-    return e.oneOf<double>({0, 1e-12, 1e-6, 1e-3, 1e3, 1e6, 1e9, 1e15, 1e30, infinity}) * usual;
-}
-
-double eitherWay(RandomEditor& e, double usual) {
-    return e.chance(2) ? amount(e, usual) : -amount(e, usual);
-}
-
 /// What a motor may use: now and then all that it takes.
 double strength(RandomEditor& e, double usual) {
-    return e.chance(3) ? 0 : e.chance(12) ? infinity : amount(e, usual);
+    return e.chance(3) ? 0 : e.chance(12) ? infinity : e.amount(usual);
 }
 
 std::optional<Spring> anySpring(RandomEditor& e) {
     if (!e.chance(3)) return std::nullopt;
-    const double stiffness = e.chance(6) ? 0 : amount(e, 200), damping = e.chance(3) ? 0 : amount(e, 10);
+    const double stiffness = e.chance(6) ? 0 : e.amount(200), damping = e.chance(3) ? 0 : e.amount(10);
     return Spring{stiffness, damping};
 }
 
 std::optional<Limit> anyLimit(RandomEditor& e) {
     if (!e.chance(3)) return std::nullopt;
-    const double lower = eitherWay(e, 1), width = e.chance(4) ? 0 : amount(e, 1);
+    const double lower = e.eitherWay(1), width = e.chance(4) ? 0 : e.amount(1);
     return Limit{e.chance(8) ? -infinity : lower, e.chance(8) ? infinity : lower + width};
 }
 
 Breaking anyBreaking(RandomEditor& e) {
     Breaking breaking;
-    if (e.chance(8)) breaking.force = amount(e, e.chance(10) ? 1e-3 : 300);
-    if (e.chance(12)) breaking.torque = amount(e, e.chance(10) ? 1e-3 : 100);
+    if (e.chance(8)) breaking.force = e.amount(e.chance(10) ? 1e-3 : 300);
+    if (e.chance(12)) breaking.torque = e.amount(e.chance(10) ? 1e-3 : 100);
     return breaking;
 }
 
 /// All that a joint can be set to.
 template <class Def>
 void turnKnobs(RandomEditor& e, Def& d) {
-    if constexpr (requires { d.motorSpeed; }) d.motorSpeed = e.chance(2) ? 0 : eitherWay(e, 5);
+    if constexpr (requires { d.motorSpeed; }) d.motorSpeed = e.chance(2) ? 0 : e.eitherWay(5);
     if constexpr (requires { d.maxMotorTorque; }) d.maxMotorTorque = strength(e, 20);
     if constexpr (requires { d.maxMotorForce; }) d.maxMotorForce = strength(e, 100);
     if constexpr (requires { d.limit; }) d.limit = anyLimit(e);
     if constexpr (requires { d.spring; }) d.spring = anySpring(e);
     if constexpr (requires { d.bending; }) d.bending = anySpring(e);
-    if constexpr (requires { d.restAngle; }) d.restAngle = eitherWay(e, 1);
-    if constexpr (requires { d.restShift; }) d.restShift = eitherWay(e, 1);
+    if constexpr (requires { d.restAngle; }) d.restAngle = e.eitherWay(1);
+    if constexpr (requires { d.restShift; }) d.restShift = e.eitherWay(1);
     if constexpr (requires { d.length; }) {
-        if (e.chance(2)) d.length = amount(e, 4);
-        d.minLength = e.chance(3) ? amount(e, 2) : 0;
-        d.maxLength = e.chance(2) ? infinity : e.chance(6) ? d.minLength : d.minLength + amount(e, 4);
+        if (e.chance(2)) d.length = e.amount(4);
+        d.minLength = e.chance(3) ? e.amount(2) : 0;
+        d.maxLength = e.chance(2) ? infinity : e.chance(6) ? d.minLength : d.minLength + e.amount(4);
     }
-    if constexpr (requires { d.ratio; }) d.ratio = e.chance(2) ? 1 : amount(e, 3);
+    if constexpr (requires { d.ratio; }) d.ratio = e.chance(2) ? 1 : e.amount(3);
     if constexpr (requires { d.rate; }) {
-        d.rate = e.chance(4) ? 0 : amount(e, 20);
+        d.rate = e.chance(4) ? 0 : e.amount(20);
         d.velocity = e.chance(3) ? e.vector(3) : Vec2(0, 0);
-        d.angularVelocity = e.chance(3) ? eitherWay(e, 3) : 0;
+        d.angularVelocity = e.chance(3) ? e.eitherWay(3) : 0;
         if (e.chance(3)) d.offset = e.vector(3);
-        if (e.chance(3)) d.angle = eitherWay(e, 2);
+        if (e.chance(3)) d.angle = e.eitherWay(2);
         d.maxTorque = strength(e, 50);
     }
     if constexpr (requires { d.target; }) d.target = e.vector(e.goesWild() ? 1e16 : 8) + Vec2(0, 5);
@@ -228,7 +218,7 @@ void readJoint(RandomEditor& e) {
 /// Ratios of masses that no solver likes.
 void weigh(RandomEditor& e) {
     Body body = e.some();
-    const double mass = amount(e, 5), arm = amount(e, 1);
+    const double mass = e.amount(5), arm = e.amount(1);
     e.tryTo([&] { body.setMass({mass, e.vector(0.2), mass * arm * arm}); });
 }
 

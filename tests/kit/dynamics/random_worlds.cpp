@@ -29,10 +29,27 @@ void reserve(RandomEditor& e) {
     if (e.tryTo([&] { e.world.reserve({.joints = std::size_t{1} << 40}); })) FAIL("room was made for too much");
 }
 
+/// The copy goes on for a while as the world does; then it is the world.
+void copyWorld(RandomEditor& e) {
+    World copy = e.world;
+    if (stateHash(copy) != stateHash(e.world)) FAIL("a copy is another world");
+    for (int i = 0; i < 3; ++i) {
+        e.step(1.0 / 60);
+        copy.step(1.0 / 60);
+        if (stateHash(copy) != stateHash(e.world)) FAIL("a copy does not go on as the world does");
+    }
+    e.world = copy;
+    ++e.tally.copies;
+}
+
 }  // namespace
 
 std::vector<RandomEditor::Action> worldActions() {
     return {{1, moveWorld}, {1, reserve}};
+}
+
+std::vector<RandomEditor::Action> copyActions() {
+    return {{1, copyWorld}};
 }
 
 }  // namespace plumb::test

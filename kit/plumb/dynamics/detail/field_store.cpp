@@ -29,7 +29,6 @@ FieldIndex FieldStore::acquire() {
 void FieldStore::release(FieldIndex field) {
     records[field] = {.def = {}, .generation = records[field].generation + 1};
     free.push_back(field);
-    if (empty()) flights.clear();
 }
 
 }  // namespace plumb

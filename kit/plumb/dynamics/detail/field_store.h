@@ -57,7 +57,7 @@ struct FieldFlight {
 struct FieldStore {
     std::vector<FieldRecord> records;
     std::vector<FieldIndex> free;
-    std::vector<FieldFlight> flights;  ///< by body; none where there are no fields
+    std::vector<FieldFlight> flights;  ///< by body, within a step; none where there are no fields
 
     bool empty() const { return records.size() == free.size(); }
     FieldIndex acquire();
