@@ -40,8 +40,8 @@ struct Phase {
 class Simulation {
 public:
     virtual ~Simulation() = default;
-    /// Moves on by dt > 0, the same in every step of a run [s]. Does nothing beside the engine's own step that costs
-    /// time in it: this is what is timed.
+    /// Moves on by dt > 0 [s], in a scene's run by the same in every step. Does nothing beside the engine's own step
+    /// that costs time in it: this is what is timed.
     virtual void step(double dt) = 0;
     /// An engine that keeps no count of turns counts them here, so angles are counted on when this is called after
     /// every step.

@@ -52,6 +52,19 @@ TEST_CASE("a ball slowed by linear damping is where the formula says, damping 0.
     CHECK(throwError(60, 1e-3) < 1e-12);
 }
 
+TEST_CASE("a damped body under great acceleration comes as far in a step as the formula says, to rounding",
+          "[dynamics][law]") {
+    for (const double damping : {1e-3, 0.1, 1.0, 2.0, 2.99, 3.01, 10.0}) {
+        World world({.gravity = {0, -1e6}});
+        const BodyId body = world.add({.linearDamping = damping, .shapes = {plumb::circle(0.1)}});
+        world.step(1.0 / 60);
+        const long double x = damping * (1.0L / 60);
+        const long double way = -1e6L * (x + std::expm1(-x)) / (static_cast<long double>(damping) * damping);
+        INFO("damping " << damping);
+        CHECK(std::fabs(world.body(body).position().y() / static_cast<double>(way) - 1) < 3e-15);
+    }
+}
+
 TEST_CASE("a free body turns at 2 rad/s through whole turns and keeps counting", "[dynamics][law]") {
     World world({.gravity = {0, 0}});
     const BodyId body = world.add({.angularVelocity = 2, .shapes = {plumb::box({1, 0.5})}});

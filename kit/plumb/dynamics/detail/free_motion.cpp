@@ -9,9 +9,12 @@ Decay decay(double damping, double time) {
     const double x = damping * time;
     if (x < 1e-17) return {1, time, 0.5 * time * time};  // no other numbers, and 1 / damping^2 may be too large
     const double lost = -exponentialMinus1(-x);
-    // (x - lost) / k^2 cancels for small x: below 0.05 by its series, to 1e-17 after eight terms
+    // (x - lost) / k^2 cancels for small x: below 0.05 by its series, to 1e-17 of it after nine terms
     double rest = x - lost;
-    if (x < 0.05) rest = x * x * (0.5 - x * (1.0 / 6 - x * (1.0 / 24 - x * (1.0 / 120 - x * (1.0 / 720 - x / 5040)))));
+    if (x < 0.05) {
+        const double small = 1.0 / 720 - x * (1.0 / 5040 - x * (1.0 / 40320 - x * (1.0 / 362880 - x / 3628800)));
+        rest = x * x * (0.5 - x * (1.0 / 6 - x * (1.0 / 24 - x * (1.0 / 120 - x * small))));
+    }
     return {1 - lost, lost / damping, rest / (damping * damping)};
 }
 
