@@ -2,6 +2,7 @@
 #include <plumb/dynamics/body.h>
 
 #include <plumb/dynamics/detail/body_shapes.h>
+#include <plumb/dynamics/detail/field_pull.h>
 #include <plumb/dynamics/detail/islands.h>
 #include <plumb/dynamics/detail/joints_edit.h>
 #include <plumb/dynamics/detail/validate.h>
@@ -141,6 +142,7 @@ void Body::setEnabled(bool enabled) {
     BodyRecord& record = world.bodies.record[index_];
     if (enabled == record.enabled) return;
     wakeNeighbours(world, index_);
+    wakeWhatItDraws(world, index_);
     world.jointsChanged = true;
     if (enabled) {
         record.quarantined = false;

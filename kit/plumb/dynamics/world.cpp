@@ -8,6 +8,7 @@
 #include <plumb/dynamics/detail/body_shapes.h>
 #include <plumb/dynamics/detail/continuous.h>
 #include <plumb/dynamics/detail/field_flight.h>
+#include <plumb/dynamics/detail/field_pull.h>
 #include <plumb/dynamics/detail/free_motion.h>
 #include <plumb/dynamics/detail/islands.h>
 #include <plumb/dynamics/detail/joints_edit.h>
@@ -55,11 +56,10 @@ void flyFreeBodies(WorldState& world, double dt) {
     for (const BodyIndex body : world.bodies.awake) {
         const BodyRecord& record = world.bodies.record[body];
         if (world.bodies.pushed[body] != 0) continue;
-        if (!record.flown) {
-            const BodyMotion from = world.bodies.motion[body];
-            moveTo(world, body, fly(from, flightLawOf(world, body), dt));
-            if (world.audit) world.audit->noteFlight(world, body, from, world.bodies.motion[body], dt);
-        }
+        if (record.flown) continue;
+        const BodyMotion from = world.bodies.motion[body];
+        moveTo(world, body, fly(from, flightLawOf(world, body), dt));
+        if (world.audit) world.audit->noteFlight(world, body, from, world.bodies.motion[body], dt);
         finishFlight(world, body);
     }
     book(world, &EnergyLedger::solver);
@@ -158,6 +158,7 @@ void World::remove(BodyId id) {
     requireBody(*state_, id, "BodyId");
     WorldState& world = *state_;
     wakeNeighbours(world, id.index);
+    wakeWhatItDraws(world, id.index);
     removeJointsOf(world, id.index);
     removeShapes(world, id.index);
     world.parkedMass.erase(id.index);
@@ -203,7 +204,7 @@ void World::step(double dt) {
         noteMovers(world);
         sleepIslands(world, dt);
         book(world, &EnergyLedger::solver);
-        world.fields.flights.clear();  // of this step, and of the bodies that were there
+        forgetFlights(world);
         watch.lap(&StepProfile::finish);
     } else {
         noteMovers(world);

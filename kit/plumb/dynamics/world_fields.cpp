@@ -15,7 +15,7 @@ namespace plumb {
 namespace {
 
 FieldRecord recordOf(const FieldDef& def, std::uint32_t generation) {
-    return {def, true, !(def.filter == Filter{}), generation};
+    return {def, true, !(def.filter == Filter{}), generation, reachOf(def), {}};
 }
 
 /// Pushes one body by what its shape catches of an explosion.
@@ -83,6 +83,7 @@ void World::explode(const Explosion& explosion, const Filter& filter) {
     requireFinite(explosion.center, "Explosion.center");
     (void)blastOn(explosion, {});
     const double reach = explosion.radius + explosion.falloff;
+    requireFinite(reach, "Explosion.radius + falloff");
     if (!(reach > 0)) return;
     for (const ShapeId& shape : overlapShape(Circle{reach, explosion.center}, {}, filter))
         if (state_->bodies.canMove(shape.body.index)) blast(*state_, shape, this->shape(shape).shape, explosion);

@@ -53,7 +53,9 @@ double potentialEnergy(const Attractor& attractor, const Vec2& position) {
     const double limit = attractor.range * attractor.range;
     if (squared > limit) return 0;
     const double energy = energyAt(attractor, softened(attractor, squared));
-    return std::isfinite(attractor.range) ? energy - energyAt(attractor, softened(attractor, limit)) : energy;
+    if (!std::isfinite(attractor.range)) return energy;
+    const double edge = std::isfinite(limit) ? softened(attractor, limit) : attractor.range;
+    return energy - energyAt(attractor, edge);
 }
 
 }  // namespace plumb

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <plumb/forces/detail/submerged.h>
 #include <plumb/math/check.h>
 #include <plumb/math/trig.h>
 
@@ -148,9 +149,13 @@ void requireSound(const Fluid& fluid) {
 
 Submerged submergedPart(std::span<const Vec2> corners, double radius, const Fluid& fluid) {
     requireSound(fluid);
+    requireSound(Outline{corners, radius, {}});
+    return submergedPartOf(corners, radius, fluid);
+}
+
+Submerged submergedPartOf(std::span<const Vec2> corners, double radius, const Fluid& fluid) {
     const double strength = fluid.gravity.norm();
     Outline outline{corners, radius, {}};
-    requireSound(outline);
     if (corners.empty() || strength == 0) return {};
 
     // Close to the outline, and at its top when all of it is below: numbers stay small, however far and deep it is.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <plumb/forces/detail/gravity_force.h>
 #include <plumb/math/check.h>
 
 namespace plumb {
@@ -14,12 +15,10 @@ void requireSound(const MutualGravity& gravity) {
     requireNotNegative(gravity.softening, "MutualGravity", ".softening");
 }
 
-/// G mA mB [N m^2].
-double strengthOf(const MutualGravity& gravity, const PointMass& a, const PointMass& b) {
+void requireSound(const MutualGravity& gravity, const PointMass& a, const PointMass& b) {
     requireSound(gravity);
     requireNotNegative(a.mass, "PointMass a", ".mass");
     requireNotNegative(b.mass, "PointMass b", ".mass");
-    return gravity.constant * (a.mass * b.mass);  // the same bits from either side
 }
 
 double softened(const MutualGravity& gravity, double squaredDistance) {
@@ -39,16 +38,13 @@ double potentialEnergy(const UniformGravity& gravity, double mass, const Vec2& p
 }
 
 Vec2 gravityForce(const MutualGravity& gravity, const PointMass& a, const PointMass& b) {
-    const double strength = strengthOf(gravity, a, b);
-    const Vec2 d = b.position - a.position;
-    const double r = softened(gravity, d.squaredNorm());
-    const double pull = strength / (r * r * r);
-    if (!std::isfinite(pull)) return {0, 0};  // at one place, or too near for numbers
-    return -pull * d;
+    requireSound(gravity, a, b);
+    return gravityForceOf(gravity, a, b);
 }
 
 double potentialEnergy(const MutualGravity& gravity, const PointMass& a, const PointMass& b) {
-    const double strength = strengthOf(gravity, a, b);
+    requireSound(gravity, a, b);
+    const double strength = gravity.constant * (a.mass * b.mass);
     if (strength == 0) return 0;
     return -strength / softened(gravity, (b.position - a.position).squaredNorm());
 }

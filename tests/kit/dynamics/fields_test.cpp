@@ -97,7 +97,7 @@ TEST_CASE("linear drag and wind carry a ball as the closed form says, to roundin
     const double k = 0.2, e = (1 - std::exp(-k * 2)) / k;
     const Vec2 c(-5, -9.81 / k), u(14, 14);
     const Vec2 expected = (u - c) * e + c * 2;
-    CHECK((world.body(ball).position() - expected).norm() < 2e-4);
+    CHECK((world.body(ball).position() - expected).norm() < 1e-12);
 }
 
 TEST_CASE("a puck on the ground stops where the formula says", "[dynamics][fields]") {

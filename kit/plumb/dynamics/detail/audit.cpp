@@ -147,13 +147,17 @@ void Audit::noteFlight(const WorldState& world, BodyIndex body, const BodyMotion
         return kineticOf(record, m.velocity, m.angularVelocity) + gravitationalOf(record, m.center, world.def.gravity) +
                fieldEnergyOf(world, body, m);
     };
-    if (!world.fields.flights.empty()) {  // what of it had which cause is told when its flight is over
+    const FieldFlight* flight = record.flight == none ? nullptr : &world.fields.flights[record.flight];
+    if (flight && !flight->steady) {  // what of it had which cause is told when its flight is over
         note(&EnergyLedger::solver, energyAt(to) - energyAt(from) - work);
         return;
     }
-    if (record.linearDamping == 0 && record.angularDamping == 0) return;
+    const Vec2 fields = flight ? Vec2(record.mass * flight->steadyPull * time) : Vec2(0, 0);
+    note(&MomentumLedger::fields, fields);
+    const FlightLaw law = flightLawOf(world, body);
+    if (law.linearDamping == 0 && law.angularDamping == 0) return;
     note(&EnergyLedger::damping, energyAt(to) - energyAt(from) - work);
-    note(&MomentumLedger::damping, record.mass * (to.velocity - from.velocity) - pull - push);
+    note(&MomentumLedger::damping, record.mass * (to.velocity - from.velocity) - pull - push - fields);
 }
 
 void Audit::noteAccount(const FieldAccount& account) {
@@ -173,17 +177,17 @@ void Audit::noteFieldFlight(const FieldAccount& account) {
 void Audit::begin(const WorldState& world) {
     dampedEnergy_.assign(world.bodies.record.size(), 0.0);
     dampedMomentum_.assign(world.bodies.record.size(), Vec2(0, 0));
-    fieldAccounts_.assign(world.fields.flights.size(), {});
+    fieldAccounts_.assign(world.fields.flights.empty() ? 0 : world.bodies.record.size(), {});
 }
 
 void Audit::beforeKick(const WorldState& world, const std::vector<BodyIndex>& solved) {
     const double half = 0.5 * world.lastStep / world.def.solver.subSteps;
     start_ = world.bodies.velocity;
-    if (!world.fields.flights.empty()) return;  // theirs is told by noteFieldKick
     for (const BodyIndex body : solved) {
+        const BodyRecord& record = world.bodies.record[body];
+        if (record.flight != none) continue;  // theirs is told by noteFieldKick
         SolverVelocity& v = start_[body];
         const Kick& kick = world.bodies.kick[body];
-        const BodyRecord& record = world.bodies.record[body];
         const double rho = static_cast<double>(world.bodies.turn[body].rho);
         const double before = kineticOf(record, velocityOf(v), static_cast<double>(v.w) * rho);
         const Vec2 start = velocityOf(v);

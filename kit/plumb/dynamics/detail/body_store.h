@@ -41,6 +41,7 @@ struct alignas(64) BodyRecord {
     bool boxesWait = false;            ///< it was woken since its boxes were placed
     std::uint32_t solverContacts = 0;  ///< how many contacts of it the solver has
     std::uint32_t actingJoints = 0;    ///< how many of its joints are the solver's
+    std::uint32_t flight = none;       ///< in this step: of those that feel fields, which; none when it feels none
     float rho = 1, inverseRho = 1;
     double stillTime = 0;
     double extent = 0;                                      ///< farthest point from the centre of mass [m]

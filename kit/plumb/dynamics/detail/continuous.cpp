@@ -42,9 +42,13 @@ struct Past {
 /// How a body that the solver has not moved has come through a part of the step.
 Way freeWay(const WorldState& world, BodyIndex body, const Past& past) {
     const BodyRecord& record = world.bodies.record[body];
-    const BodyMotion& now = world.bodies.motion[body];
+    BodyMotion now = world.bodies.motion[body];
     if (!record.awake) return wayBetween(now, now, record);
     const FlightLaw law = flightLawOf(world, body);
+    if (record.flight != none) {  // without what was added at its end
+        now.velocity -= world.fields.flights[record.flight].rest.velocity;
+        now.angularVelocity -= world.fields.flights[record.flight].rest.spin;
+    }
     return wayBetween(fly(now, law, -past.from), past.to > 0 ? fly(now, law, -past.to) : now, record);
 }
 

@@ -3,11 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include <plumb/collide/distance.h>
 #include <plumb/dynamics/detail/islands.h>
 #include <plumb/dynamics/detail/placed_outline.h>
 #include <plumb/dynamics/detail/quarantine.h>
+#include <plumb/forces/detail/gravity_force.h>
+#include <plumb/forces/detail/submerged.h>
 
 namespace plumb {
 
@@ -48,10 +52,10 @@ Attractor attractorOf(const Magnet& magnet, const WorldState& world, const std::
     return attractor;
 }
 
-/// Is what carries it still there?
+/// Is what carries it there?
 bool isCarried(const Magnet& magnet, const WorldState& world) {
     const BodyRecord& record = world.bodies.record[magnet.body.index];
-    return record.alive && record.generation == magnet.body.generation;
+    return record.alive && record.enabled && record.generation == magnet.body.generation;
 }
 
 bool isCarriedBy(const FieldLaw& law, BodyIndex body) {
@@ -59,18 +63,67 @@ bool isCarriedBy(const FieldLaw& law, BodyIndex body) {
     return magnet && magnet->body.index == body;
 }
 
-/// Calls visit(part) for the part of each shape of a body that is under water.
+/// A fluid as seen from a body's centre of mass, along its axes.
+Fluid seenFrom(const BodyMotion& motion, const Fluid& fluid) {
+    const Rot back = motion.rotation.inverse();
+    return {fluid.density, back * Vec2(fluid.surface - motion.center), back * fluid.gravity};
+}
+
+/// Calls visit(part) for the part of each shape of a body that is under water. Looked at in the body's frame, where the
+/// shapes are as sound as when they were taken in, however far off it is.
 template <class Visit>
 void forEachSubmerged(const WorldState& world, BodyIndex body, const BodyMotion& motion, const Fluid& fluid,
                       Visit&& visit) {
     const BodyRecord& record = world.bodies.record[body];
+    const Fluid seen = seenFrom(motion, fluid);
     for (const ProxyId proxy : record.proxies) {
         const ShapeDef& def = world.space[proxy].def;
-        const PlacedOutline outline = placedOutline(def.shape, record, motion);
+        const PlacedOutline outline = placedOutline(def.shape, record, {});
         if (def.sensor || !outline.hasArea) continue;
-        const Submerged part = submergedPart(outline.corners, outline.radius, fluid);
+        Submerged part = submergedPartOf(outline.corners, outline.radius, seen);
+        part.centroid = motion.center + motion.rotation * part.centroid;
         if (part.area > 0) visit(part);
     }
+}
+
+/// Does a body come as low as the surface?
+bool dips(const BodyRecord& record, const Vec2& center, const Fluid& fluid) {
+    return fluid.gravity.dot(fluid.surface - center) <= record.extent * fluid.gravity.norm();
+}
+
+Aabb around(const Vec2& center, double reach) {
+    return {center.array() - reach, center.array() + reach};
+}
+
+/// May a field act on a body somewhere between two places?
+bool mayFeel(const WorldState& world, const FieldRecord& field, BodyIndex body, const Vec2& from, const Vec2& to) {
+    const auto* magnet = std::get_if<Magnet>(&field.def.law);
+    if (magnet && !isCarried(*magnet, world)) return false;
+    if (isCarriedBy(field.def.law, body)) return true;
+    if (!letsIn(field, world, body)) return false;
+    const Aabb way = merge({from, from}, {to, to});
+    if (!overlap(way, field.box)) return false;
+    if (magnet && std::isfinite(magnet->pull.range)) {
+        const BodyMotion& carrier = world.bodies.motion[magnet->body.index];
+        const double moves = 2 * carrier.velocity.norm() * world.lastStep;
+        const Vec2 center = pointOn(world.bodies.record[magnet->body.index], carrier, magnet->pull.center);
+        return overlap(way, around(center, magnet->pull.range + moves));
+    }
+    if (const auto* pool = std::get_if<Pool>(&field.def.law)) {
+        const BodyRecord& record = world.bodies.record[body];
+        return dips(record, from, pool->fluid) || dips(record, to, pool->fluid);
+    }
+    return true;
+}
+
+bool isSteady(const FieldDef& field) {
+    if (field.region) return false;
+    const auto* drag = std::get_if<Drag>(&field.law);
+    return (drag && drag->quadratic == 0) || std::holds_alternative<UniformGravity>(field.law);
+}
+
+bool drawsOthers(const FieldDef& field) {
+    return std::holds_alternative<MutualGravity>(field.law) || std::holds_alternative<Magnet>(field.law);
 }
 
 /// What one field adds to the pull on one body.
@@ -91,6 +144,9 @@ public:
 private:
     const BodyMotion& motion() const { return now_[body_]; }
 
+    /// Of what the field's filter lets in.
+    bool isWithin(BodyIndex other) const { return isSound(now_[other]) && covers(field_->def, now_[other].center); }
+
     void push(const Vec2& force, const Vec2& at) {
         Acceleration a{force * record_.inverseMass, cross(Vec2(at - motion().center), force) * record_.inverseInertia};
         pull_.acceleration.linear += a.linear;
@@ -105,10 +161,11 @@ private:
 
     void pull(const MutualGravity& law) {
         const PointMass self{record_.mass, motion().center};
-        for (BodyIndex other = 1; other < now_.size(); ++other) {
-            if (other == body_ || !actsOn(*field_, world_, other, now_[other])) continue;
-            pushCenter(gravityForce(law, {world_.bodies.record[other].mass, now_[other].center}, self));
-        }
+        Vec2 sum(0, 0);
+        for (const BodyIndex other : field_->drawn)
+            if (other != body_ && isWithin(other))
+                sum += gravityForceOf(law, {world_.bodies.record[other].mass, now_[other].center}, self);
+        pushCenter(sum);
     }
 
     void pull(const Attractor& law) { pushCenter(attraction(law, motion().center)); }
@@ -121,9 +178,8 @@ private:
             return;
         }
         if (!world_.bodies.canMove(body_)) return;
-        for (BodyIndex other = 1; other < now_.size(); ++other)
-            if (other != body_ && actsOn(*field_, world_, other, now_[other]))
-                push(-attraction(attractor, now_[other].center), attractor.center);
+        for (const BodyIndex other : field_->drawn)
+            if (other != body_ && isWithin(other)) push(-attraction(attractor, now_[other].center), attractor.center);
     }
 
     void pull(const Pool& law) {
@@ -158,6 +214,11 @@ private:
     const FieldRecord* field_ = nullptr;
 };
 
+/// At one place, or too near for numbers, there is no force; so no energy is told.
+double finite(double energy) {
+    return std::isfinite(energy) ? energy : 0;
+}
+
 double mutualEnergy(const WorldState& world, const FieldRecord& field, const MutualGravity& law) {
     double sum = 0;
     const std::vector<BodyMotion>& now = world.bodies.motion;
@@ -165,7 +226,7 @@ double mutualEnergy(const WorldState& world, const FieldRecord& field, const Mut
     for (BodyIndex a = 1; a < now.size(); ++a) {
         if (!actsOn(field, world, a, now[a])) continue;
         for (BodyIndex b = a + 1; b < now.size(); ++b)
-            if (actsOn(field, world, b, now[b])) sum += potentialEnergy(law, massOf(a), massOf(b));
+            if (actsOn(field, world, b, now[b])) sum += finite(potentialEnergy(law, massOf(a), massOf(b)));
     }
     return sum;
 }
@@ -177,7 +238,7 @@ double mutualEnergy(const WorldState& world, const FieldRecord& field, const Mut
     const PointMass self{world.bodies.record[body].mass, there.center};
     for (BodyIndex other = 1; other < now.size(); ++other)
         if (other != body && actsOn(field, world, other, now[other]))
-            sum += potentialEnergy(law, {world.bodies.record[other].mass, now[other].center}, self);
+            sum += finite(potentialEnergy(law, {world.bodies.record[other].mass, now[other].center}, self));
     return sum;
 }
 
@@ -185,9 +246,9 @@ double mutualEnergy(const WorldState& world, const FieldRecord& field, const Mut
 double energyIn(const WorldState& world, const FieldLaw& law, BodyIndex body, const BodyMotion& motion) {
     if (const auto* uniform = std::get_if<UniformGravity>(&law))
         return potentialEnergy(*uniform, world.bodies.record[body].mass, motion.center);
-    if (const auto* attractor = std::get_if<Attractor>(&law)) return potentialEnergy(*attractor, motion.center);
+    if (const auto* attractor = std::get_if<Attractor>(&law)) return finite(potentialEnergy(*attractor, motion.center));
     if (const auto* magnet = std::get_if<Magnet>(&law))
-        return potentialEnergy(attractorOf(*magnet, world, world.bodies.motion), motion.center);
+        return finite(potentialEnergy(attractorOf(*magnet, world, world.bodies.motion), motion.center));
     double sum = 0;
     if (const auto* pool = std::get_if<Pool>(&law))
         forEachSubmerged(world, body, motion, pool->fluid,
@@ -198,28 +259,55 @@ double energyIn(const WorldState& world, const FieldLaw& law, BodyIndex body, co
 /// Calls visit(body) for each body that a field acts on, asleep or awake.
 template <class Visit>
 void forEachFeeling(const WorldState& world, const FieldRecord& field, Visit&& visit) {
-    const auto* magnet = std::get_if<Magnet>(&field.def.law);
-    if (magnet && !isCarried(*magnet, world)) return;
     for (BodyIndex body = 1; body < world.bodies.record.size(); ++body) {
         if (isCarriedBy(field.def.law, body)) continue;
-        if (actsOn(field, world, body, world.bodies.motion[body])) visit(body);
+        const BodyMotion& motion = world.bodies.motion[body];
+        if (actsOn(field, world, body, motion) && mayFeel(world, field, body, motion.center, motion.center))
+            visit(body);
     }
 }
 
-bool mayDraw(const WorldState& world, const FieldDef& field) {
-    if (const auto* magnet = std::get_if<Magnet>(&field.law))
-        return isCarried(*magnet, world) && world.bodies.record[magnet->body.index].awake;
-    return std::holds_alternative<MutualGravity>(field.law);
+bool keepsAwake(const WorldState& world, const FieldDef& field) {
+    if (const auto* magnet = std::get_if<Magnet>(&field.law)) return world.bodies.record[magnet->body.index].awake;
+    return true;
 }
 
 }  // namespace
 
-FieldPull pullOn(const WorldState& world, BodyIndex body, const std::vector<BodyMotion>& now) {
-    FieldPull pull;
+void gatherDrawn(WorldState& world) {
+    for (FieldRecord& field : world.fields.records) {
+        field.drawn.clear();
+        if (!field.alive || !drawsOthers(field.def)) continue;
+        for (BodyIndex body = 1; body < world.bodies.record.size(); ++body)
+            if (world.bodies.canMove(body) && letsIn(field, world, body)) field.drawn.push_back(body);
+        if (keepsAwake(world, field.def))
+            forEachFeeling(world, field, [&](BodyIndex body) { wakeIsland(world, body); });
+    }
+}
+
+bool looksAround(const WorldState& world) {
+    return std::any_of(world.fields.records.begin(), world.fields.records.end(),
+                       [](const FieldRecord& field) { return field.alive && drawsOthers(field.def); });
+}
+
+Felt feltBy(const WorldState& world, BodyIndex body, const Vec2& from, const Vec2& to) {
+    Felt felt = Felt::Nothing;
+    for (const FieldRecord& field : world.fields.records) {
+        if (!field.alive || !mayFeel(world, field, body, from, to)) continue;
+        if (!isSteady(field.def)) return Felt::Somehow;
+        felt = Felt::Steadily;
+    }
+    return felt;
+}
+
+void pullOn(const WorldState& world, BodyIndex body, const std::vector<BodyMotion>& now, FieldPull& pull) {
+    std::vector<SpeedDrag> quadratic = std::move(pull.quadratic);  // for its room
+    quadratic.clear();
+    pull = {};
+    pull.quadratic = std::move(quadratic);
     Puller puller(world, body, now, pull);
     for (const FieldRecord& field : world.fields.records)
         if (field.alive) puller.add(field);
-    return pull;
 }
 
 double fieldEnergyOf(const WorldState& world) {
@@ -248,24 +336,31 @@ double fieldEnergyOf(const WorldState& world, BodyIndex body, const BodyMotion& 
     return sum;
 }
 
-void wakeWhatIsDrawn(WorldState& world) {
-    for (const FieldRecord& field : world.fields.records) {
-        if (!field.alive || !mayDraw(world, field.def)) continue;
-        const auto* magnet = std::get_if<Magnet>(&field.def.law);
-        const Attractor reach = magnet ? attractorOf(*magnet, world, world.bodies.motion) : Attractor{};
-        forEachFeeling(world, field, [&](BodyIndex body) {
-            const bool near = (world.bodies.motion[body].center - reach.center).norm() <= reach.range;
-            if (near || !magnet) wakeIsland(world, body);
-        });
-    }
-}
-
 void wakeWhatFeels(WorldState& world, const FieldRecord& field) {
     std::vector<BodyIndex> feeling;
     forEachFeeling(world, field, [&](BodyIndex body) { feeling.push_back(body); });
     if (const auto* magnet = std::get_if<Magnet>(&field.def.law))
         if (isCarried(*magnet, world)) feeling.push_back(magnet->body.index);
     for (const BodyIndex body : feeling) wakeIsland(world, body);
+}
+
+void wakeWhatItDraws(WorldState& world, BodyIndex body) {
+    for (const FieldRecord& field : world.fields.records)
+        if (field.alive && isCarriedBy(field.def.law, body)) wakeWhatFeels(world, field);
+}
+
+Aabb reachOf(const FieldDef& field) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Aabb reach{{-infinity, -infinity}, {infinity, infinity}};
+    if (field.region) reach = aabbOf(*field.region, {});
+    if (const auto* attractor = std::get_if<Attractor>(&field.law)) {
+        const Aabb range = around(attractor->center, attractor->range);
+        reach = {reach.lower.cwiseMax(range.lower), reach.upper.cwiseMin(range.upper)};
+    }
+    // As far as covers() rounds, and what a number so large rounds to.
+    const Vec2 size = reach.lower.cwiseAbs().cwiseMax(reach.upper.cwiseAbs());
+    const double largest = std::max(size.x(), size.y());
+    return std::isfinite(largest) ? inflate(reach, 1e-8 + 1e-12 * largest) : reach;
 }
 
 }  // namespace plumb

@@ -7,34 +7,34 @@
 
 namespace plumb {
 
-/// Drag by the square of the speed, per mass.
-struct SpeedDrag {
-    double rate = 0;  ///< [1/m]
-    Vec2 flow{0, 0};  ///< [m/s]
-};
+/// Before a step: whom mutual gravity and magnets draw. Wakes what is not to sleep: what the former draws, and the
+/// latter that are awake.
+void gatherDrawn(WorldState& world);
+/// Does a field look at where other bodies are than the one that it acts on?
+bool looksAround(const WorldState& world);
 
-/// dv/dt = acceleration - linear v + flow - sum of rate |v - w| (v - w), and friction against v; turning likewise.
-struct FieldPull {
-    Acceleration acceleration;       ///< all of it
-    Acceleration unaccounted;        ///< of that: what has no potential energy
-    double linear = 0, turning = 0;  ///< [1/s]
-    Vec2 flow{0, 0};                 ///< sum of each linear rate times its flow [m/s^2]
-    std::vector<SpeedDrag> quadratic;
-    double friction = 0, spinFriction = 0;  ///< [m/s^2, rad/s^2]
+/// What fields may do to a body on its way through a step.
+enum class Felt {
+    Nothing,
+    Steadily,  ///< the same wherever it is: uniform gravity, wind, and drag in proportion to the speed
+    Somehow
 };
+Felt feltBy(const WorldState& world, BodyIndex body, const Vec2& from, const Vec2& to);
 
-/// now: where each body is, by its slot.
-FieldPull pullOn(const WorldState& world, BodyIndex body, const std::vector<BodyMotion>& now);
+/// now: where each body is, by its slot: this one, and, where fields look around, all.
+void pullOn(const WorldState& world, BodyIndex body, const std::vector<BodyMotion>& now, FieldPull& pull);
 
 /// Of all fields that have one [J].
 double fieldEnergyOf(const WorldState& world);
 /// Of one body, if it were there, and all others where they are.
 double fieldEnergyOf(const WorldState& world, BodyIndex body, const BodyMotion& there);
 
-/// Before a step: what mutual gravity or a magnet that is awake draws is not to sleep.
-void wakeWhatIsDrawn(WorldState& world);
-
 /// Before a field comes, changes or goes.
 void wakeWhatFeels(WorldState& world, const FieldRecord& field);
+/// Before a body that may carry magnets comes or goes.
+void wakeWhatItDraws(WorldState& world, BodyIndex body);
+
+/// Beyond it a field does not act; what a body carries, as if it stood at the origin of the body's frame [m].
+Aabb reachOf(const FieldDef& field);
 
 }  // namespace plumb

@@ -31,29 +31,39 @@ void add(SolverVelocity& velocity, const Push& push, float inverseRho) {
 }  // namespace
 
 void FieldSolving::look(const std::vector<BodyIndex>& solved) {
-    // What is not solved flies as it was foretold; what the impacts have flown is at the step's end already.
-    now_ = world_.bodies.motion;
-    for (const BodyIndex body : world_.bodies.awake) {
-        const BodyRecord& record = world_.bodies.record[body];
-        if (!record.constrained && !record.flown && subSteps_ > 0)
-            now_[body] = fly(now_[body], flightLawOf(world_, body), subSteps_ * h_);
+    std::vector<BodyMotion>& now = world_.fields.now;
+    if (looksAround(world_)) {
+        // What is not solved flies as it was foretold; what the impacts have flown is at the step's end already.
+        now = world_.bodies.motion;
+        for (const BodyIndex body : world_.bodies.awake) {
+            const BodyRecord& record = world_.bodies.record[body];
+            if (!record.constrained && !record.flown && subSteps_ > 0)
+                now[body] = fly(now[body], flightLawOf(world_, body), subSteps_ * h_);
+        }
+        for (const BodyIndex body : solved)
+            if (body != noBody) now[body] = solvedMotion(world_.bodies, body);
     }
-    for (const BodyIndex body : solved)
-        if (body != noBody) now_[body] = solvedMotion(world_.bodies, body);
     pulls_.resize(solved.size());
-    for (std::size_t i = 0; i < solved.size(); ++i)
-        if (world_.bodies.canMove(solved[i])) pulls_[i] = pullOn(world_, solved[i], now_);
+    for (std::size_t i = 0; i < solved.size(); ++i) {
+        if (!feels(solved[i])) continue;
+        now[solved[i]] = solvedMotion(world_.bodies, solved[i]);
+        pullOn(world_, solved[i], now, pulls_[i]);
+    }
     looked_ = true;
     ++subSteps_;
 }
 
+bool FieldSolving::feels(BodyIndex body) const {
+    return body != noBody && world_.bodies.record[body].flight != none;
+}
+
 void FieldSolving::kick(const std::vector<BodyIndex>& solved) {
-    if (world_.fields.empty()) return;
+    if (world_.fields.flights.empty()) return;
     if (!looked_) look(solved);
     BodyStore& bodies = world_.bodies;
     for (std::size_t i = 0; i < solved.size(); ++i) {
         const BodyIndex body = solved[i];
-        if (!bodies.canMove(body)) continue;
+        if (!feels(body)) continue;
         const BodyRecord& record = bodies.record[body];
         const Acceleration base = accelerationOf(record, world_.def.gravity);
         const FieldKick kick = kickOf(record, base, pulls_[i], velocityOf(bodies, body), 0.5 * h_);

@@ -11,19 +11,19 @@ class FieldSolving {
 public:
     FieldSolving(WorldState& world, double h) : world_(world), h_(h) {}
 
-    /// solved: the bodies' slots; noBody is company.
+    /// solved: the bodies' slots; noBody is company. Of these, those that feel fields.
     void kick(const std::vector<BodyIndex>& solved);
     /// The bodies have been moved on by a sub-step.
     void moved() { looked_ = false; }
 
 private:
     void look(const std::vector<BodyIndex>& solved);
+    bool feels(BodyIndex body) const;
 
     WorldState& world_;
     double h_;
     int subSteps_ = 0;
     bool looked_ = false;
-    std::vector<BodyMotion> now_;
     std::vector<FieldPull> pulls_;
 };
 

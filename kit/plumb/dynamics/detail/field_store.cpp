@@ -16,6 +16,16 @@ void FieldAccount::add(const BodyRecord& body, const FieldKick& kick, const Push
     rubbedMomentum += body.mass * kick.rubbed.velocity;
 }
 
+FieldAccount& FieldAccount::operator+=(const FieldAccount& other) {
+    forced += other.forced;
+    damped += other.damped;
+    rubbed += other.rubbed;
+    fields += other.fields;
+    dampedMomentum += other.dampedMomentum;
+    rubbedMomentum += other.rubbedMomentum;
+    return *this;
+}
+
 FieldIndex FieldStore::acquire() {
     if (free.empty()) {
         records.emplace_back();
@@ -27,7 +37,9 @@ FieldIndex FieldStore::acquire() {
 }
 
 void FieldStore::release(FieldIndex field) {
-    records[field] = {.def = {}, .generation = records[field].generation + 1};
+    const std::uint32_t generation = records[field].generation + 1;
+    records[field] = {};
+    records[field].generation = generation;
     free.push_back(field);
 }
 

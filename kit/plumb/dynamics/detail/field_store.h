@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Which fields are there, and what is kept of each body that they act on?
+// Which fields are there, and what is kept in a step of each body that feels one?
 #pragma once
 #include <vector>
 
-#include <plumb/dynamics/detail/body_store.h>
+#include <plumb/dynamics/detail/free_motion.h>
 #include <plumb/dynamics/field.h>
+#include <plumb/shapes/aabb.h>
 
 namespace plumb {
 
@@ -15,6 +16,8 @@ struct FieldRecord {
     bool alive = false;
     bool choosy = false;  ///< its filter is not the one that lets all in
     std::uint32_t generation = 0;
+    Aabb box;                      ///< beyond it there is nothing of the field, but for what a body carries [m]
+    std::vector<BodyIndex> drawn;  ///< within a step, by mutual gravity or a magnet: all that its filter lets in
 };
 
 /// What a field does to a velocity and a spin.
@@ -44,20 +47,43 @@ struct FieldAccount {
 
     /// A kick in which the body's velocity was mean; base is what of it was gravity's and forces' [m/s].
     void add(const BodyRecord& body, const FieldKick& kick, const Push& mean, const Vec2& base);
+    FieldAccount& operator+=(const FieldAccount& other);
 };
 
-/// How a body will fly through the step, unless something touches it.
+/// Drag by the square of the speed, per mass.
+struct SpeedDrag {
+    double rate = 0;  ///< [1/m]
+    Vec2 flow{0, 0};  ///< [m/s]
+};
+
+/// dv/dt = acceleration - linear v + flow - sum of rate |v - w| (v - w), and friction against v; turning likewise.
+struct FieldPull {
+    Acceleration acceleration;       ///< all of it
+    Acceleration unaccounted;        ///< of that: what has no potential energy
+    double linear = 0, turning = 0;  ///< [1/s]
+    Vec2 flow{0, 0};                 ///< sum of each linear rate times its flow [m/s^2]
+    std::vector<SpeedDrag> quadratic;
+    double friction = 0, spinFriction = 0;  ///< [m/s^2, rad/s^2]
+};
+
+/// How a body that feels fields will fly through the step, or what is left of it, unless something touches it.
 struct FieldFlight {
-    Acceleration mean;  ///< beyond gravity and forces: with it, the closed form comes to where it will be
-    double rate = 0, turningRate = 0;  ///< of drag and damping together, as they are in the mean [1/s]
-    Push rest;                         ///< what its velocity will be beyond what that says
-    FieldAccount account;
+    BodyIndex body = noBody;
+    bool steady = false;    ///< what acts on it is the same wherever it is: its law is exact, and nothing is left over
+    Vec2 steadyPull{0, 0};  ///< of that, what has a potential energy [m/s^2]
+    FlightLaw law;          ///< a closed form that comes to where it will be
+    Push rest;              ///< what its velocity will be beyond what that says
+    FieldAccount account;   ///< of what is not steady
 };
 
 struct FieldStore {
     std::vector<FieldRecord> records;
     std::vector<FieldIndex> free;
-    std::vector<FieldFlight> flights;  ///< by body, within a step; none where there are no fields
+
+    // Within a step.
+    std::vector<FieldFlight> flights;  ///< BodyRecord.flight says which is whose
+    std::vector<BodyMotion> now;       ///< where bodies are, by slot, for whoever goes through the sub-steps
+    std::vector<FieldPull> pulls;      ///< what they feel there
 
     bool empty() const { return records.size() == free.size(); }
     FieldIndex acquire();

@@ -21,14 +21,8 @@ Decay decay(double damping, double time) {
 FlightLaw flightLawOf(const WorldState& world, BodyIndex body) {
     const BodyRecord& record = world.bodies.record[body];
     if (record.type != BodyType::Dynamic) return {};
-    FlightLaw law{accelerationOf(record, world.def.gravity), record.linearDamping, record.angularDamping};
-    if (world.fields.flights.empty()) return law;
-    const FieldFlight& flight = world.fields.flights[body];
-    law.acceleration.linear += flight.mean.linear;
-    law.acceleration.angular += flight.mean.angular;
-    law.linearDamping = flight.rate;
-    law.angularDamping = flight.turningRate;
-    return law;
+    if (record.flight != none) return world.fields.flights[record.flight].law;
+    return {accelerationOf(record, world.def.gravity), record.linearDamping, record.angularDamping};
 }
 
 BodyMotion fly(const BodyMotion& from, const FlightLaw& law, double time) {

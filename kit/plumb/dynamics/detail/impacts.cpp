@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <plumb/dynamics/detail/contact_rules.h>
+#include <plumb/dynamics/detail/field_flight.h>
 #include <plumb/dynamics/detail/report_contacts.h>
 #include <plumb/dynamics/detail/time_of_impact.h>
 #include <plumb/impact/impact.h>
@@ -25,7 +26,9 @@ constexpr double lostWay = 1e-3;
 
 struct Flyer {
     BodyIndex body = noBody;
-    FlyingShape flight;  ///< its shape is filled in for each contact
+    FlyingShape flight;                 ///< its shape is filled in for each contact
+    std::optional<FieldFlight> fields;  ///< what it feels from there on
+    FieldAccount account;               ///< what fields have done before
 };
 
 /// A contact between two flyers, and when they meet next.
@@ -50,8 +53,28 @@ std::size_t flyerOf(std::vector<Flyer>& flyers, const WorldState& world, BodyInd
     flyer.flight.extent = record.extent;
     flyer.flight.from = world.bodies.motion[body];
     flyer.flight.law = flightLawOf(world, body);
+    if (record.flight != none) flyer.fields = world.fields.flights[record.flight];
     flyers.push_back(flyer);
     return flyers.size() - 1;
+}
+
+/// Where fields have an end to its flight, at a time: the law is right about the place, and nearly about the velocity.
+void endFlight(WorldState& world, Flyer& flyer, BodyMotion& at, double time) {
+    if (!flyer.fields || flyer.fields->steady) return;
+    const double flown = time - flyer.flight.time;
+    const FieldFlight part = flightFrom(world, *flyer.fields, flyer.flight.from, flyer.flight.time, flown);
+    const BodyMotion end = fly(flyer.flight.from, part.law, flown);
+    at.velocity = end.velocity + part.rest.velocity;
+    at.angularVelocity = end.angularVelocity + part.rest.spin;
+    flyer.account += part.account;
+}
+
+/// From where it is now.
+void flyOn(WorldState& world, Flyer& flyer, double dt) {
+    if (!flyer.fields || flyer.fields->steady) return;
+    const double left = dt - flyer.flight.time;
+    flyer.fields = flightFrom(world, *flyer.fields, flyer.flight.from, flyer.flight.time, left);
+    flyer.flight.law = flyer.fields->law;
 }
 
 FlyingShape shapeOf(const Flyer& flyer, const Proxy& proxy) {
@@ -171,7 +194,6 @@ void account(const WorldState& world, Meeting& meeting, const std::vector<PointI
     }
 }
 
-/// Moves the two to where they meet and parts them. False when that was not found: they spin too fast.
 /// Of what the narrow phase did not see coming, the rules are asked where it meets.
 bool isLetThrough(WorldState& world, const Meeting& meeting, const Flyer& a, const Flyer& b) {
     const ContactRecord& contact = world.contacts.contacts[meeting.contact];
@@ -185,11 +207,15 @@ bool isLetThrough(WorldState& world, const Meeting& meeting, const Flyer& a, con
     return !isSolid(world, meeting.contact, {e.distance.normal, velocity, e.distance.separation});
 }
 
-bool part(const WorldState& world, Meeting& meeting, Flyer& a, Flyer& b) {
+/// Moves the two to where they meet and parts them. What they were before that; nothing when it was not found, for
+/// they spin too fast.
+std::optional<std::array<BodyMotion, 2>> part(WorldState& world, Meeting& meeting, Flyer& a, Flyer& b) {
     const ContactRecord& contact = world.contacts.contacts[meeting.contact];
     const double time = *meeting.time;
-    const Encounter e = encounterAt(shapeOf(a, world.proxyA(contact)), shapeOf(b, world.proxyB(contact)), time);
-    if (e.distance.separation > lostTouch || e.distance.separation < -lostWay) return false;
+    Encounter e = encounterAt(shapeOf(a, world.proxyA(contact)), shapeOf(b, world.proxyB(contact)), time);
+    if (e.distance.separation > lostTouch || e.distance.separation < -lostWay) return std::nullopt;
+    endFlight(world, a, e.a, time);
+    endFlight(world, b, e.b, time);
     a.flight.from = e.a;
     b.flight.from = e.b;
     a.flight.time = b.flight.time = time;
@@ -207,8 +233,9 @@ bool part(const WorldState& world, Meeting& meeting, Flyer& a, Flyer& b) {
         apply(b, result.velocityB, result.angularVelocityB);
         given = {{points[0], result.normalImpulse, result.tangentImpulse}};
     }
-    account(world, meeting, given, {e.a, e.b}, {a.flight.from, b.flight.from});
-    return true;
+    const std::array<BodyMotion, 2> met{e.a, e.b};
+    account(world, meeting, given, met, {a.flight.from, b.flight.from});
+    return met;
 }
 
 void tell(WorldState& world, const Meeting& m) {
@@ -225,7 +252,14 @@ void commit(WorldState& world, const std::vector<Flyer>& flyers, const std::vect
     for (const Flyer& f : flyers) {
         BodyRecord& record = world.bodies.record[f.body];
         if (record.type != BodyType::Dynamic) continue;  // a platform may be in many groups, and flies by itself
-        const BodyMotion end = fly(f.flight.from, f.flight.law, dt - f.flight.time);
+        BodyMotion end = fly(f.flight.from, f.flight.law, dt - f.flight.time);
+        if (f.fields && !f.fields->steady) {
+            end.velocity += f.fields->rest.velocity;
+            end.angularVelocity += f.fields->rest.spin;
+            world.fields.flights[record.flight] = *f.fields;
+            if (world.audit) world.audit->noteFieldFlight(f.account);
+            if (world.audit) world.audit->noteFieldFlight(f.fields->account);
+        }
         legs.push_back({f.body, f.flight.from, end, f.flight.time, dt});
         moveTo(world, f.body, end);
         record.flown = true;
@@ -309,11 +343,13 @@ bool flyThroughImpacts(WorldState& world, std::span<const ContactIndex> contacts
             continue;
         }
         const std::array<FlyingShape, 2> before{flyers[next->a].flight, flyers[next->b].flight};
-        if (!part(world, *next, flyers[next->a], flyers[next->b])) return false;
+        const std::optional<std::array<BodyMotion, 2>> met = part(world, *next, flyers[next->a], flyers[next->b]);
+        if (!met) return false;
         for (std::size_t i = 0; i < 2; ++i) {
-            const BodyIndex body = flyers[i == 0 ? next->a : next->b].body;
-            const BodyMotion end = fly(before[i].from, before[i].law, *next->time - before[i].time);
-            if (world.bodies.isDynamic(body)) legs.push_back({body, before[i].from, end, before[i].time, *next->time});
+            Flyer& flyer = flyers[i == 0 ? next->a : next->b];
+            if (!world.bodies.isDynamic(flyer.body)) continue;
+            legs.push_back({flyer.body, before[i].from, (*met)[i], before[i].time, *next->time});
+            flyOn(world, flyer, dt);
         }
         for (Meeting& m : meetings) {
             const auto concerns = [&](std::size_t f) {

@@ -47,7 +47,7 @@ bool loadBody(WorldState& world, BodyIndex body, double dt) {
     bodies.displacement[body] = {};
     bodies.warm[body] = {};
     bodies.turn[body] = {0, record.rho, record.inverseRho, 0};
-    if (!world.fields.flights.empty()) {  // the fields do it all, gravity and damping included
+    if (record.flight != none) {  // the fields do it all, gravity and damping included
         bodies.kick[body] = {};
         return true;
     }
