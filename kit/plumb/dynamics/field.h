@@ -30,13 +30,17 @@ struct Pool {
 };
 
 /// Each acts on dynamic bodies, at their centres of mass, but for a pool, which bears every shape of theirs that is not
-/// a sensor where it is under water. A GroundFriction with a lever of 0 takes that of a disc of the body's inertia.
+/// a sensor where it is under water. A GroundFriction with a lever of 0 takes that of a disc of the body's inertia. A
+/// magnet whose carrier is disabled or gone draws nothing. Mutual gravity takes time as the square of the bodies: 50 ms
+/// a step for a thousand.
 using FieldLaw = std::variant<UniformGravity, MutualGravity, Drag, Attractor, Magnet, Pool, GroundFriction>;
 
-/// What acts on bodies wherever they are, at every sub-step, for as long as it is there. Where there are several, they
-/// add up. What nothing touches goes by velocity Verlet in double: of second order, an orbit keeps its energy; drag and
-/// damping, whose strength is that at mid-way, and friction act with it exactly, and so never turn anything back.
-/// What mutual gravity, or a magnet that is awake, draws does not fall asleep.
+/// What acts on bodies wherever they are, for as long as it is there. Where there are several, they add up. What
+/// nothing touches goes by velocity Verlet in double at every sub-step, of second order: an orbit keeps its energy;
+/// drag and friction never turn anything back, and a terminal speed is steady. Uniform gravity and linear drag that
+/// fill the world are closed forms, exact to rounding. What a field does not reach goes as if it were not there, to
+/// the last bit. What mutual gravity, or a magnet that is awake, draws does not fall asleep. A step of less than a
+/// nanosecond feels nothing.
 struct FieldDef {
     FieldLaw law = UniformGravity{};
     /// Only on what has its centre of mass here; in the world, with an area [m]

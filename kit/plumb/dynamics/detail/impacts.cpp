@@ -14,8 +14,8 @@ namespace plumb {
 
 namespace {
 
-/// More impacts than this for each contact in one step: a heap, for the solver.
-constexpr std::size_t impactsPerContact = 16;
+/// More impacts than this for each body in one step: a heap, for the solver.
+constexpr std::size_t impactsPerBody = 16;
 
 /// A larger group is a heap as well: each impact is searched among all of them.
 constexpr std::size_t largestGroup = 200;
@@ -329,7 +329,8 @@ bool flyThroughImpacts(WorldState& world, std::span<const ContactIndex> contacts
     };
     for (Meeting& m : meetings) foresee(m);
     std::vector<Leg> legs;
-    for (std::size_t count = 0; count <= impactsPerContact * meetings.size(); ++count) {
+    const auto isDynamic = [&](std::size_t flyer) { return world.bodies.isDynamic(flyers[flyer].body); };
+    for (std::size_t count = 0; count <= impactsPerBody * flyers.size(); ++count) {
         Meeting* next = nullptr;
         for (Meeting& m : meetings)
             if (m.time && (next == nullptr || *m.time < *next->time)) next = &m;
@@ -346,17 +347,14 @@ bool flyThroughImpacts(WorldState& world, std::span<const ContactIndex> contacts
         const std::optional<std::array<BodyMotion, 2>> met = part(world, *next, flyers[next->a], flyers[next->b]);
         if (!met) return false;
         for (std::size_t i = 0; i < 2; ++i) {
+            if (!isDynamic(i == 0 ? next->a : next->b)) continue;
             Flyer& flyer = flyers[i == 0 ? next->a : next->b];
-            if (!world.bodies.isDynamic(flyer.body)) continue;
             legs.push_back({flyer.body, before[i].from, (*met)[i], before[i].time, *next->time});
             flyOn(world, flyer, dt);
         }
-        for (Meeting& m : meetings) {
-            const auto concerns = [&](std::size_t f) {
-                return !(world.bodies.record[flyers[f].body].type == BodyType::Static) && (m.a == f || m.b == f);
-            };
-            if (concerns(next->a) || concerns(next->b)) foresee(m);
-        }
+        const auto concerns = [&](const Meeting& m, std::size_t f) { return isDynamic(f) && (m.a == f || m.b == f); };
+        for (Meeting& m : meetings)
+            if (concerns(m, next->a) || concerns(m, next->b)) foresee(m);
     }
     return false;
 }
