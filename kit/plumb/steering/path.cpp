@@ -95,6 +95,7 @@ Vec2 pointOn(const Path& path, double along) {
 }
 
 PathStep followPath(const Agent& agent, const Path& path, double progress, double ahead) {
+    validate(agent);
     requireNotNegative(progress, "followPath: progress");
     requirePositive(ahead, "followPath: ahead");
     const double length = lengthOf(path);

@@ -29,16 +29,25 @@ Vec2 aside(const Vec2& w, const Vec2& back) {
 
 }  // namespace
 
+void validate(const Seen& seen, std::string_view field) {
+    requireFinite(seen.position, field, ".position");
+    requireFinite(seen.velocity, field, ".velocity");
+}
+
 Vec2 pursue(const Agent& agent, const Seen& quarry, double mostAhead) {
+    validate(agent);
+    validate(quarry);
     requireNotNegative(mostAhead, "pursue: mostAhead");
     const Vec2 d = quarry.position - agent.position;
     return seek(agent, quarry.position + meetingTime(d, quarry.velocity, agent.maxSpeed, mostAhead) * quarry.velocity);
 }
 
 Vec2 evade(const Agent& agent, const Seen& pursuer, double mostAhead) {
+    validate(agent);
+    validate(pursuer);
     requireNotNegative(mostAhead, "evade: mostAhead");
     const Vec2 back = agent.position - pursuer.position;
-    const double distance = back.norm(), speed = pursuer.velocity.norm();
+    const double distance = detail::lengthOf(back), speed = detail::lengthOf(pursuer.velocity);
     if (speed > agent.maxSpeed && pursuer.velocity.dot(back) > 0 && distance < mostAhead * speed)
         return steerTo(agent, agent.maxSpeed * aside(pursuer.velocity, back));
     const double time = std::min(mostAhead, distance / (agent.maxSpeed + speed));

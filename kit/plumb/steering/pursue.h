@@ -11,6 +11,9 @@ struct Seen {
     Vec2 velocity{0, 0};  ///< [m/s]
 };
 
+/// Throws std::invalid_argument unless both are finite.
+void validate(const Seen& seen, std::string_view field = "Seen");
+
 /// Seeks where the quarry will be met if it goes on as it does: after the least T >= 0 with |d + w T| = V T, and
 /// where there is none, or it is longer, after mostAhead [s].
 ///   T = d^2 / (sqrt((d . w)^2 + (V^2 - w^2) d^2) - d . w)

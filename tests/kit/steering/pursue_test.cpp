@@ -163,3 +163,13 @@ TEST_CASE("looking back in time is refused by name", "[steering][errors]") {
     CHECK_THROWS_WITH(pursue({}, {}, -1), "pursue: mostAhead: -1 is negative");
     CHECK_THROWS_WITH(evade({}, {}, std::nan("")), "evade: mostAhead: nan is not finite");
 }
+
+TEST_CASE("who is seen at no place is refused by name", "[steering][errors]") {
+    const Seen nowhere{{std::nan(""), 0}, {1, 0}}, jumping{{1, 0}, {HUGE_VAL, 0}};
+    CHECK_THROWS_WITH(pursue({}, nowhere), "Seen.position: (nan, 0) is not finite");
+    CHECK_THROWS_WITH(evade({}, nowhere), "Seen.position: (nan, 0) is not finite");
+    CHECK_THROWS_WITH(pursue({}, jumping), "Seen.velocity: (inf, 0) is not finite");
+    CHECK_THROWS_WITH(evade({}, jumping), "Seen.velocity: (inf, 0) is not finite");
+    CHECK(pursue({}, {{1e200, 0}, {-1e200, 0}}).allFinite());
+    CHECK(evade({}, {{1e200, 0}, {-1e200, 0}}) == Vec2(0, -6));
+}
