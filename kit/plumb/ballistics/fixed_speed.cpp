@@ -21,7 +21,7 @@ std::vector<Shot> aim(const Aim& problem) {
     const double gravity = detail::lengthOf(g);
     const double least = detail::leastSpeedSquared(d, distance, g, gravity);
     double spare = v * v - least;
-    if (std::fabs(spare) <= 1e-15 * least) spare = 0;
+    if (std::fabs(spare) <= 2e-15 * least) spare = 0;
     if (spare < 0) return {};
 
     const double b = v * v + g.dot(d);

@@ -22,7 +22,8 @@ struct Aim {
 /// muzzle is hit at once, by one shot straight up. What would take no finite time is left out.
 /// Throws std::invalid_argument on input out of range (shot.h).
 /// Source: |d / t - g t / 2| = v, squared, is quadratic in t^2; the lecture, slides 13-16, of which it mends the
-/// cases that were lost. Test: "a million shots of fixed speed hit, by both arcs"
+/// cases that were lost. Tests: "a million shots of fixed speed hit, by both arcs", "the slowest shot's own speed
+/// has a shot, a million times"
 std::vector<Shot> aim(const Aim& problem);
 
 }  // namespace plumb

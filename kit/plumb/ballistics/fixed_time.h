@@ -7,7 +7,7 @@ namespace plumb {
 
 struct TimeAim {
     Vec2 target{0, 0};       ///< from the muzzle [m]
-    double time = 1;         ///< to the target, 1e-10>= 0 [s]
+    double time = 1;         ///< to the target, > 0 [s]
     Vec2 gravity{0, -9.81};  ///< [m/s^2]
 };
 

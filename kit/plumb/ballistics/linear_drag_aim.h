@@ -25,7 +25,7 @@ std::vector<Shot> aimThroughLinearDrag(const LinearDragAim& problem);
 
 struct LinearDragTimeAim {
     Vec2 target{0, 0};  ///< from the muzzle [m]
-    double time = 1;    ///< to the target, 1e-10>= 0 [s]
+    double time = 1;    ///< to the target, > 0 [s]
     LinearDrag drag{};
 };
 

@@ -7,17 +7,23 @@
 #include <plumb/ballistics/detail/bracket.h>
 #include <plumb/ballistics/detail/input.h>
 #include <plumb/ballistics/detail/level.h>
+#include <plumb/ballistics/detail/straight_meetings.h>
 
 namespace plumb {
 namespace {
 
 using detail::ValueAndSlope;
 
-/// A few numbers, in the order in which they were added.
+/// A few numbers, the smallest first.
 struct Roots {
-    std::array<double, 4> values{};
+    std::array<double, 6> values{};
     std::size_t count = 0;
-    void add(double root) { values[count++] = root; }
+    void add(double root) { values[count++] = root; }  ///< larger than all others
+    void insert(double root) {
+        std::size_t at = count++;
+        for (; at > 0 && values[at - 1] > root; --at) values[at] = values[at - 1];
+        values[at] = root;
+    }
 };
 
 struct Chase {
@@ -89,26 +95,46 @@ Roots rootsOf(const Polynomial<Degree>& p, double low, double high) {
     return roots;
 }
 
-// The roots of the gap: its square's extremes stand between them.
+// Where a root of the gap may end a bracket: its square's extremes stand between any two. Next to no gravity they are
+// so far off that rounding hides the gap there; so when a beam would meet the target, and twice that, are looked at
+// too.
+Roots bracketEnds(const Chase& chase, const Polynomial<4>& squared, double low, double high) {
+    Roots ends = extremesOf<4>(squared, low, high);
+    const detail::StraightMeetings beam = detail::straightMeetings(chase.target, chase.velocity, chase.speed);
+    if (beam.count > 0)
+        for (const double time : {beam.meetings[0].time, 2 * beam.meetings[0].time})
+            if (time > low && time < high) ends.insert(time);
+    ends.add(high);
+    return ends;
+}
+
 Roots meetings(const Chase& chase, double low, double high) {
     const Vec2 &d = chase.target, &w = chase.velocity, &h = chase.halfGravity;
     const Polynomial<4> squared = {d.squaredNorm(), 2 * d.dot(w),
                                    w.squaredNorm() - 2 * h.dot(d) - chase.speed * chase.speed, -2 * h.dot(w),
                                    h.squaredNorm()};
-    Roots ends = extremesOf<4>(squared, low, high);
-    ends.add(high);
+    const Roots ends = bracketEnds(chase, squared, low, high);
     Roots roots;
     double from = low;
     int sign = chase.signAt(low);
     for (std::size_t i = 0; i < ends.count; ++i) {
         const double end = ends.values[i];
         const int next = chase.signAt(end);
-        if (next == 0 && end < high) roots.add(end);
+        if (next == 0 && sign != 0 && end < high) roots.add(end);
         if (next * sign < 0)
             roots.add(detail::rootBetween(from, end, sign > 0, [&](double t) { return chase.gapAt(t); }));
         from = end;
         sign = next;
     }
+    return roots;
+}
+
+// Without gravity shots and target go straight in the shooter's frame.
+Roots straightMeetings(const Chase& chase, double longest) {
+    const detail::StraightMeetings beam = detail::straightMeetings(chase.target, chase.velocity, chase.speed);
+    Roots roots;
+    for (std::size_t i = 0; i < beam.count; ++i)
+        if (beam.meetings[i].time <= longest) roots.add(beam.meetings[i].time);
     return roots;
 }
 
@@ -140,7 +166,7 @@ std::vector<Shot> aimAtMoving(const MovingAim& problem) {
     const double high = std::min(longest, 1.001 * (closing + root) / gravity);
     std::vector<Shot> shots;
     if (!(low < high)) return shots;
-    const Roots roots = meetings(chase, low, high);
+    const Roots roots = gravity > 0 ? meetings(chase, low, high) : straightMeetings(chase, longest);
     for (std::size_t i = 0; i < roots.count; ++i) {
         const double t = roots.values[i];
         const Vec2 velocity = chase.target / t + chase.velocity - t * chase.halfGravity;

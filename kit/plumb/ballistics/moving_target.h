@@ -21,10 +21,11 @@ struct MovingAim {
 /// gravity [m/s^2], t time [s]. Squared it is a quartic in t:
 ///   g^2 t^4 / 4 - (g . w) t^3 + (w^2 - g . d - v^2) t^2 + 2 (d . w) t + d^2 = 0
 /// between whose extremes, found from those of its derivatives, each root is bracketed and then refined on the
-/// equation that is not squared. Two that lie so close that rounding decides between none and two count as one. A
-/// target at the muzzle is hit at once, by one shot straight up. Shots that take more than 1e70 s are left out.
-/// Throws std::invalid_argument on input out of range (shot.h).
-/// Test: "a million shots at moving targets hit, and a scan over time finds no other"
+/// equation that is not squared. Without gravity it is a quadratic, as for a beam. Two that lie so close that rounding
+/// decides between none and two count as one. A target at the muzzle is hit at once, by one shot straight up. Shots
+/// that take more than 1e70 s are left out. Throws std::invalid_argument on input out of range (shot.h). Tests: "a
+/// million shots at moving targets hit, and a scan over time finds no other", "a target as fast as the shot is met,
+/// whether gravity is none, next to none, or some"
 std::vector<Shot> aimAtMoving(const MovingAim& problem);
 
 }  // namespace plumb

@@ -42,6 +42,16 @@ public:
         return ((wall.y() + margin_) / wall.x() - target_.y() / target_.x() * part) / rest;
     }
 
+    /// Of the top and its margin, by more than rounding.
+    bool fallsShort(const Shot& shot, const Vec2& top) const {
+        const Vec2 velocity = local(shot.velocity), wall = local(top);
+        if (!isInTheWay(wall)) return false;
+        const double time = wall.x() / velocity.x();
+        const double risen = time * velocity.y(), fallen = 0.5 * gravity() * time * time;
+        const double sizes = std::fabs(risen) + fallen + std::fabs(wall.y()) + margin_;
+        return risen - fallen - (wall.y() + margin_) < -1e-15 * sizes;
+    }
+
 private:
     detail::Level level_;
     double margin_;
@@ -55,14 +65,15 @@ std::vector<Shot> aimOver(const WallAim& problem) {
     const Side side(problem);
     std::vector<Shot> shots = aim({problem.target, problem.speed, problem.gravity});
     std::erase_if(shots, [&](const Shot& shot) {
-        const Vec2 velocity = side.local(shot.velocity);
-        return std::ranges::any_of(problem.walls, [&](const Vec2& top) {
-            const Vec2 wall = side.local(top);
-            if (!side.isInTheWay(wall)) return false;
-            const double time = wall.x() / velocity.x();
-            return time * (velocity.y() - 0.5 * side.gravity() * time) < wall.y() + problem.margin;
-        });
+        return std::ranges::any_of(problem.walls, [&](const Vec2& top) { return side.fallsShort(shot, top); });
     });
+    if (!shots.empty() || problem.walls.empty()) return shots;
+    // Next to the least speed the angle hangs on the square root of what is to spare, and of rounding.
+    const std::optional<Shot> slowest = aimSlowestOver(problem);
+    if (!slowest) return shots;
+    const double least = detail::lengthOf(slowest->velocity);
+    if (std::fabs(problem.speed - least) <= 1e-15 * least)
+        shots.push_back({detail::withLength(slowest->velocity, problem.speed), slowest->time});
     return shots;
 }
 

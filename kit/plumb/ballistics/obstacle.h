@@ -17,8 +17,9 @@ struct WallAim {
 };
 
 /// Those of aim()'s shots that pass every wall above its top and the margin, to rounding: a wall that does not
-/// stand between muzzle and target is passed. Throws std::invalid_argument on input out of range (shot.h). Test:
-/// "a million shots over a wall hit and clear it, and no other angle does"
+/// stand between muzzle and target is passed. A speed within 1e-15 of aimSlowestOver()'s counts as it: one shot. Throws
+/// std::invalid_argument on input out of range (shot.h). Tests: "a million shots over a wall hit and clear it, and no
+/// other angle does", "the slowest shot's own speed has a shot over the wall, a million times"
 std::vector<Shot> aimOver(const WallAim& problem);
 
 /// The slowest shot that hits and passes every wall; it is aimSlowest()'s, or touches the margin of one wall.

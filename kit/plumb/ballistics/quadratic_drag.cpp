@@ -11,7 +11,7 @@ namespace plumb {
 namespace {
 
 void require(const QuadraticDrag& drag) {
-    detail::requirePositiveAmount(drag.coefficient, "QuadraticDrag", ".coefficient");
+    if (drag.coefficient != 0) detail::requirePositiveAmount(drag.coefficient, "QuadraticDrag", ".coefficient");
     detail::requirePositiveAmount(drag.gravity, "QuadraticDrag", ".gravity");
 }
 
@@ -25,6 +25,10 @@ double terminalSpeed(const QuadraticDrag& drag) {
 VerticalShot shootUp(double speed, const QuadraticDrag& drag) {
     const double terminal = terminalSpeed(drag);
     detail::requireAmount(speed, "shootUp: ", "speed");
+    if (drag.coefficient == 0) {
+        const double rise = speed / drag.gravity;
+        return {.riseTime = rise, .height = 0.5 * speed * rise, .fallTime = rise, .returnSpeed = speed};
+    }
     const double ratio = speed / terminal;
     const double both = std::sqrt(1 + ratio * ratio);
     const double unit = terminal / drag.gravity;
@@ -38,6 +42,7 @@ VerticalShot shootUp(double speed, const QuadraticDrag& drag) {
 Fall fallFor(double time, const QuadraticDrag& drag) {
     const double terminal = terminalSpeed(drag);
     detail::requireAmount(time, "fallFor: ", "time");
+    if (drag.coefficient == 0) return {.distance = 0.5 * drag.gravity * time * time, .speed = drag.gravity * time};
     const double z = drag.gravity * time / terminal;
     const double lost = -exponentialMinus1(-2 * z);
     // ln cosh z = z + ln(1 - lost / 2), and for a small z ln(1 + (e^z - 1)^2 / (2 e^z)).

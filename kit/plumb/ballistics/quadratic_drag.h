@@ -5,11 +5,12 @@
 namespace plumb {
 
 struct QuadraticDrag {
-    double coefficient = 0;  ///< drag over mass and speed squared, rho C A / (2 m), 1e-5>= 0 [1/m]
-    double gravity = 9.81;   ///< 1e-5>= 0 [m/s^2]
+    double coefficient = 0;  ///< drag over mass and speed squared, rho C A / (2 m); 0, or 1e-50 at least [1/m]
+    double gravity = 9.81;   ///< > 0 [m/s^2]
 };
 
-/// The speed at which drag bears the weight: sqrt(g / c) [m/s], c coefficient [1/m], g gravity [m/s^2].
+/// The speed at which drag bears the weight: sqrt(g / c) [m/s], c coefficient [1/m], g gravity [m/s^2]; infinite
+/// without drag.
 /// Throws std::invalid_argument on input out of range (shot.h), as all of these.
 double terminalSpeed(const QuadraticDrag& drag);
 
@@ -24,8 +25,9 @@ struct VerticalShot {
 ///   t = (V / g) atan(u / V),  H = (V^2 / (2 g)) ln(1 + (u / V)^2),  u' = u V / sqrt(u^2 + V^2)
 ///   t' = (V / g) artanh(u' / V)
 /// t, t' times up and down [s], H height [m], u, u' speeds at the launch and the return [m/s], V terminal speed
-/// [m/s], g gravity [m/s^2]. Throws as above. Source: v' = -g - c v |v|. Test: "10,000 vertical shots through
-/// quadratic drag agree with a Runge-Kutta method of order 4"
+/// [m/s], g gravity [m/s^2]; without drag their limits, t = t' = u / g, H = u^2 / (2 g), u' = u. Throws as above.
+/// Source: v' = -g - c v |v|. Tests: "without drag a shot up and a fall are those of the textbook", "10,000 vertical
+/// shots through quadratic drag agree with a Runge-Kutta method of order 4"
 VerticalShot shootUp(double speed, const QuadraticDrag& drag);
 
 struct Fall {
@@ -35,8 +37,8 @@ struct Fall {
 
 /// A time after it was let go, at rest.
 ///   v = V tanh(g t / V),  s = (V^2 / g) ln cosh(g t / V)
-/// v speed [m/s], s distance [m], V terminal speed [m/s], g gravity [m/s^2], t time [s]. Throws, source, test as
-/// above.
+/// v speed [m/s], s distance [m], V terminal speed [m/s], g gravity [m/s^2], t time [s]; without drag g t and
+/// g t^2 / 2. Throws, source, tests as above.
 Fall fallFor(double time, const QuadraticDrag& drag);
 
 }  // namespace plumb

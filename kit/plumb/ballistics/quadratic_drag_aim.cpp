@@ -160,7 +160,10 @@ std::vector<Shot> aimThroughQuadraticDrag(const QuadraticDragAim& problem) {
     const double distance = detail::lengthOf(problem.target);
     detail::Level level(problem.gravity);
     const double strength = 2 * problem.coefficient * v * (v / level.gravity);
-    if (distance <= detail::muzzle || strength == 0) return aim({problem.target, v, problem.gravity});
+    const double z = 2 * problem.coefficient * distance;
+    // Drag over weight, at the launch and by the speed of a fall all the way: both lost in rounding?
+    if (distance <= detail::muzzle || problem.coefficient == 0 || (strength < 1e-17 && z < 1e-17))
+        return aim({problem.target, v, problem.gravity});
     std::vector<Shot> shots;
     if (!(strength < 1e60)) {
         addStraight(shots, problem, distance);
@@ -170,9 +173,10 @@ std::vector<Shot> aimThroughQuadraticDrag(const QuadraticDragAim& problem) {
     const double up = problem.target.dot(level.up);
     if (problem.target.dot(level.right) < 0) level.right = -level.right;
     const double right = problem.target.dot(level.right);
-    if (!(right > 1e-30 * distance)) return plumbShots(problem, level, up);
+    // No further off the plumb line than rounding puts what is meant to be on it.
+    if (!(right > 1e-15 * distance)) return plumbShots(problem, level, up);
 
-    const double z = 2 * problem.coefficient * distance;
+    if (strength == 0) return shots;  // too slow to get off that line
     const double growth = z < 1e-3 ? 1 + z / 3 : 2 * (exponentialMinus1(z) - z) / (z * z);
     const Reach reach{right / v * (level.gravity / v), up / right, strength, growth};
     for (const Launched& launch : reach.launches())

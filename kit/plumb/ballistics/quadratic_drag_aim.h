@@ -21,11 +21,13 @@ struct QuadraticDragAim {
 /// straight line to the target. One over the distance of that point is a convex function of the launch's slope, so
 /// Newton's method comes to either shot from outside: from the low arc of the greater gravity that drag amounts to
 /// on a flat path, and from the high arc without drag. Convex is what 100,000 paths were; it is not proven.
-/// Targets straight above and below have closed forms, as has everything without drag or without gravity.
+/// Targets straight above and below have closed forms, as has everything without drag or without gravity; at a speed of
+/// 0 only what is straight below is hit, by a fall through drag.
 /// A target within 1e-11 of the greatest reach counts as there. A target at the muzzle is hit at once, by one shot
 /// straight up. What would take no finite time is left out. Error of place below 1e-9 of the path.
 /// Throws std::invalid_argument on input out of range (shot.h).
-/// Test: "a million shots through quadratic drag hit, and where there is none no angle does"
+/// Tests: "a million shots through quadratic drag hit, and where there is none no angle does", "a stone dropped from
+/// rest falls as slowly through drag as one thrown at next to nothing"
 std::vector<Shot> aimThroughQuadraticDrag(const QuadraticDragAim& problem);
 
 }  // namespace plumb

@@ -55,7 +55,7 @@ public:
             const double left = endTime_ - time_;
             const bool last = std::fabs(step_) >= std::fabs(left);
             const double step = last ? left : step_;
-            if (!last && std::fabs(step) <= 0x1p-50 * std::fabs(time_) + 1e-300) {
+            if (!last && isTooSmall(step)) {
                 end_ = finite_ ? IntegrationEnd::StepTooSmall : IntegrationEnd::NotFinite;
                 return false;
             }
@@ -85,14 +85,21 @@ private:
         return settings_.longestStep > 0 ? std::min(step, settings_.longestStep) : step;
     }
 
-    double firstStep() const {
+    bool isTooSmall(double step) const { return std::fabs(step) <= 0x1p-50 * std::fabs(time_) + 1e-300; }
+
+    double firstStep() {
         if (settings_.firstStep > 0) return limited(settings_.firstStep);
         const State &state = made_.end, &slope = made_.slope;
         const double slopeRatio = ratioOf(slope, state, state);
-        const double guess =
-            std::min(firstStepGuess(ratioOf(state, state, state), slopeRatio), std::fabs(endTime_ - time_));
-        const double there = std::copysign(guess, endTime_ - time_);
-        const State change = derivative_(time_ + there, State(state + there * slope)) - slope;
+        const auto changeWithin = [&](double guess) {
+            const double there = std::copysign(guess, endTime_ - time_);
+            return State(derivative_(time_ + there, State(state + there * slope)) - slope);
+        };
+        double guess = std::min(firstStepGuess(ratioOf(state, state, state), slopeRatio), std::fabs(endTime_ - time_));
+        State change = changeWithin(guess);
+        // The equation may end nearer than that.
+        while (finite_ && !change.allFinite() && !isTooSmall(guess)) change = changeWithin(guess *= 0.1);
+        if (!change.allFinite()) finite_ = false;
         return limited(firstStepFrom(guess, slopeRatio, ratioOf(change, state, state) / guess));
     }
 

@@ -7,6 +7,8 @@
 namespace plumb {
 
 void validate(const Agent& agent, std::string_view field) {
+    requireFinite(agent.position, field, ".position");
+    requireFinite(agent.velocity, field, ".velocity");
     requireNotNegative(agent.radius, field, ".radius");
     requirePositive(agent.maxSpeed, field, ".maxSpeed");
     requirePositive(agent.maxAcceleration, field, ".maxAcceleration");
@@ -20,13 +22,19 @@ Vec2 headingOf(const Agent& agent) {
 
 Vec2 steerTo(const Agent& agent, const Vec2& wantedVelocity) {
     validate(agent);
-    const Vec2 wanted = (wantedVelocity - agent.velocity) / agent.responseTime;
+    requireFinite(wantedVelocity, "steerTo: wantedVelocity");
+    const Vec2 change = wantedVelocity - agent.velocity;
+    const Vec2 wanted = change / agent.responseTime;
+    if (!wanted.allFinite())  // more than any number, and so than there is
+        return agent.maxAcceleration * detail::directionOf(0.5 * wantedVelocity - 0.5 * agent.velocity);
     return detail::limited(wanted, agent.maxAcceleration);
 }
 
 Agent moved(const Agent& agent, const Vec2& acceleration, double dt) {
     validate(agent);
+    requireFinite(acceleration, "moved: acceleration");
     requireNotNegative(dt, "moved: dt");
+    requireFinite(acceleration * dt, "moved: acceleration * dt");
     Agent after = agent;
     after.velocity = detail::limited(agent.velocity + acceleration * dt, agent.maxSpeed);
     after.position += (agent.velocity + after.velocity) * (dt / 2);

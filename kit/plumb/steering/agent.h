@@ -9,8 +9,8 @@ namespace plumb {
 
 /// A vehicle in Reynolds' sense: a point that may speed up any way, within limits. Every behaviour of this module
 /// takes one and returns the acceleration it would like [m/s^2], no more than maxAcceleration, and zero for
-/// nothing to do. Each throws std::invalid_argument unless maxSpeed, maxAcceleration and responseTime are positive
-/// and finite, and the radius not negative.
+/// nothing to do. Each throws std::invalid_argument unless maxSpeed, maxAcceleration and responseTime are positive,
+/// the radius is not negative, and these and all places, velocities and accelerations are finite.
 struct Agent {
     Vec2 position{0, 0};         ///< [m]
     Vec2 velocity{0, 0};         ///< [m/s]

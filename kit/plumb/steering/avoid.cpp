@@ -33,6 +33,15 @@ Vec2 nearestOn(const WallSegment& wall, const Vec2& p) {
     return wall.start + std::clamp((p - wall.start).dot(along) / squared, 0.0, 1.0) * along;
 }
 
+/// Out of a wall, for one that is off it by so much. From right on it, the side it does not go to, back to where it
+/// came from; at rest, the left of the wall's direction; of a wall of no length, against the heading.
+Vec2 normalOf(const WallSegment& wall, const Agent& agent, const Vec2& off) {
+    if (!off.isZero(0)) return detail::directionOf(off);
+    const Vec2 left = perp(detail::directionOf(wall.end - wall.start));
+    if (left.isZero(0)) return -headingOf(agent);
+    return agent.velocity.dot(left) > 0 ? Vec2(-left) : left;
+}
+
 /// What is left of a velocity without its parts against the normals. Taking out one may bring back another, but less:
 /// in a corner of 60 degrees, half of it.
 Vec2 withoutTowards(Vec2 velocity, const std::vector<Vec2>& normals) {
@@ -47,6 +56,7 @@ Vec2 avoidObstacles(const Agent& agent, std::span<const RoundObstacle> obstacles
     validate(agent);
     requireNotNegative(clearance, "avoidObstacles: clearance");
     const Vec2 heading = headingOf(agent);
+    const bool moves = !agent.velocity.isZero(0);
     double first = std::numeric_limits<double>::infinity();
     Vec2 wanted(0, 0);
     for (const RoundObstacle& obstacle : obstacles) {
@@ -56,11 +66,11 @@ Vec2 avoidObstacles(const Agent& agent, std::span<const RoundObstacle> obstacles
         const double distance = d.norm(), b = agent.radius + obstacle.radius + clearance;
         if (distance >= turningDistance(agent, b)) continue;
         const double along = d.dot(heading), across = std::fabs(cross(heading, d));
-        if (distance > b && (along <= 0 || across >= b)) continue;
+        if (distance > b && (!moves || along <= 0 || across >= b)) continue;
         const double reached = distance > b ? along - std::sqrt(b * b - across * across) : distance - b;
         if (reached >= first) continue;
         first = reached;
-        wanted = distance > b ? tangentTo(d, b, heading) : Vec2(-detail::directionOf(d));
+        wanted = distance > b ? tangentTo(d, b, heading) : d.isZero(0) ? heading : Vec2(-detail::directionOf(d));
     }
     return wanted.isZero(0) ? Vec2(0, 0) : steerTo(agent, agent.maxSpeed * wanted);
 }
@@ -74,7 +84,7 @@ Vec2 avoidWalls(const Agent& agent, std::span<const WallSegment> walls, double c
         requireFinite(wall.start, "WallSegment", ".start");
         requireFinite(wall.end, "WallSegment", ".end");
         const Vec2 off = agent.position - nearestOn(wall, agent.position);
-        const Vec2 normal = detail::directionOf(off);
+        const Vec2 normal = normalOf(wall, agent, off);
         const double room = off.norm() - agent.radius - clearance;
         const double towards = -agent.velocity.dot(normal);
         const double needed = towards * towards / agent.maxAcceleration + 2 * towards * agent.responseTime;

@@ -9,7 +9,10 @@ namespace {
 
 Vec2 weighted(const Wish& wish) {
     requireNotNegative(wish.weight, "Wish", ".weight");
-    return wish.weight * wish.acceleration;
+    requireFinite(wish.acceleration, "Wish", ".acceleration");
+    const Vec2 wanted = wish.weight * wish.acceleration;
+    requireFinite(wanted, "Wish", ".weight * acceleration");
+    return wanted;
 }
 
 }  // namespace
@@ -18,6 +21,7 @@ Vec2 steerByWeight(const Agent& agent, std::span<const Wish> wishes) {
     validate(agent);
     Vec2 sum(0, 0);
     for (const Wish& wish : wishes) sum += weighted(wish);
+    requireFinite(sum, "steerByWeight: sum");
     return detail::limited(sum, agent.maxAcceleration);
 }
 
@@ -28,7 +32,7 @@ Vec2 steerByBudget(const Agent& agent, std::span<const Wish> wishes) {
     for (const Wish& wish : wishes) {
         const Vec2 granted = detail::limited(weighted(wish), left);
         sum += granted;
-        left -= granted.norm();
+        left -= detail::lengthOf(granted);
         if (!(left > 0)) break;
     }
     return detail::limited(sum, agent.maxAcceleration);

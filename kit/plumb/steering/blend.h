@@ -14,7 +14,8 @@ struct Wish {
 };
 
 // Each keeps to the agent's maxAcceleration, and returns zero for no wishes. Source: Reynolds 1999, "Combining
-// behaviors". Throw std::invalid_argument as all do, and on a weight that is negative or not finite.
+// behaviors". Throw std::invalid_argument as all do, and on a weight that is negative or not finite,
+// or what it makes of a wish.
 // Test: "blends keep to the budget, 100,000 times"
 
 /// All together: the sum of weight times acceleration. What pulls against each other may cancel.

@@ -22,6 +22,7 @@ public:
     }
 
     bool sees(const Seen& other) const {
+        validate(other);
         const Vec2 d = other.position - agent_.position;
         const double distance = d.norm();
         if (!(distance > 0) || distance >= radius_) return false;

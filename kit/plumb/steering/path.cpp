@@ -35,7 +35,9 @@ struct Abreast {
 Abreast nearestOnEdge(const Vec2& p, const Vec2& from, const Vec2& edge, double start, double low, double high) {
     const double length = edge.norm();
     const double wanted = length > 0 ? (p - from).dot(edge) / length : 0;
-    const double along = std::clamp(wanted, std::max(0.0, low - start), std::min(length, high - start));
+    // An edge that ends at low may be shorter than low - start by rounding.
+    const double least = std::min(std::max(0.0, low - start), length);
+    const double along = std::clamp(wanted, least, std::min(length, high - start));
     const Vec2 point = length > 0 ? Vec2(from + edge * (along / length)) : from;
     return {start + along, (p - point).squaredNorm()};
 }
@@ -93,6 +95,7 @@ Vec2 pointOn(const Path& path, double along) {
 }
 
 PathStep followPath(const Agent& agent, const Path& path, double progress, double ahead) {
+    validate(agent);
     requireNotNegative(progress, "followPath: progress");
     requirePositive(ahead, "followPath: ahead");
     const double length = lengthOf(path);

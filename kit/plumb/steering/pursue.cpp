@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <plumb/math/check.h>
+#include <plumb/steering/detail/vectors.h>
 #include <plumb/steering/seek.h>
 
 namespace plumb {
@@ -20,18 +21,36 @@ double meetingTime(const Vec2& d, const Vec2& w, double speed, double most) {
     return divisor > 0 ? std::min(most, d.squaredNorm() / divisor) : most;
 }
 
+/// Straight out of the way of what moves at w, for one that stands at back from it.
+Vec2 aside(const Vec2& w, const Vec2& back) {
+    const Vec2 left = perp(detail::directionOf(w));
+    return cross(w, back) >= 0 ? left : Vec2(-left);
+}
+
 }  // namespace
 
+void validate(const Seen& seen, std::string_view field) {
+    requireFinite(seen.position, field, ".position");
+    requireFinite(seen.velocity, field, ".velocity");
+}
+
 Vec2 pursue(const Agent& agent, const Seen& quarry, double mostAhead) {
+    validate(agent);
+    validate(quarry);
     requireNotNegative(mostAhead, "pursue: mostAhead");
     const Vec2 d = quarry.position - agent.position;
     return seek(agent, quarry.position + meetingTime(d, quarry.velocity, agent.maxSpeed, mostAhead) * quarry.velocity);
 }
 
 Vec2 evade(const Agent& agent, const Seen& pursuer, double mostAhead) {
+    validate(agent);
+    validate(pursuer);
     requireNotNegative(mostAhead, "evade: mostAhead");
-    const double distance = (pursuer.position - agent.position).norm(), speed = pursuer.velocity.norm();
-    const double time = distance < mostAhead * speed ? distance / speed : mostAhead;
+    const Vec2 back = agent.position - pursuer.position;
+    const double distance = detail::lengthOf(back), speed = detail::lengthOf(pursuer.velocity);
+    if (speed > agent.maxSpeed && pursuer.velocity.dot(back) > 0 && distance < mostAhead * speed)
+        return steerTo(agent, agent.maxSpeed * aside(pursuer.velocity, back));
+    const double time = std::min(mostAhead, distance / (agent.maxSpeed + speed));
     return flee(agent, pursuer.position + time * pursuer.velocity);
 }
 

@@ -11,6 +11,8 @@
 namespace plumb {
 
 WanderStep wander(const Agent& agent, const WanderState& state, double dt, const WanderSettings& settings) {
+    validate(agent);
+    requireFinite(state.angle, "WanderState", ".angle");
     requirePositive(settings.radius, "WanderSettings", ".radius");
     requireNotNegative(settings.jitter, "WanderSettings", ".jitter");
     requireFinite(settings.ahead, "WanderSettings", ".ahead");
@@ -22,6 +24,7 @@ WanderStep wander(const Agent& agent, const WanderState& state, double dt, const
     // Evenly within +- sqrt(3) has a mean square of 1.
     const double turn = settings.jitter * std::sqrt(dt) * step.state.random.uniform(-1, 1) * std::numbers::sqrt3;
     step.state.angle = state.angle + turn;
+    requireFinite(step.state.angle, "WanderState", ".angle + turn");
     const Vec2 heading = headingOf(agent);
     const Rot facing{heading.x(), heading.y()};
     const Vec2 target =

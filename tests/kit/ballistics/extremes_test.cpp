@@ -128,8 +128,8 @@ TEST_CASE("nothing, next to nothing, huge numbers and what is no number are answ
 }
 
 TEST_CASE("tiny targets, speeds and gravity are aimed at as their large likes are", "[ballistics]") {
-    // The case of the worked numbers of the firing solution with lengths in units of 1e-30 to 1e30 m and times in units of
-    // 1e-8 to 1e8 s.
+    // The case of the worked numbers of the firing solution, with lengths in units of 1e-30 to 1e30 m and times in units
+    // of 1e-8 to 1e8 s.
     const std::vector<Shot> plain = aim({.target = {30, 5}, .speed = 20});
     for (const double metre : {1e-30, 1e-10, 1.0, 1e10, 1e30})
         for (const double second : {1e-8, 1.0, 1e8}) {

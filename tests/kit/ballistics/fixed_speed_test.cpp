@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include <plumb/ballistics/least_speed.h>
+
 #include "cases.h"
 #include "catch.h"
 #include "kit/ballistics/shots.h"
@@ -210,4 +212,26 @@ TEST_CASE("numbers that no aim can be taken with are refused by name", "[ballist
     CHECK_THROWS_WITH(aim({.target = {1, 0}, .speed = -1}), containsText("Aim.speed: -1 is not within 0 to 1e+50"));
     CHECK_THROWS_WITH(aim({.target = {1, 0}, .speed = 1, .gravity = {1e51, 0}}),
                       containsText("Aim.gravity: 1e+51 is not within -1e+50 to 1e+50"));
+}
+
+TEST_CASE("the slowest shot's own speed has a shot, a million times", "[ballistics][shots]") {
+    Random random(179);
+    int none = 0, two = 0;
+    Worst miss("at the least speed: miss at the time / path");
+    for (int i = 0; i < cases(1'000'000); ++i) {
+        const bool down = random.integer(0, 1) == 0;
+        const Vec2 target = towards(random.uniform(-pi, pi), magnitude(random, 0.01, 1e4));
+        const Vec2 gravity = down ? Vec2(0, -9.81) : randomGravity(random);
+        const Shot slowest = *plumb::aimSlowest({target, gravity});
+        const std::vector<Shot> shots = aim({target, slowest.velocity.norm(), gravity});
+        none += shots.empty();
+        two += shots.size() == 2;
+        for (const Shot& shot : shots)
+            miss.hold(missAtTime(shot, target, gravity) / pathLength(shot, gravity),
+                      [&] { return describe("target", target, "gravity", gravity); });
+    }
+    miss.print();
+    CHECK(none == 0);
+    CHECK(two == 0);
+    CHECK(miss.value() < 1e-9);
 }

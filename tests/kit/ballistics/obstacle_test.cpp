@@ -137,6 +137,37 @@ TEST_CASE("a million slowest shots over a wall hit and clear it, and slower ones
     CHECK(raised > cases(1'000'000) / 10);
 }
 
+TEST_CASE("the slowest shot's own speed has a shot over the wall, a million times", "[ballistics][shots]") {
+    CHECK(aimOver({.target = {30, 5}, .walls = {{15, 12}}, .speed = 0}).empty());
+    const std::optional<Shot> example = aimSlowestOver({.target = {30, 5}, .walls = {{15, 12}}});
+    CHECK(std::fabs(example->velocity.norm() - 18.8371) < 5e-5);
+    CHECK(aimOver({.target = {30, 5}, .walls = {{15, 12}}, .speed = example->velocity.norm()}).size() == 1);
+    Random random(173);
+    Worst low("at the slowest speed over a wall: below the margin / path"), miss("at the slowest speed: miss / path");
+    Worst speed("at the slowest speed over a wall: speed off, relative");
+    int none = 0;
+    for (int i = 0; i < cases(1'000'000); ++i) {
+        WallAim problem = randomWalls(random);
+        const std::optional<Shot> slowest = aimSlowestOver(problem);
+        if (!slowest) continue;
+        problem.speed = slowest->velocity.norm();
+        const auto where = [&] { return text(problem); };
+        const std::vector<Shot> shots = aimOver(problem);
+        none += shots.empty();
+        for (const Shot& shot : shots) {
+            const double path = pathLength(shot, problem.gravity);
+            low.hold(static_cast<double>(-leastSpare(shot, problem)) / path, where);
+            miss.hold(missAtTime(shot, problem.target, problem.gravity) / path, where);
+            speed.hold(std::fabs(shot.velocity.norm() / problem.speed - 1), where);
+        }
+    }
+    for (const Worst* worst : {&low, &miss, &speed}) worst->print();
+    CHECK(none == 0);
+    CHECK(low.value() < 1e-9);
+    CHECK(miss.value() < 1e-9);
+    CHECK(speed.value() < 1e-12);
+}
+
 TEST_CASE("without gravity no lob goes over a wall, and bad walls are refused by name", "[ballistics]") {
     CHECK_FALSE(aimSlowestOver({.target = {30, 5}, .walls = {{15, 8}}, .gravity = {0, 0}}));
     CHECK(aimOver({.target = {30, 6}, .walls = {{15, 2}}, .speed = 20, .gravity = {0, 0}}).size() == 1);

@@ -145,6 +145,33 @@ TEST_CASE("as drag goes to 0 the shots go to those without it; as gravity does, 
     }
 }
 
+TEST_CASE("a stone dropped from rest falls as slowly through drag as one thrown at next to nothing", "[ballistics]") {
+    // e^(c s) = cosh(g t / V), V^2 = g / c: 100 m at c = 0.1 take 10.796 s, and 4.515 s without drag.
+    CHECK(std::fabs(aimThroughQuadraticDrag({.target = {0, -100}, .coefficient = 0.1}).at(0).time - 10.796) < 5e-4);
+    Worst off("quadratic drag, dropped: time off, relative");
+    for (const double coefficient : {0.1, 3.0, 1e-6, 1e-15, 1e-25, 1e-60, 1e-320})
+        for (const Vec2& gravity : {Vec2(0, -9.81), Vec2(3, -4)})
+            for (const double times : {16.0, 1.0, 0x1p-10})
+                for (const double speed : {0.0, 5e-324, 1e-200, 1e-150, 1e-20}) {
+                    const Real g = gravity.norm(), depth = coefficient * (times * g), grown = std::expm1(depth);
+                    // arcosh(1 + x) = ln(1 + x + sqrt(x (x + 2)))
+                    const Real time = std::log1p(grown + std::sqrt(grown * (grown + 2))) / std::sqrt(g * coefficient);
+                    const std::vector<Shot> shots = aimThroughQuadraticDrag(
+                        {.target = times * gravity, .speed = speed, .coefficient = coefficient, .gravity = gravity});
+                    REQUIRE(!shots.empty());
+                    off.hold(static_cast<double>(std::fabs(shots[0].time / time - 1)),
+                             [&] { return describe("c", coefficient, "times", times, "speed", speed, "g", gravity); });
+                }
+    off.print();
+    CHECK(off.value() < 1e-14);
+    // Straight below but for the rounding of its place.
+    CHECK(aimThroughQuadraticDrag({.target = {0.6, -0.8}, .coefficient = 0.1, .gravity = {5.886, -7.848}}).size() == 1);
+    // Who throws nothing hits nothing above or beside.
+    CHECK(aimThroughQuadraticDrag({.target = {0, 1}, .coefficient = 0.1}).empty());
+    CHECK(aimThroughQuadraticDrag({.target = {1, -9}, .coefficient = 0.1}).empty());
+    CHECK(aimThroughQuadraticDrag({.target = {0, -1}, .coefficient = 0.1, .gravity = {0, 0}}).empty());
+}
+
 TEST_CASE("where a target comes out of reach, two shots come together, and then there is none", "[ballistics]") {
     // The greatest level range of 50 m/s with c = 0.005 lies where two becomes none; the two are then close.
     const auto shotsAt = [](double x) {

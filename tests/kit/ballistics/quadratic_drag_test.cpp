@@ -84,6 +84,26 @@ TEST_CASE("where drag is next to nothing a fall is g t^2 / 2, and after long it 
     // s = V t - V^2 / g ln 2
     CHECK(std::fabs(late.distance / (late.speed * 1e6 - 2 * std::log(2.0)) - 1) < 1e-15);
     CHECK(shootUp(0, {.coefficient = 0.5}).height == 0);
-    CHECK_THROWS_WITH(shootUp(1, {.coefficient = 0}), containsText("QuadraticDrag.coefficient: 0 is not positive"));
+    CHECK_THROWS_WITH(shootUp(1, {.coefficient = -1}), containsText("QuadraticDrag.coefficient: -1 is not positive"));
+    CHECK_THROWS_WITH(shootUp(1, {.coefficient = 1e-60}),
+                      containsText("QuadraticDrag.coefficient: 1e-60 is not within"));
+    CHECK_THROWS_WITH(shootUp(1, {.gravity = 0}), containsText("QuadraticDrag.gravity: 0 is not positive"));
     CHECK_THROWS_WITH(fallFor(-1, {.coefficient = 1}), containsText("fallFor: time: -1 is not within"));
+}
+
+TEST_CASE("without drag a shot up and a fall are those of the textbook", "[ballistics]") {
+    // 20 m/s and 10 m/s^2: 2 s up, 20 m high, and as it came back. The least drag there is makes no difference.
+    for (const double coefficient : {0.0, 1e-50}) {
+        const QuadraticDrag air{.coefficient = coefficient, .gravity = 10};
+        const VerticalShot shot = shootUp(20, air);
+        CHECK(std::fabs(shot.riseTime - 2) < 1e-15);
+        CHECK(std::fabs(shot.fallTime - 2) < 1e-15);
+        CHECK(std::fabs(shot.height - 20) < 1e-14);
+        CHECK(shot.returnSpeed == 20);
+        const Fall fall = fallFor(2, air);
+        CHECK(std::fabs(fall.distance - 20) < 1e-14);
+        CHECK(std::fabs(fall.speed - 20) < 1e-14);
+    }
+    CHECK(terminalSpeed({}) == INFINITY);
+    CHECK(shootUp(9.81, {}).riseTime == 1);
 }

@@ -133,3 +133,25 @@ TEST_CASE("a start that is no number is refused by name", "[integrate]") {
     CHECK_THROWS_WITH(integrate(longer, 0, Eigen::VectorXd(Vector2(1, 0)), 1),
                       "derivative: size 3 is not the state's, 2");
 }
+
+TEST_CASE("an equation that has no slope where the first guess tries it is followed to where its slopes end",
+          "[integrate]") {
+    // y' = sqrt(end - t) from 1: y = 1 + 2 (end^1.5 - (end - t)^1.5) / 3 until the end, and nothing beyond.
+    for (const double end : {0.005, 1e-4, 1e-7, 1e-12}) {
+        const auto slope = [=](double t, const Number&) -> Number { return Number(std::sqrt(end - t)); };
+        const Integration<Number> found = integrate(slope, 0, Number(1), 2 * end);
+        CHECK(found.end == IntegrationEnd::NotFinite);
+        CHECK(found.time <= end);
+        CHECK(found.time > end * (1 - 1e-9));
+        const double left = end - found.time, truth = 1 + 2.0 / 3 * (end * std::sqrt(end) - left * std::sqrt(left));
+        CHECK(std::fabs(found.state[0] - truth) < 2e-9 * found.accepted);
+    }
+    // Backwards as well, and where there is a slope at the start and no other.
+    const auto before = [](double t, const Number&) -> Number { return Number(std::sqrt(t - 1)); };
+    const Integration<Number> back = integrate(before, 1.005, Number(1), 0);
+    CHECK(back.end == IntegrationEnd::NotFinite);
+    CHECK(std::fabs(back.time - 1) < 1e-9);
+    const auto only = [](double t, const Number&) -> Number { return Number(t == 0 ? 1 : NAN); };
+    CHECK(integrate(only, 0, Number(1), 1).end == IntegrationEnd::NotFinite);
+    CHECK(integrate(only, 0, Number(1), 1).time == 0);
+}

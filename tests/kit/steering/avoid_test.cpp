@@ -140,13 +140,68 @@ TEST_CASE("a tree ahead is passed on the side where it is nearer to", "[steering
     CHECK(avoidObstacles(agent, std::vector<RoundObstacle>{{{3.5, -0.5}, 1}, {{3, 0.5}, 1}}).y() < 0);
 }
 
-TEST_CASE("who stands in a tree or in a wall goes out of it, and knows no NaN", "[steering]") {
+TEST_CASE("who stands still drifts away from no tree, whichever side it is on", "[steering]") {
+    Random random(93);
+    int drifted = 0;
+    for (int i = 0; i < test::cases(10'000); ++i) {
+        Agent agent = randomAgent(random);
+        agent.velocity = {0, 0};
+        const double touching = agent.radius + 1 + 0.2;
+        const RoundObstacle tree{agent.position + randomOffset(random, touching + 1e-9, touching + 5), 1};
+        drifted += avoidObstacles(agent, std::array{tree}) != Vec2(0, 0);
+    }
+    CHECK(drifted == 0);
+    // It leaves for the place that it wants, from trees on that side or the other.
+    for (const double side : {2.0, -2.0}) {
+        const std::array trees{RoundObstacle{{side, 0}, 0.5}};
+        Agent agent{};
+        double furthest = 0;
+        for (int k = 0; k < 300; ++k) {
+            agent = moved(agent, firstOf(agent, avoidObstacles(agent, trees), seek(agent, {-10, 0})), dt);
+            furthest = std::max(furthest, agent.position.x());
+        }
+        CHECK(agent.position.x() < -8);
+        CHECK(furthest == 0);
+    }
+}
+
+TEST_CASE("who stands in a tree or in a wall goes out of it", "[steering]") {
     const Agent agent{.position = {1, 2}};
     CHECK(avoidObstacles(agent, std::vector<RoundObstacle>{{{1.5, 2}, 1}}).x() < 0);
     CHECK(avoidWalls(agent, std::vector<WallSegment>{{{0, 2.1}, {5, 2.1}}}).y() < 0);
-    CHECK(avoidObstacles(agent, std::vector<RoundObstacle>{{{1, 2}, 1}}).allFinite());
-    CHECK(avoidWalls(agent, std::vector<WallSegment>{{{0, 2}, {5, 2}}}).allFinite());
-    CHECK(avoidWalls(agent, std::vector<WallSegment>{{{1, 2}, {1, 2}}}).allFinite());
+}
+
+TEST_CASE("who stands on a tree's middle or right on a wall goes on, or back to where it came from", "[steering]") {
+    const std::vector<RoundObstacle> tree{{{1, 2}, 1}};
+    const std::vector<WallSegment> wall{{{0, 2}, {5, 2}}}, post{{{1, 2}, {1, 2}}};
+    const Agent still{.position = {1, 2}};
+    CHECK(avoidObstacles(still, tree) == Vec2(6, 0));
+    CHECK(avoidWalls(still, wall) == Vec2(0, 6));
+    CHECK(avoidWalls(still, post) == Vec2(-6, 0));
+    const Agent falling{.position = {1, 2}, .velocity = {0, -1}}, rising{.position = {1, 2}, .velocity = {0, 1}};
+    CHECK(avoidObstacles(falling, tree) == Vec2(0, -6));
+    CHECK(avoidWalls(falling, wall).y() > 0);
+    CHECK(avoidWalls(rising, wall).y() < 0);
+    CHECK(avoidWalls(rising, post).y() < 0);
+    // All the way out, from any of them.
+    Random random(94);
+    int inside = 0;
+    for (int i = 0; i < test::cases(1'000); ++i) {
+        Agent agent = randomAgent(random);
+        if (random.integer(0, 1) == 0) agent.velocity = {0, 0};
+        const Vec2 place = agent.position, along = randomDirection(random);
+        const std::vector<RoundObstacle> here{{place, 1}};
+        const std::vector<WallSegment> there{{place, place + 50 * along}, {place - 50 * along, place}};
+        Agent first = agent, second = agent;
+        for (int k = 0; k * dt < 60; ++k) {
+            first = moved(first, avoidObstacles(first, here), dt);
+            second = moved(second, avoidWalls(second, there), dt);
+        }
+        inside += (first.position - place).norm() < agent.radius + 1;
+        inside += distanceTo(there[0], second.position) < agent.radius;
+        inside += distanceTo(there[1], second.position) < agent.radius;
+    }
+    CHECK(inside == 0);
 }
 
 TEST_CASE("obstacles that nothing is are refused by name", "[steering][errors]") {

@@ -112,4 +112,10 @@ TEST_CASE("a wish of less than nothing is refused by name", "[steering][errors]"
     CHECK_THROWS_WITH(steerByWeight({}, wishes), "Wish.weight: -1 is negative");
     CHECK_THROWS_WITH(steerByBudget({}, wishes), "Wish.weight: -1 is negative");
     CHECK_THROWS_WITH(steerByPriority({}, wishes), "Wish.weight: -1 is negative");
+    const std::array nothing{Wish{{std::nan(""), 0}}}, huge{Wish{{1e200, 0}, 1e200}}, two{Wish{{1e308, 0}, 1.5}};
+    for (const auto& blend : {steerByWeight, steerByBudget, steerByPriority}) {
+        CHECK_THROWS_WITH(blend({}, nothing), "Wish.acceleration: (nan, 0) is not finite");
+        CHECK_THROWS_WITH(blend({}, huge), "Wish.weight * acceleration: (inf, 0) is not finite");
+        CHECK(blend({}, two) == Vec2(6, 0));
+    }
 }

@@ -154,4 +154,8 @@ TEST_CASE("neighbourhoods that nothing has are refused by name", "[steering][err
     CHECK_THROWS_WITH(separate({}, {}, {.radius = 0}), "Neighborhood.radius: 0 is not positive");
     CHECK_THROWS_WITH(align({}, {}, {.view = -1}), "Neighborhood.view: -1 is not within 0 to 3.141592653589793");
     CHECK_THROWS_WITH(cohere({.maxSpeed = 0}, {}), "Agent.maxSpeed: 0 is not positive");
+    const std::vector<Seen> nowhere{{{std::nan(""), 0}, {0, 0}}};
+    CHECK_THROWS_WITH(separate({}, nowhere), "Seen.position: (nan, 0) is not finite");
+    CHECK_THROWS_WITH(align({}, nowhere), "Seen.position: (nan, 0) is not finite");
+    CHECK_THROWS_WITH(cohere({}, nowhere), "Seen.position: (nan, 0) is not finite");
 }

@@ -99,6 +99,55 @@ TEST_CASE("who evades 20,000 stampedes is missed by a metre, who flees is not", 
     CHECK(fled < 0.5 * stampedes);
 }
 
+TEST_CASE("who evades a pursuer that heads straight at it runs from it, not into it", "[steering]") {
+    CHECK(evade({}, {{10, 0}, {-3, 0}}) == Vec2(-6, 0));
+    Random random(86);
+    int towards = 0;
+    for (int i = 0; i < test::cases(20'000); ++i) {
+        const Agent agent{.position = randomVec2(random, 50)};
+        const Vec2 from = randomDirection(random);
+        const Seen pursuer{agent.position + random.uniform(0.1, 14) * from, -random.uniform(0, 3) * from};
+        towards += evade(agent, pursuer).dot(from) > -5.99;
+    }
+    CHECK(towards == 0);
+    // One that is faster is let by; from right before it, to its left.
+    CHECK(evade({}, {{10, 0}, {-4, 0}}) == Vec2(0, -6));
+    CHECK(evade({}, {{10, 0.1}, {-4, 0}}) == Vec2(0, -6));
+    CHECK(evade({}, {{10, -0.1}, {-4, 0}}) == Vec2(0, 6));
+    // The agent is 0.78 m short of 3 t off the line, the pursuer 10 - 4 t along it: (3 10 - 4 0.78) / 5 m at least.
+    CHECK(nearestPass({}, {{10, 0}, {-4, 0}}, true) > 5.37);
+}
+
+TEST_CASE("a slower pursuer that seeks loses ground in 2,000 chases but for the start", "[steering]") {
+    Random random(87);
+    double worst = 0;
+    int gained = 0;
+    const int chases = test::cases(2'000);
+    for (int i = 0; i < chases; ++i) {
+        Agent agent = randomAgent(random);
+        agent.velocity = {0, 0};
+        // What it falls short of V t by until it is at V, v' = min(A, (V - v) / t): the integral of V - v.
+        const double v = agent.maxSpeed, a = agent.maxAcceleration, t = agent.responseTime;
+        const double lost = a * t < v ? v * v / (2 * a) + a * t * t / 2 : v * t;
+        const double start = lost * random.uniform(1.5, 5), speed = v * random.uniform(0.3, 0.99);
+        const Vec2 from = randomDirection(random);
+        Agent hunter{.position = agent.position + start * from, .velocity = -speed * from, .maxSpeed = speed};
+        double least = start;
+        for (int k = 0; k < 10 * 60; ++k) {
+            const Vec2 away = evade(agent, {hunter.position, hunter.velocity});
+            const Vec2 closer = seek(hunter, agent.position);
+            agent = moved(agent, away, dt);
+            hunter = moved(hunter, closer, dt);
+            least = std::min(least, (agent.position - hunter.position).norm());
+        }
+        worst = std::max(worst, (start - least) / lost);
+        gained += (agent.position - hunter.position).norm() > start - lost;
+    }
+    std::cout << "steering: slower pursuers come closer by at most " << worst << " of what the start takes\n";
+    CHECK(worst < 1);
+    CHECK(gained == chases);
+}
+
 TEST_CASE("pursuit aims where a straight course meets: 4 s away for 3 m/s beside 5 m/s", "[steering]") {
     // 16 m off to the side of its way: it goes 12 m in 4 s, and the hunter 20 m.
     const Agent hunter{.maxSpeed = 5, .maxAcceleration = 1e6, .responseTime = 1};
@@ -113,4 +162,14 @@ TEST_CASE("pursuit aims where a straight course meets: 4 s away for 3 m/s beside
 TEST_CASE("looking back in time is refused by name", "[steering][errors]") {
     CHECK_THROWS_WITH(pursue({}, {}, -1), "pursue: mostAhead: -1 is negative");
     CHECK_THROWS_WITH(evade({}, {}, std::nan("")), "evade: mostAhead: nan is not finite");
+}
+
+TEST_CASE("who is seen at no place is refused by name", "[steering][errors]") {
+    const Seen nowhere{{std::nan(""), 0}, {1, 0}}, jumping{{1, 0}, {HUGE_VAL, 0}};
+    CHECK_THROWS_WITH(pursue({}, nowhere), "Seen.position: (nan, 0) is not finite");
+    CHECK_THROWS_WITH(evade({}, nowhere), "Seen.position: (nan, 0) is not finite");
+    CHECK_THROWS_WITH(pursue({}, jumping), "Seen.velocity: (inf, 0) is not finite");
+    CHECK_THROWS_WITH(evade({}, jumping), "Seen.velocity: (inf, 0) is not finite");
+    CHECK(pursue({}, {{1e200, 0}, {-1e200, 0}}).allFinite());
+    CHECK(evade({}, {{1e200, 0}, {-1e200, 0}}) == Vec2(0, -6));
 }

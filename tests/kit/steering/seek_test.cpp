@@ -74,6 +74,21 @@ TEST_CASE("on the target itself nobody knows where to", "[steering]") {
     CHECK((steerTo({.velocity = {1, 0}}, {1.3, 0}) - Vec2(3, 0)).norm() < 1e-14);  // 0.3 m/s within 0.1 s
 }
 
+TEST_CASE("who is to arrive at 1e160 m goes there, as at 100 m", "[steering]") {
+    const Vec2 near = arrive({}, {60, 80});
+    CHECK((near - Vec2(3.6, 4.8)).norm() < 1e-15);
+    for (const double far : {1e150, 1e160, 1e300, 1.5e308}) {
+        CHECK((arrive({}, {0.6 * far, 0.8 * far}) - near).norm() < 1e-14);
+        CHECK((seek({}, {0.6 * far, 0.8 * far}) - near).norm() < 1e-14);
+        CHECK((flee({}, {0.6 * far, 0.8 * far}) + near).norm() < 1e-14);
+    }
+    CHECK((seek({}, {6e-201, 8e-201}) - near).norm() < 1e-14);
+    // Wishes beyond all numbers are cut down to what there is, and no less.
+    CHECK(steerTo({.maxSpeed = 1e200, .responseTime = 1e-200}, {1e200, 0}) == Vec2(6, 0));
+    CHECK(steerTo({.velocity = {-1.5e308, 0}, .maxSpeed = 1e308}, {1.5e308, 0}) == Vec2(6, 0));
+    CHECK(arrive({}, {0, 0}, 5e-324) == Vec2(0, 0));
+}
+
 TEST_CASE("agents that nothing moves are refused by name", "[steering][errors]") {
     CHECK_THROWS_WITH(seek({.maxSpeed = 0}, {1, 1}), "Agent.maxSpeed: 0 is not positive");
     CHECK_THROWS_WITH(flee({.maxAcceleration = -1}, {1, 1}), "Agent.maxAcceleration: -1 is not positive");
@@ -81,4 +96,14 @@ TEST_CASE("agents that nothing moves are refused by name", "[steering][errors]")
     CHECK_THROWS_WITH(seek({.radius = -1}, {1, 1}), "Agent.radius: -1 is negative");
     CHECK_THROWS_WITH(arrive({}, {1, 1}, 0.0), "arrive: slowingDistance: 0 is not positive");
     CHECK_THROWS_WITH(moved({}, {1, 1}, -1), "moved: dt: -1 is negative");
+    const double nan = std::nan("");
+    CHECK_THROWS_WITH(seek({}, {nan, 0}), "seek: target: (nan, 0) is not finite");
+    CHECK_THROWS_WITH(flee({}, {nan, 0}), "flee: threat: (nan, 0) is not finite");
+    CHECK_THROWS_WITH(arrive({}, {nan, 0}), "arrive: target: (nan, 0) is not finite");
+    CHECK_THROWS_WITH(arrive({.velocity = {nan, 0}}, {1, 0}), "Agent.velocity: (nan, 0) is not finite");
+    CHECK_THROWS_WITH(seek({.position = {0, HUGE_VAL}}, {1, 0}), "Agent.position: (0, inf) is not finite");
+    CHECK_THROWS_WITH(seek({.position = {-1e308, 0}}, {1e308, 0}),
+                      "seek: target - Agent.position: (inf, 0) is not finite");
+    CHECK_THROWS_WITH(steerTo({}, {nan, 0}), "steerTo: wantedVelocity: (nan, 0) is not finite");
+    CHECK_THROWS_WITH(moved({}, {nan, 0}, 1), "moved: acceleration: (nan, 0) is not finite");
 }

@@ -81,4 +81,6 @@ TEST_CASE("settings that no stroll has are refused by name", "[steering][errors]
                       "WanderSettings.ahead: 1 is not more than the radius");
     CHECK_THROWS_WITH(wander({}, state, dt, {.jitter = -1}), "WanderSettings.jitter: -1 is negative");
     CHECK_THROWS_WITH(wander({}, state, -1), "wander: dt: -1 is negative");
+    CHECK_THROWS_WITH(wander({}, {.random = Random(1), .angle = std::nan("")}, dt),
+                      "WanderState.angle: nan is not finite");
 }

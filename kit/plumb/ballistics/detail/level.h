@@ -1,33 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Which way is up, and how long is a vector whose square is too small to be a number?
+// Which way is up, and what does gravity make of the plane?
 #pragma once
-#include <algorithm>
-#include <cmath>
-
 #include <plumb/ballistics/shot.h>
+#include <plumb/math/detail/length.h>
 
 namespace plumb::detail {
 
 /// A target no further away is at the muzzle: times to it could not be told from 0.
 inline constexpr double muzzle = 1e-200;
-
-/// As Vec2::norm, to the last place for tiny vectors as well.
-inline double lengthOf(const Vec2& v) {
-    const double square = v.squaredNorm();
-    if (!(square <= 1e-280)) return std::sqrt(square);
-    const double larger = std::max(std::fabs(v.x()), std::fabs(v.y()));
-    if (!(larger > 0)) return 0;
-    const double x = v.x() / larger, y = v.y() / larger;
-    return larger * std::sqrt(x * x + y * y);
-}
-
-inline Vec2 directionOf(const Vec2& v) {
-    const double larger = std::max(std::fabs(v.x()), std::fabs(v.y()));
-    if (!(larger > 0)) return {0, 0};
-    const double x = v.x() / larger, y = v.y() / larger;
-    const double length = std::sqrt(x * x + y * y);
-    return {x / length, y / length};
-}
 
 /// What gravity makes of the plane; without it, up is +y.
 struct Level {

@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What is a vector's direction, and what is left of it within a limit?
+// What is left of a vector within a limit?
 #pragma once
-#include <plumb/math/vec2.h>
+#include <plumb/math/detail/length.h>
 
 namespace plumb::detail {
 
-/// Of length 1; zero for a vector too short or too long for its square.
-inline Vec2 directionOf(const Vec2& v) {
-    const double length = v.norm();
-    return length > 0 ? Vec2(v / length) : Vec2(0, 0);
-}
-
 /// v, or what points the same way and is as long as most.
 inline Vec2 limited(const Vec2& v, double most) {
-    const double length = v.norm();
-    return length > most ? Vec2(v * (most / length)) : v;
+    const double length = lengthOf(v);
+    return length > most ? Vec2(most * directionOf(v)) : v;
 }
 
 }  // namespace plumb::detail
