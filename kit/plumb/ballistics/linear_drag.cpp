@@ -7,7 +7,7 @@
 
 #include <plumb/ballistics/detail/input.h>
 #include <plumb/ballistics/detail/level.h>
-#include <plumb/ballistics/detail/linear_drag_terms.h>
+#include <plumb/kinematics/detail/drag_step.h>
 #include <plumb/math/logarithm.h>
 
 namespace plumb {
@@ -25,10 +25,10 @@ Vec2 startOf(const LinearDrag& drag) {
     return drag.gravity + drag.rate * drag.wind;
 }
 
-FlightState stateAt(const Vec2& velocity, double time, const LinearDrag& drag) {
-    const detail::LinearDragTerms terms = detail::linearDragTerms(drag.rate, time);
+PointMotion stateAt(const Vec2& velocity, double time, const LinearDrag& drag) {
+    const DragStep step = detail::uncheckedDragStep(drag.rate, time);
     const Vec2 a = startOf(drag);
-    return {terms.reach * velocity + terms.sag * a, terms.decay * velocity + terms.reach * a};
+    return {step.gain * velocity + step.reach * a, step.keep * velocity + step.gain * a};
 }
 
 std::optional<PathPoint> pointAt(const Vec2& velocity, double time, const LinearDrag& drag) {
@@ -46,7 +46,8 @@ struct Rise {
 
     double apexTime() const { return rate > 0 ? logarithm1Plus(rate * (speed / pull)) / rate : speed / pull; }
 
-    /// Before it or at it, the time when it comes down to a height below the muzzle, if drag did nothing.
+    /// When it would come down to a height below the muzzle, >= 0, if drag did nothing: no later than it does when it
+    /// does not rise, else sooner or later.
     double timeWithoutDrag(double height) const {
         const double root = std::sqrt(speed * speed + 2 * std::max(pull, 0.0) * height);
         return speed > 0 ? (speed + root) / pull : 2 * height / (root - speed);
@@ -58,9 +59,9 @@ struct Rise {
     double landingTime(double height) const {
         double time = timeWithoutDrag(std::max(height, 0.0));
         for (int i = 0; i < 200; ++i) {
-            const detail::LinearDragTerms terms = detail::linearDragTerms(rate, time);
-            const double above = terms.reach * speed - terms.sag * pull + height;
-            const double fall = terms.reach * pull - terms.decay * speed;
+            const DragStep at = detail::uncheckedDragStep(rate, time);
+            const double above = at.gain * speed - at.reach * pull + height;
+            const double fall = at.gain * pull - at.keep * speed;
             if (!(fall > 0)) break;
             const double step = above / fall;
             time += step;
@@ -71,12 +72,6 @@ struct Rise {
 };
 
 }  // namespace
-
-FlightState linearDragFlight(const Vec2& velocity, double time, const LinearDrag& drag) {
-    require(velocity, drag);
-    detail::requireAmount(time, "linear drag: ", "time");
-    return stateAt(velocity, time, drag);
-}
 
 std::optional<PathPoint> linearDragApex(const Vec2& velocity, const LinearDrag& drag) {
     require(velocity, drag);
@@ -97,8 +92,8 @@ std::optional<PathPoint> linearDragLanding(const Vec2& velocity, double height, 
         return pointAt(velocity, height == 0 ? 0 : rise.landingTime(height), drag);
     }
     if (!(rise.pull > 0)) return std::nullopt;
-    const detail::LinearDragTerms terms = detail::linearDragTerms(drag.rate, rise.apexTime());
-    if (terms.reach * rise.speed - terms.sag * rise.pull < -height) return std::nullopt;
+    const DragStep top = detail::uncheckedDragStep(drag.rate, rise.apexTime());
+    if (top.gain * rise.speed - top.reach * rise.pull < -height) return std::nullopt;
     return pointAt(velocity, rise.landingTime(height), drag);
 }
 

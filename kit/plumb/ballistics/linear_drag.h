@@ -13,23 +13,13 @@ struct LinearDrag {
     Vec2 gravity{0, -9.81};  ///< [m/s^2]
 };
 
-struct FlightState {
-    Vec2 position{0, 0};  ///< from the muzzle [m]
-    Vec2 velocity{0, 0};  ///< [m/s]
-};
-
-/// Where a shot launched with a velocity is after a time, and how fast.
-///   x = u r + a m,  x' = u e^(-k t) + a r,  r = (1 - e^(-k t)) / k,  m = (t - r) / k,  a = g + k W
-/// x position [m], u velocity at the launch [m/s], t time [s], k rate [1/s], W wind [m/s], g gravity [m/s^2]; r
-/// and m are smooth to k = 0, where they are t and t^2 / 2. Exact to rounding. Throws std::invalid_argument on
-/// input out of range (shot.h). Source: x'' = g - k (x' - W). Test: "10,000 flights through linear drag agree with
-/// a Runge-Kutta method of order 4"
-FlightState linearDragFlight(const Vec2& velocity, double time, const LinearDrag& drag);
-
 /// The highest point; empty when the shot does not rise, or nothing pulls it back.
 ///   t = ln(1 + k w / b) / k
-/// w upward part of the velocity [m/s], b downward part of a [m/s^2]. Throws as above.
-/// Test: "apex and landing through linear drag are where 10,000 flights turn and touch the ground"
+/// t time [s], k rate [1/s], w upward part of the velocity at the launch [m/s], b downward part of g + k W, the
+/// acceleration of what is at rest [m/s^2], g gravity [m/s^2], W wind [m/s]. Where the shot is at other times says
+/// moveWithDrag({{0, 0}, velocity}, {rate, wind, gravity}, time) of kinematics/linear_drag.h.
+/// Throws std::invalid_argument on input out of range (shot.h). Source: x'' = g - k (x' - W).
+/// Test: "apex and landing through linear drag are where 100,000 flights turn and touch the ground"
 std::optional<PathPoint> linearDragApex(const Vec2& velocity, const LinearDrag& drag);
 
 /// Where the shot comes down on the level ground that lies a height below the muzzle; empty when it never does. On

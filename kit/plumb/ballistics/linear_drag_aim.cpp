@@ -7,13 +7,10 @@
 
 #include <plumb/ballistics/detail/input.h>
 #include <plumb/ballistics/detail/level.h>
-#include <plumb/ballistics/detail/linear_drag_terms.h>
+#include <plumb/kinematics/detail/drag_step.h>
 
 namespace plumb {
 namespace {
-
-using detail::LinearDragTerms;
-using detail::linearDragTerms;
 
 void require(const LinearDrag& drag) {
     detail::requireAmount(drag.rate, "LinearDrag", ".rate");
@@ -34,30 +31,30 @@ public:
 
     struct At {
         double gap;    ///< of the target from the circle, positive outside [m]; 0 where rounding leaves no more
-        double slope;  ///< of the gap over sag [1/s^2 m]
-        LinearDragTerms terms;
+        double slope;  ///< of the gap over reach [1/s^2 m]
+        DragStep step;
     };
     At at(double time) const {
-        const LinearDragTerms terms = linearDragTerms(rate_, time);
-        const Vec2 away = target_ - terms.sag * start_;
+        const DragStep step = detail::uncheckedDragStep(rate_, time);
+        const Vec2 away = target_ - step.reach * start_;
         const double distance = detail::lengthOf(away);
-        const double radius = speed_ * terms.reach;
+        const double radius = speed_ * step.gain;
         const double gap = distance - radius;
-        const double parts = distance_ + pull_ * terms.sag + radius;
+        const double parts = distance_ + pull_ * step.reach + radius;
         const double towards = distance > 0 ? start_.dot(away) / distance : 0;
-        return {std::fabs(gap) <= 1e-15 * parts ? 0 : gap, -towards - speed_ * terms.decay / terms.reach, terms};
+        return {std::fabs(gap) <= 1e-15 * parts ? 0 : gap, -towards - speed_ * step.keep / step.gain, step};
     }
 
     /// No shot is there before: without drag, with all of the pull and straight at the target, it would be then.
     double soonest() const { return 2 * distance_ / (speed_ + std::sqrt(speed_ * speed_ + 2 * pull_ * distance_)); }
-    /// None is there after: the circle's centre is too far away then, for the radius is below speed sqrt(2 sag)
+    /// None is there after: the circle's centre is too far away then, for the radius is below speed sqrt(2 reach)
     /// and below speed / rate.
     double latest() const {
         const double root = (speed_ + std::sqrt(speed_ * speed_ + 2 * pull_ * distance_)) / pull_;
-        double sag = 0.5 * root * root;
-        if (rate_ > 0) sag = std::min(sag, (distance_ + speed_ / rate_) / pull_);
-        const double half = 0.5 * rate_ * sag;
-        return 1.001 * (half + std::sqrt(half * half + 2 * sag));  // sag >= t^2 / (2 + rate t)
+        double reach = 0.5 * root * root;
+        if (rate_ > 0) reach = std::min(reach, (distance_ + speed_ / rate_) / pull_);
+        const double half = 0.5 * rate_ * reach;
+        return 1.001 * (half + std::sqrt(half * half + 2 * reach));  // reach >= t^2 / (2 + rate t)
     }
 
     /// The zero of the gap next to a time that is not within, on the side to which the gap shrinks.
@@ -66,11 +63,11 @@ public:
             const At now = at(time);
             if (now.gap <= 0) return time;
             if (forward ? !(now.slope < 0) : !(now.slope > 0)) return std::nullopt;
-            // The time by which sag has changed so much, or a little less: sag is at most its parabola here.
+            // The time by which reach has changed so much, or a little less: reach is at most its parabola here.
             const double change = -now.gap / now.slope;
-            const double reach = now.terms.reach;
-            const double root = std::sqrt(std::max(0.0, reach * reach + 2 * now.terms.decay * change));
-            const double next = time + 2 * change / (reach + root);
+            const double gain = now.step.gain;
+            const double root = std::sqrt(std::max(0.0, gain * gain + 2 * now.step.keep * change));
+            const double next = time + 2 * change / (gain + root);
             if (!std::isfinite(next)) return std::nullopt;
             if (std::fabs(next - time) <= 1e-16 * time) return next;
             time = next;
@@ -79,8 +76,8 @@ public:
     }
 
     Shot shotAt(double time) const {
-        const LinearDragTerms terms = linearDragTerms(rate_, time);
-        return {detail::withLength(target_ - terms.sag * start_, speed_), time};
+        const DragStep step = detail::uncheckedDragStep(rate_, time);
+        return {detail::withLength(target_ - step.reach * start_, speed_), time};
     }
 
 private:
@@ -121,9 +118,9 @@ Shot aimThroughLinearDragInTime(const LinearDragTimeAim& problem) {
     detail::requireSize(problem.target, "LinearDragTimeAim", ".target");
     detail::requirePositiveAmount(problem.time, "LinearDragTimeAim", ".time");
     require(problem.drag);
-    const LinearDragTerms terms = linearDragTerms(problem.drag.rate, problem.time);
+    const DragStep step = detail::uncheckedDragStep(problem.drag.rate, problem.time);
     const Vec2 start = problem.drag.gravity + problem.drag.rate * problem.drag.wind;
-    return {(problem.target - terms.sag * start) / terms.reach, problem.time};
+    return {(problem.target - step.reach * start) / step.gain, problem.time};
 }
 
 }  // namespace plumb

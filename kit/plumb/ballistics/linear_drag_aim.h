@@ -14,8 +14,9 @@ struct LinearDragAim {
 };
 
 /// None, one or two shots, the earlier first.
-///   |d - a m(t)| = v r(t),  u = (d - a m) / r;  r, m, a as in linear_drag.h
-/// d target [m], v speed, u velocity [m/s], t time [s]. All shots of that speed are on a circle at any time; r is
+///   |d - a m(t)| = v r(t),  u = (d - a m) / r,  a = g + k W
+/// d target [m], v speed, u velocity [m/s], t time [s], g gravity, k rate, W wind as in LinearDrag, r and m the gain
+/// and reach of dragStep(k, t) in kinematics/linear_drag.h. All shots of that speed are on a circle at any time; r is
 /// a concave function of m, so the left side less the right is convex in m: at most two zeros, and Newton's method
 /// comes to each from outside without stepping over it. Two that rounding cannot tell apart count as one. A target
 /// at the muzzle is hit at once, by one shot straight up. What would take no finite time is left out. Throws

@@ -17,9 +17,9 @@ struct Disc {
 /// impact() at the point where they touch, along the line of their centres; they are taken to touch. Two whose
 /// centres are at one place have no such line: nothing changes. Where the slip between them ends, the impulse
 /// along it is slip times m k / (2 (1 + k)) for two alike: a sixth of the mass for full discs.
-/// Throws std::invalid_argument as impact() does, and on a radius, mass or inertia ratio that is not positive.
-/// Tests: "equal discs that meet 30 degrees off the line of centres part as the lecture says", "two alike discs that
-/// graze pass on slip by a sixth of their mass"
+/// Throws std::invalid_argument as impact() does, on a radius, mass or inertia ratio that is not positive, and on a
+/// place or a velocity that is not finite. Tests: "equal discs that meet 30 degrees off the line of centres part as the
+/// lecture says", "two alike discs that graze pass on slip by a sixth of their mass"
 ImpactResult collideDiscs(const Disc& a, const Disc& b, const ImpactLaw& law);
 
 struct ImpactWall {

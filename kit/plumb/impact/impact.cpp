@@ -80,9 +80,11 @@ ImpactResult impact(const ImpactSide& a, const ImpactSide& b, const Vec2& normal
     const Vec2 relative = b.velocity + b.angularVelocity * perp(b.arm) - a.velocity - a.angularVelocity * perp(a.arm);
     const double approach = -relative.dot(normal);
     const Response k = responseOf(a, b, normal);
-    if (!(approach > 0) || !(k.normal > 0)) return result;
+    if (!(approach > 0) || !std::isfinite(approach) || !(k.normal > 0)) return result;
 
     const Impulses j = solve(k, approach, relative.dot(perp(normal)), law);
+    requireFinite(j.normal, "impact: normalImpulse");
+    requireFinite(j.tangent, "impact: tangentImpulse");
     const Vec2 impulse = j.normal * normal + j.tangent * perp(normal);
     result.velocityA -= a.inverseMass * impulse;
     result.velocityB += b.inverseMass * impulse;

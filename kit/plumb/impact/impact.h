@@ -33,12 +33,12 @@ struct ImpactResult {
 /// u, u' before and after [m/s], jn, jt impulses [N s], e restitution [-], f friction [-], K inverse mass matrix at the
 /// point [1/kg]: its coupling K_nt is not 0 when an arm is not along the normal. The two laws together could then gain
 /// energy (Kane's paradox); there jt stops where none is gained, and is less than either law says.
-/// When the points do not approach each other, or a velocity or the normal is NaN, nothing changes.
+/// When the points do not approach each other, or a velocity is not finite or the normal NaN, nothing changes.
 /// Throws std::invalid_argument on restitution outside 0 to 1, on negative or NaN friction (infinite friction never
-/// slips), on an inverse mass or inertia that is negative or not finite, on an arm that is not finite, and on a normal
-/// whose length is not 1 to 1e-5. Source: Routh, "Dynamics of a System of Rigid Bodies", part 1, 1905, ch. 5; Kane and
-/// Levinson, "Dynamics", 1985, 5.9. Exact to rounding. Test: "100,000 random impacts obey momentum, restitution and
-/// friction, and gain no energy"
+/// slips), on an inverse mass or inertia that is negative or not finite, on an arm that is not finite, on a normal
+/// whose length is not 1 to 1e-5, and where masses and speeds make an impulse that is not finite. Source: Routh,
+/// "Dynamics of a System of Rigid Bodies", part 1, 1905, ch. 5; Kane and Levinson, "Dynamics", 1985, 5.9. Exact to
+/// rounding. Test: "100,000 random impacts obey momentum, restitution and friction, and gain no energy"
 ImpactResult impact(const ImpactSide& a, const ImpactSide& b, const Vec2& normal, const ImpactLaw& law);
 
 }  // namespace plumb

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <plumb/math/check.h>
 
@@ -11,6 +12,7 @@ namespace {
 
 ImpactSide sideOf(const Particle& particle, std::string_view field) {
     if (!(particle.mass > 0)) requirePositive(particle.mass, field, ".mass");
+    requireFinite(particle.velocity, field, ".velocity");
     return {.velocity = particle.velocity, .inverseMass = 1 / particle.mass};
 }
 
@@ -21,6 +23,7 @@ ImpactResult collideParticles(const Particle& a, const Particle& b, const Vec2& 
 }
 
 Vec2 bounceOffWall(const Vec2& velocity, const Vec2& normal, const ImpactLaw& law) {
+    requireFinite(velocity, "bounceOffWall: velocity");
     return impact({}, {.velocity = velocity, .inverseMass = 1}, normal, law).velocityB;
 }
 
@@ -31,9 +34,13 @@ LineImpact collideInLine(const LineParticle& a, const LineParticle& b, double re
 }
 
 RowImpact collideRow(std::span<const LineParticle> row, double restitution, int maxImpacts) {
+    requireWithin(restitution, 0, 1, "collideRow: restitution");
+    if (maxImpacts < 0) refuse("collideRow: maxImpacts", std::to_string(maxImpacts) + " is negative");
     RowImpact result;
     double largest = 0;
     for (const LineParticle& particle : row) {
+        if (!(particle.mass > 0)) requirePositive(particle.mass, "LineParticle", ".mass");
+        requireFinite(particle.velocity, "LineParticle", ".velocity");
         result.velocities.push_back(particle.velocity);
         largest = std::max(largest, std::fabs(particle.velocity));
     }

@@ -14,7 +14,8 @@ struct Particle {
 };
 
 /// impact() of two particles, which cannot turn; normal a unit vector from A to B.
-/// Throws std::invalid_argument as impact() does, and on a mass that is not positive. Test: "equal particles that
+/// Throws std::invalid_argument as impact() does, on a mass that is not positive and on a velocity that is not
+/// finite, as all of these. Test: "equal particles that
 /// meet 30 degrees off the line part as the lecture says"
 ImpactResult collideParticles(const Particle& a, const Particle& b, const Vec2& normal, const ImpactLaw& law = {});
 
@@ -50,7 +51,8 @@ struct RowImpact {
 /// two at a time, in sweeps from the left, until no two approach each other by more than 1e-12 of the largest
 /// speed. Where e < 1 that may take very many impacts, of less and less: maxImpacts at most.
 /// Source: Herrmann, Seitz, "How does the ball-chain work?", Am. J. Phys. 50, 1982; as if there were gaps between.
-/// Throws std::invalid_argument as collideInLine does. Tests: "in a cradle of five as many balls go out as come
+/// Throws std::invalid_argument as collideInLine does, whether that particle collides or not, and on a maxImpacts that
+/// is negative. Tests: "in a cradle of five as many balls go out as come
 /// in", "three balls dropped on each other, each far lighter, rise 49 times as high"
 RowImpact collideRow(std::span<const LineParticle> row, double restitution = 1, int maxImpacts = 100'000);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// When does a round thing that slides along a floor begin to roll, and how fast?
+// When does a round thing that slides along a floor begin to roll, and does it roll or slide down a slope?
 #pragma once
 #include <optional>
 
@@ -27,5 +27,30 @@ struct Rolling {
 /// is kept: v - k w r. Throws std::invalid_argument on numbers that are not as above. Test: "a disc thrown at 3 m/s
 /// with a friction of 0.2 rolls at 2 m/s after 0.5096839959 s, 1.2742099898 m on"
 std::optional<Rolling> slideToRoll(const SlidingDisc& disc);
+
+/// A round thing let go on a slope.
+struct Incline {
+    double angle = 0.5;         ///< a, of the slope, 0 to pi/2 [rad]
+    double inertiaRatio = 0.5;  ///< k, as in SlidingDisc, > 0 [-]
+    double friction = 0.5;      ///< mu, >= 0 [-]
+    double gravity = 9.81;      ///< g, > 0 [m/s^2]
+};
+
+struct Descent {
+    double acceleration;  ///< of its centre, down the slope [m/s^2]
+    double spinUp;  ///< its angular acceleration times its radius: as much where it rolls, less where it slides [m/s^2]
+    bool rolls;
+};
+
+/// Rolling, g sin a / (1 + k), where friction suffices: mu >= tan a k / (1 + k); else it slides and turns,
+///   acceleration = g (sin a - mu cos a),  spinUp = mu g cos a / k
+/// Symbols as in Incline. Source: textbook; Newton's law and Euler's with the friction that keeps it from slipping, or
+/// all there is. Throws std::invalid_argument on numbers that are not as above. Tests: "down 30 degrees a disc rolls at
+/// 3.27, a ring at 2.4525, a ball at 3.5035714286 m/s^2", "100,000 descents obey Newton and Euler"
+Descent rollDown(const Incline& incline);
+
+/// The least friction with which it rolls down: tan a k / (1 + k) [-]; a, k as in Incline, a below pi/2. Throws as
+/// above.
+double frictionToRoll(double angle, double inertiaRatio);
 
 }  // namespace plumb

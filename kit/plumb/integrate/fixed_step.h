@@ -9,6 +9,7 @@
 //               order  evaluations  oscillator        its energy, a step     decay         constant acceleration
 //   Euler       1      1            never stable      (1 + z^2)              h L < 2       -a h t / 2
 //   midpoint    2      2            never stable      (1 + z^4 / 4)          h L < 2       exact
+//   Heun        2      2            never stable      (1 + z^4 / 4)          h L < 2       exact
 //   RK4         4      4            z < 2 sqrt(2)     1 - z^6/72 + z^8/576   h L < 2.785   exact
 //
 // Source: Hairer, Norsett, Wanner, "Solving Ordinary Differential Equations I", II.1, and II, IV.2.
@@ -34,6 +35,18 @@ State midpointStep(const Derivative& derivative, double time, const State& state
     const State middle = explicitEulerStep(derivative, time, state, 0.5 * step);
     const State slope = derivative(time + 0.5 * step, middle);
     return state + step * slope;
+}
+
+/// y + h (k1 + k2) / 2, the slopes at the start and at the end that Euler's step foretells: the trapezium rule. Where f
+/// is linear it is the midpoint's. Source: Heun, 1900.
+template <EigenState State, typename Derivative>
+State heunStep(const Derivative& derivative, double time, const State& state, double step) {
+    requireFinite(time, "time");
+    requireFinite(step, "step");
+    const State start = derivative(time, state);
+    requireSizeOf(state, start, "derivative", "state");
+    const State end = derivative(time + step, State(state + step * start));
+    return state + 0.5 * step * (start + end);
 }
 
 /// y + h (k1 + 2 k2 + 2 k3 + k4) / 6, the slopes at the start, twice at the middle, and at the end. Source: Kutta,

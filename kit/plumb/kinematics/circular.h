@@ -21,7 +21,7 @@ struct CircularPoint {
 /// p = c + r (cos A, sin A),  v = w perp(p - c),  a = -w^2 (p - c),  A = A0 + w t
 /// p position, c center, r radius [m], A angle, A0 startAngle [rad], w angularVelocity [rad/s], t time [s].
 /// Source: textbook. Exact to the rounding of w t. For a wheel that speeds up evenly give solveMotion angles.
-/// Throws std::invalid_argument on a negative radius and on what is not finite, w t included.
+/// Throws std::invalid_argument on a negative radius and on what is not finite, A and w^2 r included.
 /// Test: "the velocity and the acceleration on a circle are the slopes of the place and of the velocity"
 CircularPoint circularAt(const CircularMotion& motion, double time);
 

@@ -26,7 +26,8 @@ struct MotionSolutions {
     bool infinitelyMany = false;        ///< what is known leaves a quantity open; then motions is empty
 };
 
-/// Which times count as a solution.
+/// Which times count as a solution. With NotNegative a given time below 0 has none, which is told by an empty answer
+/// and not refused.
 enum class MotionTimes { NotNegative, AnyReal };
 
 /// v = u + a t,  d = u t + a t^2 / 2 = (u + v) t / 2,  v^2 = u^2 + 2 a d;  symbols and units as in KnownMotion.

@@ -7,7 +7,7 @@ namespace plumb {
 
 /// dv/dt = a - k (v - W)
 struct DragLaw {
-    double drag = 0;          ///< k, >= 0; the drag's coefficient over the mass [1/s]
+    double rate = 0;          ///< k, >= 0; the drag's coefficient over the mass [1/s]
     Vec2 wind{0, 0};          ///< W, what the air does [m/s]
     Vec2 acceleration{0, 0};  ///< a, of gravity and other constant forces [m/s^2]
 };
@@ -20,14 +20,14 @@ struct DragStep {
 };
 
 /// Each within four of its last place, for k t down to 0, where it is t and t^2 / 2.
-/// Throws std::invalid_argument when drag k [1/s] or time t [s] is negative or not finite.
+/// Throws std::invalid_argument when rate k [1/s] or time t [s] is negative or not finite.
 /// Test: "keep, gain and reach are those of long double, for k t from 1e-20 to 1e3"
-DragStep dragStep(double drag, double time);
+DragStep dragStep(double rate, double time);
 
 /// v = W + (v0 - W) keep + a gain,  x = x0 + W t + (v0 - W) gain + a reach: exact for any time.
 /// x position [m], v velocity [m/s], the rest as in DragLaw and DragStep, t time, >= 0 [s].
 /// Source: textbook; holds for a drag proportional to the speed (small or slow things; Stokes). Without drag it is
-/// moveAccelerated. Throws std::invalid_argument on what is not finite, and on a negative drag or time.
+/// moveAccelerated. Throws std::invalid_argument on what is not finite, and on a negative rate or time.
 /// Test: "a point in wind and drag is where a fine Runge-Kutta takes it"
 PointMotion moveWithDrag(const PointMotion& from, const DragLaw& law, double time);
 

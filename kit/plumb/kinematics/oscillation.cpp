@@ -61,6 +61,8 @@ AxisMotion harmonicAt(const HarmonicMotion& motion, double time) {
     requireFinite(time, "time");
     const double w = motion.angularFrequency;
     requireFinite(w * time, "HarmonicMotion.angularFrequency * time");
+    requireFinite(w * time + motion.phase, "HarmonicMotion.angularFrequency * time + phase");
+    requireFinite(motion.amplitude * w, "HarmonicMotion.amplitude * angularFrequency");
     const SinCos angle = sinCos(w * time + motion.phase);
     return {motion.amplitude * angle.cos, -motion.amplitude * w * angle.sin};
 }

@@ -16,7 +16,7 @@ struct HarmonicMotion {
 
 /// x = A cos(w t + p), v = -A w sin(w t + p)
 /// x position from rest [m], v velocity [m/s], A amplitude [m], w angularFrequency, p phase [rad], t time [s].
-/// Source: textbook. Throws std::invalid_argument on what is not finite, w t included.
+/// Source: textbook. Throws std::invalid_argument on what is not finite, w t + p and A w included.
 /// Test: "simple harmonic motion is what the exact step makes of it"
 AxisMotion harmonicAt(const HarmonicMotion& motion, double time);
 

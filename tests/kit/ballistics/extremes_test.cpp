@@ -44,10 +44,6 @@ struct Tally {
         see(range.range);
         see(range.shot);
     }
-    void see(const FlightState& state) {
-        see(state.position);
-        see(state.velocity);
-    }
     template <typename Part>
     void see(const std::vector<Part>& parts) {
         for (const Part& part : parts) see(part);
@@ -111,7 +107,6 @@ TEST_CASE("nothing, next to nothing, huge numbers and what is no number are answ
         tally.ask([&] { return aimBeam({target, velocity, wind, speed}); });
         tally.ask([&] { return aimOver({target, {velocity, wind}, amount, speed, gravity}); });
         tally.ask([&] { return aimSlowestOver({target, {velocity, wind}, amount, speed, gravity}); });
-        tally.ask([&] { return linearDragFlight(velocity, speed, drag); });
         tally.ask([&] { return linearDragApex(velocity, drag); });
         tally.ask([&] { return linearDragLanding(velocity, other, drag); });
         tally.ask([&] { return aimThroughLinearDrag({target, speed, drag}); });
@@ -128,8 +123,8 @@ TEST_CASE("nothing, next to nothing, huge numbers and what is no number are answ
 }
 
 TEST_CASE("tiny targets, speeds and gravity are aimed at as their large likes are", "[ballistics]") {
-    // The case of the worked numbers of the firing solution, with lengths in units of 1e-30 to 1e30 m and times in units
-    // of 1e-8 to 1e8 s.
+    // The case of the worked numbers of the firing solution, with lengths in units of 1e-30 to 1e30 m and times in
+    // units of 1e-8 to 1e8 s.
     const std::vector<Shot> plain = aim({.target = {30, 5}, .speed = 20});
     for (const double metre : {1e-30, 1e-10, 1.0, 1e10, 1e30})
         for (const double second : {1e-8, 1.0, 1e8}) {

@@ -149,6 +149,16 @@ TEST_CASE("discs that nothing is are refused by name", "[impact][errors]") {
     const Disc far{.position = {1, 0}};
     CHECK_THROWS_WITH(collideDiscs({.radius = 0}, far, {}), "Disc a.radius: 0 is not positive");
     CHECK_THROWS_WITH(collideDiscs(far, {.mass = -1}, {}), "Disc b.mass: -1 is not positive");
+    CHECK_THROWS_WITH(collideDiscs({}, {.mass = -1}, {}), "Disc b.mass: -1 is not positive");  // at one place, too
+    const double infinity = std::numeric_limits<double>::infinity();
+    CHECK_THROWS_WITH(collideDiscs({.position = {0, infinity}}, far, {}), "Disc a.position: (0, inf) is not finite");
+    CHECK_THROWS_WITH(collideDiscs(far, {.velocity = {0, infinity}}, {}), "Disc b.velocity: (0, inf) is not finite");
+    CHECK_THROWS_WITH(collideWithWall({.velocity = {0, -infinity}}, {}, {.friction = 0.5}),
+                      "Disc.velocity: (0, -inf) is not finite");
+    CHECK_THROWS_WITH(collideWithWall({.angularVelocity = infinity}, {}, {}),
+                      "Disc.angularVelocity: inf is not finite");
+    CHECK_THROWS_WITH(collideWithWall({}, {.velocity = {0, infinity}}, {}),
+                      "ImpactWall.velocity: (0, inf) is not finite");
     CHECK_THROWS_WITH(collideWithWall({.inertiaRatio = 0}, {}, {}), "Disc.inertiaRatio: 0 is not positive");
     CHECK_THROWS_WITH(collideWithWall({}, {.normal = {0, 2}}, {}), "impact: normal: (0, 2) is not a unit vector");
 }

@@ -257,6 +257,7 @@ TEST_CASE("bodies that part, graze or cannot move are left as they are", "[impac
     }
     CHECK(spared(plumb::impact(floorSide, discOnFloor({1, notANumber}, 3), {0, 1}, law)));
     CHECK(spared(plumb::impact(floorSide, discOnFloor({1, -1}, 3), {notANumber, 1}, law)));
+    CHECK(spared(plumb::impact(floorSide, discOnFloor({1, -infinity}, 3), {0, 1}, law)));
     const ImpactSide wall{.velocity = {0, -1}};
     CHECK(plumb::impact(floorSide, wall, {0, 1}, law).velocityB == Vec2(0, -1));
 }

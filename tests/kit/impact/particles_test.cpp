@@ -168,12 +168,31 @@ TEST_CASE("a row stops at the most impacts it may take, and one of none or one i
     CHECK(collideRow({}).velocities.empty());
     const std::vector<LineParticle> one{{2, 3}};
     CHECK(collideRow(one).velocities == std::vector<double>{3});
-    const std::vector<LineParticle> strange{{1, std::nan("")}, {1, 0}};
-    CHECK(collideRow(strange).impacts == 0);
 }
 
 TEST_CASE("particles of no mass are refused by name", "[impact][errors]") {
     CHECK_THROWS_WITH(collideInLine({0, 1}, {1, 0}), "Particle a.mass: 0 is not positive");
     CHECK_THROWS_WITH(collideParticles({}, {.mass = std::nan("")}, {1, 0}), "Particle b.mass: nan is not finite");
     CHECK_THROWS_WITH(collideInLine({1, 1}, {1, 0}, 2), "ImpactLaw.restitution: 2 is not within 0 to 1");
+}
+
+TEST_CASE("a row of what nothing is made of is refused, whether it collides or not", "[impact][errors]") {
+    const auto row = [](const LineParticle& strange, double restitution = 1, int most = 10) {
+        return collideRow(std::vector<LineParticle>{{1, 1}, {1, 2}, strange}, restitution, most);
+    };
+    CHECK(row({1, 3}).impacts == 0);
+    CHECK_THROWS_WITH(row({-1, 3}), "LineParticle.mass: -1 is not positive");
+    CHECK_THROWS_WITH(row({std::nan(""), 3}), "LineParticle.mass: nan is not finite");
+    CHECK_THROWS_WITH(row({1, std::nan("")}), "LineParticle.velocity: nan is not finite");
+    CHECK_THROWS_WITH(row({1, infinity}), "LineParticle.velocity: inf is not finite");
+    CHECK_THROWS_WITH(row({1, 3}, 5), "collideRow: restitution: 5 is not within 0 to 1");
+    CHECK_THROWS_WITH(row({1, 3}, 1, -1), "collideRow: maxImpacts: -1 is negative");
+    CHECK_THROWS_WITH(collideRow({}, std::nan("")), "collideRow: restitution: nan is not finite");
+}
+
+TEST_CASE("speeds and impulses beyond all numbers are refused, not given back", "[impact][errors]") {
+    CHECK_THROWS_WITH(collideInLine({1, infinity}, {1, 0}), "Particle a.velocity: (inf, 0) is not finite");
+    CHECK_THROWS_WITH(bounceOffWall({0, -infinity}, {0, 1}), "bounceOffWall: velocity: (0, -inf) is not finite");
+    CHECK_THROWS_WITH(collideInLine({1e308, 1}, {1e308, -1}), "impact: normalImpulse: inf is not finite");
+    CHECK(collideInLine({1e307, 1}, {1e307, -1}).velocityA == -1);
 }

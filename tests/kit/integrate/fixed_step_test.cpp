@@ -56,6 +56,7 @@ double decayed(const Step& stepOnce, double h) {
 TEST_CASE("the energy of an oscillator after 1,000 steps of z = 0.1", "[integrate][facts]") {
     CHECK(std::fabs(energiesAfter(Method::ExplicitEuler, 0.1, 1000).last - 20959.155638) < 5e-7);
     CHECK(std::fabs(energiesAfter(Method::Midpoint, 0.1, 1000).last - 1.0253148001) < 5e-11);
+    CHECK(std::fabs(energiesAfter(Method::Heun, 0.1, 1000).last - 1.0253148001) < 5e-11);
     CHECK(std::fabs(energiesAfter(Method::RungeKutta4, 0.1, 1000).last - 0.9999861286) < 5e-11);
     const Energies semiImplicit = energiesAfter(Method::SemiImplicitEuler, 0.1, 1000);
     CHECK(std::fabs(semiImplicit.least - 0.95238) < 5e-6);
@@ -77,6 +78,7 @@ TEST_CASE("an oscillator's energy grows by 1 + z^2, 1 + z^4 / 4, 1 - z^6 / 72 + 
         const auto after = [&](Method method) { return std::log(energiesAfter(method, z, 1000).last) / 1000; };
         CHECK(std::fabs(after(Method::ExplicitEuler) - std::log1p(z * z)) < 1e-14);
         CHECK(std::fabs(after(Method::Midpoint) - std::log1p(std::pow(z, 4) / 4)) < 1e-14);
+        CHECK(std::fabs(after(Method::Heun) - std::log1p(std::pow(z, 4) / 4)) < 1e-14);
         CHECK(std::fabs(after(Method::RungeKutta4) - std::log1p(-std::pow(z, 6) / 72 + std::pow(z, 8) / 576)) < 1e-14);
         const double ofDormandPrince = std::log1p(-std::pow(z, 6) / 1800 + std::pow(z, 8) / 1600);
         CHECK(std::fabs(after(Method::DormandPrince) - ofDormandPrince) < 1e-14 + std::pow(z, 10) / 10'000);
@@ -84,7 +86,7 @@ TEST_CASE("an oscillator's energy grows by 1 + z^2, 1 + z^4 / 4, 1 - z^6 / 72 + 
 }
 
 // Worked numbers of the integrators: fall 1 s, h = 0.1, and the table's free-fall errors -a h t / 2, +a h t / 2, 0.
-TEST_CASE("1 s of free fall in steps of 0.1 s ends at -4.4145, -5.3955 and, four times, at -4.905 m",
+TEST_CASE("1 s of free fall in steps of 0.1 s ends at -4.4145, -5.3955 and, five times, at -4.905 m",
           "[integrate][facts]") {
     const auto gravity = [](double, const Number&, const Number&) -> Number { return Number(-9.81); };
     for (const Method method : methods) {
@@ -106,6 +108,7 @@ TEST_CASE("halving the step divides the error by 2 to the power of the order", "
     CHECK(std::fabs(slopeOf(Method::SemiImplicitEuler, 500, 2000) - 1.01) < 5e-3);
     CHECK(std::fabs(slopeOf(Method::VelocityVerlet, 500, 2000) - 2.00) < 5e-3);
     CHECK(std::fabs(slopeOf(Method::Midpoint, 500, 2000) - 2.00) < 5e-3);
+    CHECK(std::fabs(slopeOf(Method::Heun, 500, 2000) - 2.00) < 5e-3);
     CHECK(std::fabs(slopeOf(Method::RungeKutta4, 500, 2000) - 4.00) < 5e-3);
     CHECK(std::fabs(slopeOf(Method::DormandPrince, 125, 500) - 5.00) < 2e-2);
     for (const Method method : methods)
@@ -128,6 +131,7 @@ TEST_CASE("an oscillator is stable just below the limits 2, 2, 2 sqrt(2) and 0.9
     for (const double z : {1e-3, 0.01, 0.1}) {
         CHECK(energiesAfter(Method::ExplicitEuler, z, 1000).last > 1);
         CHECK(energiesAfter(Method::Midpoint, z, 10'000).last > 1);
+        CHECK(energiesAfter(Method::Heun, z, 10'000).last > 1);
     }
 }
 
@@ -135,13 +139,25 @@ TEST_CASE("an oscillator is stable just below the limits 2, 2, 2 sqrt(2) and 0.9
 TEST_CASE("a decay is stable up to h L = 2, 2 and 2.785", "[integrate][facts]") {
     const auto euler = [](const auto& f, const Number& y, double h) { return plumb::explicitEulerStep(f, 0, y, h); };
     const auto midpoint = [](const auto& f, const Number& y, double h) { return plumb::midpointStep(f, 0, y, h); };
+    const auto heun = [](const auto& f, const Number& y, double h) { return plumb::heunStep(f, 0, y, h); };
     const auto kutta = [](const auto& f, const Number& y, double h) { return plumb::rungeKutta4Step(f, 0, y, h); };
     CHECK(decayed(euler, 1.99) < 1e-6);
     CHECK(decayed(euler, 2.01) > 1e6);
     CHECK(decayed(midpoint, 1.99) < 1e-6);
     CHECK(decayed(midpoint, 2.01) > 1e6);
+    CHECK(decayed(heun, 1.99) < 1e-6);
+    CHECK(decayed(heun, 2.01) > 1e6);
     CHECK(decayed(kutta, 2.785) < 1);
     CHECK(decayed(kutta, 2.786) > 1);
+}
+
+// y' = t^2 + y^2, by hand, in halves and quarters that are exact.
+TEST_CASE("Heun's step takes the mean of the slopes at both ends, the midpoint's the one between", "[integrate]") {
+    const auto slope = [](double t, const Number& y) -> Number { return Number(t * t + y[0] * y[0]); };
+    // k1 = 1 at (0, 1), k2 = 0.25 + 1.5^2 at (0.5, 1.5); in the middle 0.0625 + 1.25^2.
+    CHECK(plumb::heunStep(slope, 0, Number(1), 0.5)[0] == 1 + 0.25 * (1 + 2.5));
+    CHECK(plumb::midpointStep(slope, 0, Number(1), 0.5)[0] == 1 + 0.5 * 1.625);
+    CHECK(plumb::heunStep(slope, 1, Number(2), -0.5)[0] == 2 - 0.25 * (5 + 0.5));
 }
 
 TEST_CASE("a state of dynamic size, and a matrix, give the bits of a vector of fixed size", "[integrate]") {
@@ -169,6 +185,8 @@ TEST_CASE("a step that is no number, and a derivative of another size, are refus
     const auto longer = [](double, const Eigen::VectorXd&) -> Eigen::VectorXd { return Eigen::Vector3d(1, 2, 3); };
     CHECK_THROWS_WITH(plumb::explicitEulerStep(slope, 0, state, NAN), "step: nan is not finite");
     CHECK_THROWS_WITH(plumb::midpointStep(slope, INFINITY, state, 1), "time: inf is not finite");
+    CHECK_THROWS_WITH(plumb::heunStep(slope, 0, state, INFINITY), "step: inf is not finite");
+    CHECK_THROWS_WITH(plumb::heunStep(longer, 0, state, 1), "derivative: size 3 is not the state's, 2");
     CHECK_THROWS_WITH(plumb::rungeKutta4Step(longer, 0, state, 1), "derivative: size 3 is not the state's, 2");
     CHECK_THROWS_WITH(plumb::midpointStep(longer, 0, state, 1), "derivative: size 3 is not the state's, 2");
 }

@@ -65,13 +65,15 @@ TEST_CASE("ten Kepler orbits of 1,000 steps: energy off by 0.58, 9.1e-3, 1.07e-4
 }
 
 // The integrators' worked numbers have 4e-15 for the symplectic pair. It is all rounding, so it depends on the order
-// of operations: a walk of 40,000 roundings of 1e-16 is 2e-14.
+// of operations: here it is 3e-15 for semi-implicit Euler and 1.4e-14 for Verlet, printed below; a walk of 40,000
+// roundings of 1e-16 is 2e-14.
 TEST_CASE("only the symplectic pair keeps angular momentum over ten Kepler orbits", "[integrate][facts]") {
     for (const Method method : methods) {
         const double error = tenOrbits(method, 1000).momentumError;
         std::cout << "integrate, " << nameOf(method) << ": angular momentum off by " << error << '\n';
         const bool symplectic = method == Method::SemiImplicitEuler || method == Method::VelocityVerlet;
         if (symplectic) CHECK(error < 2e-14);
+        if (method == Method::SemiImplicitEuler) CHECK(error < 4e-15);
         if (!symplectic) CHECK(error > 1e-12);
     }
 }
@@ -89,6 +91,7 @@ TEST_CASE("seen all along the orbit semi-implicit Euler is of order 1, seen at w
     CHECK(std::fabs(slope(orbitError(Method::VelocityVerlet, 4000), orbitError(Method::VelocityVerlet, 8000)) - 2) <
           0.02);
     CHECK(std::fabs(slope(orbitError(Method::Midpoint, 4000), orbitError(Method::Midpoint, 8000)) - 2) < 0.02);
+    CHECK(std::fabs(slope(orbitError(Method::Heun, 4000), orbitError(Method::Heun, 8000)) - 2) < 0.02);
     CHECK(std::fabs(slope(orbitError(Method::RungeKutta4, 2000), orbitError(Method::RungeKutta4, 4000)) - 4) < 0.05);
 }
 

@@ -10,11 +10,12 @@
 namespace plumb::test {
 
 /// In the order of the lecture's table.
-enum class Method { ExplicitEuler, SemiImplicitEuler, VelocityVerlet, Midpoint, RungeKutta4, DormandPrince };
-constexpr std::array<Method, 6> methods = {Method::ExplicitEuler, Method::SemiImplicitEuler, Method::VelocityVerlet,
-                                           Method::Midpoint,      Method::RungeKutta4,       Method::DormandPrince};
-constexpr std::array<const char*, 6> methodNames = {"explicit Euler", "semi-implicit Euler", "velocity Verlet",
-                                                    "midpoint",       "Runge-Kutta 4",       "Dormand-Prince"};
+enum class Method { ExplicitEuler, SemiImplicitEuler, VelocityVerlet, Midpoint, Heun, RungeKutta4, DormandPrince };
+constexpr std::array<Method, 7> methods = {
+    Method::ExplicitEuler, Method::SemiImplicitEuler, Method::VelocityVerlet, Method::Midpoint,
+    Method::Heun,          Method::RungeKutta4,       Method::DormandPrince};
+constexpr std::array<const char*, 7> methodNames = {
+    "explicit Euler", "semi-implicit Euler", "velocity Verlet", "midpoint", "Heun", "Runge-Kutta 4", "Dormand-Prince"};
 inline const char* nameOf(Method method) {
     return methodNames[static_cast<std::size_t>(method)];
 }
@@ -42,6 +43,7 @@ Phase<Vector<N>> stepOf(Method method, const Acceleration& acceleration, double 
     state.template tail<N>() = from.velocity;
     if (method == Method::ExplicitEuler) state = explicitEulerStep(slope, time, state, step);
     if (method == Method::Midpoint) state = midpointStep(slope, time, state, step);
+    if (method == Method::Heun) state = heunStep(slope, time, state, step);
     if (method == Method::RungeKutta4) state = rungeKutta4Step(slope, time, state, step);
     if (method == Method::DormandPrince) state = dormandPrinceStep(slope, time, state, slope(time, state), step).end;
     return {state.template head<N>(), state.template tail<N>()};

@@ -62,4 +62,11 @@ TEST_CASE("a circle of negative radius, and one that is turned too far for a num
     CHECK_THROWS_WITH(circularAt({}, INFINITY), "time: inf is not finite");
     CHECK_THROWS_WITH(circularAt({.angularVelocity = 1e200}, 1e200),
                       "CircularMotion.angularVelocity * time: inf is not finite");
+    CHECK_THROWS_WITH(circularAt({.startAngle = 1e308, .angularVelocity = 1e308}, 1),
+                      "CircularMotion.startAngle + angularVelocity * time: inf is not finite");
+    CHECK_THROWS_WITH(circularAt({.angularVelocity = 1e200}, 0),
+                      "CircularMotion.angularVelocity^2 * radius: inf is not finite");
+    const CircularPoint tiny = circularAt({.radius = 1e-200, .angularVelocity = -1e200}, 0);
+    CHECK(tiny.velocity == Vec2(0, -1));
+    CHECK(tiny.acceleration == Vec2(-1e200, 0));
 }

@@ -84,7 +84,7 @@ TEST_CASE("without drag, and with a drag of 1e-300 or 5e-324, a step is that of 
 TEST_CASE("a shot of 20 m/s at 45 degrees with drag 0.2 flies 29.091533064 m, against a wind of 5 m/s 26.126035300 m",
           "[kinematics][facts]") {
     const PointMotion shot{{0, 0}, {20 * std::sqrt(0.5), 20 * std::sqrt(0.5)}};
-    const DragLaw air{.drag = 0.2, .acceleration = {0, -9.81}};
+    const DragLaw air{.rate = 0.2, .acceleration = {0, -9.81}};
     const PointMotion down = moveWithDrag(shot, air, 2.6501815833);
     CHECK(std::fabs(down.position.x() - 29.091533064) < 1e-9);
     CHECK(std::fabs(down.position.y()) < 11 * 1e-10);  // it falls at 11 m/s, and T has ten digits behind the point
@@ -92,7 +92,7 @@ TEST_CASE("a shot of 20 m/s at 45 degrees with drag 0.2 flies 29.091533064 m, ag
     CHECK(std::fabs(apex.position.y() - 8.5791237899) < 1e-10);
     CHECK(std::fabs(apex.velocity.y()) < 10 * 1e-10);
     const PointMotion windy =
-        moveWithDrag(shot, {.drag = 0.2, .wind = {-5, 0}, .acceleration = {0, -9.81}}, 2.6501815833);
+        moveWithDrag(shot, {.rate = 0.2, .wind = {-5, 0}, .acceleration = {0, -9.81}}, 2.6501815833);
     CHECK(std::fabs(windy.position.x() - 26.126035300) < 1e-9);
 }
 
@@ -107,7 +107,7 @@ TEST_CASE("a point in wind and drag is where a fine Runge-Kutta takes it", "[kin
         const double time = random.uniform(0, 3);
         Eigen::Vector4d state(from.position.x(), from.position.y(), from.velocity.x(), from.velocity.y());
         const auto slope = [&](double, const Eigen::Vector4d& y) -> Eigen::Vector4d {
-            const Vec2 velocity = y.tail<2>(), pull = law.acceleration - law.drag * (velocity - law.wind);
+            const Vec2 velocity = y.tail<2>(), pull = law.acceleration - law.rate * (velocity - law.wind);
             return {velocity.x(), velocity.y(), pull.x(), pull.y()};
         };
         for (int step = 0; step < 400; ++step)
@@ -129,11 +129,11 @@ TEST_CASE("60 steps with drag lead where one step does", "[kinematics]") {
 }
 
 TEST_CASE("the largest drag stops a point in the wind at once, and a negative one is refused", "[kinematics]") {
-    const PointMotion still = moveWithDrag({{1, 2}, {30, 20}}, {.drag = 1e300, .wind = {2, 0}}, 3);
+    const PointMotion still = moveWithDrag({{1, 2}, {30, 20}}, {.rate = 1e300, .wind = {2, 0}}, 3);
     CHECK(still.position == Vec2(7, 2));
     CHECK(still.velocity == Vec2(2, 0));
-    CHECK_THROWS_WITH(moveWithDrag({}, {.drag = -1}, 1), "DragLaw.drag: -1 is negative");
+    CHECK_THROWS_WITH(moveWithDrag({}, {.rate = -1}, 1), "DragLaw.rate: -1 is negative");
     CHECK_THROWS_WITH(moveWithDrag({}, {.wind = {0, NAN}}, 1), "DragLaw.wind: (0, nan) is not finite");
     CHECK_THROWS_WITH(moveWithDrag({}, {}, -1), "time: -1 is negative");
-    CHECK_THROWS_WITH(dragStep(INFINITY, 1), "drag: inf is not finite");
+    CHECK_THROWS_WITH(dragStep(INFINITY, 1), "rate: inf is not finite");
 }

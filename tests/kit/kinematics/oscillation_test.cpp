@@ -180,4 +180,8 @@ TEST_CASE("without a spring nothing pulls, and at the largest damping nothing mo
     CHECK_THROWS_WITH(oscillatorStep({1e200, 0}, 1e200), "Oscillator.angularFrequency * time: inf is not finite");
     CHECK_THROWS_WITH(plumb::oscillatorOf(0, 1, 1), "mass: 0 is not positive");
     CHECK_THROWS_WITH(harmonicAt({.phase = NAN}, 1), "HarmonicMotion.phase: nan is not finite");
+    CHECK_THROWS_WITH(harmonicAt({.angularFrequency = 1e308, .phase = 1e308}, 1),
+                      "HarmonicMotion.angularFrequency * time + phase: inf is not finite");
+    CHECK_THROWS_WITH(harmonicAt({.amplitude = 1e200, .angularFrequency = 1e200}, 1),
+                      "HarmonicMotion.amplitude * angularFrequency: inf is not finite");
 }
