@@ -14,8 +14,11 @@
 
 namespace plumb::compare {
 
+/// What a first game steps by: v += a dt, x += v dt.
+Method textbookMethod();
+
 /// frame_rate.cpp; the lecture's interval.
-Lab frameRate(const ClockSettings& clock = {.interval = 0.02});
+Lab frameRate(const ClockSettings& clock = {.interval = 0.02}, const Method& textbook = textbookMethod());
 
 /// integrators.cpp
 Lab integrators(const std::vector<Method>& methods = knownMethods());

@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: MIT
 // What does the page of one scene hold together? The stage, the charts and the tables, at one time.
 
+/// Where engines are not given the same: Box2D is pushed from outside.
+function fieldNotes(scene) {
+    const pushed = scene.engines.some(({name, unsupported}) => name.startsWith("box2d") && !unsupported);
+    if (scene.fields.length === 0 || !pushed) return [];
+    return [element("p", {class: "unsupported"}, "Box2D has no fields: the forces of this scene's are applied to its " +
+        "bodies from outside, once a step, and stay the same through all of it. Plumb's act anew in each sub-step.")];
+}
+
 class ScenePage {
     /// settled() is called when a person has come to a state worth an address.
     constructor(settled) {
@@ -68,7 +76,8 @@ class ScenePage {
         byId("scene-verdict").replaceChildren(verdictMark(scene.pass), element("span", {}, verdict));
         const missing = scene.engines.filter((engine) => engine.unsupported);
         byId("unsupported").replaceChildren(...missing.map(({name, unsupported}) =>
-            element("p", {class: "unsupported"}, engineName(name), ` does not run this scene: ${unsupported}`)));
+            element("p", {class: "unsupported"}, engineName(name), ` does not run this scene: ${unsupported}`)),
+            ...fieldNotes(scene));
     }
 
     showKeys(scene) {

@@ -87,9 +87,13 @@ private:
     double finest_;
 };
 
+/// Empty cells cost nothing, so that wide ones buy nothing: they only hold more boxes. But they are counted from the
+/// middle: of a million boxes in a row, each a million cells from the next, the last is farthestCell away.
+constexpr double leastOfSpacing = 0x1p-20;
+
 double finestFor(const Crowd& crowd, const GridSettings& settings) {
     if (settings.cellSize > 0) return std::min(settings.cellSize, largestSize);
-    const double chosen = std::max(std::min(2 * crowd.size, largestSize), crowd.spacing);
+    const double chosen = std::max(std::min(2 * crowd.size, largestSize), leastOfSpacing * crowd.spacing);
     return chosen > 0 ? chosen : 1;
 }
 

@@ -17,8 +17,8 @@ struct GridSettings {
 /// tested against those in its own cell and the eight around it, and in coarser grids against those around where it
 /// lies. The cells are a sorted list of the boxes, and empty ones are nowhere: memory is in proportion to the boxes,
 /// wherever they lie and however large they are. Beyond 2^40 cells from the middle of the crowd there is one cell more.
-/// The finest cells, unless given, are twice as wide as nine of ten boxes are at most, or as wide as boxes lie apart,
-/// whichever is more. A box without end, or of no finite size, is in no cell and is tested against all.
+/// The finest cells, unless given, are twice as wide as nine of ten boxes are at most; of boxes next to nothing, a
+/// millionth of how far they lie apart, so that cells can be counted. A box without end, or of no finite size, is in no cell and is tested against all.
 /// A test is one box tested against another. Time and tests grow in proportion to n for boxes of about a size that lie
 /// evenly; many in one cell are tested each against each.
 /// Throws std::invalid_argument unless the cell size is finite and not negative.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/collide/bisection.h>
 
+#include <plumb/collide/detail/reach.h>
 #include <plumb/collide/overlap.h>
 #include <plumb/math/check.h>
 
@@ -22,6 +23,10 @@ std::optional<CollisionTime> bisectCollision(const std::function<bool(double)>& 
 
 std::optional<CollisionTime> bisectCollision(const Shape& a, const Way& wayA, const Shape& b, const Way& wayB,
                                              int probes) {
+    requireReach(a, "bisectCollision.a");
+    requireReach(wayA, "bisectCollision.wayA");
+    requireReach(b, "bisectCollision.b");
+    requireReach(wayB, "bisectCollision.wayB");
     return bisectCollision(
         [&](double time) { return overlap(a, poseOn(wayA, time), b, poseOn(wayB, time)).has_value(); }, probes);
 }

@@ -27,7 +27,8 @@ struct CollisionTime {
 /// Test: "the lecture's five probes are 0.5, 0.25, 0.375, 0.4375 and 0.40625"
 std::optional<CollisionTime> bisectCollision(const std::function<bool(double fraction)>& overlapping, int probes = 5);
 
-/// Of two shapes on their ways through the frame, by overlap().
+/// Of two shapes on their ways through the frame, by overlap(). Throws std::invalid_argument on shapes and ways that
+/// firstTouch refuses as well.
 /// Test: "halving n times is within 2^-n of the first touch, 100,000 times"
 std::optional<CollisionTime> bisectCollision(const Shape& a, const Way& wayA, const Shape& b, const Way& wayB,
                                              int probes = 5);

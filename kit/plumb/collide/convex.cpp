@@ -7,6 +7,7 @@
 #include <span>
 
 #include <plumb/math/check.h>
+#include <plumb/shapes/detail/counts.h>
 
 namespace plumb {
 
@@ -57,6 +58,7 @@ Convex convexOf(const Capsule& capsule, const Vec2& center) {
 }
 
 Convex convexOf(const Polygon& polygon, const Vec2& center) {
+    requireCount(polygon);
     return convexAround(polygon.vertices, polygon.radius, center);
 }
 

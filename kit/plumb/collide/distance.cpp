@@ -103,7 +103,8 @@ Distance coreDistance(const Outline& a, const Outline& b) {
     const Nearest fromB = nearestOf(b, a, -axis.normal);
     const bool nearerB = fromB.squared < fromA.squared;
     const Nearest& best = nearerB ? fromB : fromA;
-    if (!(best.squared > 0)) return axis;  // so near that squares vanish
+    // So near that squares vanish, or so far that they overflow; or a place is not a number.
+    if (!(best.squared > 0 && best.squared < std::numeric_limits<double>::infinity())) return axis;
     return nearerB ? exchanged(best.distance) : best.distance;
 }
 

@@ -21,6 +21,9 @@ struct Distance {
 /// Source: separating axes, as the edges of the Minkowski difference are those of both shapes.
 /// Holds: to about five roundings of the sizes and of the distance of the two; where in the world they are adds none.
 /// Of directions equally short it gives the first edge's, A's before B's; of concentric circles (0, 1).
+/// Shapes are ones that a body can have: for the engine's sake only counts are looked at, and std::invalid_argument
+/// thrown on too few corners or too many. Others, as a polygon that runs clockwise, validate() refuses. Where a pose is
+/// not finite, the separation is not either.
 /// Test: "distances of 10,000 placements of each pair of shapes agree with the Minkowski difference"
 Distance distance(const Shape& a, const Transform& poseA, const Shape& b, const Transform& poseB);
 

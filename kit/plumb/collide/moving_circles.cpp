@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include <plumb/math/check.h>
+#include <plumb/collide/detail/reach.h>
 
 namespace plumb {
 
@@ -12,8 +12,9 @@ namespace {
 
 void requireSound(const MovingCircle& circle, const std::string& name) {
     requireNotNegative(circle.radius, name, ".radius");
-    requireFinite(circle.position, name, ".position");
-    requireFinite(circle.velocity, name, ".velocity");
+    requireWithin(circle.radius, 0, farthestReach, name, ".radius");
+    requireReach(circle.position, name, ".position");
+    requireReach(circle.velocity, name, ".velocity");
 }
 
 double lengthOf(const Vec2& v) {

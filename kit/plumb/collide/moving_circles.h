@@ -19,7 +19,8 @@ struct MovingCircle {
 /// p, v place and velocity of B as seen from A [m, m/s], R sum of the radii [m], t time [s]
 /// Source: |p + v t| = R, by the root that does not cancel; differences of squares as products. The same as a ray at a
 /// circle of radius R, and as the capsule that a circle sweeps (slide 26). Exact to rounding.
-/// Throws std::invalid_argument on what is not finite, and on a negative radius.
+/// Throws std::invalid_argument on what is not finite or above 1e75 (fourth powers would overflow), and on a negative
+/// radius.
 /// Test: "a circle of 1 m at 10 m/s touches one of 1 m at (8, 1) after .6267949192 s"
 std::optional<Touch> firstTouch(const MovingCircle& a, const MovingCircle& b);
 

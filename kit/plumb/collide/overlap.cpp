@@ -24,6 +24,8 @@ std::optional<Overlap> deeper(const std::optional<Overlap>& before, const Shape&
 }  // namespace
 
 std::optional<Overlap> overlap(const Shape& a, const Transform& poseA, const Shape& b, const Transform& poseB) {
+    validate(a, "overlap.a");
+    validate(b, "overlap.b");
     const Aabb boxA = aabbOf(a, poseA), boxB = aabbOf(b, poseB);
     if (!overlap(boxA, boxB)) return std::nullopt;
     std::optional<Overlap> deepest;

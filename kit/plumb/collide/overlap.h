@@ -17,9 +17,10 @@ struct Overlap {
 
 /// The lecture's overlap test; empty when the shapes are apart. Touching counts, with a depth of 0.
 /// depth = -separation of distance() (see there), after the upright boxes around the two have been seen to overlap.
-/// A chain is as deep as the deepest of its segments, which have no inside. What is not finite overlaps nothing.
-/// It sees one moment: what passes through between two of them it does not (see bisection.h and sweep.h).
-/// Test: "two shapes overlap, and as deep, as the Minkowski difference says, 1,000,000 times"
+/// A chain is as deep as the deepest of its segments, which have no inside. What lies at a place that is not finite
+/// overlaps nothing. Throws std::invalid_argument unless both shapes are ones that a body can have. It sees one moment:
+/// what passes through between two of them it does not (see bisection.h and sweep.h). Test: "two shapes overlap, and as
+/// deep, as the Minkowski difference says, 1,000,000 times"
 std::optional<Overlap> overlap(const Shape& a, const Transform& poseA, const Shape& b, const Transform& poseB);
 
 }  // namespace plumb

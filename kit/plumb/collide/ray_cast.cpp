@@ -6,6 +6,7 @@
 #include <limits>
 
 #include <plumb/collide/distance.h>
+#include <plumb/shapes/detail/counts.h>
 
 namespace plumb {
 
@@ -85,6 +86,7 @@ MaybeMeeting meet(const Ray& ray, const Segment& segment) {
 }
 
 MaybeMeeting meet(const Ray& ray, const Chain& chain) {
+    requireCount(chain);
     MaybeMeeting first;
     const std::size_t count = chain.points.size();
     for (std::size_t i = 0; i < (chain.closed ? count : count - 1); ++i) {
@@ -146,6 +148,7 @@ MaybeMeeting meetFromWithinEdges(const Ray& ray, const Polygon& polygon) {
 }
 
 MaybeMeeting meet(const Ray& ray, const Polygon& polygon) {
+    requireCount(polygon);
     const double radius = polygon.radius;
     double enter = -1, leave = 1;
     std::size_t entered = 0;
@@ -177,7 +180,7 @@ MaybeMeeting meet(const Ray& ray, const Polygon& polygon) {
 /// A ray of no length.
 std::optional<CastPoint> castPoint(const Vec2& point, const Shape& shape, const Transform& pose) {
     const Distance here = distance(shape, pose, Circle{.radius = 0}, {point, {}});
-    if (here.separation > 0) return std::nullopt;
+    if (!(here.separation <= 0 && std::isfinite(here.separation))) return std::nullopt;
     return CastPoint{point, here.normal, 0};
 }
 
@@ -190,8 +193,14 @@ std::optional<CastPoint> castRay(const Vec2& from, const Vec2& to, const Shape& 
     const Ray ray{back * Vec2(from - pose.position), back * way};
     const MaybeMeeting meeting = std::visit([&](const auto& outline) { return meet(ray, outline); }, shape);
     if (!meeting) return std::nullopt;
-    if (meeting->normal.isZero(0)) return CastPoint{from, -unit(way), 0};
-    return CastPoint{from + way * meeting->fraction, pose.rotation * unit(meeting->normal), meeting->fraction};
+    if (meeting->normal.isZero(0)) {
+        // Nothing of what is not a number is outside of an edge.
+        const bool sound = ray.from.allFinite() && ray.way.allFinite();
+        return sound ? std::optional<CastPoint>({from, -unit(way), 0}) : std::nullopt;
+    }
+    const Vec2 point = from + way * meeting->fraction;
+    if (!point.allFinite()) return std::nullopt;
+    return CastPoint{point, pose.rotation * unit(meeting->normal), meeting->fraction};
 }
 
 }  // namespace plumb

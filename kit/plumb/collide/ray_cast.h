@@ -24,7 +24,10 @@ struct CastPoint {
 /// segment: its ends lie on different sides of the ray's line. A line through a chain's joint never slips through, nor
 ///          does one through the ends of two segments that share a point; a ray along a segment meets its end.
 /// p, d the ray's start and way [m], t the fraction [-], m its start from the circle's centre [m]
-/// A ray of no length meets what it lies in; its normal is then the nearest way out.
+/// A ray of no length meets what it lies in; its normal is then the nearest way out. What is not finite meets
+/// nothing.
+/// Shapes are ones that a body can have: for the engine's sake only counts are looked at, and std::invalid_argument
+/// thrown on too few corners or too many. Others, as a polygon that runs clockwise, validate() refuses.
 /// Source: polygon: Cyrus and Beck, "Generalized two- and three-dimensional clipping", 1978.
 /// Test: "where 20,000 rays meet each shape is where the distance to it comes to nothing"
 std::optional<CastPoint> castRay(const Vec2& from, const Vec2& to, const Shape& shape, const Transform& pose);

@@ -46,6 +46,8 @@ std::optional<CastPoint> castOutline(Outline moving, const Vec2& shift, const Ou
         const Distance now = coreDistance(target, moving);
         const double separation = now.separation - radii;
         const Vec2 point = now.pointA + now.normal * target.radius;
+        // Of what is not a number no edge is outside: that seems infinitely deep.
+        if (i == 0 && !std::isfinite(separation)) return std::nullopt;
         if (i == 0 && separation <= 0) return overlapping(now, point, shift);
         // Where corners touch, their difference has no direction any more; the one before parts the two just as well.
         const bool blurred = i > 0 && radii < 1e3 * touch;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include <plumb/collide/detail/outline.h>
+#include <plumb/collide/detail/reach.h>
 #include <plumb/collide/distance.h>
 #include <plumb/collide/overlap.h>
 #include <plumb/math/check.h>
@@ -25,14 +26,6 @@ constexpr int mostSteps = 500;
 
 /// The same, of firstTouch: one at a disc that circles another ten times, 0.1 mm off, takes some five thousand.
 constexpr int mostTouchSteps = 10'000;
-
-void requireSound(const Way& way, const std::string& name) {
-    requireFinite(way.start, name, ".start");
-    requireFinite(way.shift, name, ".shift");
-    requireFinite(way.angle, name, ".angle");
-    requireFinite(way.turn, name, ".turn");
-    requireFinite(way.localCenter, name, ".localCenter");
-}
 
 /// How far ahead along a direction something is after a while: place + speed t - bend / 2 t^2, or farther.
 struct Ahead {
@@ -123,13 +116,19 @@ Way wayBetween(const Transform& start, const Transform& end, const Vec2& localCe
     const Rot turn = start.rotation.inverse() * end.rotation;
     const Vec2 from = start * localCenter;
     const Way way{from, end * localCenter - from, start.rotation.angle(), turn.angle(), localCenter};
-    requireSound(way, "wayBetween");
+    requireFinite(way.start, "wayBetween.start");
+    requireFinite(way.shift, "wayBetween.shift");
+    requireFinite(way.angle, "wayBetween.angle");
+    requireFinite(way.turn, "wayBetween.turn");
+    requireFinite(way.localCenter, "wayBetween.localCenter");
     return way;
 }
 
 std::optional<Touch> firstTouch(const Shape& a, const Way& wayA, const Shape& b, const Way& wayB, double tolerance) {
-    requireSound(wayA, "firstTouch.wayA");
-    requireSound(wayB, "firstTouch.wayB");
+    requireReach(a, "firstTouch.a");
+    requireReach(wayA, "firstTouch.wayA");
+    requireReach(b, "firstTouch.b");
+    requireReach(wayB, "firstTouch.wayB");
     requirePositive(tolerance, "firstTouch.tolerance");
     if (!std::holds_alternative<Chain>(a) && !std::holds_alternative<Chain>(b))
         return touchOf(a, wayA, b, wayB, tolerance, 1);

@@ -39,12 +39,13 @@ struct Touch {
 /// b, a places of the corners along n [m], vb, va their velocities along n [m], kb, ka = turn^2 |arm| bounds of how
 /// these change [m], arm from the centre of mass to the corner [m]; all by the step. s is concave, so that a chord of
 /// it ends before its zero: time goes on by such chords.
-/// Holds: to the rounding of distance(); a chain is its segments. A search of more than 10,000 steps, as of what turns
-/// ten times a hundredth of a millimetre beside another, ends at a time before which they surely do not touch, and
-/// tells that. Throws std::invalid_argument on a way that is not finite, and unless the tolerance is positive.
-/// Source: Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996, section 2.3; the bound along one
-/// axis: Tang, Kim and Manocha, "C2A: controlled conservative advancement", ICRA 2009, but to second order.
-/// Test: "1,000,000 swept pairs touch where fine stepping says, none missed and none made up"
+/// Holds: to the rounding of distance(), and of the places on the ways; a chain is its segments. A search of more than
+/// 10,000 steps, as of what turns ten times a hundredth of a millimetre beside another, ends at a time before which
+/// they surely do not touch, and tells that. Throws std::invalid_argument unless the shapes are ones that a body can
+/// have, shapes and ways finite and no number of theirs above 1e75 (their fourth powers would overflow), and the
+/// tolerance positive. Source: Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996, section 2.3;
+/// the bound along one axis: Tang, Kim and Manocha, "C2A: controlled conservative advancement", ICRA 2009, but to
+/// second order. Test: "1,000,000 swept pairs touch where fine stepping says, none missed and none made up"
 std::optional<Touch> firstTouch(const Shape& a, const Way& wayA, const Shape& b, const Way& wayB,
                                 double tolerance = 1e-5);
 

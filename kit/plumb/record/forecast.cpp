@@ -35,7 +35,8 @@ Forecast follow(World& world, BodyId body, int ticks, double dt) {
     return forecast;
 }
 
-World copyFor(const World& world, int ticks) {
+World copyFor(const World& world, int ticks, double dt) {
+    requireNotNegative(dt, "forecast: dt");
     if (ticks < 0) refuse("forecast: ticks", std::to_string(ticks) + " is negative");
     return world;
 }
@@ -43,12 +44,12 @@ World copyFor(const World& world, int ticks) {
 }  // namespace
 
 Forecast forecast(const World& world, BodyId body, int ticks, double dt) {
-    World copy = copyFor(world, ticks);
+    World copy = copyFor(world, ticks, dt);
     return follow(copy, body, ticks, dt);
 }
 
 Forecast forecast(const World& world, const BodyDef& shot, int ticks, double dt) {
-    World copy = copyFor(world, ticks);
+    World copy = copyFor(world, ticks, dt);
     const BodyId body = copy.add(shot);
     return follow(copy, body, ticks, dt);
 }

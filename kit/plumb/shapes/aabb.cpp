@@ -4,6 +4,8 @@
 #include <array>
 #include <span>
 
+#include <plumb/shapes/detail/counts.h>
+
 namespace plumb {
 namespace {
 
@@ -27,6 +29,7 @@ Aabb boxOf(const Capsule& capsule, const Transform& pose) {
 }
 
 Aabb boxOf(const Polygon& polygon, const Transform& pose) {
+    requireCount(polygon);
     return inflate(aroundPoints(polygon.vertices, pose), polygon.radius);
 }
 
@@ -35,6 +38,7 @@ Aabb boxOf(const Segment& segment, const Transform& pose) {
 }
 
 Aabb boxOf(const Chain& chain, const Transform& pose) {
+    requireCount(chain);
     return aroundPoints(chain.points, pose);
 }
 

@@ -27,7 +27,7 @@ inline Aabb inflate(const Aabb& a, double margin) {
     return {a.lower.array() - margin, a.upper.array() + margin};
 }
 
-/// The smallest upright box around a placed shape.
+/// The smallest upright box around a placed shape. Throws std::invalid_argument if it has too few corners, or too many.
 Aabb aabbOf(const Shape& shape, const Transform& pose);
 
 }  // namespace plumb

@@ -73,6 +73,7 @@ BoundingCircle circleAround(std::span<const Vec2> points, double radius) {
 }  // namespace
 
 BoundingCircle boundingCircleOf(const Shape& shape, const Transform& pose) {
+    validate(shape, "boundingCircleOf.shape");
     CorePoints core = corePointsOf(shape);
     for (Vec2& point : core.points) point = pose * point;
     return circleAround(core.points, core.radius);

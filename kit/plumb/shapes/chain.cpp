@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/shapes/chain.h>
 
+#include <plumb/shapes/detail/counts.h>
+
 namespace plumb {
 
 std::vector<Shape> piecesOf(const Shape& shape) {
     const auto* chain = std::get_if<Chain>(&shape);
     if (chain == nullptr) return {shape};
+    requireCount(*chain);
     const std::vector<Vec2>& points = chain->points;
     const std::size_t count = points.size();
     const std::size_t segments = chain->closed ? count : count - 1;

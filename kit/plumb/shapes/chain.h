@@ -7,7 +7,8 @@
 
 namespace plumb {
 
-/// A chain's segments in order, each with its neighbours; any other shape is its own one piece.
+/// A chain's segments in order, each with its neighbours; any other shape is its own one piece. Throws
+/// std::invalid_argument if the chain has too few points.
 std::vector<Shape> piecesOf(const Shape& shape);
 
 }  // namespace plumb

@@ -85,6 +85,7 @@ OrientedBox boxAround(std::span<const Vec2> points, double radius) {
 }  // namespace
 
 OrientedBox orientedBoxOf(const Shape& shape, const Transform& pose) {
+    validate(shape, "orientedBoxOf.shape");
     CorePoints core = corePointsOf(shape);
     for (Vec2& point : core.points) point = pose * point;
     return boxAround(core.points, core.radius);

@@ -21,10 +21,11 @@ struct OrientedBox {
 /// the other, as that edge goes round: n steps for n corners, once they are sorted. Of boxes equally small the first.
 /// Between two such positions width and height are concave functions of the angle, so that the product of the two, each
 /// with the diameter of a rounding added, is least at an end: what holds of polygons holds of rounded ones.
-/// Holds: every point lies in it to about eight roundings of the largest coordinate. Throws std::invalid_argument on a
-/// coordinate that is not finite. Source: Freeman and Shapira, "Determining the minimum-area encasing rectangle for an
-/// arbitrary closed curve", 1975; Toussaint, "Solving geometric problems with the rotating calipers", 1983. Test:
-/// "oriented boxes hold 100,000 shapes, and no angle of 1,000 gives a smaller one"
+/// Holds: every point lies in it to about eight roundings of the largest coordinate. Throws std::invalid_argument
+/// unless the shape is one that a body can have, and finite where it lies. Source: Freeman and Shapira, "Determining
+/// the minimum-area encasing rectangle for an arbitrary closed curve", 1975; Toussaint, "Solving geometric problems
+/// with the rotating calipers", 1983. Test: "oriented boxes hold 100,000 shapes, and no angle of 1,000 gives a smaller
+/// one"
 OrientedBox orientedBoxOf(const Shape& shape, const Transform& pose = {});
 
 /// Around points. Throws std::invalid_argument if there are none, or one is not finite.

@@ -2,9 +2,12 @@
 #include <plumb/shapes/shape.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include <plumb/math/check.h>
+#include <plumb/shapes/detail/counts.h>
 
 namespace plumb {
 namespace {
@@ -22,33 +25,42 @@ std::string cornerName(const std::string& field, std::size_t index) {
     refuse(cornerName(field, index), toText(polygon.vertices[index]) + " " + complaint);
 }
 
-// The edges, times a power of two, so that products of huge or tiny lengths neither overflow nor vanish.
-std::vector<Vec2> scaledEdges(const Polygon& polygon) {
+// The edges, times a power of two, so that products of huge or tiny lengths neither overflow nor vanish. Without memory
+// of their own: overlap() looks at its shapes each time.
+struct Edges {
+    std::array<Vec2, maxPolygonVertices> room;
+    std::size_t count = 0;
+
+    std::size_t size() const { return count; }
+    const Vec2& operator[](std::size_t i) const { return room[i]; }
+    std::size_t before(std::size_t i) const { return i > 0 ? i - 1 : count - 1; }
+    std::size_t after(std::size_t i) const { return i + 1 < count ? i + 1 : 0; }
+    const Vec2* begin() const { return room.data(); }
+    const Vec2* end() const { return room.data() + count; }
+};
+
+Edges scaledEdges(const Polygon& polygon) {
     double largest = 0;
     for (const Vec2& v : polygon.vertices) largest = std::max({largest, std::fabs(v.x()), std::fabs(v.y())});
     int exponent = 0;
     std::frexp(largest, &exponent);
-    const auto scaled = [exponent](const Vec2& v) {
-        return Vec2(std::ldexp(v.x(), -exponent), std::ldexp(v.y(), -exponent));
-    };
-    const std::size_t count = polygon.vertices.size();
-    std::vector<Vec2> edges(count);
-    for (std::size_t i = 0; i < count; ++i)
-        edges[i] = scaled(polygon.vertices[(i + 1) % count]) - scaled(polygon.vertices[i]);
+    // In two halves: the whole is not a number of its own where the largest is denormal.
+    const double some = std::ldexp(1, -exponent / 2), rest = std::ldexp(1, -exponent - -exponent / 2);
+    const auto scaled = [&](const Vec2& v) { return Vec2(v * some * rest); };
+    Edges edges;
+    edges.count = polygon.vertices.size();
+    for (std::size_t i = 0; i < edges.count; ++i)
+        edges.room[i] = scaled(polygon.vertices[edges.after(i)]) - scaled(polygon.vertices[i]);
     return edges;
 }
 
 void requireCounts(const Polygon& polygon, const std::string& field) {
-    const std::size_t count = polygon.vertices.size();
-    if (count < 3) refuse(field + ".vertices", std::to_string(count) + " corners are fewer than 3");
-    if (count > static_cast<std::size_t>(maxPolygonVertices))
-        refuse(field + ".vertices",
-               std::to_string(count) + " corners are more than " + std::to_string(maxPolygonVertices));
-    for (std::size_t i = 0; i < count; ++i)
+    requireCount(polygon, field);
+    for (std::size_t i = 0; i < polygon.vertices.size(); ++i)
         if (!polygon.vertices[i].allFinite()) requireFinite(polygon.vertices[i], cornerName(field, i));
 }
 
-void requireDistinctCorners(const Polygon& polygon, const std::vector<Vec2>& edges, const std::string& field) {
+void requireDistinctCorners(const Polygon& polygon, const Edges& edges, const std::string& field) {
     // How far the corners spread from the first.
     double extent = 0;
     Vec2 fromFirst{0, 0};
@@ -58,11 +70,11 @@ void requireDistinctCorners(const Polygon& polygon, const std::vector<Vec2>& edg
     }
     for (std::size_t i = 0; i < edges.size(); ++i)
         if (!(edges[i].norm() > polygonTolerance * extent))
-            refuseCorner(polygon, (i + 1) % edges.size(), field, "repeats the corner before it");
+            refuseCorner(polygon, edges.after(i), field, "repeats the corner before it");
 }
 
 // Twice the signed area.
-double turnedArea(const std::vector<Vec2>& edges) {
+double turnedArea(const Edges& edges) {
     double area = 0;
     Vec2 fromFirst{0, 0};
     for (const Vec2& edge : edges) {
@@ -72,10 +84,11 @@ double turnedArea(const std::vector<Vec2>& edges) {
     return area;
 }
 
-void requireLeftTurns(const Polygon& polygon, const std::vector<Vec2>& edges, const std::string& field) {
-    std::vector<double> sines(edges.size());
+void requireLeftTurns(const Polygon& polygon, const Edges& edges, const std::string& field) {
+    std::array<double, maxPolygonVertices> room;
+    const std::span<double> sines(room.data(), edges.size());
     for (std::size_t i = 0; i < edges.size(); ++i) {
-        const Vec2& before = edges[(i + edges.size() - 1) % edges.size()];
+        const Vec2& before = edges[edges.before(i)];
         sines[i] = cross(before, edges[i]) / (before.norm() * edges[i].norm());
     }
     for (std::size_t i = 0; i < edges.size(); ++i)
@@ -89,11 +102,11 @@ void requireLeftTurns(const Polygon& polygon, const std::vector<Vec2>& edges, co
 }
 
 // Where every turn is to the left, each time around the edges point upwards anew once. A pentagram does so twice.
-void requireOneWinding(const std::vector<Vec2>& edges, const std::string& field) {
+void requireOneWinding(const Edges& edges, const std::string& field) {
     const auto up = [](const Vec2& edge) { return edge.y() > 0 || (edge.y() == 0 && edge.x() > 0); };
     int windings = 0;
     for (std::size_t i = 0; i < edges.size(); ++i)
-        if (!up(edges[i]) && up(edges[(i + 1) % edges.size()])) ++windings;
+        if (!up(edges[i]) && up(edges[edges.after(i)])) ++windings;
     if (windings != 1)
         refuse(field + ".vertices", "the corners wind around " + std::to_string(windings) + " times, not once");
 }
@@ -106,7 +119,7 @@ void validateCircle(const Circle& circle, const std::string& field) {
 void validatePolygon(const Polygon& polygon, const std::string& field) {
     requireCounts(polygon, field);
     requireNotNegative(polygon.radius, field, ".radius");
-    const std::vector<Vec2> edges = scaledEdges(polygon);
+    const Edges edges = scaledEdges(polygon);
     requireDistinctCorners(polygon, edges, field);
     requireLeftTurns(polygon, edges, field);
     requireOneWinding(edges, field);
@@ -146,10 +159,8 @@ void validateSegment(const Segment& segment, const std::string& field) {
 }
 
 void validateChain(const Chain& chain, const std::string& field) {
-    const std::size_t count = chain.points.size(), least = chain.closed ? 3 : 2;
-    if (count < least)
-        refuse(field + ".points", std::to_string(count) + " points are fewer than " + std::to_string(least) +
-                                      (chain.closed ? " of a closed chain" : ""));
+    requireCount(chain, field);
+    const std::size_t count = chain.points.size();
     const auto name = [&](std::size_t i) { return field + ".points[" + std::to_string(i) + "]"; };
     for (std::size_t i = 0; i < count; ++i)
         if (!chain.points[i].allFinite()) requireFinite(chain.points[i], name(i));

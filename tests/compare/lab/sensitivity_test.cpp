@@ -60,6 +60,12 @@ TEST_CASE("a clock that cuts frames of 1/20 s, or has another interval, turns th
     CHECK(failing(runLab(frameRate({.interval = 0.021}), {}, {})).contains("clock.ticks_off"));
 }
 
+TEST_CASE("a textbook ball that ends in the same place at any rate turns the frame rate lab red", "[compare][lab]") {
+    Method still = textbookMethod();
+    still.step = [](const MotionProblem&, const Motion& from, double) { return from; };
+    CHECK(failing(runLab(frameRate({.interval = 0.02}, still), {}, {})) == Names{"textbook.spread"});
+}
+
 TEST_CASE("an engine whose ball depends on the step turns the frame rate lab red", "[compare][lab]") {
     CHECK(failing(runLab(frameRate(), {}, {disguised("box2d-2.4")})) == Names{"variable.spread.plumb"});
 }
@@ -91,6 +97,9 @@ TEST_CASE("a grid that tests as sweep and prune does, and a hierarchy that tests
           Names{"tests.even.bvh"});
     CHECK(failing(runLab(broadPhases(without(BroadPhase::BruteForce, BroadPhase::Bvh)), {}, {})) ==
           Names{"tests.even.brute_force.off"});
+    for (const BroadPhase other : {BroadPhase::BruteForce, BroadPhase::Grid, BroadPhase::Bvh})
+        CHECK(failing(runLab(broadPhases(without(BroadPhase::SweepAndPrune, other)), {}, {})) ==
+              Names{"tests.even.sweep_and_prune.off"});
 }
 
 TEST_CASE("a broad phase that loses one pair of thousands turns red", "[compare][lab]") {
@@ -124,7 +133,22 @@ TEST_CASE("the forecast lab fails a forecast that is off by a billionth of a ste
     CHECK(ofPlumb(forecasts()).empty());
     CHECK(ofPlumb(forecasts([](const World& world, const BodyDef& shot, int ticks, double dt) {
               return forecast(world, shot, ticks, dt * (1 + 1e-9));
+          })) == Names{"hits_off", "ticks_off"});
+}
+
+TEST_CASE("the forecast lab fails a forecast whose velocities are a tick late, or that leaves out a hit",
+          "[compare][lab]") {
+    const auto ofPlumb = [](const Lab& lab) { return failing(runLab(lab, {std::string(plumbName)}, engines())); };
+    CHECK(ofPlumb(forecasts([](const World& world, const BodyDef& shot, int ticks, double dt) {
+              Forecast late = forecast(world, shot, ticks, dt);
+              std::rotate(late.velocities.begin(), late.velocities.end() - 1, late.velocities.end());
+              return late;
           })) == Names{"ticks_off"});
+    CHECK(ofPlumb(forecasts([](const World& world, const BodyDef& shot, int ticks, double dt) {
+              Forecast careless = forecast(world, shot, ticks, dt);
+              if (careless.hits.size() > 3) careless.hits.pop_back();
+              return careless;
+          })) == Names{"hits_off"});
 }
 
 }  // namespace plumb::compare

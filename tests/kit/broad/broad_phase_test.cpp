@@ -140,6 +140,40 @@ TEST_CASE("sweep and prune tests boxes in a row only against their neighbours, w
     }
 }
 
+// Cells as wide as boxes lie apart held, where half of the boxes lie dense, a hundred boxes each.
+TEST_CASE("a grid that is told nothing makes no more tests than one told twice the boxes' size, dense or sparse",
+          "[broad]") {
+    Random random(73);
+    for (const double wider : {1.0, 10.0, 20.0, 1e4}) {
+        for (const bool half : {false, true}) {
+            Boxes boxes;
+            for (int i = 0; i < 10'000; ++i) {
+                const double side = half && i % 2 == 0 ? 75 : 75 * wider;
+                boxes.push_back(around(somewhere(random, side), 0.5, 0.5));
+            }
+            const PairSearch chosen = plumb::gridPairs(boxes), told = plumb::gridPairs(boxes, {.cellSize = 2});
+            INFO("every " << (half ? "second" : "") << " box in a square " << wider << " times as wide");
+            CHECK((chosen.pairs == told.pairs));
+            // Sides are a metre but for a rounding, so cells are told but for a rounding as well.
+            CHECK(std::fabs(static_cast<double>(chosen.tests) - static_cast<double>(told.tests)) <=
+                  0.01 * static_cast<double>(told.tests));
+        }
+    }
+}
+
+// A cell is at most 2^40 from the middle: all that lie beyond would share one.
+TEST_CASE("points in a row and in a square share no cell, at any distance from each other", "[broad]") {
+    for (const double apart : {1e-300, 1e-9, 1.0, 1e9, 1e290}) {
+        Boxes row, square;
+        for (int i = 0; i < 10'000; ++i) {
+            row.push_back(around(Vec2(i, 3) * apart, 0, 0));
+            square.push_back(around(Vec2(i % 100, i / 100) * apart, 0, 0));
+        }
+        CHECK(plumb::gridPairs(row).tests == 0);
+        CHECK(plumb::gridPairs(square).tests == 0);
+    }
+}
+
 TEST_CASE("one box as large as the scene costs a grid one test a box", "[broad]") {
     Boxes boxes = evenScene(10'000, 3);
     const plumb::GridSettings cells{.cellSize = 4};  // chosen from one box more, they would be a trifle wider

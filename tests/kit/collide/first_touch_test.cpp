@@ -261,12 +261,17 @@ TEST_CASE("a sweep refuses what is not finite, and a tolerance that is not posit
     CHECK_THROWS_WITH(plumb::wayBetween({{nan, 0}, {}}, {}), "wayBetween.start: (nan, 0) is not finite");
 }
 
-TEST_CASE("a sweep of any numbers ends", "[collide][sweep]") {
+TEST_CASE("a sweep of any numbers up to 1e75 ends, and larger ones are refused", "[collide][sweep]") {
     const Shape box = plumb::boxPolygon({1, 1}), disc = plumb::Circle{1, {1, 0}};
-    for (const double size : {1e-320, 1e12, 1e100, 1e160, 1.7e308})
+    for (const double size : {1e-320, 1e12, 1e50, 1e75, 1.01e75, 1e160, 1.7e308})
         for (const Way& way : {Way{.start = {3, size}}, Way{.start = {3, 0}, .shift = {size, -size}},
                                Way{.start = {3.1, 0}, .turn = size}, Way{.start = {3.1, 0}, .localCenter = {size, 1}}})
             for (const Shape& shape : {box, disc}) {
+                INFO("of " << size);
+                if (size > 1e75) {
+                    CHECK_THROWS_AS(firstTouch(box, {}, shape, way), std::invalid_argument);
+                    continue;
+                }
                 const auto touch = firstTouch(box, {}, shape, way);
                 CHECK((!touch || (touch->time >= 0 && touch->time <= 1)));
             }

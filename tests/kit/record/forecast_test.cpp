@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/record/forecast.h>
 
+#include <cmath>
 #include <cstring>
 #include <stdexcept>
 #include <string>
@@ -46,6 +47,17 @@ World playground(Random& random) {
     return world;
 }
 
+/// Wind, a pool, a star that pulls, rough ground and a fan over a part of the place, then half a second in them.
+void addFields(World& world, Random& random) {
+    world.addField({.law = Drag{.linear = random.uniform(0, 0.1), .wind = {random.uniform(-9, 9), 0}}});
+    world.addField({.law = Drag{.quadratic = random.uniform(0, 0.02)}});
+    world.addField({.law = Pool{.fluid = {.surface = {0, random.uniform(0, 3)}}}});
+    world.addField({.law = Attractor{.center = {8, 2}, .strength = random.uniform(0, 200), .softening = 1}});
+    world.addField({.law = GroundFriction{.friction = random.uniform(0, 0.1)}});
+    world.addField({.law = UniformGravity{{0, 20}}, .region = boxPolygon({2, 5}, {-10, 10})});
+    for (int tick = 0; tick < 30; ++tick) world.step(dt);
+}
+
 BodyDef randomShot(Random& random) {
     BodyDef shot{.position = {-17, random.uniform(12, 20)},
                  .velocity = {random.uniform(5, 40), random.uniform(-20, 20)},
@@ -73,6 +85,7 @@ void requireAsForecast(World& world, BodyId body, const Forecast& foreseen) {
             REQUIRE(hit < foreseen.hits.size());
             REQUIRE(foreseen.hits[hit].tick == static_cast<int>(tick));
             REQUIRE(sameBits(foreseen.hits[hit].point, begin.point));
+            REQUIRE(sameBits(foreseen.hits[hit].approachSpeed, begin.approachSpeed));
             ++hit;
         }
     }
@@ -98,6 +111,25 @@ TEST_CASE("1,000 shots bounce as was forecast, to the last bit", "[record][rates
         requireAsForecast(world, body, forecast(world, body, 30, dt));  // also half way
     }
     CHECK(hits > 1500);  // some fly over all within the two seconds
+}
+
+TEST_CASE("200 shots through wind, a pool and a star's pull fly as was forecast, to the last bit", "[record][rates]") {
+    Random random(53);
+    std::size_t hits = 0;
+    for (int i = 0; i < 200; ++i) {
+        CAPTURE(i);
+        World world = playground(random);
+        addFields(world, random);
+        const BodyDef shot = randomShot(random);
+        const std::uint64_t before = stateHash(world);
+        const Forecast foreseen = forecast(world, shot, 120, dt);
+        REQUIRE(stateHash(world) == before);
+        hits += foreseen.hits.size();
+        const BodyId body = world.add(shot);
+        requireAsForecast(world, body, foreseen);
+        requireAsForecast(world, body, forecast(world, body, 30, dt));
+    }
+    CHECK(hits > 100);  // some are blown over all, or swim
 }
 
 TEST_CASE("a hit's normal points away from what was hit, whichever of the two is A", "[record]") {
@@ -131,7 +163,8 @@ TEST_CASE("a copy of a world goes on as the original, and is not touched by it",
     }
 }
 
-TEST_CASE("a forecast refuses what the world refuses, and negative ticks", "[record]") {
+TEST_CASE("a forecast of no ticks at a dt of nan is refused, as is what the world refuses, and negative ticks",
+          "[record]") {
     World world, other;
     const BodyId body = world.add({.shapes = {circle(0.5)}});
     CHECK_THROWS_WITH(forecast(world, body, -1, dt), plumb::test::containsText("forecast: ticks: -1 is negative"));
@@ -139,4 +172,7 @@ TEST_CASE("a forecast refuses what the world refuses, and negative ticks", "[rec
     CHECK_THROWS_AS(forecast(world, body, 1, -dt), std::invalid_argument);
     CHECK_THROWS_AS(forecast(world, BodyDef{}, 1, dt), std::invalid_argument);
     CHECK(forecast(world, body, 0, dt).poses.size() == 1);
+    // Also where no step is taken.
+    CHECK_THROWS_WITH(forecast(world, body, 0, NAN), "forecast: dt: nan is not finite");
+    CHECK_THROWS_WITH(forecast(world, BodyDef{}, 0, -dt), plumb::test::containsText("forecast: dt: -"));
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <plumb/shapes/detail/counts.h>
+
 namespace plumb {
 
 namespace {
@@ -21,6 +23,7 @@ Outline outlineOf(const Circle& circle) {
 }
 
 Outline outlineOf(const Polygon& polygon) {
+    requireCount(polygon);
     Outline outline;
     outline.radius = polygon.radius;
     outline.count = outline.edges = polygon.vertices.size();

@@ -22,7 +22,8 @@ struct Outline {
 };
 
 /// The shape turned as it lies in the world, its place seen from origin: numbers no larger than need be.
-/// Of a chain it is empty: a chain goes piece by piece.
+/// Of a chain it is empty: a chain goes piece by piece. Throws std::invalid_argument on a polygon of too few corners,
+/// or too many.
 Outline outlineOf(const Shape& shape, const Transform& pose, const Vec2& origin);
 
 /// The signed distance (see distance.h) of the cores of two outlines seen from one origin, without their radii.

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Has a shape as many corners as arithmetic on it takes for granted?
+#pragma once
+#include <string_view>
+
+#include <plumb/shapes/shape.h>
+
+namespace plumb {
+
+[[noreturn]] void refuseCount(const Polygon& polygon, std::string_view field);
+[[noreturn]] void refuseCount(const Chain& chain, std::string_view field);
+
+// What no hot loop feels. All else that validate() asks of a shape makes answers wrong, but never reads or writes
+// where nothing is. Each throws std::invalid_argument with the field's name and the count.
+
+/// Unless there are 3 to maxPolygonVertices corners.
+inline void requireCount(const Polygon& polygon, std::string_view field = "Polygon") {
+    const std::size_t count = polygon.vertices.size();
+    if (count < 3 || count > static_cast<std::size_t>(maxPolygonVertices)) refuseCount(polygon, field);
+}
+
+/// Unless there are 2 points, or 3 if it is closed.
+inline void requireCount(const Chain& chain, std::string_view field = "Chain") {
+    if (chain.points.size() < (chain.closed ? 3u : 2u)) refuseCount(chain, field);
+}
+
+}  // namespace plumb
