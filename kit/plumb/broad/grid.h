@@ -18,12 +18,11 @@ struct GridSettings {
 /// lies. The cells are a sorted list of the boxes, and empty ones are nowhere: memory is in proportion to the boxes,
 /// wherever they lie and however large they are. Beyond 2^40 cells from the middle of the crowd there is one cell more.
 /// The finest cells, unless given, are twice as wide as nine of ten boxes are at most; of boxes next to nothing, a
-/// millionth of how far they lie apart, so that cells can be counted. A box without end, or of no finite size, is in no cell and is tested against all.
-/// A test is one box tested against another. Time and tests grow in proportion to n for boxes of about a size that lie
-/// evenly; many in one cell are tested each against each.
-/// Throws std::invalid_argument unless the cell size is finite and not negative.
-/// Source: Ericson, "Real-time collision detection", 2005, 7.1 and 7.2 (hierarchical grids).
-/// Test: "all broad phases find equal pairs in 1,000 scenes"
+/// millionth of how far they lie apart, so that cells can be counted. A box without end, or of no finite size, is in no
+/// cell and is tested against all. A test is one box tested against another. Time and tests grow in proportion to n for
+/// boxes of about a size that lie evenly; many in one cell are tested each against each. Throws std::invalid_argument
+/// unless the cell size is finite and not negative. Source: Ericson, "Real-time collision detection", 2005, 7.1 and 7.2
+/// (hierarchical grids). Test: "all broad phases find equal pairs in 1,000 scenes"
 PairSearch gridPairs(std::span<const Aabb> boxes, const GridSettings& settings = {});
 
 }  // namespace plumb
