@@ -5,8 +5,8 @@
 function fieldNotes(scene) {
     const pushed = scene.engines.some(({name, unsupported}) => name.startsWith("box2d") && !unsupported);
     if (scene.fields.length === 0 || !pushed) return [];
-    return [element("p", {class: "unsupported"}, "Box2D has no fields: the forces of this scene's are applied to its " +
-        "bodies from outside, once a step, and stay the same through all of it. Plumb's act anew in each sub-step.")];
+    return [element("p", {class: "unsupported"}, "Box2D has no fields: the forces of this scene's fields are applied " +
+        "to its bodies from outside, once a step, and stay the same through it. In Plumb they act in each sub-step.")];
 }
 
 class ScenePage {

@@ -148,6 +148,7 @@ void Body::setEnabled(bool enabled) {
         record.quarantined = false;
         showShapes(world, index_);
         wakeIfMoving(world, index_);
+        wakeWhatItDraws(world, index_);
         return;
     }
     hideShapes(world, index_);

@@ -15,7 +15,7 @@ namespace plumb {
 namespace {
 
 FieldRecord recordOf(const FieldDef& def, std::uint32_t generation) {
-    return {def, true, !(def.filter == Filter{}), generation, reachOf(def), {}};
+    return {def, true, !(def.filter == Filter{}), generation, boxOf(def), {}};
 }
 
 /// Pushes one body by what its shape catches of an explosion.

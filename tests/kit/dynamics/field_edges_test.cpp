@@ -136,6 +136,21 @@ TEST_CASE("a magnet whose carrier is disabled draws nothing, and what it held wa
     CHECK(press == Approx(0.04 * 9.81).epsilon(1e-3));
 }
 
+TEST_CASE("a magnet on a wall that is enabled wakes what it draws, and no more", "[dynamics][fields]") {
+    World world;
+    world.add({.type = BodyType::Static, .shapes = {box({20, 0.5})}});
+    const BodyId near = world.add({.position = {1, 0.6}, .shapes = {box({0.1, 0.1}, {.friction = 0.1})}});
+    const BodyId corner = world.add({.position = {2.9, 0.6}, .shapes = {box({0.1, 0.1})}});
+    const BodyId crane =
+        world.add({.type = BodyType::Static, .position = {0, 3}, .enabled = false, .shapes = {circle(0.1)}});
+    world.addField({.law = Magnet{crane, {.strength = 1, .range = 3}}});
+    run(world, 3);
+    REQUIRE_FALSE(world.body(near).awake());
+    world.body(crane).setEnabled(true);
+    CHECK(world.body(near).awake());
+    CHECK_FALSE(world.body(corner).awake());  // 3.76 m off, though no farther than 3 m in x and in y
+}
+
 TEST_CASE("rounded shapes swim on any water, however far from the origin", "[dynamics][fields]") {
     std::vector<Vec2> corners;
     for (int i = 0; i < 64; ++i) corners.push_back(Vec2(std::cos(i * 0.09817477), std::sin(i * 0.09817477)) * 0.05);

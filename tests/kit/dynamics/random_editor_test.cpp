@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "kit/dynamics/random_editor.h"
 
-#include <cstdlib>
+#include "cases.h"
 
 namespace {
 
 using plumb::test::RandomEditor;
-
-/// Ten times as many with PLUMB_FULL=1 in the environment.
-std::uint64_t seedsOf(std::uint64_t few) {
-    const char* full = std::getenv("PLUMB_FULL");
-    return full != nullptr && std::string(full) == "1" ? 10 * few : few;
-}
 
 void add(RandomEditor::Tally& sum, const RandomEditor::Tally& part) {
     using Tally = RandomEditor::Tally;
@@ -26,7 +20,7 @@ void add(RandomEditor::Tally& sum, const RandomEditor::Tally& part) {
 TEST_CASE("a world that is edited and asked in 100,000 random ways tells the truth about itself",
           "[dynamics][editing][law]") {
     RandomEditor::Tally sum;
-    const std::uint64_t seeds = seedsOf(50);
+    const std::uint64_t seeds = static_cast<std::uint64_t>(plumb::test::cases(500));
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         INFO("seed " << seed);
         RandomEditor editor(seed, {.wild = seed % 3 == 0,

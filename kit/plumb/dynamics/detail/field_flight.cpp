@@ -89,7 +89,6 @@ public:
         FieldStore& fields = world.fields;
         around_ = looksAround(world);
         if (around_) fields.now = world.bodies.motion;
-        if (fields.now.size() < world.bodies.motion.size()) fields.now.resize(world.bodies.motion.size());
         for (FieldFlight& flight : fields.flights)
             if (!flight.steady)
                 verlet_.emplace_back(world, flight, world.bodies.motion[flight.body], fields.now[flight.body], steps_);
@@ -130,7 +129,6 @@ private:
 void setSteadyLaw(WorldState& world, FieldFlight& flight) {
     const BodyRecord& record = world.bodies.record[flight.body];
     FieldStore& fields = world.fields;
-    if (fields.now.size() < world.bodies.motion.size()) fields.now.resize(world.bodies.motion.size());
     fields.now[flight.body] = world.bodies.motion[flight.body];
     if (fields.pulls.empty()) fields.pulls.resize(1);
     FieldPull& pull = fields.pulls.front();
@@ -142,6 +140,7 @@ void setSteadyLaw(WorldState& world, FieldFlight& flight) {
 
 void gatherFlights(WorldState& world, double dt) {
     FieldStore& fields = world.fields;
+    fields.now.resize(world.bodies.motion.size());
     for (const BodyIndex body : world.bodies.awake) {
         if (!world.bodies.canMove(body)) continue;
         const BodyMotion& from = world.bodies.motion[body];
@@ -182,10 +181,9 @@ FieldFlight flightFrom(WorldState& world, const FieldFlight& before, const BodyM
     // The others half-way: the error is of the order of Verlet's.
     if (looksAround(world)) {
         fields.now = world.bodies.motion;
-        flyOthers(world, start + 0.5 * time);
-        for (const FieldFlight& other : fields.flights)
-            if (!other.steady)
-                fields.now[other.body] = fly(world.bodies.motion[other.body], other.law, start + 0.5 * time);
+        for (const BodyIndex other : world.bodies.awake)
+            if (!world.bodies.record[other].flown)
+                fields.now[other] = fly(fields.now[other], flightLawOf(world, other), start + 0.5 * time);
     }
     VerletFlight verlet(world, flight, from, fields.now[flight.body], steps);
     FieldPull& pull = fields.pulls.front();

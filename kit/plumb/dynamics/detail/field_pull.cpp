@@ -91,8 +91,9 @@ bool dips(const BodyRecord& record, const Vec2& center, const Fluid& fluid) {
     return fluid.gravity.dot(fluid.surface - center) <= record.extent * fluid.gravity.norm();
 }
 
-Aabb around(const Vec2& center, double reach) {
-    return {center.array() - reach, center.array() + reach};
+/// May something on its way between two places come as near to a centre?
+bool comesNear(const Vec2& center, double range, const Vec2& from, const Vec2& to) {
+    return (0.5 * (from + to) - center).norm() <= range + 0.5 * (to - from).norm();
 }
 
 /// May a field act on a body somewhere between two places?
@@ -101,14 +102,15 @@ bool mayFeel(const WorldState& world, const FieldRecord& field, BodyIndex body, 
     if (magnet && !isCarried(*magnet, world)) return false;
     if (isCarriedBy(field.def.law, body)) return true;
     if (!letsIn(field, world, body)) return false;
-    const Aabb way = merge({from, from}, {to, to});
-    if (!overlap(way, field.box)) return false;
-    if (magnet && std::isfinite(magnet->pull.range)) {
+    if (!overlap(merge({from, from}, {to, to}), field.box)) return false;
+    if (magnet) {
         const BodyMotion& carrier = world.bodies.motion[magnet->body.index];
         const double moves = 2 * carrier.velocity.norm() * world.lastStep;
         const Vec2 center = pointOn(world.bodies.record[magnet->body.index], carrier, magnet->pull.center);
-        return overlap(way, around(center, magnet->pull.range + moves));
+        return comesNear(center, magnet->pull.range + moves, from, to);
     }
+    if (const auto* attractor = std::get_if<Attractor>(&field.def.law))
+        return comesNear(attractor->center, attractor->range, from, to);
     if (const auto* pool = std::get_if<Pool>(&field.def.law)) {
         const BodyRecord& record = world.bodies.record[body];
         return dips(record, from, pool->fluid) || dips(record, to, pool->fluid);
@@ -349,18 +351,12 @@ void wakeWhatItDraws(WorldState& world, BodyIndex body) {
         if (field.alive && isCarriedBy(field.def.law, body)) wakeWhatFeels(world, field);
 }
 
-Aabb reachOf(const FieldDef& field) {
+Aabb boxOf(const FieldDef& field) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    Aabb reach{{-infinity, -infinity}, {infinity, infinity}};
-    if (field.region) reach = aabbOf(*field.region, {});
-    if (const auto* attractor = std::get_if<Attractor>(&field.law)) {
-        const Aabb range = around(attractor->center, attractor->range);
-        reach = {reach.lower.cwiseMax(range.lower), reach.upper.cwiseMin(range.upper)};
-    }
+    if (!field.region) return {{-infinity, -infinity}, {infinity, infinity}};
+    const Aabb box = aabbOf(*field.region, {});
     // As far as covers() rounds, and what a number so large rounds to.
-    const Vec2 size = reach.lower.cwiseAbs().cwiseMax(reach.upper.cwiseAbs());
-    const double largest = std::max(size.x(), size.y());
-    return std::isfinite(largest) ? inflate(reach, 1e-8 + 1e-12 * largest) : reach;
+    return inflate(box, 1e-8 + 1e-12 * box.lower.cwiseAbs().cwiseMax(box.upper.cwiseAbs()).maxCoeff());
 }
 
 }  // namespace plumb

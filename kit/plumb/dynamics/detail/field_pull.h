@@ -31,10 +31,10 @@ double fieldEnergyOf(const WorldState& world, BodyIndex body, const BodyMotion& 
 
 /// Before a field comes, changes or goes.
 void wakeWhatFeels(WorldState& world, const FieldRecord& field);
-/// Before a body that may carry magnets comes or goes.
+/// Before a body that may carry magnets goes, and after one has come.
 void wakeWhatItDraws(WorldState& world, BodyIndex body);
 
-/// Beyond it a field does not act; what a body carries, as if it stood at the origin of the body's frame [m].
-Aabb reachOf(const FieldDef& field);
+/// Around a field's region: beyond it the field does not act [m].
+Aabb boxOf(const FieldDef& field);
 
 }  // namespace plumb

@@ -16,7 +16,7 @@ struct FieldRecord {
     bool alive = false;
     bool choosy = false;  ///< its filter is not the one that lets all in
     std::uint32_t generation = 0;
-    Aabb box;                      ///< beyond it there is nothing of the field, but for what a body carries [m]
+    Aabb box;                      ///< around its region: beyond it the field does not act [m]
     std::vector<BodyIndex> drawn;  ///< within a step, by mutual gravity or a magnet: all that its filter lets in
 };
 

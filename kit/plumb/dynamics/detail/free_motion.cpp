@@ -5,6 +5,8 @@
 
 namespace plumb {
 
+// As kinematics' dragStep, for short steps: every damped body asks in every step, and there is no division in the
+// series.
 Decay decay(double damping, double time) {
     const double x = damping * time;
     if (x < 1e-17) return {1, time, 0.5 * time * time};  // no other numbers, and 1 / damping^2 may be too large

@@ -257,8 +257,9 @@ void commit(WorldState& world, const std::vector<Flyer>& flyers, const std::vect
             end.velocity += f.fields->rest.velocity;
             end.angularVelocity += f.fields->rest.spin;
             world.fields.flights[record.flight] = *f.fields;
-            if (world.audit) world.audit->noteFieldFlight(f.account);
-            if (world.audit) world.audit->noteFieldFlight(f.fields->account);
+            FieldAccount whole = f.account;
+            whole += f.fields->account;
+            if (world.audit) world.audit->noteFieldFlight(whole);
         }
         legs.push_back({f.body, f.flight.from, end, f.flight.time, dt});
         moveTo(world, f.body, end);
