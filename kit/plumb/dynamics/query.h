@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What lies along a line, or within an outline?
 #pragma once
+#include <optional>
+
 #include <plumb/dynamics/id.h>
 #include <plumb/math/vec2.h>
+#include <plumb/shapes/tile_map.h>
 
 namespace plumb {
 
@@ -13,6 +16,7 @@ struct CastHit {
     Vec2 point{0, 0};     ///< where they meet, in the world [m]
     Vec2 normal{0, 1};    ///< outward from what was met; where it began inside, against the motion [-]
     double fraction = 0;  ///< of the way, 0 to 1; 0 where it began inside or touching [-]
+    std::optional<Cell> tile = std::nullopt;  ///< of the map that was met
 };
 
 /// The shape nearest to something.

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// How is a tile map read from plain text?
+#pragma once
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <plumb/shapes/tile_map.h>
+
+namespace plumb {
+
+/// Which character stands for which tile.
+using TileLegend = std::map<char, Tile>;
+
+/// ' ' and '.' empty, '#' full, '=' one way, '^' hazard, '~' sensor, '/' and '\' slopes of 45 degrees that rise and
+/// fall to the right, '1' '2' the low and the high half of a gentle rise, '3' '4' the high and the low half of a gentle
+/// fall.
+TileLegend standardLegend();
+
+/// The rows of a picture, the topmost first; rows shorter than the longest are empty beyond their end. size is that of
+/// a cell [m]. Throws std::invalid_argument on a character that the legend lacks, with its row and column, and on no
+/// cells at all.
+TileMap tileMapOf(std::span<const std::string> rows, double size = 1, const TileLegend& legend = standardLegend());
+TileMap tileMapOf(std::initializer_list<std::string> rows, double size = 1,
+                  const TileLegend& legend = standardLegend());
+/// The same of one text, its rows divided by line ends; an empty line at its end is none.
+TileMap tileMapOf(std::string_view text, double size = 1, const TileLegend& legend = standardLegend());
+
+/// Row by row, the topmost first; of characters that stand for the same tile, the first. Throws std::invalid_argument
+/// on a tile that the legend lacks.
+std::vector<std::string> textOf(const TileMap& map, const TileLegend& legend = standardLegend());
+
+}  // namespace plumb
