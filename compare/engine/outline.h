@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which points describe a shape to an engine that has no such shape itself?
 #pragma once
+#include <string>
 #include <vector>
 
 #include <plumb/shapes/shape.h>
@@ -42,5 +43,8 @@ inline Polygon axisBox(const Capsule& capsule, double halfWidth) {
     const Vec2 left = halfWidth * Vec2(-along.y(), along.x());
     return {{capsule.start - left, capsule.end - left, capsule.end + left, capsule.start + left}};
 }
+
+/// What each solid tile of a map fills, in the body's frame. Throws Unsupported on tiles of another kind.
+std::vector<Polygon> tilePolygons(const TileMap& map, const std::string& body);
 
 }  // namespace plumb::compare

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <compare/metric/observation.h>
 #include <plumb/math/transform.h>
@@ -14,7 +15,7 @@ double reachOf(const Circle& circle, const Vec2& from) {
     return (circle.center - from).norm() + circle.radius;
 }
 
-double farthest(const std::vector<Vec2>& points, const Vec2& from) {
+double farthest(std::span<const Vec2> points, const Vec2& from) {
     double reach = 0;
     for (const Vec2& point : points) reach = std::max(reach, (point - from).norm());
     return reach;
@@ -34,6 +35,10 @@ double reachOf(const Segment& segment, const Vec2& from) {
 
 double reachOf(const Chain& chain, const Vec2& from) {
     return farthest(chain.points, from);
+}
+
+double reachOf(const TileMap& map, const Vec2& from) {
+    return farthest(outerCornersOf(map), from);
 }
 
 double reachOf(const BodyDef& def, const Vec2& from) {

@@ -12,6 +12,7 @@
 #include <compare/report/playback.h>
 #include <compare/scene/fields.h>
 #include <plumb/math/transform.h>
+#include <plumb/shapes/chain.h>
 
 namespace plumb::compare {
 namespace {
@@ -57,11 +58,30 @@ json shapeData(const Chain& chain) {
     return {{"chain", pointData(points)}};
 }
 
+/// What the tiles fill, and the tops of those that are solid one way.
+json shapesData(const TileMap& map) {
+    json shapes = json::array();
+    for (const Shape& piece : piecesOf(map)) {
+        const auto* top = std::get_if<Segment>(&piece);
+        shapes.push_back(top != nullptr ? shapeData(*top) : shapeData(std::get<Polygon>(piece)));
+    }
+    return shapes;
+}
+
+json shapesData(const Shape& shape) {
+    if (const auto* circle = std::get_if<Circle>(&shape)) return json::array({shapeData(*circle)});
+    if (const auto* capsule = std::get_if<Capsule>(&shape)) return json::array({shapeData(*capsule)});
+    if (const auto* polygon = std::get_if<Polygon>(&shape)) return json::array({shapeData(*polygon)});
+    if (const auto* segment = std::get_if<Segment>(&shape)) return json::array({shapeData(*segment)});
+    if (const auto* chain = std::get_if<Chain>(&shape)) return json::array({shapeData(*chain)});
+    return shapesData(std::get<TileMap>(shape));
+}
+
 json bodyData(const SceneBody& body) {
     constexpr const char* types[] = {"static", "kinematic", "dynamic"};
     json shapes = json::array();
     for (const ShapeDef& shape : body.def.shapes)
-        shapes.push_back(std::visit([](const auto& s) { return shapeData(s); }, shape.shape));
+        for (json& data : shapesData(shape.shape)) shapes.push_back(std::move(data));
     return {{"name", body.name},
             {"type", types[static_cast<int>(body.def.type)]},
             {"start", {body.def.position.x(), body.def.position.y(), body.def.angle}},

@@ -13,6 +13,7 @@
 #include <type_traits>
 
 #include <compare/scene/scene.h>
+#include <plumb/shapes/tile_text.h>
 
 namespace plumb::compare {
 
@@ -34,8 +35,8 @@ constexpr std::span<const char* const> tagsOf(Watch) {
     return watchTags;
 }
 
-inline constexpr std::initializer_list<const char*> shapeTags{"circle", "capsule", "polygon", "segment",
-                                                              "chain"};  ///< as in Shape
+inline constexpr std::initializer_list<const char*> shapeTags{"circle",  "capsule", "polygon",
+                                                              "segment", "chain",   "tiles"};  ///< as in Shape
 
 inline constexpr std::initializer_list<const char*> jointTags{"revolute", "prismatic", "distance", "weld",   "wheel",
                                                               "pulley",   "gear",      "motor",    "target", "filter"};
@@ -86,6 +87,19 @@ void fields(auto& visit, Is<BoxFields> auto& x) {
     visit("halfSize", x.halfSize);
     visit("center", x.center);
     visit("radius", x.radius);
+}
+/// A tile map as a file gives it.
+struct TilesFields {
+    std::vector<std::string> rows = {};  ///< the topmost first, in the letters of the standard legend
+    double size = 1;                     ///< of a tile [m]
+    bool wrapX = false;
+    bool wrapY = false;
+};
+void fields(auto& visit, Is<TilesFields> auto& x) {
+    visit("rows", x.rows);
+    visit("size", x.size);
+    visit("wrapX", x.wrapX);
+    visit("wrapY", x.wrapY);
 }
 void fields(auto& visit, Is<Material> auto& x) {
     visit("density", x.density);

@@ -169,6 +169,14 @@ private:
         if (tag == tags.end()) refuseKind(path, json, oneOfText(tags));
         return static_cast<E>(tag - tags.begin());
     }
+    static TileMap read(Type<TileMap>, const Json& json, const std::string& path) {
+        const TilesFields tiles = read(Type<TilesFields>(), json, path);
+        try {
+            return tileMapOf(tiles.rows, tiles.size).wrapping(tiles.wrapX, tiles.wrapY);
+        } catch (const std::invalid_argument& error) {
+            plumb::refuse(path, error.what());
+        }
+    }
     template <class T>
     static std::optional<T> read(Type<std::optional<T>>, const Json& json, const std::string& path) {
         return read(Type<T>(), json, path);

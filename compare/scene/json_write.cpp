@@ -32,6 +32,9 @@ public:
     static Json write(int value) { return value; }
     static Json write(const std::string& value) { return value; }
     static Json write(const Vec2& value) { return Json::array({value.x(), value.y()}); }
+    static Json write(const TileMap& map) {
+        return write(TilesFields{textOf(map), map.size(), map.def().wrapX, map.def().wrapY});
+    }
     template <class E>
     requires std::is_enum_v<E>
     static Json write(E value) { return tagsOf(value)[static_cast<std::size_t>(value)]; }

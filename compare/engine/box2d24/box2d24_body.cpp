@@ -131,6 +131,11 @@ void addShape(b2Body& body, b2FixtureDef fixture, const Chain& chain, const std:
     body.CreateFixture(&fixture);
 }
 
+/// A polygon a tile: Box2D has no tile map.
+void addShape(b2Body& body, b2FixtureDef fixture, const TileMap& map, const std::string& name) {
+    for (const Polygon& tile : tilePolygons(map, name)) addShape(body, fixture, tile, name);
+}
+
 /// The material to be asked when a contact begins; null when Box2D 2.4 knows enough itself.
 const Material* keep(const Material& material, Surfaces24& surfaces) {
     if (mixesAsBox2d(material) && material.surfaceSpeed == 0) return nullptr;

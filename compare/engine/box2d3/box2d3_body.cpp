@@ -100,6 +100,11 @@ void addShape(b2BodyId body, const b2ShapeDef& def, const Chain& chain, const st
     addChain(body, def, chain.closed ? chain.points : withGhosts(chain), chain.closed, name);
 }
 
+/// A polygon a tile: Box2D has no tile map.
+void addShape(b2BodyId body, const b2ShapeDef& def, const TileMap& map, const std::string& name) {
+    for (const Polygon& tile : tilePolygons(map, name)) addShape(body, def, tile, name);
+}
+
 b2SurfaceMaterial surfaceOf(const Material& material) {
     b2SurfaceMaterial result = b2DefaultSurfaceMaterial();
     result.friction = toSingle(material.friction);

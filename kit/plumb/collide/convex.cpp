@@ -73,6 +73,10 @@ Convex convexOf(const Chain&, const Vec2&) {
     refuse("convexOf.shape", "a chain is not convex: its pieces are");
 }
 
+Convex convexOf(const TileMap&, const Vec2&) {
+    refuse("convexOf.shape", "a tile map is not convex: its pieces are");
+}
+
 }  // namespace
 
 Convex convexOf(const Shape& shape, const Vec2& center) {

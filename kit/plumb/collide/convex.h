@@ -42,8 +42,8 @@ struct Convex {
     Vec2f before{0, 0}, after{0, 0};
 };
 
-/// The shape as seen from center, a point of the body's frame. Throws std::invalid_argument on a Chain (ask for each of
-/// its pieces), and on a polygon of too few corners, or too many.
+/// The shape as seen from center, a point of the body's frame. Throws std::invalid_argument on a Chain or TileMap (ask
+/// for each of its pieces), and on a polygon of too few corners, or too many.
 Convex convexOf(const Shape& shape, const Vec2& center);
 
 }  // namespace plumb

@@ -124,16 +124,17 @@ Distance pieceDistance(const Shape& a, const Transform& poseA, const Shape& b, c
 }  // namespace
 
 Distance distance(const Shape& a, const Transform& poseA, const Shape& b, const Transform& poseB) {
-    const bool chains = std::holds_alternative<Chain>(a) || std::holds_alternative<Chain>(b);
-    if (!chains) return pieceDistance(a, poseA, b, poseB);
-    std::optional<Distance> nearest;
+    if (!hasPieces(a) && !hasPieces(b)) return pieceDistance(a, poseA, b, poseB);
+    const std::vector<Shape> piecesB = piecesOf(b);
+    Distance nearest;
+    nearest.separation = std::numeric_limits<double>::infinity();
     for (const Shape& pieceA : piecesOf(a)) {
-        for (const Shape& pieceB : piecesOf(b)) {
+        for (const Shape& pieceB : piecesB) {
             const Distance here = pieceDistance(pieceA, poseA, pieceB, poseB);
-            if (!nearest || here.separation < nearest->separation) nearest = here;
+            if (here.separation < nearest.separation) nearest = here;
         }
     }
-    return *nearest;
+    return nearest;
 }
 
 }  // namespace plumb

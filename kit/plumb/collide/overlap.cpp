@@ -9,10 +9,6 @@ namespace plumb {
 
 namespace {
 
-bool hasPieces(const Shape& shape) {
-    return std::holds_alternative<Chain>(shape);
-}
-
 /// Of what has come near enough for its boxes to overlap; the deeper of this and what was found before.
 std::optional<Overlap> deeper(const std::optional<Overlap>& before, const Shape& a, const Transform& poseA,
                               const Shape& b, const Transform& poseB) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include <plumb/collide/distance.h>
+#include <plumb/shapes/chain.h>
 #include <plumb/shapes/detail/counts.h>
 
 namespace plumb {
@@ -175,6 +176,16 @@ MaybeMeeting meet(const Ray& ray, const Polygon& polygon) {
         if (along > edge.way().dot(edge.way())) return meet(ray, edge.end, radius);
     }
     return Meeting{enter, edge.outward()};
+}
+
+MaybeMeeting meet(const Ray& ray, const TileMap& map) {
+    MaybeMeeting first;
+    for (const Shape& piece : piecesOf(map)) {
+        const auto* segment = std::get_if<Segment>(&piece);
+        const MaybeMeeting here = segment != nullptr ? meet(ray, *segment) : meet(ray, std::get<Polygon>(piece));
+        if (here && (!first || here->fraction < first->fraction)) first = here;
+    }
+    return first;
 }
 
 /// A ray of no length.

@@ -73,8 +73,7 @@ std::optional<CastPoint> castShape(const Shape& moving, const Transform& pose, c
             castOutline(outlineOf(movingPiece, pose, origin), shift, outlineOf(targetPiece, targetPose, origin));
         if (here && (!first || here->fraction < first->fraction)) first = here;
     };
-    const bool chains = std::holds_alternative<Chain>(moving) || std::holds_alternative<Chain>(target);
-    if (!chains) {
+    if (!hasPieces(moving) && !hasPieces(target)) {
         meet(moving, target);
     } else {
         for (const Shape& movingPiece : piecesOf(moving))

@@ -130,8 +130,7 @@ std::optional<Touch> firstTouch(const Shape& a, const Way& wayA, const Shape& b,
     requireReach(b, "firstTouch.b");
     requireReach(wayB, "firstTouch.wayB");
     requirePositive(tolerance, "firstTouch.tolerance");
-    if (!std::holds_alternative<Chain>(a) && !std::holds_alternative<Chain>(b))
-        return touchOf(a, wayA, b, wayB, tolerance, 1);
+    if (!hasPieces(a) && !hasPieces(b)) return touchOf(a, wayA, b, wayB, tolerance, 1);
     // Of several pieces that overlap at the start the deepest.
     if (const std::optional<Overlap> deep = overlap(a, poseOn(wayA, 0), b, poseOn(wayB, 0)))
         return Touch{0, 0.5 * deep->pointA + 0.5 * deep->pointB, deep->normal};

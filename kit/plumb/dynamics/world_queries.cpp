@@ -2,6 +2,7 @@
 // What is where, now? The part of World that answers.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 #include <plumb/collide/ray_cast.h>
@@ -61,7 +62,7 @@ std::optional<CastHit> firstHit(const Onlooker& onlooker, const Mover& mover, Me
     std::optional<CastHit> first;
     onlooker.lookAlong(mover.halfSize, mover.from, mover.to, [&](ProxyId id) {
         if (const std::optional<CastPoint> met = meet(id)) {
-            const CastHit hit{onlooker.idOf(id), met->point, met->normal, met->fraction};
+            const CastHit hit = onlooker.hitOf(id, *met);
             if (!first || isBefore(hit, *first)) first = hit;
         }
         return first ? first->fraction : 1.0;
@@ -73,8 +74,7 @@ template <class Meet>
 std::vector<CastHit> allHits(const Onlooker& onlooker, const Mover& mover, Meet&& meet) {
     std::vector<CastHit> hits;
     onlooker.lookAlong(mover.halfSize, mover.from, mover.to, [&](ProxyId id) {
-        if (const std::optional<CastPoint> met = meet(id))
-            hits.push_back({onlooker.idOf(id), met->point, met->normal, met->fraction});
+        if (const std::optional<CastPoint> met = meet(id)) hits.push_back(onlooker.hitOf(id, *met));
         return 1.0;
     });
     std::sort(hits.begin(), hits.end(), [](const CastHit& a, const CastHit& b) {
@@ -120,7 +120,7 @@ std::vector<ProxyId> proxiesOf(const WorldState& world, const ShapeId& id, const
     requireShape(world, id, field);
     std::vector<ProxyId> proxies;
     for (const ProxyId proxy : world.bodies.record[id.body.index].proxies)
-        if (world.space[proxy].number == id.number) proxies.push_back(proxy);
+        if (world.space[proxy].number == id.number && world.space.gate(proxy).asked) proxies.push_back(proxy);
     return proxies;
 }
 
@@ -193,15 +193,16 @@ Distance World::distance(ShapeId a, ShapeId b) const {
     const std::vector<ProxyId> piecesA = proxiesOf(world, a, "World.distance: a");
     const std::vector<ProxyId> piecesB = proxiesOf(world, b, "World.distance: b");
     const Transform poseA = world.bodies.pose(a.body.index), poseB = world.bodies.pose(b.body.index);
-    std::optional<Distance> nearest;
+    Distance nearest;
+    nearest.separation = std::numeric_limits<double>::infinity();
     for (const ProxyId pieceA : piecesA) {
         for (const ProxyId pieceB : piecesB) {
             const Distance here =
                 plumb::distance(world.space[pieceA].def.shape, poseA, world.space[pieceB].def.shape, poseB);
-            if (!nearest || here.separation < nearest->separation) nearest = here;
+            if (here.separation < nearest.separation) nearest = here;
         }
     }
-    return *nearest;
+    return nearest;
 }
 
 }  // namespace plumb

@@ -27,6 +27,11 @@ bool meetsAlike(const ShapeDef& a, const ShapeDef& b) {
     return a.shape == b.shape && a.sensor == b.sensor && a.oneWay == b.oneWay && a.rule == b.rule;
 }
 
+void requireTiles(const WorldState& world, ShapeId id, const char* field) {
+    requireShape(world, id, field);
+    if (!world.tiles.contains({id.body.index, id.number})) refuse(field, "the shape is not a tile map");
+}
+
 }  // namespace
 
 ShapeId World::add(BodyId id, const ShapeDef& shape) {
@@ -76,6 +81,16 @@ void World::set(ShapeId id, const ShapeDef& def) {
         addShape(*state_, body, def, id.number);
     }
     followShapes(*state_, body);
+}
+
+const TileMap& World::tiles(ShapeId id) const {
+    requireTiles(*state_, id, "World.tiles: ShapeId");
+    return state_->tiles.at({id.body.index, id.number}).map();
+}
+
+void World::setTile(ShapeId id, Cell cell, const Tile& tile) {
+    requireTiles(*state_, id, "World.setTile: ShapeId");
+    editTile(*state_, id.body.index, id.number, cell, tile);
 }
 
 }  // namespace plumb

@@ -42,6 +42,10 @@ Aabb boxOf(const Chain& chain, const Transform& pose) {
     return aroundPoints(chain.points, pose);
 }
 
+Aabb boxOf(const TileMap& map, const Transform& pose) {
+    return aroundPoints(outerCornersOf(map), pose);
+}
+
 }  // namespace
 
 Aabb aabbOf(const Shape& shape, const Transform& pose) {

@@ -7,8 +7,11 @@
 
 namespace plumb {
 
-/// A chain's segments in order, each with its neighbours; any other shape is its own one piece. Throws
-/// std::invalid_argument if the chain has too few points.
+/// Is it more than one piece, or, of an empty tile map, none?
+bool hasPieces(const Shape& shape);
+
+/// A chain's segments in order, each with its neighbours; what a tile map's solid and one-way tiles fill; any other
+/// shape is its own one piece. Throws std::invalid_argument if the chain has too few points.
 std::vector<Shape> piecesOf(const Shape& shape);
 
 }  // namespace plumb

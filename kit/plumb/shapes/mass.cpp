@@ -108,8 +108,9 @@ Mass massOf(const Shape& shape, double density) {
     if (const auto* capsule = std::get_if<Capsule>(&shape)) return capsuleMass(*capsule, density);
     if (const auto* polygon = std::get_if<Polygon>(&shape)) return polygonMass(*polygon, density);
     if (const auto* segment = std::get_if<Segment>(&shape)) return lineMass(segment->start, segment->end);
-    const auto& points = std::get<Chain>(shape).points;
-    return lineMass(points.front(), points.back());
+    if (const auto* chain = std::get_if<Chain>(&shape)) return lineMass(chain->points.front(), chain->points.back());
+    const std::array<Vec2, 4> corners = outerCornersOf(std::get<TileMap>(shape));
+    return lineMass(corners[0], corners[2]);
 }
 
 Mass combine(std::span<const Mass> parts) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <plumb/math/vec2.h>
+#include <plumb/shapes/tile_map.h>
 
 namespace plumb {
 
@@ -53,7 +54,8 @@ struct Chain {
 
 inline constexpr int maxPolygonVertices = 64;
 
-using Shape = std::variant<Circle, Capsule, Polygon, Segment, Chain>;
+/// A TileMap is one shape, for what does not move freely: it has no mass.
+using Shape = std::variant<Circle, Capsule, Polygon, Segment, Chain, TileMap>;
 
 /// An upright rectangle around center; halfSize is half its width and half its height. Throws std::invalid_argument
 /// unless both are positive, and all is finite.

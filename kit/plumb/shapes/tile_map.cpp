@@ -40,6 +40,7 @@ TileMap::TileMap(const TileMapDef& def) : def_(def) {
     requirePositive(def.size, "TileMapDef.size");
     const std::int64_t cells = std::int64_t{def.columns} * def.rows;
     if (cells > mostCells) refuse("TileMapDef", std::to_string(cells) + " cells are more than 2^24");
+    requireFinite(def.size * std::max(def.columns, def.rows), "TileMapDef.size, times columns and rows");
     tiles_.resize(static_cast<std::size_t>(cells));
 }
 
@@ -69,6 +70,13 @@ void TileMap::set(Cell cell, const Tile& tile) {
     tiles_[indexOf(wrapped(cell))] = tile;
 }
 
+TileMap TileMap::wrapping(bool x, bool y) const {
+    TileMap map = *this;
+    map.def_.wrapX = x;
+    map.def_.wrapY = y;
+    return map;
+}
+
 Cell TileMap::cellAt(const Vec2& point) const {
     return {flooredIndex(point.x() / def_.size), flooredIndex(point.y() / def_.size)};
 }
@@ -77,6 +85,11 @@ std::vector<Vec2> TileMap::cornersOf(Cell cell) const {
     std::vector<Vec2> corners = plumb::cornersOf(at(cell));
     for (Vec2& corner : corners) corner = {(cell.column + corner.x()) * def_.size, (cell.row + corner.y()) * def_.size};
     return corners;
+}
+
+std::array<Vec2, 4> outerCornersOf(const TileMap& map) {
+    const double width = map.columns() * map.size(), height = map.rows() * map.size();
+    return {Vec2(0, 0), Vec2(width, 0), Vec2(width, height), Vec2(0, height)};
 }
 
 bool operator==(const TileMap& a, const TileMap& b) {

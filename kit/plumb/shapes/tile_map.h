@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which cells of a grid are filled, and with what?
 #pragma once
+#include <array>
 #include <vector>
 
 #include <plumb/shapes/tile.h>
@@ -41,6 +42,9 @@ public:
     /// Throws std::invalid_argument when the map does not contain the cell.
     void set(Cell cell, const Tile& tile);
 
+    /// The same tiles, on a map that wraps so.
+    TileMap wrapping(bool x, bool y) const;
+
     /// The cell in which a point lies, also outside of the map, not wrapped; on an edge the one to the right and above.
     /// Coordinates are cut to what an int holds.
     Cell cellAt(const Vec2& point) const;
@@ -57,5 +61,8 @@ private:
     TileMapDef def_;
     std::vector<Tile> tiles_;  ///< row by row from below
 };
+
+/// Of the whole grid, counter-clockwise from the origin, in the map's frame [m].
+std::array<Vec2, 4> outerCornersOf(const TileMap& map);
 
 }  // namespace plumb

@@ -17,9 +17,9 @@ Tile tileOf(char letter, const TileLegend& legend, std::size_t row, std::size_t 
 }
 
 char letterOf(const Tile& tile, const TileLegend& legend) {
-    for (const auto& [letter, meaning] : legend)
-        if (meaning == tile && !(isEmpty(tile) && letter == ' ')) return letter;
-    if (isEmpty(tile)) return ' ';
+    const auto found =
+        std::find_if(legend.rbegin(), legend.rend(), [&](const auto& entry) { return entry.second == tile; });
+    if (found != legend.rend()) return found->first;
     refuse("textOf: legend", "has no letter for a tile of the map");
 }
 

@@ -62,6 +62,10 @@ ShapeDef loop(std::vector<Vec2> points, const Material& material) {
     return {.shape = Chain{std::move(points), true}, .material = material};
 }
 
+ShapeDef tiles(TileMap map, const Material& material) {
+    return {.shape = std::move(map), .material = material};
+}
+
 std::vector<ShapeDef> outline(std::vector<Vec2> points, const Material& material) {
     std::vector<ShapeDef> shapes;
     for (Polygon& piece : convexPieces(points)) shapes.push_back({.shape = std::move(piece), .material = material});

@@ -85,6 +85,9 @@ ShapeDef chain(std::vector<Vec2> points, const Material& material = {});
 /// The same, closed: from the last point on to the first.
 ShapeDef loop(std::vector<Vec2> points, const Material& material = {});
 
+/// A tile map, its lower left corner at the body's origin.
+ShapeDef tiles(TileMap map, const Material& material = {});
+
 /// A simple outline, convex or not, either way round, in as many convex polygons as it takes: BodyDef.shapes of it. See
 /// shapes/decompose.h for what it refuses.
 std::vector<ShapeDef> outline(std::vector<Vec2> points, const Material& material = {});

@@ -19,7 +19,7 @@ Aabb nowhere() {
 }  // namespace
 
 ProxyId Space::add(const ShapeDef& def, std::uint32_t owner, bool fixed, const Vec2& localCenter, const Aabb& tight,
-                   std::uint32_t number, bool piece) {
+                   std::uint32_t number, bool piece, PieceUse use) {
     ProxyId id = static_cast<ProxyId>(proxies_.size());
     if (free_.empty()) {
         proxies_.emplace_back();
@@ -31,7 +31,7 @@ ProxyId Space::add(const ShapeDef& def, std::uint32_t owner, bool fixed, const V
         id = free_.back();
         free_.pop_back();
     }
-    proxies_[id] = {def, convexOf(def.shape, localCenter), owner, number, piece, fixed, true};
+    proxies_[id] = {def, convexOf(def.shape, localCenter), owner, number, piece, use, fixed, true};
     gates_[id] = gateOf(proxies_[id]);
     seats_[id].fixed = fixed;
     placed_[id].box = tight;

@@ -12,6 +12,7 @@
 #include <plumb/broad/radix_sort.h>
 #include <plumb/collide/convex.h>
 #include <plumb/shapes/aabb.h>
+#include <plumb/shapes/tile_pieces.h>
 #include <plumb/space/shape_def.h>
 
 namespace plumb {
@@ -24,8 +25,9 @@ struct Proxy {
     Convex convex;             ///< the shape as seen from the owner's centre of mass
     std::uint32_t owner = 0;   ///< an index its owner's side knows; shapes of one owner never pair
     std::uint32_t number = 0;  ///< which of its owner's shapes it is, or is a piece of
-    bool piece = false;        ///< of a chain
-    bool fixed = false;        ///< never moves by itself, and never pairs with another that is fixed
+    bool piece = false;        ///< of a chain or a tile map
+    PieceUse use = PieceUse::Both;
+    bool fixed = false;  ///< never moves by itself, and never pairs with another that is fixed
     bool alive = false;
 };
 
@@ -36,6 +38,8 @@ struct Gate {
     int group = 0;
     bool fixed = false;
     bool sensor = false;
+    bool touched = true;  ///< there to be touched, and not only to be found by queries
+    bool asked = true;    ///< there to be found by queries
 };
 
 /// As far as their filters go.
@@ -45,12 +49,15 @@ inline bool mayMeet(const Gate& a, const Gate& b) {
 }
 
 inline bool mayPair(const Gate& a, const Gate& b) {
-    return a.owner != b.owner && !(a.fixed && b.fixed) && !(a.sensor && b.sensor) && mayMeet(a, b);
+    return a.owner != b.owner && !(a.fixed && b.fixed) && !(a.sensor && b.sensor) && a.touched && b.touched &&
+           mayMeet(a, b);
 }
 
 inline Gate gateOf(const Proxy& proxy) {
     const Filter& filter = proxy.def.filter;
-    return {filter.category, filter.mask, proxy.owner, filter.group, proxy.fixed, proxy.def.sensor};
+    const bool touched = proxy.use == PieceUse::Both || proxy.use == PieceUse::Touch;
+    const bool asked = proxy.use == PieceUse::Both || proxy.use == PieceUse::Ask;
+    return {filter.category, filter.mask, proxy.owner, filter.group, proxy.fixed, proxy.def.sensor, touched, asked};
 }
 
 /// May these two collide, as far as owner and filter go?
@@ -78,7 +85,7 @@ public:
     void setLanes(int lanes) { lanes_ = lanes; }
 
     ProxyId add(const ShapeDef& def, std::uint32_t owner, bool fixed, const Vec2& localCenter, const Aabb& tight,
-                std::uint32_t number = 0, bool piece = false);
+                std::uint32_t number = 0, bool piece = false, PieceUse use = PieceUse::Both);
     void remove(ProxyId proxy);
 
     /// Takes a shape out until it is placed and renewed; it keeps its id.

@@ -51,8 +51,11 @@ Outline outlineOf(const Capsule& capsule) {
     return outlineOf(capsule.start, capsule.end, capsule.radius);
 }
 
-/// A chain has none: it goes piece by piece.
+/// A chain has none, nor has a tile map: they go piece by piece.
 Outline outlineOf(const Chain&) {
+    return {};
+}
+Outline outlineOf(const TileMap&) {
     return {};
 }
 

@@ -26,7 +26,7 @@ double extentOf(const Convex& convex) {
 void measure(const WorldState& world, std::span<const ProxyId> added, BodyRecord& record) {
     for (const ProxyId id : added) {
         const Proxy& proxy = world.space[id];
-        if (proxy.def.sensor) continue;
+        if (proxy.def.sensor || proxy.use == PieceUse::None) continue;
         record.extent = std::max(record.extent, extentOf(proxy.convex));
         record.reach = std::max(record.reach, reachOf(proxy.def.shape, record.localCenter));
         record.core = std::min(record.core, coreOf(proxy.def.shape));
@@ -43,7 +43,9 @@ void measureAnew(WorldState& world, BodyIndex body) {
 /// How many of its shapes something may have to be stopped at.
 std::uint32_t wallsOf(const WorldState& world, std::span<const ProxyId> proxies, const BodyRecord& owner) {
     if (owner.type == BodyType::Dynamic || !owner.enabled) return 0;
-    const auto solid = [&world](ProxyId proxy) { return !world.space[proxy].def.sensor; };
+    const auto solid = [&world](ProxyId proxy) {
+        return !world.space[proxy].def.sensor && world.space.gate(proxy).touched;
+    };
     return static_cast<std::uint32_t>(std::count_if(proxies.begin(), proxies.end(), solid));
 }
 
@@ -51,6 +53,18 @@ void outline(WorldState& world, ProxyId proxy, const Vec2& localCenter) {
     std::vector<BoxOutline>& boxes = world.contacts.boxes;
     if (boxes.size() <= proxy) boxes.resize(proxy + std::size_t{1});
     boxes[proxy] = boxOutlineOf(world.space[proxy].def, localCenter);
+}
+
+/// A part of a shape comes into the space, where its body is now.
+ProxyId addPiece(WorldState& world, BodyIndex body, const PieceDef& part, std::uint32_t number, bool severalPieces) {
+    const BodyRecord& record = world.bodies.record[body];
+    const Aabb box = aabbOf(part.def.shape, world.bodies.pose(body));
+    const bool fixed = record.type == BodyType::Static;
+    const ProxyId proxy =
+        world.space.add(part.def, body, fixed, record.localCenter, box, number, severalPieces, part.use);
+    if (!record.enabled) world.space.hide(proxy);
+    outline(world, proxy, record.localCenter);
+    return proxy;
 }
 
 void removePairs(WorldState& world, BodyIndex body, ProxyId proxy) {
@@ -106,6 +120,9 @@ std::span<const ProxyId> piecesOf(const WorldState& world, BodyIndex body, std::
 ShapeDef shapeOf(const WorldState& world, std::span<const ProxyId> pieces) {
     ShapeDef def = world.space[pieces.front()].def;
     if (!world.space[pieces.front()].piece) return def;
+    const Proxy& first = world.space[pieces.front()];
+    if (const auto tiles = world.tiles.find({first.owner, first.number}); tiles != world.tiles.end())
+        return tiles->second.def;
     Chain chain;
     chain.closed = std::get<Segment>(def.shape).before.has_value();
     for (const ProxyId piece : pieces) chain.points.push_back(std::get<Segment>(world.space[piece].def.shape).start);
@@ -128,23 +145,41 @@ Mass massOfShapes(const WorldState& world, BodyIndex body) {
 }
 
 void addShape(WorldState& world, BodyIndex body, const ShapeDef& def, std::uint32_t number) {
+    if (std::holds_alternative<TileMap>(def.shape)) {
+        addTiles(world, body, def, number);
+        return;
+    }
+    std::vector<PieceDef> parts;
+    for (Shape& piece : piecesOf(def.shape)) {
+        parts.push_back({def, PieceUse::Both});
+        parts.back().def.shape = std::move(piece);
+    }
+    addPieces(world, body, number, parts, std::holds_alternative<Chain>(def.shape));
+}
+
+std::vector<ProxyId> addPieces(WorldState& world, BodyIndex body, std::uint32_t number, std::span<const PieceDef> parts,
+                               bool severalPieces) {
     BodyRecord& record = world.bodies.record[body];
     std::vector<ProxyId> added;
-    const bool chain = std::holds_alternative<Chain>(def.shape);
-    for (const Shape& piece : piecesOf(def.shape)) {
-        ShapeDef part = def;
-        part.shape = piece;
-        const Aabb box = aabbOf(piece, world.bodies.pose(body));
-        const bool fixed = record.type == BodyType::Static;
-        added.push_back(world.space.add(part, body, fixed, record.localCenter, box, number, chain));
-        if (!record.enabled) world.space.hide(added.back());
-        outline(world, added.back(), record.localCenter);
-    }
-    const auto isBelow = [&world](ProxyId proxy, std::uint32_t n) { return world.space[proxy].number < n; };
-    const auto at = std::lower_bound(record.proxies.begin(), record.proxies.end(), number, isBelow);
+    for (const PieceDef& part : parts) added.push_back(addPiece(world, body, part, number, severalPieces));
+    const auto isAbove = [&world](std::uint32_t n, ProxyId proxy) { return n < world.space[proxy].number; };
+    const auto at = std::upper_bound(record.proxies.begin(), record.proxies.end(), number, isAbove);
     record.proxies.insert(at, added.begin(), added.end());
     world.walls += wallsOf(world, added, record);
     measure(world, added, record);
+    return added;
+}
+
+void removePieces(WorldState& world, BodyIndex body, std::span<const ProxyId> pieces) {
+    if (pieces.empty()) return;
+    BodyRecord& record = world.bodies.record[body];
+    world.walls -= wallsOf(world, pieces, record);
+    for (const ProxyId proxy : pieces) {
+        removePairs(world, body, proxy);
+        world.space.remove(proxy);
+    }
+    std::erase_if(record.proxies, [&world](ProxyId proxy) { return !world.space[proxy].alive; });
+    measureAnew(world, body);
 }
 
 void wakeTouching(WorldState& world, BodyIndex body, std::uint32_t number) {
@@ -159,13 +194,22 @@ void wakeTouching(WorldState& world, BodyIndex body, std::uint32_t number) {
     wakeIsland(world, body);
 }
 
+void wakeTouchingPiece(WorldState& world, BodyIndex body, ProxyId piece) {
+    std::vector<BodyIndex> others;
+    forEachContact(world.bodies, world.contacts, body, [&](ContactIndex index) {
+        const ContactRecord& contact = world.contacts.contacts[index];
+        if (!contact.touching || (contact.proxyA != piece && contact.proxyB != piece)) return;
+        others.push_back(contact.bodyA == body ? contact.bodyB : contact.bodyA);
+    });
+    for (const BodyIndex other : others) wakeIsland(world, other);
+}
+
 void alterShape(WorldState& world, BodyIndex body, const ShapeDef& def, std::uint32_t number) {
     const std::span<const ProxyId> pieces = piecesOf(world, body, number);
     const ShapeDef before = world.space[pieces.front()].def;
+    if (const auto tiles = world.tiles.find({body, number}); tiles != world.tiles.end()) tiles->second.def = def;
     for (const ProxyId proxy : pieces) {
-        ShapeDef part = def;
-        part.shape = world.space[proxy].def.shape;
-        world.space.change(proxy, part);
+        world.space.change(proxy, pieceOf(def, world.space[proxy]));
         outline(world, proxy, world.bodies.record[body].localCenter);
     }
     if (before.material == def.material && before.filter == def.filter) return;
@@ -189,15 +233,9 @@ void alterShape(WorldState& world, BodyIndex body, const ShapeDef& def, std::uin
 }
 
 void removeShape(WorldState& world, BodyIndex body, std::uint32_t number) {
-    BodyRecord& record = world.bodies.record[body];
     const std::span<const ProxyId> pieces = piecesOf(world, body, number);
-    world.walls -= wallsOf(world, pieces, record);
-    for (const ProxyId proxy : pieces) {
-        removePairs(world, body, proxy);
-        world.space.remove(proxy);
-    }
-    std::erase_if(record.proxies, [&world](ProxyId proxy) { return !world.space[proxy].alive; });
-    measureAnew(world, body);
+    removePieces(world, body, std::vector(pieces.begin(), pieces.end()));
+    world.tiles.erase({body, number});
 }
 
 void removeShapes(WorldState& world, BodyIndex body) {
@@ -206,6 +244,7 @@ void removeShapes(WorldState& world, BodyIndex body) {
     world.walls -= wallsOf(world, record.proxies, record);
     for (const ProxyId proxy : record.proxies) world.space.remove(proxy);
     record.proxies.clear();
+    world.tiles.erase(world.tiles.lower_bound({body, 0}), world.tiles.upper_bound({body, none}));
 }
 
 void meetAnew(WorldState& world, BodyIndex body) {

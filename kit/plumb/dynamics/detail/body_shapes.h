@@ -17,6 +17,17 @@ Mass massOfShapesWithout(const WorldState& world, BodyIndex body, std::uint32_t 
 
 /// Puts a shape where the body is now, behind those of lower numbers.
 void addShape(WorldState& world, BodyIndex body, const ShapeDef& def, std::uint32_t number);
+/// One of the pieces that a shape has in the space.
+struct PieceDef {
+    ShapeDef def;
+    PieceUse use = PieceUse::Both;
+};
+/// severalPieces: there may be more of the same shape.
+std::vector<ProxyId> addPieces(WorldState& world, BodyIndex body, std::uint32_t number, std::span<const PieceDef> parts,
+                               bool severalPieces);
+void removePieces(WorldState& world, BodyIndex body, std::span<const ProxyId> pieces);
+/// Wakes what touches one piece.
+void wakeTouchingPiece(WorldState& world, BodyIndex body, ProxyId piece);
 /// Gives a shape another material, filter or tag, and keeps contacts and their impulses where they may stay.
 void alterShape(WorldState& world, BodyIndex body, const ShapeDef& def, std::uint32_t number);
 /// Wakes what touches a shape, before it changes or goes, and its body.

@@ -28,6 +28,9 @@ Kind kindOf(const Segment& segment) {
 Kind kindOf(const Chain&) {
     return Kind::Other;
 }
+Kind kindOf(const TileMap&) {
+    return Kind::Other;
+}
 Kind kindOf(const Polygon& polygon) {
     if (polygon.vertices.size() != 4) return Kind::Other;
     for (std::size_t i = 0; i < 4; ++i)

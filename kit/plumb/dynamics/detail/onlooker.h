@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Which shapes are there to be found, for whoever looks through a filter?
 #pragma once
+#include <plumb/collide/ray_cast.h>
 #include <plumb/dynamics/detail/world_state.h>
+#include <plumb/dynamics/query.h>
 
 namespace plumb {
 
@@ -10,11 +12,14 @@ namespace plumb {
 class Onlooker {
 public:
     Onlooker(const WorldState& world, const Filter& filter)
-        : world_(world), gate_{filter.category, filter.mask, 0, filter.group, false} {}
+        : world_(world), gate_{filter.category, filter.mask, 0, filter.group} {}
 
     const Shape& shape(ProxyId id) const { return world_.space[id].def.shape; }
     Transform pose(ProxyId id) const { return world_.bodies.pose(world_.space[id].owner); }
     ShapeId idOf(ProxyId id) const { return world_.idOfShape(id); }
+    CastHit hitOf(ProxyId id, const CastPoint& met) const {
+        return {idOf(id), met.point, met.normal, met.fraction, tileMet(world_, id, met.point, met.normal)};
+    }
 
     /// Whatever a box of this half size may meet on its way; visit(id) gives the fraction of it up to which more is
     /// wanted.
@@ -58,7 +63,10 @@ public:
     }
 
 private:
-    bool sees(ProxyId id) const { return mayMeet(gate_, world_.space.gate(id)) && !world_.space[id].def.sensor; }
+    bool sees(ProxyId id) const {
+        const Gate& gate = world_.space.gate(id);
+        return mayMeet(gate_, gate) && gate.asked && !gate.sensor;
+    }
 
     template <class Visit>
     void forEachStray(Visit&& visit) const {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/detail/placed_outline.h>
 
+#include <array>
+
 namespace plumb {
 
 namespace {
@@ -19,6 +21,11 @@ PlacedOutline localOutline(const Segment& segment) {
 }
 PlacedOutline localOutline(const Chain& chain) {
     return {chain.points, 0, false};
+}
+
+PlacedOutline localOutline(const TileMap& map) {
+    const std::array<Vec2, 4> corners = outerCornersOf(map);
+    return {{corners.begin(), corners.end()}, 0, false};
 }
 
 }  // namespace

@@ -24,6 +24,10 @@ double coreOfOutline(const Chain&) {
     return 0;
 }
 
+double coreOfOutline(const TileMap&) {
+    return 0;
+}
+
 /// Of the disc around the mean of the corners.
 double coreOfOutline(const Polygon& polygon) {
     Vec2 middle(0, 0);

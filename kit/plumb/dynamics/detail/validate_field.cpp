@@ -45,6 +45,8 @@ void validateRegion(const Shape& region) {
     validate(region, "FieldDef.region");
     if (std::holds_alternative<Segment>(region) || std::holds_alternative<Chain>(region))
         refuse("FieldDef.region", "a line has no area that a field could fill");
+    if (std::holds_alternative<TileMap>(region))
+        refuse("FieldDef.region", "a tile map is not one area: give a field to each part of it");
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include <plumb/dynamics/detail/lane_collider.h>
 #include <plumb/dynamics/detail/sensor_store.h>
 #include <plumb/dynamics/detail/strays.h>
+#include <plumb/dynamics/detail/tile_shapes.h>
 #include <plumb/dynamics/world.h>
 #include <plumb/space/space.h>
 
@@ -37,6 +38,7 @@ struct WorldState {
     BodyStore bodies;
     std::map<BodyIndex, Mass> parkedMass;  ///< given to bodies that are not dynamic now
     Space space;
+    TileStore tiles;
     std::uint32_t walls = 0;  ///< shapes that nothing pushes: those of static and kinematic bodies, but for sensors
     ContactStore contacts;
     ContactGraph graph;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/shapes/detail/core_points.h>
 
+#include <array>
+
 namespace plumb {
 namespace {
 
@@ -22,6 +24,11 @@ CorePoints coreOf(const Segment& segment) {
 
 CorePoints coreOf(const Chain& chain) {
     return {chain.points, 0};
+}
+
+CorePoints coreOf(const TileMap& map) {
+    const std::array<Vec2, 4> corners = outerCornersOf(map);
+    return {{corners.begin(), corners.end()}, 0};
 }
 
 }  // namespace

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/detail/tile_shapes.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <plumb/dynamics/detail/body_shapes.h>
+#include <plumb/shapes/aabb.h>
+#include <plumb/shapes/tile_pieces.h>
+
+namespace plumb {
+
+namespace {
+
+/// Share of a cell by which a point is moved into what was met there: above roundings, below any tile [-].
+constexpr double inward = 1e-6;
+
+ShapeDef partOf(const ShapeDef& whole, const TilePiece& piece) {
+    ShapeDef part = whole;
+    part.shape = piece.shape;
+    part.material.density = 0;
+    part.sensor = whole.sensor || piece.kind == TileKind::Sensor;
+    if (piece.kind == TileKind::OneWay) part.oneWay = Vec2(0, 1);
+    return part;
+}
+
+std::vector<PieceDef> partsOf(const ShapeDef& whole, const std::vector<TilePiece>& pieces) {
+    std::vector<PieceDef> parts;
+    for (const TilePiece& piece : pieces) {
+        const bool outline = piece.use == PieceUse::Touch;
+        if (whole.sensor && outline) continue;
+        parts.push_back({partOf(whole, piece), whole.sensor ? PieceUse::Both : piece.use});
+    }
+    return parts;
+}
+
+/// Holds the place of a map that may be empty.
+PieceDef placeholderOf(const ShapeDef& whole, const TileMap& map) {
+    ShapeDef part = whole;
+    part.shape = Circle{.radius = 0.5 * map.size(), .center = map.centerOf({0, 0})};
+    part.material.density = 0;
+    return {part, PieceUse::None};
+}
+
+bool isSame(const WorldState& world, ProxyId proxy, const PieceDef& part) {
+    const Proxy& there = world.space[proxy];
+    return there.use == part.use && there.def.sensor == part.def.sensor && there.def.oneWay == part.def.oneWay &&
+           there.def.shape == part.def.shape;
+}
+
+void wakeOn(WorldState& world, BodyIndex body, const std::vector<ProxyId>& pieces) {
+    for (const ProxyId piece : pieces) wakeTouchingPiece(world, body, piece);
+}
+
+/// A block's pieces become others; those that stay, stay with their contacts.
+void renewBlock(WorldState& world, BodyIndex body, std::uint32_t number, Cell block) {
+    TileShape& tiles = world.tiles.at({body, number});
+    std::vector<ProxyId>& present = tiles.blocks[{block.row, block.column}];
+    std::vector<PieceDef> parts = partsOf(tiles.def, tilePiecesOf(tiles.map(), block));
+    std::vector<ProxyId> kept, gone;
+    for (const ProxyId proxy : present) {
+        const auto same =
+            std::find_if(parts.begin(), parts.end(), [&](const PieceDef& part) { return isSame(world, proxy, part); });
+        (same == parts.end() ? gone : kept).push_back(proxy);
+        if (same != parts.end()) parts.erase(same);
+    }
+    wakeOn(world, body, gone);
+    removePieces(world, body, gone);
+    present = std::move(kept);
+    const std::vector<ProxyId> added = addPieces(world, body, number, parts, true);
+    present.insert(present.end(), added.begin(), added.end());
+}
+
+int cellIn(double value, double lower, double upper, double size) {
+    const auto index = [size](double x) { return static_cast<int>(std::floor(x / size)); };
+    const int first = index(lower + inward * size), last = index(upper - inward * size);
+    return std::clamp(index(value), std::min(first, last), std::max(first, last));
+}
+
+}  // namespace
+
+void addTiles(WorldState& world, BodyIndex body, const ShapeDef& def, std::uint32_t number) {
+    TileShape& tiles = world.tiles[{body, number}];
+    tiles = {def, {}};
+    addPieces(world, body, number, std::vector{placeholderOf(def, tiles.map())}, true);
+    const Cell blocks = tileBlocksOf(tiles.map());
+    for (int row = 0; row < blocks.row; ++row)
+        for (int column = 0; column < blocks.column; ++column)
+            tiles.blocks[{row, column}] =
+                addPieces(world, body, number, partsOf(def, tilePiecesOf(tiles.map(), {column, row})), true);
+}
+
+void editTile(WorldState& world, BodyIndex body, std::uint32_t number, Cell cell, const Tile& tile) {
+    TileShape& tiles = world.tiles.at({body, number});
+    TileMap& map = std::get<TileMap>(tiles.def.shape);
+    if (map.contains(cell) && map.at(cell) == tile) return;
+    map.set(cell, tile);
+    for (const Cell block : tileBlocksAt(map, cell)) renewBlock(world, body, number, block);
+}
+
+ShapeDef pieceOf(const ShapeDef& whole, const Proxy& piece) {
+    ShapeDef part = whole;
+    part.shape = piece.def.shape;
+    if (!std::holds_alternative<TileMap>(whole.shape)) return part;
+    part.material.density = 0;
+    part.sensor = piece.def.sensor;
+    part.oneWay = piece.def.oneWay;
+    return part;
+}
+
+std::optional<Cell> tileMet(const WorldState& world, ProxyId piece, const Vec2& point, const Vec2& normal) {
+    const Proxy& proxy = world.space[piece];
+    if (!proxy.piece) return std::nullopt;
+    const auto found = world.tiles.find({proxy.owner, proxy.number});
+    if (found == world.tiles.end()) return std::nullopt;
+    const Transform pose = world.bodies.pose(proxy.owner);
+    const Rot back = pose.rotation.inverse();
+    const double size = found->second.map().size();
+    // A one-way tile is met at its top alone.
+    const Vec2 out = proxy.def.oneWay ? *proxy.def.oneWay : Vec2(back * normal);
+    const Vec2 local = back * Vec2(point - pose.position) - out * (inward * size);
+    const Aabb box = aabbOf(proxy.def.shape, {});
+    const double lower = proxy.def.oneWay ? box.lower.y() - inward * size : box.lower.y();
+    return Cell{cellIn(local.x(), box.lower.x(), box.upper.x(), size), cellIn(local.y(), lower, box.upper.y(), size)};
+}
+
+}  // namespace plumb

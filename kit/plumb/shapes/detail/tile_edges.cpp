@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/shapes/detail/tile_edges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumb {
+
+namespace {
+
+struct HalfEdge {
+    HalfPoint start, end;
+    friend bool operator==(const HalfEdge&, const HalfEdge&) = default;
+};
+
+HalfPoint halfPointAt(Cell cell, const Vec2& corner) {
+    return {2 * cell.column + static_cast<int>(2 * corner.x()), 2 * cell.row + static_cast<int>(2 * corner.y())};
+}
+
+bool isUpright(const HalfEdge& edge) {
+    return edge.start.x == edge.end.x || edge.start.y == edge.end.y;
+}
+
+/// Around a tile; those on the cell's sides in halves.
+std::vector<HalfEdge> edgesAround(const Tile& tile, Cell cell) {
+    const std::vector<Vec2> corners = cornersOf(tile);
+    std::vector<HalfEdge> edges;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const HalfPoint a = halfPointAt(cell, corners[i]), b = halfPointAt(cell, corners[(i + 1) % corners.size()]);
+        const HalfPoint middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
+        const bool long_ = isUpright({a, b}) && std::abs(a.x - b.x) + std::abs(a.y - b.y) == 2;
+        if (!long_) {
+            edges.push_back({a, b});
+            continue;
+        }
+        edges.push_back({a, middle});
+        edges.push_back({middle, b});
+    }
+    return edges;
+}
+
+/// The cell on the other side of an edge that lies on a side of its own.
+Cell cellBeyond(const HalfEdge& edge, Cell cell) {
+    const int dx = edge.end.x - edge.start.x, dy = edge.end.y - edge.start.y;
+    return {cell.column + (dy > 0) - (dy < 0), cell.row + (dx < 0) - (dx > 0)};
+}
+
+bool isOnSide(const HalfEdge& edge, Cell cell) {
+    const auto at = [](int a, int b, int side) { return a == side && b == side; };
+    return at(edge.start.x, edge.end.x, 2 * cell.column) || at(edge.start.x, edge.end.x, 2 * cell.column + 2) ||
+           at(edge.start.y, edge.end.y, 2 * cell.row) || at(edge.start.y, edge.end.y, 2 * cell.row + 2);
+}
+
+bool isCovered(const TileMap& map, const HalfEdge& edge, Cell cell) {
+    if (!isOnSide(edge, cell)) return false;
+    const Cell beyond = cellBeyond(edge, cell);
+    const Tile tile = map.at(beyond);
+    if (!isSolid(tile)) return false;
+    if (tile.form == TileForm::Full) return true;
+    const std::vector<HalfEdge> there = edgesAround(tile, beyond);
+    return std::find(there.begin(), there.end(), HalfEdge{edge.end, edge.start}) != there.end();
+}
+
+int cross(const TileEdge& a, const TileEdge& b) {
+    return (a.end.x - a.start.x) * (b.end.y - b.start.y) - (a.end.y - a.start.y) * (b.end.x - b.start.x);
+}
+
+int dot(const TileEdge& a, const TileEdge& b) {
+    return (a.end.x - a.start.x) * (b.end.x - b.start.x) + (a.end.y - a.start.y) * (b.end.y - b.start.y);
+}
+
+/// Grows with the turn to the left from one edge to the next, from -1 at a turn straight back on the right to 1.
+double turnBetween(const TileEdge& from, const TileEdge& to) {
+    const double c = dot(from, to), s = cross(from, to);
+    const double cosine = c / std::sqrt(c * c + s * s);
+    return s < 0 || (s == 0 && c < 0) ? (cosine - 1) / 2 : (1 - cosine) / 2;
+}
+
+/// Of all that start, or end, at a point.
+template <class Fits>
+std::vector<TileEdge> edgesAt(const TileMap& map, HalfPoint point, Fits&& fits) {
+    const auto floored = [](int half) { return half >= 0 ? half / 2 : -((1 - half) / 2); };
+    std::vector<TileEdge> found;
+    for (int row = floored(point.y - 1); row <= floored(point.y); ++row)
+        for (int column = floored(point.x - 1); column <= floored(point.x); ++column)
+            for (const TileEdge& edge : openEdges(map, {column, row}))
+                if (fits(edge)) found.push_back(edge);
+    return found;
+}
+
+/// turn(edge) is that of the outline where it goes from the one in question to this, or comes from it.
+template <class Turn>
+std::optional<TileEdge> chosen(const std::vector<TileEdge>& candidates, TileKind kind, Turn&& turn) {
+    std::optional<TileEdge> best;
+    const auto take = [&](const TileEdge& edge) {
+        if (!best || turn(edge) < turn(*best)) best = edge;
+    };
+    const bool oneWay = kind == TileKind::OneWay;
+    for (const TileEdge& edge : candidates)
+        if (oneWay || edge.kind != TileKind::OneWay) take(edge);
+    for (const TileEdge& edge : candidates)
+        if (!oneWay && edge.kind == TileKind::OneWay && turn(edge) == 0) take(edge);
+    return best;
+}
+
+}  // namespace
+
+std::vector<TileEdge> openEdges(const TileMap& map, Cell cell) {
+    const Tile tile = map.at(cell);
+    std::vector<TileEdge> open;
+    if (isEmpty(tile) || tile.kind == TileKind::Sensor) return open;
+    for (const HalfEdge& edge : edgesAround(tile, cell)) {
+        const bool top = edge.end.x < edge.start.x;
+        if (tile.kind == TileKind::OneWay && !top) continue;
+        if (!isCovered(map, edge, cell)) open.push_back({edge.start, edge.end, tile.kind, cell});
+    }
+    return open;
+}
+
+std::optional<TileEdge> edgeAfter(const TileMap& map, const TileEdge& edge) {
+    const auto starts = [&](const TileEdge& other) { return other.start == edge.end; };
+    return chosen(edgesAt(map, edge.end, starts), edge.kind,
+                  [&](const TileEdge& other) { return turnBetween(edge, other); });
+}
+
+std::optional<TileEdge> edgeBefore(const TileMap& map, const TileEdge& edge) {
+    const auto ends = [&](const TileEdge& other) { return other.end == edge.start; };
+    return chosen(edgesAt(map, edge.start, ends), edge.kind,
+                  [&](const TileEdge& other) { return turnBetween(other, edge); });
+}
+
+}  // namespace plumb
