@@ -6,6 +6,7 @@
 
 #include <compare/metric/observation.h>
 #include <plumb/collide/distance.h>
+#include <plumb/shapes/tile_pieces.h>
 
 namespace plumb::compare {
 namespace {
@@ -24,13 +25,29 @@ bool isSolid(const ShapeDef& shape) {
     return !shape.sensor && !shape.oneWay;
 }
 
+/// A map is long and what touches it is small: each part of what its solid tiles fill by itself.
+std::vector<ShapeDef> solidParts(const ShapeDef& shape) {
+    const auto* map = std::get_if<TileMap>(&shape.shape);
+    if (map == nullptr) return {shape};
+    std::vector<ShapeDef> parts;
+    for (TilePiece& piece : tilePiecesOf(*map)) {
+        if (piece.use != PieceUse::Ask) continue;
+        parts.push_back(shape);
+        parts.back().shape = std::move(piece.shape);
+    }
+    return parts;
+}
+
 }  // namespace
 
 Geometry::Geometry(const Scene& scene) : joints_(scene) {
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-        for (const ShapeDef& shape : scene.bodies[i].def.shapes)
-            if (isSolid(shape) && scene.bodies[i].def.enabled)
-                shapes_.push_back({i, shape, scene.bodies[i].def.type == BodyType::Dynamic});
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        const BodyDef& def = scene.bodies[i].def;
+        for (const ShapeDef& shape : def.shapes)
+            if (isSolid(shape) && def.enabled)
+                for (ShapeDef& part : solidParts(shape))
+                    shapes_.push_back({i, std::move(part), def.type == BodyType::Dynamic});
+    }
     for (const JointGeometry& joint : joints_.joints())
         if (!joint.collideConnected && joint.bodyA != noBody) keptApart_.insert(std::minmax(joint.bodyA, joint.bodyB));
     for (std::size_t i = 0; i < shapes_.size() && !anyMayTouch_; ++i)

@@ -35,11 +35,22 @@ public:
         }
         std::vector<double> row = simulation.probeValues();
         for (std::size_t i = 0; i < scene_.probes.size(); ++i)
-            if (isSeen(scene_.probes[i])) row[i] = valueOf(scene_.probes[i], seen.states.back(), broken);
+            if (const auto* snags = std::get_if<SnagsProbe>(&scene_.probes[i].quantity))
+                row[i] = snagsOf(*snags, seen, i);
+            else if (isSeen(scene_.probes[i]))
+                row[i] = valueOf(scene_.probes[i], seen.states.back(), broken);
         seen.probes.push_back(std::move(row));
     }
 
 private:
+    /// One more than before when the last step caught the body.
+    double snagsOf(const SnagsProbe& probe, const Observation& seen, std::size_t index) const {
+        if (seen.probes.empty()) return 0;
+        const std::size_t body = bodyIndex(scene_, probe.body), now = seen.states.size() - 1;
+        const auto speedAt = [&](std::size_t tick) { return seen.states[tick][body].velocity.dot(probe.direction); };
+        return seen.probes.back()[index] + (speedAt(now - 1) - speedAt(now) <= probe.drop ? 0 : 1);
+    }
+
     double valueOf(const Probe& probe, const std::vector<BodyState>& states, const Broken& broken) const {
         const auto stateOf = [&](const std::string& body) { return states[bodyIndex(scene_, body)]; };
         if (const auto* angle = std::get_if<AngleProbe>(&probe.quantity)) return stateOf(angle->body).angle;

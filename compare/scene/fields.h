@@ -44,8 +44,8 @@ inline constexpr std::initializer_list<const char*> motionTags{"piecewise",  "da
                                                                "oscillator", "dragFall", "kepler"};
 inline constexpr std::initializer_list<const char*> lawTags{
     "uniformGravity", "mutualGravity", "drag", "attractor", "magnet", "pool", "groundFriction"};
-inline constexpr std::initializer_list<const char*> probeTags{"angle",    "normalForce", "jointForce",  "position",
-                                                              "velocity", "limit",       "jointBroken", "sensorCount"};
+inline constexpr std::initializer_list<const char*> probeTags{
+    "angle", "normalForce", "jointForce", "position", "velocity", "limit", "jointBroken", "sensorCount", "snags"};
 
 // Of a number without bound, for which JSON has no sign.
 inline constexpr const char* infiniteTag = "infinite";
@@ -395,6 +395,11 @@ void fields(auto& visit, Is<JointBrokenProbe> auto& x) {
 }
 void fields(auto& visit, Is<SensorCountProbe> auto& x) {
     visit("body", x.body);
+}
+void fields(auto& visit, Is<SnagsProbe> auto& x) {
+    visit("body", x.body);
+    visit("direction", x.direction);
+    visit("drop", x.drop);
 }
 void fields(auto& visit, Is<Probe> auto& x) {
     visit("name", x.name);

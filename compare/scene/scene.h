@@ -68,6 +68,13 @@ struct SensorCountProbe {
     std::string body{};
 };
 
+/// In how many steps so far the body has lost more than drop of its speed along a direction: what caught it.
+struct SnagsProbe {
+    std::string body{};
+    Vec2 direction{1, 0};  ///< a unit vector [-]
+    double drop = 0.01;    ///< > 0 [m/s]
+};
+
 /// Which of its values between from and until are held against what is expected?
 enum class Watch {
     Every,    ///< each of them
@@ -76,7 +83,7 @@ enum class Watch {
 };
 
 using Quantity = std::variant<AngleProbe, NormalForceProbe, JointForceProbe, PositionProbe, VelocityProbe, LimitProbe,
-                              JointBrokenProbe, SensorCountProbe>;
+                              JointBrokenProbe, SensorCountProbe, SnagsProbe>;
 
 /// A quantity watched beside the positions; its metric is probe.<name>, the largest distance from expected.
 struct Probe {

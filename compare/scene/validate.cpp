@@ -189,6 +189,7 @@ void validateProbe(const Probe& probe, const Scene& scene, const std::string& fi
         if (force->bodyA == force->bodyB)
             refuse(path + ".bodyB", quoted(force->bodyB) + " is bodyA too, wanted another body");
     }
+    if (const auto* snags = std::get_if<SnagsProbe>(&probe.quantity)) requirePositive(snags->drop, path, ".drop");
     requireFinite(probe.expected, field, ".expected");
     requireNotNegative(probe.from, field, ".from");
     requireNotNegative(probe.until, field, ".until");

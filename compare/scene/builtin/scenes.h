@@ -130,6 +130,10 @@ Scene dominoes();
 // small_tumbler.cpp
 Scene smallTumbler();
 
+// tiles.cpp
+Scene tileFloor();
+Scene tileWall();
+
 // gas.cpp
 Scene elasticGas();
 

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include <compare/scene/builtin/parts.h>
+#include <compare/scene/builtin/scenes.h>
+
+namespace plumb::compare {
+namespace {
+
+constexpr double tile = 0.1;   // [m]
+constexpr double half = 0.25;  // of each body's height [m]
+constexpr double apart = 3;    // from one body's ground to the next one's [m]
+constexpr Material smooth{.friction = 0};
+
+/// Each slides on a ground of its own.
+struct Slider {
+    const char* name;
+    ShapeDef shape;
+};
+
+std::vector<Slider> sliders() {
+    return {{"box", box({half, half}, smooth)},
+            {"disc", circle(half, smooth)},
+            {"capsule", capsule({-half, 0}, {half, 0}, half, smooth)}};
+}
+
+ShapeDef row(int columns, int rows) {
+    TileMap map({.columns = columns, .rows = rows, .size = tile});
+    for (int y = 0; y < rows; ++y)
+        for (int x = 0; x < columns; ++x) map.set({x, y}, {.form = TileForm::Full});
+    return tiles(map, smooth);
+}
+
+/// Along a line, each with its snags counted.
+void watch(Scene& scene, const std::string& body, const Flight& flight, const Vec2& way) {
+    scene.closedForm->bodies.push_back(PiecewiseMotion{body, {flight}});
+    scene.probes.push_back({.name = "snags_" + body, .quantity = SnagsProbe{body, way}});
+    scene.checks.push_back(invariant("probe.snags_" + body, 0, "inner edges are gone: nothing is there to catch on"));
+}
+
+}  // namespace
+
+Scene tileFloor() {
+    const double speed = 10;
+    Scene scene{
+        .name = "tile_floor",
+        .question = "Does anything catch where 1,000 flush tiles of a floor meet?",
+        .duration = 9.5,
+        .closedForm = ClosedForm{.formula = "x = x0 + v t", .source = "Newton's first law: the floor is smooth"},
+        .checks = {ExactCheck{1e-4, sinksOnGround + "5/8 of it under two corners; and nothing along the floor"}},
+    };
+    double floor = 0;
+    for (const Slider& slider : sliders()) {
+        const Vec2 start(1, floor + half);
+        scene.bodies.push_back({std::string(slider.name) + "_floor",
+                                {.type = BodyType::Static, .position = {0, floor - tile}, .shapes = {row(1000, 1)}}});
+        scene.bodies.push_back({slider.name, {.position = start, .velocity = {speed, 0}, .shapes = {slider.shape}}});
+        watch(scene, slider.name, {.position = start, .velocity = {speed, 0}}, {1, 0});
+        floor -= apart;
+    }
+    return scene;
+}
+
+Scene tileWall() {
+    const double press = 5;  // [m/s^2]
+    Scene scene{
+        .name = "tile_wall",
+        .question = "Does anything catch that falls down a wall of flush tiles, pressed against it?",
+        .gravity = {press, -gravity},
+        .duration = 3,
+        .closedForm = ClosedForm{.formula = "y = y0 - g t^2 / 2", .source = "free fall: the wall is smooth"},
+        .checks = {ExactCheck{1e-4,
+                              "a contact gives way to what presses on it as a spring of 60 Hz, 5 m/s^2 / "
+                              "(2 pi 60)^2 = 0.035 mm; and nothing along the wall"}},
+    };
+    double wall = 0;
+    for (const Slider& slider : sliders()) {
+        const bool lies = std::holds_alternative<Capsule>(slider.shape.shape);
+        const Vec2 start(wall - half, -1);
+        const double angle = lies ? degrees(90) : 0;
+        scene.bodies.push_back({std::string(slider.name) + "_wall",
+                                {.type = BodyType::Static, .position = {wall, -500 * tile}, .shapes = {row(1, 500)}}});
+        scene.bodies.push_back({slider.name, {.position = start, .angle = angle, .shapes = {slider.shape}}});
+        watch(scene, slider.name, {.position = start, .acceleration = {0, -gravity}, .angle = angle}, {0, -1});
+        wall += apart;
+    }
+    return scene;
+}
+
+}  // namespace plumb::compare
