@@ -8,7 +8,7 @@
 namespace plumb {
 
 struct Crossing {
-    Cell cell;                             ///< where to choose
+    Cell cell = {};                        ///< where to choose
     Direction heading = Direction::Right;  ///< in which it will be entered; never left by its reverse
     GridPass pass = {};
     bool upClosed = false;  ///< the arcade's map has four tiles that hunters do not leave upward

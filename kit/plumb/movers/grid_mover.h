@@ -18,13 +18,13 @@ struct CorneringWindow {
 
 /// By the direction in which the centre is approached. All 0: turns at centres only.
 struct Cornering {
-    CorneringWindow up, left, down, right;
+    CorneringWindow up = {}, left = {}, down = {}, right = {};
 
     const CorneringWindow& of(Direction heading) const;
 };
 
 struct GridMoverDef {
-    Cell cell;  ///< it starts at the centre
+    Cell cell = {};  ///< it starts at the centre
     Direction heading = Direction::Right;
     GridPass pass = {};
     Cornering cornering = {};
