@@ -5,7 +5,7 @@ namespace plumb {
 
 namespace {
 
-bool mayLeave(const TileMap& map, const Crossing& crossing, Direction exit) {
+bool mayLeave(const TileMap& map, const GridCrossing& crossing, Direction exit) {
     if (exit == opposite(crossing.heading)) return false;
     if (exit == Direction::Up && crossing.upClosed) return false;
     return isOpen(map, crossing.cell, exit, crossing.pass);
@@ -19,7 +19,7 @@ double squaredDistance(Cell a, Cell b) {
 
 }  // namespace
 
-std::optional<Direction> nextDirection(const TileMap& map, const Crossing& crossing, Cell target) {
+std::optional<Direction> nextDirection(const TileMap& map, const GridCrossing& crossing, Cell target) {
     std::optional<Direction> best;
     double least = 0;
     for (const Direction exit : allDirections) {
@@ -32,7 +32,7 @@ std::optional<Direction> nextDirection(const TileMap& map, const Crossing& cross
     return best;
 }
 
-std::optional<Direction> firstOpenClockwise(const TileMap& map, const Crossing& crossing, Direction wanted) {
+std::optional<Direction> firstOpenClockwise(const TileMap& map, const GridCrossing& crossing, Direction wanted) {
     for (int turn = 0; turn < 4; ++turn, wanted = clockwise(wanted))
         if (mayLeave(map, crossing, wanted)) return wanted;
     return std::nullopt;

@@ -7,7 +7,7 @@
 
 namespace plumb {
 
-struct Crossing {
+struct GridCrossing {
     Cell cell = {};                        ///< where to choose
     Direction heading = Direction::Right;  ///< in which it will be entered; never left by its reverse
     GridPass pass = {};
@@ -18,10 +18,10 @@ struct Crossing {
 /// right. None in a dead end. The arcade's hunter asks on entering a tile, about the next one: it decides a tile ahead.
 /// Distances are counted over the map as drawn, not across its wrapped edges.
 /// Source: The Pac-Man Dossier, chapter 4. Test: "a hunter's choice is the best of all exits in 100,000 crossings ..."
-std::optional<Direction> nextDirection(const TileMap& map, const Crossing& crossing, Cell target);
+std::optional<Direction> nextDirection(const TileMap& map, const GridCrossing& crossing, Cell target);
 
 /// The wanted exit if it is open and no reverse, else the first that is, clockwise; none in a dead end. The arcade's
 /// frightened hunter wants one at random. Source: the same.
-std::optional<Direction> firstOpenClockwise(const TileMap& map, const Crossing& crossing, Direction wanted);
+std::optional<Direction> firstOpenClockwise(const TileMap& map, const GridCrossing& crossing, Direction wanted);
 
 }  // namespace plumb

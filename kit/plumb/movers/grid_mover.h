@@ -85,7 +85,7 @@ public:
     bool stopped() const { return stopped_; }  ///< at a wall, or halted, when it last moved
     /// From the centre of its cell [tiles]: on one axis at most, except while it cuts a corner.
     Vec2 offset() const { return Vec2(x_, y_) / def_.pixelsPerTile; }
-    /// In the map's frame [m]. For a kinematic body: body.moveTo(position, angleOf(heading), dt), but setPose in a tick
+    /// In the map's frame [m]. A kinematic body is told body.moveTo(position, angle, dt), but setPose in a tick
     /// in which it wrapped.
     Vec2 position(const TileMap& map) const { return map.centerOf(cell_) + offset() * map.size(); }
     const GridMoverDef& def() const { return def_; }

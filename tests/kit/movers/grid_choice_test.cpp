@@ -47,9 +47,9 @@ TEST_CASE("a hunter's choice is the best of all exits in 100,000 crossings, by b
     for (int run = 0; run < runs; ++run) {
         const TileMap map = randomMaze(random);
         const OpenCells open(map);
-        const Crossing crossing{.cell = {random.integer(0, map.columns() - 1), random.integer(0, map.rows() - 1)},
-                                .heading = static_cast<Direction>(random.integer(0, 3)),
-                                .upClosed = random.integer(0, 3) == 0};
+        const GridCrossing crossing{.cell = {random.integer(0, map.columns() - 1), random.integer(0, map.rows() - 1)},
+                                    .heading = static_cast<Direction>(random.integer(0, 3)),
+                                    .upClosed = random.integer(0, 3) == 0};
         const Cell target{random.integer(-5, 25), random.integer(-5, 25)};
         const auto legal = [&](Direction exit) {
             return open.ahead(crossing.cell, exit) && !reverses(exit, crossing.heading) &&
@@ -85,7 +85,7 @@ TEST_CASE("who wants up, and finds walls above and to the right, goes down", "[a
     TileMap map({.columns = 3, .rows = 3});
     map.set({1, 2}, wallTile);
     map.set({2, 1}, wallTile);
-    const Crossing crossing{.cell = {1, 1}, .heading = Direction::Down};
+    const GridCrossing crossing{.cell = {1, 1}, .heading = Direction::Down};
     CHECK(firstOpenClockwise(map, crossing, Direction::Up) == Direction::Down);
     CHECK(firstOpenClockwise(map, crossing, Direction::Left) == Direction::Left);
 }
