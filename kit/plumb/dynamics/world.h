@@ -72,7 +72,8 @@ public:
     Joint joint(JointId joint);
     JointView joint(JointId joint) const;
     ShapeDef shape(ShapeId shape) const;
-    void set(ShapeId shape, const ShapeDef& def);  ///< in its place; mass follows, unless it was given
+    std::optional<Vec2> oneWay(ShapeId shape) const;  ///< of its def, which may be large; in its body's frame
+    void set(ShapeId shape, const ShapeDef& def);     ///< in its place; mass follows, unless it was given
 
     std::vector<BodyId> bodies() const;  ///< in the order of their slots
     std::vector<JointId> joints() const;
@@ -89,6 +90,9 @@ public:
                                      const Filter& filter = {}) const;
     std::vector<CastHit> castShapeAll(const Shape& shape, const Transform& pose, const Vec2& shift,
                                       const Filter& filter = {}) const;
+    /// The same, of a chain each of its pieces, but nothing of one body, where one is named.
+    std::vector<CastHit> castShapePieces(const Shape& shape, const Transform& pose, const Vec2& shift,
+                                         const Filter& filter = {}, BodyId ignored = {}) const;
     // Shapes that overlap or touch, in the order of their bodies' slots and their numbers.
     std::vector<ShapeId> overlapBox(const Aabb& box, const Filter& filter = {}) const;
     std::vector<ShapeId> overlapShape(const Shape& shape, const Transform& pose, const Filter& filter = {}) const;

@@ -61,6 +61,11 @@ ShapeDef World::shape(ShapeId id) const {
     return shapeOf(*state_, piecesOf(*state_, id.body.index, id.number));
 }
 
+std::optional<Vec2> World::oneWay(ShapeId id) const {
+    requireShape(*state_, id, "ShapeId");
+    return state_->space[piecesOf(*state_, id.body.index, id.number).front()].def.oneWay;
+}
+
 void World::set(ShapeId id, const ShapeDef& def) {
     const ShapeDef before = shape(id);
     requireShape(def, "ShapeDef");

@@ -9,8 +9,8 @@ namespace plumb {
 /// some that are not, and some twice.
 class Onlooker {
 public:
-    Onlooker(const WorldState& world, const Filter& filter)
-        : world_(world), gate_{filter.category, filter.mask, 0, filter.group, false} {}
+    Onlooker(const WorldState& world, const Filter& filter, BodyIndex ignored = noBody)
+        : world_(world), gate_{filter.category, filter.mask, 0, filter.group, false}, ignored_(ignored) {}
 
     const Shape& shape(ProxyId id) const { return world_.space[id].def.shape; }
     Transform pose(ProxyId id) const { return world_.bodies.pose(world_.space[id].owner); }
@@ -58,7 +58,10 @@ public:
     }
 
 private:
-    bool sees(ProxyId id) const { return mayMeet(gate_, world_.space.gate(id)) && !world_.space[id].def.sensor; }
+    bool sees(ProxyId id) const {
+        const Proxy& proxy = world_.space[id];
+        return mayMeet(gate_, world_.space.gate(id)) && !proxy.def.sensor && proxy.owner != ignored_;
+    }
 
     template <class Visit>
     void forEachStray(Visit&& visit) const {
@@ -70,6 +73,7 @@ private:
 
     const WorldState& world_;
     Gate gate_;
+    BodyIndex ignored_;
 };
 
 }  // namespace plumb
