@@ -67,9 +67,9 @@ Scene tileWall() {
         .gravity = {press, -gravity},
         .duration = 3,
         .closedForm = ClosedForm{.formula = "y = y0 - g t^2 / 2", .source = "free fall: the wall is smooth"},
-        .checks = {ExactCheck{1e-4,
-                              "a contact gives way to what presses on it as a spring of 60 Hz, 5 m/s^2 / "
-                              "(2 pi 60)^2 = 0.035 mm; and nothing along the wall"}},
+        .checks = {ExactCheck{4e-4,
+                              "the solver adds up a speed of up to 29 m/s in floats, 720 times, each rounded by up to "
+                              "1 um/s: at most 1 mm; across the wall a contact gives way by 0.035 mm"}},
     };
     double wall = 0;
     for (const Slider& slider : sliders()) {

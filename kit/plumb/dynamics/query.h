@@ -16,7 +16,8 @@ struct CastHit {
     Vec2 point{0, 0};     ///< where they meet, in the world [m]
     Vec2 normal{0, 1};    ///< outward from what was met; where it began inside, against the motion [-]
     double fraction = 0;  ///< of the way, 0 to 1; 0 where it began inside or touching [-]
-    std::optional<Cell> tile = std::nullopt;  ///< of the map that was met
+    std::optional<Vec2> oneWay = std::nullopt;  ///< it is solid to what comes from there alone, in the world
+    std::optional<Cell> tile = std::nullopt;    ///< of the map that was met
 };
 
 /// The shape nearest to something.

@@ -93,6 +93,9 @@ public:
                                      const Filter& filter = {}) const;
     std::vector<CastHit> castShapeAll(const Shape& shape, const Transform& pose, const Vec2& shift,
                                       const Filter& filter = {}) const;
+    /// The same, of a chain each of its pieces, but nothing of one body, where one is named.
+    std::vector<CastHit> castShapePieces(const Shape& shape, const Transform& pose, const Vec2& shift,
+                                         const Filter& filter = {}, BodyId ignored = {}) const;
     // Shapes that overlap or touch, in the order of their bodies' slots and their numbers.
     std::vector<ShapeId> overlapBox(const Aabb& box, const Filter& filter = {}) const;
     std::vector<ShapeId> overlapShape(const Shape& shape, const Transform& pose, const Filter& filter = {}) const;

@@ -77,9 +77,14 @@ std::vector<CastHit> allHits(const Onlooker& onlooker, const Mover& mover, Meet&
         if (const std::optional<CastPoint> met = meet(id)) hits.push_back(onlooker.hitOf(id, *met));
         return 1.0;
     });
-    std::sort(hits.begin(), hits.end(), [](const CastHit& a, const CastHit& b) {
-        return a.shape == b.shape ? isBefore(a, b) : placeOf(a.shape) < placeOf(b.shape);
-    });
+    std::sort(hits.begin(), hits.end(), isBefore);
+    return hits;
+}
+
+/// Of hits in order, the first of each shape.
+std::vector<CastHit> oneOfEach(std::vector<CastHit> hits) {
+    std::stable_sort(hits.begin(), hits.end(),
+                     [](const CastHit& a, const CastHit& b) { return placeOf(a.shape) < placeOf(b.shape); });
     const auto sameShape = [](const CastHit& a, const CastHit& b) { return a.shape == b.shape; };
     hits.erase(std::unique(hits.begin(), hits.end(), sameShape), hits.end());
     std::sort(hits.begin(), hits.end(), isBefore);
@@ -137,7 +142,7 @@ std::vector<CastHit> World::castRayAll(const Vec2& from, const Vec2& to, const F
     requireFinite(from, "World.castRayAll: from");
     requireFinite(to, "World.castRayAll: to");
     const Onlooker onlooker(*state_, filter);
-    return allHits(onlooker, {{0, 0}, from, to}, meetRay(onlooker, from, to));
+    return oneOfEach(allHits(onlooker, {{0, 0}, from, to}, meetRay(onlooker, from, to)));
 }
 
 std::optional<CastHit> World::castShape(const Shape& shape, const Transform& pose, const Vec2& shift,
@@ -153,6 +158,16 @@ std::vector<CastHit> World::castShapeAll(const Shape& shape, const Transform& po
     requireShape(shape, pose, "World.castShapeAll");
     requireFinite(shift, "World.castShapeAll: shift");
     const Onlooker onlooker(*state_, filter);
+    return oneOfEach(allHits(onlooker, moverOf(shape, pose, shift), meetShape(onlooker, shape, pose, shift)));
+}
+
+std::vector<CastHit> World::castShapePieces(const Shape& shape, const Transform& pose, const Vec2& shift,
+                                            const Filter& filter, BodyId ignored) const {
+    requireShape(shape, pose, "World.castShapePieces");
+    requireFinite(shift, "World.castShapePieces: shift");
+    const bool all = ignored == BodyId{};
+    if (!all) requireBody(*state_, ignored, "World.castShapePieces: ignored");
+    const Onlooker onlooker(*state_, filter, all ? noBody : ignored.index);
     return allHits(onlooker, moverOf(shape, pose, shift), meetShape(onlooker, shape, pose, shift));
 }
 

@@ -11,14 +11,17 @@ namespace plumb {
 /// some that are not, and some twice.
 class Onlooker {
 public:
-    Onlooker(const WorldState& world, const Filter& filter)
-        : world_(world), gate_{filter.category, filter.mask, 0, filter.group} {}
+    Onlooker(const WorldState& world, const Filter& filter, BodyIndex ignored = noBody)
+        : world_(world), gate_{filter.category, filter.mask, 0, filter.group}, ignored_(ignored) {}
 
     const Shape& shape(ProxyId id) const { return world_.space[id].def.shape; }
     Transform pose(ProxyId id) const { return world_.bodies.pose(world_.space[id].owner); }
     ShapeId idOf(ProxyId id) const { return world_.idOfShape(id); }
     CastHit hitOf(ProxyId id, const CastPoint& met) const {
-        return {idOf(id), met.point, met.normal, met.fraction, tileMet(world_, id, met.point, met.normal)};
+        CastHit hit{idOf(id), met.point, met.normal, met.fraction};
+        if (const std::optional<Vec2>& open = world_.space[id].def.oneWay) hit.oneWay = pose(id).rotation * *open;
+        hit.tile = tileMet(world_, id, met.point, met.normal);
+        return hit;
     }
 
     /// Whatever a box of this half size may meet on its way; visit(id) gives the fraction of it up to which more is
@@ -65,7 +68,7 @@ public:
 private:
     bool sees(ProxyId id) const {
         const Gate& gate = world_.space.gate(id);
-        return mayMeet(gate_, gate) && gate.asked && !gate.sensor;
+        return mayMeet(gate_, gate) && gate.asked && !gate.sensor && gate.owner != ignored_;
     }
 
     template <class Visit>
@@ -78,6 +81,7 @@ private:
 
     const WorldState& world_;
     Gate gate_;
+    BodyIndex ignored_;
 };
 
 }  // namespace plumb

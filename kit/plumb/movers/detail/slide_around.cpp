@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <plumb/movers/detail/slide_run.h>
+
+namespace plumb::detail {
+
+bool stepOver(SlideRun& run, const CastHit& wall, const Vec2& along, double& length, double height, bool toFloor) {
+    if (!(height > 0)) return false;
+    const double skin = run.settings.skin;
+    const double lift = run.probe.freeWay(run.position, run.up() * (height + skin)).length;
+    const Vec2 above = run.position + run.up() * lift;
+    // A little over the edge, however short the way: it would never get on it otherwise.
+    const double wanted = std::max(length, 2 * skin);
+    const double on = run.probe.freeWay(above, along * wanted).length;
+    if (!(on > skin)) return false;
+    const Vec2 over = above + along * on;
+    const FreeWay down = run.probe.freeWay(over, run.up() * -lift);
+    const double gain = lift - down.length;
+    if (!(gain > 0) || !down.hit || !run.isFloor(down.hit->normal) || gain > height + skin) return false;
+    run.note(wall, toFloor ? SlideEffect::Stepped : SlideEffect::Nudged);
+    run.position = over - run.up() * down.length;
+    run.along.setZero();
+    length = std::max(0.0, length - on);
+    if (toFloor) run.out.floorNormal = down.hit->normal;
+    return true;
+}
+
+bool nudgeAside(SlideRun& run, const CastHit& ceiling, double rise, double side) {
+    for (const double to : {side, -side}) {
+        const Vec2 along = run.right() * to;
+        const double aside = run.probe.freeWay(run.position, along * run.settings.cornerCorrection).length;
+        if (!(aside > 0)) continue;
+        const Vec2 beside = run.position + along * aside;
+        const Vec2 lift = run.up() * rise;
+        if (run.probe.freeWay(beside, lift).hit) continue;
+        const double back = run.probe.freeWay(beside + lift, along * -aside).length;
+        run.note(ceiling, SlideEffect::Nudged);
+        run.position += along * (aside - back);
+        return true;
+    }
+    return false;
+}
+
+void pushAside(SlideRun& run, const Vec2& from) {
+    for (const MovingThing& thing : run.probe.moving()) {
+        if (run.out.floor && thing.body == run.out.floor->shape.body) continue;
+        const Vec2 seen = thing.back * run.position - from;
+        const double length = std::sqrt(seen.dot(seen));
+        if (!(length > 0)) continue;
+        const FreeWay way = run.probe.freeWayAgainst(thing, from, run.position);
+        if (!way.hit) continue;
+        const Vec2 normal = way.hit->normal;
+        const double closing = -(thing.back.rotation.inverse() * seen).dot(normal) / length;
+        const double needed = (length - way.length) * closing;
+        if (!(needed > 0)) continue;
+        run.note(*way.hit, SlideEffect::PushedBy);
+        const double went = run.probe.freeWay(run.position, normal * needed).length;
+        run.position += normal * went;
+    }
+}
+
+void partOverlaps(SlideRun& run) {
+    std::vector<Overlapped> overlaps = run.probe.overlaps(run.position);
+    for (int i = 0; i < 8 && !overlaps.empty(); ++i) {
+        const auto deepest = std::ranges::max_element(overlaps, {}, &Overlapped::depth);
+        const Vec2 out = deepest->hit.normal * (deepest->depth + run.settings.skin);
+        const double went = run.probe.freeWay(run.position, out).length;
+        run.note(deepest->hit, SlideEffect::PushedBy);
+        run.position += deepest->hit.normal * went;
+        overlaps = run.probe.overlaps(run.position);
+        if (!(went > 0)) break;
+    }
+    run.out.crushed = !overlaps.empty();
+}
+
+namespace {
+
+/// Two faces that lie flush push each other in the middle of what they share.
+Vec2 middleOf(const SlideRun& run, const CastHit& hit) {
+    const Vec2 line = perp(hit.normal);
+    const Transform pose = std::as_const(run.world).body(hit.shape.body).pose();
+    const FaceSpan theirs = faceSpan(run.world.shape(hit.shape).shape, pose, hit.normal, line);
+    const FaceSpan ours = run.probe.faceSpanAt(run.position, -hit.normal, line);
+    const double low = std::max(theirs.low, ours.low), high = std::min(theirs.high, ours.high);
+    if (!(low <= high)) return hit.point;
+    return hit.point + line * (0.5 * (low + high) - hit.point.dot(line));
+}
+
+}  // namespace
+
+double push(SlideRun& run, const CastHit& hit, const Vec2& velocity) {
+    Body body = run.world.body(hit.shape.body);
+    if (body.type() != BodyType::Dynamic || !(run.pushLeft > 0)) return 0;
+    const Vec2 at = middleOf(run, hit);
+    const double closing = -(velocity - body.velocityAt(at)).dot(hit.normal);
+    if (!(closing > 0)) return 0;
+    // What it takes is learnt from a first part: it may be held from turning, or along an axis.
+    const double first = std::min(run.pushLeft, closing * body.mass());
+    const double before = body.velocityAt(at).dot(hit.normal);
+    body.applyImpulse(-hit.normal * first, at);
+    const double gained = before - body.velocityAt(at).dot(hit.normal);
+    const double impulse = gained > 0 ? std::min(run.pushLeft, first * (closing / gained)) : first;
+    body.applyImpulse(-hit.normal * (impulse - first), at);
+    run.pushLeft -= impulse;
+    return impulse;
+}
+
+}  // namespace plumb::detail

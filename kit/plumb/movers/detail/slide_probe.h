@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// What would stop a body on its way, with other kinematic bodies already where the coming step takes them?
+#pragma once
+#include <optional>
+#include <vector>
+
+#include <plumb/movers/detail/face_span.h>
+#include <plumb/movers/move_and_slide.h>
+
+namespace plumb::detail {
+
+/// A body that moves of itself, and a point's way back in time: from where the step takes the point, to where it is.
+struct MovingThing {
+    BodyId body;
+    Transform back;
+};
+
+/// Where a step of dt takes a kinematic body; of a dynamic one it is a guess, and never downward.
+MovingThing movingThing(const BodyView& body, double dt, const Vec2& up);
+
+/// How far a way is free, a skin short of what stops it.
+struct FreeWay {
+    double length = 0;
+    std::optional<CastHit> hit = std::nullopt;
+};
+
+struct FreeWayOptions {
+    double backward = 0;    ///< where it begins nearer than a skin, it may go back by so much [m]
+    double leastRise = -2;  ///< only what has a normal that rises by as much is met [-]
+};
+
+struct Overlapped {
+    CastHit hit;  ///< the normal is the way out
+    double depth = 0;
+};
+
+class SlideProbe {
+public:
+    SlideProbe(const World& world, BodyId body, const SlideSettings& settings, double dt);
+
+    /// Looks for what moves within this distance of the body; what it stands on is one of them.
+    void findMoving(double within, const std::optional<BodyId>& floor);
+    const std::vector<MovingThing>& moving() const { return moving_; }
+    const MovingThing* find(BodyId body) const;  ///< nullptr when it does not move
+    /// Goes through this one, if any, as if it were not there.
+    void pass(const std::optional<BodyId>& body) { passed_ = body; }
+    void passOneWays(bool pass) { passOneWays_ = pass; }
+
+    /// The body is where from says, and shifted.
+    FreeWay freeWay(const Vec2& from, const Vec2& shift, const FreeWayOptions& options = {}) const;
+    /// The same of one that moves, as seen from it: the body goes from one place before the step to one after it.
+    FreeWay freeWayAgainst(const MovingThing& thing, const Vec2& from, const Vec2& to) const;
+    /// What is static or kinematic and overlaps the body.
+    std::vector<Overlapped> overlaps(const Vec2& at) const;
+    bool isInOneWay(const Vec2& at) const;
+    /// Of the one of the body's shapes that is farthest out that way.
+    FaceSpan faceSpanAt(const Vec2& at, const Vec2& way, const Vec2& line) const;
+
+private:
+    struct Own {
+        Shape shape;
+        Filter filter;
+    };
+
+    Transform poseAt(const Vec2& position) const { return {position, rotation_}; }
+    /// Everything that one shape of the body meets, moving things as they will be; visit(hit).
+    template <class Visit>
+    void meetAll(const Own& own, const Vec2& from, const Vec2& shift, Visit&& visit) const;
+    std::optional<CastHit> stopping(const Own& own, const Transform& pose, const Vec2& shift, CastHit hit) const;
+    double depthOf(const Own& own, const Vec2& at, const CastHit& hit) const;
+    double freeBefore(const CastHit& hit, const Vec2& unit, double length) const;
+
+    const World& world_;
+    BodyId body_;
+    const SlideSettings& settings_;
+    double dt_;
+    Rot rotation_;
+    std::vector<Own> own_;
+    std::vector<MovingThing> moving_;
+    bool passOneWays_ = false;
+    std::optional<BodyId> passed_ = std::nullopt;
+};
+
+/// The way, in the world, from which alone what was met is solid; empty when it is from all sides.
+std::optional<Vec2> openSideOf(const CastHit& hit);
+
+}  // namespace plumb::detail

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/movers/detail/slide_run.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <plumb/math/trig.h>
+
+namespace plumb::detail {
+
+namespace {
+
+/// What rounding leaves of a way, of a tick's or of a skin [-].
+constexpr double tiny = 1e-9;
+
+}  // namespace
+
+bool SlideRun::isFloor(const Vec2& normal) const {
+    return normal.dot(up()) >= leastFloorRise();
+}
+
+double SlideRun::leastFloorRise() const {
+    return sinCos(settings.maxFloorAngle).cos - 1e-6;
+}
+
+Vec2 SlideRun::alongFloor(const Vec2& normal, double side) const {
+    const Vec2 way(normal.y(), -normal.x());
+    return way * (way.dot(right()) < 0 ? -side : side);
+}
+
+SlideHit& SlideRun::note(const CastHit& hit, SlideEffect effect) {
+    const BodyView body = std::as_const(world).body(hit.shape.body);
+    const Vec2 closing = velocity + carry - body.velocityAt(hit.point);
+    out.hits.push_back(
+        {hit.shape, hit.tile, hit.point, hit.normal, std::max(0.0, -closing.dot(hit.normal)), 0, effect});
+    return out.hits.back();
+}
+
+void meetWall(SlideRun& run, const CastHit& hit, SlideEffect effect) {
+    SlideHit& noted = run.note(hit, effect);
+    noted.impulse = push(run, hit, run.velocity + run.carry);
+    if (noted.impulse > 0) noted.effect = SlideEffect::Pushed;
+    if (run.isCeiling(hit.normal)) {
+        run.out.isOnCeiling = true;
+    } else if (!run.isFloor(hit.normal)) {
+        run.out.isOnWall = true;
+        run.out.wallNormal = hit.normal;
+    }
+    // What gives way leaves it as much speed as it has itself; what comes gives it none.
+    const Vec2 surface = std::as_const(run.world).body(hit.shape.body).velocityAt(hit.point) - run.carry;
+    const double kept = std::min(0.0, surface.dot(hit.normal));
+    const double into = run.velocity.dot(hit.normal) - kept;
+    if (into < 0) run.velocity -= hit.normal * into;
+}
+
+void walk(SlideRun& run, double length, double side) {
+    for (int i = 0; i < run.settings.maxSlides && length > 0; ++i) {
+        const Vec2 along = run.alongFloor(run.out.floorNormal, side);
+        const double across = along.dot(run.right()) * side;
+        const double stretch = run.settings.floorConstantSpeed ? 1 : 1 / across;
+        const FreeWay way = run.probe.freeWay(run.position, along * (length * stretch));
+        run.position += along * way.length;
+        run.along = along;
+        length -= way.length / stretch;
+        if (!way.hit) return;
+        if (run.isFloor(way.hit->normal)) {
+            run.note(*way.hit, SlideEffect::Landed);
+            run.out.floorNormal = way.hit->normal;
+            continue;
+        }
+        if (stepOver(run, *way.hit, run.right() * side, length, run.settings.stepHeight, true)) continue;
+        run.velocity = run.right() * run.velocity.dot(run.right());
+        meetWall(run, *way.hit, SlideEffect::Stopped);
+        return;
+    }
+}
+
+namespace {
+
+/// Where the floor falls away, the corner is cut: the way was straight on for too long. Goes on along the new floor by
+/// what is left of the way beyond the corner.
+void bend(SlideRun& run, const Vec2& before, const Vec2& normal) {
+    const Vec2 along = run.along;
+    const double side = along.dot(run.right()) < 0 ? -1 : 1;
+    const Vec2 next = run.alongFloor(normal, side);
+    const double turn = cross(along, next);
+    if (std::fabs(turn) < tiny) return;
+    // The corner is at before - along past, and at run.position - next beyond.
+    const Vec2 down = run.position - before;
+    const double past = -cross(down, next) / turn, beyond = cross(down, along) / -turn;
+    if (!(past > 0 && beyond > 0)) return;
+    const double more = run.settings.floorConstantSpeed ? past - beyond : 0;
+    const FreeWay way = run.probe.freeWay(run.position, next * more);
+    run.position += next * (more < 0 ? -way.length : way.length);
+}
+
+}  // namespace
+
+bool settle(SlideRun& run, double reach) {
+    const double skin = run.settings.skin;
+    const Vec2 down = run.up() * -(reach + skin);
+    const FreeWay any = run.probe.freeWay(run.position, down, {.backward = skin});
+    if (!any.hit) return false;
+    const bool first = run.isFloor(any.hit->normal);
+    const FreeWay way = first ? any : run.probe.freeWay(run.position, down, {skin, run.leastFloorRise()});
+    // A wall beside it may be as near as the floor, to rounding.
+    if (!way.hit || any.length < way.length - 2 * skin) return false;
+    const Vec2 before = run.position;
+    run.position -= run.up() * any.length;
+    if (!run.along.isZero(0)) bend(run, before, way.hit->normal);
+    run.out.isOnFloor = true;
+    run.out.floorNormal = way.hit->normal;
+    run.out.floor = *way.hit;
+    return true;
+}
+
+namespace {
+
+/// The rest of a way, along what it met; a wall that leans back does not lift what does not rise.
+Vec2 slideAlong(const SlideRun& run, const Vec2& shift, const Vec2& normal) {
+    const double into = shift.dot(normal);
+    if (!(into < 0)) return shift;
+    Vec2 rest = shift - normal * into;
+    const double rise = rest.dot(run.up());
+    if (rise > 0 && shift.dot(run.up()) <= 0) rest.setZero();
+    return rest;
+}
+
+/// Lands, and walks on by the level part of what is left of its way.
+void land(SlideRun& run, const CastHit& hit, const Vec2& rest) {
+    run.note(hit, SlideEffect::Landed);
+    run.out.isOnFloor = true;
+    run.out.floorNormal = hit.normal;
+    run.out.floor = hit;
+    const double level = rest.dot(run.right());
+    walk(run, std::fabs(level), level < 0 ? -1 : 1);
+}
+
+bool isAround(SlideRun& run, const CastHit& hit, Vec2& shift) {
+    const double level = shift.dot(run.right()), rise = shift.dot(run.up());
+    const double side = level < 0 ? -1 : 1;
+    if (run.isCeiling(hit.normal))
+        return rise > 0 && run.settings.cornerCorrection > 0 && nudgeAside(run, hit, rise, side);
+    if (run.isFloor(hit.normal) || !(run.settings.ledgeNudge > 0)) return false;
+    double length = std::fabs(level);
+    if (!stepOver(run, hit, run.right() * side, length, run.settings.ledgeNudge, false)) return false;
+    shift = run.right() * (side * length) + run.up() * rise;
+    return true;
+}
+
+}  // namespace
+
+void fly(SlideRun& run, Vec2 shift) {
+    std::optional<Vec2> plane;
+    for (int i = 0; i < run.settings.maxSlides; ++i) {
+        const double length = std::sqrt(shift.dot(shift));
+        if (!(length > 0)) return;
+        const FreeWay way = run.probe.freeWay(run.position, shift);
+        run.position += shift * (way.length / length);
+        if (!way.hit) return;
+        shift *= 1 - way.length / length;
+        const Vec2 normal = way.hit->normal;
+        if (run.isFloor(normal) && run.velocity.dot(run.up()) <= 0) return land(run, *way.hit, shift);
+        if (isAround(run, *way.hit, shift)) continue;
+        meetWall(run, *way.hit, SlideEffect::Slid);
+        const bool falls = shift.dot(run.up()) < 0;
+        const Vec2 rest = slideAlong(run, shift, normal);
+        const bool wedged = plane && rest.dot(*plane) < -tiny * length;
+        // Between two walls that lean apart it stands as on a floor.
+        if (wedged && falls && (*plane + normal).dot(run.up()) > tiny) {
+            run.out.isOnFloor = true;
+            run.out.floorNormal = run.up();
+            run.out.floor = *way.hit;
+        }
+        if (wedged || rest.isZero(0)) run.out.hits.back().effect = SlideEffect::Stopped;
+        if (wedged) return;
+        shift = rest;
+        plane = normal;
+    }
+}
+
+}  // namespace plumb::detail

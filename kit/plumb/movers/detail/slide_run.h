@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// How does a body go through one tick: carried, pushed aside, walking, flying?
+#pragma once
+#include <plumb/movers/detail/slide_probe.h>
+
+namespace plumb::detail {
+
+/// One tick of a body, as far as it has come.
+struct SlideRun {
+    World& world;
+    const SlideSettings& settings;  ///< up has length 1
+    SlideProbe probe;
+    double dt;
+    Vec2 position;    ///< so far [m]
+    Vec2 velocity;    ///< against what carries it [m/s]
+    Vec2 carry;       ///< of what carries it, where it is [m/s]
+    double pushLeft;  ///< impulse that may still be given in this tick [N s]
+    Slide out;
+    Vec2 along{0, 0};  ///< the way of the last stretch that it walked, 0 when it did not walk
+
+    Vec2 up() const { return settings.up; }
+    Vec2 right() const { return {settings.up.y(), -settings.up.x()}; }
+    bool isFloor(const Vec2& normal) const;
+    double leastFloorRise() const;  ///< of a floor's normal, upward
+    bool isCeiling(const Vec2& normal) const { return isFloor(-normal); }
+    /// Along a floor, to the right or, with a side of -1, to the left.
+    Vec2 alongFloor(const Vec2& normal, double side) const;
+    SlideHit& note(const CastHit& hit, SlideEffect effect);
+};
+
+/// What moves into it pushes it out of the way. from: where it was before the step, and before it was carried.
+void pushAside(SlideRun& run, const Vec2& from);
+void partOverlaps(SlideRun& run);
+
+/// Something steeper than a floor, or a ceiling, stops it or is pushed; the velocity into it is lost.
+void meetWall(SlideRun& run, const CastHit& hit, SlideEffect effect);
+
+/// Goes on along floors, by a length >= 0, up steps; stops at a wall.
+void walk(SlideRun& run, double length, double side);
+/// Goes through the air, slides along what it meets, and walks on where it lands.
+void fly(SlideRun& run, Vec2 shift);
+/// Down, or up by less than a skin, to a floor no farther than reach; false when there is none.
+bool settle(SlideRun& run, double reach);
+
+/// Up over an edge not higher than height, then on, to a floor if there must be one. Takes what it went off the length.
+bool stepOver(SlideRun& run, const CastHit& wall, const Vec2& along, double& length, double height, bool toFloor);
+/// Aside from under an edge, by as little as lets it rise by this.
+bool nudgeAside(SlideRun& run, const CastHit& ceiling, double rise, double side);
+
+/// The impulse that takes a dynamic body's surface, where it is met, up to a velocity; at most what is left.
+double push(SlideRun& run, const CastHit& hit, const Vec2& velocity);
+
+}  // namespace plumb::detail

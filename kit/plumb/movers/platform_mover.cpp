@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/movers/platform_mover.h>
+
+#include <cmath>
+
+#include <plumb/math/check.h>
+#include <plumb/movers/detail/platform_tick.h>
+#include <plumb/movers/detail/slide_probe.h>
+
+namespace plumb {
+
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+/// Of times that are sums of ticks.
+bool isWithin(double time, double limit, double dt) {
+    return time <= limit + 1e-6 * dt;
+}
+
+/// The last band from whose speed on it is.
+std::size_t bandOf(const std::vector<JumpBand>& bands, double speed) {
+    std::size_t band = 0;
+    while (band + 1 < bands.size() && speed >= bands[band + 1].fromSpeed * (1 - 1e-12)) ++band;
+    return band;
+}
+
+Vec2 upOf(const PlatformProfile& profile) {
+    return profile.slide.up / std::sqrt(profile.slide.up.dot(profile.slide.up));
+}
+
+}  // namespace
+
+PlatformMover::PlatformMover(BodyId body, const PlatformProfile& profile) : body_(body), profile_(profile) {
+    validate(profile, "PlatformProfile");
+}
+
+void PlatformMover::setProfile(const PlatformProfile& profile) {
+    validate(profile, "PlatformProfile");
+    profile_ = profile;
+    band_ = 0;
+}
+
+void PlatformMover::setVelocity(const Vec2& velocity) {
+    requireFinite(velocity, "PlatformMover.setVelocity: velocity");
+    slide_.velocity = velocity;
+    rising_ = false;
+}
+
+bool PlatformMover::takesOff(const PlatformInput& input, bool fresh, double dt) const {
+    const VerticalMotion& vertical = profile_.vertical;
+    const bool asked = fresh || (input.jump && isWithin(sincePress_, vertical.jumpBuffer, dt));
+    const bool late = mayStillJump_ && isWithin(sinceFloor_, vertical.coyoteTime, dt);
+    return asked && (slide_.isOnFloor || late);
+}
+
+bool PlatformMover::dropsThrough(const World& world, const PlatformInput& input, bool fresh) const {
+    if (!profile_.dropThrough || !fresh || !input.down || !slide_.isOnFloor || !slide_.floor) return false;
+    return world.contains(slide_.floor->shape) && detail::openSideOf(*slide_.floor).has_value();
+}
+
+detail::TickMotion PlatformMover::levelPart(const PlatformInput& input, double speed, double dt) {
+    const LevelMotion& level = profile_.level;
+    const bool onFloor = slide_.isOnFloor;
+    const bool withIt = !level.runNeedsMotion || input.move * speed >= 0;
+    const bool pushes = !level.runNeedsMotion || input.move != 0;
+    sinceRun_ = input.run && withIt && pushes ? 0 : sinceRun_ + dt;
+    bool runs = withIt && pushes && (sinceRun_ == 0 || (level.runGrace > 0 && isWithin(sinceRun_, level.runGrace, dt)));
+    if (!onFloor && level.airRunSpeed) runs = std::fabs(speed) >= *level.airRunSpeed * (1 - 1e-12);
+    return detail::levelTick(profile_, {speed, input.move, runs, onFloor}, dt);
+}
+
+detail::TickMotion PlatformMover::verticalPart(const PlatformInput& input, double speed, double dt) {
+    if (rising_ && (!input.jump && risen_ >= profile_.vertical.leastRise * (1 - 1e-12))) rising_ = false;
+    if (!(speed > 0)) rising_ = false;
+    const detail::TickMotion motion =
+        detail::verticalTick(profile_, {speed, profile_.vertical.jumps[band_], rising_, input.jump}, dt);
+    risen_ += motion.shift;
+    return motion;
+}
+
+const Slide& PlatformMover::step(World& world, const PlatformInput& input, double dt) {
+    requireWithin(input.move, -1, 1, "PlatformInput", ".move");
+    requirePositive(dt, "PlatformMover.step: dt");
+    const bool fresh = input.jump && !jumpHeld_;
+    const bool drops = dropsThrough(world, input, fresh);
+    const Vec2 up = upOf(profile_), right(up.y(), -up.x());
+    sincePress_ = fresh && !drops ? 0 : sincePress_ + dt;
+    sinceFloor_ = slide_.isOnFloor ? 0 : sinceFloor_ + dt;
+    if (slide_.isOnFloor) mayStillJump_ = true;
+
+    const double along = slide_.velocity.dot(right);
+    double rise = slide_.isOnFloor ? 0 : slide_.velocity.dot(up);
+    const bool jumps = !drops && takesOff(input, fresh, dt);
+    if (jumps) {
+        band_ = bandOf(profile_.vertical.jumps, std::fabs(along));
+        rise = profile_.vertical.jumps[band_].takeOffSpeed;
+        rising_ = true;
+        risen_ = 0;
+        sincePress_ = never;
+    }
+    if (jumps || drops) mayStillJump_ = false;
+
+    const detail::TickMotion level = levelPart(input, along, dt);
+    const bool falls = jumps || drops || !slide_.isOnFloor;
+    const detail::TickMotion vertical = falls ? verticalPart(input, rise, dt) : detail::TickMotion{};
+    const SlideMotion motion{.velocity = right * level.speed + up * vertical.speed,
+                             .dt = dt,
+                             .displacement = right * level.shift + up * vertical.shift,
+                             .dropThrough = drops};
+    slide_ = moveAndSlide(world, body_, motion, profile_.slide, slide_);
+    hasJumped_ = jumps;
+    jumpHeld_ = input.jump;
+    return slide_;
+}
+
+}  // namespace plumb

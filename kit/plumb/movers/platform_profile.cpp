@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/movers/platform_profile.h>
+
+#include <plumb/math/check.h>
+
+namespace plumb {
+
+namespace {
+
+constexpr double pixel = 1.0 / 16;  // [m]
+
+/// Of speeds as the tables have them: sixteenths of a pixel a tick.
+double speedOf(int sixteenths) {
+    return sixteenths / 16.0 * pixel / tickOf1985;
+}
+/// 4096ths of a pixel a tick, each tick.
+double accelerationOf(int parts) {
+    return parts / 4096.0 * pixel / (tickOf1985 * tickOf1985);
+}
+/// 256ths of a pixel a tick, each tick.
+double gravityOf(int parts) {
+    return accelerationOf(16 * parts);
+}
+
+JumpBand bandOf1985(int fromSpeed, int pixels, int rise, int fall) {
+    return {speedOf(fromSpeed), speedOf(16 * pixels), gravityOf(rise), gravityOf(fall), gravityOf(fall)};
+}
+
+void validate(const LevelMotion& level, const std::string& field) {
+    requireNotNegative(level.walkSpeed, field, ".walkSpeed");
+    requireNotNegative(level.runSpeed, field, ".runSpeed");
+    requireNotNegative(level.walkAcceleration, field, ".walkAcceleration");
+    requireNotNegative(level.runAcceleration, field, ".runAcceleration");
+    requireNotNegative(level.friction.value_or(0), field, ".friction");
+    requireNotNegative(level.airFriction.value_or(0), field, ".airFriction");
+    requireNotNegative(level.airShare, field, ".airShare");
+    requireNotNegative(level.turnFactor, field, ".turnFactor");
+    requireNotNegative(level.turnStopSpeed, field, ".turnStopSpeed");
+    requireNotNegative(level.fastSpeed.value_or(0), field, ".fastSpeed");
+    requireNotNegative(level.fastAcceleration, field, ".fastAcceleration");
+    requireNotNegative(level.airRunSpeed.value_or(0), field, ".airRunSpeed");
+    requireNotNegative(level.runGrace, field, ".runGrace");
+    requireNotNegative(level.moveGrain, field, ".moveGrain");
+}
+
+void validate(const JumpBand& band, const std::string& field) {
+    requireNotNegative(band.fromSpeed, field, ".fromSpeed");
+    requireNotNegative(band.takeOffSpeed, field, ".takeOffSpeed");
+    requireNotNegative(band.riseGravity, field, ".riseGravity");
+    requireNotNegative(band.releaseGravity, field, ".releaseGravity");
+    requireNotNegative(band.fallGravity, field, ".fallGravity");
+}
+
+void validate(const VerticalMotion& vertical, const std::string& field) {
+    if (vertical.jumps.empty()) refuse(field + ".jumps", "is empty: one band at least was wanted");
+    double before = -1;
+    for (std::size_t i = 0; i < vertical.jumps.size(); ++i) {
+        const std::string name = field + ".jumps[" + std::to_string(i) + "]";
+        validate(vertical.jumps[i], name);
+        const double from = vertical.jumps[i].fromSpeed;
+        if (i == 0 ? from > 0 : !(from > before))
+            refuse(name + ".fromSpeed", toText(from) + (i == 0 ? " is not 0" : " is not above the one before"));
+        before = from;
+    }
+    requireNotNegative(vertical.leastRise, field, ".leastRise");
+    requireNotNegative(vertical.hangSpeed, field, ".hangSpeed");
+    requirePositive(vertical.hangShare, field, ".hangShare");
+    requirePositive(vertical.terminalSpeed, field, ".terminalSpeed");
+    requireNotNegative(vertical.terminalUnit, field, ".terminalUnit");
+    requireNotNegative(vertical.coyoteTime, field, ".coyoteTime");
+    requireNotNegative(vertical.jumpBuffer, field, ".jumpBuffer");
+}
+
+void require(const JumpFeel& feel) {
+    requirePositive(feel.height, "JumpFeel", ".height");
+    requirePositive(feel.timeToApex, "JumpFeel", ".timeToApex");
+    requirePositive(feel.fallFactor, "JumpFeel", ".fallFactor");
+    requirePositive(feel.releaseFactor, "JumpFeel", ".releaseFactor");
+    requireWithin(feel.hangSpeedPart, 0, 1, "JumpFeel", ".hangSpeedPart");
+    requirePositive(feel.hangShare, "JumpFeel", ".hangShare");
+}
+
+}  // namespace
+
+PlatformProfile modernProfile(const JumpFeel& feel) {
+    require(feel);
+    const double a = feel.hangSpeedPart, k = 1 / feel.hangShare - 1, T = feel.timeToApex;
+    const double v = 2 * feel.height / T * (1 + a * k) / (1 + a * a * k), g = v / T * (1 + a * k);
+    PlatformProfile profile;
+    profile.vertical.jumps = {{0, v, g, feel.releaseFactor * g, feel.fallFactor * g}};
+    profile.vertical.hangSpeed = a * v;
+    profile.vertical.hangShare = feel.hangShare;
+    profile.vertical.coyoteTime = 0.1;
+    profile.vertical.jumpBuffer = 0.1;
+    profile.slide.stepHeight = 0.25;
+    profile.slide.cornerCorrection = 0.25;
+    profile.slide.ledgeNudge = 0.1;
+    profile.slide.pushStrength = 300;
+    return profile;
+}
+
+PlatformProfile profile1985() {
+    PlatformProfile profile;
+    profile.level = {.walkSpeed = speedOf(0x18),
+                     .runSpeed = speedOf(0x28),
+                     .walkAcceleration = accelerationOf(0x98),
+                     .runAcceleration = accelerationOf(0xE4),
+                     .friction = std::nullopt,
+                     .airFriction = 0,
+                     .airShare = 1,
+                     .turnFactor = 2,
+                     .turnStopSpeed = speedOf(0x0B),
+                     .fastSpeed = speedOf(0x21),
+                     .fastAcceleration = accelerationOf(0xD0),
+                     .airRunSpeed = speedOf(0x19),
+                     .runGrace = 10 * tickOf1985,
+                     .runNeedsMotion = true,
+                     .overSpeed = OverSpeed::Cut,
+                     .order = TickOrder::VelocityFirst,
+                     .moveGrain = pixel / 16};
+    profile.vertical.jumps = {bandOf1985(0, 4, 0x20, 0x70), bandOf1985(0x10, 4, 0x1E, 0x60),
+                              bandOf1985(0x19, 5, 0x28, 0x90)};
+    profile.vertical.leastRise = pixel;
+    profile.vertical.terminalSpeed = speedOf(16 * 4);
+    profile.vertical.terminalUnit = speedOf(16);
+    profile.vertical.order = TickOrder::PositionFirst;
+    profile.dropThrough = false;
+    profile.grain = pixel / 4096;
+    return profile;
+}
+
+void validate(const PlatformProfile& profile, const std::string& field) {
+    validate(profile.level, field + ".level");
+    validate(profile.vertical, field + ".vertical");
+    validate(profile.slide, field + ".slide");
+    requireNotNegative(profile.grain, field, ".grain");
+}
+
+}  // namespace plumb
