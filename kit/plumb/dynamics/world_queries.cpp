@@ -5,6 +5,7 @@
 #include <limits>
 #include <tuple>
 
+#include <plumb/collide/detail/outline_normal.h>
 #include <plumb/collide/ray_cast.h>
 #include <plumb/collide/shape_cast.h>
 #include <plumb/dynamics/detail/onlooker.h>
@@ -95,8 +96,21 @@ auto meetRay(const Onlooker& onlooker, const Vec2& from, const Vec2& to) {
     return [&](ProxyId id) { return plumb::castRay(from, to, onlooker.shape(id), onlooker.pose(id)); };
 }
 
+/// Of a tile map the outline, without inner corners; and what it fills only for what begins there.
 auto meetShape(const Onlooker& onlooker, const Shape& shape, const Transform& pose, const Vec2& shift) {
-    return [&](ProxyId id) { return plumb::castShape(shape, pose, shift, onlooker.shape(id), onlooker.pose(id)); };
+    return [&](ProxyId id) -> std::optional<CastPoint> {
+        const Transform there = onlooker.pose(id);
+        std::optional<CastPoint> met = plumb::castShape(shape, pose, shift, onlooker.shape(id), there);
+        if (!met || onlooker.use(id) == PieceUse::Both) return met;
+        const bool begins = !(met->fraction > 0);
+        if (onlooker.use(id) == PieceUse::Ask) return begins ? met : std::nullopt;
+        if (begins) return std::nullopt;
+        const std::optional<Vec2> normal =
+            outlineNormal(std::get<Segment>(onlooker.shape(id)), there.rotation.inverse() * met->normal);
+        if (!normal) return std::nullopt;
+        met->normal = there.rotation * *normal;
+        return met;
+    };
 }
 
 /// Those that overlap or touch a shape.
@@ -149,7 +163,8 @@ std::optional<CastHit> World::castShape(const Shape& shape, const Transform& pos
                                         const Filter& filter) const {
     requireShape(shape, pose, "World.castShape");
     requireFinite(shift, "World.castShape: shift");
-    const Onlooker onlooker(*state_, filter);
+    Onlooker onlooker(*state_, filter);
+    onlooker.seeOutlines();
     return firstHit(onlooker, moverOf(shape, pose, shift), meetShape(onlooker, shape, pose, shift));
 }
 
@@ -157,7 +172,8 @@ std::vector<CastHit> World::castShapeAll(const Shape& shape, const Transform& po
                                          const Filter& filter) const {
     requireShape(shape, pose, "World.castShapeAll");
     requireFinite(shift, "World.castShapeAll: shift");
-    const Onlooker onlooker(*state_, filter);
+    Onlooker onlooker(*state_, filter);
+    onlooker.seeOutlines();
     return oneOfEach(allHits(onlooker, moverOf(shape, pose, shift), meetShape(onlooker, shape, pose, shift)));
 }
 
@@ -167,7 +183,8 @@ std::vector<CastHit> World::castShapePieces(const Shape& shape, const Transform&
     requireFinite(shift, "World.castShapePieces: shift");
     const bool all = ignored == BodyId{};
     if (!all) requireBody(*state_, ignored, "World.castShapePieces: ignored");
-    const Onlooker onlooker(*state_, filter, all ? noBody : ignored.index);
+    Onlooker onlooker(*state_, filter, all ? noBody : ignored.index);
+    onlooker.seeOutlines();
     return allHits(onlooker, moverOf(shape, pose, shift), meetShape(onlooker, shape, pose, shift));
 }
 

@@ -14,6 +14,10 @@ public:
     Onlooker(const WorldState& world, const Filter& filter, BodyIndex ignored = noBody)
         : world_(world), gate_{filter.category, filter.mask, 0, filter.group}, ignored_(ignored) {}
 
+    /// From now on also finds outlines that stand for areas elsewhere.
+    void seeOutlines() { outlines_ = true; }
+    PieceUse use(ProxyId id) const { return world_.space[id].use; }
+
     const Shape& shape(ProxyId id) const { return world_.space[id].def.shape; }
     Transform pose(ProxyId id) const { return world_.bodies.pose(world_.space[id].owner); }
     ShapeId idOf(ProxyId id) const { return world_.idOfShape(id); }
@@ -68,7 +72,8 @@ public:
 private:
     bool sees(ProxyId id) const {
         const Gate& gate = world_.space.gate(id);
-        return mayMeet(gate_, gate) && gate.asked && !gate.sensor && gate.owner != ignored_;
+        return mayMeet(gate_, gate) && (gate.asked || (outlines_ && gate.touched)) && !gate.sensor &&
+               gate.owner != ignored_;
     }
 
     template <class Visit>
@@ -82,6 +87,7 @@ private:
     const WorldState& world_;
     Gate gate_;
     BodyIndex ignored_;
+    bool outlines_ = false;
 };
 
 }  // namespace plumb

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/collide/detail/outline_normal.h>
+
+#include <cmath>
+
+namespace plumb {
+
+namespace {
+
+/// Above roundings of a unit vector, below any turn of an outline [-].
+constexpr double tiny = 1e-9;
+
+Vec2 unit(const Vec2& v) {
+    return v / std::sqrt(v.dot(v));
+}
+
+/// A unit vector turned to the right.
+Vec2 rightOf(const Vec2& along) {
+    return {along.y(), -along.x()};
+}
+
+}  // namespace
+
+std::optional<Vec2> outlineNormal(const Segment& segment, const Vec2& normal) {
+    const Vec2 along = unit(segment.end - segment.start), own = rightOf(along);
+    const double lean = normal.dot(along);
+    const auto outward = [&]() { return normal.dot(own) > 0 ? std::optional(own) : std::nullopt; };
+    if (std::fabs(lean) <= tiny) return outward();
+    const std::optional<Vec2>& beyond = lean > 0 ? segment.after : segment.before;
+    if (!beyond) return normal;
+    // On from the joint, away from this segment.
+    const Vec2 on = unit(*beyond - (lean > 0 ? segment.end : segment.start));
+    const bool corner = on.dot(own) < -tiny;
+    if (!corner) return outward();
+    return normal.dot(on) <= tiny ? std::optional(normal) : std::nullopt;
+}
+
+}  // namespace plumb
