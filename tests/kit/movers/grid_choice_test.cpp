@@ -81,6 +81,38 @@ TEST_CASE("a hunter's choice is the best of all exits in 100,000 crossings, by b
     std::cout << "crossings chosen at: " << runs << ", " << deadEnds << " of them dead ends\n";
 }
 
+TEST_CASE("a hunter that decides a tile ahead leaves each of 2,000 tiles by the exit it chose, and never stops",
+          "[arcade][movers]") {
+    TileMap map = filled({.columns = 14, .rows = 11, .wrapX = true});
+    for (int row = 1; row < 10; ++row)
+        for (int column = 0; column < 14; ++column)
+            if (row % 2 == 1 || column % 2 == 1) map.set({column, row}, {});
+    Random random(4);
+    GridMover hunter({.cell = {7, 5}, .heading = Direction::Right, .reverses = false});
+    Direction exit = Direction::Right, exitOfNext = Direction::Right;  // along row 5: (8, 5) has no other
+    Cell target{1, 9};
+    int tiles = 0, caught = 0;
+    for (int frame = 0; frame < 2000 * 8; ++frame)
+        for (const GridEvent& event : hunter.moveFrame(map, speedPattern(80))) {
+            REQUIRE(event.kind != GridEventKind::Stopped);
+            REQUIRE(event.kind != GridEventKind::Reversed);
+            if (event.kind != GridEventKind::Entered) continue;
+            ++tiles;
+            REQUIRE(event.direction == exit);
+            exit = exitOfNext;
+            hunter.want(exit);
+            const Cell next = map.wrapped(neighbourOf(event.cell, exit));
+            exitOfNext = nextDirection(map, {.cell = next, .heading = exit}, target).value();
+            caught += event.cell == target ? 1 : 0;
+            // One that circles its target, as they do, is given another.
+            if (event.cell == target || tiles % 100 == 0)
+                target = {2 * random.integer(0, 6) + 1, 2 * random.integer(0, 4) + 1};
+        }
+    CHECK(tiles == 2000);  // 80 % is a pixel a frame: no turn, and no decision, costs it one
+    CHECK(caught > 20);
+    std::cout << "hunter: " << tiles << " tiles, " << caught << " times at its target\n";
+}
+
 TEST_CASE("who wants up, and finds walls above and to the right, goes down", "[arcade][movers]") {
     TileMap map({.columns = 3, .rows = 3});
     map.set({1, 2}, wallTile);
