@@ -122,9 +122,9 @@ void findFloor(SlideRun& run, bool grounded, double level) {
         return;
     }
     const bool wedged = landed && run.out.floorNormal == run.up() && run.along.isZero(0);
-    const double reach = run.settings.floorSnapLength + run.settings.stepHeight + std::fabs(level);
+    const double reach = run.settings.floorSnapLength + run.settings.stepHeight;
     run.out.isOnFloor = false;
-    if (detail::settle(run, reach) || wedged) {
+    if (detail::settle(run, reach, std::fabs(level)) || wedged) {
         run.out.isOnFloor = true;
         return;
     }

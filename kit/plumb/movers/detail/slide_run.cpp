@@ -95,19 +95,29 @@ void bend(SlideRun& run, const Vec2& before, const Vec2& normal) {
     run.position += next * (more < 0 ? -way.length : way.length);
 }
 
+/// How far a floor falls over a stretch of this length.
+double dropOf(const SlideRun& run, const Vec2& normal, double across) {
+    const double side = run.along.dot(run.right()) < 0 ? -1 : 1;
+    return std::max(0.0, across * side * normal.dot(run.right()) / normal.dot(run.up()));
+}
+
 }  // namespace
 
-bool settle(SlideRun& run, double reach) {
+bool settle(SlideRun& run, double reach, double across) {
+    // From a skin above: it may have come nearer than a skin.
     const double skin = run.settings.skin;
-    const Vec2 down = run.up() * -(reach + skin);
-    const FreeWay any = run.probe.freeWay(run.position, down, {.backward = skin});
+    const Vec2 top = run.position + run.up() * skin;
+    const Vec2 down = run.up() * -(reach + 2 * across + 2 * skin);
+    const FreeWay any = run.probe.freeWay(top, down);
     if (!any.hit) return false;
-    const bool first = run.isFloor(any.hit->normal);
-    const FreeWay way = first ? any : run.probe.freeWay(run.position, down, {skin, run.leastFloorRise()});
+    const FreeWay way = run.isFloor(any.hit->normal) ? any : run.probe.freeWay(top, down, run.leastFloorRise());
     // A wall beside it may be as near as the floor, to rounding.
-    if (!way.hit || any.length < way.length - 2 * skin) return false;
+    if (!way.hit || any.length < way.length - skin) return false;
+    // A floor that falls away is followed; an edge only as deep as reach.
+    const double risen = run.along.dot(run.up()) * across;
+    if (any.length - skin > reach + std::max(0.0, risen) + dropOf(run, way.hit->normal, across)) return false;
     const Vec2 before = run.position;
-    run.position -= run.up() * any.length;
+    run.position = top - run.up() * any.length;
     if (!run.along.isZero(0)) bend(run, before, way.hit->normal);
     run.out.isOnFloor = true;
     run.out.floorNormal = way.hit->normal;

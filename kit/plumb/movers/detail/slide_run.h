@@ -39,8 +39,9 @@ void meetWall(SlideRun& run, const CastHit& hit, SlideEffect effect);
 void walk(SlideRun& run, double length, double side);
 /// Goes through the air, slides along what it meets, and walks on where it lands.
 void fly(SlideRun& run, Vec2 shift);
-/// Down, or up by less than a skin, to a floor no farther than reach; false when there is none.
-bool settle(SlideRun& run, double reach);
+/// Down, or up by less than a skin, to a floor no deeper than reach, or than what the floor fell over the way across
+/// that it walked; false when there is none.
+bool settle(SlideRun& run, double reach, double across = 0);
 
 /// Up over an edge not higher than height, then on, to a floor if there must be one. Takes what it went off the length.
 bool stepOver(SlideRun& run, const CastHit& wall, const Vec2& along, double& length, double height, bool toFloor);
