@@ -151,7 +151,7 @@ void pressDown(SlideRun& run) {
     if (!run.out.isOnFloor || !(run.settings.weight > 0)) return;
     Body body = run.world.body(run.out.floor->shape.body);
     if (body.type() != BodyType::Dynamic) return;
-    body.applyImpulse(run.up() * (-run.settings.weight * run.dt), run.position);
+    body.applyForce(run.up() * -run.settings.weight, run.position);
 }
 
 /// The place on the floor: the one that it had, while it does not go anywhere by itself.

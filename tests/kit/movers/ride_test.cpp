@@ -11,7 +11,7 @@ namespace plumb::test {
 
 namespace {
 
-constexpr double dt = 1.0 / 60;
+constexpr double dt = 1.0 / 60, skin = 1e-3;
 
 std::vector<ShapeDef> heroes() {
     return {box({0.4, 0.9}), capsule({0, -0.5}, {0, 0.5}, 0.4), circle(0.5)};
@@ -117,11 +117,13 @@ TEST_CASE("a wall that comes at 3 m/s, or at 300, pushes a mover along, a skin a
         for (double speed : {3.0, 300.0}) {
             World world;
             addStatic(world, {0, -0.5}, box({1000, 0.5}));
-            const BodyId wall = addKinematic(world, {-2, 1}, box({0.1, 1}), {speed, 0});
+            const BodyId wall = addKinematic(world, {-0.61, 1}, box({0.1, 1}));
             Slider slider{addKinematic(world, {0, 1}, hero), {.reach = 5}};
             slider.land(world);
+            world.body(wall).setVelocity({speed, 0});
             for (int i = 0; i < 120; ++i) {
                 slider.step(world, 0, dt);
+                if (i < 4) continue;  // it is not there yet
                 REQUIRE_FALSE(slider.slide.crushed);
                 REQUIRE(std::fabs(world.distance({wall, 0}, {slider.body, 0}).separation - 1e-3) < 1e-9);
             }
@@ -141,7 +143,7 @@ TEST_CASE("between a wall that comes and one that stays, and under a press, crus
     for (int i = 0; i < 600 && !crushed; ++i) {
         crushed = slider.step(world, 0, dt).crushed;
         const double gap = 2.5 - (world.body(press).position().x() + 0.5) - 0.8;
-        CHECK(crushed == gap < 0);
+        CHECK(crushed == gap < skin);
     }
     CHECK(crushed);
 
@@ -152,7 +154,7 @@ TEST_CASE("between a wall that comes and one that stays, and under a press, crus
     bool flat = false;
     for (int i = 0; i < 600 && !flat; ++i) {
         flat = below.step(under, 0, dt).crushed;
-        CHECK(flat == under.body(hammer).position().y() - 0.5 < 1.8);
+        CHECK(flat == under.body(hammer).position().y() - 0.5 < 1.8 + skin);
     }
     CHECK(flat);
     // What crushed it goes away: it is free again.

@@ -57,7 +57,9 @@ SlideProbe::SlideProbe(const World& world, BodyId body, const SlideSettings& set
     : world_(world), body_(body), settings_(settings), dt_(dt), rotation_(world.body(body).pose().rotation) {
     for (const ShapeId& id : world.body(body).shapes()) {
         const ShapeDef def = world.shape(id);
-        if (!def.sensor) own_.push_back({def.shape, inflated(def.shape, settings.skin), def.filter});
+        if (!def.sensor)
+            own_.push_back({def.shape, inflated(def.shape, settings.skin),
+                            inflated(def.shape, settings.skin * (1 + 1e-6) + 1e-9), def.filter});
     }
 }
 
@@ -131,7 +133,7 @@ FreeWay SlideProbe::freeWayBy(const Vec2& from, const Vec2& shift, double leastR
             if (!(hit.fraction * length < free.length)) return;
             if (!(hit.fraction > 0)) {
                 if (!here)
-                    meet(own.inflated, own.filter, {0, 0}, [&here](const CastHit& now) {
+                    meet(own.around, own.filter, {0, 0}, [&here](const CastHit& now) {
                         if (!here) here.emplace();
                         here->push_back(now);
                     });
@@ -140,6 +142,8 @@ FreeWay SlideProbe::freeWayBy(const Vec2& from, const Vec2& shift, double leastR
                 hit.normal = *wall;
                 if (world_.oneWay(hit.shape) && isIn(own, from, hit.shape)) return;
             }
+            // What is convex lies behind its normal: a way along that goes into it by no more than roundings.
+            if (!(hit.normal.dot(shift) < -parallel * length)) return;
             if (isSolid(hit) && hit.normal.dot(settings_.up) >= leastRise) free = {hit.fraction * length, hit};
         });
     }

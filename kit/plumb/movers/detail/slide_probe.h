@@ -55,6 +55,7 @@ private:
     struct Own {
         Shape shape;
         Shape inflated;  ///< by a skin
+        Shape around;    ///< by a hair more, so that it touches all that a cast of inflated begins at
         Filter filter;
     };
 

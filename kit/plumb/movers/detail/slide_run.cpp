@@ -39,7 +39,8 @@ SlideHit& SlideRun::note(const CastHit& hit, SlideEffect effect) {
 
 void meetWall(SlideRun& run, const CastHit& hit, SlideEffect effect) {
     SlideHit& noted = run.note(hit, effect);
-    noted.impulse = push(run, hit, run.velocity + run.carry);
+    const Push pushed = push(run, hit, run.velocity + run.carry);
+    noted.impulse = pushed.impulse;
     if (noted.impulse > 0) noted.effect = SlideEffect::Pushed;
     if (run.isCeiling(hit.normal)) {
         run.out.isOnCeiling = true;
@@ -48,8 +49,7 @@ void meetWall(SlideRun& run, const CastHit& hit, SlideEffect effect) {
         run.out.wallNormal = hit.normal;
     }
     // What gives way leaves it as much speed as it has itself; what comes gives it none.
-    const Vec2 surface = std::as_const(run.world).body(hit.shape.body).velocityAt(hit.point) - run.carry;
-    const double kept = std::min(0.0, surface.dot(hit.normal));
+    const double kept = std::min(0.0, (pushed.surface - run.carry).dot(hit.normal));
     const double into = run.velocity.dot(hit.normal) - kept;
     if (into < 0) run.velocity -= hit.normal * into;
 }
@@ -72,6 +72,8 @@ void walk(SlideRun& run, double length, double side) {
         if (stepOver(run, *way.hit, run.right() * side, length, run.settings.stepHeight, true)) continue;
         run.velocity = run.right() * run.velocity.dot(run.right());
         meetWall(run, *way.hit, SlideEffect::Stopped);
+        // A wall that leans does not lift who walks into it.
+        run.velocity = run.right() * run.velocity.dot(run.right());
         return;
     }
 }
