@@ -57,27 +57,43 @@ Mover moverOf(const Shape& shape, const Transform& pose, const Vec2& shift) {
     return {0.5 * (box.upper - box.lower), center, center + shift};
 }
 
+/// Does a hit say nothing that another does not say better? Of a tile map that something begins in, the outline that
+/// it touches has the way out, and the area only where there is none.
+bool isCovered(const CastHit& area, const CastHit& hit) {
+    return area.shape == hit.shape && !(area.fraction > 0) && !(hit.fraction > 0);
+}
+
 /// meet(id) is where a shape is met, if it is.
 template <class Meet>
 std::optional<CastHit> firstHit(const Onlooker& onlooker, const Mover& mover, Meet&& meet) {
-    std::optional<CastHit> first;
+    std::optional<CastHit> first, firstArea;
     onlooker.lookAlong(mover.halfSize, mover.from, mover.to, [&](ProxyId id) {
+        std::optional<CastHit>& kind = onlooker.isArea(id) ? firstArea : first;
         if (const std::optional<CastPoint> met = meet(id)) {
             const CastHit hit = onlooker.hitOf(id, *met);
-            if (!first || isBefore(hit, *first)) first = hit;
+            if (!kind || isBefore(hit, *kind)) kind = hit;
         }
-        return first ? first->fraction : 1.0;
+        return std::min(first ? first->fraction : 1.0, firstArea ? firstArea->fraction : 1.0);
     });
+    if (!first || (firstArea && isBefore(*firstArea, *first) && !isCovered(*firstArea, *first))) return firstArea;
     return first;
 }
 
 template <class Meet>
 std::vector<CastHit> allHits(const Onlooker& onlooker, const Mover& mover, Meet&& meet) {
-    std::vector<CastHit> hits;
+    std::vector<CastHit> hits, areas;
     onlooker.lookAlong(mover.halfSize, mover.from, mover.to, [&](ProxyId id) {
-        if (const std::optional<CastPoint> met = meet(id)) hits.push_back(onlooker.hitOf(id, *met));
+        if (const std::optional<CastPoint> met = meet(id))
+            (onlooker.isArea(id) ? areas : hits).push_back(onlooker.hitOf(id, *met));
         return 1.0;
     });
+    const auto covers = [](const CastHit& area) {
+        return [&area](const CastHit& hit) { return isCovered(area, hit); };
+    };
+    const std::size_t outlines = hits.size();
+    for (const CastHit& area : areas)
+        if (std::none_of(hits.begin(), hits.begin() + static_cast<std::ptrdiff_t>(outlines), covers(area)))
+            hits.push_back(area);
     std::sort(hits.begin(), hits.end(), isBefore);
     return hits;
 }
@@ -96,20 +112,26 @@ auto meetRay(const Onlooker& onlooker, const Vec2& from, const Vec2& to) {
     return [&](ProxyId id) { return plumb::castRay(from, to, onlooker.shape(id), onlooker.pose(id)); };
 }
 
-/// Of a tile map the outline, without inner corners; and what it fills only for what begins there.
+/// A stretch of a tile map's outline is solid from outside, and has no inner corners.
+std::optional<CastPoint> asOutline(const Segment& outline, const Transform& there, const Shape& shape,
+                                   const Transform& pose, CastPoint met, bool moves) {
+    const bool begins = !(met.fraction > 0);
+    const Vec2 found = begins ? plumb::distance(outline, there, shape, pose).normal : met.normal;
+    const std::optional<Vec2> normal = outlineNormal(outline, there.rotation.inverse() * found);
+    if (!normal) return std::nullopt;
+    if (!begins || !moves) met.normal = there.rotation * *normal;
+    return met;
+}
+
+/// Of a tile map the outline; and what it fills only for what begins there.
 auto meetShape(const Onlooker& onlooker, const Shape& shape, const Transform& pose, const Vec2& shift) {
     return [&](ProxyId id) -> std::optional<CastPoint> {
         const Transform there = onlooker.pose(id);
-        std::optional<CastPoint> met = plumb::castShape(shape, pose, shift, onlooker.shape(id), there);
-        if (!met || onlooker.use(id) == PieceUse::Both) return met;
-        const bool begins = !(met->fraction > 0);
-        if (onlooker.use(id) == PieceUse::Ask) return begins ? met : std::nullopt;
-        if (begins) return std::nullopt;
-        const std::optional<Vec2> normal =
-            outlineNormal(std::get<Segment>(onlooker.shape(id)), there.rotation.inverse() * met->normal);
-        if (!normal) return std::nullopt;
-        met->normal = there.rotation * *normal;
-        return met;
+        const std::optional<CastPoint> met = plumb::castShape(shape, pose, shift, onlooker.shape(id), there);
+        if (!met) return met;
+        if (onlooker.isArea(id)) return met->fraction > 0 ? std::nullopt : met;
+        if (!onlooker.isOutline(id)) return met;
+        return asOutline(std::get<Segment>(onlooker.shape(id)), there, shape, pose, *met, !shift.isZero(0));
     };
 }
 

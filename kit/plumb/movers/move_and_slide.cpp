@@ -122,9 +122,9 @@ void findFloor(SlideRun& run, bool grounded, double level) {
         return;
     }
     const bool wedged = landed && run.out.floorNormal == run.up() && run.along.isZero(0);
-    const double reach = run.settings.floorSnapLength + run.settings.stepHeight + std::fabs(level);
+    const double reach = run.settings.floorSnapLength + run.settings.stepHeight;
     run.out.isOnFloor = false;
-    if (detail::settle(run, reach) || wedged) {
+    if (detail::settle(run, reach, std::fabs(level)) || wedged) {
         run.out.isOnFloor = true;
         return;
     }
@@ -151,7 +151,7 @@ void pressDown(SlideRun& run) {
     if (!run.out.isOnFloor || !(run.settings.weight > 0)) return;
     Body body = run.world.body(run.out.floor->shape.body);
     if (body.type() != BodyType::Dynamic) return;
-    body.applyImpulse(run.up() * (-run.settings.weight * run.dt), run.position);
+    body.applyForce(run.up() * -run.settings.weight, run.position);
 }
 
 /// The place on the floor: the one that it had, while it does not go anywhere by itself.

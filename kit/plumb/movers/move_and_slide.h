@@ -57,7 +57,7 @@ struct SlideHit {
     Vec2 point{0, 0};    ///< in the world [m]
     Vec2 normal{0, 1};   ///< from what was met to the body [-]
     double speed = 0;    ///< at which they came together along it, >= 0 [m/s]
-    double impulse = 0;  ///< given to a dynamic body [N s]
+    double impulse = 0;  ///< given to a dynamic body in the step [N s]
     SlideEffect effect = SlideEffect::Slid;
 };
 

@@ -16,7 +16,9 @@ public:
 
     /// From now on also finds outlines that stand for areas elsewhere.
     void seeOutlines() { outlines_ = true; }
-    PieceUse use(ProxyId id) const { return world_.space[id].use; }
+    /// Is this a part of an outline, or of an area, that stands for the other?
+    bool isOutline(ProxyId id) const { return world_.space[id].use == PieceUse::Touch; }
+    bool isArea(ProxyId id) const { return world_.space[id].use == PieceUse::Ask; }
 
     const Shape& shape(ProxyId id) const { return world_.space[id].def.shape; }
     Transform pose(ProxyId id) const { return world_.bodies.pose(world_.space[id].owner); }

@@ -57,8 +57,10 @@ void pushAside(SlideRun& run, const Vec2& from) {
         const double needed = (length - way.length) * closing;
         if (!(needed > 0)) continue;
         run.note(*way.hit, SlideEffect::PushedBy);
-        const double went = run.probe.freeWay(run.position, normal * needed).length;
-        run.position += normal * went;
+        // Where it is fast, its place after the step lies on the way.
+        run.probe.pass(thing.body);
+        run.position += normal * run.probe.freeWay(run.position, normal * needed).length;
+        run.probe.pass(std::nullopt);
     }
 }
 
@@ -91,21 +93,37 @@ Vec2 middleOf(const SlideRun& run, const CastHit& hit) {
 
 }  // namespace
 
-double push(SlideRun& run, const CastHit& hit, const Vec2& velocity) {
+namespace {
+
+/// What an impulse at a point gives that point along it, for each newton second; it may be held from turning, or along
+/// an axis, and then no mass tells.
+double yieldOf(Body& body, const Vec2& at, const Vec2& way) {
+    const Vec2 velocity = body.velocity();
+    const double turn = body.angularVelocity(), before = body.velocityAt(at).dot(way);
+    const double trial = body.mass();
+    body.applyImpulse(way * trial, at);
+    const double gained = body.velocityAt(at).dot(way) - before;
+    body.setVelocity(velocity);
+    body.setAngularVelocity(turn);
+    return std::max(0.0, gained) / trial;
+}
+
+}  // namespace
+
+Push push(SlideRun& run, const CastHit& hit, const Vec2& velocity) {
     Body body = run.world.body(hit.shape.body);
-    if (body.type() != BodyType::Dynamic || !(run.pushLeft > 0)) return 0;
-    const Vec2 at = middleOf(run, hit);
-    const double closing = -(velocity - body.velocityAt(at)).dot(hit.normal);
-    if (!(closing > 0)) return 0;
-    // What it takes is learnt from a first part: it may be held from turning, or along an axis.
-    const double first = std::min(run.pushLeft, closing * body.mass());
-    const double before = body.velocityAt(at).dot(hit.normal);
-    body.applyImpulse(-hit.normal * first, at);
-    const double gained = before - body.velocityAt(at).dot(hit.normal);
-    const double impulse = gained > 0 ? std::min(run.pushLeft, first * (closing / gained)) : first;
-    body.applyImpulse(-hit.normal * (impulse - first), at);
+    const Vec2 at = body.type() == BodyType::Dynamic ? middleOf(run, hit) : hit.point;
+    const Vec2 surface = body.velocityAt(at);
+    const bool again = std::ranges::find(run.pushed, hit.shape.body) != run.pushed.end();
+    const double closing = -(velocity - surface).dot(hit.normal);
+    if (body.type() != BodyType::Dynamic || !(run.pushLeft > 0) || !(closing > 0) || again) return {0, surface};
+    const double yield = yieldOf(body, at, -hit.normal);
+    const double impulse = yield > 0 ? std::min(run.pushLeft, closing / yield) : run.pushLeft;
+    // Over the whole of the step: friction that is stronger holds it, as it would not hold a blow.
+    body.applyForce(-hit.normal * (impulse / run.dt), at);
     run.pushLeft -= impulse;
-    return impulse;
+    run.pushed.push_back(hit.shape.body);
+    return {impulse, surface - hit.normal * (impulse * yield)};
 }
 
 }  // namespace plumb::detail

@@ -11,8 +11,21 @@ namespace {
 /// Solid to what comes within 60 degrees of the open side, as contacts have it.
 constexpr double openCosine = 0.5;
 
+/// A way into a wall by less than this is along it: where a face ends, the normal of a round shape is known to the
+/// square root of some roundings over its size only [-].
+constexpr double parallel = 1e-6;
+
 double lengthOf(const Vec2& v) {
     return std::sqrt(v.dot(v));
+}
+
+/// All that is within a skin of a shape.
+Shape inflated(Shape shape, double skin) {
+    if (auto* circle = std::get_if<Circle>(&shape)) circle->radius += skin;
+    if (auto* capsule = std::get_if<Capsule>(&shape)) capsule->radius += skin;
+    if (auto* polygon = std::get_if<Polygon>(&shape)) polygon->radius += skin;
+    if (const auto* segment = std::get_if<Segment>(&shape)) return Capsule{segment->start, segment->end, skin};
+    return shape;
 }
 
 CastHit asSeenAfter(const MovingThing& thing, CastHit hit) {
@@ -43,7 +56,9 @@ SlideProbe::SlideProbe(const World& world, BodyId body, const SlideSettings& set
     : world_(world), body_(body), settings_(settings), dt_(dt), rotation_(world.body(body).pose().rotation) {
     for (const ShapeId& id : world.body(body).shapes()) {
         const ShapeDef def = world.shape(id);
-        if (!def.sensor) own_.push_back({def.shape, def.filter});
+        if (!def.sensor)
+            own_.push_back({def.shape, inflated(def.shape, settings.skin),
+                            inflated(def.shape, settings.skin * (1 + 1e-6) + 1e-9), def.filter});
     }
 }
 
@@ -70,74 +85,89 @@ const MovingThing* SlideProbe::find(BodyId body) const {
 }
 
 template <class Visit>
-void SlideProbe::meetAll(const Own& own, const Vec2& from, const Vec2& shift, Visit&& visit) const {
+void SlideProbe::meetAll(const Shape& shape, const Filter& filter, const Vec2& from, const Vec2& shift,
+                         Visit&& visit) const {
     const Transform pose = poseAt(from);
-    for (const CastHit& hit : world_.castShapePieces(own.shape, pose, shift, own.filter, body_))
+    for (const CastHit& hit : world_.castShapePieces(shape, pose, shift, filter, body_))
         if (find(hit.shape.body) == nullptr) visit(hit);
     for (const MovingThing& thing : moving_) {
         const Vec2 shiftThere = thing.back.rotation * shift;
-        for (const CastHit& hit : world_.castShapePieces(own.shape, thing.back * pose, shiftThere, own.filter, body_))
+        for (const CastHit& hit : world_.castShapePieces(shape, thing.back * pose, shiftThere, filter, body_))
             if (hit.shape.body == thing.body) visit(asSeenAfter(thing, hit));
     }
 }
 
-/// The hit, if it is one that stops; with the way out for a normal where it began inside.
-std::optional<CastHit> SlideProbe::stopping(const Own& own, const Transform& pose, const Vec2& shift,
-                                            CastHit hit) const {
-    if (passed_ && hit.shape.body == *passed_) return std::nullopt;
-    if (const std::optional<Vec2> open = openSideOf(hit))
-        if (passOneWays_ || !(hit.fraction > 0) || hit.normal.dot(*open) < openCosine) return std::nullopt;
-    if (hit.fraction > 0) return hit;
-    // Of a chain's pieces that it is in, the one that the way goes into most.
-    double into = 0;
-    meetAll(own, pose.position, {0, 0}, [&](const CastHit& now) {
-        if (now.shape != hit.shape || !(now.normal.dot(shift) < into)) return;
+namespace {
+
+/// Of the hits of a shape that stays, those of one shape: the normal that a way goes into most, if it goes into one. It
+/// is another than the cast's where that began nearer than a skin.
+std::optional<Vec2> wallOf(const std::vector<CastHit>& here, const ShapeId& shape, const Vec2& shift) {
+    std::optional<Vec2> wall;
+    double into = -parallel * lengthOf(shift);
+    for (const CastHit& now : here) {
+        if (now.shape != shape || !(now.normal.dot(shift) < into)) continue;
         into = now.normal.dot(shift);
-        hit.normal = now.normal;
-    });
-    if (!(into < -1e-12 * lengthOf(shift))) return std::nullopt;
-    return hit;
+        wall = now.normal;
+    }
+    return wall;
 }
 
-/// How far it is free until a skin short of what a cast of this length met.
-double SlideProbe::freeBefore(const CastHit& hit, const Vec2& unit, double length) const {
-    const double closing = -hit.normal.dot(unit);
-    return closing > 0 ? hit.fraction * length - settings_.skin / closing : 0;
+}  // namespace
+
+bool SlideProbe::isSolid(const CastHit& hit) const {
+    if (passed_ && hit.shape.body == *passed_) return false;
+    const std::optional<Vec2> open = openSideOf(hit);
+    return !open || (!passOneWays_ && hit.normal.dot(*open) >= openCosine);
 }
 
-FreeWay SlideProbe::freeWay(const Vec2& from, const Vec2& shift, const FreeWayOptions& options) const {
+/// meet(own, shift, visit) casts. What is one-way is solid from a skin on only, and not to what is in it.
+template <class Meet>
+FreeWay SlideProbe::freeWayBy(const Vec2& from, const Vec2& shift, double leastRise, Meet&& meet) const {
     const double length = lengthOf(shift);
     if (!(length > 0)) return {};
-    const Vec2 unit = shift / length;
-    const double whole = length + 2 * settings_.skin;
     FreeWay free{length};
     for (const Own& own : own_) {
-        meetAll(own, from, unit * whole, [&](const CastHit& met) {
-            if (!(freeBefore(met, unit, whole) < free.length)) return;
-            const std::optional<CastHit> hit = stopping(own, poseAt(from), shift, met);
-            if (!hit || hit->normal.dot(settings_.up) < options.leastRise) return;
-            if (freeBefore(*hit, unit, whole) < free.length) free = {freeBefore(*hit, unit, whole), hit};
+        std::optional<std::vector<CastHit>> here;
+        meet(own.inflated, own.filter, shift, [&](CastHit hit) {
+            if (!(hit.fraction * length < free.length)) return;
+            if (!(hit.fraction > 0)) {
+                if (!here)
+                    meet(own.around, own.filter, {0, 0}, [&here](const CastHit& now) {
+                        if (!here) here.emplace();
+                        here->push_back(now);
+                    });
+                const std::optional<Vec2> wall = here ? wallOf(*here, hit.shape, shift) : std::nullopt;
+                if (!wall) return;
+                hit.normal = *wall;
+                if (hit.oneWay && isIn(own, from, hit.shape)) return;
+            }
+            // What is convex lies behind its normal: a way along that goes into it by no more than roundings.
+            if (!(hit.normal.dot(shift) < -parallel * length)) return;
+            if (isSolid(hit) && hit.normal.dot(settings_.up) >= leastRise) free = {hit.fraction * length, hit};
         });
     }
-    free.length = std::max(free.length, -options.backward);
     return free;
 }
 
+bool SlideProbe::isIn(const Own& own, const Vec2& at, const ShapeId& shape) const {
+    bool inside = false;
+    meetAll(own.shape, own.filter, at, {0, 0}, [&](const CastHit& hit) { inside |= hit.shape == shape; });
+    return inside;
+}
+
+FreeWay SlideProbe::freeWay(const Vec2& from, const Vec2& shift, double leastRise) const {
+    return freeWayBy(from, shift, leastRise,
+                     [&](const Shape& shape, const Filter& filter, const Vec2& way, auto&& visit) {
+                         meetAll(shape, filter, from, way, visit);
+                     });
+}
+
 FreeWay SlideProbe::freeWayAgainst(const MovingThing& thing, const Vec2& from, const Vec2& to) const {
-    const Vec2 shift = thing.back * to - from;
-    const double length = lengthOf(shift);
-    if (!(length > 0)) return {};
-    const Vec2 unit = shift / length;
-    const double whole = length + 2 * settings_.skin;
-    FreeWay free{length};
-    for (const Own& own : own_) {
-        for (const CastHit& hit : world_.castShapePieces(own.shape, poseAt(from), unit * whole, own.filter, body_)) {
-            if (hit.shape.body != thing.body || !(hit.fraction > 0)) continue;  // an overlap is parted by itself
-            const double before = freeBefore(hit, unit, whole);
-            if (before < free.length && stopping(own, poseAt(from), shift, hit)) free = {before, hit};
-        }
-    }
-    free.length = std::max(free.length, 0.0);
+    const auto meet = [&](const Shape& shape, const Filter& filter, const Vec2& way, auto&& visit) {
+        for (const CastHit& hit : world_.castShapePieces(shape, poseAt(from), way, filter, body_))
+            if (hit.shape.body == thing.body) visit(hit);
+    };
+    FreeWay free = freeWayBy(from, thing.back * to - from, -2, meet);
     if (free.hit) free.hit = asSeenAfter(thing, *free.hit);
     return free;
 }
@@ -148,10 +178,11 @@ double SlideProbe::depthOf(const Own& own, const Vec2& at, const CastHit& hit) c
     double out = 0.125 * lengthOf(box.upper - box.lower);
     for (int i = 0; i < 40; ++i, out *= 2) {
         bool inside = false;
-        meetAll(own, at + hit.normal * out, {0, 0}, [&](const CastHit& now) { inside |= now.shape == hit.shape; });
+        meetAll(own.shape, own.filter, at + hit.normal * out, {0, 0},
+                [&](const CastHit& now) { inside |= now.shape == hit.shape; });
         if (inside) continue;
         double depth = 0;
-        meetAll(own, at + hit.normal * out, -hit.normal * out, [&](const CastHit& back) {
+        meetAll(own.shape, own.filter, at + hit.normal * out, -hit.normal * out, [&](const CastHit& back) {
             if (back.shape == hit.shape) depth = std::max(depth, out * (1 - back.fraction));
         });
         return depth;
@@ -162,7 +193,7 @@ double SlideProbe::depthOf(const Own& own, const Vec2& at, const CastHit& hit) c
 std::vector<Overlapped> SlideProbe::overlaps(const Vec2& at) const {
     std::vector<Overlapped> found;
     for (const Own& own : own_) {
-        meetAll(own, at, {0, 0}, [&](const CastHit& hit) {
+        meetAll(own.shape, own.filter, at, {0, 0}, [&](const CastHit& hit) {
             if (world_.body(hit.shape.body).type() == BodyType::Dynamic || openSideOf(hit)) return;
             found.push_back({hit, depthOf(own, at, hit)});
         });
@@ -182,7 +213,7 @@ FaceSpan SlideProbe::faceSpanAt(const Vec2& at, const Vec2& way, const Vec2& lin
 bool SlideProbe::isInOneWay(const Vec2& at) const {
     bool inside = false;
     const auto look = [&](const CastHit& hit) { inside |= openSideOf(hit).has_value(); };
-    for (const Own& own : own_) meetAll(own, at, settings_.up * (-2 * settings_.skin), look);
+    for (const Own& own : own_) meetAll(own.shape, own.filter, at, settings_.up * (-2 * settings_.skin), look);
     return inside;
 }
 

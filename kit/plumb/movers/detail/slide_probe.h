@@ -24,11 +24,6 @@ struct FreeWay {
     std::optional<CastHit> hit = std::nullopt;
 };
 
-struct FreeWayOptions {
-    double backward = 0;    ///< where it begins nearer than a skin, it may go back by so much [m]
-    double leastRise = -2;  ///< only what has a normal that rises by as much is met [-]
-};
-
 struct Overlapped {
     CastHit hit;  ///< the normal is the way out
     double depth = 0;
@@ -46,8 +41,8 @@ public:
     void pass(const std::optional<BodyId>& body) { passed_ = body; }
     void passOneWays(bool pass) { passOneWays_ = pass; }
 
-    /// The body is where from says, and shifted.
-    FreeWay freeWay(const Vec2& from, const Vec2& shift, const FreeWayOptions& options = {}) const;
+    /// The body is where from says, and shifted. Only what has a normal that rises by leastRise is met [-].
+    FreeWay freeWay(const Vec2& from, const Vec2& shift, double leastRise = -2) const;
     /// The same of one that moves, as seen from it: the body goes from one place before the step to one after it.
     FreeWay freeWayAgainst(const MovingThing& thing, const Vec2& from, const Vec2& to) const;
     /// What is static or kinematic and overlaps the body.
@@ -59,16 +54,20 @@ public:
 private:
     struct Own {
         Shape shape;
+        Shape inflated;  ///< by a skin
+        Shape around;    ///< by a hair more, so that it touches all that a cast of inflated begins at
         Filter filter;
     };
 
     Transform poseAt(const Vec2& position) const { return {position, rotation_}; }
-    /// Everything that one shape of the body meets, moving things as they will be; visit(hit).
+    /// Everything that a shape of the body meets, moving things as they will be; visit(hit).
     template <class Visit>
-    void meetAll(const Own& own, const Vec2& from, const Vec2& shift, Visit&& visit) const;
-    std::optional<CastHit> stopping(const Own& own, const Transform& pose, const Vec2& shift, CastHit hit) const;
+    void meetAll(const Shape& shape, const Filter& filter, const Vec2& from, const Vec2& shift, Visit&& visit) const;
+    template <class Meet>
+    FreeWay freeWayBy(const Vec2& from, const Vec2& shift, double leastRise, Meet&& meet) const;
+    bool isSolid(const CastHit& hit) const;
+    bool isIn(const Own& own, const Vec2& at, const ShapeId& shape) const;
     double depthOf(const Own& own, const Vec2& at, const CastHit& hit) const;
-    double freeBefore(const CastHit& hit, const Vec2& unit, double length) const;
 
     const World& world_;
     BodyId body_;

@@ -39,7 +39,8 @@ SlideHit& SlideRun::note(const CastHit& hit, SlideEffect effect) {
 
 void meetWall(SlideRun& run, const CastHit& hit, SlideEffect effect) {
     SlideHit& noted = run.note(hit, effect);
-    noted.impulse = push(run, hit, run.velocity + run.carry);
+    const Push pushed = push(run, hit, run.velocity + run.carry);
+    noted.impulse = pushed.impulse;
     if (noted.impulse > 0) noted.effect = SlideEffect::Pushed;
     if (run.isCeiling(hit.normal)) {
         run.out.isOnCeiling = true;
@@ -48,8 +49,7 @@ void meetWall(SlideRun& run, const CastHit& hit, SlideEffect effect) {
         run.out.wallNormal = hit.normal;
     }
     // What gives way leaves it as much speed as it has itself; what comes gives it none.
-    const Vec2 surface = std::as_const(run.world).body(hit.shape.body).velocityAt(hit.point) - run.carry;
-    const double kept = std::min(0.0, surface.dot(hit.normal));
+    const double kept = std::min(0.0, (pushed.surface - run.carry).dot(hit.normal));
     const double into = run.velocity.dot(hit.normal) - kept;
     if (into < 0) run.velocity -= hit.normal * into;
 }
@@ -72,6 +72,8 @@ void walk(SlideRun& run, double length, double side) {
         if (stepOver(run, *way.hit, run.right() * side, length, run.settings.stepHeight, true)) continue;
         run.velocity = run.right() * run.velocity.dot(run.right());
         meetWall(run, *way.hit, SlideEffect::Stopped);
+        // A wall that leans does not lift who walks into it.
+        run.velocity = run.right() * run.velocity.dot(run.right());
         return;
     }
 }
@@ -95,19 +97,29 @@ void bend(SlideRun& run, const Vec2& before, const Vec2& normal) {
     run.position += next * (more < 0 ? -way.length : way.length);
 }
 
+/// How far a floor falls over a stretch of this length.
+double dropOf(const SlideRun& run, const Vec2& normal, double across) {
+    const double side = run.along.dot(run.right()) < 0 ? -1 : 1;
+    return std::max(0.0, across * side * normal.dot(run.right()) / normal.dot(run.up()));
+}
+
 }  // namespace
 
-bool settle(SlideRun& run, double reach) {
+bool settle(SlideRun& run, double reach, double across) {
+    // From a skin above: it may have come nearer than a skin.
     const double skin = run.settings.skin;
-    const Vec2 down = run.up() * -(reach + skin);
-    const FreeWay any = run.probe.freeWay(run.position, down, {.backward = skin});
+    const Vec2 top = run.position + run.up() * skin;
+    const Vec2 down = run.up() * -(reach + 2 * across + 2 * skin);
+    const FreeWay any = run.probe.freeWay(top, down);
     if (!any.hit) return false;
-    const bool first = run.isFloor(any.hit->normal);
-    const FreeWay way = first ? any : run.probe.freeWay(run.position, down, {skin, run.leastFloorRise()});
+    const FreeWay way = run.isFloor(any.hit->normal) ? any : run.probe.freeWay(top, down, run.leastFloorRise());
     // A wall beside it may be as near as the floor, to rounding.
-    if (!way.hit || any.length < way.length - 2 * skin) return false;
+    if (!way.hit || any.length < way.length - skin) return false;
+    // A floor that falls away is followed; an edge only as deep as reach.
+    const double risen = run.along.dot(run.up()) * across;
+    if (any.length - skin > reach + std::max(0.0, risen) + dropOf(run, way.hit->normal, across)) return false;
     const Vec2 before = run.position;
-    run.position -= run.up() * any.length;
+    run.position = top - run.up() * any.length;
     if (!run.along.isZero(0)) bend(run, before, way.hit->normal);
     run.out.isOnFloor = true;
     run.out.floorNormal = way.hit->normal;

@@ -16,6 +16,7 @@ struct SlideRun {
     Vec2 carry;       ///< of what carries it, where it is [m/s]
     double pushLeft;  ///< impulse that may still be given in this tick [N s]
     Slide out;
+    std::vector<BodyId> pushed = {};
     Vec2 along{0, 0};  ///< the way of the last stretch that it walked, 0 when it did not walk
 
     Vec2 up() const { return settings.up; }
@@ -39,15 +40,21 @@ void meetWall(SlideRun& run, const CastHit& hit, SlideEffect effect);
 void walk(SlideRun& run, double length, double side);
 /// Goes through the air, slides along what it meets, and walks on where it lands.
 void fly(SlideRun& run, Vec2 shift);
-/// Down, or up by less than a skin, to a floor no farther than reach; false when there is none.
-bool settle(SlideRun& run, double reach);
+/// Down, or up by less than a skin, to a floor no deeper than reach, or than what the floor fell over the way across
+/// that it walked; false when there is none.
+bool settle(SlideRun& run, double reach, double across = 0);
 
 /// Up over an edge not higher than height, then on, to a floor if there must be one. Takes what it went off the length.
 bool stepOver(SlideRun& run, const CastHit& wall, const Vec2& along, double& length, double height, bool toFloor);
 /// Aside from under an edge, by as little as lets it rise by this.
 bool nudgeAside(SlideRun& run, const CastHit& ceiling, double rise, double side);
 
-/// The impulse that takes a dynamic body's surface, where it is met, up to a velocity; at most what is left.
-double push(SlideRun& run, const CastHit& hit, const Vec2& velocity);
+struct Push {
+    double impulse = 0;  ///< over the step [N s]
+    Vec2 surface{0, 0};  ///< the velocity of what was met, there, after it [m/s]
+};
+
+/// Takes a dynamic body's surface, where it is met, up to a velocity; by at most what is left, and once in a tick.
+Push push(SlideRun& run, const CastHit& hit, const Vec2& velocity);
 
 }  // namespace plumb::detail

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// What do tests of movers stand on?
+#pragma once
+#include <vector>
+
+#include <plumb/movers/platform_mover.h>
+
+namespace plumb::test {
+
+inline BodyId addStatic(World& world, const Vec2& place, const ShapeDef& shape, double angle = 0) {
+    return world.add({.type = BodyType::Static, .position = place, .angle = angle, .shapes = {shape}});
+}
+inline BodyId addKinematic(World& world, const Vec2& place, const ShapeDef& shape, const Vec2& velocity = {0, 0}) {
+    return world.add({.type = BodyType::Kinematic, .position = place, .velocity = velocity, .shapes = {shape}});
+}
+
+/// A body that falls by gravity and goes to the side at the speed wanted.
+struct Slider {
+    BodyId body;
+    SlideSettings settings = {};
+    Slide slide = {};
+    double gravity = 9.81;
+
+    /// One tick, with the world's; level is the speed wanted to the right [m/s].
+    const Slide& step(World& world, double level, double dt) {
+        move(world, level, dt);
+        world.step(dt);
+        return slide;
+    }
+    const Slide& move(World& world, double level, double dt) {
+        const double rise = slide.isOnFloor ? 0 : slide.velocity.y() - gravity * dt;
+        slide = moveAndSlide(world, body, {.velocity = {level, rise}, .dt = dt}, settings, slide);
+        return slide;
+    }
+    /// Until it stands.
+    void land(World& world, double dt = 1.0 / 60) {
+        for (int i = 0; i < 600 && !slide.isOnFloor; ++i) step(world, 0, dt);
+    }
+};
+
+/// How deep the body's shapes are in anything else's, by brute force; negative when they are clear of it [m].
+inline double depthOf(const World& world, BodyId body, bool ofDynamic = false) {
+    double deepest = -1e300;
+    for (const BodyId other : world.bodies()) {
+        if (other == body || (!ofDynamic && world.body(other).type() == BodyType::Dynamic)) continue;
+        for (const ShapeId& mine : world.body(body).shapes())
+            for (const ShapeId& theirs : world.body(other).shapes())
+                if (!world.shape(theirs).oneWay && !world.shape(theirs).sensor)
+                    deepest = std::max(deepest, -world.distance(mine, theirs).separation);
+    }
+    return deepest;
+}
+
+}  // namespace plumb::test
