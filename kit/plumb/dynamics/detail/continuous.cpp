@@ -91,6 +91,7 @@ struct Hit {
     double time = 0;
     BodyIndex wall = noBody;
     Way wallWay;
+    Vec2 shift{0, 0};  ///< of the wall, in a world that wraps [m]
 };
 
 /// Where a body stays that meets a wall on its way: there, or, if the wall moves on, at the same place of it.
@@ -101,7 +102,7 @@ Way stayAt(const WorldState& world, const Way& way, const Hit& hit) {
     const BodyMotion& wall = world.bodies.motion[hit.wall];
     const Vec2 wallThen = hit.wallWay.start + hit.wallWay.shift * hit.time;
     stay.turn = wall.angle - (hit.wallWay.angle + hit.wallWay.turn * hit.time);
-    stay.shift = (wall.center - stay.start) + Rot::fromAngle(stay.turn) * Vec2(stay.start - wallThen);
+    stay.shift = (wall.center + hit.shift - stay.start) + Rot::fromAngle(stay.turn) * Vec2(stay.start - wallThen);
     return stay;
 }
 
@@ -155,12 +156,14 @@ public:
 
     const std::optional<Hit>& first() const { return first_; }
 
-    void meet(ProxyId own, ProxyId other) {
+    /// shift: of the other.
+    void meet(ProxyId own, ProxyId other, const Vec2& shift) {
         const bool ruled = hasRule(world_.space[own].def) || hasRule(world_.space[other].def);
-        const Verdict verdict = ruled ? verdictOn(own, other) : Verdict::Solid;
+        const Verdict verdict = ruled ? verdictOn(own, other, shift) : Verdict::Solid;
         if (letsPass(verdict)) return;
         const BodyIndex wall = world_.space[other].owner;
-        const Way wallWay = freeWay(world_, wall, past_);
+        Way wallWay = freeWay(world_, wall, past_);
+        wallWay.start += shift;
         const Shape& shape = world_.space[own].def.shape;
         const Shape& face = world_.space[other].def.shape;
         if (!mayCross(passageOf(WallWay(wallWay), way_), face, world_.bodies.record[body_])) return;
@@ -168,13 +171,16 @@ public:
         const std::optional<double> time = timeOfCrossing({&face, wallWay, 0}, swept);
         if (!time || (first_ && *time >= first_->time)) return;
         if (verdict == Verdict::Solid || isSolidAt(*time, {&face, wallWay, 0}, swept, own, other))
-            first_ = Hit{*time, wall, wallWay};
+            first_ = Hit{*time, wall, wallWay, shift};
     }
 
     void meet(ContactIndex index) {
         const ContactRecord& contact = world_.contacts.contacts[index];
         const bool isA = contact.bodyA == body_;
-        meet(isA ? contact.proxyA : contact.proxyB, isA ? contact.proxyB : contact.proxyA);
+        if (isA)
+            meet(contact.proxyA, contact.proxyB, contact.shift);
+        else
+            meet(contact.proxyB, contact.proxyA, -contact.shift);
     }
 
     void meetFixed() {
@@ -184,8 +190,8 @@ public:
     void meetKinematic() {
         if (world_.bodies.kinematic.empty()) return;
         meetNear([](const Space& space, const Aabb& box, auto&& visit) {
-            space.query(box, [&](ProxyId other) {
-                if (!space[other].fixed) visit(other);
+            space.query(box, [&](ProxyId other, const Vec2& shift) {
+                if (!space[other].fixed) visit(other, shift);
             });
         });
     }
@@ -204,11 +210,12 @@ public:
     }
 
 private:
-    Verdict verdictOn(ProxyId own, ProxyId other) const {
+    Verdict verdictOn(ProxyId own, ProxyId other, const Vec2& shift) const {
         Verdict verdict = Verdict::Open;
         forEachContact(world_.bodies, world_.contacts, body_, [&](ContactIndex index) {
             const ContactRecord& contact = world_.contacts.contacts[index];
-            if (contact.proxyA + contact.proxyB == own + other && (contact.proxyA == own || contact.proxyB == own))
+            if ((contact.proxyA == own && contact.proxyB == other && contact.shift == shift) ||
+                (contact.proxyB == own && contact.proxyA == other && contact.shift == -shift))
                 verdict = contact.verdict;
         });
         return verdict;
@@ -234,12 +241,12 @@ private:
         const BodyRecord& record = world_.bodies.record[body_];
         const Vec2 end = way_.start + way_.shift;
         const Aabb box = inflate({way_.start.cwiseMin(end), way_.start.cwiseMax(end)}, record.extent);
-        query(space, box, [&](ProxyId other) {
+        query(space, box, [&](ProxyId other, const Vec2& shift) {
             if (world_.bodies.isDynamic(space[other].owner) || space[other].def.sensor) return;
             for (const ProxyId own : record.proxies)
                 if (!space[own].def.sensor && mayPair(space[own], space[other]) &&
                     !joinedApart(world_, body_, space[other].owner))
-                    meet(own, other);
+                    meet(own, other, shift);
         });
     }
 
@@ -298,7 +305,9 @@ void addSwept(const WorldState& world, BodyIndex wall, double dt, std::vector<Su
         const BodyRecord& record = world.bodies.record[body];
         if (!isMoved(record)) return;
         const Shape& face = world.space[isA ? contact.proxyA : contact.proxyB].def.shape;
-        const Passage passage = passageOf(wallWay, wayOf(world, body, dt));
+        Way own = wayOf(world, body, dt);
+        own.start += isA ? contact.shift : Vec2(-contact.shift);
+        const Passage passage = passageOf(wallWay, own);
         if (mayCross(passage, face, record)) suspects.push_back({body, index});
     });
 }

@@ -15,7 +15,7 @@ void addStrays(const WorldState& world, BodyIndex body, std::vector<Stray>& stra
     const Transform pose = world.bodies.pose(body);
     for (const ProxyId proxy : world.bodies.record[body].proxies) {
         const Aabb box = aabbOf(world.space[proxy].def.shape, pose);
-        if (!contains(world.space.box(proxy), box)) strays.push_back({proxy, box});
+        if (!contains(world.space.box(proxy), box) || !world.space.isWhole(proxy)) strays.push_back({proxy, box});
     }
 }
 
@@ -23,6 +23,9 @@ void addStrays(const WorldState& world, BodyIndex body, std::vector<Stray>& stra
 /// proof. Boxes hold all between the step's start and what was foreseen, and half a contactMargin more all around.
 bool surelyKept(const WorldState& world, BodyIndex body) {
     if (world.bodies.record[body].boxesWait) return false;
+    if (world.def.wrap.any())
+        for (const ProxyId proxy : world.bodies.record[body].proxies)
+            if (!world.space.isWhole(proxy)) return false;
     const BodyMotion& now = world.bodies.motion[body];
     const BodyPlace& then = world.bodies.place[body];
     const auto aside = [](double at, float high, float low, float shift) {
