@@ -184,11 +184,13 @@ public:
     }
 
     void meetFixed() {
+        if (goesRound()) return meetAround([](const Proxy& other) { return other.fixed; });
         meetNear([](const Space& space, const Aabb& box, auto&& visit) { space.queryFixed(box, visit); });
     }
 
     void meetKinematic() {
         if (world_.bodies.kinematic.empty()) return;
+        if (goesRound()) return meetAround([](const Proxy& other) { return !other.fixed; });
         meetNear([](const Space& space, const Aabb& box, auto&& visit) {
             space.query(box, [&](ProxyId other, const Vec2& shift) {
                 if (!space[other].fixed) visit(other, shift);
@@ -202,8 +204,9 @@ public:
         const auto excess = [](double moved, double foreseen) {
             return std::max(std::min(foreseen, 0.0) - moved, moved - std::max(foreseen, 0.0));
         };
-        const double aside = std::max({excess(way_.shift.x(), static_cast<double>(place.shiftX)),
-                                       excess(way_.shift.y(), static_cast<double>(place.shiftY)), 0.0});
+        const Vec2 foreseen = foreseenShift(world_, body_);
+        const double aside =
+            std::max({excess(way_.shift.x(), foreseen.x()), excess(way_.shift.y(), foreseen.y()), 0.0});
         const double turned = std::fabs(way_.turn) * world_.bodies.record[body_].reach;
         return aside + std::max(turned - static_cast<double>(place.turn), 0.0) <
                0.5 * static_cast<double>(contactMargin);
@@ -241,13 +244,39 @@ private:
         const BodyRecord& record = world_.bodies.record[body_];
         const Vec2 end = way_.start + way_.shift;
         const Aabb box = inflate({way_.start.cwiseMin(end), way_.start.cwiseMax(end)}, record.extent);
-        query(space, box, [&](ProxyId other, const Vec2& shift) {
-            if (world_.bodies.isDynamic(space[other].owner) || space[other].def.sensor) return;
-            for (const ProxyId own : record.proxies)
-                if (!space[own].def.sensor && mayPair(space[own], space[other]) &&
-                    !joinedApart(world_, body_, space[other].owner))
-                    meet(own, other, shift);
-        });
+        query(space, box, [&](ProxyId other, const Vec2& shift) { meetAll(other, shift); });
+    }
+
+    void meetAll(ProxyId other, const Vec2& shift) {
+        const Space& space = world_.space;
+        if (world_.bodies.isDynamic(space[other].owner) || space[other].def.sensor) return;
+        for (const ProxyId own : world_.bodies.record[body_].proxies)
+            if (!space[own].def.sensor && mayPair(space[own], space[other]) &&
+                !joinedApart(world_, body_, space[other].owner))
+                meet(own, other, shift);
+    }
+
+    /// Is the way longer than a world that wraps?
+    bool goesRound() const {
+        const Wrap& wrap = world_.def.wrap;
+        return (wrap.width && std::fabs(way_.shift.x()) > *wrap.width) ||
+               (wrap.height && std::fabs(way_.shift.y()) > *wrap.height);
+    }
+
+    /// Then what lies on the way is met in its order, and, of more than a thousand rounds, on the first thousand.
+    template <class Wanted>
+    void meetAround(Wanted&& wanted) {
+        constexpr double mostRounds = 1000;
+        const Wrap& wrap = world_.def.wrap;
+        double part = 1;
+        if (wrap.width) part = std::min(part, mostRounds * *wrap.width / std::fabs(way_.shift.x()));
+        if (wrap.height) part = std::min(part, mostRounds * *wrap.height / std::fabs(way_.shift.y()));
+        const double extent = world_.bodies.record[body_].extent;
+        world_.space.castBox({extent, extent}, way_.start, way_.start + way_.shift * part,
+                             [&](ProxyId other, const Vec2& shift) {
+                                 if (wanted(world_.space[other])) meetAll(other, shift);
+                                 return first_ ? std::min(first_->time / part, 1.0) : 1.0;
+                             });
     }
 
     const WorldState& world_;

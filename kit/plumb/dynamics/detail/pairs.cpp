@@ -133,12 +133,22 @@ bool joinedApart(const WorldState& world, BodyIndex a, BodyIndex b) {
     });
 }
 
+Vec2 foreseenShift(const WorldState& world, BodyIndex body) {
+    constexpr double mostRounds = 2;
+    const BodyPlace& place = world.bodies.place[body];
+    Vec2 shift(static_cast<double>(place.shiftX), static_cast<double>(place.shiftY));
+    const Wrap& wrap = world.def.wrap;
+    if (wrap.width) shift.x() = std::clamp(shift.x(), -mostRounds * *wrap.width, mostRounds * *wrap.width);
+    if (wrap.height) shift.y() = std::clamp(shift.y(), -mostRounds * *wrap.height, mostRounds * *wrap.height);
+    return shift;
+}
+
 void placeBody(WorldState& world, BodyIndex body, double dt) {
     const BodyRecord& record = world.bodies.record[body];
     const BodyMotion& motion = world.bodies.motion[body];
     const BodyPlace& place = world.bodies.place[body];
     const bool moves = record.awake && dt > 0;
-    const Vec2 shift = moves ? Vec2(static_cast<double>(place.shiftX), static_cast<double>(place.shiftY)) : Vec2(0, 0);
+    const Vec2 shift = moves ? foreseenShift(world, body) : Vec2(0, 0);
     const double turn = moves ? static_cast<double>(place.turn) : 0.0;
     const Transform pose = world.bodies.pose(body);
     for (const ProxyId proxy : record.proxies) {
