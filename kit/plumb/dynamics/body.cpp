@@ -49,7 +49,8 @@ Contact contactOf(const WorldState& world, const ContactRecord& record) {
     const double time = record.colour >= 0 ? world.lastStep : record.memoryStep;
     const auto memory = world.graph.memoryOf(record);
     for (std::size_t p = 0; p < static_cast<std::size_t>(world.graph.manifoldOf(record).count); ++p) {
-        ContactPoint out{pointOf(world, record, p), static_cast<double>(world.graph.separationOf(record, p)), 0, 0};
+        ContactPoint out{world.def.wrap.place(pointOf(world, record, p)),
+                         static_cast<double>(world.graph.separationOf(record, p)), 0, 0};
         if (time > 0) {
             out.normalForce = static_cast<double>(memory[p].totalNormal) / time;
             out.frictionForce = static_cast<double>(memory[p].totalTangent) / time;
@@ -70,7 +71,7 @@ BodyType BodyView::type() const {
 }
 
 Vec2 BodyView::position() const {
-    return world_->bodies.origin(index_);
+    return world_->def.wrap.place(world_->bodies.origin(index_));
 }
 
 double BodyView::angle() const {
@@ -78,11 +79,11 @@ double BodyView::angle() const {
 }
 
 Transform BodyView::pose() const {
-    return world_->bodies.pose(index_);
+    return {position(), world_->bodies.motion[index_].rotation};
 }
 
 Vec2 BodyView::centerOfMass() const {
-    return world_->bodies.motion[index_].center;
+    return world_->def.wrap.place(world_->bodies.motion[index_].center);
 }
 
 Vec2 BodyView::velocity() const {
@@ -104,7 +105,8 @@ double BodyView::inertia() const {
 Vec2 BodyView::velocityAt(const Vec2& point) const {
     requireFinite(point, "BodyView.velocityAt: point");
     const BodyMotion& motion = world_->bodies.motion[index_];
-    return motion.velocity + perp(Vec2(point - motion.center)) * motion.angularVelocity;
+    const Vec2 there = world_->bodies.near(point, motion.center);
+    return motion.velocity + perp(Vec2(there - motion.center)) * motion.angularVelocity;
 }
 
 double BodyView::gravityScale() const {
@@ -180,28 +182,33 @@ void Body::setAngularVelocity(double angularVelocity) {
 void Body::setPose(const Vec2& position, double angle) {
     requireFinite(position, "Body.setPose: position");
     requireFinite(angle, "Body.setPose: angle");
+    for (const ProxyId proxy : world_->bodies.record[index_].proxies)
+        requireFit(*world_, world_->space[proxy].def.shape, {position, Rot::fromAngle(angle)}, "Body.setPose: angle");
     wakeNeighbours(*world_, index_);
     BodyMotion& motion = world_->bodies.motion[index_];
     const bool sound = isSound(motion);
     motion.angle = angle;
     motion.rotation = Rot::fromAngle(angle);
-    motion.center = position + motion.rotation * world_->bodies.record[index_].localCenter;
+    const Vec2 center = position + motion.rotation * world_->bodies.record[index_].localCenter;
+    motion.center = world_->bodies.near(center, motion.center);
     // It has left whatever it was near; the space is to look anew, also at what sleeps where it has come to.
     world_->bodies.rest(index_);
     meetAnew(*world_, index_);
     moveLocks(*world_, index_);
+    joinNearest(*world_, index_);
     world_->jointsChanged = world_->jointsChanged || isSound(motion) != sound;
     wakeIsland(*world_, index_);
 }
 
 void Body::applyForce(const Vec2& force) {
-    applyForce(force, centerOfMass());
+    applyForce(force, world_->bodies.motion[index_].center);
 }
 
 void Body::applyForce(const Vec2& force, const Vec2& at) {
     requireFinite(force, "Body.applyForce: force");
     requireFinite(at, "Body.applyForce: at");
-    addForce(*world_, index_, force, cross(Vec2(at - centerOfMass()), force));
+    const Vec2& center = world_->bodies.motion[index_].center;
+    addForce(*world_, index_, force, cross(Vec2(world_->bodies.near(at, center) - center), force));
 }
 
 void Body::applyTorque(double torque) {
@@ -210,7 +217,7 @@ void Body::applyTorque(double torque) {
 }
 
 void Body::applyImpulse(const Vec2& impulse) {
-    applyImpulse(impulse, centerOfMass());
+    applyImpulse(impulse, world_->bodies.motion[index_].center);
 }
 
 void Body::applyImpulse(const Vec2& impulse, const Vec2& at) {
@@ -219,8 +226,8 @@ void Body::applyImpulse(const Vec2& impulse, const Vec2& at) {
     const BodyRecord& record = world_->bodies.record[index_];
     BodyMotion& motion = world_->bodies.motion[index_];
     const Vec2 velocity = motion.velocity + impulse * record.inverseMass;
-    const double turn =
-        record.inverseInertia > 0 ? cross(Vec2(at - motion.center), impulse) * record.inverseInertia : 0.0;
+    const Vec2 arm = world_->bodies.near(at, motion.center) - motion.center;
+    const double turn = record.inverseInertia > 0 ? cross(arm, impulse) * record.inverseInertia : 0.0;
     requireFinite(velocity, "Body.applyImpulse: impulse, for the velocity it would give");
     requireFinite(turn, "Body.applyImpulse: impulse, for the angular velocity it would give");
     motion.velocity = velocity;
@@ -245,7 +252,7 @@ void Body::moveTo(const Vec2& position, double angle, double dt) {
     if (record.type != BodyType::Kinematic)
         refuse("Body.moveTo", "the body is not kinematic, but " + nameOf(record.type));
     BodyMotion& motion = world_->bodies.motion[index_];
-    const Vec2 target = position + Rot::fromAngle(angle) * record.localCenter;
+    const Vec2 target = world_->bodies.near(position + Rot::fromAngle(angle) * record.localCenter, motion.center);
     const Vec2 velocity = (target - motion.center) / dt;
     const double turn = (angle - motion.angle) / dt;
     requireFinite(velocity, "Body.moveTo: position, for the velocity it takes");

@@ -110,6 +110,8 @@ World::World(const WorldDef& def) {
     state_->id = nextWorldId();
     state_->collider = &laneCollider(def.solver.lanes);
     state_->space.setLanes(def.solver.lanes);
+    state_->space.setWrap(def.wrap);
+    state_->bodies.wrap = def.wrap;
     if (def.ledger) state_->audit.emplace();
 }
 
@@ -124,6 +126,7 @@ World::~World() = default;
 
 BodyId World::add(const BodyDef& def) {
     validate(def, "BodyDef");
+    requireFit(*state_, def);
     BodyStore& bodies = state_->bodies;
     const BodyIndex body = bodies.acquire();
     BodyRecord& record = bodies.record[body];
@@ -238,6 +241,10 @@ std::vector<BodyId> World::bodies() const {
     for (BodyIndex body = 1; body < state_->bodies.record.size(); ++body)
         if (state_->bodies.record[body].alive) ids.push_back(state_->idOf(body));
     return ids;
+}
+
+const Wrap& World::wrap() const {
+    return state_->def.wrap;
 }
 
 Vec2 World::gravity() const {

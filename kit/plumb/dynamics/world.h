@@ -20,6 +20,7 @@
 #include <plumb/dynamics/solver_settings.h>
 #include <plumb/dynamics/step_profile.h>
 #include <plumb/shapes/aabb.h>
+#include <plumb/space/wrap.h>
 
 namespace plumb {
 
@@ -27,11 +28,14 @@ struct WorldDef {
     Vec2 gravity{0, -9.81};  ///< [m/s^2]
     bool sleeping = true;    ///< may what rests be left out of the step?
     double hitSpeed = 1;     ///< what comes together faster is a ContactHit, >= 0, may be infinite [m/s]
+    Wrap wrap = {};          ///< how wide and high the world is, if it goes on at its other side
     bool ledger = false;     ///< is account to be kept of energy and momentum? Steps then take several times as long
     SolverSettings solver = {};
 };
 
-/// Bodies, their contacts, joints and fields. A copy goes on as the original would have, to the last bit, and knows its
+/// Bodies, their contacts, joints and fields. A world may wrap around: then any place may be given, and stands for all
+/// those that are whole rounds away; the nearest is meant where there is a choice, as for anchors; and what is told is
+/// in [0, width) and [0, height). A copy goes on as the original would have, to the last bit, and knows its
 /// things by the same ids; what was moved from can only be assigned to or destroyed. Every call that takes a def or an
 /// id throws std::invalid_argument when it is not one the world can take, and then changes nothing.
 class World {
@@ -80,6 +84,7 @@ public:
 
     std::vector<BodyId> bodies() const;  ///< in the order of their slots
     std::vector<JointId> joints() const;
+    const Wrap& wrap() const;  ///< as WorldDef has it
     Vec2 gravity() const;
     void setGravity(const Vec2& gravity);  ///< wakes every body [m/s^2]
 

@@ -40,7 +40,8 @@ std::vector<BodyMoved> World::moves() const {
     for (const BodyIndex body : sorted(state_->movers)) {
         if (std::binary_search(gone.begin(), gone.end(), body)) continue;
         const bool sleeps = std::binary_search(sleepers.begin(), sleepers.end(), body);
-        moves.push_back({state_->idOf(body), state_->bodies.pose(body), sleeps});
+        const Transform pose = state_->bodies.pose(body);
+        moves.push_back({state_->idOf(body), {state_->def.wrap.place(pose.position), pose.rotation}, sleeps});
     }
     return moves;
 }

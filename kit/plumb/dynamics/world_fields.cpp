@@ -19,10 +19,11 @@ FieldRecord recordOf(const FieldDef& def, std::uint32_t generation) {
 }
 
 /// Pushes one body by what its shape catches of an explosion.
-void blast(WorldState& world, ShapeId id, const Shape& shape, const Explosion& explosion) {
+void blast(WorldState& world, ShapeId id, const Shape& shape, Explosion explosion) {
     const BodyIndex body = id.body.index;
     const BodyRecord& record = world.bodies.record[body];
     BodyMotion& motion = world.bodies.motion[body];
+    explosion.center = world.bodies.near(explosion.center, motion.center);
     const PlacedOutline outline = placedOutline(shape, record, motion);
     const Distance near = distance(Circle{1e-9, explosion.center}, {}, shape, world.bodies.pose(body));
     const Vec2 seen = near.pointB - explosion.center;

@@ -17,6 +17,9 @@ namespace plumb {
 
 namespace {
 
+/// So many times around a world that wraps a question may reach: a way, and what has two sides [-].
+constexpr double mostCastRounds = 1000, mostBoxRounds = 60;
+
 void requireShape(const Shape& shape, const Transform& pose, const std::string& query) {
     validate(shape, query + ": shape");
     requireFinite(pose.position, query, ": pose.position");
@@ -63,14 +66,14 @@ bool isCovered(const CastHit& area, const CastHit& hit) {
     return area.shape == hit.shape && !(area.fraction > 0) && !(hit.fraction > 0);
 }
 
-/// meet(id) is where a shape is met, if it is.
+/// meet(id, shift) is where a shape is met, if it is.
 template <class Meet>
 std::optional<CastHit> firstHit(const Onlooker& onlooker, const Mover& mover, Meet&& meet) {
     std::optional<CastHit> first, firstArea;
-    onlooker.lookAlong(mover.halfSize, mover.from, mover.to, [&](ProxyId id) {
+    onlooker.lookAlong(mover.halfSize, mover.from, mover.to, [&](ProxyId id, const Vec2& shift) {
         std::optional<CastHit>& kind = onlooker.isArea(id) ? firstArea : first;
-        if (const std::optional<CastPoint> met = meet(id)) {
-            const CastHit hit = onlooker.hitOf(id, *met);
+        if (const std::optional<CastPoint> met = meet(id, shift)) {
+            const CastHit hit = onlooker.hitOf(id, shift, *met);
             if (!kind || isBefore(hit, *kind)) kind = hit;
         }
         return std::min(first ? first->fraction : 1.0, firstArea ? firstArea->fraction : 1.0);
@@ -82,9 +85,9 @@ std::optional<CastHit> firstHit(const Onlooker& onlooker, const Mover& mover, Me
 template <class Meet>
 std::vector<CastHit> allHits(const Onlooker& onlooker, const Mover& mover, Meet&& meet) {
     std::vector<CastHit> hits, areas;
-    onlooker.lookAlong(mover.halfSize, mover.from, mover.to, [&](ProxyId id) {
-        if (const std::optional<CastPoint> met = meet(id))
-            (onlooker.isArea(id) ? areas : hits).push_back(onlooker.hitOf(id, *met));
+    onlooker.lookAlong(mover.halfSize, mover.from, mover.to, [&](ProxyId id, const Vec2& shift) {
+        if (const std::optional<CastPoint> met = meet(id, shift))
+            (onlooker.isArea(id) ? areas : hits).push_back(onlooker.hitOf(id, shift, *met));
         return 1.0;
     });
     const auto covers = [](const CastHit& area) {
@@ -109,7 +112,9 @@ std::vector<CastHit> oneOfEach(std::vector<CastHit> hits) {
 }
 
 auto meetRay(const Onlooker& onlooker, const Vec2& from, const Vec2& to) {
-    return [&](ProxyId id) { return plumb::castRay(from, to, onlooker.shape(id), onlooker.pose(id)); };
+    return [&](ProxyId id, const Vec2& shift) {
+        return plumb::castRay(from, to, onlooker.shape(id), onlooker.pose(id, shift));
+    };
 }
 
 /// A stretch of a tile map's outline is solid from outside, and has no inner corners.
@@ -125,8 +130,8 @@ std::optional<CastPoint> asOutline(const Segment& outline, const Transform& ther
 
 /// Of a tile map the outline; and what it fills only for what begins there.
 auto meetShape(const Onlooker& onlooker, const Shape& shape, const Transform& pose, const Vec2& shift) {
-    return [&](ProxyId id) -> std::optional<CastPoint> {
-        const Transform there = onlooker.pose(id);
+    return [&](ProxyId id, const Vec2& around) -> std::optional<CastPoint> {
+        const Transform there = onlooker.pose(id, around);
         const std::optional<CastPoint> met = plumb::castShape(shape, pose, shift, onlooker.shape(id), there);
         if (!met) return met;
         if (onlooker.isArea(id)) return met->fraction > 0 ? std::nullopt : met;
@@ -138,8 +143,8 @@ auto meetShape(const Onlooker& onlooker, const Shape& shape, const Transform& po
 /// Those that overlap or touch a shape.
 std::vector<ShapeId> overlapping(const Onlooker& onlooker, const Shape& shape, const Transform& pose) {
     std::vector<ShapeId> found;
-    onlooker.lookInto(aabbOf(shape, pose), [&](ProxyId id) {
-        if (plumb::distance(onlooker.shape(id), onlooker.pose(id), shape, pose).separation <= 0)
+    onlooker.lookInto(aabbOf(shape, pose), [&](ProxyId id, const Vec2& shift) {
+        if (plumb::distance(onlooker.shape(id), onlooker.pose(id, shift), shape, pose).separation <= 0)
             found.push_back(onlooker.idOf(id));
     });
     std::sort(found.begin(), found.end(), [](const ShapeId& a, const ShapeId& b) { return placeOf(a) < placeOf(b); });
@@ -156,6 +161,18 @@ Shape shapeOf(const Aabb& box) {
     return Polygon{{box.lower, {box.upper.x(), box.lower.y()}, box.upper, {box.lower.x(), box.upper.y()}}};
 }
 
+/// Calls visit(shift) for those with which a shape in a box, no larger than the world, may come nearest to one in
+/// another: of the nearest points one is within half a round of the other, and so their boxes' middles within one and a
+/// half.
+template <class Visit>
+void forEachNearShift(const Wrap& wrap, const Aabb& still, const Aabb& box, Visit&& visit) {
+    const Vec2 middle = 0.5 * (still.lower + still.upper);
+    const Vec2 shift = wrap.shiftNear(0.5 * (box.lower + box.upper), middle);
+    const int x = wrap.width ? 2 : 0, y = wrap.height ? 2 : 0;
+    for (int j = -y; j <= y; ++j)
+        for (int i = -x; i <= x; ++i) visit(Vec2(shift + wrap.lengthOf({i, j})));
+}
+
 /// Those of one shape.
 std::vector<ProxyId> proxiesOf(const WorldState& world, const ShapeId& id, const std::string& field) {
     requireShape(world, id, field);
@@ -170,6 +187,7 @@ std::vector<ProxyId> proxiesOf(const WorldState& world, const ShapeId& id, const
 std::optional<CastHit> World::castRay(const Vec2& from, const Vec2& to, const Filter& filter) const {
     requireFinite(from, "World.castRay: from");
     requireFinite(to, "World.castRay: to");
+    requireFewRounds(*state_, {from.cwiseMin(to), from.cwiseMax(to)}, mostCastRounds, "World.castRay: to");
     const Onlooker onlooker(*state_, filter);
     return firstHit(onlooker, {{0, 0}, from, to}, meetRay(onlooker, from, to));
 }
@@ -177,6 +195,7 @@ std::optional<CastHit> World::castRay(const Vec2& from, const Vec2& to, const Fi
 std::vector<CastHit> World::castRayAll(const Vec2& from, const Vec2& to, const Filter& filter) const {
     requireFinite(from, "World.castRayAll: from");
     requireFinite(to, "World.castRayAll: to");
+    requireFewRounds(*state_, {from.cwiseMin(to), from.cwiseMax(to)}, mostCastRounds, "World.castRayAll: to");
     const Onlooker onlooker(*state_, filter);
     return oneOfEach(allHits(onlooker, {{0, 0}, from, to}, meetRay(onlooker, from, to)));
 }
@@ -185,6 +204,9 @@ std::optional<CastHit> World::castShape(const Shape& shape, const Transform& pos
                                         const Filter& filter) const {
     requireShape(shape, pose, "World.castShape");
     requireFinite(shift, "World.castShape: shift");
+    requireFewRounds(*state_, {shift.cwiseMin(Vec2(0, 0)), shift.cwiseMax(Vec2(0, 0))}, mostCastRounds,
+                     "World.castShape: shift");
+    requireFewRounds(*state_, aabbOf(shape, pose), mostBoxRounds, "World.castShape: shape");
     Onlooker onlooker(*state_, filter);
     onlooker.seeOutlines();
     return firstHit(onlooker, moverOf(shape, pose, shift), meetShape(onlooker, shape, pose, shift));
@@ -194,6 +216,9 @@ std::vector<CastHit> World::castShapeAll(const Shape& shape, const Transform& po
                                          const Filter& filter) const {
     requireShape(shape, pose, "World.castShapeAll");
     requireFinite(shift, "World.castShapeAll: shift");
+    requireFewRounds(*state_, {shift.cwiseMin(Vec2(0, 0)), shift.cwiseMax(Vec2(0, 0))}, mostCastRounds,
+                     "World.castShapeAll: shift");
+    requireFewRounds(*state_, aabbOf(shape, pose), mostBoxRounds, "World.castShapeAll: shape");
     Onlooker onlooker(*state_, filter);
     onlooker.seeOutlines();
     return oneOfEach(allHits(onlooker, moverOf(shape, pose, shift), meetShape(onlooker, shape, pose, shift)));
@@ -203,6 +228,9 @@ std::vector<CastHit> World::castShapePieces(const Shape& shape, const Transform&
                                             const Filter& filter, BodyId ignored) const {
     requireShape(shape, pose, "World.castShapePieces");
     requireFinite(shift, "World.castShapePieces: shift");
+    requireFewRounds(*state_, {shift.cwiseMin(Vec2(0, 0)), shift.cwiseMax(Vec2(0, 0))}, mostCastRounds,
+                     "World.castShapePieces: shift");
+    requireFewRounds(*state_, aabbOf(shape, pose), mostBoxRounds, "World.castShapePieces: shape");
     const bool all = ignored == BodyId{};
     if (!all) requireBody(*state_, ignored, "World.castShapePieces: ignored");
     Onlooker onlooker(*state_, filter, all ? noBody : ignored.index);
@@ -215,11 +243,13 @@ std::vector<ShapeId> World::overlapBox(const Aabb& box, const Filter& filter) co
     requireFinite(box.upper, "World.overlapBox: box.upper");
     if (!(box.lower.x() <= box.upper.x() && box.lower.y() <= box.upper.y()))
         refuse("World.overlapBox: box.upper", toText(box.upper) + " is below box.lower " + toText(box.lower));
+    requireFewRounds(*state_, box, mostBoxRounds, "World.overlapBox: box");
     return overlapping({*state_, filter}, shapeOf(box), {});
 }
 
 std::vector<ShapeId> World::overlapShape(const Shape& shape, const Transform& pose, const Filter& filter) const {
     requireShape(shape, pose, "World.overlapShape");
+    requireFewRounds(*state_, aabbOf(shape, pose), mostBoxRounds, "World.overlapShape: shape");
     return overlapping({*state_, filter}, shape, pose);
 }
 
@@ -233,9 +263,10 @@ std::optional<Nearest> World::nearest(const Vec2& point, double within, const Fi
     if (!(within >= 0)) refuse("World.nearest: within", toText(within) + " is not a distance");
     const Onlooker onlooker(*state_, filter);
     std::optional<Nearest> nearest;
-    onlooker.lookAround(point, within, [&](ProxyId id) {
-        const Distance d = plumb::distance(onlooker.shape(id), onlooker.pose(id), Circle{.radius = 0}, {point, {}});
-        const Nearest here{onlooker.idOf(id), d.separation, d.pointA, d.normal};
+    onlooker.lookAround(point, within, [&](ProxyId id, const Vec2& shift) {
+        const Transform pose = onlooker.pose(id, shift);
+        const Distance d = plumb::distance(onlooker.shape(id), pose, Circle{.radius = 0}, {point, {}});
+        const Nearest here{onlooker.idOf(id), d.separation, onlooker.place(d.pointA), d.normal};
         if (d.separation <= within && (!nearest || isNearer(here, *nearest))) nearest = here;
         return nearest ? std::max(nearest->separation, 0.0) : within;
     });
@@ -251,11 +282,16 @@ Distance World::distance(ShapeId a, ShapeId b) const {
     nearest.separation = std::numeric_limits<double>::infinity();
     for (const ProxyId pieceA : piecesA) {
         for (const ProxyId pieceB : piecesB) {
-            const Distance here =
-                plumb::distance(world.space[pieceA].def.shape, poseA, world.space[pieceB].def.shape, poseB);
-            if (here.separation < nearest.separation) nearest = here;
+            const Shape& shapeA = world.space[pieceA].def.shape;
+            const Shape& shapeB = world.space[pieceB].def.shape;
+            forEachNearShift(world.def.wrap, aabbOf(shapeA, poseA), aabbOf(shapeB, poseB), [&](const Vec2& shift) {
+                const Distance here = plumb::distance(shapeA, poseA, shapeB, shifted(poseB, shift));
+                if (here.separation < nearest.separation) nearest = here;
+            });
         }
     }
+    nearest.pointA = world.def.wrap.place(nearest.pointA);
+    nearest.pointB = world.def.wrap.place(nearest.pointB);
     return nearest;
 }
 

@@ -37,6 +37,7 @@ void requireTiles(const WorldState& world, ShapeId id, const char* field) {
 ShapeId World::add(BodyId id, const ShapeDef& shape) {
     requireBody(*state_, id, "BodyId");
     requireShape(shape, "ShapeDef");
+    requireFit(*state_, shape.shape, state_->bodies.pose(id.index), "ShapeDef.shape");
     const ShapeId added{id, state_->bodies.record[id.index].shapesMade};
     requireMassWith(*state_, added, shape, "ShapeDef");
     ++state_->bodies.record[id.index].shapesMade;
@@ -69,6 +70,7 @@ ShapeDef World::shape(ShapeId id) const {
 void World::set(ShapeId id, const ShapeDef& def) {
     const ShapeDef before = shape(id);
     requireShape(def, "ShapeDef");
+    requireFit(*state_, def.shape, state_->bodies.pose(id.body.index), "ShapeDef.shape");
     requireMassWith(*state_, id, def, "ShapeDef");
     const BodyIndex body = id.body.index;
     const bool alike = meetsAlike(before, def);

@@ -18,23 +18,31 @@ Aabb nowhere() {
 
 }  // namespace
 
+ProxyId Space::acquire() {
+    if (!free_.empty()) {
+        const ProxyId id = free_.back();
+        free_.pop_back();
+        return id;
+    }
+    proxies_.emplace_back();
+    placed_.emplace_back();
+    previousBoxes_.emplace_back();
+    seats_.emplace_back();
+    gates_.emplace_back();
+    return static_cast<ProxyId>(proxies_.size() - 1);
+}
+
 ProxyId Space::add(const ShapeDef& def, std::uint32_t owner, bool fixed, const Vec2& localCenter, const Aabb& tight,
                    std::uint32_t number, bool piece, PieceUse use) {
-    ProxyId id = static_cast<ProxyId>(proxies_.size());
-    if (free_.empty()) {
-        proxies_.emplace_back();
-        placed_.emplace_back();
-        previousBoxes_.emplace_back();
-        seats_.emplace_back();
-        gates_.emplace_back();
-    } else {
-        id = free_.back();
-        free_.pop_back();
-    }
+    const ProxyId id = acquire();
     proxies_[id] = {def, convexOf(def.shape, localCenter), owner, number, piece, use, fixed, true};
     gates_[id] = gateOf(proxies_[id]);
     seats_[id].fixed = fixed;
     placed_[id].box = tight;
+    if (wrap_.any()) {
+        if (rounds_.size() <= id) rounds_.resize(id + std::size_t{1});
+        rounds_[id] = {id, {0, 0}, {0, 0}, {}};
+    }
     renew(id);
     return id;
 }
@@ -48,6 +56,7 @@ void Space::remove(ProxyId id) {
 void Space::hide(ProxyId id) {
     leave(id);
     seats_[id].moved = false;
+    if (wrap_.any()) dropImages(id);
 }
 
 void Space::change(ProxyId id, const ShapeDef& def) {
@@ -96,7 +105,10 @@ void Space::enter(ProxyId id, Home home) {
     seats_[id].slot = crowd.tree.append(id);
     seats_[id].home = home;
     ++crowd.changes;
-    crowd.tree.putPrevious(seats_[id].slot, BoundsRounding(origin_)(previousBox(id)));
+    if (wrap_.any())
+        crowd.tree.forgetPrevious(seats_[id].slot);
+    else
+        crowd.tree.putPrevious(seats_[id].slot, BoundsRounding(origin_)(previousBox(id)));
 }
 
 void Space::reserve(std::size_t shapes) {
@@ -113,8 +125,10 @@ void Space::reserve(std::size_t shapes) {
 std::size_t Space::bytes() const {
     std::size_t bytes = bytesOf(proxies_) + bytesOf(placed_) + bytesOf(previousBoxes_) + bytesOf(seats_) +
                         bytesOf(gates_) + bytesOf(free_) + bytesOf(moved_) + bytesOf(pairs_) + bytesOf(sortBoxes_) +
-                        bytesOf(unsorted_) + bytesOf(sorted_) + mortonSort_.bytes() + pairSort_.bytes();
+                        bytesOf(unsorted_) + bytesOf(sorted_) + bytesOf(rounds_) + bytesOf(shiftedPairs_) +
+                        bytesOf(pairShifts_) + mortonSort_.bytes() + pairSort_.bytes();
     for (const Crowd& crowd : crowds_) bytes += crowd.tree.bytes();
+    for (const Rounds& rounds : rounds_) bytes += bytesOf(rounds.images);
     for (const Proxy& proxy : proxies_) {
         bytes += proxy.convex.vertices.bytes() + proxy.convex.normals.bytes();
         if (const auto* polygon = std::get_if<Polygon>(&proxy.def.shape)) bytes += bytesOf(polygon->vertices);

@@ -3,6 +3,8 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <span>
+#include <type_traits>
 #include <vector>
 
 #include <plumb/broad/block_tree.h>
@@ -14,6 +16,7 @@
 #include <plumb/shapes/aabb.h>
 #include <plumb/shapes/tile_pieces.h>
 #include <plumb/space/shape_def.h>
+#include <plumb/space/wrap.h>
 
 namespace plumb {
 
@@ -78,11 +81,17 @@ struct SpaceWork {
 /// proportion to what was placed anew since the last; all else is only met where it lies in the way.
 /// The hierarchies are of floats, counted from near what moves, and find a few pairs too many; what they find is tested
 /// in double.
+/// A space may wrap around. Places are then those that its owner goes by, in whichever round; what is found comes with
+/// the shift, of whole rounds, that brings it to where it was found: visit(id, shift). One that takes the id alone is
+/// for a space that does not wrap. A shape may be found more than once, with different shifts.
 class Space {
 public:
     /// lanes: boxes tested at once, 1, 4, 8 or 16; no more than the machine has. The pairs are the same for any.
-    explicit Space(int lanes = 16) : lanes_(lanes) {}
+    explicit Space(int lanes = 16, const Wrap& wrap = {}) : lanes_(lanes), wrap_(wrap) {}
     void setLanes(int lanes) { lanes_ = lanes; }
+    /// Of a space that is empty yet.
+    void setWrap(const Wrap& wrap) { wrap_ = wrap; }
+    const Wrap& wrap() const { return wrap_; }
 
     ProxyId add(const ShapeDef& def, std::uint32_t owner, bool fixed, const Vec2& localCenter, const Aabb& tight,
                 std::uint32_t number = 0, bool piece = false, PieceUse use = PieceUse::Both);
@@ -109,6 +118,9 @@ public:
     /// Boxes overlap now and did not at the last call: sorted, each once; holds until the next call. Pairs whose boxes
     /// overlapped before are the owner's to remember for as long as they do.
     const SortedPairs& takeNewPairs();
+    /// What b of each of these pairs is to be shifted by to overlap a, if the space wraps; else none. A pair that
+    /// overlaps with two shifts is two pairs.
+    std::span<const Vec2> newPairShifts() const { return pairShifts_; }
 
     /// Calls visit(id) for each shape whose box overlaps or touches the given one, wherever it was placed by now.
     template <class Visit>
@@ -136,6 +148,23 @@ public:
     bool boxesOverlap(ProxyId a, ProxyId b) const { return overlap(placed_[a].box, placed_[b].box); }
     /// Did they, at the last look for pairs?
     bool previousBoxesOverlap(ProxyId a, ProxyId b) const { return overlap(previousBox(a), previousBox(b)); }
+    // The same with b shifted.
+    bool boxesOverlap(ProxyId a, ProxyId b, const Vec2& shift) const {
+        return overlap(placed_[a].box, shifted(placed_[b].box, shift));
+    }
+    bool previousBoxesOverlap(ProxyId a, ProxyId b, const Vec2& shift) const {
+        return overlap(previousBox(a), shifted(previousBox(b), shift));
+    }
+    /// Do the hierarchies have it whole? Not if its box reaches into more rounds than they follow.
+    bool isWhole(ProxyId id) const;
+    /// Calls visit(shift) for each with which a box, shifted, overlaps another; up to 64 along an axis.
+    template <class Visit>
+    void forEachShift(const Aabb& still, const Aabb& box, Visit&& visit) const;
+    /// The same for the boxes of two shapes at the last look for pairs.
+    template <class Visit>
+    void forEachPreviousShift(ProxyId still, ProxyId other, Visit&& visit) const {
+        forEachShift(previousBox(still), previousBox(other), visit);
+    }
 
     /// Makes room for so many shapes.
     void reserve(std::size_t shapes);
@@ -177,6 +206,48 @@ private:
     };
     struct Finding;
 
+    /// Where a proxy stands in the hierarchies of a space that wraps: its box, shifted into the first round, and an
+    /// image of it, another member there, for each further round that it reaches into.
+    struct Rounds {
+        ProxyId real = 0;
+        Vec2 image{0, 0};             ///< which image it is: so many rounds less; (0, 0) of the shape itself
+        Vec2 first{0, 0};             ///< of the shape itself: the round of its box's lower corner
+        std::vector<ProxyId> images;  ///< likewise
+    };
+    struct ShiftedPair {
+        Pair pair;
+        Vec2 rounds{0, 0};
+    };
+
+    static Aabb shifted(const Aabb& box, const Vec2& shift) { return {box.lower + shift, box.upper + shift}; }
+    template <class Visit>
+    static decltype(auto) tell(Visit& visit, ProxyId id, const Vec2& shift) {
+        if constexpr (std::is_invocable_v<Visit&, ProxyId, const Vec2&>)
+            return visit(id, shift);
+        else
+            return visit(id);
+    }
+    ProxyId acquire();
+    /// As it stands in the hierarchies.
+    Aabb seatBox(ProxyId id) const { return wrap_.any() ? imageBox(id) : placed_[id].box; }
+    Aabb imageBox(ProxyId id) const;
+    /// Where the hierarchies have it, from where it is.
+    Vec2 roundsOf(ProxyId id) const { return rounds_[rounds_[id].real].first + rounds_[id].image; }
+    void seatImages(ProxyId id);
+    void dropImages(ProxyId id);
+    void takeShifted(ProxyId a, ProxyId b);
+    void sortShiftedPairs();
+    Vec2 lastRound(const Aabb& box) const;
+    RayPart partInRound(const Vec2& halfSize, const Vec2& from, const Vec2& to, int axis, double round) const;
+    template <class Visit>
+    void queryAround(std::span<const Crowd> crowds, const Aabb& box, Visit&& visit) const;
+    template <class Visit>
+    void castAround(const Vec2& halfSize, const Vec2& from, const Vec2& to, Visit&& visit) const;
+    template <class Visit>
+    void findAround(const Vec2& point, double within, Visit&& visit) const;
+    template <class Visit>
+    void castTrees(const Vec2& halfSize, const Vec2& from, const Vec2& to, const RayPart& part, Visit&& visit) const;
+
     RayPart partWithin(const Vec2& halfSize, const Vec2& from, const Vec2& to) const;
     template <class Visit>
     void probe(const BoxProbe& probe, float limit, Visit&& visit) const;
@@ -202,6 +273,7 @@ private:
     void letRest();
 
     int lanes_;
+    Wrap wrap_;
     std::uint32_t look_ = 0;
     std::vector<Proxy> proxies_;
     std::vector<PlacedBox> placed_;
@@ -214,6 +286,9 @@ private:
     Vec2 origin_{0, 0};  ///< of the floats [m]
     std::uint32_t originLook_ = 0;
     SortedPairs pairs_;
+    std::vector<Rounds> rounds_;  ///< of each proxy and image, if the space wraps
+    std::vector<ShiftedPair> shiftedPairs_;
+    std::vector<Vec2> pairShifts_;
     SpaceWork work_;
     MortonSort mortonSort_;
     std::vector<Aabb> sortBoxes_;
@@ -223,27 +298,39 @@ private:
 
 template <class Visit>
 void Space::query(const Aabb& box, Visit&& visit) const {
+    if (wrap_.any()) {
+        queryAround(crowds_, box, visit);
+        return;
+    }
+    const Vec2 none(0, 0);
     const Bounds bounds = BoundsRounding(origin_)(box);
     for (const Crowd& crowd : crowds_) {
         crowd.tree.query(bounds, [&](std::uint32_t slot) {
             const ProxyId id = crowd.tree.members()[slot];
-            if (!seats_[id].moved && overlap(placed_[id].box, box)) visit(id);
+            if (!seats_[id].moved && overlap(placed_[id].box, box)) tell(visit, id, none);
         });
     }
     // The hierarchies have these where they were at the last look.
     for (const ProxyId id : moved_)
-        if (seats_[id].moved && overlap(placed_[id].box, box)) visit(id);
+        if (seats_[id].moved && overlap(placed_[id].box, box)) tell(visit, id, none);
 }
 
 template <class Visit>
 void Space::queryFixed(const Aabb& box, Visit&& visit) const {
     const Crowd& crowd = crowds_[static_cast<std::size_t>(Home::Fixed)];
+    if (wrap_.any()) {
+        queryAround({&crowd, 1}, box, [&](ProxyId id, const Vec2& shift) {
+            if (seats_[id].fixed) tell(visit, id, shift);
+        });
+        return;
+    }
+    const Vec2 none(0, 0);
     crowd.tree.query(BoundsRounding(origin_)(box), [&](std::uint32_t slot) {
         const ProxyId id = crowd.tree.members()[slot];
-        if (!seats_[id].moved && overlap(placed_[id].box, box)) visit(id);
+        if (!seats_[id].moved && overlap(placed_[id].box, box)) tell(visit, id, none);
     });
     for (const ProxyId id : moved_)
-        if (seats_[id].moved && seats_[id].fixed && overlap(placed_[id].box, box)) visit(id);
+        if (seats_[id].moved && seats_[id].fixed && overlap(placed_[id].box, box)) tell(visit, id, none);
 }
 
 /// visit returns a float, for a limit.
@@ -258,32 +345,45 @@ void Space::probe(const BoxProbe& probe, float limit, Visit&& visit) const {
     }
 }
 
+/// Of a part of the way; visit gives the fraction of the whole way.
+template <class Visit>
+void Space::castTrees(const Vec2& halfSize, const Vec2& from, const Vec2& to, const RayPart& part,
+                      Visit&& visit) const {
+    const Vec2 way = to - from, first = from + way * part.first, last = from + way * part.last;
+    const auto limitOf = [&](double fraction) {
+        return probeLimit((fraction - part.first) / std::max(part.last - part.first, 1e-300));
+    };
+    probe(rayProbe(first, last, halfSize, origin_, lanes_), limitOf(1), [&](ProxyId id) { return limitOf(visit(id)); });
+}
+
 template <class Visit>
 void Space::castBox(const Vec2& halfSize, const Vec2& from, const Vec2& to, Visit&& visit) const {
+    if (wrap_.any()) {
+        castAround(halfSize, from, to, visit);
+        return;
+    }
+    const Vec2 none(0, 0);
     const RayPart part = partWithin(halfSize, from, to);
     double wanted = 1;
-    if (part.first <= part.last) {
-        const Vec2 way = to - from, first = from + way * part.first, last = from + way * part.last;
-        const auto limitOf = [&](double fraction) {
-            return probeLimit((fraction - part.first) / std::max(part.last - part.first, 1e-300));
-        };
-        probe(rayProbe(first, last, halfSize, origin_, lanes_), limitOf(1), [&](ProxyId id) {
-            wanted = visit(id);
-            return limitOf(wanted);
-        });
-    }
+    if (part.first <= part.last)
+        castTrees(halfSize, from, to, part, [&](ProxyId id) { return wanted = tell(visit, id, none); });
     for (const ProxyId id : moved_) {
         if (!seats_[id].moved) continue;
         const Aabb& box = placed_[id].box;
         const RayPart met = clipRay(from, to, {box.lower - halfSize, box.upper + halfSize});
-        if (met.first <= met.last && met.first <= wanted) wanted = visit(id);
+        if (met.first <= met.last && met.first <= wanted) wanted = tell(visit, id, none);
     }
 }
 
 template <class Visit>
 void Space::findNear(const Vec2& point, double within, Visit&& visit) const {
+    if (wrap_.any()) {
+        findAround(point, within, visit);
+        return;
+    }
+    const Vec2 none(0, 0);
     probe(pointProbe(point, origin_, lanes_), probeLimit(within), [&](ProxyId id) {
-        within = visit(id);
+        within = tell(visit, id, none);
         return probeLimit(within);
     });
     constexpr double nearly = 1 - 1e-12;  // roundings must not leave out what is just so far
@@ -291,8 +391,10 @@ void Space::findNear(const Vec2& point, double within, Visit&& visit) const {
         if (!seats_[id].moved) continue;
         const Aabb& box = placed_[id].box;
         const Vec2 away = (box.lower - point).cwiseMax(point - box.upper);
-        if (away.maxCoeff() * nearly <= within) within = visit(id);
+        if (away.maxCoeff() * nearly <= within) within = tell(visit, id, none);
     }
 }
 
 }  // namespace plumb
+
+#include <plumb/space/space_around.h>

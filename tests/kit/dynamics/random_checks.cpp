@@ -50,7 +50,7 @@ void RandomEditor::checkSensors() const {
     }
     const auto movedBy = [&](const BodyView& body) {
         const Place& before = placesBefore_.at(body.id().index);
-        return (body.position() - before.position).norm() + 3 * std::fabs(body.angle() - before.angle);
+        return world.wrap().way(before.position, body.position()).norm() + 3 * std::fabs(body.angle() - before.angle);
     };
     for (const Placed& sensor : all) {
         if (!sensor.def.sensor) continue;
@@ -58,10 +58,12 @@ void RandomEditor::checkSensors() const {
             if (other.id.body == sensor.id.body || other.def.sensor) continue;
             const auto told = inside_.find(keyOf(sensor.id, other.id));
             const bool inside = told != inside_.end() && told->second > 0;
-            if (!inside && !overlap(sensor.box, other.box)) continue;
+            const bool wraps = world.wrap().any();
+            if (!inside && !wraps && !overlap(sensor.box, other.box)) continue;
             const bool fixed = sensor.body.type() == BodyType::Static && other.body.type() == BodyType::Static;
             const double apart =
-                distance(sensor.def.shape, sensor.body.pose(), other.def.shape, other.body.pose()).separation;
+                wraps ? world.distance(sensor.id, other.id).separation
+                      : distance(sensor.def.shape, sensor.body.pose(), other.def.shape, other.body.pose()).separation;
             const bool truth = !fixed && passes(sensor.def.filter, other.def.filter) && apart <= 0;
             const double lag = 0.02 + 2 * (movedBy(sensor.body) + movedBy(other.body));
             if (inside != truth && !(std::fabs(apart) < lag)) FAIL("who is in a sensor is not who was told");

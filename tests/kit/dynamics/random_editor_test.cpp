@@ -46,6 +46,30 @@ TEST_CASE("a world that is edited and asked in 100,000 random ways tells the tru
     CHECK(sum.copies > share);
 }
 
+TEST_CASE("a world of 30 m x 24 m that wraps tells the truth about itself after 40,000 random calls",
+          "[dynamics][editing][wrap][tiles]") {
+    RandomEditor::Tally sum;
+    const std::uint64_t seeds = static_cast<std::uint64_t>(plumb::test::cases(200));
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        INFO("seed " << seed);
+        plumb::Wrap wrap;
+        if (seed % 3 != 0) wrap.width = 30;
+        if (seed % 3 != 1) wrap.height = 24;
+        RandomEditor editor(seed, {.wild = seed % 7 == 0, .ledger = seed % 5 == 0, .wrap = wrap});
+        editor.run(plumb::test::wrappedActions(), 2000);
+        editor.check();
+        for (const plumb::BodyMoved& move : editor.world.moves())
+            CHECK(wrap.place(move.pose.position) == move.pose.position);
+        add(sum, editor.tally);
+    }
+    const auto share = static_cast<long long>(seeds);
+    CHECK(sum.begins > 100 * share);
+    CHECK(sum.visits > 20 * share);
+    CHECK(sum.joints > 100 * share);
+    CHECK(sum.fields > 10 * share);
+    CHECK(sum.copies > share);
+}
+
 TEST_CASE(
     "a swept joint whose bodies leave the range of numbers bears nothing, and does not break of what is no number",
     "[dynamics][editing]") {
@@ -68,6 +92,19 @@ TEST_CASE("a world that is edited in 3,000 random ways has the same bits for 1, 
         }
         for (const std::uint64_t hash : states) CHECK(hash == states[0]);
         for (const std::uint64_t hash : heard) CHECK(hash == heard[0]);
+    }
+}
+
+TEST_CASE("a world that wraps and is edited in 3,000 random ways has the same bits for 1, 4, 8 and 16 lanes",
+          "[dynamics][editing][wrap][tiles]") {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        std::vector<std::uint64_t> states;
+        for (const int lanes : {1, 4, 8, 16}) {
+            RandomEditor editor(seed, {.lanes = lanes, .wrap = {.width = 30.0, .height = 24.0}});
+            editor.run(plumb::test::wrappedActions(), 3000);
+            states.push_back(plumb::stateHash(editor.world));
+        }
+        for (const std::uint64_t hash : states) CHECK(hash == states[0]);
     }
 }
 

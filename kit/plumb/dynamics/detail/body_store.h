@@ -85,6 +85,7 @@ struct BodyStore {
     std::vector<BodyIndex> kinematic;  ///< all that are
     std::vector<BodyIndex> forced;     ///< with a force or torque for the next step; some may be named twice
     std::vector<BodyIndex> free;
+    Wrap wrap;  ///< of the world; a body that goes round it counts on
 
     BodyStore();
     void reserve(std::size_t bodies);
@@ -98,6 +99,10 @@ struct BodyStore {
     bool isDynamic(BodyIndex body) const { return record[body].type == BodyType::Dynamic; }
     /// Can something push it?
     bool canMove(BodyIndex body) const { return isDynamic(body) && record[body].enabled; }
+    /// The place of all those a whole round apart that is as near to another as can be.
+    Vec2 near(const Vec2& point, const Vec2& other) const {
+        return wrap.any() ? Vec2(point + wrap.shiftNear(point, other)) : point;
+    }
     Vec2 origin(BodyIndex body) const { return motion[body].center - motion[body].rotation * record[body].localCenter; }
     /// The centre of mass was there all along: also where the last step began.
     void recenterPlace(BodyIndex body, const Vec2& shift);

@@ -238,7 +238,7 @@ struct BoxCollider {
     }
 
     static void collide(const PairLanes& m, int lane, const BodyPlace* places, FreshLanes& fresh) {
-        const RelativeLanes<W> r = relativeLanes<W>(m.bodyA + lane, m.bodyB + lane, places);
+        const RelativeLanes<W> r = relativeLanes<W>(m.bodyA + lane, m.bodyB + lane, places, &fresh, lane);
         const View v = view(r, m, lane);
         const Faces f = faces(v, r.cos);
         const Result result = meet(v, f);

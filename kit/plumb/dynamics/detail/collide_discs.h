@@ -80,7 +80,7 @@ struct DiscCollider {
     }
 
     static void collide(const PairLanes& m, int lane, const BodyPlace* places, FreshLanes& fresh) {
-        const RelativeLanes<W> r = relativeLanes<W>(m.bodyA + lane, m.bodyB + lane, places);
+        const RelativeLanes<W> r = relativeLanes<W>(m.bodyA + lane, m.bodyB + lane, places, &fresh, lane);
         const M boxIsB = loadLanes<W>(m.discs + lane) == I{} + discFirst;
         const View v = view(r, m, lane, boxIsB);
         const Nearest n = nearest(v);

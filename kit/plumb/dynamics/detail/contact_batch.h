@@ -66,9 +66,10 @@ struct alignas(64) PairLanes {
 /// One lane of it, but for the boxes.
 struct ShapePair {
     std::uint32_t bodyA = 0, bodyB = 0, proxyA = 0, proxyB = 0;
+    double shiftX = 0, shiftY = 0;  ///< of B, in a world that wraps [m]
 };
 inline ShapePair pairAt(const PairLanes& pairs, std::size_t lane) {
-    return {pairs.bodyA[lane], pairs.bodyB[lane], pairs.proxyA[lane], pairs.proxyB[lane]};
+    return {pairs.bodyA[lane], pairs.bodyB[lane], pairs.proxyA[lane], pairs.proxyB[lane], 0, 0};
 }
 inline constexpr std::size_t pairRows = sizeof(PairLanes) / (sizeof(float) * batchLanes);
 

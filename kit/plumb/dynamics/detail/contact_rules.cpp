@@ -28,18 +28,14 @@ Vec2 velocityAt(const BodyMotion& motion, const Vec2& point) {
     return motion.velocity + perp(Vec2(point - motion.center)) * motion.angularVelocity;
 }
 
-Face faceOf(const WorldState& world, const ContactRecord& contact) {
-    return faceOf(world, contact.bodyA, contact.bodyB, world.graph.manifoldOf(contact));
-}
-
 }  // namespace
 
-Face faceOf(const WorldState& world, BodyIndex a, BodyIndex b, const Manifold& manifold) {
+Face faceOf(const WorldState& world, const ContactRecord& contact, const Manifold& manifold) {
     const ManifoldPoint& first = manifold.points[0];
     const ManifoldPoint& second = manifold.points[1];
     const ManifoldPoint& nearest = manifold.count > 1 && second.separation < first.separation ? second : first;
-    const BodyMotion& ma = world.bodies.motion[a];
-    const BodyMotion& mb = world.bodies.motion[b];
+    const BodyMotion& ma = world.bodies.motion[contact.bodyA];
+    const BodyMotion mb = shifted(world.bodies.motion[contact.bodyB], contact.shift);
     const Vec2 point = ma.center + ma.rotation * Vec2(nearest.position.cast<double>());
     return {ma.rotation * Vec2(manifold.normal.cast<double>()), velocityAt(mb, point) - velocityAt(ma, point),
             static_cast<double>(nearest.separation)};
@@ -93,7 +89,7 @@ void judgeSolved(WorldState& world, std::vector<ContactIndex>& parted) {
     for (const ContactIndex index : world.contacts.judged) {
         const ContactRecord& contact = world.contacts.contacts[index];
         if (contact.colour < 0 || world.graph.manifoldOf(contact).count == 0) continue;
-        if (!isSolid(world, index, faceOf(world, contact))) parted.push_back(index);
+        if (!isSolid(world, index, faceOf(world, contact, world.graph.manifoldOf(contact)))) parted.push_back(index);
     }
 }
 

@@ -17,7 +17,7 @@ struct Face {
     double separation = 0;  ///< negative when they overlap [m]
 };
 /// Of a manifold with a point, where the bodies are now.
-Face faceOf(const WorldState& world, BodyIndex a, BodyIndex b, const Manifold& manifold);
+Face faceOf(const WorldState& world, const ContactRecord& contact, const Manifold& manifold);
 
 bool hasRule(const ShapeDef& shape);
 /// What both shapes' rules say, and whether one comes from the open side of the other.

@@ -48,6 +48,7 @@ struct ContactRecord {
     ProxyId proxyA = 0, proxyB = 0;
     BodyIndex bodyA = 0, bodyB = 0;
     double friction = 0, restitution = 0;  ///< of the pair
+    Vec2 shift{0, 0};                      ///< so many rounds of the world bring B to A [m]
     float rollingReach = 0;                ///< resisting torque over normal force [m]
     float beltSpeed = 0;                   ///< of both surfaces, along the tangent [m/s]
     bool alive = false;

@@ -91,6 +91,7 @@ struct Hit {
     double time = 0;
     BodyIndex wall = noBody;
     Way wallWay;
+    Vec2 shift{0, 0};  ///< of the wall, in a world that wraps [m]
 };
 
 /// Where a body stays that meets a wall on its way: there, or, if the wall moves on, at the same place of it.
@@ -101,7 +102,7 @@ Way stayAt(const WorldState& world, const Way& way, const Hit& hit) {
     const BodyMotion& wall = world.bodies.motion[hit.wall];
     const Vec2 wallThen = hit.wallWay.start + hit.wallWay.shift * hit.time;
     stay.turn = wall.angle - (hit.wallWay.angle + hit.wallWay.turn * hit.time);
-    stay.shift = (wall.center - stay.start) + Rot::fromAngle(stay.turn) * Vec2(stay.start - wallThen);
+    stay.shift = (wall.center + hit.shift - stay.start) + Rot::fromAngle(stay.turn) * Vec2(stay.start - wallThen);
     return stay;
 }
 
@@ -155,12 +156,14 @@ public:
 
     const std::optional<Hit>& first() const { return first_; }
 
-    void meet(ProxyId own, ProxyId other) {
+    /// shift: of the other.
+    void meet(ProxyId own, ProxyId other, const Vec2& shift) {
         const bool ruled = hasRule(world_.space[own].def) || hasRule(world_.space[other].def);
-        const Verdict verdict = ruled ? verdictOn(own, other) : Verdict::Solid;
+        const Verdict verdict = ruled ? verdictOn(own, other, shift) : Verdict::Solid;
         if (letsPass(verdict)) return;
         const BodyIndex wall = world_.space[other].owner;
-        const Way wallWay = freeWay(world_, wall, past_);
+        Way wallWay = freeWay(world_, wall, past_);
+        wallWay.start += shift;
         const Shape& shape = world_.space[own].def.shape;
         const Shape& face = world_.space[other].def.shape;
         if (!mayCross(passageOf(WallWay(wallWay), way_), face, world_.bodies.record[body_])) return;
@@ -168,24 +171,29 @@ public:
         const std::optional<double> time = timeOfCrossing({&face, wallWay, 0}, swept);
         if (!time || (first_ && *time >= first_->time)) return;
         if (verdict == Verdict::Solid || isSolidAt(*time, {&face, wallWay, 0}, swept, own, other))
-            first_ = Hit{*time, wall, wallWay};
+            first_ = Hit{*time, wall, wallWay, shift};
     }
 
     void meet(ContactIndex index) {
         const ContactRecord& contact = world_.contacts.contacts[index];
         const bool isA = contact.bodyA == body_;
-        meet(isA ? contact.proxyA : contact.proxyB, isA ? contact.proxyB : contact.proxyA);
+        if (isA)
+            meet(contact.proxyA, contact.proxyB, contact.shift);
+        else
+            meet(contact.proxyB, contact.proxyA, -contact.shift);
     }
 
     void meetFixed() {
+        if (goesRound()) return meetAround([](const Proxy& other) { return other.fixed; });
         meetNear([](const Space& space, const Aabb& box, auto&& visit) { space.queryFixed(box, visit); });
     }
 
     void meetKinematic() {
         if (world_.bodies.kinematic.empty()) return;
+        if (goesRound()) return meetAround([](const Proxy& other) { return !other.fixed; });
         meetNear([](const Space& space, const Aabb& box, auto&& visit) {
-            space.query(box, [&](ProxyId other) {
-                if (!space[other].fixed) visit(other);
+            space.query(box, [&](ProxyId other, const Vec2& shift) {
+                if (!space[other].fixed) visit(other, shift);
             });
         });
     }
@@ -196,19 +204,21 @@ public:
         const auto excess = [](double moved, double foreseen) {
             return std::max(std::min(foreseen, 0.0) - moved, moved - std::max(foreseen, 0.0));
         };
-        const double aside = std::max({excess(way_.shift.x(), static_cast<double>(place.shiftX)),
-                                       excess(way_.shift.y(), static_cast<double>(place.shiftY)), 0.0});
+        const Vec2 foreseen = foreseenShift(world_, body_);
+        const double aside =
+            std::max({excess(way_.shift.x(), foreseen.x()), excess(way_.shift.y(), foreseen.y()), 0.0});
         const double turned = std::fabs(way_.turn) * world_.bodies.record[body_].reach;
         return aside + std::max(turned - static_cast<double>(place.turn), 0.0) <
                0.5 * static_cast<double>(contactMargin);
     }
 
 private:
-    Verdict verdictOn(ProxyId own, ProxyId other) const {
+    Verdict verdictOn(ProxyId own, ProxyId other, const Vec2& shift) const {
         Verdict verdict = Verdict::Open;
         forEachContact(world_.bodies, world_.contacts, body_, [&](ContactIndex index) {
             const ContactRecord& contact = world_.contacts.contacts[index];
-            if (contact.proxyA + contact.proxyB == own + other && (contact.proxyA == own || contact.proxyB == own))
+            if ((contact.proxyA == own && contact.proxyB == other && contact.shift == shift) ||
+                (contact.proxyB == own && contact.proxyA == other && contact.shift == -shift))
                 verdict = contact.verdict;
         });
         return verdict;
@@ -234,13 +244,39 @@ private:
         const BodyRecord& record = world_.bodies.record[body_];
         const Vec2 end = way_.start + way_.shift;
         const Aabb box = inflate({way_.start.cwiseMin(end), way_.start.cwiseMax(end)}, record.extent);
-        query(space, box, [&](ProxyId other) {
-            if (world_.bodies.isDynamic(space[other].owner) || space[other].def.sensor) return;
-            for (const ProxyId own : record.proxies)
-                if (!space[own].def.sensor && mayPair(space[own], space[other]) &&
-                    !joinedApart(world_, body_, space[other].owner))
-                    meet(own, other);
-        });
+        query(space, box, [&](ProxyId other, const Vec2& shift) { meetAll(other, shift); });
+    }
+
+    void meetAll(ProxyId other, const Vec2& shift) {
+        const Space& space = world_.space;
+        if (world_.bodies.isDynamic(space[other].owner) || space[other].def.sensor) return;
+        for (const ProxyId own : world_.bodies.record[body_].proxies)
+            if (!space[own].def.sensor && mayPair(space[own], space[other]) &&
+                !joinedApart(world_, body_, space[other].owner))
+                meet(own, other, shift);
+    }
+
+    /// Is the way longer than a world that wraps?
+    bool goesRound() const {
+        const Wrap& wrap = world_.def.wrap;
+        return (wrap.width && std::fabs(way_.shift.x()) > *wrap.width) ||
+               (wrap.height && std::fabs(way_.shift.y()) > *wrap.height);
+    }
+
+    /// Then what lies on the way is met in its order, and, of more than a thousand rounds, on the first thousand.
+    template <class Wanted>
+    void meetAround(Wanted&& wanted) {
+        constexpr double mostRounds = 1000;
+        const Wrap& wrap = world_.def.wrap;
+        double part = 1;
+        if (wrap.width) part = std::min(part, mostRounds * *wrap.width / std::fabs(way_.shift.x()));
+        if (wrap.height) part = std::min(part, mostRounds * *wrap.height / std::fabs(way_.shift.y()));
+        const double extent = world_.bodies.record[body_].extent;
+        world_.space.castBox({extent, extent}, way_.start, way_.start + way_.shift * part,
+                             [&](ProxyId other, const Vec2& shift) {
+                                 if (wanted(world_.space[other])) meetAll(other, shift);
+                                 return first_ ? std::min(first_->time / part, 1.0) : 1.0;
+                             });
     }
 
     const WorldState& world_;
@@ -298,7 +334,9 @@ void addSwept(const WorldState& world, BodyIndex wall, double dt, std::vector<Su
         const BodyRecord& record = world.bodies.record[body];
         if (!isMoved(record)) return;
         const Shape& face = world.space[isA ? contact.proxyA : contact.proxyB].def.shape;
-        const Passage passage = passageOf(wallWay, wayOf(world, body, dt));
+        Way own = wayOf(world, body, dt);
+        own.start += isA ? contact.shift : Vec2(-contact.shift);
+        const Passage passage = passageOf(wallWay, own);
         if (mayCross(passage, face, record)) suspects.push_back({body, index});
     });
 }

@@ -7,13 +7,15 @@
 namespace plumb {
 
 DistanceJoint::DistanceJoint(const DistanceJointDef& def, const BodyStore& bodies)
-    : anchors{anchorAt(def.bodyA.index, def.anchorA, bodies), anchorAt(def.bodyB.index, def.anchorB, bodies)},
+    : anchors{anchorAt(def.bodyA.index, def.anchorA, bodies),
+              anchorAt(def.bodyB.index, bodies.near(def.anchorB, def.anchorA), bodies)},
       def_(def),
-      length_(def.length.value_or((def.anchorB - def.anchorA).norm())) {}
+      apart_((bodies.near(def.anchorB, def.anchorA) - def.anchorA).norm()),
+      length_(def.length.value_or(apart_)) {}
 
 void DistanceJoint::set(const DistanceJointDef& def) {
     def_ = def;
-    length_ = def.length.value_or((def.anchorB - def.anchorA).norm());
+    length_ = def.length.value_or(apart_);
 }
 
 JointRow DistanceJoint::coordinateRow(const Ends& ends) {

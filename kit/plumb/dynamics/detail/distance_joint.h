@@ -23,6 +23,7 @@ public:
 
 private:
     DistanceJointDef def_;
+    double apart_ = 1;  ///< how far the anchors were when it was made [m]
     double length_ = 1;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include <plumb/collide/distance.h>
@@ -30,10 +31,28 @@ bool covers(const FieldDef& field, const Vec2& point) {
     return !field.region || distance(Circle{1e-9, point}, {}, *field.region, {}).separation <= 1e-9;
 }
 
+/// So many rounds bring a point to where a field sees it, in a world that wraps: into its region, or else near its
+/// centre, or to where a pool without a region has its depth. Empty when the field does not cover it.
+std::optional<Vec2> shiftInto(const FieldRecord& field, const WorldState& world, const Vec2& point) {
+    const Wrap& wrap = world.def.wrap;
+    if (!wrap.any()) return covers(field.def, point) ? std::optional<Vec2>(Vec2(0, 0)) : std::nullopt;
+    std::optional<Vec2> found;
+    if (field.def.region) {
+        world.space.forEachShift(field.box, {point, point}, [&](const Vec2& shift) {
+            if (!found && covers(field.def, point + shift)) found = shift;
+        });
+    } else if (const auto* attractor = std::get_if<Attractor>(&field.def.law)) {
+        found = wrap.shiftNear(point, attractor->center);
+    } else {
+        found = std::holds_alternative<Pool>(field.def.law) ? Vec2(wrap.place(point) - point) : Vec2(0, 0);
+    }
+    return found;
+}
+
 /// Does it act on a body that is there?
 bool actsOn(const FieldRecord& field, const WorldState& world, BodyIndex body, const BodyMotion& there) {
     return world.bodies.canMove(body) && isSound(there) && letsIn(field, world, body) &&
-           covers(field.def, there.center);
+           shiftInto(field, world, there.center).has_value();
 }
 
 bool hasEnergy(const FieldDef& field) {
@@ -96,23 +115,32 @@ bool comesNear(const Vec2& center, double range, const Vec2& from, const Vec2& t
     return (0.5 * (from + to) - center).norm() <= range + 0.5 * (to - from).norm();
 }
 
+/// May something on its way come into a field's region?
+bool mayReach(const WorldState& world, const FieldRecord& field, const Aabb& way) {
+    if (!field.def.region || !world.def.wrap.any()) return overlap(way, field.box);
+    bool reaches = false;
+    world.space.forEachShift(field.box, way, [&](const Vec2&) { reaches = true; });
+    return reaches;
+}
+
 /// May a field act on a body somewhere between two places?
 bool mayFeel(const WorldState& world, const FieldRecord& field, BodyIndex body, const Vec2& from, const Vec2& to) {
     const auto* magnet = std::get_if<Magnet>(&field.def.law);
     if (magnet && !isCarried(*magnet, world)) return false;
     if (isCarriedBy(field.def.law, body)) return true;
     if (!letsIn(field, world, body)) return false;
-    if (!overlap(merge({from, from}, {to, to}), field.box)) return false;
+    if (!mayReach(world, field, merge({from, from}, {to, to}))) return false;
     if (magnet) {
         const BodyMotion& carrier = world.bodies.motion[magnet->body.index];
         const double moves = 2 * carrier.velocity.norm() * world.lastStep;
         const Vec2 center = pointOn(world.bodies.record[magnet->body.index], carrier, magnet->pull.center);
-        return comesNear(center, magnet->pull.range + moves, from, to);
+        return comesNear(world.bodies.near(center, 0.5 * (from + to)), magnet->pull.range + moves, from, to);
     }
     if (const auto* attractor = std::get_if<Attractor>(&field.def.law))
-        return comesNear(attractor->center, attractor->range, from, to);
+        return comesNear(world.bodies.near(attractor->center, 0.5 * (from + to)), attractor->range, from, to);
     if (const auto* pool = std::get_if<Pool>(&field.def.law)) {
         const BodyRecord& record = world.bodies.record[body];
+        if (world.def.wrap.any()) return true;
         return dips(record, from, pool->fluid) || dips(record, to, pool->fluid);
     }
     return true;
@@ -136,18 +164,25 @@ public:
 
     void add(const FieldRecord& field) {
         field_ = &field;
+        there_ = now_[body_];
         if (const auto* magnet = std::get_if<Magnet>(&field.def.law)) {
             if (isCarried(*magnet, world_)) pull(*magnet);
             return;
         }
-        if (actsOn(field, world_, body_, motion())) std::visit([this](const auto& law) { pull(law); }, field.def.law);
+        if (!actsOn(field, world_, body_, motion())) return;
+        there_.center += *shiftInto(field, world_, there_.center);
+        std::visit([this](const auto& law) { pull(law); }, field.def.law);
     }
 
 private:
-    const BodyMotion& motion() const { return now_[body_]; }
+    /// As the field sees it.
+    const BodyMotion& motion() const { return there_; }
 
     /// Of what the field's filter lets in.
-    bool isWithin(BodyIndex other) const { return isSound(now_[other]) && covers(field_->def, now_[other].center); }
+    bool isWithin(BodyIndex other) const {
+        return isSound(now_[other]) && shiftInto(*field_, world_, now_[other].center).has_value();
+    }
+    Vec2 nearTo(const Vec2& place, const Vec2& other) const { return world_.bodies.near(place, other); }
 
     void push(const Vec2& force, const Vec2& at) {
         Acceleration a{force * record_.inverseMass, cross(Vec2(at - motion().center), force) * record_.inverseInertia};
@@ -166,7 +201,8 @@ private:
         Vec2 sum(0, 0);
         for (const BodyIndex other : field_->drawn)
             if (other != body_ && isWithin(other))
-                sum += gravityForceOf(law, {world_.bodies.record[other].mass, now_[other].center}, self);
+                sum += gravityForceOf(
+                    law, {world_.bodies.record[other].mass, nearTo(now_[other].center, self.position)}, self);
         pushCenter(sum);
     }
 
@@ -174,14 +210,16 @@ private:
 
     /// The one that carries it bears what the others feel.
     void pull(const Magnet& law) {
-        const Attractor attractor = attractorOf(law, world_, now_);
+        Attractor attractor = attractorOf(law, world_, now_);
+        attractor.center = nearTo(attractor.center, motion().center);
         if (law.body.index != body_) {
             if (actsOn(*field_, world_, body_, motion())) pull(attractor);
             return;
         }
         if (!world_.bodies.canMove(body_)) return;
         for (const BodyIndex other : field_->drawn)
-            if (other != body_ && isWithin(other)) push(-attraction(attractor, now_[other].center), attractor.center);
+            if (other != body_ && isWithin(other))
+                push(-attraction(attractor, nearTo(now_[other].center, attractor.center)), attractor.center);
     }
 
     void pull(const Pool& law) {
@@ -214,6 +252,7 @@ private:
     const BodyRecord& record_;
     FieldPull& pull_;
     const FieldRecord* field_ = nullptr;
+    BodyMotion there_;
 };
 
 /// At one place, or too near for numbers, there is no force; so no energy is told.
@@ -228,7 +267,11 @@ double mutualEnergy(const WorldState& world, const FieldRecord& field, const Mut
     for (BodyIndex a = 1; a < now.size(); ++a) {
         if (!actsOn(field, world, a, now[a])) continue;
         for (BodyIndex b = a + 1; b < now.size(); ++b)
-            if (actsOn(field, world, b, now[b])) sum += finite(potentialEnergy(law, massOf(a), massOf(b)));
+            if (actsOn(field, world, b, now[b])) {
+                PointMass other = massOf(b);
+                other.position = world.bodies.near(other.position, now[a].center);
+                sum += finite(potentialEnergy(law, massOf(a), other));
+            }
     }
     return sum;
 }
@@ -240,17 +283,23 @@ double mutualEnergy(const WorldState& world, const FieldRecord& field, const Mut
     const PointMass self{world.bodies.record[body].mass, there.center};
     for (BodyIndex other = 1; other < now.size(); ++other)
         if (other != body && actsOn(field, world, other, now[other]))
-            sum += finite(potentialEnergy(law, {world.bodies.record[other].mass, now[other].center}, self));
+            sum += finite(potentialEnergy(
+                law, {world.bodies.record[other].mass, world.bodies.near(now[other].center, there.center)}, self));
     return sum;
 }
 
 /// Of all that act on each body by itself.
-double energyIn(const WorldState& world, const FieldLaw& law, BodyIndex body, const BodyMotion& motion) {
+double energyIn(const WorldState& world, const FieldRecord& field, BodyIndex body, BodyMotion motion) {
+    const FieldLaw& law = field.def.law;
+    motion.center += shiftInto(field, world, motion.center).value_or(Vec2(0, 0));
     if (const auto* uniform = std::get_if<UniformGravity>(&law))
         return potentialEnergy(*uniform, world.bodies.record[body].mass, motion.center);
     if (const auto* attractor = std::get_if<Attractor>(&law)) return finite(potentialEnergy(*attractor, motion.center));
-    if (const auto* magnet = std::get_if<Magnet>(&law))
-        return finite(potentialEnergy(attractorOf(*magnet, world, world.bodies.motion), motion.center));
+    if (const auto* magnet = std::get_if<Magnet>(&law)) {
+        Attractor attractor = attractorOf(*magnet, world, world.bodies.motion);
+        attractor.center = world.bodies.near(attractor.center, motion.center);
+        return finite(potentialEnergy(attractor, motion.center));
+    }
     double sum = 0;
     if (const auto* pool = std::get_if<Pool>(&law))
         forEachSubmerged(world, body, motion, pool->fluid,
@@ -319,9 +368,8 @@ double fieldEnergyOf(const WorldState& world) {
         if (const auto* mutual = std::get_if<MutualGravity>(&field.def.law))
             sum += mutualEnergy(world, field, *mutual);
         else
-            forEachFeeling(world, field, [&](BodyIndex body) {
-                sum += energyIn(world, field.def.law, body, world.bodies.motion[body]);
-            });
+            forEachFeeling(world, field,
+                           [&](BodyIndex body) { sum += energyIn(world, field, body, world.bodies.motion[body]); });
     }
     return sum;
 }
@@ -333,7 +381,7 @@ double fieldEnergyOf(const WorldState& world, BodyIndex body, const BodyMotion& 
         if (const auto* mutual = std::get_if<MutualGravity>(&field.def.law))
             sum += mutualEnergy(world, field, *mutual, body, there);
         else if (!isCarriedBy(field.def.law, body))
-            sum += energyIn(world, field.def.law, body, there);
+            sum += energyIn(world, field, body, there);
     }
     return sum;
 }

@@ -34,7 +34,8 @@ Manifold foreseen(const WorldState& world, const ShapePair& pair, float margin, 
     const Proxy& proxyA = world.space[pair.proxyA];
     const Proxy& proxyB = world.space[pair.proxyB];
     const FlyingShape a = flyingShape(world, pair.bodyA, proxyA);
-    const FlyingShape b = flyingShape(world, pair.bodyB, proxyB);
+    FlyingShape b = flyingShape(world, pair.bodyB, proxyB);
+    b.from.center += Vec2(pair.shiftX, pair.shiftY);
     const std::optional<double> time = timeOfImpact(a, b, 0, dt);
     if (!time) return {};
     const Encounter meeting = encounterAt(a, b, *time);

@@ -19,8 +19,12 @@ struct alignas(64) FreshLanes {
     FreshPoint points[2];
     Lanes<std::int32_t> count;      ///< of points, 0 to 2
     Lanes<std::int32_t> uncertain;  ///< not 0: whether and how the two meet in this step takes a closer look
+
+    Lanes<float> apartX, apartY;  ///< if around: from A's centre of mass to B's, as the contact sees it [m]
+    bool around = false;          ///< some lane's bodies meet around the world
 };
 
-inline constexpr std::size_t freshRows = sizeof(FreshLanes) / (sizeof(float) * batchLanes);
+/// Without what is known before anything is found.
+inline constexpr std::size_t freshRows = offsetof(FreshLanes, apartX) / (sizeof(float) * batchLanes);
 
 }  // namespace plumb

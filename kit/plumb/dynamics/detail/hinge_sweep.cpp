@@ -43,7 +43,7 @@ std::vector<JointIndex> HingeSweep::take(const std::vector<JointIndex>& joints, 
     std::vector<JointIndex> left;
     for (const JointIndex index : joints) {
         const auto* hinge = std::get_if<RevoluteJoint>(&store[index].joint);
-        if (hinge == nullptr || !hinge->isPlain()) {
+        if (hinge == nullptr || !hinge->isPlain() || hinge->anchors.a.shift != hinge->anchors.b.shift) {
             left.push_back(index);
             continue;
         }

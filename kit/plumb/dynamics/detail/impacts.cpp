@@ -77,10 +77,19 @@ void flyOn(WorldState& world, Flyer& flyer, double dt) {
     flyer.flight.law = flyer.fields->law;
 }
 
-FlyingShape shapeOf(const Flyer& flyer, const Proxy& proxy) {
+FlyingShape shapeOf(const Flyer& flyer, const Proxy& proxy, const Vec2& shift) {
     FlyingShape shape = flyer.flight;
     shape.shape = &proxy.def.shape;
+    shape.from.center += shift;
     return shape;
+}
+
+/// The two of a contact as they see each other.
+struct FlyingPair {
+    FlyingShape a, b;
+};
+FlyingPair shapesOf(const WorldState& world, const ContactRecord& contact, const Flyer& a, const Flyer& b) {
+    return {shapeOf(a, world.proxyA(contact), {0, 0}), shapeOf(b, world.proxyB(contact), contact.shift)};
 }
 
 ImpactSide sideOf(const WorldState& world, const Flyer& flyer, const Vec2& point) {
@@ -198,8 +207,8 @@ void account(const WorldState& world, Meeting& meeting, const std::vector<PointI
 bool isLetThrough(WorldState& world, const Meeting& meeting, const Flyer& a, const Flyer& b) {
     const ContactRecord& contact = world.contacts.contacts[meeting.contact];
     if (!contact.ruled || contact.verdict == Verdict::Solid) return false;
-    const Encounter e =
-        encounterAt(shapeOf(a, world.proxyA(contact)), shapeOf(b, world.proxyB(contact)), *meeting.time);
+    const FlyingPair pair = shapesOf(world, contact, a, b);
+    const Encounter e = encounterAt(pair.a, pair.b, *meeting.time);
     const ImpactSide sa{e.a.velocity, e.a.angularVelocity, 0, 0, e.distance.pointA - e.a.center};
     const ImpactSide sb{e.b.velocity, e.b.angularVelocity, 0, 0, e.distance.pointB - e.b.center};
     const Vec2 velocity =
@@ -212,7 +221,8 @@ bool isLetThrough(WorldState& world, const Meeting& meeting, const Flyer& a, con
 std::optional<std::array<BodyMotion, 2>> part(WorldState& world, Meeting& meeting, Flyer& a, Flyer& b) {
     const ContactRecord& contact = world.contacts.contacts[meeting.contact];
     const double time = *meeting.time;
-    Encounter e = encounterAt(shapeOf(a, world.proxyA(contact)), shapeOf(b, world.proxyB(contact)), time);
+    const FlyingPair pair = shapesOf(world, contact, a, b);
+    Encounter e = encounterAt(pair.a, pair.b, time);
     if (e.distance.separation > lostTouch || e.distance.separation < -lostWay) return std::nullopt;
     endFlight(world, a, e.a, time);
     endFlight(world, b, e.b, time);
@@ -233,8 +243,12 @@ std::optional<std::array<BodyMotion, 2>> part(WorldState& world, Meeting& meetin
         apply(b, result.velocityB, result.angularVelocityB);
         given = {{points[0], result.normalImpulse, result.tangentImpulse}};
     }
-    const std::array<BodyMotion, 2> met{e.a, e.b};
+    std::array<BodyMotion, 2> met{e.a, e.b};
     account(world, meeting, given, met, {a.flight.from, b.flight.from});
+    if (!contact.shift.isZero(0)) {  // back to where it is
+        met[1].center -= contact.shift;
+        b.flight.from.center -= contact.shift;
+    }
     return met;
 }
 
@@ -276,8 +290,8 @@ void commit(WorldState& world, const std::vector<Flyer>& flyers, const std::vect
         contact.memory[0].totalTangent = static_cast<float>(m.tangentImpulse);
         contact.memoryStep = dt;
         if (contact.touching) world.ends.push_back({world.idOfShape(contact.proxyA), world.idOfShape(contact.proxyB)});
-        world.begins.push_back({world.idOfShape(contact.proxyA), world.idOfShape(contact.proxyB), m.where.pointA,
-                                m.where.normal, m.approachSpeed});
+        world.begins.push_back({world.idOfShape(contact.proxyA), world.idOfShape(contact.proxyB),
+                                world.def.wrap.place(m.where.pointA), m.where.normal, m.approachSpeed});
         if (m.approachSpeed > world.def.hitSpeed) world.hits.push_back(hitOf(world.begins.back()));
         contact.touching = true;
     }
@@ -288,7 +302,7 @@ void commit(WorldState& world, const std::vector<Flyer>& flyers, const std::vect
 bool bouncesClear(const WorldState& world, const ContactRecord& contact, double dt) {
     if (contact.restitution <= 0) return false;
     const BodyMotion& a = world.bodies.motion[contact.bodyA];
-    const BodyMotion& b = world.bodies.motion[contact.bodyB];
+    const BodyMotion b = shifted(world.bodies.motion[contact.bodyB], contact.shift);
     const Manifold manifold = world.graph.manifoldOf(contact);
     const Vec2 normal = a.rotation * Vec2(manifold.normal.cast<double>());
     const Vec2 pull =
@@ -324,9 +338,8 @@ bool flyThroughImpacts(WorldState& world, std::span<const ContactIndex> contacts
         m.time.reset();
         if (m.through) return;
         const ContactRecord& contact = world.contacts.contacts[m.contact];
-        const FlyingShape a = shapeOf(flyers[m.a], world.proxyA(contact));
-        const FlyingShape b = shapeOf(flyers[m.b], world.proxyB(contact));
-        m.time = timeOfImpact(a, b, std::max(a.time, b.time), dt);
+        const FlyingPair pair = shapesOf(world, contact, flyers[m.a], flyers[m.b]);
+        m.time = timeOfImpact(pair.a, pair.b, std::max(pair.a.time, pair.b.time), dt);
     };
     for (Meeting& m : meetings) foresee(m);
     std::vector<Leg> legs;

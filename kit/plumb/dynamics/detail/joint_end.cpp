@@ -16,7 +16,7 @@ End endOf(const Anchor& anchor, const BodyMotion& motion) {
     end.body = anchor.body;
     end.rotation = motion.rotation;
     end.arm = motion.rotation * anchor.local;
-    end.point = motion.center + end.arm;
+    end.point = motion.center + end.arm + anchor.shift;
     end.angle = motion.angle;
     end.velocity = motion.velocity;
     end.spin = motion.angularVelocity;

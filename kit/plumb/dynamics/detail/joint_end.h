@@ -9,12 +9,14 @@ namespace plumb {
 struct Anchor {
     Vec2 local{0, 0};  ///< from the centre of mass, in the body's frame [m]
     BodyIndex body = noBody;
+    Vec2 shift{0, 0};  ///< so many rounds of the world bring it to the other end [m]
 };
 
 /// The anchor on a body at a point of the world, where the body stands now.
 inline Anchor anchorAt(BodyIndex body, const Vec2& point, const BodyStore& bodies) {
     const BodyMotion& motion = bodies.motion[body];
-    return {motion.rotation.inverse() * Vec2(point - motion.center), body};
+    const Vec2 there = bodies.near(point, motion.center);
+    return {motion.rotation.inverse() * Vec2(there - motion.center), body, point - there};
 }
 
 struct AnchorPair {

@@ -165,6 +165,29 @@ void moveLocks(WorldState& world, BodyIndex body) {
     forEachLock(world, body, [&](JointIndex, LockJoint& lock) { lock.moveTo(world.bodies.motion[body].center); });
 }
 
+void joinNearest(WorldState& world, BodyIndex body) {
+    const BodyStore& bodies = world.bodies;
+    if (!bodies.wrap.any()) return;
+    const auto bring = [&](Anchor& anchor, const Vec2& to) {
+        anchor.shift += bodies.wrap.shiftNear(endAtRest(anchor, bodies).point, to);
+    };
+    for (const JointIndex index : bodies.record[body].joints) {
+        AnyJoint& any = world.joints[index].joint;
+        if (auto* pulley = std::get_if<PulleyJoint>(&any)) {
+            bring(pulley->anchors.a, pulley->def().groundA);
+            bring(pulley->anchors.b, pulley->def().groundB);
+            continue;
+        }
+        std::visit(
+            [&]<class Joint>(Joint& joint) {
+                if constexpr (requires { joint.anchors; })
+                    bring(joint.anchors.b, endAtRest(joint.anchors.a, bodies).point);
+            },
+            any);
+    }
+    world.jointsChanged = true;
+}
+
 void shiftAnchors(WorldState& world, BodyIndex body, const Vec2& shift) {
     for (const JointIndex index : world.bodies.record[body].joints) {
         std::visit(

@@ -5,9 +5,11 @@ namespace plumb {
 
 MotorJoint::MotorJoint(const MotorJointDef& def, const BodyStore& bodies)
     : anchors{anchorAt(def.bodyA.index, bodies.origin(def.bodyA.index), bodies),
-              anchorAt(def.bodyB.index, bodies.origin(def.bodyB.index), bodies)},
+              anchorAt(def.bodyB.index, bodies.near(bodies.origin(def.bodyB.index), bodies.origin(def.bodyA.index)),
+                       bodies)},
       startOffset_(bodies.motion[anchors.a.body].rotation.inverse() *
-                   Vec2(bodies.origin(def.bodyB.index) - bodies.origin(def.bodyA.index))),
+                   Vec2(bodies.near(bodies.origin(def.bodyB.index), bodies.origin(def.bodyA.index)) -
+                        bodies.origin(def.bodyA.index))),
       startAngle_(bodies.motion[anchors.b.body].angle - bodies.motion[anchors.a.body].angle) {
     set(def);
 }

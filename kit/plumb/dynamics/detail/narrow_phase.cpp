@@ -40,7 +40,8 @@ Approach approachOf(const WorldState& world, const ShapePair& pair) {
 /// Of any two shapes. Those that cannot come together along their normal in this step will not touch in it.
 Manifold manifoldOf(const WorldState& world, const ShapePair& pair, double dt) {
     const Approach approach = approachOf(world, pair);
-    const RelativePose pose = relativePose(world.bodies.motion[pair.bodyA], world.bodies.motion[pair.bodyB]);
+    const BodyMotion b = shifted(world.bodies.motion[pair.bodyB], {pair.shiftX, pair.shiftY});
+    const RelativePose pose = relativePose(world.bodies.motion[pair.bodyA], b);
     const Manifold m =
         manifold(world.space[pair.proxyA].convex, world.space[pair.proxyB].convex, pose, approach.margin);
     if (m.count == 0 || nearestOf(m) <= contactMargin) return m;
@@ -48,45 +49,82 @@ Manifold manifoldOf(const WorldState& world, const ShapePair& pair, double dt) {
     return nearestOf(m) > closing ? Manifold{} : foreseen(world, pair, approach.margin, dt);
 }
 
+/// Contacts of lanes, whose shapes may meet around the world.
+using Contacts = const ContactIndex*;
+
+ShapePair pairOf(const WorldState& world, const PairLanes& pairs, Contacts contacts, std::size_t lane) {
+    ShapePair pair = pairAt(pairs, lane);
+    if (!world.def.wrap.any()) return pair;
+    pair.shiftX = world.contacts.contacts[contacts[lane]].shift.x();
+    pair.shiftY = world.contacts.contacts[contacts[lane]].shift.y();
+    return pair;
+}
+
+/// How far apart bodies are that meet around the world, for the lanes. In any other world nothing.
+void seeAround(const WorldState& world, Contacts contacts, std::size_t count, FreshLanes& fresh) {
+    fresh.around = false;
+    if (!world.def.wrap.any()) return;
+    for (std::size_t lane = 0; lane < count; ++lane)
+        fresh.around = fresh.around || !world.contacts.contacts[contacts[lane]].shift.isZero(0);
+    if (!fresh.around) return;
+    for (std::size_t lane = 0; lane < batchLanes; ++lane) {
+        Vec2 apart(0, 0);
+        if (lane < count) {
+            const ContactRecord& contact = world.contacts.contacts[contacts[lane]];
+            const Vec2 b = world.bodies.motion[contact.bodyB].center + contact.shift;
+            apart = b - world.bodies.motion[contact.bodyA].center;
+        }
+        fresh.apartX[lane] = static_cast<float>(apart.x());
+        fresh.apartY[lane] = static_cast<float>(apart.y());
+    }
+}
+
 bool isUncertain(const FreshLanes& fresh) {
     return std::any_of(std::begin(fresh.uncertain), std::end(fresh.uncertain), [](std::int32_t u) { return u != 0; });
 }
 
 /// Takes a closer look at the lanes of which outlines alone do not say whether they meet.
-void settleUncertain(const WorldState& world, const PairLanes& pairs, std::size_t count, FreshLanes& fresh, double dt) {
+void settleUncertain(const WorldState& world, const PairLanes& pairs, Contacts contacts, std::size_t count,
+                     FreshLanes& fresh, double dt) {
     if (!isUncertain(fresh)) return;
     for (std::size_t lane = 0; lane < count; ++lane) {
         if (fresh.uncertain[lane] == 0) continue;
-        const ShapePair pair = pairAt(pairs, lane);
+        const ShapePair pair = pairOf(world, pairs, contacts, lane);
         setFresh(fresh, lane, foreseen(world, pair, approachOf(world, pair).margin, dt));
     }
 }
 
-void collideBoxes(const WorldState& world, const PairLanes& pairs, std::size_t count, FreshLanes& fresh, double dt) {
+void collideBoxes(const WorldState& world, const PairLanes& pairs, Contacts contacts, std::size_t count,
+                  FreshLanes& fresh, double dt) {
+    seeAround(world, contacts, count, fresh);
     world.collider->collideBoxes(pairs, world.bodies.place.data(), fresh);
-    settleUncertain(world, pairs, count, fresh, dt);
+    settleUncertain(world, pairs, contacts, count, fresh, dt);
 }
 
 /// Those whose boxes cannot come together in this step all at once; the rest one by one.
-void collideAny(const WorldState& world, const PairLanes& pairs, std::size_t count, FreshLanes& fresh, double dt) {
+void collideAny(const WorldState& world, const PairLanes& pairs, Contacts contacts, std::size_t count,
+                FreshLanes& fresh, double dt) {
     world.collider->collideBoxes(pairs, world.bodies.place.data(), fresh);
     for (std::size_t lane = 0; lane < count; ++lane) {
         fresh.uncertain[lane] = 0;
         if (pairs.discs[lane] == noDisc && fresh.count[lane] > 0)
-            setFresh(fresh, lane, manifoldOf(world, pairAt(pairs, lane), dt));
+            setFresh(fresh, lane, manifoldOf(world, pairOf(world, pairs, contacts, lane), dt));
     }
 }
 
 /// Lanes of discs at once, lanes of other shapes by themselves; lanes beyond count get no points.
-void collideOthers(const WorldState& world, const PairLanes& pairs, std::size_t count, FreshLanes& fresh, double dt) {
+void collideOthers(const WorldState& world, const PairLanes& pairs, Contacts contacts, std::size_t count,
+                   FreshLanes& fresh, double dt) {
+    seeAround(world, contacts, count, fresh);
     const auto discs = count - static_cast<std::size_t>(std::count(pairs.discs, pairs.discs + count, noDisc));
     FreshLanes round;
+    if (fresh.around) round = fresh;
     if (discs > 0) world.collider->collideDiscs(pairs, world.bodies.place.data(), discs == count ? fresh : round);
-    if (discs < count) collideAny(world, pairs, count, fresh, dt);
+    if (discs < count) collideAny(world, pairs, contacts, count, fresh, dt);
     for (std::size_t lane = 0; discs > 0 && discs < count && lane < count; ++lane)
         if (pairs.discs[lane] != noDisc) copyLane(fresh, lane, round, lane, freshRows);
     for (std::size_t lane = count; lane < batchLanes; ++lane) setFresh(fresh, lane, {});
-    settleUncertain(world, pairs, count, fresh, dt);
+    settleUncertain(world, pairs, contacts, count, fresh, dt);
 }
 
 void prepareLanes(WorldState& world, ContactBatch& batch, ManifoldLanes& manifolds, const FreshLanes& fresh,
@@ -101,10 +139,11 @@ void collideColour(WorldState& world, std::size_t index, std::vector<ContactInde
     for (std::size_t b = 0; b < colour.batches.size(); ++b) {
         const std::size_t first = b * batchLanes;
         const std::size_t count = std::min<std::size_t>(batchLanes, colour.contactOf.size() - first);
+        const Contacts contacts = colour.contactOf.data() + first;
         if (index % 2 == 0)
-            collideBoxes(world, colour.pairs[b], count, fresh, dt);
+            collideBoxes(world, colour.pairs[b], contacts, count, fresh, dt);
         else
-            collideOthers(world, colour.pairs[b], count, fresh, dt);
+            collideOthers(world, colour.pairs[b], contacts, count, fresh, dt);
         prepareLanes(world, colour.batches[b], colour.manifolds[b], fresh, dt);
         for (std::size_t lane = 0; lane < count; ++lane)
             if (fresh.count[lane] == 0) parted.push_back(colour.contactOf[first + lane]);
@@ -138,8 +177,9 @@ void addArrival(std::vector<Arrivals>& arrivals, ContactIndex index, const Fresh
 void removeParted(WorldState& world, NearPairs& near) {
     for (std::size_t slot = 0; slot < near.contactOf.size();) {
         const PairLanes& pairs = near.lanes[slot / batchLanes];
-        const std::size_t lane = slot % batchLanes;
-        if (world.space.boxesOverlap(pairs.proxyA[lane], pairs.proxyB[lane]))
+        const ShapePair pair =
+            pairOf(world, pairs, near.contactOf.data() + (slot - slot % batchLanes), slot % batchLanes);
+        if (world.space.boxesOverlap(pair.proxyA, pair.proxyB, {pair.shiftX, pair.shiftY}))
             ++slot;
         else
             removeContact(world, near.contactOf[slot]);
@@ -162,7 +202,7 @@ bool mayArrive(WorldState& world, ContactIndex index, const FreshLanes& fresh, s
     ContactRecord& contact = world.contacts.contacts[index];
     contact.met = true;
     if (!contact.ruled) return true;
-    if (isSolid(world, index, faceOf(world, contact.bodyA, contact.bodyB, manifoldAt(fresh, lane)))) return true;
+    if (isSolid(world, index, faceOf(world, contact, manifoldAt(fresh, lane)))) return true;
     contact.manifold.count = 0;
     return false;
 }
@@ -174,10 +214,11 @@ void collideBatch(WorldState& world, const NearPairs& near, std::size_t start, s
     const std::size_t count = std::min<std::size_t>(batchLanes, near.contactOf.size() - first);
     const PairLanes& pairs = near.lanes[first / batchLanes];
     FreshLanes fresh;
+    const Contacts contacts = near.contactOf.data() + first;
     if (&near == &world.contacts.nearBoxes)
-        collideBoxes(world, pairs, count, fresh, dt);
+        collideBoxes(world, pairs, contacts, count, fresh, dt);
     else
-        collideOthers(world, pairs, count, fresh, dt);
+        collideOthers(world, pairs, contacts, count, fresh, dt);
     for (std::size_t lane = start - first; lane < count; ++lane) {
         if (fresh.count[lane] == 0) continue;
         const ContactIndex index = near.contactOf[first + lane];
@@ -206,11 +247,12 @@ void collideNear(WorldState& world, std::vector<Arrivals>& arrivals, double dt) 
 }
 
 /// Into slots, if anything can come of it; else back into their records.
-void settle(WorldState& world, const Arrivals& arrivals, double dt) {
+void settle(WorldState& world, Arrivals& arrivals, double dt) {
     ContactBatch batch{};
     ManifoldLanes manifolds{};
     for (std::size_t lane = 0; lane < arrivals.count; ++lane)
         fillLane(world, world.contacts.contacts[arrivals.contacts[lane]], batch, manifolds, lane);
+    seeAround(world, arrivals.contacts, arrivals.count, arrivals.fresh);
     prepareLanes(world, batch, manifolds, arrivals.fresh, dt);
     guessImpulses(world, batch);
     for (std::size_t lane = 0; lane < arrivals.count; ++lane) {
@@ -250,7 +292,7 @@ void findContacts(WorldState& world, double dt) {
     collideNear(world, arrivals, dt);
     forgetParted(world);
     for (const ContactIndex index : parted) part(world, index);
-    for (const Arrivals& some : arrivals) settle(world, some, dt);
+    for (Arrivals& some : arrivals) settle(world, some, dt);
 }
 
 }  // namespace plumb

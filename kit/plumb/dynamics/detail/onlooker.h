@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Which shapes are there to be found, for whoever looks through a filter?
 #pragma once
+#include <limits>
+
 #include <plumb/collide/ray_cast.h>
 #include <plumb/dynamics/detail/world_state.h>
 #include <plumb/dynamics/query.h>
@@ -21,40 +23,52 @@ public:
     bool isArea(ProxyId id) const { return world_.space[id].use == PieceUse::Ask; }
 
     const Shape& shape(ProxyId id) const { return world_.space[id].def.shape; }
-    Transform pose(ProxyId id) const { return world_.bodies.pose(world_.space[id].owner); }
+    /// Where it was found, in a world that wraps.
+    Transform pose(ProxyId id, const Vec2& shift) const {
+        return shifted(world_.bodies.pose(world_.space[id].owner), shift);
+    }
+    Vec2 place(const Vec2& point) const { return world_.def.wrap.place(point); }
     ShapeId idOf(ProxyId id) const { return world_.idOfShape(id); }
-    CastHit hitOf(ProxyId id, const CastPoint& met) const {
-        CastHit hit{idOf(id), met.point, met.normal, met.fraction};
-        if (const std::optional<Vec2>& open = world_.space[id].def.oneWay) hit.oneWay = pose(id).rotation * *open;
-        hit.tile = tileMet(world_, id, met.point, met.normal);
+    CastHit hitOf(ProxyId id, const Vec2& shift, const CastPoint& met) const {
+        CastHit hit{idOf(id), place(met.point), met.normal, met.fraction};
+        if (const std::optional<Vec2>& open = world_.space[id].def.oneWay)
+            hit.oneWay = pose(id, shift).rotation * *open;
+        hit.tile = tileMet(world_, id, met.point - shift, met.normal);
         return hit;
     }
 
-    /// Whatever a box of this half size may meet on its way; visit(id) gives the fraction of it up to which more is
-    /// wanted.
+    /// Whatever a box of this half size may meet on its way; visit(id, shift) gives the fraction of it up to which more
+    /// is wanted.
     template <class Visit>
     void lookAlong(const Vec2& halfSize, const Vec2& from, const Vec2& to, Visit&& visit) const {
         double wanted = 1;
-        const auto look = [&](ProxyId id) {
-            if (sees(id)) wanted = visit(id);
+        const auto look = [&](ProxyId id, const Vec2& shift) {
+            if (sees(id)) wanted = visit(id, shift);
             return wanted;
         };
         world_.space.castBox(halfSize, from, to, look);
-        forEachStray([&](const Stray& stray) {
-            const RayPart met = clipRay(from, to, {stray.box.lower - halfSize, stray.box.upper + halfSize});
-            if (met.first <= met.last) look(stray.proxy);
+        const Aabb way{from.cwiseMin(to) - halfSize, from.cwiseMax(to) + halfSize};
+        forEachStray(way, [&](const Stray& stray, const Vec2& shift) {
+            const Vec2 lower = stray.box.lower + shift - halfSize, upper = stray.box.upper + shift + halfSize;
+            const RayPart met = clipRay(from, to, {lower, upper});
+            if (met.first <= met.last) look(stray.proxy, shift);
         });
     }
 
-    /// Whatever may be no farther from a point than within; visit(id) gives the distance up to which more is wanted.
+    /// Whatever may be no farther from a point than within; visit(id, shift) gives the distance up to which more is
+    /// wanted.
     template <class Visit>
     void lookAround(const Vec2& point, double within, Visit&& visit) const {
-        const auto look = [&](ProxyId id) {
-            if (sees(id)) within = visit(id);
+        const auto look = [&](ProxyId id, const Vec2& shift) {
+            if (sees(id)) within = visit(id, shift);
             return within;
         };
         world_.space.findNear(point, within, look);
-        forEachStray([&](const Stray& stray) { look(stray.proxy); });
+        constexpr double endless = std::numeric_limits<double>::infinity();
+        const Wrap& wrap = world_.def.wrap;
+        const Vec2 reach(wrap.width.value_or(endless), wrap.height.value_or(endless));
+        forEachStray({point - reach, point + reach},
+                     [&](const Stray& stray, const Vec2& shift) { look(stray.proxy, shift); });
     }
 
     /// Whatever may be in a box.
@@ -62,12 +76,12 @@ public:
     void lookInto(const Aabb& tight, Visit&& visit) const {
         // What just touches is not to be lost to roundings.
         const Aabb box = inflate(tight, 1e-15 * tight.lower.cwiseAbs().cwiseMax(tight.upper.cwiseAbs()).maxCoeff());
-        const auto look = [&](ProxyId id) {
-            if (sees(id)) visit(id);
+        const auto look = [&](ProxyId id, const Vec2& shift) {
+            if (sees(id)) visit(id, shift);
         };
         world_.space.query(box, look);
-        forEachStray([&](const Stray& stray) {
-            if (overlap(stray.box, box)) look(stray.proxy);
+        forEachStray(box, [&](const Stray& stray, const Vec2& shift) {
+            if (overlap({stray.box.lower + shift, stray.box.upper + shift}, box)) look(stray.proxy, shift);
         });
     }
 
@@ -78,11 +92,16 @@ private:
                gate.owner != ignored_;
     }
 
+    /// With each shift by which it may be in a box; without one in a world that does not wrap.
     template <class Visit>
-    void forEachStray(Visit&& visit) const {
+    void forEachStray(const Aabb& where, Visit&& visit) const {
         for (const Stray& stray : world_.strays.of(world_)) {
             const Proxy& proxy = world_.space[stray.proxy];
-            if (proxy.alive && world_.bodies.record[proxy.owner].enabled) visit(stray);
+            if (!proxy.alive || !world_.bodies.record[proxy.owner].enabled) continue;
+            if (world_.def.wrap.any())
+                world_.space.forEachShift(where, stray.box, [&](const Vec2& shift) { visit(stray, shift); });
+            else
+                visit(stray, Vec2(0, 0));
         }
     }
 

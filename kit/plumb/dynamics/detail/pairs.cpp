@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include <plumb/dynamics/detail/contact_rules.h>
 #include <plumb/dynamics/detail/fresh_lanes.h>
@@ -55,7 +56,7 @@ double roundingOf(const Proxy& a, const Proxy& b) {
     return static_cast<double>(std::max(a.convex.radius, b.convex.radius));
 }
 
-ContactRecord contactOf(const WorldState& world, const Pair& pair) {
+ContactRecord contactOf(const WorldState& world, const Pair& pair, const Vec2& shift) {
     const Proxy& a = world.space[pair.a];
     const Proxy& b = world.space[pair.b];
     ContactRecord contact;
@@ -63,6 +64,7 @@ ContactRecord contactOf(const WorldState& world, const Pair& pair) {
     contact.proxyB = pair.b;
     contact.bodyA = a.owner;
     contact.bodyB = b.owner;
+    contact.shift = shift;
     const auto isBox = [&](ProxyId proxy) { return world.contacts.boxes[proxy].kind == BoxOutline::Kind::Box; };
     contact.boxes = isBox(pair.a) && isBox(pair.b);
     contact.ruled = hasRule(a.def) || hasRule(b.def);
@@ -70,16 +72,17 @@ ContactRecord contactOf(const WorldState& world, const Pair& pair) {
     return contact;
 }
 
-void addContact(WorldState& world, const Pair& pair) {
+/// shift: of b, by which it overlaps a.
+void addContact(WorldState& world, const Pair& pair, const Vec2& shift) {
     if (world.space[pair.a].def.sensor || world.space[pair.b].def.sensor) {
-        addSensorPair(world, pair);
+        addSensorPair(world, pair, shift);
         return;
     }
     const BodyIndex a = world.space[pair.a].owner;
     const BodyIndex b = world.space[pair.b].owner;
     if (!world.bodies.isDynamic(a) && !world.bodies.isDynamic(b)) return;
     if (joinedApart(world, a, b)) return;
-    const ContactIndex index = world.contacts.add(world.bodies, contactOf(world, pair));
+    const ContactIndex index = world.contacts.add(world.bodies, contactOf(world, pair, shift));
     if (world.bodies.record[a].awake || world.bodies.record[b].awake) {
         world.contacts.addNear(index);
     } else if (!world.bodies.isDynamic(a) || !world.bodies.isDynamic(b)) {  // something that rests was put there
@@ -88,13 +91,22 @@ void addContact(WorldState& world, const Pair& pair) {
     }
 }
 
-bool isPaired(const WorldState& world, ProxyId a, ProxyId b) {
+/// shift: of b.
+void addContact(WorldState& world, ProxyId a, ProxyId b, const Vec2& shift) {
+    if (a < b)
+        addContact(world, {a, b}, shift);
+    else
+        addContact(world, {b, a}, -shift);
+}
+
+bool isPaired(const WorldState& world, ProxyId a, ProxyId b, const Vec2& shift) {
     const BodyIndex owner = world.space[a].owner;
     const BodyIndex body = world.bodies.isDynamic(owner) ? owner : world.space[b].owner;
     bool paired = false;
     forEachContact(world.bodies, world.contacts, body, [&](ContactIndex index) {
         const ContactRecord& contact = world.contacts.contacts[index];
-        paired = paired || (contact.proxyA == std::min(a, b) && contact.proxyB == std::max(a, b));
+        paired = paired || (contact.proxyA == a && contact.proxyB == b && contact.shift == shift) ||
+                 (contact.proxyA == b && contact.proxyB == a && contact.shift == -shift);
     });
     return paired;
 }
@@ -121,12 +133,22 @@ bool joinedApart(const WorldState& world, BodyIndex a, BodyIndex b) {
     });
 }
 
+Vec2 foreseenShift(const WorldState& world, BodyIndex body) {
+    constexpr double mostRounds = 2;
+    const BodyPlace& place = world.bodies.place[body];
+    Vec2 shift(static_cast<double>(place.shiftX), static_cast<double>(place.shiftY));
+    const Wrap& wrap = world.def.wrap;
+    if (wrap.width) shift.x() = std::clamp(shift.x(), -mostRounds * *wrap.width, mostRounds * *wrap.width);
+    if (wrap.height) shift.y() = std::clamp(shift.y(), -mostRounds * *wrap.height, mostRounds * *wrap.height);
+    return shift;
+}
+
 void placeBody(WorldState& world, BodyIndex body, double dt) {
     const BodyRecord& record = world.bodies.record[body];
     const BodyMotion& motion = world.bodies.motion[body];
     const BodyPlace& place = world.bodies.place[body];
     const bool moves = record.awake && dt > 0;
-    const Vec2 shift = moves ? Vec2(static_cast<double>(place.shiftX), static_cast<double>(place.shiftY)) : Vec2(0, 0);
+    const Vec2 shift = moves ? foreseenShift(world, body) : Vec2(0, 0);
     const double turn = moves ? static_cast<double>(place.turn) : 0.0;
     const Transform pose = world.bodies.pose(body);
     for (const ProxyId proxy : record.proxies) {
@@ -146,24 +168,31 @@ void pairShapes(WorldState& world, BodyIndex a, BodyIndex b) {
     const auto isSensor = [&world](ProxyId proxy) { return world.space[proxy].def.sensor; };  // is not kept apart
     for (const ProxyId pa : world.bodies.record[a].proxies)
         for (const ProxyId pb : world.bodies.record[b].proxies)
-            if (!isSensor(pa) && !isSensor(pb) && mayPair(world.space[pa], world.space[pb]) &&
-                world.space.previousBoxesOverlap(pa, pb))
-                addContact(world, {std::min(pa, pb), std::max(pa, pb)});
+            if (!isSensor(pa) && !isSensor(pb) && mayPair(world.space[pa], world.space[pb]))
+                world.space.forEachPreviousShift(pa, pb, [&](const Vec2& shift) { addContact(world, pa, pb, shift); });
 }
 
 void pairShape(WorldState& world, ProxyId proxy) {
-    std::vector<ProxyId> others;
-    world.space.query(world.space.box(proxy), [&](ProxyId other) {
-        if (mayPair(world.space[proxy], world.space[other]) && world.space.previousBoxesOverlap(proxy, other))
-            others.push_back(other);
+    struct Other {
+        ProxyId proxy;
+        Vec2 shift;
+    };
+    std::vector<Other> others;
+    world.space.query(world.space.box(proxy), [&](ProxyId other, const Vec2& shift) {
+        if (mayPair(world.space[proxy], world.space[other]) && world.space.previousBoxesOverlap(proxy, other, shift))
+            others.push_back({other, shift});
     });
-    std::sort(others.begin(), others.end());
-    for (const ProxyId other : others)
-        if (!isPaired(world, proxy, other)) addContact(world, {std::min(proxy, other), std::max(proxy, other)});
+    std::sort(others.begin(), others.end(), [](const Other& a, const Other& b) {
+        return std::tuple(a.proxy, a.shift.x(), a.shift.y()) < std::tuple(b.proxy, b.shift.x(), b.shift.y());
+    });
+    for (const Other& other : others)
+        if (!isPaired(world, proxy, other.proxy, other.shift)) addContact(world, proxy, other.proxy, other.shift);
 }
 
 void findPairs(WorldState& world) {
-    for (const Pair& pair : world.space.takeNewPairs()) addContact(world, pair);
+    const SortedPairs& pairs = world.space.takeNewPairs();
+    const std::span<const Vec2> shifts = world.space.newPairShifts();
+    for (std::size_t i = 0; i < pairs.size(); ++i) addContact(world, pairs[i], shifts.empty() ? Vec2(0, 0) : shifts[i]);
 }
 
 }  // namespace plumb

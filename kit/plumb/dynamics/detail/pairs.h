@@ -7,6 +7,9 @@ namespace plumb {
 
 /// Do joints keep two bodies from touching each other?
 bool joinedApart(const WorldState& world, BodyIndex a, BodyIndex b);
+/// How far a body comes in this step if nothing is in the way, as its boxes see it: in a world that wraps no more than
+/// two rounds [m].
+Vec2 foreseenShift(const WorldState& world, BodyIndex body);
 /// Renews the boxes of one body's shapes for a step of dt.
 void placeBody(WorldState& world, BodyIndex body, double dt);
 /// Makes the contacts of two bodies that were kept apart until now, where the space has found their boxes to overlap.

@@ -159,7 +159,7 @@ struct LanePreparer {
     static void prepare(ContactBatch& batch, ManifoldLanes& m, int lane, const BodyPlace* places,
                         const SolverVelocity* velocity, const FreshLanes& fresh, float inverseStep) {
         carry(batch, lane, matches(fresh, m, lane));
-        const RelativeLanes<W> r = relativeLanes<W>(batch.bodyA + lane, batch.bodyB + lane, places);
+        const RelativeLanes<W> r = relativeLanes<W>(batch.bodyA + lane, batch.bodyB + lane, places, &fresh, lane);
         const F localX = at(fresh.normalX + lane), localY = at(fresh.normalY + lane);
         const F nx = r.cosA * localX - r.sinA * localY, ny = r.sinA * localX + r.cosA * localY;
         const Sides s = sides(batch, lane, places, velocity, nx, ny);

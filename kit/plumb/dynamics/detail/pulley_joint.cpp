@@ -6,13 +6,16 @@
 namespace plumb {
 
 PulleyJoint::PulleyJoint(const PulleyJointDef& def, const BodyStore& bodies)
-    : anchors{anchorAt(def.bodyA.index, def.anchorA, bodies), anchorAt(def.bodyB.index, def.anchorB, bodies)} {
+    : anchors{anchorAt(def.bodyA.index, bodies.near(def.anchorA, def.groundA), bodies),
+              anchorAt(def.bodyB.index, bodies.near(def.anchorB, def.groundB), bodies)},
+      startA_((bodies.near(def.anchorA, def.groundA) - def.groundA).norm()),
+      startB_((bodies.near(def.anchorB, def.groundB) - def.groundB).norm()) {
     set(def);
 }
 
 void PulleyJoint::set(const PulleyJointDef& def) {
     def_ = def;
-    length_ = (def.anchorA - def.groundA).norm() + def.ratio * (def.anchorB - def.groundB).norm();
+    length_ = startA_ + def.ratio * startB_;
 }
 
 double PulleyJoint::coordinate(const Ends& ends) const {

@@ -23,7 +23,8 @@ public:
 
 private:
     PulleyJointDef def_;
-    double length_ = 0;  ///< of the rope, B's part counted ratio times [m]
+    double startA_ = 0, startB_ = 0;  ///< lengths when it was made [m]
+    double length_ = 0;               ///< of the rope, B's part counted ratio times [m]
 };
 
 }  // namespace plumb

@@ -2,6 +2,7 @@
 // How do the two bodies of each lane stand to each other?
 #pragma once
 #include <plumb/dynamics/detail/body_place.h>
+#include <plumb/dynamics/detail/fresh_lanes.h>
 #include <plumb/math/detail/wide_ops.h>
 #include <plumb/math/detail/wide_rows.h>
 
@@ -31,7 +32,8 @@ template <class F>
 
 template <int W>
 [[gnu::always_inline]] inline RelativeLanes<W> relativeLanes(const std::uint32_t* a, const std::uint32_t* b,
-                                                             const BodyPlace* places) {
+                                                             const BodyPlace* places, const FreshLanes* fresh = nullptr,
+                                                             int lane = 0) {
     using F = typename Wide<W>::Float;
     const float* rows = &places->highX;
     const Rows<W> placeA = loadRows<W, 16>(rows, a), placeB = loadRows<W, 16>(rows, b);
@@ -40,6 +42,10 @@ template <int W>
     RelativeLanes<W> r;
     r.apartX = difference(placeB.x, placeB.z, placeA.x, placeA.z);
     r.apartY = difference(placeB.y, placeB.w, placeA.y, placeA.w);
+    if (fresh != nullptr && fresh->around) {
+        r.apartX = loadLanes<W>(fresh->apartX + lane);
+        r.apartY = loadLanes<W>(fresh->apartY + lane);
+    }
     const F c = angleA.x, s = angleA.y;
     r.dx = c * r.apartX + s * r.apartY;
     r.dy = c * r.apartY - s * r.apartX;

@@ -11,6 +11,7 @@ namespace plumb {
 /// A sensor, or a piece of one, and a shape whose boxes overlap.
 struct SensorPair {
     ProxyId sensor = 0, visitor = 0;
+    Vec2 shift{0, 0};  ///< so many rounds of the world bring the visitor to the sensor [m]
     bool inside = false;
     bool fresh = true;  ///< never looked at
 };

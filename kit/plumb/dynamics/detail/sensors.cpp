@@ -40,6 +40,11 @@ SensorBegin visitOf(const WorldState& world, const SensorPair& pair) {
     return {world.idOfShape(pair.sensor), world.idOfShape(pair.visitor)};
 }
 
+Way shifted(Way way, const Vec2& shift) {
+    way.start += shift;
+    return way;
+}
+
 /// Straight from where a body was loaded at the step's start to where it is now.
 Way chordOf(const WorldState& world, BodyIndex body) {
     const BodyPlace& place = world.bodies.place[body];
@@ -83,14 +88,14 @@ bool hasPassed(const WorldState& world, const SensorPair& pair, double separatio
     const Proxy& visitor = world.space[pair.visitor];
     const Way sensorWay = chordOf(world, sensor.owner);
     if (!world.bodies.record[visitor.owner].flown) {
-        const Way way = chordOf(world, visitor.owner);
+        const Way way = shifted(chordOf(world, visitor.owner), pair.shift);
         return travelOf(sensorWay, way, visitor.def.shape) >= separation && meet(sensor, sensorWay, visitor, way);
     }
     return std::any_of(world.legs.begin(), world.legs.end(), [&](const Leg& leg) {
         if (leg.body != visitor.owner) return false;
         const Way way{leg.from.center, leg.to.center - leg.from.center, leg.from.angle, leg.to.angle - leg.from.angle,
                       world.bodies.record[visitor.owner].localCenter};
-        return meet(sensor, partOf(sensorWay, leg.start / dt, leg.end / dt), visitor, way);
+        return meet(sensor, partOf(sensorWay, leg.start / dt, leg.end / dt), visitor, shifted(way, pair.shift));
     });
 }
 
@@ -101,7 +106,7 @@ bool isAwake(const WorldState& world, ProxyId proxy) {
 /// False for a pair that is to be forgotten. What has only passed through is noted.
 bool look(WorldState& world, SensorPair& pair, std::vector<SensorBegin>& passed, double dt) {
     if (!pair.fresh && !isAwake(world, pair.sensor) && !isAwake(world, pair.visitor)) return true;
-    const bool near = world.space.boxesOverlap(pair.sensor, pair.visitor);
+    const bool near = world.space.boxesOverlap(pair.sensor, pair.visitor, pair.shift);
     const bool was = pair.inside;
     pair.inside = false;
     pair.fresh = false;
@@ -109,7 +114,7 @@ bool look(WorldState& world, SensorPair& pair, std::vector<SensorBegin>& passed,
         const Proxy& sensor = world.space[pair.sensor];
         const Proxy& visitor = world.space[pair.visitor];
         const Distance apart = distance(sensor.def.shape, world.bodies.pose(sensor.owner), visitor.def.shape,
-                                        world.bodies.pose(visitor.owner));
+                                        shifted(world.bodies.pose(visitor.owner), pair.shift));
         pair.inside = apart.separation <= 0;
         if (!pair.inside && !was && hasPassed(world, pair, apart.separation, dt))
             passed.push_back(visitOf(world, pair));
@@ -134,9 +139,9 @@ void tell(SensorStore& store, std::vector<SensorBegin> now, std::vector<SensorBe
 
 }  // namespace
 
-void addSensorPair(WorldState& world, const Pair& pair) {
+void addSensorPair(WorldState& world, const Pair& pair, const Vec2& shift) {
     const bool first = world.space[pair.a].def.sensor;
-    world.sensors.pairs.push_back({first ? pair.a : pair.b, first ? pair.b : pair.a});
+    world.sensors.pairs.push_back({first ? pair.a : pair.b, first ? pair.b : pair.a, first ? shift : Vec2(-shift)});
 }
 
 void removeSensorPairs(WorldState& world, ProxyId proxy) {

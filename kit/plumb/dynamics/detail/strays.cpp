@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <plumb/dynamics/detail/fresh_lanes.h>
+#include <plumb/dynamics/detail/pairs.h>
 #include <plumb/dynamics/detail/world_state.h>
 
 namespace plumb {
@@ -25,13 +26,13 @@ bool surelyKept(const WorldState& world, BodyIndex body) {
     if (world.bodies.record[body].boxesWait) return false;
     const BodyMotion& now = world.bodies.motion[body];
     const BodyPlace& then = world.bodies.place[body];
-    const auto aside = [](double at, float high, float low, float shift) {
+    const Vec2 shift = foreseenShift(world, body);
+    const auto aside = [](double at, float high, float low, double foreseen) {
         const double moved = at - static_cast<double>(high) - static_cast<double>(low);
-        const double foreseen = static_cast<double>(shift);
         return std::max(std::min(foreseen, 0.0) - moved, moved - std::max(foreseen, 0.0));
     };
-    const double x = aside(now.center.x(), then.highX, then.lowX, then.shiftX);
-    const double y = aside(now.center.y(), then.highY, then.lowY, then.shiftY);
+    const double x = aside(now.center.x(), then.highX, then.lowX, shift.x());
+    const double y = aside(now.center.y(), then.highY, then.lowY, shift.y());
     // By the chord, which is how far a point turns that is 1 m from the centre.
     const double cos = now.rotation.cos - static_cast<double>(then.cos);
     const double sin = now.rotation.sin - static_cast<double>(then.sin);

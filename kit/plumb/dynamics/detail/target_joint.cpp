@@ -10,7 +10,7 @@ TargetJoint::TargetJoint(const TargetJointDef& def, const BodyStore& bodies)
 
 void TargetJoint::set(const TargetJointDef& def, const BodyStore& bodies) {
     def_ = def;
-    anchors.a.local = def.target;
+    anchors.a.local = bodies.near(def.target, endAtRest(anchors.b, bodies).point);
     spring_ = def.spring.value_or(springOf(5, 0.7, bodies.record[def.body.index].mass));
 }
 

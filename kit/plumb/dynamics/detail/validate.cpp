@@ -46,7 +46,14 @@ std::string textOf(JointId id) {
     return textOf(id.index, id.generation, id.world);
 }
 
+void validate(const Wrap& wrap) {
+    constexpr double least = 1e-3, most = 1e9;  // counts of rounds are to stay whole numbers
+    if (wrap.width) requireWithin(*wrap.width, least, most, "WorldDef.wrap.width");
+    if (wrap.height) requireWithin(*wrap.height, least, most, "WorldDef.wrap.height");
+}
+
 void validate(const WorldDef& def) {
+    validate(def.wrap);
     requireFinite(def.gravity, "WorldDef.gravity");
     if (def.hitSpeed != std::numeric_limits<double>::infinity()) requireNotNegative(def.hitSpeed, "WorldDef.hitSpeed");
     const SolverSettings& s = def.solver;
@@ -59,6 +66,38 @@ void validate(const WorldDef& def) {
     requireNotNegative(s.jointsAtOnce, "WorldDef.solver.jointsAtOnce");
     if (s.lanes != 1 && s.lanes != 4 && s.lanes != 8 && s.lanes != 16)
         refuse("WorldDef.solver.lanes", std::to_string(s.lanes) + " is not 1, 4, 8 or 16");
+}
+
+void requireFit(const WorldState& world, const Shape& shape, const Transform& pose, const std::string& field) {
+    const Wrap& wrap = world.def.wrap;
+    if (!wrap.any()) return;
+    constexpr double nearly = 1 + 1e-9;  // one as wide as the world fits, however it is rounded
+    const Aabb box = aabbOf(shape, pose);
+    const Vec2 size = box.upper - box.lower;
+    if (wrap.width && size.x() > *wrap.width * nearly)
+        refuse(field, toText(size.x()) + " m wide, more than the world's " + toText(*wrap.width) + " m");
+    if (wrap.height && size.y() > *wrap.height * nearly)
+        refuse(field, toText(size.y()) + " m high, more than the world's " + toText(*wrap.height) + " m");
+}
+
+void requireFit(const WorldState& world, const BodyDef& def) {
+    if (!world.def.wrap.any()) return;
+    const Transform pose{def.position, Rot::fromAngle(def.angle)};
+    for (std::size_t i = 0; i < def.shapes.size(); ++i)
+        requireFit(world, def.shapes[i].shape, pose, "BodyDef.shapes[" + std::to_string(i) + "]");
+}
+
+void requireFewRounds(const WorldState& world, const Aabb& box, double most, const std::string& field) {
+    const Wrap& wrap = world.def.wrap;
+    if (!wrap.any()) return;
+    const Vec2 size = box.upper - box.lower;
+    const auto require = [&](double reach, const std::optional<double>& round) {
+        if (round && reach > most * *round)
+            refuse(field, toText(reach) + " m is more than " + toText(most) + " times around the world of " +
+                              toText(*round) + " m");
+    };
+    require(size.x(), wrap.width);
+    require(size.y(), wrap.height);
 }
 
 std::string nameOf(BodyType type) {

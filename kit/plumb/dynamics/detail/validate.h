@@ -27,6 +27,11 @@ void requireType(BodyType type, const std::string& field);
 void requireMass(const Mass& mass, const std::string& field, const std::string& why = {});
 /// A shape that a body can have.
 void requireShape(const ShapeDef& def, const std::string& field);
+/// No shape may be wider than a world that wraps, nor higher, as it lies.
+void requireFit(const WorldState& world, const Shape& shape, const Transform& pose, const std::string& field);
+void requireFit(const WorldState& world, const BodyDef& def);
+/// Nor may a question reach around the world more often than can be answered.
+void requireFewRounds(const WorldState& world, const Aabb& box, double most, const std::string& field);
 void validate(const WorldState& world, const JointDef& def);
 /// And unless it is of the kind, the bodies, the anchors and the axes of what it is to replace.
 void validateChange(const WorldState& world, const JointDef& from, const JointDef& to);

@@ -38,7 +38,10 @@ public:
         if (made_) return;
         constexpr double longest = 1e5;
         requireFinite(anchor, name_, std::string(".") + member);
-        if ((anchor - world_.bodies.motion[body.index].center).norm() <= longest) return;
+        if ((world_.bodies.near(anchor, world_.bodies.motion[body.index].center) -
+             world_.bodies.motion[body.index].center)
+                .norm() <= longest)
+            return;
         refuse(field(member), toText(anchor) + " is more than " + toText(longest) + " m from the body it is on");
     }
 

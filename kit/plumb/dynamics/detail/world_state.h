@@ -73,6 +73,16 @@ struct WorldState {
     const Proxy& proxyB(const ContactRecord& c) const { return space[c.proxyB]; }
 };
 
+/// Where a body is, seen so many rounds on.
+inline BodyMotion shifted(const BodyMotion& motion, const Vec2& shift) {
+    BodyMotion seen = motion;
+    seen.center += shift;
+    return seen;
+}
+inline Transform shifted(const Transform& pose, const Vec2& shift) {
+    return {pose.position + shift, pose.rotation};
+}
+
 /// Gives a body a new place and speed; one out of the range of sound numbers stays where it is, marked for quarantine.
 void moveTo(WorldState& world, BodyIndex body, const BodyMotion& motion);
 /// A contact's normal, and a point half way between the surfaces, in the world, where the bodies are now.

@@ -40,11 +40,12 @@ void prefetch([[maybe_unused]] const void* address) {
 }  // namespace
 
 void Space::seatMoved() {
-    for (const ProxyId id : moved_) {
+    for (std::size_t i = 0; i < moved_.size(); ++i) {  // images are added to them
+        const ProxyId id = moved_[i];
         Seat& seat = seats_[id];
         seat.listed = false;
         if (!seat.moved) continue;
-        ++work_.placed;
+        if (!wrap_.any() || rounds_[id].real == id) ++work_.placed;
         seat.lastPlaced = look_;
         const Home home = seat.fixed ? Home::Fixed : Home::Moving;
         Crowd& crowd = crowdOf(home);
@@ -55,12 +56,13 @@ void Space::seatMoved() {
             crowd.tree.forgetPrevious(seat.slot);
         }
         ++crowd.moved;
+        if (wrap_.any() && rounds_[id].real == id) seatImages(id);
     }
 }
 
 /// Floats are counted from near what moves, wherever that is in the world.
 void Space::follow() {
-    const Aabb& box = placed_[moved_[moved_.size() / 2]].box;
+    const Aabb box = seatBox(moved_[moved_.size() / 2]);
     const Vec2 center = 0.5 * box.lower + 0.5 * box.upper;
     const double away = center.lpNorm<Eigen::Infinity>();
     if (!(away < farthest) || (center - origin_).lpNorm<Eigen::Infinity>() < far) return;
@@ -75,8 +77,8 @@ void Space::fill(Crowd& crowd) {
     const std::span<const std::uint32_t> members = crowd.tree.members();
     for (std::uint32_t slot = 0; slot < members.size(); ++slot) {
         if (members[slot] == BlockTree::noMember) continue;
-        crowd.tree.put(slot, rounded(placed_[members[slot]].box));
-        crowd.tree.putPrevious(slot, rounded(previousBox(members[slot])));
+        crowd.tree.put(slot, rounded(seatBox(members[slot])));
+        if (!wrap_.any()) crowd.tree.putPrevious(slot, rounded(previousBox(members[slot])));
     }
     crowd.refit = true;
 }
@@ -87,7 +89,7 @@ void Space::sort(Crowd& crowd) {
     for (const ProxyId id : crowd.tree.members()) {
         if (id == BlockTree::noMember) continue;
         unsorted_.push_back(id);
-        sortBoxes_.push_back(placed_[id].box);
+        sortBoxes_.push_back(seatBox(id));
     }
     sorted_.clear();
     for (const std::uint32_t i : mortonSort_(sortBoxes_, BlockTree::width)) sorted_.push_back(unsorted_[i]);
@@ -107,7 +109,9 @@ void Space::putMoved(Crowd& crowd) {
         for (std::uint32_t slot = 0; slot < members.size(); ++slot) {
             const std::size_t ahead = slot + std::size_t{boxesAhead};
             if (ahead < members.size() && members[ahead] != BlockTree::noMember) prefetch(&placed_[members[ahead]]);
-            if (members[slot] != BlockTree::noMember) crowd.tree.put(slot, rounded(placed_[members[slot]].box));
+            if (members[slot] == BlockTree::noMember) continue;
+            crowd.tree.put(slot, rounded(seatBox(members[slot])));
+            if (wrap_.any()) crowd.tree.forgetPrevious(slot);
         }
         crowd.tree.touchAll();
         return;
@@ -115,7 +119,8 @@ void Space::putMoved(Crowd& crowd) {
     for (const ProxyId id : moved_) {
         const Seat& seat = seats_[id];
         if (!seat.moved || &crowdOf(seat.home) != &crowd) continue;
-        crowd.tree.put(seat.slot, rounded(placed_[id].box));
+        crowd.tree.put(seat.slot, rounded(seatBox(id)));
+        if (wrap_.any()) crowd.tree.forgetPrevious(seat.slot);  // its round may be another: the boxes themselves tell
         crowd.tree.touch(seat.slot);
     }
 }
@@ -155,6 +160,10 @@ struct Space::Finding {
         for (const SlotPair& pair : std::span(pairs, count)) {
             const ProxyId a = finding.from[pair.a];
             const ProxyId b = finding.in[pair.b];
+            if (space.wrap_.any()) {
+                space.takeShifted(a, b);
+                continue;
+            }
             if (!mayPair(space.gates_[a], space.gates_[b])) continue;
             if (!space.boxesOverlap(a, b) || space.previousBoxesOverlap(a, b)) continue;
             space.pairs_.push_back({std::min(a, b), std::max(a, b)});
@@ -187,6 +196,10 @@ void Space::findAll() {
 }
 
 void Space::sortPairs() {
+    if (wrap_.any()) {
+        sortShiftedPairs();
+        return;
+    }
     pairSort_(pairs_, [](const Pair& pair) { return std::uint64_t{pair.a} << 32 | pair.b; });
 }
 
@@ -211,7 +224,7 @@ void Space::letRest() {
     for (const ProxyId id : unsorted_) {
         leave(id);
         enter(id, Home::Resting);
-        resting.tree.put(seats_[id].slot, rounded(placed_[id].box));
+        resting.tree.put(seats_[id].slot, rounded(seatBox(id)));
         resting.tree.touch(seats_[id].slot);
     }
     resting.tree.refitTouched();
@@ -220,6 +233,7 @@ void Space::letRest() {
 
 const SortedPairs& Space::takeNewPairs() {
     pairs_.clear();
+    pairShifts_.clear();
     work_ = {};
     if (moved_.empty()) return pairs_;
     ++look_;

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/space/wrap.h>
+
+#include <cmath>
+
+namespace plumb {
+
+namespace {
+
+double placedIn(double x, const std::optional<double>& size) {
+    if (!size) return x;
+    const double place = x - std::floor(x / *size) * *size;
+    if (place < 0) return 0;
+    return place < *size ? place : 0;  // a hair below 0 is rounded to a whole round
+}
+
+double roundIn(double x, const std::optional<double>& size) {
+    return size ? std::floor(x / *size) : 0;
+}
+
+double shiftIn(double from, double to, const std::optional<double>& size) {
+    return size ? std::floor((to - from) / *size + 0.5) * *size : 0;
+}
+
+}  // namespace
+
+Vec2 Wrap::placed(const Vec2& point) const {
+    return {placedIn(point.x(), width), placedIn(point.y(), height)};
+}
+
+Vec2 Wrap::shiftNear(const Vec2& point, const Vec2& other) const {
+    return {shiftIn(point.x(), other.x(), width), shiftIn(point.y(), other.y(), height)};
+}
+
+Vec2 Wrap::roundOf(const Vec2& point) const {
+    return {roundIn(point.x(), width), roundIn(point.y(), height)};
+}
+
+Vec2 Wrap::lengthOf(const Vec2& rounds) const {
+    return {rounds.x() * width.value_or(0), rounds.y() * height.value_or(0)};
+}
+
+}  // namespace plumb
