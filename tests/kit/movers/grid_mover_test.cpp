@@ -180,6 +180,32 @@ TEST_CASE("cutting a corner at any speed, both axes go alike: 0.3 before the cen
         CHECK(std::fabs(mover.offset().y() - 0.1 * (tick + 1)) < 1e-14);
     }
     CHECK(mover.offset().x() == 0);
+    CHECK(mover.wanted() == std::nullopt);
+}
+
+TEST_CASE("within one tick a window 0.3 tiles before the centre is met where it opens: 0.7 straight, 0.1 aslant",
+          "[movers]") {
+    const TileMap map = crossOfLanes();
+    GridMover mover({.cell = {3, 4}, .cornering = {.right = {0.3, 0}}});
+    mover.want(Direction::Down);
+    mover.move(map, 0.8, 1);
+    CHECK((mover.offset() - Vec2(-0.2, -0.1)).norm() < 1e-15);
+}
+
+TEST_CASE("told to reverse on the very edge of a tile, it goes through that tile first", "[movers]") {
+    const TileMap map = lane(true, 8, false);
+    for (const Direction heading : {Direction::Left, Direction::Right}) {
+        GridMover mover({.cell = {4, 1}, .heading = heading, .reverses = false});
+        mover.move(map, heading == Direction::Left ? 0.5 : 0.5 + 0x1p-10, 1);  // the right edge is a tile's own
+        const Cell entered = neighbourOf({4, 1}, heading);
+        CHECK(mover.cell() == entered);
+        mover.reverseOnEntry();
+        mover.move(map, 0.5, 1);
+        CHECK(mover.heading() == heading);
+        mover.move(map, 1, 1);
+        CHECK(mover.heading() == opposite(heading));
+        CHECK(mover.cell() == entered);
+    }
 }
 
 TEST_CASE("unsound numbers are refused by name, and nothing has moved", "[movers]") {
