@@ -77,9 +77,11 @@ TEST_CASE("1,000 random splines, open and closed, are the pyramid of Barry and G
         std::vector<Vec2> points;
         const int count = random.integer(4, 9);
         const bool closed = run % 2 == 0, round = run % 4 < 2;
-        for (int i = 0; i < count; ++i)
-            points.push_back(round ? Vec2(random.uniform(3, 5) * (Rot::fromAngle(2 * pi * i / count) * Vec2(1, 0)))
-                                   : Vec2(random.uniform(-5, 5), random.uniform(-5, 5)));
+        for (int i = 0; i < count; ++i) {
+            const Vec2 anywhere{random.uniform(-5, 5), random.uniform(-5, 5)};
+            const Vec2 spoke(random.uniform(3, 5), 0);
+            points.push_back(round ? Vec2(Rot::fromAngle(2 * pi * i / count) * spoke) : anywhere);
+        }
         const MotionPath path = splineThrough(points, closed);
         REQUIRE(path.closed() == closed);
         Real start = 0, slack = 1e-10;
