@@ -2,6 +2,7 @@
 #include <plumb/movers/arcade_profile.h>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 #include <plumb/math/check.h>

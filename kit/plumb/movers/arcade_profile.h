@@ -2,7 +2,7 @@
 // At which speeds, and by which clock, did the maze game of 1980 run?
 #pragma once
 #include <array>
-#include <limits>
+#include <cstdint>
 
 #include <plumb/movers/grid_mover.h>
 
@@ -33,8 +33,8 @@ struct ArcadeHouse {
     double noDotTime;  ///< without a dot eaten until the next one leaves anyway [s]
 };
 
-/// One band of levels, or the constants of all. A game takes what it likes, and changes what it likes in its copy.
-/// Source of all numbers: Pittman, "The Pac-Man Dossier", version 1.0.27, whose tables these are.
+/// What is the same on all levels. A game takes what it likes, and changes what it likes in its copy. Source of all
+/// numbers here and below: Pittman, "The Pac-Man Dossier", its tables; of fright times, the notes to version 1.0.27.
 struct ArcadeProfile {
     double tickRate = 60.606061;  ///< [Hz]
     double fullSpeed = 1.25;      ///< 100 % [pixels a frame]

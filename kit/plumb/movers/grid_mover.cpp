@@ -172,8 +172,7 @@ double GridMover::goOn(const TileMap& map, double way) {
     if (halted_ && atCentre) return held(way);
     stopped_ = false;
     const double target = reach(map);
-    double step = std::min(way, target - past);
-    if (aside() != 0) step = std::min(step, std::fabs(aside()));
+    const double step = std::min(way, target - past);
     setAlong(step == target - past ? target : past + step);
     closeIn(step);
     if (past < 0 && along() == 0 && aside() == 0) tell(GridEventKind::ReachedCentre);
@@ -208,7 +207,7 @@ double GridMover::reach(const TileMap& map) const {
 
 /// The right and upper edges belong to the cell, the left and lower ones to its neighbours.
 void GridMover::crossIfDue(const TileMap& map, bool wayLeft) {
-    if (along() == half() && (wayLeft || !isForward(heading_)) && open(map, heading_)) cross(map);
+    if (along() == half() && (wayLeft || !isForward(heading_))) cross(map);
 }
 
 void GridMover::cross(const TileMap& map) {

@@ -56,7 +56,7 @@ private:
 /// cusp and does not cross itself. An open one leaves its ends towards their neighbours; a closed one returns to the
 /// first point. Two points or more, three if it is closed, neighbours apart. Source: Catmull, Rom, "A class of local
 /// interpolating splines", 1974; Yuksel, Schaefer, Keyser, "Parameterization and applications of Catmull-Rom curves",
-/// 2011. Tests: "a spline meets its points, smooth ...", "... through 4 points by the pyramid of Barry and Goldman"
+/// 2011. Test: "1,000 random splines, open and closed, are the pyramid of Barry and Goldman, ..."
 MotionPath splineThrough(std::span<const Vec2> points, bool closed = false);
 MotionPath splineThrough(std::initializer_list<Vec2> points, bool closed = false);
 

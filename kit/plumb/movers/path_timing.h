@@ -27,7 +27,7 @@ struct Progress {
 //   None          T = L / v
 //   Acceleration  T = L / v + v / a, or 2 sqrt(L / a) where L < v^2 / a and v is not reached
 //   SmoothStep    T = 3 L / (2 v): v is met halfway; the acceleration is highest at both ends, 8 v^2 / (3 L)
-// Test: "runs take their closed forms' time, and are as long backward"
+// Tests: "runs take their closed forms' time: ...", "10,000 runs: distance is the speed's integral, ..."
 
 double timeOf(double length, const PathTiming& timing);  ///< T [s]
 /// At a time since its start, cut to 0 to T [s].

@@ -6,41 +6,22 @@
 #include <cmath>
 #include <iostream>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 #include <plumb/math/random.h>
-#include <plumb/math/rot.h>
 
 #include "cases.h"
 #include "catch.h"
+#include "kit/movers/long_points.h"
 
 namespace {
 
 using namespace plumb;
 using namespace plumb::test;
-using Real = long double;
-
-constexpr double pi = std::numbers::pi;
-
-struct Point {
-    Real x = 0, y = 0;
-    friend Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
-    friend Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
-    friend Point operator*(Real s, Point a) { return {s * a.x, s * a.y}; }
-};
-Real distance(Point a, Point b) {
-    return std::hypot(a.x - b.x, a.y - b.y);
-}
-Point real(const Vec2& v) {
-    return {v.x(), v.y()};
-}
-
-using Curve = std::array<Vec2, 4>;
 
 /// By de Casteljau's corners cut, in long double.
-Point onCurve(const Curve& curve, Real u) {
-    std::array<Point, 4> points;
+LongPoint onCurve(const Curve& curve, Real u) {
+    std::array<LongPoint, 4> points;
     for (std::size_t i = 0; i < 4; ++i) points[i] = real(curve[i]);
     for (std::size_t left = 3; left > 0; --left)
         for (std::size_t i = 0; i < left; ++i) points[i] = (1 - u) * points[i] + u * points[i + 1];
@@ -54,9 +35,9 @@ double sizeOf(const Curve& c) {
 /// Lengths from the start to each corner of a polyline on the curve.
 std::vector<Real> polylineOn(const Curve& curve, int edges) {
     std::vector<Real> lengths{0};
-    Point last = onCurve(curve, 0);
+    LongPoint last = onCurve(curve, 0);
     for (int i = 1; i <= edges; ++i) {
-        const Point next = onCurve(curve, static_cast<Real>(i) / edges);
+        const LongPoint next = onCurve(curve, static_cast<Real>(i) / edges);
         lengths.push_back(lengths.back() + distance(last, next));
         last = next;
     }
@@ -186,111 +167,6 @@ TEST_CASE("a parabola's length is its closed form: y = x^2 from 0 to 1, sqrt(5) 
     const double closed = std::sqrt(5.0) / 2 + std::asinh(2.0) / 4;
     CHECK(std::fabs(path.length() - closed) < 1e-11 * 2);
     std::cout << "parabola's length: off by " << std::fabs(path.length() - closed) << " of " << closed << '\n';
-}
-
-TEST_CASE("a step along 200 random splines goes as far as it says, to a tangent's error, and never faster",
-          "[movers]") {
-    Random random(6);
-    double worst = 0;
-    for (int run = 0; run < cases(2000); ++run) {
-        std::vector<Vec2> points;
-        for (int i = random.integer(3, 12); i > 0; --i)
-            points.push_back({random.uniform(-50, 50), random.uniform(-50, 50)});
-        const MotionPath path = splineThrough(points, run % 2 == 0);
-        const double step = 1e-4 * path.length();
-        for (int i = 0; i < 20; ++i) {
-            const double s = random.uniform(0, path.length() - step);
-            const PathPlace a = path.at(s), b = path.at(s + step);
-            const double went = (b.position - a.position).norm();
-            // The chord of an arc is never longer; twice the error of a place, 1e-11 of a curve's size, at most 500 m.
-            REQUIRE(went <= step + 2e-11 * 500);
-            REQUIRE(std::fabs(a.tangent.norm() - 1) < 1e-15);
-            // Shorter by (turn)^2 / 24, turn the angle of the two tangents, for a bend that is even; 1/8 if it is not.
-            const double turn = (b.tangent - a.tangent).norm();
-            REQUIRE(went >= step * (1 - turn * turn / 8) - 2e-11 * 500);
-            worst = std::max(worst, went / step - 1);
-        }
-    }
-    std::cout << "steps along splines: longer than told by at most " << worst << " of themselves\n";
-}
-
-namespace {
-
-/// The curve between the second and the third of four points, by the pyramid of Barry and Goldman ("A recursive
-/// evaluation algorithm for a class of Catmull-Rom splines", 1988), at a part of its time, in long double.
-Point pyramid(const Curve& points, Real part) {
-    std::array<Real, 4> t{};
-    std::array<Point, 4> p;
-    for (std::size_t i = 0; i < 4; ++i) p[i] = real(points[i]);
-    for (std::size_t i = 1; i < 4; ++i) t[i] = t[i - 1] + std::sqrt(distance(p[i - 1], p[i]));
-    const Real time = t[1] + part * (t[2] - t[1]);
-    const auto mix = [&](Point a, Point b, std::size_t from, std::size_t to) {
-        return (t[to] - time) / (t[to] - t[from]) * a + (time - t[from]) / (t[to] - t[from]) * b;
-    };
-    const Point a = mix(p[0], p[1], 0, 1), b = mix(p[1], p[2], 1, 2), c = mix(p[2], p[3], 2, 3);
-    return mix(mix(a, b, 0, 2), mix(b, c, 1, 3), 1, 2);
-}
-
-/// Point i of a ring, or of a line that its ends' neighbours are mirrored at.
-Vec2 pointOf(const std::vector<Vec2>& points, int i, bool closed) {
-    const int count = static_cast<int>(points.size());
-    const auto at = [&](int k) { return points[static_cast<std::size_t>(k)]; };
-    if (closed) return at((i + count) % count);
-    return i < 0 ? Vec2(2 * at(0) - at(1)) : i >= count ? Vec2(2 * at(count - 1) - at(count - 2)) : at(i);
-}
-
-}  // namespace
-
-TEST_CASE("1,000 random splines, open and closed, are the pyramid of Barry and Goldman, and smooth at their points",
-          "[movers]") {
-    Random random(7);
-    double worst = 0, worstBend = 0;
-    for (int run = 0; run < cases(1000); ++run) {
-        std::vector<Vec2> points;
-        const int count = random.integer(4, 9);
-        const bool closed = run % 2 == 0, round = run % 4 < 2;
-        for (int i = 0; i < count; ++i)
-            points.push_back(round ? Vec2(random.uniform(3, 5) * (Rot::fromAngle(2 * pi * i / count) * Vec2(1, 0)))
-                                   : Vec2(random.uniform(-5, 5), random.uniform(-5, 5)));
-        const MotionPath path = splineThrough(points, closed);
-        REQUIRE(path.closed() == closed);
-        Real start = 0, slack = 1e-10;
-        const int curves = closed ? count : count - 1, edges = 500;
-        for (int i = 0; i < curves; ++i) {
-            const Curve four{pointOf(points, i - 1, closed), pointOf(points, i, closed), pointOf(points, i + 1, closed),
-                             pointOf(points, closed ? (i + 2) % count : i + 2, closed)};
-            std::vector<Real> fine{0}, coarse{0};
-            for (int k = 1; k <= 2 * edges; ++k)
-                fine.push_back(fine.back() +
-                               distance(pyramid(four, (k - 1) / (2.0L * edges)), pyramid(four, k / (2.0L * edges))));
-            for (int k = 1; k <= edges; ++k)
-                coarse.push_back(coarse.back() + distance(pyramid(four, static_cast<Real>(k - 1) / edges),
-                                                          pyramid(four, static_cast<Real>(k) / edges)));
-            const auto lengthTo = [&](std::size_t k) { return fine[2 * k] + (fine[2 * k] - coarse[k]) / 3; };
-            // What polylines leave: all of their gap, to be safe where a curve is sharp.
-            slack += fine.back() - coarse.back();
-            for (const std::size_t k : {std::size_t{0}, std::size_t{123}, std::size_t{250}, std::size_t{499}}) {
-                const PathPlace place = path.at(static_cast<double>(start + lengthTo(k)));
-                const Real off = distance(real(place.position), pyramid(four, static_cast<Real>(k) / edges));
-                CAPTURE(run, i, k);
-                REQUIRE(off <= slack);
-                worst = std::max(worst, static_cast<double>(off));
-            }
-            start += lengthTo(static_cast<std::size_t>(edges));
-            if (!round || (i + 1 == curves && !closed)) continue;
-            const double along = std::fmod(static_cast<double>(start), path.length());
-            // Past the slack on both sides, so that a kink would be between.
-            const double beside = 2 * static_cast<double>(slack);
-            const double before = along - beside < 0 ? along - beside + path.length() : along - beside;
-            const double kink = (path.at(along + beside).tangent - path.at(before).tangent).norm();
-            worstBend = std::max(worstBend, kink / (2 * beside));
-            // Points 3 to 5 m from the middle leave no bend as sharp as 2 cm; a kink would be of any size.
-            REQUIRE(kink < 50 * 2 * beside);
-        }
-        REQUIRE(std::fabs(path.length() - static_cast<double>(start)) <= static_cast<double>(slack));
-    }
-    std::cout << "splines against the pyramid: at most " << worst << " m off; sharpest bend at a point " << worstBend
-              << " 1/m\n";
 }
 
 TEST_CASE("unsound paths are refused by name, and stay as they were", "[movers]") {
