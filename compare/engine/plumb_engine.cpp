@@ -7,6 +7,7 @@
 
 #include <compare/engine/joint_geometry.h>
 #include <compare/engine/plumb_world.h>
+#include <compare/mover/plumb_movers.h>
 
 namespace plumb::compare {
 namespace {
@@ -15,7 +16,7 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 class PlumbSimulation : public Simulation {
 public:
-    explicit PlumbSimulation(const Scene& scene) : made_(plumbWorld(scene)) {
+    explicit PlumbSimulation(const Scene& scene) : made_(plumbWorld(scene)), movers_(scene, made_) {
         for (const Probe& probe : scene.probes) {
             if (const auto* count = std::get_if<SensorCountProbe>(&probe.quantity))
                 gates_.push_back({made_.bodies[bodyIndex(scene, count->body)], values_.size()});
@@ -28,6 +29,7 @@ public:
     }
 
     void step(double dt) override {
+        movers_.step(made_.world, dt);
         made_.world.step(dt);
         stepped_ = true;
         for (Gate& gate : gates_)
@@ -103,6 +105,7 @@ private:
     }
 
     PlumbWorld made_;
+    PlumbMovers movers_;
     std::vector<std::function<double()>> values_;
     std::vector<Gate> gates_;
     bool stepped_ = false;

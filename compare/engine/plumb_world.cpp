@@ -36,6 +36,7 @@ Capacity capacityFor(const Scene& scene) {
 PlumbWorld plumbWorld(const Scene& scene, WorldDef def) {
     def.gravity = scene.gravity;
     def.sleeping = scene.sleeping;
+    def.wrap = scene.wrap;
     PlumbWorld made{World(def), {}, {}};
     made.world.reserve(capacityFor(scene));
     for (const SceneBody& body : scene.bodies) made.bodies.push_back(made.world.add(body.def));

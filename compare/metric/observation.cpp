@@ -58,6 +58,8 @@ private:
             return stateOf(position->body).position.dot(position->direction);
         if (const auto* velocity = std::get_if<VelocityProbe>(&probe.quantity))
             return stateOf(velocity->body).velocity.dot(velocity->direction);
+        if (const auto* apart = std::get_if<ApartProbe>(&probe.quantity))
+            return (stateOf(apart->bodyB).position - stateOf(apart->bodyA).position).dot(apart->direction);
         if (const auto* limit = std::get_if<LimitProbe>(&probe.quantity)) {
             const std::size_t joint = jointIndex(scene_, limit->joint);
             return holds(broken, joint) ? joints_.beyondLimit(joint, states) : 0;

@@ -22,6 +22,22 @@ inline constexpr std::array<const char*, 3> bodyTypeTags{"static", "kinematic", 
 inline constexpr std::array<const char*, 5> mixTags{"average", "geometricMean", "minimum", "product", "maximum"};
 inline constexpr std::array<const char*, 3> sideTags{"both", "left", "right"};
 inline constexpr std::array<const char*, 3> watchTags{"every", "largest", "last"};
+inline constexpr std::array<const char*, 4> directionTags{"up", "left", "down", "right"};
+inline constexpr std::array<const char*, 3> easingTags{"none", "acceleration", "smoothStep"};
+inline constexpr std::array<const char*, 3> repeatTags{"once", "loop", "backAndForth"};
+inline constexpr std::array<const char*, 2> styleTags{"modern", "1985"};
+constexpr std::span<const char* const> tagsOf(Direction) {
+    return directionTags;
+}
+constexpr std::span<const char* const> tagsOf(Easing) {
+    return easingTags;
+}
+constexpr std::span<const char* const> tagsOf(PathRepeat) {
+    return repeatTags;
+}
+constexpr std::span<const char* const> tagsOf(PlatformStyle) {
+    return styleTags;
+}
 constexpr std::span<const char* const> tagsOf(BodyType) {
     return bodyTypeTags;
 }
@@ -42,10 +58,12 @@ inline constexpr std::initializer_list<const char*> jointTags{"revolute", "prism
                                                               "pulley",   "gear",      "motor",    "target", "filter"};
 inline constexpr std::initializer_list<const char*> motionTags{"piecewise",  "damped",   "pendulum",
                                                                "oscillator", "dragFall", "kepler"};
+inline constexpr std::initializer_list<const char*> moverTags{"path", "slide", "grid", "platform"};
 inline constexpr std::initializer_list<const char*> lawTags{
     "uniformGravity", "mutualGravity", "drag", "attractor", "magnet", "pool", "groundFriction"};
-inline constexpr std::initializer_list<const char*> probeTags{
-    "angle", "normalForce", "jointForce", "position", "velocity", "limit", "jointBroken", "sensorCount", "snags"};
+inline constexpr std::initializer_list<const char*> probeTags{"angle",    "normalForce", "jointForce",  "position",
+                                                              "velocity", "limit",       "jointBroken", "sensorCount",
+                                                              "snags",    "apart"};
 
 // Of a number without bound, for which JSON has no sign.
 inline constexpr const char* infiniteTag = "infinite";
@@ -301,6 +319,49 @@ void fields(auto& visit, Is<SceneField> auto& x) {
     visit("region", x.def.region);
     visit("filter", x.def.filter);
 }
+void fields(auto& visit, Is<Wrap> auto& x) {
+    visit("width", x.width);
+    visit("height", x.height);
+}
+void fields(auto& visit, Is<Cell> auto& x) {
+    visit("column", x.column);
+    visit("row", x.row);
+}
+void fields(auto& visit, Is<PathMotion> auto& x) {
+    visit("points", x.points);
+    visit("spline", x.spline);
+    visit("closed", x.closed);
+    visit("speed", x.speed);
+    visit("acceleration", x.acceleration);
+    visit("easing", x.easing);
+    visit("repeat", x.repeat);
+}
+void fields(auto& visit, Is<SlidingMotion> auto& x) {
+    visit("velocity", x.velocity);
+    visit("pushStrength", x.pushStrength);
+}
+void fields(auto& visit, Is<GridMotion> auto& x) {
+    visit("map", x.map);
+    visit("cell", x.cell);
+    visit("heading", x.heading);
+    visit("speed", x.speed);
+    visit("turns", x.turns);
+}
+void fields(auto& visit, Is<PlatformCue> auto& x) {
+    visit("time", x.time);
+    visit("move", x.move);
+    visit("run", x.run);
+    visit("jump", x.jump);
+}
+void fields(auto& visit, Is<PlatformMotion> auto& x) {
+    visit("profile", x.profile);
+    visit("cues", x.cues);
+}
+void fields(auto& visit, Is<SceneMover> auto& x) {
+    visit("name", x.name);
+    visit("body", x.body);
+    visit.oneOf(x.motion, moverTags);
+}
 void fields(auto& visit, Is<Flight> auto& x) {
     visit("start", x.start);
     visit("position", x.position);
@@ -401,6 +462,11 @@ void fields(auto& visit, Is<SnagsProbe> auto& x) {
     visit("direction", x.direction);
     visit("drop", x.drop);
 }
+void fields(auto& visit, Is<ApartProbe> auto& x) {
+    visit("bodyA", x.bodyA);
+    visit("bodyB", x.bodyB);
+    visit("direction", x.direction);
+}
 void fields(auto& visit, Is<Probe> auto& x) {
     visit("name", x.name);
     visit.oneOf(x.quantity, probeTags);
@@ -443,6 +509,8 @@ void fields(auto& visit, Is<Scene> auto& x) {
     visit("bodies", x.bodies);
     visit("joints", x.joints);
     visit("fields", x.fields);
+    visit("movers", x.movers);
+    visit("wrap", x.wrap);
     visit("closedForm", x.closedForm);
     visit("probes", x.probes);
     visit("checks", x.checks);

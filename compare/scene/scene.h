@@ -8,9 +8,11 @@
 
 #include <compare/scene/check.h>
 #include <compare/scene/closed_form.h>
+#include <compare/scene/mover.h>
 #include <plumb/dynamics/body_def.h>
 #include <plumb/dynamics/field.h>
 #include <plumb/dynamics/joint_def.h>
+#include <plumb/space/wrap.h>
 
 namespace plumb::compare {
 
@@ -75,6 +77,12 @@ struct SnagsProbe {
     double drop = 0.01;    ///< > 0 [m/s]
 };
 
+/// By how much the origin of one body is beyond another's along a direction [m].
+struct ApartProbe {
+    std::string bodyA{}, bodyB{};  ///< from A to B
+    Vec2 direction{1, 0};          ///< a unit vector [-]
+};
+
 /// Which of its values between from and until are held against what is expected?
 enum class Watch {
     Every,    ///< each of them
@@ -83,7 +91,7 @@ enum class Watch {
 };
 
 using Quantity = std::variant<AngleProbe, NormalForceProbe, JointForceProbe, PositionProbe, VelocityProbe, LimitProbe,
-                              JointBrokenProbe, SensorCountProbe, SnagsProbe>;
+                              JointBrokenProbe, SensorCountProbe, SnagsProbe, ApartProbe>;
 
 /// A quantity watched beside the positions; its metric is probe.<name>, the largest distance from expected.
 struct Probe {
@@ -103,9 +111,11 @@ struct Scene {
     double duration = 2;     ///< [s]
     double dt = 1.0 / 60;    ///< [s]
     bool sleeping = true;    ///< may engines leave out what rests?
+    Wrap wrap{};             ///< does it go on at its other side?
     std::vector<SceneBody> bodies{};
     std::vector<SceneJoint> joints{};
     std::vector<SceneField> fields{};
+    std::vector<SceneMover> movers{};
     std::optional<ClosedForm> closedForm{};
     std::vector<Probe> probes{};
     std::vector<Check> checks{};

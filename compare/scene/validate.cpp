@@ -10,6 +10,7 @@
 #include <compare/scene/named.h>
 #include <compare/scene/scene.h>
 #include <compare/scene/validate_joint.h>
+#include <compare/scene/validate_mover.h>
 #include <plumb/dynamics/world.h>
 #include <plumb/math/check.h>
 
@@ -41,6 +42,8 @@ void validateSceneName(const std::string& name) {
 
 void validateTime(const Scene& scene) {
     requireFinite(scene.gravity, "gravity");
+    if (scene.wrap.width) requirePositive(*scene.wrap.width, "wrap.width");
+    if (scene.wrap.height) requirePositive(*scene.wrap.height, "wrap.height");
     requirePositive(scene.duration, "duration");
     requirePositive(scene.dt, "dt");
     const double steps = scene.duration / scene.dt;
@@ -179,16 +182,16 @@ void validateProbe(const Probe& probe, const Scene& scene, const std::string& fi
     const auto check = [&](const auto& quantity) {
         if constexpr (requires { quantity.body; }) requireKnown(quantity.body, bodies, path + ".body", "a body");
         if constexpr (requires { quantity.direction; }) requireUnit(quantity.direction, path + ".direction");
+        if constexpr (requires { quantity.bodyA; }) {
+            requireKnown(quantity.bodyA, bodies, path + ".bodyA", "a body");
+            requireKnown(quantity.bodyB, bodies, path + ".bodyB", "a body");
+            if (quantity.bodyA == quantity.bodyB)
+                refuse(path + ".bodyB", quoted(quantity.bodyB) + " is bodyA too, wanted another body");
+        }
         if constexpr (requires { quantity.joint; })
             requireKnown(quantity.joint, namesOf(scene.joints), path + ".joint", "a joint");
     };
     std::visit(check, probe.quantity);
-    if (const auto* force = std::get_if<NormalForceProbe>(&probe.quantity)) {
-        requireKnown(force->bodyA, bodies, path + ".bodyA", "a body");
-        requireKnown(force->bodyB, bodies, path + ".bodyB", "a body");
-        if (force->bodyA == force->bodyB)
-            refuse(path + ".bodyB", quoted(force->bodyB) + " is bodyA too, wanted another body");
-    }
     if (const auto* snags = std::get_if<SnagsProbe>(&probe.quantity)) requirePositive(snags->drop, path, ".drop");
     requireFinite(probe.expected, field, ".expected");
     requireNotNegative(probe.from, field, ".from");
@@ -242,11 +245,13 @@ void validate(const Scene& scene) {
     validateNames(scene.bodies, "bodies");
     validateNames(scene.joints, "joints");
     validateNames(scene.fields, "fields");
+    validateNames(scene.movers, "movers");
     validateNames(scene.probes, "probes");
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) validateBody(scene.bodies[i], at("bodies", i));
     const NameIndex index(scene.bodies);
     for (std::size_t i = 0; i < scene.joints.size(); ++i) validateJoint(scene, i, index);
     for (std::size_t i = 0; i < scene.fields.size(); ++i) validateField(scene, i);
+    for (std::size_t i = 0; i < scene.movers.size(); ++i) validateMover(scene, i);
     for (std::size_t i = 0; i < scene.probes.size(); ++i) validateProbe(scene.probes[i], scene, at("probes", i));
     if (scene.closedForm) validateClosedForm(*scene.closedForm, namesOf(scene.bodies));
     for (std::size_t i = 0; i < scene.checks.size(); ++i) validateCheck(scene.checks[i], scene, at("checks", i));

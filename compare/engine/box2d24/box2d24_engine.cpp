@@ -13,6 +13,7 @@
 #include <compare/engine/joint_geometry.h>
 #include <compare/engine/single.h>
 #include <compare/field/scene_fields.h>
+#include <compare/mover/scene_movers.h>
 
 namespace plumb::compare {
 namespace {
@@ -71,10 +72,15 @@ private:
 class Box2d24Simulation : public Simulation {
 public:
     explicit Box2d24Simulation(const Scene& scene)
-        : world_(toBox2d24(scene.gravity)), fields_(scene), probes_(scene.probes.size()) {
+        : world_(toBox2d24(scene.gravity)),
+          fields_(scene),
+          movers_(scene),
+          wrap_(scene.wrap),
+          probes_(scene.probes.size()) {
         const float threshold = restitutionThreshold24(scene);
         world_.SetAllowSleeping(scene.sleeping);
-        for (const SceneBody& body : scene.bodies) bodies_.push_back(addBody24(world_, body, threshold, surfaces_));
+        for (const SceneBody& body : scene.bodies)
+            bodies_.push_back(addBody24(world_, asMoved(scene, body), threshold, surfaces_));
         join(scene);
         for (std::size_t i = 0; i < scene.probes.size(); ++i) watch(scene, scene.probes[i], probes_[i]);
         // Told of every contact in every step, a listener costs time: only where there is something to listen to.
@@ -84,8 +90,10 @@ public:
 
     void step(double dt) override {
         if (!fields_.empty()) applyFields(dt);
+        if (!movers_.empty()) move(dt);
         world_.Step(static_cast<float>(dt), velocityIterations, positionIterations);
         listener_.finishStep(dt);
+        if (wrap_.any()) bringBack();
         lastDt_ = dt;
         breakJoints();
     }
@@ -131,6 +139,24 @@ private:
         std::optional<std::size_t> joint;
         std::optional<std::size_t> gate;  // index of a body whose sensors count
     };
+
+    /// Box2D has no movers: its user sets velocities before each step.
+    void move(double dt) {
+        for (const MoverCommand& command : movers_.commands(states(), dt)) {
+            b2Body& body = *bodies_[command.body];
+            body.SetLinearVelocity(toBox2d24(command.velocity));
+            if (command.gravityScale) body.SetGravityScale(toSingle(*command.gravityScale));
+        }
+    }
+
+    /// Nor does its world wrap: its user puts what has left it in at the other side.
+    void bringBack() {
+        for (b2Body* body : bodies_) {
+            if (body->GetType() == b2_staticBody) continue;
+            const Vec2 now = stateOf24(*body).position, inside = wrap_.place(now);
+            if (inside != now) body->SetTransform(toBox2d24(inside), body->GetAngle());
+        }
+    }
 
     /// Box2D has no fields: its user applies forces before each step.
     void applyFields(double dt) {
@@ -199,6 +225,8 @@ private:
     Surfaces24 surfaces_;
     b2World world_;
     SceneFields fields_;
+    SceneMovers movers_;
+    Wrap wrap_;
     std::vector<b2Body*> bodies_;
     std::vector<b2Joint*> joints_;  // null where one has broken
     std::vector<std::pair<std::size_t, Breaking>> breakable_;

@@ -16,6 +16,7 @@
 #include <compare/engine/mixed.h>
 #include <compare/engine/single.h>
 #include <compare/field/scene_fields.h>
+#include <compare/mover/scene_movers.h>
 
 namespace plumb::compare {
 namespace {
@@ -73,10 +74,10 @@ private:
 class Box2d3Simulation : public Simulation {
 public:
     explicit Box2d3Simulation(const Scene& scene)
-        : world_(worldDef(scene)), fields_(scene), probes_(scene.probes.size()) {
+        : world_(worldDef(scene)), fields_(scene), movers_(scene), wrap_(scene.wrap), probes_(scene.probes.size()) {
         senses_ = hasSensors(scene);
         for (const SceneBody& body : scene.bodies) {
-            bodies_.push_back(addBody3(world_.id(), body, senses_));
+            bodies_.push_back(addBody3(world_.id(), asMoved(scene, body), senses_));
             angles_.push_back(body.def.angle);
         }
         join(scene);
@@ -85,7 +86,9 @@ public:
 
     void step(double dt) override {
         if (!fields_.empty()) applyFields(dt);
+        if (!movers_.empty()) move(dt);
         b2World_Step(world_.id(), static_cast<float>(dt), subSteps);
+        if (wrap_.any()) bringBack();
         lastDt_ = dt;
         if (breaks_) breakJoints();
         if (senses_) countVisits();
@@ -145,6 +148,23 @@ private:
         std::optional<b2BodyId> gate;  // whose sensors count
         int visits = 0;
     };
+
+    /// Box2D has no movers: its user sets velocities before each step.
+    void move(double dt) {
+        for (const MoverCommand& command : movers_.commands(states(), dt)) {
+            b2Body_SetLinearVelocity(bodies_[command.body], toBox2d3(command.velocity));
+            if (command.gravityScale) b2Body_SetGravityScale(bodies_[command.body], toSingle(*command.gravityScale));
+        }
+    }
+
+    /// Nor does its world wrap: its user puts what has left it in at the other side.
+    void bringBack() {
+        for (const b2BodyId& body : bodies_) {
+            if (b2Body_GetType(body) == b2_staticBody) continue;
+            const Vec2 now = stateOf3(body).position, inside = wrap_.place(now);
+            if (inside != now) b2Body_SetTransform(body, toBox2d3(inside), b2Body_GetRotation(body));
+        }
+    }
 
     /// Box2D has no fields: its user applies forces before each step.
     void applyFields(double dt) {
@@ -223,6 +243,8 @@ private:
 
     World3 world_;
     SceneFields fields_;
+    SceneMovers movers_;
+    Wrap wrap_;
     std::vector<b2BodyId> bodies_;
     mutable std::vector<double> angles_;  // when last asked for, counted on [rad]
     std::vector<b2JointId> joints_;       // null where one has broken

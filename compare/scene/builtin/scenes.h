@@ -134,6 +134,17 @@ Scene smallTumbler();
 Scene tileFloor();
 Scene tileWall();
 
+// movers.cpp
+Scene moverWall();
+Scene platformRide();
+Scene mazeLap();
+Scene jump1985();
+Scene jumpModern();
+
+// wrap.cpp
+Scene wrapHeadOn();
+Scene wrapBilliard();
+
 // gas.cpp
 Scene elasticGas();
 

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include <compare/mover/parts.h>
+
+#include <algorithm>
+
+#include <compare/engine/joint_geometry.h>
+
+namespace plumb::compare {
+namespace {
+
+/// A cue at a tick's time holds in that tick, whatever the roundings [s].
+constexpr double slack = 1e-9;
+
+MotionPath straightThrough(const PathMotion& motion) {
+    MotionPath path(motion.points.front());
+    for (std::size_t i = 1; i < motion.points.size(); ++i) path.lineTo(motion.points[i]);
+    if (motion.closed) path.close();
+    return path;
+}
+
+}  // namespace
+
+PathMover pathMoverOf(const PathMotion& motion) {
+    return PathMover({.path = motion.spline ? splineThrough(motion.points, motion.closed) : straightThrough(motion),
+                      .timing = {motion.speed, motion.easing, motion.acceleration},
+                      .repeat = motion.repeat});
+}
+
+GridMover gridMoverOf(const GridMotion& motion) {
+    return GridMover({.cell = motion.cell, .heading = motion.heading});
+}
+
+PlatformProfile profileOf(const PlatformMotion& motion) {
+    return motion.profile == PlatformStyle::Of1985 ? profile1985() : modernProfile();
+}
+
+PlacedMap mapOf(const Scene& scene, const GridMotion& motion) {
+    const BodyDef& body = scene.bodies[bodyIndex(scene, motion.map)].def;
+    return {std::get<TileMap>(body.shapes.front().shape), startPose(body)};
+}
+
+PlatformCue cueAt(const PlatformMotion& motion, double time) {
+    PlatformCue held;
+    for (const PlatformCue& cue : motion.cues)
+        if (cue.time <= time + slack) held = cue;
+    return held;
+}
+
+void TurnList::ask(GridMover& mover) {
+    if (turns_.empty()) return;
+    if (mover.heading() == turns_[next_]) next_ = (next_ + 1) % turns_.size();
+    mover.want(turns_[next_]);
+}
+
+}  // namespace plumb::compare

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// What do the kit's movers and what stands in for them make of a scene's movers alike?
+#pragma once
+#include <compare/scene/scene.h>
+#include <plumb/movers/grid_mover.h>
+#include <plumb/movers/path_mover.h>
+#include <plumb/movers/platform_profile.h>
+
+namespace plumb::compare {
+
+PathMover pathMoverOf(const PathMotion& motion);
+GridMover gridMoverOf(const GridMotion& motion);
+PlatformProfile profileOf(const PlatformMotion& motion);
+
+/// The map of a grid motion, and where its frame is.
+struct PlacedMap {
+    TileMap map;
+    Transform pose;
+};
+PlacedMap mapOf(const Scene& scene, const GridMotion& motion);
+
+/// What is held at a time; nothing before the first cue [s].
+PlatformCue cueAt(const PlatformMotion& motion, double time);
+
+/// Wants one turn after the other of a grid mover, round and round.
+class TurnList {
+public:
+    explicit TurnList(const GridMotion& motion) : turns_(motion.turns) {}
+    void ask(GridMover& mover);
+
+private:
+    std::vector<Direction> turns_;
+    std::size_t next_ = 0;
+};
+
+}  // namespace plumb::compare

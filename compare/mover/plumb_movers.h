@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// How do the kit's movers move a scene's bodies in a world of Plumb?
+#pragma once
+#include <variant>
+#include <vector>
+
+#include <compare/engine/plumb_world.h>
+#include <compare/mover/parts.h>
+#include <plumb/movers/platform_mover.h>
+
+namespace plumb::compare {
+
+class PlumbMovers {
+public:
+    PlumbMovers(const Scene& scene, const PlumbWorld& made);
+
+    /// Before each step of the world.
+    void step(World& world, double dt);
+
+private:
+    struct OnPath {
+        PathMover mover;
+        BodyId body;
+        double angle;
+    };
+    struct Sliding {
+        SlidingMotion motion;
+        BodyId body;
+        Slide last{};
+    };
+    struct OnGrid {
+        GridMotion motion;
+        GridMover mover;
+        TurnList turns;
+        PlacedMap map;
+        BodyId body;
+    };
+    struct OnPlatforms {
+        PlatformMotion motion;
+        PlatformMover mover;
+    };
+
+    void step(World& world, OnPath& mover, double dt) const;
+    void step(World& world, Sliding& mover, double dt) const;
+    void step(World& world, OnGrid& mover, double dt) const;
+    void step(World& world, OnPlatforms& mover, double dt) const;
+
+    std::vector<std::variant<OnPath, Sliding, OnGrid, OnPlatforms>> movers_;
+    int tick_ = 0;
+};
+
+}  // namespace plumb::compare

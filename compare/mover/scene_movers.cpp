@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include <compare/mover/scene_movers.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <compare/engine/joint_geometry.h>
+
+namespace plumb::compare {
+namespace {
+
+Vec2 velocityTo(const Vec2& target, const BodyState& now, double dt) {
+    return (target - now.position) / dt;
+}
+
+/// The one for a speed along the floor.
+JumpBand bandAt(const std::vector<JumpBand>& bands, double speed) {
+    JumpBand found = bands.front();
+    for (const JumpBand& band : bands)
+        if (band.fromSpeed <= speed) found = band;
+    return found;
+}
+
+double towards(double value, double target, double most) {
+    return std::clamp(target, value - most, value + most);
+}
+
+}  // namespace
+
+SceneMovers::SceneMovers(const Scene& scene) : gravity_(-scene.gravity.y()) {
+    for (const SceneMover& mover : scene.movers) {
+        const std::size_t body = bodyIndex(scene, mover.body);
+        if (const auto* path = std::get_if<PathMotion>(&mover.motion))
+            movers_.push_back({body, OnPath{pathMoverOf(*path)}});
+        if (const auto* sliding = std::get_if<SlidingMotion>(&mover.motion))
+            movers_.push_back({body, Straight{sliding->velocity}});
+        if (const auto* grid = std::get_if<GridMotion>(&mover.motion))
+            movers_.push_back({body, OnGrid{*grid, gridMoverOf(*grid), TurnList(*grid), mapOf(scene, *grid)}});
+        if (const auto* platform = std::get_if<PlatformMotion>(&mover.motion))
+            movers_.push_back({body, OnPlatforms{*platform, profileOf(*platform), {}}});
+    }
+}
+
+std::vector<MoverCommand> SceneMovers::commands(std::span<const BodyState> states, double dt) {
+    std::vector<MoverCommand> result;
+    for (Mover& mover : movers_) {
+        result.push_back(std::visit([&](auto& m) { return command(m, states[mover.body], dt); }, mover.kind));
+        result.back().body = mover.body;
+    }
+    ++tick_;
+    return result;
+}
+
+MoverCommand SceneMovers::command(OnPath& mover, const BodyState& now, double dt) const {
+    return {.velocity = velocityTo(mover.mover.atTick(tick_ + 1, dt).position, now, dt)};
+}
+
+MoverCommand SceneMovers::command(Straight& mover, const BodyState&, double) const {
+    return {.velocity = mover.velocity};
+}
+
+MoverCommand SceneMovers::command(OnGrid& mover, const BodyState& now, double dt) const {
+    mover.turns.ask(mover.mover);
+    mover.mover.move(mover.map.map, mover.motion.speed, dt);
+    return {.velocity = velocityTo(mover.map.pose * mover.mover.position(mover.map.map), now, dt)};
+}
+
+MoverCommand SceneMovers::command(OnPlatforms& mover, const BodyState& now, double dt) const {
+    const PlatformCue cue = cueAt(mover.motion, tick_ * dt);
+    const LevelMotion& level = mover.profile.level;
+    const double wanted = cue.move * (cue.run ? level.runSpeed : level.walkSpeed);
+    const double gain = (cue.run ? level.runAcceleration : level.walkAcceleration) * dt;
+    MoverCommand command{.velocity = {towards(now.velocity.x(), wanted, gain), now.velocity.y()}};
+    if (cue.jump && !mover.jumpHeld) {
+        mover.band = bandAt(mover.profile.vertical.jumps, std::fabs(now.velocity.x()));
+        command.velocity.y() = mover.band.takeOffSpeed;
+    }
+    mover.jumpHeld = cue.jump;
+    const bool rises = command.velocity.y() > 0;
+    const double held = cue.jump ? mover.band.riseGravity : mover.band.releaseGravity;
+    command.gravityScale = (rises ? held : mover.band.fallGravity) / gravity_;
+    return command;
+}
+
+SceneBody asMoved(const Scene& scene, const SceneBody& body) {
+    const auto jumps = [&](const SceneMover& mover) {
+        return mover.body == body.name && std::holds_alternative<PlatformMotion>(mover.motion);
+    };
+    if (std::ranges::none_of(scene.movers, jumps)) return body;
+    SceneBody moved = body;
+    moved.def.type = BodyType::Dynamic;
+    moved.def.fixedRotation = true;
+    moved.def.canSleep = false;
+    for (ShapeDef& shape : moved.def.shapes) shape.material.friction = 0;
+    return moved;
+}
+
+}  // namespace plumb::compare

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include <compare/scene/validate_mover.h>
+
+#include <algorithm>
+#include <string>
+
+#include <compare/mover/parts.h>
+#include <compare/scene/fields.h>
+#include <compare/scene/named.h>
+#include <plumb/math/check.h>
+
+namespace plumb::compare {
+namespace {
+
+void validateMotion(const Scene&, const PathMotion& motion, const std::string& field) {
+    if (motion.points.size() < 2)
+        refuse(field + ".points", std::to_string(motion.points.size()) + " make no path, wanted 2 or more");
+    for (std::size_t i = 0; i < motion.points.size(); ++i) requireFinite(motion.points[i], at(field + ".points", i));
+    requirePositive(motion.speed, field, ".speed");
+    requirePositive(motion.acceleration, field, ".acceleration");
+    (void)pathMoverOf(motion);
+}
+
+void validateMotion(const Scene&, const SlidingMotion& motion, const std::string& field) {
+    requireFinite(motion.velocity, field, ".velocity");
+    requireNotNegative(motion.pushStrength, field, ".pushStrength");
+}
+
+void validateMotion(const Scene& scene, const GridMotion& motion, const std::string& field) {
+    requireKnown(motion.map, namesOf(scene.bodies), field + ".map", "a body");
+    const auto body = std::ranges::find(scene.bodies, motion.map, &SceneBody::name);
+    if (body->def.shapes.empty() || !std::holds_alternative<TileMap>(body->def.shapes.front().shape))
+        refuse(field + ".map", quoted(motion.map) + " is a body whose first shape is no tile map");
+    const TileMap& map = std::get<TileMap>(body->def.shapes.front().shape);
+    if (!map.contains(motion.cell)) refuse(field + ".cell", "is not one of the map");
+    requirePositive(motion.speed, field, ".speed");
+}
+
+void validateMotion(const Scene&, const PlatformMotion& motion, const std::string& field) {
+    for (std::size_t i = 0; i < motion.cues.size(); ++i) {
+        const std::string cue = at(field + ".cues", i);
+        requireNotNegative(motion.cues[i].time, cue, ".time");
+        requireWithin(motion.cues[i].move, -1, 1, cue, ".move");
+        if (i > 0 && motion.cues[i].time < motion.cues[i - 1].time)
+            refuse(cue + ".time", toText(motion.cues[i].time) + " is before the cue before it");
+    }
+}
+
+}  // namespace
+
+void validateMover(const Scene& scene, std::size_t index) {
+    const SceneMover& mover = scene.movers[index];
+    const std::string field = at("movers", index);
+    requireKnown(mover.body, namesOf(scene.bodies), field + ".body", "a body");
+    const auto body = std::ranges::find(scene.bodies, mover.body, &SceneBody::name);
+    if (body->def.type != BodyType::Kinematic)
+        refuse(field + ".body", quoted(mover.body) + " is not kinematic: it has a motion of its own");
+    for (std::size_t i = 0; i < index; ++i)
+        if (scene.movers[i].body == mover.body) refuse(field + ".body", quoted(mover.body) + " has a mover already");
+    const std::string path = field + "." + moverTags.begin()[mover.motion.index()];
+    std::visit([&](const auto& motion) { validateMotion(scene, motion, path); }, mover.motion);
+}
+
+}  // namespace plumb::compare
