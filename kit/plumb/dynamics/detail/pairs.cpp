@@ -137,6 +137,7 @@ Vec2 foreseenShift(const WorldState& world, BodyIndex body) {
     const BodyPlace& place = world.bodies.place[body];
     const Vec2 shift(static_cast<double>(place.shiftX), static_cast<double>(place.shiftY));
     const Wrap& wrap = world.def.wrap;
+    if (!wrap.any()) return shift;
     const bool round =
         (wrap.width && std::fabs(shift.x()) > *wrap.width) || (wrap.height && std::fabs(shift.y()) > *wrap.height);
     return round ? Vec2(0, 0) : shift;
