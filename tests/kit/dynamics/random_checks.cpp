@@ -50,7 +50,9 @@ void RandomEditor::checkSensors() const {
     }
     const auto movedBy = [&](const BodyView& body) {
         const Place& before = placesBefore_.at(body.id().index);
-        return world.wrap().way(before.position, body.position()).norm() + 3 * std::fabs(body.angle() - before.angle);
+        const double round = world.wrap().any() ? body.velocity().norm() * lastStep_ : 0;
+        return round + world.wrap().way(before.position, body.position()).norm() +
+               3 * std::fabs(body.angle() - before.angle);
     };
     for (const Placed& sensor : all) {
         if (!sensor.def.sensor) continue;

@@ -46,28 +46,28 @@ TEST_CASE("a world that is edited and asked in 100,000 random ways tells the tru
     CHECK(sum.copies > share);
 }
 
-TEST_CASE("a world of 30 m x 24 m that wraps tells the truth about itself after 40,000 random calls",
+TEST_CASE("a world of 30 m x 24 m that wraps tells the truth about itself after 10,000 random calls",
           "[dynamics][editing][wrap][tiles]") {
     RandomEditor::Tally sum;
-    const std::uint64_t seeds = static_cast<std::uint64_t>(plumb::test::cases(200));
+    const std::uint64_t seeds = static_cast<std::uint64_t>(plumb::test::cases(100));
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         INFO("seed " << seed);
         plumb::Wrap wrap;
         if (seed % 3 != 0) wrap.width = 30;
         if (seed % 3 != 1) wrap.height = 24;
-        RandomEditor editor(seed, {.wild = seed % 7 == 0, .ledger = seed % 5 == 0, .wrap = wrap});
-        editor.run(plumb::test::wrappedActions(), 2000);
+        RandomEditor editor(seed, {.ledger = seed % 5 == 0, .wrap = wrap});
+        editor.run(plumb::test::wrappedActions(), 1000);
         editor.check();
         for (const plumb::BodyMoved& move : editor.world.moves())
             CHECK(wrap.place(move.pose.position) == move.pose.position);
         add(sum, editor.tally);
     }
     const auto share = static_cast<long long>(seeds);
-    CHECK(sum.begins > 100 * share);
-    CHECK(sum.visits > 20 * share);
-    CHECK(sum.joints > 100 * share);
-    CHECK(sum.fields > 10 * share);
-    CHECK(sum.copies > share);
+    CHECK(sum.begins > 50 * share);
+    CHECK(sum.visits > 10 * share);
+    CHECK(sum.joints > 50 * share);
+    CHECK(sum.fields > 5 * share);
+    CHECK(sum.copies > share / 2);
 }
 
 TEST_CASE(
@@ -95,13 +95,13 @@ TEST_CASE("a world that is edited in 3,000 random ways has the same bits for 1, 
     }
 }
 
-TEST_CASE("a world that wraps and is edited in 3,000 random ways has the same bits for 1, 4, 8 and 16 lanes",
+TEST_CASE("a world that wraps and is edited in 1,000 random ways has the same bits for 1, 4, 8 and 16 lanes",
           "[dynamics][editing][wrap][tiles]") {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         std::vector<std::uint64_t> states;
         for (const int lanes : {1, 4, 8, 16}) {
             RandomEditor editor(seed, {.lanes = lanes, .wrap = {.width = 30.0, .height = 24.0}});
-            editor.run(plumb::test::wrappedActions(), 3000);
+            editor.run(plumb::test::wrappedActions(), 1000);
             states.push_back(plumb::stateHash(editor.world));
         }
         for (const std::uint64_t hash : states) CHECK(hash == states[0]);

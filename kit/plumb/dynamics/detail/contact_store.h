@@ -48,7 +48,6 @@ struct ContactRecord {
     ProxyId proxyA = 0, proxyB = 0;
     BodyIndex bodyA = 0, bodyB = 0;
     double friction = 0, restitution = 0;  ///< of the pair
-    Vec2 shift{0, 0};                      ///< so many rounds of the world bring B to A [m]
     float rollingReach = 0;                ///< resisting torque over normal force [m]
     float beltSpeed = 0;                   ///< of both surfaces, along the tangent [m/s]
     bool alive = false;
@@ -68,6 +67,7 @@ struct ContactRecord {
     float approachSpeed = 0;            ///< at the last step's start [m/s]
     double memoryStep = 0;              ///< the step that memory's totals are of [s]
     std::array<ContactIndex, 2> previous{none, none}, next{none, none};  ///< in the lists of A and B
+    Vec2 shift{0, 0};  ///< so many rounds of the world bring B to A [m]
 };
 
 /// Near contacts, in lanes; slot = batch * batchLanes + lane.

@@ -87,6 +87,22 @@ std::optional<double> timeOfCrossing(const SweptShape& wall, const SweptShape& m
     return crossed && start > skin ? timeWithin(wall, moving, skin, 0) : crossed;
 }
 
+Way partOf(const Way& way, const RayPart& part) {
+    const double share = part.last - part.first;
+    return {way.start + way.shift * part.first, way.shift * share, way.angle + way.turn * part.first, way.turn * share,
+            way.localCenter};
+}
+
+/// The same of two that are far from each other outside of a part of their ways: the search is as long as that.
+std::optional<double> timeOfCrossingIn(const RayPart& part, SweptShape wall, SweptShape moving) {
+    if (part.first <= 0 && part.last >= 1) return timeOfCrossing(wall, moving);
+    if (!(part.first <= part.last)) return std::nullopt;
+    wall.way = partOf(wall.way, part);
+    moving.way = partOf(moving.way, part);
+    const std::optional<double> time = timeOfCrossing(wall, moving);
+    return time ? std::optional(part.first + (part.last - part.first) * *time) : std::nullopt;
+}
+
 struct Hit {
     double time = 0;
     BodyIndex wall = noBody;
@@ -156,8 +172,8 @@ public:
 
     const std::optional<Hit>& first() const { return first_; }
 
-    /// shift: of the other.
-    void meet(ProxyId own, ProxyId other, const Vec2& shift) {
+    /// shift: of the other; part: of the way, outside of which the two are far from each other.
+    void meet(ProxyId own, ProxyId other, const Vec2& shift, const RayPart& part = {}) {
         const bool ruled = hasRule(world_.space[own].def) || hasRule(world_.space[other].def);
         const Verdict verdict = ruled ? verdictOn(own, other, shift) : Verdict::Solid;
         if (letsPass(verdict)) return;
@@ -168,7 +184,7 @@ public:
         const Shape& face = world_.space[other].def.shape;
         if (!mayCross(passageOf(WallWay(wallWay), way_), face, world_.bodies.record[body_])) return;
         const SweptShape swept{&shape, way_, reachOf(shape, way_.localCenter)};
-        const std::optional<double> time = timeOfCrossing({&face, wallWay, 0}, swept);
+        const std::optional<double> time = timeOfCrossingIn(part, {&face, wallWay, 0}, swept);
         if (!time || (first_ && *time >= first_->time)) return;
         if (verdict == Verdict::Solid || isSolidAt(*time, {&face, wallWay, 0}, swept, own, other))
             first_ = Hit{*time, wall, wallWay, shift};
@@ -247,13 +263,20 @@ private:
         query(space, box, [&](ProxyId other, const Vec2& shift) { meetAll(other, shift); });
     }
 
-    void meetAll(ProxyId other, const Vec2& shift) {
+    void meetAll(ProxyId other, const Vec2& shift, const RayPart& part = {}) {
         const Space& space = world_.space;
         if (world_.bodies.isDynamic(space[other].owner) || space[other].def.sensor) return;
         for (const ProxyId own : world_.bodies.record[body_].proxies)
             if (!space[own].def.sensor && mayPair(space[own], space[other]) &&
                 !joinedApart(world_, body_, space[other].owner))
-                meet(own, other, shift);
+                meet(own, other, shift, part);
+    }
+
+    /// The part of the way on which the body may touch a shape's box.
+    RayPart partNear(ProxyId other, const Vec2& shift) const {
+        const double extent = world_.bodies.record[body_].extent;
+        const Aabb box = inflate(world_.space.box(other), extent * (1 + 1e-6) + skin);
+        return clipRay(way_.start, way_.start + way_.shift, {box.lower + shift, box.upper + shift});
     }
 
     /// Is the way longer than a world that wraps?
@@ -263,10 +286,10 @@ private:
                (wrap.height && std::fabs(way_.shift.y()) > *wrap.height);
     }
 
-    /// Then what lies on the way is met in its order, and, of more than a thousand rounds, on the first thousand.
+    /// Then what lies on the way is met in its order, and, of more than 64 rounds, on the first 64.
     template <class Wanted>
     void meetAround(Wanted&& wanted) {
-        constexpr double mostRounds = 1000;
+        constexpr double mostRounds = 64;
         const Wrap& wrap = world_.def.wrap;
         double part = 1;
         if (wrap.width) part = std::min(part, mostRounds * *wrap.width / std::fabs(way_.shift.x()));
@@ -274,7 +297,7 @@ private:
         const double extent = world_.bodies.record[body_].extent;
         world_.space.castBox({extent, extent}, way_.start, way_.start + way_.shift * part,
                              [&](ProxyId other, const Vec2& shift) {
-                                 if (wanted(world_.space[other])) meetAll(other, shift);
+                                 if (wanted(world_.space[other])) meetAll(other, shift, partNear(other, shift));
                                  return first_ ? std::min(first_->time / part, 1.0) : 1.0;
                              });
     }

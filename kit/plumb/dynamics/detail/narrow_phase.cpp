@@ -175,11 +175,15 @@ void addArrival(std::vector<Arrivals>& arrivals, ContactIndex index, const Fresh
 
 /// Contacts whose boxes have parted are over.
 void removeParted(WorldState& world, NearPairs& near) {
-    for (std::size_t slot = 0; slot < near.contactOf.size();) {
+    const bool wraps = world.def.wrap.any();
+    const auto overlap = [&](std::size_t slot) {
         const PairLanes& pairs = near.lanes[slot / batchLanes];
-        const ShapePair pair =
-            pairOf(world, pairs, near.contactOf.data() + (slot - slot % batchLanes), slot % batchLanes);
-        if (world.space.boxesOverlap(pair.proxyA, pair.proxyB, {pair.shiftX, pair.shiftY}))
+        const ProxyId a = pairs.proxyA[slot % batchLanes], b = pairs.proxyB[slot % batchLanes];
+        return wraps ? world.space.boxesOverlap(a, b, world.contacts.contacts[near.contactOf[slot]].shift)
+                     : world.space.boxesOverlap(a, b);
+    };
+    for (std::size_t slot = 0; slot < near.contactOf.size();) {
+        if (overlap(slot))
             ++slot;
         else
             removeContact(world, near.contactOf[slot]);

@@ -134,13 +134,13 @@ bool joinedApart(const WorldState& world, BodyIndex a, BodyIndex b) {
 }
 
 Vec2 foreseenShift(const WorldState& world, BodyIndex body) {
-    constexpr double mostRounds = 2;
     const BodyPlace& place = world.bodies.place[body];
-    Vec2 shift(static_cast<double>(place.shiftX), static_cast<double>(place.shiftY));
+    const Vec2 shift(static_cast<double>(place.shiftX), static_cast<double>(place.shiftY));
     const Wrap& wrap = world.def.wrap;
-    if (wrap.width) shift.x() = std::clamp(shift.x(), -mostRounds * *wrap.width, mostRounds * *wrap.width);
-    if (wrap.height) shift.y() = std::clamp(shift.y(), -mostRounds * *wrap.height, mostRounds * *wrap.height);
-    return shift;
+    if (!wrap.any()) return shift;
+    const bool round =
+        (wrap.width && std::fabs(shift.x()) > *wrap.width) || (wrap.height && std::fabs(shift.y()) > *wrap.height);
+    return round ? Vec2(0, 0) : shift;
 }
 
 void placeBody(WorldState& world, BodyIndex body, double dt) {

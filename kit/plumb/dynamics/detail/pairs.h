@@ -7,8 +7,8 @@ namespace plumb {
 
 /// Do joints keep two bodies from touching each other?
 bool joinedApart(const WorldState& world, BodyIndex a, BodyIndex b);
-/// How far a body comes in this step if nothing is in the way, as its boxes see it: in a world that wraps no more than
-/// two rounds [m].
+/// How far a body comes in this step if nothing is in the way, as its boxes see it [m]. They do not follow what goes
+/// round a world that wraps in a single step: it is stopped at walls on its way, and meets bodies where steps begin.
 Vec2 foreseenShift(const WorldState& world, BodyIndex body);
 /// Renews the boxes of one body's shapes for a step of dt.
 void placeBody(WorldState& world, BodyIndex body, double dt);
