@@ -199,8 +199,8 @@ Slide moveAndSlide(World& world, BodyId body, const SlideMotion& motion, const S
     const bool grounded = last.isOnFloor && !rises && !motion.dropThrough;
     run.out.floorNormal = last.isOnFloor ? last.floorNormal : settings.up;
     if (rides) run.out.floor = last.floor;
-    const bool moved = start != last.position;
-    const bool arrived = rides && carry(run, last, moved);
+    const bool jumped = start != last.position;
+    const bool arrived = rides && carry(run, last, jumped);
     detail::pushAside(run, start);
     detail::partOverlaps(run);
     const bool hindered = !run.out.hits.empty();
@@ -208,12 +208,15 @@ Slide moveAndSlide(World& world, BodyId body, const SlideMotion& motion, const S
     findFloor(run, grounded, level);
     finishVelocity(run, grounded);
     pressDown(run);
-    rememberPlace(run, last, arrived && !moved && level == 0 && !hindered);
+    rememberPlace(run, last, arrived && !jumped && level == 0 && !hindered);
     if (run.out.dropping && !motion.dropThrough) run.out.dropping = run.probe.isInOneWay(run.position);
     run.out.position = run.position;
     run.out.displacement = run.position - here;
-    world.body(body).setVelocity(run.out.displacement / motion.dt);
-    if (world.body(body).angularVelocity() != 0) world.body(body).setAngularVelocity(0);
+    // Told anew, a velocity wakes what is near.
+    const Vec2 velocity = run.out.displacement / motion.dt;
+    Body moved = world.body(body);
+    if (moved.velocity() != velocity) moved.setVelocity(velocity);
+    if (moved.angularVelocity() != 0) moved.setAngularVelocity(0);
     return std::move(run.out);
 }
 
