@@ -220,4 +220,34 @@ TEST_CASE("queries refuse what is no place, no shape and no distance, by name an
     refuses([&] { world.distance({body, 0}, {}); }, "World.distance: b.body");
 }
 
+TEST_CASE("of a chain of three links a cast's pieces are three hits, all of it one; of a body that is ignored none",
+          "[dynamics]") {
+    World world;
+    const BodyId hills = world.add({.type = BodyType::Static, .shapes = {chain({{6, 0}, {4, 1}, {2, 0}, {0, 1}})}});
+    const BodyId crate = addBox(world, {8, 0.5});
+    const Shape ball = Circle{0.4};
+    const Vec2 from(-2, 0.5), shift(20, 0);
+    CHECK(world.castShapeAll(ball, {from, {}}, shift).size() == 2);
+    const std::vector<CastHit> pieces = world.castShapePieces(ball, {from, {}}, shift);
+    REQUIRE(pieces.size() == 4);
+    for (std::size_t i = 0; i < 4; ++i) CHECK(pieces[i].shape == ShapeId{i < 3 ? hills : crate, 0});
+    for (std::size_t i = 1; i < 4; ++i) CHECK(pieces[i - 1].fraction <= pieces[i].fraction);
+    CHECK(world.castShapePieces(ball, {from, {}}, shift, {}, hills).size() == 1);
+    CHECK(world.castShapePieces(ball, {from, {}}, shift, {}, crate).size() == 3);
+    world.remove(crate);
+    CHECK_THAT(complaintOf([&] { world.castShapePieces(ball, {from, {}}, shift, {}, crate); }),
+               containsText("World.castShapePieces: ignored"));
+}
+
+TEST_CASE("a shape's one-way direction is its def's, or none", "[dynamics]") {
+    World world;
+    ShapeDef slab = box({1, 0.1});
+    const BodyId solid = world.add({.type = BodyType::Static, .shapes = {slab}});
+    slab.oneWay = Vec2(0, 2);
+    const BodyId open = world.add({.type = BodyType::Static, .angle = 1, .shapes = {slab}});
+    CHECK_FALSE(world.oneWay({solid, 0}));
+    CHECK(world.oneWay({open, 0}) == Vec2(0, 2));
+    CHECK_THAT(complaintOf([&] { world.oneWay({open, 1}); }), containsText("ShapeId"));
+}
+
 }  // namespace plumb::test

@@ -275,6 +275,61 @@ TEST_CASE("who begins in a wall is put out of it by the shortest way", "[movers]
     }
 }
 
+TEST_CASE("without constant speed a slope of 3 in 4 is crossed at 4 m/s level, with it at 3.2", "[movers]") {
+    for (bool constant : {true, false}) {
+        World world;
+        addStatic(world, {0, 0}, chain({{40, 30}, {0, 0}, {-40, -30}}));
+        for (double way : {4.0, -4.0}) {
+            Slider slider{addKinematic(world, {0, 3}, box({0.4, 0.9})), {.floorConstantSpeed = constant}};
+            slider.land(world);
+            for (int i = 0; i < 60; ++i) slider.step(world, way, dt);
+            CHECK(slider.slide.isOnFloor);
+            CHECK(std::fabs(slider.slide.displacement.x() - way * dt * (constant ? 0.8 : 1)) < 1e-12);
+            world.remove(slider.body);
+        }
+    }
+}
+
+TEST_CASE("who does not stop on slopes slides down one by the part of its way that lies along it", "[movers]") {
+    World world;
+    addStatic(world, {0, 0}, chain({{40, 30}, {0, 0}, {-40, -30}}));
+    const BodyId body = addKinematic(world, {0, 3}, box({0.4, 0.9}));
+    Slider slider{body};
+    slider.land(world);
+    const SlideSettings slips{.floorStopOnSlope = false};
+    const Slide slide = moveAndSlide(world, body, {.velocity = {0, -5}, .dt = dt}, slips, slider.slide);
+    CHECK(slide.isOnFloor);
+    CHECK((slide.displacement - Vec2(-0.8, -0.6) * (5 * dt * 0.6)).cwiseAbs().maxCoeff() < 1e-12);
+}
+
+TEST_CASE("between two walls that lean apart, each too steep, it stands as on a floor", "[movers]") {
+    World world;
+    addStatic(world, {0, 0}, chain({{3, 6}, {0, 0}, {-3, 6}}));
+    Slider slider{addKinematic(world, {0.2, 5}, circle(0.5))};
+    slider.land(world);
+    CHECK(slider.slide.isOnFloor);
+    CHECK(slider.slide.floorNormal == Vec2(0, 1));
+    const Vec2 at = slider.slide.position;
+    for (int i = 0; i < 60; ++i) slider.step(world, 0, dt);
+    CHECK((slider.slide.position - at).cwiseAbs().maxCoeff() < 1e-9);
+}
+
+TEST_CASE("a floor that is removed or moved away by hand lets it fall, and a jump by hand is taken as it is", "[movers]") {
+    World world;
+    const BodyId floor = addStatic(world, {0, -0.5}, box({5, 0.5}));
+    Slider slider{addKinematic(world, {0, 1}, box({0.4, 0.9}))};
+    slider.land(world);
+    world.body(slider.body).setPose({2, 0.901}, 0);
+    slider.step(world, 0, dt);
+    CHECK(slider.slide.isOnFloor);
+    CHECK(std::fabs(slider.slide.position.x() - 2) < 1e-12);
+    world.remove(floor);
+    slider.step(world, 0, dt);
+    CHECK_FALSE(slider.slide.isOnFloor);
+    slider.step(world, 0, dt);
+    CHECK(slider.slide.position.y() < 0.901);
+}
+
 TEST_CASE("what cannot be moved as asked is refused, by name", "[movers]") {
     World world;
     const BodyId body = addKinematic(world, {0, 0}, circle(0.5));
