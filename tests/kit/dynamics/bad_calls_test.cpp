@@ -125,6 +125,7 @@ BadCalls worldCalls() {
     add(c, jointIds("World.joint", "joint", [](Bench& b, JointId id) { b.world.joint(id); }));
     add(c, jointIds("World.joint", "joint", [](Bench& b, JointId id) { std::as_const(b.world).joint(id); }));
     add(c, shapeIds("World.shape", "shape", "ShapeId", [](Bench& b, ShapeId id) { (void)b.world.shape(id); }));
+    add(c, shapeIds("World.oneWay", "shape", "ShapeId", [](Bench& b, ShapeId id) { (void)b.world.oneWay(id); }));
     add(c, shapeIds("World.set", "shape", "ShapeId", [](Bench& b, ShapeId id) { b.world.set(id, circle(1)); }));
     const std::size_t tooMany = ~std::size_t{0};
     const std::string text = std::to_string(tooMany) + " is more than";
@@ -157,6 +158,16 @@ BadCalls queryCalls() {
         add(c, poses(shape, [=](Bench& b, const Transform& t) { castShape(b, disc, t, {1, 0}); }));
         add(c, vectors(shape, "shift", [=](Bench& b, const Vec2& v) { castShape(b, disc, {}, v); }));
     }
+    const char* pieces = "World.castShapePieces";
+    add(c, shapes(pieces, [](Bench& b, const Shape& s) { b.world.castShapePieces(s, {}, {1, 0}); }));
+    add(c, poses(pieces, [=](Bench& b, const Transform& t) { b.world.castShapePieces(disc, t, {1, 0}); }));
+    add(c, vectors(pieces, "shift", [=](Bench& b, const Vec2& v) { b.world.castShapePieces(disc, {}, v); }));
+    // One that was never set stands for none.
+    BadCalls ignored = bodyIds(pieces, "ignored", "World.castShapePieces: ignored", [=](Bench& b, BodyId id) {
+        b.world.castShapePieces(disc, {}, {1, 0}, {}, id);
+    });
+    ignored.erase(ignored.begin());
+    add(c, ignored);
     add(c, shapes("World.overlapShape", [](Bench& b, const Shape& s) { b.world.overlapShape(s, {}); }));
     add(c, poses("World.overlapShape", [=](Bench& b, const Transform& t) { b.world.overlapShape(disc, t); }));
     add(c, vectors("World.overlapPoint", "point", [](Bench& b, const Vec2& v) { b.world.overlapPoint(v); }));

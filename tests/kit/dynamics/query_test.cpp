@@ -235,7 +235,9 @@ TEST_CASE("of a chain of three links a cast's pieces are three hits, all of it o
     CHECK(world.castShapePieces(ball, {from, {}}, shift, {}, hills).size() == 1);
     CHECK(world.castShapePieces(ball, {from, {}}, shift, {}, crate).size() == 3);
     world.remove(crate);
-    CHECK_THAT(complaintOf([&] { world.castShapePieces(ball, {from, {}}, shift, {}, crate); }),
+    CHECK_THAT(complaintOf([&] {
+                   world.castShapePieces(ball, {from, {}}, shift, {}, crate);
+               }),
                containsText("World.castShapePieces: ignored"));
 }
 
