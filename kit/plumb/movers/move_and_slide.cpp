@@ -163,6 +163,15 @@ void rememberPlace(SlideRun& run, const Slide& last, bool kept) {
     run.out.anchor = same ? last.anchor : Vec2(std::as_const(run.world).body(carrier).pose().inverse() * now);
 }
 
+/// What it stands on creeps by roundings, or as crates do that settle: it would wake them by following in each tick.
+/// Its place on them is kept, so that it follows when that has added up.
+bool isStill(const SlideRun& run, const Vec2& here, bool kept) {
+    const bool onCrate =
+        kept && run.out.floor && std::as_const(run.world).body(run.out.floor->shape.body).type() == BodyType::Dynamic;
+    const double moved = (run.position - here).cwiseAbs().maxCoeff();
+    return moved < (onCrate ? 0.1 * run.settings.skin : 1e-15 * (1 + here.cwiseAbs().maxCoeff()));
+}
+
 }  // namespace
 
 void validate(const SlideSettings& settings, const std::string& field) {
@@ -208,7 +217,9 @@ Slide moveAndSlide(World& world, BodyId body, const SlideMotion& motion, const S
     findFloor(run, grounded, level);
     finishVelocity(run, grounded);
     pressDown(run);
-    rememberPlace(run, last, arrived && !jumped && level == 0 && !hindered);
+    const bool kept = arrived && !jumped && level == 0 && !hindered;
+    rememberPlace(run, last, kept);
+    if (isStill(run, here, kept)) run.position = here;
     if (run.out.dropping && !motion.dropThrough) run.out.dropping = run.probe.isInOneWay(run.position);
     run.out.position = run.position;
     run.out.displacement = run.position - here;

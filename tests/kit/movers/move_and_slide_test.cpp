@@ -314,7 +314,52 @@ TEST_CASE("between two walls that lean apart, each too steep, it stands as on a 
     CHECK((slider.slide.position - at).cwiseAbs().maxCoeff() < 1e-9);
 }
 
-TEST_CASE("a floor that is removed or moved away by hand lets it fall, and a jump by hand is taken as it is", "[movers]") {
+TEST_CASE("a wall that leans back at 60 degrees does not lift who flies level into it", "[movers]") {
+    World world;
+    addStatic(world, {0, 0}, chain({{6, 10.392304845413264}, {0, 0}, {-6, -10.392304845413264}}));
+    const BodyId body = addKinematic(world, {-3, 3}, circle(0.5));
+    Slide slide;
+    for (int i = 0; i < 60; ++i) {
+        slide = moveAndSlide(world, body, {.velocity = {8, 0}, .dt = dt}, {}, slide);
+        world.step(dt);
+        CHECK(slide.position.y() == 3);
+    }
+    CHECK(slide.isOnWall);
+}
+
+TEST_CASE("a jump whose apex leaves the feet within a one-way slab falls back out of it", "[movers]") {
+    World world;
+    ShapeDef slab = box({3, 0.1});
+    slab.oneWay = Vec2(0, 1);
+    addStatic(world, {0, 0}, slab);
+    addStatic(world, {0, -3}, box({3, 0.1}));
+    for (double feet : {0.05, 0.09, 0.0999}) {
+        Slider slider{addKinematic(world, {0, feet + 0.9}, box({0.4, 0.9}))};
+        for (int i = 0; i < 90; ++i) slider.step(world, 0, dt);
+        CHECK(slider.slide.isOnFloor);
+        CHECK(std::fabs(slider.slide.position.y() - (-2.9 + 0.9 + skin)) < 1e-9);
+        world.remove(slider.body);
+    }
+}
+
+TEST_CASE(
+    "who runs off an edge of 0.3 m at 8 m/s flies; where the floor falls away by a slope of 1 in 2 it stays on it",
+    "[movers]") {
+    for (bool slope : {false, true}) {
+        World world;
+        const double end = slope ? 2.6 : 2;
+        addStatic(world, {0, 0}, chain({{20, -0.3}, {end, -0.3}, {2, 0}, {-10, 0}}));
+        Slider slider{addKinematic(world, {-4, 0.95}, box({0.4, 0.9}))};
+        slider.land(world);
+        int air = 0;
+        for (int i = 0; i < 60; ++i) air += !slider.step(world, 8, dt).isOnFloor;
+        CHECK((air > 5) == !slope);
+        CHECK((air == 0) == slope);
+    }
+}
+
+TEST_CASE("a floor that is removed or moved away by hand lets it fall, and a jump by hand is taken as it is",
+          "[movers]") {
     World world;
     const BodyId floor = addStatic(world, {0, -0.5}, box({5, 0.5}));
     Slider slider{addKinematic(world, {0, 1}, box({0.4, 0.9}))};

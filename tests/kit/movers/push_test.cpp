@@ -78,13 +78,15 @@ TEST_CASE("without strength even a feather without friction stops a mover", "[mo
     CHECK(yard.slider.slide.velocity.x() == 0);
 }
 
-TEST_CASE("beside a mover that stands crates fall asleep", "[movers]") {
+TEST_CASE("under and beside a mover that stands crates fall asleep", "[movers]") {
     World world;
     addStatic(world, {0, -0.5}, box({20, 0.5}));
-    const BodyId crate = world.add({.position = {0.92, 0.5}, .shapes = {box({0.5, 0.5})}});
-    Slider slider{addKinematic(world, {0, 0.95}, box({0.4, 0.9}))};
+    const BodyId under = world.add({.position = {0, 0.5}, .shapes = {box({0.5, 0.5})}});
+    const BodyId beside = world.add({.position = {1.1, 0.8}, .shapes = {box({0.5, 0.8})}});
+    Slider slider{addKinematic(world, {0.1, 2.5}, box({0.4, 0.9}))};
     for (int i = 0; i < 300; ++i) slider.step(world, 0, dt);
-    CHECK_FALSE(world.body(crate).awake());
+    CHECK_FALSE(world.body(under).awake());
+    CHECK_FALSE(world.body(beside).awake());
 }
 
 TEST_CASE("a crate on a lift carries a mover up and down, and is not pressed into the lift", "[movers]") {
