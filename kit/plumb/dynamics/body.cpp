@@ -39,9 +39,10 @@ void addForce(WorldState& world, BodyIndex body, const Vec2& force, double torqu
     wakeIsland(world, body);
 }
 
-void requireMovable(const WorldState& world, BodyIndex body, const char* field, const std::string& value) {
+template <class Value>
+void requireMovable(const WorldState& world, BodyIndex body, const char* field, const Value& value) {
     if (world.bodies.record[body].type == BodyType::Static)
-        refuse(field, value + " to a body that is static, and stays where it is");
+        refuse(field, toText(value) + " to a body that is static, and stays where it is");
 }
 
 Contact contactOf(const WorldState& world, const ContactRecord& record) {
@@ -164,14 +165,14 @@ std::vector<Contact> BodyView::contacts() const {
 
 void Body::setVelocity(const Vec2& velocity) {
     requireFinite(velocity, "Body.setVelocity: velocity");
-    requireMovable(*world_, index_, "Body.setVelocity: velocity", toText(velocity));
+    requireMovable(*world_, index_, "Body.setVelocity: velocity", velocity);
     world_->bodies.motion[index_].velocity = velocity;
     velocityChanged(*world_, index_);
 }
 
 void Body::setAngularVelocity(double angularVelocity) {
     requireFinite(angularVelocity, "Body.setAngularVelocity: angularVelocity");
-    requireMovable(*world_, index_, "Body.setAngularVelocity: angularVelocity", toText(angularVelocity));
+    requireMovable(*world_, index_, "Body.setAngularVelocity: angularVelocity", angularVelocity);
     if (world_->bodies.record[index_].fixedRotation && angularVelocity != 0)
         refuse("Body.setAngularVelocity: angularVelocity",
                toText(angularVelocity) + " on a body of fixed rotation, not 0");

@@ -163,6 +163,15 @@ void rememberPlace(SlideRun& run, const Slide& last, bool kept) {
     run.out.anchor = same ? last.anchor : Vec2(std::as_const(run.world).body(carrier).pose().inverse() * now);
 }
 
+/// What it stands on creeps by roundings, or as crates do that settle: it would wake them by following in each tick.
+/// Its place on them is kept, so that it follows when that has added up.
+bool isStill(const SlideRun& run, const Vec2& here, bool kept) {
+    const bool onCrate =
+        kept && run.out.floor && std::as_const(run.world).body(run.out.floor->shape.body).type() == BodyType::Dynamic;
+    const double moved = (run.position - here).cwiseAbs().maxCoeff();
+    return moved < (onCrate ? 0.1 * run.settings.skin : 1e-15 * (1 + here.cwiseAbs().maxCoeff()));
+}
+
 }  // namespace
 
 void validate(const SlideSettings& settings, const std::string& field) {
@@ -199,8 +208,8 @@ Slide moveAndSlide(World& world, BodyId body, const SlideMotion& motion, const S
     const bool grounded = last.isOnFloor && !rises && !motion.dropThrough;
     run.out.floorNormal = last.isOnFloor ? last.floorNormal : settings.up;
     if (rides) run.out.floor = last.floor;
-    const bool moved = start != last.position;
-    const bool arrived = rides && carry(run, last, moved);
+    const bool jumped = start != last.position;
+    const bool arrived = rides && carry(run, last, jumped);
     detail::pushAside(run, start);
     detail::partOverlaps(run);
     const bool hindered = !run.out.hits.empty();
@@ -208,12 +217,17 @@ Slide moveAndSlide(World& world, BodyId body, const SlideMotion& motion, const S
     findFloor(run, grounded, level);
     finishVelocity(run, grounded);
     pressDown(run);
-    rememberPlace(run, last, arrived && !moved && level == 0 && !hindered);
+    const bool kept = arrived && !jumped && level == 0 && !hindered;
+    rememberPlace(run, last, kept);
+    if (isStill(run, here, kept)) run.position = here;
     if (run.out.dropping && !motion.dropThrough) run.out.dropping = run.probe.isInOneWay(run.position);
     run.out.position = run.position;
     run.out.displacement = run.position - here;
-    world.body(body).setVelocity(run.out.displacement / motion.dt);
-    if (world.body(body).angularVelocity() != 0) world.body(body).setAngularVelocity(0);
+    // Told anew, a velocity wakes what is near.
+    const Vec2 velocity = run.out.displacement / motion.dt;
+    Body moved = world.body(body);
+    if (moved.velocity() != velocity) moved.setVelocity(velocity);
+    if (moved.angularVelocity() != 0) moved.setAngularVelocity(0);
     return std::move(run.out);
 }
 

@@ -157,6 +157,16 @@ BadCalls queryCalls() {
         add(c, poses(shape, [=](Bench& b, const Transform& t) { castShape(b, disc, t, {1, 0}); }));
         add(c, vectors(shape, "shift", [=](Bench& b, const Vec2& v) { castShape(b, disc, {}, v); }));
     }
+    const char* pieces = "World.castShapePieces";
+    add(c, shapes(pieces, [](Bench& b, const Shape& s) { b.world.castShapePieces(s, {}, {1, 0}); }));
+    add(c, poses(pieces, [=](Bench& b, const Transform& t) { b.world.castShapePieces(disc, t, {1, 0}); }));
+    add(c, vectors(pieces, "shift", [=](Bench& b, const Vec2& v) { b.world.castShapePieces(disc, {}, v); }));
+    // One that was never set stands for none.
+    BadCalls ignored = bodyIds(pieces, "ignored", "World.castShapePieces: ignored", [=](Bench& b, BodyId id) {
+        b.world.castShapePieces(disc, {}, {1, 0}, {}, id);
+    });
+    ignored.erase(ignored.begin());
+    add(c, ignored);
     add(c, shapes("World.overlapShape", [](Bench& b, const Shape& s) { b.world.overlapShape(s, {}); }));
     add(c, poses("World.overlapShape", [=](Bench& b, const Transform& t) { b.world.overlapShape(disc, t); }));
     add(c, vectors("World.overlapPoint", "point", [](Bench& b, const Vec2& v) { b.world.overlapPoint(v); }));

@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 using NameSet = std::set<std::string>;
 
 /// Modules that work on plain values: what they refuse, their own tests show.
-const std::set<std::string> byThemselves{"ballistics", "forces",   "impact",  "integrate",
-                                         "kinematics", "steering", "stepping"};
+const std::set<std::string> byThemselves{"ballistics", "forces", "impact",   "integrate",
+                                         "kinematics", "movers", "steering", "stepping"};
 
 Declarations publicDeclarations() {
     const fs::path kit = fs::path(PLUMB_SOURCE_DIR) / "kit";
@@ -104,6 +104,7 @@ const std::set<std::pair<std::string, std::string>> otherwise{{"Body.setCanSleep
                                                               {"World.castRayAll", "filter"},
                                                               {"World.castShape", "filter"},
                                                               {"World.castShapeAll", "filter"},
+                                                              {"World.castShapePieces", "filter"},
                                                               {"World.overlapBox", "filter"},
                                                               {"World.overlapShape", "filter"},
                                                               {"World.overlapPoint", "filter"},

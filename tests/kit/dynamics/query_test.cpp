@@ -2,6 +2,7 @@
 #include <plumb/dynamics/query.h>
 
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 
 #include <plumb/dynamics/world.h>
@@ -218,6 +219,40 @@ TEST_CASE("queries refuse what is no place, no shape and no distance, by name an
     refuses([&] { world.nearest({0, 0}, notANumber); }, "World.nearest: within: nan is not a distance");
     refuses([&] { world.distance({body, 1}, {body, 0}); }, "World.distance: a.number: 1 names no shape");
     refuses([&] { world.distance({body, 0}, {}); }, "World.distance: b.body");
+}
+
+TEST_CASE("of a chain of three links a cast's pieces are three hits, all of it one; of a body that is ignored none",
+          "[dynamics]") {
+    World world;
+    const BodyId hills = world.add({.type = BodyType::Static, .shapes = {chain({{6, 0}, {4, 1}, {2, 0}, {0, 1}})}});
+    const BodyId crate = addBox(world, {8, 0.5});
+    const Shape ball = Circle{0.4};
+    const Vec2 from(-2, 0.5), shift(20, 0);
+    CHECK(world.castShapeAll(ball, {from, {}}, shift).size() == 2);
+    const std::vector<CastHit> pieces = world.castShapePieces(ball, {from, {}}, shift);
+    REQUIRE(pieces.size() == 4);
+    for (std::size_t i = 0; i < 4; ++i) CHECK(pieces[i].shape == ShapeId{i < 3 ? hills : crate, 0});
+    for (std::size_t i = 1; i < 4; ++i) CHECK(pieces[i - 1].fraction <= pieces[i].fraction);
+    CHECK(world.castShapePieces(ball, {from, {}}, shift, {}, hills).size() == 1);
+    CHECK(world.castShapePieces(ball, {from, {}}, shift, {}, crate).size() == 3);
+    world.remove(crate);
+    CHECK_THAT(complaintOf([&] {
+                   world.castShapePieces(ball, {from, {}}, shift, {}, crate);
+               }),
+               containsText("World.castShapePieces: ignored"));
+}
+
+TEST_CASE("a hit names the way from which alone what was met is solid, as the world sees it", "[dynamics]") {
+    World world({.gravity = {0, 0}});
+    ShapeDef slab = box({1, 0.1});
+    world.add({.type = BodyType::Static, .position = {0, 5}, .shapes = {slab}});
+    slab.oneWay = Vec2(0, 2);
+    world.add({.type = BodyType::Static, .position = {5, 5}, .angle = std::numbers::pi / 2, .shapes = {slab}});
+    const auto solid = world.castRay({0, 0}, {0, 10}), open = world.castRay({5, 0}, {5, 10});
+    REQUIRE((solid && open));
+    CHECK_FALSE(solid->oneWay);
+    REQUIRE(open->oneWay);
+    CHECK((*open->oneWay - Vec2(-2, 0)).norm() < 1e-15);
 }
 
 }  // namespace plumb::test

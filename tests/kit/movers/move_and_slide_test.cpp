@@ -121,110 +121,6 @@ TEST_CASE("falling along a wall of 100 flush boxes, pressed against it, no heigh
     }
 }
 
-TEST_CASE("a box goes up, over and down a hill at 4 m/s along the ground, on the floor in every tick", "[movers]") {
-    World world;
-    addStatic(world, {0, 0}, chain({{60, 0}, {20, 0}, {16, 3}, {12, 3}, {8, 0}, {-10, 0}}));
-    Slider slider{addKinematic(world, {0, 0.95}, box({0.4, 0.9}))};
-    slider.land(world);
-    const double start = slider.slide.position.x();
-    const int ticks = 400;
-    int corners = 0;
-    for (int tick = 0; tick < ticks; ++tick) {
-        slider.step(world, 4, dt);
-        REQUIRE(slider.slide.isOnFloor);
-        REQUIRE(slider.slide.velocity.x() == 4);
-        const double short_ = 4 * dt - slider.slide.displacement.norm();
-        REQUIRE(short_ > -skin);
-        corners += std::fabs(short_) > 1e-9;
-    }
-    // The box meets the hill's foot with its leading lower corner, leaves its top with the trailing one. At each of the
-    // four corners of that way the tick's two stretches are further than its ends are apart; a second tick may be told
-    // of the same corner, as a skin's offset is round there.
-    CHECK(corners <= 8);
-    const double slope = 5, foot = 8 - 0.4, top = 4 + 0.8;
-    const double end = 20 + 0.4 + (ticks * 4 * dt - (foot - start) - 2 * slope - top);
-    // A skin's offset is longer or shorter by less than a skin at each of the four corners.
-    CHECK(std::fabs(slider.slide.position.x() - end) < 4 * skin);
-    CHECK(std::fabs(slider.slide.position.y() - 0.9 - skin) < 1e-12);
-}
-
-TEST_CASE("round and boxed movers cross random hills at constant speed, on the floor in every tick", "[movers]") {
-    Random random(11);
-    const std::vector<ShapeDef> shapes = heroes();
-    for (int i = 0; i < cases(200); ++i) {
-        World world;
-        std::vector<Vec2> points{{-20, 0}};
-        while (points.back().x() < 60) {
-            const double width = random.uniform(1.5, 4);
-            points.push_back(points.back() + Vec2(width, random.uniform(-0.95, 0.95) * width));
-        }
-        points.push_back(points.back() + Vec2(10, 0));
-        addStatic(world, {0, 0}, chain({points.rbegin(), points.rend()}));
-        Slider slider{addKinematic(world, {-15, 20}, shapes[static_cast<std::size_t>(i) % shapes.size()])};
-        slider.land(world, dt);
-        const double speed = random.uniform(1, 8);
-        for (int tick = 0; tick < 500 && slider.slide.position.x() < 55; ++tick) {
-            slider.step(world, speed, dt);
-            const double part = slider.slide.displacement.norm() / (speed * dt);
-            // Where the ground turns by an angle a within a tick, the way there is a chord: at least cos(a / 2) of it,
-            // and a is 90 degrees at most. A skin's offset makes it longer by as much at most.
-            if (!slider.slide.isOnFloor || part > 1 + skin / (speed * dt) || part < 0.7)
-                FAIL("case " << i << ", tick " << tick << ": " << part << " at " << slider.slide.position.x());
-        }
-        CHECK(slider.slide.position.x() > -15 + 5 * speed);
-    }
-}
-
-TEST_CASE("who stands on a slope of up to 45 degrees stays; on a steeper one it slides down", "[movers]") {
-    for (double angle : {0.2, 0.6, 0.78}) {
-        World world;
-        addStatic(world, {0, 0}, box({20, 0.5}), angle);
-        Slider slider{addKinematic(world, {0, 2}, box({0.4, 0.9}))};
-        slider.land(world);
-        const Vec2 start = slider.slide.position;
-        for (int i = 0; i < 1000; ++i) slider.step(world, 0, dt);
-        CHECK(slider.slide.isOnFloor);
-        CHECK(std::fabs(slider.slide.floorAngle - angle) < 1e-12);
-        CHECK((slider.slide.position - start).cwiseAbs().maxCoeff() < 1e-12);
-    }
-    World world;
-    addStatic(world, {0, 0}, box({20, 0.5}), 0.85);
-    Slider slider{addKinematic(world, {0, 2.5}, box({0.4, 0.9}))};
-    for (int i = 0; i < 60; ++i) slider.step(world, slider.slide.velocity.x(), dt);
-    CHECK_FALSE(slider.slide.isOnFloor);
-    CHECK(slider.slide.position.y() < 0);
-    // g sin(a) along a frictionless slope, once it is on it.
-    const double along = slider.slide.velocity.norm();
-    slider.step(world, slider.slide.velocity.x(), dt);
-    CHECK(std::fabs(slider.slide.velocity.norm() - along - 9.81 * sinCos(0.85).sin * dt) < 1e-9);
-}
-
-TEST_CASE("steps of 0.25 m are climbed at full speed up to a step height of 0.25 m, and not beyond", "[movers]") {
-    for (double height : {0.05, 0.25, 0.26}) {
-        World world;
-        addStatic(world, {0, -0.5}, box({30, 0.5}));
-        for (int k = 0; k < 5; ++k) addStatic(world, {4.0 + k, 0}, {.shape = boxPolygon({0.5, height * (k + 1)})});
-        Slider slider{addKinematic(world, {0, 1}, box({0.4, 0.9})), {.stepHeight = 0.25}};
-        slider.land(world);
-        const double start = slider.slide.position.x();
-        int stepped = 0;
-        for (int i = 0; i < 100; ++i) {
-            slider.step(world, 5, dt);
-            for (const SlideHit& hit : slider.slide.hits) stepped += hit.effect == SlideEffect::Stepped;
-        }
-        if (height < 0.26) {
-            CHECK(stepped == 5);
-            CHECK(std::fabs(slider.slide.position.y() - 0.9 - 5 * height - skin) < 1e-9);
-            // Each step may take it on by two skins, so that it gets onto it.
-            CHECK(std::fabs(slider.slide.position.x() - start - 100 * 5 * dt) < 10.1 * skin);
-        } else {
-            CHECK(stepped == 0);
-            CHECK(slider.slide.isOnWall);
-            CHECK(std::fabs(slider.slide.position.x() - (3.5 - 0.4 - skin)) < 1e-9);
-        }
-    }
-}
-
 TEST_CASE("a one-way slab lets a jump through from below, holds it, and lets it drop", "[movers]") {
     for (const ShapeDef& hero : heroes()) {
         for (const ShapeDef& made :
@@ -273,6 +169,63 @@ TEST_CASE("who begins in a wall is put out of it by the shortest way", "[movers]
         REQUIRE(slide.hits.size() == 1);
         CHECK(slide.hits[0].effect == SlideEffect::PushedBy);
     }
+}
+
+TEST_CASE("between two walls that lean apart, each too steep, it stands as on a floor", "[movers]") {
+    World world;
+    addStatic(world, {0, 0}, chain({{3, 6}, {0, 0}, {-3, 6}}));
+    Slider slider{addKinematic(world, {0.2, 5}, circle(0.5))};
+    slider.land(world);
+    CHECK(slider.slide.isOnFloor);
+    CHECK(slider.slide.floorNormal == Vec2(0, 1));
+    const Vec2 at = slider.slide.position;
+    for (int i = 0; i < 60; ++i) slider.step(world, 0, dt);
+    CHECK((slider.slide.position - at).cwiseAbs().maxCoeff() < 1e-9);
+}
+
+TEST_CASE("a wall that leans back at 60 degrees does not lift who flies level into it", "[movers]") {
+    World world;
+    addStatic(world, {0, 0}, chain({{6, 10.392304845413264}, {0, 0}, {-6, -10.392304845413264}}));
+    const BodyId body = addKinematic(world, {-3, 3}, circle(0.5));
+    Slide slide;
+    for (int i = 0; i < 60; ++i) {
+        slide = moveAndSlide(world, body, {.velocity = {8, 0}, .dt = dt}, {}, slide);
+        world.step(dt);
+        CHECK(slide.position.y() == 3);
+    }
+    CHECK(slide.isOnWall);
+}
+
+TEST_CASE("a jump whose apex leaves the feet within a one-way slab falls back out of it", "[movers]") {
+    World world;
+    ShapeDef slab = box({3, 0.1});
+    slab.oneWay = Vec2(0, 1);
+    addStatic(world, {0, 0}, slab);
+    addStatic(world, {0, -3}, box({3, 0.1}));
+    for (double feet : {0.05, 0.09, 0.0999}) {
+        Slider slider{addKinematic(world, {0, feet + 0.9}, box({0.4, 0.9}))};
+        for (int i = 0; i < 90; ++i) slider.step(world, 0, dt);
+        CHECK(slider.slide.isOnFloor);
+        CHECK(std::fabs(slider.slide.position.y() - (-2.9 + 0.9 + skin)) < 1e-9);
+        world.remove(slider.body);
+    }
+}
+
+TEST_CASE("a floor that is removed or moved away by hand lets it fall, and a jump by hand is taken as it is",
+          "[movers]") {
+    World world;
+    const BodyId floor = addStatic(world, {0, -0.5}, box({5, 0.5}));
+    Slider slider{addKinematic(world, {0, 1}, box({0.4, 0.9}))};
+    slider.land(world);
+    world.body(slider.body).setPose({2, 0.901}, 0);
+    slider.step(world, 0, dt);
+    CHECK(slider.slide.isOnFloor);
+    CHECK(std::fabs(slider.slide.position.x() - 2) < 1e-12);
+    world.remove(floor);
+    slider.step(world, 0, dt);
+    CHECK_FALSE(slider.slide.isOnFloor);
+    slider.step(world, 0, dt);
+    CHECK(slider.slide.position.y() < 0.901);
 }
 
 TEST_CASE("what cannot be moved as asked is refused, by name", "[movers]") {

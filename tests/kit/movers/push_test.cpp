@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
+#include <plumb/math/trig.h>
 #include <plumb/movers/move_and_slide.h>
 
 #include "catch.h"
@@ -75,6 +76,37 @@ TEST_CASE("without strength even a feather without friction stops a mover", "[mo
     for (int i = 0; i < 120; ++i) yard.slider.step(yard.world, 6, dt);
     CHECK(std::fabs(yard.world.body(yard.crate).position().x() - 3) < 1e-4);
     CHECK(yard.slider.slide.velocity.x() == 0);
+}
+
+TEST_CASE("under and beside a mover that stands crates fall asleep", "[movers]") {
+    World world;
+    addStatic(world, {0, -0.5}, box({20, 0.5}));
+    const BodyId under = world.add({.position = {0, 0.5}, .shapes = {box({0.5, 0.5})}});
+    const BodyId beside = world.add({.position = {1.1, 0.8}, .shapes = {box({0.5, 0.8})}});
+    Slider slider{addKinematic(world, {0.1, 2.5}, box({0.4, 0.9}))};
+    for (int i = 0; i < 300; ++i) slider.step(world, 0, dt);
+    CHECK_FALSE(world.body(under).awake());
+    CHECK_FALSE(world.body(beside).awake());
+}
+
+TEST_CASE("a crate on a lift carries a mover up and down, and is not pressed into the lift", "[movers]") {
+    World world;
+    const BodyId lift = addKinematic(world, {0, 0}, box({2, 0.25}));
+    const BodyId crate = world.add({.position = {0, 0.75}, .shapes = {box({0.8, 0.5})}});
+    Slider slider{addKinematic(world, {0, 3}, box({0.4, 0.9}))};
+    slider.land(world);
+    double pressed = 0;
+    for (int i = 0; i < 600; ++i) {
+        // Up and down by 2 m, at up to 2 m/s: it starts and turns at 2 m/s^2, well below what makes the crate fly.
+        world.body(lift).setVelocity({0, 2 * sinCos(i * dt).sin});
+        slider.step(world, 0, dt);
+        REQUIRE(slider.slide.isOnFloor);
+        REQUIRE(slider.slide.floor->shape.body == crate);
+        pressed = std::max(pressed, -world.distance({lift, 0}, {crate, 0}).separation);
+        CHECK(depthOf(world, slider.body, true) < 1e-3);
+    }
+    // The contact's own slop is 5 mm.
+    CHECK(pressed < 0.01);
 }
 
 TEST_CASE("who stands on a scale presses it with its weight", "[movers]") {

@@ -110,7 +110,7 @@ double yieldOf(Body& body, const Vec2& at, const Vec2& way) {
 
 }  // namespace
 
-Push push(SlideRun& run, const CastHit& hit, const Vec2& velocity) {
+SlidePush push(SlideRun& run, const CastHit& hit, const Vec2& velocity) {
     Body body = run.world.body(hit.shape.body);
     const Vec2 at = body.type() == BodyType::Dynamic ? middleOf(run, hit) : hit.point;
     const Vec2 surface = body.velocityAt(at);

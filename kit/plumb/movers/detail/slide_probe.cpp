@@ -28,6 +28,11 @@ Shape inflated(Shape shape, double skin) {
     return shape;
 }
 
+/// The pieces of a chain are one; of a tile map those that are solid from all sides, and those that are not.
+bool isSame(const CastHit& a, const CastHit& b) {
+    return a.shape == b.shape && a.oneWay.has_value() == b.oneWay.has_value();
+}
+
 CastHit asSeenAfter(const MovingThing& thing, CastHit hit) {
     const Transform forth = thing.back.inverse();
     hit.point = forth * hit.point;
@@ -99,13 +104,13 @@ void SlideProbe::meetAll(const Shape& shape, const Filter& filter, const Vec2& f
 
 namespace {
 
-/// Of the hits of a shape that stays, those of one shape: the normal that a way goes into most, if it goes into one. It
-/// is another than the cast's where that began nearer than a skin.
-std::optional<Vec2> wallOf(const std::vector<CastHit>& here, const ShapeId& shape, const Vec2& shift) {
+/// Of the hits of a shape that stays, those of what was met: the normal that a way goes into most, if it goes into one.
+/// It is another than the cast's where that began nearer than a skin.
+std::optional<Vec2> wallOf(const std::vector<CastHit>& here, const CastHit& met, const Vec2& shift) {
     std::optional<Vec2> wall;
     double into = -parallel * lengthOf(shift);
     for (const CastHit& now : here) {
-        if (now.shape != shape || !(now.normal.dot(shift) < into)) continue;
+        if (!isSame(now, met) || !(now.normal.dot(shift) < into)) continue;
         into = now.normal.dot(shift);
         wall = now.normal;
     }
@@ -136,10 +141,10 @@ FreeWay SlideProbe::freeWayBy(const Vec2& from, const Vec2& shift, double leastR
                         if (!here) here.emplace();
                         here->push_back(now);
                     });
-                const std::optional<Vec2> wall = here ? wallOf(*here, hit.shape, shift) : std::nullopt;
+                const std::optional<Vec2> wall = here ? wallOf(*here, hit, shift) : std::nullopt;
                 if (!wall) return;
                 hit.normal = *wall;
-                if (hit.oneWay && isIn(own, from, hit.shape)) return;
+                if (hit.oneWay && isIn(own, from, hit)) return;
             }
             // What is convex lies behind its normal: a way along that goes into it by no more than roundings.
             if (!(hit.normal.dot(shift) < -parallel * length)) return;
@@ -149,9 +154,9 @@ FreeWay SlideProbe::freeWayBy(const Vec2& from, const Vec2& shift, double leastR
     return free;
 }
 
-bool SlideProbe::isIn(const Own& own, const Vec2& at, const ShapeId& shape) const {
+bool SlideProbe::isIn(const Own& own, const Vec2& at, const CastHit& met) const {
     bool inside = false;
-    meetAll(own.shape, own.filter, at, {0, 0}, [&](const CastHit& hit) { inside |= hit.shape == shape; });
+    meetAll(own.shape, own.filter, at, {0, 0}, [&](const CastHit& hit) { inside |= isSame(hit, met); });
     return inside;
 }
 
@@ -179,11 +184,11 @@ double SlideProbe::depthOf(const Own& own, const Vec2& at, const CastHit& hit) c
     for (int i = 0; i < 40; ++i, out *= 2) {
         bool inside = false;
         meetAll(own.shape, own.filter, at + hit.normal * out, {0, 0},
-                [&](const CastHit& now) { inside |= now.shape == hit.shape; });
+                [&](const CastHit& now) { inside |= isSame(now, hit); });
         if (inside) continue;
         double depth = 0;
         meetAll(own.shape, own.filter, at + hit.normal * out, -hit.normal * out, [&](const CastHit& back) {
-            if (back.shape == hit.shape) depth = std::max(depth, out * (1 - back.fraction));
+            if (isSame(back, hit)) depth = std::max(depth, out * (1 - back.fraction));
         });
         return depth;
     }

@@ -66,7 +66,7 @@ private:
     template <class Meet>
     FreeWay freeWayBy(const Vec2& from, const Vec2& shift, double leastRise, Meet&& meet) const;
     bool isSolid(const CastHit& hit) const;
-    bool isIn(const Own& own, const Vec2& at, const ShapeId& shape) const;
+    bool isIn(const Own& own, const Vec2& at, const CastHit& met) const;
     double depthOf(const Own& own, const Vec2& at, const CastHit& hit) const;
 
     const World& world_;
@@ -80,7 +80,8 @@ private:
     std::optional<BodyId> passed_ = std::nullopt;
 };
 
-/// The way, in the world, from which alone what was met is solid; empty when it is from all sides.
+/// The way, in the world, from which alone what was met, a shape or a map's tile, is solid; empty when it is from all
+/// sides.
 std::optional<Vec2> openSideOf(const CastHit& hit);
 
 }  // namespace plumb::detail

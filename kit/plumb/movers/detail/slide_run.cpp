@@ -39,7 +39,7 @@ SlideHit& SlideRun::note(const CastHit& hit, SlideEffect effect) {
 
 void meetWall(SlideRun& run, const CastHit& hit, SlideEffect effect) {
     SlideHit& noted = run.note(hit, effect);
-    const Push pushed = push(run, hit, run.velocity + run.carry);
+    const SlidePush pushed = push(run, hit, run.velocity + run.carry);
     noted.impulse = pushed.impulse;
     if (noted.impulse > 0) noted.effect = SlideEffect::Pushed;
     if (run.isCeiling(hit.normal)) {

@@ -49,12 +49,12 @@ bool stepOver(SlideRun& run, const CastHit& wall, const Vec2& along, double& len
 /// Aside from under an edge, by as little as lets it rise by this.
 bool nudgeAside(SlideRun& run, const CastHit& ceiling, double rise, double side);
 
-struct Push {
+struct SlidePush {
     double impulse = 0;  ///< over the step [N s]
     Vec2 surface{0, 0};  ///< the velocity of what was met, there, after it [m/s]
 };
 
 /// Takes a dynamic body's surface, where it is met, up to a velocity; by at most what is left, and once in a tick.
-Push push(SlideRun& run, const CastHit& hit, const Vec2& velocity);
+SlidePush push(SlideRun& run, const CastHit& hit, const Vec2& velocity);
 
 }  // namespace plumb::detail
