@@ -34,9 +34,12 @@ PlatformProfile profileOf(const PlatformMotion& motion) {
     return motion.profile == PlatformStyle::Of1985 ? profile1985() : modernProfile();
 }
 
-PlacedMap mapOf(const Scene& scene, const GridMotion& motion) {
+PlacedMap PlacedMaps::of(const Scene& scene, const GridMotion& motion) {
+    const auto found = maps_.find(motion.map);
+    if (found != maps_.end()) return found->second;
     const BodyDef& body = scene.bodies[bodyIndex(scene, motion.map)].def;
-    return {std::get<TileMap>(body.shapes.front().shape), startPose(body)};
+    const auto map = std::make_shared<const TileMap>(std::get<TileMap>(body.shapes.front().shape));
+    return maps_[motion.map] = {map, startPose(body)};
 }
 
 PlatformCue cueAt(const PlatformMotion& motion, double time) {

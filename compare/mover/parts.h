@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What do the kit's movers and what stands in for them make of a scene's movers alike?
 #pragma once
+#include <map>
+#include <memory>
+#include <string>
+
 #include <compare/scene/scene.h>
 #include <plumb/movers/grid_mover.h>
 #include <plumb/movers/path_mover.h>
@@ -12,12 +16,18 @@ PathMover pathMoverOf(const PathMotion& motion);
 GridMover gridMoverOf(const GridMotion& motion);
 PlatformProfile profileOf(const PlatformMotion& motion);
 
-/// The map of a grid motion, and where its frame is.
+/// The map of a grid motion, and where its frame is; all movers on a map share it.
 struct PlacedMap {
-    TileMap map;
+    std::shared_ptr<const TileMap> map;
     Transform pose;
 };
-PlacedMap mapOf(const Scene& scene, const GridMotion& motion);
+class PlacedMaps {
+public:
+    PlacedMap of(const Scene& scene, const GridMotion& motion);
+
+private:
+    std::map<std::string, PlacedMap> maps_;
+};
 
 /// What is held at a time; nothing before the first cue [s].
 PlatformCue cueAt(const PlatformMotion& motion, double time);

@@ -6,6 +6,7 @@
 namespace plumb::compare {
 
 PlumbMovers::PlumbMovers(const Scene& scene, const PlumbWorld& made) {
+    PlacedMaps maps;
     for (const SceneMover& mover : scene.movers) {
         const std::size_t index = bodyIndex(scene, mover.body);
         const BodyId body = made.bodies[index];
@@ -13,7 +14,7 @@ PlumbMovers::PlumbMovers(const Scene& scene, const PlumbWorld& made) {
             movers_.push_back(OnPath{pathMoverOf(*path), body, scene.bodies[index].def.angle});
         if (const auto* sliding = std::get_if<SlidingMotion>(&mover.motion)) movers_.push_back(Sliding{*sliding, body});
         if (const auto* grid = std::get_if<GridMotion>(&mover.motion))
-            movers_.push_back(OnGrid{*grid, gridMoverOf(*grid), TurnList(*grid), mapOf(scene, *grid), body});
+            movers_.push_back(OnGrid{*grid, gridMoverOf(*grid), TurnList(*grid), maps.of(scene, *grid), body});
         if (const auto* platform = std::get_if<PlatformMotion>(&mover.motion))
             movers_.push_back(OnPlatforms{*platform, PlatformMover(body, profileOf(*platform))});
     }
@@ -35,8 +36,8 @@ void PlumbMovers::step(World& world, Sliding& mover, double dt) const {
 
 void PlumbMovers::step(World& world, OnGrid& mover, double dt) const {
     mover.turns.ask(mover.mover);
-    mover.mover.move(mover.map.map, mover.motion.speed, dt);
-    world.body(mover.body).moveTo(mover.map.pose * mover.mover.position(mover.map.map), 0, dt);
+    mover.mover.move(*mover.map.map, mover.motion.speed, dt);
+    world.body(mover.body).moveTo(mover.map.pose * mover.mover.position(*mover.map.map), 0, dt);
 }
 
 void PlumbMovers::step(World& world, OnPlatforms& mover, double dt) const {

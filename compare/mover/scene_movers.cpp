@@ -28,6 +28,7 @@ double towards(double value, double target, double most) {
 }  // namespace
 
 SceneMovers::SceneMovers(const Scene& scene) : gravity_(-scene.gravity.y()) {
+    PlacedMaps maps;
     for (const SceneMover& mover : scene.movers) {
         const std::size_t body = bodyIndex(scene, mover.body);
         if (const auto* path = std::get_if<PathMotion>(&mover.motion))
@@ -35,7 +36,7 @@ SceneMovers::SceneMovers(const Scene& scene) : gravity_(-scene.gravity.y()) {
         if (const auto* sliding = std::get_if<SlidingMotion>(&mover.motion))
             movers_.push_back({body, Straight{sliding->velocity}});
         if (const auto* grid = std::get_if<GridMotion>(&mover.motion))
-            movers_.push_back({body, OnGrid{*grid, gridMoverOf(*grid), TurnList(*grid), mapOf(scene, *grid)}});
+            movers_.push_back({body, OnGrid{*grid, gridMoverOf(*grid), TurnList(*grid), maps.of(scene, *grid)}});
         if (const auto* platform = std::get_if<PlatformMotion>(&mover.motion))
             movers_.push_back({body, OnPlatforms{*platform, profileOf(*platform), {}}});
     }
@@ -61,8 +62,8 @@ MoverCommand SceneMovers::command(Straight& mover, const BodyState&, double) con
 
 MoverCommand SceneMovers::command(OnGrid& mover, const BodyState& now, double dt) const {
     mover.turns.ask(mover.mover);
-    mover.mover.move(mover.map.map, mover.motion.speed, dt);
-    return {.velocity = velocityTo(mover.map.pose * mover.mover.position(mover.map.map), now, dt)};
+    mover.mover.move(*mover.map.map, mover.motion.speed, dt);
+    return {.velocity = velocityTo(mover.map.pose * mover.mover.position(*mover.map.map), now, dt)};
 }
 
 MoverCommand SceneMovers::command(OnPlatforms& mover, const BodyState& now, double dt) const {

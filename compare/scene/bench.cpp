@@ -29,10 +29,11 @@ void addSizes(std::vector<BenchScene>& list, const std::string& family, Scene (*
 
 std::vector<BenchScene> all() {
     std::vector<BenchScene> list{
-        {"large_pyramid", "", largePyramid}, {"many_pyramids", "", manyPyramids},
-        {"joint_grid", "", jointGrid},       {"smash", "", smash},
-        {"tumbler", "", tumblerOf2025},      {"spinner", "", spinner, noPlaceForBox2d24},
-        {"small_50", "small", small50},
+        {"large_pyramid", "", largePyramid},     {"many_pyramids", "", manyPyramids},
+        {"joint_grid", "", jointGrid},           {"smash", "", smash},
+        {"tumbler", "", tumblerOf2025},          {"spinner", "", spinner, noPlaceForBox2d24},
+        {"small_50", "small", small50},          {"grid_movers", "", gridMovers},
+        {"platform_movers", "", platformMovers},
     };
     addSizes(list, "pile", pile);
     addSizes(list, "pyramids", pyramids);
@@ -49,7 +50,7 @@ const std::vector<BenchScene>& benchScenes() {
 std::vector<BenchScene> findBenchScenes(const std::string& name) {
     const std::vector<BenchScene>& list = benchScenes();
     if (name == "six") return {list.begin(), list.begin() + six};
-    if (name == "scaling") return {list.begin() + six + 1, list.end()};
+    if (name == "scaling") return {list.begin() + six + 3, list.end()};
     std::vector<BenchScene> found;
     std::ranges::copy_if(list, std::back_inserter(found), [&](const BenchScene& s) { return s.name == name; });
     return found;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <compare/engine/plumb_world.h>
+#include <compare/mover/plumb_movers.h>
 #include <compare/scene/builtin.h>
 #include <plumb/math/random.h>
 #include <plumb/plumb.h>
@@ -184,7 +185,11 @@ void bullets(Run& run) {
 void scenes(Run& run) {
     for (const plumb::compare::Scene& scene : plumb::compare::builtinScenes()) {
         plumb::compare::PlumbWorld made = plumb::compare::plumbWorld(scene, {.solver = {.lanes = run.lanes}});
-        for (int tick = 0; tick < stepCount(scene); ++tick) made.world.step(scene.dt);
+        plumb::compare::PlumbMovers movers(scene, made);
+        for (int tick = 0; tick < stepCount(scene); ++tick) {
+            movers.step(made.world, scene.dt);
+            made.world.step(scene.dt);
+        }
         run.hashes.push_back({"scene " + scene.name, plumb::stateHash(made.world)});
     }
 }

@@ -126,6 +126,10 @@ BadCalls worldCalls() {
     add(c, jointIds("World.joint", "joint", [](Bench& b, JointId id) { std::as_const(b.world).joint(id); }));
     add(c, shapeIds("World.shape", "shape", "ShapeId", [](Bench& b, ShapeId id) { (void)b.world.shape(id); }));
     add(c, shapeIds("World.set", "shape", "ShapeId", [](Bench& b, ShapeId id) { b.world.set(id, circle(1)); }));
+    add(c, shapeIds("World.tiles", "shape", "World.tiles: ShapeId", [](Bench& b, ShapeId id) { b.world.tiles(id); }));
+    add(c, shapeIds("World.setTile", "shape", "World.setTile: ShapeId", [](Bench& b, ShapeId id) {
+            b.world.setTile(id, {0, 0}, {});
+        }));
     const std::size_t tooMany = ~std::size_t{0};
     const std::string text = std::to_string(tooMany) + " is more than";
     add(c, {{"World.reserve", "capacity", [=](Bench& b) { b.world.reserve({.bodies = tooMany}); }, "Capacity.bodies",
