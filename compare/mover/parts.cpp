@@ -26,6 +26,10 @@ PathMover pathMoverOf(const PathMotion& motion) {
                       .repeat = motion.repeat});
 }
 
+Vec2 placeOn(const PathMover& path, double delay, int step, double dt) {
+    return path.at(std::max(0.0, step * dt - delay)).position;
+}
+
 GridMover gridMoverOf(const GridMotion& motion) {
     return GridMover({.cell = motion.cell, .heading = motion.heading});
 }

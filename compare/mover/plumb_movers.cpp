@@ -11,7 +11,7 @@ PlumbMovers::PlumbMovers(const Scene& scene, const PlumbWorld& made) {
         const std::size_t index = bodyIndex(scene, mover.body);
         const BodyId body = made.bodies[index];
         if (const auto* path = std::get_if<PathMotion>(&mover.motion))
-            movers_.push_back(OnPath{pathMoverOf(*path), body, scene.bodies[index].def.angle});
+            movers_.push_back(OnPath{pathMoverOf(*path), path->delay, body, scene.bodies[index].def.angle});
         if (const auto* sliding = std::get_if<SlidingMotion>(&mover.motion)) movers_.push_back(Sliding{*sliding, body});
         if (const auto* grid = std::get_if<GridMotion>(&mover.motion))
             movers_.push_back(OnGrid{*grid, gridMoverOf(*grid), TurnList(*grid), maps.of(scene, *grid), body});
@@ -26,7 +26,7 @@ void PlumbMovers::step(World& world, double dt) {
 }
 
 void PlumbMovers::step(World& world, OnPath& mover, double dt) const {
-    world.body(mover.body).moveTo(mover.mover.atTick(tick_ + 1, dt).position, mover.angle, dt);
+    world.body(mover.body).moveTo(placeOn(mover.mover, mover.delay, tick_ + 1, dt), mover.angle, dt);
 }
 
 void PlumbMovers::step(World& world, Sliding& mover, double dt) const {

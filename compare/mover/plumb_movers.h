@@ -20,6 +20,7 @@ public:
 private:
     struct OnPath {
         PathMover mover;
+        double delay;
         BodyId body;
         double angle;
     };

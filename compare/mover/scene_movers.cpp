@@ -32,7 +32,7 @@ SceneMovers::SceneMovers(const Scene& scene) : gravity_(-scene.gravity.y()) {
     for (const SceneMover& mover : scene.movers) {
         const std::size_t body = bodyIndex(scene, mover.body);
         if (const auto* path = std::get_if<PathMotion>(&mover.motion))
-            movers_.push_back({body, OnPath{pathMoverOf(*path)}});
+            movers_.push_back({body, OnPath{pathMoverOf(*path), path->delay}});
         if (const auto* sliding = std::get_if<SlidingMotion>(&mover.motion))
             movers_.push_back({body, Straight{sliding->velocity}});
         if (const auto* grid = std::get_if<GridMotion>(&mover.motion))
@@ -53,7 +53,7 @@ std::vector<MoverCommand> SceneMovers::commands(std::span<const BodyState> state
 }
 
 MoverCommand SceneMovers::command(OnPath& mover, const BodyState& now, double dt) const {
-    return {.velocity = velocityTo(mover.mover.atTick(tick_ + 1, dt).position, now, dt)};
+    return {.velocity = velocityTo(placeOn(mover.mover, mover.delay, tick_ + 1, dt), now, dt)};
 }
 
 MoverCommand SceneMovers::command(Straight& mover, const BodyState&, double) const {

@@ -29,6 +29,7 @@ public:
 private:
     struct OnPath {
         PathMover mover;
+        double delay;
     };
     struct Straight {
         Vec2 velocity;

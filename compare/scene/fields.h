@@ -331,6 +331,7 @@ void fields(auto& visit, Is<PathMotion> auto& x) {
     visit("points", x.points);
     visit("spline", x.spline);
     visit("closed", x.closed);
+    visit("delay", x.delay);
     visit("speed", x.speed);
     visit("acceleration", x.acceleration);
     visit("easing", x.easing);

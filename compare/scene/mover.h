@@ -16,6 +16,7 @@ struct PathMotion {
     std::vector<Vec2> points{};  ///< of the body's origin; 2 or more [m]
     bool spline = false;
     bool closed = false;      ///< back to the first point
+    double delay = 0;         ///< it rests so long first, >= 0 [s]
     double speed = 1;         ///< the highest, > 0 [m/s]
     double acceleration = 1;  ///< with easing "acceleration", > 0 [m/s^2]
     Easing easing = Easing::None;

@@ -16,6 +16,7 @@ void validateMotion(const Scene&, const PathMotion& motion, const std::string& f
     if (motion.points.size() < 2)
         refuse(field + ".points", std::to_string(motion.points.size()) + " make no path, wanted 2 or more");
     for (std::size_t i = 0; i < motion.points.size(); ++i) requireFinite(motion.points[i], at(field + ".points", i));
+    requireNotNegative(motion.delay, field, ".delay");
     requirePositive(motion.speed, field, ".speed");
     requirePositive(motion.acceleration, field, ".acceleration");
     (void)pathMoverOf(motion);

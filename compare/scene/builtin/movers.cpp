@@ -38,12 +38,15 @@ private:
     std::vector<Flight> flights_;
 };
 
-Scene jump(const char* name, PlatformStyle profile) {
+/// The hero has stood for that long when it jumps [s].
+Scene jump(const char* name, PlatformStyle profile, double takeOff) {
     const Vec2 half(0.4, 0.5);
     return {
         .name = name,
         .bodies = {solid("floor", {0, -0.5}, {5, 0.5}), moved("hero", {0, half.y() + skin}, box(half))},
-        .movers = {{.name = "player", .body = "hero", .motion = PlatformMotion{profile, {{.time = 0, .jump = true}}}}},
+        .movers = {{.name = "player",
+                    .body = "hero",
+                    .motion = PlatformMotion{profile, {{.time = takeOff, .jump = true}}}}},
     };
 }
 
@@ -73,6 +76,7 @@ Scene platformRide() {
         .movers = {{.name = "drive",
                     .body = "platform",
                     .motion = PathMotion{.points = {{0, -0.25}, {8, 1.75}},
+                                         .delay = 0.5,
                                          .speed = 4,
                                          .easing = Easing::SmoothStep,
                                          .repeat = PathRepeat::BackAndForth}},
@@ -115,15 +119,16 @@ Scene jump1985() {
     // 16 pixels a metre; 4 pixels a tick up, less 32/256 a tick while it rises, 112/256 as it falls. Place first, then
     // speed: in n ticks v n - a n (n - 1) / 2, which is a parabola of v + a / 2.
     const double rate = 60.0988, pixel = 1.0 / 16, rise = 0.125 * pixel, fall = 0.4375 * pixel, speed = 4 * pixel;
-    Scene scene = jump("jump_1985", PlatformStyle::Of1985);
+    Scene scene = jump("jump_1985", PlatformStyle::Of1985, 6 / rate);
     scene.question = "Does a jump of 1985 rise 66 pixels in 32 ticks, and fall as its tables have it?";
     scene.dt = 1 / rate;
-    scene.duration = 41 / rate;
+    scene.duration = 47 / rate;
     const Vec2 start = scene.bodies[1].def.position;
     scene.closedForm = ClosedForm{
         .formula = "in n ticks v n - a n (n - 1) / 2; v 4, a 32/256 rising, 112/256 falling [pixels]",
         .source = "public disassemblies of the platform game of 1985",
         .bodies = {PiecewiseMotion{"hero", Legs(start)
+                                               .go(6 / rate, {0, 0})
                                                .go(32 / rate, {0, (speed + rise / 2) * rate}, {0, -rise * rate * rate})
                                                .go(9 / rate, {0, fall / 2 * rate}, {0, -fall * rate * rate})
                                                .flights()}}};
@@ -139,7 +144,7 @@ Scene jumpModern() {
     const double slow = part * speed, down = factor * g;
     const double hangTime = slow / (share * down), fallen = slow * slow / (2 * share * down);
     const double fallTime = (std::sqrt(slow * slow + 2 * down * (height - fallen)) - slow) / down;
-    Scene scene = jump("jump_modern", PlatformStyle::Modern);
+    Scene scene = jump("jump_modern", PlatformStyle::Modern, 0.1);
     scene.question = "Is a jump with a hang near its top 2.5 m high, and as long as its formula says?";
     scene.duration = 1;
     const Vec2 start = scene.bodies[1].def.position;
@@ -147,6 +152,7 @@ Scene jumpModern() {
         ClosedForm{.formula = "v = g t in four stretches: rise, hang rising, hang falling, fall",
                    .source = "textbook, with the gravity of each stretch",
                    .bodies = {PiecewiseMotion{"hero", Legs(start)
+                                                          .go(0.1, {0, 0})
                                                           .go((speed - slow) / g, {0, speed}, {0, -g})
                                                           .go(slow / (share * g), {0, slow}, {0, -share * g})
                                                           .go(hangTime, {0, 0}, {0, -share * down})

@@ -32,7 +32,7 @@ ShapeDef row(int columns, int rows) {
 /// Along a line, each with its snags counted.
 void watch(Scene& scene, const std::string& body, const Flight& flight, const Vec2& way) {
     scene.closedForm->bodies.push_back(PiecewiseMotion{body, {flight}});
-    scene.probes.push_back({.name = "snags_" + body, .quantity = SnagsProbe{body, way}});
+    scene.probes.push_back({.name = "snags_" + body, .quantity = SnagsProbe{body, way}, .unit = "-"});
     scene.checks.push_back(invariant("probe.snags_" + body, 0, "inner edges are gone: nothing is there to catch on"));
 }
 

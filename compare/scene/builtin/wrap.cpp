@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+
 #include <compare/scene/builtin/parts.h>
 #include <compare/scene/builtin/scenes.h>
 #include <plumb/math/random.h>
@@ -8,38 +10,30 @@ namespace {
 
 constexpr Material lively{.friction = 0, .restitution = 1};
 
-/// At constant velocity in a world that wraps in x: parts of it, cut where it comes in at the other side.
-void goAround(std::vector<Flight>& flights, double start, double time, double x, double speed, double width, double y) {
-    const auto inside = [width](double at) { return at < 0 ? at + width : at >= width ? at - width : at; };
-    const double seam = speed < 0 ? x / -speed : (width - x) / speed;
-    flights.push_back({.start = start, .position = {inside(x), y}, .velocity = {speed, 0}});
-    if (x >= 0 && x < width && seam < time)
-        flights.push_back({.start = start + seam, .position = {speed < 0 ? width : 0.0, y}, .velocity = {speed, 0}});
+/// At constant velocity on a ring, for less than a round: cut where it comes in at the other side.
+void goAround(std::vector<Flight>& flights, double start, double time, double x, double speed, double ring) {
+    const double from = x - ring * std::floor(x / ring);
+    const double seam = (speed < 0 ? -from : ring - from) / speed;
+    flights.push_back({.start = start, .position = {from, 0}, .velocity = {speed, 0}});
+    if (seam < time)
+        flights.push_back({.start = start + seam, .position = {speed < 0 ? ring : 0.0, 0}, .velocity = {speed, 0}});
 }
 
 }  // namespace
 
 Scene wrapHeadOn() {
-    // Two discs of 1 m on a ring of 8 m: 6 m are free between them, on one side or the other, so that they meet once a
-    // second. The left one is between -0.47 and 2.53 m, the right one 4 m to 5 m on from it.
-    const double width = 8, speed = 3, y = 0, first = 1.0 / 3;
-    const double left = 0.53, right = 5.53;
+    // Two discs of 1 m on a ring of 8 m, of which 6 m are free between them, on one side or the other: at 3 m/s each,
+    // as somebody sees it who goes along at 0.3713 m/s, they meet once a second. So they meet anywhere on the ring.
+    const double ring = 8, speed = 3, drift = 0.3713, first = 1.0 / 3;
+    const double left = 1.3, right = 6.3;
     std::vector<Flight> a, b;
-    goAround(a, 0, first, left, -speed, width, y);
-    goAround(b, 0, first, right, speed, width, y);
+    goAround(a, 0, first, left, drift - speed, ring);
+    goAround(b, 0, first, right, drift + speed, ring);
     for (int meeting = 0; meeting < 10; ++meeting) {
-        const bool atSeam = meeting % 2 == 0;
-        const double start = first + meeting, sign = atSeam ? 1 : -1;
-        const double fromA = atSeam ? left - 1 : left + 2, fromB = atSeam ? right + 1 : right - 2;
-        // The left one starts beyond the seam, and comes in again.
-        if (atSeam) {
-            const double seam = -fromA / speed;
-            a.push_back({.start = start, .position = {fromA + width, y}, .velocity = {speed, 0}});
-            a.push_back({.start = start + seam, .position = {0, y}, .velocity = {speed, 0}});
-        } else {
-            goAround(a, start, 1, fromA, -speed, width, y);
-        }
-        goAround(b, start, 1, fromB, -sign * speed, width, y);
+        const double start = first + meeting, moved = drift * start, apart = meeting % 2 == 0 ? 0 : 3;
+        const double back = meeting % 2 == 0 ? speed : -speed;
+        goAround(a, start, 1, left - 1 + apart + moved, drift + back, ring);
+        goAround(b, start, 1, right + 1 - apart + moved, drift - back, ring);
     }
     const auto disc = [](const char* name, double x, double v) -> SceneBody {
         return {name, {.position = {x, 0}, .velocity = {v, 0}, .shapes = {circle(0.5, lively)}}};
@@ -50,8 +44,8 @@ Scene wrapHeadOn() {
         .gravity = {0, 0},
         .duration = 10,
         .sleeping = false,
-        .wrap = {.width = width},
-        .bodies = {disc("left", left, -speed), disc("right", right, speed)},
+        .wrap = {.width = ring},
+        .bodies = {disc("left", left, drift - speed), disc("right", right, drift + speed)},
         .closedForm = ClosedForm{.formula = "equal discs change velocities, once a second, on one side or the other",
                                  .source = "textbook: elastic impact of equal masses",
                                  .bodies = {PiecewiseMotion{"left", a}, PiecewiseMotion{"right", b}}},

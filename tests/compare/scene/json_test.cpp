@@ -498,8 +498,8 @@ TEST_CASE("a value of the wrong kind is refused with what was wanted", "[compare
     CHECK(complaint(withBody(R"("shapes": [{"segment": {}, "box": {}}])")) ==
           "f.json:2: bodies[0].shapes[0]: has both box and segment, wanted one of them");
     CHECK(complaint(withBody(R"("shapes": [{"material": {}}])")) ==
-          "f.json:2: bodies[0].shapes[0]: does not say of what kind it is, wanted circle, capsule, polygon, segment or "
-          "chain");
+          "f.json:2: bodies[0].shapes[0]: does not say of what kind it is, wanted circle, capsule, polygon, segment, "
+          "chain or tiles");
     CHECK(complaint(withBody(R"("shapes": [{"circle": {}, "filter": {"group": 2147483648}}])")) ==
           "f.json:2: bodies[0].shapes[0].filter.group: 2147483648 is not a whole number of 32 bits");
     CHECK(complaint(withBody(R"("shapes": [{"circle": {}, "filter": {"group": 1.5}}])")) ==

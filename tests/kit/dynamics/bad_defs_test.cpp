@@ -33,6 +33,7 @@ const Fields<SolverSettings> solverFields{
 const Fields<WorldDef> worldFields{
     number("gravity", &WorldDef::gravity, notFinite),
     anything<WorldDef>("sleeping"),
+    anything<WorldDef>("wrap"),  // refused as wrap_test.cpp shows
     anything<WorldDef>("ledger"),
     number("hitSpeed", &WorldDef::hitSpeed, negativeBound),
     nested("solver", &WorldDef::solver, solverFields),
