@@ -7,11 +7,7 @@ namespace plumb::compare {
 
 std::vector<Lab> builtinLabs() {
     return {
-        frameRate(),
-        integrators(),
-        broadPhases(),
-        bulletAndWindow(),
-        forecasts(),
+        frameRate(), integrators(), broadPhases(), bulletAndWindow(), forecasts(), flushTiles(),
     };
 }
 

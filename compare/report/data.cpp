@@ -204,6 +204,8 @@ json sceneData(const SceneResult& result, const PlaybackFormat& format, const Re
                  {"width", static_cast<int>(format.width)},
                  {"stride", format.stride},
                  {"curveStride", stride}};
+    if (!scene.movers.empty()) data["moved"] = true;
+    if (scene.wrap.any()) data["wrap"] = {scene.wrap.width.value_or(0), scene.wrap.height.value_or(0)};
     for (const char* list : {"bodies", "joints", "fields", "probes", "engines", "outcomes"}) data[list] = json::array();
     for (const SceneBody& body : scene.bodies) data["bodies"].push_back(bodyData(body));
     const std::vector<JointGeometry> joints = jointGeometries(scene);

@@ -37,6 +37,9 @@ FrameTests lectureTests();
 /// bullet_and_window.cpp
 Lab bulletAndWindow(const FrameTests& tests = lectureTests());
 
+/// flush_tiles.cpp
+Lab flushTiles();
+
 /// As the kit does it.
 Forecast foretold(const World& world, const BodyDef& shot, int ticks, double dt);
 

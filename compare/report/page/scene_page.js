@@ -1,12 +1,24 @@
 // SPDX-License-Identifier: MIT
 // What does the page of one scene hold together? The stage, the charts and the tables, at one time.
 
-/// Where engines are not given the same: Box2D is pushed from outside.
-function fieldNotes(scene) {
-    const pushed = scene.engines.some(({name, unsupported}) => name.startsWith("box2d") && !unsupported);
-    if (scene.fields.length === 0 || !pushed) return [];
-    return [element("p", {class: "unsupported"}, "Box2D has no fields: the forces of this scene's fields are applied " +
-        "to its bodies from outside, once a step, and stay the same through it. In Plumb they act in each sub-step.")];
+/// Where engines are not given the same: what Box2D has not, its user does from outside.
+function outsideNotes(scene) {
+    const runs = scene.engines.some(({name, unsupported}) => name.startsWith("box2d") && !unsupported);
+    if (!runs) return [];
+    const notes = [];
+    if (scene.fields.length > 0) {
+        notes.push("Box2D has no fields: the forces of this scene's fields are applied to its bodies from outside, " +
+            "once a step, and stay the same through it. In Plumb they act in each sub-step.");
+    }
+    if (scene.moved) {
+        notes.push("Box2D has no movers: before each step its bodies are given the velocity that takes them where " +
+            "they are wanted. One that jumps is a dynamic body that cannot turn, with the gravity of its phase.");
+    }
+    if (scene.wrap) {
+        notes.push("Box2D's world does not wrap: what has left it after a step is put in at the other side, and " +
+            "nothing meets across the seam.");
+    }
+    return notes.map((note) => element("p", {class: "unsupported"}, note));
 }
 
 class ScenePage {
@@ -77,7 +89,7 @@ class ScenePage {
         const missing = scene.engines.filter((engine) => engine.unsupported);
         byId("unsupported").replaceChildren(...missing.map(({name, unsupported}) =>
             element("p", {class: "unsupported"}, engineName(name), ` does not run this scene: ${unsupported}`)),
-            ...fieldNotes(scene));
+            ...outsideNotes(scene));
     }
 
     showKeys(scene) {

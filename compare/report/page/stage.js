@@ -109,6 +109,30 @@ function drawStill(context, camera, theme, scene, box) {
     }
 }
 
+/// Where a world goes on at its other side; 0 along what does not.
+function drawSeams(context, camera, theme, [width, height]) {
+    context.setLineDash([6, 6]);
+    context.strokeStyle = theme.ink;
+    context.lineWidth = 1.5;
+    context.beginPath();
+    for (const x of width > 0 ? [0, width] : []) {
+        context.moveTo(camera.x(x), height > 0 ? camera.y(0) : 0);
+        context.lineTo(camera.x(x), height > 0 ? camera.y(height) : camera.height);
+    }
+    for (const y of height > 0 ? [0, height] : []) {
+        context.moveTo(width > 0 ? camera.x(0) : 0, camera.y(y));
+        context.lineTo(width > 0 ? camera.x(width) : camera.width, camera.y(y));
+    }
+    context.stroke();
+}
+
+/// Is this farther than half a round? Then the way went over a seam.
+function isAround(scene, before, after) {
+    const [width, height] = scene.wrap ?? [0, 0];
+    return width > 0 && Math.abs(after.x - before.x) > width / 2 ||
+        height > 0 && Math.abs(after.y - before.y) > height / 2;
+}
+
 /// A spoke shows how a disc has turned; a body too small to see is at least a dot.
 function drawBody(context, camera, body, pose, look, color) {
     context.beginPath();
@@ -171,14 +195,14 @@ function drawTrails(context, camera, view, engine, look) {
         const dots = [];
         context.globalAlpha = 0.6;
         context.beginPath();
-        let pen = false;
+        let before = null;
         for (let at = first; at <= frame; ++at) {
             const pose = drawnPose(scene, engine, at, body, magnify);
             if (!pose) continue;
             const point = [camera.x(pose.x), camera.y(pose.y)];
-            if (pen) context.lineTo(...point);
+            if (before && !isAround(scene, before, pose)) context.lineTo(...point);
             else context.moveTo(...point);
-            pen = true;
+            before = pose;
             if (at % flash === 0) dots.push(point);
         }
         context.stroke();
@@ -229,6 +253,7 @@ function drawStage(canvas, view) {
     const camera = fitCamera(view.box, width, height, {left: 3.4 * text, right: text, top: text, bottom: 2 * text});
     drawPaper(context, camera, theme);
     drawFields(context, camera, view);
+    if (view.scene.wrap) drawSeams(context, camera, theme, view.scene.wrap);
     drawStill(context, camera, theme, view.scene, view.box);
     for (const engine of view.scene.running) {
         if (!view.hidden.has(engine.name)) drawEngine(context, camera, view, engine);
