@@ -32,15 +32,14 @@ std::vector<ShapeDef> solidParts(const ShapeDef& shape) {
     std::vector<ShapeDef> parts;
     for (TilePiece& piece : tilePiecesOf(*map)) {
         if (piece.use != PieceUse::Ask) continue;
-        parts.push_back(shape);
-        parts.back().shape = std::move(piece.shape);
+        parts.push_back({.shape = std::move(piece.shape), .filter = shape.filter});
     }
     return parts;
 }
 
 }  // namespace
 
-Geometry::Geometry(const Scene& scene) : joints_(scene) {
+Geometry::Geometry(const Scene& scene) : wrap_(scene.wrap), joints_(scene) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const BodyDef& def = scene.bodies[i].def;
         for (const ShapeDef& shape : def.shapes)
@@ -68,14 +67,30 @@ std::optional<double> Geometry::penetration(std::span<const BodyState> states) c
     Bvh tree;
     tree.build(boxes);
     double deepest = 0;
-    for (const Pair& pair : tree.pairs()) {
+    const auto look = [&](const Pair& pair, const Vec2& shift) {
         const Placed& a = shapes_[pair.a];
         const Placed& b = shapes_[pair.b];
-        if (!mayTouch(a, b)) continue;
-        const Distance apart = distance(a.shape.shape, poses[a.body], b.shape.shape, poses[b.body]);
-        deepest = std::max(deepest, -apart.separation);
-    }
+        if (!mayTouch(a, b)) return;
+        const Transform there{poses[b.body].position + shift, poses[b.body].rotation};
+        deepest = std::max(deepest, -distance(a.shape.shape, poses[a.body], b.shape.shape, there).separation);
+    };
+    for (const Pair& pair : tree.pairs()) look(pair, {0, 0});
+    if (wrap_.any()) forEachAround(boxes, look);
     return deepest;
+}
+
+/// Whose boxes overlap once one of the two is shifted by a round. Such scenes are small.
+template <class Look>
+void Geometry::forEachAround(const std::vector<Aabb>& boxes, Look&& look) const {
+    for (std::uint32_t b = 0; b < boxes.size(); ++b) {
+        for (std::uint32_t a = 0; a < boxes.size(); ++a) {
+            for (const Vec2& rounds : {Vec2(1, 0), Vec2(0, 1), Vec2(1, 1), Vec2(1, -1)}) {
+                const Vec2 shift = wrap_.lengthOf(rounds);
+                const Aabb there{boxes[b].lower + shift, boxes[b].upper + shift};
+                if (a != b && !shift.isZero(0) && overlap(boxes[a], there)) look({a, b}, shift);
+            }
+        }
+    }
 }
 
 std::optional<double> Geometry::jointError(std::span<const BodyState> states, const Broken& broken) const {

@@ -37,7 +37,10 @@ private:
         bool dynamic;
     };
     bool mayTouch(const Placed& a, const Placed& b) const;
+    template <class Look>
+    void forEachAround(const std::vector<Aabb>& boxes, Look&& look) const;
 
+    Wrap wrap_;
     std::vector<Placed> shapes_;
     JointStates joints_;
     std::set<std::pair<std::size_t, std::size_t>> keptApart_;

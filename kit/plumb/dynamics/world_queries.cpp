@@ -8,6 +8,7 @@
 #include <plumb/collide/detail/outline_normal.h>
 #include <plumb/collide/ray_cast.h>
 #include <plumb/collide/shape_cast.h>
+#include <plumb/dynamics/detail/body_shapes.h>
 #include <plumb/dynamics/detail/onlooker.h>
 #include <plumb/dynamics/detail/validate.h>
 #include <plumb/dynamics/world.h>
@@ -177,8 +178,11 @@ void forEachNearShift(const Wrap& wrap, const Aabb& still, const Aabb& box, Visi
 std::vector<ProxyId> proxiesOf(const WorldState& world, const ShapeId& id, const std::string& field) {
     requireShape(world, id, field);
     std::vector<ProxyId> proxies;
-    for (const ProxyId proxy : world.bodies.record[id.body.index].proxies)
-        if (world.space[proxy].number == id.number && world.space.gate(proxy).asked) proxies.push_back(proxy);
+    // A map's sensor tiles are none of what it fills, unless all of it is a sensor.
+    const std::span<const ProxyId> pieces = piecesOf(world, id.body.index, id.number);
+    const bool isSensor = world.space[pieces.front()].def.sensor;
+    for (const ProxyId proxy : pieces)
+        if (world.space.gate(proxy).asked && (isSensor || !world.space[proxy].def.sensor)) proxies.push_back(proxy);
     return proxies;
 }
 

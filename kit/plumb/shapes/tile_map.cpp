@@ -25,7 +25,7 @@ int wrappedInto(int index, int count) {
 
 int flooredIndex(double value) {
     constexpr double most = std::numeric_limits<int>::max();
-    return static_cast<int>(std::clamp(std::floor(value), -most, most));
+    return std::isnan(value) ? 0 : static_cast<int>(std::clamp(std::floor(value), -most, most));
 }
 
 std::string textOf(Cell cell) {

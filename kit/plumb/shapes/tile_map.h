@@ -46,7 +46,7 @@ public:
     TileMap wrapping(bool x, bool y) const;
 
     /// The cell in which a point lies, also outside of the map, not wrapped; on an edge the one to the right and above.
-    /// Coordinates are cut to what an int holds.
+    /// Coordinates are cut to what an int holds, and 0 where they are no number.
     Cell cellAt(const Vec2& point) const;
     Vec2 lowerLeft(Cell cell) const { return {cell.column * def_.size, cell.row * def_.size}; }                 ///< [m]
     Vec2 centerOf(Cell cell) const { return {(cell.column + 0.5) * def_.size, (cell.row + 0.5) * def_.size}; }  ///< [m]

@@ -36,6 +36,7 @@ ProxyId Space::add(const ShapeDef& def, std::uint32_t owner, bool fixed, const V
                    std::uint32_t number, bool piece, PieceUse use) {
     const ProxyId id = acquire();
     proxies_[id] = {def, convexOf(def.shape, localCenter), owner, number, piece, use, fixed, true};
+    proxies_[id].convex.oneSided = use == PieceUse::Touch;
     gates_[id] = gateOf(proxies_[id]);
     seats_[id].fixed = fixed;
     placed_[id].box = tight;
@@ -66,6 +67,7 @@ void Space::change(ProxyId id, const ShapeDef& def) {
 
 void Space::change(ProxyId id, bool fixed, const Vec2& localCenter) {
     proxies_[id].convex = convexOf(proxies_[id].def.shape, localCenter);
+    proxies_[id].convex.oneSided = proxies_[id].use == PieceUse::Touch;
     proxies_[id].fixed = fixed;
     gates_[id] = gateOf(proxies_[id]);
     seats_[id].fixed = fixed;

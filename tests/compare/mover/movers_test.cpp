@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include <compare/metric/geometry.h>
 #include <compare/metric/observation.h>
 #include <compare/scene/builtin.h>
 #include <compare/scene/json.h>
@@ -127,4 +128,21 @@ TEST_CASE("in Box2D what has left a world that wraps comes in at the other side"
         INFO(engine.name);
         CHECK((seen.states.back()[0].position - Vec2(2, 4)).norm() < 1e-4);
     }
+}
+
+TEST_CASE("discs that overlap by 0.1 m across the seam, or the corner, of a world are said to", "[compare][wrap]") {
+    const auto scene = [](const Vec2& other) {
+        Scene wrapped{.name = "a", .gravity = {0, 0}, .wrap = {.width = 8, .height = 6}};
+        wrapped.bodies = {{"a", {.position = {7.6, 5.7}, .shapes = {circle(0.5)}}},
+                          {"b", {.position = other, .shapes = {circle(0.5)}}}};
+        return wrapped;
+    };
+    const auto overlapOf = [&](const Vec2& other) {
+        const Scene wrapped = scene(other);
+        return Geometry(wrapped).penetration(std::vector<BodyState>{{{7.6, 5.7}}, {other}}).value();
+    };
+    CHECK(overlapOf({0.5, 5.7}) == Approx(0.1).epsilon(1e-9));
+    CHECK(overlapOf({7.6, 0.6}) == Approx(0.1).epsilon(1e-9));
+    CHECK(overlapOf({0.14, 0.42}) == Approx(1 - std::hypot(0.54, 0.72)).epsilon(1e-9));
+    CHECK(overlapOf({3, 3}) == 0);
 }

@@ -252,11 +252,19 @@ Manifold turnedSunk(const Meeting& m) {
     return ownDepth > deeper * depth ? Manifold{} : result;
 }
 
+/// Of an outline that is solid on its left: is the other shape on its inner side, but for the way around a corner?
+bool isBehind(const Convex& piece, const Meeting& m) {
+    const Vec2f outer = piece.normals[0];
+    if (m.side.normal.dot(outer) > 0) return false;
+    return !m.between || m.joint.normal.dot(outer) <= 0;
+}
+
 }  // namespace
 
 Manifold chainManifold(const Convex& piece, const Core& other, float far, float margin) {
     const Meeting m = meetingOf(piece, other, far, margin);
     if (m.found.count == 0) return m.found;
+    if (piece.oneSided && isBehind(piece, m)) return {};
     if (!m.between && m.separation <= touching && other.count > 1)
         for (const bool atEnd : {false, true})
             if (standsAround(jointAt(piece, atEnd), m.segment, m.side, other)) return {};

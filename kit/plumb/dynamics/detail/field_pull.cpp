@@ -23,8 +23,9 @@ bool letsIn(const FieldRecord& field, const WorldState& world, BodyIndex body) {
     const Filter& f = field.def.filter;
     const Gate gate{f.category, f.mask, 0, f.group, false, false};
     const std::vector<ProxyId>& proxies = world.bodies.record[body].proxies;
-    return std::any_of(proxies.begin(), proxies.end(),
-                       [&](ProxyId proxy) { return mayMeet(gate, world.space.gate(proxy)); });
+    return std::any_of(proxies.begin(), proxies.end(), [&](ProxyId proxy) {
+        return mayMeet(gate, world.space.gate(proxy)) && world.space[proxy].use != PieceUse::None;
+    });
 }
 
 bool covers(const FieldDef& field, const Vec2& point) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/detail/placed_outline.h>
 
-#include <array>
+#include <plumb/shapes/chain.h>
 
 namespace plumb {
 
@@ -23,9 +23,16 @@ PlacedOutline localOutline(const Chain& chain) {
     return {chain.points, 0, false};
 }
 
+/// What its solid tiles fill; a point, where there are none.
 PlacedOutline localOutline(const TileMap& map) {
-    const std::array<Vec2, 4> corners = outerCornersOf(map);
-    return {{corners.begin(), corners.end()}, 0, false};
+    PlacedOutline outline{{}, 0, false};
+    for (const Shape& piece : piecesOf(map)) {
+        const PlacedOutline part = std::holds_alternative<Polygon>(piece) ? localOutline(std::get<Polygon>(piece))
+                                                                          : localOutline(std::get<Segment>(piece));
+        outline.corners.insert(outline.corners.end(), part.corners.begin(), part.corners.end());
+    }
+    if (outline.corners.empty()) outline.corners.push_back({0, 0});
+    return outline;
 }
 
 }  // namespace

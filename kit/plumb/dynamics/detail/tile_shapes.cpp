@@ -15,31 +15,39 @@ namespace {
 /// Share of a cell by which a point is moved into what was met there: above roundings, below any tile [-].
 constexpr double inward = 1e-6;
 
-ShapeDef partOf(const ShapeDef& whole, const TilePiece& piece) {
-    ShapeDef part = whole;
-    part.shape = piece.shape;
+/// All that a piece has of the whole but its shape: a map may be large.
+ShapeDef withoutShape(const ShapeDef& whole) {
+    ShapeDef part;
+    part.material = whole.material;
     part.material.density = 0;
-    part.sensor = whole.sensor || piece.kind == TileKind::Sensor;
-    if (piece.kind == TileKind::OneWay) part.oneWay = Vec2(0, 1);
+    part.filter = whole.filter;
+    part.sensor = whole.sensor;
+    part.oneWay = whole.oneWay;
+    part.rule = whole.rule;
+    part.tag = whole.tag;
     return part;
 }
 
-std::vector<PieceDef> partsOf(const ShapeDef& whole, const std::vector<TilePiece>& pieces) {
+std::vector<PieceDef> partsOf(const ShapeDef& whole, std::vector<TilePiece> pieces) {
+    const ShapeDef common = withoutShape(whole);
     std::vector<PieceDef> parts;
-    for (const TilePiece& piece : pieces) {
-        const bool outline = piece.use == PieceUse::Touch;
-        if (whole.sensor && outline) continue;
-        parts.push_back({partOf(whole, piece), whole.sensor ? PieceUse::Both : piece.use});
+    parts.reserve(pieces.size());
+    for (TilePiece& piece : pieces) {
+        if (whole.sensor && piece.use == PieceUse::Touch) continue;
+        parts.push_back({common, whole.sensor ? PieceUse::Both : piece.use});
+        ShapeDef& part = parts.back().def;
+        part.shape = std::move(piece.shape);
+        part.sensor = whole.sensor || piece.kind == TileKind::Sensor;
+        if (piece.kind == TileKind::OneWay) part.oneWay = Vec2(0, 1);
     }
     return parts;
 }
 
 /// Holds the place of a map that may be empty.
 PieceDef placeholderOf(const ShapeDef& whole, const TileMap& map) {
-    ShapeDef part = whole;
-    part.shape = Circle{.radius = 0.5 * map.size(), .center = map.centerOf({0, 0})};
-    part.material.density = 0;
-    return {part, PieceUse::None};
+    PieceDef part{withoutShape(whole), PieceUse::None};
+    part.def.shape = Segment{map.lowerLeft({0, 0}), map.lowerLeft({1, 1})};
+    return part;
 }
 
 bool isSame(const WorldState& world, ProxyId proxy, const PieceDef& part) {
@@ -71,6 +79,15 @@ void renewBlock(WorldState& world, BodyIndex body, std::uint32_t number, Cell bl
     present.insert(present.end(), added.begin(), added.end());
 }
 
+/// A stretch of an outline has what is filled on its left, wherever it was met; a one-way tile is met at its top alone.
+Vec2 outwardOf(const Proxy& piece, const Vec2& normal) {
+    if (piece.def.oneWay) return *piece.def.oneWay;
+    const auto* stretch = std::get_if<Segment>(&piece.def.shape);
+    if (stretch == nullptr) return normal;
+    const Vec2 along = (stretch->end - stretch->start).normalized();
+    return {along.y(), -along.x()};
+}
+
 int cellIn(double value, double lower, double upper, double size) {
     const auto index = [size](double x) { return static_cast<int>(std::floor(x / size)); };
     const int first = index(lower + inward * size), last = index(upper - inward * size);
@@ -99,12 +116,12 @@ void editTile(WorldState& world, BodyIndex body, std::uint32_t number, Cell cell
 }
 
 ShapeDef pieceOf(const ShapeDef& whole, const Proxy& piece) {
-    ShapeDef part = whole;
+    const bool isMap = std::holds_alternative<TileMap>(whole.shape);
+    ShapeDef part = withoutShape(whole);
     part.shape = piece.def.shape;
-    if (!std::holds_alternative<TileMap>(whole.shape)) return part;
-    part.material.density = 0;
-    part.sensor = piece.def.sensor;
-    part.oneWay = piece.def.oneWay;
+    if (!isMap) part.material.density = whole.material.density;
+    if (isMap) part.sensor = piece.def.sensor;
+    if (isMap) part.oneWay = piece.def.oneWay;
     return part;
 }
 
@@ -116,8 +133,7 @@ std::optional<Cell> tileMet(const WorldState& world, ProxyId piece, const Vec2& 
     const Transform pose = world.bodies.pose(proxy.owner);
     const Rot back = pose.rotation.inverse();
     const double size = found->second.map().size();
-    // A one-way tile is met at its top alone.
-    const Vec2 out = proxy.def.oneWay ? *proxy.def.oneWay : Vec2(back * normal);
+    const Vec2 out = outwardOf(proxy, back * normal);
     const Vec2 local = back * Vec2(point - pose.position) - out * (inward * size);
     const Aabb box = aabbOf(proxy.def.shape, {});
     const double lower = proxy.def.oneWay ? box.lower.y() - inward * size : box.lower.y();
