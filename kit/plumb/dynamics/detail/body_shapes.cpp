@@ -207,7 +207,11 @@ void wakeTouchingPiece(WorldState& world, BodyIndex body, ProxyId piece) {
 void alterShape(WorldState& world, BodyIndex body, const ShapeDef& def, std::uint32_t number) {
     const std::span<const ProxyId> pieces = piecesOf(world, body, number);
     const ShapeDef before = world.space[pieces.front()].def;
-    if (const auto tiles = world.tiles.find({body, number}); tiles != world.tiles.end()) tiles->second.def = def;
+    if (const auto tiles = world.tiles.find({body, number}); tiles != world.tiles.end()) {
+        TileMap map = tiles->second.map();
+        tiles->second.def = def;
+        tiles->second.def.shape = std::move(map);
+    }
     for (const ProxyId proxy : pieces) {
         world.space.change(proxy, pieceOf(def, world.space[proxy]));
         outline(world, proxy, world.bodies.record[body].localCenter);

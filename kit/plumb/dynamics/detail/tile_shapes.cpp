@@ -56,6 +56,20 @@ bool isSame(const WorldState& world, ProxyId proxy, const PieceDef& part) {
            there.def.shape == part.def.shape;
 }
 
+bool isAsLong(const std::optional<double>& round, double length) {
+    return round && std::fabs(*round - length) <= 1e-9 * length;
+}
+
+/// It goes on at its other side where it lies straight around a world that does, and is as wide or as high, whatever
+/// was asked: elsewhere it has ends.
+TileMap asItLies(const TileMap& map, const WorldState& world, BodyIndex body) {
+    const Rot& turned = world.bodies.motion[body].rotation;
+    const bool straight = turned.cos == 1 && turned.sin == 0;
+    const Wrap& wrap = world.def.wrap;
+    return map.wrapping(straight && isAsLong(wrap.width, map.columns() * map.size()),
+                        straight && isAsLong(wrap.height, map.rows() * map.size()));
+}
+
 void wakeOn(WorldState& world, BodyIndex body, const std::vector<ProxyId>& pieces) {
     for (const ProxyId piece : pieces) wakeTouchingPiece(world, body, piece);
 }
@@ -99,12 +113,13 @@ int cellIn(double value, double lower, double upper, double size) {
 void addTiles(WorldState& world, BodyIndex body, const ShapeDef& def, std::uint32_t number) {
     TileShape& tiles = world.tiles[{body, number}];
     tiles = {def, {}};
+    tiles.def.shape = asItLies(std::get<TileMap>(def.shape), world, body);
     addPieces(world, body, number, std::vector{placeholderOf(def, tiles.map())}, true);
     const Cell blocks = tileBlocksOf(tiles.map());
     for (int row = 0; row < blocks.row; ++row)
         for (int column = 0; column < blocks.column; ++column)
             tiles.blocks[{row, column}] =
-                addPieces(world, body, number, partsOf(def, tilePiecesOf(tiles.map(), {column, row})), true);
+                addPieces(world, body, number, partsOf(tiles.def, tilePiecesOf(tiles.map(), {column, row})), true);
 }
 
 void editTile(WorldState& world, BodyIndex body, std::uint32_t number, Cell cell, const Tile& tile) {
