@@ -110,7 +110,8 @@ namespace {
 /// Two faces that lie flush push each other in the middle of what they share.
 Vec2 middleOf(const SlideRun& run, const CastHit& hit) {
     const Vec2 line = perp(hit.normal);
-    const Transform pose = std::as_const(run.world).body(hit.shape.body).pose();
+    Transform pose = std::as_const(run.world).body(hit.shape.body).pose();
+    pose.position += run.world.wrap().shiftNear(pose.position, run.position);
     const FaceSpan theirs = faceSpan(run.world.shape(hit.shape).shape, pose, hit.normal, line);
     const FaceSpan ours = run.probe.faceSpanAt(run.position, -hit.normal, line);
     const double low = std::max(theirs.low, ours.low), high = std::min(theirs.high, ours.high);
