@@ -101,6 +101,20 @@ TEST_CASE("it falls at most at its terminal speed of 20 m/s", "[movers]") {
     CHECK(fastest == -20);
 }
 
+TEST_CASE("a spring of 12 m/s lifts off the floor it is set on, as high as its closed form", "[movers]") {
+    for (double speed : {12.0, 3.0}) {
+        Game game;
+        const double ground = game.position().y(), gravity = game.mover.profile().vertical.jumps[0].releaseGravity;
+        game.mover.setVelocity({0, speed});
+        const double top = game.highest(still) - ground, height = speed * speed / (2 * gravity);
+        // The highest of whole ticks: at most half a tick's rise or fall from the apex is missed.
+        CHECK(top <= height + 1e-12);
+        CHECK(top >= height - gravity * dt * dt / 2);
+        CHECK(game.mover.slide().isOnFloor);
+        CHECK_FALSE(game.mover.hasJumped());
+    }
+}
+
 TEST_CASE("0.1 s after it ran off a ledge it may still jump; without coyote time, or later, not", "[movers]") {
     const auto jumpsAfter = [](double coyote, int ticks) {
         Game game(with(coyote, 0), 19);
