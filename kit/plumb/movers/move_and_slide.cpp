@@ -238,7 +238,8 @@ Slide moveAndSlide(World& world, BodyId body, const SlideMotion& motion, const S
     const bool kept = arrived && !jumped && level == 0 && !hindered;
     rememberPlace(run, last, kept);
     if (isStill(run, here, kept)) run.position = here;
-    if (run.out.dropping && !motion.dropThrough) run.out.dropping = run.probe.isInOneWay(run.position);
+    // Who stands did not drop, or is through.
+    run.out.dropping &= !run.out.isOnFloor && (motion.dropThrough || run.probe.isInOneWay(run.position));
     run.out.position = run.position;
     run.out.displacement = run.position - here;
     // Told anew, a velocity wakes what is near.
