@@ -85,6 +85,17 @@ bool goAlong(SlideRun& run, Vec2 shift) {
     return (run.position - wanted).cwiseAbs().maxCoeff() < 1e-9;
 }
 
+/// Is what it stood on where its velocity, of this tick or of the last, took it?
+bool isFloorThere(const World& world, const Slide& last, const SlideMotion& motion, const SlideSettings& settings) {
+    if (!last.isOnFloor || !last.floor || !world.contains(last.floor->shape.body)) return false;
+    const BodyView body = world.body(last.floor->shape.body);
+    const Vec2 now = body.pose() * last.anchor, velocity = body.velocityAt(now);
+    const Vec2 off = world.wrap().way(last.anchorAfter, now);
+    const double speeds =
+        std::sqrt(velocity.dot(velocity)) + std::sqrt(last.platformVelocity.dot(last.platformVelocity));
+    return std::sqrt(off.dot(off)) <= speeds * motion.dt + settings.skin;
+}
+
 /// Onto its place on what carries it; false when it cannot get there.
 bool carry(SlideRun& run, const Slide& last, bool moved) {
     const BodyId carrier = last.floor->shape.body;
@@ -179,6 +190,7 @@ void rememberPlace(SlideRun& run, const Slide& last, bool kept) {
     const bool same = kept && last.floor && last.floor->shape.body == carrier;
     const Transform pose = std::as_const(run.world).body(carrier).pose();
     run.out.anchor = same ? last.anchor : Vec2(pose.inverse() * nearTo(run.world, now, pose.position));
+    run.out.anchorAfter = same ? soon(run, carrier, nearTo(run.world, pose * last.anchor, now)) : run.position;
 }
 
 /// What it stands on creeps by roundings, or as crates do that settle: it would wake them by following in each tick.
@@ -217,7 +229,8 @@ Slide moveAndSlide(World& world, BodyId body, const SlideMotion& motion, const S
     const Vec2 wanted = motion.displacement ? *motion.displacement : Vec2(motion.velocity * motion.dt);
     SlideRun run{world,           settings, {world, body, settings, motion.dt}, motion.dt, start,
                  motion.velocity, {0, 0},   settings.pushStrength * motion.dt,  {}};
-    const bool rides = last.isOnFloor && last.floor && world.contains(last.floor->shape.body);
+    const bool rides = isFloorThere(world, last, motion, settings);
+    if (last.isOnFloor && last.floor && !world.contains(last.floor->shape.body)) run.carry = last.platformVelocity;
     const bool rises = motion.velocity.dot(settings.up) > 0;
     run.out.dropping = motion.dropThrough || last.dropping;
     run.probe.findMoving(settings.reach + wanted.cwiseAbs().maxCoeff(),
