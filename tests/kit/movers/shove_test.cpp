@@ -74,4 +74,23 @@ TEST_CASE("who lies over a flush floor and a wall is parted from the wall along 
     CHECK(std::fabs(slider.slide.position.y() - 0.901) < 1e-9);
 }
 
+TEST_CASE("who walks at 3 m/s into a wedge of slope and ceiling, or a wall that leans, stops and says so", "[movers]") {
+    for (const bool ceiling : {true, false}) {
+        World world;
+        addStatic(world, {0, 0}, ceiling ? chain({{12, 6}, {2, 0}, {-10, 0}}) : chain({{10, 0}, {-10, 0}}));
+        if (ceiling)
+            addStatic(world, {5, 3}, box({4, 0.2}));
+        else
+            addStatic(world, {4, 0}, {.shape = Polygon{{{0, 0}, {4, 0}, {4, 8}}}});
+        Slider slider{addKinematic(world, {0, 0.901}, capsule({0, -0.5}, {0, 0.5}, 0.4))};
+        for (int i = 0; i < 180; ++i) slider.step(world, 3, dt);
+        INFO(ceiling << " at " << slider.slide.position.x());
+        CHECK(slider.slide.isOnFloor);
+        CHECK(slider.slide.isOnWall);
+        CHECK(slider.slide.velocity.isZero(0));
+        CHECK(slider.slide.wallNormal.x() < 0);
+        CHECK(std::fabs(slider.slide.displacement.x()) < 1e-6);
+    }
+}
+
 }  // namespace plumb::test
