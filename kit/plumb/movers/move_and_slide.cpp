@@ -78,6 +78,7 @@ bool goAlong(SlideRun& run, Vec2 shift) {
             run.position = run.position + shift;
             break;
         }
+        run.note(*way.hit, SlideEffect::Slid);
         run.position += shift * (way.length / length);
         shift *= 1 - way.length / length;
         shift -= way.hit->normal * shift.dot(way.hit->normal);

@@ -93,4 +93,24 @@ TEST_CASE("who walks at 3 m/s into a wedge of slope and ceiling, or a wall that 
     }
 }
 
+TEST_CASE("a wall against which a platform of 2 m/s carries a mover is told as a hit of 2 m/s", "[movers]") {
+    World world;
+    const BodyId platform = addKinematic(world, {0, 0}, box({6, 0.25}));
+    const BodyId wall = addStatic(world, {3, 2}, box({0.5, 1}));
+    Slider slider{addKinematic(world, {0, 1.151}, box({0.4, 0.9}))};
+    slider.land(world);
+    world.body(platform).setVelocity({2, 0});
+    int told = 0;
+    for (int i = 0; i < 120; ++i) {
+        for (const SlideHit& hit : slider.step(world, 0, dt).hits) {
+            if (hit.shape.body != wall) continue;
+            ++told;
+            CHECK(hit.normal == Vec2(-1, 0));
+            CHECK(std::fabs(hit.speed - 2) < 1e-9);
+        }
+    }
+    // It comes to the wall after 2.099 m, in tick 63.
+    CHECK(told == 120 - 62);
+}
+
 }  // namespace plumb::test
