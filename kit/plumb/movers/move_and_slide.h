@@ -87,6 +87,7 @@ struct Slide {
 /// A body on another's floor keeps its place on it to rounding, as its place is kept in the other's frame; a floor that
 /// was set elsewhere, farther than its velocity explains, takes nobody along. Who stood on a body that was removed
 /// leaves it with its velocity.
+/// Of movers on movers, call it for who carries before who rides: the rider goes by the velocity given in this tick.
 /// One-way shapes are solid from their open side only, unless overlapped. Its own sensors meet nothing.
 /// last is what this gave in the tick before, or Slide{} at first, or after a jump to elsewhere.
 /// Throws std::invalid_argument for a stale id, a body that is not kinematic, or values out of range.
