@@ -27,16 +27,33 @@ void require(const World& world, BodyId body, const SlideMotion& motion) {
     if (motion.displacement) requireFinite(*motion.displacement, "SlideMotion", ".displacement");
 }
 
+/// In a world that wraps, of the places that a point stands for the one nearest to another.
+Vec2 nearTo(const World& world, const Vec2& point, const Vec2& other) {
+    return world.wrap().any() ? Vec2(point + world.wrap().shiftNear(point, other)) : point;
+}
+
+constexpr double rounding = 1e-14;
+
+/// How large the numbers are that a place comes of [m].
+double roundsOf(const World& world, const Vec2& position) {
+    return position.cwiseAbs().maxCoeff() + world.wrap().width.value_or(0) + world.wrap().height.value_or(0);
+}
+
 SlideSettings withUnitUp(SlideSettings settings) {
     settings.up /= std::sqrt(settings.up.dot(settings.up));
     return settings;
 }
 
+struct Start {
+    Vec2 position;
+    bool jumped;  ///< it is not where the last tick sent it
+};
+
 /// Where the world has it, but for a rounding that is not to add up.
-Vec2 startOf(const BodyView& body, const Slide& last) {
-    const Vec2 position = body.position(), off = position - last.position;
-    const bool asPlanned = off.cwiseAbs().maxCoeff() <= 1e-14 * (1 + position.cwiseAbs().maxCoeff());
-    return asPlanned ? last.position : position;
+Start startOf(const World& world, BodyId body, const Slide& last) {
+    const Vec2 position = world.body(body).position(), planned = nearTo(world, last.position, position);
+    const bool asPlanned = (position - planned).cwiseAbs().maxCoeff() <= rounding * (1 + roundsOf(world, position));
+    return {asPlanned ? planned : position, !asPlanned};
 }
 
 /// From where a point of the world is now to where the step takes it, with the body that it is on.
@@ -61,6 +78,7 @@ bool goAlong(SlideRun& run, Vec2 shift) {
             run.position = run.position + shift;
             break;
         }
+        run.note(*way.hit, SlideEffect::Slid);
         run.position += shift * (way.length / length);
         shift *= 1 - way.length / length;
         shift -= way.hit->normal * shift.dot(way.hit->normal);
@@ -68,16 +86,27 @@ bool goAlong(SlideRun& run, Vec2 shift) {
     return (run.position - wanted).cwiseAbs().maxCoeff() < 1e-9;
 }
 
+/// Is what it stood on where its velocity, of this tick or of the last, took it?
+bool isFloorThere(const World& world, const Slide& last, const SlideMotion& motion, const SlideSettings& settings) {
+    if (!last.isOnFloor || !last.floor || !world.contains(last.floor->shape.body)) return false;
+    const BodyView body = world.body(last.floor->shape.body);
+    const Vec2 now = body.pose() * last.anchor, velocity = body.velocityAt(now);
+    const Vec2 off = world.wrap().way(last.anchorAfter, now);
+    const double speeds =
+        std::sqrt(velocity.dot(velocity)) + std::sqrt(last.platformVelocity.dot(last.platformVelocity));
+    return std::sqrt(off.dot(off)) <= speeds * motion.dt + settings.skin;
+}
+
 /// Onto its place on what carries it; false when it cannot get there.
 bool carry(SlideRun& run, const Slide& last, bool moved) {
     const BodyId carrier = last.floor->shape.body;
     const BodyView body = std::as_const(run.world).body(carrier);
-    const Vec2 anchor = moved ? run.position : Vec2(body.pose() * last.anchor);
+    const Vec2 anchor = moved ? run.position : nearTo(run.world, body.pose() * last.anchor, run.position);
     run.carry = body.velocityAt(run.position);
     const Vec2 shift = soon(run, carrier, anchor) - run.position;
-    const double rounding = 1e-13 * (1 + run.position.cwiseAbs().maxCoeff());
+    const double none = 10 * rounding * (1 + roundsOf(run.world, run.position));
     run.probe.pass(carrier);
-    const bool arrived = shift.cwiseAbs().maxCoeff() < rounding || goAlong(run, shift);
+    const bool arrived = shift.cwiseAbs().maxCoeff() < none || goAlong(run, shift);
     const bool turns = body.angularVelocity() != 0 || body.type() == BodyType::Dynamic;
     if (turns)
         run.position += run.up() * run.probe.freeWay(run.position, run.up() * run.settings.floorSnapLength).length;
@@ -160,7 +189,9 @@ void rememberPlace(SlideRun& run, const Slide& last, bool kept) {
     const BodyId carrier = run.out.floor->shape.body;
     const Vec2 now = notSoon(run, carrier, run.position);
     const bool same = kept && last.floor && last.floor->shape.body == carrier;
-    run.out.anchor = same ? last.anchor : Vec2(std::as_const(run.world).body(carrier).pose().inverse() * now);
+    const Transform pose = std::as_const(run.world).body(carrier).pose();
+    run.out.anchor = same ? last.anchor : Vec2(pose.inverse() * nearTo(run.world, now, pose.position));
+    run.out.anchorAfter = same ? soon(run, carrier, nearTo(run.world, pose * last.anchor, now)) : run.position;
 }
 
 /// What it stands on creeps by roundings, or as crates do that settle: it would wake them by following in each tick.
@@ -194,11 +225,13 @@ Slide moveAndSlide(World& world, BodyId body, const SlideMotion& motion, const S
     require(world, body, motion);
     validate(asked, "SlideSettings");
     const SlideSettings settings = withUnitUp(asked);
-    const Vec2 here = world.body(body).position(), start = startOf(world.body(body), last);
+    const Vec2 here = world.body(body).position();
+    const auto [start, jumped] = startOf(world, body, last);
     const Vec2 wanted = motion.displacement ? *motion.displacement : Vec2(motion.velocity * motion.dt);
     SlideRun run{world,           settings, {world, body, settings, motion.dt}, motion.dt, start,
                  motion.velocity, {0, 0},   settings.pushStrength * motion.dt,  {}};
-    const bool rides = last.isOnFloor && last.floor && world.contains(last.floor->shape.body);
+    const bool rides = isFloorThere(world, last, motion, settings);
+    if (last.isOnFloor && last.floor && !world.contains(last.floor->shape.body)) run.carry = last.platformVelocity;
     const bool rises = motion.velocity.dot(settings.up) > 0;
     run.out.dropping = motion.dropThrough || last.dropping;
     run.probe.findMoving(settings.reach + wanted.cwiseAbs().maxCoeff(),
@@ -208,7 +241,6 @@ Slide moveAndSlide(World& world, BodyId body, const SlideMotion& motion, const S
     const bool grounded = last.isOnFloor && !rises && !motion.dropThrough;
     run.out.floorNormal = last.isOnFloor ? last.floorNormal : settings.up;
     if (rides) run.out.floor = last.floor;
-    const bool jumped = start != last.position;
     const bool arrived = rides && carry(run, last, jumped);
     detail::pushAside(run, start);
     detail::partOverlaps(run);
@@ -220,7 +252,8 @@ Slide moveAndSlide(World& world, BodyId body, const SlideMotion& motion, const S
     const bool kept = arrived && !jumped && level == 0 && !hindered;
     rememberPlace(run, last, kept);
     if (isStill(run, here, kept)) run.position = here;
-    if (run.out.dropping && !motion.dropThrough) run.out.dropping = run.probe.isInOneWay(run.position);
+    // Who stands did not drop, or is through.
+    run.out.dropping &= !run.out.isOnFloor && (motion.dropThrough || run.probe.isInOneWay(run.position));
     run.out.position = run.position;
     run.out.displacement = run.position - here;
     // Told anew, a velocity wakes what is near.

@@ -76,6 +76,7 @@ struct Slide {
     // For the next tick.
     std::optional<CastHit> floor = std::nullopt;  ///< what it stands on, as it was met
     Vec2 anchor{0, 0};                            ///< where it stands, in that body's frame [m]
+    Vec2 anchorAfter{0, 0};                       ///< where the step takes that place, in the world [m]
     bool dropping = false;                        ///< still in what it drops through
 };
 
@@ -83,7 +84,10 @@ struct Slide {
 /// before each. It stops a skin short of what it meets, slides along it, follows floors up, over and down, and pushes
 /// dynamic bodies by at most pushStrength dt, no faster than it goes itself: m a = pushStrength - friction.
 /// Kinematic bodies are met where the coming step takes them: they carry whoever stands on them, and push others.
-/// A body on another's floor keeps its place on it to rounding, as its place is kept in the other's frame.
+/// A body on another's floor keeps its place on it to rounding, as its place is kept in the other's frame; a floor that
+/// was set elsewhere, farther than its velocity explains, takes nobody along. Who stood on a body that was removed
+/// leaves it with its velocity.
+/// Of movers on movers, call it for who carries before who rides: the rider goes by the velocity given in this tick.
 /// One-way shapes are solid from their open side only, unless overlapped. Its own sensors meet nothing.
 /// last is what this gave in the tick before, or Slide{} at first, or after a jump to elsewhere.
 /// Throws std::invalid_argument for a stale id, a body that is not kinematic, or values out of range.

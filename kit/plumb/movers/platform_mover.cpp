@@ -2,6 +2,7 @@
 #include <plumb/movers/platform_mover.h>
 
 #include <cmath>
+#include <utility>
 
 #include <plumb/math/check.h>
 #include <plumb/movers/detail/platform_tick.h>
@@ -45,6 +46,7 @@ void PlatformMover::setVelocity(const Vec2& velocity) {
     requireFinite(velocity, "PlatformMover.setVelocity: velocity");
     slide_.velocity = velocity;
     rising_ = false;
+    thrown_ = true;
 }
 
 bool PlatformMover::takesOff(const PlatformInput& input, bool fresh, double dt) const {
@@ -90,7 +92,8 @@ const Slide& PlatformMover::step(World& world, const PlatformInput& input, doubl
     if (slide_.isOnFloor) mayStillJump_ = true;
 
     const double along = slide_.velocity.dot(right);
-    double rise = slide_.isOnFloor ? 0 : slide_.velocity.dot(up);
+    const bool thrown = std::exchange(thrown_, false) && slide_.velocity.dot(up) > 0;
+    double rise = slide_.isOnFloor && !thrown ? 0 : slide_.velocity.dot(up);
     const bool jumps = !drops && takesOff(input, fresh, dt);
     if (jumps) {
         band_ = bandOf(profile_.vertical.jumps, std::fabs(along));
@@ -99,10 +102,10 @@ const Slide& PlatformMover::step(World& world, const PlatformInput& input, doubl
         risen_ = 0;
         sincePress_ = never;
     }
-    if (jumps || drops) mayStillJump_ = false;
+    if (jumps || drops || thrown) mayStillJump_ = false;
 
     const detail::TickMotion level = levelPart(input, along, dt);
-    const bool falls = jumps || drops || !slide_.isOnFloor;
+    const bool falls = jumps || drops || thrown || !slide_.isOnFloor;
     const detail::TickMotion vertical = falls ? verticalPart(input, rise, dt) : detail::TickMotion{};
     const SlideMotion motion{.velocity = right * level.speed + up * vertical.speed,
                              .dt = dt,

@@ -34,7 +34,8 @@ public:
     void setProfile(const PlatformProfile& profile);  ///< throws as the constructor
     const Slide& slide() const { return slide_; }     ///< what came of the last tick
     bool hasJumped() const { return hasJumped_; }     ///< did it take off in the last tick?
-    void setVelocity(const Vec2& velocity);           ///< for a spring or a blow; as in Slide [m/s]
+    /// For a spring or a blow, as in Slide; upward it lifts off the floor, and falls as a jump let go [m/s].
+    void setVelocity(const Vec2& velocity);
 
 private:
     detail::TickMotion levelPart(const PlatformInput& input, double speed, double dt);
@@ -49,6 +50,7 @@ private:
     bool rising_ = false;    ///< with jump held all the time
     bool jumpHeld_ = false;  ///< in the last tick
     bool hasJumped_ = false;
+    bool thrown_ = false;                                          ///< by setVelocity, since the last tick
     bool mayStillJump_ = false;                                    ///< it left the floor without a jump
     double risen_ = 0;                                             ///< in this jump [m]
     double sinceFloor_ = 0;                                        ///< [s]

@@ -90,7 +90,7 @@ struct JumpFeel {
 /// Test: "a jump is 2.5 m high at 30, 60, 120 and 240 Hz"
 PlatformProfile modernProfile(const JumpFeel& feel = {});
 
-/// The platform game of 1985 whose tables FACTS quotes from its public disassemblies: NTSC, 60.0988 ticks a second, 16
+/// The platform game of 1985 whose tables public disassemblies give: NTSC, 60.0988 ticks a second, 16
 /// pixels a metre, all speeds whole multiples of 1/4096 pixel a tick. Step it by tickOf1985.
 /// Tests: [arcade], "walking takes 41 ticks to full speed, running 45"
 PlatformProfile profile1985();

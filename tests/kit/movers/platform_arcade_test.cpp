@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The 1985 profile against FACTS' tables, tick by tick; its twin here counts in whole 4096ths of a pixel.
+// The 1985 profile against the tables of public disassemblies, tick by tick; its twin here counts in whole 4096ths of a
+// pixel.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -67,8 +68,8 @@ struct Band {
     int takeOff, rise, fall;
 };
 
-/// FACTS section 2: position, then velocity; fall gravity once let go and a pixel up, or not rising; the fall is cut to
-/// 4 where it is 4 or more with a fraction of 80h or more.
+/// Public disassemblies: position, then velocity; fall gravity once let go and a pixel up, or not rising; the fall is
+/// cut to 4 where it is 4 or more with a fraction of 80h or more.
 Twin jumpTwin(const Band& band, int heldTicks) {
     Twin twin;
     int height = 0, speed = band.takeOff * 256;

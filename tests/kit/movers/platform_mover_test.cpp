@@ -101,6 +101,47 @@ TEST_CASE("it falls at most at its terminal speed of 20 m/s", "[movers]") {
     CHECK(fastest == -20);
 }
 
+TEST_CASE("a spring of 12 m/s lifts off the floor it is set on, as high as its closed form", "[movers]") {
+    for (double speed : {12.0, 3.0}) {
+        Game game;
+        const double ground = game.position().y(), gravity = game.mover.profile().vertical.jumps[0].releaseGravity;
+        game.mover.setVelocity({0, speed});
+        const double top = game.highest(still) - ground, height = speed * speed / (2 * gravity);
+        // The highest of whole ticks: at most half a tick's rise or fall from the apex is missed.
+        CHECK(top <= height + 1e-12);
+        CHECK(top >= height - gravity * dt * dt / 2);
+        CHECK(game.mover.slide().isOnFloor);
+        CHECK_FALSE(game.mover.hasJumped());
+    }
+}
+
+TEST_CASE("a glider whose terminal speed of 1 m/s is below its hang speed falls no faster", "[movers]") {
+    PlatformProfile profile = modernProfile();
+    profile.vertical.terminalSpeed = 1;
+    profile.vertical.hangSpeed = 2;
+    for (double tick : {0.1, dt}) {
+        World world;
+        PlatformMover mover(addKinematic(world, {0, 100}, circle(0.4)), profile);
+        for (int i = 0; i < 120; ++i) {
+            const Slide& slide = mover.step(world, {.jump = true}, tick);
+            world.step(tick);
+            REQUIRE(slide.velocity.y() >= -1);
+            REQUIRE(slide.displacement.y() >= -tick * (1 + 1e-12));
+        }
+        CHECK(mover.slide().velocity.y() == -1);
+    }
+}
+
+TEST_CASE("who is too fast loses 60 m/s a second by friction in whole ticks and exact ones", "[movers]") {
+    for (TickOrder order : {TickOrder::Exact, TickOrder::PositionFirst, TickOrder::VelocityFirst}) {
+        PlatformProfile profile = modernProfile();
+        profile.level.order = order;
+        Game game(profile, -15);
+        for (int i = 0; i < 60; ++i) game.step({.move = 1, .run = true});
+        for (int i = 1; i <= 2; ++i) CHECK(std::fabs(game.step(right).velocity.x() - (7 - 60 * dt * i)) < 1e-12);
+    }
+}
+
 TEST_CASE("0.1 s after it ran off a ledge it may still jump; without coyote time, or later, not", "[movers]") {
     const auto jumpsAfter = [](double coyote, int ticks) {
         Game game(with(coyote, 0), 19);

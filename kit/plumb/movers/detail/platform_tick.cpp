@@ -74,7 +74,7 @@ TickMotion levelTick(const PlatformProfile& profile, const LevelTick& tick, doub
         const Stretch rest = approach(way.speed, target, gain, way.left);
         return {way.shift + rest.shift + rest.speed * rest.left, ticks.perSecond(rest.speed)};
     }
-    const double after = toward(speed, target, turnGain);
+    const double after = toward(speed, target, turns ? turnGain : gain);
     const double shift = level.order == TickOrder::PositionFirst ? speed : after;
     return {cutTo(level.moveGrain, shift), ticks.perSecond(after)};
 }
@@ -90,7 +90,8 @@ double gravityOf(const VerticalMotion& vertical, const VerticalTick& tick, doubl
 /// The parabola, stretch by stretch: gravity changes at the hang speed, at the apex, and at the terminal speed.
 TickMotion fallExactly(const VerticalMotion& vertical, const VerticalTick& tick, double dt) {
     double speed = std::max(tick.speed, -vertical.terminalSpeed), left = dt, shift = 0;
-    for (const double end : {vertical.hangSpeed, 0.0, -vertical.hangSpeed, -vertical.terminalSpeed}) {
+    for (const double next : {vertical.hangSpeed, 0.0, -vertical.hangSpeed, -vertical.terminalSpeed}) {
+        const double end = std::max(next, -vertical.terminalSpeed);
         if (!(speed > end) || !(left > 0)) continue;
         const double middle = 0.5 * (speed + end);
         const double gravity = gravityOf(vertical, tick, middle, middle < 0);

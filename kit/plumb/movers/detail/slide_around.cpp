@@ -44,6 +44,35 @@ bool nudgeAside(SlideRun& run, const CastHit& ceiling, double rise, double side)
     return false;
 }
 
+namespace {
+
+/// A way that is turned aside gains no less along the push than this: 6 degrees from straight against it are a
+/// dead end [-].
+constexpr double leastGain = 0.1;
+
+/// Goes on by a length along a normal, and slides along what it meets, up floors too, until it has come as far along
+/// that normal. Gives how far it came.
+double shove(SlideRun& run, const Vec2& normal, double length) {
+    Vec2 way = normal;
+    double left = length;
+    std::optional<Vec2> plane;
+    for (int i = 0; i < run.settings.maxSlides && left > 0; ++i) {
+        const double gain = way.dot(normal);
+        const FreeWay free = run.probe.freeWay(run.position, way * (left / gain));
+        run.position += way * free.length;
+        if (!free.hit) return length;
+        left -= free.length * gain;
+        const Vec2 line = perp(free.hit->normal);
+        way = line.dot(normal) < 0 ? Vec2(-line) : line;
+        const bool wedged = plane && way.dot(*plane) < -1e-9;
+        if (wedged || way.dot(normal) < leastGain) break;
+        plane = free.hit->normal;
+    }
+    return length - left;
+}
+
+}  // namespace
+
 void pushAside(SlideRun& run, const Vec2& from) {
     for (const MovingThing& thing : run.probe.moving()) {
         if (run.out.floor && thing.body == run.out.floor->shape.body) continue;
@@ -59,7 +88,7 @@ void pushAside(SlideRun& run, const Vec2& from) {
         run.note(*way.hit, SlideEffect::PushedBy);
         // Where it is fast, its place after the step lies on the way.
         run.probe.pass(thing.body);
-        run.position += normal * run.probe.freeWay(run.position, normal * needed).length;
+        shove(run, normal, needed);
         run.probe.pass(std::nullopt);
     }
 }
@@ -68,10 +97,8 @@ void partOverlaps(SlideRun& run) {
     std::vector<Overlapped> overlaps = run.probe.overlaps(run.position);
     for (int i = 0; i < 8 && !overlaps.empty(); ++i) {
         const auto deepest = std::ranges::max_element(overlaps, {}, &Overlapped::depth);
-        const Vec2 out = deepest->hit.normal * (deepest->depth + run.settings.skin);
-        const double went = run.probe.freeWay(run.position, out).length;
         run.note(deepest->hit, SlideEffect::PushedBy);
-        run.position += deepest->hit.normal * went;
+        const double went = shove(run, deepest->hit.normal, deepest->depth + run.settings.skin);
         overlaps = run.probe.overlaps(run.position);
         if (!(went > 0)) break;
     }
@@ -83,7 +110,8 @@ namespace {
 /// Two faces that lie flush push each other in the middle of what they share.
 Vec2 middleOf(const SlideRun& run, const CastHit& hit) {
     const Vec2 line = perp(hit.normal);
-    const Transform pose = std::as_const(run.world).body(hit.shape.body).pose();
+    Transform pose = std::as_const(run.world).body(hit.shape.body).pose();
+    pose.position += run.world.wrap().shiftNear(pose.position, run.position);
     const FaceSpan theirs = faceSpan(run.world.shape(hit.shape).shape, pose, hit.normal, line);
     const FaceSpan ours = run.probe.faceSpanAt(run.position, -hit.normal, line);
     const double low = std::max(theirs.low, ours.low), high = std::min(theirs.high, ours.high);

@@ -48,13 +48,14 @@ std::optional<Vec2> openSideOf(const CastHit& hit) {
     return Vec2(*hit.oneWay / lengthOf(*hit.oneWay));
 }
 
-MovingThing movingThing(const BodyView& body, double dt, const Vec2& up) {
+MovingThing movingThing(const World& world, BodyId id, double dt, const Vec2& up, const Vec2& near) {
+    const BodyView body = world.body(id);
     Vec2 velocity = body.velocity();
     if (body.type() == BodyType::Dynamic) velocity -= up * std::min(0.0, velocity.dot(up));
-    const Vec2 center = body.centerOfMass();
+    const Vec2 away = body.centerOfMass(), center = away + world.wrap().shiftNear(away, near);
     const double turn = body.angularVelocity() * dt;
     const Rot back = turn == 0 ? Rot{} : Rot::fromAngle(-turn);
-    return {body.id(), {center - back * Vec2(center + velocity * dt), back}};
+    return {id, {center - back * Vec2(center + velocity * dt), back}};
 }
 
 SlideProbe::SlideProbe(const World& world, BodyId body, const SlideSettings& settings, double dt)
@@ -69,16 +70,16 @@ SlideProbe::SlideProbe(const World& world, BodyId body, const SlideSettings& set
 
 void SlideProbe::findMoving(double within, const std::optional<BodyId>& floor) {
     moving_.clear();
+    const Vec2 position = world_.body(body_).position();
     const auto take = [&](BodyId id) {
         if (id == body_ || find(id) != nullptr) return;
         const BodyView view = world_.body(id);
         const bool carries = floor && id == *floor && view.type() == BodyType::Dynamic;
         if (view.type() != BodyType::Kinematic && !carries) return;
         if (view.velocity().isZero(0) && view.angularVelocity() == 0) return;
-        moving_.push_back(movingThing(view, dt_, settings_.up));
+        moving_.push_back(movingThing(world_, id, dt_, settings_.up, position));
     };
     if (floor && world_.contains(*floor)) take(*floor);
-    const Vec2 position = world_.body(body_).position();
     for (const Own& own : own_)
         for (const ShapeId& near : world_.overlapBox(inflate(aabbOf(own.shape, poseAt(position)), within), own.filter))
             take(near.body);

@@ -15,8 +15,9 @@ struct MovingThing {
     Transform back;
 };
 
-/// Where a step of dt takes a kinematic body; of a dynamic one it is a guess, and never downward.
-MovingThing movingThing(const BodyView& body, double dt, const Vec2& up);
+/// Where a step of dt takes a kinematic body; of a dynamic one it is a guess, and never downward. In a world that
+/// wraps, of the body's places the one nearest to near.
+MovingThing movingThing(const World& world, BodyId body, double dt, const Vec2& up, const Vec2& near);
 
 /// How far a way is free, a skin short of what stops it.
 struct FreeWay {

@@ -37,7 +37,7 @@ SlideHit& SlideRun::note(const CastHit& hit, SlideEffect effect) {
     return out.hits.back();
 }
 
-void meetWall(SlideRun& run, const CastHit& hit, SlideEffect effect) {
+Vec2 meetWall(SlideRun& run, const CastHit& hit, SlideEffect effect) {
     SlideHit& noted = run.note(hit, effect);
     const SlidePush pushed = push(run, hit, run.velocity + run.carry);
     noted.impulse = pushed.impulse;
@@ -52,6 +52,7 @@ void meetWall(SlideRun& run, const CastHit& hit, SlideEffect effect) {
     const double kept = std::min(0.0, (pushed.surface - run.carry).dot(hit.normal));
     const double into = run.velocity.dot(hit.normal) - kept;
     if (into < 0) run.velocity -= hit.normal * into;
+    return pushed.surface;
 }
 
 void walk(SlideRun& run, double length, double side) {
@@ -71,9 +72,12 @@ void walk(SlideRun& run, double length, double side) {
         }
         if (stepOver(run, *way.hit, run.right() * side, length, run.settings.stepHeight, true)) continue;
         run.velocity = run.right() * run.velocity.dot(run.right());
-        meetWall(run, *way.hit, SlideEffect::Stopped);
-        // A wall that leans does not lift who walks into it.
-        run.velocity = run.right() * run.velocity.dot(run.right());
+        const Vec2 surface = meetWall(run, *way.hit, SlideEffect::Stopped);
+        // A wall that leans does not lift who walks into it; nor does a ceiling over a slope let it go on.
+        if (run.isCeiling(way.hit->normal)) run.out.wallNormal = run.right() * -side;
+        run.out.isOnWall = true;
+        const double most = std::max(0.0, (surface - run.carry).dot(run.right()) * side);
+        run.velocity = run.right() * (side * std::min(run.velocity.dot(run.right()) * side, most));
         return;
     }
 }

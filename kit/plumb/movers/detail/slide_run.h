@@ -33,8 +33,9 @@ struct SlideRun {
 void pushAside(SlideRun& run, const Vec2& from);
 void partOverlaps(SlideRun& run);
 
-/// Something steeper than a floor, or a ceiling, stops it or is pushed; the velocity into it is lost.
-void meetWall(SlideRun& run, const CastHit& hit, SlideEffect effect);
+/// Something steeper than a floor, or a ceiling, stops it or is pushed; the velocity into it is lost. Gives the
+/// velocity of its surface after that [m/s].
+Vec2 meetWall(SlideRun& run, const CastHit& hit, SlideEffect effect);
 
 /// Goes on along floors, by a length >= 0, up steps; stops at a wall.
 void walk(SlideRun& run, double length, double side);
