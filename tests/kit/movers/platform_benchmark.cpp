@@ -7,7 +7,7 @@
 
 namespace plumb::test {
 
-TEST_CASE("1,000 platform movers run and jump over hills, boxes and lifts", "[!benchmark][movers]") {
+TEST_CASE("1,000 platform movers run and jump over hills, boxes and lifts", "[.][!benchmark][movers]") {
     World world;
     std::vector<Vec2> hills;
     for (int i = 1010; i >= -10; --i) hills.push_back({2.0 * i, i % 3 == 0 ? 0.8 : 0.0});
