@@ -71,9 +71,11 @@ Scene wrapBilliard() {
     Random random(1);
     for (int i = 0; i < 20; ++i) {
         const Vec2 position(1.6 * (i % 5) + 0.2, 2.0 * (i / 5) + 0.1);
-        const Vec2 velocity(random.uniform(-3, 3), random.uniform(-3, 3));
+        // One after the other: the order of a call's arguments is the compiler's choice.
+        const double vx = random.uniform(-3, 3);
+        const double vy = random.uniform(-3, 3);
         scene.bodies.push_back({"disc_" + std::to_string(i + 1),
-                                {.position = position, .velocity = velocity, .shapes = {circle(0.4, lively)}}});
+                                {.position = position, .velocity = {vx, vy}, .shapes = {circle(0.4, lively)}}});
     }
     return scene;
 }
