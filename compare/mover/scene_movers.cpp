@@ -37,7 +37,8 @@ SceneMovers::SceneMovers(const Scene& scene) : gravity_(-scene.gravity.y()) {
             movers_.push_back({body, Straight{sliding->velocity}});
         if (const auto* grid = std::get_if<GridMotion>(&mover.motion))
             movers_.push_back({body, OnGrid{*grid, gridMoverOf(*grid), TurnList(*grid), maps.of(scene, *grid)}});
-        if (const auto* platform = std::get_if<PlatformMotion>(&mover.motion))
+        const auto* platform = std::get_if<PlatformMotion>(&mover.motion);
+        if (platform != nullptr && !platform->cues.empty())
             movers_.push_back({body, OnPlatforms{*platform, profileOf(*platform), {}}});
     }
 }
@@ -84,15 +85,15 @@ MoverCommand SceneMovers::command(OnPlatforms& mover, const BodyState& now, doub
 }
 
 SceneBody asMoved(const Scene& scene, const SceneBody& body) {
-    const auto jumps = [&](const SceneMover& mover) {
-        return mover.body == body.name && std::holds_alternative<PlatformMotion>(mover.motion);
-    };
-    if (std::ranges::none_of(scene.movers, jumps)) return body;
+    const auto mover = std::ranges::find(scene.movers, body.name, &SceneMover::body);
+    if (mover == scene.movers.end() || !std::holds_alternative<PlatformMotion>(mover->motion)) return body;
+    const bool isTold = !std::get<PlatformMotion>(mover->motion).cues.empty();
     SceneBody moved = body;
     moved.def.type = BodyType::Dynamic;
     moved.def.fixedRotation = true;
     moved.def.canSleep = false;
-    for (ShapeDef& shape : moved.def.shapes) shape.material.friction = 0;
+    if (isTold)
+        for (ShapeDef& shape : moved.def.shapes) shape.material.friction = 0;
     return moved;
 }
 

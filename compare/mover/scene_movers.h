@@ -62,7 +62,8 @@ private:
     int tick_ = 0;
 };
 
-/// The body as such an engine needs it: one that runs and jumps is dynamic, and cannot turn.
+/// The body as such an engine needs it: one that runs and jumps is dynamic, and cannot turn; one that is told nothing
+/// stands there by its friction.
 SceneBody asMoved(const Scene& scene, const SceneBody& body);
 
 }  // namespace plumb::compare

@@ -77,10 +77,10 @@ public:
     JointView joint(JointId joint) const;
     ShapeDef shape(ShapeId shape) const;
     void set(ShapeId shape, const ShapeDef& def);  ///< in its place; mass follows, unless it was given
-    /// The map of a shape that is one; valid until the next call that changes the world. It wraps where it lies straight
-    /// around a world that does, as wide or as high as that, and nowhere else.
+    /// The map of a shape that is one; valid until the next call that changes the world. It wraps where it lies
+    /// straight around a world that does, as wide or as high as that, and nowhere else.
     const TileMap& tiles(ShapeId shape) const;
-    /// Changes a tile of such a map. What lies on it wakes; what lies elsewhere does not notice.
+    /// Changes a tile of such a map. What lies on it, or in line with it within 16 tiles, wakes; the rest sleeps on.
     void setTile(ShapeId shape, Cell cell, const Tile& tile);
 
     std::vector<BodyId> bodies() const;  ///< in the order of their slots

@@ -31,6 +31,15 @@ void requireShape(const Shape& shape, const Transform& pose, const std::string& 
         refuse(query + ": pose.rotation", toText(direction) + " is not the cosine and sine of an angle");
 }
 
+void requireCast(const WorldState& world, const Shape& shape, const Transform& pose, const Vec2& shift,
+                 const std::string& query) {
+    requireShape(shape, pose, query);
+    requireFinite(shift, query, ": shift");
+    requireFewRounds(world, {shift.cwiseMin(Vec2(0, 0)), shift.cwiseMax(Vec2(0, 0))}, mostCastRounds,
+                     query + ": shift");
+    requireFewRounds(world, aabbOf(shape, pose), mostBoxRounds, query + ": shape");
+}
+
 std::tuple<std::uint32_t, std::uint32_t> placeOf(const ShapeId& shape) {
     return {shape.body.index, shape.number};
 }
@@ -206,11 +215,7 @@ std::vector<CastHit> World::castRayAll(const Vec2& from, const Vec2& to, const F
 
 std::optional<CastHit> World::castShape(const Shape& shape, const Transform& pose, const Vec2& shift,
                                         const Filter& filter) const {
-    requireShape(shape, pose, "World.castShape");
-    requireFinite(shift, "World.castShape: shift");
-    requireFewRounds(*state_, {shift.cwiseMin(Vec2(0, 0)), shift.cwiseMax(Vec2(0, 0))}, mostCastRounds,
-                     "World.castShape: shift");
-    requireFewRounds(*state_, aabbOf(shape, pose), mostBoxRounds, "World.castShape: shape");
+    requireCast(*state_, shape, pose, shift, "World.castShape");
     Onlooker onlooker(*state_, filter);
     onlooker.seeOutlines();
     return firstHit(onlooker, moverOf(shape, pose, shift), meetShape(onlooker, shape, pose, shift));
@@ -218,11 +223,7 @@ std::optional<CastHit> World::castShape(const Shape& shape, const Transform& pos
 
 std::vector<CastHit> World::castShapeAll(const Shape& shape, const Transform& pose, const Vec2& shift,
                                          const Filter& filter) const {
-    requireShape(shape, pose, "World.castShapeAll");
-    requireFinite(shift, "World.castShapeAll: shift");
-    requireFewRounds(*state_, {shift.cwiseMin(Vec2(0, 0)), shift.cwiseMax(Vec2(0, 0))}, mostCastRounds,
-                     "World.castShapeAll: shift");
-    requireFewRounds(*state_, aabbOf(shape, pose), mostBoxRounds, "World.castShapeAll: shape");
+    requireCast(*state_, shape, pose, shift, "World.castShapeAll");
     Onlooker onlooker(*state_, filter);
     onlooker.seeOutlines();
     return oneOfEach(allHits(onlooker, moverOf(shape, pose, shift), meetShape(onlooker, shape, pose, shift)));
@@ -230,11 +231,7 @@ std::vector<CastHit> World::castShapeAll(const Shape& shape, const Transform& po
 
 std::vector<CastHit> World::castShapePieces(const Shape& shape, const Transform& pose, const Vec2& shift,
                                             const Filter& filter, BodyId ignored) const {
-    requireShape(shape, pose, "World.castShapePieces");
-    requireFinite(shift, "World.castShapePieces: shift");
-    requireFewRounds(*state_, {shift.cwiseMin(Vec2(0, 0)), shift.cwiseMax(Vec2(0, 0))}, mostCastRounds,
-                     "World.castShapePieces: shift");
-    requireFewRounds(*state_, aabbOf(shape, pose), mostBoxRounds, "World.castShapePieces: shape");
+    requireCast(*state_, shape, pose, shift, "World.castShapePieces");
     const bool all = ignored == BodyId{};
     if (!all) requireBody(*state_, ignored, "World.castShapePieces: ignored");
     Onlooker onlooker(*state_, filter, all ? noBody : ignored.index);

@@ -28,8 +28,8 @@ TileMap tileMapOf(std::initializer_list<std::string> rows, double size = 1,
 /// The same of one text, its rows divided by line ends; an empty line at its end is none.
 TileMap tileMapOf(std::string_view text, double size = 1, const TileLegend& legend = standardLegend());
 
-/// Row by row, the topmost first; of characters that stand for the same tile, the last: a full stop, not a space. Throws std::invalid_argument
-/// on a tile that the legend lacks.
+/// Row by row, the topmost first; of characters that stand for the same tile, the last: a full stop, not a space.
+/// Throws std::invalid_argument on a tile that the legend lacks.
 std::vector<std::string> textOf(const TileMap& map, const TileLegend& legend = standardLegend());
 
 }  // namespace plumb
