@@ -50,8 +50,10 @@ Contact contactOf(const WorldState& world, const ContactRecord& record) {
     const double time = record.colour >= 0 ? world.lastStep : record.memoryStep;
     const auto memory = world.graph.memoryOf(record);
     for (std::size_t p = 0; p < static_cast<std::size_t>(world.graph.manifoldOf(record).count); ++p) {
-        ContactPoint out{world.def.wrap.place(pointOf(world, record, p)),
-                         static_cast<double>(world.graph.separationOf(record, p)), 0, 0};
+        const Vec2 where = pointOf(world, record, p);
+        ContactPoint out{.position = world.def.wrap.place(where),
+                         .separation = static_cast<double>(world.graph.separationOf(record, p)),
+                         .tile = tileTouched(world, record, where, contact.normal)};
         if (time > 0) {
             out.normalForce = static_cast<double>(memory[p].totalNormal) / time;
             out.frictionForce = static_cast<double>(memory[p].totalTangent) / time;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where is a body, and how does it move?
 #pragma once
+#include <optional>
 #include <vector>
 
 #include <plumb/dynamics/body_def.h>
@@ -16,6 +17,7 @@ struct ContactPoint {
     double separation = 0;     ///< negative when the shapes overlap [m]
     double normalForce = 0;    ///< mean over the last step, >= 0 [N]
     double frictionForce = 0;  ///< mean over the last step, along the normal turned a quarter turn left, on B [N]
+    std::optional<Cell> tile = std::nullopt;  ///< of the tile map, if one of the two is one
 };
 
 /// What presses on a body.

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: MIT
 // What happened in the last step?
 #pragma once
+#include <optional>
+
 #include <plumb/dynamics/id.h>
 #include <plumb/math/transform.h>
+#include <plumb/shapes/tile_map.h>
 
 namespace plumb {
 
 /// A shape of one body and a shape of another began to touch, or hit each other anew.
 struct ContactBegin {
     ShapeId shapeA, shapeB;
-    Vec2 point{0, 0};          ///< where, in the world [m]
-    Vec2 normal{0, 1};         ///< from A to B [-]
-    double approachSpeed = 0;  ///< at which the points came together along the normal, >= 0 [m/s]
+    Vec2 point{0, 0};                         ///< where, in the world [m]
+    Vec2 normal{0, 1};                        ///< from A to B [-]
+    double approachSpeed = 0;                 ///< at which the points came together along the normal, >= 0 [m/s]
+    std::optional<Cell> tile = std::nullopt;  ///< of the tile map, if one of the two is one
 };
 
 /// A shape of one body and a shape of another ceased to touch, also because one was removed before the step. An id may
@@ -23,9 +27,10 @@ struct ContactEnd {
 /// Two shapes, touching before or not, came together faster than WorldDef.hitSpeed.
 struct ContactHit {
     ShapeId shapeA, shapeB;
-    Vec2 point{0, 0};          ///< where, in the world [m]
-    Vec2 normal{0, 1};         ///< from A to B [-]
-    double approachSpeed = 0;  ///< along the normal [m/s]
+    Vec2 point{0, 0};                         ///< where, in the world [m]
+    Vec2 normal{0, 1};                        ///< from A to B [-]
+    double approachSpeed = 0;                 ///< along the normal [m/s]
+    std::optional<Cell> tile = std::nullopt;  ///< of the tile map, if one of the two is one
 };
 
 /// A shape came into a sensor, or began to overlap it where it stands: seen at the step's end. What passes right

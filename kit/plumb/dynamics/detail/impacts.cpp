@@ -291,7 +291,8 @@ void commit(WorldState& world, const std::vector<Flyer>& flyers, const std::vect
         contact.memoryStep = dt;
         if (contact.touching) world.ends.push_back({world.idOfShape(contact.proxyA), world.idOfShape(contact.proxyB)});
         world.begins.push_back({world.idOfShape(contact.proxyA), world.idOfShape(contact.proxyB),
-                                world.def.wrap.place(m.where.pointA), m.where.normal, m.approachSpeed});
+                                world.def.wrap.place(m.where.pointA), m.where.normal, m.approachSpeed,
+                                tileTouched(world, contact, m.where.pointA, m.where.normal)});
         if (m.approachSpeed > world.def.hitSpeed) world.hits.push_back(hitOf(world.begins.back()));
         contact.touching = true;
     }

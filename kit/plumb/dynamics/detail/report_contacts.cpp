@@ -31,9 +31,13 @@ Touch touchOf(const WorldState& world, const ContactRecord& contact) {
 }
 
 ContactBegin beginOf(const WorldState& world, const ContactRecord& contact, std::size_t point) {
-    return {world.idOfShape(contact.proxyA), world.idOfShape(contact.proxyB),
-            world.def.wrap.place(pointOf(world, contact, point)), normalOf(world, contact),
-            std::max(static_cast<double>(contact.approachSpeed), 0.0)};
+    const Vec2 where = pointOf(world, contact, point), normal = normalOf(world, contact);
+    return {world.idOfShape(contact.proxyA),
+            world.idOfShape(contact.proxyB),
+            world.def.wrap.place(where),
+            normal,
+            std::max(static_cast<double>(contact.approachSpeed), 0.0),
+            tileTouched(world, contact, where, normal)};
 }
 
 /// Not 0 for the lanes in which a touch begins or ends, or is a hit. Without branches, so that compilers can make it

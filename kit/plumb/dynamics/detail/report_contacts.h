@@ -7,7 +7,7 @@ namespace plumb {
 
 /// As a hit, if it is fast enough to be one.
 inline ContactHit hitOf(const ContactBegin& begin) {
-    return {begin.shapeA, begin.shapeB, begin.point, begin.normal, begin.approachSpeed};
+    return {begin.shapeA, begin.shapeB, begin.point, begin.normal, begin.approachSpeed, begin.tile};
 }
 
 /// Two shapes touch when they press on each other or overlap, until they are a millimetre apart.

@@ -102,6 +102,15 @@ Vec2 outwardOf(const Proxy& piece, const Vec2& normal) {
     return {along.y(), -along.x()};
 }
 
+/// Contacts are told halfway between the surfaces, so a little off the map's: on a slope that may be in the next row.
+Vec2 ontoSurface(const Proxy& piece, const Vec2& point) {
+    const auto* stretch = std::get_if<Segment>(&piece.def.shape);
+    if (stretch == nullptr) return point;
+    const Vec2 along = stretch->end - stretch->start;
+    const double share = std::clamp(along.dot(point - stretch->start) / along.squaredNorm(), 0.0, 1.0);
+    return stretch->start + share * along;
+}
+
 int cellIn(double value, double lower, double upper, double size) {
     const auto index = [size](double x) { return static_cast<int>(std::floor(x / size)); };
     const int first = index(lower + inward * size), last = index(upper - inward * size);
@@ -149,10 +158,16 @@ std::optional<Cell> tileMet(const WorldState& world, ProxyId piece, const Vec2& 
     const Rot back = pose.rotation.inverse();
     const double size = found->second.map().size();
     const Vec2 out = outwardOf(proxy, back * normal);
-    const Vec2 local = back * Vec2(point - pose.position) - out * (inward * size);
+    const Vec2 local = ontoSurface(proxy, back * Vec2(point - pose.position)) - out * (inward * size);
     const Aabb box = aabbOf(proxy.def.shape, {});
     const double lower = proxy.def.oneWay ? box.lower.y() - inward * size : box.lower.y();
     return Cell{cellIn(local.x(), box.lower.x(), box.upper.x(), size), cellIn(local.y(), lower, box.upper.y(), size)};
+}
+
+std::optional<Cell> tileTouched(const WorldState& world, const ContactRecord& contact, const Vec2& point,
+                                const Vec2& normal) {
+    const std::optional<Cell> ofA = tileMet(world, contact.proxyA, point, normal);
+    return ofA ? ofA : tileMet(world, contact.proxyB, point - contact.shift, -normal);
 }
 
 }  // namespace plumb

@@ -11,6 +11,7 @@
 
 namespace plumb {
 
+struct ContactRecord;
 struct WorldState;
 
 /// A tile map that is a shape: what was given, and which pieces of which block of cells are in the space for it.
@@ -33,5 +34,9 @@ void editTile(WorldState& world, BodyIndex body, std::uint32_t number, Cell cell
 ShapeDef pieceOf(const ShapeDef& whole, const Proxy& piece);
 /// The cell of a tile map that was met at a point of the world, through one of its pieces. None of another shape.
 std::optional<Cell> tileMet(const WorldState& world, ProxyId piece, const Vec2& point, const Vec2& normal);
+/// The cell of a tile map at which two shapes touch, if one of them is a map. The point is where A sees it, in a world
+/// that wraps; the normal leads from A to B.
+std::optional<Cell> tileTouched(const WorldState& world, const ContactRecord& contact, const Vec2& point,
+                                const Vec2& normal);
 
 }  // namespace plumb
