@@ -16,8 +16,8 @@ namespace {
 constexpr double g = 9.81;
 constexpr double dt = 1.0 / 60;
 
-void addFloor(World& world) {
-    world.add({.type = BodyType::Static, .shapes = {plumb::segment({-50, 0}, {50, 0})}});
+BodyId addFloor(World& world) {
+    return world.add({.type = BodyType::Static, .shapes = {plumb::segment({-50, 0}, {50, 0})}});
 }
 
 /// All hits of the next steps.
@@ -53,6 +53,44 @@ TEST_CASE("a box that lands flat at 5 m/s is one hit, and none while it lies", "
     REQUIRE(hits.size() == 1);
     CHECK(hits[0].approachSpeed > 5 - 1.1 * g * dt);
     CHECK(hits[0].approachSpeed < 5 + 1e-3);
+}
+
+// Each is told half way between the surfaces. They are 1 cm apart at most when a touch is no longer foreseen, and it
+// may come in the half that the other shape does.
+TEST_CASE("what lands in pairs at 1 to 50 m/s is told to touch within 5 mm of half way between it and the floor",
+          "[dynamics][events]") {
+    const plumb::ShapeDef shapes[] = {plumb::circle(0.25), plumb::box({0.3, 0.25}),
+                                      plumb::capsule({0, -0.1}, {0, 0.1}, 0.15)};
+    double farthest = 0, between = 0;
+    int told = 0;
+    const auto land = [&](double speed, double height, const plumb::ShapeDef& shape) {
+        World world;
+        const BodyId floor = addFloor(world);
+        const BodyId low = world.add({.position = {3, height}, .velocity = {0, -speed}, .shapes = {shape}});
+        world.add({.position = {3, height + 0.5}, .velocity = {0, -speed}, .shapes = {shape}});
+        for (int tick = 0; tick < 30; ++tick) {
+            world.step(dt);
+            std::vector<plumb::Contact> contacts = world.body(low).contacts();
+            std::erase_if(contacts, [&](const auto& c) { return c.shapeA.body != floor && c.shapeB.body != floor; });
+            if (contacts.empty()) continue;
+            for (const plumb::ContactPoint& p : contacts[0].points)
+                farthest = std::max(farthest, std::fabs(p.position.y() - p.separation / 2));
+            for (const auto& begin : world.contactBegins()) {
+                if (begin.shapeA.body != floor && begin.shapeB.body != floor) continue;
+                double off = 1;
+                for (const plumb::ContactPoint& p : contacts[0].points)
+                    off = std::min(off, (begin.point - p.position).norm());
+                between = std::max(between, off);
+                ++told;
+            }
+        }
+    };
+    for (const double speed : {1.0, 5.0, 20.0, 50.0})
+        for (const double height : {0.27, 0.31, 0.4, 0.5, 0.6})
+            for (const plumb::ShapeDef& shape : shapes) land(speed, height, shape);
+    CHECK(told >= 60);
+    CHECK(farthest < 0.005);
+    CHECK(between < 1e-9);
 }
 
 TEST_CASE("a box that lies on the floor and is struck down at 10 m/s is a hit, and no touch begins",

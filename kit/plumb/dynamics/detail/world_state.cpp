@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/detail/world_state.h>
 
+#include <algorithm>
+
+#include <plumb/dynamics/detail/fresh_lanes.h>
 #include <plumb/dynamics/detail/quarantine.h>
 
 namespace plumb {
@@ -17,13 +20,16 @@ Vec2 normalOf(const WorldState& world, const ContactRecord& contact) {
 }
 
 Vec2 pointOf(const WorldState& world, const ContactRecord& contact, std::size_t point) {
-    // The manifold is of the step's start. From there A's surface has gone with A, and B's is where the separation
-    // says.
-    const ManifoldPoint p = world.graph.manifoldOf(contact).points[point];
+    // The manifold is of the step's start, half way between the surfaces; but what was foreseen from farther off is
+    // where the two were to meet, so on A's surface. That has gone with A, and B's is where the separation says.
+    const Manifold m = world.graph.manifoldOf(contact);
+    const ManifoldPoint& p = m.points[point];
+    const float nearest = m.count == 2 ? std::min(m.points[0].separation, m.points[1].separation) : p.separation;
+    const double begun = nearest > contactMargin ? 0 : static_cast<double>(p.separation);
     const BodyMotion& a = world.bodies.motion[contact.bodyA];
-    const Vec2 middle = a.center + a.rotation * Vec2(p.position.cast<double>());
-    const double closed = static_cast<double>(world.graph.separationOf(contact, point) - p.separation);
-    return middle + normalOf(world, contact) * (0.5 * closed);
+    const Vec2 told = a.center + a.rotation * Vec2(p.position.cast<double>());
+    const double closed = static_cast<double>(world.graph.separationOf(contact, point)) - begun;
+    return told + normalOf(world, contact) * (0.5 * closed);
 }
 
 void removeContact(WorldState& world, ContactIndex index) {
