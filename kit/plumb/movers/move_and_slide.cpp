@@ -123,6 +123,25 @@ Vec2 parting(const SlideRun& run) {
     return upOnly && rise < 0 ? Vec2(run.carry - run.up() * rise) : run.carry;
 }
 
+/// Through what it stands on, and, until it is in that, through what is flush with it on its way.
+void drop(SlideRun& run, const SlideMotion& motion, const Slide& last, const Vec2& wanted) {
+    run.out.hasEntered = last.hasEntered && !motion.dropThrough;
+    if (!motion.dropThrough && last.dropping.empty()) return;
+    for (const OneWayFloor& floor : last.dropping) run.probe.passFloor(floor);
+    if (motion.dropThrough && last.floor && last.floor->oneWay)
+        run.probe.passFloor({last.floor->shape, last.floor->tile});
+    if (!run.out.hasEntered) run.probe.passFloorsUnder(run.position, run.right() * wanted.dot(run.right()));
+    run.out.dropping = run.probe.passedFloors();
+}
+
+/// Who stands did not drop, or is through; so is who has been in it and is not any more.
+void endDrop(SlideRun& run) {
+    if (run.out.dropping.empty()) return;
+    const bool isIn = run.probe.isInPassedFloor(run.position);
+    if (run.out.isOnFloor || (run.out.hasEntered && !isIn)) run.out.dropping.clear();
+    run.out.hasEntered = !run.out.dropping.empty() && (run.out.hasEntered || isIn);
+}
+
 /// Along the floor, or through the air. Gives how far it wanted to go along the floor.
 double goItsOwnWay(SlideRun& run, const Vec2& wanted, bool grounded) {
     if (!grounded) {
@@ -228,20 +247,27 @@ Slide moveAndSlide(World& world, BodyId body, const SlideMotion& motion, const S
     const Vec2 here = world.body(body).position();
     const auto [start, jumped] = startOf(world, body, last);
     const Vec2 wanted = motion.displacement ? *motion.displacement : Vec2(motion.velocity * motion.dt);
-    SlideRun run{world,           settings, {world, body, settings, motion.dt}, motion.dt, start,
-                 motion.velocity, {0, 0},   settings.pushStrength * motion.dt,  {}};
+    SlideRun run{world,
+                 settings,
+                 {world, body, settings, motion.dt},
+                 motion.dt,
+                 start,
+                 motion.velocity,
+                 {0, 0},
+                 settings.pushStrength * motion.dt,
+                 detail::leastFloorRise(settings, start),
+                 {}};
     const bool rides = isFloorThere(world, last, motion, settings);
     if (last.isOnFloor && last.floor && !world.contains(last.floor->shape.body)) run.carry = last.platformVelocity;
     const bool rises = motion.velocity.dot(settings.up) > 0;
-    run.out.dropping = motion.dropThrough || last.dropping;
     run.probe.findMoving(settings.reach + wanted.cwiseAbs().maxCoeff(),
                          rides ? std::optional(last.floor->shape.body) : std::nullopt);
-    run.probe.passOneWays(run.out.dropping);
 
     const bool grounded = last.isOnFloor && !rises && !motion.dropThrough;
     run.out.floorNormal = last.isOnFloor ? last.floorNormal : settings.up;
     if (rides) run.out.floor = last.floor;
     const bool arrived = rides && carry(run, last, jumped);
+    drop(run, motion, last, wanted);
     detail::pushAside(run, start);
     detail::partOverlaps(run);
     const bool hindered = !run.out.hits.empty();
@@ -252,8 +278,7 @@ Slide moveAndSlide(World& world, BodyId body, const SlideMotion& motion, const S
     const bool kept = arrived && !jumped && level == 0 && !hindered;
     rememberPlace(run, last, kept);
     if (isStill(run, here, kept)) run.position = here;
-    // Who stands did not drop, or is through.
-    run.out.dropping &= !run.out.isOnFloor && (motion.dropThrough || run.probe.isInOneWay(run.position));
+    endDrop(run);
     run.out.position = run.position;
     run.out.displacement = run.position - here;
     // Told anew, a velocity wakes what is near.

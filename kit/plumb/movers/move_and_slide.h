@@ -37,7 +37,7 @@ struct SlideMotion {
     Vec2 velocity{0, 0};  ///< wanted; on a floor, against that floor; up leaves the floor [m/s]
     double dt = 0;        ///< of the World::step that follows, > 0 [s]
     std::optional<Vec2> displacement = std::nullopt;  ///< wanted in this tick; without, velocity dt [m]
-    bool dropThrough = false;                         ///< through one-way shapes, until it is out of them
+    bool dropThrough = false;                         ///< through the one-way floors that it stands on
 };
 
 enum class SlideEffect {
@@ -61,6 +61,12 @@ struct SlideHit {
     SlideEffect effect = SlideEffect::Slid;
 };
 
+/// A one-way shape; of a tile map, the row of one-way tiles to which this one belongs.
+struct OneWayFloor {
+    ShapeId shape;
+    std::optional<Cell> tile = std::nullopt;
+};
+
 /// What came of a tick; the next tick needs it.
 struct Slide {
     Vec2 velocity{0, 0};      ///< what is left of the wanted one; on a floor, against that floor and level [m/s]
@@ -77,7 +83,8 @@ struct Slide {
     std::optional<CastHit> floor = std::nullopt;  ///< what it stands on, as it was met
     Vec2 anchor{0, 0};                            ///< where it stands, in that body's frame [m]
     Vec2 anchorAfter{0, 0};                       ///< where the step takes that place, in the world [m]
-    bool dropping = false;                        ///< still in what it drops through
+    std::vector<OneWayFloor> dropping = {};       ///< it falls through these, until it is out of them
+    bool hasEntered = false;                      ///< it has been in one of those since it dropped
 };
 
 /// Gives a kinematic body the velocity with which the next World::step(motion.dt) takes it as far as it can go; call it
@@ -88,7 +95,8 @@ struct Slide {
 /// was set elsewhere, farther than its velocity explains, takes nobody along. Who stood on a body that was removed
 /// leaves it with its velocity.
 /// Of movers on movers, call it for who carries before who rides: the rider goes by the velocity given in this tick.
-/// One-way shapes are solid from their open side only, unless overlapped. Its own sensors meet nothing.
+/// One-way shapes are solid from their open side only, unless overlapped. Of a tile map's one-way tiles those whose
+/// tops join end to end, sideways, are one floor; who drops through one meets the next. Its own sensors meet nothing.
 /// last is what this gave in the tick before, or Slide{} at first, or after a jump to elsewhere.
 /// Throws std::invalid_argument for a stale id, a body that is not kinematic, or values out of range.
 /// Tests: [movers], "a crate under a push F and friction mu m g gains (F - mu m g) / m a second"

@@ -28,9 +28,8 @@ Shape inflated(Shape shape, double skin) {
     return shape;
 }
 
-/// The pieces of a chain are one; of a tile map those that are solid from all sides, and those that are not.
-bool isSame(const CastHit& a, const CastHit& b) {
-    return a.shape == b.shape && a.oneWay.has_value() == b.oneWay.has_value();
+OneWayFloor floorOf(const CastHit& hit) {
+    return {hit.shape, hit.tile};
 }
 
 CastHit asSeenAfter(const MovingThing& thing, CastHit hit) {
@@ -42,11 +41,6 @@ CastHit asSeenAfter(const MovingThing& thing, CastHit hit) {
 }
 
 }  // namespace
-
-std::optional<Vec2> openSideOf(const CastHit& hit) {
-    if (!hit.oneWay) return std::nullopt;
-    return Vec2(*hit.oneWay / lengthOf(*hit.oneWay));
-}
 
 MovingThing movingThing(const World& world, BodyId id, double dt, const Vec2& up, const Vec2& near) {
     const BodyView body = world.body(id);
@@ -103,11 +97,15 @@ void SlideProbe::meetAll(const Shape& shape, const Filter& filter, const Vec2& f
     }
 }
 
-namespace {
+/// The pieces of a chain are one; of a tile map those that are solid from all sides, and each one-way floor.
+bool SlideProbe::isSame(const CastHit& a, const CastHit& b) const {
+    if (!(a.shape == b.shape) || a.oneWay.has_value() != b.oneWay.has_value()) return false;
+    return !a.oneWay || isOneFloor(world_, floorOf(a), floorOf(b));
+}
 
 /// Of the hits of a shape that stays, those of what was met: the normal that a way goes into most, if it goes into one.
 /// It is another than the cast's where that began nearer than a skin.
-std::optional<Vec2> wallOf(const std::vector<CastHit>& here, const CastHit& met, const Vec2& shift) {
+std::optional<Vec2> SlideProbe::wallOf(const std::vector<CastHit>& here, const CastHit& met, const Vec2& shift) const {
     std::optional<Vec2> wall;
     double into = -parallel * lengthOf(shift);
     for (const CastHit& now : here) {
@@ -118,12 +116,15 @@ std::optional<Vec2> wallOf(const std::vector<CastHit>& here, const CastHit& met,
     return wall;
 }
 
-}  // namespace
+bool SlideProbe::isPassed(const OneWayFloor& floor) const {
+    return std::ranges::any_of(passedFloors_,
+                               [&](const OneWayFloor& passed) { return isOneFloor(world_, passed, floor); });
+}
 
 bool SlideProbe::isSolid(const CastHit& hit) const {
     if (passed_ && hit.shape.body == *passed_) return false;
     const std::optional<Vec2> open = openSideOf(hit);
-    return !open || (!passOneWays_ && hit.normal.dot(*open) >= openCosine);
+    return !open || (hit.normal.dot(*open) >= openCosine && !isPassed(floorOf(hit)));
 }
 
 /// meet(own, shift, visit) casts. What is one-way is solid from a skin on only, and not to what is in it.
@@ -216,11 +217,23 @@ FaceSpan SlideProbe::faceSpanAt(const Vec2& at, const Vec2& way, const Vec2& lin
     return farthest;
 }
 
-bool SlideProbe::isInOneWay(const Vec2& at) const {
+bool SlideProbe::isInPassedFloor(const Vec2& at) const {
     bool inside = false;
-    const auto look = [&](const CastHit& hit) { inside |= openSideOf(hit).has_value(); };
-    for (const Own& own : own_) meetAll(own.shape, own.filter, at, settings_.up * (-2 * settings_.skin), look);
+    const auto look = [&](const CastHit& hit) { inside |= hit.oneWay && isPassed(floorOf(hit)); };
+    for (const Own& own : own_) meetAll(own.shape, own.filter, at, {0, 0}, look);
     return inside;
+}
+
+void SlideProbe::passFloor(const OneWayFloor& floor) {
+    if (!isPassed(floor)) passedFloors_.push_back(floor);
+}
+
+void SlideProbe::passFloorsUnder(const Vec2& at, const Vec2& way) {
+    const Vec2 lowered = at - settings_.up * (2 * settings_.skin);
+    for (const Own& own : own_)
+        meetAll(own.shape, own.filter, lowered, way, [&](const CastHit& hit) {
+            if (hit.oneWay) passFloor(floorOf(hit));
+        });
 }
 
 }  // namespace plumb::detail

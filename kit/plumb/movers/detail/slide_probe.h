@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <plumb/movers/detail/face_span.h>
+#include <plumb/movers/detail/one_way.h>
 #include <plumb/movers/move_and_slide.h>
 
 namespace plumb::detail {
@@ -40,7 +41,10 @@ public:
     const MovingThing* find(BodyId body) const;  ///< nullptr when it does not move
     /// Goes through this one, if any, as if it were not there.
     void pass(const std::optional<BodyId>& body) { passed_ = body; }
-    void passOneWays(bool pass) { passOneWays_ = pass; }
+    void passFloor(const OneWayFloor& floor);
+    /// Those on which the body stands, or which are flush with those on a way.
+    void passFloorsUnder(const Vec2& at, const Vec2& way);
+    const std::vector<OneWayFloor>& passedFloors() const { return passedFloors_; }
 
     /// The body is where from says, and shifted. Only what has a normal that rises by leastRise is met [-].
     FreeWay freeWay(const Vec2& from, const Vec2& shift, double leastRise = -2) const;
@@ -48,7 +52,7 @@ public:
     FreeWay freeWayAgainst(const MovingThing& thing, const Vec2& from, const Vec2& to) const;
     /// What is static or kinematic and overlaps the body.
     std::vector<Overlapped> overlaps(const Vec2& at) const;
-    bool isInOneWay(const Vec2& at) const;
+    bool isInPassedFloor(const Vec2& at) const;
     /// Of the one of the body's shapes that is farthest out that way.
     FaceSpan faceSpanAt(const Vec2& at, const Vec2& way, const Vec2& line) const;
 
@@ -67,6 +71,9 @@ private:
     template <class Meet>
     FreeWay freeWayBy(const Vec2& from, const Vec2& shift, double leastRise, Meet&& meet) const;
     bool isSolid(const CastHit& hit) const;
+    bool isPassed(const OneWayFloor& floor) const;
+    bool isSame(const CastHit& a, const CastHit& b) const;
+    std::optional<Vec2> wallOf(const std::vector<CastHit>& here, const CastHit& met, const Vec2& shift) const;
     bool isIn(const Own& own, const Vec2& at, const CastHit& met) const;
     double depthOf(const Own& own, const Vec2& at, const CastHit& hit) const;
 
@@ -77,12 +84,8 @@ private:
     Rot rotation_;
     std::vector<Own> own_;
     std::vector<MovingThing> moving_;
-    bool passOneWays_ = false;
+    std::vector<OneWayFloor> passedFloors_;
     std::optional<BodyId> passed_ = std::nullopt;
 };
-
-/// The way, in the world, from which alone what was met, a shape or a map's tile, is solid; empty when it is from all
-/// sides.
-std::optional<Vec2> openSideOf(const CastHit& hit);
 
 }  // namespace plumb::detail

@@ -17,11 +17,13 @@ constexpr double tiny = 1e-9;
 }  // namespace
 
 bool SlideRun::isFloor(const Vec2& normal) const {
-    return normal.dot(up()) >= leastFloorRise();
+    return normal.dot(up()) >= leastFloorRise;
 }
 
-double SlideRun::leastFloorRise() const {
-    return sinCos(settings.maxFloorAngle).cos - 1e-6;
+double leastFloorRise(const SlideSettings& settings, const Vec2& position) {
+    // Some ten roundings of the place, and of what a cast leaves open.
+    const double rounding = 1e-14 * (10 + position.cwiseAbs().maxCoeff());
+    return sinCos(settings.maxFloorAngle + std::sqrt(2 * rounding / settings.skin)).cos - 1e-6;
 }
 
 Vec2 SlideRun::alongFloor(const Vec2& normal, double side) const {
@@ -116,7 +118,7 @@ bool settle(SlideRun& run, double reach, double across) {
     const Vec2 down = run.up() * -(reach + 2 * across + 2 * skin);
     const FreeWay any = run.probe.freeWay(top, down);
     if (!any.hit) return false;
-    const FreeWay way = run.isFloor(any.hit->normal) ? any : run.probe.freeWay(top, down, run.leastFloorRise());
+    const FreeWay way = run.isFloor(any.hit->normal) ? any : run.probe.freeWay(top, down, run.leastFloorRise);
     // A wall beside it may be as near as the floor, to rounding.
     if (!way.hit || any.length < way.length - skin) return false;
     // A floor that falls away is followed; an edge only as deep as reach.
