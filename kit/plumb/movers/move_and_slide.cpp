@@ -7,6 +7,7 @@
 
 #include <plumb/math/check.h>
 #include <plumb/math/trig.h>
+#include <plumb/movers/detail/hazards.h>
 #include <plumb/movers/detail/slide_run.h>
 
 namespace plumb {
@@ -213,6 +214,13 @@ void rememberPlace(SlideRun& run, const Slide& last, bool kept) {
     run.out.anchorAfter = same ? soon(run, carrier, nearTo(run.world, pose * last.anchor, now)) : run.position;
 }
 
+/// A map that is touched without being in the way is known from the tick in which it was.
+void findHazards(SlideRun& run, const Slide& last) {
+    for (const TileTouch& touch : last.hazards) run.probe.meetMap(touch.shape);
+    run.places.push_back(run.position);
+    if (!run.probe.mapsMet().empty()) run.out.hazards = detail::hazardsOn(run.probe, run.places);
+}
+
 /// What it stands on creeps by roundings, or as crates do that settle: it would wake them by following in each tick.
 /// Its place on them is kept, so that it follows when that has added up.
 bool isStill(const SlideRun& run, const Vec2& here, bool kept) {
@@ -271,6 +279,7 @@ Slide moveAndSlide(World& world, BodyId body, const SlideMotion& motion, const S
     detail::pushAside(run, start);
     detail::partOverlaps(run);
     const bool hindered = !run.out.hits.empty();
+    run.places.push_back(run.position);
     const double level = goItsOwnWay(run, wanted, grounded);
     findFloor(run, grounded, level);
     finishVelocity(run, grounded);
@@ -278,6 +287,7 @@ Slide moveAndSlide(World& world, BodyId body, const SlideMotion& motion, const S
     const bool kept = arrived && !jumped && level == 0 && !hindered;
     rememberPlace(run, last, kept);
     if (isStill(run, here, kept)) run.position = here;
+    findHazards(run, last);
     endDrop(run);
     run.out.position = run.position;
     run.out.displacement = run.position - here;

@@ -67,6 +67,11 @@ struct OneWayFloor {
     std::optional<Cell> tile = std::nullopt;
 };
 
+struct TileTouch {
+    ShapeId shape;  ///< the map
+    Cell tile;
+};
+
 /// What came of a tick; the next tick needs it.
 struct Slide {
     Vec2 velocity{0, 0};      ///< what is left of the wanted one; on a floor, against that floor and level [m/s]
@@ -78,6 +83,7 @@ struct Slide {
     double floorAngle = 0;                     ///< of the floor, from the level [rad]
     Vec2 platformVelocity{0, 0};               ///< of the floor, under it; where it left one, of that [m/s]
     std::vector<SlideHit> hits = {};           ///< in the order in which they came
+    std::vector<TileTouch> hazards = {};       ///< all hazard tiles that it touched: on its way, and where it stands
 
     // For the next tick.
     std::optional<CastHit> floor = std::nullopt;  ///< what it stands on, as it was met

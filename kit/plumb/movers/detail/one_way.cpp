@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <stdexcept>
 #include <vector>
 
 namespace plumb::detail {
@@ -76,10 +77,19 @@ std::optional<Vec2> openSideOf(const CastHit& hit) {
     return Vec2(*hit.oneWay / std::sqrt(hit.oneWay->dot(*hit.oneWay)));
 }
 
+const TileMap* mapOf(const World& world, const ShapeId& shape) {
+    try {
+        return &world.tiles(shape);
+    } catch (const std::invalid_argument&) {
+        return nullptr;
+    }
+}
+
 bool isOneFloor(const World& world, const OneWayFloor& a, const OneWayFloor& b) {
     if (!(a.shape == b.shape)) return false;
-    if (!a.tile || !b.tile || *a.tile == *b.tile || !world.contains(a.shape)) return true;
-    return isOneRow(world.tiles(a.shape), *a.tile, *b.tile);
+    if (!a.tile || !b.tile || *a.tile == *b.tile) return true;
+    const TileMap* map = mapOf(world, a.shape);
+    return map == nullptr || isOneRow(*map, *a.tile, *b.tile);
 }
 
 }  // namespace plumb::detail

@@ -11,6 +11,9 @@ namespace plumb::detail {
 /// sides.
 std::optional<Vec2> openSideOf(const CastHit& hit);
 
+/// nullptr when the shape is gone, or is none any more.
+const TileMap* mapOf(const World& world, const ShapeId& shape);
+
 /// A one-way shape is a floor; of a tile map's one-way tiles those are one whose tops join end to end, sideways.
 bool isOneFloor(const World& world, const OneWayFloor& a, const OneWayFloor& b);
 

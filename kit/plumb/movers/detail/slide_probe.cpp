@@ -19,15 +19,6 @@ double lengthOf(const Vec2& v) {
     return std::sqrt(v.dot(v));
 }
 
-/// All that is within a skin of a shape.
-Shape inflated(Shape shape, double skin) {
-    if (auto* circle = std::get_if<Circle>(&shape)) circle->radius += skin;
-    if (auto* capsule = std::get_if<Capsule>(&shape)) capsule->radius += skin;
-    if (auto* polygon = std::get_if<Polygon>(&shape)) polygon->radius += skin;
-    if (const auto* segment = std::get_if<Segment>(&shape)) return Capsule{segment->start, segment->end, skin};
-    return shape;
-}
-
 OneWayFloor floorOf(const CastHit& hit) {
     return {hit.shape, hit.tile};
 }
@@ -41,6 +32,14 @@ CastHit asSeenAfter(const MovingThing& thing, CastHit hit) {
 }
 
 }  // namespace
+
+Shape grown(Shape shape, double by) {
+    if (auto* circle = std::get_if<Circle>(&shape)) circle->radius += by;
+    if (auto* capsule = std::get_if<Capsule>(&shape)) capsule->radius += by;
+    if (auto* polygon = std::get_if<Polygon>(&shape)) polygon->radius += by;
+    if (const auto* segment = std::get_if<Segment>(&shape)) return Capsule{segment->start, segment->end, by};
+    return shape;
+}
 
 MovingThing movingThing(const World& world, BodyId id, double dt, const Vec2& up, const Vec2& near) {
     const BodyView body = world.body(id);
@@ -57,8 +56,8 @@ SlideProbe::SlideProbe(const World& world, BodyId body, const SlideSettings& set
     for (const ShapeId& id : world.body(body).shapes()) {
         const ShapeDef def = world.shape(id);
         if (!def.sensor)
-            own_.push_back({def.shape, inflated(def.shape, settings.skin),
-                            inflated(def.shape, settings.skin * (1 + 1e-6) + 1e-9), def.filter});
+            own_.push_back({def.shape, grown(def.shape, settings.skin),
+                            grown(def.shape, settings.skin * (1 + 1e-6) + 1e-9), def.filter});
     }
 }
 
@@ -84,16 +83,33 @@ const MovingThing* SlideProbe::find(BodyId body) const {
     return found == moving_.end() ? nullptr : &*found;
 }
 
+void SlideProbe::meetMap(const ShapeId& map) const {
+    if (std::ranges::find(maps_, map) == maps_.end()) maps_.push_back(map);
+}
+
+Transform SlideProbe::poseOfMap(const ShapeId& shape, const TileMap& map, const Vec2& near) const {
+    const MovingThing* thing = find(shape.body);
+    Transform pose = world_.body(shape.body).pose();
+    if (thing != nullptr) pose = thing->back.inverse() * pose;
+    const Vec2 middle = pose * Vec2(0.5 * map.size() * Vec2(map.columns(), map.rows()));
+    pose.position += world_.wrap().shiftNear(middle, near);
+    return pose;
+}
+
 template <class Visit>
 void SlideProbe::meetAll(const Shape& shape, const Filter& filter, const Vec2& from, const Vec2& shift,
                          Visit&& visit) const {
     const Transform pose = poseAt(from);
+    const auto tell = [&](const CastHit& hit) {
+        if (hit.tile) meetMap(hit.shape);
+        visit(hit);
+    };
     for (const CastHit& hit : world_.castShapePieces(shape, pose, shift, filter, body_))
-        if (find(hit.shape.body) == nullptr) visit(hit);
+        if (find(hit.shape.body) == nullptr) tell(hit);
     for (const MovingThing& thing : moving_) {
         const Vec2 shiftThere = thing.back.rotation * shift;
         for (const CastHit& hit : world_.castShapePieces(shape, thing.back * pose, shiftThere, filter, body_))
-            if (hit.shape.body == thing.body) visit(asSeenAfter(thing, hit));
+            if (hit.shape.body == thing.body) tell(asSeenAfter(thing, hit));
     }
 }
 

@@ -31,6 +31,9 @@ struct Overlapped {
     double depth = 0;
 };
 
+/// All that is within a distance of a shape.
+Shape grown(Shape shape, double by);
+
 class SlideProbe {
 public:
     SlideProbe(const World& world, BodyId body, const SlideSettings& settings, double dt);
@@ -46,6 +49,18 @@ public:
     void passFloorsUnder(const Vec2& at, const Vec2& way);
     const std::vector<OneWayFloor>& passedFloors() const { return passedFloors_; }
 
+    const World& world() const { return world_; }
+    /// Tile maps of which anything was in the way of anything so far.
+    const std::vector<ShapeId>& mapsMet() const { return maps_; }
+    void meetMap(const ShapeId& map) const;
+    /// Where the step takes it; in a world that wraps, of its places the one nearest to near.
+    Transform poseOfMap(const ShapeId& shape, const TileMap& map, const Vec2& near) const;
+    /// visit(shape, pose) of each of the body's, grown by so many skins.
+    template <class Visit>
+    void forEachShape(const Vec2& at, double skins, Visit&& visit) const {
+        for (const Own& own : own_) visit(grown(own.shape, skins * settings_.skin), poseAt(at));
+    }
+
     /// The body is where from says, and shifted. Only what has a normal that rises by leastRise is met [-].
     FreeWay freeWay(const Vec2& from, const Vec2& shift, double leastRise = -2) const;
     /// The same of one that moves, as seen from it: the body goes from one place before the step to one after it.
@@ -59,7 +74,7 @@ public:
 private:
     struct Own {
         Shape shape;
-        Shape inflated;  ///< by a skin
+        Shape inflated;  ///< grown by a skin
         Shape around;    ///< by a hair more, so that it touches all that a cast of inflated begins at
         Filter filter;
     };
@@ -85,6 +100,7 @@ private:
     std::vector<Own> own_;
     std::vector<MovingThing> moving_;
     std::vector<OneWayFloor> passedFloors_;
+    mutable std::vector<ShapeId> maps_;  ///< for the record only: no answer depends on it
     std::optional<BodyId> passed_ = std::nullopt;
 };
 

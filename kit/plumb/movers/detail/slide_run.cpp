@@ -64,6 +64,7 @@ void walk(SlideRun& run, double length, double side) {
         const double stretch = run.settings.floorConstantSpeed ? 1 : 1 / across;
         const FreeWay way = run.probe.freeWay(run.position, along * (length * stretch));
         run.position += along * way.length;
+        run.places.push_back(run.position);
         run.along = along;
         length -= way.length / stretch;
         if (!way.hit) return;
@@ -176,6 +177,7 @@ void fly(SlideRun& run, Vec2 shift) {
         if (!(length > 0)) return;
         const FreeWay way = run.probe.freeWay(run.position, shift);
         run.position += shift * (way.length / length);
+        run.places.push_back(run.position);
         if (!way.hit) return;
         shift *= 1 - way.length / length;
         const Vec2 normal = way.hit->normal;

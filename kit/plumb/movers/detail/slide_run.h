@@ -23,7 +23,8 @@ struct SlideRun {
     double leastFloorRise;  ///< of a floor's normal, upward [-]
     Slide out;
     std::vector<BodyId> pushed = {};
-    Vec2 along{0, 0};  ///< the way of the last stretch that it walked, 0 when it did not walk
+    std::vector<Vec2> places = {};  ///< between which it went straight on
+    Vec2 along{0, 0};            ///< the way of the last stretch that it walked, 0 when it did not walk
 
     Vec2 up() const { return settings.up; }
     Vec2 right() const { return {settings.up.y(), -settings.up.x()}; }
