@@ -77,7 +77,7 @@ struct Slide {
     Vec2 velocity{0, 0};      ///< what is left of the wanted one; on a floor, against that floor and level [m/s]
     Vec2 position{0, 0};      ///< where the body will be after World::step [m]
     Vec2 displacement{0, 0};  ///< from where it is now, what carried or pushed it included [m]
-    bool isOnFloor = false, isOnWall = false, isOnCeiling = false;
+    bool isOnFloor = false, isOnWall = false, isOnCeiling = false;  ///< as hits tell, also of what pushed it
     bool crushed = false;                      ///< what moves into it, or lay over it, leaves it no way out
     Vec2 floorNormal{0, 1}, wallNormal{1, 0};  ///< where it is on one [-]
     double floorAngle = 0;                     ///< of the floor, from the level [rad]

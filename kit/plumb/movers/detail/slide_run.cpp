@@ -32,6 +32,8 @@ Vec2 SlideRun::alongFloor(const Vec2& normal, double side) const {
 }
 
 SlideHit& SlideRun::note(const CastHit& hit, SlideEffect effect) {
+    const bool isPassedBy = effect == SlideEffect::Stepped || effect == SlideEffect::Nudged;
+    if (!isPassedBy) touch(hit.normal);
     const BodyView body = std::as_const(world).body(hit.shape.body);
     const Vec2 closing = velocity + carry - body.velocityAt(hit.point);
     out.hits.push_back(
@@ -39,17 +41,21 @@ SlideHit& SlideRun::note(const CastHit& hit, SlideEffect effect) {
     return out.hits.back();
 }
 
+void SlideRun::touch(const Vec2& normal) {
+    if (isFloor(normal)) return;
+    if (isCeiling(normal)) {
+        out.isOnCeiling = true;
+        return;
+    }
+    out.isOnWall = true;
+    out.wallNormal = normal;
+}
+
 Vec2 meetWall(SlideRun& run, const CastHit& hit, SlideEffect effect) {
     SlideHit& noted = run.note(hit, effect);
     const SlidePush pushed = push(run, hit, run.velocity + run.carry);
     noted.impulse = pushed.impulse;
     if (noted.impulse > 0) noted.effect = SlideEffect::Pushed;
-    if (run.isCeiling(hit.normal)) {
-        run.out.isOnCeiling = true;
-    } else if (!run.isFloor(hit.normal)) {
-        run.out.isOnWall = true;
-        run.out.wallNormal = hit.normal;
-    }
     // What gives way leaves it as much speed as it has itself; what comes gives it none.
     const double kept = std::min(0.0, (pushed.surface - run.carry).dot(hit.normal));
     const double into = run.velocity.dot(hit.normal) - kept;

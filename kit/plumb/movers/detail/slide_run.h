@@ -33,6 +33,7 @@ struct SlideRun {
     /// Along a floor, to the right or, with a side of -1, to the left.
     Vec2 alongFloor(const Vec2& normal, double side) const;
     SlideHit& note(const CastHit& hit, SlideEffect effect);
+    void touch(const Vec2& normal);  ///< tells that it is on a wall or a ceiling
 };
 
 /// What moves into it pushes it out of the way. from: where it was before the step, and before it was carried.
