@@ -61,7 +61,7 @@ SlideProbe::SlideProbe(const World& world, BodyId body, const SlideSettings& set
     }
 }
 
-void SlideProbe::findMoving(double within, const std::optional<BodyId>& floor) {
+void SlideProbe::findMoving(double within, const std::optional<BodyId>& floor, std::span<const BodyId> still) {
     moving_.clear();
     const Vec2 position = world_.body(body_).position();
     const auto take = [&](BodyId id) {
@@ -70,6 +70,7 @@ void SlideProbe::findMoving(double within, const std::optional<BodyId>& floor) {
         const bool carries = floor && id == *floor && view.type() == BodyType::Dynamic;
         if (view.type() != BodyType::Kinematic && !carries) return;
         if (view.velocity().isZero(0) && view.angularVelocity() == 0) return;
+        if (!(floor && id == *floor) && std::ranges::find(still, id) != still.end()) return;
         moving_.push_back(movingThing(world_, id, dt_, settings_.up, position));
     };
     if (floor && world_.contains(*floor)) take(*floor);

@@ -38,8 +38,9 @@ class SlideProbe {
 public:
     SlideProbe(const World& world, BodyId body, const SlideSettings& settings, double dt);
 
-    /// Looks for what moves within this distance of the body; what it stands on is one of them.
-    void findMoving(double within, const std::optional<BodyId>& floor);
+    /// Looks for what moves within this distance of the body; what it stands on is one of them. still:
+    /// what stays where it is for now.
+    void findMoving(double within, const std::optional<BodyId>& floor, std::span<const BodyId> still);
     const std::vector<MovingThing>& moving() const { return moving_; }
     const MovingThing* find(BodyId body) const;  ///< nullptr when it does not move
     /// Goes through this one, if any, as if it were not there.

@@ -21,6 +21,7 @@ bool SlideRun::isFloor(const Vec2& normal) const {
 }
 
 double leastFloorRise(const SlideSettings& settings, const Vec2& position) {
+    if (settings.motionMode == MotionMode::Floating) return 2;
     // Some ten roundings of the place, and of what a cast leaves open.
     const double rounding = 1e-14 * (10 + position.cwiseAbs().maxCoeff());
     return sinCos(settings.maxFloorAngle + std::sqrt(2 * rounding / settings.skin)).cos - 1e-6;
@@ -148,7 +149,7 @@ Vec2 slideAlong(const SlideRun& run, const Vec2& shift, const Vec2& normal) {
     if (!(into < 0)) return shift;
     Vec2 rest = shift - normal * into;
     const double rise = rest.dot(run.up());
-    if (rise > 0 && shift.dot(run.up()) <= 0) rest.setZero();
+    if (rise > 0 && shift.dot(run.up()) <= 0 && !run.floats()) rest.setZero();
     return rest;
 }
 
@@ -163,6 +164,7 @@ void land(SlideRun& run, const CastHit& hit, const Vec2& rest) {
 }
 
 bool isAround(SlideRun& run, const CastHit& hit, Vec2& shift) {
+    if (run.floats()) return false;
     const double level = shift.dot(run.right()), rise = shift.dot(run.up());
     const double side = level < 0 ? -1 : 1;
     if (run.isCeiling(hit.normal))
@@ -172,6 +174,21 @@ bool isAround(SlideRun& run, const CastHit& hit, Vec2& shift) {
     if (!stepOver(run, hit, run.right() * side, length, run.settings.ledgeNudge, false)) return false;
     shift = run.right() * (side * length) + run.up() * rise;
     return true;
+}
+
+/// Does it not slide along what it meets?
+bool stopsAt(const SlideRun& run, const Vec2& normal, const Vec2& shift) {
+    if (run.isCeiling(normal)) return !run.settings.slideOnCeiling && run.velocity.dot(run.up()) > 0;
+    // The angle between the way and the wall's normal is less than that.
+    const double into = -shift.dot(normal), along = std::fabs(cross(shift, normal));
+    return run.floats() && arcTangent(along, into) < run.settings.wallMinSlideAngle;
+}
+
+/// It goes on only against a wall that gives way.
+void stop(SlideRun& run, const CastHit& hit) {
+    meetWall(run, hit, SlideEffect::Stopped);
+    const Vec2 way = run.isCeiling(hit.normal) ? run.up() : hit.normal;
+    run.velocity = way * std::min(0.0, run.velocity.dot(way));
 }
 
 }  // namespace
@@ -189,12 +206,16 @@ void fly(SlideRun& run, Vec2 shift) {
         const Vec2 normal = way.hit->normal;
         if (run.isFloor(normal) && run.velocity.dot(run.up()) <= 0) return land(run, *way.hit, shift);
         if (isAround(run, *way.hit, shift)) continue;
+        if (stopsAt(run, normal, shift)) {
+            stop(run, *way.hit);
+            return;
+        }
         meetWall(run, *way.hit, SlideEffect::Slid);
         const bool falls = shift.dot(run.up()) < 0;
         const Vec2 rest = slideAlong(run, shift, normal);
         const bool wedged = plane && rest.dot(*plane) < -tiny * length;
         // Between two walls that lean apart it stands as on a floor.
-        if (wedged && falls && (*plane + normal).dot(run.up()) > tiny) {
+        if (wedged && falls && !run.floats() && (*plane + normal).dot(run.up()) > tiny) {
             run.out.isOnFloor = true;
             run.out.floorNormal = run.up();
             run.out.floor = *way.hit;

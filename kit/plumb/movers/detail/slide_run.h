@@ -5,8 +5,9 @@
 
 namespace plumb::detail {
 
-/// Of the normal of a floor, upward. What is met at an edge has a normal that roundings of the place turn: an edge a
-/// skin away is met up to sqrt(2 skin rounding) too early or too late, which is sqrt(2 rounding / skin) of an angle
+/// Of the normal of a floor, upward; beyond 1 for who floats. What is met at an edge has a normal that roundings of the
+/// place turn: an edge a skin away is met up to sqrt(2 skin rounding) too early or too late, which is sqrt(2 rounding /
+/// skin) of an angle
 /// [-].
 double leastFloorRise(const SlideSettings& settings, const Vec2& position);
 
@@ -24,10 +25,11 @@ struct SlideRun {
     Slide out;
     std::vector<BodyId> pushed = {};
     std::vector<Vec2> places = {};  ///< between which it went straight on
-    Vec2 along{0, 0};            ///< the way of the last stretch that it walked, 0 when it did not walk
+    Vec2 along{0, 0};               ///< the way of the last stretch that it walked, 0 when it did not walk
 
     Vec2 up() const { return settings.up; }
     Vec2 right() const { return {settings.up.y(), -settings.up.x()}; }
+    bool floats() const { return settings.motionMode == MotionMode::Floating; }
     bool isFloor(const Vec2& normal) const;
     bool isCeiling(const Vec2& normal) const { return isFloor(-normal); }
     /// Along a floor, to the right or, with a side of -1, to the left.
