@@ -30,6 +30,7 @@ struct SlideSettings {
     double floorSnapLength = 0.1;              ///< as far down as this the floor is followed, >= 0 [m]
     bool floorStopOnSlope = true;              ///< false: the displacement's downward part slides it down a slope
     bool floorConstantSpeed = true;            ///< as fast on a slope as on the flat; false: as fast across
+    bool floorBlockOnWall = true;              ///< false: who walks into a wall that leans away runs up it
     bool slideOnCeiling = true;                ///< false: who hits a ceiling in a jump stops, and falls
     double wallMinSlideAngle = 0.2617993877991494;  ///< floating: nearer head on it stops; 0 to pi / 2 [rad]
     double stepHeight = 0;                          ///< as high as this it climbs from floor to floor, >= 0 [m]
@@ -91,7 +92,7 @@ struct Slide {
     Vec2 velocity{0, 0};      ///< what is left of the wanted one; on a floor, against that floor and level [m/s]
     Vec2 position{0, 0};      ///< where the body will be after World::step [m]
     Vec2 displacement{0, 0};  ///< from where it is now, what carried or pushed it included [m]
-    bool isOnFloor = false, isOnWall = false, isOnCeiling = false;  ///< as hits tell, also of what pushed it
+    bool isOnFloor = false, isOnWall = false, isOnCeiling = false;  ///< of walls and ceilings: as hits tell
     bool crushed = false;                      ///< what moves into it, or lay over it, leaves it no way out
     Vec2 floorNormal{0, 1}, wallNormal{1, 0};  ///< where it is on one [-]
     double floorAngle = 0;                     ///< of the floor, from the level [rad]
@@ -116,11 +117,12 @@ struct Slide {
 /// leaves it with its velocity.
 /// Of movers on movers, call it for who carries before who rides: the rider goes by the velocity given in this tick.
 /// And tell who comes later, or a mover that has turned around is still met as going on: its velocity is of the tick
-/// before. One-way shapes are solid from their open side only, unless overlapped. Of a tile map's one-way tiles those
-/// whose tops join end to end, sideways, are one floor; who drops through one meets the next. Its own sensors meet
-/// nothing. last is what this gave in the tick before, or Slide{} at first, or after a jump to elsewhere. Throws
-/// std::invalid_argument for a stale id, a body that is not kinematic, or values out of range. Tests: [movers], "a
-/// crate under a push F and friction mu m g gains (F - mu m g) / m a second"
+/// before.
+/// One-way shapes are solid from their open side only, unless overlapped. Of a tile map's one-way tiles those whose tops
+/// join end to end, sideways, are one floor; who drops through one meets the next. Its own sensors meet nothing.
+/// last is what this gave in the tick before, or Slide{} at first, or after a jump to elsewhere.
+/// Throws std::invalid_argument for a stale id, a body that is not kinematic, or values out of range.
+/// Tests: [movers], "a crate under a push F and friction mu m g gains (F - mu m g) / m a second"
 Slide moveAndSlide(World& world, BodyId body, const SlideMotion& motion, const SlideSettings& settings = {},
                    const Slide& last = {});
 

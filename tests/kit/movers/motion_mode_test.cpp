@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What else a mover may be told of how it moves: floating, at ceilings, on floors that carry nobody.
+#include <algorithm>
 #include <cmath>
 
 #include <plumb/math/random.h>
@@ -107,6 +108,30 @@ TEST_CASE("at a ceiling a jump aside goes on at 3 m/s, or stops and falls straig
         slider.step(world, slider.slide.velocity.x(), dt);
         CHECK(std::fabs(slider.slide.position.x() - at.x() - (slides ? 3 * dt : 0)) < 1e-12);
         CHECK(slider.slide.position.y() < at.y());
+    }
+}
+
+TEST_CASE("who walks at 4 m/s into a wall of 60 degrees stops, or runs up it at 4 cos 60 m/s where it is not blocked",
+          "[movers]") {
+    for (const bool blocked : {true, false}) {
+        World world;
+        // Its foot is at x = 3, its face leans away from who comes.
+        addStatic(world, {0, 0}, chain({{13, 17.320508075688775}, {3, 0}, {-10, 0}}));
+        Slider slider{addKinematic(world, {0, 1}, circle(0.5)), {.floorBlockOnWall = blocked}};
+        slider.land(world);
+        double top = 0;
+        while (!slider.slide.isOnWall) slider.step(world, 4, dt);
+        if (blocked) {
+            CHECK(slider.slide.isOnFloor);
+            CHECK(slider.slide.velocity.isZero(0));
+        } else {
+            CHECK_FALSE(slider.slide.isOnFloor);
+            // Of 4 m/s the part along the wall.
+            CHECK((slider.slide.velocity - Vec2(1, std::sqrt(3.0))).cwiseAbs().maxCoeff() < 1e-9);
+        }
+        for (int i = 0; i < 60; ++i) top = std::max(top, slider.step(world, 4, dt).position.y() - 0.5 - skin);
+        CHECK((top > 0.1) == !blocked);
+        CHECK(slider.slide.position.y() > 0.5);
     }
 }
 

@@ -39,6 +39,16 @@ void addTouched(std::vector<TileTouch>& touched, const Passage& passage, const S
     }
 }
 
+/// Where the step takes a map; in a world that wraps, of its places the one nearest to a point.
+Transform poseOf(const SlideProbe& probe, const ShapeId& shape, const TileMap& map, const Vec2& near) {
+    const MovingThing* thing = probe.find(shape.body);
+    Transform pose = probe.world().body(shape.body).pose();
+    if (thing != nullptr) pose = thing->back.inverse() * pose;
+    const Vec2 middle = pose * Vec2(0.5 * map.size() * Vec2(map.columns(), map.rows()));
+    pose.position += probe.world().wrap().shiftNear(middle, near);
+    return pose;
+}
+
 auto placeOf(const TileTouch& touch) {
     return std::tuple(touch.shape.body.index, touch.shape.number, touch.tile.row, touch.tile.column);
 }
@@ -51,7 +61,7 @@ std::vector<TileTouch> hazardsOn(const SlideProbe& probe, std::span<const Vec2> 
         const TileMap* map = mapOf(probe.world(), shape);
         for (std::size_t i = 0; map != nullptr && i < way.size(); ++i) {
             const Vec2 shift = i + 1 < way.size() ? Vec2(way[i + 1] - way[i]) : Vec2(0, 0);
-            const Passage passage{*map, shape, probe.poseOfMap(shape, *map, way[i]), shift};
+            const Passage passage{*map, shape, poseOf(probe, shape, *map, way[i]), shift};
             probe.forEachShape(way[i], 1.5, [&](const Shape& around, const Transform& from) {
                 addTouched(touched, passage, around, from);
             });

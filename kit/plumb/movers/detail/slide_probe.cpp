@@ -88,15 +88,6 @@ void SlideProbe::meetMap(const ShapeId& map) const {
     if (std::ranges::find(maps_, map) == maps_.end()) maps_.push_back(map);
 }
 
-Transform SlideProbe::poseOfMap(const ShapeId& shape, const TileMap& map, const Vec2& near) const {
-    const MovingThing* thing = find(shape.body);
-    Transform pose = world_.body(shape.body).pose();
-    if (thing != nullptr) pose = thing->back.inverse() * pose;
-    const Vec2 middle = pose * Vec2(0.5 * map.size() * Vec2(map.columns(), map.rows()));
-    pose.position += world_.wrap().shiftNear(middle, near);
-    return pose;
-}
-
 template <class Visit>
 void SlideProbe::meetAll(const Shape& shape, const Filter& filter, const Vec2& from, const Vec2& shift,
                          Visit&& visit) const {

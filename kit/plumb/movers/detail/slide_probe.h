@@ -54,8 +54,6 @@ public:
     /// Tile maps of which anything was in the way of anything so far.
     const std::vector<ShapeId>& mapsMet() const { return maps_; }
     void meetMap(const ShapeId& map) const;
-    /// Where the step takes it; in a world that wraps, of its places the one nearest to near.
-    Transform poseOfMap(const ShapeId& shape, const TileMap& map, const Vec2& near) const;
     /// visit(shape, pose) of each of the body's, grown by so many skins.
     template <class Visit>
     void forEachShape(const Vec2& at, double skins, Visit&& visit) const {

@@ -64,6 +64,16 @@ Vec2 meetWall(SlideRun& run, const CastHit& hit, SlideEffect effect) {
     return pushed.surface;
 }
 
+namespace {
+
+/// Off the floor, with what is left of a way and of the speed along the wall.
+void runUp(SlideRun& run, const CastHit& wall, const Vec2& rest) {
+    meetWall(run, wall, SlideEffect::Slid);
+    fly(run, rest - wall.normal * std::min(0.0, rest.dot(wall.normal)));
+}
+
+}  // namespace
+
 void walk(SlideRun& run, double length, double side) {
     for (int i = 0; i < run.settings.maxSlides && length > 0; ++i) {
         const Vec2 along = run.alongFloor(run.out.floorNormal, side);
@@ -82,6 +92,8 @@ void walk(SlideRun& run, double length, double side) {
         }
         if (stepOver(run, *way.hit, run.right() * side, length, run.settings.stepHeight, true)) continue;
         run.velocity = run.right() * run.velocity.dot(run.right());
+        if (!run.settings.floorBlockOnWall && way.hit->normal.dot(run.up()) > tiny)
+            return runUp(run, *way.hit, along * (length * stretch));
         const Vec2 surface = meetWall(run, *way.hit, SlideEffect::Stopped);
         // A wall that leans does not lift who walks into it; nor does a ceiling over a slope let it go on.
         if (run.isCeiling(way.hit->normal)) run.out.wallNormal = run.right() * -side;
