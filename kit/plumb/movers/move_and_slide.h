@@ -118,8 +118,8 @@ struct Slide {
 /// Of movers on movers, call it for who carries before who rides: the rider goes by the velocity given in this tick.
 /// And tell who comes later, or a mover that has turned around is still met as going on: its velocity is of the tick
 /// before.
-/// One-way shapes are solid from their open side only, unless overlapped. Of a tile map's one-way tiles those whose tops
-/// join end to end, sideways, are one floor; who drops through one meets the next. Its own sensors meet nothing.
+/// One-way shapes are solid from their open side only, unless overlapped. Of a tile map's one-way tiles those whose
+/// tops join end to end, sideways, are one floor; who drops through one meets the next. Its own sensors meet nothing.
 /// last is what this gave in the tick before, or Slide{} at first, or after a jump to elsewhere.
 /// Throws std::invalid_argument for a stale id, a body that is not kinematic, or values out of range.
 /// Tests: [movers], "a crate under a push F and friction mu m g gains (F - mu m g) / m a second"
