@@ -12,7 +12,9 @@ function outsideNotes(scene) {
     }
     if (scene.moved) {
         notes.push("Box2D has no movers: before each step its bodies are given the velocity that takes them where " +
-            "they are wanted. One that jumps is a dynamic body that cannot turn, with the gravity of its phase.");
+            "they are wanted. One that jumps is a dynamic body that cannot turn, with the gravity of its phase; so is, " +
+            "without gravity, one that slides and shall be stopped, unless it is a capsule: for these Box2D 3 has a " +
+            "character mover.");
     }
     if (scene.wrap) {
         notes.push("Box2D's world does not wrap: what has left it after a step is put in at the other side, and " +
