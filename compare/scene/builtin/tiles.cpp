@@ -65,7 +65,7 @@ Scene tileFloor() {
     const double speed = 10;
     Scene scene{
         .name = "tile_floor",
-        .question = "Does anything catch where 1,000 flush tiles of a floor meet?",
+        .question = "Do a box, a disc, a capsule or a mover catch where 1,000 flush tiles of a floor meet?",
         .duration = 9.5,
         .closedForm = ClosedForm{.formula = "x = x0 + v t", .source = "Newton's first law: the floor is smooth"},
         .checks = {ExactCheck{1e-4, sinksOnGround + "5/8 of it under two corners; and nothing along the floor"}},
@@ -87,7 +87,8 @@ Scene tileWall() {
     const double press = 5;  // [m/s^2]
     Scene scene{
         .name = "tile_wall",
-        .question = "Does anything catch that falls down a wall of flush tiles, pressed against it?",
+        .question =
+            "Do a box, a disc, a capsule or a mover catch on their way down a wall of flush tiles, pressed to it?",
         .gravity = {press, -gravity},
         .duration = 3,
         .closedForm = ClosedForm{.formula = "y = y0 - g t^2 / 2", .source = "free fall: the wall is smooth"},
