@@ -136,6 +136,8 @@ struct Play {
             return "sunk into a one-way tile";
         if (slide.crushed) return "crushed, where nothing moves";
         if (!modern || input.move == 0 || !stood || !slide.isOnFloor || !open || speed * side < 0 || dropped) return "";
+        // The truth knows of no one-way tiles: on the corner of one it may be in the way of itself.
+        if (slide.floor->oneWay && slide.floorNormal != Vec2(0, 1)) return "";
         ++moves;
         // On the floor it goes where it is told, at the lesser of its speeds, on a slope of at most 45 degrees; over an
         // edge at least to where it comes down.
