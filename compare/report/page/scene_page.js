@@ -16,12 +16,12 @@ function outsideNotes(scene) {
             "where they are wanted, through whatever is there.");
     }
     if (moved("jumping")) {
-        notes.push("What runs and jumps is, in Box2D, a dynamic body that cannot turn: it is told its velocity before " +
-            "each step, and falls by the gravity of its phase.");
+        notes.push("What runs and jumps is, in Box2D, a dynamic body that cannot turn: it is told its velocity " +
+            "before each step, and falls by the gravity of its phase.");
     }
     if (moved("stopped")) {
-        notes.push("The mover is in Box2D 2.4 a dynamic body that cannot turn, told its velocity before each step; in " +
-            "Box2D 3 a capsule goes by that engine's own character mover.");
+        notes.push("The mover is in Box2D 2.4 a dynamic body that cannot turn, told its velocity before each step; " +
+            "in Box2D 3 a capsule goes by that engine's own character mover.");
     }
     if (scene.wrap) {
         notes.push("Box2D's world does not wrap: what has left it after a step is put in at the other side, and " +
