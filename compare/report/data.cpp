@@ -83,7 +83,9 @@ json shapesData(const Shape& shape) {
 const char* standInName(const MoverMotion& motion) {
     const auto* sliding = std::get_if<SlidingMotion>(&motion);
     if (sliding != nullptr && sliding->standIn == StandIn::Stopped) return "stopped";
-    return std::holds_alternative<PlatformMotion>(motion) ? "jumping" : "told";
+    const auto* platform = std::get_if<PlatformMotion>(&motion);
+    if (platform == nullptr) return "told";
+    return platform->cues.empty() ? "standing" : "jumping";
 }
 
 json bodyData(const SceneBody& body) {

@@ -19,6 +19,9 @@ function outsideNotes(scene) {
         notes.push("What runs and jumps is, in Box2D, a dynamic body that cannot turn: it is told its velocity " +
             "before each step, and falls by the gravity of its phase.");
     }
+    if (moved("standing")) {
+        notes.push("Who rides is, in Box2D, a dynamic body that cannot turn, and stands by its friction.");
+    }
     if (moved("stopped")) {
         notes.push("The mover is in Box2D 2.4 a dynamic body that cannot turn, told its velocity before each step; " +
             "in Box2D 3 a capsule goes by that engine's own character mover.");
