@@ -21,20 +21,32 @@ JumpBand bandAt(const std::vector<JumpBand>& bands, double speed) {
     return found;
 }
 
+/// Of the body's mover, where it has one of that kind.
+template <class Motion>
+const Motion* motionOf(const Scene& scene, const SceneBody& body) {
+    const auto mover = std::ranges::find(scene.movers, body.name, &SceneMover::body);
+    return mover == scene.movers.end() ? nullptr : std::get_if<Motion>(&mover->motion);
+}
+
+const SlidingMotion* stoppedSlider(const Scene& scene, const SceneBody& body) {
+    const auto* sliding = motionOf<SlidingMotion>(scene, body);
+    return sliding != nullptr && sliding->standIn == StandIn::Stopped ? sliding : nullptr;
+}
+
 double towards(double value, double target, double most) {
     return std::clamp(target, value - most, value + most);
 }
 
 }  // namespace
 
-SceneMovers::SceneMovers(const Scene& scene) : gravity_(-scene.gravity.y()) {
+SceneMovers::SceneMovers(const Scene& scene, Characters characters) : gravity_(-scene.gravity.y()) {
     PlacedMaps maps;
     for (const SceneMover& mover : scene.movers) {
         const std::size_t body = bodyIndex(scene, mover.body);
         if (const auto* path = std::get_if<PathMotion>(&mover.motion))
             movers_.push_back({body, OnPath{pathMoverOf(*path), path->delay}});
         if (const auto* sliding = std::get_if<SlidingMotion>(&mover.motion))
-            movers_.push_back({body, Straight{sliding->velocity}});
+            movers_.push_back({body, Straight{sliding->velocity, isCharacter(scene, scene.bodies[body], characters)}});
         if (const auto* grid = std::get_if<GridMotion>(&mover.motion))
             movers_.push_back({body, OnGrid{*grid, gridMoverOf(*grid), TurnList(*grid), maps.of(scene, *grid)}});
         const auto* platform = std::get_if<PlatformMotion>(&mover.motion);
@@ -58,7 +70,7 @@ MoverCommand SceneMovers::command(OnPath& mover, const BodyState& now, double dt
 }
 
 MoverCommand SceneMovers::command(Straight& mover, const BodyState&, double) const {
-    return {.velocity = mover.velocity};
+    return {.velocity = mover.velocity, .asCharacter = mover.isCharacter};
 }
 
 MoverCommand SceneMovers::command(OnGrid& mover, const BodyState& now, double dt) const {
@@ -84,15 +96,22 @@ MoverCommand SceneMovers::command(OnPlatforms& mover, const BodyState& now, doub
     return command;
 }
 
-SceneBody asMoved(const Scene& scene, const SceneBody& body) {
-    const auto mover = std::ranges::find(scene.movers, body.name, &SceneMover::body);
-    if (mover == scene.movers.end() || !std::holds_alternative<PlatformMotion>(mover->motion)) return body;
-    const bool isTold = !std::get<PlatformMotion>(mover->motion).cues.empty();
+bool isCharacter(const Scene& scene, const SceneBody& body, Characters characters) {
+    const SlidingMotion* sliding = stoppedSlider(scene, body);
+    return characters == Characters::Capsules && sliding != nullptr && body.def.shapes.size() == 1 &&
+           std::holds_alternative<Capsule>(body.def.shapes[0].shape);
+}
+
+SceneBody asMoved(const Scene& scene, const SceneBody& body, Characters characters) {
+    const auto* runner = motionOf<PlatformMotion>(scene, body);
+    const bool slides = stoppedSlider(scene, body) != nullptr && !isCharacter(scene, body, characters);
+    if (runner == nullptr && !slides) return body;
     SceneBody moved = body;
     moved.def.type = BodyType::Dynamic;
     moved.def.fixedRotation = true;
     moved.def.canSleep = false;
-    if (isTold)
+    if (slides) moved.def.gravityScale = 0;
+    if (slides || !runner->cues.empty())
         for (ShapeDef& shape : moved.def.shapes) shape.material.friction = 0;
     return moved;
 }

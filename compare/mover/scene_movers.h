@@ -12,15 +12,19 @@
 
 namespace plumb::compare {
 
+/// Has the engine a character mover of its own, as Box2D 3 has for capsules?
+enum class Characters { None, Capsules };
+
 struct MoverCommand {
     std::size_t body = 0;
     Vec2 velocity{0, 0};                                ///< from now on [m/s]
     std::optional<double> gravityScale = std::nullopt;  ///< likewise, where it changes [-]
+    bool asCharacter = false;                           ///< as far as the engine's own character mover goes that way
 };
 
 class SceneMovers {
 public:
-    explicit SceneMovers(const Scene& scene);
+    explicit SceneMovers(const Scene& scene, Characters characters = Characters::None);
 
     bool empty() const { return movers_.empty(); }
     /// For a step of dt, from where bodies are now [s].
@@ -33,6 +37,7 @@ private:
     };
     struct Straight {
         Vec2 velocity;
+        bool isCharacter;
     };
     struct OnGrid {
         GridMotion motion;
@@ -62,8 +67,11 @@ private:
     int tick_ = 0;
 };
 
-/// The body as such an engine needs it: one that runs and jumps is dynamic, and cannot turn; one that is told nothing
-/// stands there by its friction.
-SceneBody asMoved(const Scene& scene, const SceneBody& body);
+/// Is the body moved by that? Then it stays the kinematic body it is.
+bool isCharacter(const Scene& scene, const SceneBody& body, Characters characters);
+
+/// The body as such an engine needs it. One that runs and jumps is dynamic, and cannot turn; one that is told nothing
+/// stands there by its friction. So is one that slides and shall be stopped, without gravity, where it is no character.
+SceneBody asMoved(const Scene& scene, const SceneBody& body, Characters characters = Characters::None);
 
 }  // namespace plumb::compare

@@ -12,7 +12,7 @@
 #include <compare/report/playback.h>
 #include <compare/scene/fields.h>
 #include <plumb/math/transform.h>
-#include <plumb/shapes/chain.h>
+#include <plumb/shapes/tile_pieces.h>
 
 namespace plumb::compare {
 namespace {
@@ -58,12 +58,14 @@ json shapeData(const Chain& chain) {
     return {{"chain", pointData(points)}};
 }
 
-/// What the tiles fill, and the tops of those that are solid one way.
+/// What the tiles fill, and its outline, each with the kind of its tiles.
 json shapesData(const TileMap& map) {
+    constexpr const char* kinds[] = {"solid", "oneWay", "hazard", "sensor"};  // as in TileKind
     json shapes = json::array();
-    for (const Shape& piece : piecesOf(map)) {
-        const auto* top = std::get_if<Segment>(&piece);
-        shapes.push_back(top != nullptr ? shapeData(*top) : shapeData(std::get<Polygon>(piece)));
+    for (const TilePiece& piece : tilePiecesOf(map)) {
+        const auto* edge = std::get_if<Segment>(&piece.shape);
+        shapes.push_back(edge != nullptr ? shapeData(*edge) : shapeData(std::get<Polygon>(piece.shape)));
+        shapes.back()["tiles"] = kinds[static_cast<int>(piece.kind)];
     }
     return shapes;
 }
@@ -75,6 +77,15 @@ json shapesData(const Shape& shape) {
     if (const auto* segment = std::get_if<Segment>(&shape)) return json::array({shapeData(*segment)});
     if (const auto* chain = std::get_if<Chain>(&shape)) return json::array({shapeData(*chain)});
     return shapesData(std::get<TileMap>(shape));
+}
+
+/// What takes a mover's place in Box2D, as the page has it.
+const char* standInName(const MoverMotion& motion) {
+    const auto* sliding = std::get_if<SlidingMotion>(&motion);
+    if (sliding != nullptr && sliding->standIn == StandIn::Stopped) return "stopped";
+    const auto* platform = std::get_if<PlatformMotion>(&motion);
+    if (platform == nullptr) return "told";
+    return platform->cues.empty() ? "standing" : "jumping";
 }
 
 json bodyData(const SceneBody& body) {
@@ -204,7 +215,7 @@ json sceneData(const SceneResult& result, const PlaybackFormat& format, const Re
                  {"width", static_cast<int>(format.width)},
                  {"stride", format.stride},
                  {"curveStride", stride}};
-    if (!scene.movers.empty()) data["moved"] = true;
+    for (const SceneMover& mover : scene.movers) data["moved"].push_back(standInName(mover.motion));
     if (scene.wrap.any()) data["wrap"] = {scene.wrap.width.value_or(0), scene.wrap.height.value_or(0)};
     for (const char* list : {"bodies", "joints", "fields", "probes", "engines", "outcomes"}) data[list] = json::array();
     for (const SceneBody& body : scene.bodies) data["bodies"].push_back(bodyData(body));

@@ -26,6 +26,7 @@ inline constexpr std::array<const char*, 4> directionTags{"up", "left", "down", 
 inline constexpr std::array<const char*, 3> easingTags{"none", "acceleration", "smoothStep"};
 inline constexpr std::array<const char*, 3> repeatTags{"once", "loop", "backAndForth"};
 inline constexpr std::array<const char*, 2> styleTags{"modern", "1985"};
+inline constexpr std::array<const char*, 2> standInTags{"kinematic", "stopped"};
 constexpr std::span<const char* const> tagsOf(Direction) {
     return directionTags;
 }
@@ -37,6 +38,9 @@ constexpr std::span<const char* const> tagsOf(PathRepeat) {
 }
 constexpr std::span<const char* const> tagsOf(PlatformStyle) {
     return styleTags;
+}
+constexpr std::span<const char* const> tagsOf(StandIn) {
+    return standInTags;
 }
 constexpr std::span<const char* const> tagsOf(BodyType) {
     return bodyTypeTags;
@@ -340,6 +344,7 @@ void fields(auto& visit, Is<PathMotion> auto& x) {
 void fields(auto& visit, Is<SlidingMotion> auto& x) {
     visit("velocity", x.velocity);
     visit("pushStrength", x.pushStrength);
+    visit("standIn", x.standIn);
 }
 void fields(auto& visit, Is<GridMotion> auto& x) {
     visit("map", x.map);

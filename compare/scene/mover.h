@@ -23,10 +23,17 @@ struct PathMotion {
     PathRepeat repeat = PathRepeat::Once;
 };
 
+/// What takes a slider's place in an engine that has no such movers?
+enum class StandIn {
+    Kinematic,  ///< a kinematic body as it is: it goes through what it meets
+    Stopped,    ///< what comes nearest to it: a character mover where there is one, or a dynamic body told its velocity
+};
+
 /// Straight on at a speed, sliding along what it meets.
 struct SlidingMotion {
     Vec2 velocity{0, 0};      ///< wanted [m/s]
     double pushStrength = 0;  ///< >= 0 [N]
+    StandIn standIn = StandIn::Kinematic;
 };
 
 /// From tile to tile of a map.

@@ -12,6 +12,7 @@
 
 #include <compare/engine/box2d3/box2d3_body.h>
 #include <compare/engine/box2d3/box2d3_joint.h>
+#include <compare/engine/box2d3/box2d3_mover.h>
 #include <compare/engine/joint_geometry.h>
 #include <compare/engine/mixed.h>
 #include <compare/engine/single.h>
@@ -74,10 +75,15 @@ private:
 class Box2d3Simulation : public Simulation {
 public:
     explicit Box2d3Simulation(const Scene& scene)
-        : world_(worldDef(scene)), fields_(scene), movers_(scene), wrap_(scene.wrap), probes_(scene.probes.size()) {
+        : world_(worldDef(scene)),
+          fields_(scene),
+          movers_(scene, Characters::Capsules),
+          wrap_(scene.wrap),
+          probes_(scene.probes.size()) {
         senses_ = hasSensors(scene);
         for (const SceneBody& body : scene.bodies) {
-            bodies_.push_back(addBody3(world_.id(), asMoved(scene, body), senses_));
+            bodies_.push_back(addBody3(world_.id(), asMoved(scene, body, Characters::Capsules), senses_));
+            if (isCharacter(scene, body, Characters::Capsules)) makeCharacter3(bodies_.back());
             angles_.push_back(body.def.angle);
         }
         join(scene);
@@ -149,11 +155,14 @@ private:
         int visits = 0;
     };
 
-    /// Box2D has no movers: its user sets velocities before each step.
+    /// Box2D's world moves nothing by itself: its user sets velocities before each step, a character's by its queries.
     void move(double dt) {
         for (const MoverCommand& command : movers_.commands(states(), dt)) {
-            b2Body_SetLinearVelocity(bodies_[command.body], toBox2d3(command.velocity));
-            if (command.gravityScale) b2Body_SetGravityScale(bodies_[command.body], toSingle(*command.gravityScale));
+            const b2BodyId body = bodies_[command.body];
+            const Vec2 velocity =
+                command.asCharacter ? characterVelocity3(world_.id(), body, command.velocity, dt) : command.velocity;
+            b2Body_SetLinearVelocity(body, toBox2d3(velocity));
+            if (command.gravityScale) b2Body_SetGravityScale(body, toSingle(*command.gravityScale));
         }
     }
 

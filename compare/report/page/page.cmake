@@ -6,7 +6,7 @@ set(PLUMB_REPORT_PAGE_DIR "${CMAKE_CURRENT_LIST_DIR}")
 
 # The order is that of the page: a script may use those before it at once, and those after it once the page runs.
 set(PLUMB_REPORT_SCRIPTS
-    dom.js format.js formula.js engines.js data.js pose.js camera.js paper.js field.js stage.js player.js
+    dom.js format.js formula.js engines.js data.js pose.js camera.js paper.js field.js still.js stage.js player.js
     curves.js limits.js chart.js charts.js csv.js numbers.js lab_chart.js lab_page.js overview.js controls.js
     scene_page.js address.js main.js)
 

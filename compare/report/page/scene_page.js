@@ -10,9 +10,21 @@ function outsideNotes(scene) {
         notes.push("Box2D has no fields: the forces of this scene's fields are applied to its bodies from outside, " +
             "once a step, and stay the same through it. In Plumb they act in each sub-step.");
     }
-    if (scene.moved) {
-        notes.push("Box2D has no movers: before each step its bodies are given the velocity that takes them where " +
-            "they are wanted. One that jumps is a dynamic body that cannot turn, with the gravity of its phase.");
+    const moved = (how) => (scene.moved ?? []).includes(how);
+    if (moved("told")) {
+        notes.push("Box2D has no such movers: before each step their bodies are given the velocity that takes them " +
+            "where they are wanted, through whatever is there.");
+    }
+    if (moved("jumping")) {
+        notes.push("What runs and jumps is, in Box2D, a dynamic body that cannot turn: it is told its velocity " +
+            "before each step, and falls by the gravity of its phase.");
+    }
+    if (moved("standing")) {
+        notes.push("Who rides is, in Box2D, a dynamic body that cannot turn, and stands by its friction.");
+    }
+    if (moved("stopped")) {
+        notes.push("The mover is in Box2D 2.4 a dynamic body that cannot turn, told its velocity before each step; " +
+            "in Box2D 3 a capsule goes by that engine's own character mover.");
     }
     if (scene.wrap) {
         notes.push("Box2D's world does not wrap: what has left it after a step is put in at the other side, and " +

@@ -4,26 +4,11 @@
 function stageTheme() {
     const text = Math.round(0.8 * parseFloat(getComputedStyle(document.documentElement).fontSize));
     const theme = {text, font: getComputedStyle(document.body).fontFamily};
-    for (const name of ["paper", "minor", "major", "ruler", "still", "hatch", "ink", "muted", "water"]) {
+    for (const name of ["paper", "minor", "major", "ruler", "still", "hatch", "ink", "muted", "water", "hazard"]) {
         theme[name] = themeColor(`--stage-${name}`);
     }
     theme.hatching = hatching(theme);
     return theme;
-}
-
-function hatching(theme) {
-    const tile = element("canvas", {width: 8, height: 8});
-    const context = tile.getContext("2d");
-    context.fillStyle = theme.still;
-    context.fillRect(0, 0, 8, 8);
-    context.strokeStyle = theme.hatch;
-    context.lineWidth = 1.2;
-    for (const shift of [-8, 0, 8]) {
-        context.moveTo(shift, 8);
-        context.lineTo(shift + 8, 0);
-    }
-    context.stroke();
-    return context.createPattern(tile, "repeat");
 }
 
 function traceShape(context, camera, shape, pose) {
@@ -63,50 +48,6 @@ function traceRounded(context, camera, corners, radius) {
         context.arc(camera.x(x), camera.y(y), radius * camera.scale, -before, -normals[i], true);
     });
     context.closePath();
-}
-
-/// Short strokes on the side away from what moves, as a textbook draws a floor.
-function hatchSegment(context, camera, box, [x0, y0], [x1, y1]) {
-    const from = [camera.x(x0), camera.y(y0)];
-    const along = [camera.x(x1) - from[0], camera.y(y1) - from[1]];
-    const length = Math.hypot(...along);
-    const [ux, uy] = [along[0] / length, along[1] / length];
-    const middle = [camera.x((box.left + box.right) / 2) - from[0], camera.y((box.bottom + box.top) / 2) - from[1]];
-    const side = ux * middle[1] - uy * middle[0] > 0 ? -1 : 1;
-    for (let at = 6; at < length; at += 11) {
-        const [x, y] = [from[0] + at * ux, from[1] + at * uy];
-        if (x < 0 || x > camera.width || y < 0 || y > camera.height) continue;
-        context.moveTo(x, y);
-        context.lineTo(x - 7 * ux - 9 * side * uy, y - 7 * uy + 9 * side * ux);
-    }
-}
-
-function drawStill(context, camera, theme, scene, box) {
-    context.setLineDash([]);
-    context.lineJoin = "round";
-    for (const body of scene.bodies) {
-        if (body.type !== "static") continue;
-        const pose = {x: body.start[0], y: body.start[1], angle: body.start[2]};
-        for (const shape of body.shapes) {
-            context.beginPath();
-            traceShape(context, camera, shape, pose);
-            const line = shape.segment ?? shape.chain;
-            context.fillStyle = theme.hatching;
-            if (!line) context.fill();
-            context.strokeStyle = theme.ink;
-            context.lineWidth = line ? 3 : 1.5;
-            context.stroke();
-            if (!line) continue;
-            context.beginPath();
-            for (let i = 0; i + 3 < line.length; i += 2) {
-                hatchSegment(context, camera, box, inWorld(pose, line[i], line[i + 1]),
-                             inWorld(pose, line[i + 2], line[i + 3]));
-            }
-            context.strokeStyle = theme.hatch;
-            context.lineWidth = 1.5;
-            context.stroke();
-        }
-    }
 }
 
 /// Where a world goes on at its other side; 0 along what does not.

@@ -137,25 +137,24 @@ Scene jump1985() {
 }
 
 Scene jumpModern() {
-    // The profile's default: 2.5 m high, 0.4 s to the top, near which gravity is half as strong, and 1.6 times as
-    // strong in the fall.
-    const double height = 2.5, time = 0.4, part = 0.1, share = 0.5, factor = 1.6, k = 1 / share - 1;
-    const double speed = 2 * height / time * (1 + part * k) / (1 + part * part * k), g = speed / time * (1 + part * k);
-    const double slow = part * speed, down = factor * g;
-    const double hangTime = slow / (share * down), fallen = slow * slow / (2 * share * down);
-    const double fallTime = (std::sqrt(slow * slow + 2 * down * (height - fallen)) - slow) / down;
+    // To rise 2.5 m in 0.4 s, the last tenth of the speed under half of the gravity: 0.9 v / g + 0.2 v / g = 0.4 s and
+    // (1 - 0.01) v^2 / 2 g + 0.01 v^2 / g = 2.5 m, so v / g = 4 / 11 s, v^2 / g = 5 / 1.01 m. Down, 1.6 g; to a tenth
+    // of v half of it. By hand:
+    const double speed = 1375.0 / 101, g = 15125.0 / 404, slow = 137.5 / 101, down = 6050.0 / 101;
+    const double riseTime = 18.0 / 55, hangRise = 4.0 / 55, hangFall = 1.0 / 22;
+    const double fallTime = (std::sqrt(3036343.75) - 137.5) / 6050;  // over 249.375 / 101 m
     Scene scene = jump("jump_modern", PlatformStyle::Modern, 0.1);
     scene.question = "Is a jump with a hang near its top 2.5 m high, and as long as its formula says?";
     scene.duration = 1;
     const Vec2 start = scene.bodies[1].def.position;
     scene.closedForm =
-        ClosedForm{.formula = "v = g t in four stretches: rise, hang rising, hang falling, fall",
-                   .source = "textbook, with the gravity of each stretch",
+        ClosedForm{.formula = "v = 1375/101 m/s, g = 15125/404 m/s^2; in four stretches: g, g / 2; 0.8 g, 1.6 g",
+                   .source = "textbook: two equations, of the height and of the time, solved by hand",
                    .bodies = {PiecewiseMotion{"hero", Legs(start)
                                                           .go(0.1, {0, 0})
-                                                          .go((speed - slow) / g, {0, speed}, {0, -g})
-                                                          .go(slow / (share * g), {0, slow}, {0, -share * g})
-                                                          .go(hangTime, {0, 0}, {0, -share * down})
+                                                          .go(riseTime, {0, speed}, {0, -g})
+                                                          .go(hangRise, {0, slow}, {0, -0.5 * g})
+                                                          .go(hangFall, {0, 0}, {0, -0.5 * down})
                                                           .go(fallTime, {0, -slow}, {0, -down})
                                                           .rest()}}};
     scene.checks = {ExactCheck{1e-9, "the very parabolas, whatever the tick"}};

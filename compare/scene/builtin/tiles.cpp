@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <compare/scene/builtin/parts.h>
 #include <compare/scene/builtin/scenes.h>
+#include <plumb/movers/move_and_slide.h>
 
 namespace plumb::compare {
 namespace {
@@ -29,11 +30,33 @@ ShapeDef row(int columns, int rows) {
     return tiles(map, smooth);
 }
 
+/// 1,000 tiles long; its top is at y = 0 of its own frame.
+SceneBody floorOf(const std::string& name, double y) {
+    return {name + "_floor", {.type = BodyType::Static, .position = {0, y - tile}, .shapes = {row(1000, 1)}}};
+}
+/// 500 tiles high, from y = 0 down.
+SceneBody wallOf(const std::string& name, double x) {
+    return {name + "_wall", {.type = BodyType::Static, .position = {x, -500 * tile}, .shapes = {row(1, 500)}}};
+}
+
 /// Along a line, each with its snags counted.
 void watch(Scene& scene, const std::string& body, const Flight& flight, const Vec2& way) {
     scene.closedForm->bodies.push_back(PiecewiseMotion{body, {flight}});
     scene.probes.push_back({.name = "snags_" + body, .quantity = SnagsProbe{body, way}, .unit = "-"});
     scene.checks.push_back(invariant("probe.snags_" + body, 0, "inner edges are gone: nothing is there to catch on"));
+}
+
+/// An upright capsule, for which Box2D 3 has a character mover, told to go along its ground and into it all the time.
+void addMover(Scene& scene, const Vec2& start, const Vec2& along, const Vec2& out) {
+    const double pace = 10, press = 2;  // along its ground, and onto it [m/s]
+    const ShapeDef upright = capsule({0, -half}, {0, half}, half, smooth);
+    const double skin = SlideSettings{}.skin, below = out.y() > 0 ? 2 * half : half;
+    const Vec2 place = start + (below + skin) * out, velocity = pace * along;
+    scene.bodies.push_back(
+        {"mover", {.type = BodyType::Kinematic, .position = place, .velocity = velocity, .shapes = {upright}}});
+    scene.movers.push_back(
+        {.name = "player", .body = "mover", .motion = SlidingMotion{velocity - press * out, 0, StandIn::Stopped}});
+    watch(scene, "mover", {.position = place, .velocity = velocity}, along);
 }
 
 }  // namespace
@@ -42,7 +65,7 @@ Scene tileFloor() {
     const double speed = 10;
     Scene scene{
         .name = "tile_floor",
-        .question = "Does anything catch where 1,000 flush tiles of a floor meet?",
+        .question = "Do a box, a disc, a capsule or a mover catch where 1,000 flush tiles of a floor meet?",
         .duration = 9.5,
         .closedForm = ClosedForm{.formula = "x = x0 + v t", .source = "Newton's first law: the floor is smooth"},
         .checks = {ExactCheck{1e-4, sinksOnGround + "5/8 of it under two corners; and nothing along the floor"}},
@@ -50,12 +73,13 @@ Scene tileFloor() {
     double floor = 0;
     for (const Slider& slider : sliders()) {
         const Vec2 start(1, floor + half);
-        scene.bodies.push_back({std::string(slider.name) + "_floor",
-                                {.type = BodyType::Static, .position = {0, floor - tile}, .shapes = {row(1000, 1)}}});
+        scene.bodies.push_back(floorOf(slider.name, floor));
         scene.bodies.push_back({slider.name, {.position = start, .velocity = {speed, 0}, .shapes = {slider.shape}}});
         watch(scene, slider.name, {.position = start, .velocity = {speed, 0}}, {1, 0});
         floor -= apart;
     }
+    scene.bodies.push_back(floorOf("mover", floor));
+    addMover(scene, {1, floor}, {1, 0}, {0, 1});
     return scene;
 }
 
@@ -63,7 +87,8 @@ Scene tileWall() {
     const double press = 5;  // [m/s^2]
     Scene scene{
         .name = "tile_wall",
-        .question = "Does anything catch that falls down a wall of flush tiles, pressed against it?",
+        .question =
+            "Do a box, a disc, a capsule or a mover catch on their way down a wall of flush tiles, pressed to it?",
         .gravity = {press, -gravity},
         .duration = 3,
         .closedForm = ClosedForm{.formula = "y = y0 - g t^2 / 2", .source = "free fall: the wall is smooth"},
@@ -76,12 +101,13 @@ Scene tileWall() {
         const bool lies = std::holds_alternative<Capsule>(slider.shape.shape);
         const Vec2 start(wall - half, -1);
         const double angle = lies ? degrees(90) : 0;
-        scene.bodies.push_back({std::string(slider.name) + "_wall",
-                                {.type = BodyType::Static, .position = {wall, -500 * tile}, .shapes = {row(1, 500)}}});
+        scene.bodies.push_back(wallOf(slider.name, wall));
         scene.bodies.push_back({slider.name, {.position = start, .angle = angle, .shapes = {slider.shape}}});
         watch(scene, slider.name, {.position = start, .acceleration = {0, -gravity}, .angle = angle}, {0, -1});
         wall += apart;
     }
+    scene.bodies.push_back(wallOf("mover", wall));
+    addMover(scene, {wall, -1}, {0, -1}, {-1, 0});
     return scene;
 }
 

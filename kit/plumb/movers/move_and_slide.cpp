@@ -177,7 +177,8 @@ Slide moveAndSlide(World& world, BodyId body, const SlideMotion& motion, const S
     findFloor(run, grounded, level);
     finishVelocity(run, grounded);
     pressDown(run);
-    const bool kept = arrived && !jumped && level == 0 && !hindered;
+    // Not who took off, even if it is on the floor again.
+    const bool kept = grounded && arrived && !jumped && level == 0 && !hindered;
     detail::rememberPlace(run, last, kept);
     if (detail::isStill(run, here, kept)) run.position = here;
     findHazards(run, last);

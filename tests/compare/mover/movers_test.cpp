@@ -45,7 +45,7 @@ TEST_CASE("tiles, movers of all four kinds and a wrap are read from a file, and 
     for (const char* mover :
          {R"("path": {"points": [[0, 0], [2, 1], [4, 0]], "spline": true, "easing": "smoothStep", "repeat": "loop",
 "closed": true, "delay": 0.5, "speed": 2})",
-          R"("slide": {"velocity": [1, -2], "pushStrength": 20})",
+          R"("slide": {"velocity": [1, -2], "pushStrength": 20, "standIn": "stopped"})",
           R"("grid": {"map": "map", "cell": {"column": 1, "row": 1}, "heading": "left", "turns": ["up", "down"]})",
           R"("platform": {"profile": "1985", "cues": [{"time": 0.5, "move": 1, "run": true, "jump": true}]})"}) {
         const Scene scene = fromJson(withMover(mover), "f.json");
@@ -115,6 +115,28 @@ TEST_CASE("in Box2D a mover that nothing stands in the way of is where it is in 
                     std::max(worst, (plumb.states[tick][moved].position - other.states[tick][moved].position).norm());
             INFO(name << " in " << engine.name);
             CHECK(worst < 1e-5);
+        }
+    }
+}
+
+TEST_CASE(
+    "in Box2D what shall be stopped as a slider slides 20 m along one slab uncaught, and stops at a wall to 16 mm",
+    "[compare][movers]") {
+    for (const ShapeDef& shape : {capsule({0, -0.25}, {0, 0.25}, 0.25), box({0.25, 0.5})}) {
+        Scene scene{.name = "a", .duration = 2.5};
+        scene.bodies = {{"slab", {.type = BodyType::Static, .position = {10, -0.5}, .shapes = {box({15, 0.5})}}},
+                        {"wall", {.type = BodyType::Static, .position = {20.5, 1}, .shapes = {box({0.25, 1})}}},
+                        {"hero", {.type = BodyType::Kinematic, .position = {0, 0.501}, .shapes = {shape}}}};
+        scene.movers = {{"m", "hero", SlidingMotion{{10, -2}, 0, StandIn::Stopped}}};
+        scene.probes = {{.name = "snags", .quantity = SnagsProbe{.body = "hero"}, .unit = "-", .until = 1.95}};
+        for (const Engine& engine : engines()) {
+            if (engine.name == "closed-form") continue;
+            const Observation seen = observe(scene, engine);
+            INFO(engine.name);
+            CHECK(seen.probes[117][0] == 0);  // after 1.95 s, short of the wall
+            CHECK(seen.states[117][2].position.x() == Approx(19.5).margin(0.02));
+            // Box2D 2.4 keeps polygons 15 mm apart: two skins of 10 mm, less a slop of 5 mm.
+            CHECK((seen.states.back()[2].position - Vec2(20, 0.5)).cwiseAbs().maxCoeff() < 0.016);
         }
     }
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include <plumb/shapes/tile_text.h>
 #include "catch.h"
 #include "compare/scripted.h"
 #include "unpacked.h"
@@ -62,6 +63,19 @@ TEST_CASE("each shape comes to the page by its points, and its radius where it h
                                     {"segment": [0, 1, 2, 3]},
                                     {"chain": [4, 0, 2, 1, 0, 0]},
                                     {"chain": [0, 0, 0, 1, 1, 0, 0, 0]}])"));
+}
+
+TEST_CASE("of a tile map the page gets areas and outline, each with its kind of tiles", "[compare][report][tiles]") {
+    Scene scene = oneDisc();
+    scene.bodies[0].def.shapes = {tiles(tileMapOf({"^..=.~"}))};
+    const json shapes = onlyScene(runScene(scene, {}, {standing("plumb", 0)})).at("bodies").at(0).at("shapes");
+    CHECK(shapes == json::parse(R"([{"segment": [0, 0, 1, 0], "tiles": "hazard"},
+                                    {"segment": [1, 0, 1, 1], "tiles": "hazard"},
+                                    {"segment": [1, 1, 0, 1], "tiles": "hazard"},
+                                    {"segment": [0, 1, 0, 0], "tiles": "hazard"},
+                                    {"segment": [4, 1, 3, 1], "tiles": "oneWay"},
+                                    {"polygon": [0, 0, 1, 0, 1, 1, 0, 1], "tiles": "hazard"},
+                                    {"polygon": [5, 0, 6, 0, 6, 1, 5, 1], "tiles": "sensor"}])"));
 }
 
 TEST_CASE("a joint's ends are fixed to its bodies, turned as they stand at the start", "[compare][report]") {

@@ -170,4 +170,26 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("who walks over an edge of 0.3 m onto a slope that falls away is not set back", "[movers]") {
+    for (const ShapeDef& hero : heroes()) {
+        for (const double speed : {1.0, 2.63, 4.0}) {
+            for (int phase = 0; phase < 20; ++phase) {
+                World world;
+                addStatic(world, {0, 0}, chain({{20, -9.3}, {2, -0.3}, {-10, -0.3}}));
+                // One way, so that there is no wall below its edge.
+                ShapeDef slab = box({3, 0.05});
+                slab.oneWay = Vec2(0, 1);
+                addStatic(world, {-1, -0.05}, slab);
+                Slider slider{addKinematic(world, {0.003 * phase, 1}, hero), {.stepHeight = 0.25}};
+                slider.land(world);
+                for (int i = 0; i < 240; ++i) {
+                    const Vec2 way = slider.step(world, speed, dt).displacement;
+                    REQUIRE(way.x() > 0);
+                    REQUIRE(way.x() < speed * dt * (1 + 1e-9));
+                }
+            }
+        }
+    }
+}
+
 }  // namespace plumb::test

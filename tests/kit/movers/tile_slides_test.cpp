@@ -163,3 +163,24 @@ TEST_CASE("a mover goes over hills of slope tiles at constant ground speed, and 
         world.remove(hero);
     }
 }
+
+TEST_CASE("a mover that takes off and lands again in one tick stays where it landed", "[movers][tiles]") {
+    // Against the ceiling, 9.9 cm up, along it and onto the slope at x = 7, all in one tick.
+    World world;
+    world.add({.type = BodyType::Static,
+               .shapes = {plumb::tiles(plumb::tileMapOf({"##########", "......./##", "##########"}))}});
+    const BodyId hero =
+        world.add({.type = BodyType::Kinematic, .position = {5, 1.451}, .shapes = {plumb::box({0.4, 0.45})}});
+    Slide slide;
+    const auto tick = [&](const Vec2& velocity) {
+        slide = plumb::moveAndSlide(world, hero, {.velocity = velocity, .dt = dt}, {}, slide);
+        world.step(dt);
+        return world.body(hero).position();
+    };
+    for (int i = 0; i < 3; ++i) tick({0, -0.1});
+    const Vec2 landed = tick({150, 10});
+    REQUIRE(slide.isOnFloor);
+    CHECK(landed.x() > 6.4);
+    CHECK(tick({0, 0}) == landed);
+    CHECK(tick({0, 0}) == landed);
+}

@@ -252,10 +252,25 @@ Manifold turnedSunk(const Meeting& m) {
     return ownDepth > deeper * depth ? Manifold{} : result;
 }
 
+/// Of an outline that is solid on its left, in a hollow narrower than a quarter turn: all of that lies on this side of
+/// its joint. What is met beyond it, or is as good as beyond it and beyond the neighbour, is met through the neighbour.
+bool isThroughNeighbour(const Convex& piece, const Meeting& m) {
+    const Vec2f outer = piece.normals[0];
+    for (const bool atEnd : {false, true}) {
+        const Joint joint = jointAt(piece, atEnd);
+        const bool narrow = joint.isConvex && joint.normal.dot(outer) < 0 && joint.next.dot(outer) > 0;
+        if (!narrow) continue;
+        if (m.found.normal.dot(joint.outward) > own) return true;
+        const Vec2f corner = m.segment.vertex(joint.corner), fromCorner = m.side.center - corner;
+        if (joint.next.dot(fromCorner) > 0 && gapAlong(joint.outward, corner, m.other) > -touching) return true;
+    }
+    return false;
+}
+
 /// Of an outline that is solid on its left: is the other shape on its inner side, but for the way around a corner?
 bool isBehind(const Convex& piece, const Meeting& m) {
     const Vec2f outer = piece.normals[0];
-    if (m.side.normal.dot(outer) > 0) return false;
+    if (m.side.normal.dot(outer) > 0) return isThroughNeighbour(piece, m);
     return !m.between || m.joint.normal.dot(outer) <= 0;
 }
 

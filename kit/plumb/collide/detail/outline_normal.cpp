@@ -31,6 +31,9 @@ std::optional<Vec2> outlineNormal(const Segment& segment, const Vec2& normal) {
     // On from the joint, away from this segment.
     const Vec2 on = unit(*beyond - (lean > 0 ? segment.end : segment.start));
     const bool corner = on.dot(own) < -tiny;
+    // A hollow narrower than a quarter turn lies all on this side of the joint: what leans on was met through a wall.
+    const bool narrow = !corner && on.dot(lean > 0 ? along : Vec2(-along)) < -tiny;
+    if (narrow) return std::nullopt;
     if (!corner) return outward();
     return normal.dot(on) <= tiny ? std::optional(normal) : std::nullopt;
 }

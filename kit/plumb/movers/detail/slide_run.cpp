@@ -107,8 +107,9 @@ void walk(SlideRun& run, double length, double side) {
 namespace {
 
 /// Where the floor falls away, the corner is cut: the way was straight on for too long. Goes on along the new floor by
-/// what is left of the way beyond the corner.
-void bend(SlideRun& run, const Vec2& before, const Vec2& normal) {
+/// what is left of the way beyond the corner. Not over an edge: of that floor it has walked across [m], which the
+/// corner of both floors' lines is farther away than.
+void bend(SlideRun& run, const Vec2& before, const Vec2& normal, double across) {
     const Vec2 along = run.along;
     const double side = along.dot(run.right()) < 0 ? -1 : 1;
     const Vec2 next = run.alongFloor(normal, side);
@@ -117,7 +118,7 @@ void bend(SlideRun& run, const Vec2& before, const Vec2& normal) {
     // The corner is at before - along past, and at run.position - next beyond.
     const Vec2 down = run.position - before;
     const double past = -cross(down, next) / turn, beyond = cross(down, along) / -turn;
-    if (!(past > 0 && beyond > 0)) return;
+    if (!(past > 0 && beyond > 0) || past > across * (1 + tiny) + run.settings.skin) return;
     const double more = run.settings.floorConstantSpeed ? past - beyond : 0;
     const FreeWay way = run.probe.freeWay(run.position, next * more);
     run.position += next * (more < 0 ? -way.length : way.length);
@@ -146,7 +147,7 @@ bool settle(SlideRun& run, double reach, double across) {
     if (any.length - skin > reach + std::max(0.0, risen) + dropOf(run, way.hit->normal, across)) return false;
     const Vec2 before = run.position;
     run.position = top - run.up() * any.length;
-    if (!run.along.isZero(0)) bend(run, before, way.hit->normal);
+    if (!run.along.isZero(0)) bend(run, before, way.hit->normal, across);
     run.out.isOnFloor = true;
     run.out.floorNormal = way.hit->normal;
     run.out.floor = *way.hit;
