@@ -21,6 +21,11 @@ constexpr float flat = 1e-3f;
 /// segment by the step's end. Must stay below the distance at which the world takes a contact for a touching one [m].
 constexpr float touching = 0.005f;
 
+/// This share of the height of its centre, and no more than this [m], a body may have sunk in what it stands on: the
+/// world lets none go deeper into a wall in a step.
+constexpr float sunkShare = 0.25f;
+constexpr float deepest = 0.02f;
+
 /// Past the neighbour's normal by less than this, a way is rather the neighbour's [sine of 45 degrees] ...
 constexpr float steep = 0.707f;
 /// ... if the segment's own is so many times as long: it may be that of a wall under a box that stands out over it.
@@ -149,15 +154,6 @@ Outside outsideOf(const Core& shape, const Vec2f& point) {
     return best;
 }
 
-/// Does a shape whose centre seems to be in the hollow of a joint stand around its corner from outside? So does a box
-/// on a cliff, sunk a little, that stands out over its edge: it must not catch on the cliff's inside.
-bool standsAround(const Joint& joint, const Core& segment, const Side& side, const Core& other) {
-    if (!joint.isConvex || joint.normal.dot(side.normal) > 0) return false;
-    const Vec2f corner = segment.vertex(joint.corner);
-    const Vec2f fromCorner = side.center - corner;
-    return joint.next.dot(fromCorner) > 0 && outsideOf(other, corner).distance < touching;
-}
-
 /// The neighbour, whose joint this is, finds the same way as this segment; unless it has a better one, through another
 /// edge of the other shape, that is not allowed to it.
 bool hasBetterWay(const Core& other, const Vec2f& corner, const Vec2f& way) {
@@ -252,6 +248,22 @@ Manifold turnedSunk(const Meeting& m) {
     return ownDepth > deeper * depth ? Manifold{} : result;
 }
 
+/// Of a body on a segment's far side that stands over the neighbour at a convex joint. It cannot come to the segment
+/// but through the neighbour, or around its far end, or around the corner, and then to the segment's near side: the far
+/// side's plane would stop it at a brink that it goes over. It is the neighbour's where the corner is the segment's
+/// nearest point, for then the neighbour is nearer; where it is outside of the neighbour, but for what it has sunk; and
+/// where it stands around the corner, sunk, out over a cliff.
+bool isNeighbours(const Joint& joint, const Meeting& m) {
+    if (!joint.isConvex || joint.normal.dot(m.side.normal) > 0) return false;
+    const Vec2f corner = m.segment.vertex(joint.corner), fromCorner = m.side.center - corner;
+    const float height = joint.next.dot(fromCorner);
+    if (height <= 0) return false;
+    if (m.apart && m.lean > own && joint.corner == m.joint.corner) return true;
+    const float sunk = std::max(touching, std::min(sunkShare * height, deepest));
+    if (gapAlong(joint.next, corner, m.other) >= -sunk) return true;
+    return m.separation <= touching && m.other.count > 1 && outsideOf(m.other, corner).distance < touching;
+}
+
 /// Of an outline that is solid on its left: is the other shape on its inner side, but for the way around a corner?
 bool isBehind(const Convex& piece, const Meeting& m) {
     const Vec2f outer = piece.normals[0];
@@ -265,9 +277,7 @@ Manifold chainManifold(const Convex& piece, const Core& other, float far, float 
     const Meeting m = meetingOf(piece, other, far, margin);
     if (m.found.count == 0) return m.found;
     if (piece.oneSided && isBehind(piece, m)) return {};
-    if (!m.between && m.separation <= touching && other.count > 1)
-        for (const bool atEnd : {false, true})
-            if (standsAround(jointAt(piece, atEnd), m.segment, m.side, other)) return {};
+    if (!m.between && (isNeighbours(jointAt(piece, false), m) || isNeighbours(jointAt(piece, true), m))) return {};
 
     const bool allowed = m.joint.isConvex ? m.between : !m.joint.goesOn;
     const bool farSide = !m.apart && m.found.normal.dot(m.side.normal) < 0;
