@@ -52,7 +52,7 @@ Slider randomSlider(Random& random) {
     }
 }
 
-/// A level floor, in pieces, that ends at the origin, where the line turns down.
+/// A level floor, in pieces, that ends at the origin, where the line turns down; below it goes on anyhow.
 struct Brink {
     std::vector<Vec2> points;
     double forward = 1;  ///< or -1: the way to the brink
@@ -61,7 +61,8 @@ struct Brink {
 Brink randomBrink(Random& random, double turn) {
     Brink brink{{}, random.integer(0, 1) == 0 ? 1.0 : -1.0};
     const Vec2 drop(std::cos(turn), -std::sin(turn));
-    brink.points = {8 * drop, {0, 0}};
+    const double foot = random.uniform(-150, 150) * degree - turn;
+    brink.points = {8 * drop + 4 * Vec2(std::cos(foot), std::sin(foot)), 8 * drop, {0, 0}};
     const double piece = random.integer(0, 1) == 0 ? 200 : random.uniform(0.05, 1);
     double end = 0;
     for (int i = 0; i < 20; ++i) brink.points.emplace_back(end -= piece, 0);

@@ -54,6 +54,7 @@ struct Joint {
     Vec2f next{0, 0};     ///< the neighbour's normal, on the convex side; zero without a neighbour or where it is flat
     Vec2f normal{0, 0};   ///< the segment's own, on the convex side
     bool goesOn = false;  ///< there is a neighbour
+    bool isOpen = false;  ///< it is a one-way top, in line
     bool isConvex = false;  ///< on one of the sides, that is: not flat
 };
 
@@ -63,9 +64,10 @@ Joint jointAt(const Convex& piece, bool atEnd) {
     const Vec2f& neighbour = atEnd ? piece.after : piece.before;
     joint.corner = atEnd ? 1 : 0;
     joint.outward = atEnd ? along : Vec2f(-along);
-    joint.goesOn = isVector(neighbour);
+    joint.isOpen = piece.oneSided && !isVector(neighbour);
+    joint.goesOn = joint.isOpen || isVector(neighbour);
     const float turn = neighbour.dot(joint.outward);
-    joint.isConvex = joint.goesOn && std::abs(turn) > flat;
+    joint.isConvex = std::abs(turn) > flat;
     if (!joint.isConvex) return joint;
     joint.next = turn > 0 ? neighbour : Vec2f(-neighbour);
     joint.normal = turn > 0 ? piece.normals[0] : piece.normals[1];
@@ -248,19 +250,28 @@ Manifold turnedSunk(const Meeting& m) {
     return ownDepth > deeper * depth ? Manifold{} : result;
 }
 
+/// Is the other shape outside of a line through a corner, but for what it has sunk?
+bool isAbove(const Vec2f& normal, const Vec2f& corner, const Meeting& m) {
+    const float height = normal.dot(Vec2f(m.side.center - corner));
+    const float sunk = std::max(touching, std::min(sunkShare * height, deepest));
+    return gapAlong(normal, corner, m.other) >= -sunk;
+}
+
 /// Of a body on a segment's far side that stands over the neighbour at a convex joint. It cannot come to the segment
 /// but through the neighbour, or around its far end, or around the corner, and then to the segment's near side: the far
 /// side's plane would stop it at a brink that it goes over. It is the neighbour's where the corner is the segment's
 /// nearest point, for then the neighbour is nearer; where it is outside of the neighbour, but for what it has sunk; and
 /// where it stands around the corner, sunk, out over a cliff.
-bool isNeighbours(const Joint& joint, const Meeting& m) {
+///
+/// An outline, whose inside is solid, has such a neighbour in a one-way top alone: it is passed through from below, and
+/// so only what stands on it is its own.
+bool isNeighbours(const Joint& joint, const Meeting& m, bool oneSided) {
     if (!joint.isConvex || joint.normal.dot(m.side.normal) > 0) return false;
     const Vec2f corner = m.segment.vertex(joint.corner), fromCorner = m.side.center - corner;
-    const float height = joint.next.dot(fromCorner);
-    if (height <= 0) return false;
+    if (joint.next.dot(fromCorner) <= 0) return false;
+    if (isAbove(joint.next, corner, m)) return true;
+    if (oneSided) return false;
     if (m.apart && m.lean > own && joint.corner == m.joint.corner) return true;
-    const float sunk = std::max(touching, std::min(sunkShare * height, deepest));
-    if (gapAlong(joint.next, corner, m.other) >= -sunk) return true;
     return m.separation <= touching && m.other.count > 1 && outsideOf(m.other, corner).distance < touching;
 }
 
@@ -271,13 +282,39 @@ bool isBehind(const Convex& piece, const Meeting& m) {
     return !m.between || m.joint.normal.dot(outer) <= 0;
 }
 
+/// Where an outline goes on into a one-way top, in line: is the other shape beyond that end, and not on top? It is on
+/// its way through, and the outline's edge below the corner meets it.
+bool isThrough(const Joint& joint, const Meeting& m) {
+    const Vec2f corner = m.segment.vertex(joint.corner);
+    const bool beyond = joint.outward.dot(Vec2f(m.side.center - corner)) > 0;
+    return joint.isOpen && beyond && !isAbove(m.side.normal, corner, m);
+}
+
+/// That edge has the corner as its own, from the side to the top: its joint is the hollow under the one-way top.
+bool meetsCorner(const Meeting& m) {
+    if (!m.joint.isConvex || m.joint.normal.dot(m.side.normal) > 0) return false;
+    const bool leans = m.lean > (m.other.radius > 0 ? 0 : own);
+    return leans && m.found.normal.dot(m.side.normal) >= 0 && m.found.normal.dot(m.joint.next) >= 0;
+}
+
+/// Does the contact belong to a neighbour of the segment, whatever way is found?
+bool isElsewhere(const Convex& piece, const Meeting& m) {
+    const bool around = m.between && m.lean > own;
+    for (const bool atEnd : {false, true}) {
+        const Joint joint = jointAt(piece, atEnd);
+        if (isThrough(joint, m) || (!around && isNeighbours(joint, m, piece.oneSided))) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 Manifold chainManifold(const Convex& piece, const Core& other, float far, float margin) {
     const Meeting m = meetingOf(piece, other, far, margin);
     if (m.found.count == 0) return m.found;
     if (piece.oneSided && isBehind(piece, m)) return {};
-    if (!m.between && (isNeighbours(jointAt(piece, false), m) || isNeighbours(jointAt(piece, true), m))) return {};
+    if (isElsewhere(piece, m)) return {};
+    if (piece.oneSided && meetsCorner(m)) return m.found;
 
     const bool allowed = m.joint.isConvex ? m.between : !m.joint.goesOn;
     const bool farSide = !m.apart && m.found.normal.dot(m.side.normal) < 0;
