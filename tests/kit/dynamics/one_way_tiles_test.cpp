@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <plumb/math/random.h>
+#include <plumb/movers/move_and_slide.h>
 #include <plumb/plumb.h>
 #include <plumb/shapes/tile_text.h>
 #include "cases.h"
@@ -261,4 +262,27 @@ TEST_CASE(
         held += onTiles.back().position.y() > 0.39 ? 1 : 0;
     }
     CHECK(held > plumb::test::cases(1000) / 4);
+}
+
+TEST_CASE("a mover at 3 to 25 m/s walks over rows of one-way and solid tiles at its speed, always on the floor",
+          "[movers][tiles]") {
+    for (int seed = 0; seed < plumb::test::cases(300); ++seed) {
+        Random random(static_cast<std::uint64_t>(seed));
+        std::string row;
+        for (int column = 0; column < 60; ++column) row += random.integer(0, 1) == 0 ? '=' : '#';
+        World world({.gravity = {0, 0}});
+        world.add(fixed(plumb::tiles(plumb::tileMapOf({row}))));
+        const Slider slider = sliderOf(random.integer(0, 3), random.uniform(0.1, 0.9));
+        const double speed = random.uniform(3, 25);
+        const BodyId hero =
+            world.add({.type = BodyType::Kinematic, .position = {2, 1.01 + slider.below}, .shapes = {slider.shape}});
+        INFO("seed " << seed << ": " << slider.name << " at " << speed << " m/s over " << row);
+        plumb::Slide slide;
+        for (int tick = 0; tick < 120; ++tick) {
+            slide = moveAndSlide(world, hero, {.velocity = {speed, -5}, .dt = dt}, {}, slide);
+            world.step(dt);
+            REQUIRE((tick < 2 || slide.isOnFloor));
+        }
+        CHECK(world.body(hero).position().x() == Approx(2 + 120 * dt * speed).margin(1e-9));
+    }
 }
