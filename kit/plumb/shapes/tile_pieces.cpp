@@ -53,14 +53,30 @@ private:
     double half_;
 };
 
+/// Where a line goes on to, from an edge that is solid. A one-way top in line with it is not part of its outline: on
+/// top it goes on, and within the tile it has a corner there.
+bool isOutline(const TileEdge& edge, const std::optional<TileEdge>& next) {
+    return next && (edge.kind == TileKind::OneWay || next->kind != TileKind::OneWay);
+}
+
+/// The points that the line goes on to beyond both ends of a stretch. Around the corner that lies in line with a
+/// one-way top, it turns back along that: a hollow to what comes within the tile, and nothing to what stands on top.
+void goOn(const TileMap& map, const TileEdge& first, const TileEdge& last, Segment& segment) {
+    const Scale scale(map.size());
+    const std::optional<TileEdge> before = edgeBefore(map, first), after = edgeAfter(map, last);
+    if (isOutline(first, before)) segment.before = scale(first.start, before->end, before->start);
+    if (isOutline(last, after)) segment.after = scale(last.end, after->start, after->end);
+    if (const auto top = topOverStart(map, first)) segment.before = scale(first.start, top->start, top->end);
+    if (const auto top = topOverEnd(map, last)) segment.after = scale(last.end, top->end, top->start);
+}
+
 /// The stretch that begins with an edge.
 TilePiece stretchFrom(const TileMap& map, const TileEdge& first) {
     const Scale scale(map.size());
     TileEdge last = first;
     while (const std::optional<TileEdge> next = sameAfter(map, last)) last = *next;
     Segment segment{scale(first.start), scale(last.end)};
-    if (const auto before = edgeBefore(map, first)) segment.before = scale(first.start, before->end, before->start);
-    if (const auto after = edgeAfter(map, last)) segment.after = scale(last.end, after->start, after->end);
+    goOn(map, first, last, segment);
     return {segment, first.kind, first.kind == TileKind::OneWay ? PieceUse::Both : PieceUse::Touch};
 }
 

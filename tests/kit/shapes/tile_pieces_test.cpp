@@ -192,14 +192,51 @@ TEST_CASE("1,000 tiles in a row are one piece of top for every 16 of them, each 
     CHECK(tops == 63);
 }
 
-TEST_CASE("a one-way top that lies level beside solid ground goes on into it, both ways", "[shapes][tiles]") {
+TEST_CASE(
+    "a one-way top goes on into solid ground in line, whose own top is open there and whose sides turn back under it",
+    "[shapes][tiles]") {
+    const Tile solid{.form = TileForm::Full}, oneWay{.form = TileForm::Full, .kind = TileKind::OneWay};
     TileMap map({.columns = 3, .rows = 1});
-    map.set({0, 0}, {.form = TileForm::Full});
-    map.set({1, 0}, {.form = TileForm::Full, .kind = TileKind::OneWay});
-    map.set({2, 0}, {.form = TileForm::Full});
-    for (const Segment& s : outlineOf(tilePiecesOf(map))) {
-        if (!isNear(directionOf(s), Vec2(-1, 0))) continue;
-        if (s.start.x() < 3) CHECK(isNear(*s.before - s.start, Vec2(0.5, 0)));
-        if (s.end.x() > 0) CHECK(isNear(*s.after - s.end, Vec2(-0.5, 0)));
+    for (const int column : {0, 2}) map.set({column, 0}, solid);
+    map.set({1, 0}, oneWay);
+    int tops = 0, sides = 0;
+    for (const TilePiece& piece : tilePiecesOf(map)) {
+        const auto* s = std::get_if<Segment>(&piece.shape);
+        if (s == nullptr) continue;
+        const Vec2 along = directionOf(*s);
+        if (isNear(along, Vec2(-1, 0))) {
+            ++tops;
+            const bool isOneWay = piece.kind == TileKind::OneWay;
+            CHECK(s->before.has_value() == (isOneWay || s->start.x() > 2.5));
+            CHECK(s->after.has_value() == (isOneWay || s->end.x() < 0.5));
+            if (!isOneWay) continue;
+            CHECK(isNear(*s->before, Vec2(2.5, 1)));
+            CHECK(isNear(*s->after, Vec2(0.5, 1)));
+        }
+        if (isNear(s->end, Vec2(1, 1)) && isNear(along, Vec2(0, 1))) {
+            ++sides;
+            CHECK(isNear(*s->after, Vec2(1.5, 1)));
+        }
+        if (isNear(s->start, Vec2(2, 1)) && isNear(along, Vec2(0, -1))) {
+            ++sides;
+            CHECK(isNear(*s->before, Vec2(1.5, 1)));
+        }
+    }
+    CHECK(tops == 3);
+    CHECK(sides == 2);
+}
+
+TEST_CASE("a one-way top that ends at a wall higher or lower than it leaves the wall's outline as it is",
+          "[shapes][tiles]") {
+    const Tile solid{.form = TileForm::Full}, oneWay{.form = TileForm::Full, .kind = TileKind::OneWay};
+    for (const int row : {0, 2}) {
+        TileMap with({.columns = 2, .rows = 3});
+        for (int i = 0; i < 2; ++i) with.set({1, i}, solid);
+        TileMap without = with;
+        with.set({0, row}, oneWay);
+        const std::vector<Segment> few = outlineOf(tilePiecesOf(without));
+        std::vector<Segment> all = outlineOf(tilePiecesOf(with));
+        CHECK(all.size() == few.size() + 1);
+        for (const Segment& s : few) CHECK(std::find(all.begin(), all.end(), s) != all.end());
     }
 }

@@ -21,6 +21,11 @@ constexpr float flat = 1e-3f;
 /// segment by the step's end. Must stay below the distance at which the world takes a contact for a touching one [m].
 constexpr float touching = 0.005f;
 
+/// This share of the height of its centre, and no more than this [m], a body may have sunk in what it stands on: the
+/// world lets none go deeper into a wall in a step.
+constexpr float sunkShare = 0.25f;
+constexpr float deepest = 0.02f;
+
 /// Past the neighbour's normal by less than this, a way is rather the neighbour's [sine of 45 degrees] ...
 constexpr float steep = 0.707f;
 /// ... if the segment's own is so many times as long: it may be that of a wall under a box that stands out over it.
@@ -49,6 +54,7 @@ struct Joint {
     Vec2f next{0, 0};     ///< the neighbour's normal, on the convex side; zero without a neighbour or where it is flat
     Vec2f normal{0, 0};   ///< the segment's own, on the convex side
     bool goesOn = false;  ///< there is a neighbour
+    bool isOpen = false;  ///< it is a one-way top, in line
     bool isConvex = false;  ///< on one of the sides, that is: not flat
 };
 
@@ -58,9 +64,10 @@ Joint jointAt(const Convex& piece, bool atEnd) {
     const Vec2f& neighbour = atEnd ? piece.after : piece.before;
     joint.corner = atEnd ? 1 : 0;
     joint.outward = atEnd ? along : Vec2f(-along);
-    joint.goesOn = isVector(neighbour);
+    joint.isOpen = piece.oneSided && !isVector(neighbour);
+    joint.goesOn = joint.isOpen || isVector(neighbour);
     const float turn = neighbour.dot(joint.outward);
-    joint.isConvex = joint.goesOn && std::abs(turn) > flat;
+    joint.isConvex = std::abs(turn) > flat;
     if (!joint.isConvex) return joint;
     joint.next = turn > 0 ? neighbour : Vec2f(-neighbour);
     joint.normal = turn > 0 ? piece.normals[0] : piece.normals[1];
@@ -147,15 +154,6 @@ Outside outsideOf(const Core& shape, const Vec2f& point) {
         if (i == 0 || distance > best.distance) best = {i, distance};
     }
     return best;
-}
-
-/// Does a shape whose centre seems to be in the hollow of a joint stand around its corner from outside? So does a box
-/// on a cliff, sunk a little, that stands out over its edge: it must not catch on the cliff's inside.
-bool standsAround(const Joint& joint, const Core& segment, const Side& side, const Core& other) {
-    if (!joint.isConvex || joint.normal.dot(side.normal) > 0) return false;
-    const Vec2f corner = segment.vertex(joint.corner);
-    const Vec2f fromCorner = side.center - corner;
-    return joint.next.dot(fromCorner) > 0 && outsideOf(other, corner).distance < touching;
 }
 
 /// The neighbour, whose joint this is, finds the same way as this segment; unless it has a better one, through another
@@ -267,11 +265,61 @@ bool isThroughNeighbour(const Convex& piece, const Meeting& m) {
     return false;
 }
 
+/// Is the other shape outside of a line through a corner, but for what it has sunk?
+bool isAbove(const Vec2f& normal, const Vec2f& corner, const Meeting& m) {
+    const float height = normal.dot(Vec2f(m.side.center - corner));
+    const float sunk = std::max(touching, std::min(sunkShare * height, deepest));
+    return gapAlong(normal, corner, m.other) >= -sunk;
+}
+
+/// Of a body on a segment's far side that stands over the neighbour at a convex joint. It cannot come to the segment
+/// but through the neighbour, or around its far end, or around the corner, and then to the segment's near side: the far
+/// side's plane would stop it at a brink that it goes over. It is the neighbour's where the corner is the segment's
+/// nearest point, for then the neighbour is nearer; where it is outside of the neighbour, but for what it has sunk; and
+/// where it stands around the corner, sunk, out over a cliff.
+///
+/// An outline, whose inside is solid, has such a neighbour in a one-way top alone: it is passed through from below, and
+/// so only what stands on it is its own.
+bool isNeighbours(const Joint& joint, const Meeting& m, bool oneSided) {
+    if (!joint.isConvex || joint.normal.dot(m.side.normal) > 0) return false;
+    const Vec2f corner = m.segment.vertex(joint.corner), fromCorner = m.side.center - corner;
+    if (joint.next.dot(fromCorner) <= 0) return false;
+    if (isAbove(joint.next, corner, m)) return true;
+    if (oneSided) return false;
+    if (m.apart && m.lean > own && joint.corner == m.joint.corner) return true;
+    return m.separation <= touching && m.other.count > 1 && outsideOf(m.other, corner).distance < touching;
+}
+
 /// Of an outline that is solid on its left: is the other shape on its inner side, but for the way around a corner?
 bool isBehind(const Convex& piece, const Meeting& m) {
     const Vec2f outer = piece.normals[0];
     if (m.side.normal.dot(outer) > 0) return isThroughNeighbour(piece, m);
     return !m.between || m.joint.normal.dot(outer) <= 0;
+}
+
+/// Where an outline goes on into a one-way top, in line: is the other shape beyond that end, and not on top? It is on
+/// its way through, and the outline's edge below the corner meets it.
+bool isThrough(const Joint& joint, const Meeting& m) {
+    const Vec2f corner = m.segment.vertex(joint.corner);
+    const bool beyond = joint.outward.dot(Vec2f(m.side.center - corner)) > 0;
+    return joint.isOpen && beyond && !isAbove(m.side.normal, corner, m);
+}
+
+/// That edge has the corner as its own, from the side to the top: its joint is the hollow under the one-way top.
+bool meetsCorner(const Meeting& m) {
+    if (!m.joint.isConvex || m.joint.normal.dot(m.side.normal) > 0) return false;
+    const bool leans = m.lean > (m.other.radius > 0 ? 0 : own);
+    return leans && m.found.normal.dot(m.side.normal) >= 0 && m.found.normal.dot(m.joint.next) >= 0;
+}
+
+/// Does the contact belong to a neighbour of the segment, whatever way is found?
+bool isElsewhere(const Convex& piece, const Meeting& m) {
+    const bool around = m.between && m.lean > own;
+    for (const bool atEnd : {false, true}) {
+        const Joint joint = jointAt(piece, atEnd);
+        if (isThrough(joint, m) || (!around && isNeighbours(joint, m, piece.oneSided))) return true;
+    }
+    return false;
 }
 
 }  // namespace
@@ -280,9 +328,8 @@ Manifold chainManifold(const Convex& piece, const Core& other, float far, float 
     const Meeting m = meetingOf(piece, other, far, margin);
     if (m.found.count == 0) return m.found;
     if (piece.oneSided && isBehind(piece, m)) return {};
-    if (!m.between && m.separation <= touching && other.count > 1)
-        for (const bool atEnd : {false, true})
-            if (standsAround(jointAt(piece, atEnd), m.segment, m.side, other)) return {};
+    if (isElsewhere(piece, m)) return {};
+    if (piece.oneSided && meetsCorner(m)) return m.found;
 
     const bool allowed = m.joint.isConvex ? m.between : !m.joint.goesOn;
     const bool farSide = !m.apart && m.found.normal.dot(m.side.normal) < 0;

@@ -10,6 +10,10 @@ namespace {
 /// Above roundings of a unit vector, below any turn of an outline [-].
 constexpr double tiny = 1e-9;
 
+/// Out over a hollow leans the way to what is within a one-way tile alone, about the corner below its top, where the
+/// outline goes on the other way; to all else, no more than by roundings [-].
+constexpr double leaning = 1e-3;
+
 Vec2 unit(const Vec2& v) {
     return v / std::sqrt(v.dot(v));
 }
@@ -27,9 +31,11 @@ std::optional<Vec2> outlineNormal(const Segment& segment, const Vec2& normal) {
     const auto outward = [&]() { return normal.dot(own) > 0 ? std::optional(own) : std::nullopt; };
     if (std::fabs(lean) <= tiny) return outward();
     const std::optional<Vec2>& beyond = lean > 0 ? segment.after : segment.before;
-    if (!beyond) return normal;
+    if (!beyond) return outward();  // it goes on into a one-way top
     // On from the joint, away from this segment.
-    const Vec2 on = unit(*beyond - (lean > 0 ? segment.end : segment.start));
+    Vec2 on = unit(*beyond - (lean > 0 ? segment.end : segment.start));
+    const bool under = on.dot(own) > tiny && std::fabs(lean) > leaning;
+    if (under) on = -on;
     const bool corner = on.dot(own) < -tiny;
     // A hollow narrower than a quarter turn lies all on this side of the joint: what leans on was met through a wall.
     const bool narrow = !corner && on.dot(lean > 0 ? along : Vec2(-along)) < -tiny;

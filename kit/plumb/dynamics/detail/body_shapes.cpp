@@ -53,6 +53,8 @@ void outline(WorldState& world, ProxyId proxy, const Vec2& localCenter) {
     std::vector<BoxOutline>& boxes = world.contacts.boxes;
     if (boxes.size() <= proxy) boxes.resize(proxy + std::size_t{1});
     boxes[proxy] = boxOutlineOf(world.space[proxy].def, localCenter);
+    // A stretch of an outline is more than a line, even where it goes on into one-way tops at both ends.
+    if (world.space[proxy].convex.oneSided) boxes[proxy].kind = BoxOutline::Kind::Other;
 }
 
 /// A part of a shape comes into the space, where its body is now.

@@ -2,6 +2,7 @@
 #include <plumb/dynamics/detail/contact_rules.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace plumb {
 
@@ -9,6 +10,10 @@ namespace {
 
 /// Cosine of the angle from a one-way direction within which it is solid [-].
 constexpr double widest = 0.5;
+/// Cosine of the angle from straight down within which a way leads onto the end of a line, and not past it [-].
+constexpr double steep = 0.866;
+/// A contact leans out over an end by more than this: a body at rest trembles less [rad].
+constexpr double leaning = 0.02;
 /// What overlaps by no more than this has just been let up, or stands at a seam [m].
 constexpr double slop = 5e-3;
 
@@ -22,6 +27,21 @@ struct Side {
 
 std::array<Side, 2> sidesOf(const Proxy& a, const Proxy& b, const Face& face) {
     return {Side{a, b, face.normal, face.velocity}, Side{b, a, -face.normal, -face.velocity}};
+}
+
+/// Is it at the end of a line that does not go on?
+bool isAtEnd(const Side& side, const Rot& rotation) {
+    const auto* line = std::get_if<Segment>(&side.own.def.shape);
+    if (line == nullptr) return false;
+    const Vec2 along = rotation * Vec2(line->end - line->start);
+    const double lean = side.normal.dot(along);
+    if (std::fabs(lean) < leaning * along.norm()) return false;
+    return !(lean > 0 ? line->after : line->before);
+}
+
+/// Does it come down onto what is open there? What comes from the side, with a part of it below, passes the end.
+bool comesDown(const Side& side, const Vec2& open) {
+    return -side.velocity.dot(open) >= steep * side.velocity.norm() * open.norm();
 }
 
 Vec2 velocityAt(const BodyMotion& motion, const Vec2& point) {
@@ -64,9 +84,11 @@ bool comesFromOpenSide(const WorldState& world, const Proxy& a, const Proxy& b, 
     const std::array<Side, 2> sides = sidesOf(a, b, face);
     return std::all_of(sides.begin(), sides.end(), [&](const Side& side) {
         if (!side.own.def.oneWay) return true;
-        const Vec2 open = world.bodies.motion[side.own.owner].rotation * *side.own.def.oneWay;
+        const Rot& rotation = world.bodies.motion[side.own.owner].rotation;
+        const Vec2 open = rotation * *side.own.def.oneWay;
         const bool above = side.normal.dot(open) >= widest * open.norm();
-        return above && (wasSolid || face.separation >= -slop);
+        if (!above || wasSolid) return above;
+        return face.separation >= -slop && (!isAtEnd(side, rotation) || comesDown(side, open));
     });
 }
 

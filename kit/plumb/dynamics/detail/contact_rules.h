@@ -3,8 +3,8 @@
 //
 // A rule is asked when the two come near, and its answer holds until they have parted. A one-way side is looked at
 // anew in each step, for it is passed through while the two are near: solid is what comes from within 60 degrees of
-// its direction and does not overlap yet; what was solid stays so, however deep a load presses it, until it has slid
-// off to the side or below.
+// its direction and does not overlap yet, and at the end of a line comes down onto it, within 30 degrees; what was
+// solid stays so, however deep a load presses it, until it has slid off to the side or below.
 #pragma once
 #include <plumb/dynamics/detail/world_state.h>
 

@@ -88,6 +88,10 @@ std::vector<TileEdge> edgesAt(const TileMap& map, HalfPoint point, Fits&& fits) 
     return found;
 }
 
+std::optional<TileEdge> firstOf(const std::vector<TileEdge>& edges) {
+    return edges.empty() ? std::nullopt : std::optional(edges.front());
+}
+
 /// turn(edge) is that of the outline where it goes from the one in question to this, or comes from it.
 template <class Turn>
 std::optional<TileEdge> chosen(const std::vector<TileEdge>& candidates, TileKind kind, Turn&& turn) {
@@ -127,6 +131,22 @@ std::optional<TileEdge> edgeBefore(const TileMap& map, const TileEdge& edge) {
     const auto ends = [&](const TileEdge& other) { return other.end == edge.start; };
     return chosen(edgesAt(map, edge.start, ends), edge.kind,
                   [&](const TileEdge& other) { return turnBetween(other, edge); });
+}
+
+std::optional<TileEdge> topOverEnd(const TileMap& map, const TileEdge& edge) {
+    const std::optional<TileEdge> next = edgeAfter(map, edge);
+    if (!next || edge.kind == TileKind::OneWay || next->kind == TileKind::OneWay || cross(edge, *next) <= 0) return {};
+    return firstOf(edgesAt(map, edge.end, [&](const TileEdge& other) {
+        return other.end == edge.end && other.kind == TileKind::OneWay && turnBetween(other, *next) == 0;
+    }));
+}
+
+std::optional<TileEdge> topOverStart(const TileMap& map, const TileEdge& edge) {
+    const std::optional<TileEdge> last = edgeBefore(map, edge);
+    if (!last || edge.kind == TileKind::OneWay || last->kind == TileKind::OneWay || cross(*last, edge) <= 0) return {};
+    return firstOf(edgesAt(map, edge.start, [&](const TileEdge& other) {
+        return other.start == edge.start && other.kind == TileKind::OneWay && turnBetween(*last, other) == 0;
+    }));
 }
 
 }  // namespace plumb

@@ -31,4 +31,9 @@ std::vector<TileEdge> openEdges(const TileMap& map, Cell cell);
 std::optional<TileEdge> edgeAfter(const TileMap& map, const TileEdge& edge);
 std::optional<TileEdge> edgeBefore(const TileMap& map, const TileEdge& edge);
 
+/// The one-way top that, where a solid edge ends or starts at a convex corner, lies in line with the edge around that
+/// corner. Who stands on it goes straight on over the corner, and must not feel the edge below it.
+std::optional<TileEdge> topOverEnd(const TileMap& map, const TileEdge& edge);
+std::optional<TileEdge> topOverStart(const TileMap& map, const TileEdge& edge);
+
 }  // namespace plumb
