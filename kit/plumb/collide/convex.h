@@ -40,7 +40,7 @@ struct Convex {
     /// Of a segment whose line goes on: the normals, on the side of normals[0], of the segments before and after it;
     /// zero where it ends.
     Vec2f before{0, 0}, after{0, 0};
-    bool oneSided = false;  ///< of such a segment: solid on its left, and met from its right alone
+    bool oneSided = false;  ///< solid on its left, met from its right alone; an end goes on into a one-way top
 };
 
 /// The shape as seen from center, a point of the body's frame. Throws std::invalid_argument on a Chain or TileMap (ask

@@ -23,7 +23,7 @@ enum class TileForm : std::uint8_t {
 
 enum class TileKind : std::uint8_t {
     Solid,
-    OneWay,  ///< its top only, and only to what comes from above
+    OneWay,  ///< its top only, to what comes from above, not from the side
     Hazard,  ///< solid; whoever meets it can tell
     Sensor,  ///< touches nothing, and tells what overlaps it
 };

@@ -59,8 +59,8 @@ struct ShapeDef {
     Material material{};
     Filter filter{};
     bool sensor = false;  ///< touches nothing, and tells what overlaps it; weighs what its density says
-    /// Solid only to what comes from there, within 60 degrees, and does not yet overlap by more than 5 mm; what was on
-    /// it stays until it slides off. In the body's frame, not 0 [-]
+    /// Solid only to what comes from there, within 60 degrees (30 at a line's free end), and overlaps by 5 mm at most;
+    /// what was on it stays until it slides off. In the body's frame, not 0 [-]
     std::optional<Vec2> oneWay = std::nullopt;
     ContactRule rule = nullptr;  ///< without one, it touches whatever its filter lets
     std::uint64_t tag = 0;       ///< whatever its owner wants to know it by
