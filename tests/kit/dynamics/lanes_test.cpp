@@ -300,7 +300,7 @@ TEST_CASE("boxes side by side have the manifolds that they have one by one, in 1
     Agreement agreement;
     for (int round = 0; round < 10'000 / batchLanes; ++round) {
         const BoxPairs pairs = randomPairs(random);
-        FreshLanes fresh;
+        FreshLanes fresh{};
         laneCollider(1).collideBoxes(pairs.pairs, pairs.place.data(), fresh);
         for (std::size_t lane = 0; lane < batchLanes; ++lane) {
             INFO("round " << round << ", lane " << lane);
@@ -320,7 +320,7 @@ TEST_CASE("discs side by side have the manifolds that they have one by one, in 1
     Agreement agreement;
     for (int round = 0; round < 10'000 / batchLanes; ++round) {
         const DiscPairs pairs = randomDiscPairs(random);
-        FreshLanes fresh;
+        FreshLanes fresh{};
         laneCollider(1).collideDiscs(pairs.pairs, pairs.place.data(), fresh);
         for (std::size_t lane = 0; lane < batchLanes; ++lane) {
             INFO("round " << round << ", lane " << lane);
@@ -328,7 +328,7 @@ TEST_CASE("discs side by side have the manifolds that they have one by one, in 1
             compare(oneByOne(pairs, lane), manifoldIn(fresh, lane), {tolerance, 10 * tolerance, 0.9999f}, agreement);
         }
         for (const int lanes : {4, 8, 16}) {
-            FreshLanes again;
+            FreshLanes again{};
             laneCollider(lanes).collideDiscs(pairs.pairs, pairs.place.data(), again);
             CHECK(sameBits(again, fresh));
         }
@@ -358,7 +358,7 @@ TEST_CASE("of 10,000 shapes that meet another in the step none is passed over be
         place[2].turn = static_cast<float>(std::fabs(turn) * reachOf(b, {0, 0}));
         PairLanes pairs{};
         fillOne(pairs, 0, {.shape = a}, {.shape = b}, 1, 2);
-        FreshLanes fresh;
+        FreshLanes fresh{};
         laneCollider(1).collideBoxes(pairs, place.data(), fresh);
         bool meets = false;
         for (int i = 0; i <= 20; ++i) {
