@@ -122,7 +122,7 @@ struct Play {
         const Vec2 before = place();
         const double side = input.move > 0 ? 1 : -1, speed = mover.slide().velocity.x();
         const bool open = isWayOpen(level.truth, hero.shape, before, side), stood = mover.slide().isOnFloor;
-        const bool dropped = mover.slide().dropping || input.down || wasDown;
+        const bool dropped = !mover.slide().dropping.empty() || input.down || wasDown;
         wasDown = input.down;
         const Slide& slide = mover.step(level.world, input, dt);
         level.world.step(dt);
@@ -132,7 +132,7 @@ struct Play {
         // 1e-9 m: 40 tiles of 1.5 m, and a round, to 2^-53.
         if (depth > 1e-9) return "in a wall by " + std::to_string(depth) + " m";
         if (!level.truth.isWay(level.truth.map.cellAt(before), level.truth.map.cellAt(now))) return "through a wall";
-        if (!dropped && !slide.dropping && level.truth.sunkInto(hero.shape, before, now))
+        if (!dropped && slide.dropping.empty() && level.truth.sunkInto(hero.shape, before, now))
             return "sunk into a one-way tile";
         if (slide.crushed) return "crushed, where nothing moves";
         if (!modern || input.move == 0 || !stood || !slide.isOnFloor || !open || speed * side < 0 || dropped) return "";
