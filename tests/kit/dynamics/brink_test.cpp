@@ -9,15 +9,17 @@
 #include <plumb/plumb.h>
 #include "cases.h"
 #include "catch.h"
+#include "kit/dynamics/sliders.h"
 
 using plumb::BodyId;
 using plumb::BodyType;
 using plumb::Contact;
 using plumb::Material;
 using plumb::Random;
-using plumb::ShapeDef;
 using plumb::Vec2;
 using plumb::World;
+using plumb::test::Slider;
+using plumb::test::sliderOf;
 
 namespace {
 
@@ -25,31 +27,9 @@ constexpr double dt = 1.0 / 60;
 constexpr Material smooth{.friction = 0};
 constexpr double degree = std::numbers::pi / 180;
 
-/// What slides on its lower side.
-struct Slider {
-    const char* name = "";
-    ShapeDef shape;
-    double below = 0;  ///< from its centre to what it rests on [m]
-};
-
-/// With one of its six sides below.
-ShapeDef hexagon(double radius) {
-    std::vector<Vec2> corners;
-    for (int i = 0; i < 6; ++i) {
-        const double angle = (60 * i + 30) * degree - std::numbers::pi / 2;
-        corners.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
-    }
-    return plumb::polygon(corners, smooth);
-}
-
 Slider randomSlider(Random& random) {
     const double size = random.uniform(0.1, 0.8);
-    switch (random.integer(0, 3)) {
-        case 0: return {"disc", plumb::circle(size, smooth), size};
-        case 1: return {"box", plumb::box({size, 0.8 * size}, smooth), 0.8 * size};
-        case 2: return {"capsule", plumb::capsule({-size, 0}, {size, 0}, size / 2, smooth), size / 2};
-        default: return {"hexagon", hexagon(size), size * std::cos(30 * degree)};
-    }
+    return sliderOf(random.integer(0, 3), size, smooth);
 }
 
 /// A level floor, in pieces, that ends at the origin, where the line turns down; below it goes on anyhow.

@@ -2,7 +2,6 @@
 // What do one-way tiles do to bodies beside what is solid, and alone in the air?
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include <plumb/shapes/tile_text.h>
 #include "cases.h"
 #include "catch.h"
+#include "kit/dynamics/sliders.h"
 
 using plumb::BodyDef;
 using plumb::BodyId;
@@ -20,35 +20,12 @@ using plumb::Random;
 using plumb::ShapeDef;
 using plumb::Vec2;
 using plumb::World;
+using plumb::test::Slider;
+using plumb::test::sliderOf;
 
 namespace {
 
 constexpr double dt = 1.0 / 60;
-
-/// A body that lies on its lower side.
-struct Slider {
-    const char* name = "";
-    ShapeDef shape;
-    double below = 0;  ///< from its centre to what it rests on [m]
-};
-
-ShapeDef hexagon(double radius) {
-    std::vector<Vec2> corners;
-    for (int i = 0; i < 6; ++i) {
-        const double angle = (2 * i + 1) * std::numbers::pi / 6 - std::numbers::pi / 2;
-        corners.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
-    }
-    return plumb::polygon(corners);
-}
-
-Slider sliderOf(int kind, double size) {
-    switch (kind) {
-        case 0: return {"disc", plumb::circle(size), size};
-        case 1: return {"box", plumb::box({size, 0.8 * size}), 0.8 * size};
-        case 2: return {"capsule", plumb::capsule({-size, 0}, {size, 0}, size / 2), size / 2};
-        default: return {"hexagon", hexagon(size), size * std::cos(std::numbers::pi / 6)};
-    }
-}
 
 Slider withFriction(Slider slider, double friction) {
     slider.shape.material.friction = friction;
