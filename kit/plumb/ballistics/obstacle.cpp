@@ -65,7 +65,8 @@ std::vector<Shot> aimOver(const WallAim& problem) {
     const Side side(problem);
     std::vector<Shot> shots = aim({problem.target, problem.speed, problem.gravity});
     std::erase_if(shots, [&](const Shot& shot) {
-        return std::ranges::any_of(problem.walls, [&](const Vec2& top) { return side.fallsShort(shot, top); });
+        return std::any_of(problem.walls.begin(), problem.walls.end(),
+                           [&](const Vec2& top) { return side.fallsShort(shot, top); });
     });
     if (!shots.empty() || problem.walls.empty()) return shots;
     // Next to the least speed the angle hangs on the square root of what is to spare, and of rounding.

@@ -38,14 +38,14 @@ ArcadeMaze arcadeMaze() {
 }
 
 bool isSlow(const ArcadeMaze& maze, Cell cell) {
-    return std::ranges::any_of(maze.slow, [&](const CellBlock& block) {
+    return std::any_of(maze.slow.begin(), maze.slow.end(), [&](const CellBlock& block) {
         return cell.column >= block.first.column && cell.column <= block.last.column && cell.row >= block.first.row &&
                cell.row <= block.last.row;
     });
 }
 
 bool isUpClosed(const ArcadeMaze& maze, Cell cell, bool frightened) {
-    return !frightened && std::ranges::find(maze.upClosed, cell) != maze.upClosed.end();
+    return !frightened && std::find(maze.upClosed.begin(), maze.upClosed.end(), cell) != maze.upClosed.end();
 }
 
 GridPlace placeOfPixel(int x, int y, const ArcadeProfile& profile) {

@@ -67,9 +67,10 @@ std::vector<TileTouch> hazardsOn(const SlideProbe& probe, std::span<const Vec2> 
             });
         }
     }
-    std::ranges::sort(touched, {}, placeOf);
-    const auto again = std::ranges::unique(touched, {}, placeOf);
-    touched.erase(again.begin(), again.end());
+    std::sort(touched.begin(), touched.end(),
+              [](const TileTouch& a, const TileTouch& b) { return placeOf(a) < placeOf(b); });
+    const auto isSame = [](const TileTouch& a, const TileTouch& b) { return placeOf(a) == placeOf(b); };
+    touched.erase(std::unique(touched.begin(), touched.end(), isSame), touched.end());
     return touched;
 }
 

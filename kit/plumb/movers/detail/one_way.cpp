@@ -54,7 +54,7 @@ std::vector<int> rowsBeside(const TileMap& map, int column, const std::vector<in
             const Cell cell{column + (toRight ? 1 : -1), other};
             if (!isFloor(map, cell)) continue;
             const TopEnds next = topOf(map.at(cell));
-            const bool known = std::ranges::find(beside, other) != beside.end();
+            const bool known = std::find(beside.begin(), beside.end(), other) != beside.end();
             if (2 * other + (toRight ? next.left : next.right) == end && !known) beside.push_back(other);
         }
     }
@@ -67,7 +67,9 @@ bool isOneRow(const TileMap& map, Cell from, Cell to) {
     const int way = columnsBetween(map, from, to), step = way < 0 ? -1 : 1;
     std::vector<int> rows{from.row};
     for (int i = 0; i != way && !rows.empty(); i += step) rows = rowsBeside(map, from.column + i, rows, way > 0);
-    return std::ranges::any_of(rows, [&](int row) { return map.wrapped({to.column, row}).row == map.wrapped(to).row; });
+    return std::any_of(rows.begin(), rows.end(), [&](int row) {
+        return map.wrapped({to.column, row}).row == map.wrapped(to).row;
+    });
 }
 
 }  // namespace

@@ -96,7 +96,9 @@ void pushAside(SlideRun& run, const Vec2& from) {
 void partOverlaps(SlideRun& run) {
     std::vector<Overlapped> overlaps = run.probe.overlaps(run.position);
     for (int i = 0; i < 8 && !overlaps.empty(); ++i) {
-        const auto deepest = std::ranges::max_element(overlaps, {}, &Overlapped::depth);
+        const auto deepest =
+            std::max_element(overlaps.begin(), overlaps.end(),
+                             [](const Overlapped& a, const Overlapped& b) { return a.depth < b.depth; });
         run.note(deepest->hit, SlideEffect::PushedBy);
         const double went = shove(run, deepest->hit.normal, deepest->depth + run.settings.skin);
         overlaps = run.probe.overlaps(run.position);
@@ -142,7 +144,7 @@ SlidePush push(SlideRun& run, const CastHit& hit, const Vec2& velocity) {
     Body body = run.world.body(hit.shape.body);
     const Vec2 at = body.type() == BodyType::Dynamic ? middleOf(run, hit) : hit.point;
     const Vec2 surface = body.velocityAt(at);
-    const bool again = std::ranges::find(run.pushed, hit.shape.body) != run.pushed.end();
+    const bool again = std::find(run.pushed.begin(), run.pushed.end(), hit.shape.body) != run.pushed.end();
     const double closing = -(velocity - surface).dot(hit.normal);
     if (body.type() != BodyType::Dynamic || !(run.pushLeft > 0) || !(closing > 0) || again) return {0, surface};
     const double yield = yieldOf(body, at, -hit.normal);

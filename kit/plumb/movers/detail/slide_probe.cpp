@@ -70,7 +70,7 @@ void SlideProbe::findMoving(double within, const std::optional<BodyId>& floor, s
         const bool carries = floor && id == *floor && view.type() == BodyType::Dynamic;
         if (view.type() != BodyType::Kinematic && !carries) return;
         if (view.velocity().isZero(0) && view.angularVelocity() == 0) return;
-        if (!(floor && id == *floor) && std::ranges::find(still, id) != still.end()) return;
+        if (!(floor && id == *floor) && std::find(still.begin(), still.end(), id) != still.end()) return;
         moving_.push_back(movingThing(world_, id, dt_, settings_.up, position));
     };
     if (floor && world_.contains(*floor)) take(*floor);
@@ -80,12 +80,13 @@ void SlideProbe::findMoving(double within, const std::optional<BodyId>& floor, s
 }
 
 const MovingThing* SlideProbe::find(BodyId body) const {
-    const auto found = std::ranges::find(moving_, body, &MovingThing::body);
+    const auto found =
+        std::find_if(moving_.begin(), moving_.end(), [body](const MovingThing& thing) { return thing.body == body; });
     return found == moving_.end() ? nullptr : &*found;
 }
 
 void SlideProbe::meetMap(const ShapeId& map) const {
-    if (std::ranges::find(maps_, map) == maps_.end()) maps_.push_back(map);
+    if (std::find(maps_.begin(), maps_.end(), map) == maps_.end()) maps_.push_back(map);
 }
 
 template <class Visit>
@@ -125,8 +126,8 @@ std::optional<Vec2> SlideProbe::wallOf(const std::vector<CastHit>& here, const C
 }
 
 bool SlideProbe::isPassed(const OneWayFloor& floor) const {
-    return std::ranges::any_of(passedFloors_,
-                               [&](const OneWayFloor& passed) { return isOneFloor(world_, passed, floor); });
+    return std::any_of(passedFloors_.begin(), passedFloors_.end(),
+                       [&](const OneWayFloor& passed) { return isOneFloor(world_, passed, floor); });
 }
 
 bool SlideProbe::isSolid(const CastHit& hit) const {
