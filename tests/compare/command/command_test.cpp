@@ -175,7 +175,8 @@ TEST_CASE("check writes a CSV a scene and the report", "[compare][command]") {
     CHECK(called.out.find("index.html") != std::string::npos);
 }
 
-TEST_CASE("without a command every scene is run, and the report written where it is called", "[compare][command]") {
+TEST_CASE("without a command every scene is run, and the report written where it is called",
+          "[compare][command][slow]") {
     const Folder folder("plumb_command_test");
     const fs::path before = fs::current_path();
     fs::current_path(folder.path);

@@ -19,7 +19,7 @@ bool isSorted(const Curve& curve) {
 
 }  // namespace
 
-TEST_CASE("every lab that comes with Plumb passes, with a value for each check", "[compare][lab]") {
+TEST_CASE("every lab that comes with Plumb passes, with a value for each check", "[compare][lab][slow]") {
     for (const Lab& lab : builtinLabs()) {
         INFO(lab.name);
         const LabResult result = runLab(lab, {}, engines());
@@ -33,7 +33,7 @@ TEST_CASE("every lab that comes with Plumb passes, with a value for each check",
     }
 }
 
-TEST_CASE("every lab passes without a Box2D, and without any engine", "[compare][lab]") {
+TEST_CASE("every lab passes without a Box2D, and without any engine", "[compare][lab][slow]") {
     for (const Lab& lab : builtinLabs()) {
         INFO(lab.name);
         CHECK(runLab(lab, {"plumb"}, engines()).pass);
@@ -41,7 +41,7 @@ TEST_CASE("every lab passes without a Box2D, and without any engine", "[compare]
     }
 }
 
-TEST_CASE("every graph has a title, named axes, and curves of their own names by rising x", "[compare][lab]") {
+TEST_CASE("every graph has a title, named axes, and curves of their own names by rising x", "[compare][lab][slow]") {
     std::vector<Engine> stepping = engines();  // a lab is never given the closed form
     std::erase_if(stepping, [](const Engine& engine) { return engine.name == closedFormName; });
     for (const Lab& lab : builtinLabs()) {

@@ -90,7 +90,7 @@ TEST_CASE("methods that change places turn the integrators lab red", "[compare][
 }
 
 TEST_CASE("a grid that tests as sweep and prune does, and a hierarchy that tests each against each, turn red",
-          "[compare][lab]") {
+          "[compare][lab][slow]") {
     CHECK(failing(runLab(broadPhases(without(BroadPhase::Grid, BroadPhase::SweepAndPrune)), {}, {})) ==
           Names{"tests.even.grid"});
     CHECK(failing(runLab(broadPhases(without(BroadPhase::Bvh, BroadPhase::BruteForce)), {}, {})) ==

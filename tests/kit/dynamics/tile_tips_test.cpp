@@ -7,6 +7,7 @@
 
 #include <plumb/movers/move_and_slide.h>
 #include <plumb/plumb.h>
+#include "cases.h"
 #include "catch.h"
 
 using plumb::BodyId;
@@ -46,11 +47,12 @@ std::vector<Slider> sliders(double s) {
 
 /// Both ways over the odd tile, for every form and size: run(map, slider, start, way).
 void forAllRows(const auto& run) {
+    const int sizes = plumb::test::cases(40);
     int rows = 0;
     for (int form = 1; form <= static_cast<int>(TileForm::GentleDownLow); ++form) {
         for (const bool hanging : {false, true}) {
-            for (int n = 0; n < 40; ++n) {
-                const double size = 0.5 + 0.025 * n;
+            for (int n = 0; n < sizes; ++n) {
+                const double size = 0.5 + 1.0 / sizes * n;
                 const auto map = rowWith(static_cast<TileForm>(form), hanging, size);
                 if (!map) continue;
                 ++rows;
@@ -60,7 +62,7 @@ void forAllRows(const auto& run) {
             }
         }
     }
-    CHECK(rows == 40 * 8);  // full, upright and hanging, and the six hanging slopes
+    CHECK(rows == sizes * 8);  // full, upright and hanging, and the six hanging slopes
 }
 
 }  // namespace
