@@ -9,7 +9,7 @@ namespace plumb {
 inline constexpr float contactMargin = 0.01f;
 
 struct alignas(64) FreshPoint {
-    Lanes<float> x, y;  ///< half way between the surfaces, in A's frame, from its centre of mass [m]
+    Lanes<float> x, y;  ///< half way between the surfaces, or where they are foreseen to meet; in A's frame [m]
     Lanes<float> separation;
     Lanes<std::int32_t> feature;
 };
