@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include <games/shell/headless/screenshots.h>
+
 namespace plumb::games {
 namespace {
 
@@ -38,6 +40,8 @@ Record runHeadless(const GameInfo& info, const SessionSetup& setup, Source& sour
     session.showDebug(options.debug);
     Record record{info.name, setup.seed, setup.options};
     const bool toTheEnd = options.player == PlayedBy::Record;
+    Screenshots screenshots(options.screenshots, options.size);
+    screenshots.take(session);
     while (!options.ticks || session.ticks() < *options.ticks) {
         if (!toTheEnd && session.screen() == Screen::Over) break;
         const std::optional<Buttons> buttons = source.next(session);
@@ -45,7 +49,9 @@ Record runHeadless(const GameInfo& info, const SessionSetup& setup, Source& sour
         session.update(*buttons);
         session.takeCues();
         record.add(*buttons);
+        screenshots.take(session);
     }
+    screenshots.requireDone(session.ticks());
     record.hash = session.hash();
     out << summary(session, setup.seed) << '\n';
     return record;
