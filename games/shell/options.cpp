@@ -41,6 +41,8 @@ void addOptions(CLI::App& app, const GameInfo& info, ProgramOptions& options, Wo
     app.add_option("--at", words.at, "After which tick")->check(ticks);
     app.add_option("--size", words.size, "Of the pictures, or the window: 1280x720");
     app.add_flag("--debug", options.debug, "Show what the kit sees");
+    app.add_flag("--times", options.times,
+                 "With a window: one line of JSON at the end, how long ticks and frames took");
     addGameOptions(app, info, words);
 }
 

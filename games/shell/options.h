@@ -28,6 +28,7 @@ struct ProgramOptions {
     std::vector<Screenshot> screenshots{};
     PixelSize size{};
     bool debug = false;
+    bool times = false;  ///< one line on them at the end
     std::map<std::string, std::string> gameOptions{};
     std::string help{};  ///< not empty: to be printed, and nothing else done
 };

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include <games/frame/record.h>
+#include <games/shell/desktop/desktop.h>
 #include <games/shell/headless/headless.h>
 #include <games/shell/options.h>
 
@@ -34,15 +35,16 @@ int run(std::span<const std::string> args, const GameInfo& info) {
         return done;
     }
     SessionSetup setup{options.seed.value_or(1), options.gameOptions};
-    std::unique_ptr<Source> source = std::make_unique<Nobody>();
+    std::unique_ptr<Source> source;
+    if (options.player == PlayedBy::Nobody) source = std::make_unique<Nobody>();
     if (options.player == PlayedBy::Computer) source = computerSource(info);
     if (options.player == PlayedBy::Record) {
         Record record = recordIn(options.replayFile, info);
         setup = {record.seed, record.options};
         source = recordSource(std::move(record));
     }
-    if (!options.headless) throw std::runtime_error("no window yet: --headless is wanted");
-    const Record record = runHeadless(info, setup, *source, options, std::cout);
+    const Record record = options.headless ? runHeadless(info, setup, *source, options, std::cout)
+                                           : runDesktop(info, setup, source.get(), options, std::cout);
     if (!options.recordFile.empty()) {
         std::ofstream out(options.recordFile);
         writeRecord(out, record, withMenuActions(info.actions));
