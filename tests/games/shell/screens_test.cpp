@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <games/frame/screens.h>
 
-#include <games/all_games.h>
 #include <games/frame/source.h>
 
 #include "catch.h"
 #include "games/counting_game.h"
+#include "games/every_game.h"
 #include "games/texts.h"
 
 using namespace plumb;
@@ -13,9 +13,9 @@ using namespace plumb::games;
 
 namespace {
 
-/// The listed games, and one with the longest words there may be.
+/// All there are, and one with the longest words there may be.
 std::vector<GameInfo> gamesToLookAt() {
-    std::vector<GameInfo> all = allGames();
+    std::vector<GameInfo> all = test::everyGame();
     GameInfo wordy = test::countingGame();
     wordy.title = "An uncommonly long title, for all that it says";
     wordy.about = "And a line about it that would not end either if the window did not do so at its right side, here.";
