@@ -210,6 +210,7 @@ void Session::update(Buttons buttons) {
 void Session::draw(Canvas& canvas) const {
     const State& now = *state_;
     const double between = canvas.between();
+    canvas.clear(now.info.theme.background);
     if (now.screen != Screen::Play) canvas.setBetween(1);
     if (now.screen == Screen::Title || now.screen == Screen::Scores || !now.game) {
         canvas.setBetween(now.screen == Screen::Title ? between : 1);

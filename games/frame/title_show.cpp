@@ -29,7 +29,6 @@ void TitleShow::update() {
 }
 
 void TitleShow::draw(Canvas& canvas) const {
-    canvas.clear(info_->theme.background);
     if (info_->drawTitle)
         info_->drawTitle(canvas, static_cast<double>(ticks_) * tickSeconds);
     else if (game_)

@@ -21,7 +21,7 @@ inline std::vector<std::string> textsCutOff(const games::Drawing& drawing, const
     return faults;
 }
 
-/// One sentence for each two texts from a layer on that lie over one another.
+/// One sentence for each two texts from a layer on that lie over one another; a text's own shadow may.
 inline std::vector<std::string> textsOverlapping(const games::Drawing& drawing, const games::Painter& painter,
                                                  int layer) {
     std::vector<std::string> faults;
@@ -31,7 +31,8 @@ inline std::vector<std::string> textsOverlapping(const games::Drawing& drawing, 
         if (text == nullptr || mark.layer < layer) continue;
         const Aabb box = painter.boxOf(mark);
         for (const auto& [other, otherBox] : seen)
-            if (overlap(box, otherBox)) faults.push_back("\"" + text->text + "\" lies over \"" + other + "\"");
+            if (other != text->text && overlap(box, otherBox))
+                faults.push_back("\"" + text->text + "\" lies over \"" + other + "\"");
         seen.emplace_back(text->text, box);
     }
     return faults;
