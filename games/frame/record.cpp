@@ -96,9 +96,15 @@ private:
         record_.seed = *seed;
     }
 
+    /// A value goes to the end of its line, for it may be the name of a file.
     void readOption() {
-        if (words_.size() != 3) fail("\"option\", its name and its value");
-        record_.options[words_[1]] = words_[2];
+        const char* wanted = "\"option\", its name and its value";
+        if (words_.size() < 2) fail(wanted);
+        std::string value = text_.substr(text_.find(words_[1], text_.find(words_[0]) + words_[0].size()));
+        value.erase(0, value.find_first_not_of(" \t", words_[1].size()));
+        value.erase(value.find_last_not_of(" \t\r") + 1);
+        if (value.empty()) fail(wanted);
+        record_.options[words_[1]] = value;
     }
 
     void readEnd() {

@@ -28,8 +28,8 @@ struct Run {
 ///   1 confirm
 ///   45 left+fire
 ///   end 1f00c0ffee00d00d
-/// A line is a number of ticks and the actions done in them, or - for none; end, which may be left out, has the
-/// session's hash.
+/// A line is a number of ticks and the actions done in them, or - for none; what follows a # is a remark, but behind an
+/// option; end, which may be left out, has the session's hash.
 struct Record {
     std::string game;
     std::uint64_t seed = 1;

@@ -53,6 +53,15 @@ TEST_CASE("a record that a person wrote, with remarks and empty lines, is played
     CHECK(played == std::vector<Buttons>{0, 0, confirm, both, both, both});
 }
 
+TEST_CASE("an option's value goes to the end of its line: a file may be called \"#1 my option level.txt\"", "[games]") {
+    const std::string file = "#1 my option level.txt";
+    Record record{"counting", 1, {{"level", file}}};
+    std::ostringstream out;
+    writeRecord(out, record, withMenuActions(test::countingGame().actions));
+    CHECK(read(out.str()).options.at("level") == file);
+    CHECK(read(head + "  option\tlevel   a b \r\n").options.at("level") == "a b");
+}
+
 TEST_CASE("a broken record is refused with its line, what that holds, and what was wanted", "[games]") {
     CHECK_THROWS_WITH(read(""), containsText("a.record:1: \"\" is not \"plumb-record 1 counting\""));
     CHECK_THROWS_WITH(read("plumb-record 1 maze\n"), containsText("a.record:1") && containsText("counting"));
