@@ -23,7 +23,13 @@ bool waitsForDisplay(SDL_Renderer* renderer) {
 }  // namespace
 
 Sdl::Sdl() {
-    if (SDL_Init(SDL_INIT_VIDEO) != 0) fail("no window (--headless does without)");
+    if (SDL_Init(SDL_INIT_VIDEO) != 0) fail("no display (--headless does without)");
+    // Where there is no display SDL may draw where nobody sees it; that is meant only by who names such a driver.
+    const std::string_view driver = SDL_GetCurrentVideoDriver();
+    if ((driver == "offscreen" || driver == "dummy") && SDL_getenv("SDL_VIDEODRIVER") == nullptr) {
+        SDL_Quit();
+        throw std::runtime_error("no display (--headless does without)");
+    }
     // Without gamepads one plays on.
     SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER);
 }
