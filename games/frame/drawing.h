@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// What is to be seen? A list of marks, in pixels, that any shell can paint.
+#pragma once
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <games/frame/color.h>
+#include <plumb/math/vec2.h>
+
+namespace plumb::games {
+
+struct PixelSize {
+    int width = 1280, height = 720;
+    friend bool operator==(const PixelSize&, const PixelSize&) = default;
+};
+
+/// Where a point comes to lie: origin + x xAxis + y yAxis.
+struct Affine {
+    Vec2 xAxis{1, 0}, yAxis{0, 1};
+    Vec2 origin{0, 0};
+
+    Vec2 operator*(const Vec2& p) const { return origin + p.x() * xAxis + p.y() * yAxis; }
+    Affine operator*(const Affine& inner) const {
+        const auto turned = [this](const Vec2& v) -> Vec2 { return v.x() * xAxis + v.y() * yAxis; };
+        return {turned(inner.xAxis), turned(inner.yAxis), *this * inner.origin};
+    }
+};
+
+/// From one colour to another, evenly, and the same beyond either end. In the coordinates of the mark.
+struct Gradient {
+    Vec2 from{0, 0}, to{0, 1};  ///< of a radial one, from is its centre
+    Color first, last;
+    double radius = 0;  ///< > 0: from the centre outward, up to there
+};
+
+struct Paint {
+    Color color;
+    std::optional<Gradient> gradient = std::nullopt;  ///< instead of the colour
+
+    Paint(const Color& plain = {}) : color(plain) {}
+    static Paint linear(const Vec2& from, const Color& first, const Vec2& to, const Color& last);
+    static Paint radial(const Vec2& center, const Color& inner, double radius, const Color& outer);
+};
+
+/// How a mark is made: filled, or, with a width, drawn along its outline with round ends and corners.
+struct Brush {
+    Paint paint;
+    double width = 0;  ///< of the line, in the units of the mark; 0: filled
+
+    Brush(const Color& color) : paint(color) {}
+    Brush(const Paint& fill) : paint(fill) {}
+    Brush(const Paint& line, double lineWidth) : paint(line), width(lineWidth) {}
+};
+inline Brush stroke(const Paint& paint, double width) {
+    return {paint, width};
+}
+
+enum class Align { Left, Center, Right };
+enum class Baseline { Base, Top, Middle };  ///< of capital letters
+enum class Weight { Regular, Bold, Heavy };
+
+struct TextStyle {
+    double size = 16;  ///< of the font, about 1.4 times the height of a capital letter, in the units of the mark
+    Color color = {1, 1, 1, 1};
+    Align align = Align::Left;
+    Baseline baseline = Baseline::Base;
+    Weight weight = Weight::Regular;
+    double fitWidth = 0;  ///< > 0: made smaller until it is no wider than this
+};
+
+struct RectMark {
+    Vec2 corner{0, 0}, size{1, 1};  ///< the corner of the least x and y
+    double radius = 0;              ///< of rounded corners
+};
+/// An ellipse, or a part of it; angles from +x towards +y [rad].
+struct EllipseMark {
+    Vec2 center{0, 0}, radii{1, 1};
+    double from = 0, to = 0;  ///< equal: all of it
+    bool pie = false;         ///< a part goes to the centre and back
+};
+struct PathMark {
+    std::vector<Vec2> points;
+    bool closed = false;
+};
+struct TextMark {
+    Vec2 at{0, 0};
+    std::string text;  ///< UTF-8, one line
+    TextStyle style;   ///< upright and not mirrored, whichever way y points
+};
+
+struct Mark {
+    std::variant<RectMark, EllipseMark, PathMark, TextMark> shape;
+    Brush brush;         ///< but of a text, whose style has its colour
+    Affine toPixels;     ///< of the mark's coordinates; y down, (0, 0) at the window's upper left
+    double opacity = 1;  ///< times alpha
+    int layer = 0;
+    int clip = -1;  ///< which of the clips holds it; -1: none
+};
+
+/// Nothing is painted outside of it: an upright rectangle in pixels.
+struct Clip {
+    Vec2 corner{0, 0}, size{0, 0};
+};
+
+struct Drawing {
+    PixelSize size;
+    std::vector<Mark> marks;  ///< as they were made
+    std::vector<Clip> clips;
+
+    /// What is to be painted first comes first: by layer, and in a layer as made.
+    std::vector<const Mark*> inOrder() const;
+};
+
+}  // namespace plumb::games

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#include <games/frame/input.h>
+
+#include <plumb/math/check.h>
+
+namespace plumb::games {
+
+Buttons Input::bit(int action) const {
+    if (action < 0 || action >= actions_->size())
+        refuse("action",
+               std::to_string(action) + " is not an index of the " + std::to_string(actions_->size()) + " there are");
+    return Buttons{1} << action;
+}
+
+}  // namespace plumb::games

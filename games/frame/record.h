@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// What was pressed, from a program's start to its end, so that it can be played again?
+#pragma once
+#include <cstdint>
+#include <iosfwd>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <games/frame/source.h>
+
+namespace plumb::games {
+
+/// The same buttons for so many ticks.
+struct Run {
+    std::int64_t ticks = 1;
+    Buttons buttons = 0;
+    friend bool operator==(const Run&, const Run&) = default;
+};
+
+/// As text, which a person can write as well:
+///   plumb-record 1 maze
+///   seed 7
+///   option strength strong
+///   30 -
+///   1 confirm
+///   45 left+fire
+///   end 1f00c0ffee00d00d
+/// A line is a number of ticks and the actions done in them, or - for none; what follows a # is a remark, but behind an
+/// option; end, which may be left out, has the session's hash.
+struct Record {
+    std::string game;
+    std::uint64_t seed = 1;
+    std::map<std::string, std::string> options{};
+    std::vector<Run> runs{};
+    std::optional<std::uint64_t> hash{};
+
+    void add(Buttons buttons);  ///< one tick more
+    std::int64_t ticks() const;
+};
+
+void writeRecord(std::ostream& out, const Record& record, const ActionList& actions);
+
+/// Throws std::invalid_argument with "<name>:<line>: <what it holds> <what was wanted>", also when it is of another
+/// game.
+Record readRecord(std::istream& in, const std::string& name, const GameInfo& info);
+
+std::unique_ptr<Source> recordSource(Record record);
+
+}  // namespace plumb::games

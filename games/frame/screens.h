@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// What lies over the game: title, pause, end, best scores?
+#pragma once
+#include <games/frame/menu.h>
+#include <games/frame/session.h>
+
+namespace plumb::games {
+
+inline constexpr int menuLayer = 1'000'000;   ///< above whatever a game uses
+inline constexpr int debugLayer = 2'000'000;  ///< and above that
+inline constexpr int shellLayer = 3'000'000;  ///< frame times
+
+struct ScreenView {
+    const Session& session;
+    const Menu& menu;
+    std::int64_t since = 0;  ///< the screen came up [ticks]
+    int rank = -1;           ///< of the last round among the best scores; -1: not among them
+};
+
+void drawScreen(Canvas& canvas, const ScreenView& view);
+
+}  // namespace plumb::games

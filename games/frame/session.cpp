@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include <games/frame/session.h>
+
+#include <algorithm>
+
+#include <games/frame/choice.h>
+#include <games/frame/debug_view.h>
+#include <games/frame/hash.h>
+#include <games/frame/menu.h>
+#include <games/frame/screens.h>
+#include <games/frame/title_show.h>
+#include <plumb/math/random.h>
+
+namespace plumb::games {
+namespace {
+
+constexpr std::size_t mostScores = 10;
+/// How long the end of a round is shown before a button leads on: whoever lost was pressing some [ticks].
+constexpr int overDelay = 40;
+
+}  // namespace
+
+struct Session::State {
+    GameInfo info;
+    ActionList actions;
+    Random seeds;  ///< of the rounds after the first
+    GameSetup next;
+    std::vector<std::int64_t> scores;
+    std::vector<Option> options;
+
+    Screen screen = Screen::Title;
+    std::int64_t ticks = 0, since = 0;  ///< since: ticks in this screen
+    Buttons before = 0;
+    Menu menu;
+    std::unique_ptr<Game> game;
+    int rounds = 0;
+    int rank = -1;  ///< of the last round among the scores; -1: not among them
+    TitleShow show;
+    bool ended = false, debug = false;
+    std::vector<Cue> cues;
+
+    State(const GameInfo& game_, const SessionSetup& setup)
+        : info(game_),
+          actions(withMenuActions(info.actions)),
+          seeds(setup.seed),
+          next{setup.seed, optionsOf(info, setup.options)},
+          scores(setup.scores),
+          options(optionsToChoose(info)),
+          show(info) {
+        std::sort(scores.rbegin(), scores.rend());
+        if (scores.size() > mostScores) scores.resize(mostScores);
+        goTo(Screen::Title);
+    }
+
+    void goTo(Screen to) {
+        screen = to;
+        since = 0;
+        menu = Menu(entriesOf(to));
+    }
+
+    std::vector<MenuEntry> entriesOf(Screen of) const {
+        switch (of) {
+            case Screen::Title: return titleEntries();
+            case Screen::Pause: return {{"Go on"}, {"Start again"}, {"To the title"}};
+            case Screen::Over: return {{"Play again"}, {"Best scores"}, {"To the title"}};
+            case Screen::Scores: return {{"To the title"}};
+            case Screen::Play: break;
+        }
+        return {};
+    }
+
+    std::vector<MenuEntry> titleEntries() const {
+        std::vector<MenuEntry> entries{{"Play"}};
+        for (const Option& option : options)
+            entries.push_back({option.label.empty() ? option.name : option.label, next.options.at(option.name)});
+        entries.push_back({"Best scores"});
+        entries.push_back({"Quit"});
+        return entries;
+    }
+
+    void begin() {
+        if (rounds > 0) next.seed = seeds.bits();
+        ++rounds;
+        game = info.make(next);
+        goTo(Screen::Play);
+    }
+
+    void end() {
+        const std::int64_t score = game->progress().score;
+        const auto place = std::upper_bound(scores.begin(), scores.end(), score, std::greater<>());
+        rank = score > 0 ? static_cast<int>(place - scores.begin()) : -1;
+        if (rank >= 0) scores.insert(place, score);
+        if (scores.size() > mostScores) scores.resize(mostScores);
+        if (rank >= static_cast<int>(mostScores)) rank = -1;
+        goTo(Screen::Over);
+    }
+
+    void update(const Input& input) {
+        switch (screen) {
+            case Screen::Play: updatePlay(input); break;
+            case Screen::Title:
+                updateMenu(input);
+                // Not before it is known that the title stays: where nobody looks, nothing is shown.
+                if (screen == Screen::Title) show.update();
+                break;
+            case Screen::Over:
+                if (since >= overDelay) updateMenu(input);
+                break;
+            default: updateMenu(input);
+        }
+    }
+
+    void updatePlay(const Input& input) {
+        if (input.pressed("pause") || input.pressed("back")) return goTo(Screen::Pause);
+        game->update(input);
+        for (const Cue& cue : game->takeCues()) cues.push_back(cue);
+        if (game->progress().outcome != Outcome::Running) end();
+    }
+
+    void updateMenu(const Input& input) {
+        const bool leave = screen == Screen::Pause ? input.pressed("pause") || input.pressed("back")
+                                                   : input.pressed("back") && screen != Screen::Title;
+        if (leave) return goTo(screen == Screen::Pause ? Screen::Play : Screen::Title);
+        const Menu::Event event = menu.update(input);
+        if (event == Menu::Event::None) return;
+        cues.push_back({.wave = Wave::Triangle,
+                        .from = 520,
+                        .to = event == Menu::Event::Confirmed ? 1040.0 : 520.0,
+                        .seconds = 0.06,
+                        .volume = 0.3});
+        if (event == Menu::Event::Confirmed)
+            choose(menu.chosen());
+        else if (event != Menu::Event::Moved)
+            change(menu.chosen(), event == Menu::Event::Left ? -1 : 1);
+    }
+
+    void choose(int entry) {
+        if (screen == Screen::Title) return chooseInTitle(entry);
+        if (screen == Screen::Scores || entry == 2) return goTo(Screen::Title);
+        if (entry == 1 && screen == Screen::Over) return goTo(Screen::Scores);
+        if (entry == 0 && screen == Screen::Pause) return goTo(Screen::Play);
+        begin();
+    }
+
+    void chooseInTitle(int entry) {
+        if (entry == 0) return begin();
+        if (entry == menu.size() - 2) return goTo(Screen::Scores);
+        if (entry == menu.size() - 1)
+            ended = true;
+        else
+            change(entry, 1);
+    }
+
+    void change(int entry, int step) {
+        const Option& option = options[static_cast<std::size_t>(entry - 1)];
+        std::string& value = next.options[option.name];
+        value = choiceBehind(option, value, step);
+        menu.entry(entry).value = value;
+    }
+};
+
+Session::Session(const GameInfo& info, const SessionSetup& setup) : state_(std::make_unique<State>(info, setup)) {}
+Session::~Session() = default;
+
+void Session::update(Buttons buttons) {
+    state_->update(Input(state_->actions, buttons, state_->before));
+    state_->before = buttons;
+    ++state_->ticks;
+    ++state_->since;
+}
+
+void Session::draw(Canvas& canvas) const {
+    const State& now = *state_;
+    const double between = canvas.between();
+    canvas.clear(now.info.theme.background);
+    if (now.screen != Screen::Play) canvas.setBetween(1);
+    if (now.screen == Screen::Title || now.screen == Screen::Scores || !now.game) {
+        canvas.setBetween(now.screen == Screen::Title ? between : 1);
+        now.show.draw(canvas);
+    } else {
+        now.game->draw(canvas);
+        const World* world = now.game->world();
+        if (now.debug && world != nullptr) drawDebug(canvas, *world);
+    }
+    canvas.setBetween(between);
+    canvas.layer(menuLayer);
+    canvas.screen();
+    drawScreen(canvas, {*this, now.menu, now.since, now.rank});
+}
+
+std::vector<Cue> Session::takeCues() {
+    return std::exchange(state_->cues, {});
+}
+
+Screen Session::screen() const {
+    return state_->screen;
+}
+const ActionList& Session::actions() const {
+    return state_->actions;
+}
+const GameInfo& Session::info() const {
+    return state_->info;
+}
+std::int64_t Session::ticks() const {
+    return state_->ticks;
+}
+bool Session::ended() const {
+    return state_->ended;
+}
+int Session::rounds() const {
+    return state_->rounds;
+}
+const GameSetup& Session::gameSetup() const {
+    return state_->next;
+}
+const Game* Session::game() const {
+    return state_->game.get();
+}
+Progress Session::progress() const {
+    return state_->game ? state_->game->progress() : Progress{};
+}
+
+std::uint64_t Session::hash() const {
+    Hash hash;
+    hash.add(static_cast<int>(state_->screen)).add(state_->ticks).add(state_->rounds).add(state_->menu.chosen());
+    if (state_->game) hash.add(state_->game->hash());
+    return hash.value();
+}
+
+const std::vector<std::int64_t>& Session::scores() const {
+    return state_->scores;
+}
+void Session::showDebug(bool shown) {
+    state_->debug = shown;
+}
+bool Session::debugShown() const {
+    return state_->debug;
+}
+
+}  // namespace plumb::games

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// How does a drawing come to be pixels?
+#pragma once
+#include <games/frame/drawing.h>
+#include <games/shell/cairo/font.h>
+#include <games/shell/cairo/picture.h>
+#include <plumb/shapes/aabb.h>
+
+namespace plumb::games {
+
+/// Paints with Cairo, antialiased. One painter keeps its fonts for many drawings.
+class Painter {
+public:
+    /// All of the drawing, over what is there. Throws std::runtime_error unless the sizes are the same.
+    void paint(const Drawing& drawing, const PixelView& to) const;
+
+    /// Where a text comes to lie: from the baseline, or from the lowest that its letters reach, to the highest, and
+    /// from the start of its first letter to the end of its last; around it, if it is turned [pixels].
+    Aabb boxOf(const Mark& text) const;
+
+private:
+    Fonts fonts_;
+};
+
+}  // namespace plumb::games

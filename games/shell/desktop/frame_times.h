@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// How long do ticks and frames take?
+#pragma once
+#include <string>
+#include <vector>
+
+#include <games/frame/canvas.h>
+#include <games/frame/game.h>
+
+namespace plumb::games {
+
+struct Durations {
+    double median = 0, high = 0, max = 0;  ///< high: 99 of 100 are no longer [s]
+};
+Durations durationsOf(std::vector<double> seconds);  ///< all 0 of none
+
+/// Of all ticks and frames since the start.
+class FrameTimes {
+public:
+    void addTick(double seconds) { ticks_.push_back(seconds); }
+    void addFrame(double work, double sinceLast) {
+        frames_.push_back(work);
+        intervals_.push_back(sinceLast);
+    }
+
+    /// The last second's, in a corner of the screen.
+    void draw(Canvas& canvas, const Theme& theme) const;
+    /// One line of JSON: {"frames","fps","tick_ms","frame_ms","interval_ms"}, the last three with median, p99 and max.
+    std::string summary() const;
+
+private:
+    std::vector<double> ticks_, frames_, intervals_;  ///< [s]
+};
+
+}  // namespace plumb::games

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include <games/shell/desktop/window.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string_view>
+
+namespace plumb::games {
+namespace {
+
+[[noreturn]] void fail(const std::string& what) {
+    throw std::runtime_error(what + ": " + SDL_GetError());
+}
+
+bool waitsForDisplay(SDL_Renderer* renderer) {
+    SDL_RendererInfo info;
+    if (SDL_GetRendererInfo(renderer, &info) != 0) return false;
+    if ((info.flags & SDL_RENDERER_SOFTWARE) != 0 || (info.flags & SDL_RENDERER_PRESENTVSYNC) == 0) return false;
+    const bool openGl = std::string_view(info.name).starts_with("opengl");
+    return !openGl || SDL_GL_GetSwapInterval() != 0;
+}
+
+}  // namespace
+
+Sdl::Sdl() {
+    if (SDL_Init(SDL_INIT_VIDEO) != 0) fail("no display (--headless does without)");
+    // Where there is no display SDL may draw where nobody sees it; that is meant only by who names such a driver.
+    const std::string_view driver = SDL_GetCurrentVideoDriver();
+    if ((driver == "offscreen" || driver == "dummy") && SDL_getenv("SDL_VIDEODRIVER") == nullptr) {
+        SDL_Quit();
+        throw std::runtime_error("no display (--headless does without)");
+    }
+    // Without gamepads one plays on.
+    SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER);
+}
+
+Window::Window(const std::string& title, PixelSize size) {
+    constexpr Uint32 flags = SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI;
+    window_.reset(SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, size.width,
+                                   size.height, flags));
+    if (!window_) fail("no window");
+    SDL_SetWindowMinimumSize(window_.get(), 320, 180);
+    renderer_.reset(SDL_CreateRenderer(window_.get(), -1, SDL_RENDERER_PRESENTVSYNC));
+    if (!renderer_) renderer_.reset(SDL_CreateRenderer(window_.get(), -1, SDL_RENDERER_SOFTWARE));
+    if (!renderer_) fail("no renderer");
+    // Where the driver cannot wait for the display, SDL sleeps for whole milliseconds, which are not 1/60 s.
+    waits_ = waitsForDisplay(renderer_.get());
+    if (!waits_) SDL_RenderSetVSync(renderer_.get(), 0);
+}
+
+PixelSize Window::size() const {
+    PixelSize size;
+    SDL_GetRendererOutputSize(renderer_.get(), &size.width, &size.height);
+    return {std::max(size.width, 1), std::max(size.height, 1)};
+}
+
+double Window::displayRate() const {
+    SDL_DisplayMode mode;
+    const int display = SDL_GetWindowDisplayIndex(window_.get());
+    if (display < 0 || SDL_GetCurrentDisplayMode(display, &mode) != 0 || mode.refresh_rate <= 0) return 60;
+    return mode.refresh_rate;
+}
+
+bool Window::hidden() const {
+    return (SDL_GetWindowFlags(window_.get()) & SDL_WINDOW_MINIMIZED) != 0;
+}
+
+void Window::toggleFullscreen() {
+    const bool full = (SDL_GetWindowFlags(window_.get()) & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0;
+    SDL_SetWindowFullscreen(window_.get(), full ? 0 : SDL_WINDOW_FULLSCREEN_DESKTOP);
+}
+
+void Window::fitTexture(PixelSize size) {
+    if (size == textureSize_) return;
+    texture_.reset(SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_ARGB8888, SDL_TEXTUREACCESS_STREAMING, size.width,
+                                     size.height));
+    if (!texture_) fail("no texture");
+    SDL_SetTextureBlendMode(texture_.get(), SDL_BLENDMODE_NONE);
+    textureSize_ = size;
+}
+
+void Window::paint(const std::function<void(const PixelView&)>& paint) {
+    fitTexture(size());
+    void* pixels = nullptr;
+    int stride = 0;
+    if (SDL_LockTexture(texture_.get(), nullptr, &pixels, &stride) != 0) fail("the window's pixels");
+    paint({static_cast<std::uint32_t*>(pixels), textureSize_, stride});
+    SDL_UnlockTexture(texture_.get());
+    SDL_RenderCopy(renderer_.get(), texture_.get(), nullptr, nullptr);
+}
+
+void Window::show() {
+    SDL_RenderPresent(renderer_.get());
+}
+
+}  // namespace plumb::games
