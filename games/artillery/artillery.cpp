@@ -48,6 +48,7 @@ void Artillery::update(const Input& input) {
     notice(match_.update(ordersOf(input.now())));
     eye_.update(match_.battle());
     traces_.update(match_.battle());
+    if (const auto& shell = match_.battle().shell()) effects_.trail(world()->body(shell->body).position());
     effects_.update();
     recoil_ *= 0.85;
 }

@@ -10,7 +10,7 @@ namespace plumb::games::artillery {
 namespace {
 
 /// From the middle of the island outwards, for either crew [m].
-constexpr std::array<double, 4> lots{9, 15, 21, 27};
+constexpr std::array<double, 4> lots{9, 15.2, 21.4, 27.6};
 constexpr double driest = 1.6;  ///< nobody is put lower than that above the sea [m]
 
 }  // namespace
@@ -43,35 +43,40 @@ void Battle::openWorld() {
 /// Either crew has four lots: a tower with a gunner on it, something else that is built, and a gunner on each of the
 /// other two, in any order. Something stands in the middle, if that is dry.
 void Battle::build(Random& random) {
+    struct Site {
+        const Building* building;
+        int crew;  ///< of the gunner there; -1: none
+        Plot plot;
+    };
+    std::vector<Site> sites;
+    const auto addSite = [&](const Building* building, int crew, double x) {
+        const double halfWidth = building ? building->halfWidth : 1;
+        sites.push_back({building, crew, {x, halfWidth, std::max(driest, terrain_.heightAt(x))}});
+    };
     const std::array<const Building*, 4> kinds{&wall, &powderStore, &gate, &pyramid};
     const auto any = [&] { return kinds[static_cast<std::size_t>(random.integer(0, 3))]; };
     for (int crew = 0; crew < 2; ++crew) {
-        std::array<int, 4> uses{0, 1, 2, 3};
-        for (int i = 3; i > 0; --i)
-            std::swap(uses[static_cast<std::size_t>(i)], uses[static_cast<std::size_t>(random.integer(0, i))]);
+        std::array<std::size_t, 4> order{0, 1, 2, 3};
+        for (std::size_t i = 3; i > 0; --i)
+            std::swap(order[i], order[static_cast<std::size_t>(random.integer(0, int(i)))]);
         for (std::size_t i = 0; i < lots.size(); ++i) {
-            const double x = (crew == 0 ? -1 : 1) * (lots[i] + random.uniform(-0.8, 0.8));
-            if (uses[i] == 0) {
-                buildAt(watchtower, x);
-                addGunner(crew, x, watchtower.top);
-            } else if (uses[i] == 1) {
-                buildAt(*any(), x);
-            } else {
-                terrain_.flatten(x, 1, std::max(driest, terrain_.heightAt(x)));
-                addGunner(crew, x, 0);
-            }
+            const double x = (crew == 0 ? -1 : 1) * (lots[i] + random.uniform(-0.4, 0.4));
+            addSite(order[i] == 0 ? &watchtower : order[i] == 1 ? any() : nullptr, order[i] == 1 ? -1 : crew, x);
         }
     }
-    const double middle = random.uniform(-3, 3);
-    if (terrain_.heightAt(middle) > driest) buildAt(*any(), middle);
+    const double middle = random.uniform(-2.5, 2.5);
+    if (terrain_.heightAt(middle) > driest) addSite(any(), -1, middle);
+    std::vector<Plot> plots;
+    for (const Site& site : sites) plots.push_back(site.plot);
+    terrain_.level(plots);
     world_.set(ground_, terrain_.shape());
-}
-
-void Battle::buildAt(const Building& building, double x) {
-    const double floor = std::max(driest, terrain_.heightAt(x));
-    terrain_.flatten(x, building.halfWidth, floor);
-    for (const Piece& piece : building.pieces)
-        props_.push_back({world_.add(pieceDef(piece.kind, Vec2(x, floor) + piece.at)), piece.kind});
+    for (const Site& site : sites) {
+        const Vec2 floor(site.plot.x, site.plot.height);
+        if (site.building)
+            for (const Piece& piece : site.building->pieces)
+                props_.push_back({world_.add(pieceDef(piece.kind, floor + piece.at)), piece.kind});
+        if (site.crew >= 0) addGunner(site.crew, floor.x(), site.building ? site.building->top : 0);
+    }
 }
 
 void Battle::addGunner(int crew, double x, double above) {

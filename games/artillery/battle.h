@@ -90,7 +90,6 @@ public:
 private:
     void openWorld();
     void build(Random& random);
-    void buildAt(const Building& building, double x);
     void addGunner(int crew, double x, double above);
     void beginTurn();
     void enter(Phase phase);

@@ -103,9 +103,18 @@ void Effects::explode(const Vec2& at, double size, const Palette& palette) {
     burst(at, {many * 2, 5, 15, 0.5, 2.65, {.life = 1.6, .size = 0.2, .drag = 0.4, .color = palette.earthTop}});
 }
 
+void Effects::trail(const Vec2& shell) {
+    burst(shell, {1,
+                  0,
+                  0.3,
+                  0,
+                  6.28,
+                  {.life = 0.7, .size = 0.2, .grow = 0.25, .drag = 2, .fall = 0, .color = paper.faded(0.4)}});
+}
+
 void Effects::label(const Happening& happening) {
     for (Label& label : labels_)
-        if (label.crew == happening.crew && (label.at - happening.at).norm() < 1.5 && label.age < 0.5) {
+        if (label.crew == happening.crew && (label.at - happening.at).norm() < 2.5 && label.age < 0.8) {
             label.amount += happening.amount;
             label.age = 0;
             return;

@@ -16,7 +16,8 @@ namespace plumb::games::artillery {
 class Effects {
 public:
     void begin(const Happening& happening, const Palette& palette);
-    void update();  ///< one tick
+    void trail(const Vec2& shell);  ///< behind a shell, each tick
+    void update();                  ///< one tick
     void draw(Canvas& canvas, double wind) const;
 
 private:

@@ -42,10 +42,10 @@ void drawTrunk(Canvas& canvas, const Gunner& gunner, double stride) {
         canvas.line({side * 0.18, -0.45}, foot, ink, 0.3);
         canvas.line(foot, foot + Vec2(0.14, 0), ink, 0.24);
     }
-    canvas.rect({-0.47, -0.62}, {0.94, 0.95}, ink, 0.34);
-    canvas.rect({-0.39, -0.54}, {0.78, 0.8}, color, 0.28);
-    canvas.rect({-0.39, -0.34}, {0.78, 0.17}, darker(color, 0.45));
-    canvas.rect({-0.08, -0.36}, {0.22, 0.21}, gold, 0.04);
+    canvas.rect({-0.52, -0.66}, {1.04, 1.02}, ink, 0.36);
+    canvas.rect({-0.44, -0.58}, {0.88, 0.86}, color, 0.3);
+    canvas.rect({-0.44, -0.36}, {0.88, 0.18}, darker(color, 0.45));
+    canvas.rect({-0.08, -0.38}, {0.24, 0.22}, gold, 0.04);
 }
 
 void drawBody(Canvas& canvas, const Figures& figures, const Gunner& gunner, bool active) {
@@ -61,8 +61,8 @@ void drawBody(Canvas& canvas, const Figures& figures, const Gunner& gunner, bool
         const auto mirrored = canvas.place({.scale = {double(gunner.aim.facing), 1}});
         drawTrunk(canvas, gunner, stride);
     }
-    drawHead(canvas, {0, 0.52 + breath}, 0.42, gunner.crew, direction);
     drawBarrel(canvas, direction, active ? figures.recoil : 0);
+    drawHead(canvas, {-0.12 * gunner.aim.facing, 0.62 + breath}, 0.5, gunner.crew, direction);
 }
 
 void drawHealth(Canvas& canvas, const Vec2& at, const Gunner& gunner) {
@@ -100,11 +100,11 @@ void drawTags(Canvas& canvas, const Figures& figures) {
     for (const Gunner& gunner : battle.gunners()) {
         if (!gunner.alive) continue;
         const Vec2 at = figures.trail.pose(battle.world(), gunner.body, canvas.between()).position;
-        drawHealth(canvas, at + Vec2(0, 1.65), gunner);
+        drawHealth(canvas, at + Vec2(0, 1.85), gunner);
         const bool active =
             &gunner == &battle.gunner() && (battle.phase() == Phase::Ready || battle.phase() == Phase::Aim);
         if (!active || battle.charging()) continue;
-        const Vec2 tip = at + Vec2(0, 2.2 + 0.25 * std::abs(sinCos(figures.seconds * 4).sin));
+        const Vec2 tip = at + Vec2(0, 2.4 + 0.25 * std::abs(sinCos(figures.seconds * 4).sin));
         canvas.polygon({tip + Vec2(0, -0.1), tip + Vec2(0.72, 0.9), tip + Vec2(-0.72, 0.9)}, ink);
         canvas.polygon({tip + Vec2(0, 0.12), tip + Vec2(0.5, 0.77), tip + Vec2(-0.5, 0.77)}, gold);
     }

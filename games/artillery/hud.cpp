@@ -18,12 +18,17 @@ void write(Canvas& canvas, const Vec2& at, const std::string& text, double size,
     canvas.text(at, text, {size, color, align, Baseline::Middle, Weight::Bold, fit});
 }
 
+void drawPanel(Canvas& canvas, const Vec2& corner, const Vec2& size, double radius = 8) {
+    canvas.rect(corner, size, panel, radius);
+    canvas.rect(corner, size, stroke(paper.faded(0.18), 1), radius);
+}
+
 /// A crew's name and a bar for each of its gunners, at the left or the right edge.
 void drawCrew(Canvas& canvas, const Hud& hud, int crew) {
     const double side = crew == 0 ? 1 : -1;
     const auto there = canvas.place({.position = {crew == 0 ? 8.0 : screenWidth - 8, 8}});
     const auto x = [side](double from, double width) { return side > 0 ? from : -from - width; };
-    canvas.rect({x(0, 158), 0}, {158, 38}, panel, 9);
+    drawPanel(canvas, {x(0, 158), 0}, {158, 38}, 9);
     {
         const auto upright = canvas.place({.position = {side * 20, 22}, .scale = {1, -1}});
         drawHead(canvas, {0, 0}, 10, crew, {side, 0});
@@ -47,7 +52,7 @@ void drawCrew(Canvas& canvas, const Hud& hud, int crew) {
 /// An arrow as long as the wind is strong, with streaks that blow along.
 void drawWind(Canvas& canvas, const Hud& hud) {
     const double wind = hud.battle.wind(), strength = std::abs(wind), way = wind < 0 ? -1 : 1;
-    canvas.rect({middle - 62, 8}, {124, 38}, panel, 9);
+    drawPanel(canvas, {middle - 62, 8}, {124, 38}, 9);
     const double half = 8 + 2.6 * std::min(strength, 16.0);
     const Color color = mix(paper, gold, std::min(1.0, strength / 12));
     if (strength > 0.2) {
@@ -82,7 +87,7 @@ void drawTide(Canvas& canvas, const Hud& hud) {
     if (left > 4) return;
     const std::string text =
         left > 0 ? "tide in " + std::to_string(left) + (left == 1 ? " turn" : " turns") : "the tide is rising";
-    canvas.rect({middle - 58, 50 + 30}, {116, 16}, panel, 8);
+    drawPanel(canvas, {middle - 58, 50 + 30}, {116, 16}, 8);
     write(canvas, {middle, 88}, text, 11, lighter(crewColors[1], 0.4));
 }
 
@@ -92,7 +97,8 @@ void drawWeapons(Canvas& canvas, const Hud& hud) {
         const double x = 12 + 76 * i;
         const int rounds = hud.battle.roundsLeft(gunner.crew, i);
         const bool chosen = gunner.weapon == i;
-        canvas.rect({x, 330}, {72, 22}, chosen ? gold : panel, 7);
+        drawPanel(canvas, {x, 330}, {72, 22}, 7);
+        if (chosen) canvas.rect({x, 330}, {72, 22}, gold, 7);
         const Color color = chosen ? ink : rounds == 0 ? paper.faded(0.35) : paper;
         const std::string name(weapons[static_cast<std::size_t>(i)].name);
         write(canvas, {x + 36, 341}, rounds < 0 ? name : name + " " + std::to_string(rounds), 11, color, Align::Center,
@@ -103,24 +109,31 @@ void drawWeapons(Canvas& canvas, const Hud& hud) {
 void drawPower(Canvas& canvas, const Hud& hud) {
     const Gunner& gunner = hud.battle.gunner();
     const double left = 250, width = 240;
-    canvas.rect({left - 4, 330}, {width + 8, 22}, panel, 7);
+    drawPanel(canvas, {left - 4, 330}, {width + 8, 22}, 7);
     const double share = double(gunner.aim.charge) / fullCharge;
     if (hud.battle.charging() && share > 0) {
         const Color hot = mix(gold, crewColors[0], share);
         canvas.rect({left, 334}, {width * share, 14}, Paint::linear({left, 0}, gold, {left + width, 0}, hot), 4);
     }
     const double mark = left + width * gunner.mark / fullCharge;
-    canvas.line({mark, 332}, {mark, 350}, paper, 2);
-    canvas.polygon({{mark, 333}, {mark - 4, 327}, {mark + 4, 327}}, paper);
-    if (!hud.battle.charging()) write(canvas, {left + width / 2, 341}, "hold fire, let go", 11, paper.faded(0.75));
+    canvas.line({mark, 330}, {mark, 336}, paper, 2);
+    canvas.polygon({{mark, 332}, {mark - 5, 324}, {mark + 5, 324}}, paper);
+    if (!hud.battle.charging()) write(canvas, {left + width / 2, 341}, "power", 11, paper.faded(0.75));
     const std::string angle = std::to_string(static_cast<int>(std::lround(gunner.aim.elevation / 10.0))) + "°";
-    canvas.rect({left + width + 10, 330}, {48, 22}, panel, 7);
+    drawPanel(canvas, {left + width + 10, 330}, {48, 22}, 7);
     write(canvas, {left + width + 34, 341}, angle, 13, gold);
-    canvas.rect({left + width + 64, 330}, {74, 22}, panel, 7);
+    drawPanel(canvas, {left + width + 64, 330}, {74, 22}, 7);
     write(canvas, {left + width + 101, 336}, "legs", 8, paper.faded(0.7));
     canvas.rect({left + width + 70, 342}, {62, 5}, ink, 2.5);
     const double legs = 62.0 * hud.battle.walkLeft() / walkTicks;
     if (legs > 1) canvas.rect({left + width + 70, 342}, {legs, 5}, crewColors[1], std::min(2.5, legs / 2));
+}
+
+/// For whoever plays for the first time.
+void drawHint(Canvas& canvas, const Hud& hud) {
+    if (hud.battle.turn() > 4 || hud.battle.charging()) return;
+    write(canvas, {middle, 314}, "up, down: barrel    left, right: walk    hold fire and let go    Tab: weapon", 11,
+          paper.faded(0.85), Align::Center, 600);
 }
 
 /// Whose turn it is, sliding in and out.
@@ -151,6 +164,7 @@ void drawHud(Canvas& canvas, const Hud& hud) {
     if (hud.person && hud.battle.phase() == Phase::Aim) {
         drawWeapons(canvas, hud);
         drawPower(canvas, hud);
+        drawHint(canvas, hud);
     }
     drawTurn(canvas, hud);
 }

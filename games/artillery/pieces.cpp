@@ -66,11 +66,11 @@ const std::array<Piece, 7> gatePieces{{
 
 }  // namespace
 
-const Building watchtower{watchtowerPieces, 2.6, upperY + 1.32};
-const Building wall{wallPieces, 1.4, 0};
-const Building pyramid{pyramidPieces, 2.4, 0};
-const Building powderStore{powderStorePieces, 2.2, 0};
-const Building gate{gatePieces, 1.8, 0};
+const Building watchtower{watchtowerPieces, 2.3, upperY + 1.32};
+const Building wall{wallPieces, 1.2, 0};
+const Building pyramid{pyramidPieces, 2.2, 0};
+const Building powderStore{powderStorePieces, 1.95, 0};
+const Building gate{gatePieces, 1.7, 0};
 
 const PieceForm& formOf(PieceKind kind) {
     return forms[static_cast<std::size_t>(kind)];

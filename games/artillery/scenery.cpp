@@ -25,9 +25,9 @@ void drawSky(Canvas& canvas, const Palette& palette) {
     const double glow = palette.sunRadius * 4;
     canvas.circle(sun, glow, Paint::radial(sun, palette.sun.faded(0.45), glow, palette.sun.faded(0)));
     canvas.circle(sun, palette.sunRadius, palette.sun);
-    // The moon is a thin one.
-    if (palette.stars)
-        canvas.circle(sun + Vec2(0.95, 0.5), palette.sunRadius * 0.88, mix(palette.skyTop, palette.skyMiddle, 0.35));
+    if (!palette.stars) return;
+    for (const Vec2& sea : {Vec2(-0.8, 0.6), Vec2(0.7, 0.9), Vec2(0.3, -0.8)})  // so it is a moon
+        canvas.circle(sun + sea, 0.3 + 0.2 * sea.y() * sea.y(), darker(palette.sun, 0.12));
 }
 
 void drawStars(Canvas& canvas, double seconds) {

@@ -11,7 +11,8 @@
 namespace plumb::games::artillery {
 namespace {
 
-constexpr double seabed = -8;  ///< [m]
+constexpr double seabed = -8;     ///< [m]
+constexpr double shoulder = 2.5;  ///< beside level ground, made smooth [m]
 constexpr double pi = 3.14159265358979323846;
 
 struct Hill {
@@ -82,12 +83,21 @@ double Terrain::heightAt(double x) const {
     return height(left) * (1 - share) + height(left + 1) * share;
 }
 
-void Terrain::flatten(double x, double halfWidth, double level) {
-    for (int i = columnAt(x - halfWidth - 2); i <= columnAt(x + halfWidth + 2); ++i) {
-        const double keep = smoothStep(halfWidth, halfWidth + 2, std::abs(xOf(i) - x));
-        double& height = heights_[static_cast<std::size_t>(i)];
-        height = level + (height - level) * keep;
-    }
+void Terrain::level(const std::vector<Plot>& plots) {
+    std::vector<bool> free(columns, false);
+    for (const Plot& plot : plots)
+        for (int i = columnAt(plot.x - plot.halfWidth - shoulder); i <= columnAt(plot.x + plot.halfWidth + shoulder);
+             ++i)
+            free[static_cast<std::size_t>(i)] = true;
+    for (const Plot& plot : plots)
+        for (int i = columnAt(plot.x - plot.halfWidth); i <= columnAt(plot.x + plot.halfWidth); ++i) {
+            heights_[static_cast<std::size_t>(i)] = plot.height;
+            free[static_cast<std::size_t>(i)] = false;
+        }
+    // What lies between them gives way, as a rope would that is drawn tight.
+    for (int round = 0; round < 60; ++round)
+        for (std::size_t i = 1; i + 1 < columns; ++i)
+            if (free[i]) heights_[i] = (heights_[i - 1] + heights_[i] + heights_[i + 1]) / 3;
     first_ = heights_;
 }
 

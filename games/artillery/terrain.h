@@ -9,6 +9,11 @@
 
 namespace plumb::games::artillery {
 
+/// Ground that is to be level.
+struct Plot {
+    double x = 0, halfWidth = 1, height = 0;  ///< [m]
+};
+
 /// An island as columns of earth, each as high as its ground; in between it is straight. It only ever gets lower, so
 /// that nothing that stands on it comes to lie within.
 class Terrain {
@@ -30,9 +35,8 @@ public:
     /// Before the first blast, which is where the layers of its earth lie.
     double firstHeight(int column) const { return first_[static_cast<std::size_t>(column)]; }
 
-    /// Level at a height, and smoothly back to what it was over 2 m at both sides. For building, before anything
-    /// stands.
-    void flatten(double x, double halfWidth, double height);
+    /// Level where something is to stand, and smooth in between. Before the first blast.
+    void level(const std::vector<Plot>& plots);
     /// Each column loses what the disc cuts out of it; what was above falls; and what stands too steep slides off.
     void carve(const Vec2& center, double radius);
 
