@@ -97,6 +97,8 @@ void Battle::setSea(double level) {
     sea_ = level;
     FieldDef water = world_.field(water_);
     water.law = Pool{.fluid = {.density = 1, .surface = {0, level}, .gravity = {0, -gravity}}, .drag = 2};
+    // What is well above the surface need not be looked at.
+    water.region = boxPolygon({2 * worldEdge, 20}, {0, level + 1.5 - 20});
     world_.set(water_, water);
 }
 

@@ -46,28 +46,32 @@ Orders Commander::decide(const Battle& battle) {
         bestMiss_ = worldEdge;
         best_ = meant_ = wanted_ = std::nullopt;
         last_ = {};
-        listChoices(battle);
+        listed_ = 0;
+        choices_.clear();
     }
     if (!wanted_) think(battle);
     if (!wanted_ || battle.phaseTicks() < leastThought) return last_ = {};
     return last_ = steer(battle);
 }
 
-void Commander::listChoices(const Battle& battle) {
-    choices_.clear();
-    const Vec2 from = battle.middleOf(battle.gunner());
-    for (const Gunner& enemy : battle.gunners()) {
-        if (!enemy.alive || enemy.crew == crew_) continue;
-        const Vec2 at = battle.middleOf(enemy);
-        const double worth = worthOf(enemy) + random_.uniform(0, 2);
-        for (const FireSolution& solution : fireSolutions({from, at, battle.wind()}, battle.terrain()))
-            choices_.push_back({solution, at, worth - solution.time + std::min(solution.clearance, 2.0) / 2});
-    }
-    const auto worse = [](const Choice& a, const Choice& b) { return a.worth < b.worth; };
-    std::stable_sort(choices_.begin(), choices_.end(), worse);
+void Commander::listChoices(const Battle& battle, const Gunner& enemy) {
+    const Vec2 from = battle.middleOf(battle.gunner()), at = battle.middleOf(enemy);
+    const double worth = worthOf(enemy) + random_.uniform(0, 2);
+    for (const FireSolution& solution : fireSolutions({from, at, battle.wind()}, battle.terrain()))
+        choices_.push_back({solution, at, worth - solution.time + std::min(solution.clearance, 2.0) / 2});
 }
 
 void Commander::think(const Battle& battle) {
+    const std::vector<Gunner>& all = battle.gunners();
+    if (listed_ == all.size()) return tryNext(battle);
+    // Who is of its own crew, or gone, takes no thought.
+    while (listed_ < all.size() && (!all[listed_].alive || all[listed_].crew == crew_)) ++listed_;
+    if (listed_ < all.size()) listChoices(battle, all[listed_++]);
+    const auto worse = [](const Choice& a, const Choice& b) { return a.worth < b.worth; };
+    if (listed_ == all.size()) std::stable_sort(choices_.begin(), choices_.end(), worse);
+}
+
+void Commander::tryNext(const Battle& battle) {
     if (choices_.empty() || tried_ >= mostTried) return settleOn(best_.value_or(battle.gunner().aim), 0);
     // Not only the best few, which are all alike and may all have the same crate in their way.
     const std::size_t step = tried_ < 8 ? 1 : 1 + choices_.size() / mostTried;
@@ -121,7 +125,13 @@ Orders Commander::steer(const Battle& battle) {
 
 void Commander::addTo(Hash& hash) const {
     Random next = random_;
-    hash.add(next.bits()).add(turn_).add(tried_).add(static_cast<int>(choices_.size())).add(held_).add(weapon_);
+    hash.add(next.bits())
+        .add(turn_)
+        .add(static_cast<int>(listed_))
+        .add(tried_)
+        .add(static_cast<int>(choices_.size()))
+        .add(held_)
+        .add(weapon_);
     hash.add(std::uint64_t{buttonsOf(last_)});
     for (const auto& aim : {best_, wanted_})
         if (aim) hash.add(aim->elevation).add(aim->charge).add(aim->facing);

@@ -9,8 +9,8 @@
 namespace plumb::games::artillery {
 
 /// Plans one shot a turn: of all firing solutions for all enemies the one worth most that the forecast does not find
-/// something in the way of. Looks at one forecast a tick, as if it thought. Then it adds its hand's error, and gives
-/// the orders that a person would have to give as well.
+/// something in the way of. Looks at one enemy or one forecast a tick, as if it thought. Then it adds its hand's error,
+/// and gives the orders that a person would have to give as well.
 class Commander {
 public:
     Commander(int crew, const Strength& strength, std::uint64_t seed);
@@ -27,7 +27,8 @@ private:
         Vec2 target;
         double worth = 0;
     };
-    void listChoices(const Battle& battle);
+    void listChoices(const Battle& battle, const Gunner& enemy);
+    void tryNext(const Battle& battle);
     void think(const Battle& battle);
     void settleOn(const Aim& aim, int weapon);
     Orders steer(const Battle& battle);
@@ -37,6 +38,7 @@ private:
     Random random_;
     int turn_ = 0;
     std::vector<Choice> choices_;  ///< the best last
+    std::size_t listed_ = 0;       ///< of the gunners: whether enemies, and then how to hit them
     int tried_ = 0;
     double bestMiss_ = 0;
     std::optional<Aim> best_, meant_, wanted_;

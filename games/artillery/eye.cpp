@@ -46,6 +46,7 @@ Camera Eye::wanted(const Battle& battle) const {
 
 void Eye::update(const Battle& battle) {
     before_ = now_;
+    if (const auto& shell = battle.shell()) place_ = battle.world().body(shell->body).position();
     now_ = mixed(now_, wanted(battle), battle.phase() == Phase::Flight ? quick : slow);
     shake_ *= 0.9;
     ++ticks_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Where does one look?
 #pragma once
+#include <algorithm>
+
 #include <games/artillery/battle.h>
 #include <games/frame/camera.h>
 

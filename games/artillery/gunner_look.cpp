@@ -26,7 +26,7 @@ void drawCap(Canvas& canvas, int crew) {
 }
 
 void drawBarrel(Canvas& canvas, const Vec2& direction, double recoil) {
-    const Vec2 back = Vec2(0, 0.15) - direction * (0.3 * recoil), front = back + direction;
+    const Vec2 back = Vec2(0, 0.15) - direction * (0.3 * recoil), front = back + 1.2 * direction;
     canvas.line(back - direction * 0.2, front, ink, 0.56);
     canvas.line(back - direction * 0.2, front, iron, 0.38);
     canvas.line(back + perp(direction) * 0.08, front + perp(direction) * 0.08, shine, 0.08);
@@ -62,7 +62,7 @@ void drawBody(Canvas& canvas, const Figures& figures, const Gunner& gunner, bool
         drawTrunk(canvas, gunner, stride);
     }
     drawBarrel(canvas, direction, active ? figures.recoil : 0);
-    drawHead(canvas, {-0.12 * gunner.aim.facing, 0.62 + breath}, 0.5, gunner.crew, direction);
+    drawHead(canvas, {-0.2 * gunner.aim.facing, 0.6 + breath}, 0.46, gunner.crew, direction);
 }
 
 void drawHealth(Canvas& canvas, const Vec2& at, const Gunner& gunner) {

@@ -13,9 +13,9 @@
 namespace plumb::games::artillery {
 namespace {
 
-constexpr int chargeStep = 3;
+constexpr int chargeStep = 4;
 constexpr double margin = 0.5;    ///< over hilltops [m]
-constexpr int samples = 40;       ///< of a path, to compare it with the ground
+constexpr int samples = 30;       ///< of a path, to compare it with the ground
 constexpr double nearEnds = 1.5;  ///< there a path may be near the ground [m]
 constexpr double degree = 3.14159265358979323846 / 180;
 

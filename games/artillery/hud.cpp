@@ -132,7 +132,8 @@ void drawPower(Canvas& canvas, const Hud& hud) {
 /// For whoever plays for the first time.
 void drawHint(Canvas& canvas, const Hud& hud) {
     if (hud.battle.turn() > 4 || hud.battle.charging()) return;
-    write(canvas, {middle, 314}, "up, down: barrel    left, right: walk    hold fire and let go    Tab: weapon", 11,
+    canvas.rect({middle - 215, 303}, {430, 18}, panel, 9);
+    write(canvas, {middle, 312}, "up, down: barrel    left, right: walk    hold fire and let go    Tab: weapon", 11,
           paper.faded(0.85), Align::Center, 600);
 }
 

@@ -62,9 +62,9 @@ struct Strength {
     double speedError = 0;  ///< of the speed it wants [-]
 };
 inline constexpr std::array<Strength, 3> strengths{{
-    {"weak", 6.0, 0.08},
-    {"fair", 2.4, 0.03},
-    {"strong", 0.6, 0.008},
+    {"weak", 9.0, 0.16},
+    {"fair", 4.0, 0.06},
+    {"strong", 1.0, 0.012},
 }};
 /// Throws std::invalid_argument when there is none of that name.
 const Strength& strengthOf(std::string_view name);
