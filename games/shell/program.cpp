@@ -7,6 +7,7 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <random>
 #include <stdexcept>
 
 #include <games/frame/record.h>
@@ -36,13 +37,19 @@ void writeRecordTo(const std::string& file, const Record& record, const GameInfo
     if (!out.flush()) throw std::runtime_error("--record: cannot write " + file);
 }
 
+/// In a window it is another round each time; the record has it.
+std::uint64_t seedOf(const ProgramOptions& options) {
+    if (options.seed) return *options.seed;
+    return options.headless || options.player != PlayedBy::Keyboard ? 1 : std::random_device{}();
+}
+
 int run(std::span<const std::string> args, const GameInfo& info) {
     const ProgramOptions options = parseOptions(args, info);
     if (!options.help.empty()) {
         std::cout << options.help;
         return done;
     }
-    SessionSetup setup{options.seed.value_or(1), options.gameOptions};
+    SessionSetup setup{seedOf(options), options.gameOptions};
     std::unique_ptr<Source> source;
     std::optional<std::uint64_t> expected;
     if (options.player == PlayedBy::Nobody) source = std::make_unique<Nobody>();

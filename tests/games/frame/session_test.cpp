@@ -160,12 +160,12 @@ TEST_CASE("ten best scores are kept, the best first, and a round says where it s
     p.winARound();
     CHECK(p.session.scores()[1] == 100);
     CHECK(p.session.scores().size() == 10);
-    CHECK(shows(p.session, "among the best"));
+    CHECK(shows(p.session, "number 2 of the best"));
     p.tap("confirm");
     p.tap("give-up");
     CHECK(p.session.screen() == Screen::Over);
     CHECK(shows(p.session, "Game over"));
-    CHECK_FALSE(shows(p.session, "best so far"));
+    CHECK(shows(p.session, "the best so far: 400"));
     CHECK(p.session.scores().back() == 20);
 }
 
@@ -188,7 +188,7 @@ TEST_CASE("of a round between two ticks the canvas says which part has passed; o
         Canvas canvas({640, 360}, 0.25);
         p.session.draw(canvas);
         CHECK(canvas.between() == 0.25);
-        return std::get<EllipseMark>(canvas.drawing().marks[0].shape).center.x();
+        return std::get<EllipseMark>(canvas.drawing().marks[1].shape).center.x();
     };
     CHECK(seen() == 0.25);
     p.tap("pause");
