@@ -106,6 +106,12 @@ void Artillery::drawEnd(Canvas& canvas) const {
     drawBanner(canvas, title, line, winner < 0 ? gold : crewColor(winner), match_.sinceOver() * tickSeconds);
 }
 
+std::string Artillery::verdict() const {
+    const int winner = match_.battle().winner();
+    if (winner < 0) return "Nobody is left";
+    return "The " + std::string(crewNames[winner == 0 ? 0 : 1]) + " have won";
+}
+
 std::uint64_t Artillery::hash() const {
     Hash hash;
     match_.addTo(hash);

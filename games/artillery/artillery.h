@@ -17,6 +17,7 @@ public:
     void update(const Input& input) override;
     void draw(Canvas& canvas) const override;
     Progress progress() const override { return match_.progress(); }
+    std::string verdict() const override;
     std::uint64_t hash() const override;
     const World* world() const override { return &match_.battle().world(); }
 

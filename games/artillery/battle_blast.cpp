@@ -55,11 +55,13 @@ void Battle::blast(const Vec2& center, const Weapon& weapon) {
         if (prop.kind == PieceKind::Keg && prop.fuse < 0 && distance < weapon.blast * 0.9)
             prop.fuse = 6 + static_cast<int>(3 * distance);
     }
+    // What is blown up goes up: it is pushed from a little below, from the ground if that is near.
+    const double above = std::clamp(center.y() - terrain_.heightAt(center.x()), 0.0, 1.4);
+    const Vec2 below = center - Vec2(0, above + 0.5);
     // Chain and bodies: what stood on the old outline wakes, and falls.
     terrain_.carve(center, weapon.crater);
     world_.set(ground_, terrain_.shape());
-    // From a little below, for what is blown up goes up.
-    world_.explode({.center = center - Vec2(0, 0.6),
+    world_.explode({.center = below,
                     .radius = weapon.crater * 0.7,
                     .falloff = weapon.blast - weapon.crater * 0.4,
                     .impulsePerLength = weapon.push},

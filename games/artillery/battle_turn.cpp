@@ -28,6 +28,7 @@ void Battle::update(const Orders& orders) {
     burnKegs();
     meetTheSea();
     if (phase_ == Phase::Settle) {
+        clearAway();
         calm_ = isCalm() ? calm_ + 1 : 0;
         if (calm_ >= calmTicks || phaseTicks_ >= settleTicks) endTurn();
     }
@@ -147,7 +148,6 @@ void Battle::endTurn() {
         calm_ = calmTicks - mournTicks;
         return;
     }
-    clearAway();
     if (healthOf(0) > 0 && healthOf(1) > 0) return beginTurn();
     winner_ = healthOf(0) > 0 ? 0 : healthOf(1) > 0 ? 1 : -1;
     enter(Phase::Over);

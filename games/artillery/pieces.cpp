@@ -45,7 +45,7 @@ const std::array<Piece, 10> pyramidPieces{{
     {PieceKind::Crate, {1.04, 1.5}},
     {PieceKind::Crate, {-0.52, 2.5}},
     {PieceKind::Keg, {0.52, 2.46}},
-    {PieceKind::Crate, {0, 3.5}},
+    {PieceKind::Crate, {-0.52, 3.5}},
 }};
 const std::array<Piece, 5> powderStorePieces{{
     {PieceKind::Keg, {-0.4, 0.46}},

@@ -41,12 +41,12 @@ struct Weapon {
     int rounds = 0;          ///< for each crew; 0: as many as it likes
 };
 inline constexpr std::array<Weapon, 3> weapons{{
-    {.name = "Shell", .blast = 3.6, .crater = 2.1, .damage = 60, .push = 8},
+    {.name = "Shell", .blast = 3.6, .crater = 2.1, .damage = 60, .push = 10},
     {.name = "Bouncer",
      .blast = 3.8,
      .crater = 2.2,
      .damage = 65,
-     .push = 9,
+     .push = 10.5,
      .fuse = 210,
      .restitution = 0.55,
      .rounds = 3},
