@@ -11,7 +11,8 @@ namespace {
 
 /// From the middle of the island outwards, for either crew [m].
 constexpr std::array<double, 4> lots{9, 15.2, 21.4, 27.6};
-constexpr double driest = 1.6;  ///< nobody is put lower than that above the sea [m]
+constexpr double seaDensity = 3.7;  ///< [kg/m^2]
+constexpr double driest = 1.6;      ///< nobody is put lower than that above the sea [m]
 
 }  // namespace
 
@@ -96,7 +97,7 @@ void Battle::setWind(double wind) {
 void Battle::setSea(double level) {
     sea_ = level;
     FieldDef water = world_.field(water_);
-    water.law = Pool{.fluid = {.density = 1, .surface = {0, level}, .gravity = {0, -gravity}}, .drag = 2};
+    water.law = Pool{.fluid = {.density = seaDensity, .surface = {0, level}, .gravity = {0, -gravity}}, .drag = 5};
     // What is well above the surface need not be looked at.
     water.region = boxPolygon({2 * worldEdge, 20}, {0, level + 1.5 - 20});
     world_.set(water_, water);

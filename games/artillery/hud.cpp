@@ -143,13 +143,15 @@ void drawTurn(Canvas& canvas, const Hud& hud) {
     const double share = double(hud.battle.phaseTicks()) / readyTicks;
     const double away = std::pow(std::abs(2 * share - 1), 5.0);
     const int crew = hud.battle.crew();
-    const auto there = canvas.place({.position = {middle + (crew == 0 ? -1 : 1) * 420 * away, 116}});
+    const auto there = canvas.place({.position = {middle + (crew == 0 ? -1 : 1) * 420 * away, 84}});
     canvas.box({0, 0}, {118, 19}, panel, 12);
     canvas.box({0, 17}, {100, 1.5}, crewColor(crew));
     write(canvas, {0, -1}, std::string(crewNames[crew == 0 ? 0 : 1]) + ", your turn", 19,
           lighter(crewColor(crew), 0.35), Align::Center, 220);
-    if (hud.battle.turn() == 1)
-        write(canvas, {0, 34}, hud.stage + "  ·  against " + hud.rivals, 13, paper, Align::Center, 400);
+    if (hud.battle.turn() == 1) {
+        canvas.box({0, 36}, {160, 11}, panel, 10);
+        write(canvas, {0, 36}, hud.stage + "  ·  against " + hud.rivals, 12, paper, Align::Center, 306);
+    }
 }
 
 }  // namespace

@@ -7,12 +7,12 @@ namespace plumb::games::artillery {
 namespace {
 
 const std::array<PieceForm, 6> forms{{
-    {{0.5, 0.5}, 0.8, 0},       // crate
-    {{0.22, 1.0}, 1.1, 0},      // pillar
-    {{2.1, 0.18}, 0.9, 0},      // plank
-    {{1.5, 0.16}, 0.9, 0},      // lintel
-    {{0.36, 0.46}, 1.2, 0.12},  // keg
-    {{0.34, 0.12}, 0.4, 0.04},  // hat
+    {{0.5, 0.5}, 2.0, 0},       // crate
+    {{0.22, 1.0}, 4.2, 0},      // pillar, of stone
+    {{2.1, 0.18}, 3.2, 0},      // plank
+    {{1.5, 0.16}, 3.5, 0},      // lintel
+    {{0.36, 0.46}, 4.0, 0.12},  // keg
+    {{0.34, 0.12}, 1.0, 0.04},  // hat
 }};
 
 constexpr double plankY = 2.18, upperY = 3.36;
@@ -87,7 +87,7 @@ BodyDef pieceDef(PieceKind kind, const Vec2& at) {
 
 BodyDef gunnerDef(const Vec2& middle) {
     const double reach = gunnerHalf - gunnerRadius;
-    ShapeDef body = capsule({0, -reach}, {0, reach}, gunnerRadius, {.density = 1.4, .friction = 1});
+    ShapeDef body = capsule({0, -reach}, {0, reach}, gunnerRadius, {.density = 2, .friction = 1});
     body.filter = {.category = Person, .mask = Ground | Thing | Person | Shot | Sea | Blast};
     return {.position = middle, .fixedRotation = true, .shapes = {body}};
 }

@@ -14,7 +14,7 @@ enum class PieceKind { Crate, Pillar, Plank, Lintel, Keg, Hat };
 /// All are boxes.
 struct PieceForm {
     Vec2 halfSize;        ///< [m]
-    double density = 1;   ///< [kg/m^2]; the sea has 1
+    double density = 1;   ///< [kg/m^2]; what has less than seaDensity floats
     double rounding = 0;  ///< of the corners, within halfSize [m]
 };
 const PieceForm& formOf(PieceKind kind);
