@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include <games/artillery/artillery.h>
+
+#include <games/artillery/figures.h>
+#include <games/artillery/hud.h>
+#include <games/artillery/scenery.h>
+#include <games/artillery/sounds.h>
+
+namespace plumb::games::artillery {
+namespace {
+
+int lineOf(const std::string& option) {
+    return option == "full" ? fullLine : option == "short" ? shortLine : 0;
+}
+
+/// Commands whichever crew somebody with buttons would.
+class Computer final : public Player {
+public:
+    explicit Computer(const GameSetup& setup) {
+        const Strength& strength = strengthOf(setup.option("strength"));
+        for (const int crew : {0, 1}) commanders_.emplace_back(crew, strength, setup.seed * 2 + std::uint64_t(crew));
+    }
+    Buttons decide(const Game& game) override {
+        const Match& match = static_cast<const Artillery&>(game).match();
+        if (match.stage() != stage_) {
+            stage_ = match.stage();
+            for (Commander& commander : commanders_) commander.forget();
+        }
+        if (!match.isPersonsTurn()) return 0;
+        return buttonsOf(commanders_[static_cast<std::size_t>(match.battle().crew())].decide(match.battle()));
+    }
+
+private:
+    std::vector<Commander> commanders_;
+    int stage_ = 0;
+};
+
+}  // namespace
+
+Artillery::Artillery(const GameSetup& setup)
+    : match_(setup.seed, setup.option("rival")), line_(lineOf(setup.option("line"))) {
+    strengthOf(setup.option("strength"));
+}
+
+void Artillery::update(const Input& input) {
+    ++ticks_;
+    trail_.keep(match_.battle().world());
+    notice(match_.update(ordersOf(input.now())));
+    eye_.update(match_.battle());
+    traces_.update(match_.battle());
+    if (const auto& shell = match_.battle().shell()) effects_.trail(world()->body(shell->body).position());
+    effects_.update();
+    recoil_ *= 0.85;
+}
+
+void Artillery::notice(const std::vector<Happening>& happenings) {
+    int thuds = 0;
+    for (const Happening& happening : happenings) {
+        const bool isThud = happening.kind == Happening::Kind::Thud;
+        if (!isThud || ++thuds <= 2)
+            for (const Cue& cue : cuesOf(happening)) play(cue);
+        effects_.begin(happening, paletteOf(match_.stage()));
+        if (happening.kind == Happening::Kind::Exploded) {
+            eye_.shake(happening.size / 5);
+            eye_.lookAt(happening.at);
+        }
+        if (happening.kind == Happening::Kind::Splashed) eye_.lookAt(happening.at);
+        if (happening.kind == Happening::Kind::Fired) recoil_ = 1;
+    }
+}
+
+void Artillery::draw(Canvas& canvas) const {
+    const Battle& battle = match_.battle();
+    const Palette& palette = paletteOf(match_.stage());
+    const double seconds = (static_cast<double>(ticks_) - 1 + canvas.between()) * tickSeconds;
+    const Figures figures{battle, trail_, seconds, recoil_};
+    const bool aiming = battle.phase() == Phase::Aim && match_.isPersonsTurn();
+    drawBackdrop(canvas, eye_, palette, seconds, battle.wind());
+    canvas.look(eye_.camera(canvas.between()));
+    if (aiming) traces_.draw(canvas, battle.crew());
+    drawEarth(canvas, battle.terrain(), palette);
+    drawProps(canvas, figures);
+    drawGunners(canvas, figures);
+    drawShell(canvas, figures);
+    drawSea(canvas, battle.sea(), palette, seconds);
+    effects_.draw(canvas, battle.wind());
+    if (aiming && line_ > 0) drawAimLine(canvas, battle, line_, seconds);
+    drawTags(canvas, figures);
+    drawHud(
+        canvas,
+        {battle, match_.progress().score, std::string(stages[static_cast<std::size_t>(match_.stage())].name),
+         match_.rival() == "friend" ? "a friend" : "a " + match_.rival() + " crew", match_.isPersonsTurn(), seconds});
+    if (battle.phase() == Phase::Over) drawEnd(canvas);
+    canvas.look(eye_.camera(canvas.between()));
+}
+
+void Artillery::drawEnd(Canvas& canvas) const {
+    const Battle& battle = match_.battle();
+    const int winner = battle.winner();
+    const std::string island(stages[static_cast<std::size_t>(match_.stage())].name);
+    std::string line = winner == 0 ? "the island is yours" : "the island is lost";
+    if (winner == 0 && !match_.isLast())
+        line = "next: " + std::string(stages[static_cast<std::size_t>(match_.stage()) + 1].name);
+    const std::string title =
+        winner < 0 ? "Nobody is left" : std::string(crewNames[winner == 0 ? 0 : 1]) + " hold the field";
+    drawBanner(canvas, title, line, winner < 0 ? gold : crewColor(winner), match_.sinceOver() * tickSeconds);
+}
+
+std::string Artillery::verdict() const {
+    const int winner = match_.battle().winner();
+    if (winner < 0) return "Nobody is left";
+    return "The " + std::string(crewNames[winner == 0 ? 0 : 1]) + " have won";
+}
+
+std::uint64_t Artillery::hash() const {
+    Hash hash;
+    match_.addTo(hash);
+    return hash.value();
+}
+
+GameInfo info() {
+    GameInfo game;
+    game.title = "Artillery";
+    game.about = "Two crews, one island, and the wind between them.";
+    game.actions = {{"left", {Key::Left, Key::A}, {Pad::Left}, "face, walk"},
+                    {"right", {Key::Right, Key::D}, {Pad::Right}},
+                    {"up", {Key::Up, Key::W}, {Pad::Up}, "barrel"},
+                    {"down", {Key::Down, Key::S}, {Pad::Down}},
+                    {"fire", {Key::Space}, {Pad::South}, "hold and let go: fire"},
+                    {"weapon", {Key::Tab, Key::Q}, {Pad::West}, "weapon"}};
+    game.options = {{"rival",
+                     "Who commands the other crew; ladder: three islands, each time a stronger one",
+                     "ladder",
+                     {"ladder", "weak", "fair", "strong", "friend"},
+                     "Against"},
+                    {"line", "How much of the aim line is shown", "short", {"short", "full", "off"}, "Aim line"},
+                    {"strength", "How well --player computer aims: weak, fair or strong", "strong"}};
+    game.theme = {.background = Color::hex(0x241a3a),
+                  .panel = Color::hex(0x3b2a55),
+                  .text = paper,
+                  .quiet = Color::hex(0xc9b8d0),
+                  .accent = gold};
+    game.make = [](const GameSetup& setup) { return std::make_unique<Artillery>(setup); };
+    game.computer = [](const GameSetup& setup) { return std::make_unique<Computer>(setup); };
+    return game;
+}
+
+}  // namespace plumb::games::artillery

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Two crews on a hilly island, and how the frame plays them?
+#pragma once
+#include <games/artillery/aim_look.h>
+#include <games/artillery/effects.h>
+#include <games/artillery/eye.h>
+#include <games/artillery/match.h>
+#include <games/frame/pose_trail.h>
+
+namespace plumb::games::artillery {
+
+class Artillery final : public Game {
+public:
+    /// Throws std::invalid_argument on an option's value that is none.
+    explicit Artillery(const GameSetup& setup);
+
+    void update(const Input& input) override;
+    void draw(Canvas& canvas) const override;
+    Progress progress() const override { return match_.progress(); }
+    std::string verdict() const override;
+    std::uint64_t hash() const override;
+    const World* world() const override { return &match_.battle().world(); }
+
+    const Match& match() const { return match_; }
+
+private:
+    void notice(const std::vector<Happening>& happenings);
+    void drawEnd(Canvas& canvas) const;
+
+    Match match_;
+    int line_;  ///< of the aim line [ticks]
+    // Only to be seen:
+    PoseTrail trail_;
+    Eye eye_;
+    Effects effects_;
+    Traces traces_;
+    std::int64_t ticks_ = 0;
+    double recoil_ = 0;
+};
+
+GameInfo info();
+
+}  // namespace plumb::games::artillery

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// What flies about and fades, and changes nothing?
+#pragma once
+#include <string>
+#include <vector>
+
+#include <games/artillery/happening.h>
+#include <games/artillery/palette.h>
+#include <games/frame/canvas.h>
+#include <plumb/kinematics/point_motion.h>
+#include <plumb/math/random.h>
+
+namespace plumb::games::artillery {
+
+/// Clods, smoke, sparks, drops: each flies as kinematics/linear_drag.h says of its age, so that nothing is stepped.
+class Effects {
+public:
+    void begin(const Happening& happening, const Palette& palette);
+    void trail(const Vec2& shell);  ///< behind a shell, each tick
+    void update();                  ///< one tick
+    void draw(Canvas& canvas, double wind) const;
+
+private:
+    struct Bit {
+        PointMotion from{};
+        double life = 1;              ///< [s]
+        double size = 0.2, grow = 0;  ///< [m], [m/s]
+        double drag = 1;              ///< [1/s]
+        double fall = 1;              ///< of gravity's [-]
+        Color color{};
+        double age = 0;  ///< [s]
+        bool ring = false;
+    };
+    struct Label {
+        Vec2 at;
+        int amount = 0, crew = 0;
+        double age = 0;
+    };
+    struct Burst {
+        int count = 1;
+        double slowest = 1, fastest = 2;  ///< [m/s]
+        double from = 0, to = 6.28;       ///< directions [rad]
+        Bit bit{};
+    };
+    void burst(const Vec2& at, const Burst& burst);
+    void explode(const Vec2& at, double size, const Palette& palette);
+    void label(const Happening& happening);
+
+    std::vector<Bit> bits_;
+    std::vector<Label> labels_;
+    Random random_{7};
+};
+
+}  // namespace plumb::games::artillery

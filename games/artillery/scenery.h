@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// How do sky, sea and earth look?
+#pragma once
+#include <games/artillery/battle.h>
+#include <games/artillery/eye.h>
+#include <games/artillery/palette.h>
+#include <games/frame/canvas.h>
+
+namespace plumb::games::artillery {
+
+/// Sky, sun, clouds, stars, far islands and the far sea; each as far off as it is.
+void drawBackdrop(Canvas& canvas, const Eye& eye, const Palette& palette, double seconds, double wind);
+/// The rest goes by the camera last looked through.
+void drawEarth(Canvas& canvas, const Terrain& terrain, const Palette& palette);
+void drawSea(Canvas& canvas, double level, const Palette& palette, double seconds);
+
+}  // namespace plumb::games::artillery

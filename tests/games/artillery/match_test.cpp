@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include <games/artillery/artillery.h>
+
+#include <games/frame/source.h>
+#include <cmath>
+
+#include "cases.h"
+#include "catch.h"
+
+using namespace plumb;
+using namespace plumb::games;
+using namespace plumb::games::artillery;
+
+namespace {
+
+GameInfo named() {
+    GameInfo game = artillery::info();
+    game.name = "artillery";
+    return game;
+}
+
+/// A round from the title to its end, by the computer.
+Progress playedOut(std::uint64_t seed, const std::string& strength, const std::string& rival) {
+    const GameInfo game = named();
+    Session session(game, {seed, {{"strength", strength}, {"rival", rival}}, {}});
+    const auto computer = computerSource(game);
+    while (session.screen() != Screen::Over && session.ticks() < 200'000) session.update(*computer->next(session));
+    REQUIRE(session.screen() == Screen::Over);
+    return session.progress();
+}
+
+/// Buttons held for a while, as a person does who knows nothing.
+Buttons anyButtons(Random& random, Buttons before) {
+    return random.integer(0, 11) == 0 ? static_cast<Buttons>(random.integer(0, 63)) : before;
+}
+
+std::uint64_t hashAfter(std::uint64_t seed, std::uint64_t buttonsSeed, int ticks) {
+    const GameInfo game = named();
+    Session session(game, {seed, {}, {}});
+    Random random(buttonsSeed);
+    session.update(session.actions().button("confirm"));
+    Buttons buttons = 0;
+    for (int tick = 0; tick < ticks; ++tick) session.update(buttons = anyButtons(random, buttons));
+    return session.hash();
+}
+
+}  // namespace
+
+TEST_CASE("the strong crew beats the weak one in at least 80 of 100 battles", "[games][artillery]") {
+    const int battles = plumb::test::cases(100);
+    int won = 0;
+    for (int seed = 1; seed <= battles; ++seed)
+        won += playedOut(static_cast<std::uint64_t>(seed), "strong", "weak").outcome == Outcome::Won;
+    REQUIRE(won * 100 >= battles * 80);
+}
+
+TEST_CASE("a weak crew loses to a strong one more often than not", "[games][artillery]") {
+    const int battles = plumb::test::cases(50);
+    int won = 0;
+    for (int seed = 1; seed <= battles; ++seed)
+        won += playedOut(static_cast<std::uint64_t>(seed), "weak", "strong").outcome == Outcome::Won;
+    REQUIRE(won * 2 < battles);
+}
+
+TEST_CASE("the same seed and buttons give the same battle to the last bit, another seed or button another one",
+          "[games][artillery]") {
+    const std::uint64_t hash = hashAfter(3, 4, 3000);
+    REQUIRE(hashAfter(3, 4, 3000) == hash);
+    REQUIRE(hashAfter(4, 4, 3000) != hash);
+    REQUIRE(hashAfter(3, 5, 3000) != hash);
+}
+
+TEST_CASE("in 10,000 ticks of any buttons nothing falls through the ground or out of the world", "[games][artillery]") {
+    for (int seed = 1; seed <= plumb::test::cases(30); ++seed) {
+        const GameInfo game = named();
+        const GameSetup setup{static_cast<std::uint64_t>(seed),
+                              {{"strength", "strong"}, {"rival", "ladder"}, {"line", "short"}}};
+        Artillery round(setup);
+        const ActionList actions(game.actions);
+        Random random(static_cast<std::uint64_t>(seed));
+        Buttons before = 0;
+        for (int tick = 0; tick < 10'000 && round.progress().outcome == Outcome::Running; ++tick) {
+            const Buttons now = anyButtons(random, before);
+            round.update(Input(actions, now, before));
+            before = now;
+            const Battle& battle = round.match().battle();
+            REQUIRE(battle.world().quarantines().empty());
+            for (const Gunner& gunner : battle.gunners()) {
+                if (!gunner.alive) continue;
+                const Vec2 at = battle.middleOf(gunner);
+                CAPTURE(seed, tick, at.x(), at.y());
+                REQUIRE(at.y() > battle.terrain().heightAt(at.x()));
+            }
+            for (const Prop& prop : battle.props()) {
+                const Vec2 at = battle.world().body(prop.body).position();
+                if (std::abs(at.x()) > worldEdge) continue;  // thrown off the map: gone when the turn is over
+                CAPTURE(seed, tick, at.x(), at.y());
+                REQUIRE(at.y() > battle.terrain().heightAt(at.x()) - 0.5);
+            }
+        }
+    }
+}
+
+TEST_CASE("an option that is none is refused by name", "[games][artillery]") {
+    const GameInfo game = named();
+    const GameSetup setup{1, {{"strength", "mighty"}, {"rival", "ladder"}, {"line", "short"}}};
+    REQUIRE_THROWS_WITH(game.make(setup), plumb::test::containsText("mighty"));
+}
