@@ -10,10 +10,9 @@ namespace plumb::games {
 namespace {
 
 constexpr std::array keyNames = {
-    "Left", "Right", "Up", "Down", "Space", "Enter", "Escape", "Tab", "Backspace", "Shift", "Ctrl", "-", "+",
-    ",",    ".",     "A",  "B",    "C",     "D",     "E",      "F",   "G",         "H",     "I",    "J", "K",
-    "L",    "M",     "N",  "O",    "P",     "Q",     "R",      "S",   "T",         "U",     "V",    "W", "X",
-    "Y",    "Z",     "0",  "1",    "2",     "3",     "4",      "5",   "6",         "7",     "8",    "9"};
+    "←", "→", "↑", "↓", "Space", "Enter", "Escape", "Tab", "Backspace", "Shift", "Ctrl", "-", "+", ",", ".", "A", "B",
+    "C", "D", "E", "F", "G",     "H",     "I",      "J",   "K",         "L",     "M",    "N", "O", "P", "Q", "R", "S",
+    "T", "U", "V", "W", "X",     "Y",     "Z",      "0",   "1",         "2",     "3",    "4", "5", "6", "7", "8", "9"};
 static_assert(keyNames.size() == static_cast<std::size_t>(Key::Digit9) + 1);
 
 constexpr std::array padNames = {"Left",  "Right", "Up", "Down", "South", "East",  "West",

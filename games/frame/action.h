@@ -21,7 +21,7 @@ enum class Pad {
 };
 // clang-format on
 
-std::string_view nameOf(Key key);  ///< as a player is told it: "Space"
+std::string_view nameOf(Key key);  ///< as a player is told it: "Space", an arrow
 std::string_view nameOf(Pad pad);  ///< "South"
 
 struct Action {

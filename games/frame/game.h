@@ -50,13 +50,13 @@ class Game {
 public:
     virtual ~Game() = default;
 
-    virtual void update(const Input& input) = 0;  ///< one tick
-    virtual void draw(Canvas& canvas) const = 0;  ///< all of it, what is known by the players with it
-    virtual Progress progress() const = 0;        ///< updates end when the outcome is no longer Running
-    virtual std::uint64_t hash() const = 0;       ///< of all that what comes depends on
-    virtual const World* world() const {
-        return nullptr;
-    }  ///< for the debug view, which is drawn over draw()'s last look
+    virtual void update(const Input& input) = 0;        ///< one tick
+    virtual void draw(Canvas& canvas) const = 0;        ///< all of it, what is known by the players with it
+    virtual Progress progress() const = 0;              ///< updates end when the outcome is no longer Running
+    virtual std::string verdict() const { return {}; }  ///< at the round's end; empty: "You won" or "Game over"
+    virtual std::uint64_t hash() const = 0;             ///< of all that what comes depends on
+    /// For the debug view, which is drawn over draw()'s last look.
+    virtual const World* world() const { return nullptr; }
 
     /// The cues played since the last call.
     std::vector<Cue> takeCues() { return std::exchange(cues_, {}); }

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
+#include <games/frame/choice.h>
 #include <games/frame/debug_view.h>
 #include <games/frame/hash.h>
 #include <games/frame/menu.h>
 #include <games/frame/screens.h>
 #include <games/frame/title_show.h>
-#include <plumb/math/check.h>
 #include <plumb/math/random.h>
 
 namespace plumb::games {
@@ -17,45 +17,6 @@ namespace {
 constexpr std::size_t mostScores = 10;
 /// How long the end of a round is shown before a button leads on: whoever lost was pressing some [ticks].
 constexpr int overDelay = 40;
-
-const Option& optionOf(const GameInfo& info, const std::string& name) {
-    for (const Option& option : info.options)
-        if (option.name == name) return option;
-    refuse("option", info.name + " has none of the name \"" + name + "\"");
-}
-
-void requireChoice(const Option& option, const std::string& value) {
-    const auto& choices = option.choices;
-    if (choices.empty() || std::find(choices.begin(), choices.end(), value) != choices.end()) return;
-    std::string wanted;
-    for (const std::string& choice : choices) wanted += (wanted.empty() ? "" : ", ") + choice;
-    refuse("--" + option.name, "\"" + value + "\" is not one of " + wanted);
-}
-
-GameSetup firstSetup(const GameInfo& info, const SessionSetup& setup) {
-    GameSetup first{setup.seed, {}};
-    for (const Option& option : info.options) first.options[option.name] = option.value;
-    for (const auto& [name, value] : setup.options) {
-        requireChoice(optionOf(info, name), value);
-        first.options[name] = value;
-    }
-    return first;
-}
-
-/// The options that stand in the title, in their order.
-std::vector<Option> shownOptions(const GameInfo& info) {
-    std::vector<Option> shown;
-    for (const Option& option : info.options)
-        if (!option.choices.empty()) shown.push_back(option);
-    return shown;
-}
-
-const std::string& nextChoice(const Option& option, const std::string& now, int step) {
-    const auto& choices = option.choices;
-    const auto at = std::find(choices.begin(), choices.end(), now) - choices.begin();
-    const auto count = static_cast<std::ptrdiff_t>(choices.size());
-    return choices[static_cast<std::size_t>((at + step + count) % count)];
-}
 
 }  // namespace
 
@@ -82,9 +43,9 @@ struct Session::State {
         : info(game_),
           actions(withMenuActions(info.actions)),
           seeds(setup.seed),
-          next(firstSetup(info, setup)),
+          next{setup.seed, optionsOf(info, setup.options)},
           scores(setup.scores),
-          options(shownOptions(info)),
+          options(optionsToChoose(info)),
           show(info) {
         std::sort(scores.rbegin(), scores.rend());
         if (scores.size() > mostScores) scores.resize(mostScores);
@@ -138,8 +99,9 @@ struct Session::State {
         switch (screen) {
             case Screen::Play: updatePlay(input); break;
             case Screen::Title:
-                show.update();
                 updateMenu(input);
+                // Not before it is known that the title stays: where nobody looks, nothing is shown.
+                if (screen == Screen::Title) show.update();
                 break;
             case Screen::Over:
                 if (since >= overDelay) updateMenu(input);
@@ -192,7 +154,7 @@ struct Session::State {
     void change(int entry, int step) {
         const Option& option = options[static_cast<std::size_t>(entry - 1)];
         std::string& value = next.options[option.name];
-        value = nextChoice(option, value, step);
+        value = choiceBehind(option, value, step);
         menu.entry(entry).value = value;
     }
 };
@@ -210,6 +172,7 @@ void Session::update(Buttons buttons) {
 void Session::draw(Canvas& canvas) const {
     const State& now = *state_;
     const double between = canvas.between();
+    canvas.clear(now.info.theme.background);
     if (now.screen != Screen::Play) canvas.setBetween(1);
     if (now.screen == Screen::Title || now.screen == Screen::Scores || !now.game) {
         canvas.setBetween(now.screen == Screen::Title ? between : 1);

@@ -37,7 +37,7 @@ public:
     bool ended() const;          ///< the player left by the title's menu
 
     int rounds() const;                  ///< begun so far
-    const GameSetup& gameSetup() const;  ///< of the last of them; before the first, of that
+    const GameSetup& gameSetup() const;  ///< of the last of them, or of the first; its options as chosen since
     const Game* game() const;            ///< the last of them; null before the first
     Progress progress() const;           ///< of it
     std::uint64_t hash() const;          ///< of it, and of where the session stands

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <games/frame/title_show.h>
 
+#include <games/frame/choice.h>
+
 namespace plumb::games {
 namespace {
 
@@ -9,8 +11,7 @@ constexpr std::int64_t longest = 60 * 60;  ///< of one round [ticks]
 }  // namespace
 
 void TitleShow::begin() {
-    GameSetup setup{++seed_, {}};
-    for (const Option& option : info_->options) setup.options[option.name] = option.value;
+    const GameSetup setup{++seed_, optionsOf(*info_, {})};
     actions_ = ActionList(info_->actions);
     game_ = info_->make(setup);
     player_ = info_->computer ? info_->computer(setup) : nullptr;
@@ -29,7 +30,6 @@ void TitleShow::update() {
 }
 
 void TitleShow::draw(Canvas& canvas) const {
-    canvas.clear(info_->theme.background);
     if (info_->drawTitle)
         info_->drawTitle(canvas, static_cast<double>(ticks_) * tickSeconds);
     else if (game_)

@@ -20,7 +20,7 @@ struct Screenshot {
 };
 
 struct ProgramOptions {
-    std::optional<std::uint64_t> seed{};  ///< none: of a window another each time, else 1
+    std::optional<std::uint64_t> seed{};  ///< none: another each time for a keyboard, else 1
     PlayedBy player = PlayedBy::Keyboard;
     std::string recordFile{}, replayFile{};  ///< empty: none
     bool headless = false;

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include <games/shell/pictures/pictures.h>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+
+#include <games/frame/source.h>
+#include <games/shell/headless/screenshots.h>
+
+namespace plumb::games {
+namespace {
+
+constexpr std::array sizes = {PixelSize{640, 360}, PixelSize{1280, 720}, PixelSize{1920, 1080}};
+constexpr std::int64_t longest = 10 * 60 * 60;  ///< of a round [ticks]
+
+/// Goes through a session, and looks.
+class Tour {
+public:
+    Tour(const GameInfo& info, const std::string& folder)
+        : folder_(folder), session_(info, {.scores = {4200, 3150, 2700, 1200, 800}}) {
+        if (info.computer) computer_ = computerSource(info);
+    }
+
+    std::vector<std::string> run() {
+        for (int tick = 0; tick < 90; ++tick) session_.update(0);
+        look("title");
+        tap("confirm");
+        for (const int second : {1, 5, 20, 60}) playUntil(second);
+        session_.showDebug(true);
+        look("debug");
+        session_.showDebug(false);
+        if (session_.screen() == Screen::Play) pause();
+        end();
+        return std::move(files_);
+    }
+
+private:
+    void look(const std::string& screen) {
+        for (const PixelSize size : sizes) {
+            files_.push_back(
+                fmt::format("{}/{}-{}-{}x{}.png", folder_, session_.info().name, screen, size.width, size.height));
+            writeScreenshot(session_, painter_, size, files_.back());
+        }
+    }
+
+    void tap(const std::string& action) {
+        session_.update(session_.actions().button(action));
+        session_.update(0);
+    }
+
+    void update() { session_.update(computer_ ? computer_->next(session_).value_or(0) : 0); }
+
+    void playUntil(int second) {
+        const std::int64_t until = start_ + second * 60;
+        while (session_.ticks() < until && session_.screen() == Screen::Play) update();
+        if (session_.screen() == Screen::Play) look(fmt::format("play-{:02}s", second));
+    }
+
+    void pause() {
+        tap("pause");
+        look("pause");
+        tap("pause");
+    }
+
+    /// The round's end, and the best scores: by way of the title, where no computer comes to an end.
+    void end() {
+        while (computer_ && session_.screen() == Screen::Play && session_.ticks() < longest) update();
+        if (session_.screen() == Screen::Over) {
+            for (int tick = 0; tick < 60; ++tick) session_.update(0);
+            look("over");
+            tap("down");
+            tap("confirm");
+        } else {
+            for (const char* action : {"pause", "up", "confirm", "up", "up", "confirm"}) tap(action);
+        }
+        look("scores");
+    }
+
+    std::string folder_;
+    Session session_;
+    std::unique_ptr<Source> computer_;
+    Painter painter_;
+    std::int64_t start_ = 92;
+    std::vector<std::string> files_;
+};
+
+}  // namespace
+
+std::vector<std::string> writePictures(const GameInfo& info, const std::string& folder) {
+    std::filesystem::create_directories(folder);
+    return Tour(info, folder).run();
+}
+
+}  // namespace plumb::games

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// What does each screen of a game look like?
+#pragma once
+#include <string>
+#include <vector>
+
+#include <games/frame/game.h>
+
+namespace plumb::games {
+
+/// Writes <folder>/<game>-<screen>-<width>x<height>.png: the title, a round that the computer plays after 1, 5, 20 and
+/// 60 seconds, what the kit sees then, pause, the round's end, if it comes within ten minutes, and the best scores;
+/// each at 640 x 360, 1280 x 720 and 1920 x 1080. Returns the files. Throws std::runtime_error when one cannot be
+/// written.
+std::vector<std::string> writePictures(const GameInfo& info, const std::string& folder);
+
+}  // namespace plumb::games

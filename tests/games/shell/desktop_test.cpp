@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include <games/shell/desktop/desktop.h>
+
+#include <SDL.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include <games/shell/desktop/scores_file.h>
+
+#include "catch.h"
+#include "games/counting_game.h"
+#include "house/cmake_project.h"
+
+using namespace plumb;
+using namespace plumb::games;
+
+namespace {
+
+/// A window and a loudspeaker that nobody sees and hears.
+void pretendDevices() {
+    std::filesystem::create_directories(test::houseFolder("games") / "scores");
+    setenv("SDL_VIDEODRIVER", "dummy", 1);
+    setenv("SDL_AUDIODRIVER", "dummy", 1);
+    setenv("XDG_DATA_HOME", (test::houseFolder("games") / "scores").c_str(), 1);
+}
+
+void pushKey(SDL_Scancode code, SDL_Keycode symbol, bool down) {
+    SDL_Event event{};
+    event.type = down ? SDL_KEYDOWN : SDL_KEYUP;
+    event.key.keysym.scancode = code;
+    event.key.keysym.sym = symbol;
+    SDL_PushEvent(&event);
+}
+
+void tap(SDL_Scancode code, SDL_Keycode symbol) {
+    pushKey(code, symbol, true);
+    pushKey(code, symbol, false);
+}
+
+void push(Uint32 type, Uint8 windowEvent = 0) {
+    SDL_Event event{};
+    event.type = type;
+    if (type == SDL_WINDOWEVENT) event.window.event = windowEvent;
+    SDL_PushEvent(&event);
+}
+
+/// Plays in a window for so many ticks. What is pressed before it opens waits for it, in its order.
+Record playedFor(std::int64_t ticks) {
+    std::ostringstream out;
+    ProgramOptions options;
+    options.size = {320, 180};
+    options.ticks = ticks;
+    return runDesktop(test::countingGame(), {}, nullptr, options, out);
+}
+
+/// SDL, begun before the window, so that there can be events before it; one window's worth.
+struct Events {
+    Events() {
+        pretendDevices();
+        SDL_Init(SDL_INIT_VIDEO);
+    }
+    ~Events() { SDL_Quit(); }
+};
+
+/// What comes of a record without a window.
+struct Replayed {
+    Session session{test::countingGame(), {}};
+    std::vector<Screen> screens{Screen::Title};
+
+    explicit Replayed(const Record& record) {
+        const auto source = recordSource(record);
+        while (const auto buttons = source->next(session)) {
+            session.update(*buttons);
+            if (session.screen() != screens.back()) screens.push_back(session.screen());
+        }
+    }
+};
+
+}  // namespace
+
+TEST_CASE("what keys do in a window, from the title to a won round, comes again without one, to the same bits",
+          "[games]") {
+    const Events events;
+    tap(SDL_SCANCODE_RETURN, SDLK_RETURN);
+    for (int hit = 0; hit < 10; ++hit) tap(SDL_SCANCODE_SPACE, SDLK_SPACE);
+    const Record record = playedFor(60);
+    const Replayed replayed(record);
+    CHECK(record.ticks() == 60);
+    CHECK(replayed.session.hash() == record.hash);
+    CHECK(replayed.screens == std::vector{Screen::Title, Screen::Play, Screen::Over});
+    CHECK(replayed.session.progress().score == 100);
+}
+
+TEST_CASE("a window that loses its focus pauses the round, and the record has the pause", "[games]") {
+    const Events events;
+    tap(SDL_SCANCODE_RETURN, SDLK_RETURN);
+    std::thread hand([] {
+        std::this_thread::sleep_for(std::chrono::seconds(1));  // till long after the round began
+        push(SDL_WINDOWEVENT, SDL_WINDOWEVENT_FOCUS_LOST);
+    });
+    const Record record = playedFor(150);
+    hand.join();
+    const Replayed replayed(record);
+    CHECK(replayed.session.hash() == record.hash);
+    CHECK(replayed.screens == std::vector{Screen::Title, Screen::Play, Screen::Pause});
+}
+
+TEST_CASE("a window that loses its focus in the title stays there", "[games]") {
+    const Events events;
+    push(SDL_WINDOWEVENT, SDL_WINDOWEVENT_FOCUS_LOST);
+    CHECK(playedFor(20).runs == std::vector<Run>{{20, 0}});
+}
+
+TEST_CASE("quit in the title's menu closes the window", "[games]") {
+    const Events events;
+    tap(SDL_SCANCODE_UP, SDLK_UP);
+    tap(SDL_SCANCODE_RETURN, SDLK_RETURN);
+    const Record record = playedFor(600);
+    CHECK(record.ticks() < 10);
+    CHECK(Replayed(record).session.ended());
+}
+
+TEST_CASE("what the desktop has to close a window does", "[games]") {
+    const Events events;
+    push(SDL_QUIT);
+    CHECK(playedFor(600).ticks() < 10);
+}
+
+TEST_CASE("the keys that show what the kit sees, and the times, press nothing", "[games]") {
+    const Events events;
+    for (const auto& [code, symbol] : {std::pair{SDL_SCANCODE_F1, SDLK_F1},
+                                       {SDL_SCANCODE_F2, SDLK_F2},
+                                       {SDL_SCANCODE_F4, SDLK_F4},
+                                       {SDL_SCANCODE_F11, SDLK_F11}})
+        tap(code, symbol);
+    CHECK(playedFor(30).runs == std::vector<Run>{{30, 0}});
+}
+
+TEST_CASE("best scores are kept from one run of the program to the next", "[games]") {
+    const Events events;
+    const std::string file = scoresFileOf("counting");
+    writeScores(file, {300, 20});
+    CHECK(readScores(file) == std::vector<std::int64_t>{300, 20});
+    tap(SDL_SCANCODE_RETURN, SDLK_RETURN);
+    for (int hit = 0; hit < 10; ++hit) tap(SDL_SCANCODE_SPACE, SDLK_SPACE);
+    playedFor(60);
+    CHECK(readScores(file) == std::vector<std::int64_t>{300, 100, 20});
+    std::ofstream(file) << "12\nnonsense\n\n7\n";
+    CHECK(readScores(file) == std::vector<std::int64_t>{12, 7});
+    CHECK(readScores("/no/such/file").empty());
+}
