@@ -49,9 +49,13 @@ private:
     }
     bool isFullGround(Cell cell) const { return isGround(cell) && at(cell).form == TileForm::Full; }
     int depth(Cell cell) const {
-        int depth = 0;
-        while (depth < 4 && isGround({cell.column, cell.row + depth + 1})) ++depth;
-        return depth;
+        int least = 4;
+        for (int column = cell.column - 2; column <= cell.column + 2; ++column) {
+            int depth = 0;
+            while (depth < least && isGround({column, cell.row + depth + 1})) ++depth;
+            if (isGround({column, cell.row})) least = std::min(least, depth);
+        }
+        return least;
     }
     Color soil(int depth) const { return mix(palette_.soil, palette_.deep, std::min(1.0, depth / 4.0)); }
     double chance(Cell cell, int salt) const {
@@ -75,7 +79,12 @@ private:
 
     void drawSlope(Cell cell, const Tile& tile) const {
         if (tile.form == TileForm::Full || !isGround(cell)) return;
-        canvas_.polygon(tiles_.cornersOf(cell), soil(0));
+        std::vector<Vec2> corners = tiles_.cornersOf(cell);
+        for (Vec2& corner : corners) {
+            if (corner.y() < cell.row + lap) corner.y() -= lap;
+            corner.x() += corner.x() < cell.column + 0.5 ? -lap : lap;
+        }
+        canvas_.polygon(std::move(corners), soil(depth(cell)));
     }
 
     void drawSpecks(Cell cell, const Tile& tile) const {

@@ -11,7 +11,7 @@ namespace plumb::games::runner {
 
 struct SearchSettings {
     double gain = 8;           ///< so much nearer to the beacon, and safe, is enough [m]
-    int mostTicks = 5000;      ///< looked at in all; then the best found so far is taken
+    int mostTicks = 2500;      ///< looked at in all; then the best found so far is taken
     int stopTicks = 50;        ///< it must live on for, where what was found ends, if it stops there
     double ticksPerMetre = 9;  ///< still to go: more than the fastest takes, so that it looks ahead rather than around
     double hurtTicks = 200;    ///< what it is worth not to be hurt
