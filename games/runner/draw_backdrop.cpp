@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include <games/runner/draw.h>
+
+namespace plumb::games::runner {
+namespace {
+
+/// An even number from 0 to 1 for each whole number, always the same.
+double chance(int number) {
+    const double x = std::sin(number * 127.1 + 11.7) * 43758.5453;
+    return x - std::floor(x);
+}
+
+/// A line of hills: waves of three lengths.
+double hill(double x, double seed) {
+    return std::sin(x * 0.011 + seed) + 0.5 * std::sin(x * 0.027 + 2 * seed) + 0.22 * std::sin(x * 0.071 + 3 * seed);
+}
+
+struct Range {
+    double share;  ///< of the camera's way that it goes along [-]
+    double foot;   ///< its mean height, down the screen
+    double rise;
+    double seed;
+};
+
+void drawRange(Canvas& canvas, const Range& range, const Color& color, double shift, double up) {
+    const Aabb seen = canvas.visible();
+    std::vector<Vec2> line;
+    const double foot = range.foot + up * range.share * 0.6;
+    for (double x = seen.lower.x() - 8; x <= seen.upper.x() + 8; x += 8)
+        line.emplace_back(x, foot - range.rise * hill(x + shift * range.share, range.seed));
+    line.emplace_back(seen.upper.x() + 8, seen.upper.y() + 4);
+    line.emplace_back(seen.lower.x() - 8, seen.upper.y() + 4);
+    canvas.polygon(std::move(line), Paint::linear({0, foot - 1.4 * range.rise}, color, {0, foot + 130},
+                                                  mix(color, Color{1, 1, 1, 1}, 0.16)));
+}
+
+/// Trees of a sort, along the nearest hills.
+void drawTrees(Canvas& canvas, const Range& range, const Color& color, double shift, double up) {
+    const Aabb seen = canvas.visible();
+    const double foot = range.foot + up * range.share * 0.6, way = shift * range.share;
+    for (int i = static_cast<int>((seen.lower.x() + way) / 34) - 1;
+         i <= static_cast<int>((seen.upper.x() + way) / 34) + 1; ++i) {
+        const double x = i * 34 + 22 * chance(i) - way, tall = 16 + 22 * chance(i + 500);
+        const double y = foot - range.rise * hill(x + way, range.seed) + 3;
+        canvas.polygon({{x - tall * 0.26, y}, {x, y - tall}, {x + tall * 0.26, y}}, color);
+        canvas.polygon({{x - tall * 0.2, y - tall * 0.4}, {x, y - tall * 1.25}, {x + tall * 0.2, y - tall * 0.4}},
+                       color);
+    }
+}
+
+void drawCloud(Canvas& canvas, const Vec2& at, double size, const Color& color) {
+    canvas.capsule(at - Vec2(size, 0), at + Vec2(size, 0), size * 0.26, color);
+    canvas.capsule(at + Vec2(-0.45 * size, -0.24 * size), at + Vec2(0.35 * size, -0.24 * size), size * 0.26, color);
+}
+
+void drawClouds(Canvas& canvas, const Scene& scene, double shift) {
+    const Aabb seen = canvas.visible();
+    const double wide = 980;
+    for (int i = 0; i < 8; ++i) {
+        const double along = i * wide / 8 + 60 * chance(i) - shift * 0.12 + scene.time * (3 + 3 * chance(i + 40));
+        const double x = along - std::floor((along + 170) / wide) * wide;
+        drawCloud(canvas, {x, 34 + 110 * chance(i + 20)}, 22 + 26 * chance(i + 60), scene.palette.cloud);
+        if (x + wide < seen.upper.x() + 100)
+            drawCloud(canvas, {x + wide, 34 + 110 * chance(i + 20)}, 30, scene.palette.cloud);
+    }
+}
+
+void drawStars(Canvas& canvas, double time) {
+    const Aabb seen = canvas.visible();
+    for (int i = 0; i < 90; ++i) {
+        const double x = seen.lower.x() + (seen.upper.x() - seen.lower.x()) * chance(i);
+        const double glow = 0.35 + 0.65 * std::fabs(std::sin(time * (0.5 + chance(i + 300)) + i));
+        canvas.circle({x, seen.lower.y() + 210 * chance(i + 100)}, 0.5 + 0.8 * chance(i + 200),
+                      Color::hex(0xdfe4ff).faded(glow));
+    }
+}
+
+}  // namespace
+
+void drawBackdrop(Canvas& canvas, const Scene& scene) {
+    const Palette& palette = scene.palette;
+    const Vec2 center = scene.view.camera(scene.between).center;
+    const double shift = center.x() * 32, up = (center.y() - 6) * 32;
+    canvas.screen();
+    canvas.clear(Paint::linear({0, 0}, palette.skyHigh, {0, 300}, palette.skyLow));
+    if (palette.dark > 0) drawStars(canvas, scene.time);
+    const Vec2 light(palette.lightX * screenWidth, palette.lightY * screenHeight);
+    canvas.circle(light, 150, Paint::radial(light, palette.light.faded(0.5), 150, palette.light.faded(0)));
+    canvas.circle(light, 30, palette.light);
+    if (palette.dark > 0) canvas.circle(light + Vec2(-11, -7), 25, mix(palette.skyHigh, palette.skyLow, 0.25));
+    drawClouds(canvas, scene, shift);
+    drawRange(canvas, {0.06, 225, 34, 0.4}, palette.far, shift, up);
+    drawRange(canvas, {0.14, 262, 30, 1.9}, palette.middle, shift, up);
+    const Range near{0.28, 306, 22, 4.1};
+    drawTrees(canvas, near, palette.near, shift, up);
+    drawRange(canvas, near, palette.near, shift, up);
+}
+
+}  // namespace plumb::games::runner

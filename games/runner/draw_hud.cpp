@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <string>
+
+#include <games/runner/draw.h>
+
+namespace plumb::games::runner {
+namespace {
+
+const Color panel = Color::hex(0x1d1828), plain = Color::hex(0xfff6e6), gold = Color::hex(0xffd24a);
+
+void label(Canvas& canvas, const Vec2& at, const std::string& text, double size, const Color& color,
+           Align align = Align::Left) {
+    canvas.text(at, text,
+                {.size = size, .color = color, .align = align, .baseline = Baseline::Middle, .weight = Weight::Bold});
+}
+
+std::string padded(std::int64_t number, std::size_t digits) {
+    const std::string text = std::to_string(number);
+    return text.size() < digits ? std::string(digits - text.size(), '0') + text : text;
+}
+
+void drawLives(Canvas& canvas, const Vec2& at, int lives) {
+    canvas.rect(at + Vec2(-5, -3), {10, 12}, plain, 3);
+    canvas.rect(at + Vec2(-5, 3), {10, 3}, Color::hex(0xd9414e), 1);
+    canvas.polygon({at + Vec2(-3.4, -4), at + Vec2(0, -11), at + Vec2(3.4, -4)}, Color::hex(0xffa03a));
+    canvas.circle(at + Vec2(0, -4), 3.4, Color::hex(0xffa03a));
+    label(canvas, at + Vec2(12, 0), "x " + std::to_string(lives), 14, plain);
+}
+
+void drawSuns(Canvas& canvas, const Vec2& at, const std::vector<bool>& suns) {
+    for (std::size_t i = 0; i < suns.size() && i < 5; ++i) {
+        const Vec2 center = at + Vec2(20.0 * static_cast<double>(i), 0);
+        const Color color = suns[i] ? gold : plain.faded(0.3);
+        for (int ray = 0; ray < 8; ++ray) {
+            const double angle = ray * 0.785398;
+            canvas.line(center, center + 8.5 * Vec2(std::cos(angle), std::sin(angle)), color, 1.6);
+        }
+        canvas.circle(center, 5.5, suns[i] ? gold : Color::hex(0x6a6278));
+    }
+}
+
+}  // namespace
+
+void drawHud(Canvas& canvas, const Hud& hud) {
+    canvas.screen();
+    canvas.rect({8, 8}, {624, 28}, panel.faded(0.62), 14);
+    drawLives(canvas, {26, 23}, hud.lives);
+    canvas.ellipse({88, 22}, {6, 8}, gold);
+    canvas.ellipse({88, 22}, {3.6, 5.4}, stroke(Color::hex(0xb88a1e), 1.2));
+    label(canvas, {100, 22}, "x " + padded(hud.coins, 2), 14, plain);
+    drawSuns(canvas, {164, 22}, hud.suns);
+    label(canvas, {320, 22}, padded(hud.score, 6), 18, gold, Align::Center);
+    label(canvas, {438, 22}, "Level " + std::to_string(hud.level), 14, plain, Align::Center);
+    label(canvas, {546, 22}, std::string(hud.profile), 13, plain.faded(0.75), Align::Right);
+    label(canvas, {618, 22}, std::to_string(static_cast<int>(hud.seconds)) + " s", 14, plain, Align::Right);
+}
+
+void drawCard(Canvas& canvas, const std::string& title, const std::vector<std::string>& lines, double share) {
+    if (share <= 0) return;
+    canvas.screen();
+    const double height = 84 + 22 * static_cast<double>(lines.size()), top = 175 - height / 2;
+    const Aabb seen = canvas.visible();
+    canvas.rect({seen.lower.x(), top}, {(seen.upper.x() - seen.lower.x()) * share, height}, panel.faded(0.86));
+    for (const double edge : {top, top + height - 3})
+        canvas.rect({seen.lower.x(), edge}, {(seen.upper.x() - seen.lower.x()) * share, 3}, gold);
+    if (share < 1) return;
+    canvas.text({screenWidth / 2, top + 40}, title,
+                {.size = 34,
+                 .color = plain,
+                 .align = Align::Center,
+                 .baseline = Baseline::Middle,
+                 .weight = Weight::Heavy,
+                 .fitWidth = 560});
+    double y = top + 76;
+    for (const std::string& line : lines) {
+        canvas.text({screenWidth / 2, y}, line,
+                    {.size = 15,
+                     .color = gold,
+                     .align = Align::Center,
+                     .baseline = Baseline::Middle,
+                     .weight = Weight::Bold,
+                     .fitWidth = 560});
+        y += 22;
+    }
+}
+
+void drawIris(Canvas& canvas, const Vec2& at, double open) {
+    if (open >= 1) return;
+    const double radius = 16 * open * open, outer = 40;
+    if (radius < 0.05) return canvas.clear(Color::hex(0x0b0912));
+    canvas.circle(at, radius + outer, stroke(Color::hex(0x0b0912), 2 * outer));
+}
+
+}  // namespace plumb::games::runner

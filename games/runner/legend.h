@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Which letter of a level's text stands for what?
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <games/runner/level.h>
+
+namespace plumb::games::runner {
+
+inline constexpr char startLetter = 'S';
+inline constexpr char platformLetter = 'p';
+inline constexpr std::string_view trackLetters = "-|+";
+
+struct Letter {
+    char letter;
+    std::string_view about;
+    Tile tile{};                                    ///< empty for a thing
+    std::optional<ThingKind> thing = std::nullopt;  ///< empty for a tile
+};
+
+/// All but the start, platforms and their tracks.
+const std::vector<Letter>& legend();
+
+/// nullptr when it has none.
+const Letter* find(char letter);
+
+/// Every letter that a map may hold, as a message lists them.
+std::string allLetters();
+
+}  // namespace plumb::games::runner

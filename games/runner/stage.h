@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// What goes on in a level while it is played?
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <games/frame/hash.h>
+#include <games/runner/event.h>
+#include <games/runner/feel.h>
+#include <games/runner/level.h>
+#include <plumb/dynamics/world.h>
+#include <plumb/math/random.h>
+#include <plumb/movers/platform_mover.h>
+
+namespace plumb::games::runner {
+
+inline const Vec2 heroHalf{0.36, 0.45};      ///< [m]
+inline const Vec2 walkerHalf{0.42, 0.38};    ///< of snuffers and burrs [m]
+inline constexpr double mothRadius = 0.36;   ///< [m]
+inline constexpr double crateHalf = 0.48;    ///< [m]
+inline constexpr double platformHalf = 0.2;  ///< of its thickness [m]
+
+struct Hero {
+    PlatformMover mover;
+    bool tall = true;  ///< its flame: it bears one hurt
+    bool alive = true;
+    int facing = 1;
+    int safeTicks = 0;      ///< nothing hurts it
+    int chain = 0;          ///< stomped since it left the floor
+    bool isThrown = false;  ///< by a spring or off something
+    int thrownTicks = 0;    ///< since then
+    double fallSpeed = 0;   ///< in the tick before [m/s]
+};
+
+/// A snuffer or a burr.
+struct Walker {
+    BodyId body;
+    bool thorny = false;
+    int direction = -1;
+    Slide slide{};
+    bool alive = true;
+    int deadTicks = 0;
+};
+
+struct Moth {
+    BodyId body;
+    PathMover path;
+    std::int64_t phase = 0;  ///< [ticks]
+    bool alive = true;
+    int deadTicks = 0;
+};
+
+struct Lift {
+    BodyId body;
+    PathMover path;
+    std::int64_t phase = 0;  ///< [ticks]
+    double width = 3;        ///< [m]
+};
+
+struct Spring {
+    ShapeId shape;
+    Vec2 at{0, 0};          ///< the middle of its foot
+    int ticksSince = 1000;  ///< it threw something
+};
+
+struct Crate {
+    BodyId body;
+};
+
+struct Lantern {
+    Vec2 at{0, 0};
+    bool lit = false;
+};
+
+/// A coin, a sun or a drop of oil.
+struct Treasure {
+    ThingKind kind = ThingKind::Coin;
+    Vec2 at{0, 0};
+    bool taken = false;
+    int number = 0;  ///< of a sun, from 0
+};
+
+struct StageSetup {
+    std::string profile = "modern";
+    std::uint64_t seed = 1;  ///< of the phases of all that moves, the ways that walkers begin, and what lamps hold
+};
+
+/// A copy goes on as the original would: that is how the computer player sees what comes of what it may do.
+class Stage {
+public:
+    Stage(std::shared_ptr<const Level> level, const StageSetup& setup);
+
+    void update(const PlatformInput& input);  ///< one tick
+    /// All as at first, but for what was taken and lit: the hero stands at the last lantern lit.
+    void beginAgain();
+    /// Whether it keeps account of what happens; a copy that only looks ahead need not.
+    void keepEvents(bool keep) { keepsEvents_ = keep; }
+
+    const std::vector<Event>& events() const { return events_; }  ///< of the last tick
+    bool isOver() const { return finished_ || !hero_.alive; }
+    bool isFinished() const { return finished_; }
+    std::int64_t ticks() const { return ticks_; }  ///< since it began, or began again
+    double tick() const { return feel_.tick; }     ///< [s]
+    std::uint64_t hash() const;
+
+    const Level& level() const { return *level_; }
+    const World& world() const { return world_; }
+    const TileMap& tiles() const { return world_.tiles(ground_); }  ///< with what was broken and lit
+    const Hero& hero() const { return hero_; }
+    Vec2 heroAt() const { return std::as_const(world_).body(hero_.mover.body()).position(); }
+    const std::vector<Walker>& walkers() const { return walkers_; }
+    const std::vector<Moth>& moths() const { return moths_; }
+    const std::vector<Lift>& lifts() const { return lifts_; }
+    const std::vector<Spring>& springs() const { return springs_; }
+    const std::vector<Crate>& crates() const { return crates_; }
+    const std::vector<Lantern>& lanterns() const { return lanterns_; }
+    const std::vector<Treasure>& treasures() const { return treasures_; }
+    int ticksSinceBump(Cell cell) const;  ///< large where it never was; for the picture
+
+private:
+    struct Bump {
+        Cell cell;
+        std::int64_t tick;
+    };
+
+    // stage_build.cpp
+    void build(const TileMap& tiles);
+    void add(const Thing& thing);
+    void addWalker(const Thing& thing);
+    void addMoth(const Vec2& at);
+    void addSpring(const Vec2& at);
+    void addCrate(const Vec2& at);
+    void addLift(const Platform& platform);
+    PlatformMover heroMover(const Vec2& at);
+    std::int64_t phaseOf(const PathMover& path);
+
+    // stage_foes.cpp
+    void moveLifts();
+    void moveWalkers();
+    void walk(Walker& walker);
+    void moveMoths();
+    void meetFoes(const PlatformInput& input);
+    void squashByCrates();
+    // stage.cpp
+    void moveHero(const PlatformInput& input);
+    void meetFloor();
+    void meetHits();
+    void bump(Cell cell);
+    void stomp(const Vec2& at, const PlatformInput& input);
+    void takeTreasures();
+    void meetPlaces();
+    void throwUp(double height);
+    void hurt();
+    void die();
+    void note(EventKind kind, const Vec2& at, double strength = 0);
+    bool isNear(const Vec2& at) const;
+
+    std::shared_ptr<const Level> level_;
+    StageSetup setup_;
+    Feel feel_;
+    PlatformProfile thrownProfile_;
+    Random random_{0};
+    World world_;
+    ShapeId ground_;
+    Hero hero_{PlatformMover{BodyId{}}};
+    std::vector<Walker> walkers_;
+    std::vector<Moth> moths_;
+    std::vector<Lift> lifts_;
+    std::vector<Spring> springs_;
+    std::vector<Crate> crates_;
+    std::vector<Lantern> lanterns_;
+    std::vector<Treasure> treasures_;
+    std::vector<Bump> bumps_;
+    std::vector<Event> events_;
+    bool keepsEvents_ = true;
+    bool finished_ = false;
+    std::int64_t ticks_ = 0;
+};
+
+}  // namespace plumb::games::runner

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// What moves by itself: lifts, walkers and moths, and what it is to meet them.
+#include <algorithm>
+#include <cmath>
+
+#include <games/runner/stage.h>
+
+namespace plumb::games::runner {
+namespace {
+
+constexpr double walkSpeed = 1.8, burrSpeed = 1.2;  ///< [m/s]
+constexpr double walkerGravity = 40;                ///< [m/s^2]
+constexpr double nearEnough = 16;                   ///< what is farther from the hero rests [m]
+constexpr double stompRise = 2, heldStompRise = 4;  ///< of who stomped, without and with jump held [m]
+constexpr double forgiven = 0.1;                    ///< so much less than it looks is a foe as wide [m]
+constexpr double squashSpeed = 3;                   ///< of a crate that falls on one [m/s]
+
+Aabb boxAround(const Vec2& center, const Vec2& half) {
+    return {center - half, center + half};
+}
+
+}  // namespace
+
+bool Stage::isNear(const Vec2& at) const {
+    return std::fabs(at.x() - heroAt().x()) < nearEnough;
+}
+
+void Stage::moveLifts() {
+    for (const Lift& lift : lifts_)
+        world_.body(lift.body).moveTo(lift.path.poseAfter(ticks_ + lift.phase, feel_.tick).position, 0, feel_.tick);
+}
+
+void Stage::moveWalkers() {
+    for (Walker& walker : walkers_) {
+        if (!walker.alive) {
+            ++walker.deadTicks;
+            continue;
+        }
+        if (isNear(world_.body(walker.body).position()))
+            walk(walker);
+        else
+            world_.body(walker.body).setVelocity({0, 0});
+    }
+}
+
+void Stage::walk(Walker& walker) {
+    const Vec2 at = world_.body(walker.body).position();
+    if (walker.slide.isOnFloor) {
+        const Vec2 front = at + Vec2(walker.direction * walkerHalf.x(), -walkerHalf.y() + 0.1);
+        const bool ledge = !world_.castRay(front, front - Vec2(0, 0.8), {.category = 4, .mask = 1});
+        const bool wall = walker.slide.isOnWall && walker.slide.wallNormal.x() * walker.direction < 0;
+        if (ledge || wall) walker.direction = -walker.direction;
+    }
+    const double fall = walker.slide.isOnFloor ? 0 : walker.slide.velocity.y() - walkerGravity * feel_.tick;
+    const double speed = walker.thorny ? burrSpeed : walkSpeed;
+    const Vec2 velocity(walker.direction * speed, std::max(fall, -15.0));
+    walker.slide = moveAndSlide(world_, walker.body, {.velocity = velocity, .dt = feel_.tick}, {}, walker.slide);
+    if (at.y() < -2) walker.alive = false;
+}
+
+void Stage::moveMoths() {
+    for (Moth& moth : moths_) {
+        if (moth.alive)
+            world_.body(moth.body).moveTo(moth.path.poseAfter(ticks_ + moth.phase, feel_.tick).position, 0, feel_.tick);
+        else
+            ++moth.deadTicks;
+    }
+}
+
+void Stage::meetFoes(const PlatformInput& input) {
+    const Aabb hero = boxAround(heroAt(), heroHalf);
+    const bool falls = hero_.fallSpeed > 1;
+    const auto isOn = [&](const Vec2& at) { return falls && hero.lower.y() > at.y() - 0.05; };
+    const auto end = [&](auto& foe, const Vec2& at) {
+        foe.alive = false;
+        world_.body(foe.body).setEnabled(false);
+        stomp(at, input);
+    };
+    for (Walker& walker : walkers_) {
+        if (!walker.alive) continue;
+        const Vec2 at = world_.body(walker.body).position();
+        if (!overlap(hero, boxAround(at, walkerHalf - Vec2(forgiven, 0)))) continue;
+        if (!walker.thorny && isOn(at))
+            end(walker, at);
+        else
+            hurt();
+    }
+    for (Moth& moth : moths_) {
+        if (!moth.alive) continue;
+        const Vec2 at = world_.body(moth.body).position();
+        if (!overlap(hero, boxAround(at, Vec2(mothRadius - forgiven, mothRadius - forgiven)))) continue;
+        if (isOn(at))
+            end(moth, at);
+        else
+            hurt();
+    }
+}
+
+void Stage::stomp(const Vec2& at, const PlatformInput& input) {
+    note(EventKind::Stomped, at, ++hero_.chain);
+    throwUp(input.jump ? heldStompRise : stompRise);
+}
+
+void Stage::squashByCrates() {
+    for (const ContactHit& hit : world_.contactHits()) {
+        if (hit.approachSpeed < squashSpeed || std::fabs(hit.normal.y()) < 0.7) continue;
+        for (Walker& walker : walkers_) {
+            if (!walker.alive || (hit.shapeA.body != walker.body && hit.shapeB.body != walker.body)) continue;
+            walker.alive = false;
+            note(EventKind::Squashed, world_.body(walker.body).position());
+        }
+    }
+    for (const Walker& walker : walkers_)
+        if (!walker.alive && world_.body(walker.body).enabled()) world_.body(walker.body).setEnabled(false);
+}
+
+}  // namespace plumb::games::runner

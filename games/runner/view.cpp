@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include <games/runner/view.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumb::games::runner {
+namespace {
+
+constexpr double height = 11.5;  ///< of what is seen [m]
+constexpr double width = height * screenWidth / screenHeight;
+constexpr double lookAhead = 2.6;  ///< at full speed [m]
+
+/// What the map has, or its middle where it is smaller than what is seen.
+double within(double center, double extent, double size) {
+    return size < extent ? size / 2 : std::clamp(center, extent / 2, size - extent / 2);
+}
+
+}  // namespace
+
+void View::reset(const Stage& stage) {
+    *this = View{};
+    floor_ = stage.heroAt().y();
+    center_ = {within(stage.heroAt().x(), width, stage.tiles().columns()),
+               within(floor_ + 1.4, height, stage.tiles().rows())};
+    before_ = center_;
+}
+
+void View::hear(const Event& event) {
+    if (event.kind == EventKind::Jumped) squashSpeed_ = -7;
+    if (event.kind == EventKind::Sprung) squashSpeed_ = -12;
+    if (event.kind == EventKind::Stomped) squashSpeed_ = 6;
+    if (event.kind == EventKind::Landed) squashSpeed_ = std::min(10.0, 0.75 * event.strength);
+    if (event.kind == EventKind::BrickBroke) shake_ = 0.12;
+    if (event.kind == EventKind::Hurt) shake_ = 0.25;
+    if (event.kind == EventKind::Died) shake_ = 0.35;
+}
+
+void View::update(const Stage& stage) {
+    ++ticks_;
+    before_ = center_;
+    const Vec2 hero = stage.heroAt();
+    const Slide& slide = stage.hero().mover.slide();
+    const double speed = slide.velocity.x();
+    squashSpeed_ += (-220 * squash_ - 18 * squashSpeed_) * tickSeconds;
+    squash_ = std::clamp(squash_ + squashSpeed_ * tickSeconds, -0.3, 0.32);
+    lean_ += (std::clamp(speed / 9, -1.0, 1.0) - lean_) * 0.15;
+    if (slide.isOnFloor) stride_ += speed * tickSeconds;
+    shake_ *= 0.86;
+
+    ahead_ += (lookAhead * std::clamp(speed / 9, -1.0, 1.0) - ahead_) * 0.03;
+    // The eyes follow up and down to where it stands, and to where it falls, but not every jump.
+    if (slide.isOnFloor || hero.y() < floor_ || hero.y() > floor_ + 4.5)
+        floor_ += (hero.y() - floor_) * (hero.y() < floor_ ? 0.16 : 0.07);
+    const Vec2 wanted(within(hero.x() + ahead_, width, stage.tiles().columns()),
+                      within(floor_ + 1.4, height, stage.tiles().rows()));
+    center_ += Vec2((wanted.x() - center_.x()) * 0.2, (wanted.y() - center_.y()) * 0.16);
+}
+
+Camera View::camera(double between) const {
+    const Vec2 center = before_ + (center_ - before_) * between;
+    const double turn = ticks_ * 1.9;
+    return {.center = center + shake_ * Vec2(std::sin(turn), std::cos(1.3 * turn)), .height = height};
+}
+
+}  // namespace plumb::games::runner
