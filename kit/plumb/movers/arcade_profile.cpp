@@ -52,6 +52,15 @@ constexpr std::array<Band<ArcadeHouse>, 4> houses{{
     {rest, {{0, 0, 0}, 3}},
 }};
 
+constexpr std::array<Band<ArcadeFruit>, 8> fruits{{{1, {0, 100}},
+                                                   {2, {1, 300}},
+                                                   {4, {2, 500}},
+                                                   {6, {3, 700}},
+                                                   {8, {4, 1000}},
+                                                   {10, {5, 2000}},
+                                                   {12, {6, 3000}},
+                                                   {rest, {7, 5000}}}};
+
 constexpr std::array<Band<int>, 8> hasteDots{
     {{1, 20}, {2, 30}, {5, 40}, {8, 50}, {11, 60}, {14, 80}, {18, 100}, {rest, 120}}};
 
@@ -76,6 +85,10 @@ ArcadeWaves arcadeWaves(int level) {
 
 ArcadeHouse arcadeHouse(int level) {
     return at(houses, level);
+}
+
+ArcadeFruit arcadeFruit(int level) {
+    return at(fruits, level);
 }
 
 int arcadeHasteDots(int level) {

@@ -33,6 +33,14 @@ void requireDirection(Direction direction, const char* field) {
     if (value > 3) refuse(field, std::to_string(value) + " is none of the four directions");
 }
 
+void requireOnLane(const GridMoverDef& def) {
+    requireFinite(def.offset, "GridMoverDef.offset");
+    const double along = isHorizontal(def.heading) ? def.offset.x() : def.offset.y();
+    const double aside = isHorizontal(def.heading) ? def.offset.y() : def.offset.x();
+    if (aside != 0 || !(along > -0.5 && along <= 0.5))
+        refuse("GridMoverDef.offset", toText(def.offset) + " is not along the heading, above -1/2, to 1/2");
+}
+
 /// The part of a tick's way that is left when it stands for a while; that while grows shorter.
 double withoutStanding(double way, double dt, double& standing) {
     const double stood = std::min(standing, dt);
@@ -55,8 +63,11 @@ const CorneringWindow& Cornering::of(Direction heading) const {
 GridMover::GridMover(const GridMoverDef& def) : def_(def), cell_(def.cell), heading_(def.heading), halted_(def.halted) {
     requireDirection(def.heading, "GridMoverDef.heading");
     requireSound(def.cornering);
+    requireOnLane(def);
     if (def.pixelsPerTile < 1 || def.pixelsPerTile > mostPixels)
         refuse("GridMoverDef.pixelsPerTile", std::to_string(def.pixelsPerTile) + " is not within 1 to 2^20");
+    x_ = def.offset.x() * def.pixelsPerTile;
+    y_ = def.offset.y() * def.pixelsPerTile;
 }
 
 void GridMover::want(Direction direction) {

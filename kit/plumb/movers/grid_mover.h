@@ -24,7 +24,8 @@ struct Cornering {
 };
 
 struct GridMoverDef {
-    Cell cell = {};  ///< it starts at the centre
+    Cell cell = {};
+    Vec2 offset{0, 0};  ///< from its centre, where it starts: along heading only, above -1/2, to 1/2 [tiles]
     Direction heading = Direction::Right;
     GridPass pass = {};
     Cornering cornering = {};

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include <plumb/math/check.h>
+#include <plumb/movers/detail/one_way.h>
 #include <plumb/movers/detail/platform_tick.h>
-#include <plumb/movers/detail/slide_probe.h>
 
 namespace plumb {
 
@@ -49,7 +49,12 @@ void PlatformMover::setVelocity(const Vec2& velocity) {
     thrown_ = true;
 }
 
+const JumpBand& PlatformMover::band(const PlatformInput& input) const {
+    return input.swim && profile_.swim ? profile_.swim->stroke : profile_.vertical.jumps[band_];
+}
+
 bool PlatformMover::takesOff(const PlatformInput& input, bool fresh, double dt) const {
+    if (input.swim && profile_.swim) return fresh;
     const VerticalMotion& vertical = profile_.vertical;
     const bool asked = fresh || (input.jump && isWithin(sincePress_, vertical.jumpBuffer, dt));
     const bool late = mayStillJump_ && isWithin(sinceFloor_, vertical.coyoteTime, dt);
@@ -69,19 +74,20 @@ detail::TickMotion PlatformMover::levelPart(const PlatformInput& input, double s
     sinceRun_ = input.run && withIt && pushes ? 0 : sinceRun_ + dt;
     bool runs = withIt && pushes && (sinceRun_ == 0 || (level.runGrace > 0 && isWithin(sinceRun_, level.runGrace, dt)));
     if (!onFloor && level.airRunSpeed) runs = std::fabs(speed) >= *level.airRunSpeed * (1 - 1e-12);
-    return detail::levelTick(profile_, {speed, input.move, runs, onFloor}, dt);
+    std::optional<double> most;
+    if (input.swim && profile_.swim) most = profile_.swim->speed;
+    return detail::levelTick(profile_, {speed, input.move, runs, onFloor, most}, dt);
 }
 
 detail::TickMotion PlatformMover::verticalPart(const PlatformInput& input, double speed, double dt) {
     if (rising_ && (!input.jump && risen_ >= profile_.vertical.leastRise * (1 - 1e-12))) rising_ = false;
     if (!(speed > 0)) rising_ = false;
-    const detail::TickMotion motion =
-        detail::verticalTick(profile_, {speed, profile_.vertical.jumps[band_], rising_, input.jump}, dt);
+    const detail::TickMotion motion = detail::verticalTick(profile_, {speed, band(input), rising_, input.jump}, dt);
     risen_ += motion.shift;
     return motion;
 }
 
-const Slide& PlatformMover::step(World& world, const PlatformInput& input, double dt) {
+const Slide& PlatformMover::step(World& world, const PlatformInput& input, double dt, std::span<const BodyId> later) {
     requireWithin(input.move, -1, 1, "PlatformInput", ".move");
     requirePositive(dt, "PlatformMover.step: dt");
     const bool fresh = input.jump && !jumpHeld_;
@@ -97,7 +103,7 @@ const Slide& PlatformMover::step(World& world, const PlatformInput& input, doubl
     const bool jumps = !drops && takesOff(input, fresh, dt);
     if (jumps) {
         band_ = bandOf(profile_.vertical.jumps, std::fabs(along));
-        rise = profile_.vertical.jumps[band_].takeOffSpeed;
+        rise = band(input).takeOffSpeed;
         rising_ = true;
         risen_ = 0;
         sincePress_ = never;
@@ -110,7 +116,8 @@ const Slide& PlatformMover::step(World& world, const PlatformInput& input, doubl
     const SlideMotion motion{.velocity = right * level.speed + up * vertical.speed,
                              .dt = dt,
                              .displacement = right * level.shift + up * vertical.shift,
-                             .dropThrough = drops};
+                             .dropThrough = drops,
+                             .later = later};
     slide_ = moveAndSlide(world, body_, motion, profile_.slide, slide_);
     hasJumped_ = jumps;
     jumpHeld_ = input.jump;

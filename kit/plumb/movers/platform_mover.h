@@ -17,6 +17,7 @@ struct PlatformInput {
     bool run = false;
     bool jump = false;
     bool down = false;
+    bool swim = false;  ///< it is in water, if its profile can swim
 };
 
 /// Moves a kinematic body of a world; keeps no hold on that world, so a copy goes on in a copy of it.
@@ -26,8 +27,9 @@ public:
     explicit PlatformMover(BodyId body, const PlatformProfile& profile = modernProfile());
 
     /// One tick, before World::step(dt): finds fresh presses, jumps, and moves by moveAndSlide(), whose answer it
-    /// gives. Throws std::invalid_argument as that does, and unless move is -1 to 1; dt is > 0 [s].
-    const Slide& step(World& world, const PlatformInput& input, double dt);
+    /// gives; later is as SlideMotion has it. Throws std::invalid_argument as that does, and unless move is -1 to 1; dt
+    /// is > 0 [s].
+    const Slide& step(World& world, const PlatformInput& input, double dt, std::span<const BodyId> later = {});
 
     BodyId body() const { return body_; }
     const PlatformProfile& profile() const { return profile_; }
@@ -40,6 +42,7 @@ public:
 private:
     detail::TickMotion levelPart(const PlatformInput& input, double speed, double dt);
     detail::TickMotion verticalPart(const PlatformInput& input, double speed, double dt);
+    const JumpBand& band(const PlatformInput& input) const;
     bool takesOff(const PlatformInput& input, bool fresh, double dt) const;
     bool dropsThrough(const World& world, const PlatformInput& input, bool fresh) const;
 

@@ -124,6 +124,7 @@ PlatformProfile profile1985() {
     profile.vertical.terminalSpeed = speedOf(16 * 4);
     profile.vertical.terminalUnit = speedOf(16);
     profile.vertical.order = TickOrder::PositionFirst;
+    profile.swim = SwimMotion{speedOf(0x10), {0, speedOf(16 + 8), gravityOf(0x0D), gravityOf(0x0A), gravityOf(0x0A)}};
     profile.dropThrough = false;
     profile.grain = pixel / 4096;
     return profile;
@@ -132,6 +133,10 @@ PlatformProfile profile1985() {
 void validate(const PlatformProfile& profile, const std::string& field) {
     validate(profile.level, field + ".level");
     validate(profile.vertical, field + ".vertical");
+    if (profile.swim) {
+        requireNotNegative(profile.swim->speed, field, ".swim.speed");
+        validate(profile.swim->stroke, field + ".swim.stroke");
+    }
     validate(profile.slide, field + ".slide");
     requireNotNegative(profile.grain, field, ".grain");
 }

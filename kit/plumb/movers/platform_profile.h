@@ -63,9 +63,16 @@ struct VerticalMotion {
     TickOrder order = TickOrder::Exact;
 };
 
+/// In water every fresh press of jump is a stroke, on a floor or not.
+struct SwimMotion {
+    double speed = 3;  ///< at most, to the sides, >= 0 [m/s]
+    JumpBand stroke = {.takeOffSpeed = 4, .riseGravity = 6, .releaseGravity = 8, .fallGravity = 5};
+};
+
 struct PlatformProfile {
     LevelMotion level;
     VerticalMotion vertical;
+    std::optional<SwimMotion> swim = std::nullopt;  ///< without, water is air
     SlideSettings slide;
     bool dropThrough = true;  ///< down and jump on a one-way floor drops through it
     /// What a tick moves, and by how much that changes, are rounded to whole multiples of this, >= 0; 0: they are not.
@@ -92,9 +99,10 @@ PlatformProfile modernProfile(const JumpFeel& feel = {});
 
 /// The platform game of 1985 whose tables public disassemblies give: NTSC, 60.0988 ticks a second, 16
 /// pixels a metre, all speeds whole multiples of 1/4096 pixel a tick. Step it by tickOf1985.
-/// Tests: [arcade], "walking takes 41 ticks to full speed, running 45"
+/// It swims by that game's strokes. Tests: [arcade], "walking takes 41 ticks to full speed, running 45"
 PlatformProfile profile1985();
 inline constexpr double tickOf1985 = 1 / 60.0988;  ///< [s]
+inline constexpr double entryMove1985 = 0.5;       ///< PlatformInput::move of who is led into a scene: 0Ch of 18h [-]
 
 /// Throws std::invalid_argument naming the field, the value and what was wanted; field is the name of the whole.
 void validate(const PlatformProfile& profile, const std::string& field);

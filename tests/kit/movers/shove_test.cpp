@@ -113,4 +113,43 @@ TEST_CASE("a wall against which a platform of 2 m/s carries a mover is told as a
     CHECK(told == 120 - 62);
 }
 
+TEST_CASE("a mover that a platform carries into a wall, under a beam, or that a wall pushes, is on that wall",
+          "[movers]") {
+    for (const double side : {1.0, -1.0}) {
+        World world;
+        const BodyId platform = addKinematic(world, {0, 0}, box({6, 0.25}), {side * 2, 0});
+        addStatic(world, {side * 3, 2}, box({0.5, 1}));
+        Slider slider{addKinematic(world, {0, 1.151}, box({0.4, 0.9}))};
+        int onWall = 0;
+        for (int i = 0; i < 180; ++i) {
+            slider.step(world, 0, dt);
+            // The platform is the only other thing, and it is a floor.
+            CHECK(slider.slide.isOnWall == (slider.slide.position.x() * side > 2.1 - 1.01 * skin));
+            if (slider.slide.isOnWall) CHECK(slider.slide.wallNormal == Vec2(-side, 0));
+            onWall += slider.slide.isOnWall;
+        }
+        CHECK(onWall > 90);
+        CHECK(slider.slide.isOnFloor);
+
+        world.body(platform).setVelocity({0, 0});
+        const BodyId pusher = addKinematic(world, {-side * 1, 2}, box({0.2, 1.5}), {side * 3, 0});
+        for (int i = 0; i < 60; ++i) {
+            slider.step(world, 0, dt);
+            const double gap = world.distance({pusher, 0}, {slider.body, 0}).separation;
+            if (gap < 1.01 * skin) break;
+            CHECK_FALSE(slider.slide.isOnWall);
+        }
+        CHECK(slider.slide.isOnWall);
+        CHECK(slider.slide.wallNormal == Vec2(side, 0));
+    }
+    World world;
+    addKinematic(world, {0, 0}, box({2, 0.25}), {0, 2});
+    addStatic(world, {0, 4}, box({2, 0.25}));
+    Slider slider{addKinematic(world, {0, 1.151}, box({0.4, 0.9}))};
+    bool onCeiling = false;
+    for (int i = 0; i < 60 && !onCeiling; ++i) onCeiling = slider.step(world, 0, dt).isOnCeiling;
+    CHECK(onCeiling);
+    CHECK_FALSE(slider.slide.isOnWall);
+}
+
 }  // namespace plumb::test

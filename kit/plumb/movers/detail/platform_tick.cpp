@@ -59,7 +59,8 @@ TickMotion levelTick(const PlatformProfile& profile, const LevelTick& tick, doub
     const LevelMotion& level = profile.level;
     const Ticks ticks(profile.grain, dt);
     double speed = ticks.speed(tick.speed);
-    const double target = ticks.speed(tick.move * (tick.runs ? level.runSpeed : level.walkSpeed));
+    const double own = tick.runs ? level.runSpeed : level.walkSpeed;
+    const double target = ticks.speed(tick.move * std::min(own, tick.most.value_or(own)));
     double gain = ticks.acceleration(accelerationOf(level, tick));
     const bool turns = tick.move * speed < 0;
     const double turnGain = turns ? gain * level.turnFactor : gain;

@@ -16,6 +16,7 @@ struct LevelTick {
     double move = 0;   ///< wanted, -1 to 1 [-]
     bool runs = false;
     bool onFloor = false;
+    std::optional<double> most = std::nullopt;  ///< speed [m/s]
 };
 TickMotion levelTick(const PlatformProfile& profile, const LevelTick& tick, double dt);
 

@@ -19,18 +19,8 @@ double lengthOf(const Vec2& v) {
     return std::sqrt(v.dot(v));
 }
 
-/// All that is within a skin of a shape.
-Shape inflated(Shape shape, double skin) {
-    if (auto* circle = std::get_if<Circle>(&shape)) circle->radius += skin;
-    if (auto* capsule = std::get_if<Capsule>(&shape)) capsule->radius += skin;
-    if (auto* polygon = std::get_if<Polygon>(&shape)) polygon->radius += skin;
-    if (const auto* segment = std::get_if<Segment>(&shape)) return Capsule{segment->start, segment->end, skin};
-    return shape;
-}
-
-/// The pieces of a chain are one; of a tile map those that are solid from all sides, and those that are not.
-bool isSame(const CastHit& a, const CastHit& b) {
-    return a.shape == b.shape && a.oneWay.has_value() == b.oneWay.has_value();
+OneWayFloor floorOf(const CastHit& hit) {
+    return {hit.shape, hit.tile};
 }
 
 CastHit asSeenAfter(const MovingThing& thing, CastHit hit) {
@@ -43,9 +33,12 @@ CastHit asSeenAfter(const MovingThing& thing, CastHit hit) {
 
 }  // namespace
 
-std::optional<Vec2> openSideOf(const CastHit& hit) {
-    if (!hit.oneWay) return std::nullopt;
-    return Vec2(*hit.oneWay / lengthOf(*hit.oneWay));
+Shape grown(Shape shape, double by) {
+    if (auto* circle = std::get_if<Circle>(&shape)) circle->radius += by;
+    if (auto* capsule = std::get_if<Capsule>(&shape)) capsule->radius += by;
+    if (auto* polygon = std::get_if<Polygon>(&shape)) polygon->radius += by;
+    if (const auto* segment = std::get_if<Segment>(&shape)) return Capsule{segment->start, segment->end, by};
+    return shape;
 }
 
 MovingThing movingThing(const World& world, BodyId id, double dt, const Vec2& up, const Vec2& near) {
@@ -63,12 +56,12 @@ SlideProbe::SlideProbe(const World& world, BodyId body, const SlideSettings& set
     for (const ShapeId& id : world.body(body).shapes()) {
         const ShapeDef def = world.shape(id);
         if (!def.sensor)
-            own_.push_back({def.shape, inflated(def.shape, settings.skin),
-                            inflated(def.shape, settings.skin * (1 + 1e-6) + 1e-9), def.filter});
+            own_.push_back({def.shape, grown(def.shape, settings.skin),
+                            grown(def.shape, settings.skin * (1 + 1e-6) + 1e-9), def.filter});
     }
 }
 
-void SlideProbe::findMoving(double within, const std::optional<BodyId>& floor) {
+void SlideProbe::findMoving(double within, const std::optional<BodyId>& floor, std::span<const BodyId> still) {
     moving_.clear();
     const Vec2 position = world_.body(body_).position();
     const auto take = [&](BodyId id) {
@@ -77,6 +70,7 @@ void SlideProbe::findMoving(double within, const std::optional<BodyId>& floor) {
         const bool carries = floor && id == *floor && view.type() == BodyType::Dynamic;
         if (view.type() != BodyType::Kinematic && !carries) return;
         if (view.velocity().isZero(0) && view.angularVelocity() == 0) return;
+        if (!(floor && id == *floor) && std::ranges::find(still, id) != still.end()) return;
         moving_.push_back(movingThing(world_, id, dt_, settings_.up, position));
     };
     if (floor && world_.contains(*floor)) take(*floor);
@@ -90,24 +84,45 @@ const MovingThing* SlideProbe::find(BodyId body) const {
     return found == moving_.end() ? nullptr : &*found;
 }
 
+void SlideProbe::meetMap(const ShapeId& map) const {
+    if (std::ranges::find(maps_, map) == maps_.end()) maps_.push_back(map);
+}
+
+Transform SlideProbe::poseOfMap(const ShapeId& shape, const TileMap& map, const Vec2& near) const {
+    const MovingThing* thing = find(shape.body);
+    Transform pose = world_.body(shape.body).pose();
+    if (thing != nullptr) pose = thing->back.inverse() * pose;
+    const Vec2 middle = pose * Vec2(0.5 * map.size() * Vec2(map.columns(), map.rows()));
+    pose.position += world_.wrap().shiftNear(middle, near);
+    return pose;
+}
+
 template <class Visit>
 void SlideProbe::meetAll(const Shape& shape, const Filter& filter, const Vec2& from, const Vec2& shift,
                          Visit&& visit) const {
     const Transform pose = poseAt(from);
+    const auto tell = [&](const CastHit& hit) {
+        if (hit.tile) meetMap(hit.shape);
+        visit(hit);
+    };
     for (const CastHit& hit : world_.castShapePieces(shape, pose, shift, filter, body_))
-        if (find(hit.shape.body) == nullptr) visit(hit);
+        if (find(hit.shape.body) == nullptr) tell(hit);
     for (const MovingThing& thing : moving_) {
         const Vec2 shiftThere = thing.back.rotation * shift;
         for (const CastHit& hit : world_.castShapePieces(shape, thing.back * pose, shiftThere, filter, body_))
-            if (hit.shape.body == thing.body) visit(asSeenAfter(thing, hit));
+            if (hit.shape.body == thing.body) tell(asSeenAfter(thing, hit));
     }
 }
 
-namespace {
+/// The pieces of a chain are one; of a tile map those that are solid from all sides, and each one-way floor.
+bool SlideProbe::isSame(const CastHit& a, const CastHit& b) const {
+    if (!(a.shape == b.shape) || a.oneWay.has_value() != b.oneWay.has_value()) return false;
+    return !a.oneWay || isOneFloor(world_, floorOf(a), floorOf(b));
+}
 
 /// Of the hits of a shape that stays, those of what was met: the normal that a way goes into most, if it goes into one.
 /// It is another than the cast's where that began nearer than a skin.
-std::optional<Vec2> wallOf(const std::vector<CastHit>& here, const CastHit& met, const Vec2& shift) {
+std::optional<Vec2> SlideProbe::wallOf(const std::vector<CastHit>& here, const CastHit& met, const Vec2& shift) const {
     std::optional<Vec2> wall;
     double into = -parallel * lengthOf(shift);
     for (const CastHit& now : here) {
@@ -118,12 +133,15 @@ std::optional<Vec2> wallOf(const std::vector<CastHit>& here, const CastHit& met,
     return wall;
 }
 
-}  // namespace
+bool SlideProbe::isPassed(const OneWayFloor& floor) const {
+    return std::ranges::any_of(passedFloors_,
+                               [&](const OneWayFloor& passed) { return isOneFloor(world_, passed, floor); });
+}
 
 bool SlideProbe::isSolid(const CastHit& hit) const {
     if (passed_ && hit.shape.body == *passed_) return false;
     const std::optional<Vec2> open = openSideOf(hit);
-    return !open || (!passOneWays_ && hit.normal.dot(*open) >= openCosine);
+    return !open || (hit.normal.dot(*open) >= openCosine && !isPassed(floorOf(hit)));
 }
 
 /// meet(own, shift, visit) casts. What is one-way is solid from a skin on only, and not to what is in it.
@@ -216,11 +234,23 @@ FaceSpan SlideProbe::faceSpanAt(const Vec2& at, const Vec2& way, const Vec2& lin
     return farthest;
 }
 
-bool SlideProbe::isInOneWay(const Vec2& at) const {
+bool SlideProbe::isInPassedFloor(const Vec2& at) const {
     bool inside = false;
-    const auto look = [&](const CastHit& hit) { inside |= openSideOf(hit).has_value(); };
-    for (const Own& own : own_) meetAll(own.shape, own.filter, at, settings_.up * (-2 * settings_.skin), look);
+    const auto look = [&](const CastHit& hit) { inside |= hit.oneWay && isPassed(floorOf(hit)); };
+    for (const Own& own : own_) meetAll(own.shape, own.filter, at, {0, 0}, look);
     return inside;
+}
+
+void SlideProbe::passFloor(const OneWayFloor& floor) {
+    if (!isPassed(floor)) passedFloors_.push_back(floor);
+}
+
+void SlideProbe::passFloorsUnder(const Vec2& at, const Vec2& way) {
+    const Vec2 lowered = at - settings_.up * (2 * settings_.skin);
+    for (const Own& own : own_)
+        meetAll(own.shape, own.filter, lowered, way, [&](const CastHit& hit) {
+            if (hit.oneWay) passFloor(floorOf(hit));
+        });
 }
 
 }  // namespace plumb::detail

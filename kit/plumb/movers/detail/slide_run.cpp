@@ -17,11 +17,14 @@ constexpr double tiny = 1e-9;
 }  // namespace
 
 bool SlideRun::isFloor(const Vec2& normal) const {
-    return normal.dot(up()) >= leastFloorRise();
+    return normal.dot(up()) >= leastFloorRise;
 }
 
-double SlideRun::leastFloorRise() const {
-    return sinCos(settings.maxFloorAngle).cos - 1e-6;
+double leastFloorRise(const SlideSettings& settings, const Vec2& position) {
+    if (settings.motionMode == MotionMode::Floating) return 2;
+    // Some ten roundings of the place, and of what a cast leaves open.
+    const double rounding = 1e-14 * (10 + position.cwiseAbs().maxCoeff());
+    return sinCos(settings.maxFloorAngle + std::sqrt(2 * rounding / settings.skin)).cos - 1e-6;
 }
 
 Vec2 SlideRun::alongFloor(const Vec2& normal, double side) const {
@@ -30,6 +33,8 @@ Vec2 SlideRun::alongFloor(const Vec2& normal, double side) const {
 }
 
 SlideHit& SlideRun::note(const CastHit& hit, SlideEffect effect) {
+    const bool isPassedBy = effect == SlideEffect::Stepped || effect == SlideEffect::Nudged;
+    if (!isPassedBy) touch(hit.normal);
     const BodyView body = std::as_const(world).body(hit.shape.body);
     const Vec2 closing = velocity + carry - body.velocityAt(hit.point);
     out.hits.push_back(
@@ -37,17 +42,21 @@ SlideHit& SlideRun::note(const CastHit& hit, SlideEffect effect) {
     return out.hits.back();
 }
 
+void SlideRun::touch(const Vec2& normal) {
+    if (isFloor(normal)) return;
+    if (isCeiling(normal)) {
+        out.isOnCeiling = true;
+        return;
+    }
+    out.isOnWall = true;
+    out.wallNormal = normal;
+}
+
 Vec2 meetWall(SlideRun& run, const CastHit& hit, SlideEffect effect) {
     SlideHit& noted = run.note(hit, effect);
     const SlidePush pushed = push(run, hit, run.velocity + run.carry);
     noted.impulse = pushed.impulse;
     if (noted.impulse > 0) noted.effect = SlideEffect::Pushed;
-    if (run.isCeiling(hit.normal)) {
-        run.out.isOnCeiling = true;
-    } else if (!run.isFloor(hit.normal)) {
-        run.out.isOnWall = true;
-        run.out.wallNormal = hit.normal;
-    }
     // What gives way leaves it as much speed as it has itself; what comes gives it none.
     const double kept = std::min(0.0, (pushed.surface - run.carry).dot(hit.normal));
     const double into = run.velocity.dot(hit.normal) - kept;
@@ -62,6 +71,7 @@ void walk(SlideRun& run, double length, double side) {
         const double stretch = run.settings.floorConstantSpeed ? 1 : 1 / across;
         const FreeWay way = run.probe.freeWay(run.position, along * (length * stretch));
         run.position += along * way.length;
+        run.places.push_back(run.position);
         run.along = along;
         length -= way.length / stretch;
         if (!way.hit) return;
@@ -116,7 +126,7 @@ bool settle(SlideRun& run, double reach, double across) {
     const Vec2 down = run.up() * -(reach + 2 * across + 2 * skin);
     const FreeWay any = run.probe.freeWay(top, down);
     if (!any.hit) return false;
-    const FreeWay way = run.isFloor(any.hit->normal) ? any : run.probe.freeWay(top, down, run.leastFloorRise());
+    const FreeWay way = run.isFloor(any.hit->normal) ? any : run.probe.freeWay(top, down, run.leastFloorRise);
     // A wall beside it may be as near as the floor, to rounding.
     if (!way.hit || any.length < way.length - skin) return false;
     // A floor that falls away is followed; an edge only as deep as reach.
@@ -139,7 +149,7 @@ Vec2 slideAlong(const SlideRun& run, const Vec2& shift, const Vec2& normal) {
     if (!(into < 0)) return shift;
     Vec2 rest = shift - normal * into;
     const double rise = rest.dot(run.up());
-    if (rise > 0 && shift.dot(run.up()) <= 0) rest.setZero();
+    if (rise > 0 && shift.dot(run.up()) <= 0 && !run.floats()) rest.setZero();
     return rest;
 }
 
@@ -154,6 +164,7 @@ void land(SlideRun& run, const CastHit& hit, const Vec2& rest) {
 }
 
 bool isAround(SlideRun& run, const CastHit& hit, Vec2& shift) {
+    if (run.floats()) return false;
     const double level = shift.dot(run.right()), rise = shift.dot(run.up());
     const double side = level < 0 ? -1 : 1;
     if (run.isCeiling(hit.normal))
@@ -165,6 +176,21 @@ bool isAround(SlideRun& run, const CastHit& hit, Vec2& shift) {
     return true;
 }
 
+/// Does it not slide along what it meets?
+bool stopsAt(const SlideRun& run, const Vec2& normal, const Vec2& shift) {
+    if (run.isCeiling(normal)) return !run.settings.slideOnCeiling && run.velocity.dot(run.up()) > 0;
+    // The angle between the way and the wall's normal is less than that.
+    const double into = -shift.dot(normal), along = std::fabs(cross(shift, normal));
+    return run.floats() && arcTangent(along, into) < run.settings.wallMinSlideAngle;
+}
+
+/// It goes on only against a wall that gives way.
+void stop(SlideRun& run, const CastHit& hit) {
+    meetWall(run, hit, SlideEffect::Stopped);
+    const Vec2 way = run.isCeiling(hit.normal) ? run.up() : hit.normal;
+    run.velocity = way * std::min(0.0, run.velocity.dot(way));
+}
+
 }  // namespace
 
 void fly(SlideRun& run, Vec2 shift) {
@@ -174,17 +200,22 @@ void fly(SlideRun& run, Vec2 shift) {
         if (!(length > 0)) return;
         const FreeWay way = run.probe.freeWay(run.position, shift);
         run.position += shift * (way.length / length);
+        run.places.push_back(run.position);
         if (!way.hit) return;
         shift *= 1 - way.length / length;
         const Vec2 normal = way.hit->normal;
         if (run.isFloor(normal) && run.velocity.dot(run.up()) <= 0) return land(run, *way.hit, shift);
         if (isAround(run, *way.hit, shift)) continue;
+        if (stopsAt(run, normal, shift)) {
+            stop(run, *way.hit);
+            return;
+        }
         meetWall(run, *way.hit, SlideEffect::Slid);
         const bool falls = shift.dot(run.up()) < 0;
         const Vec2 rest = slideAlong(run, shift, normal);
         const bool wedged = plane && rest.dot(*plane) < -tiny * length;
         // Between two walls that lean apart it stands as on a floor.
-        if (wedged && falls && (*plane + normal).dot(run.up()) > tiny) {
+        if (wedged && falls && !run.floats() && (*plane + normal).dot(run.up()) > tiny) {
             run.out.isOnFloor = true;
             run.out.floorNormal = run.up();
             run.out.floor = *way.hit;

@@ -5,28 +5,37 @@
 
 namespace plumb::detail {
 
+/// Of the normal of a floor, upward; beyond 1 for who floats. What is met at an edge has a normal that roundings of the
+/// place turn: an edge a skin away is met up to sqrt(2 skin rounding) too early or too late, which is sqrt(2 rounding /
+/// skin) of an angle
+/// [-].
+double leastFloorRise(const SlideSettings& settings, const Vec2& position);
+
 /// One tick of a body, as far as it has come.
 struct SlideRun {
     World& world;
     const SlideSettings& settings;  ///< up has length 1
     SlideProbe probe;
     double dt;
-    Vec2 position;    ///< so far [m]
-    Vec2 velocity;    ///< against what carries it [m/s]
-    Vec2 carry;       ///< of what carries it, where it is [m/s]
-    double pushLeft;  ///< impulse that may still be given in this tick [N s]
+    Vec2 position;          ///< so far [m]
+    Vec2 velocity;          ///< against what carries it [m/s]
+    Vec2 carry;             ///< of what carries it, where it is [m/s]
+    double pushLeft;        ///< impulse that may still be given in this tick [N s]
+    double leastFloorRise;  ///< of a floor's normal, upward [-]
     Slide out;
     std::vector<BodyId> pushed = {};
-    Vec2 along{0, 0};  ///< the way of the last stretch that it walked, 0 when it did not walk
+    std::vector<Vec2> places = {};  ///< between which it went straight on
+    Vec2 along{0, 0};               ///< the way of the last stretch that it walked, 0 when it did not walk
 
     Vec2 up() const { return settings.up; }
     Vec2 right() const { return {settings.up.y(), -settings.up.x()}; }
+    bool floats() const { return settings.motionMode == MotionMode::Floating; }
     bool isFloor(const Vec2& normal) const;
-    double leastFloorRise() const;  ///< of a floor's normal, upward
     bool isCeiling(const Vec2& normal) const { return isFloor(-normal); }
     /// Along a floor, to the right or, with a side of -1, to the left.
     Vec2 alongFloor(const Vec2& normal, double side) const;
     SlideHit& note(const CastHit& hit, SlideEffect effect);
+    void touch(const Vec2& normal);  ///< tells that it is on a wall or a ceiling
 };
 
 /// What moves into it pushes it out of the way. from: where it was before the step, and before it was carried.
