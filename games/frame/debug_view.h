@@ -9,8 +9,8 @@ namespace plumb::games {
 struct DebugView {
     bool shapes = true;      ///< outlines, by kind of body and sleep
     bool boxes = true;       ///< upright bounding boxes
-    bool contacts = true;    ///< points, normals as long as the force is strong
-    bool joints = true;      ///< anchors and what they hold
+    bool contacts = true;    ///< points, and normals, the longer the stronger the force
+    bool joints = true;      ///< from body to body, over pulleys, to targets
     bool velocities = true;  ///< of the centres of mass, so far as they move in a fifth of a second
     bool figures = true;     ///< counts and energy, in the corner of the screen
 };

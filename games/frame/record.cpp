@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <games/frame/record.h>
 
+#include <algorithm>
 #include <charconv>
 #include <istream>
 #include <ostream>
@@ -61,15 +62,18 @@ private:
     }
 
     [[noreturn]] void fail(const std::string& wanted) const {
-        throw std::invalid_argument(name_ + ":" + std::to_string(line_) + ": \"" + text_.substr(0, 60) + "\" is not " +
-                                    wanted);
+        std::string shown = text_.substr(0, 60);
+        std::replace_if(
+            shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+        throw std::invalid_argument(name_ + ":" + std::to_string(line_) + ": \"" + shown + "\" is not " + wanted);
     }
 
     void readHead() {
         const std::string wanted =
             "\"" + std::string(format) + " " + std::to_string(version) + " " + info_.name + "\", a record's first line";
-        line_ = 1;
-        if (!nextLine() || words_ != std::vector<std::string>{std::string(format), std::to_string(version), info_.name})
+        const bool any = nextLine();
+        line_ = std::max(line_, 1);
+        if (!any || words_ != std::vector<std::string>{std::string(format), std::to_string(version), info_.name})
             fail(wanted);
         record_.game = info_.name;
     }

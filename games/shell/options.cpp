@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <stdexcept>
 
 namespace plumb::games {
@@ -12,7 +13,7 @@ namespace {
 
 /// What the command line holds, before it is made sense of.
 struct Words {
-    std::string player;
+    std::string seed, player;
     std::vector<std::string> files;
     std::vector<std::int64_t> at;
     std::string size;
@@ -30,7 +31,7 @@ void addGameOptions(CLI::App& app, const GameInfo& info, Words& words) {
 
 void addOptions(CLI::App& app, const GameInfo& info, ProgramOptions& options, Words& words) {
     const CLI::Validator ticks = CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000});
-    app.add_option("--seed", options.seed, "What chance makes of it: the same number, the same game");
+    app.add_option("--seed", words.seed, "What chance makes of it: the same number, the same game");
     app.add_option("--player", words.player, "keyboard, computer or nobody")
         ->check(CLI::IsMember({"keyboard", "computer", "nobody"}));
     app.add_option("--record", options.recordFile, "Write what is pressed to this file");
@@ -46,6 +47,15 @@ void addOptions(CLI::App& app, const GameInfo& info, ProgramOptions& options, Wo
     addGameOptions(app, info, words);
 }
 
+// Not left to the library, to which -1 is 2^64 - 1.
+std::uint64_t seedIn(const std::string& text) {
+    std::uint64_t seed = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+    if (error != std::errc() || end != text.data() + text.size())
+        throw std::invalid_argument(fmt::format("--seed: \"{}\" is not a whole number from 0 to 2^64 - 1", text));
+    return seed;
+}
+
 PixelSize sizeIn(const std::string& text) {
     PixelSize size;
     char rest = 0;
@@ -59,6 +69,10 @@ PixelSize sizeIn(const std::string& text) {
 PlayedBy playerIn(const Words& words, const ProgramOptions& options, const GameInfo& info) {
     if (!options.replayFile.empty()) {
         if (!words.player.empty()) throw std::invalid_argument("--player: the record that --replay names plays");
+        if (options.seed) throw std::invalid_argument("--seed: the record that --replay names has its own");
+        for (const auto& [name, value] : words.game)
+            if (!value.empty())
+                throw std::invalid_argument("--" + name + ": the record that --replay names has its own");
         return PlayedBy::Record;
     }
     if (words.player == "computer" || (words.player.empty() && options.headless && info.computer)) {
@@ -92,6 +106,7 @@ ProgramOptions parseOptions(std::span<const std::string> args, const GameInfo& i
         options.help = app.help();
         return options;
     }
+    if (!words.seed.empty()) options.seed = seedIn(words.seed);
     if (!words.size.empty()) options.size = sizeIn(words.size);
     options.player = playerIn(words, options, info);
     takeScreenshots(words, options);

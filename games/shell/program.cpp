@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <games/shell/program.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <exception>
 #include <fstream>
@@ -28,6 +30,12 @@ Record recordIn(const std::string& file, const GameInfo& info) {
     return readRecord(in, file, info);
 }
 
+void writeRecordTo(const std::string& file, const Record& record, const GameInfo& info) {
+    std::ofstream out(file);
+    writeRecord(out, record, withMenuActions(info.actions));
+    if (!out.flush()) throw std::runtime_error("--record: cannot write " + file);
+}
+
 int run(std::span<const std::string> args, const GameInfo& info) {
     const ProgramOptions options = parseOptions(args, info);
     if (!options.help.empty()) {
@@ -36,19 +44,23 @@ int run(std::span<const std::string> args, const GameInfo& info) {
     }
     SessionSetup setup{options.seed.value_or(1), options.gameOptions};
     std::unique_ptr<Source> source;
+    std::optional<std::uint64_t> expected;
     if (options.player == PlayedBy::Nobody) source = std::make_unique<Nobody>();
     if (options.player == PlayedBy::Computer) source = computerSource(info);
     if (options.player == PlayedBy::Record) {
         Record record = recordIn(options.replayFile, info);
+        expected = record.hash;
         setup = {record.seed, record.options};
         source = recordSource(std::move(record));
     }
     const Record record = options.headless ? runHeadless(info, setup, *source, options, std::cout)
                                            : runDesktop(info, setup, source.get(), options, std::cout);
-    if (!options.recordFile.empty()) {
-        std::ofstream out(options.recordFile);
-        writeRecord(out, record, withMenuActions(info.actions));
-    }
+    if (!options.recordFile.empty()) writeRecordTo(options.recordFile, record, info);
+    // One that was stopped sooner has another.
+    if (expected && !options.ticks && record.hash != expected)
+        throw std::runtime_error(
+            fmt::format("{}: it ended with the hash {:016x}, and says {:016x}: another game, or another build of it",
+                        options.replayFile, *record.hash, *expected));
     return done;
 }
 

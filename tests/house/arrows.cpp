@@ -98,6 +98,24 @@ std::vector<std::string> arrowsInto(std::string_view folder, const std::vector<S
     return faults;
 }
 
+std::vector<std::string> arrowsOutOfGames(const std::vector<SourceFile>& games) {
+    std::vector<std::string> faults;
+    for (const SourceFile& source : games) {
+        const std::string own = source.path.substr(0, source.path.rfind('/') + 1);
+        const std::string folder = source.path.substr(0, source.path.find('/', sizeof "games") + 1);
+        const bool shell = folder == "games/shell/";
+        for (const std::string& include : includesOf(source.text)) {
+            const bool standard = include.find_first_of("./") == std::string::npos;
+            const bool kit = include.starts_with("plumb/") || include.starts_with("games/frame/");
+            const bool ownFolder = include.starts_with(folder.empty() ? own : folder);
+            const bool platform = !include.starts_with("games/");
+            if (!standard && !kit && !ownFolder && !(shell && platform))
+                faults.push_back(arrow(source.path, include, "a game knows the kit, the frame and itself"));
+        }
+    }
+    return faults;
+}
+
 std::vector<std::string> arrowsIntoDetail(const std::vector<SourceFile>& kit) {
     std::vector<std::string> faults;
     for (const SourceFile& source : kit) {

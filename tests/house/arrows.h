@@ -33,6 +33,9 @@ std::vector<std::string> includesOf(std::string_view text);
 std::vector<std::string> upwardArrows(const Ranks& ranks, const std::vector<SourceFile>& kit);
 /// Nothing in these sources includes what is in the folder.
 std::vector<std::string> arrowsInto(std::string_view folder, const std::vector<SourceFile>& sources);
+/// In games/, a game includes the C++ standard library, the kit, the frame and its own folder; the frame does without
+/// games and shells. The shells may include what they like, but for games.
+std::vector<std::string> arrowsOutOfGames(const std::vector<SourceFile>& games);
 /// What is in a folder detail is not installed: no header that is may include it.
 std::vector<std::string> arrowsIntoDetail(const std::vector<SourceFile>& kit);
 /// A source proves that its header compiles on its own by including it first.

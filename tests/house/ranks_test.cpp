@@ -67,6 +67,23 @@ TEST_CASE("games and compare never meet, and the kit knows neither", "[house]") 
     CHECK(arrowsInto("compare", sourcesUnder(repository / "games", repository)) == Faults{});
 }
 
+TEST_CASE("a game includes the kit, the frame and its own folder, and only the shells know a platform", "[house]") {
+    const std::vector<SourceFile> games = sourcesUnder(repository / "games", repository);
+    REQUIRE(games.size() > 1);
+    CHECK(arrowsOutOfGames(games) == Faults{});
+    CHECK(ownHeadersNotFirst(games) == Faults{});
+}
+
+TEST_CASE("a planted include of a platform, a shell or another game is caught", "[house]") {
+    CHECK(arrowsOutOfGames({{"games/maze/a.cpp", "#include <SDL.h>\n#include <games/runner/level.h>\n"}}).size() == 2);
+    CHECK(arrowsOutOfGames({{"games/frame/a.cpp", "#include <games/shell/program.h>\n"}}).size() == 1);
+    CHECK(arrowsOutOfGames({{"games/maze/a.cpp", "#include <cairo.h>\n"}}).size() == 1);
+    CHECK(arrowsOutOfGames({{"games/maze/a.cpp",
+                             "#include <vector>\n#include <games/frame/game.h>\n#include <games/maze/a.h>\n"
+                             "#include <plumb/plumb.h>\n"},
+                            {"games/shell/a.cpp", "#include <SDL.h>\n#include <games/frame/game.h>\n"}}) == Faults{});
+}
+
 TEST_CASE("every header that is installed does without those that are not", "[house]") {
     CHECK(arrowsIntoDetail(kitSources()) == Faults{});
 }

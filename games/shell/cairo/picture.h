@@ -30,6 +30,8 @@ public:
                        static_cast<std::size_t>(x)];
     }
 
+    friend bool operator==(const Picture&, const Picture&) = default;
+
 private:
     PixelSize size_;
     std::vector<std::uint32_t> pixels_;

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Can all that is written in a drawing be read?
+#pragma once
+#include <string>
+#include <vector>
+
+#include <games/shell/cairo/painter.h>
+
+namespace plumb::test {
+
+/// One sentence a text that reaches out of the window.
+inline std::vector<std::string> textsCutOff(const games::Drawing& drawing, const games::Painter& painter) {
+    std::vector<std::string> faults;
+    const Aabb window{{0, 0}, {double(drawing.size.width), double(drawing.size.height)}};
+    for (const games::Mark& mark : drawing.marks) {
+        const auto* text = std::get_if<games::TextMark>(&mark.shape);
+        if (text == nullptr) continue;
+        const Aabb box = painter.boxOf(mark);
+        if (!contains(window, box)) faults.push_back("\"" + text->text + "\" reaches out of the window");
+    }
+    return faults;
+}
+
+/// One sentence for each two texts from a layer on that lie over one another.
+inline std::vector<std::string> textsOverlapping(const games::Drawing& drawing, const games::Painter& painter,
+                                                 int layer) {
+    std::vector<std::string> faults;
+    std::vector<std::pair<std::string, Aabb>> seen;
+    for (const games::Mark& mark : drawing.marks) {
+        const auto* text = std::get_if<games::TextMark>(&mark.shape);
+        if (text == nullptr || mark.layer < layer) continue;
+        const Aabb box = painter.boxOf(mark);
+        for (const auto& [other, otherBox] : seen)
+            if (overlap(box, otherBox)) faults.push_back("\"" + text->text + "\" lies over \"" + other + "\"");
+        seen.emplace_back(text->text, box);
+    }
+    return faults;
+}
+
+}  // namespace plumb::test
