@@ -136,7 +136,7 @@ void Chase::moveEyes() {
 
 void Chase::moveHunter(Hunter& hunter) {
     const Who who = hunter.who();
-    hunter.step(targetOf(who), speedOf(who), random_);
+    hunter.step(sightOf(who), speedOf(who), random_);
 }
 
 void Chase::letOut() {
@@ -189,10 +189,9 @@ int Chase::haste() const {
     return dotsLeft_ > rules_.hasteDots / 2 ? 1 : 2;
 }
 
-Cell Chase::targetOf(Who who) const {
-    const bool rests = mode() == HunterMode::Scatter && !(who == Who::Chaser && haste() > 0);
-    if (rests) return scatterTarget(who);
-    return chaseTarget(who, {hunter(who).cell(), player_.cell(), player_.heading(), hunter(Who::Chaser).cell()});
+Sight Chase::sightOf(Who who) const {
+    const bool restless = who == Who::Chaser && haste() > 0;
+    return {player_.cell(), player_.heading(), hunter(Who::Chaser).cell(), mode() == HunterMode::Scatter && !restless};
 }
 
 SpeedPattern Chase::speedOf(Who who) const {

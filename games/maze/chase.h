@@ -39,6 +39,7 @@ public:
     const Hunter& hunter(Who who) const { return hunters_[indexOf(who)]; }
     const HouseCounters& counters() const { return counters_; }
     HunterMode mode() const { return waves_.mode(); }
+    int framesOfWaves() const { return waves_.frames(); }
     bool hasDot(Cell cell) const { return dots_[indexOf(cell)]; }  ///< or a power dot
     int dotsLeft() const { return dotsLeft_; }
     int frightFrames() const { return frightFrames_; }  ///< left
@@ -48,7 +49,8 @@ public:
     bool playerCaught() const { return playerCaught_; }
     bool cleared() const { return dotsLeft_ == 0; }
     int haste() const;  ///< of the chaser: 0, 1 or 2
-    Cell targetOf(Who who) const;
+    Sight sightOf(Who who) const;
+    Cell targetOf(Who who) const { return hunter(who).targetFor(sightOf(who)); }
     SpeedPattern speedOf(Who who) const;
 
     void reseed(std::uint64_t seed) { random_ = Random(seed); }  ///< for those who look ahead, and are not to know

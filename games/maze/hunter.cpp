@@ -27,17 +27,17 @@ Hunter::Hunter(Who who)
     if (who == Who::Chaser) beginLanes();
 }
 
-void Hunter::step(Cell target, SpeedPattern speed, Random& random) {
+void Hunter::step(const Sight& sight, SpeedPattern speed, Random& random) {
     switch (where_) {
         case Where::Home: return walk_.bob(patternOf(houseSpeed));
         case Where::Leaving:
             if (!walk_.leave(patternOf(houseSpeed))) return;
             beginLanes();
-            return decide(target, random);
-        case Where::Lanes: return run(target, speed, random);
+            return decide(sight, random);
+        case Where::Lanes: return run(sight, speed, random);
         case Where::Eyes: {
             const Vec2 before = position();
-            run(specialPlaces().door, patternOf(eyesSpeed), random);
+            run(sight, patternOf(eyesSpeed), random);
             if (!isBeyondDoorstep(position(), before)) return;
             where_ = Where::Entering;
             walk_ = HouseWalk(who_, doorstep());
@@ -49,21 +49,21 @@ void Hunter::step(Cell target, SpeedPattern speed, Random& random) {
 }
 
 /// One tile ahead of itself: when it enters a cell, that cell's exit was chosen before, and the next one's is now.
-void Hunter::run(Cell target, SpeedPattern speed, Random& random) {
+void Hunter::run(const Sight& sight, SpeedPattern speed, Random& random) {
     for (const GridEvent& event : mover_.moveFrame(mazeMap(), speed)) {
         if (event.kind == GridEventKind::Entered) {
             exit_ = plan_;
             mover_.want(exit_);
-            decide(target, random);
+            decide(sight, random);
         } else if (event.kind == GridEventKind::Reversed) {
             mover_.wantNothing();  // its plans were for the other way
             exit_ = mover_.heading();
-            decide(target, random);
+            decide(sight, random);
         }
     }
 }
 
-void Hunter::decide(Cell target, Random& random) {
+void Hunter::decide(const Sight& sight, Random& random) {
     const TileMap& map = mazeMap();
     const Cell next = map.wrapped(neighbourOf(mover_.cell(), exit_));
     const bool hunts = where_ == Where::Lanes && !frightened_;
@@ -71,8 +71,14 @@ void Hunter::decide(Cell target, Random& random) {
         .cell = next, .heading = exit_, .upClosed = hunts && isUpClosed(specialPlaces(), next, false)};
     const std::optional<Direction> chosen =
         frightened_ ? firstOpenClockwise(map, crossing, static_cast<Direction>(random.integer(0, 3)))
-                    : nextDirection(map, crossing, target);
+                    : nextDirection(map, crossing, targetFor(sight));
     plan_ = chosen.value_or(opposite(exit_));
+}
+
+Cell Hunter::targetFor(const Sight& sight) const {
+    if (where_ == Where::Eyes) return specialPlaces().door;
+    if (sight.rests) return scatterTarget(who_);
+    return chaseTarget(who_, {cell(), sight.player, sight.heading, sight.chaser});
 }
 
 void Hunter::beginLanes() {

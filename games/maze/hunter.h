@@ -18,13 +18,22 @@ enum class Where : std::uint8_t {
     Entering,  ///< on the way home
 };
 
+/// What a hunter knows, and is told.
+struct Sight {
+    Cell player;
+    Direction heading;  ///< the player's
+    Cell chaser;
+    bool rests = false;  ///< scatters
+};
+
 class Hunter {
 public:
     /// Where it begins a life: the chaser on the doorstep, the others at home.
     explicit Hunter(Who who);
 
-    /// One frame. In lanes it makes for the target at that speed, or, when frightened, anywhere.
-    void step(Cell target, SpeedPattern speed, Random& random);
+    /// One frame. In lanes it makes for its target at that speed, or, when frightened, anywhere.
+    void step(const Sight& sight, SpeedPattern speed, Random& random);
+    Cell targetFor(const Sight& sight) const;
 
     void letOut() { where_ = Where::Leaving; }
     void turnBack();  ///< when it enters the next cell; who is in the house will leave it the other way
@@ -45,8 +54,8 @@ public:
     void addTo(Hash& hash) const;
 
 private:
-    void run(Cell target, SpeedPattern speed, Random& random);
-    void decide(Cell target, Random& random);
+    void run(const Sight& sight, SpeedPattern speed, Random& random);
+    void decide(const Sight& sight, Random& random);
     void beginLanes();
 
     Who who_;
