@@ -40,8 +40,8 @@ std::vector<Edge> edgesOfHedges() {
     // The tunnel's ends, where there is no wall to have an edge.
     for (int row = 0; row < rows; ++row) {
         if (isHedge(-beyond, row)) continue;
-        add(-beyond, row + 1, 0, -1);
-        add(columns + beyond, row, 0, 1);
+        add(-beyond, row, 0, 1);
+        add(columns + beyond, row + 1, 0, -1);
     }
     return edges;
 }
@@ -144,6 +144,8 @@ void drawGarden(Canvas& canvas, double flash) {
     canvas.box({14, 17.5}, {14.3, 15.8}, hedge, 0.9);
     canvas.box({14, 17.5}, {14.3, 15.8}, stroke(rim.faded(0.55), 0.12), 0.9);
     const Canvas::Scope scope = canvas.clip({-0.36, 1}, {28.72, 33});
+    canvas.box({14, 17.5}, {13.94, 15.44}, leaf, 0.6);
+    for (const Outline& outline : inner.lawns) canvas.polygon(outline, hedge);
     for (const Outline& outline : outer.lawns) {
         canvas.polygon(outline, lawn);
         canvas.polygon(outline, stroke(rim, 0.15));

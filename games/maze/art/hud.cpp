@@ -26,8 +26,8 @@ void drawLives(Canvas& canvas, const MazeGame& game) {
     label(canvas, {left, 300}, "LIVES");
     const int spare = game.lives() - 1;
     if (spare == 0) canvas.text({left, 324}, "the last one", {.size = 12, .color = skin});
-    for (int i = 0; i < std::min(spare, 5); ++i) {
-        const Canvas::Scope scope = canvas.place({.position = {left + 12 + 26.0 * i, 320}, .scale = {13, 13}});
+    for (int i = 0; i < std::min(spare, 4); ++i) {
+        const Canvas::Scope scope = canvas.place({.position = {left + 18 + 34.0 * i, 320}, .scale = {12, 12}});
         drawMouse(canvas, {.still = true});
     }
     const int since = game.sinceExtraLife();
