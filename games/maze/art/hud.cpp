@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include <games/maze/art/hud.h>
+
+#include <algorithm>
+
+#include <games/maze/art/cat.h>
+#include <games/maze/art/mouse.h>
+#include <games/maze/art/palette.h>
+#include <games/maze/art/treats.h>
+#include <games/maze/maze_game.h>
+
+namespace plumb::games::maze {
+namespace {
+
+constexpr double left = 20, right = 496, columnWidth = 126;
+
+void label(Canvas& canvas, const Vec2& at, const std::string& text) {
+    canvas.text(at, text, {.size = 11, .color = quiet, .weight = Weight::Bold});
+}
+
+void number(Canvas& canvas, const Vec2& at, const std::string& text, double size, const Color& color = paper) {
+    canvas.text(at, text, {.size = size, .color = color, .weight = Weight::Heavy, .fitWidth = columnWidth});
+}
+
+void drawLives(Canvas& canvas, const MazeGame& game) {
+    label(canvas, {left, 300}, "LIVES");
+    const int spare = game.lives() - 1;
+    if (spare == 0) canvas.text({left, 324}, "the last one", {.size = 12, .color = skin});
+    for (int i = 0; i < std::min(spare, 4); ++i) {
+        const Canvas::Scope scope = canvas.place({.position = {left + 18 + 34.0 * i, 320}, .scale = {12, 12}});
+        drawMouse(canvas, {.still = true});
+    }
+    const int since = game.sinceExtraLife();
+    if (since < 180 && since / 12 % 2 == 0) number(canvas, {left, 348}, "+1 life", 14, skin);
+}
+
+void drawFright(Canvas& canvas, const MazeGame& game) {
+    const Chase& chase = game.chase();
+    if (chase.frightFrames() == 0) return;
+    const double share = static_cast<double>(chase.frightFrames()) / chase.rules().frightFrames;
+    label(canvas, {left, 178}, "CATS ARE AFRAID");
+    canvas.rect({left, 186}, {columnWidth - 10, 8}, lawn, 4);
+    const bool light = chase.rules().isFlash(chase.frightFrames());
+    canvas.rect({left, 186}, {std::max(8.0, (columnWidth - 10) * share), 8}, light ? scaredLight : scared, 4);
+}
+
+void drawCats(Canvas& canvas, const MazeGame& game) {
+    label(canvas, {right, 36}, "CATS");
+    for (const Who who : everyone) {
+        const double y = 62 + 40.0 * static_cast<double>(indexOf(who));
+        const bool hastes = who == Who::Chaser && game.chase().haste() > 0;
+        {
+            const Canvas::Scope scope = canvas.place({.position = {right + 14, y}, .scale = {14, -14}});
+            drawCat(canvas, who, {.mood = hastes ? Mood::Hastes : Mood::Hunts});
+        }
+        canvas.text({right + 38, y - 2}, lookOf(who).name,
+                    {.size = 14, .color = lookOf(who).fur, .weight = Weight::Bold});
+        canvas.text({right + 38, y + 12}, lookOf(who).habit, {.size = 10.5, .color = quiet, .fitWidth = 92});
+    }
+}
+
+void drawEaten(Canvas& canvas, const MazeGame& game) {
+    const std::vector<int>& eaten = game.fruitEaten();
+    label(canvas, {right, 300}, "TREATS");
+    const std::size_t shown = std::min<std::size_t>(eaten.size(), 5);
+    for (std::size_t i = 0; i < shown; ++i) {
+        const Vec2 at(right + 12 + 25.0 * static_cast<double>(i), 320);
+        const Canvas::Scope scope = canvas.place({.position = at, .scale = {12, -12}});
+        drawFruit(canvas, eaten[eaten.size() - shown + i]);
+    }
+    if (eaten.empty()) canvas.text({right, 324}, "none yet", {.size = 12, .color = quiet});
+}
+
+}  // namespace
+
+void drawHud(Canvas& canvas, const MazeGame& game) {
+    label(canvas, {left, 36}, "SCORE");
+    number(canvas, {left, 64}, std::to_string(game.score()), 30);
+    label(canvas, {left, 100}, "LEVEL");
+    number(canvas, {left, 124}, std::to_string(game.level()), 24, cheese);
+    label(canvas, {left + 66, 100}, "CRUMBS");
+    number(canvas, {left + 66, 124}, std::to_string(game.chase().dotsLeft()), 24, crumb);
+    drawFright(canvas, game);
+    drawLives(canvas, game);
+    drawCats(canvas, game);
+    drawEaten(canvas, game);
+}
+
+}  // namespace plumb::games::maze

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// In which colours is the garden painted?
+#pragma once
+#include <array>
+
+#include <games/frame/game.h>
+#include <games/maze/targets.h>
+
+namespace plumb::games::maze {
+
+// A garden at night: hedges in dark teal with moonlight on their rims, warm light on all that is alive.
+inline constexpr Color night = Color::hex(0x0b1026);
+inline constexpr Color nightEdge = Color::hex(0x070a18);
+inline constexpr Color lawn = Color::hex(0x11183a);
+inline constexpr Color hedge = Color::hex(0x17414a);
+inline constexpr Color hedgeRim = Color::hex(0x46b39a);
+inline constexpr Color hedgeFlash = Color::hex(0xf4ffe9);
+inline constexpr Color wood = Color::hex(0xd9a066);
+inline constexpr Color crumb = Color::hex(0xf7e3b5);
+inline constexpr Color cheese = Color::hex(0xffd34f);
+inline constexpr Color fur = Color::hex(0xf3ecdf);
+inline constexpr Color furShade = Color::hex(0xc9bcb0);
+inline constexpr Color skin = Color::hex(0xff9fae);
+inline constexpr Color ink = Color::hex(0x1a1530);
+inline constexpr Color paper = Color::hex(0xf5f1e6);
+inline constexpr Color quiet = Color::hex(0x8f9bc4);
+inline constexpr Color scared = Color::hex(0x3b55e0);
+inline constexpr Color scaredLight = Color::hex(0xf2f4ff);
+
+struct CatLook {
+    Color fur;
+    Color dark;  ///< ears and stripes
+    const char* name;
+    const char* habit;
+};
+
+inline constexpr std::array<CatLook, 4> cats{{
+    {Color::hex(0xff5a4a), Color::hex(0xa82a2c), "Rusty", "runs after you"},
+    {Color::hex(0xff9ad2), Color::hex(0xb8508f), "Pearl", "cuts you off"},
+    {Color::hex(0x55d3f2), Color::hex(0x2480a8), "Misty", "comes from behind"},
+    {Color::hex(0xffb03b), Color::hex(0xb36a12), "Biscuit", "loses heart"},
+}};
+constexpr const CatLook& lookOf(Who who) {
+    return cats[indexOf(who)];
+}
+
+Theme theme();
+
+}  // namespace plumb::games::maze

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include <games/maze/art/scene.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <games/maze/art/cat.h>
+#include <games/maze/art/hedges.h>
+#include <games/maze/art/hud.h>
+#include <games/maze/art/mouse.h>
+#include <games/maze/art/palette.h>
+#include <games/maze/art/treats.h>
+#include <games/maze/lanes.h>
+#include <games/maze/maze_game.h>
+
+namespace plumb::games::maze {
+namespace {
+
+const Camera camera{.center = {14, 17.5}, .height = 32.4};  // 31 rows and a rim
+
+/// Between two ticks; not across the whole maze for who came through the tunnel.
+Vec2 seenAt(const Vec2& before, const Vec2& now, double between) {
+    Vec2 from = before;
+    if (from.x() - now.x() > columns / 2.0) from.x() -= columns;
+    if (now.x() - from.x() > columns / 2.0) from.x() += columns;
+    return from + between * (now - from);
+}
+
+/// Who stands in a tunnel's end is seen at the other end too.
+template <typename Draw>
+void atBothEnds(Canvas& canvas, const Vec2& at, const Draw& draw) {
+    for (const double shift : {-1.0 * columns, 0.0, 1.0 * columns}) {
+        const Vec2 place = at + Vec2(shift, 0);
+        if (place.x() < -2 || place.x() > columns + 2) continue;
+        const Canvas::Scope scope = canvas.place({.position = place});
+        draw();
+    }
+}
+
+double flashOf(const MazeGame& game) {
+    if (game.phase() != Phase::Cleared || game.phaseTicks() < 40) return 0;
+    return game.phaseTicks() / 14 % 2;
+}
+
+void drawDots(Canvas& canvas, const MazeGame& game) {
+    const double pulse = 0.5 + 0.5 * std::sin(0.12 * static_cast<double>(game.ticks()));
+    for (const Cell cell : lanes().cells()) {
+        if (!game.chase().hasDot(cell)) continue;
+        const Vec2 at = mazeMap().centerOf(cell);
+        if (has(mazeMap().at(cell), powerTag))
+            drawCheese(canvas, at, pulse);
+        else
+            drawCrumb(canvas, at);
+    }
+}
+
+void drawFruitShown(Canvas& canvas, const MazeGame& game) {
+    if (!game.chase().fruitShown()) return;
+    const double hop = 0.1 * std::fabs(std::sin(0.1 * static_cast<double>(game.ticks())));
+    const Canvas::Scope scope = canvas.place({.position = positionOf(fruitPlace) + Vec2(0, hop)});
+    drawFruit(canvas, game.chase().rules().fruit.kind);
+}
+
+Mood moodOf(const MazeGame& game, const Hunter& hunter) {
+    const Chase& chase = game.chase();
+    if (hunter.where() == Where::Eyes || hunter.where() == Where::Entering) return Mood::Eyes;
+    if (hunter.frightened()) return chase.rules().isFlash(chase.frightFrames()) ? Mood::Flashes : Mood::Frightened;
+    if (hunter.who() == Who::Chaser && chase.haste() > 0) return Mood::Hastes;
+    const bool rests = chase.mode() == HunterMode::Scatter || hunter.where() != Where::Lanes;
+    return rests ? Mood::Rests : Mood::Hunts;
+}
+
+void drawHunters(Canvas& canvas, const MazeGame& game) {
+    if (game.phase() == Phase::Dying || (game.phase() == Phase::Cleared && game.phaseTicks() > 40)) return;
+    for (const Hunter& hunter : game.chase().hunters()) {
+        if (game.chase().justCaught() == hunter.who()) continue;  // its points are shown there
+        const Vec2 at = seenAt(game.trail().hunters[indexOf(hunter.who())], hunter.position(), canvas.between());
+        const CatPose pose{moodOf(game, hunter), hunter.heading(), 0.06 * static_cast<double>(game.ticks())};
+        atBothEnds(canvas, at, [&] { drawCat(canvas, hunter.who(), pose); });
+    }
+}
+
+/// Where it moves to; where it heads, when it stands.
+double angleOfPlayer(const MazeGame& game) {
+    const Vec2 now = game.chase().playerPosition(), before = game.trail().player;
+    const Vec2 step = now - before;
+    const bool jumped = std::fabs(step.x()) > 1;
+    if (jumped || step.squaredNorm() == 0) return angleOf(game.chase().player().heading());
+    return std::atan2(step.y(), step.x());
+}
+
+void drawPlayer(Canvas& canvas, const MazeGame& game) {
+    const Chase& chase = game.chase();
+    const Vec2 at = seenAt(game.trail().player, chase.playerPosition(), canvas.between());
+    if (game.phase() == Phase::Dying) {
+        const Canvas::Scope scope = canvas.place({.position = at});
+        const double share = static_cast<double>(game.phaseTicks()) / MazeGame::ticksOf(Phase::Dying);
+        return drawLostMouse(canvas, angleOf(chase.player().heading()), share);
+    }
+    const bool still = chase.player().stopped() || game.phase() != Phase::Play;
+    const MousePose pose{.angle = angleOfPlayer(game),
+                         .stride = at.x() + at.y() + (still ? 0.02 * static_cast<double>(game.ticks()) : 0),
+                         .still = still,
+                         .blinks = game.phase() == Phase::Caught || game.ticks() % 200 < 8};
+    atBothEnds(canvas, at, [&] { drawMouse(canvas, pose); });
+}
+
+void drawPopups(Canvas& canvas, const MazeGame& game) {
+    for (const Popup& popup : game.popups()) {
+        const double rise = 0.9 * popup.age / 60.0;
+        const double fade = std::min(1.0, (60 - popup.age) / 15.0);
+        canvas.text(popup.position + Vec2(0, rise), std::to_string(popup.points),
+                    {.size = 1.5,
+                     .color = (popup.points >= 800 ? cheese : paper).faded(std::max(0.0, fade)),
+                     .align = Align::Center,
+                     .baseline = Baseline::Middle,
+                     .weight = Weight::Heavy});
+    }
+}
+
+void sign(Canvas& canvas, const std::string& text, const Vec2& at, const Color& color, double size) {
+    canvas.text(
+        at, text,
+        {.size = size, .color = color, .align = Align::Center, .baseline = Baseline::Middle, .weight = Weight::Heavy});
+}
+
+void drawSigns(Canvas& canvas, const MazeGame& game) {
+    const Vec2 below = positionOf(fruitPlace);
+    if (game.phase() == Phase::Intro || game.phase() == Phase::Ready) {
+        const double pop = 1 + 0.5 * std::max(0.0, 1 - game.phaseTicks() / 10.0);
+        sign(canvas, "Ready!", below, cheese, 1.6 * pop);
+    }
+    if (game.phase() == Phase::Dying && game.lives() == 1) sign(canvas, "Caught!", below, skin, 1.6);
+    if (game.phase() == Phase::Cleared && game.phaseTicks() > 40) sign(canvas, "All crumbs!", below, cheese, 1.6);
+}
+
+}  // namespace
+
+void drawScene(Canvas& canvas, const MazeGame& game) {
+    canvas.screen();
+    canvas.clear(Paint::radial({320, 180}, night, 380, nightEdge));
+    drawHud(canvas, game);
+    canvas.look(camera);
+    drawGarden(canvas, flashOf(game));
+    {
+        const Canvas::Scope scope = canvas.clip({-0.36, 1}, {28.72, 33});
+        drawDots(canvas, game);
+        drawFruitShown(canvas, game);
+        drawPlayer(canvas, game);
+        drawHunters(canvas, game);
+    }
+    drawPopups(canvas, game);
+    drawSigns(canvas, game);
+}
+
+}  // namespace plumb::games::maze

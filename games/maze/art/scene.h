@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// How does all of the game look?
+#pragma once
+#include <games/frame/canvas.h>
+
+namespace plumb::games::maze {
+
+class MazeGame;
+
+void drawScene(Canvas& canvas, const MazeGame& game);
+
+}  // namespace plumb::games::maze

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include <games/maze/house_counters.h>
+
+#include <algorithm>
+
+namespace plumb::games::maze {
+namespace {
+
+std::optional<Who> firstOf(const Waiting& waiting) {
+    const auto found = std::find(waiting.begin(), waiting.end(), true);
+    if (found == waiting.end()) return std::nullopt;
+    return everyone[static_cast<std::size_t>(found - waiting.begin())];
+}
+
+/// The tables leave out the chaser, who never waits.
+template <typename Limits>
+int limitOf(Who who, const Limits& limits) {
+    return who == Who::Chaser ? 0 : limits[indexOf(who) - 1];
+}
+
+}  // namespace
+
+void HouseCounters::beginLifeAfterDeath() {
+    forAll_ = true;
+    dotsForAll_ = 0;
+    framesWithoutDot_ = 0;
+}
+
+void HouseCounters::dotEaten(const Waiting& waiting) {
+    framesWithoutDot_ = 0;
+    if (!forAll_) {
+        if (const std::optional<Who> first = firstOf(waiting)) ++dots_[indexOf(*first)];
+        return;
+    }
+    ++dotsForAll_;
+    // With the last one at home at its limit, each counts for itself again, the last one too.
+    if (waiting[indexOf(Who::Loner)] && dotsForAll_ == limitOf(Who::Loner, ArcadeProfile{}.houseLimitsAfterDeath))
+        forAll_ = false;
+}
+
+std::optional<Who> HouseCounters::next(const Waiting& waiting, const LevelRules& rules) {
+    const std::optional<Who> first = firstOf(waiting);
+    const bool waitedLong = ++framesWithoutDot_ >= rules.noDotFrames;
+    if (waitedLong) framesWithoutDot_ = 0;
+    if (!first || (!waitedLong && !mayLeave(*first, rules))) return std::nullopt;
+    return first;
+}
+
+bool HouseCounters::mayLeave(Who who, const LevelRules& rules) const {
+    if (!forAll_) return dotsOf(who) >= limitOf(who, rules.house.limits);
+    return who != Who::Loner && dotsForAll_ == limitOf(who, ArcadeProfile{}.houseLimitsAfterDeath);
+}
+
+void HouseCounters::addTo(Hash& hash) const {
+    for (const int dots : dots_) hash.add(dots);
+    hash.add(dotsForAll_).add(framesWithoutDot_).add(forAll_);
+}
+
+}  // namespace plumb::games::maze

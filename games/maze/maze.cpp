@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include <games/maze/art/palette.h>
+#include <games/maze/computer.h>
+#include <games/maze/maze_game.h>
+
+namespace plumb::games::maze {
+
+GameInfo info() {
+    return {.title = "Maze",
+            .about = "One mouse, four cats, and all the crumbs of a moonlit garden.",
+            .actions = {{"up", {Key::Up, Key::W}, {Pad::Up}},
+                        {"left", {Key::Left, Key::A}, {Pad::Left}, "steer"},
+                        {"down", {Key::Down, Key::S}, {Pad::Down}},
+                        {"right", {Key::Right, Key::D}, {Pad::Right}}},
+            .options = {{.name = "level",
+                         .about = "The level to begin with",
+                         .value = "1",
+                         .choices = {"1", "2", "5", "9", "13", "21"},
+                         .label = "First level"},
+                        {.name = "levels",
+                         .about = "How many levels are to be cleared to win; 0: the game goes on while there are lives",
+                         .value = "0"}},
+            .theme = theme(),
+            .make = [](const GameSetup& setup) { return std::make_unique<MazeGame>(setup); },
+            .computer = [](const GameSetup&) { return computerPlayer(); }};
+}
+
+}  // namespace plumb::games::maze

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include <games/maze/maze_game.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include <games/maze/art/scene.h>
+#include <games/maze/sounds.h>
+#include <plumb/math/check.h>
+
+namespace plumb::games::maze {
+namespace {
+
+constexpr int extraLifeAt = 10'000;
+constexpr int popupTicks = 60;
+constexpr int mostLevels = 1000;
+
+/// Of an option that holds a whole number.
+int numberIn(const GameSetup& setup, const std::string& name, int least) {
+    const std::string& text = setup.option(name);
+    int number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc{} || end != text.data() + text.size() || number < least || number > mostLevels)
+        refuse("--" + name, "\"" + text + "\" is not a whole number from " + std::to_string(least) + " to " +
+                                std::to_string(mostLevels));
+    return number;
+}
+
+}  // namespace
+
+MazeGame::MazeGame(const GameSetup& setup)
+    : seed_(setup.seed),
+      levelsToWin_(numberIn(setup, "levels", 0)),
+      level_(numberIn(setup, "level", 1)),
+      chase_(level_, seed_) {
+    begin(Phase::Intro);
+    keepTrail();
+}
+
+int MazeGame::ticksOf(Phase phase) {
+    switch (phase) {
+        case Phase::Intro: return 210;
+        case Phase::Ready: return 110;
+        case Phase::Caught: return 50;
+        case Phase::Dying: return 90;
+        case Phase::Cleared: return 150;
+        case Phase::Play: break;
+    }
+    return 0;
+}
+
+void MazeGame::begin(Phase phase) {
+    phase_ = phase;
+    phaseTicks_ = 0;
+    const Cues cues = phase == Phase::Intro     ? introTune()
+                      : phase == Phase::Caught  ? caughtSound()
+                      : phase == Phase::Cleared ? clearedSound()
+                                                : Cues{};
+    for (const Cue& cue : cues) play(cue);
+}
+
+void MazeGame::update(const Input& input) {
+    const std::optional<Direction> wanted = steering_.update(input);
+    keepTrail();
+    ++ticks_;
+    ++phaseTicks_;
+    ++sinceExtraLife_;
+    for (Popup& popup : popups_) ++popup.age;
+    std::erase_if(popups_, [](const Popup& popup) { return popup.age > popupTicks; });
+    if (phase_ == Phase::Play)
+        runChase(wanted);
+    else if (phaseTicks_ >= ticksOf(phase_))
+        endPhase();
+}
+
+void MazeGame::endPhase() {
+    switch (phase_) {
+        case Phase::Caught: return begin(Phase::Dying);
+        case Phase::Dying: return nextLife();
+        case Phase::Cleared: return nextLevel();
+        default: return begin(Phase::Play);
+    }
+}
+
+void MazeGame::nextLife() {
+    if (--lives_ == 0) {
+        progress_.outcome = Outcome::Lost;
+        return;
+    }
+    chase_.beginLifeAfterDeath();
+    keepTrail();
+    begin(Phase::Ready);
+}
+
+void MazeGame::nextLevel() {
+    if (++cleared_ == levelsToWin_) {
+        progress_.outcome = Outcome::Won;
+        return;
+    }
+    chase_ = Chase(++level_, seed_);
+    keepTrail();
+    begin(Phase::Ready);
+}
+
+void MazeGame::runChase(std::optional<Direction> wanted) {
+    chase_.step(wanted);
+    for (const ChaseEvent& event : chase_.events()) take(event);
+    hum();
+    if (chase_.cleared()) return begin(Phase::Cleared);
+    if (chase_.playerCaught()) begin(Phase::Caught);
+}
+
+void MazeGame::take(const ChaseEvent& event) {
+    Cues cues;
+    switch (event.kind) {
+        case Happening::Dot: cues = dotSound(dotsHeard_++); break;
+        case Happening::Power: cues = powerSound(); break;
+        case Happening::HunterCaught: cues = hunterSound(event.points); break;
+        case Happening::Fruit:
+            cues = fruitSound();
+            fruitEaten_.push_back(chase_.rules().fruit.kind);
+            break;
+        default: break;
+    }
+    for (const Cue& cue : cues) play(cue);
+    win(event);
+}
+
+void MazeGame::win(const ChaseEvent& event) {
+    const std::int64_t before = progress_.score;
+    progress_.score += event.points;
+    if (event.kind == Happening::HunterCaught || event.kind == Happening::Fruit)
+        popups_.push_back({event.position, event.points});
+    if (before >= extraLifeAt || progress_.score < extraLifeAt) return;
+    ++lives_;
+    sinceExtraLife_ = 0;
+    for (const Cue& cue : extraLifeSound()) play(cue);
+}
+
+void MazeGame::keepTrail() {
+    trail_.player = chase_.playerPosition();
+    for (const Who who : everyone) trail_.hunters[indexOf(who)] = chase_.hunter(who).position();
+}
+
+void MazeGame::hum() {
+    const bool fright = chase_.frightFrames() > 0;
+    const double urgency = 1 - chase_.dotsLeft() / 244.0;
+    const int every = fright ? frightHumTicks : humTicks - static_cast<int>(8 * urgency);
+    if (phaseTicks_ % every != 0 || chase_.frozen()) return;
+    for (const Cue& cue : maze::hum(urgency, fright)) play(cue);
+}
+
+void MazeGame::draw(Canvas& canvas) const {
+    drawScene(canvas, *this);
+}
+
+std::uint64_t MazeGame::hash() const {
+    Hash hash;
+    hash.add(level_).add(lives_).add(cleared_).add(progress_.score).add(static_cast<int>(progress_.outcome));
+    hash.add(static_cast<int>(phase_)).add(phaseTicks_);
+    steering_.addTo(hash);
+    chase_.addTo(hash);
+    return hash.value();
+}
+
+}  // namespace plumb::games::maze

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// How does a game go, from the first life of the first level to the last of the last?
+#pragma once
+#include <array>
+#include <vector>
+
+#include <games/frame/game.h>
+#include <games/maze/chase.h>
+#include <games/maze/steering.h>
+
+namespace plumb::games::maze {
+
+/// What goes on now. In all but Play, nothing moves.
+enum class Phase : std::uint8_t { Intro, Ready, Play, Caught, Dying, Cleared };
+
+/// Points that rise from where they were won.
+struct Popup {
+    Vec2 position{0, 0};  ///< [tiles]
+    int points = 0;
+    int age = 0;  ///< [ticks]
+};
+
+/// Where all were a tick before, so that they are seen moving smoothly. No part of the rules.
+struct Trail {
+    Vec2 player{0, 0};
+    std::array<Vec2, 4> hunters;
+};
+
+class MazeGame final : public Game {
+public:
+    explicit MazeGame(const GameSetup& setup);
+
+    void update(const Input& input) override;
+    void draw(Canvas& canvas) const override;
+    Progress progress() const override { return progress_; }
+    std::uint64_t hash() const override;
+
+    const Chase& chase() const { return chase_; }
+    Phase phase() const { return phase_; }
+    int phaseTicks() const { return phaseTicks_; }  ///< since it began
+    std::int64_t ticks() const { return ticks_; }
+    int level() const { return level_; }
+    int lives() const { return lives_; }  ///< this one too
+    std::int64_t score() const { return progress_.score; }
+    const std::vector<Popup>& popups() const { return popups_; }
+    const Trail& trail() const { return trail_; }
+    int sinceExtraLife() const { return sinceExtraLife_; }              ///< ticks; large when there was none
+    const std::vector<int>& fruitEaten() const { return fruitEaten_; }  ///< kinds, the last one last
+
+    static int ticksOf(Phase phase);
+
+private:
+    void begin(Phase phase);
+    void endPhase();
+    void nextLevel();
+    void nextLife();
+    void runChase(std::optional<Direction> wanted);
+    void take(const ChaseEvent& event);
+    void win(const ChaseEvent& event);
+    void keepTrail();
+    void hum();
+
+    std::uint64_t seed_;
+    int levelsToWin_;  ///< 0: without end
+    int cleared_ = 0;
+    int level_;
+    int lives_ = 3;
+    Chase chase_;
+    Steering steering_;
+    Phase phase_ = Phase::Intro;
+    int phaseTicks_ = 0;
+    std::int64_t ticks_ = 0;
+    Progress progress_;
+    std::vector<Popup> popups_;
+    std::vector<int> fruitEaten_;
+    Trail trail_;
+    int sinceExtraLife_ = 1'000'000;
+    int dotsHeard_ = 0;
+};
+
+GameInfo info();
+
+}  // namespace plumb::games::maze

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Who plays while a test looks on?
+#pragma once
+#include <optional>
+
+#include <games/maze/lookahead.h>
+
+namespace plumb::test {
+
+/// A chase whose player looks ahead a little, and gets up again when it is caught; the next level is the same one.
+class DrivenChase {
+public:
+    explicit DrivenChase(int level, std::uint64_t seed = 1) : level_(level), seed_(seed), chase_(level, seed) {}
+
+    void step() {
+        if (chase_.cleared()) chase_ = games::maze::Chase(level_, ++seed_);
+        if (chase_.playerCaught()) chase_.beginLifeAfterDeath();
+        if (++age_ > 8 || !(chase_.player().cell() == cell_)) {
+            wanted_ = lookahead_.best(chase_);
+            cell_ = chase_.player().cell();
+            age_ = 0;
+        }
+        chase_.step(wanted_);
+    }
+    const games::maze::Chase& chase() const { return chase_; }
+
+private:
+    int level_;
+    std::uint64_t seed_;
+    games::maze::Chase chase_;
+    games::maze::Lookahead lookahead_{{.frames = 80}};
+    Cell cell_{-1, -1};
+    int age_ = 0;
+    std::optional<Direction> wanted_;
+};
+
+}  // namespace plumb::test

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+// Source of all rules: FACTS, section 1, "Targets", "Ghost", "Forced reversal", which are The Pac-Man Dossier's.
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include <games/maze/lanes.h>
+
+#include "catch.h"
+#include "games/maze/driven.h"
+
+namespace {
+
+using namespace plumb;
+using namespace plumb::games::maze;
+
+/// Columns, and rows from above, as the source counts them.
+struct Spot {
+    int column, row;
+};
+Spot spotOf(Cell cell) {
+    return {cell.column, 35 - cell.row};
+}
+/// The source's way of adding n tiles in a direction: up is also to the left.
+Spot plus(Spot spot, Direction heading, int n) {
+    switch (heading) {
+        case Direction::Up: return {spot.column - n, spot.row - n};
+        case Direction::Left: return {spot.column - n, spot.row};
+        case Direction::Down: return {spot.column, spot.row + n};
+        case Direction::Right: break;
+    }
+    return {spot.column + n, spot.row};
+}
+int squared(Spot a, Spot b) {
+    return (a.column - b.column) * (a.column - b.column) + (a.row - b.row) * (a.row - b.row);
+}
+
+Spot targetByTheBook(const Chase& chase, Who who, bool rests) {
+    const Spot corners[]{{25, 0}, {2, 0}, {27, 35}, {0, 35}};
+    if (rests) return corners[indexOf(who)];
+    const Spot player = spotOf(chase.player().cell());
+    const Direction heading = chase.player().heading();
+    if (who == Who::Chaser) return player;
+    if (who == Who::Ambusher) return plus(player, heading, 4);
+    if (who == Who::Flanker) {
+        const Spot two = plus(player, heading, 2), chaser = spotOf(chase.hunter(Who::Chaser).cell());
+        return {2 * two.column - chaser.column, 2 * two.row - chaser.row};
+    }
+    return squared(spotOf(chase.hunter(who).cell()), player) >= 64 ? player : corners[3];
+}
+
+/// Of the cell that comes after the one it has just entered: walls and the way back dropped, the least distance, ties
+/// by up, left, down, right; four tiles are not left upward.
+Direction exitByTheBook(Cell cell, Direction heading, Spot target) {
+    const std::set<std::tuple<int, int>> noUp{{12, 14}, {15, 14}, {12, 26}, {15, 26}};
+    const std::tuple<Direction, int, int> ways[]{
+        {Direction::Up, 0, -1}, {Direction::Left, -1, 0}, {Direction::Down, 0, 1}, {Direction::Right, 1, 0}};
+    const Spot at = spotOf(cell);
+    Direction best = heading;
+    int least = 1'000'000;
+    for (const auto& [way, dx, dy] : ways) {
+        const Spot next{at.column + dx, at.row + dy};
+        const bool open = isLane({(next.column + 28) % 28, 35 - next.row});
+        if (!open || way == opposite(heading)) continue;
+        if (way == Direction::Up && noUp.count({at.column, at.row}) > 0) continue;
+        if (squared(next, target) >= least) continue;
+        least = squared(next, target);
+        best = way;
+    }
+    return best;
+}
+
+}  // namespace
+
+TEST_CASE("in 12,000 frames each hunter's target is the book's, the slip upward and the loner's two minds with it",
+          "[games][maze]") {
+    test::DrivenChase driven(1);
+    const Chase& chase = driven.chase();
+    int upward = 0, shy = 0, bold = 0, resting = 0;
+    for (int frame = 0; frame < 12'000; ++frame) {
+        driven.step();
+        const bool scatter = chase.mode() == HunterMode::Scatter;
+        for (const Who who : everyone) {
+            const Hunter& hunter = chase.hunter(who);
+            if (hunter.where() != Where::Lanes) continue;
+            const bool rests = scatter && !(who == Who::Chaser && chase.haste() > 0);
+            const Spot want = targetByTheBook(chase, who, rests), got = spotOf(chase.targetOf(who));
+            REQUIRE(std::tuple(want.column, want.row) == std::tuple(got.column, got.row));
+            resting += rests ? 1 : 0;
+            upward += !rests && chase.player().heading() == Direction::Up ? 1 : 0;
+            if (who == Who::Loner && !rests) ++(got.column == 0 && got.row == 35 ? shy : bold);
+        }
+    }
+    CHECK(upward > 500);
+    CHECK(shy > 100);
+    CHECK(bold > 100);
+    CHECK(resting > 500);
+}
+
+TEST_CASE("on entering a cell a hunter plans its way out of the next one by the book", "[games][maze]") {
+    test::DrivenChase driven(1);
+    const Chase& chase = driven.chase();
+    int plans = 0, kept = 0;
+    std::array<Cell, 4> cells;
+    std::array<Direction, 4> plan{};
+    std::array<bool, 4> steady{};
+    for (int frame = 0; frame < 12'000; ++frame) {
+        driven.step();
+        const bool upset = !chase.events().empty() || chase.playerCaught();
+        for (const Who who : everyone) {
+            const std::size_t i = indexOf(who);
+            const Hunter& hunter = chase.hunter(who);
+            const bool hunts = hunter.where() == Where::Lanes && !hunter.frightened();
+            const bool entered = hunts && steady[i] && !(hunter.cell() == cells[i]);
+            if (entered && !upset) {
+                const Cell next = mazeMap().wrapped(neighbourOf(hunter.cell(), plan[i]));
+                const bool rests = chase.sightOf(who).rests;
+                const Spot target = targetByTheBook(chase, who, rests);
+                // In the frame in which a mode or haste changes, plans are made by what was before.
+                if (exitByTheBook(next, plan[i], target) == hunter.plan()) ++kept;
+                ++plans;
+            }
+            steady[i] = hunts;
+            cells[i] = hunter.cell();
+            plan[i] = hunter.plan();
+        }
+    }
+    CHECK(plans > 2'000);
+    CHECK(plans - kept <= 30);  // reversals: its plan was for the other way
+}
+
+TEST_CASE("level 1: at 7 s every hunter in the lanes turns back when it enters the next cell; so at the power dot",
+          "[games][maze]") {
+    test::DrivenChase driven(1);
+    const Chase& chase = driven.chase();
+    struct Turn {
+        bool due = false;
+        Cell from, into;
+        Direction heading;
+    };
+    std::array<Turn, 4> turns;
+    int turned = 0, missed = 0;
+    HunterMode mode = chase.mode();
+    for (int frame = 0; frame < 12'000; ++frame) {
+        const bool begins = chase.playerCaught() || chase.cleared();
+        driven.step();
+        bool power = chase.mode() != mode && !begins;
+        for (const ChaseEvent& event : chase.events()) power = power || event.kind == Happening::Power;
+        mode = chase.mode();
+        for (const Who who : everyone) {
+            const Hunter& hunter = chase.hunter(who);
+            Turn& turn = turns[indexOf(who)];
+            if (hunter.where() != Where::Lanes || chase.playerCaught()) {
+                turn.due = false;
+                continue;
+            }
+            // Two pixels after it entered, it comes out of the cell again: back to where it was.
+            if (turn.due && !(hunter.cell() == turn.from) && turn.into.column < 0) turn.into = hunter.cell();
+            if (turn.due && turn.into.column >= 0 && hunter.cell() == turn.from) {
+                ++turned;
+                turn.due = false;
+            } else if (turn.due && turn.into.column >= 0 && !(hunter.cell() == turn.into)) {
+                ++missed;
+                turn.due = false;
+            }
+            if (power) turn = {true, hunter.cell(), {-1, -1}, hunter.heading()};
+        }
+    }
+    CHECK(turned > 40);
+    CHECK(missed == 0);
+}
+
+TEST_CASE("who was at home when the mode changed comes out to the right, who was not, to the left", "[games][maze]") {
+    Chase chase(1);
+    // The player runs left until it is stopped by a wall, with 9 dots, after 80 frames or so. Then nobody eats: the
+    // flanker leaves 240 frames later, the loner 240 after that; the mode changes at 420.
+    std::array<bool, 4> out{true, false, false, false};
+    std::array<Direction, 4> first{};
+    for (int frame = 0; frame < 900 && !chase.playerCaught(); ++frame) {
+        chase.step(std::nullopt);
+        for (const Who who : everyone) {
+            const bool inLanes = chase.hunter(who).where() == Where::Lanes;
+            if (inLanes && !out[indexOf(who)]) first[indexOf(who)] = chase.hunter(who).heading();
+            out[indexOf(who)] = out[indexOf(who)] || inLanes;
+        }
+    }
+    CHECK(out[1]);
+    CHECK(first[1] == Direction::Left);
+    CHECK(out[2]);
+    CHECK(first[2] == Direction::Left);
+    CHECK(out[3]);
+    CHECK(first[3] == Direction::Right);
+}
