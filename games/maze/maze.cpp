@@ -8,10 +8,10 @@ namespace plumb::games::maze {
 GameInfo info() {
     return {.title = "Maze",
             .about = "One mouse, four cats, and all the crumbs of a moonlit garden.",
-            .actions = {{"up", {Key::Up, Key::W}, {Pad::Up}},
+            .actions = {{"up", {Key::Up, Key::W}, {Pad::Up}, "steer"},
                         {"left", {Key::Left, Key::A}, {Pad::Left}, "steer"},
-                        {"down", {Key::Down, Key::S}, {Pad::Down}},
-                        {"right", {Key::Right, Key::D}, {Pad::Right}}},
+                        {"down", {Key::Down, Key::S}, {Pad::Down}, "steer"},
+                        {"right", {Key::Right, Key::D}, {Pad::Right}, "steer"}},
             .options = {{.name = "level",
                          .about = "The level to begin with",
                          .value = "1",

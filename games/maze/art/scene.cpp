@@ -139,7 +139,7 @@ void drawSigns(Canvas& canvas, const MazeGame& game) {
 void drawScene(Canvas& canvas, const MazeGame& game) {
     canvas.screen();
     canvas.clear(Paint::radial({320, 180}, night, 380, nightEdge));
-    drawHud(canvas, game);
+    if (canvas.behind() != Behind::Title) drawHud(canvas, game);
     canvas.look(camera);
     drawGarden(canvas, flashOf(game));
     {
@@ -150,7 +150,7 @@ void drawScene(Canvas& canvas, const MazeGame& game) {
         drawHunters(canvas, game);
     }
     drawPopups(canvas, game);
-    drawSigns(canvas, game);
+    if (canvas.behind() == Behind::Nothing) drawSigns(canvas, game);
 }
 
 }  // namespace plumb::games::maze

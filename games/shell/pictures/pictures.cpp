@@ -13,6 +13,7 @@ namespace plumb::games {
 namespace {
 
 constexpr std::array sizes = {PixelSize{640, 360}, PixelSize{1280, 720}, PixelSize{1920, 1080}};
+constexpr std::int64_t titleTicks = 300;        ///< until what goes on behind the title is under way [ticks]
 constexpr std::int64_t longest = 10 * 60 * 60;  ///< of a round [ticks]
 
 /// Goes through a session, and looks.
@@ -24,7 +25,7 @@ public:
     }
 
     std::vector<std::string> run() {
-        for (int tick = 0; tick < 90; ++tick) session_.update(0);
+        for (int tick = 0; tick < titleTicks; ++tick) session_.update(0);
         look("title");
         tap("confirm");
         for (const int second : {1, 5, 20, 60}) playUntil(second);
@@ -82,7 +83,7 @@ private:
     Session session_;
     std::unique_ptr<Source> computer_;
     Painter painter_;
-    std::int64_t start_ = 92;
+    std::int64_t start_ = titleTicks + 2;
     std::vector<std::string> files_;
 };
 

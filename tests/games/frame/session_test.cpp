@@ -143,6 +143,18 @@ TEST_CASE("an option that the game has not, or a value it cannot have, is refuse
     CHECK(Played({.options = {{"level", "two"}}}).session.gameSetup().option("level") == "two");
 }
 
+TEST_CASE("a banner is not seen behind a menu, and what players are told is not seen behind the title", "[games]") {
+    Played p;
+    p.session.update(0);
+    CHECK_FALSE(shows(p.session, "hits so far"));
+    p.tap("confirm");
+    CHECK(shows(p.session, "hits so far"));
+    CHECK(shows(p.session, "Ready!"));
+    p.tap("pause");
+    CHECK(shows(p.session, "hits so far"));
+    CHECK_FALSE(shows(p.session, "Ready!"));
+}
+
 TEST_CASE("quit ends the session, and nothing else does", "[games]") {
     Played p;
     p.tap("back");
