@@ -139,7 +139,6 @@ void drawSigns(Canvas& canvas, const MazeGame& game) {
 void drawScene(Canvas& canvas, const MazeGame& game) {
     canvas.screen();
     canvas.clear(Paint::radial({320, 180}, night, 380, nightEdge));
-    if (canvas.behind() != Behind::Title) drawHud(canvas, game);
     canvas.look(camera);
     drawGarden(canvas, flashOf(game));
     {
@@ -150,6 +149,8 @@ void drawScene(Canvas& canvas, const MazeGame& game) {
         drawHunters(canvas, game);
     }
     drawPopups(canvas, game);
+    if (canvas.behind() != Behind::Title) drawHud(canvas, game);
+    canvas.look(camera);
     if (canvas.behind() == Behind::Nothing) drawSigns(canvas, game);
 }
 
