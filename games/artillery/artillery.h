@@ -25,17 +25,23 @@ public:
 
 private:
     void notice(const std::vector<Happening>& happenings);
+    void drawWriting(Canvas& canvas, double seconds) const;
     void drawEnd(Canvas& canvas) const;
 
+    void celebrate();
+
     Match match_;
-    int line_;  ///< of the aim line [ticks]
+    int line_;       ///< of the aim line [ticks]
+    bool isShow_;    ///< behind the title
+    int still_ = 0;  ///< so long after a blast all stands still, which gives it weight [ticks]
     // Only to be seen:
     PoseTrail trail_;
     Eye eye_;
     Effects effects_;
     Traces traces_;
     std::int64_t ticks_ = 0;
-    double recoil_ = 0;
+    double recoil_ = 0, drift_ = 0;  ///< drift: how far the wind has blown [m]
+    Random sparks_{3};
 };
 
 GameInfo info();

@@ -19,6 +19,7 @@ inline constexpr double worldEdge = 62;  ///< what is farther from the middle is
 inline constexpr double worldFloor = -9;
 
 inline constexpr int turnTicks = 25 * 60;   ///< to aim and fire in
+inline constexpr int hurryTicks = 5 * 60;   ///< the last of them, which are counted aloud
 inline constexpr int readyTicks = 50;       ///< before them, to see whose turn it is
 inline constexpr int settleTicks = 7 * 60;  ///< at most, until the next turn, while anything still moves
 inline constexpr int gunnersEach = 3;

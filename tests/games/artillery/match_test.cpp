@@ -73,9 +73,7 @@ TEST_CASE("the same seed and buttons give the same battle to the last bit, anoth
 TEST_CASE("in 10,000 ticks of any buttons nothing falls through the ground or out of the world", "[games][artillery]") {
     for (int seed = 1; seed <= plumb::test::cases(30); ++seed) {
         const GameInfo game = named();
-        const GameSetup setup{static_cast<std::uint64_t>(seed),
-                              {{"strength", "strong"}, {"rival", "ladder"}, {"line", "short"}}};
-        Artillery round(setup);
+        Artillery round({static_cast<std::uint64_t>(seed), {{"rival", "ladder"}, {"line", "short"}}});
         const ActionList actions(game.actions);
         Random random(static_cast<std::uint64_t>(seed));
         Buttons before = 0;
@@ -101,8 +99,8 @@ TEST_CASE("in 10,000 ticks of any buttons nothing falls through the ground or ou
     }
 }
 
-TEST_CASE("an option that is none is refused by name", "[games][artillery]") {
+TEST_CASE("a value that an option has not is refused by name before anything begins", "[games][artillery]") {
     const GameInfo game = named();
-    const GameSetup setup{1, {{"strength", "mighty"}, {"rival", "ladder"}, {"line", "short"}}};
-    REQUIRE_THROWS_WITH(game.make(setup), plumb::test::containsText("mighty"));
+    for (const char* option : {"strength", "rival", "line"})
+        REQUIRE_THROWS_WITH(Session(game, {1, {{option, "mighty"}}, {}}), plumb::test::containsText("\"mighty\""));
 }
