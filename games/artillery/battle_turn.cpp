@@ -70,7 +70,7 @@ void Battle::obey(const Orders& orders) {
     if (!charging_) walk(gunner, orders);
     if (orders.weapon && !before_.weapon && !charging_) changeWeapon(gunner);
     const int left = turnTicks - phaseTicks_;
-    if (left <= hurryTicks && left % 60 == 0) tell({.kind = Happening::Kind::Hurry});
+    if (left > 0 && left <= hurryTicks && left % 60 == 0) tell({.kind = Happening::Kind::Hurry});
     const bool late = left <= 0;
     if (charging_) {
         if (orders.fire && gunner.aim.charge < fullCharge) ++gunner.aim.charge;

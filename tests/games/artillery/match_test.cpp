@@ -2,6 +2,7 @@
 #include <games/artillery/artillery.h>
 
 #include <games/frame/source.h>
+#include <plumb/record/state_hash.h>
 #include <cmath>
 
 #include "cases.h"
@@ -68,6 +69,24 @@ TEST_CASE("the same seed and buttons give the same battle to the last bit, anoth
     REQUIRE(hashAfter(3, 4, 3000) == hash);
     REQUIRE(hashAfter(4, 4, 3000) != hash);
     REQUIRE(hashAfter(3, 5, 3000) != hash);
+}
+
+TEST_CASE("after a shell's blast all stands still for 3 ticks, a tick for each whole metre that it reaches",
+          "[games][artillery]") {
+    const GameInfo game = named();
+    const GameSetup setup{1, {{"rival", "weak"}, {"line", "off"}, {"strength", "strong"}}};
+    Artillery round(setup);
+    const auto computer = game.computer(setup);
+    const ActionList actions(game.actions);
+    const Battle& battle = round.match().battle();
+    while (battle.phase() != Phase::Settle) round.update(Input(actions, computer->decide(round), 0));
+    const std::uint64_t hash = stateHash(battle.world());
+    for (int tick = 0; tick < 3; ++tick) {
+        round.update(Input(actions, 0, 0));
+        REQUIRE(stateHash(battle.world()) == hash);
+    }
+    round.update(Input(actions, 0, 0));
+    REQUIRE(stateHash(battle.world()) != hash);
 }
 
 TEST_CASE("in 10,000 ticks of any buttons nothing falls through the ground or out of the world", "[games][artillery]") {
