@@ -78,7 +78,10 @@ void Artillery::notice(const std::vector<Happening>& happenings) {
             still_ = static_cast<int>(happening.size);
         }
         if (happening.kind == Happening::Kind::Splashed) eye_.lookAt(happening.at);
-        if (happening.kind == Happening::Kind::Fired) recoil_ = 1;
+        if (happening.kind == Happening::Kind::Fired) {
+            eye_.shake(0.3);
+            recoil_ = 1;
+        }
     }
 }
 

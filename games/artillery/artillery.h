@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Two crews on a hilly island, and how the frame plays them?
+// How does the frame play two crews on a hilly island?
 #pragma once
 #include <games/artillery/aim_look.h>
 #include <games/artillery/effects.h>
 #include <games/artillery/eye.h>
 #include <games/artillery/match.h>
 #include <games/frame/pose_trail.h>
+#include <plumb/math/random.h>
 
 namespace plumb::games::artillery {
 
