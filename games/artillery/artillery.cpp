@@ -102,6 +102,7 @@ void Artillery::draw(Canvas& canvas) const {
     effects_.draw(canvas, battle.wind());
     if (aiming && line_ > 0) drawAimLine(canvas, battle, line_, seconds);
     drawTags(canvas, figures);
+    effects_.drawLabels(canvas);
     if (!isShow_) drawWriting(canvas, seconds);
     canvas.look(eye_.camera(canvas.between()));
 }

@@ -135,6 +135,10 @@ void Effects::draw(Canvas& canvas, double wind) const {
         const Color color = bit.color.faded(std::min(1.0, 2 * left));
         canvas.circle(at, radius, bit.ring ? stroke(color, 0.3 * left) : Brush(color));
     }
+}
+
+void Effects::drawLabels(Canvas& canvas) const {
+    const double ahead = (canvas.between() - 1) * tickSeconds;
     for (const Label& label : labels_) drawLabel(canvas, label, std::max(0.0, label.age + ahead));
 }
 

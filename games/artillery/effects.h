@@ -20,6 +20,7 @@ public:
     void celebrate(const Vec2& at, const Color& color);  ///< one rocket that bursts
     void update();                                       ///< one tick
     void draw(Canvas& canvas, double wind) const;
+    void drawLabels(Canvas& canvas) const;  ///< the harm done, in figures
 
 private:
     struct Range {
