@@ -28,11 +28,9 @@ struct Hero {
     bool tall = true;  ///< its flame: it bears one hurt
     bool alive = true;
     int facing = 1;
-    int safeTicks = 0;      ///< nothing hurts it
-    int chain = 0;          ///< stomped since it left the floor
-    bool isThrown = false;  ///< by a spring or off something
-    int thrownTicks = 0;    ///< since then
-    double fallSpeed = 0;   ///< in the tick before [m/s]
+    int safeTicks = 0;     ///< nothing hurts it
+    int chain = 0;         ///< stomped since it left the floor
+    double fallSpeed = 0;  ///< in the tick before [m/s]
 };
 
 /// A snuffer or a burr.
@@ -161,7 +159,6 @@ private:
     std::shared_ptr<const Level> level_;
     StageSetup setup_;
     Feel feel_;
-    PlatformProfile thrownProfile_;
     Random random_{0};
     World world_;
     ShapeId ground_;
