@@ -19,8 +19,8 @@ Level levelOf(const std::string& rows) {
 }  // namespace
 
 TEST_CASE("a level's text gives tiles, things, start, beacon and a lift with its way", "[games][runner]") {
-    const Level level = readLevel(
-        "; a note\nname: Hill\nsky: night\npar: 42\nmap:\n..o..\n.pp--\nS...G\n##/^~\n", "hill.txt");
+    const Level level =
+        readLevel("; a note\nname: Hill\nsky: night\npar: 42\nmap:\n..o..\n.pp--\nS...G\n##/^~\n", "hill.txt");
     CHECK(level.name == "Hill");
     CHECK(level.sky == Sky::Night);
     CHECK(level.par == 42);
@@ -33,9 +33,10 @@ TEST_CASE("a level's text gives tiles, things, start, beacon and a lift with its
     REQUIRE(level.things.size() == 1);
     CHECK(level.things[0].at == Vec2(2.5, 3.5));
     REQUIRE(level.platforms.size() == 1);
-    // Two wide: its middle lies between two cells, at 2; the track's end is the cell around 4.5.
+    // Two wide: its middle lies between two cells, half a metre to the right of its middle letter's; so does its way.
+    CHECK(level.platforms[0].width == 2);
     CHECK(level.platforms[0].path.at(0).position == Vec2(2, 2.5));
-    CHECK(level.platforms[0].path.end() == Vec2(4.5, 2.5));
+    CHECK(level.platforms[0].path.end() == Vec2(5, 2.5));
     CHECK(level.platforms[0].repeat == PathRepeat::BackAndForth);
 }
 
