@@ -158,6 +158,7 @@ void Runner::draw(Canvas& canvas) const {
     drawHero(canvas, scene);
     drawWater(canvas, scene);
     drawNight(canvas, scene);
+    drawLights(canvas, scene);
     effects_.draw(canvas);
     drawPart(canvas, scene.at(stage_->hero().mover.body()));
 }
@@ -173,13 +174,13 @@ void Runner::drawPart(Canvas& canvas, const Vec2& hero) const {
                      suns_, setup_.option("profile") == "1985" ? "1985" : "modern"});
     const double share = std::min(1.0, since / 14);
     if (part_ == Part::Intro)
-        drawCard(canvas, stage_->level().name, {"Level " + std::to_string(levelNumber() + 1) + ": light the beacon"},
+        drawCard(canvas, {stage_->level().name, {"Level " + std::to_string(levelNumber() + 1) + ": light the beacon"}},
                  share);
     if (part_ == Part::Cleared) {
         std::vector<std::string> lines{"Time " + std::to_string(levelTicks_ / 60) + " s      bonus " +
                                        std::to_string(timeBonus_)};
         if (sunBonus_ > 0) lines.push_back("All suns      bonus " + std::to_string(sunBonus_));
-        drawCard(canvas, "The beacon burns", lines, share);
+        drawCard(canvas, {"The beacon burns", lines}, share);
     }
     // The debug view lies over the last look.
     canvas.look(view_.camera(canvas.between()));

@@ -76,8 +76,10 @@ void Stage::meetHits() {
 void Stage::bump(Cell cell) {
     Tile tile = tiles().at(cell);
     const Vec2 at = tiles().centerOf(cell);
-    if (tile.tag != Brick && tile.tag != Lamp) return;
+    if (tile.tag == Ground) return;
     bumps_.push_back({cell, ticks_});
+    knock(cell);
+    if (tile.tag == SpentLamp) return note(EventKind::Bumped, at);
     if (tile.tag == Brick) {
         world_.setTile(ground_, cell, {});
         return note(EventKind::BrickBroke, at);

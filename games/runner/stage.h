@@ -142,6 +142,8 @@ private:
     void moveMoths();
     void meetFoes(const PlatformInput& input);
     void squashByCrates();
+    void knock(Cell cell);  ///< whoever walks on it
+    void squash(Walker& walker);
     // stage.cpp
     void moveHero(const PlatformInput& input);
     void meetFloor();

@@ -95,3 +95,34 @@ TEST_CASE("each of the three levels has its beacon, three suns, checkpoints and 
         CHECK_FALSE(level.platforms.empty());
     }
 }
+
+TEST_CASE("in the three levels nothing that stands hovers, and slopes begin and end at the ground", "[games][runner]") {
+    for (const LevelText& text : builtInLevels()) {
+        const Level level = readLevel(text.text, text.file);
+        const TileMap& tiles = level.tiles;
+        const auto isFloor = [&](const Vec2& at) {
+            const Tile tile = tiles.at(tiles.cellAt(at));
+            return !isEmpty(tile) && (tile.kind == TileKind::Solid || tile.kind == TileKind::OneWay);
+        };
+        std::vector<Vec2> standing{level.start, level.beacon};
+        for (const Thing& thing : level.things)
+            if (thing.kind == ThingKind::Lantern || thing.kind == ThingKind::Spring ||
+                thing.kind == ThingKind::Snuffer || thing.kind == ThingKind::Burr)
+                standing.push_back(thing.at);
+        for (const Vec2& at : standing) {
+            INFO(text.file << ": " << at.transpose());
+            CHECK(isFloor(at - Vec2(0, 1)));
+        }
+        for (int row = 0; row < tiles.rows(); ++row)
+            for (int column = 0; column < tiles.columns(); ++column) {
+                const TileForm form = tiles.at({column, row}).form;
+                const bool up = form == TileForm::SlopeUp || form == TileForm::GentleUpLow;
+                const bool down = form == TileForm::SlopeDown || form == TileForm::GentleDownLow;
+                if (!up && !down) continue;
+                INFO(text.file << ": column " << column << ", row " << row);
+                const Vec2 before = tiles.centerOf({column, row}) + Vec2(up ? -1 : 1, 0);
+                CHECK_FALSE(isFloor(before));
+                CHECK(isFloor(before - Vec2(0, 1)));
+            }
+    }
+}

@@ -197,6 +197,18 @@ TEST_CASE("a brick breaks and a lamp lights once from below", "[games][runner]")
               other, 240, [](int tick) { return PlatformInput{.jump = tick % 60 > 10}; }, EventKind::LampLit) == 1);
 }
 
+TEST_CASE("who walks on a lamp that is bumped from below is squashed, and who walks a lamp farther is not",
+          "[games][runner]") {
+    Stage stage = stageOf("###..\n#w#..\n#?#..\n.....\n.....\n.S.G.\n#####\n");
+    CHECK(play(
+              stage, 60, [](int tick) { return PlatformInput{.jump = tick > 10}; }, EventKind::Squashed) == 1);
+    CHECK_FALSE(stage.walkers()[0].alive);
+    Stage other = stageOf("...###\n...#w#\n.?.#?#\n......\n......\n.S.G..\n######\n");
+    CHECK(play(
+              other, 60, [](int tick) { return PlatformInput{.jump = tick > 10}; }, EventKind::Squashed) == 0);
+    CHECK(other.walkers()[0].alive);
+}
+
 TEST_CASE("thorns hurt who stands on them, and throw it 1.6 m up to get away", "[games][runner]") {
     Stage stage = stageOf("....\n....\n....\nS..G\n^^##\n####\n");
     double highest = 0;
