@@ -55,7 +55,8 @@ public:
 
 private:
     void run(const Sight& sight, SpeedPattern speed, Random& random);
-    void decide(const Sight& sight, Random& random);
+    /// The plan for the cell beyond the exit of the one that it is in, from.
+    void decide(Cell from, const Sight& sight, Random& random);
     void beginLanes();
 
     Who who_;

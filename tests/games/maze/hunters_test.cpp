@@ -170,6 +170,28 @@ TEST_CASE("level 1: at 7 s every hunter in the lanes turns back when it enters t
     CHECK(missed == 0);
 }
 
+// The slowest speed of all tables, 40 %, is 8 pixels in 16 frames: spread evenly, it stands 1 frame of 2.
+TEST_CASE("no hunter in the lanes ever stands still for 4 frames, in 20 chases of 3,000 frames", "[games][maze]") {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        test::DrivenChase driven(seed % 2 == 0 ? 1 : 2, seed);
+        const Chase& chase = driven.chase();
+        std::array<Vec2, 4> places;
+        std::array<int, 4> still{};
+        for (int frame = 0; frame < 3'000; ++frame) {
+            driven.step();
+            for (const Who who : everyone) {
+                const std::size_t i = indexOf(who);
+                const Hunter& hunter = chase.hunter(who);
+                const bool moves = hunter.isInLanes() && !chase.frozen() && !chase.playerCaught();
+                still[i] = moves && hunter.position() == places[i] ? still[i] + 1 : 0;
+                places[i] = hunter.position();
+                CAPTURE(seed, frame, i, places[i].x(), places[i].y());
+                REQUIRE(still[i] < 4);
+            }
+        }
+    }
+}
+
 TEST_CASE("who was at home when the mode changed comes out to the right, who was not, to the left", "[games][maze]") {
     Chase chase(1);
     // The player runs left until it is stopped by a wall, with 9 dots, after 80 frames or so. Then nobody eats: the
