@@ -72,14 +72,14 @@ void Hunter::decide(Cell from, const Sight& sight, Random& random) {
         .cell = next, .heading = exit_, .upClosed = hunts && isUpClosed(specialPlaces(), next, false)};
     const std::optional<Direction> chosen =
         frightened_ ? firstOpenClockwise(map, crossing, static_cast<Direction>(random.integer(0, 3)))
-                    : nextDirection(map, crossing, targetFor(sight));
+                    : nextDirection(map, crossing, targetFrom(from, sight));
     plan_ = chosen.value_or(opposite(exit_));
 }
 
-Cell Hunter::targetFor(const Sight& sight) const {
+Cell Hunter::targetFrom(Cell from, const Sight& sight) const {
     if (where_ == Where::Eyes) return specialPlaces().door;
     if (sight.rests) return scatterTarget(who_);
-    return chaseTarget(who_, {cell(), sight.player, sight.heading, sight.chaser});
+    return chaseTarget(who_, {from, sight.player, sight.heading, sight.chaser});
 }
 
 void Hunter::beginLanes() {

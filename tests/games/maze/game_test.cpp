@@ -82,7 +82,7 @@ TEST_CASE("fruit comes after 70 and 170 dots, stays for 9 to 10 s, and is gone w
         MazeGame round(setupOf(seed));
         const auto player = game.computer(setupOf(seed));
         int frames = 0;
-        for (int tick = 0; tick < 5'000 && round.progress().outcome == Outcome::Running; ++tick) {
+        for (int tick = 0; tick < 5'000 && round.level() == 1; ++tick) {
             const bool was = round.chase().fruitShown(), plays = round.phase() == Phase::Play;
             const bool frozen = round.chase().frozen();
             round.update(Input(actions, player->decide(round), 0));

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "catch.h"
 #include "games/maze/driven.h"
@@ -78,17 +79,23 @@ TEST_CASE("hunters run at the table's speeds on levels 1, 2, 5 and 21: p / 5 pix
         std::map<std::string, int> seen;
         test::DrivenChase driven(row.level);
         std::array<Walk, 4> walks;
+        std::array<Direction, 4> headings{};
         bool loneHasLeft = true;
         for (int frame = 0; frame < 14'000; ++frame) {
             const bool stands = driven.chase().frozen();
             driven.step();
             const Chase& chase = driven.chase();
-            if (chase.playerCaught()) loneHasLeft = false;
-            if (chase.cleared() || chase.hunter(Who::Loner).where() == Where::Lanes) loneHasLeft = true;
+            if (chase.playerCaught())
+                loneHasLeft = false;
+            else if (chase.cleared() || chase.hunter(Who::Loner).where() == Where::Lanes)
+                loneHasLeft = true;
             // In the frame in which its kind changes, what moved it was the one of before: such windows are left out.
             for (const Who who : everyone) {
                 const bool plain = !stands && !chase.frozen() && !chase.playerCaught() && !chase.cleared();
-                const std::string kind = plain ? kindOf(chase, who, loneHasLeft) : "";
+                const Direction heading = chase.hunter(who).heading();
+                const Direction before = std::exchange(headings[indexOf(who)], heading);
+                const bool onward = heading != opposite(before);  // there and back in one frame is no way
+                const std::string kind = plain && onward ? kindOf(chase, who, loneHasLeft) : "";
                 const int way = walks[indexOf(who)].add(kind, chase.hunter(who).position());
                 if (way < 0) continue;
                 ++seen[kind];
@@ -172,7 +179,7 @@ TEST_CASE("a dot holds the player for 1 frame, a power dot for 3; they are 10 an
             place = chase.playerPosition();
             ++(power ? powers : dots);
         }
-        if (chase.playerCaught()) held = 0;
+        if (chase.playerCaught() || chase.cleared()) held = 0;
     }
     CHECK(dots > 200);
     CHECK(powers >= 4);
