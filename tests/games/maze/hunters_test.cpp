@@ -107,12 +107,12 @@ struct Plan {
 
 }  // namespace
 
-TEST_CASE("in 12,000 frames each hunter's target is the book's, the slip upward and the loner's two minds with it",
+TEST_CASE("in 30,000 frames each hunter's target is the book's, the slip upward and the loner's two minds with it",
           "[games][maze]") {
     test::DrivenChase driven(1);
     const Chase& chase = driven.chase();
-    int upward = 0, shy = 0, bold = 0, resting = 0;
-    for (int frame = 0; frame < 12'000; ++frame) {
+    int upward = 0, shy = 0, bold = 0, resting = 0, restless = 0;
+    for (int frame = 0; frame < 30'000; ++frame) {
         driven.step();
         const bool scatter = chase.mode() == HunterMode::Scatter;
         for (const Who who : everyone) {
@@ -122,6 +122,7 @@ TEST_CASE("in 12,000 frames each hunter's target is the book's, the slip upward 
             const Spot want = targetByTheBook(chase, who, hunter.cell(), rests), got = spotOf(chase.targetOf(who));
             REQUIRE(std::tuple(want.column, want.row) == std::tuple(got.column, got.row));
             resting += rests ? 1 : 0;
+            restless += scatter && !rests ? 1 : 0;
             upward += !rests && chase.player().heading() == Direction::Up ? 1 : 0;
             if (who == Who::Loner && !rests) ++(got.column == 0 && got.row == 35 ? shy : bold);
         }
@@ -130,6 +131,7 @@ TEST_CASE("in 12,000 frames each hunter's target is the book's, the slip upward 
     CHECK(shy > 100);
     CHECK(bold > 100);
     CHECK(resting > 500);
+    CHECK(restless > 50);  // the chaser, in haste, hunts while the others rest
 }
 
 TEST_CASE("on entering a cell a hunter plans its way out of the next one by the book, also where it turns back",
@@ -198,6 +200,29 @@ TEST_CASE("level 1: at 7 s every hunter in the lanes turns back when it enters t
         }
     }
     CHECK(turned > 50);
+}
+
+TEST_CASE("a frightened hunter goes anywhere: a third or more of its choices are not those of a hunt",
+          "[games][maze]") {
+    test::DrivenChase driven(1);
+    const Chase& chase = driven.chase();
+    int choices = 0, strange = 0;
+    std::array<Cell, 4> cells;
+    for (int frame = 0; frame < 20'000; ++frame) {
+        driven.step();
+        for (const Who who : everyone) {
+            const Hunter& hunter = chase.hunter(who);
+            const Cell before = std::exchange(cells[indexOf(who)], hunter.cell());
+            const bool entered = !(hunter.cell() == before);
+            if (!hunter.frightened() || hunter.where() != Where::Lanes || !entered) continue;
+            const Direction exit = hunter.heading();
+            if (lanes().exits(cellAfter(hunter.cell(), exit)).size() < 3) continue;
+            ++choices;
+            strange += hunter.plan() != Plan{chase, who, false}.madeIn(hunter.cell(), exit) ? 1 : 0;
+        }
+    }
+    CHECK(choices > 100);
+    CHECK(strange * 3 >= choices);
 }
 
 // The slowest speed of all tables, 40 %, is 8 pixels in 16 frames: spread evenly, it stands 1 frame of 2.
