@@ -42,6 +42,7 @@ public:
     int framesOfWaves() const { return waves_.frames(); }
     bool hasDot(Cell cell) const { return dots_[indexOf(cell)]; }  ///< or a power dot
     int dotsLeft() const { return dotsLeft_; }
+    int dotsEaten() const;
     int frightFrames() const { return frightFrames_; }  ///< left
     bool frozen() const { return freeze_ > 0; }         ///< a hunter was just caught: all but eyes stand still
     std::optional<Who> justCaught() const;              ///< while frozen
@@ -75,7 +76,6 @@ private:
     void runClocks();
     void tell(Happening kind, int points, const Vec2& position) { events_.push_back({kind, points, position}); }
     void turnAllBack();
-    int dotsEaten() const;
 
     LevelRules rules_;
     std::uint64_t seed_;
