@@ -206,7 +206,7 @@ TEST_CASE("a frightened hunter goes anywhere: a third or more of its choices are
           "[games][maze]") {
     test::DrivenChase driven(1);
     const Chase& chase = driven.chase();
-    int choices = 0, strange = 0;
+    int choices = 0, strange = 0, upward = 0;
     std::array<Cell, 4> cells;
     for (int frame = 0; frame < 20'000; ++frame) {
         driven.step();
@@ -216,13 +216,16 @@ TEST_CASE("a frightened hunter goes anywhere: a third or more of its choices are
             const bool entered = !(hunter.cell() == before);
             if (!hunter.frightened() || hunter.where() != Where::Lanes || !entered) continue;
             const Direction exit = hunter.heading();
-            if (lanes().exits(cellAfter(hunter.cell(), exit)).size() < 3) continue;
+            const Cell next = cellAfter(hunter.cell(), exit);
+            if (lanes().exits(next).size() < 3) continue;
+            upward += hunter.plan() == Direction::Up && isUpClosed(specialPlaces(), next, false) ? 1 : 0;
             ++choices;
             strange += hunter.plan() != Plan{chase, who, false}.madeIn(hunter.cell(), exit) ? 1 : 0;
         }
     }
     CHECK(choices > 100);
     CHECK(strange * 3 >= choices);
+    CHECK(upward > 0);  // where hunters do not go up
 }
 
 // The slowest speed of all tables, 40 %, is 8 pixels in 16 frames: spread evenly, it stands 1 frame of 2.

@@ -121,17 +121,23 @@ TEST_CASE("a new life after a death begins where the first began, with the dots 
     for (const Who who : everyone) CHECK(chase.hunter(who).position() == fresh.hunter(who).position());
 }
 
-TEST_CASE("caught, a hunter is nothing but eyes, and is out hunting again within 6 s", "[games][maze]") {
+TEST_CASE("caught, a hunter is nothing but eyes, runs home 2 pixels a frame, and is out hunting again within 6 s",
+          "[games][maze]") {
     test::DrivenChase driven(1, 2, {.frames = 120, .hunter = 4000});
     const Chase& chase = driven.chase();
     std::array<int, 4> away{};
     int back = 0, longest = 0;
     for (int frame = 0; frame < 8'000; ++frame) {
         const bool frozen = chase.frozen();
+        const auto before = chase.hunters();
         if (chase.playerCaught() || chase.cleared()) away = {};
         driven.step();
         for (const Hunter& hunter : chase.hunters()) {
             int& frames = away[indexOf(hunter.who())];
+            const Hunter& was = before[indexOf(hunter.who())];
+            const bool runs = was.where() == Where::Eyes && hunter.where() == Where::Eyes;
+            const Vec2 way = 8 * (hunter.position() - was.position()).cwiseAbs();
+            if (runs && !frozen && way.x() < 100) REQUIRE(way.sum() == 2);
             if (isEyes(hunter)) REQUIRE_FALSE(hunter.frightened());
             if (hunter.where() == Where::Eyes && frames == 0) frames = 1;
             if (frames == 0) continue;
@@ -143,4 +149,58 @@ TEST_CASE("caught, a hunter is nothing but eyes, and is out hunting again within
     }
     CHECK(back > 10);
     CHECK(longest < 6 * 60);
+}
+
+TEST_CASE("chance is the same in each life of a level, whatever it was used for in the one before", "[games][maze]") {
+    Chase chase(1, 7), other(1, 7);
+    other.reseed(99);
+    for (int frame = 0; frame < 5'000 && !chase.playerCaught(); ++frame) {
+        chase.step(std::nullopt);
+        other.step(std::nullopt);
+    }
+    const auto hashOf = [](const Chase& one) {
+        games::Hash hash;
+        one.addTo(hash);
+        return hash.value();
+    };
+    REQUIRE(chase.playerCaught());
+    CHECK(hashOf(chase) != hashOf(other));
+    chase.beginLifeAfterDeath();
+    other.beginLifeAfterDeath();
+    CHECK(hashOf(chase) == hashOf(other));
+}
+
+TEST_CASE("after a death the chaser has no haste before the loner leaves the house, however few dots are left",
+          "[games][maze]") {
+    test::DrivenChase driven(1);
+    for (int frame = 0; frame < 10'000 && driven.chase().dotsLeft() > 10; ++frame) driven.step();
+    Chase chase = driven.chase();
+    CHECK(chase.haste() == 2);
+    for (int frame = 0; frame < 5'000 && !chase.playerCaught(); ++frame) chase.step(std::nullopt);
+    REQUIRE(chase.playerCaught());
+    chase.beginLifeAfterDeath();
+    const Lookahead shy({.frames = 80, .dot = -1000, .way = 0});  // eats nothing: the house waits 4 s for each
+    int waited = 0;
+    for (; chase.hunter(Who::Loner).where() == Where::Home && waited < 1'000; ++waited) {
+        REQUIRE(chase.haste() == 0);
+        chase.step(shy.best(chase));
+        REQUIRE_FALSE(chase.playerCaught());
+    }
+    CHECK(waited == 3 * 240);
+    CHECK(chase.haste() == 2);
+}
+
+TEST_CASE("in the first life of level 1 the flanker leaves the house at the 30th dot, the loner at the 90th",
+          "[games][maze]") {
+    test::DrivenChase driven(1);
+    const Chase& chase = driven.chase();
+    std::array<int, 4> left{-1, -1, -1, -1};
+    for (int frame = 0; frame < 3'000 && left[indexOf(Who::Loner)] < 0; ++frame) {
+        driven.step();
+        for (const Who who : everyone) {
+            int& dots = left[indexOf(who)];
+            if (dots < 0 && chase.hunter(who).where() != Where::Home) dots = chase.dotsEaten();
+        }
+    }
+    CHECK(left == std::array<int, 4>{0, 0, 30, 90});
 }
