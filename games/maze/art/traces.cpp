@@ -52,12 +52,12 @@ void drawStars(Canvas& canvas, const Trace& trace, const Color& color) {
     });
 }
 
-/// Larger the more they are.
+/// Above the place, where the mouse does not hide them; larger the more they are.
 void drawPoints(Canvas& canvas, const Trace& trace) {
     const int points = trace.event.points;
     const double pop = 1 + 0.4 * std::max(0.0, 1 - trace.age / 8.0);
     const double fade = std::min(1.0, (Trace::longest - trace.age) / 15.0);
-    canvas.text(trace.event.position + Vec2(0, 0.9 * shareOf(trace, Trace::longest)), std::to_string(points),
+    canvas.text(trace.event.position + Vec2(0, 1.2 + 0.6 * shareOf(trace, Trace::longest)), std::to_string(points),
                 {.size = (points >= 1600  ? 2.0
                           : points >= 800 ? 1.75
                                           : 1.5) *

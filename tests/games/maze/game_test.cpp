@@ -94,7 +94,10 @@ TEST_CASE("fruit comes after 70 and 170 dots, stays for 9 to 10 s, and is gone w
                     ++shown;
                     frames = 0;
                 }
-                if (event.kind == Happening::Fruit) CHECK(event.points == 100);
+                if (event.kind == Happening::Fruit) {
+                    CHECK(event.points == 100);
+                    CHECK((round.chase().playerPosition() - Vec2(14, 15.5)).norm() <= 0.5);  // below the house
+                }
                 if (event.kind != Happening::FruitGone) continue;
                 ++gone;
                 CHECK(frames + 2 >= 9 * 60);  // and the first and the last frame

@@ -151,6 +151,30 @@ TEST_CASE("caught, a hunter is nothing but eyes, runs home 2 pixels a frame, and
     CHECK(longest < 6 * 60);
 }
 
+TEST_CASE("who is caught in the midst of fright begins the next life without it, and without the treat",
+          "[games][maze]") {
+    test::DrivenChase driven(1, 1, {.frames = 120, .hunter = 4000});
+    const Lookahead weary({.frames = 80, .dot = 0, .hunter = -1000, .nearness = -200, .caught = -50'000});
+    int afraid = 0;
+    for (int frame = 0; frame < 4'000 && afraid < 3; ++frame) {
+        driven.step();
+        const auto& hunters = driven.chase().hunters();
+        const bool brave = std::any_of(hunters.begin(), hunters.end(), [](const Hunter& hunter) {
+            return hunter.where() == Where::Leaving && !hunter.frightened();
+        });
+        if (driven.chase().frightFrames() < 120 || !brave || frame % 8 != 0) continue;
+        Chase chase = driven.chase();
+        while (chase.frightFrames() > 0 && !chase.playerCaught()) chase.step(weary.best(chase));
+        if (!chase.playerCaught()) continue;
+        ++afraid;
+        chase.beginLifeAfterDeath();
+        CHECK(chase.frightFrames() == 0);
+        CHECK_FALSE(chase.fruitShown());
+        for (const Hunter& hunter : chase.hunters()) CHECK_FALSE(hunter.frightened());
+    }
+    CHECK(afraid == 3);
+}
+
 TEST_CASE("chance is the same in each life of a level, whatever it was used for in the one before", "[games][maze]") {
     Chase chase(1, 7), other(1, 7);
     other.reseed(99);
