@@ -9,8 +9,7 @@
 namespace plumb::games::maze {
 
 // A garden at night: hedges in dark teal with moonlight on their rims, warm light on all that is alive.
-inline constexpr Color night = Color::hex(0x0b1026);
-inline constexpr Color nightEdge = Color::hex(0x070a18);
+inline constexpr Color night = Color::hex(0x080b1b);
 inline constexpr Color groove = Color::hex(0x11183a);
 inline constexpr Color hedgeFlash = Color::hex(0xf4ffe9);
 inline constexpr Color wood = Color::hex(0xd9a066);

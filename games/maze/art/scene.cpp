@@ -136,7 +136,7 @@ void drawSigns(Canvas& canvas, const MazeGame& game) {
 
 void drawScene(Canvas& canvas, const MazeGame& game) {
     canvas.screen();
-    canvas.clear(Paint::radial({320, 180}, night, 380, nightEdge));
+    canvas.clear(night);
     drawHud(canvas, game);
     canvas.look(cameraOf(game));
     drawGarden(canvas, gardenOf(game.level()), flashOf(game));

@@ -25,7 +25,7 @@ Place standing(const Vec2& at, double scale) {
 }
 
 void drawSky(Canvas& canvas, double seconds) {
-    canvas.clear(Paint::radial({549, 186}, Color::hex(0x33407f), 520, nightEdge));
+    canvas.clear(Paint::linear({0, 0}, night, {0, 260}, Color::hex(0x2c3a78)));
     Random random(4);
     for (int i = 0; i < 90; ++i) {
         const Vec2 at(random.uniform(-120, 760), random.uniform(-60, 250));
