@@ -47,7 +47,8 @@ public:
     bool frozen() const { return freeze_ > 0; }         ///< a hunter was just caught: all but eyes stand still
     std::optional<Who> justCaught() const;              ///< while frozen
     bool fruitShown() const { return fruitFrames_ > 0; }
-    bool playerCaught() const { return playerCaught_; }
+    bool playerCaught() const { return catcher_.has_value(); }
+    std::optional<Who> catcher() const { return catcher_; }
     bool cleared() const { return dotsLeft_ == 0; }
     int haste() const;  ///< of the chaser: 0, 1 or 2
     Sight sightOf(Who who) const;
@@ -89,7 +90,7 @@ private:
     int frightFrames_ = 0, chain_ = 0, freeze_ = 0, fruitFrames_ = 0;
     Who lastCaught_ = Who::Chaser;
     bool hasteOff_ = false;  ///< after a death, until the loner leaves the house
-    bool playerCaught_ = false;
+    std::optional<Who> catcher_;
     std::vector<ChaseEvent> events_;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include <games/maze/art/palette.h>
 #include <games/maze/art/scene.h>
 #include <games/maze/sounds.h>
 #include <plumb/math/check.h>
@@ -150,6 +151,11 @@ void MazeGame::hum() {
 
 void MazeGame::draw(Canvas& canvas) const {
     drawScene(canvas, *this);
+}
+
+std::string MazeGame::verdict() const {
+    const std::optional<Who> catcher = chase_.catcher();
+    return catcher ? std::string(lookOf(*catcher).name) + " got you" : "All crumbs!";
 }
 
 std::uint64_t MazeGame::hash() const {

@@ -128,7 +128,7 @@ void drawSigns(Canvas& canvas, const MazeGame& game) {
         const std::string level = "Level " + std::to_string(game.level());
         sign(canvas, first ? level : "Ready!", below, first ? paper : cheese, 1.6 * pop);
     }
-    if (game.phase() == Phase::Dying && game.lives() == 1) sign(canvas, "Caught!", below, skin, 1.6);
+    if (game.phase() == Phase::Dying) sign(canvas, game.verdict() + "!", below, skin, 1.6);
     if (game.phase() == Phase::Cleared && game.phaseTicks() > 40) sign(canvas, "All crumbs!", below, cheese, 1.6);
 }
 

@@ -126,6 +126,7 @@ TEST_CASE("three lives are lost by standing still, and the game with them", "[ga
         lives = round.lives();
     }
     CHECK(lost == 3);
+    CHECK(round.verdict() == "Rusty got you");  // the one who runs after the mouse
     CHECK(round.progress().outcome == Outcome::Lost);
 }
 

@@ -53,24 +53,28 @@ private:
 };
 
 /// By the table's columns, from what can be seen: cells, faces and dots left. "" where that is not plain.
-std::string kindOf(const Chase& chase, Who who, bool loneHasLeft) {
+std::string kindOf(const Chase& chase, const Row& row, Who who, bool loneHasLeft) {
     const Hunter& hunter = chase.hunter(who);
     if (hunter.where() != Where::Lanes) return "";
     const Cell cell = hunter.cell();
     if (35 - cell.row == 17 && (cell.column <= 5 || cell.column >= 22)) return "tunnel";
     if (hunter.frightened()) return "fright";
-    const int dots = rulesOf(chase.rules().level).hasteDots;
-    if (who != Who::Chaser || chase.dotsLeft() > dots) return "hunter";
+    if (who != Who::Chaser || chase.dotsLeft() > row.hasteDots) return "hunter";
     if (!loneHasLeft) return "";
-    return chase.dotsLeft() > dots / 2 ? "haste1" : "haste2";
+    return chase.dotsLeft() > row.hasteDots / 2 ? "haste1" : "haste2";
 }
 
 }  // namespace
 
+TEST_CASE("the chaser makes haste at 20, 30, 40, 50, 60, 80, 100 and 120 dots left, more at half as many",
+          "[games][maze]") {
+    const std::vector<int> dots{20, 30, 40, 40, 40, 50, 50, 50, 60, 60, 60, 80, 80, 80, 100, 100, 100, 100, 120, 120};
+    for (std::size_t i = 0; i < dots.size(); ++i) CHECK(rulesOf(static_cast<int>(i) + 1).hasteDots == dots[i]);
+}
+
 TEST_CASE("hunters run at the table's speeds on levels 1, 2, 5 and 21: p / 5 pixels in any 16 frames",
           "[games][maze]") {
     for (const Row& row : table) {
-        CHECK(arcadeHasteDots(row.level) == row.hasteDots);
         const std::map<std::string, int> percent{{"hunter", row.hunter},
                                                  {"fright", row.hunterFright},
                                                  {"tunnel", row.tunnel},
@@ -95,7 +99,7 @@ TEST_CASE("hunters run at the table's speeds on levels 1, 2, 5 and 21: p / 5 pix
                 const Direction heading = chase.hunter(who).heading();
                 const Direction before = std::exchange(headings[indexOf(who)], heading);
                 const bool onward = heading != opposite(before);  // there and back in one frame is no way
-                const std::string kind = plain && onward ? kindOf(chase, who, loneHasLeft) : "";
+                const std::string kind = plain && onward ? kindOf(chase, row, who, loneHasLeft) : "";
                 const int way = walks[indexOf(who)].add(kind, chase.hunter(who).position());
                 if (way < 0) continue;
                 ++seen[kind];
