@@ -123,9 +123,9 @@ GameInfo info() {
     game.title = "Artillery";
     game.about = "Two crews, one island, and the wind between them.";
     game.actions = {{"left", {Key::Left, Key::A}, {Pad::Left}, "face, walk"},
-                    {"right", {Key::Right, Key::D}, {Pad::Right}},
+                    {"right", {Key::Right, Key::D}, {Pad::Right}, "face, walk"},
                     {"up", {Key::Up, Key::W}, {Pad::Up}, "barrel"},
-                    {"down", {Key::Down, Key::S}, {Pad::Down}},
+                    {"down", {Key::Down, Key::S}, {Pad::Down}, "barrel"},
                     {"fire", {Key::Space}, {Pad::South}, "hold and let go: fire"},
                     {"weapon", {Key::Tab, Key::Q}, {Pad::West}, "weapon"}};
     game.options = {{"rival",

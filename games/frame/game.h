@@ -27,18 +27,21 @@ struct Progress {
     std::int64_t score = 0;
 };
 
-/// What a game can be told as it begins: --name VALUE on the command line; with choices, an entry of the title too.
+/// What a game can be told as it begins: --name VALUE on the command line; with choices, no other value is taken, and
+/// it is an entry of the title too.
 struct Option {
     std::string name;     ///< small letters, digits and -
     std::string about{};  ///< for --help
     std::string value{};  ///< unless another is given
     std::vector<std::string> choices{};
     std::string label{};  ///< in the title; empty: its name
+    bool inTitle = true;  ///< false: only the command line has it
 };
 
 struct GameSetup {
     std::uint64_t seed = 1;
     std::map<std::string, std::string> options{};  ///< each of GameInfo.options has its value here
+    bool behindTitle = false;                      ///< nobody plays: what is written over the picture is in the way
 
     /// Throws std::invalid_argument when the game has no such option.
     const std::string& option(const std::string& name) const;

@@ -148,7 +148,7 @@ void drawScene(Canvas& canvas, const MazeGame& game) {
         drawHunters(canvas, game);
     }
     for (const Trace& trace : game.traces()) drawTrace(canvas, trace);
-    drawSigns(canvas, game);
+    if (canvas.behind() == Behind::Nothing) drawSigns(canvas, game);
 }
 
 }  // namespace plumb::games::maze

@@ -152,13 +152,17 @@ void setClip(cairo_t* context, const Drawing& drawing, int clip) {
 }  // namespace
 
 void Painter::paint(const Drawing& drawing, const PixelView& to) const {
+    paint(drawing, drawing.inOrder(), to);
+}
+
+void Painter::paint(const Drawing& drawing, std::span<const Mark* const> marks, const PixelView& to) const {
     if (!(drawing.size == to.size)) throw std::runtime_error("a drawing of another size than the picture's");
     const CairoSurface surface = surfaceOf(to);
     const CairoContext context(cairo_create(surface.get()));
     cairo_set_line_cap(context.get(), CAIRO_LINE_CAP_ROUND);
     cairo_set_line_join(context.get(), CAIRO_LINE_JOIN_ROUND);
     int clip = -1;
-    for (const Mark* mark : drawing.inOrder()) {
+    for (const Mark* mark : marks) {
         if (mark->clip != clip) setClip(context.get(), drawing, clip = mark->clip);
         paintMark(context.get(), fonts_, *mark);
     }

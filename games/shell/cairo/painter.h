@@ -13,6 +13,8 @@ class Painter {
 public:
     /// All of the drawing, over what is there. Throws std::runtime_error unless the sizes are the same.
     void paint(const Drawing& drawing, const PixelView& to) const;
+    /// Some of its marks, as they come.
+    void paint(const Drawing& drawing, std::span<const Mark* const> marks, const PixelView& to) const;
 
     /// Where a text comes to lie: from the baseline, or from the lowest that its letters reach, to the highest, and
     /// from the start of its first letter to the end of its last; around it, if it is turned [pixels].

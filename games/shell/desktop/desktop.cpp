@@ -7,7 +7,7 @@
 #include <iostream>
 #include <thread>
 
-#include <games/shell/cairo/painter.h>
+#include <games/shell/cairo/kept_painter.h>
 #include <games/shell/desktop/devices.h>
 #include <games/shell/desktop/frame_times.h>
 #include <games/shell/desktop/scores_file.h>
@@ -117,7 +117,7 @@ private:
         Canvas canvas(window_.size(), between);
         session_.draw(canvas);
         if (timesShown_) times_.draw(canvas, session_.info().theme);
-        window_.paint([&](const PixelView& pixels) { painter_.paint(canvas.drawing(), pixels); });
+        window_.paint([&](const PixelView& pixels) { windowPainter_.paint(canvas.drawing(), pixels); });
     }
 
     /// Until the next picture is due, where nothing else waits for it.
@@ -139,6 +139,7 @@ private:
     Devices devices_;
     Sound sound_;
     Painter painter_;
+    KeptPainter windowPainter_;
     Screenshots screenshots_;
     FixedClock clock_{{.interval = tickSeconds}};
     FrameTimes times_;
