@@ -60,7 +60,7 @@ void drawKeys(Canvas& canvas, const GameInfo& info) {
 void drawTitle(Canvas& canvas, const ScreenView& view) {
     const GameInfo& info = view.session.info();
     constexpr double first = 160;
-    dim(canvas, info.theme, 0.66);
+    dim(canvas, info.theme, info.drawTitle ? 0.2 : 0.66);  // what was drawn to lie behind it leaves room for it
     heading(canvas, info.title, info.theme, 66, 58);
     aside(canvas, info.about, info.theme, 112, screenWidth - 60);
     panel(canvas, info.theme, first - lineHeight, menuEnd(view.menu, first) + 10);
