@@ -38,7 +38,7 @@ private:
 }  // namespace
 
 Artillery::Artillery(const GameSetup& setup)
-    : match_(setup.seed, setup.option("rival")), line_(lineOf(setup.option("line"))), isShow_(setup.behindTitle) {}
+    : match_(setup.seed, setup.option("rival")), line_(lineOf(setup.option("line"))) {}
 
 void Artillery::update(const Input& input) {
     ++ticks_;
@@ -103,7 +103,7 @@ void Artillery::draw(Canvas& canvas) const {
     if (aiming && line_ > 0) drawAimLine(canvas, battle, line_, seconds);
     drawTags(canvas, figures);
     effects_.drawLabels(canvas);
-    if (!isShow_) drawWriting(canvas, seconds);
+    if (canvas.behind() != Behind::Title) drawWriting(canvas, seconds);
     canvas.look(eye_.camera(canvas.between()));
 }
 
@@ -145,10 +145,10 @@ GameInfo info() {
     GameInfo game;
     game.title = "Artillery";
     game.about = "Two crews, one island, and the wind between them.";
-    game.actions = {{"left", {Key::Left, Key::A}, {Pad::Left}, "or → D: face, walk"},
-                    {"right", {Key::Right, Key::D}, {Pad::Right}},
-                    {"up", {Key::Up, Key::W}, {Pad::Up}, "or ↓ S: barrel"},
-                    {"down", {Key::Down, Key::S}, {Pad::Down}},
+    game.actions = {{"left", {Key::Left, Key::A}, {Pad::Left}, "face, walk"},
+                    {"right", {Key::Right, Key::D}, {Pad::Right}, "face, walk"},
+                    {"up", {Key::Up, Key::W}, {Pad::Up}, "barrel"},
+                    {"down", {Key::Down, Key::S}, {Pad::Down}, "barrel"},
                     {"fire", {Key::Space}, {Pad::South}, "hold and let go: fire"},
                     {"weapon", {Key::Tab, Key::Q}, {Pad::West}, "weapon"}};
     game.options = {{"rival",

@@ -33,7 +33,6 @@ private:
 
     Match match_;
     int line_;       ///< of the aim line [ticks]
-    bool isShow_;    ///< behind the title
     int still_ = 0;  ///< so long after a blast all stands still, which gives it weight [ticks]
     // Only to be seen:
     PoseTrail trail_;

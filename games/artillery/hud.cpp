@@ -181,7 +181,7 @@ void drawHud(Canvas& canvas, const Hud& hud) {
         drawAngleAndLegs(canvas, hud);
         drawHint(canvas, hud);
     }
-    drawTurn(canvas, hud);
+    if (canvas.behind() == Behind::Nothing) drawTurn(canvas, hud);
 }
 
 void drawBanner(Canvas& canvas, const std::string& title, const std::string& line, const Color& color, double seconds) {

@@ -28,6 +28,12 @@ public:
         eachCell([&](Cell cell, const Tile& tile) { drawBlock(cell, tile); });
     }
 
+    void drawLamps() {
+        eachCell([&](Cell cell, const Tile& tile) {
+            if (tile.tag == Lamp) drawBlock(cell, tile);
+        });
+    }
+
 private:
     template <class Visit>
     void eachCell(Visit&& visit) const {
@@ -48,32 +54,26 @@ private:
         return isSolid(tile) && tile.tag == Ground && tile.kind == TileKind::Solid;
     }
     bool isFullGround(Cell cell) const { return isGround(cell) && at(cell).form == TileForm::Full; }
-    int depth(Cell cell) const {
-        int least = 4;
-        for (int column = cell.column - 2; column <= cell.column + 2; ++column) {
-            int depth = 0;
-            while (depth < least && isGround({column, cell.row + depth + 1})) ++depth;
-            if (isGround({column, cell.row})) least = std::min(least, depth);
-        }
-        return least;
+    /// Darker the deeper in the map, everywhere alike, so that nothing shows where cells meet.
+    Paint soil(double darkness = 0) const {
+        return Paint::linear({0, 0.36 * tiles_.rows()}, darker(palette_.soil, darkness), {0, -2},
+                             darker(palette_.deep, darkness));
     }
-    Color soil(int depth) const { return mix(palette_.soil, palette_.deep, std::min(1.0, depth / 4.0)); }
     double chance(Cell cell, int salt) const {
         const double x = std::sin(cell.column * 12.9898 + cell.row * 78.233 + salt * 37.7) * 43758.5453;
         return x - std::floor(x);
     }
 
-    /// Cells of one depth together.
     void drawGroundRow(int row) const {
         for (int column = first_.column - 1; column <= last_.column + 1;) {
             if (!isFullGround({column, row})) {
                 ++column;
                 continue;
             }
-            const int deep = depth({column, row}), begin = column;
-            while (column <= last_.column + 1 && isFullGround({column, row}) && depth({column, row}) == deep) ++column;
+            const int begin = column;
+            while (column <= last_.column + 1 && isFullGround({column, row})) ++column;
             const double left = isGround({begin - 1, row}) ? lap : 0, right = isGround({column, row}) ? lap : 0;
-            canvas_.rect(Vec2(begin - left, row - lap), Vec2(column - begin + left + right, 1 + lap), soil(deep));
+            canvas_.rect(Vec2(begin - left, row - lap), Vec2(column - begin + left + right, 1 + lap), soil());
         }
     }
 
@@ -84,16 +84,15 @@ private:
             if (corner.y() < cell.row + lap) corner.y() -= lap;
             corner.x() += corner.x() < cell.column + 0.5 ? -lap : lap;
         }
-        canvas_.polygon(std::move(corners), soil(depth(cell)));
+        canvas_.polygon(std::move(corners), soil());
     }
 
     void drawSpecks(Cell cell, const Tile& tile) const {
         if (tile.form != TileForm::Full || !isGround(cell)) return;
-        const Color color = darker(soil(depth(cell)), 0.16);
         for (int i = 0; i < 2; ++i) {
             const Vec2 at =
                 tiles_.lowerLeft(cell) + Vec2(0.15 + 0.7 * chance(cell, i), 0.15 + 0.55 * chance(cell, i + 9));
-            canvas_.ellipse(at, {0.08 + 0.1 * chance(cell, i + 20), 0.05 + 0.04 * chance(cell, i + 30)}, color);
+            canvas_.ellipse(at, {0.08 + 0.1 * chance(cell, i + 20), 0.05 + 0.04 * chance(cell, i + 30)}, soil(0.16));
         }
     }
 
@@ -217,6 +216,10 @@ private:
 
 void drawTiles(Canvas& canvas, const Scene& scene) {
     TilePainter(canvas, scene).draw();
+}
+
+void drawLamps(Canvas& canvas, const Scene& scene) {
+    TilePainter(canvas, scene).drawLamps();
 }
 
 void drawWater(Canvas& canvas, const Scene& scene) {

@@ -40,13 +40,6 @@ void Stage::update(const PlatformInput& input) {
 
 void Stage::moveHero(const PlatformInput& input) {
     PlatformMover& mover = hero_.mover;
-    if (hero_.isThrown && (mover.slide().isOnFloor || mover.slide().velocity.y() <= 0)) {
-        if (!mover.slide().isOnFloor || hero_.thrownTicks > 1) {
-            mover.setProfile(feel_.profile);
-            hero_.isThrown = false;
-        }
-    }
-    ++hero_.thrownTicks;
     const bool wasOnFloor = mover.slide().isOnFloor;
     hero_.fallSpeed = wasOnFloor ? 0 : -mover.slide().velocity.y();
     const Slide& slide = mover.step(world_, input, feel_.tick);
@@ -73,8 +66,7 @@ void Stage::meetFloor() {
 }
 
 void Stage::meetHits() {
-    const std::vector<SlideHit> hits = hero_.mover.slide().hits;
-    for (const SlideHit& hit : hits) {
+    for (const SlideHit& hit : hero_.mover.slide().hits) {
         if (hit.shape != ground_ || !hit.tile) continue;
         if (isThorns(tiles(), hit.tile)) hurt();
         if (hit.normal.y() < -0.7 && hit.effect != SlideEffect::Nudged) bump(*hit.tile);
@@ -84,8 +76,10 @@ void Stage::meetHits() {
 void Stage::bump(Cell cell) {
     Tile tile = tiles().at(cell);
     const Vec2 at = tiles().centerOf(cell);
-    if (tile.tag != Brick && tile.tag != Lamp) return;
+    if (tile.tag == Ground) return;
     bumps_.push_back({cell, ticks_});
+    knock(cell);
+    if (tile.tag == SpentLamp) return note(EventKind::Bumped, at);
     if (tile.tag == Brick) {
         world_.setTile(ground_, cell, {});
         return note(EventKind::BrickBroke, at);
@@ -139,10 +133,7 @@ void Stage::meetPlaces() {
 
 void Stage::throwUp(double height) {
     PlatformMover& mover = hero_.mover;
-    mover.setProfile(thrownProfile_);
-    mover.setVelocity({mover.slide().velocity.x(), speedToRise(thrownProfile_, height)});
-    hero_.isThrown = true;
-    hero_.thrownTicks = 0;
+    mover.launch({mover.slide().velocity.x(), speedToRise(mover.profile(), height)});
 }
 
 void Stage::hurt() {
@@ -173,7 +164,7 @@ int Stage::ticksSinceBump(Cell cell) const {
 std::uint64_t Stage::hash() const {
     Hash hash;
     hash.add(ticks_).add(finished_).add(hero_.tall).add(hero_.alive).add(hero_.safeTicks).add(hero_.chain);
-    hash.add(hero_.isThrown).add(hero_.facing).add(hero_.mover.slide().velocity.x());
+    hash.add(hero_.facing).add(hero_.mover.slide().velocity.x());
     hash.add(hero_.mover.slide().velocity.y()).add(Random(random_).bits());
     for (const Walker& walker : walkers_) hash.add(walker.alive).add(walker.direction);
     for (const Moth& moth : moths_) hash.add(moth.alive);

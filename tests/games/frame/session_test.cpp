@@ -153,6 +153,18 @@ TEST_CASE("an option that the game has not, or a value it cannot have, is refuse
     CHECK(Played({.options = {{"level", "two"}}}).session.gameSetup().option("level") == "two");
 }
 
+TEST_CASE("a banner is not seen behind a menu, and what players are told is not seen behind the title", "[games]") {
+    Played p;
+    p.session.update(0);
+    CHECK_FALSE(shows(p.session, "hits so far"));
+    p.tap("confirm");
+    CHECK(shows(p.session, "hits so far"));
+    CHECK(shows(p.session, "Ready!"));
+    p.tap("pause");
+    CHECK(shows(p.session, "hits so far"));
+    CHECK_FALSE(shows(p.session, "Ready!"));
+}
+
 TEST_CASE("quit ends the session, and nothing else does", "[games]") {
     Played p;
     p.tap("back");
@@ -235,19 +247,6 @@ TEST_CASE("the computer starts the session by itself, wins, and plays again", "[
     GameInfo lonely = test::countingGame();
     lonely.computer = nullptr;
     CHECK_THROWS_WITH(computerSource(lonely), containsText("counting has no computer player"));
-}
-
-TEST_CASE("a game behind the title is told that it is there, and the round that is played that it is not", "[games]") {
-    GameInfo info = test::countingGame();
-    std::vector<bool> behind;
-    info.make = [&](const GameSetup& setup) {
-        behind.push_back(setup.behindTitle);
-        return std::make_unique<CountingGame>(setup);
-    };
-    Session session(info, {});
-    session.update(0);
-    session.update(session.actions().button("confirm"));
-    CHECK(behind == std::vector<bool>{true, false});
 }
 
 TEST_CASE("behind the title the computer plays, or the game shows what it likes; neither changes the session",
