@@ -22,8 +22,9 @@ void drawSky(Canvas& canvas, const Palette& palette) {
     canvas.rect(seen.lower, {seen.upper.x() - seen.lower.x(), 15.05 - seen.lower.y()},
                 Paint::linear({0, 15}, palette.skyMiddle, {0, horizon}, palette.skyLow));
     const Vec2 sun(palette.sunX, palette.sunY);
-    const double glow = palette.sunRadius * 4;
-    canvas.circle(sun, glow, Paint::radial(sun, palette.sun.faded(0.45), glow, palette.sun.faded(0)));
+    // Its glow: plain discs take a tenth of the time that a gradient does.
+    for (const double radius : {3.6, 2.9, 2.3, 1.8, 1.4})
+        canvas.circle(sun, radius * palette.sunRadius, palette.sun.faded(0.08));
     canvas.circle(sun, palette.sunRadius, palette.sun);
     if (!palette.stars) return;
     for (const Vec2& sea : {Vec2(-0.8, 0.6), Vec2(0.7, 0.9), Vec2(0.3, -0.8)})  // so it is a moon
