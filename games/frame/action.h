@@ -28,7 +28,8 @@ struct Action {
     std::string name;         ///< letters, digits, - and _
     std::vector<Key> keys{};  ///< each of them does it
     std::vector<Pad> pads{};
-    std::string about{};  ///< for the title's list of keys: "jump; longer when held"; empty: not listed
+    std::string
+        about{};  ///< for the title's list of keys, "jump"; the same for several: told as one; empty: not listed
 };
 
 /// Which actions are done in a tick: bit i is action i of the list.

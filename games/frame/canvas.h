@@ -17,6 +17,10 @@ struct Place {
     double opacity = 1;
 };
 
+/// What lies over the game: a banner would be hidden by a menu, or contradict it, and what is told to players is told
+/// to nobody behind the title.
+enum class Behind { Nothing, Menu, Title };
+
 /// Keeps marks. It begins with the screen's units; look() changes to a camera's world, screen() back. What is drawn
 /// later lies above, but for the layers, of which the higher lies above whatever was drawn when.
 class Canvas {
@@ -27,6 +31,8 @@ public:
     /// 1: where it brought them, which is where they are all the time in a game that stands still [-].
     double between() const { return between_; }
     void setBetween(double share) { between_ = share; }
+    Behind behind() const { return behind_; }
+    void setBehind(Behind what) { behind_ = what; }
     PixelSize size() const { return drawing_.size; }
 
     // Each ends all places and clips.
@@ -73,6 +79,7 @@ private:
     State state_;
     Camera camera_;
     double between_;
+    Behind behind_ = Behind::Nothing;
     int layer_ = 0;
 };
 

@@ -37,7 +37,7 @@ std::map<std::string, std::string> optionsOf(const GameInfo& info, const std::ma
 std::vector<Option> optionsToChoose(const GameInfo& info) {
     std::vector<Option> shown;
     for (const Option& option : info.options)
-        if (!option.choices.empty()) shown.push_back(option);
+        if (!option.choices.empty() && option.inTitle) shown.push_back(option);
     return shown;
 }
 

@@ -13,7 +13,7 @@ namespace plumb::games {
 /// value that is none of its choices.
 std::map<std::string, std::string> optionsOf(const GameInfo& info, const std::map<std::string, std::string>& given);
 
-/// The options that have choices, in their order: they stand in the title.
+/// The options that stand in the title, in their order: those with choices, but for what only the command line has.
 std::vector<Option> optionsToChoose(const GameInfo& info);
 
 /// The choice so many steps behind another, round and round.

@@ -26,6 +26,7 @@ struct Affine {
         const auto turned = [this](const Vec2& v) -> Vec2 { return v.x() * xAxis + v.y() * yAxis; };
         return {turned(inner.xAxis), turned(inner.yAxis), *this * inner.origin};
     }
+    friend bool operator==(const Affine&, const Affine&) = default;
 };
 
 /// From one colour to another, evenly, and the same beyond either end. In the coordinates of the mark.
@@ -33,6 +34,7 @@ struct Gradient {
     Vec2 from{0, 0}, to{0, 1};  ///< of a radial one, from is its centre
     Color first, last;
     double radius = 0;  ///< > 0: from the centre outward, up to there
+    friend bool operator==(const Gradient&, const Gradient&) = default;
 };
 
 struct Paint {
@@ -42,6 +44,8 @@ struct Paint {
     Paint(const Color& plain = {}) : color(plain) {}
     static Paint linear(const Vec2& from, const Color& first, const Vec2& to, const Color& last);
     static Paint radial(const Vec2& center, const Color& inner, double radius, const Color& outer);
+
+    friend bool operator==(const Paint&, const Paint&) = default;
 };
 
 /// How a mark is made: filled, or, with a width, drawn along its outline with round ends and corners.
@@ -52,6 +56,8 @@ struct Brush {
     Brush(const Color& color) : paint(color) {}
     Brush(const Paint& fill) : paint(fill) {}
     Brush(const Paint& line, double lineWidth) : paint(line), width(lineWidth) {}
+
+    friend bool operator==(const Brush&, const Brush&) = default;
 };
 inline Brush stroke(const Paint& paint, double width) {
     return {paint, width};
@@ -68,26 +74,31 @@ struct TextStyle {
     Baseline baseline = Baseline::Base;
     Weight weight = Weight::Regular;
     double fitWidth = 0;  ///< > 0: made smaller until it is no wider than this
+    friend bool operator==(const TextStyle&, const TextStyle&) = default;
 };
 
 struct RectMark {
     Vec2 corner{0, 0}, size{1, 1};  ///< the corner of the least x and y
     double radius = 0;              ///< of rounded corners
+    friend bool operator==(const RectMark&, const RectMark&) = default;
 };
 /// An ellipse, or a part of it; angles from +x towards +y [rad].
 struct EllipseMark {
     Vec2 center{0, 0}, radii{1, 1};
     double from = 0, to = 0;  ///< equal: all of it
     bool pie = false;         ///< a part goes to the centre and back
+    friend bool operator==(const EllipseMark&, const EllipseMark&) = default;
 };
 struct PathMark {
     std::vector<Vec2> points;
     bool closed = false;
+    friend bool operator==(const PathMark&, const PathMark&) = default;
 };
 struct TextMark {
     Vec2 at{0, 0};
     std::string text;  ///< UTF-8, one line
     TextStyle style;   ///< upright and not mirrored, whichever way y points
+    friend bool operator==(const TextMark&, const TextMark&) = default;
 };
 
 struct Mark {
@@ -97,11 +108,13 @@ struct Mark {
     double opacity = 1;  ///< times alpha
     int layer = 0;
     int clip = -1;  ///< which of the clips holds it; -1: none
+    friend bool operator==(const Mark&, const Mark&) = default;
 };
 
 /// Nothing is painted outside of it: an upright rectangle in pixels.
 struct Clip {
     Vec2 corner{0, 0}, size{0, 0};
+    friend bool operator==(const Clip&, const Clip&) = default;
 };
 
 struct Drawing {

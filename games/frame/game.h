@@ -27,13 +27,15 @@ struct Progress {
     std::int64_t score = 0;
 };
 
-/// What a game can be told as it begins: --name VALUE on the command line; with choices, an entry of the title too.
+/// What a game can be told as it begins: --name VALUE on the command line; with choices, no other value is taken, and
+/// it is an entry of the title too.
 struct Option {
     std::string name;     ///< small letters, digits and -
     std::string about{};  ///< for --help
     std::string value{};  ///< unless another is given
     std::vector<std::string> choices{};
     std::string label{};  ///< in the title; empty: its name
+    bool inTitle = true;  ///< false: only the command line has it
 };
 
 struct GameSetup {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <games/frame/screens.h>
 
+#include <games/frame/key_list.h>
+
 namespace plumb::games {
 namespace {
 
@@ -40,29 +42,9 @@ void aside(Canvas& canvas, const std::string& text, const Theme& theme, double y
         {.size = 13, .color = theme.quiet, .align = Align::Center, .baseline = Baseline::Middle, .fitWidth = width});
 }
 
-std::string keysOf(const Action& action) {
-    std::string keys;
-    for (const Key key : action.keys) keys += (keys.empty() ? "" : " ") + std::string(nameOf(key));
-    return keys;
-}
-
-/// Which keys do what, in lines of about as many letters as there is room for.
-std::vector<std::string> keyLines(const std::vector<Action>& actions) {
-    constexpr std::size_t longest = 84;
-    std::vector<std::string> lines;
-    for (const Action& action : actions) {
-        if (action.about.empty() || action.keys.empty()) continue;
-        const std::string entry = keysOf(action) + "  " + action.about;
-        if (lines.empty() || lines.back().size() + entry.size() > longest)
-            lines.push_back(entry);
-        else
-            lines.back() += "     ·     " + entry;
-    }
-    return lines;
-}
-
 void drawKeys(Canvas& canvas, const GameInfo& info) {
-    const std::vector<std::string> lines = keyLines(info.actions);
+    constexpr std::size_t longest = 96;
+    const std::vector<std::string> lines = keyLines(info.actions, longest);
     double y = screenHeight - 16 - 16 * (static_cast<double>(lines.size()) - 1);
     for (const std::string& line : lines) {
         canvas.text({middle, y}, line,
@@ -78,7 +60,7 @@ void drawKeys(Canvas& canvas, const GameInfo& info) {
 void drawTitle(Canvas& canvas, const ScreenView& view) {
     const GameInfo& info = view.session.info();
     constexpr double first = 160;
-    dim(canvas, info.theme, 0.62);
+    dim(canvas, info.theme, info.drawTitle ? 0.2 : 0.66);  // what was drawn to lie behind it leaves room for it
     heading(canvas, info.title, info.theme, 66, 58);
     aside(canvas, info.about, info.theme, 112, screenWidth - 60);
     panel(canvas, info.theme, first - lineHeight, menuEnd(view.menu, first) + 10);

@@ -151,6 +151,16 @@ struct Session::State {
             change(entry, 1);
     }
 
+    /// What goes on, or stands still behind a menu.
+    void drawGame(Canvas& canvas) const {
+        const bool title = screen == Screen::Title || screen == Screen::Scores || !game;
+        if (screen != Screen::Play) canvas.setBehind(title ? Behind::Title : Behind::Menu);
+        if (screen != Screen::Play && screen != Screen::Title) canvas.setBetween(1);
+        if (title) return show.draw(canvas);
+        game->draw(canvas);
+        if (debug && game->world() != nullptr) drawDebug(canvas, *game->world());
+    }
+
     void change(int entry, int step) {
         const Option& option = options[static_cast<std::size_t>(entry - 1)];
         std::string& value = next.options[option.name];
@@ -170,22 +180,13 @@ void Session::update(Buttons buttons) {
 }
 
 void Session::draw(Canvas& canvas) const {
-    const State& now = *state_;
     const double between = canvas.between();
-    canvas.clear(now.info.theme.background);
-    if (now.screen != Screen::Play) canvas.setBetween(1);
-    if (now.screen == Screen::Title || now.screen == Screen::Scores || !now.game) {
-        canvas.setBetween(now.screen == Screen::Title ? between : 1);
-        now.show.draw(canvas);
-    } else {
-        now.game->draw(canvas);
-        const World* world = now.game->world();
-        if (now.debug && world != nullptr) drawDebug(canvas, *world);
-    }
+    canvas.clear(state_->info.theme.background);
+    state_->drawGame(canvas);
     canvas.setBetween(between);
     canvas.layer(menuLayer);
     canvas.screen();
-    drawScreen(canvas, {*this, now.menu, now.since, now.rank});
+    drawScreen(canvas, {*this, state_->menu, state_->since, state_->rank});
 }
 
 std::vector<Cue> Session::takeCues() {

@@ -47,13 +47,13 @@ void Chase::beginLifeAfterDeath() {
     waves_ = {};
     frightFrames_ = chain_ = freeze_ = fruitFrames_ = 0;
     hasteOff_ = true;
-    playerCaught_ = false;
+    catcher_.reset();
     events_.clear();
 }
 
 void Chase::step(std::optional<Direction> wanted) {
     events_.clear();
-    if (playerCaught_ || cleared()) return;
+    if (playerCaught() || cleared()) return;
     if (freeze_ > 0) {
         --freeze_;
         return moveEyes();
@@ -153,7 +153,7 @@ void Chase::meet() {
     for (Hunter& hunter : hunters_) {
         if (!hunter.canMeet() || !(hunter.cell() == player_.cell())) continue;
         if (!hunter.frightened()) {
-            playerCaught_ = true;
+            catcher_ = hunter.who();
             return tell(Happening::PlayerCaught, 0, playerPosition());
         }
         hunter.beCaught();
@@ -211,7 +211,7 @@ void Chase::addTo(Hash& hash) const {
     for (const Hunter& hunter : hunters_) hunter.addTo(hash);
     counters_.addTo(hash);
     hash.add(waves_.frames()).add(frightFrames_).add(chain_).add(freeze_).add(fruitFrames_);
-    hash.add(hasteOff_).add(playerCaught_).add(Random(random_).bits());
+    hash.add(hasteOff_).add(playerCaught()).add(Random(random_).bits());
 }
 
 }  // namespace plumb::games::maze

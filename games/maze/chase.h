@@ -42,11 +42,13 @@ public:
     int framesOfWaves() const { return waves_.frames(); }
     bool hasDot(Cell cell) const { return dots_[indexOf(cell)]; }  ///< or a power dot
     int dotsLeft() const { return dotsLeft_; }
+    int dotsEaten() const;
     int frightFrames() const { return frightFrames_; }  ///< left
     bool frozen() const { return freeze_ > 0; }         ///< a hunter was just caught: all but eyes stand still
     std::optional<Who> justCaught() const;              ///< while frozen
     bool fruitShown() const { return fruitFrames_ > 0; }
-    bool playerCaught() const { return playerCaught_; }
+    bool playerCaught() const { return catcher_.has_value(); }
+    std::optional<Who> catcher() const { return catcher_; }
     bool cleared() const { return dotsLeft_ == 0; }
     int haste() const;  ///< of the chaser: 0, 1 or 2
     Sight sightOf(Who who) const;
@@ -75,7 +77,6 @@ private:
     void runClocks();
     void tell(Happening kind, int points, const Vec2& position) { events_.push_back({kind, points, position}); }
     void turnAllBack();
-    int dotsEaten() const;
 
     LevelRules rules_;
     std::uint64_t seed_;
@@ -89,7 +90,7 @@ private:
     int frightFrames_ = 0, chain_ = 0, freeze_ = 0, fruitFrames_ = 0;
     Who lastCaught_ = Who::Chaser;
     bool hasteOff_ = false;  ///< after a death, until the loner leaves the house
-    bool playerCaught_ = false;
+    std::optional<Who> catcher_;
     std::vector<ChaseEvent> events_;
 };
 

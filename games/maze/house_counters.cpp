@@ -48,7 +48,7 @@ std::optional<Who> HouseCounters::next(const Waiting& waiting, const LevelRules&
 
 bool HouseCounters::mayLeave(Who who, const LevelRules& rules) const {
     if (!forAll_) return dotsOf(who) >= limitOf(who, rules.house.limits);
-    return who != Who::Loner && dotsForAll_ == limitOf(who, ArcadeProfile{}.houseLimitsAfterDeath);
+    return dotsForAll_ == limitOf(who, ArcadeProfile{}.houseLimitsAfterDeath);
 }
 
 void HouseCounters::addTo(Hash& hash) const {

@@ -33,7 +33,7 @@ void Hunter::step(const Sight& sight, SpeedPattern speed, Random& random) {
         case Where::Leaving:
             if (!walk_.leave(patternOf(houseSpeed))) return;
             beginLanes();
-            return decide(sight, random);
+            return decide(mover_.cell(), sight, random);
         case Where::Lanes: return run(sight, speed, random);
         case Where::Eyes: {
             const Vec2 before = position();
@@ -48,37 +48,38 @@ void Hunter::step(const Sight& sight, SpeedPattern speed, Random& random) {
     }
 }
 
-/// One tile ahead of itself: when it enters a cell, that cell's exit was chosen before, and the next one's is now.
+/// One tile ahead of itself: when it enters a cell, that cell's exit was chosen before, and the next one's is now. Who
+/// turns back may be in yet another cell in the same frame: each choice is for the cell of its event.
 void Hunter::run(const Sight& sight, SpeedPattern speed, Random& random) {
     for (const GridEvent& event : mover_.moveFrame(mazeMap(), speed)) {
         if (event.kind == GridEventKind::Entered) {
             exit_ = plan_;
             mover_.want(exit_);
-            decide(sight, random);
+            decide(event.cell, sight, random);
         } else if (event.kind == GridEventKind::Reversed) {
             mover_.wantNothing();  // its plans were for the other way
-            exit_ = mover_.heading();
-            decide(sight, random);
+            exit_ = event.direction;
+            decide(event.cell, sight, random);
         }
     }
 }
 
-void Hunter::decide(const Sight& sight, Random& random) {
+void Hunter::decide(Cell from, const Sight& sight, Random& random) {
     const TileMap& map = mazeMap();
-    const Cell next = map.wrapped(neighbourOf(mover_.cell(), exit_));
+    const Cell next = map.wrapped(neighbourOf(from, exit_));
     const bool hunts = where_ == Where::Lanes && !frightened_;
     const GridCrossing crossing{
         .cell = next, .heading = exit_, .upClosed = hunts && isUpClosed(specialPlaces(), next, false)};
     const std::optional<Direction> chosen =
         frightened_ ? firstOpenClockwise(map, crossing, static_cast<Direction>(random.integer(0, 3)))
-                    : nextDirection(map, crossing, targetFor(sight));
+                    : nextDirection(map, crossing, targetFrom(from, sight));
     plan_ = chosen.value_or(opposite(exit_));
 }
 
-Cell Hunter::targetFor(const Sight& sight) const {
+Cell Hunter::targetFrom(Cell from, const Sight& sight) const {
     if (where_ == Where::Eyes) return specialPlaces().door;
     if (sight.rests) return scatterTarget(who_);
-    return chaseTarget(who_, {cell(), sight.player, sight.heading, sight.chaser});
+    return chaseTarget(who_, {from, sight.player, sight.heading, sight.chaser});
 }
 
 void Hunter::beginLanes() {

@@ -33,7 +33,7 @@ public:
 
     /// One frame. In lanes it makes for its target at that speed, or, when frightened, anywhere.
     void step(const Sight& sight, SpeedPattern speed, Random& random);
-    Cell targetFor(const Sight& sight) const;
+    Cell targetFor(const Sight& sight) const { return targetFrom(cell(), sight); }
 
     void letOut() { where_ = Where::Leaving; }
     void turnBack();  ///< when it enters the next cell; who is in the house will leave it the other way
@@ -54,8 +54,10 @@ public:
     void addTo(Hash& hash) const;
 
 private:
+    Cell targetFrom(Cell from, const Sight& sight) const;
     void run(const Sight& sight, SpeedPattern speed, Random& random);
-    void decide(const Sight& sight, Random& random);
+    /// The plan for the cell beyond the exit of the one that it is in, from.
+    void decide(Cell from, const Sight& sight, Random& random);
     void beginLanes();
 
     Who who_;

@@ -11,8 +11,8 @@ struct LookaheadSettings {
     int frames = 140;  ///< so far ahead
     double dot = 150;
     double power = 60;    ///< for itself, and as much again for each hunter near
-    double hunter = 120;  ///< caught
-    double fruit = 200;
+    double hunter = 800;  ///< caught
+    double fruit = 500;
     double way = 2;          ///< off, for each tile between the end and the nearest dot
     double nearness = 200;   ///< off, divided by the tiles to each hunter at the end
     double caught = 50'000;  ///< off, whenever; a little less the later

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <games/maze/art/palette.h>
+#include <games/maze/art/title.h>
 #include <games/maze/computer.h>
 #include <games/maze/maze_game.h>
 
 namespace plumb::games::maze {
 
 GameInfo info() {
-    return {.title = "Maze",
+    return {.title = "Midnight Crumbs",
             .about = "One mouse, four cats, and all the crumbs of a moonlit garden.",
-            .actions = {{"up", {Key::Up, Key::W}, {Pad::Up}},
+            .actions = {{"up", {Key::Up, Key::W}, {Pad::Up}, "steer"},
                         {"left", {Key::Left, Key::A}, {Pad::Left}, "steer"},
-                        {"down", {Key::Down, Key::S}, {Pad::Down}},
-                        {"right", {Key::Right, Key::D}, {Pad::Right}}},
+                        {"down", {Key::Down, Key::S}, {Pad::Down}, "steer"},
+                        {"right", {Key::Right, Key::D}, {Pad::Right}, "steer"}},
             .options = {{.name = "level",
                          .about = "The level to begin with",
                          .value = "1",
@@ -22,7 +23,8 @@ GameInfo info() {
                          .value = "0"}},
             .theme = theme(),
             .make = [](const GameSetup& setup) { return std::make_unique<MazeGame>(setup); },
-            .computer = [](const GameSetup&) { return computerPlayer(); }};
+            .computer = [](const GameSetup&) { return computerPlayer(); },
+            .drawTitle = drawTitleShow};
 }
 
 }  // namespace plumb::games::maze

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include <games/maze/art/palette.h>
 #include <games/maze/art/scene.h>
 #include <games/maze/sounds.h>
 #include <plumb/math/check.h>
@@ -12,7 +13,6 @@ namespace plumb::games::maze {
 namespace {
 
 constexpr int extraLifeAt = 10'000;
-constexpr int popupTicks = 60;
 constexpr int mostLevels = 1000;
 
 /// Of an option that holds a whole number.
@@ -65,8 +65,8 @@ void MazeGame::update(const Input& input) {
     ++ticks_;
     ++phaseTicks_;
     ++sinceExtraLife_;
-    for (Popup& popup : popups_) ++popup.age;
-    std::erase_if(popups_, [](const Popup& popup) { return popup.age > popupTicks; });
+    for (Trace& trace : traces_) ++trace.age;
+    std::erase_if(traces_, [](const Trace& trace) { return trace.age > Trace::longest; });
     if (phase_ == Phase::Play)
         runChase(wanted);
     else if (phaseTicks_ >= ticksOf(phase_))
@@ -123,14 +123,13 @@ void MazeGame::take(const ChaseEvent& event) {
         default: break;
     }
     for (const Cue& cue : cues) play(cue);
+    traces_.push_back({event});
     win(event);
 }
 
 void MazeGame::win(const ChaseEvent& event) {
     const std::int64_t before = progress_.score;
     progress_.score += event.points;
-    if (event.kind == Happening::HunterCaught || event.kind == Happening::Fruit)
-        popups_.push_back({event.position, event.points});
     if (before >= extraLifeAt || progress_.score < extraLifeAt) return;
     ++lives_;
     sinceExtraLife_ = 0;
@@ -143,15 +142,20 @@ void MazeGame::keepTrail() {
 }
 
 void MazeGame::hum() {
+    if (chase_.frozen() || --humRest_ > 0) return;
     const bool fright = chase_.frightFrames() > 0;
-    const double urgency = 1 - chase_.dotsLeft() / 244.0;
-    const int every = fright ? frightHumTicks : humTicks - static_cast<int>(8 * urgency);
-    if (phaseTicks_ % every != 0 || chase_.frozen()) return;
+    const double urgency = static_cast<double>(chase_.dotsEaten()) / (chase_.dotsEaten() + chase_.dotsLeft());
     for (const Cue& cue : maze::hum(urgency, fright)) play(cue);
+    humRest_ = humTicks(urgency, fright);
 }
 
 void MazeGame::draw(Canvas& canvas) const {
     drawScene(canvas, *this);
+}
+
+std::string MazeGame::verdict() const {
+    const std::optional<Who> catcher = chase_.catcher();
+    return catcher ? std::string(lookOf(*catcher).name) + " got you" : "All crumbs!";
 }
 
 std::uint64_t MazeGame::hash() const {

@@ -13,11 +13,12 @@ namespace plumb::games::maze {
 /// What goes on now. In all but Play, nothing moves.
 enum class Phase : std::uint8_t { Intro, Ready, Play, Caught, Dying, Cleared };
 
-/// Points that rise from where they were won.
-struct Popup {
-    Vec2 position{0, 0};  ///< [tiles]
-    int points = 0;
+/// Something that happened a moment ago, and is still to be seen.
+struct Trace {
+    ChaseEvent event;
     int age = 0;  ///< [ticks]
+
+    static constexpr int longest = 60;  ///< [ticks]
 };
 
 /// Where all were a tick before, so that they are seen moving smoothly. No part of the rules.
@@ -33,6 +34,7 @@ public:
     void update(const Input& input) override;
     void draw(Canvas& canvas) const override;
     Progress progress() const override { return progress_; }
+    std::string verdict() const override;  ///< who got the mouse
     std::uint64_t hash() const override;
 
     const Chase& chase() const { return chase_; }
@@ -42,7 +44,7 @@ public:
     int level() const { return level_; }
     int lives() const { return lives_; }  ///< this one too
     std::int64_t score() const { return progress_.score; }
-    const std::vector<Popup>& popups() const { return popups_; }
+    const std::vector<Trace>& traces() const { return traces_; }
     const Trail& trail() const { return trail_; }
     int sinceExtraLife() const { return sinceExtraLife_; }              ///< ticks; large when there was none
     const std::vector<int>& fruitEaten() const { return fruitEaten_; }  ///< kinds, the last one last
@@ -71,11 +73,12 @@ private:
     int phaseTicks_ = 0;
     std::int64_t ticks_ = 0;
     Progress progress_;
-    std::vector<Popup> popups_;
+    std::vector<Trace> traces_;
     std::vector<int> fruitEaten_;
     Trail trail_;
     int sinceExtraLife_ = 1'000'000;
     int dotsHeard_ = 0;
+    int humRest_ = 0;  ///< until the next beat [ticks]
 };
 
 GameInfo info();

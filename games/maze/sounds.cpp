@@ -134,4 +134,9 @@ Cues hum(double urgency, bool fright) {
              .fade = 0.6}};
 }
 
+int humTicks(double urgency, bool fright) {
+    constexpr int calm = 24, urgent = 16, afraid = 8;
+    return fright ? afraid : calm - static_cast<int>((calm - urgent) * urgency);
+}
+
 }  // namespace plumb::games::maze

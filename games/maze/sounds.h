@@ -17,9 +17,10 @@ Cues fruitSound();
 Cues caughtSound();
 Cues clearedSound();
 Cues extraLifeSound();
-/// One beat of what is always heard below: faster the fewer dots are left, lower and restless in fright.
+
+/// One beat of what is always heard below: higher the more urgent it is, from 0 to 1; lower and restless in fright.
 Cues hum(double urgency, bool fright);
-inline constexpr int humTicks = 24;  ///< between two beats when nothing is urgent
-inline constexpr int frightHumTicks = 8;
+/// Ticks until the next beat: fewer the more urgent, fewer still in fright.
+int humTicks(double urgency, bool fright);
 
 }  // namespace plumb::games::maze

@@ -23,7 +23,6 @@ std::optional<Direction> Steering::update(const Input& input) {
         const char* action = actionOf(direction);
         std::erase_if(held_, [&](Direction other) { return other == direction && !input.held(action); });
         if (!input.pressed(action)) continue;
-        std::erase(held_, direction);
         held_.push_back(direction);
         tapped_ = direction;
         memory_ = tapTicks;

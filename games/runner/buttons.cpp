@@ -4,7 +4,7 @@
 namespace plumb::games::runner {
 
 std::vector<Action> actions() {
-    return {{"left", {Key::Left, Key::A}, {Pad::Left}, ""},
+    return {{"left", {Key::Left, Key::A}, {Pad::Left}, "go"},
             {"right", {Key::Right, Key::D}, {Pad::Right}, "go"},
             {"jump", {Key::Space, Key::Z, Key::K}, {Pad::South}, "jump, higher when held"},
             {"run", {Key::Shift, Key::X, Key::J}, {Pad::West, Pad::RightShoulder}, "run"},

@@ -160,19 +160,27 @@ void Runner::draw(Canvas& canvas) const {
     drawNight(canvas, scene);
     drawLights(canvas, scene);
     effects_.draw(canvas);
-    drawPart(canvas, scene.at(stage_->hero().mover.body()));
+    if (canvas.behind() == Behind::Nothing) drawCurtain(canvas, scene.at(stage_->hero().mover.body()));
+    if (canvas.behind() != Behind::Title)
+        drawHud(canvas,
+                {progress_.score, coins_, lives_, levelNumber() + 1, static_cast<double>(levelTicks_) * tickSeconds,
+                 suns_, setup_.option("profile") == "1985" ? "1985" : "modern"});
+    if (canvas.behind() == Behind::Nothing) drawCards(canvas);
+    // The debug view lies over the last look.
+    canvas.look(view_.camera(between));
 }
 
-void Runner::drawPart(Canvas& canvas, const Vec2& hero) const {
+void Runner::drawCurtain(Canvas& canvas, const Vec2& hero) const {
     const double since = partTicks_;
     if (part_ == Part::Dying) drawIris(canvas, hero, 1 - (since - 20) / (dyingTicks - 24));
     if (part_ == Part::Cleared) drawIris(canvas, hero, (clearedTicks - since) / 30);
     if (part_ == Part::Play && stage_->ticks() < 30)
         drawIris(canvas, hero, static_cast<double>(stage_->ticks() + 1) / 30);
     if (part_ == Part::Intro) drawIris(canvas, hero, 0.3);
-    drawHud(canvas, {progress_.score, coins_, lives_, levelNumber() + 1, static_cast<double>(levelTicks_) * tickSeconds,
-                     suns_, setup_.option("profile") == "1985" ? "1985" : "modern"});
-    const double share = std::min(1.0, since / 14);
+}
+
+void Runner::drawCards(Canvas& canvas) const {
+    const double share = std::min(1.0, partTicks_ / 14.0);
     if (part_ == Part::Intro)
         drawCard(canvas, {stage_->level().name, {"Level " + std::to_string(levelNumber() + 1) + ": light the beacon"}},
                  share);
@@ -182,8 +190,6 @@ void Runner::drawPart(Canvas& canvas, const Vec2& hero) const {
         if (sunBonus_ > 0) lines.push_back("All suns      bonus " + std::to_string(sunBonus_));
         drawCard(canvas, {"The beacon burns", lines}, share);
     }
-    // The debug view lies over the last look.
-    canvas.look(view_.camera(canvas.between()));
 }
 
 std::uint64_t Runner::hash() const {

@@ -39,7 +39,8 @@ private:
     void takeCoins(int coins);
     void clear();
     void goOn();
-    void drawPart(Canvas& canvas, const Vec2& hero) const;
+    void drawCurtain(Canvas& canvas, const Vec2& hero) const;
+    void drawCards(Canvas& canvas) const;
 
     GameSetup setup_;
     std::vector<std::shared_ptr<const Level>> levels_;

@@ -22,6 +22,8 @@ public:
     void draw(games::Canvas& canvas) const override {
         canvas.look({.center = {1, 2}, .height = 4});
         canvas.circle({canvas.between(), 0}, 1, games::Color{});
+        if (canvas.behind() == games::Behind::Nothing) canvas.text({0, 0}, "Ready!");
+        if (canvas.behind() != games::Behind::Title) canvas.text({0, 1}, "hits so far");
     }
     games::Progress progress() const override {
         const auto outcome = hits >= 10 ? games::Outcome::Won : lost ? games::Outcome::Lost : games::Outcome::Running;

@@ -5,7 +5,6 @@
 #include <numbers>
 #include <utility>
 
-#include <games/maze/art/palette.h>
 #include <games/maze/layout.h>
 #include <plumb/math/random.h>
 
@@ -136,22 +135,22 @@ Hedges hedgesOf(double inset, double radius) {
     return hedges;
 }
 
-void drawGarden(Canvas& canvas, double flash) {
+void drawGarden(Canvas& canvas, const GardenLook& look, double flash) {
     static const Hedges outer = hedgesOf(0.28, 0.42), inner = hedgesOf(0.58, 0.3);
     static const auto specks = flowers();
-    const Color rim = mix(hedgeRim, hedgeFlash, flash);
-    const Color leaf = mix(lighter(hedge, 0.07), hedgeRim, 0.35 * flash);
-    canvas.box({14, 17.5}, {14.3, 15.8}, hedge, 0.9);
+    const Color rim = mix(look.rim, hedgeFlash, flash);
+    const Color leaf = mix(lighter(look.hedge, 0.07), look.rim, 0.35 * flash);
+    canvas.box({14, 17.5}, {14.3, 15.8}, look.hedge, 0.9);
     canvas.box({14, 17.5}, {14.3, 15.8}, stroke(rim.faded(0.55), 0.12), 0.9);
     const Canvas::Scope scope = canvas.clip({-0.36, 1}, {28.72, 33});
     canvas.box({14, 17.5}, {13.94, 15.44}, leaf, 0.6);
-    for (const Outline& outline : inner.lawns) canvas.polygon(outline, hedge);
+    for (const Outline& outline : inner.lawns) canvas.polygon(outline, look.hedge);
     for (const Outline& outline : outer.lawns) {
-        canvas.polygon(outline, lawn);
+        canvas.polygon(outline, look.lawn);
         canvas.polygon(outline, stroke(rim, 0.15));
     }
     for (const Outline& outline : outer.islands) {
-        canvas.polygon(outline, hedge);
+        canvas.polygon(outline, look.hedge);
         canvas.polygon(outline, stroke(rim, 0.15));
     }
     for (const Outline& outline : inner.islands) canvas.polygon(outline, leaf);

@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include <games/frame/canvas.h>
+#include <games/maze/art/palette.h>
 
 namespace plumb::games::maze {
 
@@ -19,6 +19,6 @@ struct Hedges {
 Hedges hedgesOf(double inset, double radius);
 
 /// What the maze is on; the rim is lighter the higher flash is, 0 to 1.
-void drawGarden(Canvas& canvas, double flash);
+void drawGarden(Canvas& canvas, const GardenLook& look, double flash);
 
 }  // namespace plumb::games::maze

@@ -39,7 +39,7 @@ void drawFright(Canvas& canvas, const MazeGame& game) {
     if (chase.frightFrames() == 0) return;
     const double share = static_cast<double>(chase.frightFrames()) / chase.rules().frightFrames;
     label(canvas, {left, 178}, "CATS ARE AFRAID");
-    canvas.rect({left, 186}, {columnWidth - 10, 8}, lawn, 4);
+    canvas.rect({left, 186}, {columnWidth - 10, 8}, groove, 4);
     const bool light = chase.rules().isFlash(chase.frightFrames());
     canvas.rect({left, 186}, {std::max(8.0, (columnWidth - 10) * share), 8}, light ? scaredLight : scared, 4);
 }

@@ -4,7 +4,7 @@
 namespace plumb::games::maze {
 
 Theme theme() {
-    return {.background = nightEdge,
+    return {.background = night,
             .panel = Color::hex(0x1b2550),
             .text = paper,
             .quiet = Color::hex(0xa9b3d6),

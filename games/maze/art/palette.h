@@ -9,11 +9,8 @@
 namespace plumb::games::maze {
 
 // A garden at night: hedges in dark teal with moonlight on their rims, warm light on all that is alive.
-inline constexpr Color night = Color::hex(0x0b1026);
-inline constexpr Color nightEdge = Color::hex(0x070a18);
-inline constexpr Color lawn = Color::hex(0x11183a);
-inline constexpr Color hedge = Color::hex(0x17414a);
-inline constexpr Color hedgeRim = Color::hex(0x46b39a);
+inline constexpr Color night = Color::hex(0x080b1b);
+inline constexpr Color groove = Color::hex(0x11183a);
 inline constexpr Color hedgeFlash = Color::hex(0xf4ffe9);
 inline constexpr Color wood = Color::hex(0xd9a066);
 inline constexpr Color crumb = Color::hex(0xf7e3b5);
@@ -26,6 +23,23 @@ inline constexpr Color paper = Color::hex(0xf5f1e6);
 inline constexpr Color quiet = Color::hex(0x8f9bc4);
 inline constexpr Color scared = Color::hex(0x3b55e0);
 inline constexpr Color scaredLight = Color::hex(0xf2f4ff);
+
+struct GardenLook {
+    Color lawn, hedge, rim;
+};
+
+/// By the level, one after the other, round and round.
+inline constexpr std::array<GardenLook, 6> gardens{{
+    {Color::hex(0x11183a), Color::hex(0x17414a), Color::hex(0x46b39a)},  // box trees
+    {Color::hex(0x1a1438), Color::hex(0x3a2a63), Color::hex(0x9a7fe0)},  // lavender
+    {Color::hex(0x16192e), Color::hex(0x4a3222), Color::hex(0xd08a48)},  // beeches in autumn
+    {Color::hex(0x0e1c3c), Color::hex(0x23456e), Color::hex(0x8cc4f0)},  // hoar frost
+    {Color::hex(0x1c1430), Color::hex(0x54243f), Color::hex(0xe07a9c)},  // roses
+    {Color::hex(0x101c2c), Color::hex(0x2b4a22), Color::hex(0x9ccb52)},  // moss
+}};
+constexpr const GardenLook& gardenOf(int level) {
+    return gardens[static_cast<std::size_t>(level - 1) % gardens.size()];
+}
 
 struct CatLook {
     Color fur;

@@ -9,6 +9,7 @@
 #include <games/maze/art/hud.h>
 #include <games/maze/art/mouse.h>
 #include <games/maze/art/palette.h>
+#include <games/maze/art/traces.h>
 #include <games/maze/art/treats.h>
 #include <games/maze/lanes.h>
 #include <games/maze/maze_game.h>
@@ -16,7 +17,14 @@
 namespace plumb::games::maze {
 namespace {
 
-const Camera camera{.center = {14, 17.5}, .height = 32.4};  // 31 rows and a rim
+/// 31 rows and a rim. It shakes when the mouse is caught.
+Camera cameraOf(const MazeGame& game) {
+    Camera camera{.center = {14, 17.5}, .height = 32.4};
+    if (game.phase() != Phase::Caught) return camera;
+    const double time = game.phaseTicks(), force = 0.3 * std::max(0.0, 1 - time / 16);
+    camera.center += force * Vec2(std::sin(2.1 * time), std::cos(2.9 * time));
+    return camera;
+}
 
 /// Between two ticks; not across the whole maze for who came through the tunnel.
 Vec2 seenAt(const Vec2& before, const Vec2& now, double between) {
@@ -105,19 +113,6 @@ void drawPlayer(Canvas& canvas, const MazeGame& game) {
     atBothEnds(canvas, at, [&] { drawMouse(canvas, pose); });
 }
 
-void drawPopups(Canvas& canvas, const MazeGame& game) {
-    for (const Popup& popup : game.popups()) {
-        const double rise = 0.9 * popup.age / 60.0;
-        const double fade = std::min(1.0, (60 - popup.age) / 15.0);
-        canvas.text(popup.position + Vec2(0, rise), std::to_string(popup.points),
-                    {.size = 1.5,
-                     .color = (popup.points >= 800 ? cheese : paper).faded(std::max(0.0, fade)),
-                     .align = Align::Center,
-                     .baseline = Baseline::Middle,
-                     .weight = Weight::Heavy});
-    }
-}
-
 void sign(Canvas& canvas, const std::string& text, const Vec2& at, const Color& color, double size) {
     canvas.text(
         at, text,
@@ -127,10 +122,13 @@ void sign(Canvas& canvas, const std::string& text, const Vec2& at, const Color& 
 void drawSigns(Canvas& canvas, const MazeGame& game) {
     const Vec2 below = positionOf(fruitPlace);
     if (game.phase() == Phase::Intro || game.phase() == Phase::Ready) {
-        const double pop = 1 + 0.5 * std::max(0.0, 1 - game.phaseTicks() / 10.0);
-        sign(canvas, "Ready!", below, cheese, 1.6 * pop);
+        const int half = MazeGame::ticksOf(game.phase()) / 2;
+        const bool first = game.phaseTicks() < half;
+        const double pop = 1 + 0.5 * std::max(0.0, 1 - game.phaseTicks() % half / 10.0);
+        const std::string level = "Level " + std::to_string(game.level());
+        sign(canvas, first ? level : "Ready!", below, first ? paper : cheese, 1.6 * pop);
     }
-    if (game.phase() == Phase::Dying && game.lives() == 1) sign(canvas, "Caught!", below, skin, 1.6);
+    if (game.phase() == Phase::Dying) sign(canvas, game.verdict() + "!", below, skin, 1.6);
     if (game.phase() == Phase::Cleared && game.phaseTicks() > 40) sign(canvas, "All crumbs!", below, cheese, 1.6);
 }
 
@@ -138,10 +136,10 @@ void drawSigns(Canvas& canvas, const MazeGame& game) {
 
 void drawScene(Canvas& canvas, const MazeGame& game) {
     canvas.screen();
-    canvas.clear(Paint::radial({320, 180}, night, 380, nightEdge));
+    canvas.clear(night);
     drawHud(canvas, game);
-    canvas.look(camera);
-    drawGarden(canvas, flashOf(game));
+    canvas.look(cameraOf(game));
+    drawGarden(canvas, gardenOf(game.level()), flashOf(game));
     {
         const Canvas::Scope scope = canvas.clip({-0.36, 1}, {28.72, 33});
         drawDots(canvas, game);
@@ -149,8 +147,8 @@ void drawScene(Canvas& canvas, const MazeGame& game) {
         drawPlayer(canvas, game);
         drawHunters(canvas, game);
     }
-    drawPopups(canvas, game);
-    drawSigns(canvas, game);
+    for (const Trace& trace : game.traces()) drawTrace(canvas, trace);
+    if (canvas.behind() == Behind::Nothing) drawSigns(canvas, game);
 }
 
 }  // namespace plumb::games::maze

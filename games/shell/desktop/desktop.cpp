@@ -3,11 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <thread>
 
-#include <games/shell/cairo/painter.h>
+#include <games/shell/cairo/kept_painter.h>
 #include <games/shell/desktop/devices.h>
 #include <games/shell/desktop/frame_times.h>
 #include <games/shell/desktop/scores_file.h>
@@ -23,6 +24,11 @@ using Time = std::chrono::steady_clock;
 
 double secondsBetween(Time::time_point from, Time::time_point to) {
     return std::chrono::duration<double>(to - from).count();
+}
+
+int paintingThreads() {
+    constexpr unsigned most = 4;  // each goes through all marks
+    return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, most));
 }
 
 /// One run of the program, from the window's opening to its end.
@@ -117,7 +123,7 @@ private:
         Canvas canvas(window_.size(), between);
         session_.draw(canvas);
         if (timesShown_) times_.draw(canvas, session_.info().theme);
-        window_.paint([&](const PixelView& pixels) { painter_.paint(canvas.drawing(), pixels); });
+        window_.paint([&](const PixelView& pixels) { windowPainter_.paint(canvas.drawing(), pixels); });
     }
 
     /// Until the next picture is due, where nothing else waits for it.
@@ -139,6 +145,7 @@ private:
     Devices devices_;
     Sound sound_;
     Painter painter_;
+    KeptPainter windowPainter_{paintingThreads()};
     Screenshots screenshots_;
     FixedClock clock_{{.interval = tickSeconds}};
     FrameTimes times_;

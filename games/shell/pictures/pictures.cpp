@@ -13,7 +13,8 @@ namespace plumb::games {
 namespace {
 
 constexpr std::array sizes = {PixelSize{640, 360}, PixelSize{1280, 720}, PixelSize{1920, 1080}};
-constexpr std::int64_t longest = 10 * 60 * 60;  ///< of a round [ticks]
+constexpr std::int64_t titleTicks = 300;       ///< until what goes on behind the title is under way [ticks]
+constexpr std::int64_t longest = 5 * 60 * 60;  ///< of a round [ticks]
 
 /// Goes through a session, and looks.
 class Tour {
@@ -24,7 +25,7 @@ public:
     }
 
     std::vector<std::string> run() {
-        for (int tick = 0; tick < 90; ++tick) session_.update(0);
+        for (int tick = 0; tick < titleTicks; ++tick) session_.update(0);
         look("title");
         tap("confirm");
         for (const int second : {1, 5, 20, 60}) playUntil(second);
@@ -64,9 +65,11 @@ private:
         tap("pause");
     }
 
-    /// The round's end, and the best scores: by way of the title, where no computer comes to an end.
+    /// The round's end, which one comes to by playing or by letting things happen, and the best scores: by way of the
+    /// title, where there is none.
     void end() {
         while (computer_ && session_.screen() == Screen::Play && session_.ticks() < longest) update();
+        while (session_.screen() == Screen::Play && session_.ticks() < 2 * longest) session_.update(0);
         if (session_.screen() == Screen::Over) {
             for (int tick = 0; tick < 60; ++tick) session_.update(0);
             look("over");
@@ -82,7 +85,7 @@ private:
     Session session_;
     std::unique_ptr<Source> computer_;
     Painter painter_;
-    std::int64_t start_ = 92;
+    std::int64_t start_ = titleTicks + 2;
     std::vector<std::string> files_;
 };
 

@@ -16,7 +16,7 @@ inline void waitToAim(Battle& battle) {
 }
 
 struct FirstShot {
-    Aim meant, fired;
+    Aim meant{}, fired{};
     double wind = 0;
     bool wentOff = false;
     Vec2 at{0, 0};

@@ -137,10 +137,32 @@ TEST_CASE("the title changes an option with choices, and has no entry for one wi
     CHECK_THROWS_WITH(p.session.gameSetup().option("colour"), containsText("\"colour\""));
 }
 
+TEST_CASE("an option that only the command line has is not in the title, and its values are refused all the same",
+          "[games]") {
+    GameInfo info = test::countingGame();
+    info.options[0].inTitle = false;
+    Session session(info, {.options = {{"strength", "strong"}}});
+    CHECK_FALSE(shows(session, "Other"));
+    CHECK(session.gameSetup().option("strength") == "strong");
+    CHECK_THROWS_WITH(Session(info, {.options = {{"strength", "huge"}}}), containsText("\"huge\" is not one of"));
+}
+
 TEST_CASE("an option that the game has not, or a value it cannot have, is refused", "[games]") {
     CHECK_THROWS_WITH(Played({.options = {{"speed", "1"}}}), containsText("\"speed\""));
     CHECK_THROWS_WITH(Played({.options = {{"strength", "huge"}}}), containsText("\"huge\" is not one of weak, strong"));
     CHECK(Played({.options = {{"level", "two"}}}).session.gameSetup().option("level") == "two");
+}
+
+TEST_CASE("a banner is not seen behind a menu, and what players are told is not seen behind the title", "[games]") {
+    Played p;
+    p.session.update(0);
+    CHECK_FALSE(shows(p.session, "hits so far"));
+    p.tap("confirm");
+    CHECK(shows(p.session, "hits so far"));
+    CHECK(shows(p.session, "Ready!"));
+    p.tap("pause");
+    CHECK(shows(p.session, "hits so far"));
+    CHECK_FALSE(shows(p.session, "Ready!"));
 }
 
 TEST_CASE("quit ends the session, and nothing else does", "[games]") {

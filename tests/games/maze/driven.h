@@ -10,7 +10,9 @@ namespace plumb::test {
 /// A chase whose player looks ahead a little, and gets up again when it is caught; the next level is the same one.
 class DrivenChase {
 public:
-    explicit DrivenChase(int level, std::uint64_t seed = 1) : level_(level), seed_(seed), chase_(level, seed) {}
+    explicit DrivenChase(int level, std::uint64_t seed = 1,
+                         const games::maze::LookaheadSettings& looks = {.frames = 80})
+        : level_(level), seed_(seed), chase_(level, seed), lookahead_(looks) {}
 
     void step() {
         if (chase_.cleared()) chase_ = games::maze::Chase(level_, ++seed_);
@@ -28,7 +30,7 @@ private:
     int level_;
     std::uint64_t seed_;
     games::maze::Chase chase_;
-    games::maze::Lookahead lookahead_{{.frames = 80}};
+    games::maze::Lookahead lookahead_;
     Cell cell_{-1, -1};
     int age_ = 0;
     std::optional<Direction> wanted_;

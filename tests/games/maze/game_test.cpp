@@ -82,7 +82,7 @@ TEST_CASE("fruit comes after 70 and 170 dots, stays for 9 to 10 s, and is gone w
         MazeGame round(setupOf(seed));
         const auto player = game.computer(setupOf(seed));
         int frames = 0;
-        for (int tick = 0; tick < 5'000 && round.progress().outcome == Outcome::Running; ++tick) {
+        for (int tick = 0; tick < 5'000 && round.level() == 1; ++tick) {
             const bool was = round.chase().fruitShown(), plays = round.phase() == Phase::Play;
             const bool frozen = round.chase().frozen();
             round.update(Input(actions, player->decide(round), 0));
@@ -94,7 +94,10 @@ TEST_CASE("fruit comes after 70 and 170 dots, stays for 9 to 10 s, and is gone w
                     ++shown;
                     frames = 0;
                 }
-                if (event.kind == Happening::Fruit) CHECK(event.points == 100);
+                if (event.kind == Happening::Fruit) {
+                    CHECK(event.points == 100);
+                    CHECK((round.chase().playerPosition() - Vec2(14, 15.5)).norm() <= 0.5);  // below the house
+                }
                 if (event.kind != Happening::FruitGone) continue;
                 ++gone;
                 CHECK(frames + 2 >= 9 * 60);  // and the first and the last frame
@@ -123,5 +126,44 @@ TEST_CASE("three lives are lost by standing still, and the game with them", "[ga
         lives = round.lives();
     }
     CHECK(lost == 3);
+    CHECK(round.verdict() == "Rusty got you");  // the one who runs after the mouse
     CHECK(round.progress().outcome == Outcome::Lost);
+}
+
+// FACTS, section 1, "Fruit points L1-13+".
+TEST_CASE("fruit is worth 100, 300, 500, 500, 700, 700, 1000, 1000, 2000, 2000, 3000, 3000, 5000 and 5000 on",
+          "[games][maze]") {
+    const std::vector<int> points{100, 300, 500, 500, 700, 700, 1000, 1000, 2000, 2000, 3000, 3000, 5000, 5000, 5000};
+    for (std::size_t i = 0; i < points.size(); ++i) CHECK(rulesOf(static_cast<int>(i) + 1).fruit.points == points[i]);
+}
+
+TEST_CASE("a level is done with its 244th crumb, and the next begins with all; at 10,000 points there is a life more",
+          "[games][maze]") {
+    const GameSetup setup{1, {{"level", "13"}, {"levels", "3"}}};
+    const GameInfo game = info();
+    const ActionList actions = withMenuActions(game.actions);
+    MazeGame round(setup);
+    const auto player = game.computer(setup);
+    Buttons before = 0;
+    int gained = 0, levels = 0;
+    for (int tick = 0; tick < 40'000 && round.progress().outcome == Outcome::Running; ++tick) {
+        const int level = round.level(), lives = round.lives(), left = round.chase().dotsLeft();
+        const std::int64_t score = round.score();
+        const Buttons now = player->decide(round);
+        round.update(Input(actions, now, before));
+        before = now;
+        CHECK((round.phase() == Phase::Cleared) == (round.chase().dotsLeft() == 0));
+        if (round.level() != level) {
+            CHECK(left == 0);
+            CHECK(round.chase().dotsLeft() == 244);
+            ++levels;
+        }
+        const bool crosses = score < 10'000 && round.score() >= 10'000;
+        if (crosses) CHECK(round.lives() == lives + 1);
+        if (!crosses) CHECK(round.lives() <= lives);
+        gained += crosses ? 1 : 0;
+    }
+    CHECK(levels == 2);
+    CHECK(gained == 1);
+    CHECK(round.progress().outcome == Outcome::Won);
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "catch.h"
 #include "games/maze/driven.h"
@@ -52,24 +53,28 @@ private:
 };
 
 /// By the table's columns, from what can be seen: cells, faces and dots left. "" where that is not plain.
-std::string kindOf(const Chase& chase, Who who, bool loneHasLeft) {
+std::string kindOf(const Chase& chase, const Row& row, Who who, bool loneHasLeft) {
     const Hunter& hunter = chase.hunter(who);
     if (hunter.where() != Where::Lanes) return "";
     const Cell cell = hunter.cell();
     if (35 - cell.row == 17 && (cell.column <= 5 || cell.column >= 22)) return "tunnel";
     if (hunter.frightened()) return "fright";
-    const int dots = rulesOf(chase.rules().level).hasteDots;
-    if (who != Who::Chaser || chase.dotsLeft() > dots) return "hunter";
+    if (who != Who::Chaser || chase.dotsLeft() > row.hasteDots) return "hunter";
     if (!loneHasLeft) return "";
-    return chase.dotsLeft() > dots / 2 ? "haste1" : "haste2";
+    return chase.dotsLeft() > row.hasteDots / 2 ? "haste1" : "haste2";
 }
 
 }  // namespace
 
+TEST_CASE("the chaser makes haste at 20, 30, 40, 50, 60, 80, 100 and 120 dots left, more at half as many",
+          "[games][maze]") {
+    const std::vector<int> dots{20, 30, 40, 40, 40, 50, 50, 50, 60, 60, 60, 80, 80, 80, 100, 100, 100, 100, 120, 120};
+    for (std::size_t i = 0; i < dots.size(); ++i) CHECK(rulesOf(static_cast<int>(i) + 1).hasteDots == dots[i]);
+}
+
 TEST_CASE("hunters run at the table's speeds on levels 1, 2, 5 and 21: p / 5 pixels in any 16 frames",
           "[games][maze]") {
     for (const Row& row : table) {
-        CHECK(arcadeHasteDots(row.level) == row.hasteDots);
         const std::map<std::string, int> percent{{"hunter", row.hunter},
                                                  {"fright", row.hunterFright},
                                                  {"tunnel", row.tunnel},
@@ -78,17 +83,23 @@ TEST_CASE("hunters run at the table's speeds on levels 1, 2, 5 and 21: p / 5 pix
         std::map<std::string, int> seen;
         test::DrivenChase driven(row.level);
         std::array<Walk, 4> walks;
+        std::array<Direction, 4> headings{};
         bool loneHasLeft = true;
         for (int frame = 0; frame < 14'000; ++frame) {
             const bool stands = driven.chase().frozen();
             driven.step();
             const Chase& chase = driven.chase();
-            if (chase.playerCaught()) loneHasLeft = false;
-            if (chase.cleared() || chase.hunter(Who::Loner).where() == Where::Lanes) loneHasLeft = true;
+            if (chase.playerCaught())
+                loneHasLeft = false;
+            else if (chase.cleared() || chase.hunter(Who::Loner).where() == Where::Lanes)
+                loneHasLeft = true;
             // In the frame in which its kind changes, what moved it was the one of before: such windows are left out.
             for (const Who who : everyone) {
                 const bool plain = !stands && !chase.frozen() && !chase.playerCaught() && !chase.cleared();
-                const std::string kind = plain ? kindOf(chase, who, loneHasLeft) : "";
+                const Direction heading = chase.hunter(who).heading();
+                const Direction before = std::exchange(headings[indexOf(who)], heading);
+                const bool onward = heading != opposite(before);  // there and back in one frame is no way
+                const std::string kind = plain && onward ? kindOf(chase, row, who, loneHasLeft) : "";
                 const int way = walks[indexOf(who)].add(kind, chase.hunter(who).position());
                 if (way < 0) continue;
                 ++seen[kind];
@@ -172,7 +183,7 @@ TEST_CASE("a dot holds the player for 1 frame, a power dot for 3; they are 10 an
             place = chase.playerPosition();
             ++(power ? powers : dots);
         }
-        if (chase.playerCaught()) held = 0;
+        if (chase.playerCaught() || chase.cleared()) held = 0;
     }
     CHECK(dots > 200);
     CHECK(powers >= 4);
