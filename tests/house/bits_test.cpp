@@ -7,7 +7,7 @@
 #include <compare/scene/builtin.h>
 
 #include "catch.h"
-#include "house/cmake_project.h"
+#include "house/bits_build.h"
 #include "house/shell.h"
 
 using namespace plumb::test;
@@ -16,15 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path build(const std::string& compiler, const std::string& optimisation) {
-    const fs::path folder = houseFolder("bits") / (compiler + optimisation);
-    buildProject({.source = std::string(PLUMB_SOURCE_DIR) + "/tests/bits",
-                  .build = folder,
-                  .options = {"-DCMAKE_CXX_COMPILER=" + compiler, "-DCMAKE_BUILD_TYPE=Release",
-                              "-DCMAKE_CXX_FLAGS_RELEASE=" + optimisation + " -DNDEBUG"}});
-    return folder;
-}
-
 std::size_t countOf(const std::string& part, const std::string& text) {
     std::size_t count = 0;
     for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
@@ -32,7 +23,7 @@ std::size_t countOf(const std::string& part, const std::string& text) {
 }
 
 std::string hashFrom(const std::string& compiler, const std::string& optimisation) {
-    const Ran ran = shell(quoted((build(compiler, optimisation) / "bits").string()));
+    const Ran ran = shell(quoted((buildBits(compiler, optimisation) / "bits").string()));
     REQUIRE(ran.ok);
     return ran.output;
 }
@@ -101,7 +92,7 @@ TEST_CASE("GCC and Clang at -O1 and -O3, on 1, 4, 8 and 16 lanes, come to one st
 TEST_CASE("objects for 8 and 16 lanes share no inline code with the rest of the kit", "[house][build]") {
     for (const std::string compiler : {"g++", "clang++"}) {
         for (const std::string optimisation : {"-O1", "-O3"}) {
-            const WeakSymbols found = weakSymbolsOf(build(compiler, optimisation) / "plumb" / "kit" / "libplumb.a");
+            const WeakSymbols found = weakSymbolsOf(buildBits(compiler, optimisation) / "plumb" / "kit" / "libplumb.a");
             CHECK(found.objects == countWideSources());
             for (const std::string& name : found.misplaced) FAIL_CHECK(compiler << " " << optimisation << ", " << name);
         }
