@@ -17,7 +17,7 @@ bool isDangerous(const Hunter& hunter) {
     return hunter.canMeet() && !hunter.frightened();
 }
 
-int dangerousWithin(const Chase& chase, int tiles) {
+int huntersWithin(const Chase& chase, int tiles) {
     return static_cast<int>(std::count_if(chase.hunters().begin(), chase.hunters().end(), [&](const Hunter& hunter) {
         return hunter.canMeet() && lanes().distance(hunter.cell(), chase.player().cell()) <= tiles;
     }));
@@ -78,7 +78,7 @@ double Lookahead::gain(const Chase& chase, int frame) const {
     double value = 0;
     for (const ChaseEvent& event : chase.events()) switch (event.kind) {
             case Happening::Dot: value += settings_.dot; break;
-            case Happening::Power: value += settings_.power * (1 + dangerousWithin(chase, near)); break;
+            case Happening::Power: value += settings_.power * (1 + huntersWithin(chase, near)); break;
             case Happening::HunterCaught: value += settings_.hunter; break;
             case Happening::Fruit: value += settings_.fruit; break;
             case Happening::PlayerCaught: return frame - settings_.caught;

@@ -7,8 +7,9 @@
 namespace plumb::games::runner {
 namespace {
 
-constexpr double lap = 0.02;  ///< by which neighbours lie over one another, so that no seam is seen [m]
-constexpr double rim = 0.2;   ///< of turf [m]
+constexpr double lap = 0.02;     ///< by which neighbours lie over one another, so that no seam is seen [m]
+constexpr double rim = 0.2;      ///< of turf [m]
+constexpr double soilFoot = -2;  ///< where soil is darkest [m]
 
 class TilePainter {
 public:
@@ -55,10 +56,12 @@ private:
     }
     bool isFullGround(Cell cell) const { return isGround(cell) && at(cell).form == TileForm::Full; }
     /// Darker the deeper in the map, everywhere alike, so that nothing shows where cells meet.
-    Paint soil(double darkness = 0) const {
-        return Paint::linear({0, 0.36 * tiles_.rows()}, darker(palette_.soil, darkness), {0, -2},
-                             darker(palette_.deep, darkness));
+    Paint soil() const { return Paint::linear({0, soilTop()}, palette_.soil, {0, soilFoot}, palette_.deep); }
+    Color speck(double height) const {
+        const double depth = (soilTop() - height) / (soilTop() - soilFoot);
+        return darker(mix(palette_.soil, palette_.deep, std::clamp(depth, 0.0, 1.0)), 0.16);
     }
+    double soilTop() const { return 0.36 * tiles_.rows(); }
     double chance(Cell cell, int salt) const {
         const double x = std::sin(cell.column * 12.9898 + cell.row * 78.233 + salt * 37.7) * 43758.5453;
         return x - std::floor(x);
@@ -92,7 +95,7 @@ private:
         for (int i = 0; i < 2; ++i) {
             const Vec2 at =
                 tiles_.lowerLeft(cell) + Vec2(0.15 + 0.7 * chance(cell, i), 0.15 + 0.55 * chance(cell, i + 9));
-            canvas_.ellipse(at, {0.08 + 0.1 * chance(cell, i + 20), 0.05 + 0.04 * chance(cell, i + 30)}, soil(0.16));
+            canvas_.ellipse(at, {0.08 + 0.1 * chance(cell, i + 20), 0.05 + 0.04 * chance(cell, i + 30)}, speck(at.y()));
         }
     }
 

@@ -34,7 +34,7 @@ const Palette night{
     .soil = Color::hex(0x4a4a86), .deep = Color::hex(0x1b1b45),
     .ledge = Color::hex(0x8a6fa8), .brick = Color::hex(0x7a4f8f), .metal = Color::hex(0x8a93b8),
     .coin = Color::hex(0xffd24a), .thorn = Color::hex(0xb0356b), .water = Color::hex(0x26568f),
-    .wood = Color::hex(0x8f6a5c), .dust = Color::hex(0xb9bfe8), .dark = 0.5};
+    .wood = Color::hex(0x8f6a5c), .dust = Color::hex(0xb9bfe8), .dark = 0.42};
 // clang-format on
 
 }  // namespace

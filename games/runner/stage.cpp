@@ -10,6 +10,7 @@ namespace plumb::games::runner {
 namespace {
 
 constexpr double springRise = 7.2, thornRise = 1.6;  ///< of who is thrown [m]
+constexpr double lanternReach = 6;                   ///< above it: who jumps over it lights it, too [m]
 constexpr int safeAfterHurt = 100;                   ///< [ticks]
 constexpr double skidSpeed = 4;                      ///< [m/s]
 constexpr int bumpTicks = 20;                        ///< a bump is remembered
@@ -109,17 +110,17 @@ void Stage::takeTreasures() {
 
 void Stage::meetPlaces() {
     const Vec2 at = heroAt();
-    const auto isAt = [&](const Vec2& place, double width) {
-        return std::fabs(place.x() - at.x()) < width && std::fabs(place.y() - at.y()) < 1.5;
+    const auto isAt = [&](const Vec2& place, double width, double up) {
+        return std::fabs(place.x() - at.x()) < width && at.y() > place.y() - 1.5 && at.y() < place.y() + up;
     };
     for (std::size_t i = 0; i < lanterns_.size(); ++i) {
-        if (lanterns_[i].lit || !isAt(lanterns_[i].at, 0.8)) continue;
+        if (lanterns_[i].lit || !isAt(lanterns_[i].at, 0.8, lanternReach)) continue;
         for (std::size_t before = 0; before <= i; ++before) lanterns_[before].lit = true;
         hero_.tall = true;
         note(EventKind::LanternLit, lanterns_[i].at);
     }
     if (tiles().at(tiles().cellAt(at)).kind == TileKind::Sensor || at.y() < -1.5 || hero_.mover.slide().crushed) die();
-    if (hero_.alive && isAt(level_->beacon, 0.7)) {
+    if (hero_.alive && isAt(level_->beacon, 0.7, 2.5)) {
         finished_ = true;
         note(EventKind::Finished, level_->beacon);
     }

@@ -2,6 +2,7 @@
 #include <games/maze/art/cat.h>
 
 #include <cmath>
+#include <numbers>
 
 #include <games/maze/art/palette.h>
 
@@ -74,7 +75,7 @@ void drawEyes(Canvas& canvas, const CatPose& pose) {
 void drawBrows(Canvas& canvas, const Coat& coat, Mood mood) {
     for (const double side : sides) {
         if (mood == Mood::Rests) {  // lids, half closed
-            canvas.pie({0.3 * side, 0.13}, 0.29, 0, 3.14159, coat.fur);
+            canvas.pie({0.3 * side, 0.13}, 0.29, 0, std::numbers::pi, coat.fur);
             canvas.line({0.06 * side, 0.13}, {0.54 * side, 0.13}, coat.dark, 0.08);
         } else {
             const double slope = mood == Mood::Hastes ? 0.26 : 0.14;

@@ -2,6 +2,7 @@
 #include <games/maze/art/treats.h>
 
 #include <array>
+#include <numbers>
 
 #include <games/maze/art/palette.h>
 
@@ -10,7 +11,6 @@ namespace {
 
 constexpr Color leafGreen = Color::hex(0x7ccf6b);
 constexpr Color bark = Color::hex(0x7a4a2a);
-constexpr double pi = 3.14159265358979;
 
 void blueberry(Canvas& canvas) {
     canvas.circle({-0.3, -0.15}, 0.42, Color::hex(0x4b5fd6));
@@ -21,12 +21,12 @@ void blueberry(Canvas& canvas) {
 void hazelnut(Canvas& canvas) {
     canvas.ellipse({0, -0.12}, {0.55, 0.58}, Color::hex(0xb9752f));
     canvas.ellipse({-0.18, -0.05}, {0.14, 0.3}, Color::hex(0xdc9d55));
-    canvas.pie({0, 0.1}, 0.6, 0, pi, leafGreen);
+    canvas.pie({0, 0.1}, 0.6, 0, std::numbers::pi, leafGreen);
     canvas.line({0, 0.6}, {0.1, 0.8}, bark, 0.12);
 }
 void mushroom(Canvas& canvas) {
     canvas.box({0, -0.38}, {0.24, 0.38}, paper, 0.15);
-    canvas.pie({0, -0.12}, 0.75, 0, pi, Color::hex(0xe5484d));
+    canvas.pie({0, -0.12}, 0.75, 0, std::numbers::pi, Color::hex(0xe5484d));
     for (const Vec2& at : {Vec2(-0.35, 0.12), Vec2(0.05, 0.35), Vec2(0.4, 0.1)}) canvas.circle(at, 0.11, paper);
 }
 void pear(Canvas& canvas) {
@@ -57,7 +57,7 @@ void fishBone(Canvas& canvas) {
 }
 void bell(Canvas& canvas) {
     canvas.circle({0, 0.68}, 0.14, stroke(cheese, 0.1));
-    canvas.pie({0, 0.02}, 0.52, 0, pi, cheese);
+    canvas.pie({0, 0.02}, 0.52, 0, std::numbers::pi, cheese);
     canvas.polygon({{-0.52, 0.04}, {0.52, 0.04}, {0.72, -0.42}, {-0.72, -0.42}}, cheese);
     canvas.capsule({-0.68, -0.42}, {0.68, -0.42}, 0.1, Color::hex(0xd98a2b));
     canvas.circle({0, -0.6}, 0.17, Color::hex(0xd98a2b));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Source of all times: FACTS, section 1, which is The Pac-Man Dossier and the notes to its version 1.0.27.
+// Source of all times: The Pac-Man Dossier, and the notes to its version 1.0.27.
 #include <games/maze/wave_clock.h>
 
 #include <vector>

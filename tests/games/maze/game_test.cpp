@@ -130,7 +130,7 @@ TEST_CASE("three lives are lost by standing still, and the game with them", "[ga
     CHECK(round.progress().outcome == Outcome::Lost);
 }
 
-// FACTS, section 1, "Fruit points L1-13+".
+// Source: The Pac-Man Dossier, its table of bonus symbols.
 TEST_CASE("fruit is worth 100, 300, 500, 500, 700, 700, 1000, 1000, 2000, 2000, 3000, 3000, 5000 and 5000 on",
           "[games][maze]") {
     const std::vector<int> points{100, 300, 500, 500, 700, 700, 1000, 1000, 2000, 2000, 3000, 3000, 5000, 5000, 5000};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Source of all limits: FACTS, section 1, "House", which is The Pac-Man Dossier, chapter 2.
+// Source of all limits: The Pac-Man Dossier, chapter 2.
 #include <games/maze/house_counters.h>
 
 #include "catch.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Source of all rules: FACTS, section 1, which is The Pac-Man Dossier's; of the 60 frames, a clone.
+// Source of all rules: The Pac-Man Dossier; of the 60 frames, and of where the four begin, a clone of the game.
 #include <games/maze/chase.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Source of all speeds: FACTS, section 1, which is The Pac-Man Dossier's table.
+// Source of all speeds: The Pac-Man Dossier, its table.
 #include <cmath>
 #include <map>
 #include <string>

@@ -187,6 +187,20 @@ TEST_CASE("who dies begins again at the last lantern lit, with what was taken st
     CHECK(stage.ticks() == 0);
 }
 
+TEST_CASE("a lantern is lit by who jumps over it, not by who walks below it", "[games][runner]") {
+    Stage below = stageOf("....C....\n...===...\n.........\nS.......G\n#########\n");
+    Stage leap = stageOf(".............\n.............\n.............\nS.........C.G\n#############\n");
+    for (int tick = 0; tick < 200 && leap.heroAt().x() < 10.5; ++tick) {
+        CHECK((leap.heroAt().x() > 9.5 || !leap.lanterns()[0].lit));
+        leap.update({.move = 1, .run = true, .jump = leap.heroAt().x() > 7});
+    }
+    // Its cell's middle is at 1.5 m; the hero is at least 2.5 m above that.
+    CHECK(leap.heroAt().y() > 4);
+    CHECK(leap.lanterns()[0].lit);
+    CHECK(play(
+              below, 120, [](int) { return PlatformInput{.move = 1}; }, EventKind::LanternLit) == 0);
+}
+
 TEST_CASE("a brick breaks and a lamp lights once from below", "[games][runner]") {
     Stage stage = stageOf("b..\n...\n...\nS.G\n###\n");
     CHECK(play(
