@@ -123,6 +123,17 @@ TEST_CASE("in 10,000 ticks of any buttons nothing falls through the ground or ou
     }
 }
 
+TEST_CASE("a rival of each strength is met on its own island, with its tide and no more than its wind",
+          "[games][artillery]") {
+    for (const Stage& stage : stages)
+        for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+            const Match match(seed, std::string(stage.rival));
+            REQUIRE(stages[static_cast<std::size_t>(match.stage())].name == stage.name);
+            REQUIRE(match.battle().tideTurn() == stage.tideTurn);
+            REQUIRE(std::abs(match.battle().wind()) <= stage.wind);
+        }
+}
+
 TEST_CASE("a value that an option has not is refused by name before anything begins", "[games][artillery]") {
     const GameInfo game = named();
     for (const char* option : {"strength", "rival", "line"})
