@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include <games/artillery/palette.h>
+#include <games/frame/game.h>
+#include <plumb/kinematics/linear_drag.h>
 
 namespace plumb::games::artillery {
 namespace {
@@ -21,12 +23,26 @@ int lifeOf(const Forecast& path, const Weapon& weapon, const Battle& battle) {
     return life;
 }
 
+/// When a shell that nothing stops would be in the ground, or in the sea, at the latest: no more need be foreseen
+/// [ticks].
+int longestFlight(const Battle& battle, const Aim& aim) {
+    const BodyDef shell = shellDef(battle.middleOf(battle.gunner()), aim, weapons[0]);
+    const DragLaw law{dragRate, {battle.wind(), 0}, {0, -gravity}};
+    int tick = 1;
+    for (; tick < fullLine; tick += apart) {
+        const Vec2 at = moveWithDrag({shell.position, shell.velocity}, law, tick * tickSeconds).position;
+        if (at.y() < std::max(battle.terrain().heightAt(at.x()), battle.sea()) - shellRadius) break;
+    }
+    return tick;
+}
+
 }  // namespace
 
 void drawAimLine(Canvas& canvas, const Battle& battle, int ticks, double seconds) {
     const Gunner& gunner = battle.gunner();
     const Weapon& weapon = weapons[static_cast<std::size_t>(gunner.weapon)];
-    const Forecast path = battle.forecastOf(gunner.aim, gunner.weapon, ticks);
+    const int needed = weapon.fuse > 0 ? weapon.fuse : longestFlight(battle, gunner.aim);
+    const Forecast path = battle.forecastOf(gunner.aim, gunner.weapon, std::min(ticks, needed));
     const int life = lifeOf(path, weapon, battle);
     const double march = std::fmod(seconds * 20, apart);
     for (double tick = march; tick < life; tick += apart) {

@@ -38,19 +38,31 @@ private:
 }  // namespace
 
 Artillery::Artillery(const GameSetup& setup)
-    : match_(setup.seed, setup.option("rival")), line_(lineOf(setup.option("line"))) {
-    strengthOf(setup.option("strength"));
-}
+    : match_(setup.seed, setup.option("rival")), line_(lineOf(setup.option("line"))) {}
 
 void Artillery::update(const Input& input) {
     ++ticks_;
-    trail_.keep(match_.battle().world());
-    notice(match_.update(ordersOf(input.now())));
-    eye_.update(match_.battle());
-    traces_.update(match_.battle());
-    if (const auto& shell = match_.battle().shell()) effects_.trail(world()->body(shell->body).position());
-    effects_.update();
+    drift_ += match_.battle().wind() * tickSeconds;
     recoil_ *= 0.85;
+    effects_.update();
+    trail_.keep(match_.battle().world());
+    if (still_ > 0) {
+        --still_;
+    } else {
+        notice(match_.update(ordersOf(input.now())));
+        if (const auto& shell = match_.battle().shell()) effects_.trail(world()->body(shell->body).position());
+        traces_.update(match_.battle());
+    }
+    eye_.update(match_.battle());
+    if (match_.battle().phase() == Phase::Over && match_.battle().phaseTicks() % 25 == 5) celebrate();
+}
+
+/// Rockets over the island of whoever has won it.
+void Artillery::celebrate() {
+    if (match_.battle().winner() < 0) return;
+    const Vec2 at(sparks_.uniform(-24, 24), sparks_.uniform(20, 28));
+    effects_.celebrate(at, crewColor(match_.battle().winner()));
+    play({Wave::Noise, 2500, 400, 0.3, 0.25});
 }
 
 void Artillery::notice(const std::vector<Happening>& happenings) {
@@ -63,9 +75,13 @@ void Artillery::notice(const std::vector<Happening>& happenings) {
         if (happening.kind == Happening::Kind::Exploded) {
             eye_.shake(happening.size / 5);
             eye_.lookAt(happening.at);
+            still_ = static_cast<int>(happening.size);
         }
         if (happening.kind == Happening::Kind::Splashed) eye_.lookAt(happening.at);
-        if (happening.kind == Happening::Kind::Fired) recoil_ = 1;
+        if (happening.kind == Happening::Kind::Fired) {
+            eye_.shake(0.3);
+            recoil_ = 1;
+        }
     }
 }
 
@@ -75,7 +91,7 @@ void Artillery::draw(Canvas& canvas) const {
     const double seconds = (static_cast<double>(ticks_) - 1 + canvas.between()) * tickSeconds;
     const Figures figures{battle, trail_, seconds, recoil_};
     const bool aiming = battle.phase() == Phase::Aim && match_.isPersonsTurn();
-    drawBackdrop(canvas, eye_, palette, seconds, battle.wind());
+    drawBackdrop(canvas, eye_, palette, seconds, drift_);
     canvas.look(eye_.camera(canvas.between()));
     if (aiming) traces_.draw(canvas, battle.crew());
     drawEarth(canvas, battle.terrain(), palette);
@@ -86,19 +102,25 @@ void Artillery::draw(Canvas& canvas) const {
     effects_.draw(canvas, battle.wind());
     if (aiming && line_ > 0) drawAimLine(canvas, battle, line_, seconds);
     drawTags(canvas, figures);
-    drawHud(
-        canvas,
-        {battle, match_.progress().score, std::string(stages[static_cast<std::size_t>(match_.stage())].name),
-         match_.rival() == "friend" ? "a friend" : "a " + match_.rival() + " crew", match_.isPersonsTurn(), seconds});
-    if (battle.phase() == Phase::Over) drawEnd(canvas);
+    effects_.drawLabels(canvas);
+    if (canvas.behind() != Behind::Title) drawWriting(canvas, seconds);
     canvas.look(eye_.camera(canvas.between()));
+}
+
+void Artillery::drawWriting(Canvas& canvas, double seconds) const {
+    const std::string stage(stages[static_cast<std::size_t>(match_.stage())].name);
+    const std::string rivals = match_.rival() == "friend" ? "a friend" : "a " + match_.rival() + " crew";
+    const Progress progress = match_.progress();
+    drawHud(canvas, {match_.battle(), progress.score, stage, rivals, match_.isPersonsTurn(), seconds});
+    // The last one makes way for what the frame says.
+    if (match_.battle().phase() == Phase::Over && progress.outcome == Outcome::Running) drawEnd(canvas);
 }
 
 void Artillery::drawEnd(Canvas& canvas) const {
     const Battle& battle = match_.battle();
     const int winner = battle.winner();
-    const std::string island(stages[static_cast<std::size_t>(match_.stage())].name);
-    std::string line = winner == 0 ? "the island is yours" : "the island is lost";
+    std::string line = winner == 1 && match_.rival() == "friend" ? "the island is theirs" : "the island is lost";
+    if (winner == 0) line = "the island is yours";
     if (winner == 0 && !match_.isLast())
         line = "next: " + std::string(stages[static_cast<std::size_t>(match_.stage()) + 1].name);
     const std::string title =
@@ -115,6 +137,7 @@ std::string Artillery::verdict() const {
 std::uint64_t Artillery::hash() const {
     Hash hash;
     match_.addTo(hash);
+    hash.add(still_);
     return hash.value();
 }
 
@@ -134,7 +157,12 @@ GameInfo info() {
                      {"ladder", "weak", "fair", "strong", "friend"},
                      "Against"},
                     {"line", "How much of the aim line is shown", "short", {"short", "full", "off"}, "Aim line"},
-                    {"strength", "How well --player computer aims: weak, fair or strong", "strong"}};
+                    {"strength",
+                     "How well --player computer aims",
+                     "strong",
+                     {"weak", "fair", "strong"},
+                     {},
+                     /* inTitle */ false}};
     game.theme = {.background = Color::hex(0x241a3a),
                   .panel = Color::hex(0x3b2a55),
                   .text = paper,

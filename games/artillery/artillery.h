@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Two crews on a hilly island, and how the frame plays them?
+// How does the frame play two crews on a hilly island?
 #pragma once
 #include <games/artillery/aim_look.h>
 #include <games/artillery/effects.h>
 #include <games/artillery/eye.h>
 #include <games/artillery/match.h>
 #include <games/frame/pose_trail.h>
+#include <plumb/math/random.h>
 
 namespace plumb::games::artillery {
 
@@ -25,17 +26,22 @@ public:
 
 private:
     void notice(const std::vector<Happening>& happenings);
+    void drawWriting(Canvas& canvas, double seconds) const;
     void drawEnd(Canvas& canvas) const;
 
+    void celebrate();
+
     Match match_;
-    int line_;  ///< of the aim line [ticks]
+    int line_;       ///< of the aim line [ticks]
+    int still_ = 0;  ///< so long after a blast all stands still, which gives it weight [ticks]
     // Only to be seen:
     PoseTrail trail_;
     Eye eye_;
     Effects effects_;
     Traces traces_;
     std::int64_t ticks_ = 0;
-    double recoil_ = 0;
+    double recoil_ = 0, drift_ = 0;  ///< drift: how far the wind has blown [m]
+    Random sparks_{3};
 };
 
 GameInfo info();

@@ -43,7 +43,8 @@ struct Prop {
 struct Shell {
     BodyId body{};
     int weapon = 0;
-    int age = 0;  ///< [ticks]
+    int age = 0;           ///< [ticks]
+    bool falling = false;  ///< has been, once
 };
 
 enum class Phase { Ready, Aim, Flight, Settle, Over };

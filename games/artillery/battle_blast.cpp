@@ -25,6 +25,10 @@ void Battle::flyShell() {
     const BodyView body = world_.body(shell_->body);
     const Vec2 at = body.position();
     ++shell_->age;
+    if (!shell_->falling && body.velocity().y() < -2) {
+        shell_->falling = true;
+        tell({.kind = Kind::Falling, .at = at});
+    }
     // A muzzle that was held into the ground fires into it.
     bool goesOff = (weapon.fuse > 0 && shell_->age >= weapon.fuse) || at.y() < terrain_.heightAt(at.x()) - shellRadius;
     for (const ContactBegin& touch : world_.contactBegins()) {

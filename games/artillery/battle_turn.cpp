@@ -69,7 +69,9 @@ void Battle::obey(const Orders& orders) {
     turnBarrel(gunner, orders);
     if (!charging_) walk(gunner, orders);
     if (orders.weapon && !before_.weapon && !charging_) changeWeapon(gunner);
-    const bool late = phaseTicks_ >= turnTicks;
+    const int left = turnTicks - phaseTicks_;
+    if (left > 0 && left <= hurryTicks && left % 60 == 0) tell({.kind = Happening::Kind::Hurry});
+    const bool late = left <= 0;
     if (charging_) {
         if (orders.fire && gunner.aim.charge < fullCharge) ++gunner.aim.charge;
         if (gunner.aim.charge % 5 == 0)

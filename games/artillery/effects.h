@@ -16,11 +16,16 @@ namespace plumb::games::artillery {
 class Effects {
 public:
     void begin(const Happening& happening, const Palette& palette);
-    void trail(const Vec2& shell);  ///< behind a shell, each tick
-    void update();                  ///< one tick
+    void trail(const Vec2& shell);                       ///< behind a shell, each tick
+    void celebrate(const Vec2& at, const Color& color);  ///< one rocket that bursts
+    void update();                                       ///< one tick
     void draw(Canvas& canvas, double wind) const;
+    void drawLabels(Canvas& canvas) const;  ///< the harm done, in figures
 
 private:
+    struct Range {
+        double least, most;
+    };
     struct Bit {
         PointMotion from{};
         double life = 1;              ///< [s]
@@ -36,15 +41,22 @@ private:
         int amount = 0, crew = 0;
         double age = 0;
     };
+    /// Many of a kind, each a little different from the others.
     struct Burst {
         int count = 1;
-        double slowest = 1, fastest = 2;  ///< [m/s]
-        double from = 0, to = 6.28;       ///< directions [rad]
+        Range speed{1, 2};     ///< [m/s]
+        Range angle{0, 6.28};  ///< [rad]
         Bit bit{};
     };
     void burst(const Vec2& at, const Burst& burst);
+    void spot(const Vec2& at, const Bit& bit);  ///< one that stays where it is
     void explode(const Vec2& at, double size, const Palette& palette);
+    void fire(const Vec2& at, const Vec2& along);
+    void splash(const Vec2& at, const Color& foam);
+    void die(const Vec2& at, int crew);
+    void dust(const Vec2& at, int count, double size);
     void label(const Happening& happening);
+    void drawLabel(Canvas& canvas, const Label& label, double age) const;
 
     std::vector<Bit> bits_;
     std::vector<Label> labels_;

@@ -9,7 +9,7 @@ namespace plumb::games::artillery {
 namespace {
 
 constexpr double nearHeight = 25, readyHeight = 31;  ///< [m]
-constexpr double slow = 0.06, quick = 0.12;          ///< of the way that is left, a tick [-]
+constexpr double slow = 0.06, quick = 0.12;          ///< of the way that is left, nearer or back, a tick [-]
 
 Camera wholeField(double height) {
     return {.center = {0, fieldBottom + height / 2}, .height = height};
@@ -26,6 +26,14 @@ Camera mixed(const Camera& a, const Camera& b, double share) {
     return {a.center + (b.center - a.center) * share, a.height + (b.height - a.height) * share};
 }
 
+/// Above the field as long as the shell rises, then nearer to where it falls.
+Camera following(const Battle& battle) {
+    const BodyView shell = battle.world().body(battle.shell()->body);
+    const Vec2 at = shell.position();
+    if (shell.velocity().y() < 0 && at.y() < fieldBottom + readyHeight - 10) return closeUp(at, readyHeight);
+    return wholeField(std::max(fieldHeight, at.y() + 4 - fieldBottom));
+}
+
 }  // namespace
 
 Eye::Eye() : now_(wholeField(fieldHeight)), before_(now_) {}
@@ -33,10 +41,7 @@ Eye::Eye() : now_(wholeField(fieldHeight)), before_(now_) {}
 Camera Eye::wanted(const Battle& battle) const {
     switch (battle.phase()) {
         case Phase::Ready: return closeUp(battle.middleOf(battle.gunner()), readyHeight);
-        case Phase::Flight: {
-            const double top = battle.shell() ? battle.world().body(battle.shell()->body).position().y() + 4 : 0;
-            return wholeField(std::max(fieldHeight, top - fieldBottom));
-        }
+        case Phase::Flight: return battle.shell() ? following(battle) : now_;
         case Phase::Settle: return closeUp(place_, nearHeight);
         case Phase::Aim:
         case Phase::Over: break;
@@ -47,7 +52,8 @@ Camera Eye::wanted(const Battle& battle) const {
 void Eye::update(const Battle& battle) {
     before_ = now_;
     if (const auto& shell = battle.shell()) place_ = battle.world().body(shell->body).position();
-    now_ = mixed(now_, wanted(battle), battle.phase() == Phase::Flight ? quick : slow);
+    const Camera next = wanted(battle);
+    now_ = mixed(now_, next, next.height > now_.height ? quick : slow);
     shake_ *= 0.9;
     ++ticks_;
 }

@@ -11,7 +11,8 @@ namespace plumb::games::artillery {
 inline constexpr double fieldHeight = 37;  ///< of what is seen when all is seen [m]
 inline constexpr double fieldBottom = -5;  ///< [m]
 
-/// At all of the island while someone aims; higher when a shell flies out of the picture; nearer where it went off.
+/// Near whose turn begins; at all of the island while someone aims; higher when a shell flies out of the picture;
+/// nearer where it comes down, and nearer still where it went off.
 class Eye {
 public:
     Eye();

@@ -48,21 +48,52 @@ void drawTrunk(Canvas& canvas, const Gunner& gunner, double stride) {
     canvas.rect({-0.08, -0.38}, {0.24, 0.22}, gold, 0.04);
 }
 
+/// Eyes go to a shell that flies, else where the barrel points.
+Vec2 gazeOf(const Figures& figures, const Gunner& gunner, const Vec2& at) {
+    const auto& shell = figures.battle.shell();
+    if (!shell) return directionOf(gunner.aim);
+    const Vec2 way = figures.battle.world().body(shell->body).position() - at;
+    return way.norm() > 0.5 ? Vec2(way.normalized()) : directionOf(gunner.aim);
+}
+
+/// How far off the ground: who has won hops for joy [m].
+double hopOf(const Figures& figures, const Gunner& gunner) {
+    if (figures.battle.phase() != Phase::Over || figures.battle.winner() != gunner.crew) return 0;
+    return 0.7 * std::abs(sinCos(figures.seconds * 6 + gunner.body.index).sin);
+}
+
+/// Backwards, as it charges and as the barrel recoils; over, who is about to die [rad].
+double leanOf(const Figures& figures, const Gunner& gunner, bool active) {
+    if (gunner.health == 0) return 0.5;
+    if (!active) return 0;
+    const double charge = figures.battle.charging() ? double(gunner.aim.charge) / fullCharge : 0;
+    const double tremble = 0.03 * charge * sinCos(figures.seconds * 50).sin;
+    return gunner.aim.facing * (0.14 * charge + 0.3 * figures.recoil + tremble);
+}
+
+/// What is about to leave the barrel.
+void drawGlow(Canvas& canvas, const Gunner& gunner, double seconds) {
+    const Vec2 muzzle = muzzleFrom(directionOf(gunner.aim));
+    const double charge = double(gunner.aim.charge) / fullCharge;
+    const double radius = (0.3 + 0.9 * charge) * (1 + 0.12 * sinCos(seconds * 40).sin);
+    canvas.circle(muzzle, radius, Paint::radial(muzzle, gold.faded(0.9), radius, gold.faded(0)));
+}
+
 void drawBody(Canvas& canvas, const Figures& figures, const Gunner& gunner, bool active) {
     const Transform pose = figures.trail.pose(figures.battle.world(), gunner.body, canvas.between());
-    const BodyView body = figures.battle.world().body(gunner.body);
-    const double speed = std::abs(body.velocity().x());
+    const double speed = std::abs(figures.battle.world().body(gunner.body).velocity().x());
     const double stride = speed > 0.3 ? sinCos(pose.position.x() * 5).sin : 0;
-    const double breath = 0.02 * sinCos(figures.seconds * 3 + gunner.crew + body.id().index).sin;
-    const Vec2 direction = directionOf(gunner.aim);
-    const double lean = gunner.health == 0 ? 0.5 : 0;
-    const auto there = canvas.place({.position = pose.position, .angle = lean});
+    const double breath = 0.02 * sinCos(figures.seconds * 3 + gunner.crew + gunner.body.index).sin;
+    const Vec2 hop(0, hopOf(figures, gunner));
+    const auto there = canvas.place({.position = pose.position + hop, .angle = leanOf(figures, gunner, active)});
     {
         const auto mirrored = canvas.place({.scale = {double(gunner.aim.facing), 1}});
         drawTrunk(canvas, gunner, stride);
     }
-    drawBarrel(canvas, direction, active ? figures.recoil : 0);
-    drawHead(canvas, {-0.2 * gunner.aim.facing, 0.6 + breath}, 0.46, gunner.crew, direction);
+    if (active && figures.battle.charging()) drawGlow(canvas, gunner, figures.seconds);
+    drawBarrel(canvas, directionOf(gunner.aim), active ? figures.recoil : 0);
+    const Vec2 head(-0.2 * gunner.aim.facing, 0.6 + breath);
+    drawHead(canvas, head, 0.46, gunner.crew, gazeOf(figures, gunner, pose.position));
 }
 
 void drawHealth(Canvas& canvas, const Vec2& at, const Gunner& gunner) {

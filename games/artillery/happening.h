@@ -11,7 +11,9 @@ struct Happening {
         Turned,
         Walked,
         Charged,
+        Hurry,  ///< another second of the last few
         Fired,
+        Falling,  ///< a shell is past the top of its way
         Bounced,
         Exploded,
         Splashed,

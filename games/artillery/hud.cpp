@@ -82,13 +82,18 @@ void drawClock(Canvas& canvas, const Hud& hud) {
     write(canvas, {middle, 62}, std::to_string(left), 12, late ? lighter(crewColors[0], 0.3) : paper);
 }
 
+void drawScore(Canvas& canvas, const Hud& hud) {
+    drawPanel(canvas, {8, 50}, {104, 18});
+    write(canvas, {60, 59}, "score " + std::to_string(hud.score), 12, paper, Align::Center, 96);
+}
+
 void drawTide(Canvas& canvas, const Hud& hud) {
     const int left = hud.battle.tideTurn() - hud.battle.turn();
     if (left > 4) return;
     const std::string text =
         left > 0 ? "tide in " + std::to_string(left) + (left == 1 ? " turn" : " turns") : "the tide is rising";
-    drawPanel(canvas, {middle - 58, 50 + 30}, {116, 16}, 8);
-    write(canvas, {middle, 88}, text, 11, lighter(crewColors[1], 0.4));
+    drawPanel(canvas, {screenWidth - 128, 50}, {120, 18});
+    write(canvas, {screenWidth - 68, 59}, text, 12, lighter(crewColors[1], 0.4), Align::Center, 112);
 }
 
 void drawWeapons(Canvas& canvas, const Hud& hud) {
@@ -106,6 +111,7 @@ void drawWeapons(Canvas& canvas, const Hud& hud) {
     }
 }
 
+/// The charge, and a mark at that of the gunner's last shot.
 void drawPower(Canvas& canvas, const Hud& hud) {
     const Gunner& gunner = hud.battle.gunner();
     const double left = 250, width = 240;
@@ -119,14 +125,18 @@ void drawPower(Canvas& canvas, const Hud& hud) {
     canvas.line({mark, 330}, {mark, 336}, paper, 2);
     canvas.polygon({{mark, 332}, {mark - 5, 324}, {mark + 5, 324}}, paper);
     if (!hud.battle.charging()) write(canvas, {left + width / 2, 341}, "power", 11, paper.faded(0.75));
-    const std::string angle = std::to_string(static_cast<int>(std::lround(gunner.aim.elevation / 10.0))) + "°";
-    drawPanel(canvas, {left + width + 10, 330}, {48, 22}, 7);
-    write(canvas, {left + width + 34, 341}, angle, 13, gold);
-    drawPanel(canvas, {left + width + 64, 330}, {74, 22}, 7);
-    write(canvas, {left + width + 101, 336}, "legs", 8, paper.faded(0.7));
-    canvas.rect({left + width + 70, 342}, {62, 5}, ink, 2.5);
-    const double legs = 62.0 * hud.battle.walkLeft() / walkTicks;
-    if (legs > 1) canvas.rect({left + width + 70, 342}, {legs, 5}, crewColors[1], std::min(2.5, legs / 2));
+}
+
+/// The barrel's angle, and how far the gunner may still walk in this turn.
+void drawAngleAndLegs(Canvas& canvas, const Hud& hud) {
+    const std::string angle = std::to_string(static_cast<int>(std::lround(hud.battle.gunner().aim.elevation / 10.0)));
+    drawPanel(canvas, {500, 330}, {48, 22}, 7);
+    write(canvas, {524, 341}, angle + "°", 13, gold);
+    drawPanel(canvas, {554, 330}, {74, 22}, 7);
+    write(canvas, {574, 341}, "legs", 11, paper.faded(0.75), Align::Center, 28);
+    canvas.rect({592, 338}, {30, 6}, ink, 3);
+    const double legs = 30.0 * hud.battle.walkLeft() / walkTicks;
+    if (legs > 1) canvas.rect({592, 338}, {legs, 6}, crewColors[1], std::min(3.0, legs / 2));
 }
 
 /// For whoever plays for the first time.
@@ -137,16 +147,17 @@ void drawHint(Canvas& canvas, const Hud& hud) {
           paper.faded(0.85), Align::Center, 600);
 }
 
-/// Whose turn it is, sliding in and out.
+/// Whose turn it is: it springs up, stays, and fades.
 void drawTurn(Canvas& canvas, const Hud& hud) {
     if (hud.battle.phase() != Phase::Ready) return;
-    const double share = double(hud.battle.phaseTicks()) / readyTicks;
-    const double away = std::pow(std::abs(2 * share - 1), 5.0);
+    const double since = hud.battle.phaseTicks(), grown = std::min(1.0, since / 9);
+    const double spring = grown * (1 + 1.2 * (1 - grown)), left = std::min(1.0, (readyTicks - since) / 8);
     const int crew = hud.battle.crew();
-    const auto there = canvas.place({.position = {middle + (crew == 0 ? -1 : 1) * 420 * away, 84}});
+    const std::string name(crewNames[crew == 0 ? 0 : 1]);
+    const auto there = canvas.place({.position = {middle, 84}, .scale = {spring, spring}, .opacity = left});
     canvas.box({0, 0}, {118, 19}, panel, 12);
     canvas.box({0, 17}, {100, 1.5}, crewColor(crew));
-    write(canvas, {0, -1}, std::string(crewNames[crew == 0 ? 0 : 1]) + ", your turn", 19,
+    write(canvas, {0, -1}, hud.person ? name + ", your turn" : "the " + name + " take aim", 19,
           lighter(crewColor(crew), 0.35), Align::Center, 220);
     if (hud.battle.turn() == 1) {
         canvas.box({0, 36}, {160, 11}, panel, 10);
@@ -163,13 +174,14 @@ void drawHud(Canvas& canvas, const Hud& hud) {
     drawWind(canvas, hud);
     drawClock(canvas, hud);
     drawTide(canvas, hud);
-    write(canvas, {14, 58}, "score " + std::to_string(hud.score), 12, paper, Align::Left);
+    drawScore(canvas, hud);
     if (hud.person && hud.battle.phase() == Phase::Aim) {
         drawWeapons(canvas, hud);
         drawPower(canvas, hud);
+        drawAngleAndLegs(canvas, hud);
         drawHint(canvas, hud);
     }
-    drawTurn(canvas, hud);
+    if (canvas.behind() == Behind::Nothing) drawTurn(canvas, hud);
 }
 
 void drawBanner(Canvas& canvas, const std::string& title, const std::string& line, const Color& color, double seconds) {

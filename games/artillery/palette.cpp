@@ -9,7 +9,7 @@ constexpr Color hex(std::uint32_t rgb) {
 }
 
 constexpr std::array<Palette, 3> palettes{{
-    {hex(0x4aa3d8), hex(0x9fd8e8), hex(0xfff0cf), hex(0xfff7d6), -19,           25,
+    {hex(0x4aa3d8), hex(0x9fd8e8), hex(0xfff0cf), hex(0xfff7d6), -11,           25,
      2.6,           false,         hex(0xffffff), hex(0x8fc3cf), hex(0x6aa6b4), hex(0x62bcc9),
      hex(0x1f7f9c), hex(0xeafcff), hex(0xa9744a), hex(0x4e2f35), hex(0x5c3326), hex(0x5fae4b),
      hex(0xa8d95f), hex(0x40302c)},
@@ -21,7 +21,7 @@ constexpr std::array<Palette, 3> palettes{{
      hex(0x1f2d5c),
      hex(0x4a5f9a),
      hex(0xf2f3dc),
-     20,
+     11,
      25,
      2.3,
      true,
@@ -36,7 +36,7 @@ constexpr std::array<Palette, 3> palettes{{
      hex(0x202044),
      hex(0x3f7a72),
      hex(0x6fb79a),
-     hex(0x15142a)},
+     hex(0x2b2947)},
 }};
 
 }  // namespace

@@ -13,13 +13,14 @@ inline constexpr double gravity = 9.81;    ///< [m/s^2]
 inline constexpr double dragRate = 0.12;   ///< of a shell: drag over mass and speed through the air [1/s]
 inline constexpr double slowestShot = 6;   ///< at a charge of 0 [m/s]
 inline constexpr double fastestShot = 33;  ///< at a full charge [m/s]
-inline constexpr int fullCharge = 100;     ///< a tick holds one more [-]
+inline constexpr int fullCharge = 100;     ///< each tick that fire is held adds one [-]
 
 inline constexpr double worldEdge = 62;  ///< what is farther from the middle is gone [m]
 inline constexpr double worldFloor = -9;
 
 inline constexpr int turnTicks = 25 * 60;   ///< to aim and fire in
-inline constexpr int readyTicks = 50;       ///< before them, to see whose turn it is
+inline constexpr int hurryTicks = 5 * 60;   ///< the last of them, which are counted aloud
+inline constexpr int readyTicks = 50;       ///< before all of them, to see whose turn it is
 inline constexpr int settleTicks = 7 * 60;  ///< at most, until the next turn, while anything still moves
 inline constexpr int gunnersEach = 3;
 inline constexpr int fullHealth = 100;

@@ -22,8 +22,9 @@ void drawSky(Canvas& canvas, const Palette& palette) {
     canvas.rect(seen.lower, {seen.upper.x() - seen.lower.x(), 15.05 - seen.lower.y()},
                 Paint::linear({0, 15}, palette.skyMiddle, {0, horizon}, palette.skyLow));
     const Vec2 sun(palette.sunX, palette.sunY);
-    const double glow = palette.sunRadius * 4;
-    canvas.circle(sun, glow, Paint::radial(sun, palette.sun.faded(0.45), glow, palette.sun.faded(0)));
+    // Its glow: plain discs take a tenth of the time that a gradient does.
+    for (const double radius : {3.6, 2.9, 2.3, 1.8, 1.4})
+        canvas.circle(sun, radius * palette.sunRadius, palette.sun.faded(0.08));
     canvas.circle(sun, palette.sunRadius, palette.sun);
     if (!palette.stars) return;
     for (const Vec2& sea : {Vec2(-0.8, 0.6), Vec2(0.7, 0.9), Vec2(0.3, -0.8)})  // so it is a moon
@@ -39,17 +40,36 @@ void drawStars(Canvas& canvas, double seconds) {
     }
 }
 
-void drawClouds(Canvas& canvas, const Palette& palette, double seconds) {
+void drawCloud(Canvas& canvas, const Color& color) {
+    canvas.rect({-3.4, -0.6}, {6.8, 1.2}, color, 0.6);
+    canvas.circle({-1.2, 0.5}, 1.0, color);
+    canvas.circle({0.6, 0.8}, 1.35, color);
+    canvas.circle({2.0, 0.3}, 0.8, color);
+}
+
+/// They have drifted so far with the wind, each at its own height and pace.
+void drawClouds(Canvas& canvas, const Palette& palette, double drift) {
     Random random(5);
+    const Color color = mix(palette.skyMiddle, palette.cloud, 0.6);
     for (int i = 0; i < 7; ++i) {
-        const double x = random.uniform(-60, 60) + seconds * random.uniform(0.15, 0.4);
+        const double x = random.uniform(-60, 60) + drift * random.uniform(0.06, 0.12);
         const Vec2 at(x - 120 * std::floor((x + 60) / 120), random.uniform(16, 30));
-        const double size = random.uniform(0.6, 1.4);
-        const Color color = palette.cloud.faded(0.55);
-        const auto whole = canvas.place({.position = at, .scale = {size, size}});
-        canvas.rect({-3.4, -0.5}, {6.8, 1}, color, 0.5);
-        canvas.rect({-1.9, 0.1}, {3.6, 1.1}, color, 0.55);
-        canvas.rect({-0.4, -1.0}, {4.6, 0.8}, color, 0.4);
+        const double size = random.uniform(0.6, 1.3);
+        const auto there = canvas.place({.position = at, .scale = {size, 0.8 * size}});
+        drawCloud(canvas, color);
+    }
+}
+
+/// A few gulls that circle, but at night.
+void drawGulls(Canvas& canvas, double seconds, double drift) {
+    for (int i = 0; i < 4; ++i) {
+        const double pace = 0.22 + 0.04 * i, turn = seconds * pace + 1.7 * i;
+        const double x = -18 + 13 * i + 0.05 * drift + 4 * wave(turn);
+        const Vec2 at(x - 80 * std::floor((x + 40) / 80), 16 + 2.5 * i + 1.2 * wave(1.7 * turn));
+        const double flap = 0.28 * wave(seconds * (5 + 0.6 * i) + i);
+        for (const double side : {-1.0, 1.0})
+            canvas.polyline({at, at + Vec2(side * 0.45, 0.22 + flap), at + Vec2(side * 0.9, 0.05 + 1.6 * flap)},
+                            ink.faded(0.65), 0.12);
     }
 }
 
@@ -92,19 +112,32 @@ std::vector<Vec2> layerOf(const Terrain& terrain, const Aabb& seen, double depth
     return outline;
 }
 
-/// Grass where no blast has been, soot where one has.
-void drawTurf(Canvas& canvas, const Terrain& terrain, const Palette& palette, const Aabb& seen) {
-    const int first = Terrain::columnAt(seen.lower.x() - 1), last = Terrain::columnAt(seen.upper.x() + 1);
-    for (int i = first; i < last;) {
-        const bool isBurnt = terrain.burnt(i) > 0.5;
-        std::vector<Vec2> upper, lower;
-        for (; i <= last; ++i) {
-            upper.emplace_back(Terrain::xOf(i), terrain.height(i) - 0.02);
-            lower.emplace_back(Terrain::xOf(i), terrain.height(i) - 0.2);
-            if ((terrain.burnt(i) > 0.5) != isBurnt && upper.size() > 1) break;
-        }
-        canvas.polyline(lower, isBurnt ? palette.burnt : palette.turf, 0.5);
-        if (!isBurnt) canvas.polyline(upper, palette.turfLight, 0.2);
+/// Grass where no blast has been, soot where one has: from one column to another.
+void drawTurf(Canvas& canvas, const Terrain& terrain, const Palette& palette, int first, int last, bool isBurnt) {
+    std::vector<Vec2> top, middle, band;
+    for (int i = first; i <= last; ++i) {
+        top.emplace_back(Terrain::xOf(i), terrain.height(i) - 0.02);
+        middle.emplace_back(Terrain::xOf(i), terrain.height(i) - 0.2);
+        band.emplace_back(Terrain::xOf(i), terrain.height(i));
+    }
+    if (!isBurnt) {
+        canvas.polyline(std::move(middle), palette.turf, 0.5);
+        canvas.polyline(std::move(top), palette.turfLight, 0.2);
+        return;
+    }
+    for (int i = last; i >= first; --i) band.emplace_back(Terrain::xOf(i), terrain.height(i) - 0.8);
+    canvas.polygon(std::move(band), palette.burnt.faded(0.45));
+    canvas.polyline(std::move(top), palette.burnt, 0.24);
+}
+
+void drawAllTurf(Canvas& canvas, const Terrain& terrain, const Palette& palette, const Aabb& seen) {
+    const int last = Terrain::columnAt(seen.upper.x() + 1);
+    for (int from = Terrain::columnAt(seen.lower.x() - 1); from < last;) {
+        const bool isBurnt = terrain.burnt(from) > 0.5;
+        int to = from + 1;
+        while (to < last && (terrain.burnt(to) > 0.5) == isBurnt) ++to;
+        drawTurf(canvas, terrain, palette, from, to, isBurnt);
+        from = to;
     }
 }
 
@@ -121,11 +154,12 @@ void drawBlades(Canvas& canvas, const Terrain& terrain, const Palette& palette, 
 
 }  // namespace
 
-void drawBackdrop(Canvas& canvas, const Eye& eye, const Palette& palette, double seconds, double wind) {
+void drawBackdrop(Canvas& canvas, const Eye& eye, const Palette& palette, double seconds, double drift) {
     canvas.look(eye.farCamera(canvas.between(), 0.15));
     drawSky(canvas, palette);
     if (palette.stars) drawStars(canvas, seconds);
-    drawClouds(canvas, palette, seconds * (wind < 0 ? -1 : 1) * 2);
+    drawClouds(canvas, palette, drift);
+    if (!palette.stars) drawGulls(canvas, seconds, drift);
     canvas.look(eye.farCamera(canvas.between(), 0.3));
     drawHills(canvas, palette.farHills, 2.6, 9, 1.3);
     canvas.look(eye.farCamera(canvas.between(), 0.45));
@@ -138,7 +172,7 @@ void drawEarth(Canvas& canvas, const Terrain& terrain, const Palette& palette) {
     const Paint earth = Paint::linear({0, 15}, palette.earthTop, {0, -6}, palette.earthDeep);
     canvas.polygon(layerOf(terrain, seen, 0), earth);
     for (const double depth : {1.5, 3.6, 6.4}) canvas.polygon(layerOf(terrain, seen, depth), palette.layer.faded(0.33));
-    drawTurf(canvas, terrain, palette, seen);
+    drawAllTurf(canvas, terrain, palette, seen);
     drawBlades(canvas, terrain, palette, seen);
 }
 

@@ -8,8 +8,9 @@
 
 namespace plumb::games::artillery {
 
-/// Sky, sun, clouds, stars, far islands and the far sea; each as far off as it is.
-void drawBackdrop(Canvas& canvas, const Eye& eye, const Palette& palette, double seconds, double wind);
+/// Sky, sun, clouds, gulls or stars, far islands and the far sea; each as far off as it is. drift: how far the wind has
+/// blown so far [m].
+void drawBackdrop(Canvas& canvas, const Eye& eye, const Palette& palette, double seconds, double drift);
 /// The rest goes by the camera last looked through.
 void drawEarth(Canvas& canvas, const Terrain& terrain, const Palette& palette);
 void drawSea(Canvas& canvas, double level, const Palette& palette, double seconds);

@@ -29,6 +29,8 @@ std::vector<Cue> cuesOf(const Happening& happening) {
         case Kind::Turned: return {{Wave::Square, 950, 900, 0.015, 0.1}};
         case Kind::Walked: return {{Wave::Noise, 900, 500, 0.03, 0.15}};
         case Kind::Charged: return {{Wave::Triangle, 200 + 500 * size, 220 + 520 * size, 0.06, 0.25}};
+        case Kind::Hurry: return {{Wave::Square, 1400, 1400, 0.03, 0.2}};
+        case Kind::Falling: return {{Wave::Sine, 1500, 500, 1.1, 0.12, 0, 0.3}};
         case Kind::Fired: return {{Wave::Noise, 2400, 300, 0.22, 0.6}, {Wave::Sine, 220, 50, 0.25, 0.7}};
         case Kind::Bounced: return {{Wave::Sine, 300, 160, 0.07, std::min(0.5, size / 20)}};
         case Kind::Exploded:

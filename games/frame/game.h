@@ -41,7 +41,6 @@ struct Option {
 struct GameSetup {
     std::uint64_t seed = 1;
     std::map<std::string, std::string> options{};  ///< each of GameInfo.options has its value here
-    bool behindTitle = false;                      ///< nobody plays: what is written over the picture is in the way
 
     /// Throws std::invalid_argument when the game has no such option.
     const std::string& option(const std::string& name) const;

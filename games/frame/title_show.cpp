@@ -11,7 +11,7 @@ constexpr std::int64_t longest = 60 * 60;  ///< of one round [ticks]
 }  // namespace
 
 void TitleShow::begin() {
-    const GameSetup setup{++seed_, optionsOf(*info_, {}), true};
+    const GameSetup setup{++seed_, optionsOf(*info_, {})};
     actions_ = ActionList(info_->actions);
     game_ = info_->make(setup);
     player_ = info_->computer ? info_->computer(setup) : nullptr;

@@ -30,7 +30,9 @@ void drawTreasures(Canvas& canvas, const Scene& scene);
 void drawFoes(Canvas& canvas, const Scene& scene);
 void drawHero(Canvas& canvas, const Scene& scene);
 void drawWater(Canvas& canvas, const Scene& scene);
-void drawNight(Canvas& canvas, const Scene& scene);  ///< the dark that the flame keeps off
+void drawNight(Canvas& canvas, const Scene& scene);   ///< the dark that the flame keeps off
+void drawLights(Canvas& canvas, const Scene& scene);  ///< what shines out of that dark
+void drawLamps(Canvas& canvas, const Scene& scene);   ///< those of the tiles that are not lit yet
 
 /// A small flame, its foot at a place; lean -1 to 1, size is its height [m].
 void drawFlame(Canvas& canvas, const Vec2& foot, double size, double lean, double time);
@@ -45,8 +47,13 @@ struct Hud {
 };
 void drawHud(Canvas& canvas, const Hud& hud);
 
-/// A card over the picture: a line in large, and some below it, as far as share says, 0 to 1.
-void drawCard(Canvas& canvas, const std::string& title, const std::vector<std::string>& lines, double share);
+/// A band over the upper part of the picture, above where the hero mostly is.
+struct Card {
+    std::string title;
+    std::vector<std::string> lines;
+};
+/// As far drawn across as share says, 0 to 1; only then there are words on it.
+void drawCard(Canvas& canvas, const Card& card, double share);
 /// Darkness that closes around a place of the world: open 1, closed 0.
 void drawIris(Canvas& canvas, const Vec2& at, double open);
 

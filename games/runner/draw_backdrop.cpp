@@ -7,6 +7,8 @@
 namespace plumb::games::runner {
 namespace {
 
+constexpr double pi = 3.14159265358979;
+
 /// An even number from 0 to 1 for each whole number, always the same.
 double chance(int number) {
     const double x = std::sin(number * 127.1 + 11.7) * 43758.5453;
@@ -78,6 +80,21 @@ void drawStars(Canvas& canvas, double time) {
     }
 }
 
+/// The lit part of a moon: half a circle, and back by a flatter curve.
+void drawCrescent(Canvas& canvas, const Vec2& center, const Color& color) {
+    const auto tilted = canvas.place({.position = center, .angle = 0.5});
+    std::vector<Vec2> outline;
+    for (int i = 0; i <= 24; ++i) {
+        const double angle = pi * (i / 24.0 - 0.5);
+        outline.emplace_back(30 * std::cos(angle), 30 * std::sin(angle));
+    }
+    for (int i = 24; i >= 0; --i) {
+        const double angle = pi * (i / 24.0 - 0.5);
+        outline.emplace_back(14 * std::cos(angle), 30 * std::sin(angle));
+    }
+    canvas.polygon(std::move(outline), color);
+}
+
 }  // namespace
 
 void drawBackdrop(Canvas& canvas, const Scene& scene) {
@@ -89,8 +106,10 @@ void drawBackdrop(Canvas& canvas, const Scene& scene) {
     if (palette.dark > 0) drawStars(canvas, scene.time);
     const Vec2 light(palette.lightX * screenWidth, palette.lightY * screenHeight);
     canvas.circle(light, 150, Paint::radial(light, palette.light.faded(0.5), 150, palette.light.faded(0)));
-    canvas.circle(light, 30, palette.light);
-    if (palette.dark > 0) canvas.circle(light + Vec2(-11, -7), 25, mix(palette.skyHigh, palette.skyLow, 0.25));
+    if (palette.dark > 0)
+        drawCrescent(canvas, light, palette.light);
+    else
+        canvas.circle(light, 30, palette.light);
     drawClouds(canvas, scene, shift);
     drawRange(canvas, {0.06, 225, 34, 0.4}, palette.far, shift, up);
     drawRange(canvas, {0.14, 262, 30, 1.9}, palette.middle, shift, up);

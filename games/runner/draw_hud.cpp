@@ -31,12 +31,15 @@ void drawLives(Canvas& canvas, const Vec2& at, int lives) {
 void drawSuns(Canvas& canvas, const Vec2& at, const std::vector<bool>& suns) {
     for (std::size_t i = 0; i < suns.size() && i < 5; ++i) {
         const Vec2 center = at + Vec2(20.0 * static_cast<double>(i), 0);
-        const Color color = suns[i] ? gold : plain.faded(0.3);
+        if (!suns[i]) {
+            canvas.circle(center, 5.5, stroke(plain.faded(0.45), 1.5));
+            continue;
+        }
         for (int ray = 0; ray < 8; ++ray) {
             const double angle = ray * 0.785398;
-            canvas.line(center, center + 8.5 * Vec2(std::cos(angle), std::sin(angle)), color, 1.6);
+            canvas.line(center, center + 8.5 * Vec2(std::cos(angle), std::sin(angle)), gold, 1.6);
         }
-        canvas.circle(center, 5.5, suns[i] ? gold : Color::hex(0x6a6278));
+        canvas.circle(center, 5.5, gold);
     }
 }
 
@@ -56,32 +59,29 @@ void drawHud(Canvas& canvas, const Hud& hud) {
     label(canvas, {618, 22}, std::to_string(static_cast<int>(hud.seconds)) + " s", 14, plain, Align::Right);
 }
 
-void drawCard(Canvas& canvas, const std::string& title, const std::vector<std::string>& lines, double share) {
+void drawCard(Canvas& canvas, const Card& card, double share) {
     if (share <= 0) return;
     canvas.screen();
-    const double height = 84 + 22 * static_cast<double>(lines.size()), top = 175 - height / 2;
+    const double top = 44, height = 50 + 19 * static_cast<double>(card.lines.size());
     const Aabb seen = canvas.visible();
-    canvas.rect({seen.lower.x(), top}, {(seen.upper.x() - seen.lower.x()) * share, height}, panel.faded(0.86));
-    for (const double edge : {top, top + height - 3})
-        canvas.rect({seen.lower.x(), edge}, {(seen.upper.x() - seen.lower.x()) * share, 3}, gold);
+    const double width = (seen.upper.x() - seen.lower.x()) * share;
+    canvas.rect({seen.lower.x(), top}, {width, height}, panel.faded(0.86));
+    for (const double edge : {top, top + height - 3}) canvas.rect({seen.lower.x(), edge}, {width, 3}, gold);
     if (share < 1) return;
-    canvas.text({screenWidth / 2, top + 40}, title,
-                {.size = 34,
-                 .color = plain,
-                 .align = Align::Center,
-                 .baseline = Baseline::Middle,
-                 .weight = Weight::Heavy,
-                 .fitWidth = 560});
-    double y = top + 76;
-    for (const std::string& line : lines) {
-        canvas.text({screenWidth / 2, y}, line,
-                    {.size = 15,
-                     .color = gold,
-                     .align = Align::Center,
-                     .baseline = Baseline::Middle,
-                     .weight = Weight::Bold,
-                     .fitWidth = 560});
-        y += 22;
+    TextStyle style{.size = 30,
+                    .color = plain,
+                    .align = Align::Center,
+                    .baseline = Baseline::Middle,
+                    .weight = Weight::Heavy,
+                    .fitWidth = 560};
+    canvas.text({screenWidth / 2, top + 26}, card.title, style);
+    style.size = 15;
+    style.color = gold;
+    style.weight = Weight::Bold;
+    double y = top + 52;
+    for (const std::string& line : card.lines) {
+        canvas.text({screenWidth / 2, y}, line, style);
+        y += 19;
     }
 }
 

@@ -43,12 +43,16 @@ void drawOil(Canvas& canvas, const Vec2& at) {
     canvas.circle(at + Vec2(-0.08, 0), 0.07, Color::hex(0xffe0b8));
 }
 
-void drawLantern(Canvas& canvas, const Vec2& cell, bool lit, double time) {
+const Color iron = Color::hex(0x3d3547);
+
+void drawPost(Canvas& canvas, const Vec2& cell) {
     const Vec2 foot = cell - Vec2(0, 0.5);
-    const Color iron = Color::hex(0x3d3547);
     canvas.rect(foot + Vec2(-0.25, 0), {0.5, 0.14}, iron, 0.05);
     canvas.line(foot, foot + Vec2(0, 1.2), iron, 0.11);
-    const Vec2 head = foot + Vec2(0, 1.5);
+}
+
+void drawLantern(Canvas& canvas, const Vec2& cell, bool lit, double time) {
+    const Vec2 head = cell + Vec2(0, 1);
     if (lit) glow(canvas, head, 2.2, Color::hex(0xffb84d), 0.5 + 0.05 * std::sin(7 * time));
     canvas.box(head, {0.27, 0.3}, iron, 0.08);
     canvas.box(head, {0.19, 0.22}, lit ? Color::hex(0xffd98a) : Color::hex(0x6f6880), 0.05);
@@ -56,7 +60,7 @@ void drawLantern(Canvas& canvas, const Vec2& cell, bool lit, double time) {
     if (lit) drawFlame(canvas, head - Vec2(0, 0.2), 0.42, 0, time);
 }
 
-void drawBeacon(Canvas& canvas, const Vec2& cell, bool lit, double time) {
+void drawTower(Canvas& canvas, const Vec2& cell) {
     const Vec2 foot = cell - Vec2(0, 0.5);
     const Color stone = Color::hex(0xe9dfd0), shade = Color::hex(0xb79f98);
     canvas.polygon({foot + Vec2(-0.8, 0), foot + Vec2(0.8, 0), foot + Vec2(0.5, 2.2), foot + Vec2(-0.5, 2.2)}, stone);
@@ -64,9 +68,13 @@ void drawBeacon(Canvas& canvas, const Vec2& cell, bool lit, double time) {
     canvas.polygon({foot + Vec2(-0.67, 0.95), foot + Vec2(0.67, 0.95), foot + Vec2(0.6, 1.45), foot + Vec2(-0.6, 1.45)},
                    Color::hex(0xc4584a));
     canvas.rect(foot + Vec2(-0.22, 0), {0.44, 0.6}, Color::hex(0x4a3b52), 0.18);
-    const Vec2 head = foot + Vec2(0, 2.85);
-    if (lit) glow(canvas, head, 7, Color::hex(0xffc860), 0.75);
     canvas.rect(foot + Vec2(-0.7, 2.18), {1.4, 0.18}, Color::hex(0x4a3b52), 0.05);
+}
+
+/// The top of the tower.
+void drawBeacon(Canvas& canvas, const Vec2& cell, bool lit, double time) {
+    const Vec2 head = cell + Vec2(0, 2.35);
+    if (lit) glow(canvas, head, 7, Color::hex(0xffc860), 0.75);
     canvas.box(head, {0.42, 0.5}, Color::hex(0x4a3b52), 0.06);
     canvas.box(head, {0.32, 0.42}, lit ? Color::hex(0xfff0b0) : Color::hex(0x8d86a0), 0.05);
     canvas.polygon({head + Vec2(-0.6, 0.48), head + Vec2(0.6, 0.48), head + Vec2(0, 1.0)}, Color::hex(0xc4584a));
@@ -114,10 +122,16 @@ void drawFlame(Canvas& canvas, const Vec2& foot, double size, double lean, doubl
 }
 
 void drawPlaces(Canvas& canvas, const Scene& scene) {
-    for (const Lantern& lantern : scene.stage.lanterns())
-        if (isSeen(canvas, lantern.at)) drawLantern(canvas, lantern.at, lantern.lit, scene.time);
+    for (const Lantern& lantern : scene.stage.lanterns()) {
+        if (!isSeen(canvas, lantern.at)) continue;
+        drawPost(canvas, lantern.at);
+        drawLantern(canvas, lantern.at, lantern.lit, scene.time);
+    }
     const Vec2 beacon = scene.stage.level().beacon;
-    if (isSeen(canvas, beacon, 6)) drawBeacon(canvas, beacon, scene.stage.isFinished(), scene.time);
+    if (isSeen(canvas, beacon, 6)) {
+        drawTower(canvas, beacon);
+        drawBeacon(canvas, beacon, scene.stage.isFinished(), scene.time);
+    }
     for (const Spring& spring : scene.stage.springs())
         if (isSeen(canvas, spring.at)) drawSpring(canvas, spring, scene.palette);
 }
@@ -162,6 +176,16 @@ void drawTreasures(Canvas& canvas, const Scene& scene) {
         if (treasure.kind == ThingKind::Sun) drawSun(canvas, at, scene.time, scene.palette.coin);
         if (treasure.kind == ThingKind::Oil) drawOil(canvas, at);
     }
+}
+
+void drawLights(Canvas& canvas, const Scene& scene) {
+    if (scene.palette.dark <= 0) return;
+    drawLamps(canvas, scene);
+    for (const Lantern& lantern : scene.stage.lanterns())
+        if (lantern.lit && isSeen(canvas, lantern.at)) drawLantern(canvas, lantern.at, true, scene.time);
+    const Vec2 beacon = scene.stage.level().beacon;
+    if (!scene.stage.isFinished() && isSeen(canvas, beacon, 6)) drawBeacon(canvas, beacon, false, scene.time);
+    drawTreasures(canvas, scene);
 }
 
 }  // namespace plumb::games::runner

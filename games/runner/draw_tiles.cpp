@@ -7,8 +7,9 @@
 namespace plumb::games::runner {
 namespace {
 
-constexpr double lap = 0.02;  ///< by which neighbours lie over one another, so that no seam is seen [m]
-constexpr double rim = 0.2;   ///< of turf [m]
+constexpr double lap = 0.02;     ///< by which neighbours lie over one another, so that no seam is seen [m]
+constexpr double rim = 0.2;      ///< of turf [m]
+constexpr double soilFoot = -2;  ///< where soil is darkest [m]
 
 class TilePainter {
 public:
@@ -26,6 +27,12 @@ public:
         eachCell([&](Cell cell, const Tile& tile) { drawSpecks(cell, tile); });
         eachCell([&](Cell cell, const Tile& tile) { drawTurf(cell, tile); });
         eachCell([&](Cell cell, const Tile& tile) { drawBlock(cell, tile); });
+    }
+
+    void drawLamps() {
+        eachCell([&](Cell cell, const Tile& tile) {
+            if (tile.tag == Lamp) drawBlock(cell, tile);
+        });
     }
 
 private:
@@ -48,32 +55,28 @@ private:
         return isSolid(tile) && tile.tag == Ground && tile.kind == TileKind::Solid;
     }
     bool isFullGround(Cell cell) const { return isGround(cell) && at(cell).form == TileForm::Full; }
-    int depth(Cell cell) const {
-        int least = 4;
-        for (int column = cell.column - 2; column <= cell.column + 2; ++column) {
-            int depth = 0;
-            while (depth < least && isGround({column, cell.row + depth + 1})) ++depth;
-            if (isGround({column, cell.row})) least = std::min(least, depth);
-        }
-        return least;
+    /// Darker the deeper in the map, everywhere alike, so that nothing shows where cells meet.
+    Paint soil() const { return Paint::linear({0, soilTop()}, palette_.soil, {0, soilFoot}, palette_.deep); }
+    Color speck(double height) const {
+        const double depth = (soilTop() - height) / (soilTop() - soilFoot);
+        return darker(mix(palette_.soil, palette_.deep, std::clamp(depth, 0.0, 1.0)), 0.16);
     }
-    Color soil(int depth) const { return mix(palette_.soil, palette_.deep, std::min(1.0, depth / 4.0)); }
+    double soilTop() const { return 0.36 * tiles_.rows(); }
     double chance(Cell cell, int salt) const {
         const double x = std::sin(cell.column * 12.9898 + cell.row * 78.233 + salt * 37.7) * 43758.5453;
         return x - std::floor(x);
     }
 
-    /// Cells of one depth together.
     void drawGroundRow(int row) const {
         for (int column = first_.column - 1; column <= last_.column + 1;) {
             if (!isFullGround({column, row})) {
                 ++column;
                 continue;
             }
-            const int deep = depth({column, row}), begin = column;
-            while (column <= last_.column + 1 && isFullGround({column, row}) && depth({column, row}) == deep) ++column;
+            const int begin = column;
+            while (column <= last_.column + 1 && isFullGround({column, row})) ++column;
             const double left = isGround({begin - 1, row}) ? lap : 0, right = isGround({column, row}) ? lap : 0;
-            canvas_.rect(Vec2(begin - left, row - lap), Vec2(column - begin + left + right, 1 + lap), soil(deep));
+            canvas_.rect(Vec2(begin - left, row - lap), Vec2(column - begin + left + right, 1 + lap), soil());
         }
     }
 
@@ -84,16 +87,15 @@ private:
             if (corner.y() < cell.row + lap) corner.y() -= lap;
             corner.x() += corner.x() < cell.column + 0.5 ? -lap : lap;
         }
-        canvas_.polygon(std::move(corners), soil(depth(cell)));
+        canvas_.polygon(std::move(corners), soil());
     }
 
     void drawSpecks(Cell cell, const Tile& tile) const {
         if (tile.form != TileForm::Full || !isGround(cell)) return;
-        const Color color = darker(soil(depth(cell)), 0.16);
         for (int i = 0; i < 2; ++i) {
             const Vec2 at =
                 tiles_.lowerLeft(cell) + Vec2(0.15 + 0.7 * chance(cell, i), 0.15 + 0.55 * chance(cell, i + 9));
-            canvas_.ellipse(at, {0.08 + 0.1 * chance(cell, i + 20), 0.05 + 0.04 * chance(cell, i + 30)}, color);
+            canvas_.ellipse(at, {0.08 + 0.1 * chance(cell, i + 20), 0.05 + 0.04 * chance(cell, i + 30)}, speck(at.y()));
         }
     }
 
@@ -217,6 +219,10 @@ private:
 
 void drawTiles(Canvas& canvas, const Scene& scene) {
     TilePainter(canvas, scene).draw();
+}
+
+void drawLamps(Canvas& canvas, const Scene& scene) {
+    TilePainter(canvas, scene).drawLamps();
 }
 
 void drawWater(Canvas& canvas, const Scene& scene) {

@@ -149,8 +149,9 @@ void Effects::draw(Canvas& canvas) const {
                               .baseline = Baseline::Middle,
                               .weight = Weight::Heavy};
         TextStyle shade = style;
-        shade.color = Color::hex(0x1b1626).faded(0.55 * style.color.alpha);
-        canvas.text(words.at + Vec2(0.04, -0.04), words.text, shade);
+        shade.color = Color::hex(0x1b1626).faded(0.7 * style.color.alpha);
+        for (const Vec2& aside : {Vec2(-0.04, 0), Vec2(0.04, 0), Vec2(0, 0.04), Vec2(0, -0.06)})
+            canvas.text(words.at + aside, words.text, shade);
         canvas.text(words.at, words.text, style);
     }
 }

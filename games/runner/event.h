@@ -10,12 +10,12 @@ enum class EventKind {
     Landed,    ///< strength: at which speed [m/s]
     Skidded,   ///< it turns round at full speed
     Stomped,   ///< strength: which one without touching the floor, from 1
-    Squashed,  ///< something that walks, by a crate
+    Squashed,  ///< something that walks, by a crate or off what is bumped from below
     Sprung,    ///< thrown up by a spring
     Coin,      ///< taken
     Sun,       ///< taken; strength: which, from 0
     Oil,       ///< taken
-    Bumped,    ///< a lamp or a brick from below, with nothing coming of it
+    Bumped,    ///< a lamp from below that was lit before
     LampLit,   ///< strength: its coins; 0: a drop of oil
     BrickBroke,
     LanternLit,

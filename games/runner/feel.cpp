@@ -34,12 +34,6 @@ Feel feelOf(const std::string& name) {
     return feel;
 }
 
-PlatformProfile thrown(PlatformProfile profile) {
-    for (JumpBand& band : profile.vertical.jumps) band.releaseGravity = band.riseGravity;
-    profile.vertical.hangSpeed = 0;
-    return profile;
-}
-
 double speedToRise(const PlatformProfile& profile, double height) {
     return std::sqrt(2 * profile.vertical.jumps.front().riseGravity * height);
 }

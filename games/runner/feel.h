@@ -17,9 +17,7 @@ struct Feel {
 /// corners that give way and an apex that hangs. Throws std::invalid_argument on another name.
 Feel feelOf(const std::string& name);
 
-/// The same for who is thrown up by a spring or off a snuffer: no key shortens that.
-PlatformProfile thrown(PlatformProfile profile);
-/// The speed at which it must be thrown to rise so high [m, m/s].
+/// The speed at which one must be launched to rise so high [m, m/s].
 double speedToRise(const PlatformProfile& profile, double height);
 
 }  // namespace plumb::games::runner

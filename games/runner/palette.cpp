@@ -31,10 +31,10 @@ const Palette night{
     .far = Color::hex(0x2b2f63), .middle = Color::hex(0x212452), .near = Color::hex(0x171a40),
     .cloud = Color::hex(0x8f97d6).faded(0.18),
     .turf = Color::hex(0x2f8f86), .turfLight = Color::hex(0x62d0b4),
-    .soil = Color::hex(0x34355f), .deep = Color::hex(0x16163a),
+    .soil = Color::hex(0x4a4a86), .deep = Color::hex(0x1b1b45),
     .ledge = Color::hex(0x8a6fa8), .brick = Color::hex(0x7a4f8f), .metal = Color::hex(0x8a93b8),
     .coin = Color::hex(0xffd24a), .thorn = Color::hex(0xb0356b), .water = Color::hex(0x26568f),
-    .wood = Color::hex(0x8f6a5c), .dust = Color::hex(0xb9bfe8), .dark = 0.62};
+    .wood = Color::hex(0x8f6a5c), .dust = Color::hex(0xb9bfe8), .dark = 0.42};
 // clang-format on
 
 }  // namespace

@@ -158,6 +158,7 @@ void Runner::draw(Canvas& canvas) const {
     drawHero(canvas, scene);
     drawWater(canvas, scene);
     drawNight(canvas, scene);
+    drawLights(canvas, scene);
     effects_.draw(canvas);
     if (canvas.behind() == Behind::Nothing) drawCurtain(canvas, scene.at(stage_->hero().mover.body()));
     if (canvas.behind() != Behind::Title)
@@ -181,13 +182,13 @@ void Runner::drawCurtain(Canvas& canvas, const Vec2& hero) const {
 void Runner::drawCards(Canvas& canvas) const {
     const double share = std::min(1.0, partTicks_ / 14.0);
     if (part_ == Part::Intro)
-        drawCard(canvas, stage_->level().name, {"Level " + std::to_string(levelNumber() + 1) + ": light the beacon"},
+        drawCard(canvas, {stage_->level().name, {"Level " + std::to_string(levelNumber() + 1) + ": light the beacon"}},
                  share);
     if (part_ == Part::Cleared) {
         std::vector<std::string> lines{"Time " + std::to_string(levelTicks_ / 60) + " s      bonus " +
                                        std::to_string(timeBonus_)};
         if (sunBonus_ > 0) lines.push_back("All suns      bonus " + std::to_string(sunBonus_));
-        drawCard(canvas, "The beacon burns", lines, share);
+        drawCard(canvas, {"The beacon burns", lines}, share);
     }
 }
 

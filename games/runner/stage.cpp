@@ -10,6 +10,7 @@ namespace plumb::games::runner {
 namespace {
 
 constexpr double springRise = 7.2, thornRise = 1.6;  ///< of who is thrown [m]
+constexpr double lanternReach = 6;                   ///< above it: who jumps over it lights it, too [m]
 constexpr int safeAfterHurt = 100;                   ///< [ticks]
 constexpr double skidSpeed = 4;                      ///< [m/s]
 constexpr int bumpTicks = 20;                        ///< a bump is remembered
@@ -40,13 +41,6 @@ void Stage::update(const PlatformInput& input) {
 
 void Stage::moveHero(const PlatformInput& input) {
     PlatformMover& mover = hero_.mover;
-    if (hero_.isThrown && (mover.slide().isOnFloor || mover.slide().velocity.y() <= 0)) {
-        if (!mover.slide().isOnFloor || hero_.thrownTicks > 1) {
-            mover.setProfile(feel_.profile);
-            hero_.isThrown = false;
-        }
-    }
-    ++hero_.thrownTicks;
     const bool wasOnFloor = mover.slide().isOnFloor;
     hero_.fallSpeed = wasOnFloor ? 0 : -mover.slide().velocity.y();
     const Slide& slide = mover.step(world_, input, feel_.tick);
@@ -73,8 +67,7 @@ void Stage::meetFloor() {
 }
 
 void Stage::meetHits() {
-    const std::vector<SlideHit> hits = hero_.mover.slide().hits;
-    for (const SlideHit& hit : hits) {
+    for (const SlideHit& hit : hero_.mover.slide().hits) {
         if (hit.shape != ground_ || !hit.tile) continue;
         if (isThorns(tiles(), hit.tile)) hurt();
         if (hit.normal.y() < -0.7 && hit.effect != SlideEffect::Nudged) bump(*hit.tile);
@@ -84,8 +77,10 @@ void Stage::meetHits() {
 void Stage::bump(Cell cell) {
     Tile tile = tiles().at(cell);
     const Vec2 at = tiles().centerOf(cell);
-    if (tile.tag != Brick && tile.tag != Lamp) return;
+    if (tile.tag == Ground) return;
     bumps_.push_back({cell, ticks_});
+    knock(cell);
+    if (tile.tag == SpentLamp) return note(EventKind::Bumped, at);
     if (tile.tag == Brick) {
         world_.setTile(ground_, cell, {});
         return note(EventKind::BrickBroke, at);
@@ -115,17 +110,17 @@ void Stage::takeTreasures() {
 
 void Stage::meetPlaces() {
     const Vec2 at = heroAt();
-    const auto isAt = [&](const Vec2& place, double width) {
-        return std::fabs(place.x() - at.x()) < width && std::fabs(place.y() - at.y()) < 1.5;
+    const auto isAt = [&](const Vec2& place, double width, double up) {
+        return std::fabs(place.x() - at.x()) < width && at.y() > place.y() - 1.5 && at.y() < place.y() + up;
     };
     for (std::size_t i = 0; i < lanterns_.size(); ++i) {
-        if (lanterns_[i].lit || !isAt(lanterns_[i].at, 0.8)) continue;
+        if (lanterns_[i].lit || !isAt(lanterns_[i].at, 0.8, lanternReach)) continue;
         for (std::size_t before = 0; before <= i; ++before) lanterns_[before].lit = true;
         hero_.tall = true;
         note(EventKind::LanternLit, lanterns_[i].at);
     }
     if (tiles().at(tiles().cellAt(at)).kind == TileKind::Sensor || at.y() < -1.5 || hero_.mover.slide().crushed) die();
-    if (hero_.alive && isAt(level_->beacon, 0.7)) {
+    if (hero_.alive && isAt(level_->beacon, 0.7, 2.5)) {
         finished_ = true;
         note(EventKind::Finished, level_->beacon);
     }
@@ -139,10 +134,7 @@ void Stage::meetPlaces() {
 
 void Stage::throwUp(double height) {
     PlatformMover& mover = hero_.mover;
-    mover.setProfile(thrownProfile_);
-    mover.setVelocity({mover.slide().velocity.x(), speedToRise(thrownProfile_, height)});
-    hero_.isThrown = true;
-    hero_.thrownTicks = 0;
+    mover.launch({mover.slide().velocity.x(), speedToRise(mover.profile(), height)});
 }
 
 void Stage::hurt() {
@@ -173,7 +165,7 @@ int Stage::ticksSinceBump(Cell cell) const {
 std::uint64_t Stage::hash() const {
     Hash hash;
     hash.add(ticks_).add(finished_).add(hero_.tall).add(hero_.alive).add(hero_.safeTicks).add(hero_.chain);
-    hash.add(hero_.isThrown).add(hero_.facing).add(hero_.mover.slide().velocity.x());
+    hash.add(hero_.facing).add(hero_.mover.slide().velocity.x());
     hash.add(hero_.mover.slide().velocity.y()).add(Random(random_).bits());
     for (const Walker& walker : walkers_) hash.add(walker.alive).add(walker.direction);
     for (const Moth& moth : moths_) hash.add(moth.alive);

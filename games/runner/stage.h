@@ -28,11 +28,9 @@ struct Hero {
     bool tall = true;  ///< its flame: it bears one hurt
     bool alive = true;
     int facing = 1;
-    int safeTicks = 0;      ///< nothing hurts it
-    int chain = 0;          ///< stomped since it left the floor
-    bool isThrown = false;  ///< by a spring or off something
-    int thrownTicks = 0;    ///< since then
-    double fallSpeed = 0;   ///< in the tick before [m/s]
+    int safeTicks = 0;     ///< nothing hurts it
+    int chain = 0;         ///< stomped since it left the floor
+    double fallSpeed = 0;  ///< in the tick before [m/s]
 };
 
 /// A snuffer or a burr.
@@ -144,6 +142,8 @@ private:
     void moveMoths();
     void meetFoes(const PlatformInput& input);
     void squashByCrates();
+    void knock(Cell cell);  ///< whoever walks on it
+    void squash(Walker& walker);
     // stage.cpp
     void moveHero(const PlatformInput& input);
     void meetFloor();
@@ -161,7 +161,6 @@ private:
     std::shared_ptr<const Level> level_;
     StageSetup setup_;
     Feel feel_;
-    PlatformProfile thrownProfile_;
     Random random_{0};
     World world_;
     ShapeId ground_;

@@ -32,7 +32,7 @@ PathMover mothPath(const Vec2& at) {
 }  // namespace
 
 Stage::Stage(std::shared_ptr<const Level> level, const StageSetup& setup)
-    : level_(std::move(level)), setup_(setup), feel_(feelOf(setup.profile)), thrownProfile_(thrown(feel_.profile)) {
+    : level_(std::move(level)), setup_(setup), feel_(feelOf(setup.profile)) {
     build(level_->tiles);
 }
 
@@ -131,10 +131,10 @@ void Stage::addCrate(const Vec2& at) {
 }
 
 void Stage::addLift(const Platform& platform) {
-    const PathMover path(
-        {.path = platform.path,
-         .timing = {.speed = 3.4, .easing = platform.repeat == PathRepeat::Loop ? Easing::None : Easing::SmoothStep},
-         .repeat = platform.repeat});
+    const bool loops = platform.repeat == PathRepeat::Loop;
+    const PathMover path({.path = platform.path,
+                          .timing = {.speed = loops ? 5.0 : 4.0, .easing = loops ? Easing::None : Easing::SmoothStep},
+                          .repeat = platform.repeat});
     const std::int64_t phase = phaseOf(path);
     ShapeDef shape = filtered(box({platform.width / 2, platformHalf}), groundFilter);
     shape.oneWay = Vec2(0, 1);

@@ -55,7 +55,9 @@ void Stage::walk(Walker& walker) {
     const double speed = walker.thorny ? burrSpeed : walkSpeed;
     const Vec2 velocity(walker.direction * speed, std::max(fall, -15.0));
     walker.slide = moveAndSlide(world_, walker.body, {.velocity = velocity, .dt = feel_.tick}, {}, walker.slide);
-    if (at.y() < -2) walker.alive = false;
+    if (at.y() > -2) return;
+    walker.alive = false;
+    world_.body(walker.body).setEnabled(false);
 }
 
 void Stage::moveMoths() {
@@ -101,17 +103,29 @@ void Stage::stomp(const Vec2& at, const PlatformInput& input) {
     throwUp(input.jump ? heldStompRise : stompRise);
 }
 
-void Stage::squashByCrates() {
-    for (const ContactHit& hit : world_.contactHits()) {
-        if (hit.approachSpeed < squashSpeed || std::fabs(hit.normal.y()) < 0.7) continue;
-        for (Walker& walker : walkers_) {
-            if (!walker.alive || (hit.shapeA.body != walker.body && hit.shapeB.body != walker.body)) continue;
-            walker.alive = false;
-            note(EventKind::Squashed, world_.body(walker.body).position());
-        }
+void Stage::knock(Cell cell) {
+    const Vec2 top = tiles().centerOf(cell) + Vec2(0, 0.5 + walkerHalf.y());
+    for (Walker& walker : walkers_) {
+        const Vec2 away = world_.body(walker.body).position() - top;
+        if (walker.alive && std::fabs(away.x()) < 0.9 && std::fabs(away.y()) < 0.2) squash(walker);
     }
-    for (const Walker& walker : walkers_)
-        if (!walker.alive && world_.body(walker.body).enabled()) world_.body(walker.body).setEnabled(false);
+}
+
+void Stage::squash(Walker& walker) {
+    walker.alive = false;
+    world_.body(walker.body).setEnabled(false);
+    note(EventKind::Squashed, world_.body(walker.body).position());
+}
+
+void Stage::squashByCrates() {
+    std::vector<BodyId> hit;
+    for (const ContactHit& contact : world_.contactHits()) {
+        if (contact.approachSpeed < squashSpeed || std::fabs(contact.normal.y()) < 0.7) continue;
+        hit.push_back(contact.shapeA.body);
+        hit.push_back(contact.shapeB.body);
+    }
+    for (Walker& walker : walkers_)
+        if (walker.alive && std::find(hit.begin(), hit.end(), walker.body) != hit.end()) squash(walker);
 }
 
 }  // namespace plumb::games::runner

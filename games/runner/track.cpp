@@ -92,7 +92,7 @@ private:
         return 0.5 * (map_.center(run.row, run.first) + map_.center(run.row, run.last));
     }
 
-    /// The corners of a track, and its end; those of an upright part lie under the platform's middle.
+    /// The corners of a track, and its end, as far to the right of their cells as the platform's middle is of its.
     std::vector<Vec2> follow(const Run& run, const Way& start) {
         closed_ = false;
         const double shift = middleOf(run).x() - map_.center(run.row, run.middle()).x();

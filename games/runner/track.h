@@ -24,7 +24,8 @@ struct DrawnMap {
 
 /// A platform is a run of the letter p. Its middle goes along the track that begins beside the run, or above or below
 /// its middle: - to the left and right, | up and down, + round a corner; to the track's end and back, or round and
-/// round where the track comes back to it. Throws as refuse() on a platform without a track, on a track without a
+/// round where the track comes back to it. The middle of an even run lies between two cells; so does its way, half a
+/// cell to the right of what is drawn. Throws as refuse() on a platform without a track, on a track without a
 /// platform, and on one that forks.
 std::vector<Platform> platformsOf(const DrawnMap& map);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
 #include <queue>
@@ -40,6 +41,15 @@ const std::vector<Move> floorMoves{
     {left | jumpButton, 30, left, 75, true},
     {leftButton | jumpButton, 30, leftButton, 75, true},
 };
+// On a lift, or where it has waited: on with it, or off.
+const std::vector<Move> waitMoves{
+    {0, 20, 0, 20},
+    {right | jumpButton, 30, right, 75, true},
+    {right | jumpButton, 14, right, 65, true},
+    {rightButton | jumpButton, 30, rightButton, 75, true},
+    {right, 14, right, 14},
+    {right | jumpButton, 22, 0, 70, true},
+};
 const std::vector<Move> airMoves{
     {right, 10, right, 10, true},
     {0, 10, 0, 10, true},
@@ -54,7 +64,14 @@ struct Node {
     int ticks = 0;  ///< from the root
     double far = 0;
     std::size_t next = 0;  ///< of its moves, to be tried
+    int before = 0;        ///< others that came to this place at other times
 };
+
+bool isOnLift(const Stage& stage) {
+    const auto& floor = stage.hero().mover.slide().floor;
+    const auto isUnder = [&](const Lift& lift) { return floor && lift.body == floor->shape.body; };
+    return std::any_of(stage.lifts().begin(), stage.lifts().end(), isUnder);
+}
 
 class Search {
 public:
@@ -66,13 +83,11 @@ public:
         root.far = field_.distance(stage.heroAt());
         nodes_.push_back(std::move(root));
         push(0);
-        while (!open_.empty() && looked_ < settings_.mostTicks) {
-            const int from = std::get<1>(open_.top());
-            open_.pop();
-            const std::optional<int> reached = tryNext(from);
-            if (reached && isEnough(*reached) && canStop(*reached)) return wayTo(*reached);
+        for (const int most : {settings_.mostTicks, settings_.lastTicks}) {
+            if (const int enough = searchOn(most); enough > 0) return wayTo(enough);
+            if (const int found = best(settings_.leastGain); found > 0) return wayTo(found);
         }
-        return wayTo(best());
+        return waitAt(best(-settings_.gain));
     }
 
 private:
@@ -80,15 +95,28 @@ private:
     Node& node(int index) { return nodes_[static_cast<std::size_t>(index)]; }
 
     const std::vector<Move>& movesOf(const Node& from) const {
-        return from.stage->hero().mover.slide().isOnFloor ? floorMoves : airMoves;
+        const Slide& slide = from.stage->hero().mover.slide();
+        if (!slide.isOnFloor) return airMoves;
+        return from.before > 0 || isOnLift(*from.stage) ? waitMoves : floorMoves;
+    }
+
+    /// Until so many ticks were looked at, or to a place that is enough, which it gives; else 0.
+    int searchOn(int mostTicks) {
+        while (!open_.empty() && looked_ < mostTicks) {
+            const int from = open_.top().second;
+            open_.pop();
+            const std::optional<int> reached = tryNext(from);
+            if (reached && isEnough(*reached) && canStop(*reached)) return *reached;
+        }
+        return 0;
     }
 
     void push(int index) {
         const Node& now = node(index);
         if (now.next >= movesOf(now).size()) return;
         const double hurt = isUnhurt(index) ? 0 : settings_.hurtTicks;
-        const double cost =
-            now.ticks + settings_.ticksPerMetre * now.far + hurt + settings_.triedTicks * static_cast<double>(now.next);
+        const double cost = now.ticks + settings_.ticksPerMetre * now.far + hurt +
+                            settings_.triedTicks * static_cast<double>(now.next) + settings_.againTicks * now.before;
         open_.push({cost, index});
     }
 
@@ -100,7 +128,9 @@ private:
         if (!to.stage->hero().alive) return std::nullopt;
         to.ticks = node(from).ticks + static_cast<int>(to.buttons.size());
         to.far = to.stage->isFinished() ? 0 : field_.distance(to.stage->heroAt());
-        if (!seen_.insert(keyOf(to)).second) return std::nullopt;
+        std::set<int>& times = seen_[placeOf(to)];
+        to.before = static_cast<int>(times.size());
+        if (!times.insert(to.ticks / 24).second) return std::nullopt;
         nodes_.push_back(std::move(to));
         const int index = static_cast<int>(nodes_.size()) - 1;
         push(index);
@@ -120,12 +150,13 @@ private:
         }
     }
 
-    /// Two nodes as near to one another are one.
-    std::tuple<int, int, int, int, int> keyOf(const Node& now) const {
+    using Place = std::tuple<int, int, int, int>;
+
+    /// Two nodes as near to one another are in one place, and are one if they come there at one time.
+    Place placeOf(const Node& now) const {
         const Vec2 at = now.stage->heroAt(), velocity = now.stage->hero().mover.slide().velocity;
         const auto part = [](double value, double size) { return static_cast<int>(std::floor(value / size)); };
-        return {part(at.x(), 0.75), part(at.y(), 0.75), part(velocity.x() + 3, 6), part(velocity.y(), 6),
-                now.ticks / 24};
+        return {part(at.x(), 0.75), part(at.y(), 0.75), part(velocity.x() + 3, 6), part(velocity.y(), 6)};
     }
 
     bool isUnhurt(int index) const { return node(index).stage->hero().tall || !node(0).stage->hero().tall; }
@@ -136,24 +167,26 @@ private:
         return isUnhurt(index) && now.stage->hero().mover.slide().isOnFloor && now.far < node(0).far - settings_.gain;
     }
 
-    /// Does it stand, and go on living if it stops now? Of who does not, it is not known whether there is a way on.
-    bool canStop(int index) const {
-        if (node(index).stage->isFinished()) return true;
-        for (const Buttons brake : {Buttons{0}, left}) {
+    /// How it comes to stand if it stops there, and lives on unhurt; empty where it does not. Of who does not, it is
+    /// not known whether there is a way on.
+    std::optional<std::vector<Buttons>> stopAt(int index) const {
+        for (const Buttons brake : {Buttons{0}, left, right}) {
             Stage ahead = *node(index).stage;
-            for (int i = 0; i < settings_.stopTicks && ahead.hero().alive; ++i)
-                ahead.update(platformInput(i < settings_.stopTicks / 3 ? brake : Buttons{0}));
+            std::vector<Buttons> buttons(static_cast<std::size_t>(settings_.stopTicks), 0);
+            std::fill_n(buttons.begin(), buttons.size() / 3, brake);
+            for (const Buttons now : buttons) ahead.update(platformInput(now));
             const bool unhurt = ahead.hero().tall == node(index).stage->hero().tall;
-            if (ahead.hero().alive && unhurt && ahead.hero().mover.slide().isOnFloor) return true;
+            if (ahead.hero().alive && unhurt && ahead.hero().mover.slide().isOnFloor) return buttons;
         }
-        return false;
+        return std::nullopt;
     }
+    bool canStop(int index) const { return node(index).stage->isFinished() || stopAt(index); }
 
-    /// The nearest to the beacon of the places where one can stand; the root where there is none.
-    int best() const {
+    /// The nearest to the beacon of the places where one can stand, of those nearer by a gain; the root without one.
+    int best(double gain) const {
         std::vector<int> order;
         for (int i = 1; i < static_cast<int>(nodes_.size()); ++i)
-            if (isUnhurt(i) && node(i).stage->hero().mover.slide().isOnFloor && node(i).far < node(0).far)
+            if (isUnhurt(i) && node(i).stage->hero().mover.slide().isOnFloor && node(i).far < node(0).far - gain)
                 order.push_back(i);
         std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return node(a).far < node(b).far; });
         for (std::size_t i = 0; i < std::min<std::size_t>(order.size(), 8); ++i)
@@ -161,8 +194,15 @@ private:
         return 0;
     }
 
+    /// Goes there and stands for a while: a lift may come.
+    std::vector<Buttons> waitAt(int index) const {
+        std::vector<Buttons> way = wayTo(index);
+        const std::vector<Buttons> rest = stopAt(index).value_or(std::vector<Buttons>(20, 0));
+        way.insert(way.end(), rest.begin(), rest.end());
+        return way;
+    }
+
     std::vector<Buttons> wayTo(int index) const {
-        if (index == 0) return std::vector<Buttons>(20, 0);
         std::vector<const Node*> way;
         for (int at = index; at > 0; at = node(at).parent) way.push_back(&node(at));
         std::vector<Buttons> buttons;
@@ -175,7 +215,7 @@ private:
     const SearchSettings& settings_;
     std::vector<Node> nodes_;
     std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> open_;
-    std::set<std::tuple<int, int, int, int, int>> seen_;
+    std::map<Place, std::set<int>> seen_;
     int looked_ = 0;
 };
 

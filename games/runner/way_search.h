@@ -11,11 +11,14 @@ namespace plumb::games::runner {
 
 struct SearchSettings {
     double gain = 8;           ///< so much nearer to the beacon, and safe, is enough [m]
-    int mostTicks = 2500;      ///< looked at in all; then the best found so far is taken
+    int mostTicks = 2000;      ///< looked at; then the best found so far is taken, if it brings leastGain
+    int lastTicks = 5000;      ///< looked at if it does not; then anything safe is taken
     int stopTicks = 50;        ///< it must live on for, where what was found ends, if it stops there
     double ticksPerMetre = 9;  ///< still to go: more than the fastest takes, so that it looks ahead rather than around
     double hurtTicks = 200;    ///< what it is worth not to be hurt
+    double leastGain = 1;      ///< what is worth going for [m]
     double triedTicks = 6;     ///< what each move already tried from a place makes the next one there wait
+    double againTicks = 40;    ///< what each earlier coming to a place makes the next one wait
 };
 
 /// Best first, over copies of the stage that are played on: a handful of moves (run, jump so long, wait, turn back)

@@ -22,8 +22,8 @@ public:
     void draw(games::Canvas& canvas) const override {
         canvas.look({.center = {1, 2}, .height = 4});
         canvas.circle({canvas.between(), 0}, 1, games::Color{});
-        if (canvas.behind() == games::Behind::Nothing) canvas.text({0, 0}, "Ready!");
-        if (canvas.behind() != games::Behind::Title) canvas.text({0, 1}, "hits so far");
+        if (canvas.behind() == games::Behind::Nothing) canvas.text({1, 2}, "Ready!", {.size = 0.1});
+        if (canvas.behind() != games::Behind::Title) canvas.text({1, 1}, "hits so far", {.size = 0.1});
     }
     games::Progress progress() const override {
         const auto outcome = hits >= 10 ? games::Outcome::Won : lost ? games::Outcome::Lost : games::Outcome::Running;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <numbers>
 #include <stdexcept>
 
@@ -149,6 +150,28 @@ void setClip(cairo_t* context, const Drawing& drawing, int clip) {
     cairo_clip(context);
 }
 
+struct Rows {
+    int from, to;
+};
+
+void paintRows(const Fonts& fonts, const Drawing& drawing, std::span<const Mark* const> marks, const PixelView& to,
+               Rows rows) {
+    std::uint32_t* first = to.pixels + static_cast<std::ptrdiff_t>(rows.from) * (to.stride / 4);
+    const CairoSurface surface = surfaceOf({first, {to.size.width, rows.to - rows.from}, to.stride});
+    cairo_surface_set_device_offset(surface.get(), 0, -rows.from);
+    const CairoContext context(cairo_create(surface.get()));
+    cairo_set_line_cap(context.get(), CAIRO_LINE_CAP_ROUND);
+    cairo_set_line_join(context.get(), CAIRO_LINE_JOIN_ROUND);
+    int clip = -1;
+    for (const Mark* mark : marks) {
+        if (mark->clip != clip) setClip(context.get(), drawing, clip = mark->clip);
+        paintMark(context.get(), fonts, *mark);
+    }
+    const cairo_status_t status = cairo_status(context.get());
+    if (status != CAIRO_STATUS_SUCCESS)
+        throw std::runtime_error(std::string("paint: ") + cairo_status_to_string(status));
+}
+
 }  // namespace
 
 void Painter::paint(const Drawing& drawing, const PixelView& to) const {
@@ -157,18 +180,15 @@ void Painter::paint(const Drawing& drawing, const PixelView& to) const {
 
 void Painter::paint(const Drawing& drawing, std::span<const Mark* const> marks, const PixelView& to) const {
     if (!(drawing.size == to.size)) throw std::runtime_error("a drawing of another size than the picture's");
-    const CairoSurface surface = surfaceOf(to);
-    const CairoContext context(cairo_create(surface.get()));
-    cairo_set_line_cap(context.get(), CAIRO_LINE_CAP_ROUND);
-    cairo_set_line_join(context.get(), CAIRO_LINE_JOIN_ROUND);
-    int clip = -1;
-    for (const Mark* mark : marks) {
-        if (mark->clip != clip) setClip(context.get(), drawing, clip = mark->clip);
-        paintMark(context.get(), fonts_, *mark);
-    }
-    const cairo_status_t status = cairo_status(context.get());
-    if (status != CAIRO_STATUS_SUCCESS)
-        throw std::runtime_error(std::string("paint: ") + cairo_status_to_string(status));
+    const int bands = std::clamp(threads_, 1, to.size.height);
+    const auto rowOf = [&](int band) { return to.size.height * band / bands; };
+    std::vector<std::future<void>> others;
+    for (int band = 1; band < bands; ++band)
+        others.push_back(std::async(std::launch::async, [&, band] {
+            paintRows(fonts_, drawing, marks, to, {rowOf(band), rowOf(band + 1)});
+        }));
+    paintRows(fonts_, drawing, marks, to, {0, rowOf(1)});
+    for (std::future<void>& other : others) other.get();
 }
 
 Aabb Painter::boxOf(const Mark& mark) const {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How does a drawing come to be pixels?
 #pragma once
+#include <span>
+
 #include <games/frame/drawing.h>
 #include <games/shell/cairo/font.h>
 #include <games/shell/cairo/picture.h>
@@ -11,6 +13,9 @@ namespace plumb::games {
 /// Paints with Cairo, antialiased. One painter keeps its fonts for many drawings.
 class Painter {
 public:
+    /// With so many threads at once, each for a band of the picture; the pixels are the same.
+    explicit Painter(int threads = 1) : threads_(threads) {}
+
     /// All of the drawing, over what is there. Throws std::runtime_error unless the sizes are the same.
     void paint(const Drawing& drawing, const PixelView& to) const;
     /// Some of its marks, as they come.
@@ -21,6 +26,7 @@ public:
     Aabb boxOf(const Mark& text) const;
 
 private:
+    int threads_;
     Fonts fonts_;
 };
 

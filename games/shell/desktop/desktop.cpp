@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <thread>
@@ -23,6 +24,11 @@ using Time = std::chrono::steady_clock;
 
 double secondsBetween(Time::time_point from, Time::time_point to) {
     return std::chrono::duration<double>(to - from).count();
+}
+
+int paintingThreads() {
+    constexpr unsigned most = 4;  // each goes through all marks
+    return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, most));
 }
 
 /// One run of the program, from the window's opening to its end.
@@ -139,7 +145,7 @@ private:
     Devices devices_;
     Sound sound_;
     Painter painter_;
-    KeptPainter windowPainter_;
+    KeptPainter windowPainter_{paintingThreads()};
     Screenshots screenshots_;
     FixedClock clock_{{.interval = tickSeconds}};
     FrameTimes times_;

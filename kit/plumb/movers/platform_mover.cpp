@@ -43,10 +43,16 @@ void PlatformMover::setProfile(const PlatformProfile& profile) {
 }
 
 void PlatformMover::setVelocity(const Vec2& velocity) {
-    requireFinite(velocity, "PlatformMover.setVelocity: velocity");
+    requireFinite(velocity, "PlatformMover: velocity");
     slide_.velocity = velocity;
-    rising_ = false;
+    rising_ = launched_ = false;
     thrown_ = true;
+}
+
+void PlatformMover::launch(const Vec2& velocity) {
+    setVelocity(velocity);
+    band_ = 0;
+    launched_ = true;
 }
 
 const JumpBand& PlatformMover::band(const PlatformInput& input) const {
@@ -55,6 +61,7 @@ const JumpBand& PlatformMover::band(const PlatformInput& input) const {
 
 bool PlatformMover::takesOff(const PlatformInput& input, bool fresh, double dt) const {
     if (input.swim && profile_.swim) return fresh;
+    if (launched_) return false;
     const VerticalMotion& vertical = profile_.vertical;
     const bool asked = fresh || (input.jump && isWithin(sincePress_, vertical.jumpBuffer, dt));
     const bool late = mayStillJump_ && isWithin(sinceFloor_, vertical.coyoteTime, dt);
@@ -81,8 +88,9 @@ detail::TickMotion PlatformMover::levelPart(const PlatformInput& input, double s
 
 detail::TickMotion PlatformMover::verticalPart(const PlatformInput& input, double speed, double dt) {
     if (rising_ && (!input.jump && risen_ >= profile_.vertical.leastRise * (1 - 1e-12))) rising_ = false;
-    if (!(speed > 0)) rising_ = false;
-    const detail::TickMotion motion = detail::verticalTick(profile_, {speed, band(input), rising_, input.jump}, dt);
+    if (!(speed > 0)) rising_ = launched_ = false;
+    const detail::VerticalTick tick{speed, band(input), rising_ || launched_, input.jump && !launched_};
+    const detail::TickMotion motion = detail::verticalTick(profile_, tick, dt);
     risen_ += motion.shift;
     return motion;
 }
@@ -105,6 +113,7 @@ const Slide& PlatformMover::step(World& world, const PlatformInput& input, doubl
         band_ = bandOf(profile_.vertical.jumps, std::fabs(along));
         rise = band(input).takeOffSpeed;
         rising_ = true;
+        launched_ = false;
         risen_ = 0;
         sincePress_ = never;
     }
@@ -119,6 +128,7 @@ const Slide& PlatformMover::step(World& world, const PlatformInput& input, doubl
                              .dropThrough = drops,
                              .later = later};
     slide_ = moveAndSlide(world, body_, motion, profile_.slide, slide_);
+    if (slide_.isOnFloor) launched_ = false;
     hasJumped_ = jumps;
     jumpHeld_ = input.jump;
     return slide_;

@@ -36,8 +36,13 @@ public:
     void setProfile(const PlatformProfile& profile);  ///< throws as the constructor
     const Slide& slide() const { return slide_; }     ///< what came of the last tick
     bool hasJumped() const { return hasJumped_; }     ///< did it take off in the last tick?
-    /// For a spring or a blow, as in Slide; upward it lifts off the floor, and falls as a jump let go [m/s].
+    /// For a blow, as in Slide; upward it lifts off the floor, and falls as a jump let go [m/s].
     void setVelocity(const Vec2& velocity);
+    /// For a spring: upward it rises by v^2 / 2g, whether jump is held, let go or pressed; no jump takes its place.
+    /// v its upward speed [m/s], g riseGravity of the first JumpBand [m/s^2]; ticks that are not TickOrder::Exact are
+    /// off by half of one's way.
+    /// Test: "a launch rises by its closed form whether jump is held, let go or pressed on the way"
+    void launch(const Vec2& velocity);
 
 private:
     detail::TickMotion levelPart(const PlatformInput& input, double speed, double dt);
@@ -51,9 +56,10 @@ private:
     Slide slide_;
     std::size_t band_ = 0;   ///< of profile_.vertical.jumps
     bool rising_ = false;    ///< with jump held all the time
+    bool launched_ = false;  ///< and rising since
     bool jumpHeld_ = false;  ///< in the last tick
     bool hasJumped_ = false;
-    bool thrown_ = false;                                          ///< by setVelocity, since the last tick
+    bool thrown_ = false;                                          ///< by setVelocity or launch, since the last tick
     bool mayStillJump_ = false;                                    ///< it left the floor without a jump
     double risen_ = 0;                                             ///< in this jump [m]
     double sinceFloor_ = 0;                                        ///< [s]

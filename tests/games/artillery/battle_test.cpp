@@ -121,6 +121,25 @@ TEST_CASE("a turn without orders ends after 25 s, and the other crew's begins wi
     REQUIRE(battle.wind() != wind);
 }
 
+TEST_CASE("the last five seconds of a turn are told one by one, and that a shell comes down once, however it bounces",
+          "[games][artillery]") {
+    Battle battle({.seed = 5, .wind = 0}, Terrain(3.0), {-12, 12});
+    waitToAim(battle);
+    while (battle.phase() == Phase::Aim) battle.update({});
+    const auto countOf = [&](Happening::Kind kind) {
+        const std::vector<Happening> all = battle.takeHappenings();
+        return std::count_if(all.begin(), all.end(), [kind](const Happening& one) { return one.kind == kind; });
+    };
+    REQUIRE(countOf(Happening::Kind::Hurry) == 5);
+    waitToAim(battle);
+    battle.update({.weapon = true});
+    REQUIRE(weapons[static_cast<std::size_t>(battle.gunner().weapon)].fuse > 0);
+    for (int i = 0; i < 30; ++i) battle.update({.fire = true});
+    battle.takeHappenings();
+    while (battle.phase() != Phase::Settle) battle.update({});
+    REQUIRE(countOf(Happening::Kind::Falling) == 1);
+}
+
 TEST_CASE("once the tide has turned it rises every turn until somebody has lost", "[games][artillery]") {
     Battle battle({.seed = 5, .wind = 10, .tideTurn = 2}, Terrain(3.0), {-12, 12});
     int ticks = 0;

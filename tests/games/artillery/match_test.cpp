@@ -2,6 +2,7 @@
 #include <games/artillery/artillery.h>
 
 #include <games/frame/source.h>
+#include <plumb/record/state_hash.h>
 #include <cmath>
 
 #include "cases.h"
@@ -44,6 +45,21 @@ std::uint64_t hashAfter(std::uint64_t seed, std::uint64_t buttonsSeed, int ticks
     return session.hash();
 }
 
+/// Where something is that should not be there: within the ground, or below it. None: nowhere.
+std::optional<Vec2> lostIn(const Battle& battle) {
+    const Terrain& ground = battle.terrain();
+    for (const Gunner& gunner : battle.gunners()) {
+        const Vec2 at = battle.middleOf(gunner);
+        if (gunner.alive && !(at.y() > ground.heightAt(at.x()))) return at;
+    }
+    for (const Prop& prop : battle.props()) {
+        const Vec2 at = battle.world().body(prop.body).position();
+        if (std::abs(at.x()) > worldEdge) continue;  // thrown off the map: gone when the turn is over
+        if (!(at.y() > ground.heightAt(at.x()) - 0.5)) return at;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 TEST_CASE("the strong crew beats the weak one in at least 80 of 100 battles", "[games][artillery]") {
@@ -70,13 +86,29 @@ TEST_CASE("the same seed and buttons give the same battle to the last bit, anoth
     REQUIRE(hashAfter(3, 5, 3000) != hash);
 }
 
+TEST_CASE("after a shell's blast all stands still for 3 ticks, a tick for each whole metre that it reaches",
+          "[games][artillery]") {
+    const GameInfo game = named();
+    const GameSetup setup{1, {{"rival", "weak"}, {"line", "off"}, {"strength", "strong"}}};
+    Artillery round(setup);
+    const auto computer = game.computer(setup);
+    const ActionList actions(game.actions);
+    const Battle& battle = round.match().battle();
+    while (battle.phase() != Phase::Settle) round.update(Input(actions, computer->decide(round), 0));
+    const std::uint64_t hash = stateHash(battle.world());
+    for (int tick = 0; tick < 3; ++tick) {
+        round.update(Input(actions, 0, 0));
+        REQUIRE(stateHash(battle.world()) == hash);
+    }
+    round.update(Input(actions, 0, 0));
+    REQUIRE(stateHash(battle.world()) != hash);
+}
+
 TEST_CASE("in 10,000 ticks of any buttons nothing falls through the ground or out of the world", "[games][artillery]") {
+    const GameInfo game = named();
+    const ActionList actions(game.actions);
     for (int seed = 1; seed <= plumb::test::cases(30); ++seed) {
-        const GameInfo game = named();
-        const GameSetup setup{static_cast<std::uint64_t>(seed),
-                              {{"strength", "strong"}, {"rival", "ladder"}, {"line", "short"}}};
-        Artillery round(setup);
-        const ActionList actions(game.actions);
+        Artillery round({static_cast<std::uint64_t>(seed), {{"rival", "ladder"}, {"line", "short"}}});
         Random random(static_cast<std::uint64_t>(seed));
         Buttons before = 0;
         for (int tick = 0; tick < 10'000 && round.progress().outcome == Outcome::Running; ++tick) {
@@ -84,25 +116,15 @@ TEST_CASE("in 10,000 ticks of any buttons nothing falls through the ground or ou
             round.update(Input(actions, now, before));
             before = now;
             const Battle& battle = round.match().battle();
+            CAPTURE(seed, tick);
             REQUIRE(battle.world().quarantines().empty());
-            for (const Gunner& gunner : battle.gunners()) {
-                if (!gunner.alive) continue;
-                const Vec2 at = battle.middleOf(gunner);
-                CAPTURE(seed, tick, at.x(), at.y());
-                REQUIRE(at.y() > battle.terrain().heightAt(at.x()));
-            }
-            for (const Prop& prop : battle.props()) {
-                const Vec2 at = battle.world().body(prop.body).position();
-                if (std::abs(at.x()) > worldEdge) continue;  // thrown off the map: gone when the turn is over
-                CAPTURE(seed, tick, at.x(), at.y());
-                REQUIRE(at.y() > battle.terrain().heightAt(at.x()) - 0.5);
-            }
+            REQUIRE_FALSE(lostIn(battle).has_value());
         }
     }
 }
 
-TEST_CASE("an option that is none is refused by name", "[games][artillery]") {
+TEST_CASE("a value that an option has not is refused by name before anything begins", "[games][artillery]") {
     const GameInfo game = named();
-    const GameSetup setup{1, {{"strength", "mighty"}, {"rival", "ladder"}, {"line", "short"}}};
-    REQUIRE_THROWS_WITH(game.make(setup), plumb::test::containsText("mighty"));
+    for (const char* option : {"strength", "rival", "line"})
+        REQUIRE_THROWS_WITH(Session(game, {1, {{option, "mighty"}}, {}}), plumb::test::containsText("\"mighty\""));
 }

@@ -249,19 +249,6 @@ TEST_CASE("the computer starts the session by itself, wins, and plays again", "[
     CHECK_THROWS_WITH(computerSource(lonely), containsText("counting has no computer player"));
 }
 
-TEST_CASE("a game behind the title is told that it is there, and the round that is played that it is not", "[games]") {
-    GameInfo info = test::countingGame();
-    std::vector<bool> behind;
-    info.make = [&](const GameSetup& setup) {
-        behind.push_back(setup.behindTitle);
-        return std::make_unique<CountingGame>(setup);
-    };
-    Session session(info, {});
-    session.update(0);
-    session.update(session.actions().button("confirm"));
-    CHECK(behind == std::vector<bool>{true, false});
-}
-
 TEST_CASE("behind the title the computer plays, or the game shows what it likes; neither changes the session",
           "[games]") {
     GameInfo other = test::countingGame();

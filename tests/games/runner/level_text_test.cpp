@@ -19,8 +19,8 @@ Level levelOf(const std::string& rows) {
 }  // namespace
 
 TEST_CASE("a level's text gives tiles, things, start, beacon and a lift with its way", "[games][runner]") {
-    const Level level = readLevel(
-        "; a note\nname: Hill\nsky: night\npar: 42\nmap:\n..o..\n.pp--\nS...G\n##/^~\n", "hill.txt");
+    const Level level =
+        readLevel("; a note\nname: Hill\nsky: night\npar: 42\nmap:\n..o..\n.pp--\nS...G\n##/^~\n", "hill.txt");
     CHECK(level.name == "Hill");
     CHECK(level.sky == Sky::Night);
     CHECK(level.par == 42);
@@ -33,9 +33,10 @@ TEST_CASE("a level's text gives tiles, things, start, beacon and a lift with its
     REQUIRE(level.things.size() == 1);
     CHECK(level.things[0].at == Vec2(2.5, 3.5));
     REQUIRE(level.platforms.size() == 1);
-    // Two wide: its middle lies between two cells, at 2; the track's end is the cell around 4.5.
+    // Two wide: its middle lies between two cells, half a metre to the right of its middle letter's; so does its way.
+    CHECK(level.platforms[0].width == 2);
     CHECK(level.platforms[0].path.at(0).position == Vec2(2, 2.5));
-    CHECK(level.platforms[0].path.end() == Vec2(4.5, 2.5));
+    CHECK(level.platforms[0].path.end() == Vec2(5, 2.5));
     CHECK(level.platforms[0].repeat == PathRepeat::BackAndForth);
 }
 
@@ -92,5 +93,36 @@ TEST_CASE("each of the three levels has its beacon, three suns, checkpoints and 
         CHECK(count(ThingKind::Coin) >= 15);
         CHECK(count(ThingKind::Snuffer) >= 2);
         CHECK_FALSE(level.platforms.empty());
+    }
+}
+
+TEST_CASE("in the three levels nothing that stands hovers, and slopes begin and end at the ground", "[games][runner]") {
+    for (const LevelText& text : builtInLevels()) {
+        const Level level = readLevel(text.text, text.file);
+        const TileMap& tiles = level.tiles;
+        const auto isFloor = [&](const Vec2& at) {
+            const Tile tile = tiles.at(tiles.cellAt(at));
+            return !isEmpty(tile) && (tile.kind == TileKind::Solid || tile.kind == TileKind::OneWay);
+        };
+        std::vector<Vec2> standing{level.start, level.beacon};
+        for (const Thing& thing : level.things)
+            if (thing.kind == ThingKind::Lantern || thing.kind == ThingKind::Spring ||
+                thing.kind == ThingKind::Snuffer || thing.kind == ThingKind::Burr)
+                standing.push_back(thing.at);
+        for (const Vec2& at : standing) {
+            INFO(text.file << ": " << at.transpose());
+            CHECK(isFloor(at - Vec2(0, 1)));
+        }
+        for (int row = 0; row < tiles.rows(); ++row)
+            for (int column = 0; column < tiles.columns(); ++column) {
+                const TileForm form = tiles.at({column, row}).form;
+                const bool up = form == TileForm::SlopeUp || form == TileForm::GentleUpLow;
+                const bool down = form == TileForm::SlopeDown || form == TileForm::GentleDownLow;
+                if (!up && !down) continue;
+                INFO(text.file << ": column " << column << ", row " << row);
+                const Vec2 before = tiles.centerOf({column, row}) + Vec2(up ? -1 : 1, 0);
+                CHECK_FALSE(isFloor(before));
+                CHECK(isFloor(before - Vec2(0, 1)));
+            }
     }
 }

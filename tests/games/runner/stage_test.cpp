@@ -2,6 +2,7 @@
 #include <games/runner/stage.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include <games/runner/level_text.h>
@@ -31,32 +32,79 @@ PlatformInput stand(int) {
     return {};
 }
 
-/// How far the hero's place rises above where it stands [px of 1985].
-double apexOf(Stage stage, int heldTicks) {
+/// How far the hero's place rises above where it stands, and when it is back there.
+struct Jump {
+    double pixels = 0;  ///< of 1985: 16 to the metre
+    int ticks = 0;
+};
+
+/// After so many ticks of a run-up, with jump held for so long.
+Jump jumpOf(Stage stage, int heldTicks, int runUp = 30, PlatformInput input = {}) {
     play(stage, 30, stand);
+    play(stage, runUp, [&](int) { return input; });
     const double floor = stage.heroAt().y();
+    Jump jump;
     double highest = floor;
-    for (int tick = 0; tick < 90; ++tick) {
-        stage.update({.jump = tick < heldTicks});
+    do {
+        input.jump = jump.ticks < heldTicks;
+        stage.update(input);
         highest = std::max(highest, stage.heroAt().y());
-    }
-    return 16 * (highest - floor);
+        ++jump.ticks;
+    } while (!stage.hero().mover.slide().isOnFloor && jump.ticks < 200);
+    jump.pixels = 16 * (highest - floor);
+    return jump;
 }
 
-const std::string openField = "........\n........\n........\n........\n........\n........\nS......G\n########\n";
+std::string fieldOf(int columns) {
+    const std::string air(static_cast<std::size_t>(columns - 2), '.');
+    std::string rows;
+    for (int row = 0; row < 7; ++row) rows += "." + air + ".\n";
+    return rows + "S" + air + "G\n#" + std::string(air.size(), '#') + "#\n";
+}
+
+/// The highest that the tables of 1985 take a jump, in 256ths of a pixel: the place moves by the speed, then gravity,
+/// that of rising or of falling, takes from the speed; from not rising or from jump let go on it is that of falling.
+int apexOfTables(int takeOff, int riseGravity, int fallGravity, int heldTicks) {
+    int height = 0, speed = takeOff * 256;
+    for (int tick = 0; speed > 0; ++tick) {
+        const bool letGo = tick >= heldTicks && height >= 256;
+        height += speed;
+        speed -= letGo ? fallGravity : riseGravity;
+    }
+    return height;
+}
 
 }  // namespace
 
-TEST_CASE("by the tables of 1985 a jump rises 66 px held and 24 px tapped, 16 px a tile", "[games][runner][arcade]") {
-    // 4096ths of a pixel are exact in a double; what rounds is the place in the world, by 1e-15 of some metres.
-    CHECK(apexOf(stageOf(openField, "1985"), 90) == Approx(66).margin(1e-9));
-    CHECK(apexOf(stageOf(openField, "1985"), 1) == Approx(24).margin(1e-9));
+TEST_CASE("by the tables of 1985 a jump rises 66 px held and 24 px tapped, and is back after 53 and 21 ticks",
+          "[games][runner][arcade]") {
+    const Jump held = jumpOf(stageOf(fieldOf(8), "1985"), 200), tapped = jumpOf(stageOf(fieldOf(8), "1985"), 1);
+    // The tables' apex is told in whole pixels, rounded up; what rounds here is the place in the world, by 1e-15 of
+    // some metres.
+    CHECK(held.pixels == Approx(66).margin(1e-9));
+    CHECK(std::ceil(tapped.pixels) == 24);
+    CHECK(tapped.pixels == Approx(apexOfTables(4, 0x20, 0x70, 1) / 256.0).margin(1e-9));
+    CHECK(held.ticks == 53);
+    CHECK(tapped.ticks == 21);
+}
+
+TEST_CASE("by the tables of 1985 who walks or runs jumps by gravities 1Eh and 28h", "[games][runner][arcade]") {
+    // 41 ticks of walking are 1.5 px a tick, 45 of running 2.5: past the bands' 1 and 1.5625.
+    const Jump walking = jumpOf(stageOf(fieldOf(40), "1985"), 200, 60, {.move = 1});
+    const Jump running = jumpOf(stageOf(fieldOf(40), "1985"), 200, 60, {.move = 1, .run = true});
+    CHECK(walking.pixels == Approx(apexOfTables(4, 0x1E, 0x60, 200) / 256.0).margin(1e-9));
+    CHECK(running.pixels == Approx(apexOfTables(5, 0x28, 0x90, 200) / 256.0).margin(1e-9));
+    CHECK(std::ceil(walking.pixels) == 71);
+    CHECK(std::ceil(running.pixels) == 83);
 }
 
 TEST_CASE("today's jump rises 4.3 m held, and is shorter the sooner it is let go", "[games][runner]") {
-    CHECK(apexOf(stageOf(openField), 90) == Approx(16 * 4.3).margin(0.01));
-    CHECK(apexOf(stageOf(openField), 1) < apexOf(stageOf(openField), 8));
-    CHECK(apexOf(stageOf(openField), 8) < apexOf(stageOf(openField), 90) - 8);
+    const double held = jumpOf(stageOf(fieldOf(8)), 200).pixels / 16, dt = 1.0 / 60;
+    // The highest of whole ticks misses the apex by at most a tick's fall from it.
+    CHECK(held <= 4.3 + 1e-9);
+    CHECK(held >= 4.3 - feelOf("modern").profile.vertical.jumps[0].riseGravity * dt * dt / 2);
+    CHECK(jumpOf(stageOf(fieldOf(8)), 1).pixels < jumpOf(stageOf(fieldOf(8)), 8).pixels - 8);
+    CHECK(jumpOf(stageOf(fieldOf(8)), 8).pixels / 16 < held - 0.5);
 }
 
 TEST_CASE("who falls on a snuffer stomps it, is thrown up and unhurt; who walks into one is hurt", "[games][runner]") {
@@ -68,7 +116,8 @@ TEST_CASE("who falls on a snuffer stomps it, is thrown up and unhurt; who walks 
         CHECK_FALSE(stage.walkers()[0].alive);
         CHECK(stage.hero().tall);
         Stage other = stageOf("......\n......\nS.w#.G\n######\n", profile);
-        CHECK(play(other, 120, [](int) { return PlatformInput{.move = 1}; }, EventKind::Hurt) == 1);
+        CHECK(play(
+                  other, 120, [](int) { return PlatformInput{.move = 1}; }, EventKind::Hurt) == 1);
         CHECK_FALSE(other.hero().tall);
         CHECK(other.hero().alive);
     }
@@ -106,10 +155,13 @@ TEST_CASE("a crate is pushed along in both profiles, and is a step to stand on",
         Stage stage = stageOf("..........\n..........\nS.x......G\n##########\n", profile);
         play(stage, 60, [](int) { return PlatformInput{.move = 1}; });
         const BodyId crate = stage.crates()[0].body;
-        CHECK(stage.world().body(crate).position().x() > 3.5);
+        CHECK(stage.world().body(crate).position().x() > 3);
         CHECK(stage.heroAt().x() < stage.world().body(crate).position().x());
         play(stage, 60, stand);
-        play(stage, 80, [](int tick) { return PlatformInput{.move = tick > 6 && tick < 24 ? 1.0 : 0.0, .jump = tick < 20}; });
+        play(stage, 120, [&](int tick) {
+            const double away = stage.world().body(crate).position().x() - stage.heroAt().x();
+            return PlatformInput{.move = std::clamp(4 * away, -1.0, 1.0), .jump = tick < 20};
+        });
         // Its top is at 1 + 2 x 0.48; the hero's middle 0.45 above, and both keep a skin.
         CHECK(stage.heroAt().y() == Approx(1 + 2 * crateHalf + heroHalf.y()).margin(0.02));
     }
@@ -118,7 +170,8 @@ TEST_CASE("a crate is pushed along in both profiles, and is a step to stand on",
 TEST_CASE("a crate that falls on a snuffer squashes it", "[games][runner]") {
     // It is pushed over the edge into a pit 1 m wide.
     Stage stage = stageOf("......\nS.x..G\n###.##\n###.##\n###.##\n###w##\n######\n");
-    CHECK(play(stage, 150, [](int) { return PlatformInput{.move = 0.6}; }, EventKind::Squashed) == 1);
+    CHECK(play(
+              stage, 150, [](int) { return PlatformInput{.move = 0.6}; }, EventKind::Squashed) == 1);
     CHECK_FALSE(stage.walkers()[0].alive);
 }
 
@@ -134,26 +187,71 @@ TEST_CASE("who dies begins again at the last lantern lit, with what was taken st
     CHECK(stage.ticks() == 0);
 }
 
+TEST_CASE("a lantern is lit by who jumps over it, not by who walks below it", "[games][runner]") {
+    Stage below = stageOf("....C....\n...===...\n.........\nS.......G\n#########\n");
+    Stage leap = stageOf(".............\n.............\n.............\nS.........C.G\n#############\n");
+    for (int tick = 0; tick < 200 && leap.heroAt().x() < 10.5; ++tick) {
+        CHECK((leap.heroAt().x() > 9.5 || !leap.lanterns()[0].lit));
+        leap.update({.move = 1, .run = true, .jump = leap.heroAt().x() > 7});
+    }
+    // Its cell's middle is at 1.5 m; the hero is at least 2.5 m above that.
+    CHECK(leap.heroAt().y() > 4);
+    CHECK(leap.lanterns()[0].lit);
+    CHECK(play(
+              below, 120, [](int) { return PlatformInput{.move = 1}; }, EventKind::LanternLit) == 0);
+}
+
 TEST_CASE("a brick breaks and a lamp lights once from below", "[games][runner]") {
     Stage stage = stageOf("b..\n...\n...\nS.G\n###\n");
-    CHECK(play(stage, 60, [](int tick) { return PlatformInput{.jump = tick > 10}; }, EventKind::BrickBroke) == 1);
+    CHECK(play(
+              stage, 60, [](int tick) { return PlatformInput{.jump = tick > 10}; }, EventKind::BrickBroke) == 1);
     CHECK(isEmpty(stage.tiles().at({0, 4})));
     Stage other = stageOf("?..\n...\n...\nS.G\n###\n");
-    CHECK(play(other, 240, [](int tick) { return PlatformInput{.jump = tick % 60 > 10}; }, EventKind::LampLit) == 1);
+    CHECK(play(
+              other, 240, [](int tick) { return PlatformInput{.jump = tick % 60 > 10}; }, EventKind::LampLit) == 1);
 }
 
-TEST_CASE("thorns hurt who stands on them, and leave a hop to get away", "[games][runner]") {
-    Stage stage = stageOf("....\nS..G\n^^##\n####\n");
-    CHECK(play(stage, 20, stand, EventKind::Hurt) == 1);
-    CHECK(stage.hero().mover.slide().velocity.y() > 0);
+TEST_CASE("who walks on a lamp that is bumped from below is squashed, and who walks a lamp farther is not",
+          "[games][runner]") {
+    Stage stage = stageOf("###..\n#w#..\n#?#..\n.....\n.....\n.S.G.\n#####\n");
+    CHECK(play(
+              stage, 60, [](int tick) { return PlatformInput{.jump = tick > 10}; }, EventKind::Squashed) == 1);
+    CHECK_FALSE(stage.walkers()[0].alive);
+    Stage other = stageOf("...###\n...#w#\n.?.#?#\n......\n......\n.S.G..\n######\n");
+    CHECK(play(
+              other, 60, [](int tick) { return PlatformInput{.jump = tick > 10}; }, EventKind::Squashed) == 0);
+    CHECK(other.walkers()[0].alive);
 }
 
-TEST_CASE("a lift carries who stands on it, to a skin", "[games][runner]") {
-    Stage stage = stageOf("...S.....G\n..ppp---..\n..........\n", "modern");
-    play(stage, 60, stand);
+TEST_CASE("thorns hurt who stands on them, and throw it 1.6 m up to get away", "[games][runner]") {
+    Stage stage = stageOf("....\n....\n....\nS..G\n^^##\n####\n");
+    double highest = 0;
+    const auto away = [&](int) {
+        highest = std::max(highest, stage.heroAt().y());
+        return PlatformInput{.move = 1};
+    };
+    CHECK(play(stage, 60, away, EventKind::Hurt) == 1);
+    // From the thorns' top, at 2 m; a tick of whole ones is missed at most, and a skin is kept.
+    CHECK(highest == Approx(2 + heroHalf.y() + 1.6).margin(0.02));
+    CHECK(stage.hero().alive);
+    CHECK(stage.heroAt().x() > 2);
+}
+
+TEST_CASE("a lift carries who stands on it to and fro, to a billionth of a metre", "[games][runner]") {
+    // Wherever on its way it begins, it is under the start.
+    Stage stage = stageOf(".....S...G\n.ppppp--..\n..........\n");
+    play(stage, 30, stand);
     REQUIRE(stage.hero().mover.slide().isOnFloor);
-    const double before = stage.heroAt().x() - stage.world().body(stage.lifts()[0].body).position().x();
-    play(stage, 200, stand);
-    const double after = stage.heroAt().x() - stage.world().body(stage.lifts()[0].body).position().x();
-    CHECK(after == Approx(before).margin(1e-9));
+    const auto lift = [&] { return stage.world().body(stage.lifts()[0].body).position().x(); };
+    const double onLift = stage.heroAt().x() - lift();
+    double least = lift(), most = lift();
+    for (int tick = 0; tick < 300; ++tick) {
+        stage.update({});
+        least = std::min(least, lift());
+        most = std::max(most, lift());
+        CHECK(stage.heroAt().x() - lift() == Approx(onLift).margin(1e-9));
+    }
+    // Its way is from 3.5 m to 7.5 m, at 4 m/s.
+    CHECK(least < 3.6);
+    CHECK(most > 7.4);
 }

@@ -64,3 +64,20 @@ TEST_CASE(
         REQUIRE(shown == expected);
     }
 }
+
+TEST_CASE("a picture painted by two, three or four threads has the pixels of one painted by one", "[games]") {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        const PixelSize size{320, 181};
+        Canvas canvas(size);
+        canvas.clear(Color::hex(0x203040));
+        for (std::uint64_t mark = 0; mark < 40; ++mark) drawMark(canvas, 100 * seed + mark);
+        Picture expected(size);
+        Painter().paint(canvas.drawing(), expected.view());
+        for (const int threads : {2, 3, 4}) {
+            Picture shown(size);
+            Painter(threads).paint(canvas.drawing(), shown.view());
+            CAPTURE(seed, threads);
+            REQUIRE(shown == expected);
+        }
+    }
+}

@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "catch.h"
 #include "kit/movers/stage.h"
@@ -113,6 +114,50 @@ TEST_CASE("a spring of 12 m/s lifts off the floor it is set on, as high as its c
         CHECK(game.mover.slide().isOnFloor);
         CHECK_FALSE(game.mover.hasJumped());
     }
+}
+
+TEST_CASE("a launch rises by its closed form whether jump is held, let go or pressed on the way", "[movers]") {
+    for (const bool arcade : {false, true}) {
+        const PlatformProfile profile = arcade ? profile1985() : modernProfile();
+        const double gravity = profile.vertical.jumps[0].riseGravity, speed = 9, tick = arcade ? tickOf1985 : dt;
+        // Those tables move by the speed before each tick: half a tick's way more than the parabola.
+        const double height = speed * speed / (2 * gravity) + (arcade ? speed * tick / 2 : 0);
+        for (const auto& [pressed, released] : {std::pair(99, 99), {0, 99}, {0, 3}, {6, 99}}) {
+            CAPTURE(arcade, pressed, released);
+            Game game(profile);
+            const double ground = game.position().y();
+            game.mover.launch({0, speed});
+            double top = ground;
+            for (int i = 0; i < 20; ++i) {
+                top = std::max(top, game.step({.jump = i >= pressed && i < released}, tick).position.y());
+                CHECK_FALSE(game.mover.hasJumped());
+            }
+            // The highest of whole ticks misses the apex by at most a tick's fall from it.
+            CHECK(std::fabs(top - ground - height) <= gravity * tick * tick / 2);
+        }
+    }
+}
+
+TEST_CASE("who is launched at 0.1 m/s and lands in the same tick jumps in the next", "[movers]") {
+    Game game;
+    game.mover.launch({0, 0.1});
+    REQUIRE(game.step(still).isOnFloor);
+    game.step(jump);
+    CHECK(game.mover.hasJumped());
+}
+
+TEST_CASE("who was launched and has landed jumps again, and a blow ends a launch", "[movers]") {
+    Game game;
+    game.mover.launch({0, 5});
+    while (game.step(still).velocity.y() > 0) continue;
+    while (!game.mover.slide().isOnFloor) game.step(still);
+    game.step(jump);
+    CHECK(game.mover.hasJumped());
+    Game other;
+    const double ground = other.position().y(), gravity = other.mover.profile().vertical.jumps[0].releaseGravity;
+    other.mover.launch({0, 9});
+    other.mover.setVelocity({0, 9});
+    CHECK(other.highest(still) - ground <= 9 * 9 / (2 * gravity) + 1e-12);
 }
 
 TEST_CASE("a glider whose terminal speed of 1 m/s is below its hang speed falls no faster", "[movers]") {
