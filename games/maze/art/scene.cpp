@@ -7,6 +7,7 @@
 #include <games/maze/art/cat.h>
 #include <games/maze/art/hedges.h>
 #include <games/maze/art/hud.h>
+#include <games/maze/art/lettering.h>
 #include <games/maze/art/mouse.h>
 #include <games/maze/art/palette.h>
 #include <games/maze/art/traces.h>
@@ -113,12 +114,6 @@ void drawPlayer(Canvas& canvas, const MazeGame& game) {
     atBothEnds(canvas, at, [&] { drawMouse(canvas, pose); });
 }
 
-void sign(Canvas& canvas, const std::string& text, const Vec2& at, const Color& color, double size) {
-    canvas.text(
-        at, text,
-        {.size = size, .color = color, .align = Align::Center, .baseline = Baseline::Middle, .weight = Weight::Heavy});
-}
-
 void drawSigns(Canvas& canvas, const MazeGame& game) {
     const Vec2 below = positionOf(fruitPlace);
     if (game.phase() == Phase::Intro || game.phase() == Phase::Ready) {
@@ -126,10 +121,11 @@ void drawSigns(Canvas& canvas, const MazeGame& game) {
         const bool first = game.phaseTicks() < half;
         const double pop = 1 + 0.5 * std::max(0.0, 1 - game.phaseTicks() % half / 10.0);
         const std::string level = "Level " + std::to_string(game.level());
-        sign(canvas, first ? level : "Ready!", below, first ? paper : cheese, 1.6 * pop);
+        drawLettering(canvas, first ? level : "Ready!", below, first ? paper : cheese, 1.6 * pop);
     }
-    if (game.phase() == Phase::Dying) sign(canvas, game.verdict() + "!", below, skin, 1.6);
-    if (game.phase() == Phase::Cleared && game.phaseTicks() > 40) sign(canvas, "All crumbs!", below, cheese, 1.6);
+    if (game.phase() == Phase::Dying) drawLettering(canvas, game.verdict() + "!", below, skin, 1.6);
+    if (game.phase() == Phase::Cleared && game.phaseTicks() > 40)
+        drawLettering(canvas, "All crumbs!", below, cheese, 1.6);
 }
 
 }  // namespace

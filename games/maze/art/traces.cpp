@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 
+#include <games/maze/art/lettering.h>
 #include <games/maze/art/palette.h>
 #include <games/maze/maze_game.h>
 
@@ -57,15 +58,9 @@ void drawPoints(Canvas& canvas, const Trace& trace) {
     const int points = trace.event.points;
     const double pop = 1 + 0.4 * std::max(0.0, 1 - trace.age / 8.0);
     const double fade = std::min(1.0, (Trace::longest - trace.age) / 15.0);
-    canvas.text(trace.event.position + Vec2(0, 1.2 + 0.6 * shareOf(trace, Trace::longest)), std::to_string(points),
-                {.size = (points >= 1600  ? 2.0
-                          : points >= 800 ? 1.75
-                                          : 1.5) *
-                         pop,
-                 .color = (points >= 800 ? cheese : paper).faded(fade),
-                 .align = Align::Center,
-                 .baseline = Baseline::Middle,
-                 .weight = Weight::Heavy});
+    const Vec2 at = trace.event.position + Vec2(0, 1.4 + 0.6 * shareOf(trace, Trace::longest));
+    const double size = (points >= 1600 ? 2.0 : points >= 800 ? 1.75 : 1.5) * pop;
+    drawLettering(canvas, std::to_string(points), at, (points >= 800 ? cheese : paper).faded(fade), size);
 }
 
 }  // namespace

@@ -110,6 +110,14 @@ TEST_CASE("fruit comes after 70 and 170 dots, stays for 9 to 10 s, and is gone w
     CHECK(gone >= 1);
 }
 
+TEST_CASE("a tap that is remembered is part of the hash before anything moves", "[games][maze]") {
+    const ActionList actions = withMenuActions(info().actions);
+    MazeGame tapped(setupOf(1)), left(setupOf(1));
+    tapped.update(Input(actions, 1, 0));
+    left.update(Input(actions, 0, 0));
+    CHECK(tapped.hash() != left.hash());
+}
+
 TEST_CASE("an option that is no number is refused by its name", "[games][maze]") {
     CHECK_THROWS_WITH(MazeGame(setupOf(1, "many")), "--levels: \"many\" is not a whole number from 0 to 1000");
     CHECK_THROWS_AS(MazeGame({1, {{"level", "0"}, {"levels", "0"}}}), std::invalid_argument);
