@@ -59,6 +59,7 @@ public:
     virtual std::uint64_t hash() const = 0;             ///< of all that what comes depends on
     /// For the debug view, which is drawn over draw()'s last look.
     virtual const World* world() const { return nullptr; }
+    virtual void drawDebug(Canvas&) const {}  ///< what else it shows: plans, targets
 
     /// The cues played since the last call.
     std::vector<Cue> takeCues() { return std::exchange(cues_, {}); }

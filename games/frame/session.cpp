@@ -158,7 +158,11 @@ struct Session::State {
         if (screen != Screen::Play && screen != Screen::Title) canvas.setBetween(1);
         if (title) return show.draw(canvas);
         game->draw(canvas);
-        if (debug && game->world() != nullptr) drawDebug(canvas, *game->world());
+        if (!debug) return;
+        canvas.layer(debugLayer);
+        canvas.look(canvas.camera());
+        game->drawDebug(canvas);
+        if (game->world() != nullptr) games::drawDebug(canvas, *game->world());
     }
 
     void change(int entry, int step) {

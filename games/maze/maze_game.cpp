@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include <games/maze/art/palette.h>
+#include <games/maze/art/plans.h>
 #include <games/maze/art/scene.h>
 #include <games/maze/sounds.h>
 #include <plumb/math/check.h>
@@ -151,6 +152,10 @@ void MazeGame::hum() {
 
 void MazeGame::draw(Canvas& canvas) const {
     drawScene(canvas, *this);
+}
+
+void MazeGame::drawDebug(Canvas& canvas) const {
+    drawPlans(canvas, chase_);
 }
 
 std::string MazeGame::verdict() const {

@@ -25,6 +25,7 @@ public:
         if (canvas.behind() == games::Behind::Nothing) canvas.text({1, 2}, "Ready!", {.size = 0.1});
         if (canvas.behind() != games::Behind::Title) canvas.text({1, 1}, "hits so far", {.size = 0.1});
     }
+    void drawDebug(games::Canvas& canvas) const override { canvas.text({1, 1.5}, "plans", {.size = 0.1}); }
     games::Progress progress() const override {
         const auto outcome = hits >= 10 ? games::Outcome::Won : lost ? games::Outcome::Lost : games::Outcome::Running;
         return {outcome, 10 * hits};

@@ -165,6 +165,16 @@ TEST_CASE("a banner is not seen behind a menu, and what players are told is not 
     CHECK_FALSE(shows(p.session, "Ready!"));
 }
 
+TEST_CASE("what a game adds to the debug view is seen in it, and only in a round", "[games]") {
+    Played p;
+    p.session.showDebug(true);
+    CHECK_FALSE(shows(p.session, "plans"));
+    p.tap("confirm");
+    CHECK(shows(p.session, "plans"));
+    p.session.showDebug(false);
+    CHECK_FALSE(shows(p.session, "plans"));
+}
+
 TEST_CASE("quit ends the session, and nothing else does", "[games]") {
     Played p;
     p.tap("back");

@@ -44,6 +44,11 @@ template <int W>
 struct WideContactSolver {
     static const ContactSolver solver;
 };
+#if defined(__GNUC__)
+extern template struct WideContactSolver<4>;
+extern template struct WideContactSolver<8>;
+extern template struct WideContactSolver<16>;
+#endif
 
 /// For at most so many lanes, as the machine can.
 const ContactSolver& contactSolver(int lanes);

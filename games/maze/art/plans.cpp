@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include <games/maze/art/plans.h>
+
+#include <games/maze/art/palette.h>
+
+namespace plumb::games::maze {
+namespace {
+
+Vec2 middleOf(Cell cell) {
+    return {cell.column + 0.5, cell.row + 0.5};
+}
+
+void frame(Canvas& canvas, Cell cell, const Color& color, double width) {
+    canvas.box(middleOf(cell), {0.5, 0.5}, stroke(color, width));
+}
+
+void drawPlan(Canvas& canvas, const Chase& chase, const Hunter& hunter) {
+    const Color color = lookOf(hunter.who()).fur;
+    frame(canvas, hunter.cell(), color.faded(0.7), 0.08);
+    if (hunter.where() != Where::Lanes || hunter.frightened()) return;
+    const Cell target = chase.targetOf(hunter.who());
+    canvas.line(hunter.position(), middleOf(target), color.faded(0.8), 0.12);
+    frame(canvas, target, color, 0.2);
+}
+
+}  // namespace
+
+void drawPlans(Canvas& canvas, const Chase& chase) {
+    frame(canvas, chase.player().cell(), paper.faded(0.7), 0.08);
+    for (const Hunter& hunter : chase.hunters())
+        if (hunter.isInLanes()) drawPlan(canvas, chase, hunter);
+}
+
+}  // namespace plumb::games::maze
