@@ -9,7 +9,7 @@ namespace plumb::games {
 /// with those before it, from its first mark on, is painted once and kept: a still background costs a copy.
 class KeptPainter {
 public:
-    explicit KeptPainter(int threads = 1) : painter_(threads) {}
+    explicit KeptPainter(const PainterSettings& settings = {}) : painter_(settings) {}
 
     /// Throws as Painter::paint does.
     void paint(const Drawing& drawing, const PixelView& to);

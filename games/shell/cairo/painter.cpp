@@ -155,11 +155,12 @@ struct Rows {
 };
 
 void paintRows(const Fonts& fonts, const Drawing& drawing, std::span<const Mark* const> marks, const PixelView& to,
-               Rows rows) {
+               Rows rows, bool quick) {
     std::uint32_t* first = to.pixels + static_cast<std::ptrdiff_t>(rows.from) * (to.stride / 4);
     const CairoSurface surface = surfaceOf({first, {to.size.width, rows.to - rows.from}, to.stride});
     cairo_surface_set_device_offset(surface.get(), 0, -rows.from);
     const CairoContext context(cairo_create(surface.get()));
+    cairo_set_antialias(context.get(), quick ? CAIRO_ANTIALIAS_FAST : CAIRO_ANTIALIAS_GOOD);
     cairo_set_line_cap(context.get(), CAIRO_LINE_CAP_ROUND);
     cairo_set_line_join(context.get(), CAIRO_LINE_JOIN_ROUND);
     int clip = -1;
@@ -180,14 +181,14 @@ void Painter::paint(const Drawing& drawing, const PixelView& to) const {
 
 void Painter::paint(const Drawing& drawing, std::span<const Mark* const> marks, const PixelView& to) const {
     if (!(drawing.size == to.size)) throw std::runtime_error("a drawing of another size than the picture's");
-    const int bands = std::clamp(threads_, 1, to.size.height);
+    const int bands = std::clamp(settings_.threads, 1, to.size.height);
     const auto rowOf = [&](int band) { return to.size.height * band / bands; };
     std::vector<std::future<void>> others;
     for (int band = 1; band < bands; ++band)
         others.push_back(std::async(std::launch::async, [&, band] {
-            paintRows(fonts_, drawing, marks, to, {rowOf(band), rowOf(band + 1)});
+            paintRows(fonts_, drawing, marks, to, {rowOf(band), rowOf(band + 1)}, settings_.quick);
         }));
-    paintRows(fonts_, drawing, marks, to, {0, rowOf(1)});
+    paintRows(fonts_, drawing, marks, to, {0, rowOf(1)}, settings_.quick);
     for (std::future<void>& other : others) other.get();
 }
 

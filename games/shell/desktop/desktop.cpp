@@ -145,7 +145,7 @@ private:
     Devices devices_;
     Sound sound_;
     Painter painter_;
-    KeptPainter windowPainter_{paintingThreads()};
+    KeptPainter windowPainter_{{.threads = paintingThreads(), .quick = true}};
     Screenshots screenshots_;
     FixedClock clock_{{.interval = tickSeconds}};
     FrameTimes times_;

@@ -75,7 +75,7 @@ TEST_CASE("a picture painted by two, three or four threads has the pixels of one
         Painter().paint(canvas.drawing(), expected.view());
         for (const int threads : {2, 3, 4}) {
             Picture shown(size);
-            Painter(threads).paint(canvas.drawing(), shown.view());
+            Painter({.threads = threads}).paint(canvas.drawing(), shown.view());
             CAPTURE(seed, threads);
             REQUIRE(shown == expected);
         }
