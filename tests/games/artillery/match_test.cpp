@@ -62,7 +62,7 @@ std::optional<Vec2> lostIn(const Battle& battle) {
 
 }  // namespace
 
-TEST_CASE("the strong crew beats the weak one in at least 80 of 100 battles", "[games][artillery]") {
+TEST_CASE("the strong crew beats the weak one in at least 80 of 100 battles", "[games][artillery][slow]") {
     const int battles = plumb::test::cases(100);
     int won = 0;
     for (int seed = 1; seed <= battles; ++seed)
@@ -70,7 +70,7 @@ TEST_CASE("the strong crew beats the weak one in at least 80 of 100 battles", "[
     REQUIRE(won * 100 >= battles * 80);
 }
 
-TEST_CASE("a weak crew loses to a strong one more often than not", "[games][artillery]") {
+TEST_CASE("a weak crew loses to a strong one more often than not", "[games][artillery][slow]") {
     const int battles = plumb::test::cases(50);
     int won = 0;
     for (int seed = 1; seed <= battles; ++seed)

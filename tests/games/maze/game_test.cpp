@@ -39,7 +39,7 @@ Played play(const GameSetup& setup, int most) {
 
 }  // namespace
 
-TEST_CASE("the computer clears the first level in nine games of ten or more", "[games][maze]") {
+TEST_CASE("the computer clears the first level in nine games of ten or more", "[games][maze][slow]") {
     const int games = test::cases(100);
     int won = 0;
     for (int seed = 1; seed <= games; ++seed)
@@ -146,7 +146,7 @@ TEST_CASE("fruit is worth 100, 300, 500, 500, 700, 700, 1000, 1000, 2000, 2000, 
 }
 
 TEST_CASE("a level is done with its 244th crumb, and the next begins with all; at 10,000 points there is a life more",
-          "[games][maze]") {
+          "[games][maze][slow]") {
     const GameSetup setup{1, {{"level", "13"}, {"levels", "3"}}};
     const GameInfo game = info();
     const ActionList actions = withMenuActions(game.actions);

@@ -174,7 +174,8 @@ TEST_CASE("a frightened hunter goes anywhere: a third or more of its choices are
 }
 
 // The slowest speed of all tables, 40 %, is 8 pixels in 16 frames: spread evenly, it stands 1 frame of 2.
-TEST_CASE("no hunter in the lanes ever stands still for 4 frames, in 20 chases of 3,000 frames", "[games][maze]") {
+TEST_CASE("no hunter in the lanes ever stands still for 4 frames, in 20 chases of 3,000 frames",
+          "[games][maze][slow]") {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         test::DrivenChase driven(seed % 2 == 0 ? 1 : 2, seed);
         const Chase& chase = driven.chase();

@@ -73,7 +73,7 @@ TEST_CASE("the chaser makes haste at 20, 30, 40, 50, 60, 80, 100 and 120 dots le
 }
 
 TEST_CASE("hunters run at the table's speeds on levels 1, 2, 5 and 21: p / 5 pixels in any 16 frames",
-          "[games][maze]") {
+          "[games][maze][slow]") {
     for (const Row& row : table) {
         const std::map<std::string, int> percent{{"hunter", row.hunter},
                                                  {"fright", row.hunterFright},

@@ -44,7 +44,7 @@ Stage finish(const LevelText& text, std::uint64_t seed, const std::string& profi
 
 }  // namespace
 
-TEST_CASE("each level can be finished within two minutes, in both profiles", "[games][runner]") {
+TEST_CASE("each level can be finished within two minutes, in both profiles", "[games][runner][slow]") {
     for (const LevelText& level : builtInLevels())
         for (const std::string profile : {"modern", "1985"}) {
             INFO(level.file << ' ' << profile);
