@@ -143,7 +143,7 @@ TEST_CASE("between a wall that comes and one that stays, and under a press, crus
     for (int i = 0; i < 600 && !crushed; ++i) {
         crushed = slider.step(world, 0, dt).crushed;
         const double gap = 2.5 - (world.body(press).position().x() + 0.5) - 0.8;
-        CHECK(crushed == gap < skin);
+        CHECK(crushed == (gap < skin));
     }
     CHECK(crushed);
 
@@ -154,7 +154,7 @@ TEST_CASE("between a wall that comes and one that stays, and under a press, crus
     bool flat = false;
     for (int i = 0; i < 600 && !flat; ++i) {
         flat = below.step(under, 0, dt).crushed;
-        CHECK(flat == under.body(hammer).position().y() - 0.5 < 1.8 + skin);
+        CHECK(flat == (under.body(hammer).position().y() - 0.5 < 1.8 + skin));
     }
     CHECK(flat);
     // What crushed it goes away: it is free again.
