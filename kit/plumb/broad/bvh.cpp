@@ -10,15 +10,15 @@
 namespace plumb {
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float largest = std::numeric_limits<float>::max();
-constexpr float notANumber = std::numeric_limits<float>::quiet_NaN();
+constexpr float beyondAll = std::numeric_limits<float>::infinity();
+constexpr float largestFloat = std::numeric_limits<float>::max();
+constexpr float noBound = std::numeric_limits<float>::quiet_NaN();
 
 // Rounding keeps what is not above another not above it, and so does taking off the origin: boxes that overlap in
-// double do so in float, too. A cast from beyond the largest float would be undefined.
+// double do so in float, too. A cast from beyond the largestFloat float would be undefined.
 float inFloat(double x) {
-    if (x > largest) return infinity;
-    if (x < -largest) return -infinity;
+    if (x > largestFloat) return beyondAll;
+    if (x < -largestFloat) return -beyondAll;
     return static_cast<float>(x);
 }
 
@@ -37,7 +37,7 @@ Bvh::Bounds Bvh::rounded(const Aabb& box) const {
 
 // Lanes that hold no box are NaN, and fail every comparison here; so do coordinates that are no number.
 Bvh::Bounds Bvh::boundsOf(const Block& block) {
-    Bounds all{infinity, infinity, -infinity, -infinity};
+    Bounds all{beyondAll, beyondAll, -beyondAll, -beyondAll};
     for (std::uint32_t i = 0; i < width; ++i) {
         if (block.lowerX[i] < all.lowerX) all.lowerX = block.lowerX[i];
         if (block.lowerY[i] < all.lowerY) all.lowerY = block.lowerY[i];
@@ -68,8 +68,7 @@ void Bvh::build(std::span<const Aabb> boxes) {
 void Bvh::buildLevels() {
     // Lanes that nothing is put into must overlap nothing, not even an infinite box: only NaN does that.
     Block empty;
-    for (std::uint32_t lane = 0; lane < width; ++lane)
-        put(empty, lane, {notANumber, notANumber, notANumber, notANumber});
+    for (std::uint32_t lane = 0; lane < width; ++lane) put(empty, lane, {noBound, noBound, noBound, noBound});
 
     levels_.clear();
     for (std::size_t count = boxes_.size(); count > 0 && (levels_.empty() || count > 1);) {

@@ -14,15 +14,15 @@ namespace plumb {
 namespace {
 
 /// The edge that the whole of the other shape is farthest outside of, and the other's corner nearest to its line.
-struct Axis {
+struct FarAxis {
     std::size_t edge = 0, corner = 0;
     double separation = -std::numeric_limits<double>::infinity();
 };
 
-Axis bestAxis(const Outline& a, const Outline& b) {
-    Axis best;
+FarAxis bestAxis(const Outline& a, const Outline& b) {
+    FarAxis best;
     for (std::size_t i = 0; i < a.edges; ++i) {
-        Axis axis{i, 0, std::numeric_limits<double>::infinity()};
+        FarAxis axis{i, 0, std::numeric_limits<double>::infinity()};
         for (std::size_t j = 0; j < b.count; ++j) {
             const double separation = a.normals[i].dot(b.corners[j] - a.corners[i]);
             if (separation < axis.separation) axis = {i, j, separation};
@@ -34,7 +34,7 @@ Axis bestAxis(const Outline& a, const Outline& b) {
 
 /// The deepest corner of b under a's edge, and the place on the edge above it. Of a face that lies flush under the edge
 /// either corner may have come, and may reach out past the edge: then the end of the edge is as deep.
-Distance along(const Axis& axis, const Outline& a, const Outline& b) {
+Distance along(const FarAxis& axis, const Outline& a, const Outline& b) {
     const Vec2& normal = a.normals[axis.edge];
     const Vec2 edge = a.edgeFrom(axis.edge);
     const Vec2 fromStart = b.corners[axis.corner] - a.corners[axis.edge];
@@ -93,8 +93,8 @@ Distance coreDistance(const Outline& a, const Outline& b) {
         const Vec2 normal = separation > 0 ? Vec2(between / separation) : Vec2(0, 1);
         return {separation, normal, a.corners[0], b.corners[0]};
     }
-    const Axis onA = bestAxis(a, b);
-    const Axis onB = bestAxis(b, a);
+    const FarAxis onA = bestAxis(a, b);
+    const FarAxis onB = bestAxis(b, a);
     const bool useB = onB.separation > onA.separation;
     const Distance axis = useB ? exchanged(along(onB, b, a)) : along(onA, a, b);
     if (!(axis.separation > 0)) return axis;

@@ -9,9 +9,9 @@ namespace plumb {
 
 namespace {
 
-/// Of what has come near enough for its boxes to overlap; the deeper of this and what was found before.
-std::optional<Overlap> deeper(const std::optional<Overlap>& before, const Shape& a, const Transform& poseA,
-                              const Shape& b, const Transform& poseB) {
+/// Of what has come near enough for its boxes to overlap; the deeperOf of this and what was found before.
+std::optional<Overlap> deeperOf(const std::optional<Overlap>& before, const Shape& a, const Transform& poseA,
+                                const Shape& b, const Transform& poseB) {
     const Distance d = distance(a, poseA, b, poseB);
     if (!(d.separation <= 0) || (before && before->depth >= -d.separation)) return before;
     return Overlap{-d.separation, d.normal, d.pointA, d.pointB};
@@ -25,13 +25,13 @@ std::optional<Overlap> overlap(const Shape& a, const Transform& poseA, const Sha
     const Aabb boxA = aabbOf(a, poseA), boxB = aabbOf(b, poseB);
     if (!overlap(boxA, boxB)) return std::nullopt;
     std::optional<Overlap> deepest;
-    if (!hasPieces(a) && !hasPieces(b)) return deeper(deepest, a, poseA, b, poseB);
+    if (!hasPieces(a) && !hasPieces(b)) return deeperOf(deepest, a, poseA, b, poseB);
     const std::vector<Shape> piecesB = piecesOf(b);
     for (const Shape& pieceA : piecesOf(a)) {
         const Aabb pieceBox = aabbOf(pieceA, poseA);
         if (!overlap(pieceBox, boxB)) continue;
         for (const Shape& pieceB : piecesB)
-            if (overlap(pieceBox, aabbOf(pieceB, poseB))) deepest = deeper(deepest, pieceA, poseA, pieceB, poseB);
+            if (overlap(pieceBox, aabbOf(pieceB, poseB))) deepest = deeperOf(deepest, pieceA, poseA, pieceB, poseB);
     }
     return deepest;
 }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include <plumb/collide/distance.h>
+#include <plumb/math/detail/length.h>
 #include <plumb/shapes/chain.h>
 #include <plumb/shapes/detail/counts.h>
 
@@ -26,10 +27,6 @@ using MaybeMeeting = std::optional<Meeting>;
 
 MaybeMeeting inside() {
     return Meeting{};
-}
-
-Vec2 unit(const Vec2& v) {
-    return v / std::sqrt(v.dot(v));
 }
 
 MaybeMeeting meet(const Ray& ray, const Vec2& center, double radius) {
@@ -207,11 +204,11 @@ std::optional<CastPoint> castRay(const Vec2& from, const Vec2& to, const Shape& 
     if (meeting->normal.isZero(0)) {
         // Nothing of what is not a number is outside of an edge.
         const bool sound = ray.from.allFinite() && ray.way.allFinite();
-        return sound ? std::optional<CastPoint>({from, -unit(way), 0}) : std::nullopt;
+        return sound ? std::optional<CastPoint>({from, -detail::unit(way), 0}) : std::nullopt;
     }
     const Vec2 point = from + way * meeting->fraction;
     if (!point.allFinite()) return std::nullopt;
-    return CastPoint{point, pose.rotation * unit(meeting->normal), meeting->fraction};
+    return CastPoint{point, pose.rotation * detail::unit(meeting->normal), meeting->fraction};
 }
 
 }  // namespace plumb

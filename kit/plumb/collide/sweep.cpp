@@ -22,7 +22,7 @@ namespace {
 constexpr double early = 1e-5;
 
 /// A search with more steps than this goes no further. One at a rod that turns three times takes some hundred.
-constexpr int mostSteps = 500;
+constexpr int mostAdvances = 500;
 
 /// The same, of firstTouch: one at a disc that circles another ten times, 0.1 mm off, takes some five thousand.
 constexpr int mostTouchSteps = 10'000;
@@ -161,7 +161,7 @@ std::optional<double> timeWithin(const SweptShape& a, const SweptShape& b, doubl
     const double turning = std::fabs(b.way.turn - a.way.turn) * b.reach;
     const double bend = std::fabs(a.way.turn) * (2 * shift.norm() + std::fabs(a.way.turn) * farthest);
     double time = from;
-    for (int i = 0; i < mostSteps; ++i) {
+    for (int i = 0; i < mostAdvances; ++i) {
         const Distance now = distance(*a.shape, poseOn(a.way, time), *b.shape, poseOn(b.way, time));
         const double room = now.separation - limit;
         if (room <= early) return time;

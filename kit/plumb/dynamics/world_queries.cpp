@@ -45,7 +45,7 @@ std::tuple<std::uint32_t, std::uint32_t> placeOf(const ShapeId& shape) {
 }
 
 /// Of two pieces of a chain that are met at their joint, one is the first whatever order they were found in.
-bool isBefore(const CastHit& a, const CastHit& b) {
+bool comesFirst(const CastHit& a, const CastHit& b) {
     const auto rank = [](const CastHit& hit) {
         return std::tuple(hit.fraction, placeOf(hit.shape), hit.normal.x(), hit.normal.y());
     };
@@ -84,11 +84,11 @@ std::optional<CastHit> firstHit(const Onlooker& onlooker, const Mover& mover, Me
         std::optional<CastHit>& kind = onlooker.isArea(id) ? firstArea : first;
         if (const std::optional<CastPoint> met = meet(id, shift)) {
             const CastHit hit = onlooker.hitOf(id, shift, *met);
-            if (!kind || isBefore(hit, *kind)) kind = hit;
+            if (!kind || comesFirst(hit, *kind)) kind = hit;
         }
         return std::min(first ? first->fraction : 1.0, firstArea ? firstArea->fraction : 1.0);
     });
-    if (!first || (firstArea && isBefore(*firstArea, *first) && !isCovered(*firstArea, *first))) return firstArea;
+    if (!first || (firstArea && comesFirst(*firstArea, *first) && !isCovered(*firstArea, *first))) return firstArea;
     return first;
 }
 
@@ -107,7 +107,7 @@ std::vector<CastHit> allHits(const Onlooker& onlooker, const Mover& mover, Meet&
     for (const CastHit& area : areas)
         if (std::none_of(hits.begin(), hits.begin() + static_cast<std::ptrdiff_t>(outlines), covers(area)))
             hits.push_back(area);
-    std::sort(hits.begin(), hits.end(), isBefore);
+    std::sort(hits.begin(), hits.end(), comesFirst);
     return hits;
 }
 
@@ -117,7 +117,7 @@ std::vector<CastHit> oneOfEach(std::vector<CastHit> hits) {
                      [](const CastHit& a, const CastHit& b) { return placeOf(a.shape) < placeOf(b.shape); });
     const auto sameShape = [](const CastHit& a, const CastHit& b) { return a.shape == b.shape; };
     hits.erase(std::unique(hits.begin(), hits.end(), sameShape), hits.end());
-    std::sort(hits.begin(), hits.end(), isBefore);
+    std::sort(hits.begin(), hits.end(), comesFirst);
     return hits;
 }
 

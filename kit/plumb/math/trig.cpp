@@ -9,7 +9,7 @@
 namespace plumb {
 namespace {
 
-constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
+constexpr double noAngle = std::numeric_limits<double>::quiet_NaN();
 
 // Adding and taking off 1.5 * 2^52 leaves no bits behind the point: exact, for |x| < 2^51, and no library call.
 double nearestInteger(double x) {
@@ -150,7 +150,7 @@ PowerOfTwo splitPower(double x) {
 }  // namespace
 
 SinCos sinCos(double angle) {
-    if (!std::isfinite(angle)) return {notANumber, notANumber};
+    if (!std::isfinite(angle)) return {noAngle, noAngle};
     const Reduced r = reduce(angle);
     const double sine = sineOf(r.angle);
     const double cosine = cosineOf(r.angle);
@@ -163,7 +163,7 @@ SinCos sinCos(double angle) {
 }
 
 double arcTangent(double y, double x) {
-    if (!std::isfinite(x) || !std::isfinite(y)) return notANumber;
+    if (!std::isfinite(x) || !std::isfinite(y)) return noAngle;
     double across = std::fabs(x);
     double up = std::fabs(y);
     if (across == 0 && up == 0) return 0;

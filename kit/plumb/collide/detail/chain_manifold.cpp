@@ -175,7 +175,7 @@ bool reachesOver(const Joint& joint, const Vec2f& corner, const Core& other) {
 }
 
 /// A segment, another shape, and the manifold that they would have if the segment were alone.
-struct Meeting {
+struct Encounter {
     Core segment, other;
     float far = 0, margin = 0;  ///< [m]
     Manifold found;
@@ -188,8 +188,8 @@ struct Meeting {
     bool between = false;  ///< the way found lies between the segment's normal and the neighbour's
 };
 
-Meeting meetingOf(const Convex& piece, const Core& other, float far, float margin) {
-    Meeting m;
+Encounter meetingOf(const Convex& piece, const Core& other, float far, float margin) {
+    Encounter m;
     m.segment = coreOf(piece);
     m.other = other;
     m.far = far;
@@ -211,7 +211,7 @@ Meeting meetingOf(const Convex& piece, const Core& other, float far, float margi
 
 /// The way found is the segment's own, but for trembling, and its joint is no corner there; or it leads out on the far
 /// side, so deep is the overlap.
-Manifold alongOwn(const Meeting& m) {
+Manifold alongOwn(const Encounter& m) {
     const bool below = m.apart && m.found.normal.dot(m.side.normal) < 0;
     const Side side = below ? Side{1 - m.side.edge, -m.side.normal, m.side.center} : m.side;
     const Manifold result = ownManifold(m.segment, side, m.other, m.far, m.margin);
@@ -221,7 +221,7 @@ Manifold alongOwn(const Meeting& m) {
 
 /// The way found lies between both normals. The corner belongs to the segment that ends there, but for what lies along
 /// the neighbour; and to the other where this one has another way.
-Manifold aroundCorner(const Meeting& m) {
+Manifold aroundCorner(const Encounter& m) {
     const Vec2f corner = m.segment.vertex(m.joint.corner);
     const bool along = m.past.isNear(own / 2) && reachesOver(m.joint, corner, m.other);
     const bool ends = m.joint.corner == 1;
@@ -230,7 +230,7 @@ Manifold aroundCorner(const Meeting& m) {
 }
 
 /// The way found is not allowed, and the two are apart.
-Manifold turnedApart(const Meeting& m) {
+Manifold turnedApart(const Encounter& m) {
     const Vec2f corner = m.segment.vertex(m.joint.corner);
     const bool convexHere = m.joint.isConvex && m.joint.normal.dot(m.side.normal) > 0;
     if (m.joint.isConvex && !convexHere) {
@@ -243,7 +243,7 @@ Manifold turnedApart(const Meeting& m) {
 }
 
 /// The way found is not allowed, and the two overlap.
-Manifold turnedSunk(const Meeting& m) {
+Manifold turnedSunk(const Encounter& m) {
     const Manifold result = ownManifold(m.segment, m.side, m.other, m.far, m.margin);
     if (!m.joint.isConvex || !m.past.isNear(steep) || result.count == 0) return result;
     const float depth = -(m.separation + m.other.radius), ownDepth = -(nearestOf(result) + m.other.radius);
@@ -252,7 +252,7 @@ Manifold turnedSunk(const Meeting& m) {
 
 /// Of an outline that is solid on its left, in a hollow narrower than a quarter turn: all of that lies on this side of
 /// its joint. What is met beyond it, or is as good as beyond it and beyond the neighbour, is met through the neighbour.
-bool isThroughNeighbour(const Convex& piece, const Meeting& m) {
+bool isThroughNeighbour(const Convex& piece, const Encounter& m) {
     const Vec2f outer = piece.normals[0];
     for (const bool atEnd : {false, true}) {
         const Joint joint = jointAt(piece, atEnd);
@@ -266,7 +266,7 @@ bool isThroughNeighbour(const Convex& piece, const Meeting& m) {
 }
 
 /// Is the other shape outside of a line through a corner, but for what it has sunk?
-bool isAbove(const Vec2f& normal, const Vec2f& corner, const Meeting& m) {
+bool isAbove(const Vec2f& normal, const Vec2f& corner, const Encounter& m) {
     const float height = normal.dot(Vec2f(m.side.center - corner));
     const float sunk = std::max(touching, std::min(sunkShare * height, deepest));
     return gapAlong(normal, corner, m.other) >= -sunk;
@@ -280,7 +280,7 @@ bool isAbove(const Vec2f& normal, const Vec2f& corner, const Meeting& m) {
 ///
 /// An outline, whose inside is solid, has such a neighbour in a one-way top alone: it is passed through from below, and
 /// so only what stands on it is its own.
-bool isNeighbours(const Joint& joint, const Meeting& m, bool oneSided) {
+bool isNeighbours(const Joint& joint, const Encounter& m, bool oneSided) {
     if (!joint.isConvex || joint.normal.dot(m.side.normal) > 0) return false;
     const Vec2f corner = m.segment.vertex(joint.corner), fromCorner = m.side.center - corner;
     if (joint.next.dot(fromCorner) <= 0) return false;
@@ -291,7 +291,7 @@ bool isNeighbours(const Joint& joint, const Meeting& m, bool oneSided) {
 }
 
 /// Of an outline that is solid on its left: is the other shape on its inner side, but for the way around a corner?
-bool isBehind(const Convex& piece, const Meeting& m) {
+bool isBehind(const Convex& piece, const Encounter& m) {
     const Vec2f outer = piece.normals[0];
     if (m.side.normal.dot(outer) > 0) return isThroughNeighbour(piece, m);
     return !m.between || m.joint.normal.dot(outer) <= 0;
@@ -299,21 +299,21 @@ bool isBehind(const Convex& piece, const Meeting& m) {
 
 /// Where an outline goes on into a one-way top, in line: is the other shape beyond that end, and not on top? It is on
 /// its way through, and the outline's edge below the corner meets it.
-bool isThrough(const Joint& joint, const Meeting& m) {
+bool isThrough(const Joint& joint, const Encounter& m) {
     const Vec2f corner = m.segment.vertex(joint.corner);
     const bool beyond = joint.outward.dot(Vec2f(m.side.center - corner)) > 0;
     return joint.isOpen && beyond && !isAbove(m.side.normal, corner, m);
 }
 
 /// That edge has the corner as its own, from the side to the top: its joint is the hollow under the one-way top.
-bool meetsCorner(const Meeting& m) {
+bool meetsCorner(const Encounter& m) {
     if (!m.joint.isConvex || m.joint.normal.dot(m.side.normal) > 0) return false;
     const bool leans = m.lean > (m.other.radius > 0 ? 0 : own);
     return leans && m.found.normal.dot(m.side.normal) >= 0 && m.found.normal.dot(m.joint.next) >= 0;
 }
 
 /// Does the contact belong to a neighbour of the segment, whatever way is found?
-bool isElsewhere(const Convex& piece, const Meeting& m) {
+bool isElsewhere(const Convex& piece, const Encounter& m) {
     const bool around = m.between && m.lean > own;
     for (const bool atEnd : {false, true}) {
         const Joint joint = jointAt(piece, atEnd);
@@ -325,7 +325,7 @@ bool isElsewhere(const Convex& piece, const Meeting& m) {
 }  // namespace
 
 Manifold chainManifold(const Convex& piece, const Core& other, float far, float margin) {
-    const Meeting m = meetingOf(piece, other, far, margin);
+    const Encounter m = meetingOf(piece, other, far, margin);
     if (m.found.count == 0) return m.found;
     if (piece.oneSided && isBehind(piece, m)) return {};
     if (isElsewhere(piece, m)) return {};

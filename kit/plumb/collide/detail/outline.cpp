@@ -2,17 +2,13 @@
 #include <plumb/collide/detail/outline.h>
 
 #include <algorithm>
-#include <cmath>
 
+#include <plumb/math/detail/length.h>
 #include <plumb/shapes/detail/counts.h>
 
 namespace plumb {
 
 namespace {
-
-Vec2 unit(const Vec2& v) {
-    return v / std::sqrt(v.dot(v));
-}
 
 Outline outlineOf(const Circle& circle) {
     Outline outline;
@@ -28,12 +24,12 @@ Outline outlineOf(const Polygon& polygon) {
     outline.radius = polygon.radius;
     outline.count = outline.edges = polygon.vertices.size();
     std::copy(polygon.vertices.begin(), polygon.vertices.end(), outline.corners.begin());
-    for (std::size_t i = 0; i < outline.edges; ++i) outline.normals[i] = unit(-perp(outline.edgeFrom(i)));
+    for (std::size_t i = 0; i < outline.edges; ++i) outline.normals[i] = detail::unit(-perp(outline.edgeFrom(i)));
     return outline;
 }
 
 Outline outlineOf(const Vec2& start, const Vec2& end, double radius) {
-    const Vec2 along = unit(end - start);
+    const Vec2 along = detail::unit(end - start);
     const Vec2 right = -perp(along);
     Outline outline;
     outline.radius = radius;

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include <plumb/math/detail/length.h>
+
 namespace plumb {
 
 namespace {
@@ -14,10 +16,6 @@ constexpr double tiny = 1e-9;
 /// outline goes on the other way; to all else, no more than by roundings [-].
 constexpr double leaning = 1e-3;
 
-Vec2 unit(const Vec2& v) {
-    return v / std::sqrt(v.dot(v));
-}
-
 /// A unit vector turned to the right.
 Vec2 rightOf(const Vec2& along) {
     return {along.y(), -along.x()};
@@ -26,14 +24,14 @@ Vec2 rightOf(const Vec2& along) {
 }  // namespace
 
 std::optional<Vec2> outlineNormal(const Segment& segment, const Vec2& normal) {
-    const Vec2 along = unit(segment.end - segment.start), own = rightOf(along);
+    const Vec2 along = detail::unit(segment.end - segment.start), own = rightOf(along);
     const double lean = normal.dot(along);
     const auto outward = [&]() { return normal.dot(own) > 0 ? std::optional(own) : std::nullopt; };
     if (std::fabs(lean) <= tiny) return outward();
     const std::optional<Vec2>& beyond = lean > 0 ? segment.after : segment.before;
     if (!beyond) return outward();  // it goes on into a one-way top
     // On from the joint, away from this segment.
-    Vec2 on = unit(*beyond - (lean > 0 ? segment.end : segment.start));
+    Vec2 on = detail::unit(*beyond - (lean > 0 ? segment.end : segment.start));
     const bool under = on.dot(own) > tiny && std::fabs(lean) > leaning;
     if (under) on = -on;
     const bool corner = on.dot(own) < -tiny;

@@ -39,7 +39,7 @@ double speedAlong(const SolverVelocity& v, double x, double y, double turn) {
     return x * static_cast<double>(v.x) + y * static_cast<double>(v.y) + turn * static_cast<double>(v.w);
 }
 
-Vec2 velocityOf(const SolverVelocity& v) {
+Vec2 linearOf(const SolverVelocity& v) {
     return {static_cast<double>(v.x), static_cast<double>(v.y)};
 }
 
@@ -189,11 +189,11 @@ void Audit::beforeKick(const WorldState& world, const std::vector<BodyIndex>& so
         SolverVelocity& v = start_[body];
         const Kick& kick = world.bodies.kick[body];
         const double rho = static_cast<double>(world.bodies.turn[body].rho);
-        const double before = kineticOf(record, velocityOf(v), static_cast<double>(v.w) * rho);
-        const Vec2 start = velocityOf(v);
+        const double before = kineticOf(record, linearOf(v), static_cast<double>(v.w) * rho);
+        const Vec2 start = linearOf(v);
         v = {v.x * kick.keep.x, v.y * kick.keep.y, v.w * kick.keep.w, v.inverseMass};
-        dampedEnergy_[body] += kineticOf(record, velocityOf(v), static_cast<double>(v.w) * rho) - before;
-        dampedMomentum_[body] += record.mass * (velocityOf(v) - start);
+        dampedEnergy_[body] += kineticOf(record, linearOf(v), static_cast<double>(v.w) * rho) - before;
+        dampedMomentum_[body] += record.mass * (linearOf(v) - start);
         const Vec2 gain(static_cast<double>(kick.gain.x), static_cast<double>(kick.gain.y));
         const Vec2 pull = record.mass * record.gravityScale * world.def.gravity + record.force;
         if (record.linearDamping > 0) dampedMomentum_[body] += record.mass * gain - pull * half;
@@ -212,7 +212,7 @@ void Audit::noteFieldKick(const WorldState& world, BodyIndex body, const FieldKi
 void Audit::noteGiven(const BodyStore& bodies, const FieldGiven& given) {
     const double rho = static_cast<double>(bodies.turn[given.body].rho);
     const SolverVelocity &then = start_[given.body], &now = bodies.velocity[given.body];
-    const Push mean{0.5 * (velocityOf(then) + velocityOf(now)), 0.5 * rho * static_cast<double>(then.w + now.w)};
+    const Push mean{0.5 * (linearOf(then) + linearOf(now)), 0.5 * rho * static_cast<double>(then.w + now.w)};
     fieldAccounts_[given.body].add(bodies.record[given.body], given.kick, mean, given.base);
 }
 

@@ -17,7 +17,7 @@ struct Row {
 Row rowOf(const SolverVelocity& v) {
     return {{v.x, v.y, v.w, v.inverseMass}};
 }
-SolverVelocity velocityOf(const Row& row) {
+SolverVelocity speedOfRow(const Row& row) {
     return {row.field[0], row.field[1], row.field[2], row.field[3]};
 }
 
@@ -54,8 +54,8 @@ void kickBodies(const std::uint32_t* list, std::size_t count, const SolverBodies
             warm.field[i] += v.field[i] - before.field[i];  // nothing, for the inverse mass
             v.field[i] = v.field[i] * keep.field[i] + gain.field[i] + warm.field[i];
         }
-        bodies.warm[*body] = velocityOf(warm);
-        bodies.velocity[*body] = bodies.before[*body] = velocityOf(v);
+        bodies.warm[*body] = speedOfRow(warm);
+        bodies.velocity[*body] = bodies.before[*body] = speedOfRow(v);
     }
 }
 

@@ -28,6 +28,11 @@ struct BodyMotion {
     Rot rotation;  ///< of angle
 };
 
+/// Of the body's point that is there now [m/s].
+inline Vec2 velocityAt(const BodyMotion& motion, const Vec2& point) {
+    return motion.velocity + perp(Vec2(point - motion.center)) * motion.angularVelocity;
+}
+
 /// Everything else. What a step asks of every body fills the first two cache lines.
 struct alignas(64) BodyRecord {
     BodyType type = BodyType::Static;

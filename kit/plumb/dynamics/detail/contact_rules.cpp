@@ -44,10 +44,6 @@ bool comesDown(const Side& side, const Vec2& open) {
     return -side.velocity.dot(open) >= steep * side.velocity.norm() * open.norm();
 }
 
-Vec2 velocityAt(const BodyMotion& motion, const Vec2& point) {
-    return motion.velocity + perp(Vec2(point - motion.center)) * motion.angularVelocity;
-}
-
 }  // namespace
 
 Face faceOf(const WorldState& world, const ContactRecord& contact, const Manifold& manifold) {

@@ -17,12 +17,12 @@ BodyMotion solvedMotion(const BodyStore& bodies, BodyIndex body) {
     return motion;
 }
 
-Push velocityOf(const BodyStore& bodies, BodyIndex body) {
+Push speedsOf(const BodyStore& bodies, BodyIndex body) {
     const SolverVelocity& v = bodies.velocity[body];
     return {{static_cast<double>(v.x), static_cast<double>(v.y)}, static_cast<double>(v.w * bodies.turn[body].rho)};
 }
 
-void add(SolverVelocity& velocity, const Push& push, float inverseRho) {
+void addPush(SolverVelocity& velocity, const Push& push, float inverseRho) {
     velocity.x += static_cast<float>(push.velocity.x());
     velocity.y += static_cast<float>(push.velocity.y());
     velocity.w += static_cast<float>(push.spin) * inverseRho;
@@ -66,10 +66,10 @@ void FieldSolving::kick(const std::vector<BodyIndex>& solved) {
         if (!feels(body)) continue;
         const BodyRecord& record = bodies.record[body];
         const Acceleration base = accelerationOf(record, world_.def.gravity);
-        const FieldKick kick = kickOf(record, base, pulls_[i], velocityOf(bodies, body), 0.5 * h_);
+        const FieldKick kick = kickOf(record, base, pulls_[i], speedsOf(bodies, body), 0.5 * h_);
         const Push sum = sumOf(kick);
-        add(bodies.velocity[body], sum, bodies.turn[body].inverseRho);
-        add(bodies.before[body], sum, bodies.turn[body].inverseRho);
+        addPush(bodies.velocity[body], sum, bodies.turn[body].inverseRho);
+        addPush(bodies.before[body], sum, bodies.turn[body].inverseRho);
         if (world_.audit) world_.audit->noteFieldKick(world_, body, kick, base.linear * (0.5 * h_));
     }
 }

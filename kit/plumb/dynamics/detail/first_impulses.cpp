@@ -26,7 +26,7 @@ bool isNew(const ContactBatch& batch, std::size_t lane) {
 }
 
 /// Every lane with bodies of its own; points that do not bear have no mass.
-ContactBatch apart(const ContactBatch& batch) {
+ContactBatch withBodiesApart(const ContactBatch& batch) {
     ContactBatch own = batch;
     for (std::uint32_t lane = 0; lane < batchLanes; ++lane) {
         own.bodyA[lane] = 2 * lane;
@@ -47,7 +47,7 @@ void guessImpulses(const WorldState& world, ContactBatch& batch) {
         velocity[2 * lane] = kickOf(world, batch.bodyA[lane]);
         velocity[2 * lane + 1] = kickOf(world, batch.bodyB[lane]);
     }
-    ContactBatch own = apart(batch);
+    ContactBatch own = withBodiesApart(batch);
     SolverBodies bodies;
     bodies.velocity = velocity;
     const ContactPass rigid{0, {0, 1, 0}, 0};

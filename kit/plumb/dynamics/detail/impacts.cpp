@@ -181,10 +181,6 @@ std::vector<PointImpulse> partFace(const WorldState& world, const Vec2& n, std::
     return given;
 }
 
-Vec2 velocityAt(const BodyMotion& motion, const Vec2& point) {
-    return motion.velocity + perp(Vec2(point - motion.center)) * motion.angularVelocity;
-}
-
 /// What the impulses did to the energy, by the speeds before and after them, and to whom.
 void account(const WorldState& world, Meeting& meeting, const std::vector<PointImpulse>& given,
              const std::array<BodyMotion, 2>& before, const std::array<BodyMotion, 2>& after) {

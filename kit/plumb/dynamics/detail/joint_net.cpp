@@ -26,9 +26,9 @@ bool sameWays(const JointRows& a, const JointRows& b) {
 }
 
 /// One pass over one net.
-class Pass {
+class NetSolution {
 public:
-    Pass(JointNet& net, JointStore& joints, BodyStore& bodies, const JointPass& pass)
+    NetSolution(JointNet& net, JointStore& joints, BodyStore& bodies, const JointPass& pass)
         : net_(net), work_(net.work), joints_(joints), bodies_(bodies), step_(pass.step) {
         findRows(pass);
         work_.before.resize(net.bodies.size());
@@ -262,7 +262,7 @@ Vec3 speedsOf(const JointRows& rows, const BodyStore& bodies) {
 
 void solveNet(JointNet& net, JointStore& joints, BodyStore& bodies, const NetPass& pass) {
     if (net.direct) {
-        Pass(net, joints, bodies, pass.direct).run(pass.audit, true);
+        NetSolution(net, joints, bodies, pass.direct).run(pass.audit, true);
         return;
     }
     net.hinges.solve(*pass.hingeSolver, bodies.solverBodies(), pass.hinges);
@@ -284,7 +284,7 @@ void holdNet(JointNet& net, JointStore& joints, BodyStore& bodies, JointPass pas
     for (int time = 0; time < 3; ++time) {
         std::vector<float> before;
         for (const BodyIndex body : net.bodies) before.push_back(bodies.velocity[body].w);
-        Pass(net, joints, bodies, pass).run(audit, false);
+        NetSolution(net, joints, bodies, pass).run(audit, false);
         bool changed = false;
         for (std::size_t b = 0; b < net.bodies.size(); ++b) {
             const float turn = (bodies.velocity[net.bodies[b]].w - before[b]) * bodies.turn[net.bodies[b]].rho;
@@ -295,7 +295,7 @@ void holdNet(JointNet& net, JointStore& joints, BodyStore& bodies, JointPass pas
 }
 
 void pushNet(JointNet& net, JointStore& joints, BodyStore& bodies, BodyIndex body, const Vec3& impulse, double h) {
-    Pass(net, joints, bodies, {h, false, 0, 0}).push(body, impulse);
+    NetSolution(net, joints, bodies, {h, false, 0, 0}).push(body, impulse);
 }
 
 }  // namespace plumb

@@ -10,14 +10,14 @@ namespace {
 
 constexpr float apart = 1e-3f;  ///< what trembles this little does not end its touch [m]
 
-struct Touch {
+struct TouchNow {
     bool pressed = false;
     float separation = apart;
     std::size_t point = 0;  ///< the nearest
 };
 
-Touch touchOf(const WorldState& world, const ContactRecord& contact) {
-    Touch touch;
+TouchNow touchOf(const WorldState& world, const ContactRecord& contact) {
+    TouchNow touch;
     const auto memory = world.graph.memoryOf(contact);
     const std::size_t count = static_cast<std::size_t>(world.graph.manifoldOf(contact).count);
     for (std::size_t p = 0; p < count; ++p) {
@@ -59,7 +59,7 @@ void markChanges(const ContactBatch& batch, const ManifoldLanes& manifolds, floa
 }
 
 void reportContact(WorldState& world, ContactRecord& contact) {
-    const Touch touch = touchOf(world, contact);
+    const TouchNow touch = touchOf(world, contact);
     if (contact.colour >= 0 && touch.pressed && static_cast<double>(contact.approachSpeed) > world.def.hitSpeed)
         world.hits.push_back(hitOf(beginOf(world, contact, touch.point)));
     if (!contact.touching && (touch.pressed || touch.separation <= 0)) {

@@ -26,12 +26,8 @@ Transform poseOf(const FlyingShape& s, const BodyMotion& motion) {
     return {motion.center - motion.rotation * s.localCenter, motion.rotation};
 }
 
-Vec2 velocityAt(const BodyMotion& motion, const Vec2& point) {
-    return motion.velocity + perp(Vec2(point - motion.center)) * motion.angularVelocity;
-}
-
 /// A bound on how two shapes approach along a normal: by no more than speed * t + bend / 2 * t^2 in a time t [m].
-struct Approach {
+struct ClosingBound {
     double speed = 0, bend = 0;  ///< [m/s, m/s^2]
 
     /// So long they stay apart that are separation apart [s].
@@ -53,8 +49,8 @@ Pull pullOn(const FlyingShape& s, const BodyMotion& now) {
 
 /// Of b towards a, as seen from a, which turns: only then does the spin of a large body count by how near the other is.
 /// What is left of the step is the time for which it holds.
-Approach approachTo(const FlyingShape& a, const FlyingShape& b, const BodyMotion& nowA, const BodyMotion& nowB,
-                    const Vec2& normal, double left) {
+ClosingBound approachTo(const FlyingShape& a, const FlyingShape& b, const BodyMotion& nowA, const BodyMotion& nowB,
+                        const Vec2& normal, double left) {
     const Pull pullA = pullOn(a, nowA), pullB = pullOn(b, nowB);
     const Vec2 between = nowB.center - nowA.center, relative = nowB.velocity - nowA.velocity;
     const double uneven = std::fabs(b.law.linearDamping - a.law.linearDamping) * pullA.linear.norm() * left;
@@ -70,7 +66,7 @@ Approach approachTo(const FlyingShape& a, const FlyingShape& b, const BodyMotion
 }
 
 /// As seen from the larger one.
-Approach approachIn(const FlyingShape& a, const FlyingShape& b, const Encounter& now, double left) {
+ClosingBound approachIn(const FlyingShape& a, const FlyingShape& b, const Encounter& now, double left) {
     if (a.extent >= b.extent) return approachTo(a, b, now.a, now.b, now.distance.normal, left);
     return approachTo(b, a, now.b, now.a, -now.distance.normal, left);
 }
@@ -120,7 +116,7 @@ std::optional<double> timeOfImpact(const FlyingShape& a, const FlyingShape& b, d
         if (touches && now.closingSpeed > 0) return time;
         const bool turns = now.a.angularVelocity != 0 || now.b.angularVelocity != 0;
         if (touches && i == 0 && !turns) return std::nullopt;  // they part, and nothing brings them together again
-        const Approach approach = approachIn(a, b, now, left);
+        const ClosingBound approach = approachIn(a, b, now, left);
         const double safe = touches ? 0.0 : approach.safeTime(separation);
         const double through = thick > 0 ? approach.safeTime(thick) : whole;
         const double least = std::max(std::min(through, whole) * always, shortest);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long is a vector, and which way does it point, when its square is too small or too large to be a number?
+// How long is a vector, and which way does it point, also when its square is too small or too large to be a number?
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,11 @@
 #include <plumb/math/vec2.h>
 
 namespace plumb::detail {
+
+/// v / |v|, where its square is a number other than 0.
+inline Vec2 unit(const Vec2& v) {
+    return v / std::sqrt(v.dot(v));
+}
 
 /// As Vec2::norm, to the last place for tiny and for huge vectors as well.
 inline double lengthOf(const Vec2& v) {

@@ -61,7 +61,7 @@ bool isCovered(const TileMap& map, const HalfEdge& edge, Cell cell) {
     return std::find(there.begin(), there.end(), HalfEdge{edge.end, edge.start}) != there.end();
 }
 
-int cross(const TileEdge& a, const TileEdge& b) {
+int crossOf(const TileEdge& a, const TileEdge& b) {
     return (a.end.x - a.start.x) * (b.end.y - b.start.y) - (a.end.y - a.start.y) * (b.end.x - b.start.x);
 }
 
@@ -71,7 +71,7 @@ int dot(const TileEdge& a, const TileEdge& b) {
 
 /// Grows with the turn to the left from one edge to the next, from -1 at a turn straight back on the right to 1.
 double turnBetween(const TileEdge& from, const TileEdge& to) {
-    const double c = dot(from, to), s = cross(from, to);
+    const double c = dot(from, to), s = crossOf(from, to);
     const double cosine = c / std::sqrt(c * c + s * s);
     return s < 0 || (s == 0 && c < 0) ? (cosine - 1) / 2 : (1 - cosine) / 2;
 }
@@ -135,7 +135,8 @@ std::optional<TileEdge> edgeBefore(const TileMap& map, const TileEdge& edge) {
 
 std::optional<TileEdge> topOverEnd(const TileMap& map, const TileEdge& edge) {
     const std::optional<TileEdge> next = edgeAfter(map, edge);
-    if (!next || edge.kind == TileKind::OneWay || next->kind == TileKind::OneWay || cross(edge, *next) <= 0) return {};
+    if (!next || edge.kind == TileKind::OneWay || next->kind == TileKind::OneWay || crossOf(edge, *next) <= 0)
+        return {};
     return firstOf(edgesAt(map, edge.end, [&](const TileEdge& other) {
         return other.end == edge.end && other.kind == TileKind::OneWay && turnBetween(other, *next) == 0;
     }));
@@ -143,7 +144,8 @@ std::optional<TileEdge> topOverEnd(const TileMap& map, const TileEdge& edge) {
 
 std::optional<TileEdge> topOverStart(const TileMap& map, const TileEdge& edge) {
     const std::optional<TileEdge> last = edgeBefore(map, edge);
-    if (!last || edge.kind == TileKind::OneWay || last->kind == TileKind::OneWay || cross(*last, edge) <= 0) return {};
+    if (!last || edge.kind == TileKind::OneWay || last->kind == TileKind::OneWay || crossOf(*last, edge) <= 0)
+        return {};
     return firstOf(edgesAt(map, edge.start, [&](const TileEdge& other) {
         return other.start == edge.start && other.kind == TileKind::OneWay && turnBetween(*last, other) == 0;
     }));
