@@ -3,6 +3,7 @@
 
 #include <plumb/dynamics/detail/joints_edit.h>
 #include <plumb/dynamics/detail/validate.h>
+#include <plumb/math/check.h>
 
 namespace plumb {
 
@@ -30,6 +31,21 @@ double JointView::angleError() const {
 void Joint::set(const JointDef& def) {
     validateChange(*world_, world_->joints[index_].def(), def);
     changeJoint(*world_, index_, def);
+}
+
+void Joint::setMotorSpeed(double speed) {
+    JointDef changed = def();
+    std::visit(
+        [&]<class Def>(Def& d) {
+            if constexpr (requires { d.motorSpeed; })
+                d.motorSpeed = speed;
+            else
+                refuse("Joint.setMotorSpeed",
+                       "a " + nameOf(changed) +
+                           " has no motorSpeed; revolute, prismatic, distance and wheel joints have one");
+        },
+        changed);
+    set(changed);
 }
 
 }  // namespace plumb

@@ -43,6 +43,9 @@ public:
     /// std::invalid_argument, and changes nothing, unless kind, bodies, anchors and axes are those it has: for others,
     /// remove it and join anew.
     void set(const JointDef& def);
+    /// set() with another motorSpeed: of a hinge or a wheel [rad/s], of a slide or a distance joint [m/s]. Throws
+    /// std::invalid_argument, and changes nothing, for a joint of another kind or a speed that its def may not have.
+    void setMotorSpeed(double speed);
 
 private:
     friend class World;

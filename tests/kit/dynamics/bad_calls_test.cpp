@@ -311,6 +311,22 @@ BadCalls bodyCalls() {
     return c;
 }
 
+/// A speed is refused by the name of the def's field.
+BadCalls jointCalls() {
+    BadCalls c;
+    const BadNumbers beyond{{1e16, "1e+16", "is beyond 1e+15"}, {-1e16, "-1e+16", "is beyond 1e+15"}};
+    const auto speeds = [&](const std::string& kind, JointId Bench::*joint) {
+        BadCalls some = numbers("Joint.setMotorSpeed", "speed", joined(notFinite, beyond),
+                                [=](Bench& b, double v) { b.world.joint(b.*joint).setMotorSpeed(v); });
+        for (BadCall& bad : some) bad.field = kind + ".motorSpeed";
+        add(c, some);
+    };
+    speeds("RevoluteJointDef", &Bench::hinge);
+    speeds("PrismaticJointDef", &Bench::slide);
+    speeds("DistanceJointDef", &Bench::rod);
+    return c;
+}
+
 const ImpactSide side{.velocity = {0, -1}, .inverseMass = 1};
 
 BadCalls impactCalls() {
@@ -430,7 +446,7 @@ BadCalls functionCalls() {
 
 BadCalls allCalls() {
     BadCalls all;
-    for (const BadCalls& some : {worldCalls(), queryCalls(), bodyCalls(), impactCalls(), functionCalls()})
+    for (const BadCalls& some : {worldCalls(), queryCalls(), bodyCalls(), jointCalls(), impactCalls(), functionCalls()})
         add(all, some);
     return all;
 }
@@ -511,6 +527,12 @@ const std::vector<ExtremeCall> extremeCalls{
     {"Body.setGravityScale", [](Bench& b, double v) { ball(b).setGravityScale(v); }},
     {"Body.setLinearDamping", [](Bench& b, double v) { ball(b).setLinearDamping(v); }},
     {"Body.setAngularDamping", [](Bench& b, double v) { ball(b).setAngularDamping(v); }},
+    {"Joint.setMotorSpeed",
+     [](Bench& b, double v) {
+         auto def = std::get<RevoluteJointDef>(b.world.joint(b.hinge).def());
+         def.maxMotorTorque = 1;
+         b.world.joint(b.hinge).set(def), b.world.joint(b.hinge).setMotorSpeed(v);
+     }},
     {"World.castRay",
      [](Bench& b, double v) {
          b.world.castRayAll({v, 1}, {-v, 1}), b.world.castRay({0, 0}, {v, v});

@@ -2,12 +2,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 #include <plumb/plumb.h>
 #include "catch.h"
 
 using plumb::BodyId;
 using plumb::BodyType;
+using plumb::JointDef;
 using plumb::JointId;
 using plumb::Mass;
 using plumb::RevoluteJointDef;
@@ -166,4 +169,86 @@ TEST_CASE("a motor's speed and torque are refused when they are no number, or th
     CHECK_THROWS_WITH(join(1, -2), containsText("RevoluteJointDef.maxMotorTorque: -2 is negative"));
     CHECK_THROWS_WITH(join(1, -infinity), containsText("RevoluteJointDef.maxMotorTorque: -inf is not finite"));
     CHECK_NOTHROW(join(-1, infinity));
+}
+
+TEST_CASE("setMotorSpeed does the same, to the last bit, as set with a def of that motorSpeed",
+          "[dynamics][joints][motor]") {
+    using namespace plumb;
+    const auto compare = [](auto def) {
+        World told({.gravity = {1, -2}});
+        def.bodyA = told.add({.type = BodyType::Static});
+        def.bodyB = told.add({.position = {0, 2}, .shapes = {circle(0.5), box({1, 0.2})}});
+        const JointId joint = told.join(def);
+        World set = told;
+        for (const double speed : {3.0, -1.5, 0.0, 40.0}) {
+            def.motorSpeed = speed;
+            told.joint(joint).setMotorSpeed(speed);
+            set.joint(joint).set(def);
+            for (int tick = 0; tick < 30; ++tick) told.step(dt), set.step(dt);
+            CHECK(stateHash(told) == stateHash(set));
+            CHECK(std::get<decltype(def)>(told.joint(joint).def()).motorSpeed == speed);
+        }
+    };
+    const Vec2 at(0, 2);
+    const Spring soft{50, 5};
+    compare(RevoluteJointDef{.anchor = at, .maxMotorTorque = 20});
+    compare(PrismaticJointDef{.anchor = at, .maxMotorForce = 20});
+    compare(DistanceJointDef{.anchorA = {0, 4}, .anchorB = at, .spring = soft, .maxMotorForce = 20});
+    compare(WheelJointDef{.anchor = at, .maxMotorTorque = 20, .spring = soft});
+}
+
+TEST_CASE("setMotorSpeed wakes a wheel that a brake has put to sleep", "[dynamics][joints][motor]") {
+    World world({.gravity = {0, 0}});
+    const BodyId axle = world.add({.type = BodyType::Static}), wheel = world.add({.shapes = {plumb::circle(1)}});
+    const JointId joint = world.join(RevoluteJointDef{.bodyA = axle, .bodyB = wheel, .maxMotorTorque = 10});
+    for (int tick = 0; tick < 60; ++tick) world.step(dt);
+    REQUIRE_FALSE(world.body(wheel).awake());
+    world.joint(joint).setMotorSpeed(2);
+    CHECK(world.body(wheel).awake());
+    for (int tick = 0; tick < 60; ++tick) world.step(dt);
+    CHECK(std::fabs(world.joint(joint).coordinate().speed - 2) < 1e-4);  // the solver's give of 1e-5
+}
+
+TEST_CASE("setMotorSpeed is refused for a joint that has no motorSpeed, by the name of its kind",
+          "[dynamics][errors][motor]") {
+    using namespace plumb;
+    World world({.gravity = {0, 0}});
+    const BodyId wall = world.add({.type = BodyType::Static});
+    const BodyId a = world.add({.position = {0, 2}, .shapes = {circle(0.5)}});
+    const BodyId b = world.add({.position = {2, 2}, .shapes = {circle(0.5)}});
+    const JointId hinge = world.join(RevoluteJointDef{.bodyA = wall, .bodyB = a, .anchor = {0, 2}});
+    const JointId slide = world.join(PrismaticJointDef{.bodyA = wall, .bodyB = b, .anchor = {2, 2}});
+    const auto refusalOf = [&](const JointDef& def) -> std::string {
+        const JointId joint = world.join(def);
+        const std::uint64_t before = stateHash(world);
+        try {
+            world.joint(joint).setMotorSpeed(1);
+        } catch (const std::invalid_argument& refusal) {
+            CHECK(stateHash(world) == before);
+            return refusal.what();
+        }
+        return "";
+    };
+    const std::string wanted = " has no motorSpeed; revolute, prismatic, distance and wheel joints have one";
+    const auto textOf = [&](const std::string& kind) { return "Joint.setMotorSpeed: a " + kind + wanted; };
+    CHECK(refusalOf(WeldJointDef{.bodyA = a, .bodyB = b, .anchor = {1, 2}}) == textOf("WeldJointDef"));
+    CHECK(refusalOf(PulleyJointDef{
+              .bodyA = a, .bodyB = b, .groundA = {0, 4}, .groundB = {2, 4}, .anchorA = {0, 2}, .anchorB = {2, 2}}) ==
+          textOf("PulleyJointDef"));
+    CHECK(refusalOf(GearJointDef{.jointA = hinge, .jointB = slide}) == textOf("GearJointDef"));
+    CHECK(refusalOf(MotorJointDef{.bodyA = a, .bodyB = b, .maxForce = 1}) == textOf("MotorJointDef"));
+    CHECK(refusalOf(TargetJointDef{.body = a, .anchor = {0, 2}, .target = {1, 1}}) == textOf("TargetJointDef"));
+    CHECK(refusalOf(FilterJointDef{.bodyA = a, .bodyB = b}) == textOf("FilterJointDef"));
+}
+
+TEST_CASE("setMotorSpeed refuses a speed that is no number, and the motor keeps the one it has",
+          "[dynamics][errors][motor]") {
+    Wheel w = wheelOf(0.5, 3, infinity);
+    const auto joint = [&] { return w.world.joint(w.joint); };
+    CHECK_THROWS_WITH(joint().setMotorSpeed(std::numeric_limits<double>::quiet_NaN()),
+                      containsText("RevoluteJointDef.motorSpeed: nan is not finite"));
+    CHECK_THROWS_WITH(joint().setMotorSpeed(-infinity), containsText("RevoluteJointDef.motorSpeed: -inf is not"));
+    CHECK_THROWS_WITH(joint().setMotorSpeed(1e16), containsText("RevoluteJointDef.motorSpeed: 1e+16 is beyond 1e+15"));
+    w.world.step(dt);
+    CHECK(std::fabs(w.speed() - 3) < 1e-6);
 }

@@ -22,6 +22,7 @@ bool isKnown(const WorldState& world, ShapeId id);
 // Each throws std::invalid_argument naming the field, the value and what was wanted.
 void validate(const WorldDef& def);
 std::string nameOf(BodyType type);
+std::string nameOf(const JointDef& def);  ///< "WeldJointDef"
 void requireType(BodyType type, const std::string& field);
 /// Of a dynamic body; why says what else could have been given.
 void requireMass(const Mass& mass, const std::string& field, const std::string& why = {});

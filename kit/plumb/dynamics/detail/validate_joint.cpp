@@ -266,6 +266,8 @@ Frame changeOf(const Def& a, const Def& b) {
     return frame;
 }
 
+}  // namespace
+
 std::string nameOf(const JointDef& def) {
     constexpr std::array names{"RevoluteJointDef", "PrismaticJointDef", "DistanceJointDef", "WeldJointDef",
                                "WheelJointDef",    "PulleyJointDef",    "GearJointDef",     "MotorJointDef",
@@ -273,8 +275,6 @@ std::string nameOf(const JointDef& def) {
     static_assert(names.size() == std::variant_size_v<JointDef>);
     return names[def.index()];
 }
-
-}  // namespace
 
 void validate(const WorldState& world, const JointDef& def) {
     std::visit(Validator{world}, def);
