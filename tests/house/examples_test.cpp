@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "house/examples.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -22,12 +23,16 @@ std::string textOf(const fs::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// The README's, by the name "plumb", and those of each module's page by the module's.
+/// Those of every page, by names that can be a file's: "README" of the README, "kit_plumb_dynamics_joints" of
+/// kit/plumb/dynamics/joints.md.
 std::map<std::string, std::vector<Example>> allExamples() {
-    std::map<std::string, std::vector<Example>> examples{{"plumb", examplesOn(textOf(repository / "README.md"))}};
-    for (const auto& entry : fs::directory_iterator(repository / "kit/plumb"))
-        if (entry.is_directory())
-            examples[entry.path().filename().string()] = examplesOn(textOf(entry.path() / "README.md"));
+    std::map<std::string, std::vector<Example>> examples{{"README", examplesOn(textOf(repository / "README.md"))}};
+    for (const auto& entry : fs::recursive_directory_iterator(repository / "kit")) {
+        if (entry.path().extension() != ".md") continue;
+        std::string name = fs::relative(entry.path(), repository).replace_extension().generic_string();
+        std::replace(name.begin(), name.end(), '/', '_');
+        examples[name] = examplesOn(textOf(entry.path()));
+    }
     return examples;
 }
 
@@ -46,11 +51,20 @@ TEST_CASE("a page's programs are found, with what they print", "[house]") {
 
 TEST_CASE("every module of the kit has a page with a program, and the README leads to it", "[house]") {
     const std::string readme = textOf(repository / "README.md");
-    for (const auto& [module, examples] : allExamples()) {
+    CHECK_FALSE(examplesOn(readme).empty());
+    for (const auto& entry : fs::directory_iterator(repository / "kit/plumb")) {
+        if (!entry.is_directory()) continue;
+        const std::string module = entry.path().filename().string();
         CAPTURE(module);
-        CHECK_FALSE(examples.empty());
-        if (module == "plumb") continue;
+        CHECK_FALSE(examplesOn(textOf(entry.path() / "README.md")).empty());
         CHECK(readme.find("(kit/plumb/" + module + "/README.md)") != std::string::npos);
+    }
+}
+
+TEST_CASE("every program on a page of the kit is followed by what it prints", "[house]") {
+    for (const auto& [page, examples] : allExamples()) {
+        CAPTURE(page);
+        if (page == "README") continue;
         for (const Example& example : examples) CHECK_FALSE(example.output.empty());
     }
 }
@@ -63,8 +77,8 @@ TEST_CASE("every program on a page compiles, and prints what the page says", "[h
     const std::string prefix = (folder / "prefix").string();
     mustRun(quoted(PLUMB_CMAKE) + " --install " + quoted(PLUMB_BUILD_DIR) + " --prefix " + quoted(prefix));
     std::map<std::string, Example> byName;
-    for (const auto& [module, examples] : allExamples())
-        for (std::size_t i = 0; i < examples.size(); ++i) byName[module + "_" + std::to_string(i)] = examples[i];
+    for (const auto& [page, examples] : allExamples())
+        for (std::size_t i = 0; i < examples.size(); ++i) byName[page + "_" + std::to_string(i)] = examples[i];
     for (const auto& [name, example] : byName) std::ofstream(sources / (name + ".cpp")) << example.program;
     buildProject({.source = repository / "tests/examples",
                   .build = folder / "build",
