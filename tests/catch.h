@@ -8,6 +8,7 @@
 #else
 // In every source alike: it changes the interfaces that they share.
 #define CATCH_CONFIG_ENABLE_BENCHMARKING
+#define CATCH_CONFIG_FAST_COMPILE
 #include <catch2/catch.hpp>
 #endif
 

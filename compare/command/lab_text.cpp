@@ -7,11 +7,10 @@
 #include <algorithm>
 #include <ostream>
 
+#include <compare/command/colours.h>
+
 namespace plumb::compare {
 namespace {
-
-constexpr const char* red = "31";
-constexpr const char* green = "32";
 
 std::string painted(const std::string& text, const char* code, bool colour) {
     return colour ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : text;
@@ -63,7 +62,7 @@ void printLabSummary(std::span<const LabResult> results, std::ostream& out, bool
     const auto failed = std::ssize(results) - held;
     const std::string hold = fmt::format("{} lab{}", held, held == 1 ? " holds" : "s hold");
     const std::string fail = fmt::format("{} {}", failed, failed == 1 ? "fails" : "fail");
-    fmt::print(out, "{}, {}.\n", painted(hold, held ? green : "33", colour),
+    fmt::print(out, "{}, {}.\n", painted(hold, held ? green : yellow, colour),
                painted(fail, failed ? red : green, colour));
 }
 

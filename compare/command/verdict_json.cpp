@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <compare/command/verdict_json.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -19,6 +21,7 @@ Json engineJson(const EngineResult& run) {
     if (!run.observation.unsupported.empty()) json["unsupported"] = run.observation.unsupported;
     json["metrics"] = Json::object();
     for (const auto& [name, value] : run.measured.metrics) json["metrics"][name] = numberOrNull(value);
+    if (run.observation.hash) json["hash"] = fmt::format("{:016x}", *run.observation.hash);
     return json;
 }
 

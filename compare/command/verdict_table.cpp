@@ -7,14 +7,12 @@
 #include <algorithm>
 #include <ostream>
 
+#include <compare/command/colours.h>
 #include <compare/metric/length_text.h>
 
 namespace plumb::compare {
 namespace {
 
-constexpr const char* red = "31";
-constexpr const char* green = "32";
-constexpr const char* yellow = "33";
 constexpr int engineWidth = 11;
 
 std::string cell(const SceneResult& result, const std::string& engine) {

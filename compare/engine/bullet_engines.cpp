@@ -2,17 +2,13 @@
 #include <compare/engine/bullet_engines.h>
 
 #include <compare/engine/box2d24/box2d24_engine.h>
-#ifdef PLUMB_HAS_BOX2D3
 #include <compare/engine/box2d3/box2d3_engine.h>
-#endif
 
 namespace plumb::compare {
 
 std::optional<Engine> withBullets(const Engine& engine) {
     if (engine.name == "box2d-2.4") return box2d24Engine(true);
-#ifdef PLUMB_HAS_BOX2D3
     if (engine.name == "box2d-3") return box2d3Engine(true);
-#endif
     return std::nullopt;
 }
 

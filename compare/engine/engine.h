@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What does an engine have to offer to be compared?
 #pragma once
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -52,6 +54,8 @@ public:
     /// since the start. NaN where the engine cannot say, and of forces before the first step. What can be read from the
     /// states is NaN here.
     virtual std::vector<double> probeValues() const = 0;
+    /// The state the world is in, as one number; none from an engine that has no such hash.
+    virtual std::optional<std::uint64_t> stateHash() const { return {}; }
     /// Which joints have broken so far.
     virtual Broken brokenJoints() const { return {}; }
 };

@@ -8,6 +8,7 @@
 #include <compare/engine/joint_geometry.h>
 #include <compare/engine/plumb_world.h>
 #include <compare/mover/plumb_movers.h>
+#include <plumb/record/state_hash.h>
 
 namespace plumb::compare {
 namespace {
@@ -46,6 +47,8 @@ public:
         }
         return result;
     }
+
+    std::optional<std::uint64_t> stateHash() const override { return plumb::stateHash(made_.world); }
 
     std::vector<Phase> phases() const override {
         const StepProfile profile = made_.world.profile();

@@ -3,17 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <compare/metric/geometry.h>
 #include <compare/metric/mechanics.h>
+#include <compare/metric/missing.h>
 #include <compare/metric/probe_error.h>
 
 namespace plumb::compare {
 namespace {
 
-constexpr double unsaid = std::numeric_limits<double>::quiet_NaN();
-constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr double divergenceLimit = 0.01;  // [m]
 constexpr double settledSpeed = 0.05;     // [m/s]
 

@@ -98,6 +98,7 @@ Observation observe(const Scene& scene, const Engine& engine) {
         milliseconds.push_back(taken.count());
         recorder.look(*simulation, seen);
     }
+    seen.hash = simulation->stateHash();
     if (!seen.partial && !milliseconds.empty()) seen.msPerStep = median(std::move(milliseconds));
     return seen;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What was seen of one engine's run of one scene?
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,7 +25,8 @@ struct Observation {
     std::vector<std::vector<double>> probes;
     /// [joint] the tick at which it was first seen broken; none for one that held. Ends with the last that broke.
     std::vector<std::optional<std::size_t>> brokenAt;
-    std::optional<double> msPerStep;  ///< median of the run [ms]
+    std::optional<double> msPerStep;    ///< median of the run [ms]
+    std::optional<std::uint64_t> hash;  ///< of the state after the run, from an engine that has one
 };
 
 /// Runs a scene in an engine and looks at it after every step. An engine that cannot build it is observed as such.

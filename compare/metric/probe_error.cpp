@@ -3,17 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include <compare/engine/joint_geometry.h>
+#include <compare/metric/missing.h>
 
 namespace plumb::compare {
 namespace {
-
-constexpr double unsaid = std::numeric_limits<double>::quiet_NaN();
-constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 /// Ticks from the first at or after the probe's start to the last at or before its end, up to rounding.
 struct Window {

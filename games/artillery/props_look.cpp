@@ -6,7 +6,7 @@ namespace plumb::games::artillery {
 namespace {
 
 constexpr Color wood = Color::hex(0xd29a55), darkWood = Color::hex(0x8a5a33), stone = Color::hex(0xb9b3b8),
-                darkStone = Color::hex(0x7d7686), iron = Color::hex(0x3b3547), powder = Color::hex(0xb8402f);
+                darkStone = Color::hex(0x7d7686), ironGrey = Color::hex(0x3b3547), powder = Color::hex(0xb8402f);
 constexpr double line = 0.09;  ///< [m]
 
 void drawCrate(Canvas& canvas, const Vec2& half) {
@@ -27,7 +27,7 @@ void drawPillar(Canvas& canvas, const Vec2& half) {
 void drawPlank(Canvas& canvas, const Vec2& half) {
     canvas.box({0, 0}, half, wood, 0.05);
     canvas.line({-half.x() + 0.1, -0.04}, {half.x() - 0.1, -0.04}, darkWood, 0.06);
-    for (const double side : {-1.0, 1.0}) canvas.circle({side * (half.x() - 0.3), 0.03}, 0.06, iron);
+    for (const double side : {-1.0, 1.0}) canvas.circle({side * (half.x() - 0.3), 0.03}, 0.06, ironGrey);
     canvas.box({0, 0}, half - Vec2(line / 2, line / 2), stroke(ink, line), 0.05);
 }
 
@@ -35,7 +35,7 @@ void drawKeg(Canvas& canvas, const Vec2& half, int fuse) {
     const bool lit = fuse >= 0 && fuse % 6 < 3;
     canvas.box({0, 0}, half, lit ? gold : powder, 0.16);
     canvas.rect({-half.x() + 0.1, -half.y() + 0.12}, {0.13, 2 * half.y() - 0.24}, lighter(powder, 0.3), 0.06);
-    for (const double y : {-0.24, 0.24}) canvas.line({-half.x(), y}, {half.x(), y}, iron, 0.11);
+    for (const double y : {-0.24, 0.24}) canvas.line({-half.x(), y}, {half.x(), y}, ironGrey, 0.11);
     canvas.polygon({{0, 0.17}, {0.13, -0.04}, {0, -0.17}, {-0.13, -0.04}}, gold);
     canvas.box({0, 0}, half - Vec2(line / 2, line / 2), stroke(ink, line), 0.16);
 }

@@ -14,7 +14,10 @@
 #include <games/frame/cue.h>
 #include <games/frame/input.h>
 #include <games/frame/player.h>
-#include <plumb/dynamics/world.h>
+
+namespace plumb {
+class World;
+}
 
 namespace plumb::games {
 

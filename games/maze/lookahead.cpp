@@ -8,8 +8,8 @@
 namespace plumb::games::maze {
 namespace {
 
-constexpr int near = 10;     ///< a hunter this close makes a power dot worth more [tiles]
-constexpr int crossing = 3;  ///< exits
+constexpr int near = 10;            ///< a hunter this close makes a power dot worth more [tiles]
+constexpr int exitsOfCrossing = 3;  ///< exits
 constexpr double worst = -1e9;
 constexpr double haste = 0.3;  ///< the share of its worth that what comes last loses
 
@@ -46,7 +46,7 @@ std::optional<Direction> Lookahead::best(const Chase& chase) const {
     return best;
 }
 
-/// Down one lane to the next crossing, and beyond.
+/// Down one lane to the next exitsOfCrossing, and beyond.
 double Lookahead::follow(Chase chase, Direction wanted, int frame) const {
     double value = 0;
     for (; frame < settings_.frames; ++frame) {
@@ -57,7 +57,7 @@ double Lookahead::follow(Chase chase, Direction wanted, int frame) const {
         const Cell now = chase.player().cell();
         if (now == before) continue;
         const std::vector<Direction>& exits = lanes().exits(now);
-        if (exits.size() >= crossing) return value + branch(chase, frame + 1);
+        if (exits.size() >= exitsOfCrossing) return value + branch(chase, frame + 1);
         const Direction back = opposite(chase.player().heading());
         wanted = exits[0] == back ? exits[1] : exits[0];
     }

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <games/runner/draw.h>
 
 namespace plumb::games::runner {
 namespace {
-
-constexpr double pi = 3.14159265358979;
 
 /// An even number from 0 to 1 for each whole number, always the same.
 double chance(int number) {
@@ -85,11 +84,11 @@ void drawCrescent(Canvas& canvas, const Vec2& center, const Color& color) {
     const auto tilted = canvas.place({.position = center, .angle = 0.5});
     std::vector<Vec2> outline;
     for (int i = 0; i <= 24; ++i) {
-        const double angle = pi * (i / 24.0 - 0.5);
+        const double angle = std::numbers::pi * (i / 24.0 - 0.5);
         outline.emplace_back(30 * std::cos(angle), 30 * std::sin(angle));
     }
     for (int i = 24; i >= 0; --i) {
-        const double angle = pi * (i / 24.0 - 0.5);
+        const double angle = std::numbers::pi * (i / 24.0 - 0.5);
         outline.emplace_back(14 * std::cos(angle), 30 * std::sin(angle));
     }
     canvas.polygon(std::move(outline), color);

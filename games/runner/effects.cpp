@@ -2,6 +2,7 @@
 #include <games/runner/effects.h>
 
 #include <cmath>
+#include <numbers>
 
 #include <games/runner/palette.h>
 
@@ -9,7 +10,6 @@ namespace plumb::games::runner {
 namespace {
 
 constexpr int wordsLife = 50, ringLife = 22;  ///< [ticks]
-constexpr double pi = 3.14159265358979;
 
 double shareOf(int age, int life) {
     return static_cast<double>(age) / life;
@@ -40,7 +40,7 @@ void Effects::trail(const Vec2& at, const Vec2& velocity, const Color& color) {
 
 void Effects::burst(const Vec2& at, int count, double slow, double fast, double lift, Bit like) {
     for (int i = 0; i < count; ++i) {
-        const double angle = random_.uniform(0, 2 * pi), speed = random_.uniform(slow, fast);
+        const double angle = random_.uniform(0, 2 * std::numbers::pi), speed = random_.uniform(slow, fast);
         Bit bit = like;
         bit.at = at;
         bit.velocity = Vec2(std::cos(angle) * speed, std::sin(angle) * speed + lift);

@@ -295,12 +295,12 @@ std::string version() {
 
 }  // namespace
 
-Engine box2d3Engine(bool bullets) {
-    return {bullets ? "box2d-3 bullets" : "box2d-3", version(), box2d3Settings, [bullets](const Scene& scene) {
-                auto simulation = std::make_unique<Box2d3Simulation>(scene);
-                if (bullets) simulation->makeBullets(scene);
-                return simulation;
-            }};
+std::optional<Engine> box2d3Engine(bool bullets) {
+    return Engine{bullets ? "box2d-3 bullets" : "box2d-3", version(), box2d3Settings, [bullets](const Scene& scene) {
+                      auto simulation = std::make_unique<Box2d3Simulation>(scene);
+                      if (bullets) simulation->makeBullets(scene);
+                      return simulation;
+                  }};
 }
 
 }  // namespace plumb::compare

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How is a scene run in Box2D 3?
 #pragma once
+#include <optional>
+
 #include <compare/engine/engine.h>
 
 namespace plumb::compare {
@@ -9,6 +11,7 @@ namespace plumb::compare {
 /// polygons of more than 8 corners or with corners that Box2D would weld, rings of fewer than 4 points, capsules,
 /// segments and rods shorter than its slop, numbers beyond single precision.
 /// bullets: what moves at the start is flagged as one, and the engine is called "box2d-3 bullets".
-Engine box2d3Engine(bool bullets = false);
+/// Empty where Plumb was built without Box2D 3.
+std::optional<Engine> box2d3Engine(bool bullets = false);
 
 }  // namespace plumb::compare
