@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+
+#include <games/all_games.h>
+
+#include "catch.h"
+#include "house/shell.h"
+
+using namespace plumb;
+using namespace plumb::test;
+
+namespace {
+
+Ran run(const std::string& arguments) {
+    return shell(quoted(PLUMB_SOURCE_DIR "/games/run") + " " + arguments);
+}
+
+}  // namespace
+
+TEST_CASE("games/run --help and -h print what games/run alone does: the usage and a line for each game", "[games]") {
+    const Ran alone = run("");
+    REQUIRE(alone.ok);
+    CHECK_THAT(alone.output, containsText("games/run NAME [ARGS]"));
+    for (const games::GameInfo& info : games::allGames()) CHECK_THAT(alone.output, containsText("  " + info.name));
+    for (const char* arguments : {"--help", "-h", "pictures --help", "pictures -h"}) {
+        CAPTURE(arguments);
+        const Ran help = run(arguments);
+        CHECK(help.ok);
+        CHECK(help.output == alone.output);
+    }
+}
+
+TEST_CASE("games/run with the name of no game names those there are, and ends with status 2", "[games]") {
+    const Ran ran = run("tennis 2>&1; echo $?");
+    CHECK_THAT(ran.output, containsText("there is no game \"tennis\""));
+    for (const games::GameInfo& info : games::allGames()) CHECK_THAT(ran.output, containsText(" " + info.name));
+    CHECK(ran.output.ends_with("\n2\n"));
+}
