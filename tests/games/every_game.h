@@ -5,7 +5,7 @@
 
 #include <games/all_games.h>
 
-namespace plumb::games::bounce {
+namespace plumb::games::walk_through {
 GameInfo info();
 }
 
@@ -14,7 +14,7 @@ namespace plumb::test {
 /// Those of games/list.txt, and the one that games/README.md walks through.
 inline std::vector<games::GameInfo> everyGame() {
     std::vector<games::GameInfo> all = games::allGames();
-    all.push_back(games::bounce::info());
+    all.push_back(games::walk_through::info());
     all.back().name = "bounce";
     return all;
 }

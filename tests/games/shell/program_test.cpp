@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
+#include "games/walk_through.h"
 #include "house/cmake_project.h"
 #include "house/shell.h"
 
@@ -36,7 +37,7 @@ std::string textOf(const std::string& file) {
 /// fontconfig seems to have some, and has none.
 Ran bounce(const std::string& arguments) {
     return shell("ASAN_OPTIONS=detect_leaks=0 SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=dummy XDG_DATA_HOME=" +
-                 quoted(fileOf("data")) + " " + quoted(PLUMB_BOUNCE_PROGRAM) + " " + arguments);
+                 quoted(fileOf("data")) + " " + quoted(PLUMB_WALK_THROUGH_PROGRAM) + " " + arguments);
 }
 
 nlohmann::json resultOf(const std::string& arguments) {
@@ -66,10 +67,7 @@ const std::string kicks = [] {
 }  // namespace
 
 TEST_CASE("the walk-through of games/README.md is a game: under forty lines, built, and won by kicks", "[games]") {
-    const std::string page = textOf(std::string(PLUMB_SOURCE_DIR) + "/games/README.md");
-    const std::size_t begin = page.find("```cpp\n") + 7, end = page.find("```", begin);
-    const std::string code = page.substr(begin, end - begin);
-    std::istringstream lines(code);
+    std::istringstream lines(walkThrough().source);
     int count = 0;
     for (std::string line; std::getline(lines, line);) count += line.empty() ? 0 : 1;
     CHECK(count > 30);
