@@ -19,14 +19,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The computer's session, with a stray button now and then, and what was pressed.
+/// The session of the computer, where the game has one, with a stray button now and then, and what was pressed.
 Record recordOf(const GameInfo& info, std::uint64_t seed, int ticks) {
     Session session(info, {.seed = seed});
-    const auto computer = computerSource(info);
+    const auto computer = info.computer ? computerSource(info) : nullptr;
     Random random(seed);
     Record record{info.name, seed};
     for (int tick = 0; tick < ticks; ++tick) {
-        Buttons buttons = computer->next(session).value_or(0);
+        Buttons buttons = computer ? computer->next(session).value_or(0) : 0;
         if (random.integer(0, 100) == 0) buttons ^= Buttons{1} << random.integer(0, session.actions().size() - 1);
         session.update(buttons);
         record.add(buttons);
