@@ -16,6 +16,7 @@ struct Scene {
     const Palette& palette;
     double time = 0;     ///< that has passed, the part of a tick with it [s]
     double between = 1;  ///< as Canvas::between()
+    double stageTime() const { return view.stageTime(between); }
 
     Vec2 at(BodyId body) const { return trail.pose(stage.world(), body, between).position; }
 };

@@ -77,7 +77,7 @@ bool blinks(double time, double phase) {
 void drawCandle(Canvas& canvas, const Scene& scene, const Hero& hero) {
     const Color wax = Color::hex(0xfff4dc), shade = Color::hex(0xe6c9a0);
     const Slide& slide = hero.mover.slide();
-    const double step = scene.view.stride() * 3.4, speed = slide.velocity.x();
+    const double step = scene.view.stride() * 3.4, speed = scene.view.pace();
     const bool airborne = !slide.isOnFloor, skids = slide.isOnFloor && speed * hero.facing < -2;
     for (const double side : {-1.0, 1.0}) {
         const double swing = airborne                 ? 0.14 * side
@@ -141,7 +141,7 @@ void drawFoes(Canvas& canvas, const Scene& scene) {
         const auto place = canvas.place({.position = at - Vec2(0, walkerHalf.y() * (1 - squash)),
                                          .scale = {walker.alive ? 1 : 1.35, squash},
                                          .opacity = walker.alive ? 1 : flat});
-        const double step = 9 * scene.time + at.x();
+        const double step = 9 * scene.stageTime() + at.x();
         if (walker.thorny)
             drawBurr(canvas, scene.palette, walker.direction, step);
         else

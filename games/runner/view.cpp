@@ -20,6 +20,7 @@ double within(double center, double extent, double size) {
 
 void View::reset(const Stage& stage) {
     *this = View{};
+    stageTicks_ = stage.ticks();
     floor_ = stage.heroAt().y();
     center_ = {within(stage.heroAt().x(), width, stage.tiles().columns()),
                within(floor_ + 1.4, height, stage.tiles().rows())};
@@ -41,20 +42,26 @@ void View::update(const Stage& stage) {
     before_ = center_;
     const Vec2 hero = stage.heroAt();
     const Slide& slide = stage.hero().mover.slide();
-    const double speed = slide.velocity.x();
+    moves_ = stage.ticks() != stageTicks_;
+    stageTicks_ = stage.ticks();
+    pace_ = moves_ ? slide.velocity.x() : 0;  // of a stage that stands still, the velocity stays what it was
     squashSpeed_ += (-220 * squash_ - 18 * squashSpeed_) * tickSeconds;
     squash_ = std::clamp(squash_ + squashSpeed_ * tickSeconds, -0.3, 0.32);
-    lean_ += (std::clamp(speed / 9, -1.0, 1.0) - lean_) * 0.15;
-    if (slide.isOnFloor) stride_ += speed * tickSeconds;
+    lean_ += (std::clamp(pace_ / 9, -1.0, 1.0) - lean_) * 0.15;
+    if (slide.isOnFloor) stride_ += pace_ * tickSeconds;
     shake_ *= 0.86;
 
-    ahead_ += (lookAhead * std::clamp(speed / 9, -1.0, 1.0) - ahead_) * 0.03;
+    ahead_ += (lookAhead * std::clamp(pace_ / 9, -1.0, 1.0) - ahead_) * 0.03;
     // The eyes follow up and down to where it stands, and to where it falls, but not every jump.
     if (slide.isOnFloor || hero.y() < floor_ || hero.y() > floor_ + 4.5)
         floor_ += (hero.y() - floor_) * (hero.y() < floor_ ? 0.16 : 0.07);
     const Vec2 wanted(within(hero.x() + ahead_, width, stage.tiles().columns()),
                       within(floor_ + 1.4, height, stage.tiles().rows()));
     center_ += Vec2((wanted.x() - center_.x()) * 0.2, (wanted.y() - center_.y()) * 0.16);
+}
+
+double View::stageTime(double between) const {
+    return (static_cast<double>(stageTicks_) - (moves_ ? 1 - between : 0)) * tickSeconds;
 }
 
 Camera View::camera(double between) const {
