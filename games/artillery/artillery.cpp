@@ -5,6 +5,7 @@
 #include <games/artillery/hud.h>
 #include <games/artillery/scenery.h>
 #include <games/artillery/sounds.h>
+#include <games/frame/layers.h>
 
 namespace plumb::games::artillery {
 namespace {
@@ -103,6 +104,7 @@ void Artillery::draw(Canvas& canvas) const {
     if (aiming && line_ > 0) drawAimLine(canvas, battle, line_, seconds);
     drawTags(canvas, figures);
     effects_.drawLabels(canvas);
+    canvas.layer(hudLayer);
     if (canvas.behind() != Behind::Title) drawWriting(canvas, seconds);
     canvas.look(eye_.camera(canvas.between()));
 }

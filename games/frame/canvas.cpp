@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <games/frame/canvas.h>
 
+#include <algorithm>
 #include <utility>
 
 #include <plumb/math/check.h>
@@ -35,23 +36,28 @@ Canvas::Canvas(PixelSize size, double between) : between_(between) {
     if (size.width < 1 || size.height < 1)
         refuse("PixelSize",
                std::to_string(size.width) + " x " + std::to_string(size.height) + " is not at least 1 x 1");
-    drawing_.size = size;
+    drawing_.size = picture_ = size;
+    screen();
+}
+
+void Canvas::keepFree(int rows) {
+    picture_.height = std::max(1, drawing_.size.height - rows);
     screen();
 }
 
 void Canvas::look(const Camera& camera) {
-    const Affine view = toPixels(camera, size());
+    const Affine view = toPixels(camera, picture_);
     state_ = {view, view};
     camera_ = camera;
 }
 
 void Canvas::screen() {
-    const Affine view = screenToPixels(size());
+    const Affine view = screenToPixels(picture_);
     state_ = {view, view};
 }
 
 Aabb Canvas::visible() const {
-    return visibleIn(state_.view, size());
+    return visibleIn(state_.view, picture_);
 }
 
 double Canvas::unitsPerPixel() const {
@@ -82,7 +88,7 @@ void Canvas::add(decltype(Mark::shape) shape, const Brush& brush) {
 }
 
 void Canvas::clear(const Paint& paint) {
-    const Aabb all = visible();
+    const Aabb all = visibleIn(state_.view, size());
     drawing_.marks.push_back({RectMark{all.lower, all.upper - all.lower}, paint, state_.view, 1, layer_, -1});
 }
 

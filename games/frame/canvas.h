@@ -35,7 +35,7 @@ public:
     void setBehind(Behind what) { behind_ = what; }
     PixelSize size() const { return drawing_.size; }
 
-    // Each ends all places and clips.
+    // Each ends all places and clips, and fills the picture: the window, but for what keepFree() leaves.
     void look(const Camera& camera);
     void screen();
     /// The one last looked through.
@@ -43,6 +43,8 @@ public:
     Aabb visible() const;          ///< of the world, or screen, that is now drawn in
     double unitsPerPixel() const;  ///< of it; a line so wide is as thin as can be seen well
     void layer(int layer) { layer_ = layer; }
+    /// From here on the picture ends so many rows of pixels above the window's lower edge. Goes back to screen().
+    void keepFree(int rows);
 
     /// What is drawn while the scope lives is drawn in a place of its own, or only within a rectangle.
     class Scope;
@@ -76,6 +78,7 @@ private:
     void add(decltype(Mark::shape) shape, const Brush& brush);
 
     Drawing drawing_;
+    PixelSize picture_;
     State state_;
     Camera camera_;
     double between_;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include <games/frame/screens.h>
+#include <games/frame/layers.h>
 #include <plumb/shapes/tile_map.h>
 
 namespace plumb::games {
@@ -154,25 +154,6 @@ std::string line(const char* format, Parts... parts) {
     return text;
 }
 
-void drawFigures(Canvas& canvas, const World& world) {
-    const WorldCounts counts = world.counts();
-    const auto [kinetic, gravitational] = energyOf(world);
-    const std::string lines[] = {
-        line("%zu bodies, %zu awake", counts.bodies, counts.awakeBodies),
-        line("%zu shapes, %zu joints", counts.shapes, counts.joints),
-        line("%zu contacts, %zu touch", counts.contacts, counts.touchingContacts),
-        line("kinetic %.1f J", kinetic),
-        line("gravitational %.1f J", gravitational),
-    };
-    canvas.screen();
-    canvas.rect({8, 282}, {158, 72}, Color{0, 0, 0, 0.7}, 6);
-    double y = 293;
-    for (const std::string& text : lines) {
-        canvas.text({16, y}, text, {.size = 10, .baseline = Baseline::Middle, .fitWidth = 142});
-        y += 12.5;
-    }
-}
-
 }  // namespace
 
 void drawDebug(Canvas& canvas, const World& world, const DebugView& view) {
@@ -184,7 +165,18 @@ void drawDebug(Canvas& canvas, const World& world, const DebugView& view) {
         for (const JointId id : world.joints()) drawJoint(canvas, world, world.joint(id).def());
     if (view.contacts) drawContacts(canvas, world);
     if (view.velocities) drawVelocities(canvas, world);
-    if (view.figures) drawFigures(canvas, world);
+}
+
+FooterLine figuresOf(const World& world) {
+    const WorldCounts counts = world.counts();
+    const auto [kinetic, gravitational] = energyOf(world);
+    return {
+        line("%zu bodies, %zu awake", counts.bodies, counts.awakeBodies),
+        line("%zu shapes, %zu joints", counts.shapes, counts.joints),
+        line("%zu contacts, %zu touch", counts.contacts, counts.touchingContacts),
+        line("kinetic %.1f J", kinetic),
+        line("gravitational %.1f J", gravitational),
+    };
 }
 
 }  // namespace plumb::games

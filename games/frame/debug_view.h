@@ -2,6 +2,7 @@
 // What does the kit see where a game draws?
 #pragma once
 #include <games/frame/canvas.h>
+#include <games/frame/footer.h>
 #include <plumb/dynamics/world.h>
 
 namespace plumb::games {
@@ -12,10 +13,12 @@ struct DebugView {
     bool contacts = true;    ///< points, and normals, the longer the stronger the force
     bool joints = true;      ///< from body to body, over pulleys, to targets
     bool velocities = true;  ///< of the centres of mass, so far as they move in a fifth of a second
-    bool figures = true;     ///< counts and energy, in the corner of the screen
 };
 
-/// Over what was drawn, by the camera last looked through, in a layer above all others.
+/// Over what was drawn, by the camera last looked through, in a layer above all that a game has but its hudLayer.
 void drawDebug(Canvas& canvas, const World& world, const DebugView& view = {});
+
+/// Counts and energy, to be told below the picture.
+FooterLine figuresOf(const World& world);
 
 }  // namespace plumb::games

@@ -6,10 +6,6 @@
 
 namespace plumb::games {
 
-inline constexpr int menuLayer = 1'000'000;   ///< above whatever a game uses
-inline constexpr int debugLayer = 2'000'000;  ///< and above that
-inline constexpr int shellLayer = 3'000'000;  ///< frame times
-
 struct ScreenView {
     const Session& session;
     const Menu& menu;

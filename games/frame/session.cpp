@@ -6,6 +6,7 @@
 #include <games/frame/choice.h>
 #include <games/frame/debug_view.h>
 #include <games/frame/hash.h>
+#include <games/frame/layers.h>
 #include <games/frame/menu.h>
 #include <games/frame/screens.h>
 #include <games/frame/title_show.h>
@@ -151,9 +152,13 @@ struct Session::State {
             change(entry, 1);
     }
 
+    bool isRoundShown() const { return game && screen != Screen::Title && screen != Screen::Scores; }
+    /// The world that the debug view shows; null: none.
+    const World* worldShown() const { return debug && isRoundShown() ? game->world() : nullptr; }
+
     /// What goes on, or stands still behind a menu.
     void drawGame(Canvas& canvas) const {
-        const bool title = screen == Screen::Title || screen == Screen::Scores || !game;
+        const bool title = !isRoundShown();
         if (screen != Screen::Play) canvas.setBehind(title ? Behind::Title : Behind::Menu);
         if (screen != Screen::Play && screen != Screen::Title) canvas.setBetween(1);
         if (title) return show.draw(canvas);
@@ -162,7 +167,7 @@ struct Session::State {
         canvas.layer(debugLayer);
         canvas.look(canvas.camera());
         game->drawDebug(canvas);
-        if (game->world() != nullptr) games::drawDebug(canvas, *game->world());
+        if (const World* world = worldShown()) games::drawDebug(canvas, *world);
     }
 
     void change(int entry, int step) {
@@ -183,9 +188,11 @@ void Session::update(Buttons buttons) {
     ++state_->since;
 }
 
-void Session::draw(Canvas& canvas) const {
+void Session::draw(Canvas& canvas, std::vector<FooterLine> footer) const {
     const double between = canvas.between();
+    if (const World* world = state_->worldShown()) footer.insert(footer.begin(), figuresOf(*world));
     canvas.clear(state_->info.theme.background);
+    drawFooter(canvas, footer, state_->info.theme);
     state_->drawGame(canvas);
     canvas.setBetween(between);
     canvas.layer(menuLayer);

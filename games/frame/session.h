@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <games/frame/footer.h>
 #include <games/frame/game.h>
 
 namespace plumb::games {
@@ -27,7 +28,8 @@ public:
     ~Session();
 
     void update(Buttons buttons);  ///< one tick
-    void draw(Canvas& canvas) const;
+    /// The footer's lines are told below the picture; those on the world, where showDebug() shows it, come first.
+    void draw(Canvas& canvas, std::vector<FooterLine> footer = {}) const;
     std::vector<Cue> takeCues();
 
     Screen screen() const;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include <games/frame/layers.h>
 #include <games/runner/buttons.h>
 #include <games/runner/draw.h>
 #include <games/runner/level_text.h>
@@ -161,6 +162,7 @@ void Runner::draw(Canvas& canvas) const {
     drawLights(canvas, scene);
     effects_.draw(canvas);
     if (canvas.behind() == Behind::Nothing) drawCurtain(canvas, scene.at(stage_->hero().mover.body()));
+    canvas.layer(hudLayer);
     if (canvas.behind() != Behind::Title)
         drawHud(canvas,
                 {progress_.score, coins_, lives_, levelNumber() + 1, static_cast<double>(levelTicks_) * tickSeconds,

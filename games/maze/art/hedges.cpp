@@ -142,7 +142,7 @@ void drawGarden(Canvas& canvas, const GardenLook& look, double flash) {
     const Color leaf = mix(lighter(look.hedge, 0.07), look.rim, 0.35 * flash);
     canvas.box({14, 17.5}, {14.3, 15.8}, look.hedge, 0.9);
     canvas.box({14, 17.5}, {14.3, 15.8}, stroke(rim.faded(0.55), 0.12), 0.9);
-    const Canvas::Scope scope = canvas.clip({-0.36, 1}, {28.72, 33});
+    const Canvas::Scope scope = canvas.clip(gardenCorner, gardenSize);
     canvas.box({14, 17.5}, {13.94, 15.44}, leaf, 0.6);
     for (const Outline& outline : inner.lawns) canvas.polygon(outline, look.hedge);
     for (const Outline& outline : outer.lawns) {

@@ -18,6 +18,9 @@ struct Hedges {
 /// Drawn back by an inset from the lanes' edges, 0 to 1; radius of corners, up to half of what is left [tiles].
 Hedges hedgesOf(double inset, double radius);
 
+/// The maze with its rim; beside it stands what players are told [tiles].
+inline const Vec2 gardenCorner{-0.36, 1}, gardenSize{28.72, 33};
+
 /// What the maze is on; the rim is lighter the higher flash is, 0 to 1.
 void drawGarden(Canvas& canvas, const GardenLook& look, double flash);
 

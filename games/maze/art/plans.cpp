@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <games/maze/art/plans.h>
 
+#include <games/maze/art/hedges.h>
 #include <games/maze/art/palette.h>
 
 namespace plumb::games::maze {
@@ -26,6 +27,8 @@ void drawPlan(Canvas& canvas, const Chase& chase, const Hunter& hunter) {
 }  // namespace
 
 void drawPlans(Canvas& canvas, const Chase& chase) {
+    // A cat may make for a cell beyond the maze.
+    const Canvas::Scope scope = canvas.clip(gardenCorner, gardenSize);
     frame(canvas, chase.player().cell(), paper.faded(0.7), 0.08);
     for (const Hunter& hunter : chase.hunters())
         if (hunter.isInLanes()) drawPlan(canvas, chase, hunter);

@@ -137,7 +137,7 @@ void drawScene(Canvas& canvas, const MazeGame& game) {
     canvas.look(cameraOf(game));
     drawGarden(canvas, gardenOf(game.level()), flashOf(game));
     {
-        const Canvas::Scope scope = canvas.clip({-0.36, 1}, {28.72, 33});
+        const Canvas::Scope scope = canvas.clip(gardenCorner, gardenSize);
         drawDots(canvas, game);
         drawFruitShown(canvas, game);
         drawPlayer(canvas, game);

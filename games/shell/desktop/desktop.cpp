@@ -121,9 +121,13 @@ private:
 
     void paint(double between) {
         Canvas canvas(window_.size(), between);
-        session_.draw(canvas);
-        if (timesShown_) times_.draw(canvas, session_.info().theme);
+        session_.draw(canvas, footer());
         window_.paint([&](const PixelView& pixels) { windowPainter_.paint(canvas.drawing(), pixels); });
+    }
+
+    std::vector<FooterLine> footer() const {
+        if (!timesShown_) return {};
+        return {times_.figures()};
     }
 
     /// Until the next picture is due, where nothing else waits for it.

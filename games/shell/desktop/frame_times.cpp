@@ -8,8 +8,6 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include <games/frame/screens.h>
-
 namespace plumb::games {
 namespace {
 
@@ -39,18 +37,13 @@ Durations durationsOf(std::vector<double> seconds) {
     return {seconds[last / 2], seconds[last * 99 / 100], seconds[last]};
 }
 
-void FrameTimes::draw(Canvas& canvas, const Theme& theme) const {
+FooterLine FrameTimes::figures() const {
     const Durations tick = durationsOf(last(ticks_, aSecond)), frame = durationsOf(last(frames_, aSecond));
-    const std::string lines[] = {
+    return {
         fmt::format("{:.0f} frames/s", rateOf(last(intervals_, aSecond))),
         fmt::format("tick {:.2f} ms, at most {:.2f}", tick.median * 1e3, tick.max * 1e3),
         fmt::format("frame {:.2f} ms, at most {:.2f}", frame.median * 1e3, frame.max * 1e3),
     };
-    canvas.layer(shellLayer);
-    canvas.screen();
-    canvas.rect({456, 308}, {176, 46}, theme.background.faded(0.8), 6);
-    for (int i = 0; i < 3; ++i)
-        canvas.text({464, 320.0 + 14 * i}, lines[i], {.size = 10, .color = theme.text, .baseline = Baseline::Middle});
 }
 
 std::string FrameTimes::summary() const {

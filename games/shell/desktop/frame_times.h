@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <games/frame/canvas.h>
-#include <games/frame/game.h>
+#include <games/frame/footer.h>
 
 namespace plumb::games {
 
@@ -23,8 +22,7 @@ public:
         intervals_.push_back(sinceLast);
     }
 
-    /// The last second's, in a corner of the screen.
-    void draw(Canvas& canvas, const Theme& theme) const;
+    FooterLine figures() const;  ///< the last second's
     /// One line of JSON: {"frames","fps","tick_ms","frame_ms","interval_ms"}, the last three with median, p99 and max.
     std::string summary() const;
 
