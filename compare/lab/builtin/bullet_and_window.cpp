@@ -16,27 +16,28 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double dt = 1.0 / 60;                   // [s]
-constexpr double radius = 0.025;                  // of the bullet [m]
-constexpr double thickness = 0.05;                // of the window [m]
-constexpr double reach = thickness / 2 + radius;  // they overlap while the bullet's centre is as near [m]
-constexpr double safeSpeed = 2 * reach / dt;      // a step is then as long as the stretch on which they overlap [m/s]
-constexpr double before = 1;                      // the window, from where the first bullet starts [m]
-constexpr int starts = 100;                       // spread over the way of one frame
+constexpr double bulletStep = 1.0 / 60;                 // [s]
+constexpr double bulletRadius = 0.025;                  // of the bullet [m]
+constexpr double thickness = 0.05;                      // of the window [m]
+constexpr double reach = thickness / 2 + bulletRadius;  // they overlap while the bullet's centre is as near [m]
+constexpr double safeSpeed =
+    2 * reach / bulletStep;   // a step is then as long as the stretch on which they overlap [m/s]
+constexpr double before = 1;  // the window, from where the first bullet starts [m]
+constexpr int starts = 100;   // spread over the way of one frame
 
-std::vector<double> speeds() {
+std::vector<double> bulletSpeeds() {
     return geometricSteps(1, 1000, 49);
 }
 
 /// Where the bullet of number i starts: all together they are a frame's way apart [m].
 double startOf(int i, double speed) {
-    return -before - speed * dt * i / starts;
+    return -before - speed * bulletStep * i / starts;
 }
 
 bool hits(const FrameTest& test, double start, double speed) {
-    const Shape bullet = Circle{.radius = radius};
+    const Shape bullet = Circle{.radius = bulletRadius};
     const Shape window = boxPolygon({thickness / 2, 0.5});
-    const double step = speed * dt;
+    const double step = speed * bulletStep;
     for (int frame = 0; start + frame * step < reach; ++frame)
         if (test(bullet, {.start = {start + frame * step, 0}, .shift = {step, 0}}, window)) return true;
     return false;
@@ -70,7 +71,7 @@ Scene shootingRange(double speed, BodyType window) {
     Scene scene{.name = "shooting_range",
                 .question = "Which bullets go through their windows?",
                 .gravity = {0, 0},
-                .dt = dt,
+                .dt = bulletStep,
                 .sleeping = false};
     for (int i = 0; i < starts; ++i) {
         const std::string number = std::to_string(i);
@@ -78,7 +79,7 @@ Scene shootingRange(double speed, BodyType window) {
             {"window_" + number, {.type = window, .position = {0, 2.0 * i}, .shapes = {box({thickness / 2, 0.5})}}});
         scene.bodies.push_back(
             {"bullet_" + number,
-             {.position = {startOf(i, speed), 2.0 * i}, .velocity = {speed, 0}, .shapes = {circle(radius)}}});
+             {.position = {startOf(i, speed), 2.0 * i}, .velocity = {speed, 0}, .shapes = {circle(bulletRadius)}}});
     }
     return scene;
 }
@@ -87,8 +88,8 @@ Scene shootingRange(double speed, BodyType window) {
 double missedShare(const Engine& engine, double speed, BodyType window) {
     const std::unique_ptr<Simulation> simulation = engine.build(shootingRange(speed, window));
     const double slowest = std::min(speed, 100.0);  // Box2D 2.4 lets nothing move by more than 2 m a step
-    const int steps = static_cast<int>((before + reach + speed * dt) / (slowest * dt)) + 10;
-    for (int i = 0; i < steps; ++i) simulation->step(dt);
+    const int steps = static_cast<int>((before + reach + speed * bulletStep) / (slowest * bulletStep)) + 10;
+    for (int i = 0; i < steps; ++i) simulation->step(bulletStep);
     const std::vector<BodyState> states = simulation->states();
     int missed = 0;
     for (std::size_t i = 0; i < states.size(); i += 2) missed += states[i + 1].position.x() > states[i].position.x();
@@ -98,7 +99,7 @@ double missedShare(const Engine& engine, double speed, BodyType window) {
 Curve curveOf(const std::string& name, const std::function<double(double speed)>& share) {
     Curve curve{.name = name};
     double sum = 0;
-    for (const double speed : speeds()) {
+    for (const double speed : bulletSpeeds()) {
         curve.points.push_back({speed, share(speed)});
         sum += curve.points.back().y;
     }
@@ -157,7 +158,7 @@ void runTests(const FrameTests& tests, LabRun& run) {
                     "{:.3g} m/s the first goes through, and at {:.4g} m/s {:.0f} % do. Bisection misses the same "
                     "ones: it looks for the time of an overlap that was seen. The swept test misses {:.0f} of {}.",
                     safeSpeed, firstMiss(atEnds), atEnds.points.back().x, atEnds.points.back().y, missedIn(swept),
-                    starts * speeds().size()));
+                    starts * bulletSpeeds().size()));
 }
 
 /// Who lets none through, and who lets how many.
@@ -171,7 +172,7 @@ std::string sentence(const Graph& graph) {
         else
             some.push_back(fmt::format("{:.0f} in {}, from {:.3g} m/s on", missed, label, firstMiss(curve)));
     }
-    std::string text = fmt::format("{}, {} bullets:", graph.title, starts * speeds().size());
+    std::string text = fmt::format("{}, {} bullets:", graph.title, starts * bulletSpeeds().size());
     if (!none.empty()) text += fmt::format(" none goes through in {};", fmt::join(none, ", "));
     if (!some.empty()) text += fmt::format(" through go {};", fmt::join(some, "; "));
     text.back() = '.';

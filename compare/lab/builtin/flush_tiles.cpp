@@ -12,13 +12,13 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double dt = 1.0 / 60;  // [s]
-constexpr int ticks = 120;
+constexpr double slideStep = 1.0 / 60;  // [s]
+constexpr int slideTicks = 120;
 constexpr int runs = 40;          // at each speed
 constexpr double noticed = 0.01;  // lost in one step: a snag [m/s]
 constexpr Material smooth{.friction = 0};
 
-std::vector<double> speeds() {
+std::vector<double> slideSpeeds() {
     return geometricSteps(1, 16, 9);
 }
 
@@ -59,8 +59,8 @@ Scene sliding(Ground ground, double speed, int number) {
     const Vec2 along = wall ? Vec2(0, -1) : Vec2(1, 0), out = wall ? Vec2(-1, 0) : Vec2(0, 1);
     return {.name = "sliding",
             .gravity = -press * out + (wall ? 9.81 : 0.0) * along,
-            .duration = ticks * dt,
-            .dt = dt,
+            .duration = slideTicks * slideStep,
+            .dt = slideStep,
             .sleeping = false,
             .bodies = {{"ground",
                         {.type = BodyType::Static,
@@ -77,8 +77,8 @@ bool snags(const Engine& engine, const Scene& scene) {
     const Vec2 along = scene.bodies[1].def.velocity.normalized();
     const auto simulation = engine.build(scene);
     double before = scene.bodies[1].def.velocity.dot(along);
-    for (int tick = 0; tick < ticks; ++tick) {
-        simulation->step(dt);
+    for (int tick = 0; tick < slideTicks; ++tick) {
+        simulation->step(slideStep);
         const double now = simulation->states()[1].velocity.dot(along);
         if (!(before - now <= noticed)) return true;
         before = now;
@@ -89,13 +89,13 @@ bool snags(const Engine& engine, const Scene& scene) {
 Curve curveOf(const Engine& engine, Ground ground) {
     Curve curve{.name = engine.name};
     double all = 0;
-    for (const double speed : speeds()) {
+    for (const double speed : slideSpeeds()) {
         int caught = 0;
         for (int run = 0; run < runs; ++run) caught += snags(engine, sliding(ground, speed, run)) ? 1 : 0;
         curve.points.push_back({speed, 100.0 * caught / runs});
         all += caught;
     }
-    curve.note = fmt::format("{:.0f} of {}", all, runs * speeds().size());
+    curve.note = fmt::format("{:.0f} of {}", all, runs * slideSpeeds().size());
     return curve;
 }
 
@@ -110,7 +110,7 @@ void runOn(Ground ground, const std::vector<Engine>& engines, LabRun& run) {
     Graph graph{.title = wall ? "Down a wall of flush tiles" : "Along a floor of flush tiles",
                 .x = {"speed at the start", "m/s", true},
                 .y = {"runs that were caught", "%"}};
-    std::string text = fmt::format("{}, {} runs without friction, caught:", graph.title, runs * speeds().size());
+    std::string text = fmt::format("{}, {} runs without friction, caught:", graph.title, runs * slideSpeeds().size());
     for (const Engine& engine : engines) {
         graph.curves.push_back(curveOf(engine, ground));
         const double caught = caughtIn(graph.curves.back());

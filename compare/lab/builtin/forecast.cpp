@@ -17,18 +17,19 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double dt = 1.0 / 60;    // [s]
-constexpr int ticks = 180;         // 3 s
-constexpr int ticksBefore = 90;    // 1.5 s: the boxes land, bounce, and fall asleep
-constexpr double shownSpeed = 12;  // [m/s]
-constexpr int speeds = 33;         // from 4 to 20 m/s
+constexpr double shotStep = 1.0 / 60;  // [s]
+constexpr int shotTicks = 180;         // 3 s
+constexpr int ticksBefore = 90;        // 1.5 s: the boxes land, bounce, and fall asleep
+constexpr double shownSpeed = 12;      // [m/s]
+constexpr int shotSpeeds = 33;         // from 4 to 20 m/s
 const Vec2 muzzle(-6, 2);
 
 /// A room with a step, two loose boxes that fall on it, and a mill that turns. Clockwise: Box2D's chains are solid from
 /// one side only.
 Scene room() {
     const Material lively{.restitution = 0.6};
-    Scene scene{.name = "room", .question = "Where does a shot come to?", .duration = ticks * dt, .dt = dt};
+    Scene scene{
+        .name = "room", .question = "Where does a shot come to?", .duration = shotTicks * shotStep, .dt = shotStep};
     scene.bodies = {
         {"walls",
          {.type = BodyType::Static,
@@ -54,7 +55,7 @@ BodyDef shotAt(double speed) {
 /// sleeps.
 PlumbWorld roomInUse() {
     PlumbWorld made = plumbWorld(room());
-    for (int tick = 0; tick < ticksBefore; ++tick) made.world.step(dt);
+    for (int tick = 0; tick < ticksBefore; ++tick) made.world.step(shotStep);
     return made;
 }
 
@@ -79,8 +80,8 @@ Outcome firedInPlumb(double speed) {
     for (int tick = 0;; ++tick) {
         outcome.positions.push_back(world.body(shot).position());
         outcome.velocities.push_back(world.body(shot).velocity());
-        if (tick == ticks) return outcome;
-        world.step(dt);
+        if (tick == shotTicks) return outcome;
+        world.step(shotStep);
         for (const ContactBegin& begin : world.contactBegins()) {
             if (begin.shapeB.body == shot)
                 outcome.hits.push_back({tick + 1, begin.point, begin.normal, begin.approachSpeed, begin.shapeA});
@@ -106,8 +107,8 @@ Outcome fired(double speed, const Engine& engine) {
     scene.bodies.push_back({"shot", shotAt(speed)});
     const std::unique_ptr<Simulation> simulation = engine.build(scene);
     Outcome outcome;
-    for (int tick = 0; tick <= ticks; ++tick) {
-        if (tick > 0) simulation->step(dt);
+    for (int tick = 0; tick <= shotTicks; ++tick) {
+        if (tick > 0) simulation->step(shotStep);
         outcome.positions.push_back(simulation->states().back().position);
         outcome.velocities.push_back(simulation->states().back().velocity);
     }
@@ -141,7 +142,7 @@ int hitsOff(const std::vector<ForecastHit>& forecast, const std::vector<Forecast
 std::vector<Point> overTime(const std::vector<Vec2>& path, int axis) {
     std::vector<Point> points;
     for (std::size_t tick = 0; tick < path.size(); ++tick)
-        points.push_back({static_cast<double>(tick) * dt, path[tick][axis]});
+        points.push_back({static_cast<double>(tick) * shotStep, path[tick][axis]});
     return points;
 }
 
@@ -156,7 +157,7 @@ Comparison compared(const Forecast& forecast, const Outcome& outcome) {
     for (std::size_t tick = 0; tick < outcome.positions.size(); ++tick) {
         const Vec2& foretold = forecast.poses.at(tick).position;
         const double apart = (foretold - outcome.positions[tick]).norm();
-        result.apart.push_back({static_cast<double>(tick) * dt, apart});
+        result.apart.push_back({static_cast<double>(tick) * shotStep, apart});
         result.largest = std::max(result.largest, apart);
         const bool same = sameBits(foretold, outcome.positions[tick]) &&
                           sameBits(forecast.velocities.at(tick), outcome.velocities[tick]);
@@ -166,7 +167,7 @@ Comparison compared(const Forecast& forecast, const Outcome& outcome) {
 }
 
 double speedAt(int i) {
-    return 4 + 16.0 * i / (speeds - 1);
+    return 4 + 16.0 * i / (shotSpeeds - 1);
 }
 
 /// Over all speeds, and what that says of this engine.
@@ -175,7 +176,7 @@ void runEngine(const Engine& engine, const std::vector<Forecast>& forecasts, Lab
     const bool own = engine.name == plumbName;
     int off = 0, otherHits = 0;
     double worst = 0;
-    for (int i = 0; i < speeds; ++i) {
+    for (int i = 0; i < shotSpeeds; ++i) {
         const Forecast& forecast = forecasts[static_cast<std::size_t>(i)];
         const Outcome outcome = fired(speedAt(i), engine);
         const Comparison c = compared(forecast, outcome);
@@ -193,8 +194,8 @@ void runEngine(const Engine& engine, const std::vector<Forecast>& forecasts, Lab
     run.seen.push_back(
         fmt::format("{}: of {} shots, each of {} ticks, {} ticks differ from Plumb's forecast in place or velocity{}; "
                     "the farthest lies {} away.",
-                    engineLabel(engine.name), speeds, ticks, off, own ? fmt::format(", and {} hits", otherHits) : "",
-                    lengthText(worst)));
+                    engineLabel(engine.name), shotSpeeds, shotTicks, off,
+                    own ? fmt::format(", and {} hits", otherHits) : "", lengthText(worst)));
 }
 
 LabRun runForecast(const Forecaster& foretell, const std::vector<Engine>& engines) {
@@ -208,8 +209,8 @@ LabRun runForecast(const Forecaster& foretell, const std::vector<Engine>& engine
         across.curves.push_back({.name = name, .points = overTime(path, 0), .theory = theory});
         height.curves.push_back({.name = name, .points = overTime(path, 1), .theory = theory});
     };
-    for (int i = 0; i < speeds; ++i) {
-        forecasts.push_back(foretell(made.world, shotAt(speedAt(i)), ticks, dt));
+    for (int i = 0; i < shotSpeeds; ++i) {
+        forecasts.push_back(foretell(made.world, shotAt(speedAt(i)), shotTicks, shotStep));
         hits += forecasts.back().hits.size();
         if (speedAt(i) == shownSpeed) draw("forecast", foreseen(forecasts.back()), true);
     }
@@ -243,7 +244,7 @@ Lab forecasts(const Forecaster& foretell) {
                     .engine = std::string(plumbName)},
                    {.name = "bounces",
                     .bound = Bound::AtLeast,
-                    .limit = 3.0 * speeds,
+                    .limit = 3.0 * shotSpeeds,
                     .reason = "each shot meets walls, mill or boxes, three times at least in the mean"}},
         .run = [foretell](const std::vector<Engine>& engines) { return runForecast(foretell, engines); },
     };

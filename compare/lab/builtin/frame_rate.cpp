@@ -24,9 +24,9 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double duration = 3;    // [s]
-constexpr int wantedTicks = 150;  // of 0.02 s: the lecture's interval
-constexpr double radius = 0.25;   // [m]
+constexpr double duration = 3;       // [s]
+constexpr int wantedTicks = 150;     // of 0.02 s: the lecture's interval
+constexpr double ballRadius = 0.25;  // [m]
 constexpr int shownRates[] = {24, 60, 144};
 constexpr int allRates[] = {20, 24, 25, 30, 40, 50, 60, 72, 75, 90, 100, 120, 144, 165, 200, 240};
 
@@ -60,14 +60,14 @@ std::vector<Display> shownDisplays() {
 }
 
 Scene bouncingBall() {
-    const DroppedBall ball{.rest = {0, radius}, .height = 2, .restitution = 0.9, .until = duration};
+    const DroppedBall ball{.rest = {0, ballRadius}, .height = 2, .restitution = 0.9, .until = duration};
     return {.name = "bouncing_ball",
             .question = "Where is a ball, dropped from 2 m with e = 0.9, after 3 s?",
             .duration = duration,
             .bodies = {floorBody(),
                        {"ball",
                         {.position = ball.rest + Vec2(0, ball.height),
-                         .shapes = {circle(radius, {.restitution = ball.restitution})}}}},
+                         .shapes = {circle(ballRadius, {.restitution = ball.restitution})}}}},
             .closedForm = ClosedForm{.formula = "flight n leaves at e^n sqrt(2 g h) and lasts 2 e^n sqrt(2 h / g)",
                                      .source = "textbook: Newton's law of impact",
                                      .bodies = {PiecewiseMotion{"ball", bouncingFlights(ball)}}}};
@@ -82,7 +82,7 @@ struct Body {
 
 Body ballOf(const Scene& scene) {
     const BodyDef& ball = scene.bodies.back().def;
-    return {ball.position, radius, ball.shapes.front().material.restitution};
+    return {ball.position, ballRadius, ball.shapes.front().material.restitution};
 }
 
 double trueEnd(const Scene& scene) {

@@ -66,12 +66,12 @@ std::vector<Point> errorsOf(const ErrorRun& run, const Method& method) {
     return errors;
 }
 
-constexpr double rounding = 1e-11;  // what lies below is of no method: up to 256,000 steps' rounding [m]
-constexpr std::size_t fitted = 4;   // of the smallest steps, where the next power of the step matters least
+constexpr double rounding = 1e-11;      // what lies below is of no method: up to 256,000 steps' rounding [m]
+constexpr std::size_t fittedSteps = 4;  // of the smallest steps, where the next power of the step matters least
 
 double slopeOf(std::vector<Point> errors) {
     std::erase_if(errors, [](const Point& point) { return point.y < rounding; });
-    errors.resize(std::min(errors.size(), fitted));
+    errors.resize(std::min(errors.size(), fittedSteps));
     return exponent(errors).value_or(std::nan(""));
 }
 

@@ -6,7 +6,7 @@ namespace plumb::compare {
 namespace {
 
 constexpr int count = 1000;
-constexpr Tile wall{.form = TileForm::Full};
+constexpr Tile wallTile{.form = TileForm::Full};
 
 ShapeDef amongNoneOfItsKind(ShapeDef shape) {
     shape.filter.group = -1;
@@ -35,7 +35,7 @@ Scene gridMovers() {
                 .wrap = {.width = 100, .height = 100}};
     TileMap map({.columns = 100, .rows = 100, .wrapX = true, .wrapY = true});
     for (int row = 1; row < 100; row += 2)
-        for (int column = 1; column < 100; column += 2) map.set({column, row}, wall);
+        for (int column = 1; column < 100; column += 2) map.set({column, row}, wallTile);
     scene.bodies.push_back(mapBody(map));
     Random random(1);
     for (int i = 0; i < count; ++i) {
@@ -54,8 +54,8 @@ Scene platformMovers() {
                 .duration = 10};
     TileMap map({.columns = 2000, .rows = 8});
     for (int column = 0; column < 2000; ++column) {
-        map.set({column, 0}, wall);
-        if (column % 16 < 4) map.set({column, 1}, wall);
+        map.set({column, 0}, wallTile);
+        if (column % 16 < 4) map.set({column, 1}, wallTile);
         if (column % 16 >= 8 && column % 16 < 12) map.set({column, 3}, {TileForm::Full, TileKind::OneWay});
     }
     scene.bodies.push_back(mapBody(map));

@@ -7,10 +7,10 @@
 namespace plumb::compare {
 namespace {
 
-constexpr int base = 10;                             // boxes in the lowest row
-constexpr int boxes = base * (base + 1) / 2;         // of a pyramid
-constexpr double halfSize = 0.5;                     // [m]
-constexpr double pitch = 2 * halfSize * (base + 1);  // from a pyramid to the next, and from a floor to the next [m]
+constexpr int base = 10;                               // boxes in the lowest row
+constexpr int boxes = base * (base + 1) / 2;           // of a pyramid
+constexpr double squareHalf = 0.5;                     // [m]
+constexpr double pitch = 2 * squareHalf * (base + 1);  // from a pyramid to the next, and from a floor to the next [m]
 
 /// Pyramids side by side on floors over each other: so many in all, columns on each floor.
 void addPyramids(Scene& scene, int count, int columns) {
@@ -20,7 +20,8 @@ void addPyramids(Scene& scene, int count, int columns) {
     for (int row = 0; row < rows; ++row) floors.push_back(segment({-halfWidth, row * pitch}, {halfWidth, row * pitch}));
     scene.bodies.push_back(fixedBody("ground", floors));
     for (int i = 0; i < count; ++i)
-        addPyramid(scene, base, halfSize, {1 - halfWidth + (i % columns) * pitch, halfSize + (i / columns) * pitch});
+        addPyramid(scene, base, squareHalf,
+                   {1 - halfWidth + (i % columns) * pitch, squareHalf + (i / columns) * pitch});
     scene.sleeping = false;
 }
 
@@ -30,7 +31,7 @@ Scene largePyramid() {
     Scene scene = benchScene("large_pyramid", "What does a step of one island with 14,950 contacts take?", 500);
     scene.sleeping = false;
     scene.bodies.push_back(fixedBody("ground", {box({100, 1})}, {0, -1}));
-    addPyramid(scene, 100, halfSize, {-49.5, halfSize});
+    addPyramid(scene, 100, squareHalf, {-49.5, squareHalf});
     return scene;
 }
 

@@ -7,12 +7,12 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double height = 0.1;   // half of the block's [m]
-constexpr double radius = 0.05;  // of the bullet [m]
-constexpr double inside = 0.4;   // half of the room in the block [m]
+constexpr double height = 0.1;         // half of the block's [m]
+constexpr double bulletRadius = 0.05;  // of the bullet [m]
+constexpr double inside = 0.4;         // half of the room in the block [m]
 
 /// A block with room for a bullet: a floor, and a wall at either end.
-SceneBody block(double mass) {
+SceneBody woodBlock(double mass) {
     const Material smooth{.friction = 0};
     const ShapeDef floor{boxPolygon({inside + 0.2, 0.05}, {0, -height}), smooth};
     const ShapeDef front{boxPolygon({0.1, height}, {inside + 0.1, 0}), smooth};
@@ -29,8 +29,8 @@ SceneJoint rod(const std::string& name, const Vec2& hold, double length) {
 Scene ballisticPendulum() {
     const BallisticPendulum shot{.bullet = 0.1, .block = 1, .speed = 10, .length = 1, .gravity = gravity};
     const double impact = 3.0 / 60;  // at a step's end, so that each engine has it there [s]
-    const Vec2 hit(inside - radius, 0.05 - height + radius), approach(shot.speed, 0);
-    const Material lead{.density = discDensity(shot.bullet, radius), .friction = 0};
+    const Vec2 hit(inside - bulletRadius, 0.05 - height + bulletRadius), approach(shot.speed, 0);
+    const Material lead{.density = discDensity(shot.bullet, bulletRadius), .friction = 0};
     PendulumMotion swing{.body = "block",
                          .pivot = {0, shot.length},
                          .length = shot.length,
@@ -49,12 +49,12 @@ Scene ballisticPendulum() {
         .question = "How high does a block of 1 kg on two rods swing that stops 100 g at 10 m/s?",
         .duration = impact + half,
         .bodies = {pivotBody({0, shot.length}),
-                   block(shot.block),
+                   woodBlock(shot.block),
                    {"bullet",
                     {.position = hit - impact * approach,
                      .velocity = approach,
                      .canSleep = false,
-                     .shapes = {circle(radius, lead)}}}},
+                     .shapes = {circle(bulletRadius, lead)}}}},
         .joints = {rod("left_rod", {-inside, 0}, shot.length), rod("right_rod", {inside, 0}, shot.length)},
         .closedForm = ClosedForm{.formula = "h = (m v / (m + M))^2 / (2 g), then a pendulum",
                                  .source = "Robins 1742: the impact keeps momentum, the swing energy",

@@ -6,8 +6,8 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double radius = 0.5;   // [m]
-constexpr double dt = 1.0 / 60;  // [s]
+constexpr double ballRadius = 0.5;  // [m]
+constexpr double dt = 1.0 / 60;     // [s]
 
 Scene droppedBall(const DroppedBall& ball) {
     const Vec2 start = ball.rest + Vec2(0, ball.height);
@@ -15,7 +15,7 @@ Scene droppedBall(const DroppedBall& ball) {
         .duration = ball.until,
         .dt = dt,
         .bodies = {floorBody(),
-                   {"ball", {.position = start, .shapes = {circle(radius, {.restitution = ball.restitution})}}}},
+                   {"ball", {.position = start, .shapes = {circle(ballRadius, {.restitution = ball.restitution})}}}},
         .closedForm = ClosedForm{.formula = "flight n leaves at e^n sqrt(2 g h) and lasts 2 e^n sqrt(2 h / g)",
                                  .source = "textbook: Newton's law of impact",
                                  .bodies = {PiecewiseMotion{"ball", bouncingFlights(ball)}}},
@@ -26,7 +26,7 @@ Scene droppedBall(const DroppedBall& ball) {
 
 Scene bounce08() {
     Scene scene =
-        droppedBall({.rest = {0, radius}, .height = 2.7, .restitution = 0.8, .until = 8, .shortestFlight = 2 * dt});
+        droppedBall({.rest = {0, ballRadius}, .height = 2.7, .restitution = 0.8, .until = 8, .shortestFlight = 2 * dt});
     scene.name = "bounce_08";
     scene.question = "How high does a ball with e = 0.8 bounce each time, and when does it lie still?";
     scene.checks = {
@@ -40,7 +40,7 @@ Scene bounce08() {
 
 Scene bounce1() {
     // Twenty bounces: the last apex is at 40 sqrt(2 * 5 / g) = 40.386 s.
-    Scene scene = droppedBall({.rest = {0, radius}, .height = 5, .restitution = 1, .until = 40.5});
+    Scene scene = droppedBall({.rest = {0, ballRadius}, .height = 5, .restitution = 1, .until = 40.5});
     scene.name = "bounce_1";
     scene.question = "Does a ball with e = 1 come back to 5 m twenty times?";
     scene.checks = {
@@ -55,7 +55,7 @@ Scene bounce1() {
 Scene wallTouch() {
     const Vec2 start(-2.1, 0);
     const double speed = 0.9;
-    const double touch = (-radius - start.x()) / speed;
+    const double touch = (-ballRadius - start.x()) / speed;
     const Material elastic{.friction = 0, .restitution = 1};
     return {
         .name = "wall_touch",
@@ -63,13 +63,13 @@ Scene wallTouch() {
         .gravity = {0, 0},
         .duration = 4,
         .bodies = {{"wall", {.type = BodyType::Static, .position = {0.25, 0}, .shapes = {box({0.25, 2})}}},
-                   {"ball", {.position = start, .velocity = {speed, 0}, .shapes = {circle(radius, elastic)}}}},
+                   {"ball", {.position = start, .velocity = {speed, 0}, .shapes = {circle(ballRadius, elastic)}}}},
         .closedForm = ClosedForm{.formula = "v' = -e v at the wall",
                                  .source = "textbook: Newton's law of impact",
                                  .bodies = {PiecewiseMotion{
                                      "ball",
                                      {{.position = start, .velocity = {speed, 0}},
-                                      {.start = touch, .position = {-radius, 0}, .velocity = {-speed, 0}}}}}},
+                                      {.start = touch, .position = {-ballRadius, 0}, .velocity = {-speed, 0}}}}}},
         .checks = {ExactCheck{1e-6, "one impact, solved at its own time in double"},
                    invariant("energy_drift", 1e-9, "an elastic impact with a wall only turns the velocity round")},
     };

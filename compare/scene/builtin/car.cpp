@@ -9,14 +9,14 @@ namespace {
 
 constexpr double wheelRadius = 0.4;
 constexpr double bodyMass = 40, wheelMass = 4;
-constexpr double speed = 6;                            // that the motors are to reach [m/s]
-constexpr double stiffness = 3000;                     // of each spring [N/m]
-constexpr double level = 25, hills = 55, finish = 90;  // where the ground changes [m]
+constexpr double wheelSpeed = 6;                            // that the motors are to reach [m/s]
+constexpr double suspension = 3000;                         // of each spring [N/m]
+constexpr double level = 25, hillsBegin = 55, finish = 90;  // where the ground changes [m]
 
 /// Level, then waves of 10 m, up and down by half a metre, then level.
 ShapeDef ground() {
     std::vector<Vec2> points{{finish, 0}};
-    for (double x = hills; x > level; x -= 0.5)
+    for (double x = hillsBegin; x > level; x -= 0.5)
         points.push_back({x, 0.25 * (1 - sinCos(2 * std::numbers::pi * (x - level) / 10).cos)});
     points.push_back({level, 0});
     points.push_back({-10, 0});
@@ -30,14 +30,14 @@ void addWheel(Scene& scene, const std::string& name, double x) {
          {.position = hub,
           .canSleep = false,
           .shapes = {circle(wheelRadius, {.density = discDensity(wheelMass, wheelRadius), .friction = 0.9})}}});
-    const double damping = 2 * 0.5 * std::sqrt(stiffness * bodyMass / 2);
+    const double damping = 2 * 0.5 * std::sqrt(suspension * bodyMass / 2);
     scene.joints.push_back({name + "_suspension", "body", name,
                             WheelJointDef{.anchor = hub,
                                           .axis = {0, 1},
-                                          .motorSpeed = -speed / wheelRadius,
+                                          .motorSpeed = -wheelSpeed / wheelRadius,
                                           .maxMotorTorque = 60,
                                           .limit = Limit{-0.25, 0.25},
-                                          .spring = Spring{stiffness, damping}}});
+                                          .spring = Spring{suspension, damping}}});
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ Scene carOverHills() {
     addWheel(scene, "front", start.x() + 0.8);
     const Probe pace{.name = "pace",
                      .quantity = VelocityProbe{"body", {1, 0}},
-                     .expected = speed,
+                     .expected = wheelSpeed,
                      .from = 3,
                      .unit = "m/s",
                      .until = 3.5};
@@ -64,7 +64,7 @@ Scene carOverHills() {
     paceAfter.name = "pace_after";
     paceAfter.from = 13;
     paceAfter.until = 14;
-    const double sag = bodyMass * gravity / (2 * stiffness);
+    const double sag = bodyMass * gravity / (2 * suspension);
     scene.probes = {pace,
                     paceAfter,
                     {.name = "ride_height",
@@ -74,8 +74,8 @@ Scene carOverHills() {
                      .unit = "m",
                      .until = 3.5}};
     scene.checks = {
-        invariant("probe.pace", 0.01 * speed, "1 % of r w: nothing holds it back on the level"),
-        invariant("probe.pace_after", 0.01 * speed, "1 % of r w, three seconds after the last hill"),
+        invariant("probe.pace", 0.01 * wheelSpeed, "1 % of r w: nothing holds it back on the level"),
+        invariant("probe.pace_after", 0.01 * wheelSpeed, "1 % of r w, three seconds after the last hill"),
         invariant("probe.ride_height", 2e-3, "each spring carries half of the body: m g / (2 k) = 65 mm"),
         invariant("joint_error_max", 5e-3, "across the suspension, and beyond its ends, at 6 m/s over hills"),
         invariant("penetration_max", 1e-2, "wheels on the ground"),

@@ -9,10 +9,11 @@ namespace plumb::compare {
 namespace {
 
 constexpr int discs = 5;
-constexpr double radius = 0.1;
-constexpr double length = 1;                                            // from hinge to centre [m]
-constexpr double equivalent = length + radius * radius / (2 * length);  // I_pivot / (m l) of a disc [m]
-constexpr double share = 0.02;                                          // of the swing that may go astray [-]
+constexpr double discRadius = 0.1;
+constexpr double hangerLength = 1;  // from hinge to centre [m]
+constexpr double equivalent =
+    hangerLength + discRadius * discRadius / (2 * hangerLength);  // I_pivot / (m l) of a disc [m]
+constexpr double share = 0.02;                                    // of the swing that may go astray [-]
 const double amplitude = degrees(30);
 
 std::string discName(int disc) {
@@ -25,19 +26,19 @@ double period() {
 
 /// Elastic and smooth, so that nothing but their centres' line matters.
 SceneBody disc(int number, const Vec2& hinge, double angle) {
-    const Material glass{.density = discDensity(1, radius), .friction = 0, .restitution = 1};
+    const Material glass{.density = discDensity(1, discRadius), .friction = 0, .restitution = 1};
     return {discName(number),
-            {.position = hinge - length * perp(direction(angle)),
+            {.position = hinge - hangerLength * perp(direction(angle)),
              .angle = angle,
              .canSleep = false,
-             .shapes = {circle(radius, glass)}}};
+             .shapes = {circle(discRadius, glass)}}};
 }
 
 /// Discs that hang beside each other, some of them swung out to the left.
 Scene hungDiscs(int swung, double gap) {
     Scene scene{.gravity = {0, -gravity}, .bodies = {pivotBody({0, 0})}};
     for (int i = 0; i < discs; ++i) {
-        const Vec2 hinge((i - 2) * (2 * radius + gap), 0);
+        const Vec2 hinge((i - 2) * (2 * discRadius + gap), 0);
         scene.bodies.push_back(disc(i, hinge, i < swung ? -amplitude : 0));
         scene.joints.push_back(
             {"hinge_" + std::to_string(i + 1), "pivot", discName(i), RevoluteJointDef{.anchor = hinge}});
@@ -81,10 +82,10 @@ Scene cradle(int swung) {
         .source =
             "Herrmann, Seitz, Am. J. Phys. 50 (1982) 977: alike discs that meet one pair after another swap speeds"};
     for (int i = 0; i < discs; ++i) {
-        const Vec2 hinge(2 * radius * (i - 2), 0);
+        const Vec2 hinge(2 * discRadius * (i - 2), 0);
         PendulumMotion motion{.body = discName(i),
                               .pivot = hinge,
-                              .length = length,
+                              .length = hangerLength,
                               .equivalentLength = equivalent,
                               .gravity = gravity,
                               .amplitude = -amplitude,
@@ -93,9 +94,10 @@ Scene cradle(int swung) {
         if (i < swung || i >= discs - swung)
             scene.closedForm->bodies.push_back(motion);
         else
-            scene.closedForm->bodies.push_back(PiecewiseMotion{motion.body, {{.position = hinge - Vec2(0, length)}}});
+            scene.closedForm->bodies.push_back(
+                PiecewiseMotion{motion.body, {{.position = hinge - Vec2(0, hangerLength)}}});
     }
-    scene.checks = {ExactCheck{share * amplitude * length + 3e-3,
+    scene.checks = {ExactCheck{share * amplitude * hangerLength + 3e-3,
                                "2 % of the swing, and an impact put off by half a sub-step, 2 ms at 1.6 m/s"},
                     invariant("energy_drift", 1e-2, "no impact takes energy")};
     for (int swing = 0; swing < 3; ++swing) watchSwing(scene, swing, swung);

@@ -5,7 +5,7 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double speed = 20;
+constexpr double muzzleSpeed = 20;
 
 /// A ball for each of 15, 30, ... 75 degrees, named by them; they pass through each other. motion(name, velocity) is
 /// what the closed form says of one.
@@ -16,7 +16,7 @@ Scene fan(Motion&& motion) {
     scene.closedForm = ClosedForm{};
     for (int angle = 15; angle <= 75; angle += 15) {
         const std::string name = "ball_" + std::to_string(angle);
-        const Vec2 velocity = speed * direction(degrees(angle));
+        const Vec2 velocity = muzzleSpeed * direction(degrees(angle));
         ShapeDef ball = circle(0.1, {.density = discDensity(1, 0.1)});
         ball.filter.group = -1;
         scene.bodies.push_back({name, {.velocity = velocity, .shapes = {ball}}});

@@ -6,10 +6,10 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double half = 5;  // of the room's width [m]
+constexpr double halfRoom = 5;  // of the room's width [m]
 constexpr Material elastic{.density = 1, .friction = 0, .restitution = 1};
 
-SceneBody wall(const std::string& name, const Vec2& position, const Vec2& halfSize) {
+SceneBody roomWall(const std::string& name, const Vec2& position, const Vec2& halfSize) {
     return {name, {.type = BodyType::Static, .position = position, .shapes = {box(halfSize, elastic)}}};
 }
 
@@ -22,10 +22,10 @@ Scene elasticGas() {
         .question = "Twenty discs bounce about in a closed room for a minute: is their energy kept?",
         .gravity = {0, 0},
         .duration = 60,
-        .bodies = {wall("wall_left", {-half - thick, 0}, {thick, half + 2 * thick}),
-                   wall("wall_right", {half + thick, 0}, {thick, half + 2 * thick}),
-                   wall("wall_bottom", {0, -half - thick}, {half, thick}),
-                   wall("wall_top", {0, half + thick}, {half, thick})},
+        .bodies = {roomWall("wall_left", {-halfRoom - thick, 0}, {thick, halfRoom + 2 * thick}),
+                   roomWall("wall_right", {halfRoom + thick, 0}, {thick, halfRoom + 2 * thick}),
+                   roomWall("wall_bottom", {0, -halfRoom - thick}, {halfRoom, thick}),
+                   roomWall("wall_top", {0, halfRoom + thick}, {halfRoom, thick})},
     };
     // Five by four places of 2 m by 2.5 m, each disc somewhere inside its own, so that none overlap.
     Random random(2);

@@ -27,7 +27,7 @@ SceneBody wedge(double friction) {
 }
 
 /// A block of 1 kg, 1 m long and 0.5 m high, so that it does not tip, at rest with its face on the slope.
-Scene block(double friction) {
+Scene slidingBlock(double friction) {
     const Vec2 halfSize(0.5, 0.25);
     const Vec2 start = onSlope(1, halfSize.y());
     const Vec2 acceleration = slidingAcceleration({slope, gravity}, friction) * downhill();
@@ -53,7 +53,7 @@ Scene block(double friction) {
 }  // namespace
 
 Scene blockSlides() {
-    Scene scene = block(0.3);
+    Scene scene = slidingBlock(0.3);
     scene.name = "block_slides";
     scene.question = "How fast does a block with a friction of 0.3 gain speed down 30 degrees?";
     scene.checks.push_back(
@@ -62,7 +62,7 @@ Scene blockSlides() {
 }
 
 Scene blockSticks() {
-    Scene scene = block(0.7);
+    Scene scene = slidingBlock(0.7);
     scene.name = "block_sticks";
     scene.question = "Does a block with a friction of 0.7 stay on 30 degrees?";
     scene.checks.push_back(ExactCheck{

@@ -10,9 +10,9 @@ namespace {
 
 // The scissor lift: stages of two crossed bars.
 constexpr int stages = 4;
-constexpr double bar = 2;       // long [m]
-constexpr double start = 1.8;   // how far apart the feet are [m]
-constexpr double speed = 0.25;  // at which they are drawn together [m/s]
+constexpr double bar = 2;           // long [m]
+constexpr double start = 1.8;       // how far apart the feet are [m]
+constexpr double drawSpeed = 0.25;  // at which they are drawn together [m/s]
 
 double risePerStage(double feet) {
     return std::sqrt(bar * bar - feet * feet);
@@ -73,9 +73,10 @@ Scene scissorLift() {
     hinge(scene, "slide_pin", "up_4", "slide", {start, top});
     scene.joints.push_back(
         {"rail", "pivot", "foot",
-         PrismaticJointDef{.anchor = {start, 0}, .axis = {-1, 0}, .motorSpeed = speed, .maxMotorForce = unlimited}});
+         PrismaticJointDef{
+             .anchor = {start, 0}, .axis = {-1, 0}, .motorSpeed = drawSpeed, .maxMotorForce = unlimited}});
     scene.joints.push_back({"top_rail", "platform", "slide", PrismaticJointDef{.anchor = {start, top}}});
-    const double height = stages * risePerStage(start - speed * scene.duration);
+    const double height = stages * risePerStage(start - drawSpeed * scene.duration);
     scene.probes = {{.name = "height",
                      .quantity = PositionProbe{"platform", {0, 1}},
                      .expected = height,

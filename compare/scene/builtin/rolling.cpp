@@ -7,32 +7,32 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double radius = 0.5;  // [m]
-constexpr double slope = degrees(20);
-constexpr double slopeLength = 14;  // [m]
+constexpr double rollerRadius = 0.5;  // [m]
+constexpr double rollingSlope = degrees(20);
+constexpr double rollingLength = 14;  // [m]
 
 /// A round body of 1 kg rolls down a line for 3 s; k = I / (m r^2).
 Scene rollsDown(double k) {
-    const Vec2 downhill = direction(-slope);
-    const Vec2 top(0, -slopeLength * downhill.y());
-    const Vec2 start = top + downhill + radius * perp(downhill);
-    const double acceleration = rollingAcceleration({slope, gravity}, k);
-    const Mass mass{.mass = 1, .inertia = k * radius * radius};
+    const Vec2 downhill = direction(-rollingSlope);
+    const Vec2 top(0, -rollingLength * downhill.y());
+    const Vec2 start = top + downhill + rollerRadius * perp(downhill);
+    const double acceleration = rollingAcceleration({rollingSlope, gravity}, k);
+    const Mass mass{.mass = 1, .inertia = k * rollerRadius * rollerRadius};
     return {
         .duration = 3,
-        .bodies = {{"incline", {.type = BodyType::Static, .shapes = {segment(top, top + slopeLength * downhill)}}},
-                   {"roller", {.position = start, .mass = mass, .shapes = {circle(radius)}}}},
+        .bodies = {{"incline", {.type = BodyType::Static, .shapes = {segment(top, top + rollingLength * downhill)}}},
+                   {"roller", {.position = start, .mass = mass, .shapes = {circle(rollerRadius)}}}},
         .closedForm = ClosedForm{.formula = "a = g sin t / (1 + k), k = I / (m r^2)",
                                  .source = "textbook: rolling without slip; holds for mu >= tan t k / (1 + k)",
                                  .bodies = {PiecewiseMotion{"roller",
                                                             {{.position = start,
                                                               .acceleration = acceleration * downhill,
-                                                              .angularAcceleration = -acceleration / radius}}}}},
+                                                              .angularAcceleration = -acceleration / rollerRadius}}}}},
         .probes = {{.name = "angle", .quantity = AngleProbe{"roller"}, .unit = "rad"}},
         .checks = {ExactCheck{1e-3, sinksOnGround +
                                         "half of it under a disc; the roll itself is solved to second order, but for "
                                         "the slip while friction finds its load"},
-                   invariant("probe.angle", 1e-3 / radius, "the limit of the way, over the radius"),
+                   invariant("probe.angle", 1e-3 / rollerRadius, "the limit of the way, over the radius"),
                    invariant("energy_drift", 1e-3, "rolling does no work: the limit of the way, over its metres")},
     };
 }
@@ -54,15 +54,16 @@ Scene ringRollsDown() {
 }
 
 Scene slideToRoll() {
-    const Vec2 start(-4, radius);
-    const ThrownDisc disc{.position = start, .speed = 3, .radius = radius, .friction = 0.2};
-    const Material material{.density = discDensity(1, radius), .friction = disc.friction};
+    const Vec2 start(-4, rollerRadius);
+    const ThrownDisc disc{.position = start, .speed = 3, .radius = rollerRadius, .friction = 0.2};
+    const Material material{.density = discDensity(1, rollerRadius), .friction = disc.friction};
     return {
         .name = "slide_to_roll",
         .question = "When and at what speed does a disc roll that is thrown sliding along the floor at 3 m/s?",
         .duration = 3,
         .bodies = {{"floor", {.type = BodyType::Static, .shapes = {segment({-10, 0}, {10, 0}, material)}}},
-                   {"disc", {.position = start, .velocity = {disc.speed, 0}, .shapes = {circle(radius, material)}}}},
+                   {"disc",
+                    {.position = start, .velocity = {disc.speed, 0}, .shapes = {circle(rollerRadius, material)}}}},
         .closedForm = ClosedForm{.formula = "v = v0 - mu g t until t = v0 / (3 mu g), then 2 v0 / 3",
                                  .source = "textbook: Coulomb's law of friction; Coriolis",
                                  .bodies = {PiecewiseMotion{"disc", slideToRollFlights(disc)}}},
@@ -70,7 +71,7 @@ Scene slideToRoll() {
         .checks = {ExactCheck{1e-3, sinksOnGround +
                                         "half of it under a disc; friction brakes a little less while the floor finds "
                                         "the load, and then for good"},
-                   invariant("probe.angle", 1e-3 / radius, "the limit of the way, over the radius")},
+                   invariant("probe.angle", 1e-3 / rollerRadius, "the limit of the way, over the radius")},
     };
 }
 

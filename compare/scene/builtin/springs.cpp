@@ -7,26 +7,27 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double stiffness = 40;  // of 1 kg: w = 6.32 rad/s, a period of 0.99 s [N/m]
-constexpr double length = 1;      // of the spring with nothing on it [m]
-constexpr double pull = 0.5;      // below where it rests, at the start [m]
-constexpr double top = 2;         // where the springs hang from [m]
+constexpr double springStiffness = 40;  // of 1 kg: w = 6.32 rad/s, a period of 0.99 s [N/m]
+constexpr double springLength = 1;      // of the spring with nothing on it [m]
+constexpr double pull = 0.5;            // below where it rests, at the start [m]
+constexpr double top = 2;               // where the springs hang from [m]
 
 /// Hangs 1 kg on a spring below (x, top), held down and let go; dampingRatio 1 is critical.
 void hang(Scene& scene, const std::string& name, double x, double dampingRatio) {
     const double radius = 0.15;
-    const double damping = 2 * dampingRatio * std::sqrt(stiffness);
-    const Vec2 rest(x, top - length - gravity / stiffness);
+    const double damping = 2 * dampingRatio * std::sqrt(springStiffness);
+    const Vec2 rest(x, top - springLength - gravity / springStiffness);
     const Vec2 start = rest - Vec2(0, pull);
     scene.bodies.push_back(
         {name,
          {.position = start, .canSleep = false, .shapes = {circle(radius, {.density = discDensity(1, radius)})}}});
-    scene.joints.push_back(
-        {"spring_of_" + name, "pivot", name,
-         DistanceJointDef{
-             .anchorA = {x, top}, .anchorB = start, .length = length, .spring = Spring{stiffness, damping}}});
+    scene.joints.push_back({"spring_of_" + name, "pivot", name,
+                            DistanceJointDef{.anchorA = {x, top},
+                                             .anchorB = start,
+                                             .length = springLength,
+                                             .spring = Spring{springStiffness, damping}}});
     scene.closedForm->bodies.push_back(OscillatorMotion{
-        .body = name, .rest = rest, .offset = -pull, .mass = 1, .stiffness = stiffness, .damping = damping});
+        .body = name, .rest = rest, .offset = -pull, .mass = 1, .stiffness = springStiffness, .damping = damping});
 }
 
 Scene springScene(const std::string& formula) {

@@ -6,10 +6,10 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double tile = 0.1;   // [m]
-constexpr double half = 0.25;  // of each body's height [m]
-constexpr double apart = 3;    // from one body's ground to the next one's [m]
-constexpr Material smooth{.friction = 0};
+constexpr double tile = 0.1;         // [m]
+constexpr double halfHeight = 0.25;  // of each body's height [m]
+constexpr double apart = 3;          // from one body's ground to the next one's [m]
+constexpr Material smoothBody{.friction = 0};
 
 /// Each slides on a ground of its own.
 struct Slider {
@@ -18,16 +18,16 @@ struct Slider {
 };
 
 std::vector<Slider> sliders() {
-    return {{"box", box({half, half}, smooth)},
-            {"disc", circle(half, smooth)},
-            {"capsule", capsule({-half, 0}, {half, 0}, half, smooth)}};
+    return {{"box", box({halfHeight, halfHeight}, smoothBody)},
+            {"disc", circle(halfHeight, smoothBody)},
+            {"capsule", capsule({-halfHeight, 0}, {halfHeight, 0}, halfHeight, smoothBody)}};
 }
 
 ShapeDef row(int columns, int rows) {
     TileMap map({.columns = columns, .rows = rows, .size = tile});
     for (int y = 0; y < rows; ++y)
         for (int x = 0; x < columns; ++x) map.set({x, y}, {.form = TileForm::Full});
-    return tiles(map, smooth);
+    return tiles(map, smoothBody);
 }
 
 /// 1,000 tiles long; its top is at y = 0 of its own frame.
@@ -49,8 +49,8 @@ void watch(Scene& scene, const std::string& body, const Flight& flight, const Ve
 /// An upright capsule, for which Box2D 3 has a character mover, told to go along its ground and into it all the time.
 void addMover(Scene& scene, const Vec2& start, const Vec2& along, const Vec2& out) {
     const double pace = 10, press = 2;  // along its ground, and onto it [m/s]
-    const ShapeDef upright = capsule({0, -half}, {0, half}, half, smooth);
-    const double skin = SlideSettings{}.skin, below = out.y() > 0 ? 2 * half : half;
+    const ShapeDef upright = capsule({0, -halfHeight}, {0, halfHeight}, halfHeight, smoothBody);
+    const double skin = SlideSettings{}.skin, below = out.y() > 0 ? 2 * halfHeight : halfHeight;
     const Vec2 place = start + (below + skin) * out, velocity = pace * along;
     scene.bodies.push_back(
         {"mover", {.type = BodyType::Kinematic, .position = place, .velocity = velocity, .shapes = {upright}}});
@@ -72,7 +72,7 @@ Scene tileFloor() {
     };
     double floor = 0;
     for (const Slider& slider : sliders()) {
-        const Vec2 start(1, floor + half);
+        const Vec2 start(1, floor + halfHeight);
         scene.bodies.push_back(floorOf(slider.name, floor));
         scene.bodies.push_back({slider.name, {.position = start, .velocity = {speed, 0}, .shapes = {slider.shape}}});
         watch(scene, slider.name, {.position = start, .velocity = {speed, 0}}, {1, 0});
@@ -99,7 +99,7 @@ Scene tileWall() {
     double wall = 0;
     for (const Slider& slider : sliders()) {
         const bool lies = std::holds_alternative<Capsule>(slider.shape.shape);
-        const Vec2 start(wall - half, -1);
+        const Vec2 start(wall - halfHeight, -1);
         const double angle = lies ? degrees(90) : 0;
         scene.bodies.push_back(wallOf(slider.name, wall));
         scene.bodies.push_back({slider.name, {.position = start, .angle = angle, .shapes = {slider.shape}}});

@@ -5,18 +5,18 @@
 namespace plumb::compare {
 namespace {
 
-const Vec2 halfSize(0.25, 0.5);                      // of the block [m]
+const Vec2 blockHalf(0.25, 0.5);                     // of the block [m]
 constexpr double tippingAngle = 0.4636476090008061;  // atan(1/2), 26.565 degrees [rad]
 
 /// A block of 1 kg, 0.5 m wide and 1 m high, stands on a slope that goes down to the right, its lower corner at (0, 0);
 /// it cannot slide.
-Scene block(double slope) {
+Scene tippingBlock(double slope) {
     const Vec2 downhill = direction(-slope);
-    const Vec2 start = -halfSize.x() * downhill + halfSize.y() * perp(downhill);
-    const Material rough{.density = 1 / (4 * halfSize.prod()), .friction = 1};
+    const Vec2 start = -blockHalf.x() * downhill + blockHalf.y() * perp(downhill);
+    const Material rough{.density = 1 / (4 * blockHalf.prod()), .friction = 1};
     return {
         .bodies = {{"incline", {.type = BodyType::Static, .shapes = {segment(-3 * downhill, 3 * downhill, rough)}}},
-                   {"block", {.position = start, .angle = -slope, .shapes = {box(halfSize, rough)}}}},
+                   {"block", {.position = start, .angle = -slope, .shapes = {box(blockHalf, rough)}}}},
         .probes = {{.name = "angle", .quantity = AngleProbe{"block"}, .unit = "rad"}},
     };
 }
@@ -24,7 +24,7 @@ Scene block(double slope) {
 }  // namespace
 
 Scene tipBelow() {
-    Scene scene = block(tippingAngle - degrees(0.5));
+    Scene scene = tippingBlock(tippingAngle - degrees(0.5));
     scene.name = "tip_below";
     scene.question = "Does a block stand on a slope half a degree under its tipping angle?";
     scene.duration = 5;
@@ -41,13 +41,13 @@ Scene tipBelow() {
 }
 
 Scene tipAbove() {
-    Scene scene = block(tippingAngle + degrees(0.5));
+    Scene scene = tippingBlock(tippingAngle + degrees(0.5));
     scene.name = "tip_above";
     scene.question = "Does a block fall over on a slope half a degree past its tipping angle?";
     scene.duration = 5;
     scene.probes[0].expected = scene.bodies[1].def.angle - degrees(90);
     scene.probes[0].from = 4;
-    const double length = halfSize.norm();
+    const double length = blockHalf.norm();
     scene.closedForm = ClosedForm{.formula =
                                       "sin(t/2) = k sn(w t + K, k), k = sin(t0/2), w^2 = 3 g / (4 l), t from straight "
                                       "down of the lower corner; l to the centre",
