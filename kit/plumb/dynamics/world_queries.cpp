@@ -76,9 +76,10 @@ bool isCovered(const CastHit& area, const CastHit& hit) {
     return area.shape == hit.shape && !(area.fraction > 0) && !(hit.fraction > 0);
 }
 
-/// meet(id, shift) is where a shape is met, if it is.
-template <class Meet>
-std::optional<CastHit> firstHit(const Onlooker& onlooker, const Mover& mover, Meet&& meet) {
+/// Where a shape is met, if it is.
+using Meet = FunctionRef<std::optional<CastPoint>(ProxyId, const Vec2&)>;
+
+std::optional<CastHit> firstHit(const Onlooker& onlooker, const Mover& mover, Meet meet) {
     std::optional<CastHit> first, firstArea;
     onlooker.lookAlong(mover.halfSize, mover.from, mover.to, [&](ProxyId id, const Vec2& shift) {
         std::optional<CastHit>& kind = onlooker.isArea(id) ? firstArea : first;
@@ -92,8 +93,7 @@ std::optional<CastHit> firstHit(const Onlooker& onlooker, const Mover& mover, Me
     return first;
 }
 
-template <class Meet>
-std::vector<CastHit> allHits(const Onlooker& onlooker, const Mover& mover, Meet&& meet) {
+std::vector<CastHit> allHits(const Onlooker& onlooker, const Mover& mover, Meet meet) {
     std::vector<CastHit> hits, areas;
     onlooker.lookAlong(mover.halfSize, mover.from, mover.to, [&](ProxyId id, const Vec2& shift) {
         if (const std::optional<CastPoint> met = meet(id, shift))

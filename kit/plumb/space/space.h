@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <type_traits>
 #include <vector>
 
 #include <plumb/broad/block_tree.h>
@@ -13,6 +12,7 @@
 #include <plumb/broad/pair.h>
 #include <plumb/broad/radix_sort.h>
 #include <plumb/collide/convex.h>
+#include <plumb/math/detail/function_ref.h>
 #include <plumb/shapes/aabb.h>
 #include <plumb/shapes/tile_pieces.h>
 #include <plumb/space/shape_def.h>
@@ -122,24 +122,25 @@ public:
     /// overlaps with two shifts is two pairs.
     std::span<const Vec2> newPairShifts() const { return pairShifts_; }
 
-    /// Calls visit(id) for each shape whose box overlaps or touches the given one, wherever it was placed by now.
-    template <class Visit>
-    void query(const Aabb& box, Visit&& visit) const;
+    /// Told of a shape, and of the shift by which it was found in a space that wraps.
+    using Visit = FunctionRef<void(ProxyId, const Vec2&)>;
+    /// The same; says up to which fraction of a way, or which distance, more is wanted.
+    using VisitWhile = FunctionRef<double(ProxyId, const Vec2&)>;
+
+    /// Calls visit for each shape whose box overlaps or touches the given one, wherever it was placed by now.
+    void query(const Aabb& box, Visit visit) const;
 
     /// The same for those that are fixed.
-    template <class Visit>
-    void queryFixed(const Aabb& box, Visit&& visit) const;
+    void queryFixed(const Aabb& box, Visit visit) const;
 
-    /// Calls visit(id) for each shape whose box something of this half size may meet that moves from one point to
+    /// Calls visit for each shape whose box something of this half size may meet that moves from one point to
     /// another, those on its way sooner as far as they are known to be; visit returns up to which fraction of the way
     /// more is wanted, at first and at most 1.
-    template <class Visit>
-    void castBox(const Vec2& halfSize, const Vec2& from, const Vec2& to, Visit&& visit) const;
+    void castBox(const Vec2& halfSize, const Vec2& from, const Vec2& to, VisitWhile visit) const;
 
     /// The same for each whose box may be no farther from a point than within [m], at first; visit returns a new
     /// within.
-    template <class Visit>
-    void findNear(const Vec2& point, double within, Visit&& visit) const;
+    void findNear(const Vec2& point, double within, VisitWhile visit) const;
 
     const Gate& gate(ProxyId proxy) const { return gates_[proxy]; }
     const Proxy& operator[](ProxyId proxy) const { return proxies_[proxy]; }
@@ -158,12 +159,12 @@ public:
     /// Do the hierarchies have it whole? Not if its box reaches into more rounds than they follow.
     bool isWhole(ProxyId id) const;
     /// Calls visit(shift) for each with which a box, shifted, overlaps another; up to 64 along an axis.
-    template <class Visit>
-    void forEachShift(const Aabb& still, const Aabb& box, Visit&& visit) const;
+    template <class Look>
+    void forEachShift(const Aabb& still, const Aabb& box, Look&& look) const;
     /// The same for the boxes of two shapes at the last look for pairs.
-    template <class Visit>
-    void forEachPreviousShift(ProxyId still, ProxyId other, Visit&& visit) const {
-        forEachShift(previousBox(still), previousBox(other), visit);
+    template <class Look>
+    void forEachPreviousShift(ProxyId still, ProxyId other, Look&& look) const {
+        forEachShift(previousBox(still), previousBox(other), look);
     }
 
     /// Makes room for so many shapes.
@@ -220,13 +221,6 @@ private:
     };
 
     static Aabb shifted(const Aabb& box, const Vec2& shift) { return {box.lower + shift, box.upper + shift}; }
-    template <class Visit>
-    static decltype(auto) tell(Visit& visit, ProxyId id, const Vec2& shift) {
-        if constexpr (std::is_invocable_v<Visit&, ProxyId, const Vec2&>)
-            return visit(id, shift);
-        else
-            return visit(id);
-    }
     ProxyId acquire();
     /// As it stands in the hierarchies.
     Aabb seatBox(ProxyId id) const { return wrap_.any() ? imageBox(id) : placed_[id].box; }
@@ -239,18 +233,14 @@ private:
     void sortShiftedPairs();
     Vec2 lastRound(const Aabb& box) const;
     RayPart partInRound(const Vec2& halfSize, const Vec2& from, const Vec2& to, int axis, double round) const;
-    template <class Visit>
-    void queryAround(std::span<const Crowd> crowds, const Aabb& box, Visit&& visit) const;
-    template <class Visit>
-    void castAround(const Vec2& halfSize, const Vec2& from, const Vec2& to, Visit&& visit) const;
-    template <class Visit>
-    void findAround(const Vec2& point, double within, Visit&& visit) const;
-    template <class Visit>
-    void castTrees(const Vec2& halfSize, const Vec2& from, const Vec2& to, const RayPart& part, Visit&& visit) const;
+    void queryAround(std::span<const Crowd> crowds, const Aabb& box, Visit visit) const;
+    void castAround(const Vec2& halfSize, const Vec2& from, const Vec2& to, VisitWhile visit) const;
+    void findAround(const Vec2& point, double within, VisitWhile visit) const;
+    void castTrees(const Vec2& halfSize, const Vec2& from, const Vec2& to, const RayPart& part,
+                   FunctionRef<double(ProxyId)> visit) const;
 
     RayPart partWithin(const Vec2& halfSize, const Vec2& from, const Vec2& to) const;
-    template <class Visit>
-    void probe(const BoxProbe& probe, float limit, Visit&& visit) const;
+    void probe(const BoxProbe& probe, float limit, FunctionRef<float(ProxyId)> visit) const;
     void renewBox(ProxyId proxy, const Aabb& tight, double margin);
     void markMoved(ProxyId proxy);
     const Aabb& previousBox(ProxyId proxy) const {
@@ -295,105 +285,6 @@ private:
     std::vector<ProxyId> unsorted_, sorted_;
     RadixSort<Pair, 8> pairSort_;
 };
-
-template <class Visit>
-void Space::query(const Aabb& box, Visit&& visit) const {
-    if (wrap_.any()) {
-        queryAround(crowds_, box, visit);
-        return;
-    }
-    const Vec2 none(0, 0);
-    const Bounds bounds = BoundsRounding(origin_)(box);
-    for (const Crowd& crowd : crowds_) {
-        crowd.tree.query(bounds, [&](std::uint32_t slot) {
-            const ProxyId id = crowd.tree.members()[slot];
-            if (!seats_[id].moved && overlap(placed_[id].box, box)) tell(visit, id, none);
-        });
-    }
-    // The hierarchies have these where they were at the last look.
-    for (const ProxyId id : moved_)
-        if (seats_[id].moved && overlap(placed_[id].box, box)) tell(visit, id, none);
-}
-
-template <class Visit>
-void Space::queryFixed(const Aabb& box, Visit&& visit) const {
-    const Crowd& crowd = crowds_[static_cast<std::size_t>(Home::Fixed)];
-    if (wrap_.any()) {
-        queryAround({&crowd, 1}, box, [&](ProxyId id, const Vec2& shift) {
-            if (seats_[id].fixed) tell(visit, id, shift);
-        });
-        return;
-    }
-    const Vec2 none(0, 0);
-    crowd.tree.query(BoundsRounding(origin_)(box), [&](std::uint32_t slot) {
-        const ProxyId id = crowd.tree.members()[slot];
-        if (!seats_[id].moved && overlap(placed_[id].box, box)) tell(visit, id, none);
-    });
-    for (const ProxyId id : moved_)
-        if (seats_[id].moved && seats_[id].fixed && overlap(placed_[id].box, box)) tell(visit, id, none);
-}
-
-/// visit returns a float, for a limit.
-template <class Visit>
-void Space::probe(const BoxProbe& probe, float limit, Visit&& visit) const {
-    for (const Crowd& crowd : crowds_) {
-        limit = crowd.tree.probe(probe, limit, [&](std::uint32_t slot) {
-            const ProxyId id = crowd.tree.members()[slot];
-            if (!seats_[id].moved) limit = visit(id);
-            return limit;
-        });
-    }
-}
-
-/// Of a part of the way; visit gives the fraction of the whole way.
-template <class Visit>
-void Space::castTrees(const Vec2& halfSize, const Vec2& from, const Vec2& to, const RayPart& part,
-                      Visit&& visit) const {
-    const Vec2 way = to - from, first = from + way * part.first, last = from + way * part.last;
-    const auto limitOf = [&](double fraction) {
-        return probeLimit((fraction - part.first) / std::max(part.last - part.first, 1e-300));
-    };
-    probe(rayProbe(first, last, halfSize, origin_, lanes_), limitOf(1), [&](ProxyId id) { return limitOf(visit(id)); });
-}
-
-template <class Visit>
-void Space::castBox(const Vec2& halfSize, const Vec2& from, const Vec2& to, Visit&& visit) const {
-    if (wrap_.any()) {
-        castAround(halfSize, from, to, visit);
-        return;
-    }
-    const Vec2 none(0, 0);
-    const RayPart part = partWithin(halfSize, from, to);
-    double wanted = 1;
-    if (part.first <= part.last)
-        castTrees(halfSize, from, to, part, [&](ProxyId id) { return wanted = tell(visit, id, none); });
-    for (const ProxyId id : moved_) {
-        if (!seats_[id].moved) continue;
-        const Aabb& box = placed_[id].box;
-        const RayPart met = clipRay(from, to, {box.lower - halfSize, box.upper + halfSize});
-        if (met.first <= met.last && met.first <= wanted) wanted = tell(visit, id, none);
-    }
-}
-
-template <class Visit>
-void Space::findNear(const Vec2& point, double within, Visit&& visit) const {
-    if (wrap_.any()) {
-        findAround(point, within, visit);
-        return;
-    }
-    const Vec2 none(0, 0);
-    probe(pointProbe(point, origin_, lanes_), probeLimit(within), [&](ProxyId id) {
-        within = tell(visit, id, none);
-        return probeLimit(within);
-    });
-    constexpr double nearly = 1 - 1e-12;  // roundings must not leave out what is just so far
-    for (const ProxyId id : moved_) {
-        if (!seats_[id].moved) continue;
-        const Aabb& box = placed_[id].box;
-        const Vec2 away = (box.lower - point).cwiseMax(point - box.upper);
-        if (away.maxCoeff() * nearly <= within) within = tell(visit, id, none);
-    }
-}
 
 }  // namespace plumb
 

@@ -201,13 +201,13 @@ public:
 
     void meetFixed() {
         if (goesRound()) return meetAround([](const Proxy& other) { return other.fixed; });
-        meetNear([](const Space& space, const Aabb& box, auto&& visit) { space.queryFixed(box, visit); });
+        meetNear([](const Space& space, const Aabb& box, Space::Visit visit) { space.queryFixed(box, visit); });
     }
 
     void meetKinematic() {
         if (world_.bodies.kinematic.empty()) return;
         if (goesRound()) return meetAround([](const Proxy& other) { return !other.fixed; });
-        meetNear([](const Space& space, const Aabb& box, auto&& visit) {
+        meetNear([](const Space& space, const Aabb& box, Space::Visit visit) {
             space.query(box, [&](ProxyId other, const Vec2& shift) {
                 if (!space[other].fixed) visit(other, shift);
             });
@@ -254,8 +254,7 @@ private:
         return rulesAdmit(world_, a, b, face) && comesFromOpenSide(world_, a, b, face, false);
     }
 
-    template <class Query>
-    void meetNear(Query&& query) {
+    void meetNear(FunctionRef<void(const Space&, const Aabb&, Space::Visit)> query) {
         const Space& space = world_.space;
         const BodyRecord& record = world_.bodies.record[body_];
         const Vec2 end = way_.start + way_.shift;
@@ -287,8 +286,7 @@ private:
     }
 
     /// Then what lies on the way is met in its order, and, of more than 64 rounds, on the first 64.
-    template <class Wanted>
-    void meetAround(Wanted&& wanted) {
+    void meetAround(FunctionRef<bool(const Proxy&)> wanted) {
         constexpr double mostRounds = 64;
         const Wrap& wrap = world_.def.wrap;
         double part = 1;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which shapes are there to be found, for whoever looks through a filter?
 #pragma once
-#include <limits>
-
 #include <plumb/collide/ray_cast.h>
 #include <plumb/dynamics/detail/world_state.h>
 #include <plumb/dynamics/query.h>
@@ -39,51 +37,14 @@ public:
 
     /// Whatever a box of this half size may meet on its way; visit(id, shift) gives the fraction of it up to which more
     /// is wanted.
-    template <class Visit>
-    void lookAlong(const Vec2& halfSize, const Vec2& from, const Vec2& to, Visit&& visit) const {
-        double wanted = 1;
-        const auto look = [&](ProxyId id, const Vec2& shift) {
-            if (sees(id)) wanted = visit(id, shift);
-            return wanted;
-        };
-        world_.space.castBox(halfSize, from, to, look);
-        const Aabb way{from.cwiseMin(to) - halfSize, from.cwiseMax(to) + halfSize};
-        forEachStray(way, [&](const Stray& stray, const Vec2& shift) {
-            const Vec2 lower = stray.box.lower + shift - halfSize, upper = stray.box.upper + shift + halfSize;
-            const RayPart met = clipRay(from, to, {lower, upper});
-            if (met.first <= met.last) look(stray.proxy, shift);
-        });
-    }
+    void lookAlong(const Vec2& halfSize, const Vec2& from, const Vec2& to, Space::VisitWhile visit) const;
 
     /// Whatever may be no farther from a point than within; visit(id, shift) gives the distance up to which more is
     /// wanted.
-    template <class Visit>
-    void lookAround(const Vec2& point, double within, Visit&& visit) const {
-        const auto look = [&](ProxyId id, const Vec2& shift) {
-            if (sees(id)) within = visit(id, shift);
-            return within;
-        };
-        world_.space.findNear(point, within, look);
-        constexpr double endless = std::numeric_limits<double>::infinity();
-        const Wrap& wrap = world_.def.wrap;
-        const Vec2 reach(wrap.width.value_or(endless), wrap.height.value_or(endless));
-        forEachStray({point - reach, point + reach},
-                     [&](const Stray& stray, const Vec2& shift) { look(stray.proxy, shift); });
-    }
+    void lookAround(const Vec2& point, double within, Space::VisitWhile visit) const;
 
     /// Whatever may be in a box.
-    template <class Visit>
-    void lookInto(const Aabb& tight, Visit&& visit) const {
-        // What just touches is not to be lost to roundings.
-        const Aabb box = inflate(tight, 1e-15 * tight.lower.cwiseAbs().cwiseMax(tight.upper.cwiseAbs()).maxCoeff());
-        const auto look = [&](ProxyId id, const Vec2& shift) {
-            if (sees(id)) visit(id, shift);
-        };
-        world_.space.query(box, look);
-        forEachStray(box, [&](const Stray& stray, const Vec2& shift) {
-            if (overlap({stray.box.lower + shift, stray.box.upper + shift}, box)) look(stray.proxy, shift);
-        });
-    }
+    void lookInto(const Aabb& tight, Space::Visit visit) const;
 
 private:
     bool sees(ProxyId id) const {
@@ -91,19 +52,8 @@ private:
         return mayMeet(gate_, gate) && (gate.asked || (outlines_ && gate.touched)) && !gate.sensor &&
                gate.owner != ignored_;
     }
-
     /// With each shift by which it may be in a box; without one in a world that does not wrap.
-    template <class Visit>
-    void forEachStray(const Aabb& where, Visit&& visit) const {
-        for (const Stray& stray : world_.strays.of(world_)) {
-            const Proxy& proxy = world_.space[stray.proxy];
-            if (!proxy.alive || !world_.bodies.record[proxy.owner].enabled) continue;
-            if (world_.def.wrap.any())
-                world_.space.forEachShift(where, stray.box, [&](const Vec2& shift) { visit(stray, shift); });
-            else
-                visit(stray, Vec2(0, 0));
-        }
-    }
+    void forEachStray(const Aabb& where, FunctionRef<void(const Stray&, const Vec2&)> visit) const;
 
     const WorldState& world_;
     Gate gate_;
