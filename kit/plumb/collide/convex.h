@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include <plumb/math/vec2f.h>
 #include <plumb/shapes/shape.h>
 
 namespace plumb {

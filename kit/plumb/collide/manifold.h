@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include <plumb/collide/convex.h>
+#include <plumb/math/vec2f.h>
 
 namespace plumb {
 

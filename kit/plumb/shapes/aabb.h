@@ -24,7 +24,7 @@ inline Aabb merge(const Aabb& a, const Aabb& b) {
     return {a.lower.cwiseMin(b.lower), a.upper.cwiseMax(b.upper)};
 }
 inline Aabb inflate(const Aabb& a, double margin) {
-    return {a.lower.array() - margin, a.upper.array() + margin};
+    return {{a.lower.x() - margin, a.lower.y() - margin}, {a.upper.x() + margin, a.upper.y() + margin}};
 }
 
 /// The smallest upright box around a placed shape. Throws std::invalid_argument if it has too few corners, or too many.

@@ -12,7 +12,7 @@
 #include <plumb/broad/pair.h>
 #include <plumb/broad/radix_sort.h>
 #include <plumb/collide/convex.h>
-#include <plumb/math/detail/function_ref.h>
+#include <plumb/math/function_ref.h>
 #include <plumb/shapes/aabb.h>
 #include <plumb/shapes/tile_pieces.h>
 #include <plumb/space/shape_def.h>

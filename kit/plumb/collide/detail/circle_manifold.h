@@ -3,6 +3,7 @@
 #pragma once
 #include <plumb/collide/detail/core.h>
 #include <plumb/collide/manifold.h>
+#include <plumb/math/vec2f.h>
 
 namespace plumb {
 

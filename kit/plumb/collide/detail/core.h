@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include <plumb/collide/convex.h>
+#include <plumb/math/vec2f.h>
 
 namespace plumb {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include <plumb/math/vec2.h>
+#include <plumb/math/vec2f.h>
 
 namespace plumb {
 

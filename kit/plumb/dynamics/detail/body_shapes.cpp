@@ -9,6 +9,7 @@
 #include <plumb/dynamics/detail/pairs.h>
 #include <plumb/dynamics/detail/sensors.h>
 #include <plumb/dynamics/detail/shape_measure.h>
+#include <plumb/math/vec2f.h>
 #include <plumb/shapes/chain.h>
 
 namespace plumb {

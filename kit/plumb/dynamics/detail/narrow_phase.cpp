@@ -10,6 +10,7 @@
 #include <plumb/dynamics/detail/islands.h>
 #include <plumb/dynamics/detail/lane_collider.h>
 #include <plumb/dynamics/detail/lanes.h>
+#include <plumb/math/vec2f.h>
 
 namespace plumb {
 
