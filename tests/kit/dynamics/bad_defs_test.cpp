@@ -149,7 +149,7 @@ const Fields<Filter> filterFields{anything<Filter>("category"), anything<Filter>
 
 /// One of each kind, sound, put into the def.
 template <class Kind>
-Field<ShapeDef> outlineOf(const Kind& sound, const Fields<Kind>& fields) {
+Field<ShapeDef> outlineField(const Kind& sound, const Fields<Kind>& fields) {
     return nested<ShapeDef, Kind>(
         "shape", "",
         [sound](ShapeDef& def) -> Kind& {
@@ -161,11 +161,11 @@ Field<ShapeDef> outlineOf(const Kind& sound, const Fields<Kind>& fields) {
 
 Field<ShapeDef> anyOutline() {
     Field<ShapeDef> field{"shape"};
-    field = with(field, outlineOf(Circle{.radius = 0.4}, circleFields));
-    field = with(field, outlineOf(Capsule{}, capsuleFields));
-    field = with(field, outlineOf(Polygon{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}}, polygonFields));
-    field = with(field, outlineOf(Segment{}, segmentFields));
-    return with(field, outlineOf(Chain{{{0, 0}, {1, 0}, {2, 0}}}, chainFields));
+    field = with(field, outlineField(Circle{.radius = 0.4}, circleFields));
+    field = with(field, outlineField(Capsule{}, capsuleFields));
+    field = with(field, outlineField(Polygon{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}}, polygonFields));
+    field = with(field, outlineField(Segment{}, segmentFields));
+    return with(field, outlineField(Chain{{{0, 0}, {1, 0}, {2, 0}}}, chainFields));
 }
 
 /// What one body can have: beyond that, the shape is sound but too far out.

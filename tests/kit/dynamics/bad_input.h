@@ -3,7 +3,6 @@
 #pragma once
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -12,6 +11,8 @@
 #include <vector>
 
 #include <plumb/plumb.h>
+
+#include "kit/dynamics/numbers.h"
 
 namespace plumb::test {
 
@@ -40,9 +41,6 @@ struct BadNumber {
     std::string text, complaint;
 };
 using BadNumbers = std::vector<BadNumber>;
-
-inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 inline BadNumbers joined(BadNumbers a, const BadNumbers& b) {
     a.insert(a.end(), b.begin(), b.end());

@@ -250,9 +250,9 @@ const Fields<Target> targetFields{
     breaking<Target>(),
 };
 
-const Fields<FilterJointDef> filterFields{bodyA<FilterJointDef>(), bodyB<FilterJointDef>(false)};
+const Fields<FilterJointDef> filterJointFields{bodyA<FilterJointDef>(), bodyB<FilterJointDef>(false)};
 
-const BodyId wall = idOf<BodyId>(Mark::Wall), ball = idOf<BodyId>(Ball);
+const BodyId wallId = idOf<BodyId>(Mark::Wall), ballId = idOf<BodyId>(Ball);
 
 /// Calls visit(name, fields, sound) for each kind of joint, motors running, so that what they are told counts.
 template <class Visit>
@@ -260,29 +260,36 @@ void forEachKind(Visit&& visit) {
     const Vec2 at{0, 4};
     const Spring soft{20, 1};
     visit("RevoluteJointDef", revoluteFields,
-          Hinged{.bodyA = wall, .bodyB = ball, .anchor = at, .motorSpeed = 1, .maxMotorTorque = 1});
-    visit("RevoluteJointDef", revoluteFields, Hinged{.bodyA = wall, .bodyB = ball, .anchor = at, .spring = soft});
+          Hinged{.bodyA = wallId, .bodyB = ballId, .anchor = at, .motorSpeed = 1, .maxMotorTorque = 1});
+    visit("RevoluteJointDef", revoluteFields, Hinged{.bodyA = wallId, .bodyB = ballId, .anchor = at, .spring = soft});
     visit("PrismaticJointDef", prismaticFields,
-          Sliding{.bodyA = wall, .bodyB = ball, .anchor = at, .motorSpeed = 1, .maxMotorForce = 1});
-    visit("PrismaticJointDef", prismaticFields, Sliding{.bodyA = wall, .bodyB = ball, .anchor = at, .spring = soft});
+          Sliding{.bodyA = wallId, .bodyB = ballId, .anchor = at, .motorSpeed = 1, .maxMotorForce = 1});
+    visit("PrismaticJointDef", prismaticFields,
+          Sliding{.bodyA = wallId, .bodyB = ballId, .anchor = at, .spring = soft});
     visit("DistanceJointDef", distanceFields,
-          DistanceJointDef{.bodyA = wall, .bodyB = ball, .anchorA = at, .anchorB = {0.3, 4}});
-    visit("WeldJointDef", weldFields, Weld{.bodyA = wall, .bodyB = ball, .anchor = at});
+          DistanceJointDef{.bodyA = wallId, .bodyB = ballId, .anchorA = at, .anchorB = {0.3, 4}});
+    visit("WeldJointDef", weldFields, Weld{.bodyA = wallId, .bodyB = ballId, .anchor = at});
     visit("WheelJointDef", wheelFields,
-          Wheel{.bodyA = wall, .bodyB = ball, .anchor = at, .motorSpeed = 1, .maxMotorTorque = 1, .spring = soft});
-    visit("PulleyJointDef", pulleyFields,
-          Pulley{.bodyA = wall, .bodyB = ball, .groundA = {0, 7}, .groundB = {2, 7}, .anchorA = at, .anchorB = {2, 4}});
+          Wheel{.bodyA = wallId, .bodyB = ballId, .anchor = at, .motorSpeed = 1, .maxMotorTorque = 1, .spring = soft});
+    visit(
+        "PulleyJointDef", pulleyFields,
+        Pulley{
+            .bodyA = wallId, .bodyB = ballId, .groundA = {0, 7}, .groundB = {2, 7}, .anchorA = at, .anchorB = {2, 4}});
     visit("GearJointDef", gearFields, Gear{.jointA = idOf<JointId>(Hinge), .jointB = idOf<JointId>(Slide)});
-    visit("MotorJointDef", motorFields, Motor{.bodyA = wall, .bodyB = ball, .maxForce = 10, .maxTorque = 10});
-    visit("TargetJointDef", targetFields, Target{.body = ball, .anchor = at, .target = {1, 5}});
-    visit("FilterJointDef", filterFields, FilterJointDef{wall, ball});
+    visit("MotorJointDef", motorFields, Motor{.bodyA = wallId, .bodyB = ballId, .maxForce = 10, .maxTorque = 10});
+    visit("TargetJointDef", targetFields, Target{.body = ballId, .anchor = at, .target = {1, 5}});
+    visit("FilterJointDef", filterJointFields, FilterJointDef{wallId, ballId});
 }
 
 /// Those of a distance joint that only a spring makes use of.
-const DistanceJointDef springy{
-    .bodyA = wall, .bodyB = ball, .anchorA = {0, 4}, .anchorB = {0.3, 4}, .spring = Spring{20, 1}, .maxMotorForce = 1};
+const DistanceJointDef springy{.bodyA = wallId,
+                               .bodyB = ballId,
+                               .anchorA = {0, 4},
+                               .anchorB = {0.3, 4},
+                               .spring = Spring{20, 1},
+                               .maxMotorForce = 1};
 
-const auto join = [](Bench& bench, const auto& def) { bench.world.join(resolved(bench, def)); };
+const auto joinOnBench = [](Bench& bench, const auto& def) { bench.world.join(resolved(bench, def)); };
 
 /// Fields that only a joint that is not made yet can have wrong.
 bool isFrame(const std::string& field) {
@@ -308,8 +315,8 @@ TEST_CASE("each field of each kind of joint is refused by name, value and wish w
           "[dynamics][joints][errors]") {
     forEachKind([](const std::string& name, const auto& fields, const auto& sound) {
         Bench bench;
-        CHECK(refusalOf([&] { join(bench, sound); }) == "");
-        for (const std::string& fault : faultsOf(name, fields, sound, join)) CHECK(fault == "");
+        CHECK(refusalOf([&] { joinOnBench(bench, sound); }) == "");
+        for (const std::string& fault : faultsOf(name, fields, sound, joinOnBench)) CHECK(fault == "");
     });
 }
 
@@ -353,11 +360,11 @@ TEST_CASE("a joint can be changed after its bodies have gone 1,000 km, or can no
 TEST_CASE("numbers from 1e-320 to infinity in a joint are refused, or leave every body finite and out of quarantine",
           "[dynamics][joints][errors]") {
     forEachKind([](const std::string& name, const auto& fields, const auto& sound) {
-        for (const std::string& fault : unsoundWith(name, fields, sound, join, unsoundOrQuarantinedAfter))
+        for (const std::string& fault : unsoundWith(name, fields, sound, joinOnBench, unsoundOrQuarantinedAfter))
             CHECK(fault == "");
     });
     for (const std::string& fault :
-         unsoundWith("DistanceJointDef", distanceFields, springy, join, unsoundOrQuarantinedAfter))
+         unsoundWith("DistanceJointDef", distanceFields, springy, joinOnBench, unsoundOrQuarantinedAfter))
         CHECK(fault == "");
 }
 

@@ -9,6 +9,7 @@
 #include <plumb/plumb.h>
 #include "cases.h"
 #include "catch.h"
+#include "kit/dynamics/numbers.h"
 #include "kit/dynamics/sliders.h"
 
 using plumb::BodyId;
@@ -18,16 +19,16 @@ using plumb::Material;
 using plumb::Random;
 using plumb::Vec2;
 using plumb::World;
+using plumb::test::dt;
 using plumb::test::Slider;
 using plumb::test::sliderOf;
+using plumb::test::smooth;
 
 namespace {
 
-constexpr double dt = 1.0 / 60;
-constexpr Material smooth{.friction = 0};
 constexpr double degree = std::numbers::pi / 180;
 
-Slider randomSlider(Random& random) {
+Slider brinkSlider(Random& random) {
     const double size = random.uniform(0.1, 0.8);
     return sliderOf(random.integer(0, 3), size, smooth);
 }
@@ -53,7 +54,7 @@ Brink randomBrink(Random& random, double turn) {
 }
 
 /// Least share of the speed that is kept, and the contact that leans back most, until the middle is over the brink.
-struct Slide {
+struct BrinkSlide {
     double kept = 1;
     double back = 0;  ///< cosine, of a contact's way to the body and its way back
     bool over = false;
@@ -65,14 +66,14 @@ struct Fall {
     double speed = 0;   ///< [m/s]
 };
 
-Slide slideOver(const Brink& brink, const Slider& slider, double speed, double gravity, const Fall& fall = {}) {
+BrinkSlide slideOver(const Brink& brink, const Slider& slider, double speed, double gravity, const Fall& fall = {}) {
     World world({.gravity = {0, -gravity}, .sleeping = false});
     world.add({.type = BodyType::Static, .shapes = {plumb::chain(brink.points, smooth)}});
     const double f = brink.forward, run = std::clamp(speed, 0.1, 20.0);
     const BodyId body = world.add({.position = {-f * run, slider.below + fall.height},
                                    .velocity = {f * speed, -fall.speed},
                                    .shapes = {slider.shape}});
-    Slide slide;
+    BrinkSlide slide;
     for (int tick = 0; tick < 120 && !slide.over; ++tick) {
         world.step(dt);
         const auto view = world.body(body);
@@ -108,12 +109,12 @@ TEST_CASE("10,000 slides over brinks of 45, 90 and 135 degrees at 0.1 to 100 m/s
         Random random(static_cast<std::uint64_t>(seed));
         const double turn = 45 * degree * random.integer(1, 3);
         const Brink brink = randomBrink(random, turn);
-        const Slider slider = randomSlider(random);
+        const Slider slider = brinkSlider(random);
         const double speed = std::pow(10, random.uniform(-1, 2));
         const double gravity = random.integer(0, 1) == 0 ? 0 : 9.81;
         INFO("seed " << seed << ": " << slider.name << " at " << speed << " m/s, turn " << turn / degree << ", gravity "
                      << gravity);
-        const Slide slide = slideOver(brink, slider, speed, gravity);
+        const BrinkSlide slide = slideOver(brink, slider, speed, gravity);
         CHECK(slide.over);
         // Rounded to the solver's floats once, and never again.
         CHECK(slide.kept >= 1 - 0x1p-24);
@@ -127,12 +128,12 @@ TEST_CASE("10,000 bodies that come down at 0 to 20 m/s near a brink go on over i
         Random random(static_cast<std::uint64_t>(seed));
         const double turn = 45 * degree * random.integer(1, 3);
         const Brink brink = randomBrink(random, turn);
-        const Slider slider = randomSlider(random);
+        const Slider slider = brinkSlider(random);
         const double speed = std::pow(10, random.uniform(-1, 2));
         const Fall fall{random.uniform(0, 2), random.uniform(0, 20)};
         INFO("seed " << seed << ": " << slider.name << " at " << speed << " m/s, turn " << turn / degree << ", from "
                      << fall.height << " m at " << fall.speed << " m/s");
-        const Slide slide = slideOver(brink, slider, speed, 9.81, fall);
+        const BrinkSlide slide = slideOver(brink, slider, speed, 9.81, fall);
         CHECK(slide.back < 1e-6);
         // Floats round what stops a fall of 20 m/s, over a few steps, along a floor level to a rounding.
         CHECK(slide.kept * speed >= speed - 8 * 20 * 0x1p-24 - speed * 0x1p-24);
@@ -196,7 +197,7 @@ TEST_CASE("3,000 bodies at 0.1 to 100 m/s stay on their side of chains with brin
         const std::vector<Vec2> terrain = randomTerrain(random);
         World world({.gravity = {0, random.integer(-1, 1) * 9.81}});
         world.add({.type = BodyType::Static, .shapes = {plumb::chain(terrain, smooth)}});
-        const Slider slider = randomSlider(random);
+        const Slider slider = brinkSlider(random);
         const double speed = std::pow(10, random.uniform(-1, 2)), angle = random.uniform(0, 2 * std::numbers::pi);
         const Vec2 at(random.uniform(-6, 6), random.uniform(-4, 4));
         const double turned = random.uniform(0, 2 * std::numbers::pi);

@@ -5,6 +5,7 @@
 
 #include <plumb/plumb.h>
 #include "catch.h"
+#include "kit/dynamics/numbers.h"
 
 using plumb::BodyDef;
 using plumb::BodyId;
@@ -13,20 +14,20 @@ using plumb::Material;
 using plumb::ShapeDef;
 using plumb::Vec2;
 using plumb::World;
+using plumb::test::g;
 
 namespace {
 
-constexpr double g = 9.81;
 constexpr int segments = 1000;
-constexpr double length = 0.1;  ///< of each [m]
+constexpr double segmentLength = 0.1;  ///< of each [m]
 
-struct Slider {
+struct SlopeSlider {
     const char* name;
     ShapeDef shape;
     double height;  ///< of its centre over the ground
 };
 
-std::vector<Slider> sliders() {
+std::vector<SlopeSlider> slopeSliders() {
     const Material smooth{.friction = 0};
     return {{"box", plumb::box({0.5, 0.5}, smooth), 0.5},
             {"disc", plumb::circle(0.5, smooth), 0.5},
@@ -36,11 +37,11 @@ std::vector<Slider> sliders() {
 /// Points of a straight line that falls at an angle, from right to left as the ground of a scene runs.
 std::vector<Vec2> lineOf(double tilt) {
     std::vector<Vec2> points;
-    for (int i = segments; i >= 0; --i) points.push_back(length * i * Vec2(std::cos(tilt), -std::sin(tilt)));
+    for (int i = segments; i >= 0; --i) points.push_back(segmentLength * i * Vec2(std::cos(tilt), -std::sin(tilt)));
     return points;
 }
 
-std::vector<ShapeDef> groundOf(double tilt, bool chained) {
+std::vector<ShapeDef> slopeGround(double tilt, bool chained) {
     const Material smooth{.friction = 0};
     const std::vector<Vec2> points = lineOf(tilt);
     if (chained) return {plumb::chain(points, smooth)};
@@ -51,16 +52,16 @@ std::vector<ShapeDef> groundOf(double tilt, bool chained) {
 }
 
 /// How far, as a share of the speed, a slider strays from v = v0 + g sin(tilt) t along the ground, or jumps off it.
-double strayed(const Slider& slider, double speed, double tilt, bool chained) {
+double strayed(const SlopeSlider& slider, double speed, double tilt, bool chained) {
     World world({.gravity = {0, -g}});
-    world.add({.type = BodyType::Static, .shapes = groundOf(tilt, chained)});
+    world.add({.type = BodyType::Static, .shapes = slopeGround(tilt, chained)});
     const Vec2 along(std::cos(tilt), -std::sin(tilt)), up(std::sin(tilt), std::cos(tilt));
     const BodyId body = world.add({.position = 2 * along + slider.height * up,
                                    .angle = -tilt,
                                    .velocity = speed * along,
                                    .shapes = {slider.shape}});
     double worst = 0;
-    for (int tick = 1; world.body(body).position().dot(along) < segments * length - 2; ++tick) {
+    for (int tick = 1; world.body(body).position().dot(along) < segments * segmentLength - 2; ++tick) {
         if (tick > 60 * 100) return 1;  // stuck
         world.step(1.0 / 60);
         const double truth = speed + g * std::sin(tilt) * tick / 60.0;
@@ -73,7 +74,7 @@ double strayed(const Slider& slider, double speed, double tilt, bool chained) {
 
 TEST_CASE("a box, a disc and a capsule keep their speed to 1e-3 over 1,000 flush segments of a chain",
           "[dynamics][chain]") {
-    for (const Slider& slider : sliders()) {
+    for (const SlopeSlider& slider : slopeSliders()) {
         for (const double speed : {2.0, 11.0, 50.0}) {
             INFO(slider.name << " at " << speed << " m/s");
             CHECK(strayed(slider, speed, 0, true) < 1e-3);
@@ -84,7 +85,7 @@ TEST_CASE("a box, a disc and a capsule keep their speed to 1e-3 over 1,000 flush
 
 TEST_CASE("a box, a disc and a capsule slide down 1,000 flush segments of a slope of 3 degrees at g sin 3 to 1e-3",
           "[dynamics][chain]") {
-    for (const Slider& slider : sliders()) {
+    for (const SlopeSlider& slider : slopeSliders()) {
         for (const double speed : {2.0, 11.0, 50.0}) {
             INFO(slider.name << " at " << speed << " m/s");
             CHECK(strayed(slider, speed, 0.052359877559829887, true) < 1e-3);
@@ -100,10 +101,10 @@ TEST_CASE("a box, a disc and a capsule keep their energy to 4e-3 through a hollo
     const double radius = 300;
     std::vector<Vec2> points;
     for (int i = segments; i >= 0; --i) {
-        const double angle = (i - segments / 2) * length / radius;
+        const double angle = (i - segments / 2) * segmentLength / radius;
         points.push_back(radius * Vec2(std::sin(angle), 1 - std::cos(angle)));
     }
-    for (const Slider& slider : sliders()) {
+    for (const SlopeSlider& slider : slopeSliders()) {
         INFO(slider.name);
         World world({.gravity = {0, -g}});
         world.add({.type = BodyType::Static, .shapes = {plumb::chain(points, {.friction = 0})}});

@@ -5,16 +5,16 @@
 
 #include <plumb/plumb.h>
 #include "catch.h"
+#include "kit/dynamics/numbers.h"
 
 using plumb::BodyId;
 using plumb::BodyType;
 using plumb::Material;
 using plumb::Vec2;
 using plumb::World;
+using plumb::test::g;
 
 namespace {
-
-constexpr double g = 9.81;
 
 /// A thing on a plane at 30 degrees: how far it strays in two seconds from sliding down with an acceleration.
 double inclineError(double acceleration, plumb::ShapeDef shape, const Material& material) {

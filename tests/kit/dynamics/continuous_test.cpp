@@ -10,6 +10,7 @@
 #include <plumb/math/random.h>
 #include <plumb/plumb.h>
 #include "catch.h"
+#include "kit/dynamics/numbers.h"
 
 using plumb::BodyDef;
 using plumb::BodyId;
@@ -19,10 +20,9 @@ using plumb::ShapeDef;
 using plumb::Transform;
 using plumb::Vec2;
 using plumb::World;
+using plumb::test::pi;
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// All shots with PLUMB_FULL=1 in the environment, a tenth of them without.
 int shotsOf(int all) {

@@ -5,6 +5,7 @@
 
 #include <plumb/plumb.h>
 #include "catch.h"
+#include "kit/dynamics/worlds.h"
 
 // What malloc says can be asked of GNU's, and not where a sanitizer has taken its place.
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
@@ -18,12 +19,9 @@ using plumb::BodyId;
 using plumb::BodyType;
 using plumb::Vec2;
 using plumb::World;
+using plumb::test::steps;
 
 namespace {
-
-void steps(World& world, int count) {
-    for (int i = 0; i < count; ++i) world.step(1.0 / 60);
-}
 
 /// A floor and a pyramid of so many rows.
 std::vector<BodyId> addPyramid(World& world, int rows, const plumb::ShapeDef& shape) {

@@ -7,14 +7,9 @@
 
 #include <plumb/plumb.h>
 
+#include "kit/dynamics/worlds.h"
+
 namespace plumb::test {
-
-inline constexpr double g = 9.81;
-inline constexpr double dt = 1.0 / 60;
-
-inline void steps(World& world, int count) {
-    for (int i = 0; i < count; ++i) world.step(dt);
-}
 
 /// A box of ten by one under a box of one by one that sleeps on it.
 struct Rest {

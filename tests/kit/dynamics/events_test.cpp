@@ -5,23 +5,23 @@
 
 #include <plumb/plumb.h>
 #include "catch.h"
+#include "kit/dynamics/numbers.h"
 
 using plumb::BodyId;
 using plumb::BodyType;
 using plumb::Vec2;
 using plumb::World;
+using plumb::test::dt;
+using plumb::test::g;
 
 namespace {
-
-constexpr double g = 9.81;
-constexpr double dt = 1.0 / 60;
 
 BodyId addFloor(World& world) {
     return world.add({.type = BodyType::Static, .shapes = {plumb::segment({-50, 0}, {50, 0})}});
 }
 
 /// All hits of the next steps.
-std::vector<plumb::ContactHit> hitsOf(World& world, int ticks) {
+std::vector<plumb::ContactHit> contactHitsOf(World& world, int ticks) {
     std::vector<plumb::ContactHit> hits;
     for (int tick = 0; tick < ticks; ++tick) {
         world.step(dt);
@@ -37,7 +37,7 @@ TEST_CASE("a ball at e = 0.5 dropped from 5 m hits at 9.904 m/s, where it lands"
     World world;
     addFloor(world);
     const BodyId ball = world.add({.position = {3, 5.5}, .shapes = {plumb::circle(0.5, {.restitution = 0.5})}});
-    const std::vector<plumb::ContactHit> hits = hitsOf(world, 62);
+    const std::vector<plumb::ContactHit> hits = contactHitsOf(world, 62);
     REQUIRE(hits.size() == 1);
     CHECK(std::fabs(hits[0].approachSpeed - std::sqrt(2 * g * 5)) < 1e-9);
     CHECK((hits[0].point - Vec2(3, 0)).norm() < 1e-9);
@@ -49,7 +49,7 @@ TEST_CASE("a box that lands flat at 5 m/s is one hit, and none while it lies", "
     World world;
     addFloor(world);
     world.add({.position = {0, 0.5 + 25 / (2 * g)}, .shapes = {plumb::box({0.5, 0.5})}});
-    const std::vector<plumb::ContactHit> hits = hitsOf(world, 240);
+    const std::vector<plumb::ContactHit> hits = contactHitsOf(world, 240);
     REQUIRE(hits.size() == 1);
     CHECK(hits[0].approachSpeed > 5 - 1.1 * g * dt);
     CHECK(hits[0].approachSpeed < 5 + 1e-3);
@@ -98,7 +98,7 @@ TEST_CASE("a box that lies on the floor and is struck down at 10 m/s is a hit, a
     World world;
     addFloor(world);
     const BodyId box = world.add({.position = {0, 0.5}, .shapes = {plumb::box({0.5, 0.5})}});
-    CHECK(hitsOf(world, 120).empty());
+    CHECK(contactHitsOf(world, 120).empty());
     world.body(box).applyImpulse({0, -10 * world.body(box).mass()});
     world.step(dt);
     REQUIRE(world.contactHits().size() == 1);
@@ -112,7 +112,7 @@ TEST_CASE("a touch at 0.9 m/s is no hit at the default of 1 m/s, is at 0.8, and 
         World world({.gravity = {0, 0}, .hitSpeed = hitSpeed});
         world.add({.type = BodyType::Static, .shapes = {plumb::segment({0, -5}, {0, 5})}});
         world.add({.position = {-1, 0}, .velocity = {0.9, 0}, .shapes = {plumb::circle(0.5)}});
-        return hitsOf(world, 60).size();
+        return contactHitsOf(world, 60).size();
     };
     CHECK(count(1) == 0);
     CHECK(count(0.8) == 1);

@@ -9,23 +9,21 @@
 #include <plumb/plumb.h>
 
 #include "catch.h"
+#include "kit/dynamics/numbers.h"
+#include "kit/dynamics/worlds.h"
 #include "kit/forces/runge_kutta.h"
 
 using namespace plumb;
+using plumb::test::dt;
+using plumb::test::g;
+using plumb::test::run;
 
 namespace {
 
-constexpr double g = 9.81;
-constexpr double dt = 1.0 / 60;
 constexpr double digits = 0.5e-10;  // worked numbers stand to ten decimals
 
 double degrees(double angle) {
     return angle * M_PI / 180;
-}
-
-void run(World& world, double seconds, double step = dt) {
-    const long steps = std::lround(seconds / step);
-    for (long i = 0; i < steps; ++i) world.step(step);
 }
 
 /// 3 kg and 2 kg on a rope over a wheel of 1 kg that it turns: racks on a pinion, as it does not slip.

@@ -7,22 +7,20 @@
 #include <plumb/record/state_hash.h>
 
 #include "catch.h"
+#include "kit/dynamics/numbers.h"
+#include "kit/dynamics/worlds.h"
 
 using namespace plumb;
+using plumb::test::dt;
+using plumb::test::run;
 
 namespace {
-
-constexpr double dt = 1.0 / 60;
-
-void run(World& world, double seconds, double step = dt) {
-    for (int tick = static_cast<int>(std::lround(seconds / step)); tick > 0; --tick) world.step(step);
-}
 
 BodyDef wallAt(double x) {
     return {.type = BodyType::Static, .position = {x, 0}, .shapes = {box({0.5, 2}, {.friction = 0, .restitution = 1})}};
 }
 
-BodyDef ball(const Vec2& position, const Vec2& velocity, double radius = 0.1) {
+BodyDef elasticBall(const Vec2& position, const Vec2& velocity, double radius = 0.1) {
     return {.position = position, .velocity = velocity, .shapes = {circle(radius, {.friction = 0, .restitution = 1})}};
 }
 
@@ -47,7 +45,7 @@ TEST_CASE("a puck between walls 5 cm apart never speeds up, and stops when the f
     world.addField({.law = GroundFriction{.friction = 0.5}});
     world.add(wallAt(-0.625));
     world.add(wallAt(0.625));
-    const BodyId puck = world.add(ball({0, 0}, {5, 0}));
+    const BodyId puck = world.add(elasticBall({0, 0}, {5, 0}));
     const double start = world.ledger().energy.kinetic;
     double speed = 5;
     for (int tick = 1; tick <= 61; ++tick) {
@@ -77,7 +75,7 @@ TEST_CASE("in a room of elastic balls a drag without motion of the air only take
     world.addField({.law = GroundFriction{.friction = 0.05}});
     world.addField({.law = Drag{.quadratic = 0.01}});
     world.addField({.law = Attractor{.strength = 1, .power = 1, .softening = 0.5}});
-    for (int i = 0; i < 9; ++i) world.add(ball({i % 3 - 1.0, i / 3 - 1.0}, {3.0 - i, 0.7 * i - 2}, 0.2));
+    for (int i = 0; i < 9; ++i) world.add(elasticBall({i % 3 - 1.0, i / 3 - 1.0}, {3.0 - i, 0.7 * i - 2}, 0.2));
     const double start = world.ledger().energy.stored();
     double before = start;
     for (int tick = 0; tick < 300; ++tick) {
@@ -99,7 +97,7 @@ TEST_CASE("a field far away changes no bit of what it does not reach", "[dynamic
             world.addField({.law = Drag{.linear = 1}, .filter = {.mask = 4}});
         }
         world.add({.type = BodyType::Static, .shapes = {box({20, 0.5}, {.restitution = 0.5})}});
-        for (int i = 0; i < 5; ++i) world.add(ball({2.0 * i, 3.0 + i}, {1, 0}));
+        for (int i = 0; i < 5; ++i) world.add(elasticBall({2.0 * i, 3.0 + i}, {1, 0}));
         world.add({.position = {-5, 4}, .linearDamping = 0.3, .shapes = {box({0.4, 0.3})}});
         run(world, 3);
         return stateHash(world);
@@ -189,7 +187,7 @@ TEST_CASE("where a law has no number the ledger still has", "[dynamics][fields]"
 TEST_CASE("a step too short for numbers harms nothing in a field", "[dynamics][fields]") {
     World world;
     world.addField({.law = Drag{.quadratic = 1}});
-    const BodyId disc = world.add(ball({0, 0}, {3, 0}));
+    const BodyId disc = world.add(elasticBall({0, 0}, {3, 0}));
     for (const double tiny : {1e-10, 1e-160, 1e-300}) world.step(tiny);
     CHECK_FALSE(world.body(disc).quarantined());
     CHECK(world.body(disc).velocity().x() == Approx(3));

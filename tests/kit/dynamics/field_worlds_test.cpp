@@ -10,17 +10,15 @@
 #include <plumb/record/state_hash.h>
 
 #include "catch.h"
+#include "kit/dynamics/numbers.h"
+#include "kit/dynamics/worlds.h"
 
 using namespace plumb;
 using plumb::test::containsText;
+using plumb::test::dt;
+using plumb::test::run;
 
 namespace {
-
-constexpr double dt = 1.0 / 60;
-
-void run(World& world, double seconds) {
-    for (int tick = static_cast<int>(std::lround(seconds / dt)); tick > 0; --tick) world.step(dt);
-}
 
 BodyDef floorDef() {
     return {.type = BodyType::Static, .position = {0, -0.5}, .shapes = {box({50, 0.5})}};

@@ -2,23 +2,21 @@
 #include <plumb/dynamics/field.h>
 
 #include <cmath>
-#include <numbers>
 
 #include <plumb/dynamics/world.h>
 #include <plumb/record/state_hash.h>
 
 #include "catch.h"
+#include "kit/dynamics/numbers.h"
+#include "kit/dynamics/worlds.h"
 
 using namespace plumb;
+using plumb::test::dt;
+using plumb::test::pi;
+using plumb::test::run;
+using plumb::test::weightless;
 
 namespace {
-
-constexpr double dt = 1.0 / 60;
-constexpr double pi = std::numbers::pi;
-
-World empty() {
-    return World({.gravity = {0, 0}});
-}
 
 BodyId disc(World& world, const Vec2& position, const Vec2& velocity, double mass = 1, double radius = 0.1) {
     return world.add({.position = position,
@@ -27,14 +25,10 @@ BodyId disc(World& world, const Vec2& position, const Vec2& velocity, double mas
                       .shapes = {circle(radius)}});
 }
 
-void run(World& world, double seconds) {
-    for (int tick = static_cast<int>(std::lround(seconds / dt)); tick > 0; --tick) world.step(dt);
-}
-
 }  // namespace
 
 TEST_CASE("a uniform field of 4 m/s^2 throws as gravity does, to rounding", "[dynamics][fields]") {
-    World world = empty();
+    World world = weightless();
     world.addField({.law = UniformGravity{{0, -4}}});
     const BodyId ball = disc(world, {0, 0}, {3, 5});
     run(world, 2);
@@ -45,7 +39,7 @@ TEST_CASE("a uniform field of 4 m/s^2 throws as gravity does, to rounding", "[dy
 // Kepler: T = 2 pi sqrt(a^3 / (G M)). e = 0.5, a = 10 m, G M = 1000: T = 6.2831853 s, started at the far end, where the
 // speed is sqrt(G M (1 - e) / (a (1 + e))).
 TEST_CASE("two bodies go round each other as Kepler says", "[dynamics][fields]") {
-    World world = empty();
+    World world = weightless();
     world.addField({.law = MutualGravity{.constant = 1}});
     const double speed = std::sqrt(1000 * 0.5 / 15);
     const BodyId heavy = disc(world, {0, 0}, {0, 0}, 750), light = disc(world, {15, 0}, {0, speed}, 250);
@@ -101,7 +95,7 @@ TEST_CASE("linear drag and wind carry a ball as the closed form says, to roundin
 }
 
 TEST_CASE("a puck on the ground stops where the formula says", "[dynamics][fields]") {
-    World world = empty();
+    World world = weightless();
     world.addField({.law = GroundFriction{.friction = 0.25}});
     const BodyId puck = disc(world, {0, 0}, {3, 4});
     run(world, 4);
@@ -113,7 +107,7 @@ TEST_CASE("a puck on the ground stops where the formula says", "[dynamics][field
 }
 
 TEST_CASE("what friction holds on the ground is not moved by less than it bears", "[dynamics][fields]") {
-    World world = empty();
+    World world = weightless();
     world.addField({.law = GroundFriction{.friction = 0.5}});
     const BodyId a = world.add({.shapes = {box({0.5, 0.5})}}),
                  b = world.add({.position = {1, 0}, .shapes = {box({0.5, 0.5})}});

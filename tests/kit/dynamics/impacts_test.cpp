@@ -5,18 +5,18 @@
 #include <plumb/math/random.h>
 #include <plumb/plumb.h>
 #include "catch.h"
+#include "kit/dynamics/numbers.h"
 
 using plumb::BodyId;
 using plumb::BodyType;
 using plumb::Material;
 using plumb::Vec2;
 using plumb::World;
+using plumb::test::g;
 
 namespace {
 
-constexpr double g = 9.81;
-
-World floorWorld(double restitution) {
+World bouncingFloorWorld(double restitution) {
     World world({.gravity = {0, -g}});
     const Material material{.restitution = restitution};
     world.add({.type = BodyType::Static, .shapes = {plumb::segment({-50, 0}, {50, 0}, material)}});
@@ -33,7 +33,7 @@ double apex(const World& world, BodyId body, double radius) {
 
 // Each bounce finds its time to 1e-12 m of height, and rounds a few times: far below the micrometre asked for.
 TEST_CASE("a ball dropped from 5 m at e = 1 returns to 5.000000 m twenty times", "[dynamics][law]") {
-    World world = floorWorld(1);
+    World world = bouncingFloorWorld(1);
     const BodyId ball = world.add({.position = {0, 5.5}, .shapes = {plumb::circle(0.5)}});
     int bounces = 0;
     for (int tick = 0; bounces < 20; ++tick) {
@@ -45,7 +45,7 @@ TEST_CASE("a ball dropped from 5 m at e = 1 returns to 5.000000 m twenty times",
 }
 
 TEST_CASE("a ball at e = 0.8 loses 36 % of its height at every bounce, and comes to rest", "[dynamics][law]") {
-    World world = floorWorld(0.8);
+    World world = bouncingFloorWorld(0.8);
     const BodyId ball = world.add({.position = {0, 1.5}, .shapes = {plumb::circle(0.5)}});
     double height = 1;
     for (int tick = 0; tick < 60 * 5; ++tick) {

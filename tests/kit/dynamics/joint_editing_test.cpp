@@ -7,6 +7,7 @@
 #include <plumb/math/random.h>
 #include <plumb/plumb.h>
 #include "catch.h"
+#include "kit/dynamics/numbers.h"
 
 using plumb::BodyDef;
 using plumb::BodyId;
@@ -17,10 +18,9 @@ using plumb::Rot;
 using plumb::Transform;
 using plumb::Vec2;
 using plumb::World;
+using plumb::test::dt;
 
 namespace {
-
-constexpr double dt = 1.0 / 60;
 
 struct Place {
     Vec2 position;
@@ -52,14 +52,14 @@ struct Seen {
 };
 
 /// What a kind of joint should say of its coordinate and errors.
-struct Kind {
+struct JointSort {
     std::string name;
     JointDef def;
     std::function<double(const Place&, const Place&)> coordinate, error;
     bool turns = true;  ///< whatever way it is turned is right
 };
 
-std::vector<Kind> kindsBetween(BodyId a, BodyId b, const Place& atA, const Place& atB, plumb::Random& random) {
+std::vector<JointSort> kindsBetween(BodyId a, BodyId b, const Place& atA, const Place& atB, plumb::Random& random) {
     const Vec2 p = pointIn(random, 4), q = pointIn(random, 4), way = pointIn(random, 1) + Vec2(2, 0);
     const Vec2 groundA = pointIn(random, 5), groundB = pointIn(random, 5);
     const double ratio = random.uniform(0.5, 2);
@@ -123,8 +123,8 @@ TEST_CASE("coordinate, speed and errors of each kind of joint are what 1,000 see
         World world({.gravity = {0, 0}});
         const BodyId a = world.add(bodyAt(atA)), b = world.add(bodyAt(atB));
         std::vector<JointId> joints;
-        const std::vector<Kind> kinds = kindsBetween(a, b, atA, atB, random);
-        for (const Kind& kind : kinds) joints.push_back(world.join(kind.def));
+        const std::vector<JointSort> kinds = kindsBetween(a, b, atA, atB, random);
+        for (const JointSort& kind : kinds) joints.push_back(world.join(kind.def));
         const Vec2 velocityA = pointIn(random, 2), velocityB = pointIn(random, 2);
         const double spinA = random.uniform(-2, 2), spinB = random.uniform(-2, 2);
         world.body(a).setPose(toA.position, toA.angle);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include <plumb/plumb.h>
 #include "catch.h"
+#include "kit/dynamics/numbers.h"
 
 using plumb::BodyId;
 using plumb::BodyType;
@@ -13,19 +13,18 @@ using plumb::JointId;
 using plumb::Mass;
 using plumb::Vec2;
 using plumb::World;
+using plumb::test::dt;
+using plumb::test::g;
+using plumb::test::pi;
 
 namespace {
 
-constexpr double g = 9.81;
-constexpr double pi = std::numbers::pi;
-constexpr double dt = 1.0 / 60;
-
 /// A world without sleep, with a base that stays where it is.
-struct Bench {
+struct JointBench {
     World world;
     BodyId base;
 
-    explicit Bench(const Vec2& gravity = {0, -g}) : world({.gravity = gravity, .sleeping = false}) {
+    explicit JointBench(const Vec2& gravity = {0, -g}) : world({.gravity = gravity, .sleeping = false}) {
         base = world.add({.type = BodyType::Static});
     }
     BodyId disc(const Vec2& position, double mass = 1, double inertia = 0.1) {
@@ -55,7 +54,7 @@ double periodOf(World& world, Value&& value) {
 }  // namespace
 
 TEST_CASE("a body on a slide of 30 degrees gains g / 2 and does not turn", "[dynamics][joints][law]") {
-    Bench bench;
+    JointBench bench;
     const BodyId body = bench.disc({0, 0});
     const Vec2 down(std::cos(-pi / 6), std::sin(-pi / 6));
     const JointId slide = bench.world.join(
@@ -72,7 +71,7 @@ TEST_CASE("a body on a slide of 30 degrees gains g / 2 and does not turn", "[dyn
 }
 
 TEST_CASE("a slide stops at its limits and moves at its motor's speed", "[dynamics][joints]") {
-    Bench bench;
+    JointBench bench;
     const BodyId body = bench.disc({0, 0});
     plumb::PrismaticJointDef def{.bodyA = bench.base, .bodyB = body, .axis = {0, 1}, .limit = plumb::Limit{-1, 0.5}};
     const JointId slide = bench.world.join(def);
@@ -98,7 +97,7 @@ TEST_CASE("a slide stops at its limits and moves at its motor's speed", "[dynami
 }
 
 TEST_CASE("a motor of 5 N cannot lift 1 kg", "[dynamics][joints]") {
-    Bench bench;
+    JointBench bench;
     const BodyId body = bench.disc({0, 0});
     bench.world.join(plumb::PrismaticJointDef{
         .bodyA = bench.base, .bodyB = body, .axis = {0, 1}, .motorSpeed = 1, .maxMotorForce = 5});
@@ -109,7 +108,7 @@ TEST_CASE("a motor of 5 N cannot lift 1 kg", "[dynamics][joints]") {
 TEST_CASE("springs of 1 to 20 Hz swing at their own frequency", "[dynamics][joints][law]") {
     for (const double frequency : {1.0, 3.0, 7.0, 20.0}) {
         INFO(frequency << " Hz");
-        Bench bench({0, 0});
+        JointBench bench({0, 0});
         const plumb::Spring spring = plumb::springOf(frequency, 0, 2);
         const BodyId onRod = bench.disc({2.3, 0}, 2);
         bench.world.join(plumb::DistanceJointDef{
@@ -128,7 +127,7 @@ TEST_CASE("springs of 1 to 20 Hz swing at their own frequency", "[dynamics][join
 TEST_CASE("a damped spring follows its closed form, under, at and over critical damping", "[dynamics][joints][law]") {
     for (const double z : {0.1, 1.0, 2.5}) {
         INFO("damping ratio " << z);
-        Bench bench({0, 0});
+        JointBench bench({0, 0});
         const BodyId body = bench.disc({3, 0});
         bench.world.join(plumb::DistanceJointDef{
             .bodyA = bench.base, .bodyB = body, .anchorB = {3, 0}, .length = 2, .spring = plumb::springOf(1, z, 1)});
@@ -154,7 +153,7 @@ TEST_CASE("a damped spring follows its closed form, under, at and over critical 
 }
 
 TEST_CASE("a spring without damping keeps its energy to 0.1 % for 20 s", "[dynamics][joints][law]") {
-    Bench bench;
+    JointBench bench;
     const BodyId body = bench.disc({0, -2.5});
     const double k = plumb::springOf(1.5, 0, 1).stiffness;
     bench.world.join(plumb::DistanceJointDef{
@@ -176,7 +175,7 @@ TEST_CASE("a spring without damping keeps its energy to 0.1 % for 20 s", "[dynam
 TEST_CASE("springs of any stiffness do not blow up, many on one body neither", "[dynamics][joints]") {
     for (const double stiffness : {1e3, 1e6, 1e9, 1e15}) {
         INFO(stiffness << " N/m");
-        Bench bench;
+        JointBench bench;
         std::vector<BodyId> grid;
         for (int i = 0; i < 16; ++i) grid.push_back(bench.disc({0.5 * (i % 4), 0.5 * (i / 4)}));
         for (std::size_t i = 0; i < 16; ++i) {
@@ -201,7 +200,7 @@ TEST_CASE("springs of any stiffness do not blow up, many on one body neither", "
 }
 
 TEST_CASE("a rope of 2 m lets its load fall 2 m, and then holds it", "[dynamics][joints]") {
-    Bench bench;
+    JointBench bench;
     const BodyId load = bench.disc({0, -1});
     const JointId rope = bench.world.join(plumb::DistanceJointDef{
         .bodyA = bench.base, .bodyB = load, .anchorB = {0, -1}, .spring = plumb::Spring{}, .maxLength = 2});
@@ -213,7 +212,7 @@ TEST_CASE("a rope of 2 m lets its load fall 2 m, and then holds it", "[dynamics]
 }
 
 TEST_CASE("two boxes welded end to end hold out level from a wall", "[dynamics][joints][law]") {
-    Bench bench;
+    JointBench bench;
     const auto beam = [&](double x) {
         return bench.world.add({.position = {x, 0}, .shapes = {plumb::box({0.5, 0.1}, {.density = 10})}});
     };
@@ -229,7 +228,7 @@ TEST_CASE("two boxes welded end to end hold out level from a wall", "[dynamics][
 }
 
 TEST_CASE("a soft weld bends by torque over stiffness", "[dynamics][joints][law]") {
-    Bench bench;
+    JointBench bench;
     const BodyId beam = bench.world.add({.position = {0.5, 0}, .shapes = {plumb::box({0.5, 0.1}, {.density = 10})}});
     const JointId weld =
         bench.world.join(plumb::WeldJointDef{.bodyA = bench.base, .bodyB = beam, .bending = plumb::Spring{100, 10}});
@@ -239,7 +238,7 @@ TEST_CASE("a soft weld bends by torque over stiffness", "[dynamics][joints][law]
 }
 
 TEST_CASE("a hinge's spring turns it back, and its limits hold it", "[dynamics][joints][law]") {
-    Bench bench({0, 0});
+    JointBench bench({0, 0});
     const BodyId door = bench.world.add({.position = {1, 0}, .mass = Mass{1, {0, 0}, 0.5}});
     plumb::RevoluteJointDef def{
         .bodyA = bench.base, .bodyB = door, .spring = plumb::springOf(0.5, 0, 1.5), .restAngle = 0.4};
@@ -254,7 +253,7 @@ TEST_CASE("a hinge's spring turns it back, and its limits hold it", "[dynamics][
 }
 
 TEST_CASE("a wheel sinks into its suspension by its load over the stiffness, and rolls freely", "[dynamics][joints]") {
-    Bench bench;
+    JointBench bench;
     bench.world.add(
         {.type = BodyType::Static, .position = {0, -1}, .shapes = {plumb::box({100, 0.5}, {.friction = 1})}});
     const BodyId car = bench.world.add(
@@ -277,7 +276,7 @@ TEST_CASE("a wheel sinks into its suspension by its load over the stiffness, and
 }
 
 TEST_CASE("an Atwood machine of 3 kg and 1 kg moves at g / 2", "[dynamics][joints][law]") {
-    Bench bench;
+    JointBench bench;
     const BodyId heavy = bench.disc({-1, 0}, 3), light = bench.disc({1, 0}, 1);
     const JointId pulley = bench.world.join(plumb::PulleyJointDef{.bodyA = heavy,
                                                                   .bodyB = light,
@@ -293,7 +292,7 @@ TEST_CASE("an Atwood machine of 3 kg and 1 kg moves at g / 2", "[dynamics][joint
 }
 
 TEST_CASE("a block and tackle of 2 balances 1 kg with 2 kg, and a rope comes up slack", "[dynamics][joints]") {
-    Bench bench;
+    JointBench bench;
     const BodyId one = bench.disc({-1, 0}, 1), two = bench.disc({1, 0}, 2);
     const JointId pulley = bench.world.join(plumb::PulleyJointDef{.bodyA = one,
                                                                   .bodyB = two,
@@ -313,7 +312,7 @@ TEST_CASE("a block and tackle of 2 balances 1 kg with 2 kg, and a rope comes up 
 }
 
 TEST_CASE("a gear of 2 turns the second wheel back at half the speed", "[dynamics][joints][law]") {
-    Bench bench({0, 0});
+    JointBench bench({0, 0});
     const BodyId first = bench.disc({-1, 0}, 1, 0.1), second = bench.disc({1, 0}, 1, 0.4);
     const JointId a = bench.world.join(plumb::RevoluteJointDef{.bodyA = bench.base, .bodyB = first, .anchor = {-1, 0}});
     const JointId b = bench.world.join(plumb::RevoluteJointDef{.bodyA = bench.base, .bodyB = second, .anchor = {1, 0}});
@@ -332,7 +331,7 @@ TEST_CASE("a gear of 2 turns the second wheel back at half the speed", "[dynamic
 }
 
 TEST_CASE("a rack moves at its pinion's radius times its speed", "[dynamics][joints]") {
-    Bench bench({0, 0});
+    JointBench bench({0, 0});
     const BodyId pinion = bench.disc({0, 1}), rack = bench.disc({0, 0});
     const JointId turning = bench.world.join(plumb::RevoluteJointDef{
         .bodyA = bench.base, .bodyB = pinion, .anchor = {0, 1}, .motorSpeed = 3, .maxMotorTorque = 50});
@@ -344,7 +343,7 @@ TEST_CASE("a rack moves at its pinion's radius times its speed", "[dynamics][joi
 }
 
 TEST_CASE("a motor joint slows what slides like friction of 4 N, and holds a pose", "[dynamics][joints][law]") {
-    Bench bench({0, 0});
+    JointBench bench({0, 0});
     const BodyId sled = bench.world.add(
         {.position = {0, 0}, .velocity = {3, 4}, .mass = Mass{2, {0, 0}, 0.1}, .shapes = {plumb::circle(0.2)}});
     bench.world.join(plumb::MotorJointDef{.bodyA = bench.base, .bodyB = sled, .rate = 0, .maxForce = 4});
@@ -369,7 +368,7 @@ TEST_CASE("a motor joint slows what slides like friction of 4 N, and holds a pos
 }
 
 TEST_CASE("a body is dragged to its target, with no more force than allowed", "[dynamics][joints]") {
-    Bench bench({0, 0});
+    JointBench bench({0, 0});
     const BodyId body = bench.disc({0, 0}, 2);
     plumb::TargetJointDef def{.body = body, .target = {3, 2}};
     const JointId drag = bench.world.join(def);
@@ -383,7 +382,7 @@ TEST_CASE("a body is dragged to its target, with no more force than allowed", "[
 }
 
 TEST_CASE("two bodies with a filter joint pass through each other, and fly as they would alone", "[dynamics][joints]") {
-    Bench bench;
+    JointBench bench;
     const BodyId a = bench.world.add({.position = {-1, 0}, .velocity = {2, 3}, .shapes = {plumb::circle(0.3)}});
     const BodyId b = bench.world.add({.position = {1, 0}, .velocity = {-2, 3}, .shapes = {plumb::circle(0.3)}});
     bench.world.join(plumb::FilterJointDef{.bodyA = a, .bodyB = b});
@@ -393,7 +392,7 @@ TEST_CASE("two bodies with a filter joint pass through each other, and fly as th
 }
 
 TEST_CASE("a joint that bears more than 15 N breaks, and says so", "[dynamics][joints]") {
-    Bench bench;
+    JointBench bench;
     const BodyId load = bench.disc({0, -1});
     const JointId rod = bench.world.join(
         plumb::DistanceJointDef{.bodyA = bench.base, .bodyB = load, .anchorB = {0, -1}, .breaking = {.force = 15}});
@@ -414,7 +413,7 @@ TEST_CASE("a joint that bears more than 15 N breaks, and says so", "[dynamics][j
 }
 
 TEST_CASE("a body whose x is locked falls straight down whatever pushes it aside", "[dynamics][joints]") {
-    Bench bench;
+    JointBench bench;
     const BodyId body = bench.world.add({.position = {1, 5}, .lockX = true, .shapes = {plumb::circle(0.3)}});
     for (int tick = 0; tick < 60; ++tick) {
         bench.world.body(body).applyForce({50, 0});

@@ -4,6 +4,7 @@
 #include <plumb/plumb.h>
 
 #include "catch.h"
+#include "kit/dynamics/numbers.h"
 
 using plumb::BodyId;
 using plumb::BodyType;
@@ -11,10 +12,9 @@ using plumb::GearJointDef;
 using plumb::JointId;
 using plumb::RevoluteJointDef;
 using plumb::World;
+using plumb::test::dt;
 
 namespace {
-
-constexpr double dt = 1.0 / 60;
 
 /// Two wheels on a fixed base that is each hinge's bodyB, geared.
 struct Gearing {

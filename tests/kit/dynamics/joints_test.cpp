@@ -4,22 +4,22 @@
 
 #include <plumb/plumb.h>
 #include "catch.h"
+#include "kit/dynamics/numbers.h"
 
 using plumb::BodyId;
 using plumb::BodyType;
 using plumb::Vec2;
 using plumb::World;
+using plumb::test::g;
 
 namespace {
-
-constexpr double g = 9.81;
 
 struct Angle {
     double theta = 0, omega = 0;
 };
 
 /// theta'' = -k sin theta by the classical Runge-Kutta method in steps so small that its own error is below 1e-12.
-Angle swing(Angle s, double k, double time) {
+Angle swung(Angle s, double k, double time) {
     const int steps = 200;
     const double h = time / steps;
     for (int i = 0; i < steps; ++i) {
@@ -46,7 +46,7 @@ double pendulumError(double degrees, int rate) {
     double worst = 0;
     for (int tick = 0; tick < 4 * rate; ++tick) {
         world.step(1.0 / rate);
-        truth = swing(truth, k, 1.0 / rate);
+        truth = swung(truth, k, 1.0 / rate);
         const Vec2 there(std::sin(truth.theta), -std::cos(truth.theta));
         worst = std::max(worst, (world.body(bob).position() - there).norm());
     }

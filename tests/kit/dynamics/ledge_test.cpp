@@ -5,6 +5,7 @@
 #include <plumb/plumb.h>
 #include <plumb/shapes/tile_text.h>
 #include "catch.h"
+#include "kit/dynamics/sliders.h"
 
 using plumb::BodyId;
 using plumb::BodyType;
@@ -12,10 +13,9 @@ using plumb::Material;
 using plumb::ShapeDef;
 using plumb::Vec2;
 using plumb::World;
+using plumb::test::smooth;
 
 namespace {
-
-constexpr Material smooth{.friction = 0};
 
 /// The least speed to the right that a body keeps which slides over the end of a ground at x = 2, as a share of its
 /// own.

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include <plumb/plumb.h>
 #include <plumb/record/state_hash.h>
 #include "catch.h"
+#include "kit/dynamics/numbers.h"
+#include "kit/dynamics/worlds.h"
 
 using plumb::BodyId;
 using plumb::BodyType;
@@ -15,18 +16,14 @@ using plumb::Mass;
 using plumb::MomentumLedger;
 using plumb::Vec2;
 using plumb::World;
+using plumb::test::dt;
+using plumb::test::g;
+using plumb::test::run;
 
 namespace {
 
-constexpr double g = 9.81;
-constexpr double dt = 1.0 / 60;
-
 World keeping(const Vec2& gravity = {0, -g}, bool sleeping = false) {
     return World({.gravity = gravity, .sleeping = sleeping, .ledger = true});
-}
-
-void run(World& world, double time) {
-    for (int tick = 0; tick < std::lround(time / dt); ++tick) world.step(dt);
 }
 
 double open(const EnergyLedger& e) {

@@ -6,6 +6,7 @@
 #include <plumb/plumb.h>
 #include <plumb/record/state_hash.h>
 #include "catch.h"
+#include "kit/dynamics/numbers.h"
 
 using plumb::BodyId;
 using plumb::BodyType;
@@ -13,11 +14,10 @@ using plumb::JointId;
 using plumb::Mass;
 using plumb::Vec2;
 using plumb::World;
+using plumb::test::dt;
+using plumb::test::g;
 
 namespace {
-
-constexpr double g = 9.81;
-constexpr double dt = 1.0 / 60;
 
 double energyOf(const World& world) {
     double energy = 0;
@@ -31,13 +31,13 @@ double energyOf(const World& world) {
 }
 
 /// 20 links of half a metre from (0, 0), and a load at their end.
-struct Chain {
+struct LoadedChain {
     World world;
     std::vector<JointId> joints;
     BodyId load;
     double linkMass = 0;
 
-    Chain(double loadRatio, const Vec2& along, const plumb::SolverSettings& solver = {})
+    LoadedChain(double loadRatio, const Vec2& along, const plumb::SolverSettings& solver = {})
         : world({.sleeping = false, .solver = solver}) {
         const double angle = std::atan2(along.y(), along.x());
         BodyId last = world.add({.type = BodyType::Static});
@@ -69,7 +69,7 @@ struct Chain {
 TEST_CASE("a chain of 20 links holds a load of a thousand times their mass", "[dynamics][joints]") {
     for (const double ratio : {1.0, 10.0, 100.0, 1000.0, 10000.0}) {
         INFO("load of " << ratio << " links");
-        Chain chain(ratio, {0, -1});
+        LoadedChain chain(ratio, {0, -1});
         chain.world.body(chain.load).setVelocity({3, 0});
         const double start = energyOf(chain.world), swing = 0.5 * 9 * (ratio + 20) * chain.linkMass;
         double error = 0, energy = 0;
@@ -124,7 +124,7 @@ TEST_CASE("a hundred balls on a hung plate, more than can bounce one by one, bou
 
 TEST_CASE("machines of more joints than jointsAtOnce are swept: fast, and they give", "[dynamics][joints]") {
     const auto errorOf = [](double ratio, int jointsAtOnce) {
-        Chain chain(ratio, {0, -1}, {.jointsAtOnce = jointsAtOnce});
+        LoadedChain chain(ratio, {0, -1}, {.jointsAtOnce = jointsAtOnce});
         for (int tick = 0; tick < 300; ++tick) chain.world.step(dt);
         return chain.worstError();
     };

@@ -6,6 +6,7 @@
 
 #include <plumb/plumb.h>
 #include "catch.h"
+#include "kit/dynamics/numbers.h"
 
 using plumb::BodyDef;
 using plumb::BodyId;
@@ -16,14 +17,13 @@ using plumb::Mix;
 using plumb::ShapeDef;
 using plumb::Vec2;
 using plumb::World;
+using plumb::test::dt;
+using plumb::test::g;
 
 namespace {
 
-constexpr double g = 9.81;
-constexpr double dt = 1.0 / 60;
-
 /// A floor along x, turned by tilt about the origin.
-World floorWorld(const Material& material, double tilt = 0) {
+World tiltedFloorWorld(const Material& material, double tilt = 0) {
     World world({.gravity = {0, -g}});
     world.add({.type = BodyType::Static,
                .position = 0.5 * Vec2(std::sin(tilt), -std::cos(tilt)),
@@ -49,7 +49,7 @@ Stopping stopping(double speed, double a, double t) {
 // below a millimetre over the way of 1.53 m.
 TEST_CASE("a disc with rolling resistance 0.2 slows down at 2/3 0.2 g = 1.308 m/s^2 and stands after 1.53 s",
           "[dynamics][law][materials]") {
-    World world = floorWorld({.friction = 0.8});
+    World world = tiltedFloorWorld({.friction = 0.8});
     const BodyId disc = world.add({.position = {0, 0.5},
                                    .velocity = {2, 0},
                                    .angularVelocity = -4,
@@ -66,7 +66,7 @@ TEST_CASE("a disc with rolling resistance 0.2 slows down at 2/3 0.2 g = 1.308 m/
 
 TEST_CASE("rolling resistance of the floor holds as well as the disc's; the larger counts", "[dynamics][materials]") {
     const auto speedAfter = [](double ofFloor, double ofDisc) {
-        World world = floorWorld({.friction = 0.8, .rollingResistance = ofFloor});
+        World world = tiltedFloorWorld({.friction = 0.8, .rollingResistance = ofFloor});
         const BodyId disc = world.add({.position = {0, 0.5},
                                        .velocity = {2, 0},
                                        .angularVelocity = -4,
@@ -86,7 +86,7 @@ TEST_CASE("a disc with rolling resistance 0.3 stays on 15 degrees and rolls down
           "[dynamics][law][materials]") {
     for (const double degrees : {15.0, 20.0}) {
         const double tilt = degrees * std::numbers::pi / 180;
-        World world = floorWorld({.friction = 1}, tilt);
+        World world = tiltedFloorWorld({.friction = 1}, tilt);
         const Vec2 up(-std::sin(tilt), std::cos(tilt)), down(-std::cos(tilt), -std::sin(tilt));
         const BodyId disc = world.add(
             {.position = 0.5 * up, .shapes = {plumb::circle(0.5, {.friction = 1, .rollingResistance = 0.3})}});
@@ -101,7 +101,7 @@ TEST_CASE("a disc with rolling resistance 0.3 stays on 15 degrees and rolls down
 TEST_CASE("a box on a belt of 2 m/s is drawn along at mu g until it has 2 m/s, and keeps that",
           "[dynamics][law][materials]") {
     for (const double speed : {2.0, -2.0}) {
-        World world = floorWorld({.friction = 0.5, .surfaceSpeed = speed});
+        World world = tiltedFloorWorld({.friction = 0.5, .surfaceSpeed = speed});
         const BodyId box = world.add({.position = {0, 0.5}, .shapes = {plumb::box({0.5, 0.5}, {.friction = 0.5})}});
         for (int tick = 1; tick <= 120; ++tick) {
             world.step(dt);
@@ -142,7 +142,7 @@ TEST_CASE("a belt runs clockwise: its top to +x, its bottom to -x, its right sid
 // J pulls its lowest point along until that has the belt's speed: J/m + (J r) r / (m r^2 / 2) = 3 J/m = v.
 TEST_CASE("a disc set on a belt of 3 m/s ends up at 1 m/s, spinning at 2 m/s over its radius",
           "[dynamics][law][materials]") {
-    World world = floorWorld({.friction = 0.5, .surfaceSpeed = 3});
+    World world = tiltedFloorWorld({.friction = 0.5, .surfaceSpeed = 3});
     const BodyId disc = world.add({.position = {0, 0.25}, .shapes = {plumb::circle(0.25, {.friction = 0.5})}});
     for (int tick = 0; tick < 120; ++tick) world.step(dt);
     CHECK(std::fabs(world.body(disc).velocity().x() - 1) < 5e-3);
@@ -150,7 +150,7 @@ TEST_CASE("a disc set on a belt of 3 m/s ends up at 1 m/s, spinning at 2 m/s ove
 }
 
 TEST_CASE("a box whose own belt runs at 1 m/s drives itself to +x at 1 m/s", "[dynamics][materials]") {
-    World world = floorWorld({.friction = 0.8});
+    World world = tiltedFloorWorld({.friction = 0.8});
     const BodyId tank =
         world.add({.position = {0, 0.5}, .shapes = {plumb::box({1, 0.5}, {.friction = 0.8, .surfaceSpeed = 1})}});
     for (int tick = 0; tick < 120; ++tick) world.step(dt);
@@ -179,7 +179,7 @@ TEST_CASE("friction 0.2 on 0.8 is 0.5, 0.4, 0.2, 0.16 or 0.8 by the pair's rule,
           "[dynamics][law][materials]") {
     for (std::size_t a = 0; a < rules.size(); ++a) {
         for (std::size_t b = 0; b < rules.size(); ++b) {
-            World world = floorWorld({.friction = 0.8, .frictionMix = rules[a].mix});
+            World world = tiltedFloorWorld({.friction = 0.8, .frictionMix = rules[a].mix});
             const Material material{.friction = 0.2, .frictionMix = rules[b].mix};
             const BodyId box =
                 world.add({.position = {0, 0.5}, .velocity = {4, 0}, .shapes = {plumb::box({2, 0.5}, material)}});

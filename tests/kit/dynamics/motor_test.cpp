@@ -7,6 +7,7 @@
 
 #include <plumb/plumb.h>
 #include "catch.h"
+#include "kit/dynamics/numbers.h"
 
 using plumb::BodyId;
 using plumb::BodyType;
@@ -17,14 +18,13 @@ using plumb::RevoluteJointDef;
 using plumb::Vec2;
 using plumb::World;
 using plumb::test::containsText;
+using plumb::test::dt;
+using plumb::test::infinity;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double dt = 1.0 / 60;
-
 /// Something with its centre at the hinge that a motor turns.
-struct Wheel {
+struct MotorWheel {
     World world;
     BodyId axle, wheel;
     JointId joint;
@@ -33,8 +33,8 @@ struct Wheel {
     double torque() const { return world.joint(joint).reaction().torque; }
 };
 
-Wheel wheelOf(double inertia, double speed, double torque, const Vec2& gravity = {0, 0}) {
-    Wheel w{World({.gravity = gravity, .sleeping = false}), {}, {}, {}};
+MotorWheel wheelOf(double inertia, double speed, double torque, const Vec2& gravity = {0, 0}) {
+    MotorWheel w{World({.gravity = gravity, .sleeping = false}), {}, {}, {}};
     w.axle = w.world.add({.type = BodyType::Static});
     w.wheel = w.world.add({.mass = Mass{1, {0, 0}, inertia}, .shapes = {plumb::circle(1)}});
     w.joint = w.world.join(
@@ -47,7 +47,7 @@ Wheel wheelOf(double inertia, double speed, double torque, const Vec2& gravity =
 // Each of 8 half sub-steps a step rounds a float to 6e-8 of it: after 150 steps 7e-5 of the value at worst.
 TEST_CASE("a motor of 2 N m spins a disc of 0.5 kg m^2 up at 4 rad/s^2 to its speed, then gives no more torque",
           "[dynamics][law][motor]") {
-    Wheel w = wheelOf(0.5, 8, 2);
+    MotorWheel w = wheelOf(0.5, 8, 2);
     for (int tick = 1; tick <= 150; ++tick) {
         w.world.step(dt);
         const double t = tick * dt;
@@ -61,8 +61,8 @@ TEST_CASE("a motor of 2 N m spins a disc of 0.5 kg m^2 up at 4 rad/s^2 to its sp
 }
 
 TEST_CASE("the step at which a motor reaches its speed ends at that speed, not past it", "[dynamics][law][motor]") {
-    Wheel w = wheelOf(0.5, 1, 2);  // 0.25 s are 15 steps exactly, and 0.26 s are 15.6
-    Wheel v = wheelOf(0.5, -1.04, 2);
+    MotorWheel w = wheelOf(0.5, 1, 2);  // 0.25 s are 15 steps exactly, and 0.26 s are 15.6
+    MotorWheel v = wheelOf(0.5, -1.04, 2);
     for (int tick = 1; tick <= 30; ++tick) {
         w.world.step(dt);
         v.world.step(dt);
@@ -75,7 +75,7 @@ TEST_CASE("the step at which a motor reaches its speed ends at that speed, not p
 
 // 960 half sub-steps, each rounding a float to 6e-8 of it: 5.8e-5 at worst, and the energy has the speed twice.
 TEST_CASE("the work of a motor is the energy of what it has spun up: T phi = I w^2 / 2", "[dynamics][law][motor]") {
-    Wheel w = wheelOf(0.3, 1000, 1.7);
+    MotorWheel w = wheelOf(0.3, 1000, 1.7);
     for (int tick = 0; tick < 120; ++tick) w.world.step(dt);
     const double energy = 0.5 * 0.3 * w.speed() * w.speed();
     CHECK(std::fabs(1.7 * w.angle() / energy - 1) < 1.2e-4);
@@ -85,7 +85,7 @@ TEST_CASE("the work of a motor is the energy of what it has spun up: T phi = I w
 TEST_CASE("an endless torque gives its speed in the first step, and holds it against 100 N m",
           "[dynamics][law][motor]") {
     for (const double torque : {infinity, 1e300}) {
-        Wheel w = wheelOf(0.5, 3, torque);
+        MotorWheel w = wheelOf(0.5, 3, torque);
         w.world.step(dt);
         CHECK(std::fabs(w.speed() - 3) < 1e-6);
         CHECK(std::fabs(w.torque() - 0.5 * 3 / dt) < 1e-3);
@@ -99,7 +99,7 @@ TEST_CASE("an endless torque gives its speed in the first step, and holds it aga
 }
 
 TEST_CASE("a motor of 2 N m under a load of 3 N m loses speed at (3 - 2) / I", "[dynamics][law][motor]") {
-    Wheel w = wheelOf(0.5, 1, 2);
+    MotorWheel w = wheelOf(0.5, 1, 2);
     for (int tick = 1; tick <= 60; ++tick) {
         w.world.body(w.wheel).applyTorque(-3);
         w.world.step(dt);
@@ -139,7 +139,7 @@ TEST_CASE("a motor between two free discs turns them against each other, and giv
 
 TEST_CASE("a motor stands still at speed 0: a brake of 2 N m stops 0.5 kg m^2 from 8 rad/s after 2 s and 8 rad",
           "[dynamics][law][motor]") {
-    Wheel w = wheelOf(0.5, 0, 2);
+    MotorWheel w = wheelOf(0.5, 0, 2);
     w.world.body(w.wheel).setAngularVelocity(8);
     for (int tick = 0; tick < 150; ++tick) w.world.step(dt);
     CHECK(std::fabs(w.speed()) < 1e-6);
@@ -147,7 +147,7 @@ TEST_CASE("a motor stands still at speed 0: a brake of 2 N m stops 0.5 kg m^2 fr
 }
 
 TEST_CASE("a joint without a motor does what it did: no torque, and its body turns freely", "[dynamics][motor]") {
-    Wheel w = wheelOf(0.5, 7, 0);
+    MotorWheel w = wheelOf(0.5, 7, 0);
     w.world.body(w.wheel).setAngularVelocity(3);
     for (int tick = 0; tick < 60; ++tick) w.world.step(dt);
     CHECK(std::fabs(w.speed() - 3) < 1e-5);
@@ -243,7 +243,7 @@ TEST_CASE("setMotorSpeed is refused for a joint that has no motorSpeed, by the n
 
 TEST_CASE("setMotorSpeed refuses a speed that is no number, and the motor keeps the one it has",
           "[dynamics][errors][motor]") {
-    Wheel w = wheelOf(0.5, 3, infinity);
+    MotorWheel w = wheelOf(0.5, 3, infinity);
     const auto joint = [&] { return w.world.joint(w.joint); };
     CHECK_THROWS_WITH(joint().setMotorSpeed(std::numeric_limits<double>::quiet_NaN()),
                       containsText("RevoluteJointDef.motorSpeed: nan is not finite"));

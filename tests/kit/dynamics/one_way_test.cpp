@@ -5,6 +5,8 @@
 
 #include <plumb/plumb.h>
 #include "catch.h"
+#include "kit/dynamics/numbers.h"
+#include "kit/dynamics/worlds.h"
 
 using plumb::BodyDef;
 using plumb::BodyId;
@@ -13,11 +15,11 @@ using plumb::Material;
 using plumb::ShapeDef;
 using plumb::Vec2;
 using plumb::World;
+using plumb::test::dt;
+using plumb::test::g;
+using plumb::test::steps;
 
 namespace {
-
-constexpr double g = 9.81;
-constexpr double dt = 1.0 / 60;
 
 ShapeDef oneWay(ShapeDef shape, const Vec2& direction = {0, 1}) {
     shape.oneWay = direction;
@@ -47,10 +49,6 @@ void forEachPairing(Visit&& visit) {
 
 World worldOf(int lanes) {
     return World({.solver = {.lanes = lanes}});
-}
-
-void steps(World& world, int count) {
-    for (int i = 0; i < count; ++i) world.step(dt);
 }
 
 /// A jump from the ground 3 m below that reaches so high with the feet.

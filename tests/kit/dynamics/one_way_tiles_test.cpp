@@ -11,6 +11,7 @@
 #include <plumb/shapes/tile_text.h>
 #include "cases.h"
 #include "catch.h"
+#include "kit/dynamics/numbers.h"
 #include "kit/dynamics/sliders.h"
 
 using plumb::BodyDef;
@@ -20,14 +21,13 @@ using plumb::Random;
 using plumb::ShapeDef;
 using plumb::Vec2;
 using plumb::World;
+using plumb::test::dt;
 using plumb::test::Slider;
 using plumb::test::sliderOf;
 
 namespace {
 
-constexpr double dt = 1.0 / 60;
-
-Slider withFriction(Slider slider, double friction) {
+Slider sliderWithFriction(Slider slider, double friction) {
     slider.shape.material.friction = friction;
     return slider;
 }
@@ -62,7 +62,7 @@ void requireLikeSlab(const std::vector<std::string>& rows, const Slider& slider,
     const double width = static_cast<double>(rows[0].size()), forward = speed > 0 ? 1 : -1;
     const BodyDef body{.position = {forward > 0 ? 1.0 : width - 1, 2 + slider.below},
                        .velocity = {speed, 0},
-                       .shapes = {withFriction(slider, friction).shape}};
+                       .shapes = {sliderWithFriction(slider, friction).shape}};
     const int ticks = std::min(240, static_cast<int>((width - 2) / std::fabs(speed) / dt));
     const std::vector<Step> tiled = pathOf(body, {fixed(mapOf(rows, friction))}, ticks);
     const std::vector<Step> whole =
@@ -164,7 +164,7 @@ TEST_CASE("2,000 bodies of 10 cm to 3 m that walk within one-way tiles meet the 
     int stopped = 0;
     for (int seed = 0; seed < plumb::test::cases(2000); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
-        const Slider slider = withFriction(sliderOf(random.integer(0, 3), random.uniform(0.05, 1.5)), 0);
+        const Slider slider = sliderWithFriction(sliderOf(random.integer(0, 3), random.uniform(0.05, 1.5)), 0);
         const Entrance e{slider, 1, random.uniform(0.01, 1), {random.uniform(0.1, 20), 0}, random.integer(0, 1) == 0};
         INFO("seed " << seed << ": " << slider.name << " " << slider.below << " m at " << e.velocity.x() << " m/s");
         stopped += requireAsWithout(e, 120) ? 1 : 0;
@@ -177,7 +177,7 @@ TEST_CASE("2,000 bodies that come up through one-way tiles, or fall back, meet t
     int stopped = 0;
     for (int seed = 0; seed < plumb::test::cases(2000); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
-        const Slider slider = withFriction(sliderOf(random.integer(0, 3), random.uniform(0.05, 1)), 0);
+        const Slider slider = sliderWithFriction(sliderOf(random.integer(0, 3), random.uniform(0.05, 1)), 0);
         const Entrance e{slider,
                          random.uniform(0.05, 0.95),
                          random.uniform(0, 0.3),

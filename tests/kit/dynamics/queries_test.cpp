@@ -17,7 +17,7 @@ Vec2 anywhere(Twin& twin) {
     return randomVec2(twin.random, 1.5 * twin.size);
 }
 
-Asked askRay(Twin& twin) {
+Asked twinRay(Twin& twin) {
     const Filter filter = twin.anyFilter();
     Vec2 from = anywhere(twin), to = anywhere(twin);
     const int kind = twin.random.integer(0, 9);
@@ -41,7 +41,7 @@ Asked askRay(Twin& twin) {
     return {faultOfAll(twin, mover, filter, hits), !hits.empty()};
 }
 
-Asked askShape(Twin& twin) {
+Asked twinShape(Twin& twin) {
     const Filter filter = twin.anyFilter();
     const Shape shape = twin.anyShape();
     const Transform pose = twin.anyPose();
@@ -55,7 +55,7 @@ Asked askShape(Twin& twin) {
     return {faultOfAll(twin, mover, filter, hits), !hits.empty()};
 }
 
-Asked askOverlaps(Twin& twin) {
+Asked twinOverlaps(Twin& twin) {
     const Filter filter = twin.anyFilter();
     const Vec2 corner = anywhere(twin);
     std::vector<ShapeId> found;
@@ -85,7 +85,7 @@ Asked askOverlaps(Twin& twin) {
     return {faultOfOverlaps(twin, outline, filter, found), !found.empty()};
 }
 
-Asked askNearest(Twin& twin) {
+Asked twinNearest(Twin& twin) {
     const Filter filter = twin.anyFilter();
     const Vec2 point = anywhere(twin);
     const int kind = twin.random.integer(0, 5);
@@ -96,7 +96,7 @@ Asked askNearest(Twin& twin) {
     return {faultOfNearest(twin, point, within, filter, nearest), nearest.has_value()};
 }
 
-Asked askDistance(Twin& twin) {
+Asked twinDistance(Twin& twin) {
     const auto any = [&]() -> const Known& {
         return twin.shapes[static_cast<std::size_t>(twin.random.integer(0, static_cast<int>(twin.shapes.size()) - 1))];
     };
@@ -133,7 +133,7 @@ Tally tallyOf(Asked (*ask)(Twin&), int worlds) {
     return tally;
 }
 
-void check(const Tally& tally, int asked) {
+void checkTally(const Tally& tally, int asked) {
     INFO(tally.faults << " faults, the first: " << tally.first);
     CHECK(tally.faults == 0);
     CHECK(tally.asked == asked);
@@ -143,23 +143,23 @@ void check(const Tally& tally, int asked) {
 }  // namespace
 
 TEST_CASE("30,000 rays through worlds that are stepped and edited meet what the Minkowski twin says", "[dynamics]") {
-    check(tallyOf(askRay, 30), 30'000);
+    checkTally(tallyOf(twinRay, 30), 30'000);
 }
 
 TEST_CASE("10,000 shapes shifted through such worlds meet what the Minkowski twin says", "[dynamics]") {
-    check(tallyOf(askShape, 10), 10'000);
+    checkTally(tallyOf(twinShape, 10), 10'000);
 }
 
 TEST_CASE("35,000 boxes, shapes and points overlap what the Minkowski twin says", "[dynamics]") {
-    check(tallyOf(askOverlaps, 35), 35'000);
+    checkTally(tallyOf(twinOverlaps, 35), 35'000);
 }
 
 TEST_CASE("the nearest shapes to 15,000 points are those of the Minkowski twin", "[dynamics]") {
-    check(tallyOf(askNearest, 15), 15'000);
+    checkTally(tallyOf(twinNearest, 15), 15'000);
 }
 
 TEST_CASE("10,000 distances between shapes of a world are those of the Minkowski twin", "[dynamics]") {
-    check(tallyOf(askDistance, 10), 10'000);
+    checkTally(tallyOf(twinDistance, 10), 10'000);
 }
 
 }  // namespace plumb::test

@@ -15,6 +15,7 @@
 
 namespace plumb::test {
 
+using ::pointOf;
 using casts::Case;
 using minkowski::Outline;
 using minkowski::Point;

@@ -2,14 +2,12 @@
 #include "kit/dynamics/random_editor.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace plumb::test {
 
 namespace {
 
 constexpr std::size_t mostBodies = 30;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool fromFast(const ContactQuestion& question) {
     return question.velocity.dot(question.normal) < -1;

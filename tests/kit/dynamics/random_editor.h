@@ -13,6 +13,7 @@
 #include <plumb/plumb.h>
 
 #include "catch.h"
+#include "kit/dynamics/numbers.h"
 
 namespace plumb::test {
 

@@ -7,7 +7,7 @@ namespace {
 
 using plumb::test::RandomEditor;
 
-void add(RandomEditor::Tally& sum, const RandomEditor::Tally& part) {
+void addTally(RandomEditor::Tally& sum, const RandomEditor::Tally& part) {
     using Tally = RandomEditor::Tally;
     for (const auto count : {&Tally::steps, &Tally::begins, &Tally::hits, &Tally::visits, &Tally::quarantines,
                              &Tally::joints, &Tally::breaks, &Tally::gears, &Tally::refusals, &Tally::asked,
@@ -28,7 +28,7 @@ TEST_CASE("a world that is edited and asked in 100,000 random ways tells the tru
                                    .jointsAtOnce = seed % 4 == 1 ? 2 : plumb::SolverSettings{}.jointsAtOnce});
         editor.run(plumb::test::allActions(), 2000);
         editor.check();
-        add(sum, editor.tally);
+        addTally(sum, editor.tally);
     }
     const auto share = static_cast<long long>(seeds);
     CHECK(sum.begins > 100 * share);
@@ -60,7 +60,7 @@ TEST_CASE("a world of 30 m x 24 m that wraps tells the truth about itself after 
         editor.check();
         for (const plumb::BodyMoved& move : editor.world.moves())
             CHECK(wrap.place(move.pose.position) == move.pose.position);
-        add(sum, editor.tally);
+        addTally(sum, editor.tally);
     }
     const auto share = static_cast<long long>(seeds);
     CHECK(sum.begins > 50 * share);

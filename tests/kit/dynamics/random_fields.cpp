@@ -110,7 +110,7 @@ void explode(RandomEditor& e) {
 }
 
 /// Those that were removed, and those that no world ever had.
-void useStale(RandomEditor& e) {
+void useStaleField(RandomEditor& e) {
     if (e.ended.empty()) return;
     const FieldId stale = e.oneOf(e.ended);
     const FieldId neverMade{stale.index, stale.generation + 1'000'000, stale.world};
@@ -136,7 +136,7 @@ void RandomEditor::checkFields() const {
 }
 
 std::vector<RandomEditor::Action> fieldActions() {
-    return {{4, addField}, {2, setField}, {4, removeField}, {4, explode}, {1, useStale}};
+    return {{4, addField}, {2, setField}, {4, removeField}, {4, explode}, {1, useStaleField}};
 }
 
 }  // namespace plumb::test

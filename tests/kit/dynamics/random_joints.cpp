@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What can be made to hold bodies together, and to let go of them?
 #include <algorithm>
-#include <limits>
 #include <sstream>
 
 #include "kit/dynamics/random_editor.h"
@@ -11,7 +10,6 @@ namespace plumb::test {
 namespace {
 
 constexpr std::size_t mostJoints = 24;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// What a motor may use: now and then all that it takes.
 double strength(RandomEditor& e, double usual) {
@@ -142,7 +140,7 @@ void joinGear(RandomEditor& e) {
     for (int i = 0; i < 10; ++i) joinBy<GearJointDef>(e);
 }
 
-void join(RandomEditor& e) {
+void joinBodies(RandomEditor& e) {
     if (e.joints.size() >= mostJoints) return e.removeJoint(e.oneOf(e.joints).id);
     switch (e.random.integer(0, 11)) {
         case 0: return joinBy<PrismaticJointDef>(e);
@@ -328,7 +326,7 @@ void RandomEditor::checkJoints() {
 }
 
 std::vector<RandomEditor::Action> jointActions() {
-    return {{30, join}, {6, removeJoint}, {20, setJoint}, {10, readJoint}, {2, weigh}};
+    return {{30, joinBodies}, {6, removeJoint}, {20, setJoint}, {10, readJoint}, {2, weigh}};
 }
 
 }  // namespace plumb::test

@@ -2,7 +2,6 @@
 // What can a world be asked between steps and edits? Each answer is that of a look at all there is, with the
 // functions that the kit has for single shapes; and nothing changes by it.
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 #include <plumb/collide/distance.h>
@@ -15,8 +14,6 @@
 namespace plumb::test {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Placed {
     ShapeId id;
@@ -73,7 +70,7 @@ private:
 };
 
 template <class Meet>
-std::vector<CastHit> hitsOf(const std::vector<Placed>& seen, Meet&& meet) {
+std::vector<CastHit> castHitsOf(const std::vector<Placed>& seen, Meet&& meet) {
     std::vector<CastHit> hits;
     for (const Placed& placed : seen)
         if (const std::optional<CastPoint> met = meet(placed))
@@ -121,7 +118,7 @@ void askRay(RandomEditor& e) {
     Question ask(e);
     const Filter filter = e.anyFilter();
     const Vec2 from = ask.anywhere(), to = from + ask.way();
-    const std::vector<CastHit> truth = hitsOf(seenThrough(e.world, filter), [&](const Placed& placed) {
+    const std::vector<CastHit> truth = castHitsOf(seenThrough(e.world, filter), [&](const Placed& placed) {
         return castRay(from, to, placed.shape, placed.pose);
     });
     compareCasts(ask, ask.world().castRay(from, to, filter), ask.world().castRayAll(from, to, filter), truth);
@@ -134,7 +131,7 @@ void askShape(RandomEditor& e) {
     const Shape shape = ask.shape();
     const Transform pose = ask.pose();
     const Vec2 shift = ask.way();
-    const std::vector<CastHit> truth = hitsOf(seenThrough(e.world, filter), [&](const Placed& placed) {
+    const std::vector<CastHit> truth = castHitsOf(seenThrough(e.world, filter), [&](const Placed& placed) {
         return castShape(shape, pose, shift, placed.shape, placed.pose);
     });
     compareCasts(ask, ask.world().castShape(shape, pose, shift, filter),

@@ -74,7 +74,7 @@ void refuseJoint(RandomEditor& e, const JointId& id, const std::string& why) {
     }
 }
 
-void useStale(RandomEditor& e) {
+void useStaleIds(RandomEditor& e) {
     if (!e.removed.empty()) {
         const BodyId body = e.oneOf(e.removed);
         refuseBody(e, body, "was removed");
@@ -136,7 +136,7 @@ void useNonsense(RandomEditor& e) {
 }  // namespace
 
 std::vector<RandomEditor::Action> refusedActions() {
-    return {{2, useStale}, {1, useNeverMade}, {1, useNonsense}};
+    return {{2, useStaleIds}, {1, useNeverMade}, {1, useNonsense}};
 }
 
 }  // namespace plumb::test

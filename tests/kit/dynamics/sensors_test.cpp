@@ -9,6 +9,8 @@
 #include <plumb/plumb.h>
 #include <plumb/shapes/chain.h>
 #include "catch.h"
+#include "kit/dynamics/numbers.h"
+#include "kit/dynamics/worlds.h"
 
 using plumb::BodyDef;
 using plumb::BodyId;
@@ -16,18 +18,14 @@ using plumb::BodyType;
 using plumb::ShapeDef;
 using plumb::Vec2;
 using plumb::World;
+using plumb::test::dt;
+using plumb::test::weightless;
 
 namespace {
-
-constexpr double dt = 1.0 / 60;
 
 ShapeDef asSensor(ShapeDef shape) {
     shape.sensor = true;
     return shape;
-}
-
-World weightless() {
-    return World({.gravity = {0, 0}});
 }
 
 struct Visits {

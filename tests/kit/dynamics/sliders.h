@@ -9,6 +9,8 @@
 
 namespace plumb::test {
 
+inline constexpr Material smooth{.friction = 0};
+
 struct Slider {
     const char* name = "";
     ShapeDef shape;

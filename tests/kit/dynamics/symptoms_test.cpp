@@ -6,6 +6,7 @@
 
 #include <plumb/plumb.h>
 #include "catch.h"
+#include "kit/dynamics/worlds.h"
 
 using plumb::BodyDef;
 using plumb::BodyId;
@@ -13,25 +14,15 @@ using plumb::BodyType;
 using plumb::Material;
 using plumb::Vec2;
 using plumb::World;
-
-namespace {
-
-void step(World& world, int ticks) {
-    for (int tick = 0; tick < ticks; ++tick) world.step(1.0 / 60);
-}
-
-World weightless() {
-    return World({.gravity = {0, 0}});
-}
-
-}  // namespace
+using plumb::test::steps;
+using plumb::test::weightless;
 
 TEST_CASE("a ball at 20 m/s that passes a disc with 3 cm to spare is not deflected", "[dynamics][symptom]") {
     World world = weightless();
     world.add({.type = BodyType::Static, .shapes = {plumb::circle(0.1)}});
     const Vec2 start(-0.3, 0.23);
     const BodyId ball = world.add({.position = start, .velocity = {20, 0}, .shapes = {plumb::circle(0.1)}});
-    step(world, 3);
+    steps(world, 3);
     CHECK(world.body(ball).velocity() == Vec2(20, 0));
     CHECK(world.contactBegins().empty());
 }
@@ -43,7 +34,7 @@ TEST_CASE("a platform under three elastic balls moves once a step, not once a ba
         world.add({.type = BodyType::Kinematic, .velocity = {0, 1}, .shapes = {plumb::box({5, 0.1}, bouncy)}});
     for (const double x : {-3.0, 0.0, 3.0})
         world.add({.position = {x, 0.35}, .velocity = {0, -3}, .shapes = {plumb::circle(0.2, bouncy)}});
-    step(world, 6);
+    steps(world, 6);
     CHECK(std::fabs(world.body(platform).position().y() - 0.1) < 1e-12);
 }
 
@@ -54,16 +45,16 @@ TEST_CASE("a wall set into a sleeping box wakes it and pushes it out, once for e
     const BodyId wall =
         world.add({.type = BodyType::Static, .position = {1.51, 0.5}, .shapes = {plumb::box({1, 0.5})}});
     const BodyId box = world.add({.position = {0, 0.5}, .shapes = {plumb::box({0.5, 0.5})}});
-    step(world, 120);
+    steps(world, 120);
     REQUIRE_FALSE(world.body(box).awake());
     for (int round = 0; round < 3; ++round) {
         world.body(wall).setPose({50, 0.5}, 0);
-        step(world, 2);
+        steps(world, 2);
         world.body(wall).setPose({1.2, 0.5}, 0);
         world.step(1.0 / 60);
         CHECK(world.body(wall).contacts().size() <= 1);
     }
-    step(world, 120);
+    steps(world, 120);
     CHECK(world.body(box).position().x() < -0.299);
 }
 
@@ -73,14 +64,14 @@ TEST_CASE("boxes asleep on the ground sleep on when a hinge to the ground is rem
     const BodyId disc = world.add({.position = {-5, 3}, .shapes = {plumb::circle(0.5)}});
     const plumb::JointId hinge = world.join(plumb::RevoluteJointDef{.bodyA = disc, .bodyB = ground, .anchor = {-5, 3}});
     const BodyId box = world.add({.position = {5, 0.5}, .shapes = {plumb::box({0.5, 0.5})}});
-    step(world, 120);
+    steps(world, 120);
     REQUIRE_FALSE(world.body(box).awake());
     world.remove(hinge);
     world.step(1.0 / 60);
     CHECK_FALSE(world.body(box).awake());
     CHECK(world.contactEnds().empty());
     CHECK(world.contactBegins().empty());
-    step(world, 120);
+    steps(world, 120);
     CHECK(std::fabs(world.body(disc).position().y() - 0.5) < 1e-3);
 }
 
@@ -119,7 +110,7 @@ TEST_CASE("a bob set 3 m off its hinge is drawn back without a fling, and does n
     const BodyId ceiling = world.add({.type = BodyType::Static});
     const BodyId bob = world.add({.position = {0, -1}, .shapes = {plumb::circle(0.2)}});
     world.join(plumb::RevoluteJointDef{.bodyA = ceiling, .bodyB = bob, .anchor = {0, 0}});
-    step(world, 60);
+    steps(world, 60);
     world.body(bob).setPose({0, -4}, 0);
     for (int tick = 0; tick < 180; ++tick) {
         world.step(1.0 / 60);
@@ -132,7 +123,7 @@ TEST_CASE("two discs put half into each other part and are left at rest, not flu
     World world = weightless();
     const BodyId a = world.add({.position = {0, 0}, .shapes = {plumb::circle(0.5)}});
     const BodyId b = world.add({.position = {0.5, 0}, .shapes = {plumb::circle(0.5)}});
-    step(world, 180);
+    steps(world, 180);
     CHECK((world.body(b).position() - world.body(a).position()).norm() > 0.99);
     CHECK(world.body(a).velocity().norm() < 1e-3);
 }
@@ -143,12 +134,12 @@ TEST_CASE("steps of 1e-40 s do no harm to what rests, hangs and swings", "[dynam
     const BodyId box = world.add({.position = {0, 0.5}, .shapes = {plumb::box({0.5, 0.5})}});
     const BodyId bob = world.add({.position = {5, 3}, .shapes = {plumb::circle(0.2)}});
     world.join(plumb::RevoluteJointDef{.bodyA = floor, .bodyB = bob, .anchor = {5, 4}});
-    step(world, 10);
+    steps(world, 10);
     for (const double dt : {1e-40, 1e-300, 1e-12}) {
         world.step(dt);
         CHECK(world.quarantines().empty());
     }
-    step(world, 60);
+    steps(world, 60);
     CHECK(std::fabs(world.body(box).position().y() - 0.5) < 1e-3);
     CHECK((world.body(bob).position() - Vec2(5, 3)).norm() < 1e-3);
 }
@@ -160,7 +151,7 @@ TEST_CASE("the pull in a sleeping joint is told the same after a step of another
         world.add({.position = {0, -1}, .mass = plumb::Mass{1, {0, 0}, 0.1}, .shapes = {plumb::circle(0.2)}});
     const plumb::JointId rod =
         world.join(plumb::DistanceJointDef{.bodyA = ceiling, .bodyB = bob, .anchorA = {0, 0}, .anchorB = {0, -1}});
-    step(world, 120);
+    steps(world, 120);
     REQUIRE_FALSE(world.body(bob).awake());
     world.step(1.0 / 600);
     CHECK(std::fabs(world.joint(rod).reaction().force.y() - 9.81) < 1e-3);
@@ -176,7 +167,7 @@ TEST_CASE("small elastic boxes thrown with spin at a segment floor do not fall t
                                       .velocity = {0, -5},
                                       .angularVelocity = -10 + i * 0.07,
                                       .shapes = {plumb::box({0.05, 0.05}, material)}});
-        step(world, 120);
+        steps(world, 120);
         REQUIRE(world.body(box).position().y() > 0.04);
     }
 }
@@ -229,7 +220,7 @@ TEST_CASE("the ledger is of numbers after a body on a spring was given 1e300 m/s
         const BodyId ball = world.add({.position = {0, -2}, .shapes = {plumb::circle(1)}});
         world.join(plumb::DistanceJointDef{
             .bodyA = hook, .bodyB = ball, .anchorB = {0, -2}, .spring = plumb::Spring{.stiffness = 100}});
-        step(world, 10);
+        steps(world, 10);
         if (away)
             world.body(ball).setPose({1e300, 0}, 0);
         else

@@ -10,6 +10,7 @@
 #include <plumb/shapes/tile_text.h>
 #include "cases.h"
 #include "catch.h"
+#include "kit/dynamics/numbers.h"
 
 using plumb::BodyId;
 using plumb::BodyType;
@@ -21,12 +22,12 @@ using plumb::TileKind;
 using plumb::TileMap;
 using plumb::Vec2;
 using plumb::World;
+using plumb::test::dt;
 
 namespace {
 
-constexpr double dt = 1.0 / 60;
 constexpr double fastest = 25;  ///< thrown at 8 m/s in x and y, fallen by 20 m [m/s]
-constexpr int columns = 24, rows = 20;
+constexpr int mapColumns = 24, mapRows = 20;
 
 double fromSegment(const Vec2& point, const Vec2& start, const Vec2& end) {
     const Vec2 along = end - start;
@@ -38,16 +39,16 @@ double fromSegment(const Vec2& point, const Vec2& start, const Vec2& end) {
 double fromTile(const TileMap& map, Cell cell, const Vec2& point) {
     const std::vector<Vec2> corners = map.cornersOf(cell);
     double least = std::numeric_limits<double>::infinity();
-    for (const Vec2& round : {Vec2(0, 0), Vec2(columns, 0), Vec2(-columns, 0)})
+    for (const Vec2& round : {Vec2(0, 0), Vec2(mapColumns, 0), Vec2(-mapColumns, 0)})
         for (std::size_t i = 0; i < corners.size(); ++i)
             least = std::min(least, fromSegment(point + round, corners[i], corners[(i + 1) % corners.size()]));
     return least;
 }
 
-TileMap randomMap(Random& random) {
-    TileMap map({.columns = columns, .rows = rows});
+TileMap randomFormsMap(Random& random) {
+    TileMap map({.columns = mapColumns, .rows = mapRows});
     for (int i = 0; i < 220; ++i) {
-        const int column = random.integer(0, columns - 1), row = random.integer(0, rows - 1);
+        const int column = random.integer(0, mapColumns - 1), row = random.integer(0, mapRows - 1);
         const auto form = static_cast<TileForm>(random.integer(0, 7));
         const auto kind = static_cast<TileKind>(random.integer(0, 3));
         map.set({column, row}, {.form = form, .kind = kind, .hanging = random.integer(0, 1) == 0});
@@ -57,7 +58,7 @@ TileMap randomMap(Random& random) {
 
 void scatter(World& world, Random& random) {
     for (int i = 0; i < 40; ++i) {
-        const double size = random.uniform(0.1, 0.3), x = random.uniform(0, columns), y = random.uniform(0, rows);
+        const double size = random.uniform(0.1, 0.3), x = random.uniform(0, mapColumns), y = random.uniform(0, mapRows);
         const double u = random.uniform(-8, 8), v = random.uniform(-8, 8);
         const plumb::ShapeDef shapes[] = {plumb::circle(size), plumb::box({size, size / 2}),
                                           plumb::capsule({-size, 0}, {size, 0}, size / 2)};
@@ -96,8 +97,8 @@ TEST_CASE("touches in 100 random maps of all kinds and forms name a tile that is
     Told told;
     for (int seed = 0; seed < plumb::test::cases(1000); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
-        const TileMap map = randomMap(random);
-        World world({.wrap = {.width = seed % 2 == 0 ? columns : plumb::Wrap{}.width}});
+        const TileMap map = randomFormsMap(random);
+        World world({.wrap = {.width = seed % 2 == 0 ? mapColumns : plumb::Wrap{}.width}});
         const BodyId ground = world.add({.type = BodyType::Static, .shapes = {plumb::tiles(map)}});
         scatter(world, random);
         const auto ofMap = [ground](ShapeId a, ShapeId b) { return a.body == ground || b.body == ground; };

@@ -9,6 +9,7 @@
 #include <plumb/plumb.h>
 #include "cases.h"
 #include "catch.h"
+#include "kit/dynamics/numbers.h"
 
 using plumb::BodyDef;
 using plumb::BodyId;
@@ -20,20 +21,20 @@ using plumb::TileForm;
 using plumb::TileMap;
 using plumb::Vec2;
 using plumb::World;
+using plumb::test::dt;
 
 namespace {
 
-constexpr double dt = 1.0 / 60;
 constexpr int ticks = 120;
 
 /// Something that slides or rolls without falling over: its friction is below half its width over its height.
-struct Slider {
+struct RunSlider {
     ShapeDef shape;
     double below = 0;  ///< from its centre to what it rests on [m]
     const char* name = "";
 };
 
-ShapeDef withFriction(ShapeDef shape, double friction) {
+ShapeDef shapeWithFriction(ShapeDef shape, double friction) {
     shape.material.friction = friction;
     return shape;
 }
@@ -48,18 +49,19 @@ ShapeDef regularPolygon(int sides, double radius) {
     return plumb::polygon(corners);
 }
 
-Slider randomSlider(Random& random, double friction) {
+RunSlider randomRunSlider(Random& random, double friction) {
     const double size = random.uniform(0.2, 1.2);
     switch (random.integer(0, 3)) {
-        case 0: return {withFriction(plumb::circle(size), friction), size, "disc"};
+        case 0: return {shapeWithFriction(plumb::circle(size), friction), size, "disc"};
         case 1: {
             const double height = size * random.uniform(0.4, 1.0);
-            return {withFriction(plumb::box({size, height}), friction), height, "box"};
+            return {shapeWithFriction(plumb::box({size, height}), friction), height, "box"};
         }
-        case 2: return {withFriction(plumb::capsule({-size, 0}, {size, 0}, size / 2), friction), size / 2, "capsule"};
+        case 2:
+            return {shapeWithFriction(plumb::capsule({-size, 0}, {size, 0}, size / 2), friction), size / 2, "capsule"};
         default: {
             const int sides = 2 * random.integer(2, 4);
-            return {withFriction(regularPolygon(sides, size), friction), size * std::cos(std::numbers::pi / sides),
+            return {shapeWithFriction(regularPolygon(sides, size), friction), size * std::cos(std::numbers::pi / sides),
                     "polygon"};
         }
     }
@@ -67,7 +69,7 @@ Slider randomSlider(Random& random, double friction) {
 
 /// One run along a floor or down a wall, on the left of it.
 struct Run {
-    Slider slider;
+    RunSlider slider;
     bool wall = false;
     double speed = 0;     ///< along the way [m/s]
     double press = 9.81;  ///< toward what it slides on [m/s^2]
@@ -85,7 +87,7 @@ Run randomRun(Random& random) {
     Run run;
     const bool smooth = random.integer(0, 1) == 0;
     run.friction = smooth ? 0 : random.uniform(0.05, 0.35);
-    run.slider = randomSlider(random, run.friction);
+    run.slider = randomRunSlider(random, run.friction);
     run.wall = random.integer(0, 1) == 0;
     run.speed = random.uniform(1, 12);
     run.press = random.uniform(2, 12);
@@ -105,22 +107,23 @@ BodyDef tiledGround(const Run& run) {
         for (int column = 0; column < map.columns(); ++column) map.set({column, row}, {.form = TileForm::Full});
     return {.type = BodyType::Static,
             .position = w ? Vec2(0, -run.tiles * run.tile) : Vec2(0, -deep * run.tile),
-            .shapes = {withFriction(plumb::tiles(map), run.friction)}};
+            .shapes = {shapeWithFriction(plumb::tiles(map), run.friction)}};
 }
 
 BodyDef slab(const Run& run) {
     const double length = run.tiles * run.tile / 2, deep = run.tile;
     const Vec2 half = run.wall ? Vec2(deep, length) : Vec2(length, deep);
     const Vec2 center = run.wall ? Vec2(deep, -length) : Vec2(length, -deep);
-    return {.type = BodyType::Static, .position = center, .shapes = {withFriction(plumb::box(half), run.friction)}};
+    return {
+        .type = BodyType::Static, .position = center, .shapes = {shapeWithFriction(plumb::box(half), run.friction)}};
 }
 
-struct End {
+struct RunEnd {
     Vec2 position, velocity;
     double least = 0;  ///< of the speed on the way, over the run [m/s]
 };
 
-End endOf(const Run& run, const BodyDef& ground) {
+RunEnd endOf(const Run& run, const BodyDef& ground) {
     World world({.gravity = -run.press * run.out() + run.along * run.way(), .sleeping = false});
     world.add(ground);
     const BodyId body = world.add({.position = run.start * run.way() + run.slider.below * run.out(),
@@ -144,7 +147,7 @@ TEST_CASE("10,000 runs of discs, boxes, capsules and polygons over flush tiles a
     for (int seed = 0; seed < runs; ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         const Run run = randomRun(random);
-        const End tiled = endOf(run, tiledGround(run)), whole = endOf(run, slab(run));
+        const RunEnd tiled = endOf(run, tiledGround(run)), whole = endOf(run, slab(run));
         const double away = (tiled.position - whole.position).norm();
         const double faster = (tiled.velocity - whole.velocity).norm() / run.speed;
         farthest = std::max(farthest, away);

@@ -9,6 +9,8 @@
 #include <plumb/plumb.h>
 #include "cases.h"
 #include "catch.h"
+#include "kit/dynamics/numbers.h"
+#include "kit/dynamics/sliders.h"
 
 using plumb::BodyId;
 using plumb::BodyType;
@@ -18,11 +20,12 @@ using plumb::TileForm;
 using plumb::TileMap;
 using plumb::Vec2;
 using plumb::World;
+using plumb::test::dt;
+using plumb::test::smooth;
 
 namespace {
 
-constexpr double dt = 1.0 / 60, speed = 3;
-constexpr plumb::Material smooth{.friction = 0};
+constexpr double speed = 3;
 
 /// A row of full tiles but for one; empty unless that one's top goes from side to side.
 std::optional<TileMap> rowWith(TileForm form, bool hanging, double size) {
@@ -34,11 +37,11 @@ std::optional<TileMap> rowWith(TileForm form, bool hanging, double size) {
     return std::count_if(corners.begin(), corners.end(), isTop) == 2 ? std::optional(map) : std::nullopt;
 }
 
-struct Slider {
+struct TipSlider {
     ShapeDef shape;
     double below;  ///< from its origin to what it slides on [m]
 };
-std::vector<Slider> sliders(double s) {
+std::vector<TipSlider> tipSliders(double s) {
     return {{plumb::box({0.4 * s, 0.4 * s}, smooth), 0.4 * s},
             {plumb::capsule({-0.3 * s, 0}, {0.3 * s, 0}, 0.4 * s, smooth), 0.4 * s},
             {plumb::circle(0.45 * s, smooth), 0.45 * s},
@@ -56,7 +59,7 @@ void forAllRows(const auto& run) {
                 const auto map = rowWith(static_cast<TileForm>(form), hanging, size);
                 if (!map) continue;
                 ++rows;
-                for (const Slider& slider : sliders(size))
+                for (const TipSlider& slider : tipSliders(size))
                     for (const double way : {-1.0, 1.0})
                         run(*map, slider, Vec2((6 - 4 * way) * size, size + slider.below), way);
             }
@@ -69,7 +72,7 @@ void forAllRows(const auto& run) {
 
 TEST_CASE("2,560 smooth bodies slide over a slope that hangs in a floor as over a full tile, and lose nothing",
           "[dynamics][tiles]") {
-    forAllRows([](const TileMap& map, const Slider& slider, const Vec2& start, double way) {
+    forAllRows([](const TileMap& map, const TipSlider& slider, const Vec2& start, double way) {
         World world;
         world.add({.type = BodyType::Static, .shapes = {plumb::tiles(map, smooth)}});
         const BodyId body = world.add({.position = start, .velocity = {way * speed, 0}, .shapes = {slider.shape}});
@@ -83,7 +86,7 @@ TEST_CASE("2,560 smooth bodies slide over a slope that hangs in a floor as over 
 
 TEST_CASE("2,560 movers slide over a slope that hangs in a floor as over a full tile, and lose nothing",
           "[movers][tiles]") {
-    forAllRows([](const TileMap& map, const Slider& slider, const Vec2& start, double way) {
+    forAllRows([](const TileMap& map, const TipSlider& slider, const Vec2& start, double way) {
         World world;
         world.add({.type = BodyType::Static, .shapes = {plumb::tiles(map)}});
         const BodyId body =
@@ -107,7 +110,7 @@ TEST_CASE("a mover goes up and down a wall in which a slope's back is flush, and
             TileMap map({.columns = 1, .rows = 12});
             for (int i = 0; i < 12; ++i) map.set({0, i}, {.form = TileForm::Full});
             map.set({0, 6}, {.form = form, .hanging = hanging});
-            for (const Slider& slider : sliders(1)) {
+            for (const TipSlider& slider : tipSliders(1)) {
                 for (const double way : {-1.0, 1.0}) {
                     World world;
                     world.add({.type = BodyType::Static, .shapes = {plumb::tiles(map)}});

@@ -8,6 +8,8 @@
 #include <plumb/shapes/tile_text.h>
 #include "cases.h"
 #include "catch.h"
+#include "kit/dynamics/numbers.h"
+#include "kit/dynamics/worlds.h"
 
 using plumb::BodyId;
 using plumb::BodyType;
@@ -23,10 +25,11 @@ using plumb::TileMap;
 using plumb::Vec2;
 using plumb::World;
 using plumb::test::containsText;
+using plumb::test::dt;
+using plumb::test::steps;
 
 namespace {
 
-constexpr double dt = 1.0 / 60;
 constexpr Tile full{.form = TileForm::Full};
 
 struct Ground {
@@ -41,11 +44,7 @@ Ground groundOf(const TileMap& map, const Vec2& gravity = {0, -9.81}, const Vec2
     return {std::move(world), shape};
 }
 
-void run(World& world, int ticks) {
-    for (int tick = 0; tick < ticks; ++tick) world.step(dt);
-}
-
-TileMap randomMap(Random& random) {
+TileMap randomFullMap(Random& random) {
     TileMap map({.columns = 24, .rows = 20});
     for (int row = 0; row < map.rows(); ++row)
         for (int column = 0; column < map.columns(); ++column)
@@ -75,7 +74,7 @@ TEST_CASE("rays at 300 random maps meet what a walk in steps of 1 mm meets, and 
     int hits = 0;
     for (int seed = 0; seed < plumb::test::cases(3000); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
-        const TileMap map = randomMap(random);
+        const TileMap map = randomFullMap(random);
         const Ground ground = groundOf(map);
         const Vec2 from(random.uniform(-2, 26), random.uniform(-2, 22));
         const Vec2 to(random.uniform(-2, 26), random.uniform(-2, 22));
@@ -104,7 +103,7 @@ TEST_CASE("3,000 shapes cast at random maps of slopes go as far as among as many
     int hits = 0;
     for (int seed = 0; seed < plumb::test::cases(3000); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
-        TileMap map = randomMap(random);
+        TileMap map = randomFullMap(random);
         World separate;
         for (int row = 0; row < map.rows(); ++row) {
             for (int column = 0; column < map.columns(); ++column) {
@@ -142,7 +141,7 @@ TEST_CASE("a map edited 200 times is the map made so from the start, for rays, p
           "[dynamics][tiles]") {
     for (int seed = 0; seed < plumb::test::cases(300); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
-        Ground edited = groundOf(randomMap(random));
+        Ground edited = groundOf(randomFullMap(random));
         for (int i = 0; i < 200; ++i) {
             const Cell cell{random.integer(0, 23), random.integer(0, 19)};
             Tile tile;
@@ -194,7 +193,7 @@ TEST_CASE("in 100 random maps of all forms no body's middle comes into what is s
     int looked = 0, inside = 0;
     for (int seed = 0; seed < plumb::test::cases(1000); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
-        TileMap map = randomMap(random);
+        TileMap map = randomFullMap(random);
         for (int i = 0; i < 150; ++i)
             map.set({random.integer(0, 23), random.integer(0, 19)},
                     {.form = static_cast<TileForm>(random.integer(0, 7)), .hanging = random.integer(0, 1) == 0});

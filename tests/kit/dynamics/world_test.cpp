@@ -6,12 +6,14 @@
 
 #include <plumb/plumb.h>
 #include "catch.h"
+#include "kit/dynamics/numbers.h"
 
 using plumb::BodyDef;
 using plumb::BodyId;
 using plumb::BodyType;
 using plumb::Vec2;
 using plumb::World;
+using plumb::test::infinity;
 
 namespace {
 
@@ -40,7 +42,6 @@ struct Resting {
 };
 
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
-constexpr double inf = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -52,9 +53,9 @@ TEST_CASE("a def with an impossible number is refused by a text that names field
         return refusal([&] { world.add(def); });
     };
     CHECK(add([](BodyDef& d) { d.position.x() = notANumber; }) == "BodyDef.position: (nan, 0) is not finite");
-    CHECK(add([](BodyDef& d) { d.velocity.y() = inf; }) == "BodyDef.velocity: (0, inf) is not finite");
+    CHECK(add([](BodyDef& d) { d.velocity.y() = infinity; }) == "BodyDef.velocity: (0, inf) is not finite");
     CHECK(add([](BodyDef& d) { d.angle = notANumber; }) == "BodyDef.angle: nan is not finite");
-    CHECK(add([](BodyDef& d) { d.angularVelocity = -inf; }) == "BodyDef.angularVelocity: -inf is not finite");
+    CHECK(add([](BodyDef& d) { d.angularVelocity = -infinity; }) == "BodyDef.angularVelocity: -inf is not finite");
     CHECK(add([](BodyDef& d) { d.gravityScale = notANumber; }) == "BodyDef.gravityScale: nan is not finite");
     CHECK(add([](BodyDef& d) { d.linearDamping = -1; }).starts_with("BodyDef.linearDamping: -1 is"));
     CHECK(add([](BodyDef& d) { d.angularDamping = notANumber; }).starts_with("BodyDef.angularDamping: nan is"));
@@ -88,7 +89,7 @@ TEST_CASE("a world refuses impossible settings, and a step that is negative or n
     World world;
     CHECK(refusal([&] { world.step(-0.1); }).starts_with("World.step: dt: -0.1 is"));
     CHECK(refusal([&] { world.step(notANumber); }) != "");
-    CHECK(refusal([&] { world.step(inf); }) != "");
+    CHECK(refusal([&] { world.step(infinity); }) != "");
     CHECK(refusal([&] { world.setGravity({notANumber, 0}); }) != "");
 }
 
