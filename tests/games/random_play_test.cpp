@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <games/frame/session.h>
+#include <plumb/dynamics/world.h>
 #include <plumb/math/random.h>
 
 #include "cases.h"

@@ -9,19 +9,13 @@
 
 #include "catch.h"
 #include "house/cmake_project.h"
+#include "house/repository.h"
 #include "house/shell.h"
 
 using namespace plumb::test;
 namespace fs = std::filesystem;
 
 namespace {
-
-const fs::path repository = PLUMB_SOURCE_DIR;
-
-std::string textOf(const fs::path& path) {
-    std::ifstream file(path);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// Those of every page, by names that can be a file's: "README" of the README, "kit_plumb_dynamics_joints" of
 /// kit/plumb/dynamics/joints.md.

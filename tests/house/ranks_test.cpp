@@ -9,19 +9,13 @@
 #include <set>
 
 #include "catch.h"
+#include "house/repository.h"
 
 using namespace plumb::test;
 namespace fs = std::filesystem;
 using Faults = std::vector<std::string>;
 
 namespace {
-
-const fs::path repository = PLUMB_SOURCE_DIR;
-
-std::string textOf(const fs::path& path) {
-    std::ifstream file(path);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// The C++ files under a folder, their paths as seen from root; none where there is no such folder.
 std::vector<SourceFile> sourcesUnder(const fs::path& folder, const fs::path& root) {

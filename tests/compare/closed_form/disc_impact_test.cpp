@@ -10,7 +10,7 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double rounding = 1e-15;  // of numbers up to 5, after some ten operations
+constexpr double impactRounding = 1e-15;  // of numbers up to 5, after some ten operations
 
 DiscFlights headOn(double restitution) {
     return collide({.position = {-2, 0}, .velocity = {3, 0}, .mass = 2},
@@ -29,33 +29,33 @@ TEST_CASE("discs of 2 kg and 1 kg at 3 and -1 m/s part at 1/3 and 13/3 m/s when 
     const DiscFlights flights = headOn(1);  // Worked numbers of response, 1D impact
     REQUIRE(flights.a.size() == 2);
     REQUIRE(flights.b.size() == 2);
-    CHECK((flights.a[1].velocity - Vec2(1.0 / 3, 0)).norm() < 5 * rounding);
-    CHECK((flights.b[1].velocity - Vec2(13.0 / 3, 0)).norm() < 5 * rounding);
-    CHECK(std::abs(flights.a[1].start - 0.75) < rounding);  // a gap of 3 m at 4 m/s
-    CHECK((flights.a[1].position - Vec2(0.25, 0)).norm() < 5 * rounding);
-    CHECK((flights.b[1].position - Vec2(1.25, 0)).norm() < 5 * rounding);
+    CHECK((flights.a[1].velocity - Vec2(1.0 / 3, 0)).norm() < 5 * impactRounding);
+    CHECK((flights.b[1].velocity - Vec2(13.0 / 3, 0)).norm() < 5 * impactRounding);
+    CHECK(std::abs(flights.a[1].start - 0.75) < impactRounding);  // a gap of 3 m at 4 m/s
+    CHECK((flights.a[1].position - Vec2(0.25, 0)).norm() < 5 * impactRounding);
+    CHECK((flights.b[1].position - Vec2(1.25, 0)).norm() < 5 * impactRounding);
 }
 
 TEST_CASE("discs of 2 kg and 1 kg at 3 and -1 m/s part at 1 and 3 m/s when e = 0.5",
           "[compare][closed_form][facts][law]") {
     const DiscFlights flights = headOn(0.5);  // Worked numbers of response, 1D impact
-    CHECK((flights.a[1].velocity - Vec2(1, 0)).norm() < 5 * rounding);
-    CHECK((flights.b[1].velocity - Vec2(3, 0)).norm() < 5 * rounding);
+    CHECK((flights.a[1].velocity - Vec2(1, 0)).norm() < 5 * impactRounding);
+    CHECK((flights.b[1].velocity - Vec2(3, 0)).norm() < 5 * impactRounding);
 }
 
 TEST_CASE("discs of 2 kg and 1 kg at 3 and -1 m/s go on together at 5/3 m/s when e = 0",
           "[compare][closed_form][law]") {
     const DiscFlights flights = headOn(0);  // 2 * 3 - 1 * 1 = 5 kg m/s in 3 kg
-    CHECK((flights.a[1].velocity - Vec2(5.0 / 3, 0)).norm() < 5 * rounding);
-    CHECK((flights.b[1].velocity - Vec2(5.0 / 3, 0)).norm() < 5 * rounding);
+    CHECK((flights.a[1].velocity - Vec2(5.0 / 3, 0)).norm() < 5 * impactRounding);
+    CHECK((flights.b[1].velocity - Vec2(5.0 / 3, 0)).norm() < 5 * impactRounding);
 }
 
 TEST_CASE("equal discs that meet at 30 degrees part at right angles when e = 1", "[compare][closed_form][facts][law]") {
     const DiscFlights flights = oblique(1);  // Worked numbers of response, 2D equal discs, to ten decimals
     CHECK((flights.a[1].velocity - Vec2(0.25, -0.4330127019)).norm() < 1e-10);
     CHECK((flights.b[1].velocity - Vec2(0.75, 0.4330127019)).norm() < 1e-10);
-    CHECK(std::abs(flights.a[1].velocity.dot(flights.b[1].velocity)) < rounding);
-    CHECK(std::abs(flights.a[1].start - 2) < 5 * rounding);
+    CHECK(std::abs(flights.a[1].velocity.dot(flights.b[1].velocity)) < impactRounding);
+    CHECK(std::abs(flights.a[1].start - 2) < 5 * impactRounding);
 }
 
 TEST_CASE("equal discs that meet at 30 degrees with e = 0.8 part as worked out", "[compare][closed_form][facts][law]") {

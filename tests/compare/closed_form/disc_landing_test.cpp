@@ -10,7 +10,7 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double rounding = 1e-14;  // of numbers up to 10, after some ten operations
+constexpr double landingRounding = 1e-14;  // of numbers up to 10, after some ten operations
 
 /// A disc of 0.5 m that comes down at 3 m/s with 4 m/s along the floor, and does not turn; e = 0.5.
 Flight afterLanding(double friction) {
@@ -30,12 +30,12 @@ TEST_CASE("a disc that lands at (4, -3) m/s with e = 0.5 sticks from a friction 
           "[compare][closed_form][facts][law]") {
     // Worked numbers of response, disc on floor: both cases and the threshold between them.
     const Flight sticks = afterLanding(0.5);
-    CHECK((sticks.velocity - Vec2(8.0 / 3, 1.5)).norm() < rounding);
-    CHECK(std::abs(sticks.angularVelocity + 16.0 / 3) < rounding);
+    CHECK((sticks.velocity - Vec2(8.0 / 3, 1.5)).norm() < landingRounding);
+    CHECK(std::abs(sticks.angularVelocity + 16.0 / 3) < landingRounding);
     const Flight slips = afterLanding(0.2);
-    CHECK((slips.velocity - Vec2(3.1, 1.5)).norm() < rounding);
-    CHECK(std::abs(slips.angularVelocity + 3.6) < rounding);
-    CHECK(std::abs(slipOf(afterLanding(8.0 / 27 + 1e-6), 0.5)) < rounding);
+    CHECK((slips.velocity - Vec2(3.1, 1.5)).norm() < landingRounding);
+    CHECK(std::abs(slips.angularVelocity + 3.6) < landingRounding);
+    CHECK(std::abs(slipOf(afterLanding(8.0 / 27 + 1e-6), 0.5)) < landingRounding);
     CHECK(slipOf(afterLanding(8.0 / 27 - 1e-6), 0.5) > 1e-6);
 }
 
@@ -62,11 +62,12 @@ TEST_CASE("1,000 dropped discs keep their angular momentum about the floor at ea
             // What the floor does acts in the floor: vx r - I w / m stays, as r turns the impulse's moment.
             const double momentBefore = landing.x() * disc.radius - spin * before.angularVelocity;
             const double momentAfter = after.velocity.x() * disc.radius - spin * after.angularVelocity;
-            CHECK(std::abs(momentBefore - momentAfter) < rounding);
-            CHECK(std::abs(after.velocity.y() + disc.restitution * landing.y()) < 10 * rounding);  // times add up
-            CHECK(std::abs(slipOf(after, disc.radius)) <= std::abs(slipOf(before, disc.radius)) + rounding);
+            CHECK(std::abs(momentBefore - momentAfter) < landingRounding);
+            CHECK(std::abs(after.velocity.y() + disc.restitution * landing.y()) <
+                  10 * landingRounding);  // times add up
+            CHECK(std::abs(slipOf(after, disc.radius)) <= std::abs(slipOf(before, disc.radius)) + landingRounding);
             const double push = std::abs(after.velocity.x() - landing.x());
-            CHECK(push <= disc.friction * (after.velocity.y() - landing.y()) + 10 * rounding);
+            CHECK(push <= disc.friction * (after.velocity.y() - landing.y()) + 10 * landingRounding);
         }
     }
 }

@@ -5,12 +5,12 @@
 #include <numbers>
 
 #include "catch.h"
+#include "compare/closed_form/worked.h"
 
 namespace plumb::compare {
 namespace {
 
 const Incline incline{.angle = std::numbers::pi / 6, .gravity = 9.81};
-constexpr double digits = 6e-11;  // the worked numbers have ten decimals
 
 }  // namespace
 

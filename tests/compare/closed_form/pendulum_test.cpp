@@ -7,11 +7,11 @@
 #include <numbers>
 
 #include "catch.h"
+#include "compare/closed_form/worked.h"
 
 namespace plumb::compare {
 namespace {
 
-constexpr double digits = 6e-11;  // the worked numbers have ten decimals
 constexpr double pi = std::numbers::pi;
 
 double degrees(double angle) {

@@ -4,14 +4,9 @@
 #include <cmath>
 
 #include "catch.h"
+#include "compare/closed_form/worked.h"
 
 namespace plumb::compare {
-namespace {
-
-constexpr double digits = 6e-11;  // the worked numbers have ten decimals
-
-}  // namespace
-
 TEST_CASE("a disc thrown at 3 m/s with a friction of 0.2 rolls at 2 m/s after 0.5096839959 s and 1.2742099898 m",
           "[compare][closed_form][facts][law]") {
     const std::vector<Flight> flights = slideToRollFlights({.speed = 3, .friction = 0.2});

@@ -13,7 +13,7 @@
 namespace plumb::compare {
 namespace {
 
-void checkRefused(const std::vector<std::string>& args, const std::string& saying) {
+void checkBenchRefused(const std::vector<std::string>& args, const std::string& saying) {
     const Called called = call(args);
     INFO(called.err);
     CHECK(called.status == 2);
@@ -85,20 +85,22 @@ TEST_CASE("bench puts its table into a README, and leaves the rest of it", "[com
 
 TEST_CASE("bench refuses bad usage with status 2 and one line", "[compare][command]") {
     const Folder folder("plumb_bench_command_test");
-    checkRefused({"bench", "large_pyramids"}, "there is no scene \"large_pyramids\": the nearest is large_pyramid;");
-    checkRefused({"bench", "smash", "six"}, "both called \"smash\"");
+    checkBenchRefused({"bench", "large_pyramids"},
+                      "there is no scene \"large_pyramids\": the nearest is large_pyramid;");
+    checkBenchRefused({"bench", "smash", "six"}, "both called \"smash\"");
     for (const std::string bad : {"0", "-1", "2.5", "many", ""}) {
-        checkRefused({"bench", "small_50", "--repeat=" + bad}, "--repeat");
-        checkRefused({"bench", "small_50", "--steps=" + bad}, "--steps");
-        checkRefused({"bench", "small_50", "--threads=" + bad}, "--threads");
+        checkBenchRefused({"bench", "small_50", "--repeat=" + bad}, "--repeat");
+        checkBenchRefused({"bench", "small_50", "--steps=" + bad}, "--steps");
+        checkBenchRefused({"bench", "small_50", "--threads=" + bad}, "--threads");
     }
-    checkRefused({"bench", "small_50", "--threads", "2"}, "--threads: 2 is not 1: Plumb steps on one thread so far");
-    checkRefused({"bench", "small_50", "--engines", "closed-form"}, "--engines: \"closed-form\" is not an engine");
-    checkRefused({"bench", "small_50", "--csv", "x"}, "--csv");
-    checkRefused({"bench", "small_50", "--json", folder / "no/such/folder/b.json"}, "--json: cannot write");
+    checkBenchRefused({"bench", "small_50", "--threads", "2"},
+                      "--threads: 2 is not 1: Plumb steps on one thread so far");
+    checkBenchRefused({"bench", "small_50", "--engines", "closed-form"}, "--engines: \"closed-form\" is not an engine");
+    checkBenchRefused({"bench", "small_50", "--csv", "x"}, "--csv");
+    checkBenchRefused({"bench", "small_50", "--json", folder / "no/such/folder/b.json"}, "--json: cannot write");
     std::ofstream(folder / "empty.md") << "nothing\n";
-    checkRefused({"bench", "small_50", "--readme", folder / "empty.md"}, "empty.md: it has no lines");
-    checkRefused({"bench", "small_50", "--readme", folder / "none.md"}, "none.md: cannot be read");
+    checkBenchRefused({"bench", "small_50", "--readme", folder / "empty.md"}, "empty.md: it has no lines");
+    checkBenchRefused({"bench", "small_50", "--readme", folder / "none.md"}, "none.md: cannot be read");
 }
 
 }  // namespace plumb::compare

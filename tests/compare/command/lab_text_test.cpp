@@ -9,7 +9,7 @@
 namespace plumb::compare {
 namespace {
 
-std::string shown(const std::vector<LabResult>& results, bool colour) {
+std::string shownLabs(const std::vector<LabResult>& results, bool colour) {
     std::ostringstream out;
     for (const LabResult& result : results) printLab(result, out, colour);
     printLabSummary(results, out, colour);
@@ -19,26 +19,26 @@ std::string shown(const std::vector<LabResult>& results, bool colour) {
 }  // namespace
 
 TEST_CASE("a lab is told with a line a check, and of what fails why it should hold", "[compare][command]") {
-    CHECK(shown({exampleResult(2), exampleResult(3)}, false) ==
+    CHECK(shownLabs({exampleResult(2), exampleResult(3)}, false) ==
           "PASS  example_lab\n"
           "      ok    slope  2 m/s, at most 2.5 m/s\n"
           "FAIL  example_lab\n"
           "      FAIL  slope  3 m/s, at most 2.5 m/s: it is 2\n"
           "1 lab holds, 1 fails.\n");
-    CHECK(shown({exampleResult(2), exampleResult(2)}, false).ends_with("2 labs hold, 0 fail.\n"));
+    CHECK(shownLabs({exampleResult(2), exampleResult(2)}, false).ends_with("2 labs hold, 0 fail.\n"));
 }
 
 TEST_CASE("a value that was not measured is said not to exist", "[compare][command]") {
     Lab lab = exampleLab(2);
     lab.checks = {{.name = "other", .bound = Bound::AtLeast, .limit = 1, .reason = "why not"}};
-    CHECK(shown({runLab(lab, {}, {})}, false).find("FAIL  other  does not exist, at least 1: why not\n") !=
+    CHECK(shownLabs({runLab(lab, {}, {})}, false).find("FAIL  other  does not exist, at least 1: why not\n") !=
           std::string::npos);
 }
 
 TEST_CASE("only a terminal gets a lab in colours", "[compare][command]") {
-    CHECK(shown({exampleResult(2)}, false).find('\x1b') == std::string::npos);
-    CHECK(shown({exampleResult(2)}, true).find("\x1b[32mPASS\x1b[0m") != std::string::npos);
-    CHECK(shown({exampleResult(3)}, true).find("\x1b[31mFAIL\x1b[0m") != std::string::npos);
+    CHECK(shownLabs({exampleResult(2)}, false).find('\x1b') == std::string::npos);
+    CHECK(shownLabs({exampleResult(2)}, true).find("\x1b[32mPASS\x1b[0m") != std::string::npos);
+    CHECK(shownLabs({exampleResult(3)}, true).find("\x1b[31mFAIL\x1b[0m") != std::string::npos);
 }
 
 TEST_CASE("the list tells what a lab asks, varies and checks", "[compare][command]") {

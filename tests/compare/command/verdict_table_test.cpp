@@ -17,7 +17,7 @@ SceneResult judged(const std::string& name, double plumb, double limit) {
     return runScene(scene, {}, {standing("plumb", plumb), unsupporting("box2d-3"), standing("closed-form", 0)});
 }
 
-std::string shown(const std::vector<SceneResult>& results, bool colour) {
+std::string shownVerdicts(const std::vector<SceneResult>& results, bool colour) {
     std::ostringstream out;
     std::vector<Scene> scenes;
     for (const SceneResult& result : results) scenes.push_back(result.scene);
@@ -32,7 +32,7 @@ std::string shown(const std::vector<SceneResult>& results, bool colour) {
 
 TEST_CASE("the table says of each scene whether it holds, by how much, and spells out what fails",
           "[compare][command]") {
-    const std::string text = shown({judged("good", 0.0125, 0.1), judged("not_so_good", 2, 0.1)}, false);
+    const std::string text = shownVerdicts({judged("good", 0.0125, 0.1), judged("not_so_good", 2, 0.1)}, false);
     CHECK(text ==
           "                   largest distance to the closed form\n"
           "      scene              plumb      box2d-3  checks that hold\n"
@@ -46,7 +46,7 @@ TEST_CASE("the table says of each scene whether it holds, by how much, and spell
 TEST_CASE("a scene of which nothing was judged is not called a pass", "[compare][command]") {
     SceneResult result = judged("idle", 0, 1);
     result.outcomes.clear();
-    const std::string text = shown({result}, false);
+    const std::string text = shownVerdicts({result}, false);
     CHECK(text.find("PASS") == std::string::npos);
     CHECK(text.find("----  idle") != std::string::npos);
     CHECK(text.find("1 scene not judged.") != std::string::npos);
@@ -54,8 +54,8 @@ TEST_CASE("a scene of which nothing was judged is not called a pass", "[compare]
 
 TEST_CASE("only a terminal gets colours", "[compare][command]") {
     const std::vector<SceneResult> results{judged("good", 0, 1)};
-    CHECK(shown(results, false).find('\x1b') == std::string::npos);
-    CHECK(shown(results, true).find("\x1b[32mPASS\x1b[0m") != std::string::npos);
+    CHECK(shownVerdicts(results, false).find('\x1b') == std::string::npos);
+    CHECK(shownVerdicts(results, true).find("\x1b[32mPASS\x1b[0m") != std::string::npos);
 }
 
 TEST_CASE("a failed check is told with its value, its bound and its reason", "[compare][command]") {

@@ -9,7 +9,7 @@ namespace {
 
 using Catch::Matchers::WithinAbs;
 
-constexpr double rounding = 1e-12;  // of lengths of a few metres
+constexpr double geometryRounding = 1e-12;  // of lengths of a few metres
 
 /// Two discs of 0.5 m, 2 m apart on the x axis, without gravity.
 Scene twoDiscs() {
@@ -40,7 +40,7 @@ SceneJoint rod(bool collideConnected) {
 TEST_CASE("discs of 0.5 m whose centres are 0.9 m apart overlap by 0.1 m, at 1.1 m not at all", "[compare][metric]") {
     const Geometry geometry(twoDiscs());
     CHECK(geometry.anyMayTouch());
-    CHECK_THAT(*geometry.penetration(apart(0.9)), WithinAbs(0.1, rounding));
+    CHECK_THAT(*geometry.penetration(apart(0.9)), WithinAbs(0.1, geometryRounding));
     CHECK(*geometry.penetration(apart(1.1)) == 0);
     CHECK_FALSE(geometry.penetration(apart(nan)));
 }
@@ -55,7 +55,7 @@ TEST_CASE("bodies that a filter or a joint keeps from colliding may overlap", "[
     joined.joints = {rod(false)};
     CHECK(*Geometry(joined).penetration(apart(0.5)) == 0);
     joined.joints = {rod(true)};
-    CHECK_THAT(*Geometry(joined).penetration(apart(0.5)), WithinAbs(0.5, rounding));
+    CHECK_THAT(*Geometry(joined).penetration(apart(0.5)), WithinAbs(0.5, geometryRounding));
 }
 
 TEST_CASE("a common group decides before masks do: above 0 they collide, below 0 they may overlap",
@@ -86,9 +86,9 @@ TEST_CASE("a rod of 2 m between bodies 2.25 m apart is torn by 0.25 m", "[compar
     scene.joints = {rod(false)};
     const Geometry geometry(scene);
     CHECK(geometry.anyJoint());
-    CHECK_THAT(*geometry.jointError(apart(2)), WithinAbs(0, rounding));
-    CHECK_THAT(*geometry.jointError(apart(2.25)), WithinAbs(0.25, rounding));
-    CHECK_THAT(*geometry.jointError(apart(1.75)), WithinAbs(0.25, rounding));
+    CHECK_THAT(*geometry.jointError(apart(2)), WithinAbs(0, geometryRounding));
+    CHECK_THAT(*geometry.jointError(apart(2.25)), WithinAbs(0.25, geometryRounding));
+    CHECK_THAT(*geometry.jointError(apart(1.75)), WithinAbs(0.25, geometryRounding));
     CHECK_FALSE(geometry.jointError(apart(infinity)));
 }
 
@@ -97,7 +97,7 @@ TEST_CASE("a rod with a length of its own is measured by that", "[compare][metri
     SceneJoint joint = rod(false);
     std::get<DistanceJointDef>(joint.def).length = 1.5;
     scene.joints = {joint};
-    CHECK_THAT(*Geometry(scene).jointError(apart(2)), WithinAbs(0.5, rounding));
+    CHECK_THAT(*Geometry(scene).jointError(apart(2)), WithinAbs(0.5, geometryRounding));
 }
 
 TEST_CASE("a hinge 1 m from both bodies is torn by what one of them moves, and not by a turn about it",
@@ -108,19 +108,19 @@ TEST_CASE("a hinge 1 m from both bodies is torn by what one of them moves, and n
     scene.joints = {{"hinge", "disc", "other", hinge}};
     const Geometry geometry(scene);
     std::vector<BodyState> states = apart(2);
-    CHECK_THAT(*geometry.jointError(states), WithinAbs(0, rounding));
+    CHECK_THAT(*geometry.jointError(states), WithinAbs(0, geometryRounding));
     states[1].position.y() = 0.125;
-    CHECK_THAT(*geometry.jointError(states), WithinAbs(0.125, rounding));
+    CHECK_THAT(*geometry.jointError(states), WithinAbs(0.125, geometryRounding));
     // the other disc a quarter turn about the hinge: its anchor (-1, 0) points down, it stands above
     states[1] = at(1, 1);
     states[1].angle = 1.5707963267948966;
-    CHECK_THAT(*geometry.jointError(states), WithinAbs(0, rounding));
+    CHECK_THAT(*geometry.jointError(states), WithinAbs(0, geometryRounding));
 }
 
 TEST_CASE("a joint that has broken is torn no longer", "[compare][metric]") {
     Scene scene = twoDiscs();
     scene.joints = {rod(false)};
-    CHECK_THAT(*Geometry(scene).jointError(apart(5), {false}), WithinAbs(3, rounding));
+    CHECK_THAT(*Geometry(scene).jointError(apart(5), {false}), WithinAbs(3, geometryRounding));
     CHECK(*Geometry(scene).jointError(apart(5), {true}) == 0);
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 using Catch::Matchers::WithinAbs;
 
-constexpr double rounding = 1e-12;  // of a few metres
+constexpr double jointRounding = 1e-12;  // of a few metres
 constexpr double quarter = 1.5707963267948966;
 
 /// A post at the origin that is turned by a quarter, and a disc of 2 kg at (2, 0).
@@ -45,24 +45,24 @@ double energy(const JointDef& def, const std::vector<BodyState>& states) {
 
 TEST_CASE("a slide is torn across its axis and beyond its limit, and free along it", "[compare][metric]") {
     PrismaticJointDef slide{.anchor = {2, 0}, .axis = {3, 0}};
-    CHECK_THAT(gap(slide, discAt(7, 0)), WithinAbs(0, rounding));
-    CHECK_THAT(gap(slide, discAt(7, -0.25)), WithinAbs(0.25, rounding));
+    CHECK_THAT(gap(slide, discAt(7, 0)), WithinAbs(0, jointRounding));
+    CHECK_THAT(gap(slide, discAt(7, -0.25)), WithinAbs(0.25, jointRounding));
     slide.limit = Limit{-1, 4};
-    CHECK_THAT(gap(slide, discAt(6.5, 0)), WithinAbs(0.5, rounding));
-    CHECK_THAT(gap(slide, discAt(0.5, 0)), WithinAbs(0.5, rounding));
-    CHECK_THAT(gap(slide, discAt(6.3, 0.4)), WithinAbs(0.5, rounding));
-    CHECK_THAT(gap(WheelJointDef{.anchor = {2, 0}, .axis = {1, 0}}, discAt(3, 0.5, 9)), WithinAbs(0.5, rounding));
+    CHECK_THAT(gap(slide, discAt(6.5, 0)), WithinAbs(0.5, jointRounding));
+    CHECK_THAT(gap(slide, discAt(0.5, 0)), WithinAbs(0.5, jointRounding));
+    CHECK_THAT(gap(slide, discAt(6.3, 0.4)), WithinAbs(0.5, jointRounding));
+    CHECK_THAT(gap(WheelJointDef{.anchor = {2, 0}, .axis = {1, 0}}, discAt(3, 0.5, 9)), WithinAbs(0.5, jointRounding));
 }
 
 TEST_CASE("a spring is torn only beyond its shortest and its longest", "[compare][metric]") {
     const DistanceJointDef spring{.anchorB = {2, 0}, .spring = Spring{}, .minLength = 1, .maxLength = 3};
     CHECK(gap(spring, discAt(2.9, 0)) == 0);
-    CHECK_THAT(gap(spring, discAt(0, 3.25)), WithinAbs(0.25, rounding));
-    CHECK_THAT(gap(spring, discAt(0, 0.5)), WithinAbs(0.5, rounding));
+    CHECK_THAT(gap(spring, discAt(0, 3.25)), WithinAbs(0.25, jointRounding));
+    CHECK_THAT(gap(spring, discAt(0, 0.5)), WithinAbs(0.5, jointRounding));
 }
 
 TEST_CASE("a stiff weld is torn by what its anchors are apart, one that gives is not", "[compare][metric]") {
-    CHECK_THAT(gap(WeldJointDef{.anchor = {1, 0}}, discAt(2, 0.5)), WithinAbs(0.5, rounding));
+    CHECK_THAT(gap(WeldJointDef{.anchor = {1, 0}}, discAt(2, 0.5)), WithinAbs(0.5, jointRounding));
     CHECK(gap(WeldJointDef{.anchor = {1, 0}, .spring = Spring{}}, discAt(2, 0.5)) == 0);
 }
 
@@ -71,9 +71,9 @@ TEST_CASE("a pulley is torn when its rope is too long, and not when it is slack"
         .groundA = {0, 5}, .groundB = {2, 5}, .anchorA = {0, 0}, .anchorB = {2, 0}, .ratio = 2});  // 5 + 2 * 5
     const JointStates joints(scene);
     std::vector<BodyState> states = discAt(2, -1);
-    CHECK_THAT(joints.gap(0, states), WithinAbs(2, rounding));
+    CHECK_THAT(joints.gap(0, states), WithinAbs(2, jointRounding));
     states[0].position.y() = 2;  // two up for one down
-    CHECK_THAT(joints.gap(0, states), WithinAbs(0, rounding));
+    CHECK_THAT(joints.gap(0, states), WithinAbs(0, jointRounding));
     states[0].position.y() = 3;
     CHECK(joints.gap(0, states) == 0);
 }
@@ -86,9 +86,9 @@ TEST_CASE("a gear's rack is torn by what it is from where its wheel should have 
     std::vector<BodyState> states = discAt(1.5, 0);  // the rack by -0.5: the wheel should be at 1
     states.push_back(at(5, 0));
     states[2].angle = 1.25;
-    CHECK_THAT(JointStates(scene).gap(2, states), WithinAbs(0.125, rounding));
+    CHECK_THAT(JointStates(scene).gap(2, states), WithinAbs(0.125, jointRounding));
     std::swap(scene.joints[2].jointA, scene.joints[2].jointB);  // wheel + 0.5 rack: 1.25 - 0.25, over 0.5
-    CHECK_THAT(JointStates(scene).gap(2, states), WithinAbs(2, rounding));
+    CHECK_THAT(JointStates(scene).gap(2, states), WithinAbs(2, jointRounding));
 }
 
 TEST_CASE("what pulls or only forbids touching is never torn", "[compare][metric]") {
@@ -100,28 +100,29 @@ TEST_CASE("what pulls or only forbids touching is never torn", "[compare][metric
 TEST_CASE("a hinge is beyond its limit by angle, counted from the start; a slide by shift", "[compare][metric]") {
     const JointStates hinge(joined(RevoluteJointDef{.anchor = {2, 0}, .limit = Limit{-0.5, 1}}));
     CHECK(hinge.beyondLimit(0, discAt(2, 0, 0.9)) == 0);
-    CHECK_THAT(hinge.beyondLimit(0, discAt(2, 0, 1.25)), WithinAbs(0.25, rounding));
-    CHECK_THAT(hinge.beyondLimit(0, discAt(2, 0, -0.75)), WithinAbs(0.25, rounding));
+    CHECK_THAT(hinge.beyondLimit(0, discAt(2, 0, 1.25)), WithinAbs(0.25, jointRounding));
+    CHECK_THAT(hinge.beyondLimit(0, discAt(2, 0, -0.75)), WithinAbs(0.25, jointRounding));
     const JointStates slide(joined(PrismaticJointDef{.anchor = {2, 0}, .limit = Limit{0, 1}}));
-    CHECK_THAT(slide.beyondLimit(0, discAt(3.5, 0)), WithinAbs(0.5, rounding));
+    CHECK_THAT(slide.beyondLimit(0, discAt(3.5, 0)), WithinAbs(0.5, jointRounding));
     CHECK(JointStates(joined(WeldJointDef{})).beyondLimit(0, discAt(9, 9)) == 0);
 }
 
 TEST_CASE("springs of 8 N/m that are 0.5 m off hold 1 J, whatever kind of joint they are in", "[compare][metric]") {
     const Spring spring{8, 3};
-    CHECK_THAT(energy(DistanceJointDef{.anchorB = {2, 0}, .spring = spring}, discAt(0, 2.5)), WithinAbs(1, rounding));
+    CHECK_THAT(energy(DistanceJointDef{.anchorB = {2, 0}, .spring = spring}, discAt(0, 2.5)),
+               WithinAbs(1, jointRounding));
     CHECK_THAT(energy(DistanceJointDef{.anchorB = {2, 0}, .length = 1, .spring = spring}, discAt(1.5, 0)),
-               WithinAbs(1, rounding));
+               WithinAbs(1, jointRounding));
     CHECK_THAT(energy(PrismaticJointDef{.anchor = {2, 0}, .spring = spring, .restShift = 1}, discAt(3.5, 0)),
-               WithinAbs(1, rounding));
+               WithinAbs(1, jointRounding));
     CHECK_THAT(energy(WheelJointDef{.anchor = {2, 0}, .axis = {1, 0}, .spring = spring}, discAt(1.5, 0)),
-               WithinAbs(1, rounding));
+               WithinAbs(1, jointRounding));
     CHECK_THAT(energy(RevoluteJointDef{.anchor = {2, 0}, .spring = spring, .restAngle = 0.25}, discAt(2, 0, 0.75)),
-               WithinAbs(1, rounding));
+               WithinAbs(1, jointRounding));
     CHECK_THAT(energy(WeldJointDef{.anchor = {2, 0}, .spring = spring, .bending = spring}, discAt(2, 0.5, 0.5)),
-               WithinAbs(2, rounding));
+               WithinAbs(2, jointRounding));
     CHECK_THAT(energy(TargetJointDef{.anchor = {2, 0}, .target = {2, 1}, .spring = spring}, discAt(2, 0.5)),
-               WithinAbs(1, rounding));
+               WithinAbs(1, jointRounding));
     CHECK(energy(DistanceJointDef{.anchorB = {2, 0}}, discAt(3, 0)) == 0);
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 using Catch::Matchers::WithinAbs;
 
-constexpr double rounding = 1e-12;  // of numbers below 100
+constexpr double metricRounding = 1e-12;  // of numbers below 100
 
 using Path = std::function<BodyState(double)>;
 
@@ -39,10 +39,10 @@ TEST_CASE("a body that drifts off its closed form by 0.5 m/s is off by 0.5 m at 
         return state;
     });
     const Measured measured = measure(scene, seen, &truth, nullptr);
-    CHECK_THAT(*measured.metrics.at("error_max"), WithinAbs(0.6, rounding));  // 0.75 m/s for 0.8 s
-    CHECK_THAT(*measured.metrics.at("error_end"), WithinAbs(0.5, rounding));
+    CHECK_THAT(*measured.metrics.at("error_max"), WithinAbs(0.6, metricRounding));  // 0.75 m/s for 0.8 s
+    CHECK_THAT(*measured.metrics.at("error_end"), WithinAbs(0.5, metricRounding));
     REQUIRE(measured.series.error.size() == 11);
-    CHECK_THAT(measured.series.error[4], WithinAbs(0.3, rounding));
+    CHECK_THAT(measured.series.error[4], WithinAbs(0.3, metricRounding));
     CHECK_FALSE(measured.metrics.at("divergence_max"));
 }
 
@@ -51,8 +51,8 @@ TEST_CASE("beyond the time the closed form holds there is no error", "[compare][
     const Observation truth = run(scene, "closed-form", [](double t) { return t > 0.45 ? at(nan, nan) : thrown(t); });
     const Observation seen = run(scene, "plumb", [](double t) { return at(t, thrown(t).position.y()); });
     const Measured measured = measure(scene, seen, &truth, nullptr);
-    CHECK_THAT(*measured.metrics.at("error_max"), WithinAbs(0.4, rounding));
-    CHECK_THAT(*measured.metrics.at("error_end"), WithinAbs(0.4, rounding));
+    CHECK_THAT(*measured.metrics.at("error_max"), WithinAbs(0.4, metricRounding));
+    CHECK_THAT(*measured.metrics.at("error_end"), WithinAbs(0.4, metricRounding));
     CHECK(std::isnan(measured.series.error[5]));
 }
 
@@ -74,18 +74,18 @@ TEST_CASE("divergence passes 1 cm after 0.2 s and reaches 6 cm", "[compare][metr
     const Observation reference = run(scene, "plumb", thrown);
     const Observation seen = run(scene, "box2d-3", [](double t) { return at(0.06 * t, thrown(t).position.y()); });
     const Metrics metrics = measure(scene, seen, nullptr, &reference).metrics;
-    CHECK_THAT(*metrics.at("divergence_max"), WithinAbs(0.06, rounding));
-    CHECK_THAT(*metrics.at("divergence_time"), WithinAbs(0.2, rounding));  // 0.6 cm, then 1.2 cm
+    CHECK_THAT(*metrics.at("divergence_max"), WithinAbs(0.06, metricRounding));
+    CHECK_THAT(*metrics.at("divergence_time"), WithinAbs(0.2, metricRounding));  // 0.6 cm, then 1.2 cm
     CHECK_FALSE(measure(scene, reference, nullptr, &reference).metrics.at("divergence_time"));
-    CHECK_THAT(*divergenceUntil(scene, seen, reference, 0.4), WithinAbs(0.024, rounding));
-    CHECK_THAT(*divergenceUntil(scene, seen, reference, 99), WithinAbs(0.06, rounding));
+    CHECK_THAT(*divergenceUntil(scene, seen, reference, 0.4), WithinAbs(0.024, metricRounding));
+    CHECK_THAT(*divergenceUntil(scene, seen, reference, 99), WithinAbs(0.06, metricRounding));
 }
 
 TEST_CASE("a disc in free flight keeps its energy; momentum drifts by all that gravity gives", "[compare][metric]") {
     const Metrics metrics = metricsOf(oneDisc(), thrown);
-    CHECK_THAT(*metrics.at("energy_drift"), WithinAbs(0, rounding));
+    CHECK_THAT(*metrics.at("energy_drift"), WithinAbs(0, metricRounding));
     // from 6 N s to -14 N s, relative to the largest, 14
-    CHECK_THAT(*metrics.at("momentum_drift"), WithinAbs(20 / 14.0, rounding));
+    CHECK_THAT(*metrics.at("momentum_drift"), WithinAbs(20 / 14.0, metricRounding));
 }
 
 TEST_CASE("energy drift does not depend on where height counts from", "[compare][metric]") {
@@ -106,7 +106,7 @@ TEST_CASE("energy drift does not depend on where height counts from", "[compare]
     CHECK_THAT(*metricsOf(scene, lossyUpThere).at("energy_drift"), WithinAbs(drift, 1e-11));
     // by hand: E - E0 = 0.81 (v^2 - v0^2) - (v^2 - v0^2), at the end 0.19 (9 - 49) J; the largest kinetic energy is
     // 0.81 * 49 J, the potential ranges over 20 (0.45 + 2) J
-    CHECK_THAT(drift, WithinAbs(0.19 * 40 / 49, rounding));
+    CHECK_THAT(drift, WithinAbs(0.19 * 40 / 49, metricRounding));
 }
 
 TEST_CASE("bodies that never move have drifts of 0 and settle at 0 s", "[compare][metric]") {
@@ -124,9 +124,9 @@ TEST_CASE("a disc settles when it last became slower than 0.05 m/s, its rim incl
             return BodyState{{0, 0}, 0, {early ? speed : 0.04, 0}, early ? spin : 0.01};
         });
     };
-    CHECK_THAT(*settling(1, 0).at("settle_time"), WithinAbs(0.6, rounding));
-    CHECK_THAT(*settling(0, 0.2).at("settle_time"), WithinAbs(0.6, rounding));  // 0.1 m/s at the rim
-    CHECK_THAT(*settling(0, 0.05).at("settle_time"), WithinAbs(0, rounding));   // 0.025 m/s at the rim
+    CHECK_THAT(*settling(1, 0).at("settle_time"), WithinAbs(0.6, metricRounding));
+    CHECK_THAT(*settling(0, 0.2).at("settle_time"), WithinAbs(0.6, metricRounding));  // 0.1 m/s at the rim
+    CHECK_THAT(*settling(0, 0.05).at("settle_time"), WithinAbs(0, metricRounding));   // 0.025 m/s at the rim
     CHECK_FALSE(metricsOf(oneDisc(), [](double t) { return BodyState{{0, 0}, 0, {t, 0}, 0}; }).at("settle_time"));
 }
 
@@ -163,11 +163,11 @@ TEST_CASE("two discs that swap 1 m/s keep momentum and energy; one that stops lo
         }};
         return measure(scene, observe(scene, scripted("plumb", script)), nullptr, nullptr).metrics;
     };
-    CHECK_THAT(*collision(1).at("momentum_drift"), WithinAbs(0, rounding));
-    CHECK_THAT(*collision(1).at("energy_drift"), WithinAbs(0, rounding));
-    CHECK_THAT(*collision(1).at("angular_momentum_drift"), WithinAbs(0, rounding));
-    CHECK_THAT(*collision(0).at("momentum_drift"), WithinAbs(0.5, rounding));  // 2 of 4 N s
-    CHECK_THAT(*collision(0).at("energy_drift"), WithinAbs(0.5, rounding));    // 1 of 2 J
+    CHECK_THAT(*collision(1).at("momentum_drift"), WithinAbs(0, metricRounding));
+    CHECK_THAT(*collision(1).at("energy_drift"), WithinAbs(0, metricRounding));
+    CHECK_THAT(*collision(1).at("angular_momentum_drift"), WithinAbs(0, metricRounding));
+    CHECK_THAT(*collision(0).at("momentum_drift"), WithinAbs(0.5, metricRounding));  // 2 of 4 N s
+    CHECK_THAT(*collision(0).at("energy_drift"), WithinAbs(0.5, metricRounding));    // 1 of 2 J
 }
 
 TEST_CASE("the closed form's own run has an error of 0, an energy, and no wall time", "[compare][metric]") {
@@ -175,7 +175,7 @@ TEST_CASE("the closed form's own run has an error of 0, an energy, and no wall t
     const Observation truth = run(scene, "closed-form", [](double t) { return t > 0.75 ? at(nan, nan) : thrown(t); });
     const Measured measured = measure(scene, truth, &truth, nullptr);
     CHECK(*measured.metrics.at("error_max") == 0);
-    CHECK_THAT(*measured.metrics.at("energy_drift"), WithinAbs(0, rounding));
+    CHECK_THAT(*measured.metrics.at("energy_drift"), WithinAbs(0, metricRounding));
     CHECK_FALSE(measured.metrics.at("ms_per_step"));
     CHECK_FALSE(measured.metrics.at("settle_time"));
 }

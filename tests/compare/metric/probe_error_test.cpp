@@ -11,7 +11,7 @@ namespace {
 
 using Catch::Matchers::WithinAbs;
 
-constexpr double rounding = 1e-12;
+constexpr double probeRounding = 1e-12;
 
 /// A force that settles: 20 N, from 0.5 s on 10 N and a bit.
 Scene withForce(double expected, double from) {
@@ -52,9 +52,9 @@ Observation turning(const Scene& scene, const std::string& engine, double rate) 
 
 TEST_CASE("a force is watched from its time on: 0.25 N off from 0.5 s, 10 N off from the start", "[compare][metric]") {
     const Scene late = withForce(10, 0.5);
-    CHECK_THAT(*probeError(late, 0, settling(late), nullptr), WithinAbs(0.25, rounding));
+    CHECK_THAT(*probeError(late, 0, settling(late), nullptr), WithinAbs(0.25, probeRounding));
     const Scene early = withForce(10, 0);
-    CHECK_THAT(*probeError(early, 0, settling(early), nullptr), WithinAbs(10, rounding));
+    CHECK_THAT(*probeError(early, 0, settling(early), nullptr), WithinAbs(10, probeRounding));
 }
 
 TEST_CASE("a probe that is watched from later than the run lasts has no error", "[compare][metric]") {
@@ -72,10 +72,10 @@ TEST_CASE("an angle is held against the closed form where there is one, else aga
     const Scene scene = withAngle(2);
     const Observation seen = turning(scene, "plumb", 3);
     const Observation truth = turning(scene, "closed-form", 2.5);
-    CHECK_THAT(*probeError(scene, 0, seen, &truth), WithinAbs(0.5, rounding));  // after 1 s
-    CHECK_THAT(*probeError(scene, 0, seen, nullptr), WithinAbs(2, rounding));   // at the start
+    CHECK_THAT(*probeError(scene, 0, seen, &truth), WithinAbs(0.5, probeRounding));  // after 1 s
+    CHECK_THAT(*probeError(scene, 0, seen, nullptr), WithinAbs(2, probeRounding));   // at the start
     const Observation silent = turning(scene, "closed-form", nan);
-    CHECK_THAT(*probeError(scene, 0, seen, &silent), WithinAbs(2, rounding));
+    CHECK_THAT(*probeError(scene, 0, seen, &silent), WithinAbs(2, probeRounding));
 }
 
 TEST_CASE("an angle watched after the closed form has ended is held against what is expected", "[compare][metric]") {
@@ -83,7 +83,7 @@ TEST_CASE("an angle watched after the closed form has ended is held against what
     scene.probes[0].from = 1;
     Observation truth = turning(scene, "closed-form", 2.5);
     truth.states.back()[0].angle = nan;
-    CHECK_THAT(*probeError(scene, 0, turning(scene, "plumb", 3), &truth), WithinAbs(0.25, rounding));
+    CHECK_THAT(*probeError(scene, 0, turning(scene, "plumb", 3), &truth), WithinAbs(0.25, probeRounding));
 }
 
 TEST_CASE("an angle that is not a number is an error without bound", "[compare][metric]") {
@@ -105,15 +105,15 @@ TEST_CASE("of a swing that grows, the largest and the last value are watched, an
     scene.probes[0].until = 0.8;
     scene.probes[0].watch = Watch::Largest;
     const Observation seen = observe(scene, scripted("plumb", {swing}));
-    CHECK_THAT(*probeError(scene, 0, seen, nullptr), WithinAbs(1.5, rounding));  // -0.8 is the farthest
+    CHECK_THAT(*probeError(scene, 0, seen, nullptr), WithinAbs(1.5, probeRounding));  // -0.8 is the farthest
     scene.probes[0].until = 0.7;
-    CHECK_THAT(*probeError(scene, 0, seen, nullptr), WithinAbs(0, rounding));
+    CHECK_THAT(*probeError(scene, 0, seen, nullptr), WithinAbs(0, probeRounding));
     scene.probes[0].watch = Watch::Last;
     scene.probes[0].until = 0.6;
-    CHECK_THAT(*probeError(scene, 0, seen, nullptr), WithinAbs(1.3, rounding));
+    CHECK_THAT(*probeError(scene, 0, seen, nullptr), WithinAbs(1.3, probeRounding));
     scene.probes[0].watch = Watch::Every;
     scene.probes[0].from = 0.3;
-    CHECK_THAT(*probeError(scene, 0, seen, nullptr), WithinAbs(1.3, rounding));
+    CHECK_THAT(*probeError(scene, 0, seen, nullptr), WithinAbs(1.3, probeRounding));
 }
 
 TEST_CASE("the largest angle is held against the largest of the closed form, whenever that comes",
@@ -129,7 +129,7 @@ TEST_CASE("the largest angle is held against the largest of the closed form, whe
     };
     const Observation truth = observe(scene, scripted("closed-form", {rising(1)}));
     const Observation seen = observe(scene, scripted("plumb", {rising(1.5)}));
-    CHECK_THAT(*probeError(scene, 0, seen, &truth), WithinAbs(0.25, rounding));  // 0.75 for 0.5
+    CHECK_THAT(*probeError(scene, 0, seen, &truth), WithinAbs(0.25, probeRounding));  // 0.75 for 0.5
 }
 
 TEST_CASE("places, speeds, limits and broken joints are read from what is seen", "[compare][metric]") {
@@ -149,7 +149,7 @@ TEST_CASE("places, speeds, limits and broken joints are read from what is seen",
         const auto states = [disc](double) { return std::vector<BodyState>{disc, at(0, 0)}; };
         INFO(value);
         const Observation seen = observe(scene, scripted("plumb", {states}));
-        CHECK_THAT(*probeError(scene, 0, seen, nullptr), WithinAbs(0, rounding));
+        CHECK_THAT(*probeError(scene, 0, seen, nullptr), WithinAbs(0, probeRounding));
     }
 }
 

@@ -19,13 +19,13 @@ using test::quoted;
 using test::shell;
 
 /// A folder of its own that goes when the test does.
-struct Folder {
+struct BrowserFolder {
     fs::path path = fs::temp_directory_path() / "plumb_browser_test";
-    Folder() {
+    BrowserFolder() {
         fs::remove_all(path);
         fs::create_directories(path);
     }
-    ~Folder() { fs::remove_all(path); }
+    ~BrowserFolder() { fs::remove_all(path); }
 };
 
 struct Opened {
@@ -48,7 +48,7 @@ bool noBrowser() {
 }
 
 /// Opens a file from disk in a browser without a screen, for which no host name has an address.
-Opened open(const Folder& folder, const std::string& file, const std::string& state) {
+Opened open(const BrowserFolder& folder, const std::string& file, const std::string& state) {
     const fs::path log = folder.path / "log";
     const std::string command =
         "timeout 120 " + quoted(browser()) +
@@ -90,7 +90,7 @@ double clockOf(const std::string& page) {
 TEST_CASE("opened from disk at 0.2 s and playing, the report's clock moves on and nothing complains",
           "[compare][report][build]") {
     if (noBrowser()) return;
-    const Folder folder;
+    const BrowserFolder folder;
     writeReport(results(), folder.path);
     const Opened opened = open(folder, "index.html", "scene=one_disc&t=0.2&play=1&speed=0.125");
     CHECK(clockOf(opened.page) > 0.2);
@@ -101,7 +101,7 @@ TEST_CASE("opened from disk at 0.2 s and playing, the report's clock moves on an
 
 TEST_CASE("a link to a moment shows that moment, with the numbers as a person reads them", "[compare][report][build]") {
     if (noBrowser()) return;
-    const Folder folder;
+    const BrowserFolder folder;
     writeReport(results(), folder.path);
     const Opened opened = open(folder, "index.html", "scene=one_disc&t=0.5");
     CHECK(opened.messages == "");
@@ -115,7 +115,7 @@ TEST_CASE("a link to a moment shows that moment, with the numbers as a person re
 
 TEST_CASE("opened without a scene the report lists the verdicts and says what fails", "[compare][report][build]") {
     if (noBrowser()) return;
-    const Folder folder;
+    const BrowserFolder folder;
     writeReport(results(), folder.path);
     const Opened opened = open(folder, "index.html", "");
     CHECK(opened.messages == "");
@@ -126,7 +126,7 @@ TEST_CASE("opened without a scene the report lists the verdicts and says what fa
 
 TEST_CASE("a link to a lab shows what was seen, its graphs drawn, and its checks", "[compare][report][build]") {
     if (noBrowser()) return;
-    const Folder folder;
+    const BrowserFolder folder;
     writeReport(results(), folder.path, {exampleResult(3)});
     const Opened opened = open(folder, "index.html", "lab=example_lab");
     CHECK(opened.messages == "");
@@ -140,7 +140,7 @@ TEST_CASE("a link to a lab shows what was seen, its graphs drawn, and its checks
 
 TEST_CASE("opened without a scene the report lists the labs, with or without scenes", "[compare][report][build]") {
     if (noBrowser()) return;
-    const Folder folder;
+    const BrowserFolder folder;
     writeReport({}, folder.path, {exampleResult(2)});
     const Opened opened = open(folder, "index.html", "");
     CHECK(opened.messages == "");
@@ -151,7 +151,7 @@ TEST_CASE("opened without a scene the report lists the labs, with or without sce
 // What the tests above rest on: a page that may load nothing says so when it tries.
 TEST_CASE("a page that logs an error or tries to load something does not pass unseen", "[compare][report][build]") {
     if (noBrowser()) return;
-    const Folder folder;
+    const BrowserFolder folder;
     std::ofstream(folder.path / "bad.html") << "<meta http-equiv='Content-Security-Policy'"
                                                " content=\"default-src 'none'; script-src 'unsafe-inline'\">"
                                                "<script>console.error('one')</script><script>two()</script>"

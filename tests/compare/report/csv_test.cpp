@@ -16,10 +16,10 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A folder of its own that goes when the test does.
-struct Folder {
+struct CsvFolder {
     fs::path path = fs::temp_directory_path() / "plumb_csv_test";
-    Folder() { fs::remove_all(path); }
-    ~Folder() { fs::remove_all(path); }
+    CsvFolder() { fs::remove_all(path); }
+    ~CsvFolder() { fs::remove_all(path); }
 };
 
 std::vector<std::string> linesOf(const fs::path& path) {
@@ -43,7 +43,7 @@ SceneResult twoSteps() {
 }  // namespace
 
 TEST_CASE("a CSV has a line a tick, three columns a body, and nothing where nothing is known", "[compare][report]") {
-    const Folder folder;
+    const CsvFolder folder;
     writeCsv({twoSteps()}, folder.path / "deep");
     const std::vector<std::string> lines = linesOf(folder.path / "deep" / "one_disc.csv");
     REQUIRE(lines.size() == 4);
@@ -56,7 +56,7 @@ TEST_CASE("a CSV has a line a tick, three columns a body, and nothing where noth
 }
 
 TEST_CASE("a body's name with a comma and quotes stays one column", "[compare][report]") {
-    const Folder folder;
+    const CsvFolder folder;
     SceneResult result = twoSteps();
     result.scene.bodies[0].name = "a, \"b\"";
     writeCsv({result}, folder.path);
@@ -64,7 +64,7 @@ TEST_CASE("a body's name with a comma and quotes stays one column", "[compare][r
 }
 
 TEST_CASE("a lab's CSV has a line a point, under its graph and its curve", "[compare][report]") {
-    const Folder folder;
+    const CsvFolder folder;
     writeLabCsv({exampleResult(2)}, folder.path / "deep");
     const std::vector<std::string> lines = linesOf(folder.path / "deep" / "example_lab.csv");
     REQUIRE(lines.size() == 7);
@@ -74,7 +74,7 @@ TEST_CASE("a lab's CSV has a line a point, under its graph and its curve", "[com
 }
 
 TEST_CASE("a CSV that cannot be written is said with its path", "[compare][report]") {
-    const Folder folder;
+    const CsvFolder folder;
     std::ofstream(folder.path) << "a file where the folder should be";
     CHECK_THROWS_WITH(writeCsv({twoSteps()}, folder.path),
                       "csv: cannot write " + (folder.path / "one_disc.csv").string());

@@ -17,10 +17,10 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A folder of its own that goes when the test does.
-struct Folder {
+struct ReportFolder {
     fs::path path = fs::temp_directory_path() / "plumb_report_test";
-    Folder() { fs::remove_all(path); }
-    ~Folder() { fs::remove_all(path); }
+    ReportFolder() { fs::remove_all(path); }
+    ~ReportFolder() { fs::remove_all(path); }
 };
 
 std::string textOf(const fs::path& path) {
@@ -36,7 +36,7 @@ std::vector<SceneResult> oneResult() {
 }  // namespace
 
 TEST_CASE("the report is one file with the chart library, the page and readable data in it", "[compare][report]") {
-    const Folder folder;
+    const ReportFolder folder;
     writeReport(oneResult(), folder.path / "deep");
     CHECK(std::distance(fs::directory_iterator(folder.path / "deep"), fs::directory_iterator()) == 1);
     const std::string text = textOf(folder.path / "deep" / "index.html");
@@ -59,7 +59,7 @@ TEST_CASE("the page forbids itself to load anything, and names nothing to load",
 }
 
 TEST_CASE("a folder that cannot be made is refused by the file's name", "[compare][report]") {
-    const Folder folder;
+    const ReportFolder folder;
     std::ofstream(folder.path) << "a file";
     CHECK_THROWS_WITH(writeReport(oneResult(), folder.path),
                       test::containsText("report: cannot write") && test::containsText("index.html"));

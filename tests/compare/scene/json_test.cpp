@@ -22,7 +22,7 @@ std::string messageOf(const std::function<void()>& action) {
     return "no complaint";
 }
 
-std::string complaint(const std::string& text) {
+std::string jsonComplaint(const std::string& text) {
     return messageOf([&] { fromJson(text, "f.json"); });
 }
 
@@ -236,7 +236,7 @@ TEST_CASE("each law of a field survives writing and reading, with its region and
 
 TEST_CASE("a field that a world would refuse is refused with its place", "[compare][scene][fields]") {
     const auto with = [](const std::string& field) {
-        return complaint(
+        return jsonComplaint(
             "{\"name\": \"a\", \"bodies\": [{\"name\": \"b\", \"shapes\": [{\"circle\": {}}]}], \"fields\": [\n" +
             field + "]}");
     };
@@ -448,80 +448,81 @@ TEST_CASE("a motor of infinite torque is written and read as \"infinite\"", "[co
 }
 
 TEST_CASE("text that is not JSON is refused with its line and column", "[compare][scene][errors]") {
-    CHECK(complaint("{\"name\": \"a\",\n \"dt\": 0.1\n \"duration\": 2}") ==
+    CHECK(jsonComplaint("{\"name\": \"a\",\n \"dt\": 0.1\n \"duration\": 2}") ==
           "f.json:3:2: syntax error while parsing object - unexpected string literal; expected '}'");
-    CHECK(complaint("{\"name\": \"a\",\n \"dt\": 1,\n}\n") ==
+    CHECK(jsonComplaint("{\"name\": \"a\",\n \"dt\": 1,\n}\n") ==
           "f.json:3:1: syntax error while parsing object key - unexpected '}'; expected string literal");
-    CHECK(complaint("{\n \"dt\": 01}") ==
+    CHECK(jsonComplaint("{\n \"dt\": 01}") ==
           "f.json:2:9: syntax error while parsing object - unexpected number literal; expected '}'");
-    CHECK(complaint("{\n \"dt\": true false}") ==
+    CHECK(jsonComplaint("{\n \"dt\": true false}") ==
           "f.json:2:13: syntax error while parsing object - unexpected false literal; expected '}'");
-    CHECK(complaint("{\n \"dt\": NaN}") == "f.json:2:8: syntax error while parsing value - invalid literal");
-    CHECK(complaint("{\n \"dt\": 1e999}") == "f.json:2:8: number overflow parsing '1e999'");
-    CHECK(complaint("{\n \"dt\": 1").starts_with("f.json:2:9: "));
-    CHECK(complaint("").starts_with("f.json:1:1: "));
-    CHECK(complaint("{}\n x").starts_with("f.json:2:2: "));
-    CHECK(complaint("{\"name\": \"a\nb\"}").starts_with("f.json:1:12: "));
-    CHECK(complaint(std::string(100000, '[')) == "f.json:1:65: nested 65 deep, wanted at most 64");
+    CHECK(jsonComplaint("{\n \"dt\": NaN}") == "f.json:2:8: syntax error while parsing value - invalid literal");
+    CHECK(jsonComplaint("{\n \"dt\": 1e999}") == "f.json:2:8: number overflow parsing '1e999'");
+    CHECK(jsonComplaint("{\n \"dt\": 1").starts_with("f.json:2:9: "));
+    CHECK(jsonComplaint("").starts_with("f.json:1:1: "));
+    CHECK(jsonComplaint("{}\n x").starts_with("f.json:2:2: "));
+    CHECK(jsonComplaint("{\"name\": \"a\nb\"}").starts_with("f.json:1:12: "));
+    CHECK(jsonComplaint(std::string(100000, '[')) == "f.json:1:65: nested 65 deep, wanted at most 64");
 }
 
 TEST_CASE("a field given twice is refused where it stands the second time", "[compare][scene][errors]") {
-    CHECK(complaint("{\"dt\": 1,\n \"dt\": 1}") == "f.json:2:2: dt: given twice, wanted once");
-    CHECK(complaint("{\"bodies\": [{},\n {\"angle\": 1, \"angle\": 1}]}") ==
+    CHECK(jsonComplaint("{\"dt\": 1,\n \"dt\": 1}") == "f.json:2:2: dt: given twice, wanted once");
+    CHECK(jsonComplaint("{\"bodies\": [{},\n {\"angle\": 1, \"angle\": 1}]}") ==
           "f.json:2:15: bodies[1].angle: given twice, wanted once");
 }
 
 TEST_CASE("an unknown field is refused with the nearest known one", "[compare][scene][errors]") {
-    CHECK(complaint("{\n\"nmae\": \"a\"}") == "f.json:2: nmae: unknown field, the nearest known one is name");
-    CHECK(complaint(withBody("\n\"postion\": [0, 1]")) ==
+    CHECK(jsonComplaint("{\n\"nmae\": \"a\"}") == "f.json:2: nmae: unknown field, the nearest known one is name");
+    CHECK(jsonComplaint(withBody("\n\"postion\": [0, 1]")) ==
           "f.json:3: bodies[0].postion: unknown field, the nearest known one is position");
-    CHECK(complaint(withBody(R"("shapes": [{"circel": {}}])")) ==
+    CHECK(jsonComplaint(withBody(R"("shapes": [{"circel": {}}])")) ==
           "f.json:2: bodies[0].shapes[0].circel: unknown field, the nearest known one is circle");
-    CHECK(complaint(withBody(R"("shapes": [{"box": {"size": [1, 1]}}])")) ==
+    CHECK(jsonComplaint(withBody(R"("shapes": [{"box": {"size": [1, 1]}}])")) ==
           "f.json:2: bodies[0].shapes[0].box.size: unknown field, the nearest known one is halfSize");
 }
 
 TEST_CASE("a value of the wrong kind is refused with what was wanted", "[compare][scene][errors]") {
-    CHECK(complaint("[1]") == "f.json:1: scene: [1] is not an object");
-    CHECK(complaint("{\"name\": null}") == "f.json:1: name: null is not a text");
-    CHECK(complaint("{\"name\": \"a\",\n\"dt\": \"fast\"}") == "f.json:2: dt: \"fast\" is not a number");
-    CHECK(complaint("{\"bodies\": {}}") == "f.json:1: bodies: {} is not a list");
-    CHECK(complaint(withBody("\"position\": 3")) == "f.json:2: bodies[0].position: 3 is not two numbers [x, y]");
-    CHECK(complaint(withBody("\"position\": [1,\n\"x\"]")) == "f.json:3: bodies[0].position[1]: \"x\" is not a number");
-    CHECK(complaint(withBody("\"canSleep\": 1")) == "f.json:2: bodies[0].canSleep: 1 is not true or false");
-    CHECK(complaint(withBody("\"type\": \"statc\"")) ==
+    CHECK(jsonComplaint("[1]") == "f.json:1: scene: [1] is not an object");
+    CHECK(jsonComplaint("{\"name\": null}") == "f.json:1: name: null is not a text");
+    CHECK(jsonComplaint("{\"name\": \"a\",\n\"dt\": \"fast\"}") == "f.json:2: dt: \"fast\" is not a number");
+    CHECK(jsonComplaint("{\"bodies\": {}}") == "f.json:1: bodies: {} is not a list");
+    CHECK(jsonComplaint(withBody("\"position\": 3")) == "f.json:2: bodies[0].position: 3 is not two numbers [x, y]");
+    CHECK(jsonComplaint(withBody("\"position\": [1,\n\"x\"]")) ==
+          "f.json:3: bodies[0].position[1]: \"x\" is not a number");
+    CHECK(jsonComplaint(withBody("\"canSleep\": 1")) == "f.json:2: bodies[0].canSleep: 1 is not true or false");
+    CHECK(jsonComplaint(withBody("\"type\": \"statc\"")) ==
           "f.json:2: bodies[0].type: \"statc\" is not static, kinematic or dynamic");
-    CHECK(complaint(withBody(R"("shapes": [{"circle": {}, "filter": {"mask": -1}}])")) ==
+    CHECK(jsonComplaint(withBody(R"("shapes": [{"circle": {}, "filter": {"mask": -1}}])")) ==
           "f.json:2: bodies[0].shapes[0].filter.mask: -1 is not a whole number from 0 to 2^64 - 1");
-    CHECK(complaint(withBody(R"("shapes": [{"circle": {}, "polygon": {}}])")) ==
+    CHECK(jsonComplaint(withBody(R"("shapes": [{"circle": {}, "polygon": {}}])")) ==
           "f.json:2: bodies[0].shapes[0]: has both circle and polygon, wanted one of them");
-    CHECK(complaint(withBody(R"("shapes": [{"segment": {}, "box": {}}])")) ==
+    CHECK(jsonComplaint(withBody(R"("shapes": [{"segment": {}, "box": {}}])")) ==
           "f.json:2: bodies[0].shapes[0]: has both box and segment, wanted one of them");
-    CHECK(complaint(withBody(R"("shapes": [{"material": {}}])")) ==
+    CHECK(jsonComplaint(withBody(R"("shapes": [{"material": {}}])")) ==
           "f.json:2: bodies[0].shapes[0]: does not say of what kind it is, wanted circle, capsule, polygon, segment, "
           "chain or tiles");
-    CHECK(complaint(withBody(R"("shapes": [{"circle": {}, "filter": {"group": 2147483648}}])")) ==
+    CHECK(jsonComplaint(withBody(R"("shapes": [{"circle": {}, "filter": {"group": 2147483648}}])")) ==
           "f.json:2: bodies[0].shapes[0].filter.group: 2147483648 is not a whole number of 32 bits");
-    CHECK(complaint(withBody(R"("shapes": [{"circle": {}, "filter": {"group": 1.5}}])")) ==
+    CHECK(jsonComplaint(withBody(R"("shapes": [{"circle": {}, "filter": {"group": 1.5}}])")) ==
           "f.json:2: bodies[0].shapes[0].filter.group: 1.5 is not a whole number of 32 bits");
-    CHECK(complaint(withBody(R"("shapes": [{"circle": {}, "material": {"frictionMix": "largest"}}])")) ==
+    CHECK(jsonComplaint(withBody(R"("shapes": [{"circle": {}, "material": {"frictionMix": "largest"}}])")) ==
           "f.json:2: bodies[0].shapes[0].material.frictionMix: \"largest\" is not average, geometricMean, minimum, "
           "product or maximum");
 }
 
 TEST_CASE("an impossible value is refused on its line", "[compare][scene][errors]") {
-    CHECK(complaint(withBody("\"shapes\": [\n{\"circle\": {\n\"radius\": -1}}]")) ==
+    CHECK(jsonComplaint(withBody("\"shapes\": [\n{\"circle\": {\n\"radius\": -1}}]")) ==
           "f.json:4: bodies[0].shapes[0].circle.radius: -1 is not positive");
-    CHECK(complaint(withBody("\"shapes\": [\n{\"box\": {\n\"halfSize\": [0, 1]}}]")) ==
+    CHECK(jsonComplaint(withBody("\"shapes\": [\n{\"box\": {\n\"halfSize\": [0, 1]}}]")) ==
           "f.json:4: bodies[0].shapes[0].box.halfSize: (0, 1) is not positive");
-    CHECK(complaint(withBody("\"shapes\": [\n{\"capsule\": {\n\"radius\": 0}}]")) ==
+    CHECK(jsonComplaint(withBody("\"shapes\": [\n{\"capsule\": {\n\"radius\": 0}}]")) ==
           "f.json:4: bodies[0].shapes[0].capsule.radius: 0 is not positive");
-    CHECK(complaint("{\"name\": \"a b\"}") ==
+    CHECK(jsonComplaint("{\"name\": \"a b\"}") ==
           "f.json:1: name: \"a b\" is not a name of small letters, digits and underscores");
-    CHECK(complaint("{\"name\": \"a\",\n\"dt\": 0}") == "f.json:2: dt: 0 is not positive");
-    CHECK(complaint("{\"name\": \"a\"}") == "f.json:1: bodies: there is none, wanted at least one");
+    CHECK(jsonComplaint("{\"name\": \"a\",\n\"dt\": 0}") == "f.json:2: dt: 0 is not positive");
+    CHECK(jsonComplaint("{\"name\": \"a\"}") == "f.json:1: bodies: there is none, wanted at least one");
     // A message is one line, whatever the file holds.
-    CHECK(complaint("{\"name\": \"a\\nb\"}") ==
+    CHECK(jsonComplaint("{\"name\": \"a\\nb\"}") ==
           "f.json:1: name: \"a b\" is not a name of small letters, digits and underscores");
 }
 

@@ -2,17 +2,15 @@
 #include <compare/scene/scene.h>
 
 #include <functional>
-#include <limits>
 #include <numbers>
 
 #include <compare/scene/builtin.h>
 
 #include "catch.h"
+#include "numbers.h"
 
 namespace plumb::compare {
 namespace {
-
-constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 
 /// Something of everything, and valid.
 Scene validScene() {
@@ -30,7 +28,7 @@ Scene validScene() {
 }
 
 /// What validate says of the scene after a change; "valid" when it says nothing.
-std::string complaint(const std::function<void(Scene&)>& change) {
+std::string sceneComplaint(const std::function<void(Scene&)>& change) {
     Scene scene = validScene();
     change(scene);
     try {
@@ -62,82 +60,83 @@ TEST_CASE("a scene bounces when the restitution of any of its shapes is over 0",
 }
 
 TEST_CASE("a scene with something of everything is valid", "[compare][scene]") {
-    CHECK(complaint([](Scene&) {}) == "valid");
+    CHECK(sceneComplaint([](Scene&) {}) == "valid");
 }
 
 TEST_CASE("names that are empty, malformed, used twice or unknown are refused", "[compare][scene][errors]") {
-    CHECK(complaint([](Scene& s) { s.name = ""; }) ==
+    CHECK(sceneComplaint([](Scene& s) { s.name = ""; }) ==
           "name: \"\" is not a name of small letters, digits and underscores");
-    CHECK(complaint([](Scene& s) { s.name = "../etc"; }) ==
+    CHECK(sceneComplaint([](Scene& s) { s.name = "../etc"; }) ==
           "name: \"../etc\" is not a name of small letters, digits and underscores");
-    CHECK(complaint([](Scene& s) { s.bodies[1].name = ""; }) == "bodies[1].name: \"\" is empty, wanted a name");
-    CHECK(complaint([](Scene& s) { s.bodies[1].name = "ground"; }) ==
+    CHECK(sceneComplaint([](Scene& s) { s.bodies[1].name = ""; }) == "bodies[1].name: \"\" is empty, wanted a name");
+    CHECK(sceneComplaint([](Scene& s) { s.bodies[1].name = "ground"; }) ==
           "bodies[1].name: \"ground\" is used twice, wanted a name that differs from bodies[0]");
-    CHECK(complaint([](Scene& s) { s.joints[1].name = "hinge"; }) ==
+    CHECK(sceneComplaint([](Scene& s) { s.joints[1].name = "hinge"; }) ==
           "joints[1].name: \"hinge\" is used twice, wanted a name that differs from joints[0]");
-    CHECK(complaint([](Scene& s) { s.probes[1].name = "angle"; }) ==
+    CHECK(sceneComplaint([](Scene& s) { s.probes[1].name = "angle"; }) ==
           "probes[1].name: \"angle\" is used twice, wanted a name that differs from probes[0]");
-    CHECK(complaint([](Scene& s) { s.joints[0].bodyA = "grund"; }) ==
+    CHECK(sceneComplaint([](Scene& s) { s.joints[0].bodyA = "grund"; }) ==
           "joints[0].bodyA: \"grund\" is not the name of a body, the nearest is ground");
-    CHECK(complaint([](Scene& s) { s.joints[0].bodyA = "ball"; }) ==
+    CHECK(sceneComplaint([](Scene& s) { s.joints[0].bodyA = "ball"; }) ==
           "joints[0].bodyB: \"ball\" is bodyA too, wanted another body");
-    CHECK(complaint([](Scene& s) { s.probes[0].quantity = AngleProbe{"bal"}; }) ==
+    CHECK(sceneComplaint([](Scene& s) { s.probes[0].quantity = AngleProbe{"bal"}; }) ==
           "probes[0].angle.body: \"bal\" is not the name of a body, the nearest is ball");
-    CHECK(complaint([](Scene& s) {
+    CHECK(sceneComplaint([](Scene& s) {
               s.probes[1].quantity = NormalForceProbe{"ball", "ball"};
           }) == "probes[1].normalForce.bodyB: \"ball\" is bodyA too, wanted another body");
-    CHECK(complaint([](Scene& s) { s.joints.clear(); }) ==
+    CHECK(sceneComplaint([](Scene& s) { s.joints.clear(); }) ==
           "probes[2].jointForce.joint: \"rod\" is not the name of a joint, there is none");
-    CHECK(complaint([](Scene& s) { motionOf<PiecewiseMotion>(s).body = "x"; }) ==
+    CHECK(sceneComplaint([](Scene& s) { motionOf<PiecewiseMotion>(s).body = "x"; }) ==
           "closedForm.bodies[0].piecewise.body: \"x\" is not the name of a body, the nearest is ball");
-    CHECK(complaint([](Scene& s) { s.closedForm->bodies.push_back(PendulumMotion{.body = "ball"}); }) ==
+    CHECK(sceneComplaint([](Scene& s) { s.closedForm->bodies.push_back(PendulumMotion{.body = "ball"}); }) ==
           "closedForm.bodies[1].pendulum.body: \"ball\" has a motion already, wanted one for each body");
 }
 
 TEST_CASE("impossible times, bodies and joints are refused", "[compare][scene][errors]") {
-    CHECK(complaint([](Scene& s) { s.gravity.x() = notANumber; }) == "gravity: (nan, -9.81) is not finite");
-    CHECK(complaint([](Scene& s) { s.duration = 0; }) == "duration: 0 is not positive");
-    CHECK(complaint([](Scene& s) { s.dt = -0.1; }) == "dt: -0.1 is not positive");
-    CHECK(complaint([](Scene& s) { s.dt = 1e-300; }) == "dt: 1e-300 makes more than 10 million steps of 2 s");
-    CHECK(complaint([](Scene& s) { s.dt = 5; }) == "dt: 5 is longer than the duration of 2 s");
-    CHECK(complaint([](Scene& s) { s.bodies.clear(); }) == "bodies: there is none, wanted at least one");
-    CHECK(complaint([](Scene& s) { s.bodies[1].def.shapes[0] = circle(-1); }) ==
+    CHECK(sceneComplaint([](Scene& s) { s.gravity.x() = test::nan; }) == "gravity: (nan, -9.81) is not finite");
+    CHECK(sceneComplaint([](Scene& s) { s.duration = 0; }) == "duration: 0 is not positive");
+    CHECK(sceneComplaint([](Scene& s) { s.dt = -0.1; }) == "dt: -0.1 is not positive");
+    CHECK(sceneComplaint([](Scene& s) { s.dt = 1e-300; }) == "dt: 1e-300 makes more than 10 million steps of 2 s");
+    CHECK(sceneComplaint([](Scene& s) { s.dt = 5; }) == "dt: 5 is longer than the duration of 2 s");
+    CHECK(sceneComplaint([](Scene& s) { s.bodies.clear(); }) == "bodies: there is none, wanted at least one");
+    CHECK(sceneComplaint([](Scene& s) { s.bodies[1].def.shapes[0] = circle(-1); }) ==
           "bodies[1].shapes[0].circle.radius: -1 is not positive");
-    CHECK(complaint([](Scene& s) { s.bodies[1].def.position.x() = notANumber; }) ==
+    CHECK(sceneComplaint([](Scene& s) { s.bodies[1].def.position.x() = test::nan; }) ==
           "bodies[1].position: (nan, 0) is not finite");
-    CHECK(complaint([](Scene& s) {
-              s.joints[0].def = RevoluteJointDef{.anchor = {notANumber, 0}};
+    CHECK(sceneComplaint([](Scene& s) {
+              s.joints[0].def = RevoluteJointDef{.anchor = {test::nan, 0}};
           }) == "joints[0].revolute.anchor: (nan, 0) is not finite");
-    CHECK(complaint([](Scene& s) { s.joints[1].def = DistanceJointDef{.length = -2}; }) ==
+    CHECK(sceneComplaint([](Scene& s) { s.joints[1].def = DistanceJointDef{.length = -2}; }) ==
           "joints[1].distance.length: -2 is not positive");
-    CHECK(complaint([](Scene& s) { s.joints[1].def = DistanceJointDef{}; }) ==
+    CHECK(sceneComplaint([](Scene& s) { s.joints[1].def = DistanceJointDef{}; }) ==
           "joints[1].distance.anchorB: (0, 0) is anchorA too, wanted another point or a length");
 }
 
 TEST_CASE("impossible closed forms are refused", "[compare][scene][errors]") {
     const std::string at = "closedForm.bodies[0].";
-    CHECK(complaint([](Scene& s) { s.closedForm->until = -1; }) == "closedForm.until: -1 is negative");
-    CHECK(complaint([](Scene& s) { s.closedForm->bodies.clear(); }) ==
+    CHECK(sceneComplaint([](Scene& s) { s.closedForm->until = -1; }) == "closedForm.until: -1 is negative");
+    CHECK(sceneComplaint([](Scene& s) { s.closedForm->bodies.clear(); }) ==
           "closedForm.bodies: there is none, wanted at least one");
-    CHECK(complaint([](Scene& s) {
+    CHECK(sceneComplaint([](Scene& s) {
               motionOf<PiecewiseMotion>(s) = {"ball", {}};
           }) == at + "piecewise.flights: there is none, wanted at least one");
-    CHECK(complaint([](Scene& s) {
+    CHECK(sceneComplaint([](Scene& s) {
               motionOf<PiecewiseMotion>(s) = {"ball", {{.start = 1}}};
           }) == at + "piecewise.flights[0].start: 1 is not 0: the first flight starts with the scene");
-    CHECK(complaint([](Scene& s) {
+    CHECK(sceneComplaint([](Scene& s) {
               motionOf<PiecewiseMotion>(s) = {"ball", {{}, {.start = 2}, {.start = 1}}};
           }) == at + "piecewise.flights[2].start: 1 is before the flight before it");
-    CHECK(complaint([](Scene& s) { motionOf<DampedFlight>(s) = {.body = "ball"}; }) ==
+    CHECK(sceneComplaint([](Scene& s) { motionOf<DampedFlight>(s) = {.body = "ball"}; }) ==
           at + "damped.damping: 0 is not positive");
-    CHECK(complaint([](Scene& s) { motionOf<PendulumMotion>(s) = {.body = "ball", .equivalentLength = 0}; }) ==
+    CHECK(sceneComplaint([](Scene& s) { motionOf<PendulumMotion>(s) = {.body = "ball", .equivalentLength = 0}; }) ==
           at + "pendulum.equivalentLength: 0 is not positive");
-    CHECK(complaint([](Scene& s) { motionOf<PendulumMotion>(s) = {.body = "ball", .amplitude = std::numbers::pi}; }) ==
-          at + "pendulum.amplitude: 3.141592653589793 is not between -pi and pi");
+    CHECK(sceneComplaint([](Scene& s) {
+              motionOf<PendulumMotion>(s) = {.body = "ball", .amplitude = std::numbers::pi};
+          }) == at + "pendulum.amplitude: 3.141592653589793 is not between -pi and pi");
 }
 
 TEST_CASE("checks of metrics, engines and limits that do not exist are refused", "[compare][scene][errors]") {
-    const auto withCheck = [](const Check& check) { return complaint([&](Scene& s) { s.checks = {check}; }); };
+    const auto withCheck = [](const Check& check) { return sceneComplaint([&](Scene& s) { s.checks = {check}; }); };
     CHECK(withCheck(InvariantCheck{.metric = "energy_drfit"}) ==
           "checks[0].invariant.metric: \"energy_drfit\" is not the name of a metric of this scene, the nearest is "
           "energy_drift");
@@ -146,11 +145,11 @@ TEST_CASE("checks of metrics, engines and limits that do not exist are refused",
     CHECK(withCheck(InvariantCheck{.metric = "energy_drift", .limit = -1}) ==
           "checks[0].invariant.limit: -1 is negative");
     CHECK(withCheck(OrderCheck{.engines = {}}) == "checks[0].order.engines: there is none, wanted at least one");
-    CHECK(withCheck(ExactCheck{.limit = notANumber}) == "checks[0].exact.limit: nan is not finite");
+    CHECK(withCheck(ExactCheck{.limit = test::nan}) == "checks[0].exact.limit: nan is not finite");
     CHECK(withCheck(AgreeCheck{.tolerance = 0}) == "checks[0].agree.tolerance: 0 is not positive");
-    CHECK(complaint([](Scene& s) { s.closedForm.reset(); }) ==
+    CHECK(sceneComplaint([](Scene& s) { s.closedForm.reset(); }) ==
           "checks[0].exact: the scene has no closed form to be exact to");
-    CHECK(complaint([](Scene& s) {
+    CHECK(sceneComplaint([](Scene& s) {
               s.closedForm.reset();
               s.checks = {InvariantCheck{.metric = "error_max"}};
           }).starts_with("checks[0].invariant.metric: \"error_max\" is not the name of a metric of this scene"));

@@ -5,11 +5,11 @@
 #include <limits>
 
 #include "catch.h"
+#include "numbers.h"
 
 namespace plumb::compare {
 namespace {
 
-constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// A hinge, a slide and a gear between them; then the joint that is asked about.
@@ -22,7 +22,7 @@ Scene sceneWith(const SceneJoint& joint) {
                        joint}};
 }
 
-std::string complaint(const SceneJoint& joint) {
+std::string jointComplaint(const SceneJoint& joint) {
     try {
         validate(sceneWith(joint));
     } catch (const std::invalid_argument& error) {
@@ -31,51 +31,53 @@ std::string complaint(const SceneJoint& joint) {
     return "valid";
 }
 
-std::string complaint(const JointDef& def) {
-    return complaint(SceneJoint{"joint", "ground", "ball", def});
+std::string jointComplaint(const JointDef& def) {
+    return jointComplaint(SceneJoint{"joint", "ground", "ball", def});
 }
 
 }  // namespace
 
 TEST_CASE("one of each kind of joint is valid, and what may be infinite is", "[compare][scene]") {
-    CHECK(complaint(RevoluteJointDef{.maxMotorTorque = infinite, .limit = Limit{-infinite, 0}}) == "valid");
-    CHECK(complaint(PrismaticJointDef{.maxMotorForce = infinite, .limit = Limit{0, infinite}}) == "valid");
-    CHECK(complaint(DistanceJointDef{.length = 1, .spring = Spring{}, .maxLength = 1}) == "valid");
-    CHECK(complaint(WeldJointDef{.spring = Spring{1, 2}}) == "valid");
-    CHECK(complaint(WheelJointDef{.breaking = {.force = 5}}) == "valid");
-    CHECK(complaint(PulleyJointDef{}) == "valid");
-    CHECK(complaint(MotorJointDef{.maxForce = infinite, .maxTorque = infinite}) == "valid");
-    CHECK(complaint(SceneJoint{"joint", "ball", "", TargetJointDef{}}) == "valid");
-    CHECK(complaint(FilterJointDef{}) == "valid");
+    CHECK(jointComplaint(RevoluteJointDef{.maxMotorTorque = infinite, .limit = Limit{-infinite, 0}}) == "valid");
+    CHECK(jointComplaint(PrismaticJointDef{.maxMotorForce = infinite, .limit = Limit{0, infinite}}) == "valid");
+    CHECK(jointComplaint(DistanceJointDef{.length = 1, .spring = Spring{}, .maxLength = 1}) == "valid");
+    CHECK(jointComplaint(WeldJointDef{.spring = Spring{1, 2}}) == "valid");
+    CHECK(jointComplaint(WheelJointDef{.breaking = {.force = 5}}) == "valid");
+    CHECK(jointComplaint(PulleyJointDef{}) == "valid");
+    CHECK(jointComplaint(MotorJointDef{.maxForce = infinite, .maxTorque = infinite}) == "valid");
+    CHECK(jointComplaint(SceneJoint{"joint", "ball", "", TargetJointDef{}}) == "valid");
+    CHECK(jointComplaint(FilterJointDef{}) == "valid");
 }
 
 TEST_CASE("an impossible number in a joint is refused by its field", "[compare][scene][errors]") {
     const std::string at = "joints[3].";
-    CHECK(complaint(RevoluteJointDef{.limit = Limit{1, -1}}) ==
+    CHECK(jointComplaint(RevoluteJointDef{.limit = Limit{1, -1}}) ==
           at + "revolute.limit.upper: -1 is not at least lower, 1");
-    CHECK(complaint(RevoluteJointDef{.limit = Limit{notANumber, 0}}) ==
+    CHECK(jointComplaint(RevoluteJointDef{.limit = Limit{test::nan, 0}}) ==
           at + "revolute.limit.upper: 0 is not at least lower, nan");
-    CHECK(complaint(RevoluteJointDef{.maxMotorTorque = -1}) ==
+    CHECK(jointComplaint(RevoluteJointDef{.maxMotorTorque = -1}) ==
           at + "revolute.maxMotorTorque: -1 is negative or no number");
-    CHECK(complaint(RevoluteJointDef{.restAngle = infinite}) == at + "revolute.restAngle: inf is not finite");
-    CHECK(complaint(RevoluteJointDef{.spring = Spring{-1, 0}}) == at + "revolute.spring.stiffness: -1 is negative");
-    CHECK(complaint(PrismaticJointDef{.axis = {0, 0}}) == at + "prismatic.axis: (0, 0) has no direction");
-    CHECK(complaint(PrismaticJointDef{.maxMotorForce = notANumber}) ==
+    CHECK(jointComplaint(RevoluteJointDef{.restAngle = infinite}) == at + "revolute.restAngle: inf is not finite");
+    CHECK(jointComplaint(RevoluteJointDef{.spring = Spring{-1, 0}}) ==
+          at + "revolute.spring.stiffness: -1 is negative");
+    CHECK(jointComplaint(PrismaticJointDef{.axis = {0, 0}}) == at + "prismatic.axis: (0, 0) has no direction");
+    CHECK(jointComplaint(PrismaticJointDef{.maxMotorForce = test::nan}) ==
           at + "prismatic.maxMotorForce: nan is negative or no number");
-    CHECK(complaint(DistanceJointDef{.anchorB = {0, 1}, .minLength = 2, .maxLength = 1}) ==
+    CHECK(jointComplaint(DistanceJointDef{.anchorB = {0, 1}, .minLength = 2, .maxLength = 1}) ==
           at + "distance.maxLength: 1 is not at least minLength, 2");
-    CHECK(complaint(WeldJointDef{.bending = Spring{0, -2}}) == at + "weld.bending.damping: -2 is negative");
-    CHECK(complaint(WheelJointDef{.axis = {notANumber, 0}}) == at + "wheel.axis: (nan, 0) is not finite");
-    CHECK(complaint(PulleyJointDef{.ratio = 0}) == at + "pulley.ratio: 0 is not positive");
-    CHECK(complaint(MotorJointDef{.rate = -1}) == at + "motor.rate: -1 is negative");
-    CHECK(complaint(SceneJoint{"joint", "ball", "", TargetJointDef{.maxForce = -1}}) ==
+    CHECK(jointComplaint(WeldJointDef{.bending = Spring{0, -2}}) == at + "weld.bending.damping: -2 is negative");
+    CHECK(jointComplaint(WheelJointDef{.axis = {test::nan, 0}}) == at + "wheel.axis: (nan, 0) is not finite");
+    CHECK(jointComplaint(PulleyJointDef{.ratio = 0}) == at + "pulley.ratio: 0 is not positive");
+    CHECK(jointComplaint(MotorJointDef{.rate = -1}) == at + "motor.rate: -1 is negative");
+    CHECK(jointComplaint(SceneJoint{"joint", "ball", "", TargetJointDef{.maxForce = -1}}) ==
           at + "target.maxForce: -1 is negative or no number");
-    CHECK(complaint(WheelJointDef{.breaking = {.torque = 0}}) == at + "wheel.breaking.torque: 0 is not positive");
+    CHECK(jointComplaint(WheelJointDef{.breaking = {.torque = 0}}) == at + "wheel.breaking.torque: 0 is not positive");
 }
 
 TEST_CASE("a gear couples two joints that stand before it and turn or slide", "[compare][scene][errors]") {
     const auto gear = [](const std::string& a, const std::string& b, double ratio = 1) {
-        return complaint(SceneJoint{.name = "joint", .def = GearJointDef{.ratio = ratio}, .jointA = a, .jointB = b});
+        return jointComplaint(
+            SceneJoint{.name = "joint", .def = GearJointDef{.ratio = ratio}, .jointA = a, .jointB = b});
     };
     CHECK(gear("hinge", "slide") == "valid");
     CHECK(gear("hinge", "hinge") == "joints[3].jointB: \"hinge\" is jointA too, wanted another joint");
@@ -84,15 +86,15 @@ TEST_CASE("a gear couples two joints that stand before it and turn or slide", "[
     CHECK(gear("joint", "slide").starts_with("joints[3].jointA: \"joint\" is not the name of a joint before it"));
     CHECK(gear("gear", "slide") == "joints[3].jointA: \"gear\" is neither revolute nor prismatic");
     CHECK(gear("hinge", "slide", 0) == "joints[3].gear.ratio: 0 couples nothing");
-    CHECK(complaint(SceneJoint{"joint", "ball", "", GearJointDef{}, "hinge", "slide"}) ==
+    CHECK(jointComplaint(SceneJoint{"joint", "ball", "", GearJointDef{}, "hinge", "slide"}) ==
           "joints[3].bodyA: \"ball\" is one too many: a gear couples two joints");
 }
 
 TEST_CASE("a target has one body, and only gears name joints", "[compare][scene][errors]") {
-    CHECK(complaint(TargetJointDef{}) == "joints[3].bodyB: \"ball\" is one too many: a target has one body");
-    CHECK(complaint(SceneJoint{"joint", "ground", "ball", WeldJointDef{}, "hinge", ""}) ==
+    CHECK(jointComplaint(TargetJointDef{}) == "joints[3].bodyB: \"ball\" is one too many: a target has one body");
+    CHECK(jointComplaint(SceneJoint{"joint", "ground", "ball", WeldJointDef{}, "hinge", ""}) ==
           "joints[3].jointA: \"hinge\" is one too many: only a gear couples joints");
-    CHECK(complaint(SceneJoint{"joint", "bal", "", TargetJointDef{}}) ==
+    CHECK(jointComplaint(SceneJoint{"joint", "bal", "", TargetJointDef{}}) ==
           "joints[3].bodyA: \"bal\" is not the name of a body, the nearest is ball");
 }
 

@@ -37,7 +37,7 @@ void pushKey(SDL_Scancode code, SDL_Keycode symbol, bool down) {
     SDL_PushEvent(&event);
 }
 
-void tap(SDL_Scancode code, SDL_Keycode symbol) {
+void tapKey(SDL_Scancode code, SDL_Keycode symbol) {
     pushKey(code, symbol, true);
     pushKey(code, symbol, false);
 }
@@ -86,8 +86,8 @@ struct Replayed {
 TEST_CASE("what keys do in a window, from the title to a won round, comes again without one, to the same bits",
           "[games]") {
     const Events events;
-    tap(SDL_SCANCODE_RETURN, SDLK_RETURN);
-    for (int hit = 0; hit < 10; ++hit) tap(SDL_SCANCODE_SPACE, SDLK_SPACE);
+    tapKey(SDL_SCANCODE_RETURN, SDLK_RETURN);
+    for (int hit = 0; hit < 10; ++hit) tapKey(SDL_SCANCODE_SPACE, SDLK_SPACE);
     const Record record = playedFor(60);
     const Replayed replayed(record);
     CHECK(record.ticks() == 60);
@@ -98,7 +98,7 @@ TEST_CASE("what keys do in a window, from the title to a won round, comes again 
 
 TEST_CASE("a window that loses its focus pauses the round, and the record has the pause", "[games]") {
     const Events events;
-    tap(SDL_SCANCODE_RETURN, SDLK_RETURN);
+    tapKey(SDL_SCANCODE_RETURN, SDLK_RETURN);
     std::thread hand([] {
         std::this_thread::sleep_for(std::chrono::seconds(1));  // till long after the round began
         push(SDL_WINDOWEVENT, SDL_WINDOWEVENT_FOCUS_LOST);
@@ -118,8 +118,8 @@ TEST_CASE("a window that loses its focus in the title stays there", "[games]") {
 
 TEST_CASE("quit in the title's menu closes the window", "[games]") {
     const Events events;
-    tap(SDL_SCANCODE_UP, SDLK_UP);
-    tap(SDL_SCANCODE_RETURN, SDLK_RETURN);
+    tapKey(SDL_SCANCODE_UP, SDLK_UP);
+    tapKey(SDL_SCANCODE_RETURN, SDLK_RETURN);
     const Record record = playedFor(600);
     CHECK(record.ticks() < 10);
     CHECK(Replayed(record).session.ended());
@@ -137,7 +137,7 @@ TEST_CASE("the keys that show what the kit sees, and the times, press nothing", 
                                        {SDL_SCANCODE_F2, SDLK_F2},
                                        {SDL_SCANCODE_F4, SDLK_F4},
                                        {SDL_SCANCODE_F11, SDLK_F11}})
-        tap(code, symbol);
+        tapKey(code, symbol);
     CHECK(playedFor(30).runs == std::vector<Run>{{30, 0}});
 }
 
@@ -146,8 +146,8 @@ TEST_CASE("best scores are kept from one run of the program to the next", "[game
     const std::string file = scoresFileOf("counting");
     writeScores(file, {300, 20});
     CHECK(readScores(file) == std::vector<std::int64_t>{300, 20});
-    tap(SDL_SCANCODE_RETURN, SDLK_RETURN);
-    for (int hit = 0; hit < 10; ++hit) tap(SDL_SCANCODE_SPACE, SDLK_SPACE);
+    tapKey(SDL_SCANCODE_RETURN, SDLK_RETURN);
+    for (int hit = 0; hit < 10; ++hit) tapKey(SDL_SCANCODE_SPACE, SDLK_SPACE);
     playedFor(60);
     CHECK(readScores(file) == std::vector<std::int64_t>{300, 100, 20});
     std::ofstream(file) << "12\nnonsense\n\n7\n";

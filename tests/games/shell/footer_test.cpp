@@ -9,10 +9,12 @@
 #include "catch.h"
 #include "games/counting_game.h"
 #include "games/every_game.h"
+#include "games/shell/tap.h"
 #include "games/texts.h"
 
 using namespace plumb;
 using namespace plumb::games;
+using plumb::test::tap;
 
 namespace {
 
@@ -50,11 +52,6 @@ std::vector<std::string> textsHidden(const Drawing& drawing, const Painter& pain
         if (mark.layer != footerLayer && overlap(footer, box)) faults.push_back(text->text + " is hidden");
     }
     return faults;
-}
-
-void tap(Session& session, const std::string& action) {
-    session.update(session.actions().button(action));
-    session.update(0);
 }
 
 /// Looks at what is on the screen, with F1 and F2 on.

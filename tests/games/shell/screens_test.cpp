@@ -7,10 +7,12 @@
 #include "catch.h"
 #include "games/counting_game.h"
 #include "games/every_game.h"
+#include "games/shell/tap.h"
 #include "games/texts.h"
 
 using namespace plumb;
 using namespace plumb::games;
+using plumb::test::tap;
 
 namespace {
 
@@ -27,11 +29,6 @@ std::vector<GameInfo> gamesToLookAt() {
     }
     all.push_back(wordy);
     return all;
-}
-
-void tap(Session& session, const std::string& action) {
-    session.update(session.actions().button(action));
-    session.update(0);
 }
 
 /// Looks at what is on the screen, at four sizes and forms.

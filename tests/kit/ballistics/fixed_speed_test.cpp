@@ -22,7 +22,7 @@ double degrees(const Vec2& v) {
     return std::atan2(v.y(), v.x()) * 180 / pi;
 }
 
-Aim randomAim(Random& random) {
+Aim randomFixedSpeedAim(Random& random) {
     Aim problem;
     problem.speed = magnitude(random, 0.1, 1000);
     problem.gravity = randomGravity(random);
@@ -32,7 +32,7 @@ Aim randomAim(Random& random) {
     return problem;
 }
 
-std::string text(const Aim& problem) {
+std::string textOfAim(const Aim& problem) {
     return describe("target", problem.target, "speed", problem.speed, "gravity", problem.gravity);
 }
 
@@ -80,9 +80,9 @@ TEST_CASE("a million shots of fixed speed hit, by both arcs", "[ballistics][shot
     Worst outside("fixed speed: hit, yet beyond reach / distance");
     int disorder = 0, counts[3] = {0, 0, 0};
     for (int i = 0; i < cases(1'000'000); ++i) {
-        const Aim problem = randomAim(random);
+        const Aim problem = randomFixedSpeedAim(random);
         const std::vector<Shot> shots = aim(problem);
-        const auto where = [&] { return text(problem); };
+        const auto where = [&] { return textOfAim(problem); };
         ++counts[shots.size()];
         const double beyond = beyondReach(problem.speed, problem.target, problem.gravity);
         if (shots.empty()) reach.hold(-beyond, where);
@@ -122,7 +122,7 @@ TEST_CASE("100,000 targets on the parabola of safety are hit at the speed that j
         // Rounding puts half of them beyond; a few last places of speed more bring all of them within.
         const Aim problem{.target = target, .speed = v * (1 + 3e-15), .gravity = {0, -g}};
         const std::vector<Shot> shots = aim(problem);
-        const auto where = [&] { return text(problem); };
+        const auto where = [&] { return textOfAim(problem); };
         none += shots.empty();
         for (const Shot& shot : shots) {
             speed.hold(std::fabs(shot.velocity.norm() / problem.speed - 1), where);

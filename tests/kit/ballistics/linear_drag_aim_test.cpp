@@ -20,7 +20,7 @@ using plumb::Random;
 using plumb::Shot;
 using plumb::Vec2;
 
-LinearDragAim randomAim(Random& random) {
+LinearDragAim randomLinearDragAim(Random& random) {
     LinearDragAim problem;
     problem.speed = magnitude(random, 1, 300);
     problem.drag.rate = magnitude(random, 1e-3, 3);
@@ -34,7 +34,7 @@ LinearDragAim randomAim(Random& random) {
     return problem;
 }
 
-std::string text(const LinearDragAim& p) {
+std::string textOfLinearDragAim(const LinearDragAim& p) {
     return describe("target", p.target, "speed", p.speed, "rate", p.drag.rate, "wind", p.drag.wind, "gravity",
                     p.drag.gravity);
 }
@@ -43,7 +43,7 @@ LinearAir airOf(const plumb::LinearDrag& drag) {
     return {drag.rate, drag.wind, drag.gravity};
 }
 
-bool scan(const LinearDragAim& problem) {
+bool scanLinearDrag(const LinearDragAim& problem) {
     const double end = 20 * (1 / problem.drag.rate + problem.speed / problem.drag.gravity.norm());
     return someAngleHits(airOf(problem.drag), problem.speed, problem.target, end);
 }
@@ -72,8 +72,8 @@ TEST_CASE("a million shots of fixed speed through linear drag hit, and where the
     Worst speed("linear drag aim: speed off, relative"), miss("linear drag aim: miss / path");
     int counts[3] = {}, disorder = 0, scanned[2] = {}, found[2] = {};
     for (int i = 0; i < cases(1'000'000); ++i) {
-        const LinearDragAim problem = randomAim(random);
-        const auto where = [&] { return text(problem); };
+        const LinearDragAim problem = randomLinearDragAim(random);
+        const auto where = [&] { return textOfLinearDragAim(problem); };
         const std::vector<Shot> shots = aimThroughLinearDrag(problem);
         ++counts[shots.size()];
         for (const Shot& shot : shots) {
@@ -86,7 +86,7 @@ TEST_CASE("a million shots of fixed speed through linear drag hit, and where the
         const bool some = !shots.empty();
         if (some ? counts[2] % 4000 != 0 : counts[0] % 400 != 0) continue;
         ++scanned[some];
-        found[some] += scan(problem);
+        found[some] += scanLinearDrag(problem);
     }
     speed.print();
     miss.print();
@@ -106,11 +106,11 @@ TEST_CASE("a million shots of fixed time through linear drag are at their target
     Random random(181);
     Worst miss("linear drag, fixed time: miss / path");
     for (int i = 0; i < cases(1'000'000); ++i) {
-        const LinearDragAim other = randomAim(random);
+        const LinearDragAim other = randomLinearDragAim(random);
         const LinearDragTimeAim problem{other.target, magnitude(random, 0.01, 3) / other.drag.rate, other.drag};
         const Shot shot = aimThroughLinearDragInTime(problem);
         const FlownShot flown = flyShot(airOf(problem.drag), shot, problem.target);
-        miss.hold(flown.miss / flown.path, [&] { return text(other) + describe("time", problem.time); });
+        miss.hold(flown.miss / flown.path, [&] { return textOfLinearDragAim(other) + describe("time", problem.time); });
     }
     miss.print();
     CHECK(miss.value() <= 1e-9);  // what is more was integrated again, to 1e-12

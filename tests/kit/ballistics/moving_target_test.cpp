@@ -19,7 +19,7 @@ using plumb::Random;
 using plumb::Shot;
 using plumb::Vec2;
 
-std::string text(const MovingAim& problem) {
+std::string textOfMovingAim(const MovingAim& problem) {
     return describe("target", problem.target, "at", problem.targetVelocity, "shooter at", problem.shooterVelocity,
                     "speed", problem.speed, "gravity", problem.gravity);
 }
@@ -82,7 +82,7 @@ TEST_CASE("a million shots at moving targets hit, and a scan over time finds no 
     int counts[5] = {}, disorder = 0, fewer = 0, scanned = 0;
     for (int i = 0; i < cases(1'000'000); ++i) {
         const MovingAim problem = randomChase(random);
-        const auto where = [&] { return text(problem); };
+        const auto where = [&] { return textOfMovingAim(problem); };
         const std::vector<Shot> shots = aimAtMoving(problem);
         ++counts[shots.size()];
         for (std::size_t k = 0; k < shots.size(); ++k) {
@@ -119,7 +119,7 @@ TEST_CASE("at a target that stands still it is aim(), and without gravity the fi
     int differ = 0;
     for (int i = 0; i < cases(100'000); ++i) {
         MovingAim problem = randomChase(random);
-        const auto where = [&] { return text(problem); };
+        const auto where = [&] { return textOfMovingAim(problem); };
         problem.shooterVelocity = {0, 0};
         const Vec2 velocity = problem.targetVelocity;
         problem.targetVelocity = {0, 0};
@@ -175,7 +175,8 @@ TEST_CASE("a target as fast as the shot is met, whether gravity is none, next to
         if (problem.target.isZero() || problem.speed == 0) continue;
         asFast += problem.targetVelocity.norm() == problem.speed;
         const std::vector<Shot> shots = aimAtMoving(problem);
-        for (const Shot& shot : shots) gap.hold(std::fabs(gapAt(shot.time, problem)), [&] { return text(problem); });
+        for (const Shot& shot : shots)
+            gap.hold(std::fabs(gapAt(shot.time, problem)), [&] { return textOfMovingAim(problem); });
         fewer += shots.size() < static_cast<std::size_t>(crossings(problem));
     }
     gap.print();

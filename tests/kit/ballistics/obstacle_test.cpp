@@ -52,7 +52,7 @@ WallAim randomWalls(Random& random) {
     return problem;
 }
 
-std::string text(const WallAim& problem) {
+std::string textOfWallAim(const WallAim& problem) {
     return describe("target", problem.target, "wall", problem.walls[0], "speed", problem.speed, "gravity",
                     problem.gravity);
 }
@@ -83,7 +83,7 @@ TEST_CASE("a million shots over a wall hit and clear it, and no other angle does
     int some = 0, fewer = 0;
     for (int i = 0; i < cases(1'000'000); ++i) {
         const WallAim problem = randomWalls(random);
-        const auto where = [&] { return text(problem); };
+        const auto where = [&] { return textOfWallAim(problem); };
         const std::vector<Shot> shots = aimOver(problem);
         for (const Shot& shot : shots) {
             const double path = pathLength(shot, problem.gravity);
@@ -116,7 +116,7 @@ TEST_CASE("a million slowest shots over a wall hit and clear it, and slower ones
     int raised = 0, none = 0;
     for (int i = 0; i < cases(1'000'000); ++i) {
         const WallAim problem = randomWalls(random);
-        const auto where = [&] { return text(problem); };
+        const auto where = [&] { return textOfWallAim(problem); };
         const std::optional<Shot> shot = aimSlowestOver(problem);
         none += !shot;
         if (!shot) continue;
@@ -151,7 +151,7 @@ TEST_CASE("the slowest shot's own speed has a shot over the wall, a million time
         const std::optional<Shot> slowest = aimSlowestOver(problem);
         if (!slowest) continue;
         problem.speed = slowest->velocity.norm();
-        const auto where = [&] { return text(problem); };
+        const auto where = [&] { return textOfWallAim(problem); };
         const std::vector<Shot> shots = aimOver(problem);
         none += shots.empty();
         for (const Shot& shot : shots) {

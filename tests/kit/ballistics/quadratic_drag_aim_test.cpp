@@ -21,7 +21,7 @@ using plumb::Random;
 using plumb::Shot;
 using plumb::Vec2;
 
-QuadraticDragAim randomAim(Random& random) {
+QuadraticDragAim randomQuadraticDragAim(Random& random) {
     QuadraticDragAim problem;
     problem.speed = magnitude(random, 1, 300);
     const double gravity = magnitude(random, 0.3, 30);
@@ -34,11 +34,11 @@ QuadraticDragAim randomAim(Random& random) {
     return problem;
 }
 
-std::string text(const QuadraticDragAim& p) {
+std::string textOfQuadraticDragAim(const QuadraticDragAim& p) {
     return describe("target", p.target, "speed", p.speed, "coefficient", p.coefficient, "gravity", p.gravity);
 }
 
-bool scan(const QuadraticDragAim& problem) {
+bool scanQuadraticDrag(const QuadraticDragAim& problem) {
     const double end = 40 * problem.speed / problem.gravity.norm() + 40 / (problem.coefficient * problem.speed);
     return someAngleHits(QuadraticAir{problem.coefficient, problem.gravity}, problem.speed, problem.target, end);
 }
@@ -50,8 +50,8 @@ TEST_CASE("a million shots through quadratic drag hit, and where there is none n
     Worst speed("quadratic drag aim: speed off, relative"), miss("quadratic drag aim: miss / path");
     int counts[3] = {}, disorder = 0, scanned[2] = {}, found[2] = {};
     for (int i = 0; i < cases(1'000'000); ++i) {
-        const QuadraticDragAim problem = randomAim(random);
-        const auto where = [&] { return text(problem); };
+        const QuadraticDragAim problem = randomQuadraticDragAim(random);
+        const auto where = [&] { return textOfQuadraticDragAim(problem); };
         const std::vector<Shot> shots = aimThroughQuadraticDrag(problem);
         ++counts[shots.size()];
         for (const Shot& shot : shots) {
@@ -66,7 +66,7 @@ TEST_CASE("a million shots through quadratic drag hit, and where there is none n
         const bool some = !shots.empty();
         if (some ? counts[2] % 4000 != 0 : counts[0] % 400 != 0) continue;
         ++scanned[some];
-        found[some] += scan(problem);
+        found[some] += scanQuadraticDrag(problem);
     }
     speed.print();
     miss.print();

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <numbers>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -15,9 +14,10 @@
 #include <plumb/math/random.h>
 #include <plumb/math/rot.h>
 
+#include "numbers.h"
+
 namespace plumb::test {
 
-inline constexpr double pi = std::numbers::pi;
 using Real = long double;
 
 /// The largest of many numbers, and the problem it was found at.

@@ -8,7 +8,9 @@
 #include <plumb/math/random.h>
 
 #include "catch.h"
+#include "kit/broad/box_scenes.h"
 
+using box_scenes::squareAround;
 using plumb::Aabb;
 using plumb::BlockTree;
 using plumb::Bounds;
@@ -22,19 +24,15 @@ using Slots = std::vector<std::uint32_t>;
 
 const BoundsRounding rounded(Vec2(0, 0));
 
-Aabb around(const Vec2& center, double half) {
-    return {center - Vec2(half, half), center + Vec2(half, half)};
+Aabb someSquare(Random& random) {
+    return squareAround({random.uniform(-20, 20), random.uniform(-20, 20)}, random.uniform(0, 1));
 }
 
-Aabb somewhere(Random& random) {
-    return around({random.uniform(-20, 20), random.uniform(-20, 20)}, random.uniform(0, 1));
-}
-
-bool overlap(const Bounds& a, const Bounds& b) {
+bool boundsOverlap(const Bounds& a, const Bounds& b) {
     return a.lowerX <= b.upperX && b.lowerX <= a.upperX && a.lowerY <= b.upperY && b.lowerY <= a.upperY;
 }
 
-Slots queried(const BlockTree& tree, const Bounds& box) {
+Slots queriedSlots(const BlockTree& tree, const Bounds& box) {
     Slots found;
     tree.query(box, [&found](std::uint32_t slot) { found.push_back(slot); });
     std::sort(found.begin(), found.end());
@@ -65,7 +63,7 @@ struct Model {
     Slots searched(const Bounds& box) const {
         Slots found;
         for (std::uint32_t slot = 0; slot < boxes.size(); ++slot)
-            if (overlap(boxes[slot], box)) found.push_back(slot);
+            if (boundsOverlap(boxes[slot], box)) found.push_back(slot);
         return found;
     }
 };
@@ -78,7 +76,7 @@ TEST_CASE("a hierarchy that is mended 400 times answers as a search through all 
         Model model;
         int wrong = 0;
         for (int round = 0; round < 80; ++round) {
-            for (int i = random.integer(0, most / 40 + 1); i > 0; --i) model.append(rounded(somewhere(random)));
+            for (int i = random.integer(0, most / 40 + 1); i > 0; --i) model.append(rounded(someSquare(random)));
             for (int i = random.integer(0, most / 20 + 1); i > 0 && !model.boxes.empty(); --i) {
                 const auto slot =
                     static_cast<std::uint32_t>(random.integer(0, static_cast<int>(model.boxes.size()) - 1));
@@ -86,15 +84,15 @@ TEST_CASE("a hierarchy that is mended 400 times answers as a search through all 
                 if (random.integer(0, 9) == 0)
                     model.erase(slot);
                 else
-                    model.put(slot, rounded(somewhere(random)));
+                    model.put(slot, rounded(someSquare(random)));
             }
             if (round % 7 == 3)
                 model.tree.refitAll();
             else
                 model.tree.refitTouched();
             for (int i = 0; i < 5; ++i) {
-                const Bounds box = rounded(somewhere(random));
-                if (queried(model.tree, box) != model.searched(box)) ++wrong;
+                const Bounds box = rounded(someSquare(random));
+                if (queriedSlots(model.tree, box) != model.searched(box)) ++wrong;
             }
             model.tree.settle();
         }
@@ -105,7 +103,7 @@ TEST_CASE("a hierarchy that is mended 400 times answers as a search through all 
 
 TEST_CASE("the touched blocks are those with touched slots, each once, in order", "[broad]") {
     Model model;
-    for (int i = 0; i < 1000; ++i) model.append(rounded(around(Vec2(i, 0), 0.5)));
+    for (int i = 0; i < 1000; ++i) model.append(rounded(squareAround(Vec2(i, 0), 0.5)));
     model.tree.refitTouched();
     CHECK(model.tree.touchedBlocks().size() == 63);  // 1000 / 16, rounded up
     model.tree.settle();
@@ -120,7 +118,7 @@ TEST_CASE("the touched blocks are those with touched slots, each once, in order"
 
 TEST_CASE("taking members out and in keeps count, and starting anew forgets all", "[broad]") {
     Model model;
-    for (int i = 0; i < 40; ++i) model.append(rounded(around(Vec2(i, 0), 0.5)));
+    for (int i = 0; i < 40; ++i) model.append(rounded(squareAround(Vec2(i, 0), 0.5)));
     model.erase(3);
     CHECK(model.tree.memberCount() == 39);
     CHECK(model.tree.slotCount() == 40);
@@ -129,19 +127,19 @@ TEST_CASE("taking members out and in keeps count, and starting anew forgets all"
     model.tree.assign(Slots{7, 8, 9});
     CHECK(model.tree.memberCount() == 3);
     CHECK(model.tree.members()[2] == 9);
-    CHECK(queried(model.tree, rounded(around({0, 0}, 1e9))).empty());
+    CHECK(queriedSlots(model.tree, rounded(squareAround({0, 0}, 1e9))).empty());
     model.tree.assign({});
     CHECK(model.tree.slotCount() == 0);
-    CHECK(queried(model.tree, rounded(around({0, 0}, 1e9))).empty());
+    CHECK(queriedSlots(model.tree, rounded(squareAround({0, 0}, 1e9))).empty());
 }
 
 TEST_CASE("looseness is the half perimeter of the blocks of sixteen", "[broad]") {
     Model model;
-    for (int i = 0; i < 32; ++i) model.append(rounded(around(Vec2(i, 0), 0.5)));
+    for (int i = 0; i < 32; ++i) model.append(rounded(squareAround(Vec2(i, 0), 0.5)));
     model.tree.refitTouched();
     CHECK(model.tree.looseness() == 2 * (16 + 1));
     model.tree.settle();
-    model.put(31, rounded(around({31, 10}, 0.5)));
+    model.put(31, rounded(squareAround({31, 10}, 0.5)));
     model.tree.refitTouched();
     CHECK(model.tree.looseness() == 2 * (16 + 1) + 10);
 }
@@ -153,11 +151,11 @@ TEST_CASE("rounding to float keeps every overlap, and every overlap that it show
     for (int i = 0; i < 100'000; ++i) {
         const BoundsRounding far(Vec2(random.uniform(-1e7, 1e7), 0));
         const double step = i % 2 == 0 ? 1e-9 : 0.3;
-        const Aabb a = around({1e6 + step * random.integer(0, 9), step * random.integer(0, 9)}, 2 * step);
-        const Aabb b = around({1e6 + step * random.integer(0, 9), step * random.integer(0, 9)}, 2 * step);
+        const Aabb a = squareAround({1e6 + step * random.integer(0, 9), step * random.integer(0, 9)}, 2 * step);
+        const Aabb b = squareAround({1e6 + step * random.integer(0, 9), step * random.integer(0, 9)}, 2 * step);
         const Bounds fa = far(a);
         const Bounds fb = far(b);
-        if (plumb::overlap(a, b) && !overlap(fa, fb)) ++lost;
+        if (plumb::overlap(a, b) && !boundsOverlap(fa, fb)) ++lost;
         const bool beyond =
             fa.lowerX < fb.upperX && fb.lowerX < fa.upperX && fa.lowerY < fb.upperY && fb.lowerY < fa.upperY;
         if (beyond && !plumb::overlap(a, b)) ++invented;

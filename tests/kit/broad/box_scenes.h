@@ -23,6 +23,10 @@ inline Aabb around(const Vec2& center, double halfWidth, double halfHeight) {
     return {center - Vec2(halfWidth, halfHeight), center + Vec2(halfWidth, halfHeight)};
 }
 
+inline Aabb squareAround(const Vec2& center, double half) {
+    return around(center, half, half);
+}
+
 inline Vec2 somewhere(Random& random, double size) {
     return {random.uniform(-size, size), random.uniform(-size, size)};
 }

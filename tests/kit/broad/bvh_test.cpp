@@ -16,7 +16,7 @@ using plumb::SortedPairs;
 
 namespace {
 
-std::vector<std::uint32_t> queried(const Bvh& bvh, const Aabb& box) {
+std::vector<std::uint32_t> queriedBoxes(const Bvh& bvh, const Aabb& box) {
     std::vector<std::uint32_t> found;
     bvh.query(box, [&found](std::uint32_t index) { found.push_back(index); });
     std::sort(found.begin(), found.end());
@@ -71,7 +71,7 @@ TEST_CASE("the hierarchy's queries equal a search through all boxes, in 24 kinds
             for (const Kind& asked : kinds)
                 for (int i = 0; i < 5; ++i) {
                     const Aabb box = (i == 0 ? kind : asked).box(random);
-                    if (queried(bvh, box) != searched(boxes, box)) ++wrong;
+                    if (queriedBoxes(bvh, box) != searched(boxes, box)) ++wrong;
                 }
         }
     CHECK(wrong == 0);
@@ -115,13 +115,13 @@ TEST_CASE("a hierarchy of no boxes has no pairs and answers no query", "[broad]"
     Bvh bvh;
     const Aabb everything{{-infinity, -infinity}, {infinity, infinity}};
     CHECK(bvh.pairs().empty());
-    CHECK(queried(bvh, everything).empty());
+    CHECK(queriedBoxes(bvh, everything).empty());
     bvh.build(Boxes(100, around({0, 0}, 1, 1)));
-    CHECK(queried(bvh, everything).size() == 100);
+    CHECK(queriedBoxes(bvh, everything).size() == 100);
     bvh.build({});
     CHECK(bvh.pairs().empty());
-    CHECK(queried(bvh, everything).empty());
+    CHECK(queriedBoxes(bvh, everything).empty());
     bvh.build(Boxes{around({0, 0}, 1, 1)});
     CHECK(bvh.pairs().empty());
-    CHECK(queried(bvh, around({2, 0}, 1, 1)) == std::vector<std::uint32_t>{0});
+    CHECK(queriedBoxes(bvh, around({2, 0}, 1, 1)) == std::vector<std::uint32_t>{0});
 }

@@ -8,7 +8,9 @@
 #include <plumb/math/random.h>
 
 #include "catch.h"
+#include "kit/broad/box_scenes.h"
 
+using box_scenes::squareAround;
 using plumb::Aabb;
 using plumb::Vec2;
 
@@ -19,15 +21,11 @@ using Order = std::vector<std::uint32_t>;
 
 constexpr std::uint32_t runLimit = 8;
 
-Aabb around(const Vec2& center, double half) {
-    return {center - Vec2(half, half), center + Vec2(half, half)};
-}
-
 Boxes evenBoxes(int count, plumb::Random& random) {
     Boxes boxes;
     const double side = std::sqrt(count);
     for (int i = 0; i < count; ++i)
-        boxes.push_back(around({random.uniform(0, side), random.uniform(0, side)}, random.uniform(0.2, 0.3)));
+        boxes.push_back(squareAround({random.uniform(0, side), random.uniform(0, side)}, random.uniform(0.2, 0.3)));
     return boxes;
 }
 
@@ -65,7 +63,7 @@ TEST_CASE("an order names each of 0 to 2,000 boxes once", "[broad]") {
 }
 
 TEST_CASE("boxes in one place keep the order they came in", "[broad]") {
-    const Order order = plumb::mortonOrder(Boxes(1000, around({3, 4}, 1)), runLimit);
+    const Order order = plumb::mortonOrder(Boxes(1000, squareAround({3, 4}, 1)), runLimit);
     CHECK(std::is_sorted(order.begin(), order.end()));
 }
 
@@ -81,7 +79,7 @@ TEST_CASE("boxes at 1e9 m and 1e300 m leave the others as near to each other as 
     Boxes boxes = evenBoxes(10'000, random);
     const double alone = blockSize(boxes);
     for (const double far : {1e9, 1e300}) {
-        boxes.push_back(around({far, -far}, 1));
+        boxes.push_back(squareAround({far, -far}, 1));
         Order order = plumb::mortonOrder(boxes, runLimit);
         std::erase_if(order, [](std::uint32_t index) { return index >= 10'000; });
         // The cells have other rims: no more than a tenth either way.
@@ -106,7 +104,7 @@ TEST_CASE("of 16,000 boxes in a column that trembles sideways, sixteen that foll
         Boxes boxes;
         for (int i = 0; i < 16'000; ++i) {
             const double tremble = random.uniform(-0.1, 0.1);
-            boxes.push_back(around(upright ? Vec2(tremble, i) : Vec2(i, tremble), 0.5));
+            boxes.push_back(squareAround(upright ? Vec2(tremble, i) : Vec2(i, tremble), 0.5));
         }
         // Eight of a row are 9 m long and 1.2 m wide at most; runs of more than eight in a cell are divided anew.
         CHECK(blockSize(boxes) < 1.5 * 10.2);

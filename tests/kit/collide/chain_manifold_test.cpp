@@ -27,7 +27,7 @@ struct Line {
     std::vector<minkowski::Outline> outlines;
 };
 
-Line lineOf(const plumb::Chain& chain) {
+Line lineOfChain(const plumb::Chain& chain) {
     Line line{chain.points, {}, {}};
     for (const plumb::Shape& piece : piecesOf(chain)) {
         line.pieces.push_back(convexOf(piece, {0, 0}));
@@ -44,7 +44,7 @@ Line lineThrough(const std::vector<double>& lengths, const std::vector<double>& 
         angle += i > 0 ? turns[i - 1] : 0;
         chain.points.push_back(chain.points.back() + lengths[i] * Vec2(std::cos(angle), std::sin(angle)));
     }
-    return lineOf(chain);
+    return lineOfChain(chain);
 }
 
 /// A chain of 3 segments, whose turns at the joints are as large as that.
@@ -127,7 +127,7 @@ double largest(const Line& line, const Body& body) {
     return size;
 }
 
-std::string describe(const Line& line, const Body& body, double margin) {
+std::string describeChain(const Line& line, const Body& body, double margin) {
     std::ostringstream text;
     text.precision(9);
     text << "margin " << margin << " line";
@@ -213,14 +213,14 @@ const char* faultSunk(const Seen& seen, double gap, double tolerance) {
     return seen.nearest < 3 * gap - 2 * tolerance ? "pushed by more than it has sunk" : nullptr;
 }
 
-struct Tally {
+struct ChainTally {
     int apart = 0, sunk = 0, faults = 0;
     std::string first;
 };
 
-Tally tallyOf(Kind kind) {
+ChainTally tallyOfChains(Kind kind) {
     plumb::Random random(7000 + static_cast<std::uint64_t>(kind));
-    Tally tally;
+    ChainTally tally;
     for (int i = 0; i < 10'000; ++i) {
         const double scale = std::pow(10, random.uniform(-1, 0.5));
         const Line line = randomLine(random, scale, 2.4);
@@ -247,7 +247,7 @@ Tally tallyOf(Kind kind) {
             ++tally.sunk;  // a line has no inside: once it has crossed the joint it is no longer shallow
             fault = faultSunk(seen, gap, tolerance);
         }
-        if (fault && tally.faults++ == 0) tally.first = fault + ("; " + describe(line, body, margin));
+        if (fault && tally.faults++ == 0) tally.first = fault + ("; " + describeChain(line, body, margin));
     }
     return tally;
 }
@@ -295,7 +295,7 @@ double randomSunk(plumb::Random& random) {
 TEST_CASE("10,000 placements of each shape on bent chains are held, and pushed only the ways the outline allows",
           "[collide][chain]") {
     for (const Kind kind : kinds) {
-        const Tally tally = tallyOf(kind);
+        const ChainTally tally = tallyOfChains(kind);
         INFO(nameOf(kind) << ": " << tally.apart << " apart, " << tally.sunk << " sunk; first fault: " << tally.first);
         CHECK(tally.faults == 0);
         CHECK(tally.apart > 3000);

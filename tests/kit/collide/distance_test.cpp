@@ -21,7 +21,7 @@ Distance distanceOf(const Placed& p) {
 }
 
 /// Null when the distance is right.
-const char* faultOf(const Placed& p, const Distance& d) {
+const char* faultOfDistance(const Placed& p, const Distance& d) {
     const Outline a = outlineOf(p.a, p.poseA), b = outlineOf(p.b, p.poseB);
     const double tolerance = toleranceOf(p), separation = gapBetween(a, b).separation;
     const Point normal = pointOf(d.normal), onA = pointOf(d.pointA), onB = pointOf(d.pointB);
@@ -41,13 +41,13 @@ const char* faultOf(const Placed& p, const Distance& d) {
     return std::fabs(left) > 2 * tolerance + blur * p.size ? "moved by the separation they do not just touch" : nullptr;
 }
 
-const char* faultOfMirror(const Placed& p, const Distance& d) {
+const char* faultOfMirrorDistance(const Placed& p, const Distance& d) {
     const Distance mirrored = distance(p.b, p.poseB, p.a, p.poseA);
     if (std::fabs(d.separation - mirrored.separation) > toleranceOf(p)) return "B sees another separation";
     return nullptr;
 }
 
-std::string describe(const Placed& p, int index) {
+std::string describePlaced(const Placed& p, int index) {
     std::ostringstream text;
     text.precision(17);
     const Distance d = distanceOf(p);
@@ -63,21 +63,21 @@ std::string describe(const Placed& p, int index) {
     return text.str();
 }
 
-struct Tally {
+struct DistanceTally {
     int faults = 0, overlaps = 0;
     double worst = 0;  ///< error of the separation as a part of the size
     std::string first;
 };
 
-Tally tallyOf(Kind kindA, Kind kindB) {
+DistanceTally tallyOfDistances(Kind kindA, Kind kindB) {
     plumb::Random random(2000 + 10 * static_cast<std::uint64_t>(kindA) + static_cast<std::uint64_t>(kindB));
-    Tally tally;
+    DistanceTally tally;
     for (int i = 0; i < 10'000; ++i) {
         const Placed p = randomPlaced(random, kindA, kindB);
         const Distance d = distanceOf(p);
-        const char* fault = faultOf(p, d);
-        if (!fault) fault = faultOfMirror(p, d);
-        if (fault && tally.faults++ == 0) tally.first = fault + ("; " + describe(p, i));
+        const char* fault = faultOfDistance(p, d);
+        if (!fault) fault = faultOfMirrorDistance(p, d);
+        if (fault && tally.faults++ == 0) tally.first = fault + ("; " + describePlaced(p, i));
         tally.overlaps += d.separation < 0;
         const double gap = gapBetween(outlineOf(p.a, p.poseA), outlineOf(p.b, p.poseB)).separation;
         tally.worst = std::max(tally.worst, std::fabs(d.separation - gap) / p.size);
@@ -90,7 +90,7 @@ Tally tallyOf(Kind kindA, Kind kindB) {
 TEST_CASE("distances of 10,000 placements of each pair of shapes agree with the Minkowski difference", "[collide]") {
     for (const Kind a : kinds) {
         for (const Kind b : kinds) {
-            const Tally tally = tallyOf(a, b);
+            const DistanceTally tally = tallyOfDistances(a, b);
             INFO(nameOf(a) << " and " << nameOf(b) << ": " << tally.overlaps << " overlap, worst error " << tally.worst
                            << " of the size; first fault: " << tally.first);
             CHECK(tally.faults == 0);
@@ -111,14 +111,14 @@ TEST_CASE("a fault planted in a distance is found in each of 500 placements", "[
         Distance wrong = d;
         wrong.normal = -d.normal;
         std::swap(wrong.pointA, wrong.pointB);
-        flipped += faultOf(p, wrong) != nullptr;
+        flipped += faultOfDistance(p, wrong) != nullptr;
         wrong = d;
         wrong.separation -= 1e-13 * p.size;
-        deeper += faultOf(p, wrong) != nullptr;
+        deeper += faultOfDistance(p, wrong) != nullptr;
         wrong = d;
         wrong.pointA += 1e-12 * p.size * d.normal;
         wrong.pointB += 1e-12 * p.size * d.normal;
-        shifted += faultOf(p, wrong) != nullptr;
+        shifted += faultOfDistance(p, wrong) != nullptr;
     }
     CHECK(flipped == looked);
     CHECK(deeper == looked);

@@ -25,7 +25,7 @@ using plumb::Way;
 
 namespace {
 
-constexpr double tolerance = 1e-5;
+constexpr double touchTolerance = 1e-5;
 
 /// A chain now and then, of 2 to 4 segments, else one of the convex kinds.
 Shape anyShape(Random& random, double scale) {
@@ -84,7 +84,7 @@ Swept anySwept(Random& random) {
     return s;
 }
 
-struct Tally {
+struct TouchTally {
     int hits = 0, atStart = 0, followed = 0, passing = 0, undecided = 0, faults = 0;
     double farthest = 0;  ///< at the time told [m]
     std::string first;    ///< fault
@@ -100,7 +100,7 @@ bool isBetween(const Pair& pair, const Touch& touch) {
             const double gap = gapBetween(a, b).separation;
             // Nearest points of cores without radius are half of the tolerance apart: a rounding, of 10 km 2e-12 m,
             // turns what is between them by 1e-6 at most, and so much of the sizes the normal may miss.
-            if (gap > tolerance + 1e-10 || std::fabs(gapAlong(a, b, normal) - gap) > 1e-5) continue;
+            if (gap > touchTolerance + 1e-10 || std::fabs(gapAlong(a, b, normal) - gap) > 1e-5) continue;
             const double toA = distanceToBoundary(a.corners, point) - a.radius;
             const double toB = distanceToBoundary(b.corners, point) - b.radius;
             if (std::fabs(toA - 0.5 * gap) < 1e-10 && std::fabs(toB - 0.5 * gap) < 1e-10) return true;
@@ -108,7 +108,7 @@ bool isBetween(const Pair& pair, const Touch& touch) {
     return false;
 }
 
-const char* faultOf(const Pair& pair, const std::optional<Touch>& touch, Tally& tally) {
+const char* faultOfTouch(const Pair& pair, const std::optional<Touch>& touch, TouchTally& tally) {
     const double until = touch ? touch->time : 1;
     if (until > 0) {
         const Verdict before = verdictOn(pair, 0, until);
@@ -121,9 +121,9 @@ const char* faultOf(const Pair& pair, const std::optional<Touch>& touch, Tally& 
     if (std::fabs(touch->normal.norm() - 1) > 1e-14) return "the normal is no unit vector";
     const double gap = pair.gapAt(touch->time);
     tally.farthest = std::max(tally.farthest, gap);
-    if (gap > tolerance + 1e-10) return "made up";
+    if (gap > touchTolerance + 1e-10) return "made up";
     if (touch->time == 0) return ++tally.atStart, nullptr;
-    if (gap < 0.5 * tolerance - 1e-10) return "late";
+    if (gap < 0.5 * touchTolerance - 1e-10) return "late";
     if (!isBetween(pair, *touch)) return "the normal or the point is not between them";
     // Where they come on at a speed, the touch itself follows as soon as that says, but of corners that just pass.
     const double moment = 0.01 * gap / pair.fastest, speed = (gap - pair.gapAt(touch->time + moment)) / moment;
@@ -132,7 +132,7 @@ const char* faultOf(const Pair& pair, const std::optional<Touch>& touch, Tally& 
     return nullptr;
 }
 
-std::string describe(const Pair& pair, int index) {
+std::string describePair(const Pair& pair, int index) {
     std::ostringstream text;
     text.precision(17);
     text << " in case " << index;
@@ -146,13 +146,13 @@ std::string describe(const Pair& pair, int index) {
 
 TEST_CASE("1,000,000 swept pairs touch where fine stepping says, none missed and none made up", "[collide][sweep]") {
     Random random(73);
-    Tally tally;
+    TouchTally tally;
     const int count = plumb::test::cases(1'000'000);
     for (int i = 0; i < count; ++i) {
         const Swept s = anySwept(random);
         const Pair pair(s.a, s.wayA, s.b, s.wayB);
-        const char* fault = faultOf(pair, firstTouch(s.a, s.wayA, s.b, s.wayB), tally);
-        if (fault && tally.faults++ == 0) tally.first = fault + describe(pair, i);
+        const char* fault = faultOfTouch(pair, firstTouch(s.a, s.wayA, s.b, s.wayB), tally);
+        if (fault && tally.faults++ == 0) tally.first = fault + describePair(pair, i);
     }
     std::cout << "[sweep] " << count << " swept pairs: " << tally.hits << " touch, " << tally.atStart
               << " of them at the start, " << tally.followed << " head on, " << tally.passing << " in passing; faults "

@@ -27,7 +27,7 @@ Placement exchanged(const Placement& p) {
 }
 
 /// m, seen from B with the roles exchanged, against the manifold that B and A have.
-const char* faultOfMirror(const Known& k, const Placement& p, const Manifold& m) {
+const char* faultOfMirrorManifold(const Known& k, const Placement& p, const Manifold& m) {
     const Placement q = exchanged(p);
     const Manifold mirrored = manifoldOf(q);
     const double tolerance = 2 * k.tolerance + (k.favoured || !k.clear ? k.favour : 0);
@@ -42,7 +42,7 @@ const char* faultOfMirror(const Known& k, const Placement& p, const Manifold& m)
     return (n + m.normal).norm() > blur ? "B sees another normal" : nullptr;
 }
 
-std::string describe(const Placement& p, int index) {
+std::string describePlacement(const Placement& p, int index) {
     std::ostringstream text;
     text.precision(9);
     const Known k = knownOf(p);
@@ -66,22 +66,22 @@ std::string describe(const Placement& p, int index) {
 }
 
 /// What 10,000 placements of one pair of kinds have shown.
-struct Tally {
+struct ManifoldTally {
     int faults = 0, contacts = 0, pairsOfPoints = 0, favoured = 0;
     double worst = 0;  ///< error of the separation as a part of the size, where A's edge was not favoured
     std::string first;
 };
 
-Tally tallyOf(Kind kindA, Kind kindB) {
+ManifoldTally tallyOfManifolds(Kind kindA, Kind kindB) {
     plumb::Random random(1000 + 10 * static_cast<std::uint64_t>(kindA) + static_cast<std::uint64_t>(kindB));
-    Tally tally;
+    ManifoldTally tally;
     for (int i = 0; i < 10'000; ++i) {
         const Placement p = randomPlacement(random, kindA, kindB);
         const Known known = knownOf(p);
         const Manifold m = manifoldOf(p);
         const char* fault = faultOf(known, m);
-        if (!fault) fault = faultOfMirror(known, p, m);
-        if (fault && tally.faults++ == 0) tally.first = fault + ("; " + describe(p, i));
+        if (!fault) fault = faultOfMirrorManifold(known, p, m);
+        if (fault && tally.faults++ == 0) tally.first = fault + ("; " + describePlacement(p, i));
         if (m.count == 0) continue;
         ++tally.contacts;
         tally.pairsOfPoints += m.count == 2;
@@ -97,7 +97,7 @@ Tally tallyOf(Kind kindA, Kind kindB) {
 TEST_CASE("manifolds of 10,000 placements of each pair of shapes agree with the Minkowski difference", "[collide]") {
     for (const Kind a : kinds) {
         for (const Kind b : kinds) {
-            const Tally tally = tallyOf(a, b);
+            const ManifoldTally tally = tallyOfManifolds(a, b);
             INFO(nameOf(a) << " and " << nameOf(b) << ": " << tally.contacts << " contacts, " << tally.pairsOfPoints
                            << " of two points, " << tally.favoured << " where A's edge was favoured, worst error "
                            << tally.worst << " of the size; first fault: " << tally.first);

@@ -26,7 +26,7 @@ Vec2 somewhere(Random& random, double size) {
     return {x, random.uniform(-size, size)};
 }
 
-double gapAt(const MovingCircle& a, const MovingCircle& b, long double time) {
+double circleGapAt(const MovingCircle& a, const MovingCircle& b, long double time) {
     const long double x = (b.position.x() - static_cast<long double>(a.position.x())) +
                           (b.velocity.x() - static_cast<long double>(a.velocity.x())) * time;
     const long double y = (b.position.y() - static_cast<long double>(a.position.y())) +
@@ -86,20 +86,20 @@ TEST_CASE("1,000,000 pairs of moving circles touch at the first time that they a
         const std::optional<Touch> touch = firstTouch(a, b);
         // They are nearest when the way is at right angles to what is between them.
         const Vec2 place = b.position - a.position;
-        const double nearest = std::max(0.0, -place.dot(v) / v.dot(v)), least = gapAt(a, b, nearest);
+        const double nearest = std::max(0.0, -place.dot(v) / v.dot(v)), least = circleGapAt(a, b, nearest);
         if (!touch) {
             faults += least < -1e-14 * 40;
             continue;
         }
         ++hits;
-        const double gap = gapAt(a, b, touch->time);
+        const double gap = circleGapAt(a, b, touch->time);
         if (touch->time == 0) {
             faults += gap > 1e-14;
             continue;
         }
         // Some ten roundings of places up to 40 m.
         worst = std::max(worst, std::fabs(gap));
-        faults += std::fabs(gap) > 4e-14 || touch->time > nearest + 1e-6 || gapAt(a, b, 0) < -1e-14;
+        faults += std::fabs(gap) > 4e-14 || touch->time > nearest + 1e-6 || circleGapAt(a, b, 0) < -1e-14;
     }
     std::cout << "[sweep] circles: " << hits << " of " << count << " touch, to " << worst << " m; faults " << faults
               << "\n";
@@ -144,7 +144,7 @@ TEST_CASE("a ball among four posts keeps its speed through 1,000 steps, and neve
     double deepest = 0;
     for (int i = 0; i < 1000; ++i) {
         hits += spend(ball, posts, 1.0 / 60);
-        for (const MovingCircle& post : posts) deepest = std::min(deepest, gapAt(ball, post, 0));
+        for (const MovingCircle& post : posts) deepest = std::min(deepest, circleGapAt(ball, post, 0));
     }
     CHECK(hits > 50);
     // A rounding an impact.

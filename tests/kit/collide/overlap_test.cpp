@@ -11,6 +11,7 @@
 #include "cases.h"
 #include "catch.h"
 #include "kit/collide/placed_pair.h"
+#include "numbers.h"
 
 namespace {
 
@@ -22,12 +23,11 @@ using plumb::Random;
 using plumb::Shape;
 using plumb::Transform;
 using plumb::Vec2;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using plumb::test::infinity;
 
 /// Null when the answer is right for two convex outlines.
-const char* faultOf(const Outline& a, const Outline& b, const std::optional<Overlap>& found, double tolerance,
-                    double size) {
+const char* faultOfOverlap(const Outline& a, const Outline& b, const std::optional<Overlap>& found, double tolerance,
+                           double size) {
     const double gap = gapBetween(a, b).separation;
     if (!found) return gap < -tolerance ? "missed" : nullptr;
     if (gap > tolerance) return "made up";
@@ -57,7 +57,7 @@ TEST_CASE("two shapes overlap, and as deep, as the Minkowski difference says, 1,
         const Placed p = randomPlaced(random, randomKind(random), randomKind(random));
         const std::optional<Overlap> here = overlap(p.a, p.poseA, p.b, p.poseB);
         const Outline a = outlineOf(p.a, p.poseA), b = outlineOf(p.b, p.poseB);
-        const char* fault = faultOf(a, b, here, toleranceOf(p), p.size);
+        const char* fault = faultOfOverlap(a, b, here, toleranceOf(p), p.size);
         if (fault && faults++ == 0) first = fault + (" in case " + std::to_string(i));
         if (!here) continue;
         ++found;

@@ -43,19 +43,19 @@ Ray randomRay(Random& random, const Outline& outline, double scale) {
     }
 }
 
-struct Tally {
+struct RayTally {
     int faults = 0, hits = 0, inside = 0;
     std::string first;
 };
 
-Case caseOf(const Shape& shape, const Transform& pose, const Ray& ray) {
+Case rayCase(const Shape& shape, const Transform& pose, const Ray& ray) {
     Case c{outlineOf(shape, pose), {{pointOf(ray.from)}, 0}, pointOf(ray.to - ray.from)};
     const Vec2 reach = ray.from.cwiseAbs() + ray.to.cwiseAbs() + pose.position.cwiseAbs();
     c.size = largestNumber(shape) + reach.maxCoeff();
     return c;
 }
 
-std::string describe(const Case& c, const Ray& ray, int index) {
+std::string describeRay(const Case& c, const Ray& ray, int index) {
     std::ostringstream text;
     text.precision(17);
     text << "ray " << index << " from (" << ray.from.transpose() << ") to (" << ray.to.transpose() << "), gap "
@@ -64,19 +64,19 @@ std::string describe(const Case& c, const Ray& ray, int index) {
     return text.str();
 }
 
-Tally tallyOf(Kind kind) {
+RayTally tallyOfRays(Kind kind) {
     Random random(3000 + static_cast<std::uint64_t>(kind));
-    Tally tally;
+    RayTally tally;
     for (int i = 0; i < 20'000; ++i) {
         const double scale = 0.05 * std::pow(100, random.uniform(0, 1));
         const Shape shape = randomShape(random, kind, scale);
         const bool square = random.integer(0, 3) == 0;
         const Transform pose{randomVec2(random, scale), turnBy(square ? 0 : random.uniform(-3, 3))};
         const Ray ray = randomRay(random, outlineOf(shape, pose), scale);
-        const Case c = caseOf(shape, pose, ray);
+        const Case c = rayCase(shape, pose, ray);
         const std::optional<CastPoint> hit = castRay(ray.from, ray.to, shape, pose);
         const char* fault = faultOf(c, hit);
-        if (fault && tally.faults++ == 0) tally.first = fault + ("; " + describe(c, ray, i));
+        if (fault && tally.faults++ == 0) tally.first = fault + ("; " + describeRay(c, ray, i));
         tally.hits += hit.has_value();
         tally.inside += hit && hit->fraction == 0;
     }
@@ -87,7 +87,7 @@ Tally tallyOf(Kind kind) {
 
 TEST_CASE("where 20,000 rays meet each shape is where the distance to it comes to nothing", "[collide]") {
     for (const Kind kind : kinds) {
-        const Tally tally = tallyOf(kind);
+        const RayTally tally = tallyOfRays(kind);
         INFO(nameOf(kind) << ": " << tally.hits << " hits, " << tally.inside << " from inside; " << tally.faults
                           << " faults, the first: " << tally.first);
         CHECK(tally.faults == 0);
@@ -104,7 +104,7 @@ TEST_CASE("a fault planted in a ray's hit is found in each of 500", "[collide]")
         const Transform pose{randomVec2(random, 1), turnBy(random.uniform(-3, 3))};
         const Ray ray = randomRay(random, outlineOf(shape, pose), 1);
         const std::optional<CastPoint> hit = castRay(ray.from, ray.to, shape, pose);
-        const Case c = caseOf(shape, pose, ray);
+        const Case c = rayCase(shape, pose, ray);
         if (!hit || hit->fraction == 0 || c.size > 100 || leastGap(c) > -1e-3) continue;
         if (-hit->normal.dot(ray.to - ray.from) < 0.1) continue;
         ++looked;
@@ -198,7 +198,7 @@ TEST_CASE("a chain is met where the first of its segments is, by 20,000 rays", "
         int met = 0;
         const char* fault = nullptr;
         for (std::size_t k = 0; k + (chain.closed ? 0 : 1) < 5; ++k) {
-            Case c = caseOf(plumb::Segment{chain.points[k], chain.points[(k + 1) % 5]}, pose, ray);
+            Case c = rayCase(plumb::Segment{chain.points[k], chain.points[(k + 1) % 5]}, pose, ray);
             if (hit) met += casts::faultOf(c, hit) == nullptr;
             // Up to there, no other segment is met.
             if (hit) c.shift = c.shift * (hit->fraction - 1e-9);

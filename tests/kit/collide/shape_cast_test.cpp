@@ -45,7 +45,7 @@ Shifted randomShifted(Random& random, Kind kindMoving, Kind kindTarget) {
     return s;
 }
 
-Case caseOf(const Shifted& s) {
+Case castCase(const Shifted& s) {
     Case c{outlineOf(s.target, s.targetPose), outlineOf(s.moving, s.pose), pointOf(s.shift)};
     const Vec2 reach = s.pose.position.cwiseAbs() + s.targetPose.position.cwiseAbs() + s.shift.cwiseAbs();
     c.size = largestNumber(s.moving) + largestNumber(s.target) + reach.maxCoeff();
@@ -56,7 +56,7 @@ std::optional<CastPoint> castOf(const Shifted& s) {
     return castShape(s.moving, s.pose, s.shift, s.target, s.targetPose);
 }
 
-std::string describe(const Case& c, const std::optional<CastPoint>& hit, int index) {
+std::string describeCast(const Case& c, const std::optional<CastPoint>& hit, int index) {
     std::ostringstream text;
     text.precision(17);
     text << "cast " << index << " by (" << c.shift.x << ", " << c.shift.y << "), size " << c.size << ", gap "
@@ -71,20 +71,20 @@ std::string describe(const Case& c, const std::optional<CastPoint>& hit, int ind
     return text.str();
 }
 
-struct Tally {
+struct CastTally {
     int faults = 0, hits = 0, atStart = 0;
     std::string first;
 };
 
-Tally tallyOf(Kind moving, Kind target, int casts) {
+CastTally tallyOfCasts(Kind moving, Kind target, int casts) {
     Random random(4000 + 10 * static_cast<std::uint64_t>(moving) + static_cast<std::uint64_t>(target));
-    Tally tally;
+    CastTally tally;
     for (int i = 0; i < casts; ++i) {
         const Shifted s = randomShifted(random, moving, target);
         const std::optional<CastPoint> hit = castOf(s);
-        const Case c = caseOf(s);
+        const Case c = castCase(s);
         const char* fault = faultOf(c, hit);
-        if (fault && tally.faults++ == 0) tally.first = fault + ("; " + describe(c, hit, i));
+        if (fault && tally.faults++ == 0) tally.first = fault + ("; " + describeCast(c, hit, i));
         tally.hits += hit.has_value();
         tally.atStart += hit && hit->fraction == 0;
     }
@@ -96,7 +96,7 @@ Tally tallyOf(Kind moving, Kind target, int casts) {
 TEST_CASE("where 2,000 shifted shapes of each two kinds meet is where the Minkowski difference says", "[collide]") {
     for (const Kind moving : kinds) {
         for (const Kind target : kinds) {
-            const Tally tally = tallyOf(moving, target, 2000);
+            const CastTally tally = tallyOfCasts(moving, target, 2000);
             INFO(nameOf(moving) << " to " << nameOf(target) << ": " << tally.hits << " hits, " << tally.atStart
                                 << " at the start; " << tally.faults << " faults, the first: " << tally.first);
             CHECK(tally.faults == 0);

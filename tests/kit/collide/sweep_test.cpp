@@ -20,7 +20,7 @@ Vec2 randomVector(Random& random, double size) {
     return {random.uniform(-size, size), random.uniform(-size, size)};
 }
 
-Shape randomShape(Random& random) {
+Shape randomSweptShape(Random& random) {
     switch (random.integer(0, 3)) {
         case 0: return plumb::Circle{random.uniform(0.05, 1), randomVector(random, 0.5)};
         case 1: return plumb::boxPolygon({random.uniform(0.05, 2), random.uniform(0.01, 0.5)});
@@ -46,7 +46,7 @@ TEST_CASE("a swept shape meets another when sampling ten thousand poses says so"
     int met = 0;
     for (int round = 0; round < 300; ++round) {
         INFO("round " << round);
-        const Shape wall = randomShape(random), shape = randomShape(random);
+        const Shape wall = randomSweptShape(random), shape = randomSweptShape(random);
         const SweptShape a{&wall, randomWay(random), 0};
         const SweptShape b{&shape, randomWay(random), 3.1};  // 2 sqrt(2) at most, and 0.2 sqrt(2) off the centre
         const double limit = random.uniform(-0.1, 0.1);

@@ -19,6 +19,7 @@
 #include <plumb/shapes/oriented_box.h>
 
 #include "catch.h"
+#include "numbers.h"
 
 namespace {
 
@@ -28,8 +29,8 @@ using plumb::Polygon;
 using plumb::Shape;
 using plumb::Vec2;
 using plumb::Way;
+using plumb::test::infinity;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 
 Polygon evenly(int corners) {

@@ -327,23 +327,23 @@ BadCalls jointCalls() {
     return c;
 }
 
-const ImpactSide side{.velocity = {0, -1}, .inverseMass = 1};
+const ImpactSide soundSide{.velocity = {0, -1}, .inverseMass = 1};
 
 BadCalls impactCalls() {
     BadCalls c;
     const auto sides = [&](const std::string& member, const BadNumbers& bads, double ImpactSide::*at) {
         for (const BadNumber& bad : bads) {
-            ImpactSide spoilt = side;
+            ImpactSide spoilt = soundSide;
             spoilt.*at = bad.value;
             const std::string text = bad.text + " " + bad.complaint;
             add(c, {{"impact", "a",
                      [=](Bench&) {
-                         impact(spoilt, side, {0, 1}, {});
+                         impact(spoilt, soundSide, {0, 1}, {});
                      },
                      "ImpactSide a." + member, text},
                     {"impact", "b",
                      [=](Bench&) {
-                         impact(side, spoilt, {0, 1}, {});
+                         impact(soundSide, spoilt, {0, 1}, {});
                      },
                      "ImpactSide b." + member, text}});
         }
@@ -351,33 +351,33 @@ BadCalls impactCalls() {
     sides("inverseMass", negative, &ImpactSide::inverseMass);
     sides("inverseInertia", negative, &ImpactSide::inverseInertia);
     for (const BadNumber& bad : notFinite) {
-        ImpactSide spoilt = side;
+        ImpactSide spoilt = soundSide;
         spoilt.arm = {bad.value, 0};
         const std::string text = "(" + bad.text + ", 0) " + bad.complaint;
         add(c, {{"impact", "a",
                  [=](Bench&) {
-                     impact(spoilt, side, {0, 1}, {});
+                     impact(spoilt, soundSide, {0, 1}, {});
                  },
                  "ImpactSide a.arm", text},
                 {"impact", "b",
                  [=](Bench&) {
-                     impact(side, spoilt, {0, 1}, {});
+                     impact(soundSide, spoilt, {0, 1}, {});
                  },
                  "ImpactSide b.arm", text}});
     }
     for (const Vec2& normal : {Vec2(0, 0), Vec2(1, 1), Vec2(0, 2), Vec2(0, infinity)})
-        c.push_back({"impact", "normal", [=](Bench&) { impact(side, side, normal, {}); }, "impact: normal",
+        c.push_back({"impact", "normal", [=](Bench&) { impact(soundSide, soundSide, normal, {}); }, "impact: normal",
                      "is not a unit vector"});
     for (const double restitution : {-0.1, 1.1, nan, infinity})
         c.push_back({"impact", "law",
                      [=](Bench&) {
-                         impact(side, side, {0, 1}, {restitution, 0});
+                         impact(soundSide, soundSide, {0, 1}, {restitution, 0});
                      },
                      "ImpactLaw.restitution", "is not"});
     for (const double friction : {-1.0, -infinity, nan})
         c.push_back({"impact", "law",
                      [=](Bench&) {
-                         impact(side, side, {0, 1}, {1, friction});
+                         impact(soundSide, soundSide, {0, 1}, {1, friction});
                      },
                      "ImpactLaw.friction", "is"});
     return c;

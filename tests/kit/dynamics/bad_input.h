@@ -12,7 +12,7 @@
 
 #include <plumb/plumb.h>
 
-#include "kit/dynamics/numbers.h"
+#include "numbers.h"
 
 namespace plumb::test {
 

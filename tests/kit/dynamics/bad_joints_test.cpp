@@ -6,8 +6,8 @@ namespace plumb::test {
 
 namespace {
 
-const BadNumbers beyond{{1e16, "1e+16", "is beyond 1e+15, where no body can be, nor move so fast"}};
-const BadNumbers notThere = joined(joined(notFinite, beyond), {{-1e300, "-1e+300", beyond[0].complaint}});
+const BadNumbers beyondReach{{1e16, "1e+16", "is beyond 1e+15, where no body can be, nor move so fast"}};
+const BadNumbers notThere = joined(joined(notFinite, beyondReach), {{-1e300, "-1e+300", beyondReach[0].complaint}});
 
 const Fields<Spring> springFields{
     number("stiffness", &Spring::stiffness, negative),
@@ -157,7 +157,7 @@ const Fields<DistanceJointDef> distanceFields{
     anchor("anchorA", &DistanceJointDef::anchorA),
     with(anchor("anchorB", &DistanceJointDef::anchorB),
          {{[](DistanceJointDef& d) { d.anchorB = d.anchorA; }, "", "(0, 4) is anchorA too"}}),
-    number("length", &DistanceJointDef::length, joined(notPositive, beyond)),
+    number("length", &DistanceJointDef::length, joined(notPositive, beyondReach)),
     spring<DistanceJointDef>(),
     number("minLength", &DistanceJointDef::minLength, negative),
     with(number("maxLength", &DistanceJointDef::maxLength, negativeBound),
@@ -204,7 +204,7 @@ const Fields<Pulley> pulleyFields{
          {{[](Pulley& d) { d.groundB = d.anchorB; }, "", "(2, 4) is anchorB too"}}),
     anchor("anchorA", &Pulley::anchorA),
     anchor("anchorB", &Pulley::anchorB),
-    number("ratio", &Pulley::ratio, joined(notPositive, beyond)),
+    number("ratio", &Pulley::ratio, joined(notPositive, beyondReach)),
     anything<Pulley>("collideConnected"),
     breaking<Pulley>(),
 };
@@ -231,7 +231,7 @@ const Fields<Motor> motorFields{
     bodyB<Motor>(),
     number("offset", &Motor::offset, notThere),
     number("angle", &Motor::angle, notThere),
-    number("rate", &Motor::rate, joined(negative, beyond)),
+    number("rate", &Motor::rate, joined(negative, beyondReach)),
     number("velocity", &Motor::velocity, notThere),
     number("angularVelocity", &Motor::angularVelocity, notThere),
     number("maxForce", &Motor::maxForce, negativeBound),

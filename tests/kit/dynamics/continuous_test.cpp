@@ -10,7 +10,7 @@
 #include <plumb/math/random.h>
 #include <plumb/plumb.h>
 #include "catch.h"
-#include "kit/dynamics/numbers.h"
+#include "numbers.h"
 
 using plumb::BodyDef;
 using plumb::BodyId;

@@ -9,9 +9,9 @@
 #include <plumb/plumb.h>
 
 #include "catch.h"
-#include "kit/dynamics/numbers.h"
 #include "kit/dynamics/worlds.h"
 #include "kit/forces/runge_kutta.h"
+#include "kit/usual_world.h"
 
 using namespace plumb;
 using plumb::test::dt;

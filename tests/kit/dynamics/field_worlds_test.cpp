@@ -10,8 +10,8 @@
 #include <plumb/record/state_hash.h>
 
 #include "catch.h"
-#include "kit/dynamics/numbers.h"
 #include "kit/dynamics/worlds.h"
+#include "kit/usual_world.h"
 
 using namespace plumb;
 using plumb::test::containsText;

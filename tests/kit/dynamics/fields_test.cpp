@@ -7,8 +7,9 @@
 #include <plumb/record/state_hash.h>
 
 #include "catch.h"
-#include "kit/dynamics/numbers.h"
 #include "kit/dynamics/worlds.h"
+#include "kit/usual_world.h"
+#include "numbers.h"
 
 using namespace plumb;
 using plumb::test::dt;

@@ -5,7 +5,7 @@
 #include <plumb/math/random.h>
 #include <plumb/plumb.h>
 #include "catch.h"
-#include "kit/dynamics/numbers.h"
+#include "kit/usual_world.h"
 
 using plumb::BodyId;
 using plumb::BodyType;

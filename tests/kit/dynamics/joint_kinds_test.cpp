@@ -5,7 +5,8 @@
 
 #include <plumb/plumb.h>
 #include "catch.h"
-#include "kit/dynamics/numbers.h"
+#include "kit/usual_world.h"
+#include "numbers.h"
 
 using plumb::BodyId;
 using plumb::BodyType;

@@ -4,7 +4,7 @@
 #include <plumb/plumb.h>
 
 #include "catch.h"
-#include "kit/dynamics/numbers.h"
+#include "kit/usual_world.h"
 
 using plumb::BodyId;
 using plumb::BodyType;
@@ -32,28 +32,28 @@ struct Gearing {
 TEST_CASE(
     "two geared wheels whose hinges have them as bodyA sleep and wake together, and the gear's torque is a number",
     "[dynamics][joints]") {
-    Gearing g;
-    g.world.body(g.one).sleep();
-    CHECK_FALSE(g.world.body(g.two).awake());
-    g.world.body(g.two).setAngularVelocity(3);
-    CHECK(g.world.body(g.one).awake());
-    for (int tick = 0; tick < 30; ++tick) g.world.step(dt);
-    CHECK(std::isfinite(g.world.joint(g.gear).reaction().torque));
-    CHECK(std::fabs(g.world.body(g.one).angularVelocity() + 1.5) < 1e-3);
-    CHECK(std::fabs(g.world.body(g.two).angularVelocity() - 1.5) < 1e-3);
+    Gearing gearing;
+    gearing.world.body(gearing.one).sleep();
+    CHECK_FALSE(gearing.world.body(gearing.two).awake());
+    gearing.world.body(gearing.two).setAngularVelocity(3);
+    CHECK(gearing.world.body(gearing.one).awake());
+    for (int tick = 0; tick < 30; ++tick) gearing.world.step(dt);
+    CHECK(std::isfinite(gearing.world.joint(gearing.gear).reaction().torque));
+    CHECK(std::fabs(gearing.world.body(gearing.one).angularVelocity() + 1.5) < 1e-3);
+    CHECK(std::fabs(gearing.world.body(gearing.two).angularVelocity() - 1.5) < 1e-3);
 }
 
 TEST_CASE("each body that a gear moves names it, and once", "[dynamics][joints]") {
-    Gearing g;
-    const std::vector<JointId> ofOne{g.hingeOne, g.gear}, ofTwo{g.hingeTwo, g.gear};
-    const std::vector<JointId> ofBase{g.hingeOne, g.hingeTwo, g.gear};
-    CHECK(g.world.body(g.one).joints() == ofOne);
-    CHECK(g.world.body(g.two).joints() == ofTwo);
-    CHECK(g.world.body(g.base).joints() == ofBase);
-    g.world.remove(g.hingeOne);
-    CHECK_FALSE(g.world.contains(g.gear));
-    CHECK(g.world.body(g.one).joints().empty());
-    CHECK(g.world.body(g.base).joints() == std::vector{g.hingeTwo});
+    Gearing gearing;
+    const std::vector<JointId> ofOne{gearing.hingeOne, gearing.gear}, ofTwo{gearing.hingeTwo, gearing.gear};
+    const std::vector<JointId> ofBase{gearing.hingeOne, gearing.hingeTwo, gearing.gear};
+    CHECK(gearing.world.body(gearing.one).joints() == ofOne);
+    CHECK(gearing.world.body(gearing.two).joints() == ofTwo);
+    CHECK(gearing.world.body(gearing.base).joints() == ofBase);
+    gearing.world.remove(gearing.hingeOne);
+    CHECK_FALSE(gearing.world.contains(gearing.gear));
+    CHECK(gearing.world.body(gearing.one).joints().empty());
+    CHECK(gearing.world.body(gearing.base).joints() == std::vector{gearing.hingeTwo});
 }
 
 TEST_CASE("a rod bears nothing once the ball that hung on it is made static or disabled", "[dynamics][joints]") {

@@ -4,7 +4,7 @@
 
 #include <plumb/plumb.h>
 #include "catch.h"
-#include "kit/dynamics/numbers.h"
+#include "kit/usual_world.h"
 
 using plumb::BodyId;
 using plumb::BodyType;

@@ -6,7 +6,7 @@
 #include <plumb/plumb.h>
 #include <plumb/record/state_hash.h>
 #include "catch.h"
-#include "kit/dynamics/numbers.h"
+#include "kit/usual_world.h"
 
 using plumb::BodyId;
 using plumb::BodyType;

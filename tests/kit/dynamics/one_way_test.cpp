@@ -5,8 +5,8 @@
 
 #include <plumb/plumb.h>
 #include "catch.h"
-#include "kit/dynamics/numbers.h"
 #include "kit/dynamics/worlds.h"
+#include "kit/usual_world.h"
 
 using plumb::BodyDef;
 using plumb::BodyId;

@@ -11,8 +11,8 @@
 #include <plumb/shapes/tile_text.h>
 #include "cases.h"
 #include "catch.h"
-#include "kit/dynamics/numbers.h"
 #include "kit/dynamics/sliders.h"
+#include "kit/usual_world.h"
 
 using plumb::BodyDef;
 using plumb::BodyId;

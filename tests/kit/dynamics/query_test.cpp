@@ -7,7 +7,7 @@
 #include <plumb/dynamics/world.h>
 
 #include "catch.h"
-#include "kit/dynamics/numbers.h"
+#include "numbers.h"
 
 namespace plumb::test {
 

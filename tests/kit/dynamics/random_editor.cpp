@@ -99,8 +99,8 @@ void setPose(RandomEditor& e) {
 void moveTo(RandomEditor& e) {
     Body body = e.some();
     const Vec2 position = e.vector(8);
-    const double angle = body.angle() + e.number(-1, 1), dt = e.number(-0.1, 2);
-    e.tryTo([&] { body.moveTo(position, angle, dt); });
+    const double angle = body.angle() + e.number(-1, 1), tick = e.number(-0.1, 2);
+    e.tryTo([&] { body.moveTo(position, angle, tick); });
 }
 
 void push(RandomEditor& e) {
@@ -266,12 +266,12 @@ BodyId RandomEditor::makeBody() {
     return bodies.back();
 }
 
-void RandomEditor::step(double dt) {
+void RandomEditor::step(double tick) {
     placesBefore_.clear();
     for (const BodyId& id : bodies) placesBefore_[id.index] = {world.body(id).position(), world.body(id).angle()};
-    world.step(dt);
+    world.step(tick);
     ++tally.steps;
-    lastStep_ = dt;
+    lastStep_ = tick;
     followEvents();
     followBreaks();
     if (manner.ledger) checkLedger();
@@ -279,7 +279,7 @@ void RandomEditor::step(double dt) {
     checkMoves();
     if (tally.steps % 16 != 0) return;
     check();
-    if (dt >= 1e-9) checkSensors();
+    if (tick >= 1e-9) checkSensors();
 }
 
 std::vector<RandomEditor::Action> bodyActions() {

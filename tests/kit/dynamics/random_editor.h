@@ -13,7 +13,7 @@
 #include <plumb/plumb.h>
 
 #include "catch.h"
-#include "kit/dynamics/numbers.h"
+#include "numbers.h"
 
 namespace plumb::test {
 
@@ -64,7 +64,7 @@ public:
     void removeJoint(JointId joint);
     ShapeDef anyShape();
     Filter anyFilter();
-    void step(double dt);
+    void step(double tick);
     /// Makes a call that the world may refuse, and then nothing may have changed. What it said, or nothing.
     template <class Call>
     std::string refusalOf(Call&& call) {

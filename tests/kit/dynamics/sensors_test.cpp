@@ -9,8 +9,8 @@
 #include <plumb/plumb.h>
 #include <plumb/shapes/chain.h>
 #include "catch.h"
-#include "kit/dynamics/numbers.h"
 #include "kit/dynamics/worlds.h"
+#include "kit/usual_world.h"
 
 using plumb::BodyDef;
 using plumb::BodyId;

@@ -135,8 +135,8 @@ TEST_CASE("steps of 1e-40 s do no harm to what rests, hangs and swings", "[dynam
     const BodyId bob = world.add({.position = {5, 3}, .shapes = {plumb::circle(0.2)}});
     world.join(plumb::RevoluteJointDef{.bodyA = floor, .bodyB = bob, .anchor = {5, 4}});
     steps(world, 10);
-    for (const double dt : {1e-40, 1e-300, 1e-12}) {
-        world.step(dt);
+    for (const double tick : {1e-40, 1e-300, 1e-12}) {
+        world.step(tick);
         CHECK(world.quarantines().empty());
     }
     steps(world, 60);

@@ -10,7 +10,7 @@
 #include <plumb/shapes/tile_text.h>
 #include "cases.h"
 #include "catch.h"
-#include "kit/dynamics/numbers.h"
+#include "kit/usual_world.h"
 
 using plumb::BodyId;
 using plumb::BodyType;

@@ -9,7 +9,7 @@
 #include <plumb/plumb.h>
 #include "cases.h"
 #include "catch.h"
-#include "kit/dynamics/numbers.h"
+#include "kit/usual_world.h"
 
 using plumb::BodyDef;
 using plumb::BodyId;
@@ -25,7 +25,7 @@ using plumb::test::dt;
 
 namespace {
 
-constexpr int ticks = 120;
+constexpr int runTicks = 120;
 
 /// Something that slides or rolls without falling over: its friction is below half its width over its height.
 struct RunSlider {
@@ -131,7 +131,7 @@ RunEnd endOf(const Run& run, const BodyDef& ground) {
                                    .velocity = run.speed * run.way(),
                                    .shapes = {run.slider.shape}});
     double least = run.speed;
-    for (int tick = 0; tick < ticks; ++tick) {
+    for (int tick = 0; tick < runTicks; ++tick) {
         world.step(dt);
         least = std::min(least, world.body(body).velocity().dot(run.way()));
     }

@@ -9,8 +9,8 @@
 #include <plumb/plumb.h>
 #include "cases.h"
 #include "catch.h"
-#include "kit/dynamics/numbers.h"
 #include "kit/dynamics/sliders.h"
+#include "kit/usual_world.h"
 
 using plumb::BodyId;
 using plumb::BodyType;

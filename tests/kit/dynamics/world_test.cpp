@@ -6,7 +6,7 @@
 
 #include <plumb/plumb.h>
 #include "catch.h"
-#include "kit/dynamics/numbers.h"
+#include "numbers.h"
 
 using plumb::BodyDef;
 using plumb::BodyId;

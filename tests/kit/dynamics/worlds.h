@@ -5,7 +5,7 @@
 
 #include <plumb/dynamics/world.h>
 
-#include "kit/dynamics/numbers.h"
+#include "kit/usual_world.h"
 
 namespace plumb::test {
 

@@ -15,7 +15,7 @@ using namespace plumb;
 
 namespace {
 
-constexpr double digits = 0.5e-10;  // worked numbers stand to ten digits after the point
+constexpr double discDigits = 0.5e-10;  // worked numbers stand to ten digits after the point
 
 double inertiaOf(const Disc& disc) {
     return disc.inertiaRatio * disc.mass * disc.radius * disc.radius;
@@ -44,11 +44,11 @@ Disc randomDisc(Random& random) {
 TEST_CASE("equal discs that meet 30 degrees off the line of centres part as the lecture says", "[impact][facts][law]") {
     const Disc a{.velocity = {1, 0}}, b{.position = {std::sqrt(3.0) / 2, 0.5}};
     const ImpactResult elastic = collideDiscs(a, b, {});
-    CHECK((elastic.velocityA - Vec2(0.25, -0.4330127019)).norm() < 2 * digits);
-    CHECK((elastic.velocityB - Vec2(0.75, 0.4330127019)).norm() < 2 * digits);
+    CHECK((elastic.velocityA - Vec2(0.25, -0.4330127019)).norm() < 2 * discDigits);
+    CHECK((elastic.velocityB - Vec2(0.75, 0.4330127019)).norm() < 2 * discDigits);
     const ImpactResult lossy = collideDiscs(a, b, {.restitution = 0.8});
-    CHECK((lossy.velocityA - Vec2(0.325, -0.3897114317)).norm() < 2 * digits);
-    CHECK((lossy.velocityB - Vec2(0.675, 0.3897114317)).norm() < 2 * digits);
+    CHECK((lossy.velocityA - Vec2(0.325, -0.3897114317)).norm() < 2 * discDigits);
+    CHECK((lossy.velocityB - Vec2(0.675, 0.3897114317)).norm() < 2 * discDigits);
 }
 
 // Worked numbers of response, disc on floor (Routh, Brach): r = 0.5, v = (4, -3), e = 0.5.
@@ -58,7 +58,7 @@ TEST_CASE("a disc that comes down at (4, -3) m/s rolls off at friction 0.5, slip
     const ImpactResult rolls = collideWithWall(disc, {}, {.restitution = 0.5, .friction = 0.5});
     CHECK(rolls.sticks);
     CHECK((rolls.velocityB - Vec2(8.0 / 3, 1.5)).norm() < 1e-14);
-    CHECK(std::fabs(rolls.angularVelocityB + 5.3333333333) < digits);
+    CHECK(std::fabs(rolls.angularVelocityB + 5.3333333333) < discDigits);
     const ImpactResult slips = collideWithWall(disc, {}, {.restitution = 0.5, .friction = 0.2});
     CHECK_FALSE(slips.sticks);
     CHECK((slips.velocityB - Vec2(3.1, 1.5)).norm() < 1e-14);

@@ -4,22 +4,22 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 
 #include <plumb/math/random.h>
 #include <plumb/math/rot.h>
 
 #include "catch.h"
+#include "numbers.h"
 
 using plumb::ImpactLaw;
 using plumb::ImpactResult;
 using plumb::ImpactSide;
 using plumb::Vec2;
+using plumb::test::infinity;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 
 bool near(double a, double b, double tolerance) {
@@ -30,7 +30,7 @@ bool near(const Vec2& a, const Vec2& b, double tolerance) {
 }
 
 // Worked numbers stand to ten digits after the point.
-constexpr double digits = 0.5e-10;
+constexpr double impactDigits = 0.5e-10;
 
 const ImpactSide floorSide{};
 
@@ -137,25 +137,25 @@ TEST_CASE("equal discs that meet 30 degrees off the line part as the lecture say
     const ImpactSide b{.inverseMass = 1};
     const Vec2 normal(std::sqrt(3.0) / 2, 0.5);
     const ImpactResult elastic = plumb::impact(a, b, normal, {.restitution = 1});
-    CHECK(near(elastic.velocityA, {0.25, -0.4330127019}, digits));
-    CHECK(near(elastic.velocityB, {0.75, 0.4330127019}, digits));
+    CHECK(near(elastic.velocityA, {0.25, -0.4330127019}, impactDigits));
+    CHECK(near(elastic.velocityB, {0.75, 0.4330127019}, impactDigits));
     const ImpactResult lossy = plumb::impact(a, b, normal, {.restitution = 0.8});
-    CHECK(near(lossy.velocityA, {0.325, -0.3897114317}, digits));
-    CHECK(near(lossy.velocityB, {0.675, 0.3897114317}, digits));
+    CHECK(near(lossy.velocityA, {0.325, -0.3897114317}, impactDigits));
+    CHECK(near(lossy.velocityB, {0.675, 0.3897114317}, impactDigits));
 }
 
 TEST_CASE("a disc thrown at the floor rolls off at friction 0.5, and slips at 0.2", "[impact][facts][law]") {
     const ImpactResult rolls =
         plumb::impact(floorSide, discOnFloor({4, -3}), {0, 1}, {.restitution = 0.5, .friction = 0.5});
     CHECK(rolls.sticks);
-    CHECK(near(rolls.velocityB, {8.0 / 3, 1.5}, digits));
-    CHECK(near(rolls.angularVelocityB, -5.3333333333, digits));
+    CHECK(near(rolls.velocityB, {8.0 / 3, 1.5}, impactDigits));
+    CHECK(near(rolls.angularVelocityB, -5.3333333333, impactDigits));
     CHECK(rolls.velocityA == Vec2(0, 0));
     const ImpactResult slips =
         plumb::impact(floorSide, discOnFloor({4, -3}), {0, 1}, {.restitution = 0.5, .friction = 0.2});
     CHECK_FALSE(slips.sticks);
-    CHECK(near(slips.velocityB, {3.1, 1.5}, digits));
-    CHECK(near(slips.angularVelocityB, -3.6, digits));
+    CHECK(near(slips.velocityB, {3.1, 1.5}, impactDigits));
+    CHECK(near(slips.angularVelocityB, -3.6, impactDigits));
 }
 
 TEST_CASE("the friction at which the thrown disc ceases to slip is 8/27", "[impact][facts][law]") {

@@ -4,18 +4,17 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <limits>
 
 #include <plumb/math/random.h>
 
 #include "cases.h"
 #include "catch.h"
+#include "numbers.h"
 
 using namespace plumb;
+using plumb::test::infinity;
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Sums {
     double momentum = 0, energy = 0, size = 0;

@@ -8,8 +8,7 @@
 
 #include "catch.h"
 #include "kit/integrate/methods.h"
-
-namespace {
+#include "kit/integrate/oscillator.h"
 
 using plumb::AdaptiveSettings;
 using plumb::AdaptiveWalk;
@@ -17,13 +16,8 @@ using plumb::integrate;
 using plumb::Integration;
 using plumb::IntegrationEnd;
 using plumb::test::Number;
-using Vector2 = Eigen::Vector2d;
-
-Vector2 oscillator(double, const Vector2& y) {
-    return {y[1], -y[0]};
-}
-
-}  // namespace
+using plumb::test::oscillator;
+using plumb::test::Vector2;
 
 TEST_CASE("an oscillator is within the tolerance times the steps after 100 s", "[integrate]") {
     for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {

@@ -9,6 +9,7 @@
 
 #include "cases.h"
 #include "catch.h"
+#include "kit/integrate/oscillator.h"
 
 namespace {
 
@@ -18,13 +19,11 @@ using plumb::Integration;
 using plumb::IntegrationEnd;
 using plumb::Random;
 using plumb::ZeroCrossing;
+using plumb::test::oscillator;
+using plumb::test::Vector2;
 using std::numbers::pi;
-using Vector2 = Eigen::Vector2d;
 using Vector4 = Eigen::Vector4d;
 
-Vector2 oscillator(double, const Vector2& y) {
-    return {y[1], -y[0]};
-}
 double first(double, const Vector2& y) {
     return y[0];
 }

@@ -105,7 +105,7 @@ double ulpOf(Long value) {
 }
 
 /// Of the solutions found, the one closest: by how many of the last place it is off beyond what the truth may be.
-double worstUlps(const Case& c) {
+double worstUlpsOfCase(const Case& c) {
     double best = std::numeric_limits<double>::infinity();
     for (const SolvedMotion& motion : solveMotion(c.known, MotionTimes::AnyReal).motions) {
         double worst = 0;
@@ -142,7 +142,7 @@ TEST_CASE("each of 10,000,000 answers is within four of its last place of the te
         std::vector<Case> list = casesOf(d, u, v, a, t);
         for (Case& c : quadraticCases(d, u, v, a)) list.push_back(std::move(c));
         for (const Case& c : list) {
-            const double ulps = worstUlps(c);
+            const double ulps = worstUlpsOfCase(c);
             if (!(ulps > worst)) continue;
             worst = ulps;
             at = "d " + std::to_string(d) + ", u " + std::to_string(u) + ", v " + std::to_string(v) + ", a " +

@@ -3,19 +3,14 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <stdexcept>
 
 #include <plumb/math/random.h>
 
 #include "catch.h"
+#include "numbers.h"
 
-namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
+using plumb::test::infinity;
 
 TEST_CASE("numbers in messages are as short as a person would write them", "[math][errors]") {
     CHECK(plumb::toText(-1.0) == "-1");
@@ -25,7 +20,7 @@ TEST_CASE("numbers in messages are as short as a person would write them", "[mat
     CHECK(plumb::toText(1e300) == "1e+300");
     CHECK(plumb::toText(infinity) == "inf");
     CHECK(plumb::toText(-infinity) == "-inf");
-    CHECK(plumb::toText(-notANumber) == "nan");
+    CHECK(plumb::toText(-plumb::test::nan) == "nan");
     CHECK(plumb::toText(plumb::Vec2(0.5, -2)) == "(0.5, -2)");
 }
 
@@ -41,9 +36,9 @@ TEST_CASE("100,000 numbers of any size read back as they were", "[math][errors]"
 
 TEST_CASE("a refusal names field, value and what is wrong", "[math][errors]") {
     using plumb::Vec2;
-    CHECK_THROWS_AS(plumb::requireFinite(notANumber, "BodyDef.angle"), std::invalid_argument);
-    CHECK_THROWS_WITH(plumb::requireFinite(notANumber, "BodyDef.angle"), "BodyDef.angle: nan is not finite");
-    CHECK_THROWS_WITH(plumb::requireFinite(Vec2(notANumber, 0), "BodyDef", ".position"),
+    CHECK_THROWS_AS(plumb::requireFinite(plumb::test::nan, "BodyDef.angle"), std::invalid_argument);
+    CHECK_THROWS_WITH(plumb::requireFinite(plumb::test::nan, "BodyDef.angle"), "BodyDef.angle: nan is not finite");
+    CHECK_THROWS_WITH(plumb::requireFinite(Vec2(plumb::test::nan, 0), "BodyDef", ".position"),
                       "BodyDef.position: (nan, 0) is not finite");
     CHECK_THROWS_WITH(plumb::requireFinite(Vec2(0, -infinity), "at"), "at: (0, -inf) is not finite");
     CHECK_THROWS_WITH(plumb::requirePositive(-1, "Circle.radius"), "Circle.radius: -1 is not positive");
@@ -52,7 +47,7 @@ TEST_CASE("a refusal names field, value and what is wrong", "[math][errors]") {
     CHECK_THROWS_WITH(plumb::requirePositive(Vec2(1, 0), "box", ".halfSize"), "box.halfSize: (1, 0) is not positive");
     CHECK_THROWS_WITH(plumb::requireNotNegative(-0.5, "d"), "d: -0.5 is negative");
     CHECK_THROWS_WITH(plumb::requireWithin(1.5, 0, 1, "e"), "e: 1.5 is not within 0 to 1");
-    CHECK_THROWS_WITH(plumb::requireWithin(notANumber, 0, 1, "e"), "e: nan is not finite");
+    CHECK_THROWS_WITH(plumb::requireWithin(plumb::test::nan, 0, 1, "e"), "e: nan is not finite");
 }
 
 TEST_CASE("what is as asked for is taken in, the bounds included", "[math][errors]") {

@@ -4,24 +4,21 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <limits>
 
 #include <plumb/math/random.h>
 #include <plumb/math/trig.h>
 
 #include "catch.h"
+#include "kit/math/reference.h"
+#include "numbers.h"
+
+using plumb::test::infinity;
+using plumb::test::million;
+using plumb::test::own;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
-constexpr int million = 1'000'000;
-
-// The reference's own error, in a double's last places: 11 bits more than a double. Up to 1 where long double is
-// double.
-constexpr double own = std::numeric_limits<long double>::digits >= 64 ? 1e-3 : 1;
-
-struct Worst {
+struct WorstUlps {
     double ulps = 0, at = 0;
     void hold(double x, double value, long double exact) {
         int exponent = 0;
@@ -39,7 +36,7 @@ struct Worst {
 
 TEST_CASE("a million logarithms are within 1 ulp, and with 1 added first", "[math][trig]") {
     plumb::Random random(23);
-    Worst plain, plus;
+    WorstUlps plain, plus;
     for (int i = 0; i < million; ++i) {
         const int kind = random.integer(0, 3);
         // Every magnitude; 0 to 3; close to 1 or 0, closer and closer.
@@ -81,6 +78,7 @@ TEST_CASE("logarithms at 1, at the ends of the range and of values that have non
     CHECK(plumb::logarithm1Plus(-1) == -infinity);
     CHECK(plumb::logarithm(infinity) == infinity);
     CHECK(plumb::logarithm1Plus(infinity) == infinity);
-    for (const double bad : {-5e-324, -1.0, -infinity, notANumber}) CHECK(std::isnan(plumb::logarithm(bad)));
-    for (const double bad : {-1.0000000000000002, -infinity, notANumber}) CHECK(std::isnan(plumb::logarithm1Plus(bad)));
+    for (const double bad : {-5e-324, -1.0, -infinity, plumb::test::nan}) CHECK(std::isnan(plumb::logarithm(bad)));
+    for (const double bad : {-1.0000000000000002, -infinity, plumb::test::nan})
+        CHECK(std::isnan(plumb::logarithm1Plus(bad)));
 }

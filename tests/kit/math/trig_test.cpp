@@ -3,24 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 #include <plumb/math/random.h>
 #include <plumb/math/rot.h>
 
 #include "catch.h"
+#include "kit/math/reference.h"
+#include "numbers.h"
+
+using plumb::test::infinity;
+using plumb::test::million;
+using plumb::test::own;
+using plumb::test::pi;
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
-constexpr int million = 1'000'000;
-
-// The reference's own error, in a double's last places: with 11 bits more than a double, or 60, as good as none. Where
-// long double is no longer than double it is up to 1.
-constexpr double own = std::numeric_limits<long double>::digits >= 64 ? 1e-3 : 1;
 
 double lastPlace(long double exact) {
     int exponent = 0;
@@ -36,7 +32,7 @@ double distance(double value, long double exact) {
     return static_cast<double>(std::fabs(value - exact));
 }
 
-struct Worst {
+struct WorstErrors {
     double ulps = 0;
     double distance = 0;
     void hold(double value, long double exact) {
@@ -51,9 +47,9 @@ double someAngle(plumb::Random& random, double range) {
     return random.integer(0, 3) > 0 ? angle : std::nearbyint(angle / (pi / 2)) * (pi / 2);
 }
 
-Worst worstSinCos(double range, int count) {
+WorstErrors worstSinCos(double range, int count) {
     plumb::Random random(7);
-    Worst worst;
+    WorstErrors worst;
     for (int i = 0; i < count; ++i) {
         const double angle = someAngle(random, range);
         const plumb::SinCos result = plumb::sinCos(angle);
@@ -113,7 +109,7 @@ TEST_CASE("sine and cosine at the edges of quadrants, at 0 and at values that ar
             CHECK(ulps(plumb::sinCos(angle).sin, std::sin(static_cast<long double>(angle))) < 1 + own);
             CHECK(ulps(plumb::sinCos(angle).cos, std::cos(static_cast<long double>(angle))) < 1 + own);
         }
-    for (const double bad : {infinity, -infinity, notANumber}) {
+    for (const double bad : {infinity, -infinity, plumb::test::nan}) {
         CHECK(std::isnan(plumb::sinCos(bad).sin));
         CHECK(std::isnan(plumb::sinCos(bad).cos));
     }
@@ -125,7 +121,7 @@ TEST_CASE("sine and cosine at the edges of quadrants, at 0 and at values that ar
 
 TEST_CASE("arc tangents of a million vectors are within 1.5 ulp and 4e-16 rad", "[math][trig]") {
     plumb::Random random(13);
-    Worst worst;
+    WorstErrors worst;
     for (int i = 0; i < million; ++i) {
         const int kind = random.integer(0, 3);
         const double x = random.uniform(-1, 1) * (kind == 1 ? std::exp2(random.uniform(-1000, 1000)) : 1);
@@ -155,7 +151,7 @@ TEST_CASE("arc tangents along the axes, the diagonals, and of vectors that have 
     CHECK(plumb::arcTangent(5e-324, 1.7e308) == 0);
     // The ratio of two denormals is not quite 3: they hold 43 bits.
     CHECK(std::fabs(plumb::arcTangent(3e-310, 1e-310) - std::atan(3.0)) < 0x1p-43);
-    for (const double bad : {infinity, -infinity, notANumber}) {
+    for (const double bad : {infinity, -infinity, plumb::test::nan}) {
         CHECK(std::isnan(plumb::arcTangent(bad, 1)));
         CHECK(std::isnan(plumb::arcTangent(1, bad)));
     }
@@ -174,8 +170,8 @@ TEST_CASE("a rotation gives back the angle it was made from at 100,000 angles", 
 
 TEST_CASE("a million exponentials are within 1 ulp, and 1.5 with 1 taken off", "[math][trig]") {
     plumb::Random random(19);
-    Worst plain;
-    Worst less;
+    WorstErrors plain;
+    WorstErrors less;
     for (int i = 0; i < million; ++i) {
         const int kind = random.integer(0, 2);
         const double x = kind == 0   ? random.uniform(-708, 709)
@@ -207,6 +203,6 @@ TEST_CASE("exponentials at 0, at the ends of the range and at values that are no
         CHECK(plumb::exponential(-huge) == 0);
         CHECK(plumb::exponentialMinus1(-huge) == -1);
     }
-    CHECK(std::isnan(plumb::exponential(notANumber)));
-    CHECK(std::isnan(plumb::exponentialMinus1(notANumber)));
+    CHECK(std::isnan(plumb::exponential(plumb::test::nan)));
+    CHECK(std::isnan(plumb::exponentialMinus1(plumb::test::nan)));
 }

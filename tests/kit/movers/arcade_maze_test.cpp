@@ -18,15 +18,15 @@ namespace {
 using namespace plumb;
 using namespace plumb::test;
 
-constexpr int rows = 36;
+constexpr int mazeRows = 36;
 
 Cell fromAbove(int column, int row) {
-    return {column, rows - 1 - row};
+    return {column, mazeRows - 1 - row};
 }
 
 /// The tunnel's row alone, open from edge to edge, and around.
 TileMap tunnelRow() {
-    TileMap map = filled({.columns = 28, .rows = rows, .wrapX = true});
+    TileMap map = filled({.columns = 28, .rows = mazeRows, .wrapX = true});
     for (int column = 0; column < 28; ++column) map.set(fromAbove(column, 17), {});
     return map;
 }
@@ -100,7 +100,7 @@ TEST_CASE("a hunter goes through the tunnel at 40, 45 and 50 %, frame by frame a
 TEST_CASE("the tunnel is 6 tiles at each end of row 17 from above, and no other tile of the 1,008", "[arcade]") {
     const ArcadeMaze maze = arcadeMaze();
     int slow = 0;
-    for (int row = 0; row < rows; ++row)
+    for (int row = 0; row < mazeRows; ++row)
         for (int column = 0; column < 28; ++column) slow += isSlow(maze, {column, row});
     CHECK(slow == 12);
     for (const int column : {0, 5, 22, 27}) CHECK(isSlow(maze, fromAbove(column, 17)));
@@ -109,7 +109,7 @@ TEST_CASE("the tunnel is 6 tiles at each end of row 17 from above, and no other 
 
 TEST_CASE("hunters do not turn up at (12, 14), (15, 14), (12, 26) and (15, 26), but when frightened", "[arcade]") {
     const ArcadeMaze maze = arcadeMaze();
-    const TileMap open({.columns = 28, .rows = rows});
+    const TileMap open({.columns = 28, .rows = mazeRows});
     for (const Cell cell : {fromAbove(12, 14), fromAbove(15, 14), fromAbove(12, 26), fromAbove(15, 26)}) {
         const Cell target{cell.column, cell.row + 5};
         GridCrossing crossing{.cell = cell, .heading = Direction::Right};
@@ -124,7 +124,7 @@ TEST_CASE("hunters do not turn up at (12, 14), (15, 14), (12, 26) and (15, 26), 
 
 TEST_CASE("hunters start at pixels (112, 116), (112, 140), (96, 140) and (128, 140), half a tile beside a centre",
           "[arcade][movers]") {
-    const TileMap open({.columns = 28, .rows = rows});
+    const TileMap open({.columns = 28, .rows = mazeRows});
     const ArcadeMaze maze = arcadeMaze();
     const std::vector<Vec2> pixels{{112, 116}, {112, 140}, {96, 140}, {128, 140}};
     for (std::size_t i = 0; i < 4; ++i) {
@@ -133,7 +133,7 @@ TEST_CASE("hunters start at pixels (112, 116), (112, 140), (96, 140) and (128, 1
         for (const Direction heading : {Direction::Left, Direction::Right}) {
             GridMover hunter({.cell = start.cell, .offset = start.offset, .heading = heading, .reverses = false});
             const Vec2 place = hunter.position(open) * 8;
-            CHECK(Vec2(place.x(), rows * 8 - place.y()) == pixels[i]);
+            CHECK(Vec2(place.x(), mazeRows * 8 - place.y()) == pixels[i]);
             // To the next centre there are 4 pixels, and 8 to the one after it.
             int centres = 0;
             for (int frame = 1; frame <= 12; ++frame)
@@ -150,7 +150,7 @@ TEST_CASE("hunters start at pixels (112, 116), (112, 140), (96, 140) and (128, 1
         const int x = random.integer(1, 224), y = random.integer(0, 287);
         const GridPlace place = placeOfPixel(x, y);
         CHECK(open.contains(place.cell));
-        CHECK((8 * (open.centerOf(place.cell) + place.offset) - Vec2(x, rows * 8 - y)).isZero(0));
+        CHECK((8 * (open.centerOf(place.cell) + place.offset) - Vec2(x, mazeRows * 8 - y)).isZero(0));
         CHECK(place.offset.minCoeff() > -0.5);
         CHECK(place.offset.maxCoeff() <= 0.5);
     }

@@ -9,12 +9,6 @@
 
 namespace plumb::test {
 
-namespace {
-
-constexpr double dt = 1.0 / 60;
-
-}  // namespace
-
 TEST_CASE("who cannot drop through, half on stone, does not fall through the one-way tiles that it then walks on",
           "[movers]") {
     for (double x : {2.9, 3.0, 3.1}) {
@@ -43,7 +37,7 @@ TEST_CASE("a floor that is set 30 m or 0.5 m away by hand does not take along wh
         for (const Vec2& to : {Vec2(30, -0.5), Vec2(0, -1), Vec2(0, -40)}) {
             World world;
             const BodyId floor = world.add({.type = type, .position = {0, -0.5}, .shapes = {box({5, 0.5})}});
-            Slider slider{addKinematic(world, {0, 0.901}, box({0.4, 0.9}))};
+            SlidingMover slider{addKinematic(world, {0, 0.901}, box({0.4, 0.9}))};
             slider.land(world);
             for (int i = 0; i < 5; ++i) slider.step(world, 0, dt);
             world.body(floor).setPose(to, 0);
@@ -60,7 +54,7 @@ TEST_CASE("a floor that is set 30 m or 0.5 m away by hand does not take along wh
 TEST_CASE("who stands on a platform of 5 m/s that is removed flies on at its speed", "[movers]") {
     World world;
     const BodyId platform = addKinematic(world, {0, 0}, box({2, 0.25}));
-    Slider slider{addKinematic(world, {0, 1.151}, box({0.4, 0.9}))};
+    SlidingMover slider{addKinematic(world, {0, 1.151}, box({0.4, 0.9}))};
     slider.land(world);
     world.body(platform).setVelocity({5, 2});
     for (int i = 0; i < 10; ++i) slider.step(world, 0, dt);

@@ -11,6 +11,8 @@
 #include "cases.h"
 #include "catch.h"
 #include "kit/movers/mazes.h"
+#include "kit/movers/stage.h"
+#include "kit/usual_world.h"
 
 using namespace plumb;
 using namespace plumb::test;
@@ -25,9 +27,9 @@ TEST_CASE("a million ticks of random length at 3.7 tiles/s: as far as speed time
         long cells = 0;
         const int ticks = cases(1000000);
         for (int tick = 0; tick < ticks; ++tick) {
-            const double dt = random.uniform(0, 1.0 / 30);
-            time += dt;
-            cells += count(mover.move(map, 3.7, dt), GridEventKind::Entered);
+            const double passed = random.uniform(0, 1.0 / 30);
+            time += passed;
+            cells += count(mover.move(map, 3.7, passed), GridEventKind::Entered);
         }
         const double off = mover.offset().dot(unitOf(heading)) - static_cast<double>(3.7L * time - cells);
         // Per tick at most 4 sums of numbers below 4 pixels, each off by 2^-52 pixels, an eighth of that in tiles; they
@@ -56,7 +58,6 @@ TEST_CASE("a kinematic body told each tick stands where the mover is", "[movers]
     const TileMap map = crossOfLanes();
     GridMover mover({.cell = {1, 4}, .cornering = {.right = {0.25, 0.25}}});
     mover.want(Direction::Up);
-    const double dt = 1.0 / 60;
     World world;
     const BodyId body =
         world.add({.type = BodyType::Kinematic, .position = mover.position(map), .shapes = {circle(0.4)}});

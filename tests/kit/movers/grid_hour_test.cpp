@@ -16,7 +16,6 @@ namespace {
 
 using namespace plumb;
 using namespace plumb::test;
-using Kind = GridEventKind;
 
 /// Per tick, four numbers of at most 4 pixels, or of its way, are rounded per leg, and there are two legs a tile.
 double roundingOf(double way) {
@@ -105,30 +104,32 @@ private:
         bool wrapped = false;
         for (const GridEvent& event : events) {
             const Cell next = open_.next(cell, heading), inside = open_.wrapped(next);
-            const bool turns = event.kind == Kind::Turned || event.kind == Kind::Reversed;
-            if (event.kind == Kind::Wrapped) {
+            const bool turns = event.kind == GridEventKind::Turned || event.kind == GridEventKind::Reversed;
+            if (event.kind == GridEventKind::Wrapped) {
                 ++totals_.wraps;
                 if (inside == next) return "wrapped where there is no edge";
                 wrapped = true;
             }
-            if (event.kind == Kind::Entered) {
+            if (event.kind == GridEventKind::Entered) {
                 if (wrapped != !(inside == next)) return "over an edge without a word";
                 if (!open_.at(next)) return "through a wall";
                 wrapped = false;
             }
-            if (event.kind == Kind::Wrapped || event.kind == Kind::Entered) cell = inside;
-            if (event.kind == Kind::Wrapped) cell = beforeEdge(inside, heading);
-            if (turns && isHorizontal(event.direction) == isHorizontal(heading) && event.kind == Kind::Turned)
+            if (event.kind == GridEventKind::Wrapped || event.kind == GridEventKind::Entered) cell = inside;
+            if (event.kind == GridEventKind::Wrapped) cell = beforeEdge(inside, heading);
+            if (turns && isHorizontal(event.direction) == isHorizontal(heading) && event.kind == GridEventKind::Turned)
                 return "turned into its own lane";
-            if (event.kind == Kind::Reversed && unitOf(event.direction) != Vec2(-unitOf(heading)))
+            if (event.kind == GridEventKind::Reversed && unitOf(event.direction) != Vec2(-unitOf(heading)))
                 return "reversed, but not back";
-            if (event.kind == Kind::Turned && !open_.ahead(cell, event.direction)) return "turned towards a wall";
+            if (event.kind == GridEventKind::Turned && !open_.ahead(cell, event.direction))
+                return "turned towards a wall";
             if (turns) heading = event.direction;
-            if (!(event.cell == (event.kind == Kind::Wrapped ? inside : cell))) return "an event of another cell";
+            if (!(event.cell == (event.kind == GridEventKind::Wrapped ? inside : cell)))
+                return "an event of another cell";
             if (event.direction != heading) return "an event of another direction";
-            totals_.turns += event.kind == Kind::Turned ? 1 : 0;
-            totals_.reversals += event.kind == Kind::Reversed ? 1 : 0;
-            totals_.stops += event.kind == Kind::Stopped ? 1 : 0;
+            totals_.turns += event.kind == GridEventKind::Turned ? 1 : 0;
+            totals_.reversals += event.kind == GridEventKind::Reversed ? 1 : 0;
+            totals_.stops += event.kind == GridEventKind::Stopped ? 1 : 0;
         }
         if (!(cell == mover_.cell()) || heading != mover_.heading()) return "its events lead elsewhere";
         return {};
@@ -184,16 +185,16 @@ private:
         double sum = 0, from = offset_.dot(unitOf(heading_));
         for (const GridEvent& event : events) {
             switch (event.kind) {
-                case Kind::Entered:
+                case GridEventKind::Entered:
                     sum += 0.5 - from;
                     from = -0.5;
                     break;
-                case Kind::ReachedCentre:
-                case Kind::Turned:
+                case GridEventKind::ReachedCentre:
+                case GridEventKind::Turned:
                     sum += 0 - from;
                     from = 0;
                     break;
-                case Kind::Reversed:
+                case GridEventKind::Reversed:
                     if (patterned_) {
                         const double rest = toWhereItTurnedBack(event, from, sum);
                         sum += rest;
@@ -201,8 +202,8 @@ private:
                     }
                     from = -from;
                     break;
-                case Kind::Stopped:
-                case Kind::Wrapped: break;
+                case GridEventKind::Stopped:
+                case GridEventKind::Wrapped: break;
             }
         }
         return sum + mover_.offset().dot(unitOf(mover_.heading())) - from;

@@ -2,16 +2,15 @@
 #include <plumb/movers/grid_mover.h>
 
 #include <cmath>
-#include <limits>
 
 #include "catch.h"
 #include "kit/movers/mazes.h"
+#include "numbers.h"
 
 namespace {
 
 using namespace plumb;
 using namespace plumb::test;
-using Kind = GridEventKind;
 
 std::vector<GridEvent> listOf(std::span<const GridEvent> events) {
     return {events.begin(), events.end()};
@@ -24,9 +23,9 @@ TEST_CASE("3.25 tiles at once from (1, 1) to the right: events in their order, a
     GridMover mover({.cell = {1, 1}});
     const auto events = listOf(mover.move(lane(true, 8, false), 13, 0.25));
     const std::vector<GridEvent> expected{
-        {Kind::Entered, {2, 1}, Direction::Right}, {Kind::ReachedCentre, {2, 1}, Direction::Right},
-        {Kind::Entered, {3, 1}, Direction::Right}, {Kind::ReachedCentre, {3, 1}, Direction::Right},
-        {Kind::Entered, {4, 1}, Direction::Right}, {Kind::ReachedCentre, {4, 1}, Direction::Right}};
+        {GridEventKind::Entered, {2, 1}, Direction::Right}, {GridEventKind::ReachedCentre, {2, 1}, Direction::Right},
+        {GridEventKind::Entered, {3, 1}, Direction::Right}, {GridEventKind::ReachedCentre, {3, 1}, Direction::Right},
+        {GridEventKind::Entered, {4, 1}, Direction::Right}, {GridEventKind::ReachedCentre, {4, 1}, Direction::Right}};
     CHECK(events == expected);
     CHECK(mover.cell() == Cell{4, 1});
     CHECK(mover.offset() == Vec2(0.25, 0));
@@ -43,14 +42,14 @@ TEST_CASE(
         std::vector<GridEvent> stops;
         for (int tick = 0; tick < 50; ++tick)
             for (const GridEvent& event : mover.move(map, 0.7, 0.1))
-                if (event.kind == Kind::Stopped) stops.push_back(event);
-        CHECK(stops == std::vector<GridEvent>{{Kind::Stopped, neighbourOf({4, 4}, heading), heading}});
+                if (event.kind == GridEventKind::Stopped) stops.push_back(event);
+        CHECK(stops == std::vector<GridEvent>{{GridEventKind::Stopped, neighbourOf({4, 4}, heading), heading}});
         CHECK(mover.stopped());
         CHECK(mover.offset() == Vec2(0, 0));
 
         GridMover back = mover;
         back.want(opposite(heading));
-        CHECK(listOf(back.move(map, 1, 0.25)).front().kind == Kind::Reversed);
+        CHECK(listOf(back.move(map, 1, 0.25)).front().kind == GridEventKind::Reversed);
         CHECK_FALSE(back.stopped());
         CHECK((back.offset() + 0.25 * unitOf(heading)).norm() == 0);
 
@@ -70,11 +69,11 @@ TEST_CASE("a lap of a tunnel of 28 tiles takes 224 frames at a pixel a frame: a 
         int wraps = 0;
         for (int frame = 1; frame <= 224 * 1000; ++frame) {
             const auto events = mover.moveFrame(map, onePixelAFrame);
-            wraps += count(events, Kind::Wrapped);
-            if (count(events, Kind::Wrapped) == 1) {
+            wraps += count(events, GridEventKind::Wrapped);
+            if (count(events, GridEventKind::Wrapped) == 1) {
                 REQUIRE(events.size() == 2);
-                REQUIRE(events[0].kind == Kind::Wrapped);
-                REQUIRE(events[1].kind == Kind::Entered);
+                REQUIRE(events[0].kind == GridEventKind::Wrapped);
+                REQUIRE(events[1].kind == GridEventKind::Entered);
                 REQUIRE(events[1].cell == map.wrapped(events[1].cell));
             }
         }
@@ -120,7 +119,7 @@ TEST_CASE("a wall put up in front of one that is past the centre sends it back t
     mover.move(map, 0.25, 1);
     map.set({3, 1}, wallTile);
     const auto events = listOf(mover.move(map, 0.125, 1));
-    CHECK(events == std::vector<GridEvent>{{Kind::Reversed, {2, 1}, Direction::Left}});
+    CHECK(events == std::vector<GridEvent>{{GridEventKind::Reversed, {2, 1}, Direction::Left}});
     CHECK(mover.offset() == Vec2(0.125, 0));
     map.set({1, 1}, wallTile);
     mover.move(map, 1, 1);
@@ -210,7 +209,7 @@ TEST_CASE("told to reverse on the very edge of a tile, it goes through that tile
 
 TEST_CASE("unsound numbers are refused by name, and nothing has moved", "[movers]") {
     const TileMap map = lane(true, 8, false);
-    const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
+    const double nan = std::nan("");
     CHECK_THROWS_WITH(GridMover({.cornering = {.left = {0.6, 0}}}),
                       "Cornering.left.before: 0.6 is not within 0 to 0.5");
     CHECK_THROWS_AS(GridMover({.cornering = {.up = {0, -0.1}}}), std::invalid_argument);

@@ -16,7 +16,6 @@ namespace plumb::test {
 
 namespace {
 
-constexpr double dt = 1.0 / 60, skin = 1e-3;
 /// In a tick, of the modern profile: 20 m/s down or up, 4 aside, a step of 0.25 m up and as much down to a floor.
 constexpr double farthest = 24 * dt + 0.25 + 0.35;
 
@@ -37,7 +36,7 @@ TEST_CASE("who stands with one foot of 0.4 m on a hazard tile, the other on a so
         for (const double at : {2.7, 3.0, 3.3, 3.5, 3.7, 4.0, 4.3}) {
             World world;
             const BodyId ground = addStatic(world, {0, 0}, tiles(tileMapOf({".......", "###^###"})));
-            Slider slider{addKinematic(world, {at, 1.95}, hero)};
+            SlidingMover slider{addKinematic(world, {at, 1.95}, hero)};
             slider.land(world);
             for (int i = 0; i < 30; ++i) {
                 slider.step(world, 0, dt);
@@ -54,7 +53,7 @@ TEST_CASE("hazards in line are told one by one, those of walls and ceilings too,
           "[movers][tiles]") {
     World world;
     addStatic(world, {0, 0}, tiles(tileMapOf({"########", "#...^..#", "^.^...#^", "#......^", "##^^^^##"})));
-    Slider slider{addKinematic(world, {3.5, 1.46}, box({1.2, 0.45}))};
+    SlidingMover slider{addKinematic(world, {3.5, 1.46}, box({1.2, 0.45}))};
     slider.land(world);
     CHECK(columnsOf(slider.slide, 0) == std::vector{2, 3, 4});
     CHECK(slider.slide.hazards.size() == 3);
@@ -80,7 +79,7 @@ TEST_CASE("at 45 m/s, 0.75 m a tick, a mover of 0.2 m is told each hazard of 0.2
     World world;
     addStatic(world, {0, 0},
               tiles(tileMapOf({"................................", "####^#^####^########^###^#######"}, 0.25)));
-    Slider slider{addKinematic(world, {0.3, 0.46}, box({0.1, 0.2}))};
+    SlidingMover slider{addKinematic(world, {0.3, 0.46}, box({0.1, 0.2}))};
     slider.land(world);
     std::vector<int> told;
     while (slider.slide.position.x() < 7)

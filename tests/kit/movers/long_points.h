@@ -3,13 +3,11 @@
 #pragma once
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include <plumb/math/vec2.h>
 
 namespace plumb::test {
 
-inline constexpr double pi = std::numbers::pi;
 using Real = long double;
 
 struct LongPoint {

@@ -14,12 +14,10 @@ namespace plumb::test {
 
 namespace {
 
-constexpr double dt = 1.0 / 60, skin = 1e-3;
-
 struct Crowd {
     World world;
     std::vector<BodyId> bodies;
-    std::vector<Slider> sliders;
+    std::vector<SlidingMover> sliders;
 
     Crowd() { addStatic(world, {0, -0.5}, box({60, 0.5})); }
     void add(double x) {
@@ -29,7 +27,7 @@ struct Crowd {
     /// In this order, each at its speed.
     void step(const std::vector<double>& speeds) {
         for (std::size_t i = 0; i < sliders.size(); ++i) {
-            Slider& s = sliders[i];
+            SlidingMover& s = sliders[i];
             const double rise = s.slide.isOnFloor ? 0 : s.slide.velocity.y() - s.gravity * dt;
             const SlideMotion motion{
                 .velocity = {speeds[i], rise}, .dt = dt, .later = std::span(bodies).subspan(i + 1)};

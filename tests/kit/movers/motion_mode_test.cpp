@@ -16,7 +16,6 @@ namespace plumb::test {
 
 namespace {
 
-constexpr double dt = 1.0 / 60, skin = 1e-3;
 const SlideSettings floating{.motionMode = MotionMode::Floating, .stepHeight = 0.25, .ledgeNudge = 0.1};
 
 }  // namespace
@@ -94,7 +93,7 @@ TEST_CASE("at a ceiling a jump aside goes on at 3 m/s, or stops and falls straig
     for (const bool slides : {true, false}) {
         World world;
         addStatic(world, {0, 4}, box({30, 0.5}));
-        Slider slider{addKinematic(world, {0, 1}, box({0.4, 0.9})), {.slideOnCeiling = slides}};
+        SlidingMover slider{addKinematic(world, {0, 1}, box({0.4, 0.9})), {.slideOnCeiling = slides}};
         slider.slide.velocity = {3, 8};
         int hit = 0;
         for (int i = 0; i < 40 && hit == 0; ++i) {
@@ -117,7 +116,7 @@ TEST_CASE("who walks at 4 m/s into a wall of 60 degrees stops, or runs up it at 
         World world;
         // Its foot is at x = 3, its face leans away from who comes.
         addStatic(world, {0, 0}, chain({{13, 17.320508075688775}, {3, 0}, {-10, 0}}));
-        Slider slider{addKinematic(world, {0, 1}, circle(0.5)), {.floorBlockOnWall = blocked}};
+        SlidingMover slider{addKinematic(world, {0, 1}, circle(0.5)), {.floorBlockOnWall = blocked}};
         slider.land(world);
         double top = 0;
         while (!slider.slide.isOnWall) slider.step(world, 4, dt);
@@ -142,8 +141,8 @@ TEST_CASE("a floor whose category is not among the platform layers carries nobod
         ShapeDef belt = box({20, 0.25});
         belt.filter.category = 4;
         const BodyId platform = addKinematic(world, {0, 0}, belt, {2, 0.5});
-        Slider slider{addKinematic(world, {0, 1.2}, box({0.4, 0.9})),
-                      {.platformFloorLayers = carries ? ~std::uint64_t{0} : ~std::uint64_t{4}}};
+        SlidingMover slider{addKinematic(world, {0, 1.2}, box({0.4, 0.9})),
+                            {.platformFloorLayers = carries ? ~std::uint64_t{0} : ~std::uint64_t{4}}};
         slider.land(world);
         const double from = slider.slide.position.x();
         for (int i = 0; i < 120; ++i) {

@@ -15,16 +15,6 @@
 
 namespace plumb::test {
 
-namespace {
-
-constexpr double dt = 1.0 / 60, skin = 1e-3;
-
-std::vector<ShapeDef> heroes() {
-    return {box({0.4, 0.9}), capsule({0, -0.5}, {0, 0.5}, 0.4), circle(0.5), roundedBox({0.3, 0.8}, 0.1)};
-}
-
-}  // namespace
-
 TEST_CASE("at 1,000 m/s a mover stops a skin short of a wall of 1 cm, from either side", "[movers]") {
     for (const ShapeDef& hero : heroes()) {
         for (double side : {1.0, -1.0}) {
@@ -89,7 +79,7 @@ TEST_CASE("sliding over 200 flush boxes, or along 200 collinear links, no way is
                 for (int k = 195; k > -6; --k) points.push_back(turned * Vec2(k, 0));
                 addStatic(world, {0, 0}, chain(points));
             }
-            Slider slider{addKinematic(world, turned * Vec2(0, 0) + Vec2(0, 2), hero)};
+            SlidingMover slider{addKinematic(world, turned * Vec2(0, 0) + Vec2(0, 2), hero)};
             slider.land(world);
             const Vec2 start = slider.slide.position;
             for (int tick = 0; tick < 1000; ++tick) {
@@ -108,7 +98,7 @@ TEST_CASE("falling along a wall of 100 flush boxes, pressed against it, no heigh
     for (const ShapeDef& hero : heroes()) {
         World world;
         for (int k = 0; k < 100; ++k) addStatic(world, {1, -k - 0.5}, box({0.5, 0.5}));
-        Slider slider{addKinematic(world, {-0.5, -1}, hero)};
+        SlidingMover slider{addKinematic(world, {-0.5, -1}, hero)};
         double height = -1, speed = 0;
         for (int tick = 0; tick < 200; ++tick) {
             slider.step(world, 3, dt);
@@ -130,7 +120,7 @@ TEST_CASE("a one-way slab lets a jump through from below, holds it, and lets it 
             slab.oneWay = Vec2(0, 1);
             const BodyId platform = addStatic(world, {0, 0}, slab);
             addStatic(world, {0, -3}, box({3, 0.1}));
-            Slider slider{addKinematic(world, {0, -1.8}, hero)};
+            SlidingMover slider{addKinematic(world, {0, -1.8}, hero)};
             slider.slide.velocity = {0, 9};
             double highest = -10;
             for (int i = 0; i < 120; ++i) {
@@ -144,7 +134,7 @@ TEST_CASE("a one-way slab lets a jump through from below, holds it, and lets it 
             CHECK(std::fabs(world.distance({platform, 0}, {slider.body, 0}).separation - skin) < 1e-9);
             for (double hz : {60.0, 240.0}) {
                 World below = world;
-                Slider faller = slider;
+                SlidingMover faller = slider;
                 faller.slide = moveAndSlide(
                     below, faller.body, {.velocity = {0, -0.01}, .dt = 1 / hz, .dropThrough = true}, {}, faller.slide);
                 below.step(1 / hz);
@@ -174,7 +164,7 @@ TEST_CASE("who begins in a wall is put out of it by the shortest way", "[movers]
 TEST_CASE("between two walls that lean apart, each too steep, it stands as on a floor", "[movers]") {
     World world;
     addStatic(world, {0, 0}, chain({{3, 6}, {0, 0}, {-3, 6}}));
-    Slider slider{addKinematic(world, {0.2, 5}, circle(0.5))};
+    SlidingMover slider{addKinematic(world, {0.2, 5}, circle(0.5))};
     slider.land(world);
     CHECK(slider.slide.isOnFloor);
     CHECK(slider.slide.floorNormal == Vec2(0, 1));
@@ -203,7 +193,7 @@ TEST_CASE("a jump whose apex leaves the feet within a one-way slab falls back ou
     addStatic(world, {0, 0}, slab);
     addStatic(world, {0, -3}, box({3, 0.1}));
     for (double feet : {0.05, 0.09, 0.0999}) {
-        Slider slider{addKinematic(world, {0, feet + 0.9}, box({0.4, 0.9}))};
+        SlidingMover slider{addKinematic(world, {0, feet + 0.9}, box({0.4, 0.9}))};
         for (int i = 0; i < 90; ++i) slider.step(world, 0, dt);
         CHECK(slider.slide.isOnFloor);
         CHECK(std::fabs(slider.slide.position.y() - (-2.9 + 0.9 + skin)) < 1e-9);
@@ -215,7 +205,7 @@ TEST_CASE("a floor that is removed or moved away by hand lets it fall, and a jum
           "[movers]") {
     World world;
     const BodyId floor = addStatic(world, {0, -0.5}, box({5, 0.5}));
-    Slider slider{addKinematic(world, {0, 1}, box({0.4, 0.9}))};
+    SlidingMover slider{addKinematic(world, {0, 1}, box({0.4, 0.9}))};
     slider.land(world);
     world.body(slider.body).setPose({2, 0.901}, 0);
     slider.step(world, 0, dt);

@@ -13,8 +13,7 @@ namespace plumb::test {
 
 namespace {
 
-constexpr double dt = 1.0 / 60, skin = 1e-3;
-constexpr PlatformInput still{}, drop{.jump = true, .down = true};
+constexpr PlatformInput dropThrough{.jump = true, .down = true};
 
 ShapeDef oneWay(ShapeDef shape) {
     shape.oneWay = Vec2(0, 1);
@@ -33,7 +32,7 @@ void addFloors(World& world, bool asTiles) {
         for (int i = 0; i < 4; ++i) addStatic(world, {10 * i + 5.0, height - 0.05}, oneWay(box({5, 0.05})));
 }
 
-struct Game {
+struct OneWayGame {
     World world;
     PlatformMover mover{{}};
 
@@ -55,12 +54,12 @@ TEST_CASE("a mover of 1.8 m drops through one of four floors that lie 1 m above 
           "[movers][tiles]") {
     for (const bool asTiles : {true, false}) {
         for (const ShapeDef& hero : {box({0.4, 0.9}), capsule({0, -0.5}, {0, 0.5}, 0.4)}) {
-            Game game;
+            OneWayGame game;
             addFloors(game.world, asTiles);
             game.place({5.3, 4}, hero);
             for (int floor = 4; floor > 0; --floor) {
                 CHECK(std::fabs(game.feet() - floor) < 1e-9);
-                game.step(drop);
+                game.step(dropThrough);
                 CHECK_FALSE(game.mover.slide().isOnFloor);
                 for (int i = 0; i < 60; ++i) game.step(still);
                 REQUIRE(game.mover.slide().isOnFloor);
@@ -77,7 +76,7 @@ TEST_CASE(
     for (const double hz : {60.0, 240.0, 1000.0}) {
         for (int kind = 0; kind < 3; ++kind) {
             for (int start = 0; start < 40; ++start) {
-                Game game;
+                OneWayGame game;
                 if (kind == 0) addFloors(game.world, true);
                 if (kind == 1) addFloors(game.world, false);
                 if (kind == 2) {
@@ -114,7 +113,7 @@ TEST_CASE("a mover of 1.8 m that jumps up through a row, and is still in it, lan
           "[movers][tiles]") {
     for (const double hz : {60.0, 120.0, 144.0}) {
         for (double speed = 3; speed < 9; speed += 0.1) {
-            Game game;
+            OneWayGame game;
             addFloors(game.world, true);
             game.place({5, 2});
             REQUIRE(std::fabs(game.feet() - 2) < 1e-9);

@@ -3,21 +3,19 @@
 
 #include <cmath>
 #include <iostream>
-#include <limits>
-#include <numbers>
 
 #include <plumb/dynamics/world.h>
 #include <plumb/math/random.h>
 
 #include "cases.h"
 #include "catch.h"
+#include "kit/movers/stage.h"
+#include "numbers.h"
 
 namespace {
 
 using namespace plumb;
 using namespace plumb::test;
-
-constexpr double pi = std::numbers::pi;
 
 MotionPath line(double length) {
     MotionPath path({0, 0});
@@ -29,7 +27,7 @@ MotionPath ring() {
     return splineThrough({{0, 0}, {4, 1}, {6, 5}, {1, 7}, {-3, 2}}, true);
 }
 
-MotionPath circle() {
+MotionPath circlePath() {
     MotionPath path({2, 0});
     path.arcAround({0, 0}, 2 * pi);
     return path;
@@ -96,7 +94,7 @@ TEST_CASE("10,000 runs: distance is the speed's integral, accelerations stay wit
 }
 
 TEST_CASE("a million laps later it is where it was on the first, on a spline as on a circle", "[movers]") {
-    for (const MotionPath& path : {ring(), circle()}) {
+    for (const MotionPath& path : {ring(), circlePath()}) {
         const PathMover mover({.path = path, .timing = {.speed = 3}, .repeat = PathRepeat::Loop});
         const double lap = mover.period();
         CHECK(std::fabs(lap - path.length() / 3) < 1e-14 * lap);
@@ -196,8 +194,7 @@ TEST_CASE("stops on a line: 1 m/s, 2 s at 3 m, 1 s at 10 m, and it is finished a
 
 TEST_CASE("a kinematic body told each tick is on the path after each step, and has turned round with it three times",
           "[movers]") {
-    const PathMover mover({.path = circle(), .timing = {.speed = 4}, .repeat = PathRepeat::Loop});
-    const double dt = 1.0 / 60;
+    const PathMover mover({.path = circlePath(), .timing = {.speed = 4}, .repeat = PathRepeat::Loop});
     World world;
     const BodyId platform =
         world.add({.type = BodyType::Kinematic, .position = {2, 0}, .angle = pi / 2, .shapes = {box({0.5, 0.1})}});
@@ -218,7 +215,7 @@ TEST_CASE("a kinematic body told each tick is on the path after each step, and h
 }
 
 TEST_CASE("unsound movers and times are refused by name", "[movers]") {
-    const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
+    const double nan = std::nan("");
     CHECK_THROWS_WITH(PathMover({.path = MotionPath({0, 0})}), "PathMoverDef.path: length: 0 is not positive");
     CHECK_THROWS_WITH(PathMover({.path = line(1), .repeat = PathRepeat::Loop}),
                       "PathMoverDef.repeat: Loop needs a closed path; this one ends at (1, 0)");

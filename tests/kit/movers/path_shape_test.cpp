@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <iostream>
-#include <limits>
 #include <vector>
 
 #include <plumb/math/random.h>
@@ -13,6 +12,7 @@
 #include "cases.h"
 #include "catch.h"
 #include "kit/movers/long_points.h"
+#include "numbers.h"
 
 namespace {
 
@@ -170,7 +170,7 @@ TEST_CASE("a parabola's length is its closed form: y = x^2 from 0 to 1, sqrt(5) 
 }
 
 TEST_CASE("unsound paths are refused by name, and stay as they were", "[movers]") {
-    const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
+    const double nan = std::nan("");
     CHECK_THROWS_WITH(MotionPath({nan, 0}), "MotionPath: start: (nan, 0) is not finite");
     MotionPath path({1, 2});
     CHECK_THROWS_WITH(path.at(0), "MotionPath.at: the path has no piece");

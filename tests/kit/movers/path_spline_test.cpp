@@ -12,6 +12,7 @@
 #include "cases.h"
 #include "catch.h"
 #include "kit/movers/long_points.h"
+#include "numbers.h"
 
 namespace {
 

@@ -10,13 +10,13 @@
 #include <plumb/movers/platform_mover.h>
 
 #include "catch.h"
+#include "kit/movers/stage.h"
 
 namespace plumb::test {
 
 namespace {
 
 constexpr double grain = 1.0 / 16 / 4096;  // [m]
-constexpr double dt = tickOf1985;
 
 /// What a velocity is in whole grains a tick; a check that it is whole is a part of it.
 std::int64_t grainsOf(double metres) {
@@ -40,15 +40,15 @@ struct Stage {
         return world.add({.type = BodyType::Kinematic, .position = {0, 1.1 + drop}, .shapes = {box({0.4, 1})}});
     }
     void step(const PlatformInput& input) {
-        mover.step(world, input, dt);
-        world.step(dt);
+        mover.step(world, input, tickOf1985);
+        world.step(tickOf1985);
         way.push_back(world.body(mover.body()).position());
     }
-    std::int64_t levelSpeed() const { return grainsOf(mover.slide().velocity.x() * dt); }
-    std::int64_t verticalSpeed() const { return grainsOf(mover.slide().velocity.y() * dt); }
+    std::int64_t levelSpeed() const { return grainsOf(mover.slide().velocity.x() * tickOf1985); }
+    std::int64_t verticalSpeed() const { return grainsOf(mover.slide().velocity.y() * tickOf1985); }
 };
 
-constexpr PlatformInput still{}, walkRight{.move = 1}, runRight{.move = 1, .run = true}, walkLeft{.move = -1};
+constexpr PlatformInput walkRight{.move = 1}, runRight{.move = 1, .run = true}, walkLeft{.move = -1};
 
 int ticksTo(Stage& stage, const PlatformInput& input, std::int64_t speed) {
     int ticks = 0;

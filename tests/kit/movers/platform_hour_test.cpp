@@ -16,8 +16,6 @@ namespace plumb::test {
 
 namespace {
 
-constexpr double dt = 1.0 / 60;
-
 /// A walled room of 40 m by 24 m with boxes, turned ones, hills, one-way slabs, lifts that come and go, and crates.
 struct Level {
     World world;
@@ -58,10 +56,6 @@ struct Level {
             world.body(lifts[i]).moveTo(liftAt(i, time), turnOf(i, time), dt);
     }
 };
-
-std::vector<ShapeDef> heroes() {
-    return {box({0.4, 0.9}), capsule({0, -0.5}, {0, 0.5}, 0.4), circle(0.5), roundedBox({0.3, 0.8}, 0.1)};
-}
 
 /// Somewhere with room.
 Vec2 freePlace(Level& level, const ShapeDef& hero) {

@@ -3,20 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "catch.h"
 #include "kit/movers/stage.h"
+#include "numbers.h"
 
 namespace plumb::test {
 
 namespace {
 
-constexpr double dt = 1.0 / 60;
-constexpr PlatformInput still{}, right{.move = 1}, jump{.jump = true};
+constexpr PlatformInput right{.move = 1}, jump{.jump = true};
 
 /// A character of 0.8 m by 1.8 m on a floor from x = -20 to 20 whose top is at y = 0.
 struct Game {
@@ -340,7 +339,6 @@ TEST_CASE("profiles and input out of range are refused, by name", "[movers]") {
         change(profile);
         return profile;
     };
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK(complaint(modernProfile(), right, dt) == "nothing");
     CHECK_THAT(complaint(modernProfile(), {.move = 1.5}, dt), containsText("PlatformInput.move"));
     CHECK_THAT(complaint(modernProfile(), right, 0), containsText("dt"));

@@ -13,7 +13,7 @@ namespace plumb::test {
 
 namespace {
 
-constexpr double dt = tickOf1985, pixel = 1.0 / 16;
+constexpr double pixel = 1.0 / 16;
 
 /// A character of the 1985 profile on a long floor, whose top is at y = 0.
 struct Pool {
@@ -26,13 +26,13 @@ struct Pool {
         while (!mover.slide().isOnFloor) step({});
     }
     void step(const PlatformInput& input) {
-        mover.step(world, input, dt);
-        world.step(dt);
+        mover.step(world, input, tickOf1985);
+        world.step(tickOf1985);
     }
     double height() const { return (mover.slide().position.y() - 1 - 1e-3) / pixel; }  ///< [pixels]
     /// In sixteenths and 256ths of a pixel a tick.
-    double across() const { return mover.slide().velocity.x() * dt / pixel * 16; }
-    double upward() const { return mover.slide().velocity.y() * dt / pixel * 256; }
+    double across() const { return mover.slide().velocity.x() * tickOf1985 / pixel * 16; }
+    double upward() const { return mover.slide().velocity.y() * tickOf1985 / pixel * 256; }
 };
 
 }  // namespace

@@ -11,13 +11,13 @@ namespace plumb::test {
 
 namespace {
 
-constexpr double dt = 1.0 / 60, g = 9.81, friction = 0.4, mass = 4;
+constexpr double friction = 0.4, mass = 4;
 
 /// A mover 3 m to the left of a crate of 4 kg on a floor, friction 0.4 between the two.
 struct Yard {
     World world;
     BodyId crate;
-    Slider slider;
+    SlidingMover slider;
 
     explicit Yard(double strength, double friction_ = friction) : slider{{}, {.pushStrength = strength}} {
         ShapeDef floor = box({200, 0.5}, {.friction = friction_}),
@@ -83,7 +83,7 @@ TEST_CASE("under and beside a mover that stands crates fall asleep", "[movers]")
     addStatic(world, {0, -0.5}, box({20, 0.5}));
     const BodyId under = world.add({.position = {0, 0.5}, .shapes = {box({0.5, 0.5})}});
     const BodyId beside = world.add({.position = {1.1, 0.8}, .shapes = {box({0.5, 0.8})}});
-    Slider slider{addKinematic(world, {0.1, 2.5}, box({0.4, 0.9}))};
+    SlidingMover slider{addKinematic(world, {0.1, 2.5}, box({0.4, 0.9}))};
     for (int i = 0; i < 300; ++i) slider.step(world, 0, dt);
     CHECK_FALSE(world.body(under).awake());
     CHECK_FALSE(world.body(beside).awake());
@@ -93,7 +93,7 @@ TEST_CASE("a crate on a lift carries a mover up and down, and is not pressed int
     World world;
     const BodyId lift = addKinematic(world, {0, 0}, box({2, 0.25}));
     const BodyId crate = world.add({.position = {0, 0.75}, .shapes = {box({0.8, 0.5})}});
-    Slider slider{addKinematic(world, {0, 3}, box({0.4, 0.9}))};
+    SlidingMover slider{addKinematic(world, {0, 3}, box({0.4, 0.9}))};
     slider.land(world);
     double pressed = 0;
     for (int i = 0; i < 600; ++i) {
@@ -116,7 +116,7 @@ TEST_CASE("who stands on a scale presses it with its weight", "[movers]") {
         addStatic(world, {0, -5}, box({1, 1}));
         const BodyId plank = world.add(
             {.position = {0, 0}, .fixedRotation = true, .lockX = true, .shapes = {box({2, 0.1}, {.density = 10})}});
-        Slider slider{addKinematic(world, {0, 2}, box({0.4, 0.9})), {.weight = weight}};
+        SlidingMover slider{addKinematic(world, {0, 2}, box({0.4, 0.9})), {.weight = weight}};
         const double stiffness = 400, damping = 150;
         double height = 0;
         for (int i = 0; i < 1200; ++i) {

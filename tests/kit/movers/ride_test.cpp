@@ -11,19 +11,17 @@ namespace plumb::test {
 
 namespace {
 
-constexpr double dt = 1.0 / 60, skin = 1e-3;
-
-std::vector<ShapeDef> heroes() {
+std::vector<ShapeDef> ridingHeroes() {
     return {box({0.4, 0.9}), capsule({0, -0.5}, {0, 0.5}, 0.4), circle(0.5)};
 }
 
 }  // namespace
 
 TEST_CASE("for 10,000 ticks on a platform that accelerates and turns nothing slips: 1e-9 m along it", "[movers]") {
-    for (const ShapeDef& hero : heroes()) {
+    for (const ShapeDef& hero : ridingHeroes()) {
         World world;
         const BodyId platform = addKinematic(world, {0, 0}, box({3, 0.25}));
-        Slider slider{addKinematic(world, {1, 2}, hero)};
+        SlidingMover slider{addKinematic(world, {1, 2}, hero)};
         slider.land(world);
         const Vec2 start = slider.slide.position;
         double worst = 0, widest = 0;
@@ -39,7 +37,7 @@ TEST_CASE("for 10,000 ticks on a platform that accelerates and turns nothing sli
             REQUIRE(depthOf(world, slider.body) < 0);
             if (tick % 500 != 0) continue;
             World back = world;
-            Slider there = slider;
+            SlidingMover there = slider;
             back.body(platform).moveTo({0, 0}, 0, dt);
             there.step(back, 0, dt);
             worst = std::max(worst, (there.slide.position - start).cwiseAbs().maxCoeff());
@@ -54,7 +52,7 @@ TEST_CASE("walking to and fro on a moving, turning platform ends where it would 
     const auto walk = [](bool moves) {
         World world;
         const BodyId platform = addKinematic(world, {0, 0}, box({8, 0.25}));
-        Slider slider{addKinematic(world, {1, 2}, box({0.4, 0.9}))};
+        SlidingMover slider{addKinematic(world, {1, 2}, box({0.4, 0.9}))};
         slider.land(world);
         for (int tick = 1; tick <= 6000; ++tick) {
             const double t = tick * dt;
@@ -71,7 +69,7 @@ TEST_CASE("walking to and fro on a moving, turning platform ends where it would 
 TEST_CASE("a lift at 20 m/s carries up, stops, and carries down faster than a fall", "[movers]") {
     World world;
     const BodyId lift = addKinematic(world, {0, 0}, box({2, 0.25}));
-    Slider slider{addKinematic(world, {0, 2}, box({0.4, 0.9}))};
+    SlidingMover slider{addKinematic(world, {0, 2}, box({0.4, 0.9}))};
     slider.land(world);
     for (double speed : {20.0, 0.0, -20.0, 5.0, -40.0}) {
         world.body(lift).setVelocity({0, speed});
@@ -91,7 +89,7 @@ TEST_CASE("who leaves a platform has its speed, its upward speed or none, as is 
                                         {PlatformOnLeave::DoNothing, Vec2(0, 0)}}) {
         World world;
         const BodyId platform = addKinematic(world, {0, 0}, box({3, 0.25}));
-        Slider slider{addKinematic(world, {0, 1.3}, box({0.4, 0.9})), {.platformOnLeave = leave}};
+        SlidingMover slider{addKinematic(world, {0, 1.3}, box({0.4, 0.9})), {.platformOnLeave = leave}};
         slider.land(world);
         world.body(platform).setVelocity(platformSpeed);
         for (int i = 0; i < 10; ++i) slider.step(world, 0, dt);
@@ -105,7 +103,7 @@ TEST_CASE("who leaves a platform has its speed, its upward speed or none, as is 
 TEST_CASE("who lands on a running platform at its speed stands still on it", "[movers]") {
     World world;
     addKinematic(world, {0, 0}, box({30, 0.25}), {7, 0});
-    Slider slider{addKinematic(world, {0, 3}, box({0.4, 0.9}))};
+    SlidingMover slider{addKinematic(world, {0, 3}, box({0.4, 0.9}))};
     slider.slide.velocity = {7, 0};
     while (!slider.slide.isOnFloor) slider.step(world, 7, dt);
     CHECK(slider.slide.velocity.cwiseAbs().maxCoeff() < 1e-12);
@@ -113,12 +111,12 @@ TEST_CASE("who lands on a running platform at its speed stands still on it", "[m
 }
 
 TEST_CASE("a wall that comes at 3 m/s, or at 300, pushes a mover along, a skin ahead", "[movers]") {
-    for (const ShapeDef& hero : heroes()) {
+    for (const ShapeDef& hero : ridingHeroes()) {
         for (double speed : {3.0, 300.0}) {
             World world;
             addStatic(world, {0, -0.5}, box({1000, 0.5}));
             const BodyId wall = addKinematic(world, {-0.61, 1}, box({0.1, 1}));
-            Slider slider{addKinematic(world, {0, 1}, hero), {.reach = 5}};
+            SlidingMover slider{addKinematic(world, {0, 1}, hero), {.reach = 5}};
             slider.land(world);
             world.body(wall).setVelocity({speed, 0});
             for (int i = 0; i < 120; ++i) {
@@ -137,7 +135,7 @@ TEST_CASE("between a wall that comes and one that stays, and under a press, crus
     addStatic(world, {0, -0.5}, box({20, 0.5}));
     addStatic(world, {3, 1}, box({0.5, 1}));
     const BodyId press = addKinematic(world, {-3, 1}, box({0.5, 1}), {1, 0});
-    Slider slider{addKinematic(world, {0, 0.95}, box({0.4, 0.9}))};
+    SlidingMover slider{addKinematic(world, {0, 0.95}, box({0.4, 0.9}))};
     slider.land(world);
     bool crushed = false;
     for (int i = 0; i < 600 && !crushed; ++i) {
@@ -150,7 +148,7 @@ TEST_CASE("between a wall that comes and one that stays, and under a press, crus
     World under;
     addStatic(under, {0, -0.5}, box({20, 0.5}));
     const BodyId hammer = addKinematic(under, {0, 4}, box({0.5, 0.5}), {0, -2});
-    Slider below{addKinematic(under, {0, 0.95}, box({0.4, 0.9}))};
+    SlidingMover below{addKinematic(under, {0, 0.95}, box({0.4, 0.9}))};
     bool flat = false;
     for (int i = 0; i < 600 && !flat; ++i) {
         flat = below.step(under, 0, dt).crushed;
@@ -169,7 +167,7 @@ TEST_CASE("a crate carries who stands on it, and is not pressed into the ground 
     World world;
     addStatic(world, {0, -0.5}, box({20, 0.5}));
     const BodyId crate = world.add({.position = {0, 6}, .shapes = {box({1, 0.5})}});
-    Slider slider{addKinematic(world, {0, 8}, box({0.4, 0.9}))};
+    SlidingMover slider{addKinematic(world, {0, 8}, box({0.4, 0.9}))};
     double lowest = 1;
     for (int i = 0; i < 240; ++i) {
         slider.step(world, 0, dt);
@@ -189,14 +187,14 @@ TEST_CASE("a crate carries who stands on it, and is not pressed into the ground 
 TEST_CASE("a copy of the world and of what came of the last tick goes on to the same bits", "[movers]") {
     World world;
     const BodyId platform = addKinematic(world, {0, 0}, box({3, 0.25}));
-    Slider slider{addKinematic(world, {1, 2}, capsule({0, -0.5}, {0, 0.5}, 0.4))};
-    const auto tick = [&](World& w, Slider& s, int i) {
+    SlidingMover slider{addKinematic(world, {1, 2}, capsule({0, -0.5}, {0, 0.5}, 0.4))};
+    const auto tick = [&](World& w, SlidingMover& s, int i) {
         w.body(platform).moveTo({sinCos(0.05 * i).sin, 0}, 0.3 * sinCos(0.03 * i).sin, dt);
         s.step(w, i % 50 < 25 ? 1 : -1, dt);
     };
     for (int i = 0; i < 200; ++i) tick(world, slider, i);
     World copy = world;
-    Slider other = slider;
+    SlidingMover other = slider;
     for (int i = 200; i < 400; ++i) {
         tick(world, slider, i);
         tick(copy, other, i);

@@ -11,16 +11,14 @@ namespace plumb::test {
 
 namespace {
 
-constexpr double dt = 1.0 / 60, skin = 1e-3;
-
-std::vector<ShapeDef> heroes() {
+std::vector<ShapeDef> shovedHeroes() {
     return {box({0.4, 0.9}), capsule({0, -0.5}, {0, 0.5}, 0.4), roundedBox({0.3, 0.8}, 0.1)};
 }
 
 /// The ground's top is at 0, and a wall comes from the left for 10 m.
 void pushedByWall(World& world, const ShapeDef& hero, double speed) {
     const BodyId wall = addKinematic(world, {-1, 2}, box({0.2, 1.9}), {speed, 0});
-    Slider slider{addKinematic(world, {0.2, 0.901}, hero)};
+    SlidingMover slider{addKinematic(world, {0.2, 0.901}, hero)};
     const int ticks = static_cast<int>(10 / speed / dt);
     for (int i = 0; i < ticks; ++i) {
         slider.step(world, 0, dt);
@@ -35,7 +33,7 @@ void pushedByWall(World& world, const ShapeDef& hero, double speed) {
 
 TEST_CASE("a wall that comes at 1 to 7 m/s pushes a mover over 10 m of flush boxes, and does not go through it",
           "[movers]") {
-    for (const ShapeDef& hero : heroes()) {
+    for (const ShapeDef& hero : shovedHeroes()) {
         for (double speed : {1.0, 3.0, 4.0, 7.0}) {
             World world;
             for (int i = -3; i < 20; ++i) addStatic(world, {i * 1.0, -0.5}, box({0.5, 0.5}));
@@ -47,7 +45,7 @@ TEST_CASE("a wall that comes at 1 to 7 m/s pushes a mover over 10 m of flush box
 TEST_CASE("a wall pushes a mover up a slope of 11 degrees, and up tiles of 22.5 and 45 degrees", "[movers]") {
     const std::vector<std::vector<std::string>> hills = {{"................", "......12########", "################"},
                                                          {"................", "....../#########", "################"}};
-    for (const ShapeDef& hero : heroes()) {
+    for (const ShapeDef& hero : shovedHeroes()) {
         World plain;
         addStatic(plain, {0, 0}, chain({{40, 7.6}, {2, 0}, {-10, 0}}));
         pushedByWall(plain, hero, 1);
@@ -63,7 +61,7 @@ TEST_CASE("who lies over a flush floor and a wall is parted from the wall along 
     World world;
     for (int i = -3; i < 6; ++i) addStatic(world, {i * 1.0, -0.5}, box({0.5, 0.5}));
     const BodyId wall = addStatic(world, {-5, 1}, box({0.2, 1}));
-    Slider slider{addKinematic(world, {1, 0.901}, box({0.4, 0.9}))};
+    SlidingMover slider{addKinematic(world, {1, 0.901}, box({0.4, 0.9}))};
     slider.land(world);
     for (double depth : {0.05, 0.2, 0.39}) {
         world.body(wall).setPose({slider.slide.position.x() - 0.6 + depth, 1}, 0);
@@ -82,7 +80,7 @@ TEST_CASE("who walks at 3 m/s into a wedge of slope and ceiling, or a wall that 
             addStatic(world, {5, 3}, box({4, 0.2}));
         else
             addStatic(world, {4, 0}, {.shape = Polygon{{{0, 0}, {4, 0}, {4, 8}}}});
-        Slider slider{addKinematic(world, {0, 0.901}, capsule({0, -0.5}, {0, 0.5}, 0.4))};
+        SlidingMover slider{addKinematic(world, {0, 0.901}, capsule({0, -0.5}, {0, 0.5}, 0.4))};
         for (int i = 0; i < 180; ++i) slider.step(world, 3, dt);
         INFO(ceiling << " at " << slider.slide.position.x());
         CHECK(slider.slide.isOnFloor);
@@ -97,7 +95,7 @@ TEST_CASE("a wall against which a platform of 2 m/s carries a mover is told as a
     World world;
     const BodyId platform = addKinematic(world, {0, 0}, box({6, 0.25}));
     const BodyId wall = addStatic(world, {3, 2}, box({0.5, 1}));
-    Slider slider{addKinematic(world, {0, 1.151}, box({0.4, 0.9}))};
+    SlidingMover slider{addKinematic(world, {0, 1.151}, box({0.4, 0.9}))};
     slider.land(world);
     world.body(platform).setVelocity({2, 0});
     int told = 0;
@@ -119,7 +117,7 @@ TEST_CASE("a mover that a platform carries into a wall, under a beam, or that a 
         World world;
         const BodyId platform = addKinematic(world, {0, 0}, box({6, 0.25}), {side * 2, 0});
         addStatic(world, {side * 3, 2}, box({0.5, 1}));
-        Slider slider{addKinematic(world, {0, 1.151}, box({0.4, 0.9}))};
+        SlidingMover slider{addKinematic(world, {0, 1.151}, box({0.4, 0.9}))};
         int onWall = 0;
         for (int i = 0; i < 180; ++i) {
             slider.step(world, 0, dt);
@@ -145,7 +143,7 @@ TEST_CASE("a mover that a platform carries into a wall, under a beam, or that a 
     World world;
     addKinematic(world, {0, 0}, box({2, 0.25}), {0, 2});
     addStatic(world, {0, 4}, box({2, 0.25}));
-    Slider slider{addKinematic(world, {0, 1.151}, box({0.4, 0.9}))};
+    SlidingMover slider{addKinematic(world, {0, 1.151}, box({0.4, 0.9}))};
     bool onCeiling = false;
     for (int i = 0; i < 60 && !onCeiling; ++i) onCeiling = slider.step(world, 0, dt).isOnCeiling;
     CHECK(onCeiling);

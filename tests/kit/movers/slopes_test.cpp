@@ -13,20 +13,10 @@
 
 namespace plumb::test {
 
-namespace {
-
-constexpr double dt = 1.0 / 60, skin = 1e-3;
-
-std::vector<ShapeDef> heroes() {
-    return {box({0.4, 0.9}), capsule({0, -0.5}, {0, 0.5}, 0.4), circle(0.5), roundedBox({0.3, 0.8}, 0.1)};
-}
-
-}  // namespace
-
 TEST_CASE("a box goes up, over and down a hill at 4 m/s along the ground, on the floor in every tick", "[movers]") {
     World world;
     addStatic(world, {0, 0}, chain({{60, 0}, {20, 0}, {16, 3}, {12, 3}, {8, 0}, {-10, 0}}));
-    Slider slider{addKinematic(world, {0, 0.95}, box({0.4, 0.9}))};
+    SlidingMover slider{addKinematic(world, {0, 0.95}, box({0.4, 0.9}))};
     slider.land(world);
     const double start = slider.slide.position.x();
     const int ticks = 400;
@@ -62,7 +52,7 @@ TEST_CASE("round and boxed movers cross random hills at constant speed, on the f
         }
         points.push_back(points.back() + Vec2(10, 0));
         addStatic(world, {0, 0}, chain({points.rbegin(), points.rend()}));
-        Slider slider{addKinematic(world, {-15, 20}, shapes[static_cast<std::size_t>(i) % shapes.size()])};
+        SlidingMover slider{addKinematic(world, {-15, 20}, shapes[static_cast<std::size_t>(i) % shapes.size()])};
         slider.land(world, dt);
         const double speed = random.uniform(1, 8);
         for (int tick = 0; tick < 500 && slider.slide.position.x() < 55; ++tick) {
@@ -81,7 +71,7 @@ TEST_CASE("who stands on a slope of up to 45 degrees stays; on a steeper one it 
     for (double angle : {0.2, 0.6, 0.78}) {
         World world;
         addStatic(world, {0, 0}, box({20, 0.5}), angle);
-        Slider slider{addKinematic(world, {0, 2}, box({0.4, 0.9}))};
+        SlidingMover slider{addKinematic(world, {0, 2}, box({0.4, 0.9}))};
         slider.land(world);
         const Vec2 start = slider.slide.position;
         for (int i = 0; i < 1000; ++i) slider.step(world, 0, dt);
@@ -91,7 +81,7 @@ TEST_CASE("who stands on a slope of up to 45 degrees stays; on a steeper one it 
     }
     World world;
     addStatic(world, {0, 0}, box({20, 0.5}), 0.85);
-    Slider slider{addKinematic(world, {0, 2.5}, box({0.4, 0.9}))};
+    SlidingMover slider{addKinematic(world, {0, 2.5}, box({0.4, 0.9}))};
     for (int i = 0; i < 60; ++i) slider.step(world, slider.slide.velocity.x(), dt);
     CHECK_FALSE(slider.slide.isOnFloor);
     CHECK(slider.slide.position.y() < 0);
@@ -106,7 +96,7 @@ TEST_CASE("steps of 0.25 m are climbed at full speed up to a step height of 0.25
         World world;
         addStatic(world, {0, -0.5}, box({30, 0.5}));
         for (int k = 0; k < 5; ++k) addStatic(world, {4.0 + k, 0}, {.shape = boxPolygon({0.5, height * (k + 1)})});
-        Slider slider{addKinematic(world, {0, 1}, box({0.4, 0.9})), {.stepHeight = 0.25}};
+        SlidingMover slider{addKinematic(world, {0, 1}, box({0.4, 0.9})), {.stepHeight = 0.25}};
         slider.land(world);
         const double start = slider.slide.position.x();
         int stepped = 0;
@@ -132,7 +122,7 @@ TEST_CASE("without constant speed a slope of 3 in 4 is crossed at 4 m/s level, w
         World world;
         addStatic(world, {0, 0}, chain({{40, 30}, {0, 0}, {-40, -30}}));
         for (double way : {4.0, -4.0}) {
-            Slider slider{addKinematic(world, {0, 3}, box({0.4, 0.9})), {.floorConstantSpeed = constant}};
+            SlidingMover slider{addKinematic(world, {0, 3}, box({0.4, 0.9})), {.floorConstantSpeed = constant}};
             slider.land(world);
             for (int i = 0; i < 60; ++i) slider.step(world, way, dt);
             CHECK(slider.slide.isOnFloor);
@@ -146,7 +136,7 @@ TEST_CASE("who does not stop on slopes slides down one by the part of its way th
     World world;
     addStatic(world, {0, 0}, chain({{40, 30}, {0, 0}, {-40, -30}}));
     const BodyId body = addKinematic(world, {0, 3}, box({0.4, 0.9}));
-    Slider slider{body};
+    SlidingMover slider{body};
     slider.land(world);
     const SlideSettings slips{.floorStopOnSlope = false};
     const Slide slide = moveAndSlide(world, body, {.velocity = {0, -5}, .dt = dt}, slips, slider.slide);
@@ -161,7 +151,7 @@ TEST_CASE(
         World world;
         const double end = slope ? 2.6 : 2;
         addStatic(world, {0, 0}, chain({{20, -0.3}, {end, -0.3}, {2, 0}, {-10, 0}}));
-        Slider slider{addKinematic(world, {-4, 0.95}, box({0.4, 0.9}))};
+        SlidingMover slider{addKinematic(world, {-4, 0.95}, box({0.4, 0.9}))};
         slider.land(world);
         int air = 0;
         for (int i = 0; i < 60; ++i) air += !slider.step(world, 8, dt).isOnFloor;
@@ -180,7 +170,7 @@ TEST_CASE("who walks over an edge of 0.3 m onto a slope that falls away is not s
                 ShapeDef slab = box({3, 0.05});
                 slab.oneWay = Vec2(0, 1);
                 addStatic(world, {-1, -0.05}, slab);
-                Slider slider{addKinematic(world, {0.003 * phase, 1}, hero), {.stepHeight = 0.25}};
+                SlidingMover slider{addKinematic(world, {0.003 * phase, 1}, hero), {.stepHeight = 0.25}};
                 slider.land(world);
                 for (int i = 0; i < 240; ++i) {
                     const Vec2 way = slider.step(world, speed, dt).displacement;

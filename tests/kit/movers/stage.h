@@ -5,7 +5,17 @@
 
 #include <plumb/movers/platform_mover.h>
 
+#include "kit/usual_world.h"
+
 namespace plumb::test {
+
+inline constexpr double skin = 1e-3;
+inline constexpr PlatformInput still{};
+
+/// In each shape that a hero can have.
+inline std::vector<ShapeDef> heroes() {
+    return {box({0.4, 0.9}), capsule({0, -0.5}, {0, 0.5}, 0.4), circle(0.5), roundedBox({0.3, 0.8}, 0.1)};
+}
 
 inline BodyId addStatic(World& world, const Vec2& place, const ShapeDef& shape, double angle = 0) {
     return world.add({.type = BodyType::Static, .position = place, .angle = angle, .shapes = {shape}});
@@ -15,26 +25,26 @@ inline BodyId addKinematic(World& world, const Vec2& place, const ShapeDef& shap
 }
 
 /// A body that falls by gravity and goes to the side at the speed wanted.
-struct Slider {
+struct SlidingMover {
     BodyId body;
     SlideSettings settings = {};
     Slide slide = {};
     double gravity = 9.81;
 
     /// One tick, with the world's; level is the speed wanted to the right [m/s].
-    const Slide& step(World& world, double level, double dt) {
-        move(world, level, dt);
-        world.step(dt);
+    const Slide& step(World& world, double level, double tick) {
+        move(world, level, tick);
+        world.step(tick);
         return slide;
     }
-    const Slide& move(World& world, double level, double dt) {
-        const double rise = slide.isOnFloor ? 0 : slide.velocity.y() - gravity * dt;
-        slide = moveAndSlide(world, body, {.velocity = {level, rise}, .dt = dt}, settings, slide);
+    const Slide& move(World& world, double level, double tick) {
+        const double rise = slide.isOnFloor ? 0 : slide.velocity.y() - gravity * tick;
+        slide = moveAndSlide(world, body, {.velocity = {level, rise}, .dt = tick}, settings, slide);
         return slide;
     }
     /// Until it stands.
-    void land(World& world, double dt = 1.0 / 60) {
-        for (int i = 0; i < 600 && !slide.isOnFloor; ++i) step(world, 0, dt);
+    void land(World& world, double tick = dt) {
+        for (int i = 0; i < 600 && !slide.isOnFloor; ++i) step(world, 0, tick);
     }
 };
 

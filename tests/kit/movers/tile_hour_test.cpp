@@ -14,8 +14,7 @@ namespace plumb::test {
 
 namespace {
 
-constexpr double dt = 1.0 / 60;
-constexpr int columns = 40, rows = 24;
+constexpr int levelColumns = 40, levelRows = 24;
 
 /// Every other one goes on at its other side.
 struct TileLevel {
@@ -30,8 +29,8 @@ struct TileLevel {
         : random(seed),
           size(random.uniform(0.5, 1.5)),
           wraps(random.integer(0, 1) == 1),
-          world(wraps ? WorldDef{.wrap = {.width = columns * size}} : WorldDef{}) {
-        truth.map = tileMapOf(tileLevelText(random, columns, rows, !wraps), size);
+          world(wraps ? WorldDef{.wrap = {.width = levelColumns * size}} : WorldDef{}) {
+        truth.map = tileMapOf(tileLevelText(random, levelColumns, levelRows, !wraps), size);
         const BodyId ground = world.add({.type = BodyType::Static, .shapes = {plumb::tiles(truth.map)}});
         tiles = world.body(ground).shapes()[0];
         truth.map = truth.map.wrapping(wraps, false);
@@ -39,7 +38,7 @@ struct TileLevel {
 
     Vec2 freePlace(const Shape& hero) {
         for (;;) {
-            const Vec2 at = size * Vec2(random.uniform(2, columns - 2), random.uniform(2, rows - 2));
+            const Vec2 at = size * Vec2(random.uniform(2, levelColumns - 2), random.uniform(2, levelRows - 2));
             if (truth.isFree(hero, at)) return at;
         }
     }
@@ -48,12 +47,13 @@ struct TileLevel {
     /// skin.
     void edit(const Shape& hero, const Vec2& at) {
         const Cell here = truth.map.cellAt(at);
-        Cell cell{random.integer(0, columns - 1), random.integer(0, rows - 1)};
+        Cell cell{random.integer(0, levelColumns - 1), random.integer(0, levelRows - 1)};
         if (random.integer(0, 1) == 0) cell = {here.column + random.integer(-3, 3), here.row + random.integer(-3, 3)};
-        if (cell.row < 1 || cell.row > rows - 2 || (!wraps && (cell.column < 1 || cell.column > columns - 2))) return;
+        if (cell.row < 1 || cell.row > levelRows - 2 || (!wraps && (cell.column < 1 || cell.column > levelColumns - 2)))
+            return;
         cell = truth.map.wrapped(cell);
         const Aabb mine = inflate(aabbOf(hero, {at, {}}), 1e-3);
-        for (const double round : {-columns * size, 0.0, columns * size}) {
+        for (const double round : {-levelColumns * size, 0.0, levelColumns * size}) {
             const Vec2 low = truth.map.lowerLeft(cell) + Vec2(wraps ? round : 0, 0);
             if (overlap(mine, Aabb{low, low + Vec2(size, size)})) return;
         }
@@ -64,7 +64,7 @@ struct TileLevel {
     }
 };
 
-std::vector<ShapeDef> heroes(double size) {
+std::vector<ShapeDef> tileHeroes(double size) {
     return {box({0.4 * size, 0.9 * size}), capsule({0, -0.5 * size}, {0, 0.5 * size}, 0.4 * size), circle(0.45 * size),
             roundedBox({0.3 * size, 0.35 * size}, 0.1 * size)};
 }
@@ -106,7 +106,7 @@ struct Play {
 
     explicit Play(int n)
         : level(5000 + static_cast<std::uint64_t>(n)),
-          hero(heroes(level.size)[static_cast<std::size_t>(n) % 4]),
+          hero(tileHeroes(level.size)[static_cast<std::size_t>(n) % 4]),
           mover(addKinematic(level.world, level.freePlace(hero.shape), hero), n % 3 ? modernProfile() : profile1985()),
           modern(n % 3 != 0) {}
 

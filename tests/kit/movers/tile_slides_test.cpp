@@ -10,6 +10,8 @@
 #include <plumb/shapes/tile_text.h>
 #include "cases.h"
 #include "catch.h"
+#include "kit/movers/stage.h"
+#include "kit/usual_world.h"
 
 using plumb::BodyDef;
 using plumb::BodyId;
@@ -22,10 +24,9 @@ using plumb::TileKind;
 using plumb::TileMap;
 using plumb::Vec2;
 using plumb::World;
+using plumb::test::dt;
 
 namespace {
-
-constexpr double dt = 1.0 / 60;
 
 ShapeDef randomShape(Random& random) {
     const double size = random.uniform(0.2, 1.2);

@@ -12,10 +12,10 @@ namespace plumb::test {
 
 namespace {
 
-constexpr double dt = 1.0 / 60, round = 20;
+constexpr double roundLength = 20;
 
 World wrapped() {
-    return World({.gravity = {0, 0}, .wrap = {.width = round}});
+    return World({.gravity = {0, 0}, .wrap = {.width = roundLength}});
 }
 
 /// Of a rider on a platform, in the platform's frame.
@@ -32,7 +32,7 @@ TEST_CASE("for 10,000 ticks riding round and round a world of 20 m, straight on,
         for (double off : {0.0, 1.2, -1.9}) {
             World world = wrapped();
             const BodyId platform = addKinematic(world, {14, 0}, box({2, 0.25}));
-            Slider slider{addKinematic(world, {14 + off, 0.25 + 0.901}, box({0.4, 0.9}))};
+            SlidingMover slider{addKinematic(world, {14 + off, 0.25 + 0.901}, box({0.4, 0.9}))};
             slider.land(world);
             const Vec2 first = placeOn(world, platform, slider.body);
             world.body(platform).setVelocity({speed, 0});
@@ -53,7 +53,7 @@ TEST_CASE("riding a platform that turns round a world of 20 m is the same as wit
     struct Ride {
         World& world;
         BodyId platform;
-        Slider slider;
+        SlidingMover slider;
     };
     const auto start = [](World& world) {
         const BodyId platform = addKinematic(world, {14, 0}, box({3, 0.25}));
@@ -79,13 +79,13 @@ TEST_CASE("riding a platform that turns round a world of 20 m is the same as wit
 TEST_CASE("a platform mover that walks ten times round a tile map of 20 m goes at one speed and keeps its height",
           "[movers]") {
     for (double move : {1.0, -1.0}) {
-        World world({.wrap = {.width = round}});
+        World world({.wrap = {.width = roundLength}});
         TileMap map({.columns = 20, .rows = 1});
         for (int i = 0; i < 20; ++i) map.set({i, 0}, {.form = TileForm::Full});
         addStatic(world, {0, -1}, tiles(map));
         PlatformMover mover(addKinematic(world, {10, 0.901}, box({0.4, 0.9})));
         double gone = 0;
-        for (int i = 0; std::fabs(gone) < 10 * round; ++i) {
+        for (int i = 0; std::fabs(gone) < 10 * roundLength; ++i) {
             const double shift = mover.step(world, {.move = move}, dt).displacement.x();
             world.step(dt);
             gone += shift;
@@ -100,10 +100,10 @@ TEST_CASE("a platform mover that walks ten times round a tile map of 20 m goes a
 
 TEST_CASE("a wall right behind the seam stops a skin before it", "[movers]") {
     for (double side : {1.0, -1.0}) {
-        World world({.wrap = {.width = round}});
+        World world({.wrap = {.width = roundLength}});
         addStatic(world, {10, -0.5}, box({10, 0.5}));
         addStatic(world, {side > 0 ? 0.7 : 19.3, 1}, box({0.5, 1}));
-        Slider slider{addKinematic(world, {10, 0.901}, box({0.4, 0.9}))};
+        SlidingMover slider{addKinematic(world, {10, 0.901}, box({0.4, 0.9}))};
         for (int i = 0; i < 300; ++i) slider.step(world, side * 4, dt);
         CHECK(slider.slide.isOnWall);
         CHECK(slider.slide.isOnFloor);
@@ -113,10 +113,10 @@ TEST_CASE("a wall right behind the seam stops a skin before it", "[movers]") {
 }
 
 TEST_CASE("a wall that comes over the seam pushes a mover round and round, a skin ahead", "[movers]") {
-    World world({.wrap = {.width = round}});
+    World world({.wrap = {.width = roundLength}});
     addStatic(world, {10, -0.5}, box({10, 0.5}));
     const BodyId wall = addKinematic(world, {17, 1}, box({0.1, 0.95}), {5, 0});
-    Slider slider{addKinematic(world, {18, 0.901}, box({0.4, 0.9}))};
+    SlidingMover slider{addKinematic(world, {18, 0.901}, box({0.4, 0.9}))};
     for (int i = 0; i < 2000; ++i) {
         slider.step(world, 0, dt);
         REQUIRE_FALSE(slider.slide.crushed);

@@ -13,7 +13,7 @@ using plumb::Vec2;
 
 namespace {
 
-void check(const Shape& shape) {
+void checkChain(const Shape& shape) {
     plumb::validate(shape, "S");
 }
 
@@ -33,7 +33,7 @@ TEST_CASE("an open chain of 4 points has 3 segments, each with the points before
     const auto& last = std::get<Segment>(pieces[2]);
     CHECK(last.before == Vec2(1, 0));
     CHECK_FALSE(last.after.has_value());
-    for (const Shape& piece : pieces) CHECK_NOTHROW(check(piece));
+    for (const Shape& piece : pieces) CHECK_NOTHROW(checkChain(piece));
 }
 
 TEST_CASE("a closed chain of 3 points has 3 segments, and goes on at every joint", "[shapes][chain]") {
@@ -55,22 +55,23 @@ TEST_CASE("what is no chain is its own one piece", "[shapes][chain]") {
 }
 
 TEST_CASE("chains that repeat a point, fold straight back, or have too few are refused", "[shapes][chain][errors]") {
-    CHECK_NOTHROW(check(Chain{{{0, 0}, {1, 0}}}));
-    CHECK_NOTHROW(check(Chain{{{0, 0}, {1, 0}, {0, 1e-3}}}));
-    CHECK_THROWS_AS(check(Chain{}), std::invalid_argument);
-    CHECK_THROWS_WITH(check(Chain{{{0, 0}}}), "S.points: 1 points are fewer than 2");
-    CHECK_THROWS_WITH(check(Chain{{{0, 0}, {1, 0}}, true}), "S.points: 2 points are fewer than 3 of a closed chain");
-    CHECK_THROWS_WITH(check(Chain{{{0, 0}, {1, 0}, {1, 0}}}), "S.points[2]: (1, 0) repeats the point before it");
-    CHECK_THROWS_WITH(check(Chain{{{0, 0}, {1, 0}, {1, 1}, {0, 0}}, true}),
+    CHECK_NOTHROW(checkChain(Chain{{{0, 0}, {1, 0}}}));
+    CHECK_NOTHROW(checkChain(Chain{{{0, 0}, {1, 0}, {0, 1e-3}}}));
+    CHECK_THROWS_AS(checkChain(Chain{}), std::invalid_argument);
+    CHECK_THROWS_WITH(checkChain(Chain{{{0, 0}}}), "S.points: 1 points are fewer than 2");
+    CHECK_THROWS_WITH(checkChain(Chain{{{0, 0}, {1, 0}}, true}),
+                      "S.points: 2 points are fewer than 3 of a closed chain");
+    CHECK_THROWS_WITH(checkChain(Chain{{{0, 0}, {1, 0}, {1, 0}}}), "S.points[2]: (1, 0) repeats the point before it");
+    CHECK_THROWS_WITH(checkChain(Chain{{{0, 0}, {1, 0}, {1, 1}, {0, 0}}, true}),
                       "S.points[0]: (0, 0) repeats the point before it");
-    CHECK_NOTHROW(check(Chain{{{0, 0}, {1, 0}, {1, 1}, {0, 0}}}));
-    CHECK_THROWS_WITH(check(Chain{{{0, 0}, {2, 0}, {1, 0}}}),
+    CHECK_NOTHROW(checkChain(Chain{{{0, 0}, {1, 0}, {1, 1}, {0, 0}}}));
+    CHECK_THROWS_WITH(checkChain(Chain{{{0, 0}, {2, 0}, {1, 0}}}),
                       "S.points[1]: (2, 0) folds the line straight back on itself");
-    CHECK_THROWS_WITH(check(Chain{{{0, 0}, {1, 0}, {2, 0}}, true}),
+    CHECK_THROWS_WITH(checkChain(Chain{{{0, 0}, {1, 0}, {2, 0}}, true}),
                       "S.points[2]: (2, 0) folds the line straight back on itself");
-    CHECK_THROWS_WITH(check(Chain{{{0, 0}, {std::numeric_limits<double>::infinity(), 0}}}),
+    CHECK_THROWS_WITH(checkChain(Chain{{{0, 0}, {std::numeric_limits<double>::infinity(), 0}}}),
                       "S.points[1]: (inf, 0) is not finite");
-    CHECK_THROWS_WITH(check(Chain{{{0, 0}, {1e300, 0}, {0, 1e290}}}),
+    CHECK_THROWS_WITH(checkChain(Chain{{{0, 0}, {1e300, 0}, {0, 1e290}}}),
                       "S.points[1]: (1e+300, 0) folds the line straight back on itself");
 }
 
@@ -78,12 +79,12 @@ TEST_CASE("a segment's neighbours are held to the same as a chain's points", "[s
     Segment segment{{0, 0}, {1, 0}};
     segment.before = Vec2(-1, 0);
     segment.after = Vec2(1, 1);
-    CHECK_NOTHROW(check(segment));
+    CHECK_NOTHROW(checkChain(segment));
     segment.after = Vec2(1, 0);
-    CHECK_THROWS_WITH(check(segment), "S.after: (1, 0) is the end of the segment, not a point beyond");
+    CHECK_THROWS_WITH(checkChain(segment), "S.after: (1, 0) is the end of the segment, not a point beyond");
     segment.after = Vec2(0.5, 0);
-    CHECK_THROWS_WITH(check(segment), "S.after: (0.5, 0) folds the line straight back on itself");
+    CHECK_THROWS_WITH(checkChain(segment), "S.after: (0.5, 0) folds the line straight back on itself");
     segment.after.reset();
     segment.before = Vec2(0, std::numeric_limits<double>::quiet_NaN());
-    CHECK_THROWS_WITH(check(segment), "S.before: (0, nan) is not finite");
+    CHECK_THROWS_WITH(checkChain(segment), "S.before: (0, nan) is not finite");
 }

@@ -50,7 +50,7 @@ double extentOf(const std::vector<Vec2>& points) {
     return extent;
 }
 
-double outsideOf(const Polygon& polygon, const Vec2& point) {
+double outsideOfPolygon(const Polygon& polygon, const Vec2& point) {
     double outside = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
         const Vec2 from = polygon.vertices[i];
@@ -127,7 +127,7 @@ TEST_CASE("what hullOf returns is a polygon that a body can have, and nothing st
         }
         ++made;
         REQUIRE_NOTHROW(plumb::validate(hull, "hull"));
-        for (const Vec2& p : points) worst = std::max(worst, outsideOf(hull, p) / extentOf(points));
+        for (const Vec2& p : points) worst = std::max(worst, outsideOfPolygon(hull, p) / extentOf(points));
     }
     CHECK(made > 8000);
     CHECK(worst < 5e-6);

@@ -23,7 +23,7 @@ using plumb::Shape;
 using plumb::Transform;
 using plumb::Vec2;
 
-double areaOf(const OrientedBox& box) {
+double areaOfBox(const OrientedBox& box) {
     return 4 * box.halfSize.x() * box.halfSize.y();
 }
 
@@ -42,7 +42,7 @@ double areaAt(const Outline& outline, double angle) {
 }
 
 /// By how much the outline sticks out of the box.
-double outsideOf(const OrientedBox& box, const Outline& outline) {
+double outsideOfBox(const OrientedBox& box, const Outline& outline) {
     double most = -std::numeric_limits<double>::infinity();
     for (const Point p : outline.corners) {
         const Vec2 local = box.rotation.inverse() * Vec2(Vec2(p.x, p.y) - box.center);
@@ -58,7 +58,7 @@ OrientedBox anyBox(Random& random) {
     return box;
 }
 
-Outline outlineOf(const OrientedBox& box) {
+Outline outlineOfBox(const OrientedBox& box) {
     Outline outline;
     for (const Vec2& corner : cornersOf(box)) outline.corners.push_back(pointOf(corner));
     return outline;
@@ -76,14 +76,14 @@ TEST_CASE("oriented boxes hold 100,000 shapes, and no angle of 1,000 gives a sma
         const Transform pose{randomVec2(random, 3), turnBy(random.uniform(-3, 3))};
         const Outline outline = outlineOf(shape, pose);
         const OrientedBox box = orientedBoxOf(shape, pose);
-        worst = std::max(worst, std::fabs(outsideOf(box, outline)));  // touched from within, too
+        worst = std::max(worst, std::fabs(outsideOfBox(box, outline)));  // touched from within, too
         double least = std::numeric_limits<double>::infinity();
         for (int k = 0; k < 1000; ++k) least = std::min(least, areaAt(outline, k * std::numbers::pi / 2000));
         // Areas up to 40 m^2, to some roundings.
-        smaller += least < areaOf(box) - 1e-13;
+        smaller += least < areaOfBox(box) - 1e-13;
         // Between two angles, 0.0016 rad apart, a side changes by no more than that times the other.
-        loose += least > areaOf(box) + 0.0008 * 2 * 40;
-        sharpest = std::max(sharpest, areaOf(box) - least);
+        loose += least > areaOfBox(box) + 0.0008 * 2 * 40;
+        sharpest = std::max(sharpest, areaOfBox(box) - least);
     }
     std::cout << "[bounds] " << count << " oriented boxes: off their shapes by " << worst
               << " m at most; larger than the best of 1,000 angles by " << sharpest << " m^2 at most\n";
@@ -100,10 +100,10 @@ TEST_CASE("a box around a turned box is that box, around a capsule its length by
         CHECK(std::fabs(box.halfSize.maxCoeff() - 2) < 2e-15);
         CHECK(std::fabs(box.halfSize.minCoeff() - 1) < 2e-15);
         const OrientedBox capsule = orientedBoxOf(plumb::Capsule{{-2, 0}, {2, 0}, 0.5}, {{0, 0}, turnBy(angle)});
-        CHECK(std::fabs(areaOf(capsule) - 5) < 1e-14);
+        CHECK(std::fabs(areaOfBox(capsule) - 5) < 1e-14);
     }
     // A triangle of sides 3, 4, 5: along the longest it is 5 by 2.4, along the others 4 by 3; all 12 m^2.
-    CHECK(std::fabs(areaOf(orientedBoxOf(plumb::Polygon{{{0, 0}, {4, 0}, {0, 3}}})) - 12) < 1e-14);
+    CHECK(std::fabs(areaOfBox(orientedBoxOf(plumb::Polygon{{{0, 0}, {4, 0}, {0, 3}}})) - 12) < 1e-14);
 }
 
 TEST_CASE("boxes of points: in line, in one place, many, none", "[shapes][bounds]") {
@@ -117,8 +117,8 @@ TEST_CASE("boxes of points: in line, in one place, many, none", "[shapes][bounds
     std::vector<Vec2> cloud;
     for (int i = 0; i < 10'000; ++i) cloud.push_back(randomVec2(random, 1));
     const OrientedBox box = orientedBoxOf(cloud);
-    CHECK(areaOf(box) < 4);
-    CHECK(areaOf(box) > 3.9);
+    CHECK(areaOfBox(box) < 4);
+    CHECK(areaOfBox(box) > 3.9);
     const std::vector<Vec2> bad{{0, 0}, {NAN, 0}};
     CHECK_THROWS_WITH(orientedBoxOf(bad), "orientedBoxOf.points[1]: (nan, 0) is not finite");
     CHECK_THROWS_WITH(orientedBoxOf(std::span<const Vec2>()), "orientedBoxOf.points: there are none");
@@ -134,7 +134,7 @@ TEST_CASE("oriented boxes overlap when the distance of their polygons says so, 1
     const int count = plumb::test::cases(1'000'000);
     for (int i = 0; i < count; ++i) {
         const OrientedBox a = anyBox(random), b = anyBox(random);
-        const double gap = gapBetween(outlineOf(a), outlineOf(b)).separation;
+        const double gap = gapBetween(outlineOfBox(a), outlineOfBox(b)).separation;
         const bool found = overlap(a, b);
         overlapping += found;
         if (std::fabs(gap) > 1e-14) wrong += found != (gap < 0);  // ten roundings of numbers up to 6

@@ -21,7 +21,7 @@ namespace {
 
 constexpr Tile full{.form = TileForm::Full};
 
-double areaOf(const std::vector<Vec2>& corners) {
+double areaOfCorners(const std::vector<Vec2>& corners) {
     double twice = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Vec2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
@@ -77,7 +77,7 @@ TEST_CASE("a point is in the cell to the right of and above the lines it lies on
 
 TEST_CASE("forms fill 0, 1, 1/2, 1/4 and 3/4 of their cells, hanging or not", "[shapes][tiles]") {
     const auto share = [](TileForm form, bool hanging) {
-        return areaOf(plumb::cornersOf(Tile{.form = form, .hanging = hanging}));
+        return areaOfCorners(plumb::cornersOf(Tile{.form = form, .hanging = hanging}));
     };
     for (const bool hanging : {false, true}) {
         CHECK(share(TileForm::Empty, hanging) == 0);

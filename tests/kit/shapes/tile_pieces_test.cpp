@@ -98,7 +98,7 @@ Vec2 directionOf(const Segment& s) {
     return (s.end - s.start).normalized();
 }
 
-std::vector<Segment> outlineOf(const std::vector<TilePiece>& pieces) {
+std::vector<Segment> outlineOfPieces(const std::vector<TilePiece>& pieces) {
     std::vector<Segment> outline;
     for (const TilePiece& piece : pieces)
         if (const auto* segment = std::get_if<Segment>(&piece.shape)) outline.push_back(*segment);
@@ -114,7 +114,7 @@ TEST_CASE("the outline of 1,000 random maps has what is solid on its left alone,
         const TileMap map = randomMap(random, false);
         double length = 0;
         INFO("seed " << seed);
-        for (const Segment& s : outlineOf(tilePiecesOf(map))) {
+        for (const Segment& s : outlineOfPieces(tilePiecesOf(map))) {
             length += (s.end - s.start).norm();
             for (const double part : {0.02, 0.37, 0.98}) {
                 const Vec2 point = s.start + part * (s.end - s.start), outward = outwardOf(s);
@@ -131,7 +131,7 @@ TEST_CASE("every piece of the outlines of 1,000 random maps goes on where anothe
     for (int seed = 0; seed < plumb::test::cases(1000); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         const TileMap map = randomMap(random, false);
-        const std::vector<Segment> outline = outlineOf(tilePiecesOf(map));
+        const std::vector<Segment> outline = outlineOfPieces(tilePiecesOf(map));
         INFO("seed " << seed);
         for (const Segment& s : outline) {
             const auto follows = [&](const Segment& next) {
@@ -187,7 +187,7 @@ TEST_CASE("1,000 tiles in a row are one piece of top for every 16 of them, each 
     TileMap map({.columns = 1000, .rows = 1});
     for (int column = 0; column < 1000; ++column) map.set({column, 0}, {.form = TileForm::Full});
     int tops = 0;
-    for (const Segment& s : outlineOf(tilePiecesOf(map)))
+    for (const Segment& s : outlineOfPieces(tilePiecesOf(map)))
         if (s.end.x() < s.start.x()) ++tops;
     CHECK(tops == 63);
 }
@@ -234,8 +234,8 @@ TEST_CASE("a one-way top that ends at a wall higher or lower than it leaves the 
         for (int i = 0; i < 2; ++i) with.set({1, i}, solid);
         TileMap without = with;
         with.set({0, row}, oneWay);
-        const std::vector<Segment> few = outlineOf(tilePiecesOf(without));
-        std::vector<Segment> all = outlineOf(tilePiecesOf(with));
+        const std::vector<Segment> few = outlineOfPieces(tilePiecesOf(without));
+        std::vector<Segment> all = outlineOfPieces(tilePiecesOf(with));
         CHECK(all.size() == few.size() + 1);
         for (const Segment& s : few) CHECK(std::find(all.begin(), all.end(), s) != all.end());
     }

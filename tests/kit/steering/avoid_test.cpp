@@ -41,7 +41,7 @@ std::vector<RoundObstacle> randomWood(Random& random, const Agent& agent, double
     return trees;
 }
 
-double distanceTo(const WallSegment& wall, const Vec2& p) {
+double distanceToWall(const WallSegment& wall, const Vec2& p) {
     const Vec2 along = wall.end - wall.start;
     const double t = std::clamp((p - wall.start).dot(along) / along.squaredNorm(), 0.0, 1.0);
     return (p - wall.start - t * along).norm();
@@ -109,7 +109,8 @@ TEST_CASE("who keeps off walls stays in 10,000 rooms, with a screen in the middl
             const Vec2 before = agent.position;
             agent = moved(agent, firstOf(agent, avoidWalls(agent, walls), step.acceleration), dt);
             way += (agent.position - before).norm();
-            for (const WallSegment& wall : walls) gap = std::min(gap, distanceTo(wall, agent.position) - agent.radius);
+            for (const WallSegment& wall : walls)
+                gap = std::min(gap, distanceToWall(wall, agent.position) - agent.radius);
         }
         touched += gap < 0;
         stuck += way < 5 * agent.maxSpeed;
@@ -198,8 +199,8 @@ TEST_CASE("who stands on a tree's middle or right on a wall goes on, or back to 
             second = moved(second, avoidWalls(second, there), dt);
         }
         inside += (first.position - place).norm() < agent.radius + 1;
-        inside += distanceTo(there[0], second.position) < agent.radius;
-        inside += distanceTo(there[1], second.position) < agent.radius;
+        inside += distanceToWall(there[0], second.position) < agent.radius;
+        inside += distanceToWall(there[1], second.position) < agent.radius;
     }
     CHECK(inside == 0);
 }

@@ -32,7 +32,7 @@ Points windingPath(Random& random, double bend, int pieces) {
 }
 
 /// By looking at all of it.
-double distanceTo(const Points& points, const Vec2& p) {
+double distanceToPath(const Points& points, const Vec2& p) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
         const Vec2 edge = points[i + 1] - points[i];
@@ -67,7 +67,7 @@ TEST_CASE("who follows 1,000 winding paths keeps within their radius, and comes 
             back += step.progress < progress;
             progress = step.progress;
             agent = moved(agent, step.acceleration, dt);
-            if (k % 10 == 0) worst = std::max(worst, distanceTo(points, agent.position) / radius);
+            if (k % 10 == 0) worst = std::max(worst, distanceToPath(points, agent.position) / radius);
         }
         unfinished += (agent.position - points.back()).norm() > 1e-3 * bend;
     }
@@ -94,7 +94,7 @@ TEST_CASE("a path that crosses itself is walked to its end, and a ring round and
             const PathStep step = followPath(agent, path, progress, 1);
             progress = step.progress;
             agent = moved(agent, step.acceleration, dt);
-            worst = std::max(worst, distanceTo(points, agent.position));
+            worst = std::max(worst, distanceToPath(points, agent.position));
         }
         CHECK(worst < 0.1);  // 1^2 / (2 * 5)
         return progress;

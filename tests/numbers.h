@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Which numbers stand in many tests of worlds?
+// Which numbers stand in many tests?
 #pragma once
 #include <limits>
 #include <numbers>
 
 namespace plumb::test {
 
-inline constexpr double g = 9.81;
-inline constexpr double dt = 1.0 / 60;
 inline constexpr double pi = std::numbers::pi;
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
