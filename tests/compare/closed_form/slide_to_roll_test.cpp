@@ -7,6 +7,7 @@
 #include "compare/closed_form/worked.h"
 
 namespace plumb::compare {
+
 TEST_CASE("a disc thrown at 3 m/s with a friction of 0.2 rolls at 2 m/s after 0.5096839959 s and 1.2742099898 m",
           "[compare][closed_form][facts][law]") {
     const std::vector<Flight> flights = slideToRollFlights({.speed = 3, .friction = 0.2});
