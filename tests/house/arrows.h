@@ -7,12 +7,9 @@
 #include <string_view>
 #include <vector>
 
-namespace plumb::test {
+#include "house/repository.h"
 
-struct SourceFile {
-    std::string path;  ///< as it is included: "plumb/shapes/mass.h", "compare/scene/scene.h"
-    std::string text;
-};
+namespace plumb::test {
 
 using Ranks = std::map<std::string, int>;  ///< of modules: {"math", 0}
 

@@ -17,16 +17,6 @@ using Faults = std::vector<std::string>;
 
 namespace {
 
-/// The C++ files under a folder, their paths as seen from root; none where there is no such folder.
-std::vector<SourceFile> sourcesUnder(const fs::path& folder, const fs::path& root) {
-    std::vector<SourceFile> sources;
-    if (!fs::exists(folder)) return sources;
-    for (const auto& entry : fs::recursive_directory_iterator(folder))
-        if (entry.path().extension() == ".h" || entry.path().extension() == ".cpp")
-            sources.push_back({fs::relative(entry.path(), root).generic_string(), textOf(entry.path())});
-    return sources;
-}
-
 std::vector<SourceFile> kitSources() {
     return sourcesUnder(repository / "kit/plumb", repository / "kit");
 }

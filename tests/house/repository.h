@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <vector>
 
 namespace plumb::test {
 
@@ -13,6 +14,21 @@ inline const std::filesystem::path repository = PLUMB_SOURCE_DIR;
 inline std::string textOf(const std::filesystem::path& path) {
     std::ifstream file(path);
     return {std::istreambuf_iterator<char>(file), {}};
+}
+
+struct SourceFile {
+    std::string path;  ///< as it is included: "plumb/shapes/mass.h", "compare/scene/scene.h"
+    std::string text;
+};
+
+/// The C++ files under a folder, their paths as seen from root; none where there is no such folder.
+inline std::vector<SourceFile> sourcesUnder(const std::filesystem::path& folder, const std::filesystem::path& root) {
+    std::vector<SourceFile> sources;
+    if (!std::filesystem::exists(folder)) return sources;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+        if (entry.path().extension() == ".h" || entry.path().extension() == ".cpp")
+            sources.push_back({std::filesystem::relative(entry.path(), root).generic_string(), textOf(entry.path())});
+    return sources;
 }
 
 }  // namespace plumb::test
