@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string source = PLUMB_SOURCE_DIR;
+const std::string sourceFolder = PLUMB_SOURCE_DIR;
 const std::string compiler = std::string("-DCMAKE_CXX_COMPILER=") + PLUMB_COMPILER;
 
 // Radius 0.5 on a ground whose top is at 0.5. Contacts are soft: at rest they give by less than a millimetre.
@@ -35,7 +35,7 @@ TEST_CASE("the ten-line program, built with an installation, prints a ball at re
     mustRun(quoted(PLUMB_CMAKE) + " --install " + quoted(PLUMB_BUILD_DIR) + " --prefix " + quoted(prefix));
     for (const auto& entry : fs::recursive_directory_iterator(prefix)) CHECK(entry.path().filename() != "detail");
 
-    buildProject({.source = source + "/tests/install",
+    buildProject({.source = sourceFolder + "/tests/install",
                   .build = folder / "build",
                   .options = {compiler, "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_PREFIX_PATH=" + prefix}});
     requireBallAtRest(folder / "build" / "falling_ball");
@@ -44,9 +44,9 @@ TEST_CASE("the ten-line program, built with an installation, prints a ball at re
 TEST_CASE("the ten-line program, built with Plumb as a subdirectory, prints a ball at rest at y = 1",
           "[house][build]") {
     const fs::path build = houseFolder("subdirectory");
-    buildProject({.source = source + "/tests/install",
+    buildProject({.source = sourceFolder + "/tests/install",
                   .build = build,
                   .options = {compiler, "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG",
-                              "-DPLUMB_FOLDER=" + source}});
+                              "-DPLUMB_FOLDER=" + sourceFolder}});
     requireBallAtRest(build / "falling_ball");
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <set>
 
 #include <compare/engine/engine.h>
@@ -14,13 +13,12 @@
 
 #include "catch.h"
 #include "compare/engine/simulators.h"
+#include "numbers.h"
 
 namespace plumb::compare {
 namespace {
 
 using Catch::Matchers::WithinAbs;
-
-const double pi = std::numbers::pi;
 
 SceneBody ball(const std::string& name, const Vec2& position, double mass, double inertia = 1) {
     SceneBody body{name, {.position = position, .canSleep = false, .shapes = {circle(0.2)}}};
@@ -76,13 +74,16 @@ TEST_CASE("2 kg on a spring of 200 N/m pass its middle after a quarter of 2 pi /
     const Spring spring{200, 0};
     const DistanceJointDef rod{.anchorA = {-1, 0}, .anchorB = {1, 0}, .length = 1.9, .spring = spring};
     for (const Observation& seen : runs(postAndBall(rod)))
-        CHECK_THAT(firstZero(seen, [](const auto& s) { return xOf(s) - 0.9; }), WithinAbs(pi / 20, springs * pi / 20));
+        CHECK_THAT(firstZero(seen, [](const auto& s) { return xOf(s) - 0.9; }),
+                   WithinAbs(test::pi / 20, springs * test::pi / 20));
     const PrismaticJointDef slide{.anchor = {1, 0}, .spring = spring, .restShift = -0.1};
     for (const Observation& seen : runs(postAndBall(slide), {"box2d-2.4"}))
-        CHECK_THAT(firstZero(seen, [](const auto& s) { return xOf(s) - 0.9; }), WithinAbs(pi / 20, springs * pi / 20));
+        CHECK_THAT(firstZero(seen, [](const auto& s) { return xOf(s) - 0.9; }),
+                   WithinAbs(test::pi / 20, springs * test::pi / 20));
     const WheelJointDef wheel{.anchor = {1, 0}, .axis = {1, 0}, .spring = spring, .restShift = -0.1};
     for (const Observation& seen : runs(postAndBall(wheel)))
-        CHECK_THAT(firstZero(seen, [](const auto& s) { return xOf(s) - 0.9; }), WithinAbs(pi / 20, springs * pi / 20));
+        CHECK_THAT(firstZero(seen, [](const auto& s) { return xOf(s) - 0.9; }),
+                   WithinAbs(test::pi / 20, springs * test::pi / 20));
 }
 
 TEST_CASE("two balls of 2 kg on a spring of 100 N/m swing as 1 kg does", "[compare][engine]") {
@@ -91,7 +92,7 @@ TEST_CASE("two balls of 2 kg on a spring of 100 N/m swing as 1 kg does", "[compa
     scene.bodies[0] = ball("post", {0, 0}, 2);
     for (const Observation& seen : runs(scene)) {
         const auto stretch = [](const auto& s) { return s[1].position.x() - s[0].position.x() - 0.8; };
-        CHECK_THAT(firstZero(seen, stretch), WithinAbs(pi / 20, springs * pi / 20));
+        CHECK_THAT(firstZero(seen, stretch), WithinAbs(test::pi / 20, springs * test::pi / 20));
     }
 }
 
@@ -100,7 +101,7 @@ TEST_CASE("a spring at the end of a lever swings the mass that it moves there", 
     const DistanceJointDef spring{.anchorA = {-5, 0.5}, .anchorB = {1, 0.5}, .length = 5.98, .spring = Spring{100, 0}};
     for (const Observation& seen : runs(postAndBall(spring))) {
         const auto anchor = [](const auto& s) { return s[1].position.x() - 0.5 * std::sin(s[1].angle) - 0.98; };
-        CHECK_THAT(firstZero(seen, anchor), WithinAbs(pi / 20, springs * pi / 20));
+        CHECK_THAT(firstZero(seen, anchor), WithinAbs(test::pi / 20, springs * test::pi / 20));
     }
 }
 
@@ -109,13 +110,13 @@ TEST_CASE("0.5 kg m^2 on a spring of 50 N m turn back to its rest angle after a 
     const auto angle = [](const auto& s) { return s[1].angle - 0.2; };
     const RevoluteJointDef hinge{.anchor = {1, 0}, .spring = Spring{50, 0}, .restAngle = 0.2};
     for (const Observation& seen : runs(postAndBall(hinge), {"box2d-2.4"}))
-        CHECK_THAT(firstZero(seen, angle), WithinAbs(pi / 20, springs * pi / 20));
+        CHECK_THAT(firstZero(seen, angle), WithinAbs(test::pi / 20, springs * test::pi / 20));
     Scene weld = postAndBall(WeldJointDef{.anchor = {1, 0}, .bending = Spring{50, 0}});
     weld.bodies[1].def.angularVelocity = 1;
     for (const Observation& seen : runs(weld)) {
         // It starts in the middle: over the first half of a period it is turned one way.
         const auto from = [](const auto& s) { return s[1].angularVelocity; };
-        CHECK_THAT(firstZero(seen, from), WithinAbs(pi / 20, springs * pi / 20));
+        CHECK_THAT(firstZero(seen, from), WithinAbs(test::pi / 20, springs * test::pi / 20));
     }
 }
 
@@ -200,7 +201,7 @@ TEST_CASE("a target of 200 N/m pulls 2 kg to it in a quarter of 2 pi / 10 s", "[
                      TargetJointDef{.anchor = {1, 0}, .target = {1, 1}, .spring = Spring{200, 0}, .maxForce = 1e4}}};
     for (const Observation& seen : runs(scene))
         CHECK_THAT(firstZero(seen, [](const auto& s) { return s[1].position.y() - 1; }),
-                   WithinAbs(pi / 20, springs * pi / 20));
+                   WithinAbs(test::pi / 20, springs * test::pi / 20));
     std::get<TargetJointDef>(scene.joints[0].def).maxForce = 2;
     scene.duration = 0.5;
     for (const Observation& seen : runs(scene)) CHECK_THAT(last(seen).position.y(), WithinAbs(0.125, 5e-3));

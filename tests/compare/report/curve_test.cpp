@@ -11,7 +11,7 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double noPoint = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
@@ -40,7 +40,7 @@ TEST_CASE("of the two extremes the one that came first is drawn first", "[compar
 }
 
 TEST_CASE("where nothing is known the curve has a gap, and nowhere else", "[compare][report]") {
-    const std::vector<double> series{none, 2, none, 1, none, none, none, none, 4};
+    const std::vector<double> series{noPoint, 2, noPoint, 1, noPoint, noPoint, noPoint, noPoint, 4};
     const std::vector<double> points = thinned(series, 4);
     REQUIRE(points.size() == 6);
     CHECK(points[0] == 2);

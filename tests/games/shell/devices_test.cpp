@@ -34,7 +34,7 @@ const ActionList actions({{"left", {Key::Left, Key::A}, {Pad::Left}},
                           {"jump", {Key::Space}, {Pad::South}},
                           {"seven", {Key::Digit7}, {Pad::RightTrigger}},
                           {"zero", {Key::Digit0}, {Pad::Start}}});
-constexpr Buttons left = 1, jump = 2, seven = 4, zero = 8;
+constexpr Buttons leftButton = 1, jumpButton = 2, seven = 4, zero = 8;
 
 /// The buttons of so many ticks.
 std::vector<Buttons> take(Devices& devices, int ticks) {
@@ -48,10 +48,10 @@ std::vector<Buttons> take(Devices& devices, int ticks) {
 TEST_CASE("a key is down from its tick on until it is let go; repeats by the keyboard are nothing", "[games]") {
     Devices devices;
     devices.handle(keyEvent(SDL_SCANCODE_LEFT, true));
-    CHECK(take(devices, 2) == std::vector<Buttons>{left, left});
+    CHECK(take(devices, 2) == std::vector<Buttons>{leftButton, leftButton});
     devices.handle(keyEvent(SDL_SCANCODE_LEFT, true, true));
     devices.handle(keyEvent(SDL_SCANCODE_7, true));
-    CHECK(take(devices, 1) == std::vector<Buttons>{left | seven});
+    CHECK(take(devices, 1) == std::vector<Buttons>{leftButton | seven});
     devices.handle(keyEvent(SDL_SCANCODE_LEFT, false));
     CHECK(take(devices, 2) == std::vector<Buttons>{seven, seven});
 }
@@ -63,16 +63,16 @@ TEST_CASE("what is pressed and let go within a tick is down for one, and what go
         devices.handle(keyEvent(SDL_SCANCODE_SPACE, true));
         devices.handle(keyEvent(SDL_SCANCODE_SPACE, false));
     }
-    CHECK(take(devices, 7) == std::vector<Buttons>{jump, 0, jump, 0, jump, 0, 0});
+    CHECK(take(devices, 7) == std::vector<Buttons>{jumpButton, 0, jumpButton, 0, jumpButton, 0, 0});
 }
 
 TEST_CASE("two keys of one action: it is down as long as one of them is", "[games]") {
     Devices devices;
     devices.handle(keyEvent(SDL_SCANCODE_A, true));
     devices.handle(keyEvent(SDL_SCANCODE_LEFT, true));
-    CHECK(devices.take(actions) == left);
+    CHECK(devices.take(actions) == leftButton);
     devices.handle(keyEvent(SDL_SCANCODE_A, false));
-    CHECK(devices.take(actions) == left);
+    CHECK(devices.take(actions) == leftButton);
     devices.handle(keyEvent(SDL_SCANCODE_LEFT, false));
     CHECK(devices.take(actions) == 0);
 }
@@ -100,7 +100,7 @@ TEST_CASE("a stick is a direction beyond half of its way, a trigger a button, an
     devices.handle(axisEvent(SDL_CONTROLLER_AXIS_LEFTX, -17000));
     devices.handle(axisEvent(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 30000));
     devices.handle(buttonEvent(SDL_CONTROLLER_BUTTON_A, true));
-    CHECK(devices.take(actions) == (left | seven | jump));
+    CHECK(devices.take(actions) == (leftButton | seven | jumpButton));
     devices.handle(axisEvent(SDL_CONTROLLER_AXIS_LEFTX, 32767));
     devices.handle(buttonEvent(SDL_CONTROLLER_BUTTON_A, false));
     CHECK(devices.take(actions) == seven);
@@ -110,9 +110,9 @@ TEST_CASE("a window that loses its focus holds no key down", "[games]") {
     Devices devices;
     devices.handle(keyEvent(SDL_SCANCODE_LEFT, true));
     devices.handle(keyEvent(SDL_SCANCODE_SPACE, true));
-    CHECK(devices.take(actions) == (left | jump));
+    CHECK(devices.take(actions) == (leftButton | jumpButton));
     devices.releaseAll();
     CHECK(devices.take(actions) == 0);
     devices.handle(keyEvent(SDL_SCANCODE_SPACE, true));
-    CHECK(devices.take(actions) == jump);
+    CHECK(devices.take(actions) == jumpButton);
 }

@@ -22,7 +22,7 @@ namespace {
 
 using Slots = std::vector<std::uint32_t>;
 
-const BoundsRounding rounded(Vec2(0, 0));
+const BoundsRounding roundedOut(Vec2(0, 0));
 
 Aabb someSquare(Random& random) {
     return squareAround({random.uniform(-20, 20), random.uniform(-20, 20)}, random.uniform(0, 1));
@@ -76,7 +76,7 @@ TEST_CASE("a hierarchy that is mended 400 times answers as a search through all 
         Model model;
         int wrong = 0;
         for (int round = 0; round < 80; ++round) {
-            for (int i = random.integer(0, most / 40 + 1); i > 0; --i) model.append(rounded(someSquare(random)));
+            for (int i = random.integer(0, most / 40 + 1); i > 0; --i) model.append(roundedOut(someSquare(random)));
             for (int i = random.integer(0, most / 20 + 1); i > 0 && !model.boxes.empty(); --i) {
                 const auto slot =
                     static_cast<std::uint32_t>(random.integer(0, static_cast<int>(model.boxes.size()) - 1));
@@ -84,14 +84,14 @@ TEST_CASE("a hierarchy that is mended 400 times answers as a search through all 
                 if (random.integer(0, 9) == 0)
                     model.erase(slot);
                 else
-                    model.put(slot, rounded(someSquare(random)));
+                    model.put(slot, roundedOut(someSquare(random)));
             }
             if (round % 7 == 3)
                 model.tree.refitAll();
             else
                 model.tree.refitTouched();
             for (int i = 0; i < 5; ++i) {
-                const Bounds box = rounded(someSquare(random));
+                const Bounds box = roundedOut(someSquare(random));
                 if (queriedSlots(model.tree, box) != model.searched(box)) ++wrong;
             }
             model.tree.settle();
@@ -103,7 +103,7 @@ TEST_CASE("a hierarchy that is mended 400 times answers as a search through all 
 
 TEST_CASE("the touched blocks are those with touched slots, each once, in order", "[broad]") {
     Model model;
-    for (int i = 0; i < 1000; ++i) model.append(rounded(squareAround(Vec2(i, 0), 0.5)));
+    for (int i = 0; i < 1000; ++i) model.append(roundedOut(squareAround(Vec2(i, 0), 0.5)));
     model.tree.refitTouched();
     CHECK(model.tree.touchedBlocks().size() == 63);  // 1000 / 16, rounded up
     model.tree.settle();
@@ -118,7 +118,7 @@ TEST_CASE("the touched blocks are those with touched slots, each once, in order"
 
 TEST_CASE("taking members out and in keeps count, and starting anew forgets all", "[broad]") {
     Model model;
-    for (int i = 0; i < 40; ++i) model.append(rounded(squareAround(Vec2(i, 0), 0.5)));
+    for (int i = 0; i < 40; ++i) model.append(roundedOut(squareAround(Vec2(i, 0), 0.5)));
     model.erase(3);
     CHECK(model.tree.memberCount() == 39);
     CHECK(model.tree.slotCount() == 40);
@@ -127,19 +127,19 @@ TEST_CASE("taking members out and in keeps count, and starting anew forgets all"
     model.tree.assign(Slots{7, 8, 9});
     CHECK(model.tree.memberCount() == 3);
     CHECK(model.tree.members()[2] == 9);
-    CHECK(queriedSlots(model.tree, rounded(squareAround({0, 0}, 1e9))).empty());
+    CHECK(queriedSlots(model.tree, roundedOut(squareAround({0, 0}, 1e9))).empty());
     model.tree.assign({});
     CHECK(model.tree.slotCount() == 0);
-    CHECK(queriedSlots(model.tree, rounded(squareAround({0, 0}, 1e9))).empty());
+    CHECK(queriedSlots(model.tree, roundedOut(squareAround({0, 0}, 1e9))).empty());
 }
 
 TEST_CASE("looseness is the half perimeter of the blocks of sixteen", "[broad]") {
     Model model;
-    for (int i = 0; i < 32; ++i) model.append(rounded(squareAround(Vec2(i, 0), 0.5)));
+    for (int i = 0; i < 32; ++i) model.append(roundedOut(squareAround(Vec2(i, 0), 0.5)));
     model.tree.refitTouched();
     CHECK(model.tree.looseness() == 2 * (16 + 1));
     model.tree.settle();
-    model.put(31, rounded(squareAround({31, 10}, 0.5)));
+    model.put(31, roundedOut(squareAround({31, 10}, 0.5)));
     model.tree.refitTouched();
     CHECK(model.tree.looseness() == 2 * (16 + 1) + 10);
 }
@@ -167,10 +167,10 @@ TEST_CASE("rounding to float keeps every overlap, and every overlap that it show
 TEST_CASE("boxes beyond the range of floats round to its ends", "[broad]") {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     constexpr float largest = std::numeric_limits<float>::max();
-    const Bounds box = rounded({{-1e300, -infinity}, {infinity, 3}});
+    const Bounds box = roundedOut({{-1e300, -infinity}, {infinity, 3}});
     CHECK(box.lowerX == -largest);
     CHECK(box.lowerY == -largest);
     CHECK(box.upperX == largest);
     CHECK(box.upperY == 3);
-    CHECK(rounded({{std::numeric_limits<double>::quiet_NaN(), 0}, {1, 1}}).lowerX != 0);
+    CHECK(roundedOut({{std::numeric_limits<double>::quiet_NaN(), 0}, {1, 1}}).lowerX != 0);
 }

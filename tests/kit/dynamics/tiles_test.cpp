@@ -63,7 +63,7 @@ TEST_CASE("a ball dropped on tiles lies on them, and the map is one shape that c
           "[dynamics][tiles]") {
     Ground ground = groundOf(plumb::tileMapOf({"....", "####"}), {0, -9.81}, {10, 5});
     const BodyId ball = ground.world.add({.position = {12, 8}, .shapes = {plumb::circle(0.4)}});
-    run(ground.world, 180);
+    steps(ground.world, 180);
     CHECK(ground.world.body(ball).position().y() == Approx(6.4).margin(1e-3));
     REQUIRE(ground.world.body(ball).contacts().size() == 1);
     CHECK(ground.world.tiles(ground.map).at({1, 0}) == full);
@@ -227,13 +227,13 @@ TEST_CASE("a body falls when the tile under it goes, and one that sleeps far alo
     Ground ground = groundOf(floor);
     const BodyId near = ground.world.add({.position = {5.5, 1.4}, .shapes = {plumb::box({0.4, 0.4})}});
     const BodyId far = ground.world.add({.position = {55.5, 1.4}, .shapes = {plumb::box({0.4, 0.4})}});
-    run(ground.world, 120);
+    steps(ground.world, 120);
     REQUIRE_FALSE(ground.world.body(near).awake());
     REQUIRE_FALSE(ground.world.body(far).awake());
     ground.world.setTile(ground.map, {5, 0}, {});
     CHECK(ground.world.body(near).awake());
     CHECK_FALSE(ground.world.body(far).awake());
-    run(ground.world, 60);
+    steps(ground.world, 60);
     CHECK(ground.world.body(near).position().y() < -1);
     CHECK(ground.world.body(far).position().y() == Approx(1.4).margin(1e-3));
 }
@@ -241,10 +241,10 @@ TEST_CASE("a body falls when the tile under it goes, and one that sleeps far alo
 TEST_CASE("a tile put into a sleeping body wakes it and moves it out", "[dynamics][tiles]") {
     Ground ground = groundOf(plumb::tileMapOf({"....", "####"}));
     const BodyId box = ground.world.add({.position = {2.2, 1.4}, .shapes = {plumb::box({0.4, 0.4})}});
-    run(ground.world, 120);
+    steps(ground.world, 120);
     REQUIRE_FALSE(ground.world.body(box).awake());
     ground.world.setTile(ground.map, {1, 1}, full);
-    run(ground.world, 120);
+    steps(ground.world, 120);
     CHECK(ground.world.body(box).position().x() > 2.39);
     CHECK(ground.world.body(box).position().y() == Approx(1.4).margin(0.01));
 }

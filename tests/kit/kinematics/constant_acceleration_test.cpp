@@ -97,11 +97,11 @@ std::size_t howMany(const Five& m, const std::string& known) {
 
 /// How far from right the two equations are that hold between all five, and that were not used as they stand.
 double replayError(const SolvedMotion& m) {
-    using Long = long double;
-    const Long d = m.displacement, u = m.startVelocity, v = m.endVelocity, a = m.acceleration, t = m.time;
-    const Long way = std::fabs(d - (u + v) / 2 * t),
-               ofWay = std::fabs(d) + (std::fabs(u) + std::fabs(v)) * std::fabs(t);
-    const Long energy = std::fabs(v * v - u * u - 2 * a * d), ofEnergy = v * v + u * u + 2 * std::fabs(a * d);
+    using Exact = long double;
+    const Exact d = m.displacement, u = m.startVelocity, v = m.endVelocity, a = m.acceleration, t = m.time;
+    const Exact way = std::fabs(d - (u + v) / 2 * t),
+                ofWay = std::fabs(d) + (std::fabs(u) + std::fabs(v)) * std::fabs(t);
+    const Exact energy = std::fabs(v * v - u * u - 2 * a * d), ofEnergy = v * v + u * u + 2 * std::fabs(a * d);
     return static_cast<double>(std::max(ofWay > 0 ? way / ofWay : 0, ofEnergy > 0 ? energy / ofEnergy : 0));
 }
 
