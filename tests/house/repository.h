@@ -16,6 +16,9 @@ inline std::string textOf(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
+/// As seen from the repository's folder, sorted; without what git ignores, or, where there is no git, without build/.
+std::vector<std::filesystem::path> repositoryFiles();
+
 struct SourceFile {
     std::string path;  ///< as it is included: "plumb/shapes/mass.h", "compare/scene/scene.h"
     std::string text;
