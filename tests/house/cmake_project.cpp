@@ -8,14 +8,16 @@
 
 namespace plumb::test {
 
-void buildProject(const CmakeProject& project) {
-    const std::string cmake = quoted(PLUMB_CMAKE);
-    const std::string build = quoted(project.build.string());
-    std::string configure =
-        cmake + " -S " + quoted(project.source.string()) + " -B " + build + " -G " + quoted(PLUMB_GENERATOR);
+void configureProject(const CmakeProject& project) {
+    std::string configure = quoted(PLUMB_CMAKE) + " -S " + quoted(project.source.string()) + " -B " +
+                            quoted(project.build.string()) + " -G " + quoted(PLUMB_GENERATOR);
     for (const std::string& option : project.options) configure += " " + quoted(option);
     mustRun(configure);
-    mustRun(cmake + " --build " + build + " --parallel " +
+}
+
+void buildProject(const CmakeProject& project) {
+    configureProject(project);
+    mustRun(quoted(PLUMB_CMAKE) + " --build " + quoted(project.build.string()) + " --parallel " +
             std::to_string(std::max(1u, std::thread::hardware_concurrency())));
 }
 

@@ -13,7 +13,10 @@ struct CmakeProject {
     std::vector<std::string> options;  ///< "-DNAME=value"
 };
 
-/// Configures and builds; a test fails, with the output, where that does.
+/// A test fails, with the output, where this does.
+void configureProject(const CmakeProject& project);
+
+/// Configures and builds; likewise.
 void buildProject(const CmakeProject& project);
 
 /// A folder of this build for what a test makes.
