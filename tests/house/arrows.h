@@ -35,7 +35,7 @@ std::vector<std::string> arrowsInto(std::string_view folder, const std::vector<S
 std::vector<std::string> arrowsOutOfGames(const std::vector<SourceFile>& games);
 /// What is in a folder detail is not installed: no header that is may include it.
 std::vector<std::string> arrowsIntoDetail(const std::vector<SourceFile>& kit);
-/// A source proves that its header compiles on its own by including it first.
+/// A source includes its own header first: so one that is compiled by itself proves that its header stands alone.
 std::vector<std::string> ownHeadersNotFirst(const std::vector<SourceFile>& kit);
 
 }  // namespace plumb::test

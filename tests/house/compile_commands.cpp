@@ -15,8 +15,12 @@ std::string fieldIn(const std::string& line, const std::string& name) {
     const std::string start = "\"" + name + "\": \"";
     const std::size_t found = line.find(start);
     if (found == std::string::npos) return "";
-    const std::size_t begin = found + start.size();
-    return line.substr(begin, line.rfind('"') - begin);
+    std::string field;
+    for (std::size_t i = found + start.size(); i < line.size() && line[i] != '"'; ++i) {
+        if (line[i] == '\\') ++i;  // what follows stands for itself
+        if (i < line.size()) field += line[i];
+    }
+    return field;
 }
 
 }  // namespace
