@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How do measured times stand in the README?
+// How do measured times stand in compare/README.md?
 #pragma once
 #include <filesystem>
 #include <span>
