@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Installs what is missing of packages.txt beside it. Says nothing, and asks for nothing, when all is there.
+# .setup/install.sh SECTION...: installs what is missing of those sections of packages.txt beside it: kit, compare,
+# games, tests. Says nothing, and asks for nothing, when all is there.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -15,9 +16,12 @@ offered() { [[ -n $(apt-cache madison "$1" 2>/dev/null) ]]; }
 
 required=()
 optional=()
+wantedSection=false
 while read -r package _; do
     case $package in
         '' | '#'*) ;;
+        '['*']') [[ " $* " == *" ${package:1:-1} "* ]] && wantedSection=true || wantedSection=false ;;
+        *) $wantedSection || continue ;;&
         '?'*) installed "${package#\?}" || optional+=("${package#\?}") ;;
         *) installed "$package" || required+=("$package") ;;
     esac

@@ -12,7 +12,7 @@ std::filesystem::path buildBits(const std::string& compiler, const std::string& 
     buildProject({.source = std::string(PLUMB_SOURCE_DIR) + "/tests/bits",
                   .build = folder,
                   .options = {"-DCMAKE_CXX_COMPILER=" + compiler, "-DCMAKE_BUILD_TYPE=Release",
-                              "-DCMAKE_CXX_FLAGS_RELEASE=" + optimisation + " -DNDEBUG", "-DPLUMB_PRECOMPILE=ON",
+                              "-DCMAKE_CXX_FLAGS_RELEASE=" + optimisation + " -DNDEBUG", "-DPLUMB_OPTIMISE=OFF",
                               std::string("-DPLUMB_BUILD_GAMES=") + (games ? "ON" : "OFF")}});
     return folder;
 }

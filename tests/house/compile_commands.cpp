@@ -42,7 +42,7 @@ std::string CompileCommand::optimisation() const {
 
 std::vector<CompileCommand> compileCommandsIn(const std::filesystem::path& build) {
     std::vector<CompileCommand> commands;
-    std::istringstream lines(fileText(build / "compile_commands.json"));
+    std::istringstream lines(textOf(build / "compile_commands.json"));
     std::string command;
     for (std::string line; std::getline(lines, line);) {
         if (const std::string field = fieldIn(line, "command"); !field.empty()) command = field;

@@ -16,7 +16,7 @@ std::vector<SourceFile> headersIn(const std::string& folder, const std::string& 
     std::vector<SourceFile> headers;
     for (const auto& file : repositoryFiles())
         if (file.extension() == ".h" && file.generic_string().starts_with(folder))
-            headers.push_back({file.generic_string().substr(root.size()), fileText(repositoryFolder() / file)});
+            headers.push_back({file.generic_string().substr(root.size()), textOf(repository / file)});
     REQUIRE(headers.size() > 10);
     return headers;
 }

@@ -48,10 +48,10 @@ TEST_CASE("every header that is installed compiles alone, and without a warning"
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder / "sources");
     const std::string compiler =
-        userCompiler({.source = repositoryFolder() / "tests/install",
+        userCompiler({.source = repository / "tests/install",
                       .build = folder / "user",
                       .options = {"-DCMAKE_CXX_COMPILER=clang++", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON",
-                                  "-DPLUMB_FOLDER=" + repositoryFolder().string()}});
+                                  "-DPLUMB_FOLDER=" + repository.string()}});
     REQUIRE(writeLoneSources(folder / "sources") > 100);
     std::ofstream(folder / "eigen.h") << "#include <Eigen/Core>\n";
     const std::string enter = "cd " + quoted(folder.string()) + " && ";

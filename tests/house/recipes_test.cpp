@@ -35,7 +35,7 @@ std::vector<Recipe> allRecipes() {
     std::vector<Recipe> recipes;
     std::set<std::string> seen;
     for (const fs::path& page : pages)
-        for (const std::string& command : recipesOn(fileText(repositoryFolder() / page)))
+        for (const std::string& command : recipesOn(textOf(repository / page)))
             if (seen.insert(command).second) recipes.push_back({page.generic_string(), command});
     return recipes;
 }
@@ -43,8 +43,8 @@ std::vector<Recipe> allRecipes() {
 /// The repository as somebody has it who has just cloned it.
 struct Checkout {
     fs::path folder = houseFolder("checkout");
-    fs::path prefix = houseFolder("recipes") / "prefix";  ///< what PREFIX stands for
-    fs::path saves = houseFolder("recipes") / "saves";    ///< not among the best scores of who runs this
+    fs::path prefix = folder / "build/prefix";          ///< where the recipe installs the kit
+    fs::path saves = houseFolder("recipes") / "saves";  ///< not among the best scores of who runs this
 
     Checkout() {
         fs::remove_all(folder);
@@ -52,7 +52,7 @@ struct Checkout {
         fs::create_directories(saves);
         for (const fs::path& file : repositoryFiles()) {
             fs::create_directories((folder / file).parent_path());
-            fs::copy_file(repositoryFolder() / file, folder / file);
+            fs::copy_file(repository / file, folder / file);
         }
     }
 
@@ -100,11 +100,10 @@ void addNewGame(const Checkout& checkout) {
 
 void follow(const Checkout& checkout, const Recipe& recipe) {
     INFO(recipe.page << ": " << recipe.command);
-    const std::string command =
-        std::regex_replace(recipe.command, std::regex(R"(\bPREFIX\b)"), quoted(checkout.prefix.string()));
+    const std::string& command = recipe.command;
     const std::string window = windowOf(command);
     if (!window.empty()) {  // time counts from when it is built
-        const Ran built = checkout.run(".setup/build release plumb-" + window);
+        const Ran built = checkout.run(".setup/build games release plumb-" + window);
         INFO(built.output);
         REQUIRE(built.ok);
     }
@@ -126,14 +125,14 @@ std::string cmakeLinesOf(const std::string& readme) {
 
 /// A project of the README's lines; what they leave out that any project has is put around them.
 void buildTenLinesWith(const fs::path& prefix, const fs::path& folder) {
-    const std::string readme = fileText(repositoryFolder() / "README.md"), lines = cmakeLinesOf(readme);
+    const std::string readme = textOf(repository / "README.md"), lines = cmakeLinesOf(readme);
     REQUIRE_FALSE(examplesOn(readme).empty());
     fs::create_directories(folder);
-    std::ofstream(folder / "game.cpp") << examplesOn(readme).front().program;
+    std::ofstream(folder / "main.cpp") << examplesOn(readme).front().program;
     std::ofstream list(folder / "CMakeLists.txt");
     if (lines.find("project(") == std::string::npos)
         list << "cmake_minimum_required(VERSION 3.22)\nproject(game LANGUAGES CXX)\n";
-    if (lines.find("add_executable(") == std::string::npos) list << "add_executable(game game.cpp)\n";
+    if (lines.find("add_executable(") == std::string::npos) list << "add_executable(game main.cpp)\n";
     list << lines;
     list.close();
     buildProject({.source = folder, .build = folder / "build", .options = {"-DCMAKE_PREFIX_PATH=" + prefix.string()}});
@@ -172,7 +171,7 @@ TEST_CASE("the pages have a recipe for each thing that the repository is for", "
     Commands commands;
     for (const Recipe& recipe : allRecipes()) commands.push_back(recipe.command);
     for (const std::string command : {"./compare/run", "./tests/run", "./games/run", "./games/run maze",
-                                      "cmake --install build/kit --prefix PREFIX"}) {
+                                      "cmake --install build/kit --prefix build/prefix"}) {
         CAPTURE(command);
         CHECK(std::count(commands.begin(), commands.end(), command) == 1);
     }

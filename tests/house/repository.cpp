@@ -2,8 +2,6 @@
 #include "house/repository.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 #include "house/shell.h"
@@ -13,9 +11,9 @@ namespace plumb::test {
 namespace {
 
 std::vector<std::filesystem::path> filesThatGitKnows() {
-    const std::string root = repositoryFolder().string();
+    const std::string root = repository.string();
     std::vector<std::filesystem::path> files;
-    if (!std::filesystem::exists(repositoryFolder() / ".git")) return files;  // or a git around it would answer
+    if (!std::filesystem::exists(repository / ".git")) return files;  // or a git around it would answer
     const Ran ran = shell("git -C " + quoted(root) + " ls-files -z -co --exclude-standard 2>/dev/null");
     std::istringstream names(ran.output);
     for (std::string name; ran.ok && std::getline(names, name, '\0');) files.emplace_back(name);
@@ -24,7 +22,7 @@ std::vector<std::filesystem::path> filesThatGitKnows() {
 
 std::vector<std::filesystem::path> allFilesButBuilt() {
     std::vector<std::filesystem::path> files;
-    const std::filesystem::path root = repositoryFolder();
+    const std::filesystem::path root = repository;
     for (std::filesystem::recursive_directory_iterator it(root), end; it != end; ++it) {
         const std::filesystem::path path = it->path().lexically_relative(root);
         if (path == "build" || path == ".git")
@@ -37,20 +35,11 @@ std::vector<std::filesystem::path> allFilesButBuilt() {
 
 }  // namespace
 
-std::filesystem::path repositoryFolder() {
-    return PLUMB_SOURCE_DIR;
-}
-
-std::string fileText(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 std::vector<std::filesystem::path> repositoryFiles() {
     std::vector<std::filesystem::path> files = filesThatGitKnows();
     if (files.empty()) files = allFilesButBuilt();
     // Git knows what has been deleted as well, until a commit says so.
-    std::erase_if(files, [](const auto& file) { return !is_regular_file(repositoryFolder() / file); });
+    std::erase_if(files, [](const auto& file) { return !is_regular_file(repository / file); });
     std::sort(files.begin(), files.end());
     files.erase(std::unique(files.begin(), files.end()), files.end());
     return files;

@@ -17,8 +17,8 @@ namespace {
 CmakeProject userProject(const std::string& folder, std::vector<std::string> options = {}) {
     options.push_back(std::string("-DCMAKE_CXX_COMPILER=") + PLUMB_COMPILER);
     options.push_back("-DCMAKE_EXPORT_COMPILE_COMMANDS=ON");
-    options.push_back("-DPLUMB_FOLDER=" + repositoryFolder().string());
-    return {.source = repositoryFolder() / "tests/install", .build = houseFolder(folder), .options = options};
+    options.push_back("-DPLUMB_FOLDER=" + repository.string());
+    return {.source = repository / "tests/install", .build = houseFolder(folder), .options = options};
 }
 
 struct UserBuild {
@@ -88,7 +88,7 @@ TEST_CASE("the ten-line program, built with Plumb as a subdirectory and no build
 
 TEST_CASE("a warning stops no build of somebody who has not asked for that", "[house][build]") {
     CmakeProject project{
-        .source = repositoryFolder(),
+        .source = repository,
         .build = houseFolder("warnings"),
         .options = {std::string("-DCMAKE_CXX_COMPILER=") + PLUMB_COMPILER, "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON"}};
     std::filesystem::remove_all(project.build);

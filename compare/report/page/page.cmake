@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# plumb_add_report_page(<target>): gives the target the report's page as a source, made again when a part of it changes.
+# plumb_add_report_page(<target>), after plumb_find_dygraphs(): gives the target the report's page as a source, made again when a part of it changes.
 # The chart library is dygraphs 2 (MIT), taken from where a package installed it.
 
 set(PLUMB_REPORT_PAGE_DIR "${CMAKE_CURRENT_LIST_DIR}")
@@ -10,20 +10,18 @@ set(PLUMB_REPORT_SCRIPTS
     curves.js limits.js chart.js charts.js csv.js numbers.js lab_chart.js lab_page.js overview.js controls.js
     scene_page.js address.js main.js)
 
-function(plumb_find_dygraphs name variable)
-    find_file(${variable} ${name}
-        PATHS ${CMAKE_SYSTEM_PREFIX_PATH}
-        PATH_SUFFIXES share/javascript/dygraphs share/nodejs/dygraphs/dist lib/node_modules/dygraphs/dist
-        DOC "dygraphs, the report's chart library")
-    if(NOT ${variable})
-        message(FATAL_ERROR "${name} was not found: the report needs dygraphs 2.2. Install Debian's or Ubuntu's package "
-            "libjs-dygraphs, or say where the file is with -D${variable}=<file>.")
-    endif()
+# Where they are is in PLUMB_DYGRAPHS_JS and PLUMB_DYGRAPHS_CSS.
+function(plumb_find_dygraphs)
+    foreach(kind js css)
+        string(TOUPPER ${kind} KIND)
+        find_file(PLUMB_DYGRAPHS_${KIND} dygraph.min.${kind}
+            PATHS ${CMAKE_SYSTEM_PREFIX_PATH}
+            PATH_SUFFIXES share/javascript/dygraphs share/nodejs/dygraphs/dist lib/node_modules/dygraphs/dist
+            DOC "dygraphs, the report's chart library")
+    endforeach()
 endfunction()
 
 function(plumb_add_report_page target)
-    plumb_find_dygraphs(dygraph.min.js PLUMB_DYGRAPHS_JS)
-    plumb_find_dygraphs(dygraph.min.css PLUMB_DYGRAPHS_CSS)
     set(output "${CMAKE_CURRENT_BINARY_DIR}/report_page.cpp")
     list(TRANSFORM PLUMB_REPORT_SCRIPTS PREPEND "${PLUMB_REPORT_PAGE_DIR}/" OUTPUT_VARIABLE scripts)
     list(JOIN PLUMB_REPORT_SCRIPTS "," script_names)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <compare/command/command.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -10,9 +12,11 @@
 #include <vector>
 
 #include <compare/engine/engine.h>
+#include <compare/engine/plumb_world.h>
 #include <compare/lab/builtin.h>
 #include <compare/scene/builtin.h>
 #include <compare/scene/json.h>
+#include <plumb/record/state_hash.h>
 
 #include "catch.h"
 #include "compare/command/called.h"
@@ -49,6 +53,31 @@ TEST_CASE("list tells name, question, engines and checks of free_fall", "[compar
     CHECK(entry.find("engines plumb, box2d-2.4") != std::string::npos);
     CHECK(entry.find("closed-form") != std::string::npos);
     CHECK(entry.find("exact: plumb within 1e-09 m") != std::string::npos);
+}
+
+TEST_CASE("the comparison's page names every lab", "[compare][command]") {
+    const std::string page = textOf(PLUMB_SOURCE_DIR "/compare/README.md");
+    for (const Lab& lab : builtinLabs()) {
+        CAPTURE(lab.name);
+        CHECK(page.find("`" + lab.name + "`") != std::string::npos);
+    }
+}
+
+TEST_CASE("check's JSON has a hash of each scene's last state in Plumb, the one its world has after as many steps",
+          "[compare][command]") {
+    const Folder folder("plumb_command_hash_test");
+    for (const std::string name : {"bounce_08", "ragdoll"}) {
+        REQUIRE(call({"check", name, "--json", folder / "out.json"}).status == 0);
+        const nlohmann::json engines = nlohmann::json::parse(textOf(folder / "out.json"))["scenes"][0]["engines"];
+
+        const Scene scene = *findScene(name);
+        PlumbWorld made = plumbWorld(scene);
+        for (int step = 0; step < stepCount(scene); ++step) made.world.step(scene.dt);
+        CHECK(engines["plumb"]["hash"] == fmt::format("{:016x}", stateHash(made.world)));
+        made.world.step(scene.dt);
+        CHECK(engines["plumb"]["hash"] != fmt::format("{:016x}", stateHash(made.world)));
+        CHECK_FALSE(engines["box2d-2.4"].contains("hash"));
+    }
 }
 
 TEST_CASE("list tells of the labs after the scenes, in the order in which they run", "[compare][command]") {

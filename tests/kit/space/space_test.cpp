@@ -160,7 +160,7 @@ public:
                 if (known_[id].alive && overlap(known_[id].now, asked)) expected.push_back(id);
             for (const auto& space : spaces_) {
                 std::vector<ProxyId> found;
-                space->query(asked, [&](ProxyId id) { found.push_back(id); });
+                space->query(asked, [&](ProxyId id, const Vec2&) { found.push_back(id); });
                 std::sort(found.begin(), found.end());
                 if (found != expected) ++wrong;
             }
