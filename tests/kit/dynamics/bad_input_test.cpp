@@ -55,7 +55,7 @@ const NameSet unchecked{"BlockTree.View", "Bounds", "BoxBlock", "BoxProbe",    "
                         "Gate",           "Proxy",  "RayPart",  "RelativePose"};
 
 const NameSet worldClasses{"World", "Body", "BodyView", "Joint", "JointView"};
-const NameSet lowerClasses{"BlockTree",  "BoundsRounding", "Bvh",    "FewVectors",
+const NameSet lowerClasses{"BlockTree",  "BoundsRounding", "Bvh",    "FewVectors", "FunctionRef",
                            "MortonSort", "RadixSort",      "Random", "Space"};
 
 /// Of the layers beneath, as said above; what they do with numbers that are none is in their headers.
