@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
+#include <iomanip>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include <compare/engine/plumb_world.h>
+#include <compare/mover/plumb_movers.h>
 #include <compare/scene/builtin.h>
+#include <plumb/record/state_hash.h>
 
 #include "catch.h"
 #include "house/bits_build.h"
@@ -26,6 +30,20 @@ std::string hashFrom(const std::string& compiler, const std::string& optimisatio
     const Ran ran = shell(quoted((buildBits(compiler, optimisation) / "bits").string()));
     REQUIRE(ran.ok);
     return ran.output;
+}
+
+/// As the program of tests/bits prints it.
+std::string hashLineOf(const plumb::compare::Scene& scene) {
+    plumb::compare::PlumbWorld made = plumb::compare::plumbWorld(scene);
+    plumb::compare::PlumbMovers movers(scene, made);
+    for (int tick = 0; tick < stepCount(scene); ++tick) {
+        movers.step(made.world, scene.dt);
+        made.world.step(scene.dt);
+    }
+    std::ostringstream line;
+    line << "scene " << scene.name << ' ' << std::hex << std::setw(16) << std::setfill('0')
+         << plumb::stateHash(made.world);
+    return line.str();
 }
 
 /// 8 and 16 for the objects of sources that are compiled for so many lanes, by name; 0 for others.
@@ -79,6 +97,9 @@ TEST_CASE("GCC and Clang at -O1 and -O3, on 1, 4, 8 and 16 lanes, come to one st
     CHECK(hashFrom("g++", "-O3") == reference);
     CHECK(hashFrom("clang++", "-O1") == reference);
     CHECK(hashFrom("clang++", "-O3") == reference);
+    // And the kit as it is built here, each part with the flags that it has by itself.
+    for (const plumb::compare::Scene& scene : plumb::compare::builtinScenes())
+        CHECK(countOf("\n" + hashLineOf(scene) + "\n", reference) == 1);
 }
 
 // The linker keeps one of all that have a name: were it the one with wide instructions, every machine would run it.

@@ -377,7 +377,7 @@ TEST_CASE("a hidden shape is met by nothing until it is placed and renewed", "[s
     const ProxyId b = space.add(shapeOf({}), 2, false, {0, 0}, around({1, 0}, 1));
     const auto found = [&] {
         int count = 0;
-        space.query(around({0, 0}, 5), [&](ProxyId, const Vec2&) { ++count; });
+        space.query(around({0, 0}, 5), [&](ProxyId) { ++count; });
         return count;
     };
     CHECK(space.takeNewPairs().size() == 1);
