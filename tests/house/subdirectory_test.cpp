@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -43,7 +44,7 @@ UserBuild configured(const CmakeProject& project) {
 void checkKitIsFast(const UserBuild& build) {
     for (const CompileCommand& each : build.kit) {
         CAPTURE(each.file, each.command);
-        CHECK((each.optimisation() == "-O2" || each.optimisation() == "-O3"));
+        CHECK(std::set<std::string>{"-O2", "-O3", "-Os"}.contains(each.optimisation()));
         CHECK(each.has("-DNDEBUG"));
         CHECK_FALSE(each.has("-Werror"));
     }
