@@ -23,7 +23,7 @@ while read -r package _; do
         '['*']') [[ " $* " == *" ${package:1:-1} "* ]] && wantedSection=true || wantedSection=false ;;
         *) $wantedSection || continue ;;&
         '?'*) installed "${package#\?}" || optional+=("${package#\?}") ;;
-        *) installed "$package" || required+=("$package") ;;
+        *) installed "$package" || [[ " ${required[*]} " == *" $package "* ]] || required+=("$package") ;;
     esac
 done <"$here/packages.txt"
 
