@@ -140,6 +140,7 @@ private:
         if (!json.is_boolean()) refuseKind(path, json, "true or false");
         return json.get<bool>();
     }
+    static Lock read(Type<Lock>, const Json& json, const std::string& path) { return read(Type<bool>(), json, path); }
     static std::uint64_t read(Type<std::uint64_t>, const Json& json, const std::string& path) {
         if (!json.is_number_unsigned()) refuseKind(path, json, "a whole number from 0 to 2^64 - 1");
         return json.get<std::uint64_t>();

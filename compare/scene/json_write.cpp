@@ -28,6 +28,7 @@ public:
     }
     static Json write(double value) { return value; }
     static Json write(bool value) { return value; }
+    static Json write(const Lock& value) { return static_cast<bool>(value); }
     static Json write(std::uint64_t value) { return value; }
     static Json write(int value) { return value; }
     static Json write(const std::string& value) { return value; }

@@ -30,6 +30,30 @@ std::map<std::string, std::vector<Example>> allExamples() {
     return examples;
 }
 
+/// Each by the page's name and its number there.
+std::map<std::string, Example> examplesByName() {
+    std::map<std::string, Example> byName;
+    for (const auto& [page, examples] : allExamples())
+        for (std::size_t i = 0; i < examples.size(); ++i) byName[page + "_" + std::to_string(i)] = examples[i];
+    return byName;
+}
+
+/// Builds programs as a user does who has installed the kit. Returns the folder in which they are, by their names.
+fs::path buildExamples(const std::map<std::string, Example>& programs) {
+    const fs::path folder = houseFolder("examples"), sources = folder / "sources";
+    fs::remove_all(folder / "prefix");
+    fs::remove_all(sources);
+    fs::create_directories(sources);
+    const std::string prefix = (folder / "prefix").string();
+    mustRun(quoted(PLUMB_CMAKE) + " --install " + quoted(PLUMB_BUILD_DIR) + " --prefix " + quoted(prefix));
+    for (const auto& [name, example] : programs) std::ofstream(sources / (name + ".cpp")) << example.program;
+    buildProject({.source = repository / "tests/examples",
+                  .build = folder / "build",
+                  .options = {std::string("-DCMAKE_CXX_COMPILER=") + PLUMB_COMPILER, "-DCMAKE_BUILD_TYPE=Release",
+                              "-DCMAKE_PREFIX_PATH=" + prefix, "-DEXAMPLES=" + sources.string()}});
+    return folder / "build";
+}
+
 }  // namespace
 
 TEST_CASE("a page's programs are found, with what they print", "[house]") {
@@ -64,24 +88,37 @@ TEST_CASE("every program on a page of the kit is followed by what it prints", "[
 }
 
 TEST_CASE("every program on a page compiles, and prints what the page says", "[house][build]") {
-    const fs::path folder = houseFolder("examples"), sources = folder / "sources";
-    fs::remove_all(folder / "prefix");
-    fs::remove_all(sources);
-    fs::create_directories(sources);
-    const std::string prefix = (folder / "prefix").string();
-    mustRun(quoted(PLUMB_CMAKE) + " --install " + quoted(PLUMB_BUILD_DIR) + " --prefix " + quoted(prefix));
-    std::map<std::string, Example> byName;
-    for (const auto& [page, examples] : allExamples())
-        for (std::size_t i = 0; i < examples.size(); ++i) byName[page + "_" + std::to_string(i)] = examples[i];
-    for (const auto& [name, example] : byName) std::ofstream(sources / (name + ".cpp")) << example.program;
-    buildProject({.source = repository / "tests/examples",
-                  .build = folder / "build",
-                  .options = {std::string("-DCMAKE_CXX_COMPILER=") + PLUMB_COMPILER, "-DCMAKE_BUILD_TYPE=Release",
-                              "-DCMAKE_PREFIX_PATH=" + prefix, "-DEXAMPLES=" + sources.string()}});
-    for (const auto& [name, example] : byName) {
+    const std::map<std::string, Example> examples = examplesByName();
+    const fs::path programs = buildExamples(examples);
+    for (const auto& [name, example] : examples) {
         CAPTURE(name);
-        const Ran ran = shell(quoted((folder / "build" / name).string()));
+        const Ran ran = shell(quoted((programs / name).string()));
         CHECK(ran.ok);
         if (!example.output.empty()) CHECK(ran.output == example.output);
     }
+}
+
+TEST_CASE("a program without joints has no code of joints in it, and one that locks a body has", "[house][build]") {
+    std::map<std::string, Example> programs = examplesByName();
+    std::erase_if(programs, [](const auto& each) { return each.first != "README_0"; });
+    REQUIRE(programs.size() == 1);
+    Example locked = programs.at("README_0");
+    const std::size_t at = locked.program.find(".position = ");
+    REQUIRE(at != std::string::npos);
+    locked.program.insert(locked.program.find("}, ", at) + 3, ".lockX = true, ");
+    programs["locked"] = locked;
+    const fs::path folder = buildExamples(programs);
+    const auto hasJoints = [&](const std::string& program) {
+        const Ran names = shell("nm -C " + quoted((folder / program).string()));
+        REQUIRE(names.ok);
+        return names.output.find("plumb::solveNet(") != std::string::npos;
+    };
+    CHECK_FALSE(hasJoints("README_0"));
+    CHECK(hasJoints("locked"));
+    CHECK(shell(quoted((folder / "locked").string())).output == shell(quoted((folder / "README_0").string())).output);
+#if defined(__x86_64__) && !defined(__clang__)
+    const Ran size = shell("size " + quoted((folder / "README_0").string()) + " | tail -n 1");
+    INFO(size.output);
+    CHECK(std::stol(size.output) <= 450'000);  // all code, tables and constants, but not the C++ library [B]
+#endif
 }

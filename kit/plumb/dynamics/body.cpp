@@ -3,7 +3,6 @@
 
 #include <plumb/dynamics/detail/body_shapes.h>
 #include <plumb/dynamics/detail/islands.h>
-#include <plumb/dynamics/detail/joints_edit.h>
 #include <plumb/dynamics/detail/quarantine.h>
 #include <plumb/dynamics/detail/validate.h>
 #include <plumb/dynamics/detail/world_state.h>
@@ -197,8 +196,7 @@ void Body::setPose(const Vec2& position, double angle) {
     // It has left whatever it was near; the space is to look anew, also at what sleeps where it has come to.
     world_->bodies.rest(index_);
     meetAnew(*world_, index_);
-    moveLocks(*world_, index_);
-    joinNearest(*world_, index_);
+    if (world_->jointSystem != nullptr) world_->jointSystem->followMove(*world_, index_);
     world_->jointsChanged = world_->jointsChanged || isSound(motion) != sound;
     wakeIsland(*world_, index_);
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <plumb/dynamics/lock.h>
 #include <plumb/shapes/mass.h>
 #include <plumb/space/shape_def.h>
 
@@ -27,8 +28,8 @@ struct BodyDef {
     double linearDamping = 0;    ///< v decays as exp(-damping t), >= 0 [1/s]
     double angularDamping = 0;   ///< >= 0 [1/s]
     bool fixedRotation = false;  ///< nothing turns it
-    bool lockX = false;          ///< a dynamic body stays where it is along x, whatever pushes it
-    bool lockY = false;          ///< and along y
+    Lock lockX = {};             ///< a dynamic body stays where it is along x, whatever pushes it
+    Lock lockY = {};             ///< and along y
     bool canSleep = true;
     bool awake = true;      ///< false: asleep until something touches it
     bool enabled = true;    ///< false: it stays where it is, and nothing meets it

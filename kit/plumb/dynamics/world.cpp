@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <memory>
+#include <utility>
 
 #include <plumb/dynamics/detail/body_shapes.h>
 #include <plumb/dynamics/detail/continuous.h>
@@ -11,7 +13,6 @@
 #include <plumb/dynamics/detail/field_pull.h>
 #include <plumb/dynamics/detail/free_motion.h>
 #include <plumb/dynamics/detail/islands.h>
-#include <plumb/dynamics/detail/joints_edit.h>
 #include <plumb/dynamics/detail/load_bodies.h>
 #include <plumb/dynamics/detail/narrow_phase.h>
 #include <plumb/dynamics/detail/pairs.h>
@@ -105,24 +106,29 @@ void noteMovers(WorldState& world) {
 
 World::World(const WorldDef& def) {
     validate(def);
-    state_ = std::make_unique<WorldState>();
-    state_->def = def;
-    state_->id = nextWorldId();
-    state_->collider = &laneCollider(def.solver.lanes);
-    state_->space.setLanes(def.solver.lanes);
-    state_->space.setWrap(def.wrap);
-    state_->bodies.wrap = def.wrap;
-    if (def.ledger) state_->audit.emplace();
+    auto state = std::make_unique<WorldState>();
+    state->def = def;
+    state->id = nextWorldId();
+    state->collider = &laneCollider(def.solver.lanes);
+    state->space.setLanes(def.solver.lanes);
+    state->space.setWrap(def.wrap);
+    state->bodies.wrap = def.wrap;
+    if (def.ledger) state->audit.emplace();
+    state_ = state.release();
 }
 
-World::World(const World& other) : state_(std::make_unique<WorldState>(*other.state_)) {}
+World::World(const World& other) : state_(std::make_unique<WorldState>(*other.state_).release()) {}
 World& World::operator=(const World& other) {
-    state_ = std::make_unique<WorldState>(*other.state_);
+    return *this = World(other);
+}
+World::World(World&& other) noexcept : state_(std::exchange(other.state_, nullptr)) {}
+World& World::operator=(World&& other) noexcept {
+    delete std::exchange(state_, std::exchange(other.state_, nullptr));
     return *this;
 }
-World::World(World&&) noexcept = default;
-World& World::operator=(World&&) noexcept = default;
-World::~World() = default;
+World::~World() {
+    delete state_;
+}
 
 BodyId World::add(const BodyDef& def) {
     validate(def, "BodyDef");
@@ -152,7 +158,8 @@ BodyId World::add(const BodyDef& def) {
     bodies.rest(body);
     const bool moves = def.type == BodyType::Dynamic || !def.velocity.isZero(0) || def.angularVelocity != 0;
     if (moves && def.awake) bodies.wake(body);
-    lockBody(*state_, body, def.lockX, def.lockY);
+    if (const JointSystem* joints = def.lockX.joints() ? def.lockX.joints() : def.lockY.joints())
+        joints->lock(*state_, body, def.lockX, def.lockY);
     if (!def.awake) bodies.putToSleep(body);
     return state_->idOf(body);
 }
@@ -162,7 +169,7 @@ void World::remove(BodyId id) {
     WorldState& world = *state_;
     wakeNeighbours(world, id.index);
     wakeWhatItDraws(world, id.index);
-    removeJointsOf(world, id.index);
+    if (world.jointSystem != nullptr) world.jointSystem->removeAllOf(world, id.index);
     removeShapes(world, id.index);
     world.parkedMass.erase(id.index);
     world.gone.push_back(id.index);
@@ -198,7 +205,7 @@ void World::step(double dt) {
         flyFreeBodies(world, dt);
         stopAtWalls(world, dt);
         book(world, &EnergyLedger::solver);
-        breakJoints(world);
+        if (world.jointSystem != nullptr) world.jointSystem->breakOverloaded(world);
         book(world, &EnergyLedger::breaking);
         reportContacts(world);
         clearForces(world.bodies);

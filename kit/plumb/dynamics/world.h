@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How does a set of bodies move on from one tick to the next?
 #pragma once
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -128,7 +127,7 @@ public:
     WorldCounts counts() const;  ///< takes a look at all there is
 
 private:
-    std::unique_ptr<WorldState> state_;
+    WorldState* state_;  ///< owned, null once moved from; no unique_ptr, for <memory> is slow to compile
 };
 
 }  // namespace plumb

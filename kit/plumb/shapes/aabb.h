@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Which upright box holds a shape?
 #pragma once
+#include <algorithm>
+
 #include <plumb/math/transform.h>
 #include <plumb/shapes/shape.h>
 
@@ -21,7 +23,8 @@ inline bool contains(const Aabb& outer, const Aabb& inner) {
            outer.lower.y() <= inner.lower.y() && inner.upper.y() <= outer.upper.y();
 }
 inline Aabb merge(const Aabb& a, const Aabb& b) {
-    return {a.lower.cwiseMin(b.lower), a.upper.cwiseMax(b.upper)};
+    return {{std::min(a.lower.x(), b.lower.x()), std::min(a.lower.y(), b.lower.y())},
+            {std::max(a.upper.x(), b.upper.x()), std::max(a.upper.y(), b.upper.y())}};
 }
 inline Aabb inflate(const Aabb& a, double margin) {
     return {{a.lower.x() - margin, a.lower.y() - margin}, {a.upper.x() + margin, a.upper.y() + margin}};

@@ -18,7 +18,8 @@ struct Wrap {
     Vec2 place(const Vec2& point) const { return any() ? placed(point) : point; }
     /// From one place to another, the nearest way round: no farther than half a round along each axis.
     Vec2 way(const Vec2& from, const Vec2& to) const {
-        return any() ? Vec2(to + shiftNear(to, from) - from) : to - from;
+        const Vec2 shift = any() ? shiftNear(to, from) : Vec2(0, 0);
+        return {to.x() + shift.x() - from.x(), to.y() + shift.y() - from.y()};
     }
     /// What a point is to be shifted by, so many whole rounds, to be as near to another as it can; 0 if nothing wraps.
     Vec2 shiftNear(const Vec2& point, const Vec2& other) const;

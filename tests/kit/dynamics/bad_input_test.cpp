@@ -55,8 +55,8 @@ const NameSet unchecked{"BlockTree.View", "Bounds", "BoxBlock", "BoxProbe",    "
                         "Gate",           "Proxy",  "RayPart",  "RelativePose"};
 
 const NameSet worldClasses{"World", "Body", "BodyView", "Joint", "JointView"};
-const NameSet lowerClasses{"BlockTree",  "BoundsRounding", "Bvh",    "FewVectors", "FunctionRef",
-                           "MortonSort", "RadixSort",      "Random", "Space"};
+const NameSet lowerClasses{"BlockTree", "BoundsRounding", "Bvh",       "FewVectors", "FunctionRef",
+                           "Lock",      "MortonSort",     "RadixSort", "Random",     "Space"};
 
 /// Of the layers beneath, as said above; what they do with numbers that are none is in their headers.
 const NameSet uncheckedFunctions{

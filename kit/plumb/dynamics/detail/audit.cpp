@@ -21,19 +21,6 @@ double gravitationalOf(const BodyRecord& body, const Vec2& center, const Vec2& g
     return -body.mass * body.gravityScale * gravity.dot(center);
 }
 
-double springEnergyOf(const SpringLoad& load) {
-    double squares = 0, energy = 0, stiffness = 0;
-    for (std::size_t r = 0; r < load.count; ++r) {
-        const SpringLoad::Row& row = load.row[r];
-        energy += 0.5 * row.stiffness * row.stretch * row.stretch;
-        squares += row.stretch * row.stretch;
-        stiffness = row.stiffness;
-    }
-    const double stretch = std::sqrt(squares);
-    if (stiffness * stretch <= load.mostForce) return energy;
-    return load.mostForce * (stretch - 0.5 * load.mostForce / stiffness);  // one that pulls no harder
-}
-
 /// The speed of a contact's point on one body along an axis, its arm's part times rho given.
 double speedAlong(const SolverVelocity& v, double x, double y, double turn) {
     return x * static_cast<double>(v.x) + y * static_cast<double>(v.y) + turn * static_cast<double>(v.w);
@@ -123,9 +110,7 @@ void Audit::book(const WorldState& world, Energy energy, Momentum momentum) {
         e.gravitational += gravitationalOf(record, motion.center, world.def.gravity);
         sum += record.mass * motion.velocity;
     }
-    for (JointIndex joint = 0; joint < world.joints.records.size(); ++joint)
-        if (world.joints.hasSpring(joint) && sound(world.joints[joint].bodyA) && sound(world.joints[joint].bodyB))
-            e.spring += springEnergyOf(world.joints.springLoadOf(joint, world.bodies));
+    if (world.jointSystem != nullptr) e.spring = world.jointSystem->springEnergy(world);
     e.*energy += (e.stored() - energy_) - notedEnergy_;
     ledger_.momentum.*momentum += (sum - momentum_) - notedMomentum_;
     ledger_.momentum.momentum = momentum_ = sum;

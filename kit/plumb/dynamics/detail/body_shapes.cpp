@@ -5,7 +5,6 @@
 #include <limits>
 
 #include <plumb/dynamics/detail/islands.h>
-#include <plumb/dynamics/detail/joints_edit.h>
 #include <plumb/dynamics/detail/pairs.h>
 #include <plumb/dynamics/detail/sensors.h>
 #include <plumb/dynamics/detail/shape_measure.h>
@@ -106,7 +105,7 @@ void recenter(WorldState& world, BodyIndex body, const Vec2& localCenter) {
             for (ManifoldPoint& point : contact.manifold.points) point.position -= shiftF;
     });
     measureAnew(world, body);
-    shiftAnchors(world, body, shift);
+    if (world.jointSystem != nullptr) world.jointSystem->shiftAnchors(world, body, shift);
 }
 
 }  // namespace

@@ -100,6 +100,7 @@ JointIndex addJoint(WorldState& world, const JointDef& def) {
     record.bodyB = bodies.b;
     record.collideConnected = bodies.collideConnected;
     record.breaking = bodies.breaking;
+    world.jointSystem = &jointSystem;
     link(world, index);
     return index;
 }
@@ -158,6 +159,7 @@ void lockBody(WorldState& world, BodyIndex body, bool lockX, bool lockY) {
     record.joint = LockJoint(body, lockX, lockY, world.bodies);
     record.bodyB = body;
     record.collideConnected = true;
+    world.jointSystem = &jointSystem;
     link(world, index);
 }
 

@@ -19,9 +19,9 @@ void breakJoints(WorldState& world);
 /// Holds a body along x, y, both or neither, where it is now.
 void lockBody(WorldState& world, BodyIndex body, bool lockX, bool lockY);
 /// A body was put elsewhere: its locks go with it.
+void moveLocks(WorldState& world, BodyIndex body);
 /// Joins a body that was put elsewhere with the nearest of what its joints hold, in a world that wraps.
 void joinNearest(WorldState& world, BodyIndex body);
-void moveLocks(WorldState& world, BodyIndex body);
 /// A body's centre of mass was shifted, in its own frame; its anchors stay where they are on it.
 void shiftAnchors(WorldState& world, BodyIndex body, const Vec2& shift);
 

@@ -7,24 +7,16 @@
 #include <plumb/dynamics/detail/body_solver.h>
 #include <plumb/dynamics/detail/contact_solver.h>
 #include <plumb/dynamics/detail/field_solving.h>
-#include <plumb/dynamics/detail/joint_bodies.h>
-#include <plumb/dynamics/detail/joint_impacts.h>
+#include <plumb/dynamics/detail/joint_system.h>
 #include <plumb/dynamics/detail/lanes.h>
 
 namespace plumb {
 
 namespace {
 
-/// Nets of joints that are swept are held this stiffly, as a share of the sub-step rate, so that their give falls with
-/// the step. Those that are solved at once close their whole gaps in one sub-step, which is truer; what one sweep does
-/// not solve blows up on that (tried).
-constexpr double jointFrequencyShare = 0.25;
-constexpr double jointDampingRatio = 2;
-
 struct Pass {
     float step = 0;
     ContactPass contacts, groundContacts;
-    NetPass solveJoints, relaxJoints;
 };
 
 Pass passOf(const SolverSettings& settings, double h) {
@@ -36,15 +28,6 @@ Pass passOf(const SolverSettings& settings, double h) {
     };
     pass.contacts = contactPass(settings.contactFrequency);
     pass.groundContacts = contactPass(2 * settings.contactFrequency);
-    const Softness soft = softness(jointFrequencyShare / h, jointDampingRatio, h);
-    const double pull = settings.contactPushSpeed;
-    const HingeSolver& hinges = hingeSolver(settings.lanes);
-    const float fastest = static_cast<float>(pull);
-    pass.solveJoints = {{h, true, 1 / h, pull},
-                        {h, true, static_cast<double>(soft.biasRate), pull},
-                        {pass.step, true, fastest, soft},
-                        &hinges};
-    pass.relaxJoints = {{h, false, 0, pull}, {h, false, 0, pull}, {pass.step, false, fastest, {}}, &hinges};
     return pass;
 }
 
@@ -62,73 +45,10 @@ std::vector<BodyIndex> solvedBodies(WorldState& world) {
     return solved;
 }
 
-/// What sleeps bears what it did; a joint that holds nothing any more bears nothing, and one whose body has left the
-/// range of numbers has no first guess.
-void forgetLoads(WorldState& world) {
-    for (JointIndex index = 0; index < world.joints.records.size(); ++index) {
-        JointRecord& record = world.joints[index];
-        if (!record.acts()) continue;
-        if (!holdsSomething(world.joints, world.bodies, index)) world.joints.loads[index] = {};
-        for (double& impulse : record.impulse) impulse = std::isfinite(impulse) ? impulse : 0;
-    }
-}
-
-void findAwakeNets(WorldState& world) {
-    if (!world.jointsChanged) return;
-    world.jointsChanged = false;
-    const std::vector<JointNet> before = std::move(world.nets);
-    for (const JointNet& net : before) net.hinges.release(world.joints);
-    forgetLoads(world);
-    world.nets = findNets(world.joints, world.bodies, world.def.solver.jointsAtOnce);
-    keepStiffness(before, world.nets);
-    world.awakeJoints.clear();
-    for (const JointNet& net : world.nets)
-        world.awakeJoints.insert(world.awakeJoints.end(), net.joints.begin(), net.joints.end());
-    std::sort(world.awakeJoints.begin(), world.awakeJoints.end());
-    const auto only = [&world](auto&& test) {
-        std::vector<JointIndex> some;
-        std::copy_if(world.awakeJoints.begin(), world.awakeJoints.end(), std::back_inserter(some), test);
-        return some;
-    };
-    world.breakable = only([&world](JointIndex index) { return world.joints[index].mayBreak(); });
-    world.springs.find(world.awakeJoints, world.joints);
-}
-
-void prepareJoints(WorldState& world, double dt) {
-    findAwakeNets(world);
-    for (const JointIndex index : world.awakeJoints) {
-        world.joints.loads[index] = {};
-        world.joints.loads[index].time = dt;
-    }
-    for (JointNet& net : world.nets) net.hinges.prepare(hingeSolver(world.def.solver.lanes), world.bodies);
-    world.springs.share(world.joints, world.bodies, dt / world.def.solver.subSteps);
-}
-
-Vec2 momentumOf(const WorldState& world, const std::vector<BodyIndex>& bodies) {
-    Vec2 sum(0, 0);
-    for (const BodyIndex body : bodies) {
-        const SolverVelocity& v = world.bodies.velocity[body];
-        sum += world.bodies.record[body].mass * Vec2(static_cast<double>(v.x), static_cast<double>(v.y));
-    }
-    return sum;
-}
-
-Audit* auditOf(WorldState& world) {
-    return world.audit ? &*world.audit : nullptr;
-}
-
-void solveJoints(WorldState& world, NetPass pass) {
-    pass.audit = auditOf(world);
-    for (JointNet& net : world.nets) {
-        const Vec2 before = pass.audit != nullptr ? momentumOf(world, net.bodies) : Vec2(0, 0);
-        solveNet(net, world.joints, world.bodies, pass);
-        if (pass.audit != nullptr) pass.audit->noteGround(momentumOf(world, net.bodies) - before);
-    }
-}
-
 /// What all of the solver's phases need.
 struct Solving {
     WorldState& world;
+    double step;  ///< of the sub-step [s]
     SolverBodies bodies;
     const ContactSolver& contacts;
     const BodySolver& mover;
@@ -152,24 +72,16 @@ void forEachColour(Solving& solving, Solve&& solve) {
     }
 }
 
-void bounceWhatHangs(Solving& solving, double h) {
-    WorldState& world = solving.world;
-    if (solving.bounces.empty()) return;
-    const Vec2 before = world.audit ? momentumOf(world, solving.solved) : Vec2(0, 0);
-    bounceHanging(world, solving.bounces, h);
-    if (world.audit) world.audit->noteGround(momentumOf(world, solving.solved) - before);
-}
-
-void solveHalf(Solving& solving, const NetPass& joints, bool first) {
+void solveHalf(Solving& solving, JointHalf half, bool first) {
     WorldState& world = solving.world;
     const std::uint32_t* list = solving.solved.data();
-    if (joints.direct.correct) world.springs.noteSpeeds(world.joints, world.bodies, joints.direct.step);
+    if (world.jointSystem != nullptr && half.correct) world.jointSystem->noteSpeeds(world, half.step);
     if (world.audit) world.audit->beforeKick(world, solving.solved);
     kickBodies(list, solving.solved.size(), solving.bodies, first);
     solving.fields.kick(solving.solved);
     if (world.awakeJoints.empty()) return;
-    solveJoints(world, joints);
-    bounceWhatHangs(solving, joints.direct.step);
+    world.jointSystem->solve(world, half);
+    world.jointSystem->bounce(world, solving.bounces, solving.solved, half.step);
     markBodies(list, solving.solved.size(), solving.bodies);
 }
 
@@ -190,37 +102,14 @@ void bounceContacts(Solving& solving) {
     if (solving.world.audit) solving.world.audit->afterBounces(solving.world);
 }
 
-/// The joints have the last word before bodies move: a blow on a plank of a bridge is a blow on the bridge. What they
-/// take out is not what the contacts have done, and so not in their next first guess.
-void holdAgain(Solving& solving) {
-    WorldState& world = solving.world;
-    BodyStore& bodies = world.bodies;
-    for (JointNet& net : world.nets) {
-        const auto touched = [&](BodyIndex body) { return bodies.record[body].solverContacts > 0; };
-        if (!net.direct || std::none_of(net.bodies.begin(), net.bodies.end(), touched)) continue;
-        std::vector<SolverVelocity> was;
-        for (const BodyIndex body : net.bodies) was.push_back(bodies.velocity[body]);
-        const Vec2 momentum = world.audit ? momentumOf(world, net.bodies) : Vec2(0, 0);
-        holdNet(net, world.joints, bodies, solving.pass.solveJoints.direct, auditOf(world));
-        if (world.audit) world.audit->noteGround(momentumOf(world, net.bodies) - momentum);
-        for (std::size_t i = 0; i < net.bodies.size(); ++i) {
-            const SolverVelocity& now = bodies.velocity[net.bodies[i]];
-            SolverVelocity& before = bodies.before[net.bodies[i]];
-            before.x += now.x - was[i].x;
-            before.y += now.y - was[i].y;
-            before.w += now.w - was[i].w;
-        }
-    }
-}
-
 void subStep(Solving& solving, bool first) {
-    solveHalf(solving, solving.pass.solveJoints, first);
+    solveHalf(solving, {solving.step, true}, first);
     solveContacts(solving, &ContactSolver::solve);
-    holdAgain(solving);
+    if (solving.world.jointSystem != nullptr) solving.world.jointSystem->hold(solving.world, solving.step);
     if (solving.world.audit) solving.world.audit->endHalf(solving.world);
     solving.mover.move(solving.solved.data(), solving.solved.size(), solving.bodies, solving.pass.step);
     solving.fields.moved();
-    solveHalf(solving, solving.pass.relaxJoints, false);
+    solveHalf(solving, {solving.step, false}, false);
     solveContacts(solving, &ContactSolver::relax);
     if (solving.world.audit) solving.world.audit->endHalf(solving.world);
 }
@@ -288,6 +177,7 @@ void solveConstraints(WorldState& world, double dt) {
     const int lanes = world.def.solver.lanes;
     world.bodies.rest(noBody);
     Solving solving{world,
+                    h,
                     world.bodies.solverBodies(),
                     contactSolver(lanes),
                     bodySolver(lanes),
@@ -295,16 +185,17 @@ void solveConstraints(WorldState& world, double dt) {
                     passOf(world.def.solver, h),
                     FieldSolving(world, h),
                     {}};
-    prepareJoints(world, dt);
+    const JointSystem* joints = world.jointSystem;
+    if (joints != nullptr) joints->prepare(world, dt);
     if (solving.solved.empty()) return;
-    solving.bounces = takeHangingBounces(world);
+    if (joints != nullptr) solving.bounces = joints->takeBounces(world);
     if (world.audit) world.audit->begin(world);
     forEachColour(solving, [&](const ContactSolver& solver, const Colour& colour, const ContactPass&) {
         solver.gatherWarmStart(colour.batches.data(), colour.batches.size(), solving.bodies);
     });
     for (int i = 0; i < subSteps; ++i) subStep(solving, i == 0);
     bounceContacts(solving);
-    for (const JointNet& net : world.nets) net.hinges.tellLoads(world.joints);
+    if (joints != nullptr) joints->tellLoads(world);
     markPushed(world);
     storeBodies(solving);
     if (world.audit) world.audit->end(world, solving.solved, dt);

@@ -13,6 +13,7 @@
 #include <plumb/dynamics/detail/joint_net.h>
 #include <plumb/dynamics/detail/joint_springs.h>
 #include <plumb/dynamics/detail/joint_store.h>
+#include <plumb/dynamics/detail/joint_system.h>
 #include <plumb/dynamics/detail/lane_collider.h>
 #include <plumb/dynamics/detail/sensor_store.h>
 #include <plumb/dynamics/detail/strays.h>
@@ -43,7 +44,8 @@ struct WorldState {
     ContactStore contacts;
     ContactGraph graph;
     SensorStore sensors;
-    std::vector<Leg> legs;  ///< each body's in the order of time
+    std::vector<Leg> legs;                     ///< each body's in the order of time
+    const JointSystem* jointSystem = nullptr;  ///< none before the first joint
     JointStore joints;
     std::vector<JointNet> nets;           ///< of what is awake
     std::vector<JointIndex> awakeJoints;  ///< those of the nets, in the order of their slots
