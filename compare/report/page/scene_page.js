@@ -127,7 +127,7 @@ class ScenePage {
 
     /// What of the run the page does not have.
     showThinning(scene) {
-        const ticks = scene.stride === 1 ? "every step" : `every ${scene.stride}th step`;
+        const ticks = scene.stride === 1 ? "every step" : `one step in ${scene.stride}`;
         const digits = scene.width === 4 ? "seven digits" : "all digits";
         const points = scene.curveStride === 1 ? "every step"
             : `the least and the largest value of every ${scene.curveStride} steps`;

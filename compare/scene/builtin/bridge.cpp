@@ -35,9 +35,9 @@ Scene bridgeUnderLoad() {
     scene.duration = 10;
     for (int i = 0; i < 3; ++i) scene.bodies.push_back(load("box_" + std::to_string(i + 1), {0.8 * (i - 1), -0.3}, 20));
     scene.checks = {
-        invariant("joint_error_max", 1e-3, "what is off by 1 mm of a plank's 50 cm is seen by no one"),
+        invariant("joint_error_max", 1e-3, "nobody sees 1 mm beside a plank of 50 cm"),
         invariant("penetration_max", 1e-2, "boxes fall 0.2 m onto the planks, and weigh ten times as much"),
-        invariant("settle_time", 9, "in nine seconds the air leaves e^-4.5 of its swing"),
+        invariant("settle_time", 9, "in nine seconds the air lets the swing shrink to e^-4.5"),
     };
     return scene;
 }

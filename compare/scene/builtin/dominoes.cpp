@@ -16,7 +16,9 @@ Scene dominoes() {
         .probes =
             {{.name = "last", .quantity = AngleProbe{"domino_15"}, .expected = -degrees(90), .from = 7, .unit = "rad"}},
         .checks = {invariant("probe.last", 2e-3, "the last lies flat: two ends 1 m apart, sunk below 1 mm each"),
-                   invariant("penetration_max", 0.0125, "a head hits the next at up to 3 m/s: 1/240 s of it"),
+                   invariant(
+                       "penetration_max", 0.0125,
+                       "a domino's top meets the next one at up to 3 m/s: what it moves in a sub-step of 1/240 s"),
                    invariant("settle_time", 5, "the push passes some six dominoes a second, then all lies"),
                    AgreeCheck{0.05, 1,
                               "Box2D 2.4 keeps polygons 2 cm apart: its hits come earlier, and the heads stay as far "

@@ -24,7 +24,7 @@ Scene terminalSpeed() {
                     .unit = "m/s",
                     .watch = Watch::Last}},
         .checks = {ExactCheck{1e-3, "second order in the sub-step of 4 ms"},
-                   OrderCheck{1.9, {"plumb"}, "kick, drift, kick, with the drag of mid-way in each kick"},
+                   OrderCheck{1.9, {"plumb"}, "second order: each half of a step takes the drag of its middle"},
                    invariant("probe.terminal_speed", 1e-5, "drag is steady at the terminal speed, whatever the step")},
     };
 }

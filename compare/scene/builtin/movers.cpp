@@ -63,7 +63,7 @@ Scene moverWall() {
         .closedForm = ClosedForm{.formula = "x = v t, up to a skin of 1 mm before the wall",
                                  .source = "Phaser, Godot and their like: what users of Box2D ask for",
                                  .bodies = {PiecewiseMotion{"hero", Legs({0, 0}).go(way / speed, {speed, 0}).rest()}}},
-        .checks = {ExactCheck{1e-9, "told by a cast in double, which ends within 1e-10 m or so of the truth"}},
+        .checks = {ExactCheck{1e-9, "found by a cast in double precision, which is exact to about 1e-10 m"}},
     };
 }
 

@@ -65,9 +65,9 @@ Scene ragdoll() {
     }
     scene.checks.push_back(invariant("joint_error_max", 4e-2,
                                      "what a limb comes in a sub-step at 8 m/s, 3.3 cm, when the floor stops it"));
-    scene.checks.push_back(
-        invariant("penetration_max", 2e-2, "2 cm, at 8 m/s: a limb that its joints press on gives way for a sub-step"));
-    scene.checks.push_back(invariant("settle_time", 9, "stairs of 2.8 m are soon over, and friction does the rest"));
+    scene.checks.push_back(invariant(
+        "penetration_max", 2e-2, "less than the 3.3 cm that a limb moves in a sub-step, while its joints press on it"));
+    scene.checks.push_back(invariant("settle_time", 9, "the stairs are only 2.8 m high; then friction stops the body"));
     return scene;
 }
 

@@ -64,9 +64,12 @@ Scene tipAbove() {
                    "the corner sinks by 0.1 mm as it comes to carry all, and what moves the block by that moves "
                    "it by cosh(1.2 / 0.28) = 39 times as much after 1.2 s"},
         invariant("probe.angle", 1e-3, "it lies on its long side, two corners 1 m apart sunk below 1 mm"),
-        invariant("penetration_max", 0.012,
-                  "its corners come down at 3 m/s, the speed of a fall from 0.5 m: 1/240 s of it"),
-        invariant("settle_time", 4, "half a degree grows by e in 0.28 s: 1.3 s to 60 degrees, then it lies")};
+        invariant(
+            "penetration_max", 0.012,
+            "its corners come down at 3 m/s, the speed of a fall from 0.5 m: what they move in a sub-step of 1/240 s"),
+        invariant("settle_time", 4,
+                  "an angle past the tipping point grows by a factor of e in 0.28 s: from half a degree to 60 "
+                  "degrees in 1.3 s; then the block lies")};
     return scene;
 }
 
