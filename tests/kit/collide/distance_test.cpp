@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/collide/distance.h>
+#include <algorithm>
 
 #include <limits>
 #include <sstream>
 
+#include "cases.h"
 #include "catch.h"
 #include "kit/collide/placed_pair.h"
 
@@ -72,7 +74,7 @@ struct DistanceTally {
 DistanceTally tallyOfDistances(Kind kindA, Kind kindB) {
     plumb::Random random(2000 + 10 * static_cast<std::uint64_t>(kindA) + static_cast<std::uint64_t>(kindB));
     DistanceTally tally;
-    for (int i = 0; i < 10'000; ++i) {
+    for (int i = 0; i < plumb::test::allCases(10'000); ++i) {
         const Placed p = randomPlaced(random, kindA, kindB);
         const Distance d = distanceOf(p);
         const char* fault = faultOfDistance(p, d);
@@ -94,7 +96,7 @@ TEST_CASE("distances of 10,000 placements of each pair of shapes agree with the 
             INFO(nameOf(a) << " and " << nameOf(b) << ": " << tally.overlaps << " overlap, worst error " << tally.worst
                            << " of the size; first fault: " << tally.first);
             CHECK(tally.faults == 0);
-            CHECK(tally.overlaps > 1000);
+            CHECK(tally.overlaps > plumb::test::allCases(1000));
         }
     }
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/collide/manifold.h>
+#include <algorithm>
 
 #include <sstream>
 
+#include "cases.h"
 #include "catch.h"
 #include "kit/collide/manifold_check.h"
 
@@ -75,7 +77,7 @@ struct ManifoldTally {
 ManifoldTally tallyOfManifolds(Kind kindA, Kind kindB) {
     plumb::Random random(1000 + 10 * static_cast<std::uint64_t>(kindA) + static_cast<std::uint64_t>(kindB));
     ManifoldTally tally;
-    for (int i = 0; i < 10'000; ++i) {
+    for (int i = 0; i < plumb::test::allCases(10'000); ++i) {
         const Placement p = randomPlacement(random, kindA, kindB);
         const Known known = knownOf(p);
         const Manifold m = manifoldOf(p);
@@ -102,7 +104,7 @@ TEST_CASE("manifolds of 10,000 placements of each pair of shapes agree with the 
                            << " of two points, " << tally.favoured << " where A's edge was favoured, worst error "
                            << tally.worst << " of the size; first fault: " << tally.first);
             CHECK(tally.faults == 0);
-            CHECK(tally.contacts > 4000);
+            CHECK(tally.contacts > plumb::test::allCases(4000));
         }
     }
 }

@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "cases.h"
 #include "catch.h"
 #include "kit/collide/casts.h"
 #include "kit/collide/placements.h"
@@ -67,7 +68,7 @@ std::string describeRay(const Case& c, const Ray& ray, int index) {
 RayTally tallyOfRays(Kind kind) {
     Random random(3000 + static_cast<std::uint64_t>(kind));
     RayTally tally;
-    for (int i = 0; i < 20'000; ++i) {
+    for (int i = 0; i < plumb::test::allCases(20'000); ++i) {
         const double scale = 0.05 * std::pow(100, random.uniform(0, 1));
         const Shape shape = randomShape(random, kind, scale);
         const bool square = random.integer(0, 3) == 0;
@@ -91,8 +92,8 @@ TEST_CASE("where 20,000 rays meet each shape is where the distance to it comes t
         INFO(nameOf(kind) << ": " << tally.hits << " hits, " << tally.inside << " from inside; " << tally.faults
                           << " faults, the first: " << tally.first);
         CHECK(tally.faults == 0);
-        CHECK(tally.hits > 2000);
-        CHECK(tally.inside > 10);
+        CHECK(tally.hits > plumb::test::allCases(2000));
+        CHECK(tally.inside > plumb::test::allCases(10));
     }
 }
 
@@ -187,7 +188,7 @@ TEST_CASE("no ray of 100,000 slips through a joint of a closed chain at which it
 TEST_CASE("a chain is met where the first of its segments is, by 20,000 rays", "[collide]") {
     Random random(23);
     int faults = 0, hits = 0;
-    for (int i = 0; i < 20'000; ++i) {
+    for (int i = 0; i < plumb::test::allCases(20'000); ++i) {
         plumb::Chain chain;
         for (int k = 0; k < 5; ++k) chain.points.push_back(randomVec2(random, 3));
         chain.closed = random.integer(0, 1) == 0;
@@ -207,5 +208,5 @@ TEST_CASE("a chain is met where the first of its segments is, by 20,000 rays", "
         faults += fault != nullptr || (hit && met == 0);
     }
     CHECK(faults == 0);
-    CHECK(hits > 4000);
+    CHECK(hits > plumb::test::allCases(4000));
 }

@@ -6,6 +6,7 @@
 
 #include <plumb/collide/distance.h>
 #include <plumb/math/random.h>
+#include "cases.h"
 #include "catch.h"
 
 using plumb::Random;
@@ -44,7 +45,7 @@ TEST_CASE("a swept shape meets another when sampling ten thousand poses says so"
     constexpr int samples = 10000;
     Random random(11);
     int met = 0;
-    for (int round = 0; round < 300; ++round) {
+    for (int round = 0; round < plumb::test::allCases(300); ++round) {
         INFO("round " << round);
         const Shape wall = randomSweptShape(random), shape = randomSweptShape(random);
         const SweptShape a{&wall, randomWay(random), 0};
@@ -63,8 +64,8 @@ TEST_CASE("a swept shape meets another when sampling ten thousand poses says so"
         CHECK(*time <= first / double(samples));
         if (*time > 0) CHECK(separationAt(a, b, *time) > limit - 1e-9);
     }
-    CHECK(met > 50);
-    CHECK(met < 290);
+    CHECK(met > plumb::test::allCases(50));
+    CHECK(met < plumb::test::allCases(290));
 }
 
 TEST_CASE("a disc at 3 m in a step meets a wall 1 m off after a third of the step", "[collide][sweep]") {

@@ -214,6 +214,6 @@ TEST_CASE("3,000 bodies at 0.1 to 100 m/s stay on their side of chains with brin
             REQUIRE(isBelow(terrain, world.body(body).position()) == below);
         }
     }
-    CHECK(sides[0] > 50);
-    CHECK(sides[1] > 50);
+    CHECK(sides[0] > plumb::test::cases(500));
+    CHECK(sides[1] > plumb::test::cases(500));
 }

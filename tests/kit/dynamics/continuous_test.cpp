@@ -9,6 +9,7 @@
 
 #include <plumb/math/random.h>
 #include <plumb/plumb.h>
+#include "cases.h"
 #include "catch.h"
 #include "numbers.h"
 
@@ -23,12 +24,6 @@ using plumb::World;
 using plumb::test::pi;
 
 namespace {
-
-/// All shots with PLUMB_FULL=1 in the environment, a tenth of them without.
-int shotsOf(int all) {
-    const char* full = std::getenv("PLUMB_FULL");
-    return full != nullptr && std::string(full) == "1" ? all : all / 10;
-}
 
 /// From a to b, as many small as large ones.
 double spread(Random& random, double a, double b) {
@@ -165,7 +160,7 @@ double lowest(Range& range) {
 TEST_CASE("of 100,000 shots at walls of 1 cm and of no thickness, up to 1,000 m/s, none goes through",
           "[dynamics][bullets]") {
     int through = 0;
-    for (int seed = 0; seed < shotsOf(100000); ++seed) {
+    for (int seed = 0; seed < plumb::test::cases(100000); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         Range range = randomRange(random);
         if (lowest(range) > 0) continue;

@@ -86,7 +86,7 @@ TEST_CASE("a world that is edited in 3,000 random ways has the same bits for 1, 
             RandomEditor editor(seed, {.lanes = lanes,
                                        .wild = seed % 3 == 0,
                                        .jointsAtOnce = seed % 2 == 0 ? 0 : plumb::SolverSettings{}.jointsAtOnce});
-            editor.run(plumb::test::allActions(), 3000);
+            editor.run(plumb::test::allActions(), plumb::test::allCases(3000));
             states.push_back(plumb::stateHash(editor.world));
             heard.push_back(editor.heard);
         }
@@ -116,8 +116,8 @@ TEST_CASE("a world that is asked 300 questions, or keeps account, goes on as one
         for (const bool asks : {true, false}) {
             for (const bool ledger : {true, false}) {
                 RandomEditor editor(seed, {.ledger = ledger, .asks = asks});
-                editor.run(plumb::test::allActions(), 2000);
-                if (asks) CHECK(editor.tally.asked > 300);
+                editor.run(plumb::test::allActions(), plumb::test::allCases(2000));
+                if (asks) CHECK(editor.tally.asked > plumb::test::allCases(300));
                 states.push_back(plumb::stateHash(editor.world));
             }
         }

@@ -116,7 +116,7 @@ TEST_CASE("touches in 100 random maps of all kinds and forms name a tile that is
                     told.note(map, ofMap(contact.shapeA, contact.shapeB), p.tile, p.position, p.separation);
         }
     }
-    CHECK(told.touches > 10'000);
+    CHECK(told.touches > plumb::test::cases(100'000));
     CHECK(told.unnamed == 0);
     CHECK(told.empty == 0);
     CHECK(told.named == 0);

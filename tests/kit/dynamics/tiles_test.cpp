@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -96,7 +97,7 @@ TEST_CASE("rays at 300 random maps meet what a walk in steps of 1 mm meets, and 
         const Vec2 middle = map.centerOf(*hit->tile);
         CHECK((hit->point - middle).lpNorm<Eigen::Infinity>() <= 0.5 + 1e-9);
     }
-    CHECK(hits > 100);
+    CHECK(hits > plumb::test::cases(1000));
 }
 
 TEST_CASE("3,000 shapes cast at random maps of slopes go as far as among as many separate tiles", "[dynamics][tiles]") {
@@ -134,7 +135,7 @@ TEST_CASE("3,000 shapes cast at random maps of slopes go as far as among as many
         hits += one->fraction > 0 ? 1 : 0;
         CHECK(one->normal.dot(shift) < 0);
     }
-    CHECK(hits > 30);
+    CHECK(hits > plumb::test::cases(300));
 }
 
 TEST_CASE("a map edited 200 times is the map made so from the start, for rays, points and what falls on it",
@@ -216,7 +217,7 @@ TEST_CASE("in 100 random maps of all forms no body's middle comes into what is s
             looked += static_cast<int>(bodies.size());
         }
     }
-    CHECK(looked > 100'000);
+    CHECK(looked > plumb::test::cases(1'000'000));
     CHECK(inside == 0);
 }
 

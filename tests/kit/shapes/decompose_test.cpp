@@ -10,6 +10,7 @@
 #include <plumb/shapes/mass.h>
 #include <plumb/space/shape_def.h>
 
+#include "cases.h"
 #include "catch.h"
 
 namespace {
@@ -226,7 +227,7 @@ TEST_CASE("pieces of 8,000 random outlines cover them, and nothing else, without
         int faults = 0, refused = 0;
         std::size_t pieceCount = 0, corners = 0;
         std::string first;
-        for (int i = 0; i < 2000; ++i) {
+        for (int i = 0; i < plumb::test::allCases(2000); ++i) {
             const Points outline = disguised(family.make(random), random);
             corners += outline.size();
             const Taken taken = takeApart(outline);
