@@ -24,4 +24,10 @@ inline int allCases(int all) {
     return std::max(1, 10 * all / shareOfCases);
 }
 
+/// What so many cases have to come to at the least. A tenth of the cases may come to less than a tenth by chance: under
+/// sanitizers half of that will do.
+inline int leastOf(int all) {
+    return shareOfCases == 10 ? all : allCases(all) / 2;
+}
+
 }  // namespace plumb::test

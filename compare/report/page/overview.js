@@ -29,7 +29,7 @@ function sums(report) {
         ...(report.scenes.length > 0 ? [sum(passing(report.scenes), report.scenes, "scenes hold")] : []),
         ...(report.labs.length > 0 ? [sum(passing(report.labs), report.labs, labsLink)] : []),
         sum(passing(outcomes), outcomes, "checks hold"),
-        ...(exact.length > 0 ? [sum(close, exact, "exact formulas that Plumb follows to within 1 mm")] : []),
+        ...(exact.length > 0 ? [sum(close, exact, "closed forms that Plumb follows to within 1 mm")] : []),
     ];
 }
 

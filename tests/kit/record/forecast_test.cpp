@@ -111,7 +111,7 @@ TEST_CASE("1,000 shots bounce as was forecast, to the last bit", "[record][rates
         requireAsForecast(world, body, foreseen);
         requireAsForecast(world, body, forecast(world, body, 30, dt));  // also half way
     }
-    CHECK(static_cast<int>(hits) > plumb::test::allCases(1200));  // some fly over all within the two seconds
+    CHECK(static_cast<int>(hits) > plumb::test::leastOf(1500));  // some fly over all within the two seconds
 }
 
 TEST_CASE("200 shots through wind, a pool and a star's pull fly as was forecast, to the last bit", "[record][rates]") {
@@ -130,7 +130,7 @@ TEST_CASE("200 shots through wind, a pool and a star's pull fly as was forecast,
         requireAsForecast(world, body, foreseen);
         requireAsForecast(world, body, forecast(world, body, 30, dt));
     }
-    CHECK(static_cast<int>(hits) > plumb::test::allCases(100));  // some are blown over all, or swim
+    CHECK(static_cast<int>(hits) > plumb::test::leastOf(100));  // some are blown over all, or swim
 }
 
 TEST_CASE("a hit's normal points away from what was hit, whichever of the two is A", "[record]") {

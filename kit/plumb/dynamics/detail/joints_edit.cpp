@@ -35,6 +35,7 @@ JointBodies bodiesOf(const WorldState& world, const JointDef& def) {
 
 void link(WorldState& world, JointIndex index) {
     const JointRecord& record = world.joints[index];
+    world.jointSystem = &jointSystem;
     world.jointsChanged = true;
     forEachBody(world.joints, index, [&](BodyIndex body) {
         world.bodies.record[body].joints.push_back(index);
@@ -100,7 +101,6 @@ JointIndex addJoint(WorldState& world, const JointDef& def) {
     record.bodyB = bodies.b;
     record.collideConnected = bodies.collideConnected;
     record.breaking = bodies.breaking;
-    world.jointSystem = &jointSystem;
     link(world, index);
     return index;
 }
@@ -159,7 +159,6 @@ void lockBody(WorldState& world, BodyIndex body, bool lockX, bool lockY) {
     record.joint = LockJoint(body, lockX, lockY, world.bodies);
     record.bodyB = body;
     record.collideConnected = true;
-    world.jointSystem = &jointSystem;
     link(world, index);
 }
 

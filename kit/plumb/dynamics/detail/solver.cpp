@@ -15,13 +15,11 @@ namespace plumb {
 namespace {
 
 struct Pass {
-    float step = 0;
     ContactPass contacts, groundContacts;
 };
 
 Pass passOf(const SolverSettings& settings, double h) {
     Pass pass;
-    pass.step = static_cast<float>(h);
     const auto contactPass = [&](double frequency) -> ContactPass {
         return {static_cast<float>(1 / h), softness(std::min(frequency, 0.25 / h), settings.contactDampingRatio, h),
                 static_cast<float>(settings.contactPushSpeed)};
@@ -107,7 +105,7 @@ void subStep(Solving& solving, bool first) {
     solveContacts(solving, &ContactSolver::solve);
     if (solving.world.jointSystem != nullptr) solving.world.jointSystem->hold(solving.world, solving.step);
     if (solving.world.audit) solving.world.audit->endHalf(solving.world);
-    solving.mover.move(solving.solved.data(), solving.solved.size(), solving.bodies, solving.pass.step);
+    solving.mover.move(solving.solved.data(), solving.solved.size(), solving.bodies, static_cast<float>(solving.step));
     solving.fields.moved();
     solveHalf(solving, {solving.step, false}, false);
     solveContacts(solving, &ContactSolver::relax);
