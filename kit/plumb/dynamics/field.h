@@ -42,7 +42,7 @@ using FieldLaw = std::variant<UniformGravity, MutualGravity, Drag, Attractor, Ma
 /// the last bit. What mutual gravity, or a magnet that is awake, draws does not fall asleep. A step of less than a
 /// nanosecond feels nothing.
 struct FieldDef {
-    FieldLaw law{};
+    FieldLaw law = UniformGravity{};
     /// Only on what has its centre of mass here; in the world, with an area [m]
     std::optional<Shape> region = std::nullopt;
     Filter filter = {};  ///< only on what has a shape that collides with a shape of this

@@ -55,7 +55,7 @@ struct ContactQuestion {
 using ContactRule = bool (*)(const ContactQuestion&);
 
 struct ShapeDef {
-    Shape shape{};
+    Shape shape = Circle{};
     Material material{};
     Filter filter{};
     bool sensor = false;  ///< touches nothing, and tells what overlaps it; weighs what its density says
