@@ -91,7 +91,7 @@ TEST_CASE("a planted include that points up, aside, or out of the table is caugh
 }
 
 TEST_CASE("an include of a lower rank, of its own module, or in the umbrella header is no fault", "[house]") {
-    CHECK(faultsOf("plumb/dynamics/detail/softness.h", "#include <cmath>\n#include <plumb/math/vec2.h>\n") == Faults{});
+    CHECK(faultsOf("plumb/dynamics/bodies/softness.h", "#include <cmath>\n#include <plumb/math/vec2.h>\n") == Faults{});
     CHECK(faultsOf("plumb/dynamics/world.h", "#include <plumb/dynamics/body.h>\n") == Faults{});
     CHECK(faultsOf("plumb/math/rot.h", "// #include <plumb/shapes/shape.h>\n") == Faults{});
     CHECK(faultsOf("plumb/plumb.h", "#include <plumb/dynamics/world.h>\n") == Faults{});

@@ -112,6 +112,11 @@ Aabb sweptBox(const Shape& piece, const Way& way) {
 
 }  // namespace
 
+Way partOf(const Way& way, double from, double to) {
+    return {way.start + way.shift * from, way.shift * (to - from), way.angle + way.turn * from, way.turn * (to - from),
+            way.localCenter};
+}
+
 Way wayBetween(const Transform& start, const Transform& end, const Vec2& localCenter) {
     const Rot turn = start.rotation.inverse() * end.rotation;
     const Vec2 from = start * localCenter;

@@ -18,6 +18,9 @@ struct Way {
 };
 Transform poseOn(const Way& way, double time);
 
+/// The part of a way between two shares of it.
+Way partOf(const Way& way, double from, double to);
+
 /// From one pose to another, by the shorter turn; the point of the body's frame that goes straight is localCenter.
 /// What turns by more than half a turn says so in Way.turn. Throws std::invalid_argument on what is not finite.
 Way wayBetween(const Transform& start, const Transform& end, const Vec2& localCenter = {0, 0});

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/body.h>
 
-#include <plumb/dynamics/detail/body_shapes.h>
-#include <plumb/dynamics/detail/islands.h>
-#include <plumb/dynamics/detail/quarantine.h>
-#include <plumb/dynamics/detail/validate.h>
-#include <plumb/dynamics/detail/world_state.h>
+#include <plumb/dynamics/edit/body_shapes.h>
+#include <plumb/dynamics/edit/edits.h>
+#include <plumb/dynamics/edit/joint_edits.h>
+#include <plumb/dynamics/edit/validate.h>
+#include <plumb/dynamics/state/world_state.h>
 #include <plumb/math/check.h>
 
 namespace plumb {
@@ -45,14 +45,16 @@ void requireMovable(const WorldState& world, BodyIndex body, const char* field, 
 }
 
 Contact contactOf(const WorldState& world, const ContactRecord& record) {
-    Contact contact{world.idOfShape(record.proxyA), world.idOfShape(record.proxyB), normalOf(world, record), {}};
-    const double time = record.colour >= 0 ? world.lastStep : record.memoryStep;
+    const Vec2 normal = normalOf(world.graph, world.bodies, record);
+    Contact contact{idOfShape(world, record.proxyA), idOfShape(world, record.proxyB), normal, {}};
+    const double time = record.isSolved() ? world.bodies.lastStep : record.memoryStep;
     const auto memory = world.graph.memoryOf(record);
     for (std::size_t p = 0; p < static_cast<std::size_t>(world.graph.manifoldOf(record).count); ++p) {
-        const Vec2 where = pointOf(world, record, p);
-        ContactPoint out{.position = world.def.wrap.place(where),
+        const Vec2 where = pointOf(world.graph, world.bodies, record, p);
+        const MetTile tile{record.proxyA, record.proxyB, record.shift, where, normal};
+        ContactPoint out{.position = world.bodies.wrap.place(where),
                          .separation = static_cast<double>(world.graph.separationOf(record, p)),
-                         .tile = tileTouched(world, record, where, contact.normal)};
+                         .tile = tileTouched(world.tiles, world.bodies, world.space, tile)};
         if (time > 0) {
             out.normalForce = static_cast<double>(memory[p].totalNormal) / time;
             out.frictionForce = static_cast<double>(memory[p].totalTangent) / time;
@@ -65,7 +67,7 @@ Contact contactOf(const WorldState& world, const ContactRecord& record) {
 }  // namespace
 
 BodyId BodyView::id() const {
-    return world_->idOf(index_);
+    return world_->bodies.idOf(index_);
 }
 
 BodyType BodyView::type() const {
@@ -73,7 +75,7 @@ BodyType BodyView::type() const {
 }
 
 Vec2 BodyView::position() const {
-    return world_->def.wrap.place(world_->bodies.origin(index_));
+    return world_->bodies.wrap.place(world_->bodies.origin(index_));
 }
 
 double BodyView::angle() const {
@@ -85,7 +87,7 @@ Transform BodyView::pose() const {
 }
 
 Vec2 BodyView::centerOfMass() const {
-    return world_->def.wrap.place(world_->bodies.motion[index_].center);
+    return world_->bodies.wrap.place(world_->bodies.motion[index_].center);
 }
 
 Vec2 BodyView::velocity() const {
@@ -107,8 +109,7 @@ double BodyView::inertia() const {
 Vec2 BodyView::velocityAt(const Vec2& point) const {
     requireFinite(point, "BodyView.velocityAt: point");
     const BodyMotion& motion = world_->bodies.motion[index_];
-    const Vec2 there = world_->bodies.near(point, motion.center);
-    return motion.velocity + perp(Vec2(there - motion.center)) * motion.angularVelocity;
+    return plumb::velocityAt(motion, world_->bodies.near(point, motion.center));
 }
 
 double BodyView::gravityScale() const {
@@ -133,7 +134,7 @@ std::uint64_t BodyView::tag() const {
 
 std::vector<ShapeId> BodyView::shapes() const {
     std::vector<ShapeId> shapes;
-    for (const ProxyId proxy : world_->bodies.record[index_].proxies) {
+    for (const ProxyId proxy : world_->bodies.links[index_].proxies) {
         const std::uint32_t number = world_->space[proxy].number;
         if (shapes.empty() || shapes.back().number != number) shapes.push_back({id(), number});
     }
@@ -142,8 +143,9 @@ std::vector<ShapeId> BodyView::shapes() const {
 
 std::vector<JointId> BodyView::joints() const {
     std::vector<JointId> joints;
-    for (const JointIndex joint : world_->bodies.record[index_].joints)
-        if (!world_->joints[joint].isHidden()) joints.push_back({joint, world_->joints[joint].generation, world_->id});
+    for (const JointIndex joint : world_->bodies.links[index_].joints)
+        if (!world_->joints[joint].isHidden())
+            joints.push_back({joint, world_->joints[joint].generation, world_->bodies.world});
     return joints;
 }
 
@@ -158,7 +160,7 @@ bool BodyView::quarantined() const {
 std::vector<Contact> BodyView::contacts() const {
     std::vector<Contact> contacts;
     forEachContact(world_->bodies, world_->contacts, index_, [&](ContactIndex index) {
-        const ContactRecord& record = world_->contacts.contacts[index];
+        const ContactRecord& record = world_->contacts[index];
         if (record.touching) contacts.push_back(contactOf(*world_, record));
     });
     return contacts;
@@ -184,11 +186,11 @@ void Body::setAngularVelocity(double angularVelocity) {
 void Body::setPose(const Vec2& position, double angle) {
     requireFinite(position, "Body.setPose: position");
     requireFinite(angle, "Body.setPose: angle");
-    for (const ProxyId proxy : world_->bodies.record[index_].proxies)
+    for (const ProxyId proxy : world_->bodies.links[index_].proxies)
         requireFit(*world_, world_->space[proxy].def.shape, {position, Rot::fromAngle(angle)}, "Body.setPose: angle");
     wakeNeighbours(*world_, index_);
     BodyMotion& motion = world_->bodies.motion[index_];
-    const bool sound = isSound(motion);
+    const bool inRange = isInRange(motion);
     motion.angle = angle;
     motion.rotation = Rot::fromAngle(angle);
     const Vec2 center = position + motion.rotation * world_->bodies.record[index_].localCenter;
@@ -196,8 +198,8 @@ void Body::setPose(const Vec2& position, double angle) {
     // It has left whatever it was near; the space is to look anew, also at what sleeps where it has come to.
     world_->bodies.rest(index_);
     meetAnew(*world_, index_);
-    if (world_->jointSystem != nullptr) world_->jointSystem->followMove(*world_, index_);
-    world_->jointsChanged = world_->jointsChanged || isSound(motion) != sound;
+    if (world_->jointEdits != nullptr) world_->jointEdits->followMove(*world_, index_);
+    world_->joints.changed = world_->joints.changed || isInRange(motion) != inRange;
     wakeIsland(*world_, index_);
 }
 

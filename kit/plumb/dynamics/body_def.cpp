@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/body_def.h>
 
-#include <plumb/dynamics/detail/validate.h>
+#include <plumb/dynamics/edit/validate.h>
 #include <plumb/math/check.h>
 
 namespace plumb {

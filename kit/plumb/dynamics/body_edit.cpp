@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/body.h>
 
-#include <plumb/dynamics/detail/body_shapes.h>
-#include <plumb/dynamics/detail/field_pull.h>
-#include <plumb/dynamics/detail/islands.h>
-#include <plumb/dynamics/detail/joints_edit.h>
-#include <plumb/dynamics/detail/validate.h>
-#include <plumb/dynamics/detail/world_state.h>
+#include <plumb/dynamics/edit/body_shapes.h>
+#include <plumb/dynamics/edit/edits.h>
+#include <plumb/dynamics/edit/field_edits.h>
+#include <plumb/dynamics/edit/joint_edits.h>
+#include <plumb/dynamics/edit/validate.h>
+#include <plumb/dynamics/state/world_state.h>
 #include <plumb/math/check.h>
 
 namespace plumb {
@@ -67,7 +67,7 @@ void Body::setType(BodyType type) {
         motion.angularVelocity = 0;
     }
     world.bodies.rest(index_);
-    world.jointsChanged = true;
+    world.joints.changed = true;
     if (!enabled) return;
     showShapes(world, index_);
     wakeIfMoving(world, index_);
@@ -142,13 +142,13 @@ void Body::setEnabled(bool enabled) {
     BodyRecord& record = world.bodies.record[index_];
     if (enabled == record.enabled) return;
     wakeNeighbours(world, index_);
-    wakeWhatItDraws(world, index_);
-    world.jointsChanged = true;
+    wakeInfluencedByMagnetsOn(world, index_);
+    world.joints.changed = true;
     if (enabled) {
         record.quarantined = false;
         showShapes(world, index_);
         wakeIfMoving(world, index_);
-        wakeWhatItDraws(world, index_);
+        wakeInfluencedByMagnetsOn(world, index_);
         return;
     }
     hideShapes(world, index_);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/joint.h>
 
-#include <plumb/dynamics/detail/joints_edit.h>
-#include <plumb/dynamics/detail/validate.h>
+#include <plumb/dynamics/edit/joint_edits.h>
+#include <plumb/dynamics/edit/validate.h>
 #include <plumb/math/check.h>
 
 namespace plumb {

@@ -4,7 +4,7 @@
 
 namespace plumb {
 
-struct JointSystem;
+struct JointEdits;
 
 /// Used as a bool is. Locks are joints, and a program that locks nothing and joins nothing links no code of joints: so
 /// the yes is where that code is, and only who says yes needs it.
@@ -14,10 +14,10 @@ public:
     Lock(bool locked);  // NOLINT(google-explicit-constructor): .lockX = true
 
     constexpr operator bool() const { return joints_ != nullptr; }  // NOLINT(google-explicit-constructor)
-    const JointSystem* joints() const { return joints_; }           ///< nullptr: not locked
+    const JointEdits* joints() const { return joints_; }            ///< nullptr: not locked
 
 private:
-    const JointSystem* joints_ = nullptr;
+    const JointEdits* joints_ = nullptr;
 };
 
 }  // namespace plumb

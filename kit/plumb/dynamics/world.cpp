@@ -1,27 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/world.h>
 
-#include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <memory>
 #include <utility>
 
-#include <plumb/dynamics/detail/body_shapes.h>
-#include <plumb/dynamics/detail/continuous.h>
-#include <plumb/dynamics/detail/field_flight.h>
-#include <plumb/dynamics/detail/field_pull.h>
-#include <plumb/dynamics/detail/free_motion.h>
-#include <plumb/dynamics/detail/islands.h>
-#include <plumb/dynamics/detail/load_bodies.h>
-#include <plumb/dynamics/detail/narrow_phase.h>
-#include <plumb/dynamics/detail/pairs.h>
-#include <plumb/dynamics/detail/quarantine.h>
-#include <plumb/dynamics/detail/report_contacts.h>
-#include <plumb/dynamics/detail/sensors.h>
-#include <plumb/dynamics/detail/solver.h>
-#include <plumb/dynamics/detail/sort_out.h>
-#include <plumb/dynamics/detail/validate.h>
+#include <plumb/dynamics/edit/body_shapes.h>
+#include <plumb/dynamics/edit/edits.h>
+#include <plumb/dynamics/edit/field_edits.h>
+#include <plumb/dynamics/edit/joint_edits.h>
+#include <plumb/dynamics/edit/validate.h>
 #include <plumb/math/check.h>
 
 namespace plumb {
@@ -34,72 +22,8 @@ std::uint32_t nextWorldId() {
     return ++count;
 }
 
-void clearEvents(WorldState& world) {
-    world.begins.clear();
-    world.breaks.clear();
-    world.hits.clear();
-    world.sensors.begins.clear();
-    world.sensors.ends.clear();
-    world.quarantines.clear();
-    world.ends.erase(world.ends.begin(), world.ends.begin() + static_cast<std::ptrdiff_t>(world.reportedEnds));
-}
-
-/// In less than this nothing that presses or pulls could make a difference, and 1/dt might leave the solver's floats
-/// [s].
-constexpr double shortestSolved = 1e-9;
-
-/// A phase is over: what it did to the energy.
-void book(WorldState& world, double EnergyLedger::*entry) {
-    if (world.audit) world.audit->book(world, entry, &MomentumLedger::solver);
-}
-
-void flyFreeBodies(WorldState& world, double dt) {
-    for (const BodyIndex body : world.bodies.awake) {
-        const BodyRecord& record = world.bodies.record[body];
-        if (world.bodies.pushed[body] != 0) continue;
-        if (record.flown) continue;
-        const BodyMotion from = world.bodies.motion[body];
-        moveTo(world, body, fly(from, flightLawOf(world, body), dt));
-        if (world.audit) world.audit->noteFlight(world, body, from, world.bodies.motion[body], dt);
-        finishFlight(world, body);
-    }
-    book(world, &EnergyLedger::solver);
-}
-
-void clearForces(BodyStore& bodies) {
-    for (const BodyIndex body : bodies.forced) {
-        bodies.record[body].force.setZero();
-        bodies.record[body].torque = 0;
-    }
-    bodies.forced.clear();
-}
-
-/// Notes how long each phase takes. Nothing else depends on it.
-class Stopwatch {
-public:
-    explicit Stopwatch(StepProfile& profile) : profile_(profile), last_(Clock::now()) { profile_ = {}; }
-    void lap(double StepProfile::*phase) {
-        const Clock::time_point now = Clock::now();
-        profile_.*phase = std::chrono::duration<double>(now - last_).count();
-        profile_.total += profile_.*phase;
-        last_ = now;
-    }
-
-private:
-    using Clock = std::chrono::steady_clock;
-    StepProfile& profile_;
-    Clock::time_point last_;
-};
-
 void addShapes(WorldState& world, BodyIndex body, const BodyDef& def) {
     for (const ShapeDef& shape : def.shapes) addShape(world, body, shape, world.bodies.record[body].shapesMade++);
-}
-
-/// What was awake in the step; the rest of what moves() tells is looked up when it is asked for.
-void noteMovers(WorldState& world) {
-    world.movers = world.bodies.awake;
-    world.sleepers.clear();
-    world.gone.clear();
 }
 
 }  // namespace
@@ -107,13 +31,16 @@ void noteMovers(WorldState& world) {
 World::World(const WorldDef& def) {
     validate(def);
     auto state = std::make_unique<WorldState>();
-    state->def = def;
-    state->id = nextWorldId();
-    state->collider = &laneCollider(def.solver.lanes);
+    state->sleeping = def.sleeping;
+    state->hitSpeed = def.hitSpeed;
+    state->solver = def.solver;
     state->space.setLanes(def.solver.lanes);
     state->space.setWrap(def.wrap);
+    state->bodies.world = nextWorldId();
     state->bodies.wrap = def.wrap;
-    if (def.ledger) state->audit.emplace();
+    state->bodies.gravity = def.gravity;
+    state->bodies.subSteps = def.solver.subSteps;
+    if (def.ledger) state->account.emplace();
     state_ = state.release();
 }
 
@@ -158,68 +85,22 @@ BodyId World::add(const BodyDef& def) {
     bodies.rest(body);
     const bool moves = def.type == BodyType::Dynamic || !def.velocity.isZero(0) || def.angularVelocity != 0;
     if (moves && def.awake) bodies.wake(body);
-    if (const JointSystem* joints = def.lockX.joints() ? def.lockX.joints() : def.lockY.joints())
+    if (const JointEdits* joints = def.lockX.joints() ? def.lockX.joints() : def.lockY.joints())
         joints->lock(*state_, body, def.lockX, def.lockY);
     if (!def.awake) bodies.putToSleep(body);
-    return state_->idOf(body);
+    return bodies.idOf(body);
 }
 
 void World::remove(BodyId id) {
     requireBody(*state_, id, "BodyId");
     WorldState& world = *state_;
     wakeNeighbours(world, id.index);
-    wakeWhatItDraws(world, id.index);
-    if (world.jointSystem != nullptr) world.jointSystem->removeAllOf(world, id.index);
+    wakeInfluencedByMagnetsOn(world, id.index);
+    if (world.jointEdits != nullptr) world.jointEdits->removeAllOf(world, id.index);
     removeShapes(world, id.index);
     world.parkedMass.erase(id.index);
-    world.gone.push_back(id.index);
-    std::erase(world.unsound, id.index);
+    world.events.gone.push_back(id.index);
     world.bodies.release(id.index);
-}
-
-void World::step(double dt) {
-    requireNotNegative(dt, "World.step: dt");
-    WorldState& world = *state_;
-    clearEvents(world);
-    world.legs.clear();
-    if (world.audit) world.audit->book(world, &EnergyLedger::edits, &MomentumLedger::edits);
-    if (dt > 0) {
-        Stopwatch watch(world.profile);
-        world.lastStep = dt;
-        foretellFlights(world, dt);
-        loadBodies(world, dt);
-        quarantine(world);
-        book(world, &EnergyLedger::solver);
-        if (dt >= shortestSolved) {
-            findPairs(world);
-            watch.lap(&StepProfile::pairs);
-            findContacts(world, dt);
-            watch.lap(&StepProfile::collide);
-            sortOutContacts(world, dt);
-            book(world, &EnergyLedger::impacts);
-            watch.lap(&StepProfile::impacts);
-            solveConstraints(world, dt);
-            book(world, &EnergyLedger::solver);
-            watch.lap(&StepProfile::solve);
-        }
-        flyFreeBodies(world, dt);
-        stopAtWalls(world, dt);
-        book(world, &EnergyLedger::solver);
-        if (world.jointSystem != nullptr) world.jointSystem->breakOverloaded(world);
-        book(world, &EnergyLedger::breaking);
-        reportContacts(world);
-        clearForces(world.bodies);
-        quarantine(world);
-        if (dt >= shortestSolved) watchSensors(world, dt);
-        noteMovers(world);
-        sleepIslands(world, dt);
-        book(world, &EnergyLedger::solver);
-        forgetFlights(world);
-        watch.lap(&StepProfile::finish);
-    } else {
-        noteMovers(world);
-    }
-    world.reportedEnds = world.ends.size();
 }
 
 bool World::contains(BodyId id) const {
@@ -237,30 +118,32 @@ BodyView World::body(BodyId id) const {
 }
 
 Ledger World::ledger() const {
-    if (!state_->audit) refuse("World.ledger", "WorldDef.ledger was not set, so no account was kept");
-    Audit now = *state_->audit;
-    now.book(*state_, &EnergyLedger::edits, &MomentumLedger::edits);
+    const WorldState& w = *state_;
+    if (!w.account) refuse("World.ledger", "WorldDef.ledger was not set, so no account was kept");
+    Account now = *w.account;
+    now.close({w.bodies, w.fields, w.graph, w.joints, w.space, w.jointPhases}, &EnergyLedger::edits,
+              &MomentumLedger::edits);
     return now.ledger();
 }
 
 std::vector<BodyId> World::bodies() const {
     std::vector<BodyId> ids;
     for (BodyIndex body = 1; body < state_->bodies.record.size(); ++body)
-        if (state_->bodies.record[body].alive) ids.push_back(state_->idOf(body));
+        if (state_->bodies.record[body].alive) ids.push_back(state_->bodies.idOf(body));
     return ids;
 }
 
 const Wrap& World::wrap() const {
-    return state_->def.wrap;
+    return state_->bodies.wrap;
 }
 
 Vec2 World::gravity() const {
-    return state_->def.gravity;
+    return state_->bodies.gravity;
 }
 
 void World::setGravity(const Vec2& gravity) {
     requireFinite(gravity, "World.setGravity: gravity");
-    state_->def.gravity = gravity;
+    state_->bodies.gravity = gravity;
     for (BodyIndex body = 1; body < state_->bodies.record.size(); ++body) wakeIsland(*state_, body);
 }
 

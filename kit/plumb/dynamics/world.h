@@ -16,21 +16,11 @@
 #include <plumb/dynamics/joint_def.h>
 #include <plumb/dynamics/ledger.h>
 #include <plumb/dynamics/query.h>
-#include <plumb/dynamics/solver_settings.h>
 #include <plumb/dynamics/step_profile.h>
+#include <plumb/dynamics/world_def.h>
 #include <plumb/shapes/aabb.h>
-#include <plumb/space/wrap.h>
 
 namespace plumb {
-
-struct WorldDef {
-    Vec2 gravity{0, -9.81};  ///< [m/s^2]
-    bool sleeping = true;    ///< may what rests be left out of the step?
-    double hitSpeed = 1;     ///< what comes together faster is a ContactHit, >= 0, may be infinite [m/s]
-    Wrap wrap = {};          ///< how wide and high the world is, if it goes on at its other side
-    bool ledger = false;     ///< is account to be kept of energy and momentum? Steps then take several times as long
-    SolverSettings solver = {};
-};
 
 /// Bodies, their contacts, joints and fields. A world may wrap around: then any place may be given, and stands for all
 /// those that are whole rounds away; the nearest is meant where there is a choice, as for anchors; and what is told is

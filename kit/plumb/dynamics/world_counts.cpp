@@ -5,7 +5,7 @@
 #include <string>
 
 #include <plumb/dynamics/counts.h>
-#include <plumb/dynamics/detail/world_state.h>
+#include <plumb/dynamics/state/world_state.h>
 #include <plumb/dynamics/world.h>
 #include <plumb/math/check.h>
 #include <plumb/math/detail/bytes_of.h>
@@ -39,14 +39,16 @@ std::size_t sumOf(const Vectors&... vectors) {
 }
 
 std::size_t bytesOf(const BodyStore& b) {
-    std::size_t bytes = sumOf(b.motion, b.record, b.place, b.velocity, b.displacement, b.warm, b.before, b.turn, b.kick,
-                              b.pushed, b.awake, b.kinematic, b.forced, b.free);
-    for (const BodyRecord& record : b.record) bytes += sumOf(record.proxies, record.joints);
+    std::size_t bytes =
+        sumOf(b.motion, b.record, b.links, b.apart, b.step, b.place, b.velocity, b.displacement, b.warm, b.before,
+              b.turn, b.kick, b.flights, b.outOfRange, b.awake, b.kinematic, b.forced, b.free);
+    for (const BodyLinks& links : b.links) bytes += sumOf(links.proxies, links.joints);
+    for (const std::vector<BodyIndex>& apart : b.apart) bytes += sumOf(apart);
     return bytes;
 }
 
 std::size_t bytesOf(const ContactStore& c) {
-    return sumOf(c.contacts, c.free, c.boxes, c.watched, c.judged, c.nearBoxes.lanes, c.nearBoxes.contactOf,
+    return sumOf(c.records, c.free, c.boxes, c.watched, c.judged, c.impacts, c.nearBoxes.lanes, c.nearBoxes.contactOf,
                  c.nearOthers.lanes, c.nearOthers.contactOf);
 }
 
@@ -66,21 +68,23 @@ std::size_t bytesOf(const JointStore& j) {
     return sumOf(j.records, j.loads, j.free, j.gears);
 }
 
-std::size_t bytesOf(const std::vector<JointNet>& nets) {
-    std::size_t bytes = nets.capacity() * sizeof(JointNet);
-    for (const JointNet& net : nets)
-        bytes += sumOf(net.joints, net.seats, net.bodies, net.stiffness, net.others) + net.solver.bytes() +
-                 net.work.bytes() + net.hinges.bytes();
+std::size_t bytesOf(const JointIslands& j) {
+    std::size_t bytes = sumOf(j.joints, j.breakable) + j.springs.bytes() + j.islands.capacity() * sizeof(JointIsland);
+    for (const JointIsland& island : j.islands)
+        bytes += sumOf(island.joints, island.endNodes, island.bodies, island.stiffness, island.others) +
+                 island.solver.bytes() + island.work.bytes() + island.hinges.bytes();
     return bytes;
+}
+
+std::size_t bytesOf(const WorldEvents& e) {
+    return sumOf(e.begins, e.ends, e.breaks, e.hits, e.quarantines, e.movers, e.sleepers, e.gone);
 }
 
 std::size_t bytesOf(const WorldState& w) {
     const SensorStore& s = w.sensors;
     return sizeof w + bytesOf(w.bodies) + w.space.bytes() + bytesOf(w.contacts) + bytesOf(w.graph) +
-           bytesOf(w.parkedMass) + sumOf(s.pairs, s.inside, s.begins, s.ends) + bytesOf(w.joints) + bytesOf(w.nets) +
-           w.springs.bytes() +
-           sumOf(w.legs, w.awakeJoints, w.breakable, w.begins, w.ends, w.breaks, w.hits, w.quarantines, w.movers,
-                 w.sleepers, w.gone, w.unsound, w.isolated);
+           bytesOf(w.parkedMass) + sumOf(s.pairs, s.inside, s.begins, s.ends) + bytesOf(w.joints) +
+           bytesOf(w.jointIslands) + bytesOf(w.events) + sumOf(w.trajectories);
 }
 
 }  // namespace
@@ -93,14 +97,14 @@ void World::reserve(const Capacity& capacity) {
     WorldState& world = *state_;
     makeRoom(capacity.bodies, "Capacity.bodies", [&](std::size_t bodies) {
         world.bodies.reserve(bodies + 1);  // and nobody
-        world.movers.reserve(bodies);
+        world.events.movers.reserve(bodies);
     });
     makeRoom(capacity.shapes, "Capacity.shapes", [&](std::size_t shapes) {
         world.space.reserve(shapes);
         world.contacts.boxes.reserve(shapes);
     });
     makeRoom(capacity.contacts, "Capacity.contacts", [&](std::size_t contacts) {
-        world.contacts.contacts.reserve(contacts);
+        world.contacts.records.reserve(contacts);
         world.contacts.free.reserve(contacts);
     });
     makeRoom(capacity.joints, "Capacity.joints", [&](std::size_t joints) {
@@ -112,19 +116,20 @@ void World::reserve(const Capacity& capacity) {
 WorldCounts World::counts() const {
     const WorldState& world = *state_;
     WorldCounts counts;
-    for (const BodyRecord& record : world.bodies.record) {
-        counts.bodies += record.alive ? 1 : 0;
-        for (std::size_t i = 0; i < record.proxies.size(); ++i) {
-            const bool fresh =
-                i == 0 || world.space[record.proxies[i]].number != world.space[record.proxies[i - 1]].number;
-            counts.shapes += fresh ? 1 : 0;
+    for (const BodyRecord& record : world.bodies.record) counts.bodies += record.alive ? 1 : 0;
+    for (const BodyLinks& links : world.bodies.links) {
+        const std::vector<ProxyId>& proxies = links.proxies;
+        for (std::size_t i = 0; i < proxies.size(); ++i) {
+            const bool isNew = i == 0 || world.space[proxies[i]].number != world.space[proxies[i - 1]].number;
+            counts.shapes += isNew ? 1 : 0;
         }
     }
     counts.awakeBodies = world.bodies.awake.size();
     counts.joints = joints().size();
-    for (const ContactRecord& contact : world.contacts.contacts) {
-        counts.contacts += contact.alive ? 1 : 0;
-        counts.touchingContacts += contact.alive && contact.touching ? 1 : 0;
+    for (const ContactRecord& contact : world.contacts.records) {
+        const bool alive = contact.state != ContactState::Free;
+        counts.contacts += alive ? 1 : 0;
+        counts.touchingContacts += alive && contact.touching ? 1 : 0;
     }
     for (std::size_t i = 0; i < world.graph.colours.size(); i += 2) {
         const bool used = !world.graph.colours[i].contactOf.empty() || !world.graph.colours[i + 1].contactOf.empty();

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include <plumb/dynamics/detail/world_state.h>
+#include <plumb/dynamics/state/world_state.h>
 #include <plumb/dynamics/world.h>
 
 namespace plumb {
 
 std::span<const ContactBegin> World::contactBegins() const {
-    return state_->begins;
+    return state_->events.begins;
 }
 
 std::span<const ContactEnd> World::contactEnds() const {
-    return {state_->ends.data(), state_->reportedEnds};
+    return {state_->events.ends.data(), state_->events.reportedEnds};
 }
 
 std::span<const ContactHit> World::contactHits() const {
-    return state_->hits;
+    return state_->events.hits;
 }
 
 std::span<const SensorBegin> World::sensorBegins() const {
@@ -27,7 +27,7 @@ std::span<const SensorEnd> World::sensorEnds() const {
 }
 
 std::span<const Quarantined> World::quarantines() const {
-    return state_->quarantines;
+    return state_->events.quarantines;
 }
 
 std::vector<BodyMoved> World::moves() const {
@@ -35,13 +35,13 @@ std::vector<BodyMoved> World::moves() const {
         std::sort(bodies.begin(), bodies.end());
         return bodies;
     };
-    const std::vector<BodyIndex> sleepers = sorted(state_->sleepers), gone = sorted(state_->gone);
+    const std::vector<BodyIndex> sleepers = sorted(state_->events.sleepers), gone = sorted(state_->events.gone);
     std::vector<BodyMoved> moves;
-    for (const BodyIndex body : sorted(state_->movers)) {
+    for (const BodyIndex body : sorted(state_->events.movers)) {
         if (std::binary_search(gone.begin(), gone.end(), body)) continue;
         const bool sleeps = std::binary_search(sleepers.begin(), sleepers.end(), body);
         const Transform pose = state_->bodies.pose(body);
-        moves.push_back({state_->idOf(body), {state_->def.wrap.place(pose.position), pose.rotation}, sleeps});
+        moves.push_back({state_->bodies.idOf(body), {state_->bodies.wrap.place(pose.position), pose.rotation}, sleeps});
     }
     return moves;
 }

@@ -3,10 +3,11 @@
 #include <algorithm>
 
 #include <plumb/collide/distance.h>
-#include <plumb/dynamics/detail/field_pull.h>
-#include <plumb/dynamics/detail/islands.h>
-#include <plumb/dynamics/detail/placed_outline.h>
-#include <plumb/dynamics/detail/validate.h>
+#include <plumb/dynamics/bodies/placed_outline.h>
+#include <plumb/dynamics/edit/edits.h>
+#include <plumb/dynamics/edit/field_edits.h>
+#include <plumb/dynamics/edit/validate.h>
+#include <plumb/dynamics/fields/field_scope.h>
 #include <plumb/dynamics/world.h>
 #include <plumb/math/check.h>
 
@@ -44,22 +45,22 @@ FieldId World::addField(const FieldDef& def) {
     const FieldIndex field = state_->fields.acquire();
     FieldRecord& record = state_->fields.records[field];
     record = recordOf(def, record.generation);
-    wakeWhatFeels(*state_, record);
-    return {field, record.generation, state_->id};
+    wakeInfluenced(*state_, record);
+    return {field, record.generation, state_->bodies.world};
 }
 
 void World::set(FieldId id, const FieldDef& def) {
     requireField(*state_, id, "FieldId");
     validate(*state_, def);
     FieldRecord& record = state_->fields.records[id.index];
-    wakeWhatFeels(*state_, record);
+    wakeInfluenced(*state_, record);
     record = recordOf(def, record.generation);
-    wakeWhatFeels(*state_, record);
+    wakeInfluenced(*state_, record);
 }
 
 void World::remove(FieldId id) {
     requireField(*state_, id, "FieldId");
-    wakeWhatFeels(*state_, state_->fields.records[id.index]);
+    wakeInfluenced(*state_, state_->fields.records[id.index]);
     state_->fields.release(id.index);
 }
 
@@ -76,7 +77,7 @@ std::vector<FieldId> World::fields() const {
     std::vector<FieldId> ids;
     const std::vector<FieldRecord>& records = state_->fields.records;
     for (FieldIndex field = 0; field < records.size(); ++field)
-        if (records[field].alive) ids.push_back({field, records[field].generation, state_->id});
+        if (records[field].alive) ids.push_back({field, records[field].generation, state_->bodies.world});
     return ids;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/detail/joints_edit.h>
-#include <plumb/dynamics/detail/validate.h>
+#include <plumb/dynamics/edit/joint_edits.h>
+#include <plumb/dynamics/edit/validate.h>
 #include <plumb/dynamics/world.h>
 
 namespace plumb {
@@ -8,7 +8,7 @@ namespace plumb {
 JointId World::join(const JointDef& def) {
     validate(*state_, def);
     const JointIndex joint = addJoint(*state_, def);
-    return {joint, state_->joints[joint].generation, state_->id};
+    return {joint, state_->joints[joint].generation, state_->bodies.world};
 }
 
 void World::remove(JointId id) {
@@ -35,12 +35,12 @@ std::vector<JointId> World::joints() const {
     const std::vector<JointRecord>& records = state_->joints.records;
     for (JointIndex joint = 0; joint < records.size(); ++joint)
         if (!records[joint].isFree() && !records[joint].isHidden())
-            ids.push_back({joint, records[joint].generation, state_->id});
+            ids.push_back({joint, records[joint].generation, state_->bodies.world});
     return ids;
 }
 
 std::span<const JointBroke> World::jointBreaks() const {
-    return state_->breaks;
+    return state_->events.breaks;
 }
 
 }  // namespace plumb

@@ -8,9 +8,9 @@
 #include <plumb/collide/detail/outline_normal.h>
 #include <plumb/collide/ray_cast.h>
 #include <plumb/collide/shape_cast.h>
-#include <plumb/dynamics/detail/body_shapes.h>
-#include <plumb/dynamics/detail/onlooker.h>
-#include <plumb/dynamics/detail/validate.h>
+#include <plumb/dynamics/edit/shape_pieces.h>
+#include <plumb/dynamics/edit/validate.h>
+#include <plumb/dynamics/query/shape_query.h>
 #include <plumb/dynamics/world.h>
 #include <plumb/math/check.h>
 
@@ -79,12 +79,12 @@ bool isCovered(const CastHit& area, const CastHit& hit) {
 /// Where a shape is met, if it is.
 using Meet = FunctionRef<std::optional<CastPoint>(ProxyId, const Vec2&)>;
 
-std::optional<CastHit> firstHit(const Onlooker& onlooker, const Mover& mover, Meet meet) {
+std::optional<CastHit> firstHit(const ShapeQuery& query, const Mover& mover, Meet meet) {
     std::optional<CastHit> first, firstArea;
-    onlooker.lookAlong(mover.halfSize, mover.from, mover.to, [&](ProxyId id, const Vec2& shift) {
-        std::optional<CastHit>& kind = onlooker.isArea(id) ? firstArea : first;
+    query.lookAlong(mover.halfSize, mover.from, mover.to, [&](ProxyId id, const Vec2& shift) {
+        std::optional<CastHit>& kind = query.isArea(id) ? firstArea : first;
         if (const std::optional<CastPoint> met = meet(id, shift)) {
-            const CastHit hit = onlooker.hitOf(id, shift, *met);
+            const CastHit hit = query.hitOf(id, shift, *met);
             if (!kind || comesFirst(hit, *kind)) kind = hit;
         }
         return std::min(first ? first->fraction : 1.0, firstArea ? firstArea->fraction : 1.0);
@@ -93,11 +93,11 @@ std::optional<CastHit> firstHit(const Onlooker& onlooker, const Mover& mover, Me
     return first;
 }
 
-std::vector<CastHit> allHits(const Onlooker& onlooker, const Mover& mover, Meet meet) {
+std::vector<CastHit> allHits(const ShapeQuery& query, const Mover& mover, Meet meet) {
     std::vector<CastHit> hits, areas;
-    onlooker.lookAlong(mover.halfSize, mover.from, mover.to, [&](ProxyId id, const Vec2& shift) {
+    query.lookAlong(mover.halfSize, mover.from, mover.to, [&](ProxyId id, const Vec2& shift) {
         if (const std::optional<CastPoint> met = meet(id, shift))
-            (onlooker.isArea(id) ? areas : hits).push_back(onlooker.hitOf(id, shift, *met));
+            (query.isArea(id) ? areas : hits).push_back(query.hitOf(id, shift, *met));
         return 1.0;
     });
     const auto covers = [](const CastHit& area) {
@@ -121,10 +121,9 @@ std::vector<CastHit> oneOfEach(std::vector<CastHit> hits) {
     return hits;
 }
 
-auto meetRay(const Onlooker& onlooker, const Vec2& from, const Vec2& to) {
-    return [&](ProxyId id, const Vec2& shift) {
-        return plumb::castRay(from, to, onlooker.shape(id), onlooker.pose(id, shift));
-    };
+auto meetRay(const ShapeQuery& query, const Vec2& from, const Vec2& to) {
+    return
+        [&](ProxyId id, const Vec2& shift) { return plumb::castRay(from, to, query.shape(id), query.pose(id, shift)); };
 }
 
 /// A stretch of a tile map's outline is solid from outside, and has no inner corners.
@@ -139,23 +138,23 @@ std::optional<CastPoint> asOutline(const Segment& outline, const Transform& ther
 }
 
 /// Of a tile map the outline; and what it fills only for what begins there.
-auto meetShape(const Onlooker& onlooker, const Shape& shape, const Transform& pose, const Vec2& shift) {
+auto meetShape(const ShapeQuery& query, const Shape& shape, const Transform& pose, const Vec2& shift) {
     return [&](ProxyId id, const Vec2& around) -> std::optional<CastPoint> {
-        const Transform there = onlooker.pose(id, around);
-        const std::optional<CastPoint> met = plumb::castShape(shape, pose, shift, onlooker.shape(id), there);
+        const Transform there = query.pose(id, around);
+        const std::optional<CastPoint> met = plumb::castShape(shape, pose, shift, query.shape(id), there);
         if (!met) return met;
-        if (onlooker.isArea(id)) return met->fraction > 0 ? std::nullopt : met;
-        if (!onlooker.isOutline(id)) return met;
-        return asOutline(std::get<Segment>(onlooker.shape(id)), there, shape, pose, *met, !shift.isZero(0));
+        if (query.isArea(id)) return met->fraction > 0 ? std::nullopt : met;
+        if (!query.isOutline(id)) return met;
+        return asOutline(std::get<Segment>(query.shape(id)), there, shape, pose, *met, !shift.isZero(0));
     };
 }
 
 /// Those that overlap or touch a shape.
-std::vector<ShapeId> overlapping(const Onlooker& onlooker, const Shape& shape, const Transform& pose) {
+std::vector<ShapeId> overlapping(const ShapeQuery& query, const Shape& shape, const Transform& pose) {
     std::vector<ShapeId> found;
-    onlooker.lookInto(aabbOf(shape, pose), [&](ProxyId id, const Vec2& shift) {
-        if (plumb::distance(onlooker.shape(id), onlooker.pose(id, shift), shape, pose).separation <= 0)
-            found.push_back(onlooker.idOf(id));
+    query.lookInto(aabbOf(shape, pose), [&](ProxyId id, const Vec2& shift) {
+        if (plumb::distance(query.shape(id), query.pose(id, shift), shape, pose).separation <= 0)
+            found.push_back(query.idOf(id));
     });
     std::sort(found.begin(), found.end(), [](const ShapeId& a, const ShapeId& b) { return placeOf(a) < placeOf(b); });
     found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -201,32 +200,32 @@ std::optional<CastHit> World::castRay(const Vec2& from, const Vec2& to, const Fi
     requireFinite(from, "World.castRay: from");
     requireFinite(to, "World.castRay: to");
     requireFewRounds(*state_, {from.cwiseMin(to), from.cwiseMax(to)}, mostCastRounds, "World.castRay: to");
-    const Onlooker onlooker(*state_, filter);
-    return firstHit(onlooker, {{0, 0}, from, to}, meetRay(onlooker, from, to));
+    const ShapeQuery query(*state_, filter);
+    return firstHit(query, {{0, 0}, from, to}, meetRay(query, from, to));
 }
 
 std::vector<CastHit> World::castRayAll(const Vec2& from, const Vec2& to, const Filter& filter) const {
     requireFinite(from, "World.castRayAll: from");
     requireFinite(to, "World.castRayAll: to");
     requireFewRounds(*state_, {from.cwiseMin(to), from.cwiseMax(to)}, mostCastRounds, "World.castRayAll: to");
-    const Onlooker onlooker(*state_, filter);
-    return oneOfEach(allHits(onlooker, {{0, 0}, from, to}, meetRay(onlooker, from, to)));
+    const ShapeQuery query(*state_, filter);
+    return oneOfEach(allHits(query, {{0, 0}, from, to}, meetRay(query, from, to)));
 }
 
 std::optional<CastHit> World::castShape(const Shape& shape, const Transform& pose, const Vec2& shift,
                                         const Filter& filter) const {
     requireCast(*state_, shape, pose, shift, "World.castShape");
-    Onlooker onlooker(*state_, filter);
-    onlooker.seeOutlines();
-    return firstHit(onlooker, moverOf(shape, pose, shift), meetShape(onlooker, shape, pose, shift));
+    ShapeQuery query(*state_, filter);
+    query.seeOutlines();
+    return firstHit(query, moverOf(shape, pose, shift), meetShape(query, shape, pose, shift));
 }
 
 std::vector<CastHit> World::castShapeAll(const Shape& shape, const Transform& pose, const Vec2& shift,
                                          const Filter& filter) const {
     requireCast(*state_, shape, pose, shift, "World.castShapeAll");
-    Onlooker onlooker(*state_, filter);
-    onlooker.seeOutlines();
-    return oneOfEach(allHits(onlooker, moverOf(shape, pose, shift), meetShape(onlooker, shape, pose, shift)));
+    ShapeQuery query(*state_, filter);
+    query.seeOutlines();
+    return oneOfEach(allHits(query, moverOf(shape, pose, shift), meetShape(query, shape, pose, shift)));
 }
 
 std::vector<CastHit> World::castShapePieces(const Shape& shape, const Transform& pose, const Vec2& shift,
@@ -234,9 +233,9 @@ std::vector<CastHit> World::castShapePieces(const Shape& shape, const Transform&
     requireCast(*state_, shape, pose, shift, "World.castShapePieces");
     const bool all = ignored == BodyId{};
     if (!all) requireBody(*state_, ignored, "World.castShapePieces: ignored");
-    Onlooker onlooker(*state_, filter, all ? noBody : ignored.index);
-    onlooker.seeOutlines();
-    return allHits(onlooker, moverOf(shape, pose, shift), meetShape(onlooker, shape, pose, shift));
+    ShapeQuery query(*state_, filter, all ? noBody : ignored.index);
+    query.seeOutlines();
+    return allHits(query, moverOf(shape, pose, shift), meetShape(query, shape, pose, shift));
 }
 
 std::vector<ShapeId> World::overlapBox(const Aabb& box, const Filter& filter) const {
@@ -262,12 +261,12 @@ std::vector<ShapeId> World::overlapPoint(const Vec2& point, const Filter& filter
 std::optional<Nearest> World::nearest(const Vec2& point, double within, const Filter& filter) const {
     requireFinite(point, "World.nearest: point");
     if (!(within >= 0)) refuse("World.nearest: within", toText(within) + " is not a distance");
-    const Onlooker onlooker(*state_, filter);
+    const ShapeQuery query(*state_, filter);
     std::optional<Nearest> nearest;
-    onlooker.lookAround(point, within, [&](ProxyId id, const Vec2& shift) {
-        const Transform pose = onlooker.pose(id, shift);
-        const Distance d = plumb::distance(onlooker.shape(id), pose, Circle{.radius = 0}, {point, {}});
-        const Nearest here{onlooker.idOf(id), d.separation, onlooker.place(d.pointA), d.normal};
+    query.lookAround(point, within, [&](ProxyId id, const Vec2& shift) {
+        const Transform pose = query.pose(id, shift);
+        const Distance d = plumb::distance(query.shape(id), pose, Circle{.radius = 0}, {point, {}});
+        const Nearest here{query.idOf(id), d.separation, query.place(d.pointA), d.normal};
         if (d.separation <= within && (!nearest || isNearer(here, *nearest))) nearest = here;
         return nearest ? std::max(nearest->separation, 0.0) : within;
     });
@@ -285,14 +284,14 @@ Distance World::distance(ShapeId a, ShapeId b) const {
         for (const ProxyId pieceB : piecesB) {
             const Shape& shapeA = world.space[pieceA].def.shape;
             const Shape& shapeB = world.space[pieceB].def.shape;
-            forEachNearShift(world.def.wrap, aabbOf(shapeA, poseA), aabbOf(shapeB, poseB), [&](const Vec2& shift) {
+            forEachNearShift(world.bodies.wrap, aabbOf(shapeA, poseA), aabbOf(shapeB, poseB), [&](const Vec2& shift) {
                 const Distance here = plumb::distance(shapeA, poseA, shapeB, shifted(poseB, shift));
                 if (here.separation < nearest.separation) nearest = here;
             });
         }
     }
-    nearest.pointA = world.def.wrap.place(nearest.pointA);
-    nearest.pointB = world.def.wrap.place(nearest.pointB);
+    nearest.pointA = world.bodies.wrap.place(nearest.pointA);
+    nearest.pointB = world.bodies.wrap.place(nearest.pointB);
     return nearest;
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <array>
 
-#include <plumb/dynamics/detail/body_shapes.h>
-#include <plumb/dynamics/detail/validate.h>
+#include <plumb/dynamics/edit/body_shapes.h>
+#include <plumb/dynamics/edit/tile_shapes.h>
+#include <plumb/dynamics/edit/validate.h>
 #include <plumb/dynamics/world.h>
 #include <plumb/math/check.h>
 

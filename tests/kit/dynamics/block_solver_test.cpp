@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include <plumb/dynamics/detail/block_solver.h>
+#include <plumb/dynamics/joints/block_solver.h>
 #include <plumb/math/random.h>
 #include "catch.h"
 

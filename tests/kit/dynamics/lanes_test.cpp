@@ -7,11 +7,11 @@
 
 #include <plumb/collide/distance.h>
 #include <plumb/collide/manifold.h>
-#include <plumb/dynamics/detail/body_store.h>
-#include <plumb/dynamics/detail/contact_solver.h>
-#include <plumb/dynamics/detail/foresee.h>
-#include <plumb/dynamics/detail/lane_collider.h>
-#include <plumb/dynamics/detail/shape_measure.h>
+#include <plumb/dynamics/bodies/body_store.h>
+#include <plumb/dynamics/contacts/lanes/contact_solver.h>
+#include <plumb/dynamics/contacts/predicted_manifold.h>
+#include <plumb/dynamics/contacts/lanes/lane_collider.h>
+#include <plumb/dynamics/bodies/shape_radii.h>
 #include <plumb/math/random.h>
 
 #include "catch.h"

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/bodies/body_store.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumb {
+
+namespace {
+
+void putCenter(BodyPlace& place, const Vec2& center) {
+    place.highX = static_cast<float>(center.x());
+    place.highY = static_cast<float>(center.y());
+    place.lowX = static_cast<float>(center.x() - static_cast<double>(place.highX));
+    place.lowY = static_cast<float>(center.y() - static_cast<double>(place.highY));
+}
+
+constexpr double largest = 1e15;
+
+bool isInRange(double value) {
+    return std::fabs(value) < largest;  // false for nan
+}
+
+bool isInRange(const Vec2& value) {
+    return isInRange(value.x()) && isInRange(value.y());
+}
+
+}  // namespace
+
+BodyStore::BodyStore() {
+    acquire();  // slot 0
+}
+
+void BodyStore::reserve(std::size_t bodies) {
+    motion.reserve(bodies);
+    record.reserve(bodies);
+    links.reserve(bodies);
+    apart.reserve(bodies);
+    step.reserve(bodies);
+    velocity.reserve(bodies);
+    displacement.reserve(bodies);
+    warm.reserve(bodies);
+    before.reserve(bodies);
+    turn.reserve(bodies);
+    kick.reserve(bodies);
+    place.reserve(bodies);
+    awake.reserve(bodies);
+    free.reserve(bodies);
+}
+
+BodyIndex BodyStore::acquire() {
+    if (!free.empty()) {
+        const BodyIndex body = free.back();
+        free.pop_back();
+        return body;
+    }
+    motion.emplace_back();
+    record.emplace_back();
+    links.emplace_back();
+    apart.emplace_back();
+    step.emplace_back();
+    velocity.emplace_back();
+    displacement.emplace_back();
+    warm.emplace_back();
+    before.emplace_back();
+    turn.emplace_back();
+    kick.emplace_back();
+    place.emplace_back();
+    return static_cast<BodyIndex>(record.size() - 1);
+}
+
+void BodyStore::release(BodyIndex body) {
+    putToSleep(body);
+    std::erase(kinematic, body);
+    const std::uint32_t generation = record[body].generation + 1;
+    record[body] = {};
+    record[body].generation = generation;
+    links[body] = {};
+    apart[body].clear();
+    motion[body] = {};
+    std::erase(outOfRange, body);
+    rest(body);
+    free.push_back(body);
+}
+
+void BodyStore::wake(BodyIndex body) {
+    BodyRecord& r = record[body];
+    r.stillTime = 0;
+    if (r.awake || r.type == BodyType::Static || !r.enabled) return;
+    r.awake = true;
+    r.awakeIndex = static_cast<std::uint32_t>(awake.size());
+    awake.push_back(body);
+}
+
+void BodyStore::putToSleep(BodyIndex body) {
+    BodyRecord& r = record[body];
+    if (!r.awake) return;
+    const BodyIndex last = awake.back();
+    awake[r.awakeIndex] = last;
+    record[last].awakeIndex = r.awakeIndex;
+    awake.pop_back();
+    r.awake = false;
+    r.awakeIndex = none;
+    rest(body);
+}
+
+void BodyStore::rest(BodyIndex body) {
+    place[body] = placeOf(motion[body], record[body].rho);
+    step[body].movedBy = MovedBy::Nothing;
+    velocity[body] = warm[body] = before[body] = {};
+    displacement[body] = {};
+    turn[body] = {};
+    kick[body] = {};
+}
+
+void BodyStore::recenterPlace(BodyIndex body, const Vec2& shift) {
+    BodyPlace& then = place[body];
+    const Rot turned{static_cast<double>(then.cos), static_cast<double>(then.sin)};
+    const Vec2 center(static_cast<double>(then.highX) + static_cast<double>(then.lowX),
+                      static_cast<double>(then.highY) + static_cast<double>(then.lowY));
+    putCenter(then, center + turned * shift);
+}
+
+bool BodyStore::areKeptApart(BodyIndex a, BodyIndex b) const {
+    return std::find(apart[a].begin(), apart[a].end(), b) != apart[a].end();
+}
+
+bool isInRange(const BodyMotion& m) {
+    return isInRange(m.center) && isInRange(m.velocity) && isInRange(m.angle) && isInRange(m.angularVelocity);
+}
+
+bool isInRange(const Acceleration& a) {
+    return isInRange(a.linear) && isInRange(a.angular);
+}
+
+void moveTo(BodyStore& bodies, BodyIndex body, const BodyMotion& motion) {
+    if (isInRange(motion))
+        bodies.motion[body] = motion;
+    else
+        markOutOfRange(bodies, body);
+}
+
+void clearForces(BodyStore& bodies) {
+    for (const BodyIndex body : bodies.forced) {
+        bodies.record[body].force.setZero();
+        bodies.record[body].torque = 0;
+    }
+    bodies.forced.clear();
+}
+
+void markOutOfRange(BodyStore& bodies, BodyIndex body) {
+    if (bodies.record[body].quarantined) return;
+    bodies.record[body].quarantined = true;
+    bodies.outOfRange.push_back(body);
+}
+
+BodyPlace placeOf(const BodyMotion& motion, float rho) {
+    BodyPlace place;
+    putCenter(place, motion.center);
+    place.cos = static_cast<float>(motion.rotation.cos);
+    place.sin = static_cast<float>(motion.rotation.sin);
+    place.rho = rho;
+    return place;
+}
+
+Acceleration accelerationOf(const BodyRecord& body, const Vec2& gravity) {
+    if (body.type != BodyType::Dynamic) return {};
+    return {gravity * body.gravityScale + body.force * body.inverseMass,
+            body.inverseInertia > 0 ? body.torque * body.inverseInertia : 0.0};
+}
+
+void setMass(BodyRecord& body, const Mass& mass) {
+    body.localCenter = mass.center;
+    if (body.type != BodyType::Dynamic) {
+        body.mass = body.inertia = body.inverseMass = body.inverseInertia = 0;
+        body.rho = body.inverseRho = 1;
+        return;
+    }
+    body.mass = mass.mass;
+    body.inertia = mass.inertia;
+    body.inverseMass = 1 / mass.mass;
+    body.inverseInertia = body.fixedRotation ? 0 : 1 / mass.inertia;
+    setRho(body, body.inverseInertia);
+}
+
+void setRho(BodyRecord& body, double inverseInertia) {
+    const double rho = std::sqrt(inverseInertia * body.mass);
+    body.rho = static_cast<float>(rho);
+    body.inverseRho = rho > 0 ? static_cast<float>(1 / rho) : 0.0f;
+}
+
+}  // namespace plumb

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/bodies/free_motion.h>
+
+namespace plumb {
+
+// As kinematics' dragStep, for short steps: every damped body asks in every step, and there is no division in the
+// series.
+Decay decay(double damping, double time) {
+    const double x = damping * time;
+    if (x < 1e-17) return {1, time, 0.5 * time * time};  // no other numbers, and 1 / damping^2 may be too large
+    const double lost = -exponentialMinus1(-x);
+    // (x - lost) / k^2 cancels for small x: below 0.05 by its series, to 1e-17 of it after nine terms
+    double rest = x - lost;
+    if (x < 0.05) {
+        const double small = 1.0 / 720 - x * (1.0 / 5040 - x * (1.0 / 40320 - x * (1.0 / 362880 - x / 3628800)));
+        rest = x * x * (0.5 - x * (1.0 / 6 - x * (1.0 / 24 - x * (1.0 / 120 - x * small))));
+    }
+    return {1 - lost, lost / damping, rest / (damping * damping)};
+}
+
+FlightLaw flightLawOf(const BodyStore& bodies, BodyIndex body) {
+    const BodyRecord& record = bodies.record[body];
+    if (record.type != BodyType::Dynamic) return {};
+    if (const std::uint32_t flight = bodies.step[body].flight; flight != none) return bodies.flights[flight].law;
+    return {accelerationOf(record, bodies.gravity), record.linearDamping, record.angularDamping};
+}
+
+BodyMotion fly(const BodyMotion& from, const FlightLaw& law, double time) {
+    const Decay linear = decay(law.linearDamping, time);
+    const Decay angular = decay(law.angularDamping, time);
+    const Acceleration& a = law.acceleration;
+    BodyMotion to = from;
+    to.center += from.velocity * linear.gain + a.linear * linear.reach;
+    to.velocity = from.velocity * linear.keep + a.linear * linear.gain;
+    to.angle += from.angularVelocity * angular.gain + a.angular * angular.reach;
+    to.angularVelocity = from.angularVelocity * angular.keep + a.angular * angular.gain;
+    if (to.angle != from.angle) to.rotation = Rot::fromAngle(to.angle);
+    return to;
+}
+
+void moveFreeBodies(BodyStore& bodies, double dt, StepObserver* observer) {
+    for (const BodyIndex body : bodies.awake) {
+        if (!bodies.isMovedBy(body, MovedBy::ClosedForm)) continue;
+        const BodyMotion from = bodies.motion[body];
+        moveTo(bodies, body, fly(from, flightLawOf(bodies, body), dt));
+        if (observer != nullptr) observer->noteFlight(body, from, bodies.motion[body], dt);
+        const std::uint32_t flight = bodies.step[body].flight;
+        if (flight == none || bodies.flights[flight].steady) continue;
+        BodyMotion motion = bodies.motion[body];
+        motion.velocity += bodies.flights[flight].rest.velocity;
+        motion.angularVelocity += bodies.flights[flight].rest.spin;
+        moveTo(bodies, body, motion);
+        if (observer != nullptr) observer->noteFieldFlight(flight);
+    }
+}
+
+}  // namespace plumb

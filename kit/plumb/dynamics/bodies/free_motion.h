@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Where is a body after a time in which nothing touches it?
+//
+// Without damping: x = x0 + v0 t + a t^2 / 2, v = v0 + a t.
+// With dv/dt = a - k v: v = v0 e^-kt + a E, x = x0 + v0 E + a (t - E) / k, E = (1 - e^-kt) / k.
+// x position [m], v velocity [m/s], a acceleration [m/s^2], k damping [1/s], t time [s]; the angle likewise.
+// Source: textbook. Exact to rounding for any t.
+// Test: "a thrown ball is where the formula says at every tick"
+#pragma once
+#include <plumb/dynamics/bodies/step_observer.h>
+
+namespace plumb {
+
+/// With gravity, forces and fields.
+FlightLaw flightLawOf(const BodyStore& bodies, BodyIndex body);
+BodyMotion fly(const BodyMotion& from, const FlightLaw& law, double time);
+
+/// What a damped velocity keeps after a time, and what of an acceleration it gains: v = v0 keep + a gain.
+struct Decay {
+    double keep = 1;
+    double gain = 0;   ///< [s]
+    double reach = 0;  ///< x = x0 + v0 gain + a reach [s^2]
+};
+Decay decay(double damping, double time);
+
+/// Moves the bodies on by dt [s] that neither impacts nor the solver move.
+void moveFreeBodies(BodyStore& bodies, double dt, StepObserver* observer);
+
+}  // namespace plumb

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/bodies/load_bodies.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <plumb/dynamics/bodies/free_motion.h>
+
+namespace plumb {
+
+namespace {
+
+SolverVelocity rowOf(const Vec2& linear, double angular, float inverseRho, float last) {
+    return {static_cast<float>(linear.x()), static_cast<float>(linear.y()), static_cast<float>(angular) * inverseRho,
+            last};
+}
+
+}  // namespace
+
+void loadBody(BodyStore& bodies, BodyIndex body, double dt) {
+    const BodyRecord& record = bodies.record[body];
+    const BodyMotion& motion = bodies.motion[body];
+    const FlightLaw law = flightLawOf(bodies, body);
+    const Acceleration& a = law.acceleration;
+    if (!isInRange(motion) || !isInRange(a)) {
+        markOutOfRange(bodies, body);
+        bodies.rest(body);
+        return;
+    }
+    bodies.step[body].movedBy = MovedBy::ClosedForm;
+    BodyPlace place = placeOf(motion, record.rho);
+    const Vec2 shift = motion.velocity * dt + a.linear * (0.5 * dt * dt);
+    const double angle = (std::fabs(motion.angularVelocity) + std::fabs(a.angular) * dt) * dt;
+    place.shiftX = static_cast<float>(shift.x());
+    place.shiftY = static_cast<float>(shift.y());
+    place.turn = static_cast<float>(record.reach * std::min(angle, 2.0));
+    place.pullX = static_cast<float>(a.linear.x() * (0.5 * dt));
+    place.pullY = static_cast<float>(a.linear.y() * (0.5 * dt));
+    bodies.place[body] = place;
+
+    const float inverseMass = static_cast<float>(record.inverseMass);
+    bodies.velocity[body] = rowOf(motion.velocity, motion.angularVelocity, record.inverseRho, inverseMass);
+    bodies.displacement[body] = {};
+    bodies.warm[body] = {};
+    bodies.turn[body] = {0, record.rho, record.inverseRho, 0};
+    if (bodies.step[body].flight != none) {  // the fields do it all, gravity and damping included
+        bodies.kick[body] = {};
+        return;
+    }
+    const double half = 0.5 * dt / bodies.subSteps;
+    const Decay linear = decay(law.linearDamping, half);
+    const Decay angular = decay(law.angularDamping, half);
+    bodies.kick[body].gain = rowOf(a.linear * linear.gain, a.angular * angular.gain, record.inverseRho, 0);
+    bodies.kick[body].keep = {static_cast<float>(linear.keep), static_cast<float>(linear.keep),
+                              static_cast<float>(angular.keep), 1};
+}
+
+void loadBodies(BodyStore& bodies, double dt) {
+    for (const BodyIndex body : bodies.awake) loadBody(bodies, body, dt);
+}
+
+}  // namespace plumb

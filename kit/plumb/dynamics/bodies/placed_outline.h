@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Which corners and which radius make a shape?
+#pragma once
+#include <vector>
+
+#include <plumb/dynamics/bodies/body_store.h>
+#include <plumb/shapes/shape.h>
+
+namespace plumb {
+
+struct PlacedOutline {
+    std::vector<Vec2> corners;  ///< in the world [m]
+    double radius = 0;          ///< the outline lies that far outside of them [m]
+    bool hasArea = false;
+};
+
+/// Of a shape on a body that is there.
+PlacedOutline placedOutline(const Shape& shape, const BodyRecord& body, const BodyMotion& there);
+
+}  // namespace plumb

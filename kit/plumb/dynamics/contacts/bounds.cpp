@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/contacts/bounds.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <plumb/dynamics/bodies/shape_radii.h>
+#include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
+
+namespace plumb {
+
+namespace {
+
+/// Bounds hold what they need for this step and this much more, so that what hardly moves keeps its bounds [m].
+constexpr double boundsMargin = 0.01;
+
+Aabb tightBox(const Space& space, const BoxOutline& box, ProxyId proxy, const BodyMotion& motion,
+              const Transform& pose) {
+    if (box.kind == BoxOutline::Kind::Other) return aabbOf(space[proxy].def.shape, pose);
+    const double c = motion.rotation.cos;
+    const double s = motion.rotation.sin;
+    const double x = static_cast<double>(box.centerX), y = static_cast<double>(box.centerY);
+    const double hx = static_cast<double>(box.halfX), hy = static_cast<double>(box.halfY);
+    const Vec2 center(motion.center.x() + (c * x - s * y), motion.center.y() + (s * x + c * y));
+    const Vec2 half(std::fabs(c) * hx + std::fabs(s) * hy, std::fabs(s) * hx + std::fabs(c) * hy);
+    return inflate({center - half, center + half}, static_cast<double>(box.radius));
+}
+
+/// A sensor has no part in the reach of its body.
+double sensorTurn(const Shape& shape, const BodyRecord& record, const BodyMotion& motion, double dt) {
+    return reachOf(shape, record.localCenter) * std::min(std::fabs(motion.angularVelocity) * dt, 2.0);
+}
+
+}  // namespace
+
+Vec2 predictedShift(const BodyStore& bodies, BodyIndex body) {
+    const BodyPlace& place = bodies.place[body];
+    const Vec2 shift(static_cast<double>(place.shiftX), static_cast<double>(place.shiftY));
+    const Wrap& wrap = bodies.wrap;
+    if (!wrap.any()) return shift;
+    const bool round =
+        (wrap.width && std::fabs(shift.x()) > *wrap.width) || (wrap.height && std::fabs(shift.y()) > *wrap.height);
+    return round ? Vec2(0, 0) : shift;
+}
+
+void placeBounds(Space& space, const BodyStore& bodies, const ContactStore& contacts, BodyIndex body, double dt) {
+    const BodyRecord& record = bodies.record[body];
+    const BodyMotion& motion = bodies.motion[body];
+    const BodyPlace& place = bodies.place[body];
+    const bool moves = record.awake && dt > 0;
+    const Vec2 shift = moves ? predictedShift(bodies, body) : Vec2(0, 0);
+    const double turn = moves ? static_cast<double>(place.turn) : 0.0;
+    const Transform pose = bodies.pose(body);
+    for (const ProxyId proxy : bodies.links[body].proxies) {
+        const BoxOutline& outline = contacts.boxes[proxy];
+        const double swing = outline.sensor && moves ? sensorTurn(space[proxy].def.shape, record, motion, dt) : turn;
+        const Aabb now =
+            inflate(tightBox(space, outline, proxy, motion, pose), 0.5 * static_cast<double>(contactMargin) + swing);
+        const Aabb ahead{now.lower + shift, now.upper + shift};
+        // It may come back from anywhere, as fast as its restitution lets it.
+        const Aabb back = inflate(now, static_cast<double>(outline.restitution) * shift.norm());
+        space.place(proxy, merge(ahead, back), boundsMargin);
+    }
+}
+
+void placeAwakeBounds(Space& space, BodyStore& bodies, const ContactStore& contacts, double dt) {
+    for (const BodyIndex body : bodies.awake) {
+        if (bodies.record[body].quarantined) continue;
+        placeBounds(space, bodies, contacts, body, dt);
+        bodies.step[body].boundsPending = false;
+    }
+}
+
+bool hasLeftItsBounds(const Space& space, const BodyStore& bodies, BodyIndex body) {
+    const Transform pose = bodies.pose(body);
+    const std::vector<ProxyId>& proxies = bodies.links[body].proxies;
+    return std::any_of(proxies.begin(), proxies.end(), [&](ProxyId proxy) {
+        return !contains(space.box(proxy), aabbOf(space[proxy].def.shape, pose));
+    });
+}
+
+}  // namespace plumb

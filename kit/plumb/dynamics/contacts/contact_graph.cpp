@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/contacts/contact_graph.h>
+
+#include <algorithm>
+#include <bit>
+
+#include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
+
+namespace plumb {
+
+namespace {
+
+int freeColour(std::uint32_t used, int first, int end) {
+    const std::uint32_t available = ~used & (~std::uint32_t{0} << first);
+    const int colour = std::countr_zero(available);
+    return colour < end ? colour : overflowColour;
+}
+
+void copyLane(Colour& to, std::size_t toSlot, const ContactBatch& batch, const ManifoldLanes& manifolds,
+              std::size_t lane) {
+    ContactBatch& target = to.batches[toSlot / batchLanes];
+    copyLane(target, toSlot % batchLanes, batch, lane, batchRows);
+    copyLane(to.manifolds[toSlot / batchLanes], toSlot % batchLanes, manifolds, lane, manifoldRows);
+    target.belts = target.belts || batch.beltSpeed[lane] != 0;
+    target.rolls = target.rolls || batch.rollReach[lane] != 0;
+    target.bounces = target.bounces || manifolds.restitution[lane] > 0;
+}
+
+/// One more, empty; a quarter in reserve, not the half that a vector would take: batches are what a world is made of.
+template <class Batch>
+void append(std::vector<Batch>& batches) {
+    if (batches.size() == batches.capacity()) batches.reserve(batches.size() + batches.size() / 4 + 1);
+    batches.push_back(Batch{});
+}
+
+int chooseColour(const BodyStore& bodies, BodyIndex a, BodyIndex b) {
+    const bool pushA = bodies.isDynamic(a), pushB = bodies.isDynamic(b);
+    const std::uint32_t used = (pushA ? bodies.links[a].colours : 0) | (pushB ? bodies.links[b].colours : 0);
+    return pushA && pushB ? freeColour(used, 0, fixedColour) : freeColour(used, fixedColour, overflowColour);
+}
+
+}  // namespace
+
+void ContactGraph::add(BodyStore& bodies, ContactStore& contacts, ContactIndex index, const ContactBatch& batch,
+                       const ManifoldLanes& manifolds, std::size_t lane) {
+    ContactRecord& contact = contacts[index];
+    BodyLinks& a = bodies.links[contact.bodyA];
+    BodyLinks& b = bodies.links[contact.bodyB];
+    const int chosen = chooseColour(bodies, contact.bodyA, contact.bodyB);
+    if (chosen != overflowColour) {
+        a.colours |= std::uint32_t{1} << chosen;
+        b.colours |= std::uint32_t{1} << chosen;
+    }
+    ++a.solverContacts;
+    ++b.solverContacts;
+    contacts.removeNear(index);
+    contact.state = ContactState::Solved;
+    contact.colour = static_cast<std::uint32_t>(2 * chosen + (contact.boxes ? 0 : 1));
+    Colour& colour = colours[contact.colour];
+    const std::size_t slot = colour.contactOf.size();
+    if (slot % batchLanes == 0) {
+        append(colour.batches);
+        append(colour.manifolds);
+        append(colour.pairs);
+    }
+    fillPair(contacts, contact, colour.pairs.back(), slot % batchLanes);
+    colour.contactOf.push_back(index);
+    contact.slot = static_cast<std::uint32_t>(slot);
+    copyLane(colour, slot, batch, manifolds, lane);
+}
+
+std::array<PointMemory, 2> ContactGraph::memoryOf(const ContactRecord& contact) const {
+    if (!contact.isSolved()) return contact.memory;
+    const ContactBatch& batch = colourOf(contact).batches[contact.slot / batchLanes];
+    const std::size_t lane = contact.slot % batchLanes;
+    std::array<PointMemory, 2> memory;
+    for (std::size_t p = 0; p < 2; ++p) {
+        const PointLanes& from = batch.points[p];
+        memory[p] = {from.normalImpulse[lane], from.tangentImpulse[lane], from.totalNormal[lane],
+                     from.totalTangent[lane]};
+    }
+    return memory;
+}
+
+Manifold ContactGraph::manifoldOf(const ContactRecord& contact) const {
+    if (!contact.isSolved()) return contact.manifold;
+    const ManifoldLanes& lanes = colourOf(contact).manifolds[contact.slot / batchLanes];
+    const ContactBatch& batch = colourOf(contact).batches[contact.slot / batchLanes];
+    const std::size_t lane = contact.slot % batchLanes;
+    Manifold manifold;
+    manifold.normal = {lanes.normalX[lane], lanes.normalY[lane]};
+    manifold.count = lanes.count[lane];
+    for (std::size_t p = 0; p < 2; ++p) {
+        const ManifoldPointLanes& from = lanes.points[p];
+        manifold.points[p] = {{from.x[lane], from.y[lane]},
+                              batch.points[p].startSeparation[lane],
+                              static_cast<std::uint16_t>(from.feature[lane])};
+    }
+    return manifold;
+}
+
+float ContactGraph::separationOf(const ContactRecord& contact, std::size_t point) const {
+    if (!contact.isSolved()) return contact.manifold.points[point].separation;
+    const ContactBatch& batch = colourOf(contact).batches[contact.slot / batchLanes];
+    return batch.points[point].separation[contact.slot % batchLanes];
+}
+
+void ContactGraph::remove(BodyStore& bodies, ContactStore& contacts, ContactIndex index) {
+    ContactRecord& contact = contacts[index];
+    if (!contact.isSolved()) return;
+    Colour& colour = colours[contact.colour];
+    const std::size_t slot = contact.slot;
+    const std::size_t last = colour.contactOf.size() - 1;
+    const int shared = colourAt(contact.colour);
+    contact.manifold = manifoldOf(contact);
+    contact.memory = memoryOf(contact);
+    contact.rollImpulse = colour.batches[slot / batchLanes].rollImpulse[slot % batchLanes];
+    for (const BodyIndex body : {contact.bodyA, contact.bodyB}) {
+        BodyLinks& links = bodies.links[body];
+        --links.solverContacts;
+        if (shared != overflowColour) links.colours &= ~(std::uint32_t{1} << shared);
+    }
+    copyLane(colour, slot, colour.batches.back(), colour.manifolds.back(), last % batchLanes);
+    copyLane(colour, last, ContactBatch{}, ManifoldLanes{}, 0);
+    copyLane(colour.pairs[slot / batchLanes], slot % batchLanes, colour.pairs.back(), last % batchLanes, pairRows);
+    copyLane(colour.pairs.back(), last % batchLanes, PairLanes{}, 0, pairRows);
+    colour.contactOf[slot] = colour.contactOf[last];
+    contacts[colour.contactOf[slot]].slot = static_cast<std::uint32_t>(slot);
+    colour.contactOf.pop_back();
+    if (last % batchLanes == 0) {
+        colour.batches.pop_back();
+        colour.manifolds.pop_back();
+        colour.pairs.pop_back();
+    }
+    contact.state = ContactState::Asleep;
+}
+
+Vec2 normalOf(const ContactGraph& graph, const BodyStore& bodies, const ContactRecord& contact) {
+    return bodies.motion[contact.bodyA].rotation * Vec2(graph.manifoldOf(contact).normal.cast<double>());
+}
+
+Vec2 pointOf(const ContactGraph& graph, const BodyStore& bodies, const ContactRecord& contact, std::size_t point) {
+    // The manifold is of the step's start, half way between the surfaces; but a point that was predicted from farther
+    // off is where the two were to meet, so on A's surface. That has moved with A, and B's is where the separation
+    // says.
+    const Manifold m = graph.manifoldOf(contact);
+    const ManifoldPoint& p = m.points[point];
+    const float nearest = m.count == 2 ? std::min(m.points[0].separation, m.points[1].separation) : p.separation;
+    const double begun = nearest > contactMargin ? 0 : static_cast<double>(p.separation);
+    const BodyMotion& a = bodies.motion[contact.bodyA];
+    const Vec2 there = a.center + a.rotation * Vec2(p.position.cast<double>());
+    const double closed = static_cast<double>(graph.separationOf(contact, point)) - begun;
+    return there + normalOf(graph, bodies, contact) * (0.5 * closed);
+}
+
+void removeContact(ContactGraph& graph, ContactStore& contacts, BodyStore& bodies, ContactIndex contact) {
+    graph.remove(bodies, contacts, contact);
+    contacts.remove(bodies, contact);
+}
+
+void renewContact(ContactGraph& graph, ContactStore& contacts, BodyStore& bodies, ContactIndex contact) {
+    if (contacts[contact].state == ContactState::Asleep) return;  // it will be renewed when it wakes
+    graph.remove(bodies, contacts, contact);
+    contacts.removeNear(contact);
+    contacts.addNear(contact);
+}
+
+}  // namespace plumb

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/contacts/contact_lane.h>
+
+namespace plumb {
+
+namespace {
+
+void fillRolling(ContactBatch& batch, std::size_t lane, const ContactRecord& contact, const BodyStore& bodies) {
+    const BodyRecord& a = bodies.record[contact.bodyA];
+    const BodyRecord& b = bodies.record[contact.bodyB];
+    const float inverse = static_cast<float>(a.inverseInertia + b.inverseInertia);
+    batch.rollReach[lane] = inverse > 0 ? contact.rollingReach : 0.0f;
+    batch.rollRhoA[lane] = a.rho;
+    batch.rollRhoB[lane] = b.rho;
+    batch.rollMass[lane] = inverse > 0 ? 1 / inverse : 0.0f;
+    batch.rollImpulse[lane] = contact.rollImpulse;
+}
+
+}  // namespace
+
+void fillLane(ContactBatch& batch, ManifoldLanes& manifolds, std::size_t lane, const ContactRecord& contact,
+              const BodyStore& bodies, const Space& space) {
+    batch.bodyA[lane] = contact.bodyA;
+    batch.bodyB[lane] = contact.bodyB;
+    batch.friction[lane] = static_cast<float>(contact.friction);
+    batch.roundA[lane] = bodies.record[contact.bodyA].rho * space[contact.proxyA].convex.radius;
+    batch.roundB[lane] = bodies.record[contact.bodyB].rho * space[contact.proxyB].convex.radius;
+    batch.beltSpeed[lane] = contact.beltSpeed;
+    fillRolling(batch, lane, contact, bodies);
+    manifolds.restitution[lane] = static_cast<float>(contact.restitution);
+    manifolds.touching[lane] = contact.touching ? 1 : 0;
+    manifolds.count[lane] = contact.manifold.count;
+    for (std::size_t p = 0; p < 2; ++p) {
+        const ManifoldPoint& point = contact.manifold.points[p];
+        manifolds.points[p].x[lane] = point.position.x();
+        manifolds.points[p].y[lane] = point.position.y();
+        manifolds.points[p].feature[lane] = point.feature;
+        batch.points[p].normalImpulse[lane] = contact.memory[p].normalImpulse;
+        batch.points[p].tangentImpulse[lane] = contact.memory[p].tangentImpulse;
+    }
+}
+
+void setFresh(FreshLanes& fresh, std::size_t lane, const Manifold& manifold) {
+    fresh.normalX[lane] = manifold.normal.x();
+    fresh.normalY[lane] = manifold.normal.y();
+    fresh.count[lane] = manifold.count;
+    fresh.uncertain[lane] = 0;
+    for (std::size_t p = 0; p < 2; ++p) {
+        const ManifoldPoint& point = manifold.points[p];
+        fresh.points[p].x[lane] = point.position.x();
+        fresh.points[p].y[lane] = point.position.y();
+        fresh.points[p].separation[lane] = point.separation;
+        fresh.points[p].feature[lane] = point.feature;
+    }
+}
+
+void renewRho(ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies, const Space& space,
+              BodyIndex body) {
+    const float rho = bodies.record[body].rho;
+    forEachContact(bodies, contacts, body, [&](ContactIndex index) {
+        const ContactRecord& contact = contacts[index];
+        if (!contact.isSolved()) return;
+        ContactBatch& batch = graph.colours[contact.colour].batches[contact.slot / batchLanes];
+        const std::size_t lane = contact.slot % batchLanes;
+        const bool isA = contact.bodyA == body;
+        (isA ? batch.rollRhoA : batch.rollRhoB)[lane] = rho;
+        (isA ? batch.roundA : batch.roundB)[lane] = rho * space[isA ? contact.proxyA : contact.proxyB].convex.radius;
+    });
+}
+
+}  // namespace plumb

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/contacts/contact_rules.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumb {
+
+namespace {
+
+/// Cosine of the angle from a one-way direction within which it is solid [-].
+constexpr double widest = 0.5;
+/// Cosine of the angle from straight down within which a way leads onto the end of a line, and not past it [-].
+constexpr double steep = 0.866;
+/// A contact leans out over an end by more than this: a body at rest trembles less [rad].
+constexpr double leaning = 0.02;
+/// What overlaps by no more than this has just been let up, or stands at a seam [m].
+constexpr double slop = 5e-3;
+
+/// A shape, and the other as it comes.
+struct Side {
+    const Proxy& own;
+    const Proxy& other;
+    Vec2 normal;    ///< from its own shape to the other
+    Vec2 velocity;  ///< of the other
+};
+
+std::array<Side, 2> sidesOf(const Proxy& a, const Proxy& b, const Face& face) {
+    return {Side{a, b, face.normal, face.velocity}, Side{b, a, -face.normal, -face.velocity}};
+}
+
+/// Is it at the end of a line that does not go on?
+bool isAtEnd(const Side& side, const Rot& rotation) {
+    const auto* line = std::get_if<Segment>(&side.own.def.shape);
+    if (line == nullptr) return false;
+    const Vec2 along = rotation * Vec2(line->end - line->start);
+    const double lean = side.normal.dot(along);
+    if (std::fabs(lean) < leaning * along.norm()) return false;
+    return !(lean > 0 ? line->after : line->before);
+}
+
+/// Does it come down onto what is open there? What comes from the side, with a part of it below, passes the end.
+bool comesDown(const Side& side, const Vec2& open) {
+    return -side.velocity.dot(open) >= steep * side.velocity.norm() * open.norm();
+}
+
+}  // namespace
+
+Face faceOf(const BodyStore& bodies, const ContactRecord& contact, const Manifold& manifold) {
+    const ManifoldPoint& first = manifold.points[0];
+    const ManifoldPoint& second = manifold.points[1];
+    const ManifoldPoint& nearest = manifold.count > 1 && second.separation < first.separation ? second : first;
+    const BodyMotion& ma = bodies.motion[contact.bodyA];
+    const BodyMotion mb = shifted(bodies.motion[contact.bodyB], contact.shift);
+    const Vec2 point = ma.center + ma.rotation * Vec2(nearest.position.cast<double>());
+    return {ma.rotation * Vec2(manifold.normal.cast<double>()), velocityAt(mb, point) - velocityAt(ma, point),
+            static_cast<double>(nearest.separation)};
+}
+
+bool hasRule(const ShapeDef& shape) {
+    return shape.rule != nullptr || shape.oneWay.has_value();
+}
+
+bool rulesAdmit(const BodyStore& bodies, const Proxy& a, const Proxy& b, const Face& face) {
+    const std::array<Side, 2> sides = sidesOf(a, b, face);
+    return std::all_of(sides.begin(), sides.end(), [&](const Side& side) {
+        if (side.own.def.rule == nullptr) return true;
+        ContactQuestion question;
+        question.normal = side.normal;
+        question.localNormal = bodies.motion[side.own.owner].rotation.inverse() * side.normal;
+        question.velocity = side.velocity;
+        question.separation = face.separation;
+        question.tag = side.own.def.tag;
+        question.otherTag = side.other.def.tag;
+        return side.own.def.rule(question);
+    });
+}
+
+bool comesFromOpenSide(const BodyStore& bodies, const Proxy& a, const Proxy& b, const Face& face, bool wasSolid) {
+    const std::array<Side, 2> sides = sidesOf(a, b, face);
+    return std::all_of(sides.begin(), sides.end(), [&](const Side& side) {
+        if (!side.own.def.oneWay) return true;
+        const Rot& rotation = bodies.motion[side.own.owner].rotation;
+        const Vec2 open = rotation * *side.own.def.oneWay;
+        const bool above = side.normal.dot(open) >= widest * open.norm();
+        if (!above || wasSolid) return above;
+        return face.separation >= -slop && (!isAtEnd(side, rotation) || comesDown(side, open));
+    });
+}
+
+bool isSolid(ContactStore& contacts, const BodyStore& bodies, const Space& space, ContactIndex index,
+             const Face& face) {
+    ContactRecord& contact = contacts[index];
+    const Proxy& a = space[contact.proxyA];
+    const Proxy& b = space[contact.proxyB];
+    if (contact.verdict == Verdict::Open) {
+        contacts.judged.push_back(index);
+        if (!rulesAdmit(bodies, a, b, face)) contact.verdict = Verdict::Refused;
+    }
+    if (contact.verdict == Verdict::Refused) return false;
+    const bool was = contact.verdict == Verdict::Solid;
+    const bool solid = comesFromOpenSide(bodies, a, b, face, was);
+    contact.verdict = solid ? Verdict::Solid : Verdict::Through;
+    return solid;
+}
+
+std::vector<ContactIndex> findLetThrough(ContactStore& contacts, const ContactGraph& graph, const BodyStore& bodies,
+                                         const Space& space) {
+    std::vector<ContactIndex> through;
+    for (const ContactIndex index : contacts.judged) {
+        const ContactRecord& contact = contacts[index];
+        if (!contact.isSolved()) continue;
+        const Manifold manifold = graph.manifoldOf(contact);
+        if (manifold.count == 0) continue;
+        if (!isSolid(contacts, bodies, space, index, faceOf(bodies, contact, manifold))) through.push_back(index);
+    }
+    return through;
+}
+
+void dropVerdicts(ContactStore& contacts, const ContactGraph& graph) {
+    std::erase_if(contacts.judged, [&](ContactIndex index) {
+        ContactRecord& contact = contacts[index];
+        const bool parted =
+            contact.isSolved() ? graph.manifoldOf(contact).count == 0 : contact.isNear() && !contact.met;
+        if (parted) contact.verdict = Verdict::Open;
+        return parted;
+    });
+}
+
+}  // namespace plumb

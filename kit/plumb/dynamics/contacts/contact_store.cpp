@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/contacts/contact_store.h>
+
+namespace plumb {
+
+namespace {
+
+std::size_t at(int side) {
+    return static_cast<std::size_t>(side);
+}
+
+void link(BodyStore& bodies, ContactStore& store, ContactIndex contact, int side, BodyIndex body) {
+    ContactRecord& c = store[contact];
+    const ContactIndex head = bodies.links[body].firstContact;
+    c.previous[at(side)] = none;
+    c.next[at(side)] = head;
+    if (head != none) store[head].previous[at(store.side(head, body))] = contact;
+    bodies.links[body].firstContact = contact;
+}
+
+void unlink(BodyStore& bodies, ContactStore& store, ContactIndex contact, int side, BodyIndex body) {
+    const ContactIndex previous = store[contact].previous[at(side)];
+    const ContactIndex next = store[contact].next[at(side)];
+    if (previous != none)
+        store[previous].next[at(store.side(previous, body))] = next;
+    else
+        bodies.links[body].firstContact = next;
+    if (next != none) store[next].previous[at(store.side(next, body))] = previous;
+}
+
+std::int32_t discsOf(BoxOutline::Kind a, BoxOutline::Kind b) {
+    using Kind = BoxOutline::Kind;
+    if (b == Kind::Disc && a != Kind::Other) return discSecond;
+    return a == Kind::Disc && b != Kind::Other ? discFirst : noDisc;
+}
+
+}  // namespace
+
+ContactIndex ContactStore::add(BodyStore& bodies, const ContactRecord& contact) {
+    ContactIndex index = static_cast<ContactIndex>(records.size());
+    if (free.empty()) {
+        records.push_back(contact);
+    } else {
+        index = free.back();
+        free.pop_back();
+        records[index] = contact;
+    }
+    records[index].state = ContactState::Asleep;
+    link(bodies, *this, index, 0, contact.bodyA);
+    link(bodies, *this, index, 1, contact.bodyB);
+    return index;
+}
+
+void ContactStore::remove(BodyStore& bodies, ContactIndex contact) {
+    removeNear(contact);
+    if (records[contact].verdict != Verdict::Open) std::erase(judged, contact);
+    unlink(bodies, *this, contact, 0, records[contact].bodyA);
+    unlink(bodies, *this, contact, 1, records[contact].bodyB);
+    records[contact].state = ContactState::Free;
+    free.push_back(contact);
+}
+
+void ContactStore::addNear(ContactIndex contact) {
+    ContactRecord& c = records[contact];
+    if (c.state != ContactState::Asleep) return;
+    if (!c.watched && (c.touching || c.manifold.count > 0)) {
+        c.watched = true;
+        watched.push_back(contact);
+    }
+    c.met = false;
+    NearPairs& near = nearOf(c);
+    const std::size_t slot = near.contactOf.size();
+    c.state = ContactState::Near;
+    c.slot = static_cast<std::uint32_t>(slot);
+    near.contactOf.push_back(contact);
+    if (slot % batchLanes == 0) near.lanes.push_back(PairLanes{});
+    fillPair(*this, c, near.lanes.back(), slot % batchLanes);
+}
+
+void ContactStore::removeNear(ContactIndex contact) {
+    ContactRecord& c = records[contact];
+    if (!c.isNear()) return;
+    NearPairs& near = nearOf(c);
+    const std::size_t slot = c.slot, last = near.contactOf.size() - 1;
+    near.contactOf[slot] = near.contactOf[last];
+    records[near.contactOf[slot]].slot = static_cast<std::uint32_t>(slot);
+    near.contactOf.pop_back();
+    c.state = ContactState::Asleep;
+    copyLane(near.lanes[slot / batchLanes], slot % batchLanes, near.lanes.back(), last % batchLanes, pairRows);
+    copyLane(near.lanes.back(), last % batchLanes, PairLanes{}, 0, pairRows);
+    if (last % batchLanes == 0) near.lanes.pop_back();
+}
+
+void fillPair(const ContactStore& store, const ContactRecord& contact, PairLanes& pairs, std::size_t lane) {
+    const BoxOutline& a = store.boxes[contact.proxyA];
+    const BoxOutline& b = store.boxes[contact.proxyB];
+    pairs.bodyA[lane] = contact.bodyA;
+    pairs.bodyB[lane] = contact.bodyB;
+    pairs.halfXA[lane] = a.halfX;
+    pairs.halfYA[lane] = a.halfY;
+    pairs.halfXB[lane] = b.halfX;
+    pairs.halfYB[lane] = b.halfY;
+    pairs.radiusA[lane] = a.radius;
+    pairs.radiusB[lane] = b.radius;
+    pairs.discs[lane] = discsOf(a.kind, b.kind);
+    pairs.centerXA[lane] = a.centerX;
+    pairs.centerYA[lane] = a.centerY;
+    pairs.centerXB[lane] = b.centerX;
+    pairs.centerYB[lane] = b.centerY;
+    pairs.proxyA[lane] = contact.proxyA;
+    pairs.proxyB[lane] = contact.proxyB;
+}
+
+}  // namespace plumb

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// Where does a disc touch a disc, or a box with or without a radius around it, W pairs at a time?
+//
+// The manifold of collide/manifold.h, which it agrees with: one point, on the line from the disc's centre to the
+// nearest point of the box; from inside, through the nearest face. A disc is a box without extent. Test: "discs side by
+// side have the manifolds that they have one by one"
+#pragma once
+#include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
+#include <plumb/dynamics/contacts/lanes/relative_lanes.h>
+
+namespace plumb {
+
+template <int W>
+struct DiscCollider {
+    using F = typename Wide<W>::Float;
+    using I = typename Wide<W>::Int;
+    using M = typename Wide<W>::Mask;
+
+    static F all(float value) { return F{} + value; }
+    static F at(const float* lanes) { return loadLanes<W>(lanes); }
+
+    /// The disc's centre as seen from the box's, in the box's frame.
+    struct View {
+        F px, py, hx, hy;
+    };
+
+    /// From the box's core to the disc's centre.
+    struct Nearest {
+        F nx, ny, distance;
+    };
+
+    static View view(const RelativeLanes<W>& r, const PairLanes& m, int lane, M boxIsB) {
+        const F cax = at(m.centerXA + lane), cay = at(m.centerYA + lane);
+        const F cbx = at(m.centerXB + lane), cby = at(m.centerYB + lane);
+        const F fromAX = (r.dx + (r.cos * cbx - r.sin * cby)) - cax,
+                fromAY = (r.dy + (r.sin * cbx + r.cos * cby)) - cay;
+        View v;
+        v.px = boxIsB ? -(r.cos * fromAX + r.sin * fromAY) : fromAX;
+        v.py = boxIsB ? r.sin * fromAX - r.cos * fromAY : fromAY;
+        v.hx = boxIsB ? at(m.halfXB + lane) : at(m.halfXA + lane);
+        v.hy = boxIsB ? at(m.halfYB + lane) : at(m.halfYA + lane);
+        return v;
+    }
+
+    static F within(F p, F half) { return larger(smaller(p, half), -half); }
+    static F signOf(F p) {
+        const M negative = p < F{};
+        return negative ? all(-1) : all(1);
+    }
+
+    static Nearest nearest(const View& v) {
+        constexpr float squaresUnderflow = 1e-18f;  // closer than this is inside
+        const F dx = v.px - within(v.px, v.hx), dy = v.py - within(v.py, v.hy);
+        const F distance = squareRoot<W>(dx * dx + dy * dy);
+        const M outside = distance > all(squaresUnderflow);
+        const F depthX = v.hx - magnitude(v.px), depthY = v.hy - magnitude(v.py);
+        const M throughX = depthX < depthY;
+        const F insideX = throughX ? signOf(v.px) : F{}, insideY = throughX ? F{} : signOf(v.py);
+        const F depth = throughX ? depthX : depthY;
+        Nearest n;
+        n.nx = outside ? dx / distance : insideX;
+        n.ny = outside ? dy / distance : insideY;
+        n.distance = outside ? distance : -depth;
+        return n;
+    }
+
+    /// As BoxCollider does: what cannot come together in this step will not touch in it; what may takes a closer look.
+    static void judge(const RelativeLanes<W>& r, F normalX, F normalY, F separation, int lane, FreshLanes& fresh) {
+        const F worldX = r.cosA * normalX - r.sinA * normalY, worldY = r.sinA * normalX + r.cosA * normalY;
+        const F closing = r.turn - (r.shiftX * worldX + r.shiftY * worldY);
+        const F margin = squareRoot<W>(r.shiftX * r.shiftX + r.shiftY * r.shiftY) + r.turn + contactMargin;
+        const M far = separation > all(contactMargin), open = separation > closing;
+        const M never = far ? open : M{};
+        const M near = separation <= margin;
+        const M there = never ? M{} : near;
+        const I one = I{} + 1;
+        const I count = there ? one : I{};
+        storeLanes(fresh.count + lane, count);
+        storeLanes(fresh.uncertain + lane, far ? count : I{});
+    }
+
+    static void collide(const PairLanes& m, int lane, const BodyPlace* places, FreshLanes& fresh) {
+        const RelativeLanes<W> r = relativeLanes<W>(m.bodyA + lane, m.bodyB + lane, places, &fresh, lane);
+        const M boxIsB = loadLanes<W>(m.discs + lane) == I{} + discFirst;
+        const View v = view(r, m, lane, boxIsB);
+        const Nearest n = nearest(v);
+        const F radiusA = at(m.radiusA + lane), radiusB = at(m.radiusB + lane);
+        const F separation = n.distance - radiusA - radiusB;
+        const F round = boxIsB ? radiusB : radiusA;
+        const F way = (round + separation * 0.5f) - n.distance;  // from the disc's centre to half way between surfaces
+        const F ownX = v.px + n.nx * way, ownY = v.py + n.ny * way;
+        const F x = ownX + (boxIsB ? at(m.centerXB + lane) : at(m.centerXA + lane));
+        const F y = ownY + (boxIsB ? at(m.centerYB + lane) : at(m.centerYA + lane));
+        const F turnedX = (r.cos * x - r.sin * y) + r.dx, turnedY = (r.sin * x + r.cos * y) + r.dy;
+        const F normalX = boxIsB ? -(r.cos * n.nx - r.sin * n.ny) : n.nx;
+        const F normalY = boxIsB ? -(r.sin * n.nx + r.cos * n.ny) : n.ny;
+        storeLanes(fresh.normalX + lane, normalX);
+        storeLanes(fresh.normalY + lane, normalY);
+        judge(r, normalX, normalY, separation, lane, fresh);
+        FreshPoint& point = fresh.points[0];
+        storeLanes(point.x + lane, boxIsB ? turnedX : x);
+        storeLanes(point.y + lane, boxIsB ? turnedY : y);
+        storeLanes(point.separation + lane, separation);
+        storeLanes(point.feature + lane, I{});
+        FreshPoint& none = fresh.points[1];
+        storeLanes(none.x + lane, F{});
+        storeLanes(none.y + lane, F{});
+        storeLanes(none.separation + lane, F{});
+        storeLanes(none.feature + lane, I{});
+    }
+};
+
+}  // namespace plumb

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/contacts/lanes/contact_solver.h>
+
+#include <plumb/math/detail/for_lanes.h>
+#include <plumb/math/detail/wide_ops.h>
+
+namespace plumb {
+
+namespace {
+
+/// One lane's two bodies, on the way between memory and the formulas.
+struct Couple {
+    SolverVelocity a, b;
+    float nx, ny;
+};
+
+Couple load(const ContactBatch& batch, std::size_t lane, const SolverVelocity* velocity) {
+    return {velocity[batch.bodyA[lane]], velocity[batch.bodyB[lane]], batch.normalX[lane], batch.normalY[lane]};
+}
+
+void store(const ContactBatch& batch, std::size_t lane, const Couple& c, SolverVelocity* velocity) {
+    velocity[batch.bodyA[lane]] = c.a;
+    velocity[batch.bodyB[lane]] = c.b;
+}
+
+float normalSpeed(const Couple& c, const PointLanes& p, std::size_t lane) {
+    return (c.nx * (c.b.x - c.a.x) + c.ny * (c.b.y - c.a.y)) +
+           (p.anchorTangentA[lane] * c.a.w - p.anchorTangentB[lane] * c.b.w);
+}
+
+float tangentSpeed(const Couple& c, const PointLanes& p, std::size_t lane) {
+    return (c.nx * (c.b.y - c.a.y) - c.ny * (c.b.x - c.a.x)) +
+           (p.anchorNormalB[lane] * c.b.w - p.anchorNormalA[lane] * c.a.w);
+}
+
+void pushNormal(Couple& c, const PointLanes& p, std::size_t lane, float impulse) {
+    const float ja = c.a.inverseMass * impulse;
+    const float jb = c.b.inverseMass * impulse;
+    c.a.x -= ja * c.nx;
+    c.a.y -= ja * c.ny;
+    c.a.w += ja * p.anchorTangentA[lane];
+    c.b.x += jb * c.nx;
+    c.b.y += jb * c.ny;
+    c.b.w -= jb * p.anchorTangentB[lane];
+}
+
+void pushTangent(Couple& c, const PointLanes& p, std::size_t lane, float impulse) {
+    const float ja = c.a.inverseMass * impulse;
+    const float jb = c.b.inverseMass * impulse;
+    c.a.x += ja * c.ny;
+    c.a.y -= ja * c.nx;
+    c.a.w -= ja * p.anchorNormalA[lane];
+    c.b.x -= jb * c.ny;
+    c.b.y += jb * c.nx;
+    c.b.w += jb * p.anchorNormalB[lane];
+}
+
+void twist(Couple& c, const ContactBatch& batch, std::size_t lane, float impulse) {
+    c.a.w -= c.a.inverseMass * (batch.rollRhoA[lane] * impulse);
+    c.b.w += c.b.inverseMass * (batch.rollRhoB[lane] * impulse);
+}
+
+/// s = s0 + n.(dB - dA) + (n.r)(c - 1) - (t.r) sin for B, less the same for A, r to the core: as a disc rolls, its
+/// lowest point is ever another one, and only its centre is to be followed.
+float separationNow(const ContactBatch& batch, const PointLanes& p, std::size_t lane,
+                    const SolverDisplacement* displacement) {
+    const SolverDisplacement& a = displacement[batch.bodyA[lane]];
+    const SolverDisplacement& b = displacement[batch.bodyB[lane]];
+    const float shift = batch.normalX[lane] * (b.x - a.x) + batch.normalY[lane] * (b.y - a.y);
+    const float coreA = p.anchorNormalA[lane] - batch.roundA[lane];
+    const float coreB = p.anchorNormalB[lane] + batch.roundB[lane];
+    const float turnA = coreA * a.cosMinus1 - p.anchorTangentA[lane] * a.sin;
+    const float turnB = coreB * b.cosMinus1 - p.anchorTangentB[lane] * b.sin;
+    return p.startSeparation[lane] + (shift + (turnB - turnA));
+}
+
+/// What has been given in the first half of the sub-step, and the second may take back; 0 in the first half.
+struct Given {
+    float normal[2] = {0, 0}, tangent[2] = {0, 0};
+    float roll = 0;
+};
+
+void setNormal(Couple& c, PointLanes& p, std::size_t lane, float now) {
+    const float change = now - p.normalImpulse[lane];
+    p.normalImpulse[lane] = now;
+    pushNormal(c, p, lane, change);
+}
+
+/// Both halves together stay within the cone: mu times the normal impulse of both.
+void solveFriction(Couple& c, const ContactBatch& batch, PointLanes& p, std::size_t lane, float normalBefore,
+                   float before) {
+    const float old = p.tangentImpulse[lane];
+    const float limit = batch.friction[lane] * (normalBefore + p.normalImpulse[lane]);
+    const float belt = batch.belts ? batch.beltSpeed[lane] : 0.0f;
+    const float wanted = old - p.tangentMass[lane] * (tangentSpeed(c, p, lane) + belt);
+    const float now = larger(smaller(wanted, limit - before), -limit - before);
+    p.tangentImpulse[lane] = now;
+    pushTangent(c, p, lane, now - old);
+}
+
+/// A torque against rolling on each other, up to its reach times the normal impulse.
+void solveRolling(Couple& c, ContactBatch& batch, std::size_t lane, const Given& given) {
+    const float old = batch.rollImpulse[lane];
+    const float normal = (given.normal[0] + batch.points[0].normalImpulse[lane]) +
+                         (given.normal[1] + batch.points[1].normalImpulse[lane]);
+    const float limit = batch.rollReach[lane] * normal;
+    const float speed = batch.rollRhoB[lane] * c.b.w - batch.rollRhoA[lane] * c.a.w;
+    const float wanted = old - batch.rollMass[lane] * speed;
+    const float now = larger(smaller(wanted, limit - given.roll), -limit - given.roll);
+    batch.rollImpulse[lane] = now;
+    twist(c, batch, lane, now - old);
+}
+
+/// Friction comes second, so that even a contact's first sub-step has its normal force to go by.
+void solveAlong(Couple& c, ContactBatch& batch, std::size_t lane, const Given& given) {
+    for (int i = 0; i < 2; ++i) solveFriction(c, batch, batch.points[i], lane, given.normal[i], given.tangent[i]);
+    if (batch.rolls) solveRolling(c, batch, lane, given);
+}
+
+template <class Visit>
+void forEachLane(ContactBatch* batches, std::size_t count, Visit&& visit) {
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t lane = 0; lane < batchLanes; ++lane) visit(batches[i], lane);
+    }
+}
+
+void gatherWarmStart(const ContactBatch* batches, std::size_t count, const SolverBodies& bodies) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const ContactBatch& batch = batches[i];
+        for (std::size_t lane = 0; lane < batchLanes; ++lane) {
+            Couple couple = load(batch, lane, bodies.warm);
+            couple.a.inverseMass = bodies.velocity[batch.bodyA[lane]].inverseMass;
+            couple.b.inverseMass = bodies.velocity[batch.bodyB[lane]].inverseMass;
+            for (const PointLanes& p : batch.points) {
+                pushNormal(couple, p, lane, p.normalImpulse[lane]);
+                pushTangent(couple, p, lane, p.tangentImpulse[lane]);
+            }
+            if (batch.rolls) twist(couple, batch, lane, batch.rollImpulse[lane]);
+            couple.a.inverseMass = couple.b.inverseMass = 0;
+            store(batch, lane, couple, bodies.warm);
+        }
+    }
+}
+
+void solve(ContactBatch* batches, std::size_t count, const SolverBodies& bodies, const ContactPass& pass) {
+    forEachLane(batches, count, [&](ContactBatch& batch, std::size_t lane) {
+        Couple couple = load(batch, lane, bodies.velocity);
+        for (PointLanes& p : batch.points) {
+            const float s = p.separation[lane];
+            const bool apart = s > 0;
+            const float bias = apart ? s * pass.inverseStep : larger(pass.soft.biasRate * s, -pass.pushSpeed);
+            const float massScale = apart ? 1.0f : pass.soft.massScale;
+            const float impulseScale = apart ? 0.0f : pass.soft.impulseScale;
+            const float old = p.normalImpulse[lane];
+            const float change =
+                -(p.normalMass[lane] * massScale) * (normalSpeed(couple, p, lane) + bias) - impulseScale * old;
+            setNormal(couple, p, lane, larger(old + change, 0.0f));
+        }
+        solveAlong(couple, batch, lane, {});
+        store(batch, lane, couple, bodies.velocity);
+    });
+}
+
+void relax(ContactBatch* batches, std::size_t count, const SolverBodies& bodies, const ContactPass& pass) {
+    forEachLane(batches, count, [&](ContactBatch& batch, std::size_t lane) {
+        Couple couple = load(batch, lane, bodies.velocity);
+        Given given;  // the impulses are still those of the solve, given a second time as a first guess
+        given.roll = batch.rolls ? batch.rollImpulse[lane] : 0.0f;
+        for (int i = 0; i < 2; ++i) {
+            PointLanes& p = batch.points[i];
+            given.normal[i] = p.normalImpulse[lane];
+            given.tangent[i] = p.tangentImpulse[lane];
+            const float s = separationNow(batch, p, lane, bodies.displacement);
+            p.separation[lane] = s;
+            const float speed = normalSpeed(couple, p, lane) + larger(s, 0.0f) * pass.inverseStep;
+            setNormal(couple, p, lane, larger(given.normal[i] - p.normalMass[lane] * speed, -given.normal[i]));
+        }
+        solveAlong(couple, batch, lane, given);
+        for (int i = 0; i < 2; ++i) {
+            PointLanes& p = batch.points[i];
+            p.totalNormal[lane] += given.normal[i] + p.normalImpulse[lane];
+            p.totalTangent[lane] += given.tangent[i] + p.tangentImpulse[lane];
+            if (given.normal[i] > 0 || p.normalImpulse[lane] > 0) batch.pushed[lane] = -1;
+        }
+        store(batch, lane, couple, bodies.velocity);
+    });
+}
+
+void bounce(ContactBatch* batches, std::size_t count, const SolverBodies& bodies) {
+    forEachLane(batches, count, [&](ContactBatch& batch, std::size_t lane) {
+        if (!batch.bounces) return;
+        Couple couple = load(batch, lane, bodies.velocity);
+        for (PointLanes& p : batch.points) {
+            const float old = p.totalNormal[lane];
+            const bool bounces = p.bounceSpeed[lane] > 0 && old > 0;
+            const float change = -p.normalMass[lane] * (normalSpeed(couple, p, lane) - p.bounceSpeed[lane]);
+            const float now = bounces ? larger(old + change, 0.0f) : old;
+            p.totalNormal[lane] = now;
+            pushNormal(couple, p, lane, now - old);
+        }
+        store(batch, lane, couple, bodies.velocity);
+    });
+}
+
+}  // namespace
+
+const ContactSolver scalarContactSolver{gatherWarmStart, solve, relax, bounce};
+
+const ContactSolver& contactSolver(int lanes) {
+#if defined(__GNUC__)
+    return forLanes(lanes, scalarContactSolver, WideContactSolver<4>::solver, WideContactSolver<8>::solver,
+                    WideContactSolver<16>::solver);
+#else
+    (void)lanes;
+    return scalarContactSolver;
+#endif
+}
+
+}  // namespace plumb

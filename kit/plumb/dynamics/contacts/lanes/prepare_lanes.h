@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// What does the solver need to know of fresh manifolds, W lanes at a time? Impulses follow their points into the new
+// manifold; anchors, effective masses and separations are worked out for the step.
+#pragma once
+#include <plumb/dynamics/bodies/solver_body.h>
+#include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
+#include <plumb/dynamics/contacts/lanes/relative_lanes.h>
+
+namespace plumb {
+
+template <int W>
+struct LanePreparer {
+    using F = typename Wide<W>::Float;
+    using I = typename Wide<W>::Int;
+    using M = typename Wide<W>::Mask;
+
+    /// This near counts as just touching: what hits there is stopped hard, as what still has a gap is [m].
+    static constexpr float justTouching = 1e-5f;
+    /// What overlaps by more than this is no impact any more [m].
+    static constexpr float deep = 1e-4f;
+
+    static F all(float value) { return F{} + value; }
+    static I whole(int value) { return I{} + value; }
+    static F at(const float* lanes) { return loadLanes<W>(lanes); }
+
+    /// Which point of the manifold before is which of these, found so far.
+    struct Matches {
+        M same[2][2];    ///< [p][q]: point p is the successor of the old point q
+        M single[2];     ///< p has no predecessor
+        M unclaimed[2];  ///< q has no successor
+
+        void claim(int p, int q, M wanted) {
+            const M free = single[p] ? unclaimed[q] : M{};
+            const M gets = free ? wanted : M{};
+            same[p][q] = gets ? gets : same[p][q];
+            unclaimed[q] = gets ? M{} : unclaimed[q];
+            single[p] = gets ? M{} : single[p];
+        }
+    };
+
+    /// Are there a new point p and an old point q?
+    static M bothThere(I count, I wasCount, int p, int q) {
+        const M there = count > whole(p);
+        const M was = wasCount > whole(q);
+        return there ? was : M{};
+    }
+
+    static M nearEachOther(const FreshPoint& p, const ManifoldPointLanes& q, int lane) {
+        const F x = at(p.x + lane) - at(q.x + lane);
+        const F y = at(p.y + lane) - at(q.y + lane);
+        return x * x + y * y < all(contactMargin * contactMargin);
+    }
+
+    /// Those of the same features; and then, as where a box that sits almost flush on its like is cut by now the one's
+    /// corner and now the other's, those that were here and are nobody's yet.
+    static Matches matches(const FreshLanes& fresh, const ManifoldLanes& was, int lane) {
+        const I count = loadLanes<W>(fresh.count + lane), wasCount = loadLanes<W>(was.count + lane);
+        const M yes = count == count;
+        Matches found{{{M{}, M{}}, {M{}, M{}}}, {yes, yes}, {yes, yes}};
+        for (int p = 0; p < 2; ++p) {
+            const I feature = loadLanes<W>(fresh.points[p].feature + lane);
+            for (int q = 0; q < 2; ++q) {
+                const M same = feature == loadLanes<W>(was.points[q].feature + lane);
+                const M both = bothThere(count, wasCount, p, q);
+                found.claim(p, q, both ? same : M{});
+            }
+        }
+        for (int p = 0; p < 2; ++p) {
+            for (int q = 0; q < 2; ++q) {
+                const M near = nearEachOther(fresh.points[p], was.points[q], lane);
+                const M both = bothThere(count, wasCount, p, q);
+                found.claim(p, q, both ? near : M{});
+            }
+        }
+        return found;
+    }
+
+    static void carry(ContactBatch& batch, int lane, const Matches& found) {
+        PointLanes& first = batch.points[0];
+        PointLanes& second = batch.points[1];
+        const F normal[2] = {at(first.normalImpulse + lane), at(second.normalImpulse + lane)};
+        const F tangent[2] = {at(first.tangentImpulse + lane), at(second.tangentImpulse + lane)};
+        for (int p = 0; p < 2; ++p) {
+            const M one = found.same[p][0], two = found.same[p][1];
+            const F secondNormal = two ? normal[1] : F{}, secondTangent = two ? tangent[1] : F{};
+            const F carriedNormal = one ? normal[0] : secondNormal, carriedTangent = one ? tangent[0] : secondTangent;
+            storeLanes(batch.points[p].normalImpulse + lane, carriedNormal);
+            storeLanes(batch.points[p].tangentImpulse + lane, carriedTangent);
+        }
+    }
+
+    /// The two bodies and the contact's normal, for the formulas.
+    struct Sides {
+        Rows<W> velocityA, velocityB;
+        F rhoA, rhoB;
+        F nx, ny;
+        F resting;  ///< approach at less than what half a step's acceleration gives is no impact [m/s]
+        F press;    ///< approach speed that their accelerations give in a step [m/s]
+    };
+
+    static Sides sides(const ContactBatch& batch, int lane, const BodyPlace* places, const SolverVelocity* velocity,
+                       F nx, F ny) {
+        Sides s;
+        const float* rows = &places->highX;
+        s.velocityA = loadRows<W>(&velocity->x, batch.bodyA + lane);
+        s.velocityB = loadRows<W>(&velocity->x, batch.bodyB + lane);
+        s.rhoA = loadRows<W, 16>(rows + 4, batch.bodyA + lane).z;
+        s.rhoB = loadRows<W, 16>(rows + 4, batch.bodyB + lane).z;
+        const Rows<W> pullA = loadRows<W, 16>(rows + 12, batch.bodyA + lane);
+        const Rows<W> pullB = loadRows<W, 16>(rows + 12, batch.bodyB + lane);
+        s.nx = nx;
+        s.ny = ny;
+        const F alongA = pullA.x * nx + pullA.y * ny, alongB = pullB.x * nx + pullB.y * ny;
+        s.resting = larger(magnitude(alongA), magnitude(alongB));
+        s.press = 2 * (alongA - alongB);
+        return s;
+    }
+
+    /// Would the point's bounce outlast the step, if it were alone? What overlaps and parts is for the solver.
+    static M isClear(const Sides& s, F opening, F separation, F restitution, float inverseStep) {
+        const F fall = larger(s.press * separation * inverseStep, F{});
+        const F squared = opening * opening + 2 * fall;
+        const M high = 4 * restitution * restitution * squared >= s.press * larger(s.press, F{});
+        const M parts = opening >= F{};
+        const M overlaps = separation < all(-deep);
+        const M pushed = overlaps ? parts : M{};
+        return pushed ? M{} : high;
+    }
+
+    /// Fills a point's lanes; gives the speed at which it opens.
+    static F preparePoint(PointLanes& p, int lane, const Sides& s, F rax, F ray, F rbx, F rby, F separation,
+                          F restitution, M present) {
+        const F normalA = s.rhoA * (s.nx * rax + s.ny * ray), tangentA = s.rhoA * (s.nx * ray - s.ny * rax);
+        const F normalB = s.rhoB * (s.nx * rbx + s.ny * rby), tangentB = s.rhoB * (s.nx * rby - s.ny * rbx);
+        const F ma = s.velocityA.w, mb = s.velocityB.w;
+        const F normalInverse = ma * (tangentA * tangentA + 1.0f) + mb * (tangentB * tangentB + 1.0f);
+        const F tangentInverse = ma * (normalA * normalA + 1.0f) + mb * (normalB * normalB + 1.0f);
+        const F opening = (s.nx * (s.velocityB.x - s.velocityA.x) + s.ny * (s.velocityB.y - s.velocityA.y)) +
+                          (tangentA * s.velocityA.z - tangentB * s.velocityB.z);
+        const F parting = restitution * -opening;
+        const M fast = -opening > s.resting, near = separation > all(-justTouching);
+        const M hits = fast ? near : M{};
+        const F start = hits ? larger(separation, all(1e-9f)) : separation;
+        const F target = parting > s.resting ? parting : F{};
+        storeLanes(p.anchorNormalA + lane, normalA);
+        storeLanes(p.anchorTangentA + lane, tangentA);
+        storeLanes(p.anchorNormalB + lane, normalB);
+        storeLanes(p.anchorTangentB + lane, tangentB);
+        storeLanes(p.normalMass + lane, present ? 1.0f / normalInverse : F{});
+        storeLanes(p.tangentMass + lane, present ? 1.0f / tangentInverse : F{});
+        storeLanes(p.startSeparation + lane, present ? start : F{});
+        storeLanes(p.separation + lane, present ? start : F{});
+        storeLanes(p.totalNormal + lane, F{});
+        storeLanes(p.totalTangent + lane, F{});
+        storeLanes(p.bounceSpeed + lane, present ? target : F{});
+        return opening;
+    }
+
+    static void prepare(ContactBatch& batch, ManifoldLanes& m, int lane, const BodyPlace* places,
+                        const SolverVelocity* velocity, const FreshLanes& fresh, float inverseStep) {
+        carry(batch, lane, matches(fresh, m, lane));
+        const RelativeLanes<W> r = relativeLanes<W>(batch.bodyA + lane, batch.bodyB + lane, places, &fresh, lane);
+        const F localX = at(fresh.normalX + lane), localY = at(fresh.normalY + lane);
+        const F nx = r.cosA * localX - r.sinA * localY, ny = r.sinA * localX + r.cosA * localY;
+        const Sides s = sides(batch, lane, places, velocity, nx, ny);
+        const I count = loadLanes<W>(fresh.count + lane);
+        storeLanes(batch.normalX + lane, nx);
+        storeLanes(batch.normalY + lane, ny);
+        storeLanes(m.normalX + lane, localX);
+        storeLanes(m.normalY + lane, localY);
+        storeLanes(m.count + lane, count);
+        storeLanes(batch.pushed + lane, I{});
+        const F restitution = at(m.restitution + lane);
+        F approach = F{};
+        M clear = restitution > F{};
+        for (int i = 0; i < 2; ++i) {
+            const FreshPoint& point = fresh.points[i];
+            const F x = at(point.x + lane), y = at(point.y + lane), separation = at(point.separation + lane);
+            const F rax = r.cosA * x - r.sinA * y, ray = r.sinA * x + r.cosA * y;
+            const M present = count > whole(i);
+            const F opening = preparePoint(batch.points[i], lane, s, rax, ray, rax - r.apartX, ray - r.apartY,
+                                           separation, restitution, present);
+            const F speed = present ? -opening : F{};
+            approach = larger(approach, speed);
+            const M free = isClear(s, opening, separation, restitution, inverseStep);
+            const M held = free ? M{} : present;
+            clear = held ? M{} : clear;
+            storeLanes(m.points[i].x + lane, x);
+            storeLanes(m.points[i].y + lane, y);
+            storeLanes(m.points[i].feature + lane, loadLanes<W>(point.feature + lane));
+        }
+        storeLanes(m.approachSpeed + lane, approach);
+        const M some = count > I{};
+        const M flies = some ? clear : M{};
+        storeLanes(m.clear + lane, flies ? whole(1) : I{});
+    }
+};
+
+}  // namespace plumb

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/contacts/pairs.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include <plumb/dynamics/contacts/contact_rules.h>
+
+namespace plumb {
+
+namespace {
+
+/// More friction than this makes no difference, and might leave the solver's floats [-].
+constexpr double roughest = 1e6;
+
+double mixed(double a, double b, Mix ruleA, Mix ruleB) {
+    switch (std::max(ruleA, ruleB)) {
+        case Mix::Average: return 0.5 * (a + b);
+        case Mix::GeometricMean: return std::sqrt(a * b);
+        case Mix::Minimum: return std::min(a, b);
+        case Mix::Product: return a * b;
+        case Mix::Maximum: return std::max(a, b);
+    }
+    return 0;
+}
+
+/// Both radii of rounding: what rolls on what.
+double roundingOf(const Proxy& a, const Proxy& b) {
+    return static_cast<double>(std::max(a.convex.radius, b.convex.radius));
+}
+
+ContactRecord contactOf(const ContactStore& contacts, const Space& space, const ShiftedShapes& pair) {
+    const Proxy& a = space[pair.shapes.a];
+    const Proxy& b = space[pair.shapes.b];
+    ContactRecord contact;
+    contact.proxyA = pair.shapes.a;
+    contact.proxyB = pair.shapes.b;
+    contact.bodyA = a.owner;
+    contact.bodyB = b.owner;
+    contact.shift = pair.shift;
+    const auto isBox = [&](ProxyId proxy) { return contacts.boxes[proxy].kind == BoxOutline::Kind::Box; };
+    contact.boxes = isBox(pair.shapes.a) && isBox(pair.shapes.b);
+    contact.ruled = hasRule(a.def) || hasRule(b.def);
+    mixMaterials(space, contact);
+    return contact;
+}
+
+bool isPaired(const ContactStore& contacts, const BodyStore& bodies, const Space& space, ProxyId a, ProxyId b,
+              const Vec2& shift) {
+    const BodyIndex owner = space[a].owner;
+    const BodyIndex body = bodies.isDynamic(owner) ? owner : space[b].owner;
+    bool paired = false;
+    forEachContact(bodies, contacts, body, [&](ContactIndex index) {
+        const ContactRecord& contact = contacts[index];
+        paired = paired || (contact.proxyA == a && contact.proxyB == b && contact.shift == shift) ||
+                 (contact.proxyA == b && contact.proxyB == a && contact.shift == -shift);
+    });
+    return paired;
+}
+
+/// The one of the lower id first; shift: of b.
+ShiftedShapes inOrder(ProxyId a, ProxyId b, const Vec2& shift) {
+    return a < b ? ShiftedShapes{{a, b}, shift} : ShiftedShapes{{b, a}, -shift};
+}
+
+}  // namespace
+
+PairKind addPair(ContactStore& contacts, BodyStore& bodies, const Space& space, const ShiftedShapes& pair) {
+    const Proxy& first = space[pair.shapes.a];
+    const Proxy& second = space[pair.shapes.b];
+    if (first.def.sensor || second.def.sensor) return PairKind::AtSensor;
+    const BodyIndex a = first.owner, b = second.owner;
+    if (!bodies.isDynamic(a) && !bodies.isDynamic(b)) return PairKind::Nothing;
+    if (bodies.areKeptApart(a, b)) return PairKind::Nothing;
+    const ContactIndex index = contacts.add(bodies, contactOf(contacts, space, pair));
+    if (!bodies.record[a].awake && !bodies.record[b].awake)
+        return bodies.isDynamic(a) && bodies.isDynamic(b) ? PairKind::Contact : PairKind::AtSleeper;
+    contacts.addNear(index);
+    return PairKind::Contact;
+}
+
+std::vector<ShiftedShapes> pairsOfBodies(const BodyStore& bodies, const Space& space, BodyIndex a, BodyIndex b) {
+    std::vector<ShiftedShapes> pairs;
+    if (!bodies.record[a].enabled || !bodies.record[b].enabled) return pairs;
+    const auto isSensor = [&space](ProxyId proxy) { return space[proxy].def.sensor; };
+    for (const ProxyId pa : bodies.links[a].proxies)
+        for (const ProxyId pb : bodies.links[b].proxies)
+            if (!isSensor(pa) && !isSensor(pb) && mayPair(space[pa], space[pb]))
+                space.forEachPreviousShift(pa, pb, [&](const Vec2& shift) { pairs.push_back(inOrder(pa, pb, shift)); });
+    return pairs;
+}
+
+std::vector<ShiftedShapes> pairsOfShape(const ContactStore& contacts, const BodyStore& bodies, const Space& space,
+                                        ProxyId proxy) {
+    struct Other {
+        ProxyId proxy;
+        Vec2 shift;
+    };
+    std::vector<Other> others;
+    space.query(space.box(proxy), [&](ProxyId other, const Vec2& shift) {
+        if (mayPair(space[proxy], space[other]) && space.previousBoxesOverlap(proxy, other, shift))
+            others.push_back({other, shift});
+    });
+    std::sort(others.begin(), others.end(), [](const Other& a, const Other& b) {
+        return std::tuple(a.proxy, a.shift.x(), a.shift.y()) < std::tuple(b.proxy, b.shift.x(), b.shift.y());
+    });
+    const auto same = [](const Other& a, const Other& b) { return a.proxy == b.proxy && a.shift == b.shift; };
+    others.erase(std::unique(others.begin(), others.end(), same), others.end());
+    std::vector<ShiftedShapes> pairs;
+    for (const Other& other : others)
+        if (!isPaired(contacts, bodies, space, proxy, other.proxy, other.shift))
+            pairs.push_back(inOrder(proxy, other.proxy, other.shift));
+    return pairs;
+}
+
+void mixMaterials(const Space& space, ContactRecord& contact) {
+    const Proxy& a = space[contact.proxyA];
+    const Proxy& b = space[contact.proxyB];
+    const Material& ma = a.def.material;
+    const Material& mb = b.def.material;
+    contact.friction = std::min(mixed(ma.friction, mb.friction, ma.frictionMix, mb.frictionMix), roughest);
+    contact.restitution = mixed(ma.restitution, mb.restitution, ma.restitutionMix, mb.restitutionMix);
+    const double reach = std::max(ma.rollingResistance, mb.rollingResistance) * roundingOf(a, b);
+    contact.rollingReach = static_cast<float>(std::min(reach, roughest));
+    contact.beltSpeed = static_cast<float>(ma.surfaceSpeed + mb.surfaceSpeed);
+}
+
+}  // namespace plumb

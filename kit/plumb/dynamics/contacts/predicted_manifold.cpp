@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/contacts/predicted_manifold.h>
+
+#include <algorithm>
+
+#include <plumb/dynamics/bodies/time_of_impact.h>
+#include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
+
+namespace plumb {
+
+namespace {
+
+FlyingShape flyingShape(const BodyStore& bodies, BodyIndex body, const Proxy& proxy) {
+    const BodyRecord& record = bodies.record[body];
+    FlyingShape shape;
+    shape.shape = &proxy.def.shape;
+    shape.localCenter = record.localCenter;
+    shape.extent = record.extent;
+    shape.from = bodies.motion[body];
+    if (record.awake) shape.law = flightLawOf(bodies, body);
+    return shape;
+}
+
+}  // namespace
+
+RelativePose relativePose(const BodyMotion& a, const BodyMotion& b) {
+    const Rot toA = a.rotation.inverse();
+    const Vec2 shift = toA * Vec2(b.center - a.center);
+    const Rot turn = toA * b.rotation;
+    return {shift.cast<float>(), static_cast<float>(turn.cos), static_cast<float>(turn.sin)};
+}
+
+Manifold predictedManifold(const BodyStore& bodies, const Space& space, const ShapePair& pair, float margin,
+                           double dt) {
+    const Proxy& proxyA = space[pair.proxyA];
+    const Proxy& proxyB = space[pair.proxyB];
+    const FlyingShape a = flyingShape(bodies, pair.bodyA, proxyA);
+    FlyingShape b = flyingShape(bodies, pair.bodyB, proxyB);
+    b.from.center += Vec2(pair.shiftX, pair.shiftY);
+    const std::optional<double> time = timeOfImpact(a, b, 0, dt);
+    if (!time) return {};
+    const Encounter meeting = encounterAt(a, b, *time);
+    Manifold m = manifold(proxyA.convex, proxyB.convex, relativePose(meeting.a, meeting.b), contactMargin);
+    // Back to the step's start: how far each point of B still has to come along the normal. Points stay with A.
+    const Rot back = meeting.a.rotation * a.from.rotation.inverse();
+    const Vec2 normal = meeting.a.rotation * Vec2(m.normal.cast<double>());
+    for (ManifoldPoint& point : m.points) {
+        const Vec2 local = point.position.cast<double>();
+        const Vec2 at = meeting.a.center + meeting.a.rotation * local;
+        const Vec2 armB = (meeting.b.rotation.inverse() * b.from.rotation) * Vec2(at - meeting.b.center);
+        const Vec2 startA = a.from.center + back.inverse() * Vec2(at - meeting.a.center);
+        const Vec2 startB = b.from.center + armB;
+        point.separation += static_cast<float>((startB - startA).dot(normal));
+        point.separation = std::min(point.separation, margin);
+    }
+    m.normal = Vec2(back * Vec2(m.normal.cast<double>())).cast<float>();
+    return m;
+}
+
+}  // namespace plumb

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/contacts/stale_bounds.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <plumb/dynamics/contacts/bounds.h>
+#include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
+
+namespace plumb {
+
+namespace {
+
+void addStale(const Space& space, const BodyStore& bodies, BodyIndex body, std::vector<StaleBound>& bounds) {
+    const Transform pose = bodies.pose(body);
+    for (const ProxyId proxy : bodies.links[body].proxies) {
+        const Aabb box = aabbOf(space[proxy].def.shape, pose);
+        if (!contains(space.box(proxy), box)) bounds.push_back({proxy, box});
+    }
+}
+
+/// Is it so near to where it was predicted that its bounds hold it? Costs a look at three cache lines; a no is no
+/// proof. Bounds hold all between the step's start and the prediction, and half a contactMargin more all around.
+bool isSurelyWithin(const BodyStore& bodies, BodyIndex body) {
+    if (bodies.step[body].boundsPending) return false;
+    const BodyMotion& now = bodies.motion[body];
+    const BodyPlace& then = bodies.place[body];
+    const Vec2 shift = predictedShift(bodies, body);
+    const auto aside = [](double at, float high, float low, double predicted) {
+        const double moved = at - static_cast<double>(high) - static_cast<double>(low);
+        return std::max(std::min(predicted, 0.0) - moved, moved - std::max(predicted, 0.0));
+    };
+    const double x = aside(now.center.x(), then.highX, then.lowX, shift.x());
+    const double y = aside(now.center.y(), then.highY, then.lowY, shift.y());
+    // By the chord, which is how far a point turns that is 1 m from the centre.
+    const double cos = now.rotation.cos - static_cast<double>(then.cos);
+    const double sin = now.rotation.sin - static_cast<double>(then.sin);
+    const double turned = std::sqrt(cos * cos + sin * sin) * bodies.record[body].reach;
+    const double spare = 0.5 * static_cast<double>(contactMargin);
+    return std::max({x, y, 0.0}) + std::max(turned - static_cast<double>(then.turn), 0.0) < 0.99 * spare;
+}
+
+}  // namespace
+
+std::span<const StaleBound> StaleBounds::of(const Space& space, const BodyStore& bodies) const {
+    if (known_) return bounds_;
+    const std::lock_guard lock(mutex_);
+    if (known_) return bounds_;
+    bounds_.clear();
+    for (const BodyIndex body : bodies.awake)
+        if (!isSurelyWithin(bodies, body)) addStale(space, bodies, body, bounds_);
+    known_ = true;
+    return bounds_;
+}
+
+}  // namespace plumb

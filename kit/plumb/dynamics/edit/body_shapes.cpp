@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/edit/body_shapes.h>
+
+#include <algorithm>
+
+#include <plumb/dynamics/contacts/bounds.h>
+#include <plumb/dynamics/edit/edits.h>
+#include <plumb/dynamics/edit/joint_edits.h>
+#include <plumb/dynamics/edit/tile_shapes.h>
+#include <plumb/dynamics/sensors/sensors.h>
+#include <plumb/math/vec2f.h>
+#include <plumb/shapes/chain.h>
+
+namespace plumb {
+
+namespace {
+
+void removeAllPairs(WorldState& world, BodyIndex body) {
+    forEachContact(world.bodies, world.contacts, body, [&world](ContactIndex c) { removeContact(world, c); });
+    for (const ProxyId proxy : world.bodies.links[body].proxies) removeSensorPairs(world.sensors, proxy);
+}
+
+/// The body stays where it is; its centre of mass does not.
+void recenter(WorldState& world, BodyIndex body, const Vec2& localCenter) {
+    BodyRecord& record = world.bodies.record[body];
+    const Vec2 shift = localCenter - record.localCenter;
+    if (shift.isZero(0)) return;
+    BodyMotion& motion = world.bodies.motion[body];
+    const Vec2 moved = motion.rotation * shift;
+    motion.center += moved;
+    motion.velocity += perp(moved) * motion.angularVelocity;
+    record.localCenter = localCenter;
+    world.bodies.recenterPlace(body, shift);
+    for (const ProxyId proxy : world.bodies.links[body].proxies) {
+        world.space.change(proxy, record.type == BodyType::Static, localCenter);
+        outlinePiece(world, proxy, localCenter);
+    }
+    const Vec2f shiftF = shift.cast<float>();
+    forEachContact(world.bodies, world.contacts, body, [&](ContactIndex index) {
+        renewContact(world, index);
+        ContactRecord& contact = world.contacts[index];
+        if (contact.bodyA == body)
+            for (ManifoldPoint& point : contact.manifold.points) point.position -= shiftF;
+    });
+    measureAnew(world, body);
+    if (world.jointEdits != nullptr) world.jointEdits->shiftAnchors(world, body, shift);
+}
+
+}  // namespace
+
+ShapeDef shapeOf(const WorldState& world, std::span<const ProxyId> pieces) {
+    ShapeDef def = world.space[pieces.front()].def;
+    if (!world.space[pieces.front()].piece) return def;
+    const Proxy& first = world.space[pieces.front()];
+    if (const auto tiles = world.tiles.find({first.owner, first.number}); tiles != world.tiles.end())
+        return tiles->second.def;
+    Chain chain;
+    chain.closed = std::get<Segment>(def.shape).before.has_value();
+    for (const ProxyId piece : pieces) chain.points.push_back(std::get<Segment>(world.space[piece].def.shape).start);
+    if (!chain.closed) chain.points.push_back(std::get<Segment>(world.space[pieces.back()].def.shape).end);
+    def.shape = std::move(chain);
+    return def;
+}
+
+Mass massOfShapesWithout(const WorldState& world, BodyIndex body, std::uint32_t number) {
+    std::vector<Mass> parts;
+    for (const ProxyId proxy : world.bodies.links[body].proxies) {
+        const Proxy& shape = world.space[proxy];
+        if (shape.number != number) parts.push_back(massOf(shape.def.shape, shape.def.material.density));
+    }
+    return combine(parts);
+}
+
+Mass massOfShapes(const WorldState& world, BodyIndex body) {
+    return massOfShapesWithout(world, body, none);
+}
+
+void addShape(WorldState& world, BodyIndex body, const ShapeDef& def, std::uint32_t number) {
+    if (std::holds_alternative<TileMap>(def.shape)) {
+        addTiles(world, body, def, number);
+        return;
+    }
+    std::vector<PieceDef> parts;
+    for (Shape& piece : piecesOf(def.shape)) {
+        parts.push_back({def, PieceUse::Both});
+        parts.back().def.shape = std::move(piece);
+    }
+    addPieces(world, body, number, parts, std::holds_alternative<Chain>(def.shape));
+}
+
+void wakeTouching(WorldState& world, BodyIndex body, std::uint32_t number) {
+    std::vector<BodyIndex> others;
+    forEachContact(world.bodies, world.contacts, body, [&](ContactIndex index) {
+        const ContactRecord& contact = world.contacts[index];
+        const bool first = contact.bodyA == body;
+        if (contact.touching && (first ? world.space[contact.proxyA] : world.space[contact.proxyB]).number == number)
+            others.push_back(first ? contact.bodyB : contact.bodyA);
+    });
+    for (const BodyIndex other : others) wakeIsland(world, other);
+    wakeIsland(world, body);
+}
+
+void alterShape(WorldState& world, BodyIndex body, const ShapeDef& def, std::uint32_t number) {
+    const std::span<const ProxyId> pieces = piecesOf(world, body, number);
+    const ShapeDef before = world.space[pieces.front()].def;
+    if (const auto tiles = world.tiles.find({body, number}); tiles != world.tiles.end()) {
+        TileMap map = tiles->second.map();
+        tiles->second.def = def;
+        tiles->second.def.shape = std::move(map);
+    }
+    for (const ProxyId proxy : pieces) {
+        world.space.change(proxy, pieceOf(def, world.space[proxy]));
+        outlinePiece(world, proxy, world.bodies.record[body].localCenter);
+    }
+    if (before.material == def.material && before.filter == def.filter) return;
+    forEachContact(world.bodies, world.contacts, body, [&](ContactIndex index) {
+        ContactRecord& contact = world.contacts[index];
+        if (std::find(pieces.begin(), pieces.end(), contact.bodyA == body ? contact.proxyA : contact.proxyB) ==
+            pieces.end())
+            return;
+        if (!mayPair(world.space[contact.proxyA], world.space[contact.proxyB])) {
+            removeContact(world, index);
+            return;
+        }
+        mixMaterials(world.space, contact);
+        renewContact(world, index);
+    });
+    if (before.filter == def.filter || !world.bodies.record[body].enabled) return;
+    for (const ProxyId proxy : pieces) {
+        removeSensorPairs(world.sensors, proxy);
+        addPairs(world, pairsOfShape(world.contacts, world.bodies, world.space, proxy));
+    }
+}
+
+void removeShape(WorldState& world, BodyIndex body, std::uint32_t number) {
+    const std::span<const ProxyId> pieces = piecesOf(world, body, number);
+    removePieces(world, body, std::vector(pieces.begin(), pieces.end()));
+    world.tiles.erase({body, number});
+}
+
+void removeShapes(WorldState& world, BodyIndex body) {
+    removeAllPairs(world, body);
+    std::vector<ProxyId>& proxies = world.bodies.links[body].proxies;
+    world.walls -= wallsOf(world, proxies, body);
+    for (const ProxyId proxy : proxies) world.space.remove(proxy);
+    proxies.clear();
+    world.tiles.erase(world.tiles.lower_bound({body, 0}), world.tiles.upper_bound({body, none}));
+}
+
+void meetAnew(WorldState& world, BodyIndex body) {
+    removeAllPairs(world, body);
+    if (!world.bodies.record[body].enabled) return;
+    placeBounds(world.space, world.bodies, world.contacts, body, 0);
+    for (const ProxyId proxy : world.bodies.links[body].proxies) world.space.renew(proxy);
+}
+
+void fixShapes(WorldState& world, BodyIndex body) {
+    const BodyRecord& record = world.bodies.record[body];
+    for (const ProxyId proxy : world.bodies.links[body].proxies)
+        world.space.change(proxy, record.type == BodyType::Static, record.localCenter);
+}
+
+void hideShapes(WorldState& world, BodyIndex body) {
+    removeAllPairs(world, body);
+    const std::vector<ProxyId>& proxies = world.bodies.links[body].proxies;
+    world.walls -= wallsOf(world, proxies, body);
+    world.bodies.record[body].enabled = false;
+    for (const ProxyId proxy : proxies) world.space.hide(proxy);
+}
+
+void showShapes(WorldState& world, BodyIndex body) {
+    world.bodies.record[body].enabled = true;
+    world.walls += wallsOf(world, world.bodies.links[body].proxies, body);
+    meetAnew(world, body);
+}
+
+void giveMass(WorldState& world, BodyIndex body, const Mass& mass) {
+    recenter(world, body, mass.center);
+    setMass(world.bodies.record[body], mass);
+    // What the solver has of a contact is made for the bodies' inertia.
+    forEachContact(world.bodies, world.contacts, body, [&world](ContactIndex c) { renewContact(world, c); });
+    if (!world.bodies.record[body].awake) world.bodies.rest(body);
+}
+
+void followShapes(WorldState& world, BodyIndex body) {
+    const BodyRecord& record = world.bodies.record[body];
+    if (record.type != BodyType::Dynamic || record.massGiven) return;
+    const Mass mass = massOfShapes(world, body);
+    if (mass.mass == record.mass && mass.inertia == record.inertia && mass.center == record.localCenter) return;
+    giveMass(world, body, mass);
+    wakeIsland(world, body);
+}
+
+}  // namespace plumb

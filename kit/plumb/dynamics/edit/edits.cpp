@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/edit/edits.h>
+
+#include <plumb/dynamics/islands/sleep.h>
+#include <plumb/dynamics/islands/wake.h>
+#include <plumb/dynamics/sensors/sensors.h>
+
+namespace plumb {
+
+void wakeIsland(WorldState& world, BodyIndex body) {
+    wakeIsland(world.bodies, world.contacts, world.joints, body);
+}
+
+void wakeNeighbours(WorldState& world, BodyIndex body) {
+    wakeNeighbours(world.bodies, world.contacts, world.joints, body);
+}
+
+void sleepIsland(WorldState& world, BodyIndex body) {
+    sleepIsland({world.bodies, world.graph, world.contacts, world.joints, world.space}, body);
+}
+
+void removeContact(WorldState& world, ContactIndex index) {
+    const ContactRecord& contact = world.contacts[index];
+    if (contact.touching)
+        world.events.ends.push_back({idOfShape(world, contact.proxyA), idOfShape(world, contact.proxyB)});
+    removeContact(world.graph, world.contacts, world.bodies, index);
+}
+
+void renewContact(WorldState& world, ContactIndex contact) {
+    renewContact(world.graph, world.contacts, world.bodies, contact);
+}
+
+void addPair(WorldState& world, const ShiftedShapes& pair) {
+    const PairKind kind = addPair(world.contacts, world.bodies, world.space, pair);
+    if (kind == PairKind::AtSensor) addSensorPair(world.sensors, world.space, pair.shapes, pair.shift);
+    if (kind != PairKind::AtSleeper) return;
+    wakeIsland(world, world.space[pair.shapes.a].owner);
+    wakeIsland(world, world.space[pair.shapes.b].owner);
+}
+
+void addPairs(WorldState& world, std::span<const ShiftedShapes> pairs) {
+    for (const ShiftedShapes& pair : pairs) addPair(world, pair);
+}
+
+}  // namespace plumb

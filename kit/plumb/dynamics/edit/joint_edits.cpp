@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/edit/joint_edits.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <plumb/dynamics/edit/edits.h>
+#include <plumb/dynamics/joints/joint_bodies.h>
+
+namespace plumb {
+
+namespace {
+
+struct JointBodies {
+    BodyIndex a = noBody, b = noBody;
+    bool collideConnected = true;
+    Breaking breaking;
+};
+
+JointBodies bodiesOf(const WorldState& world, const JointDef& def) {
+    return std::visit(
+        [&world]<class Def>(const Def& d) -> JointBodies {
+            if constexpr (std::is_same_v<Def, GearJointDef>)
+                return {world.joints[d.jointA.index].bodyB, world.joints[d.jointB.index].bodyB, true, d.breaking};
+            else if constexpr (std::is_same_v<Def, TargetJointDef>)
+                return {noBody, d.body.index, true, d.breaking};
+            else if constexpr (std::is_same_v<Def, FilterJointDef>)
+                return {d.bodyA.index, d.bodyB.index, false, {}};
+            else
+                return {d.bodyA.index, d.bodyB.index, d.collideConnected, d.breaking};
+        },
+        def);
+}
+
+void keepApart(BodyStore& bodies, BodyIndex a, BodyIndex b) {
+    bodies.apart[a].push_back(b);
+    bodies.apart[b].push_back(a);
+}
+
+void keepApartNoMore(BodyStore& bodies, BodyIndex a, BodyIndex b) {
+    const auto eraseOne = [](std::vector<BodyIndex>& from, BodyIndex body) {
+        from.erase(std::find(from.begin(), from.end(), body));
+    };
+    eraseOne(bodies.apart[a], b);
+    eraseOne(bodies.apart[b], a);
+}
+
+void link(WorldState& world, JointIndex index) {
+    const JointRecord& record = world.joints[index];
+    world.jointPhases = &jointPhases;
+    world.jointEdits = &jointEdits;
+    world.joints.changed = true;
+    forEachBody(world.joints, index, [&](BodyIndex body) {
+        world.bodies.links[body].joints.push_back(index);
+        if (record.acts()) ++world.bodies.links[body].actingJoints;
+    });
+    forEachBody(world.joints, index, [&](BodyIndex body) { wakeIsland(world, body); });
+    if (record.collideConnected) return;
+    keepApart(world.bodies, record.bodyA, record.bodyB);
+    forEachContact(world.bodies, world.contacts, record.bodyA, [&](ContactIndex between) {
+        const ContactRecord& contact = world.contacts[between];
+        if (contact.bodyA == record.bodyB || contact.bodyB == record.bodyB) removeContact(world, between);
+    });
+}
+
+void unlink(WorldState& world, JointIndex index) {
+    const JointRecord& record = world.joints[index];
+    BodyStore& bodies = world.bodies;
+    world.joints.changed = true;
+    forEachBody(world.joints, index, [&](BodyIndex body) { wakeIsland(world, body); });
+    forEachBody(world.joints, index, [&](BodyIndex body) {
+        BodyLinks& links = bodies.links[body];
+        links.joints.erase(std::find(links.joints.begin(), links.joints.end(), index));
+        if (record.acts()) --links.actingJoints;
+        if (bodies.isDynamic(body)) setRho(bodies.record[body], bodies.record[body].inverseInertia);
+    });
+    if (record.collideConnected) return;
+    keepApartNoMore(bodies, record.bodyA, record.bodyB);
+    addPairs(world, pairsOfBodies(bodies, world.space, record.bodyA, record.bodyB));
+}
+
+/// Gives a joint a def of its own kind.
+struct Setter {
+    const WorldState& world;
+    AnyJoint& joint;
+    void operator()(const RevoluteJointDef& d) const { std::get<RevoluteJoint>(joint).set(d); }
+    void operator()(const PrismaticJointDef& d) const { std::get<PrismaticJoint>(joint).set(d); }
+    void operator()(const DistanceJointDef& d) const { std::get<DistanceJoint>(joint).set(d); }
+    void operator()(const WeldJointDef& d) const { std::get<WeldJoint>(joint).set(d); }
+    void operator()(const WheelJointDef& d) const { std::get<WheelJoint>(joint).set(d); }
+    void operator()(const PulleyJointDef& d) const { std::get<PulleyJoint>(joint).set(d); }
+    void operator()(const GearJointDef& d) const {
+        std::get<GearJoint>(joint).set(d, world.joints.coordinateOf(d.jointA.index, world.bodies),
+                                       world.joints.coordinateOf(d.jointB.index, world.bodies));
+    }
+    void operator()(const MotorJointDef& d) const { std::get<MotorJoint>(joint).set(d); }
+    void operator()(const TargetJointDef& d) const { std::get<TargetJoint>(joint).set(d, world.bodies); }
+    void operator()(const FilterJointDef& d) const { joint = FilterJoint(d); }
+};
+
+template <class Visit>
+void forEachLock(WorldState& world, BodyIndex body, Visit&& visit) {
+    const std::vector<JointIndex> joints = world.bodies.links[body].joints;
+    for (const JointIndex index : joints)
+        if (auto* lock = std::get_if<LockJoint>(&world.joints[index].joint)) visit(index, *lock);
+}
+
+}  // namespace
+
+JointIndex addJoint(WorldState& world, const JointDef& def) {
+    const JointIndex index = world.joints.acquire();
+    AnyJoint joint = makeJoint(def, world.joints, world.bodies);
+    JointRecord& record = world.joints[index];
+    const JointBodies bodies = bodiesOf(world, def);
+    record.joint = std::move(joint);
+    if (std::holds_alternative<GearJoint>(record.joint)) world.joints.gears.push_back(index);
+    record.bodyA = bodies.a;
+    record.bodyB = bodies.b;
+    record.collideConnected = bodies.collideConnected;
+    record.breaking = bodies.breaking;
+    link(world, index);
+    return index;
+}
+
+void removeJoint(WorldState& world, JointIndex joint) {
+    const std::vector<JointIndex> gears = world.joints.gears;
+    for (const JointIndex other : gears) {
+        const GearJoint& gear = std::get<GearJoint>(world.joints[other].joint);
+        if (gear.jointA != joint && gear.jointB != joint) continue;
+        unlink(world, other);
+        world.joints.release(other);
+    }
+    unlink(world, joint);
+    world.joints.release(joint);
+}
+
+void changeJoint(WorldState& world, JointIndex index, const JointDef& def) {
+    JointRecord& record = world.joints[index];
+    const JointBodies bodies = bodiesOf(world, def);
+    if (bodies.collideConnected != record.collideConnected) {
+        unlink(world, index);
+        record.collideConnected = bodies.collideConnected;
+        link(world, index);
+    }
+    record.breaking = bodies.breaking;
+    world.joints.changed = true;
+    std::visit(Setter{world, record.joint}, def);
+    forEachBody(world.joints, index, [&](BodyIndex body) { wakeIsland(world, body); });
+}
+
+void removeJointsOf(WorldState& world, BodyIndex body) {
+    while (!world.bodies.links[body].joints.empty()) removeJoint(world, world.bodies.links[body].joints.back());
+}
+
+void breakJoints(WorldState& world) {
+    std::vector<JointIndex> broken;
+    for (const JointIndex index : world.jointIslands.breakable) {
+        const JointRecord& record = world.joints[index];
+        const JointLoad& load = world.joints.loads[index];
+        if (!load.force().allFinite() || !std::isfinite(load.torque())) continue;  // its bodies leave, not the joint
+        if (load.force().norm() <= record.breaking.force && std::abs(load.torque()) <= record.breaking.torque) continue;
+        const auto idOrNone = [&](BodyIndex body) { return body == noBody ? BodyId{} : world.bodies.idOf(body); };
+        world.events.breaks.push_back({JointId{index, record.generation, world.bodies.world}, idOrNone(record.bodyA),
+                                       idOrNone(record.bodyB), load.force(), load.torque()});
+        broken.push_back(index);
+    }
+    for (const JointIndex index : broken)
+        if (!world.joints[index].isFree()) removeJoint(world, index);
+}
+
+void lockBody(WorldState& world, BodyIndex body, bool lockX, bool lockY) {
+    forEachLock(world, body, [&](JointIndex index, const LockJoint&) { removeJoint(world, index); });
+    if (!lockX && !lockY) return;
+    const JointIndex index = world.joints.acquire();
+    JointRecord& record = world.joints[index];
+    record.joint = LockJoint(body, lockX, lockY, world.bodies);
+    record.bodyB = body;
+    record.collideConnected = true;
+    link(world, index);
+}
+
+void moveLocks(WorldState& world, BodyIndex body) {
+    forEachLock(world, body, [&](JointIndex, LockJoint& lock) { lock.moveTo(world.bodies.motion[body].center); });
+}
+
+void joinNearest(WorldState& world, BodyIndex body) {
+    const BodyStore& bodies = world.bodies;
+    if (!bodies.wrap.any()) return;
+    const auto bring = [&](Anchor& anchor, const Vec2& to) {
+        anchor.shift += bodies.wrap.shiftNear(endAtRest(anchor, bodies).point, to);
+    };
+    for (const JointIndex index : bodies.links[body].joints) {
+        AnyJoint& any = world.joints[index].joint;
+        if (auto* pulley = std::get_if<PulleyJoint>(&any)) {
+            bring(pulley->anchors.a, pulley->def().groundA);
+            bring(pulley->anchors.b, pulley->def().groundB);
+            continue;
+        }
+        std::visit(
+            [&]<class Joint>(Joint& joint) {
+                if constexpr (requires { joint.anchors; })
+                    bring(joint.anchors.b, endAtRest(joint.anchors.a, bodies).point);
+            },
+            any);
+    }
+    world.joints.changed = true;
+}
+
+void shiftAnchors(WorldState& world, BodyIndex body, const Vec2& shift) {
+    for (const JointIndex index : world.bodies.links[body].joints) {
+        std::visit(
+            [&]<class Joint>(Joint& joint) {
+                if constexpr (requires { joint.anchors; }) {
+                    if (joint.anchors.a.body == body) joint.anchors.a.local -= shift;
+                    if (joint.anchors.b.body == body) joint.anchors.b.local -= shift;
+                }
+            },
+            world.joints[index].joint);
+    }
+    moveLocks(world, body);
+}
+
+namespace {
+
+void followMove(WorldState& world, BodyIndex body) {
+    moveLocks(world, body);
+    joinNearest(world, body);
+}
+
+}  // namespace
+
+const JointEdits jointEdits{.lock = lockBody,
+                            .followMove = followMove,
+                            .shiftAnchors = shiftAnchors,
+                            .removeAllOf = removeJointsOf,
+                            .breakOverloaded = breakJoints};
+
+}  // namespace plumb

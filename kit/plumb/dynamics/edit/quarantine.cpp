@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/edit/quarantine.h>
+
+#include <algorithm>
+#include <utility>
+
+#include <plumb/dynamics/edit/body_shapes.h>
+#include <plumb/dynamics/edit/edits.h>
+
+namespace plumb {
+
+namespace {
+
+/// What has begun in this very step and ends in it, from an end on, has not been: ends are told before begins.
+void dropEndsOfNewTouches(WorldState& world, std::size_t from) {
+    const auto isOfNewTouch = [&world](const ContactEnd& end) {
+        const auto begin =
+            std::find_if(world.events.begins.begin(), world.events.begins.end(),
+                         [&end](const ContactBegin& b) { return b.shapeA == end.shapeA && b.shapeB == end.shapeB; });
+        if (begin == world.events.begins.end()) return false;
+        world.events.begins.erase(begin);
+        return true;
+    };
+    const auto first = world.events.ends.begin() + static_cast<std::ptrdiff_t>(from);
+    world.events.ends.erase(std::remove_if(first, world.events.ends.end(), isOfNewTouch), world.events.ends.end());
+}
+
+}  // namespace
+
+void quarantine(WorldState& world) {
+    const std::vector<BodyIndex> leaving = std::move(world.bodies.outOfRange);
+    world.bodies.outOfRange.clear();
+    for (const BodyIndex body : leaving) {
+        wakeNeighbours(world, body);
+        if (world.bodies.record[body].enabled) {
+            const std::size_t told = world.events.ends.size();
+            hideShapes(world, body);
+            dropEndsOfNewTouches(world, told);
+        }
+        world.bodies.putToSleep(body);
+        for (const JointIndex joint : world.bodies.links[body].joints) {
+            world.joints.loads[joint] = {};  // what it bore was no number
+            world.joints.changed = true;
+        }
+        world.bodies.motion[body].velocity.setZero();
+        world.bodies.motion[body].angularVelocity = 0;
+        world.bodies.rest(body);
+        world.events.quarantines.push_back({world.bodies.idOf(body)});
+    }
+}
+
+}  // namespace plumb

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/edit/shape_pieces.h>
+
+#include <algorithm>
+#include <limits>
+
+#include <plumb/dynamics/bodies/shape_radii.h>
+#include <plumb/dynamics/edit/edits.h>
+#include <plumb/dynamics/sensors/sensors.h>
+
+namespace plumb {
+
+namespace {
+
+double extentOf(const Convex& convex) {
+    float farthest = 0;
+    for (int i = 0; i < convex.count; ++i)
+        farthest = std::max(farthest, convex.vertices[static_cast<std::size_t>(i)].norm());
+    return static_cast<double>(farthest + convex.radius);
+}
+
+/// Sensors are nowhere in the body's way, and so do not count.
+void measure(const WorldState& world, std::span<const ProxyId> added, BodyRecord& record) {
+    for (const ProxyId id : added) {
+        const Proxy& proxy = world.space[id];
+        if (proxy.def.sensor || proxy.use == PieceUse::None) continue;
+        record.extent = std::max(record.extent, extentOf(proxy.convex));
+        record.reach = std::max(record.reach, reachOf(proxy.def.shape, record.localCenter));
+        record.core = std::min(record.core, coreOf(proxy.def.shape));
+    }
+}
+
+/// A part of a shape comes into the space, where its body is now.
+ProxyId addPiece(WorldState& world, BodyIndex body, const PieceDef& part, std::uint32_t number, bool severalPieces) {
+    const BodyRecord& record = world.bodies.record[body];
+    const Aabb box = aabbOf(part.def.shape, world.bodies.pose(body));
+    const bool fixed = record.type == BodyType::Static;
+    const ProxyId proxy =
+        world.space.add(part.def, body, fixed, record.localCenter, box, number, severalPieces, part.use);
+    if (!record.enabled) world.space.hide(proxy);
+    outlinePiece(world, proxy, record.localCenter);
+    return proxy;
+}
+
+void removePairs(WorldState& world, BodyIndex body, ProxyId proxy) {
+    forEachContact(world.bodies, world.contacts, body, [&](ContactIndex index) {
+        const ContactRecord& contact = world.contacts[index];
+        if (contact.proxyA == proxy || contact.proxyB == proxy) removeContact(world, index);
+    });
+    removeSensorPairs(world.sensors, proxy);
+}
+
+}  // namespace
+
+std::span<const ProxyId> piecesOf(const WorldState& world, BodyIndex body, std::uint32_t number) {
+    const std::vector<ProxyId>& proxies = world.bodies.links[body].proxies;
+    const auto isBelow = [&world](ProxyId proxy, std::uint32_t n) { return world.space[proxy].number < n; };
+    const auto first = std::lower_bound(proxies.begin(), proxies.end(), number, isBelow);
+    const auto last = std::lower_bound(first, proxies.end(), number + std::uint64_t{1},
+                                       [&world](ProxyId p, std::uint64_t n) { return world.space[p].number < n; });
+    return {first, last};
+}
+
+void measureAnew(WorldState& world, BodyIndex body) {
+    BodyRecord& record = world.bodies.record[body];
+    record.extent = record.reach = 0;
+    record.core = std::numeric_limits<double>::infinity();
+    measure(world, world.bodies.links[body].proxies, record);
+}
+
+std::uint32_t wallsOf(const WorldState& world, std::span<const ProxyId> proxies, BodyIndex body) {
+    const BodyRecord& owner = world.bodies.record[body];
+    if (owner.type == BodyType::Dynamic || !owner.enabled) return 0;
+    const auto solid = [&world](ProxyId proxy) {
+        return !world.space[proxy].def.sensor && world.space.gate(proxy).touched;
+    };
+    return static_cast<std::uint32_t>(std::count_if(proxies.begin(), proxies.end(), solid));
+}
+
+void outlinePiece(WorldState& world, ProxyId proxy, const Vec2& localCenter) {
+    std::vector<BoxOutline>& boxes = world.contacts.boxes;
+    if (boxes.size() <= proxy) boxes.resize(proxy + std::size_t{1});
+    boxes[proxy] = boxOutlineOf(world.space[proxy].def, localCenter);
+    // A stretch of an outline is more than a line, even where it goes on into one-way tops at both ends.
+    if (world.space[proxy].convex.oneSided) boxes[proxy].kind = BoxOutline::Kind::Other;
+}
+
+std::vector<ProxyId> addPieces(WorldState& world, BodyIndex body, std::uint32_t number, std::span<const PieceDef> parts,
+                               bool severalPieces) {
+    std::vector<ProxyId>& proxies = world.bodies.links[body].proxies;
+    std::vector<ProxyId> added;
+    for (const PieceDef& part : parts) added.push_back(addPiece(world, body, part, number, severalPieces));
+    const auto isAbove = [&world](std::uint32_t n, ProxyId proxy) { return n < world.space[proxy].number; };
+    const auto at = std::upper_bound(proxies.begin(), proxies.end(), number, isAbove);
+    proxies.insert(at, added.begin(), added.end());
+    world.walls += wallsOf(world, added, body);
+    measure(world, added, world.bodies.record[body]);
+    return added;
+}
+
+void removePieces(WorldState& world, BodyIndex body, std::span<const ProxyId> pieces) {
+    if (pieces.empty()) return;
+    world.walls -= wallsOf(world, pieces, body);
+    for (const ProxyId proxy : pieces) {
+        removePairs(world, body, proxy);
+        world.space.remove(proxy);
+    }
+    std::erase_if(world.bodies.links[body].proxies, [&world](ProxyId proxy) { return !world.space[proxy].alive; });
+    measureAnew(world, body);
+}
+
+void wakeTouchingPiece(WorldState& world, BodyIndex body, ProxyId piece) {
+    std::vector<BodyIndex> others;
+    forEachContact(world.bodies, world.contacts, body, [&](ContactIndex index) {
+        const ContactRecord& contact = world.contacts[index];
+        if (!contact.touching || (contact.proxyA != piece && contact.proxyB != piece)) return;
+        others.push_back(contact.bodyA == body ? contact.bodyB : contact.bodyA);
+    });
+    for (const BodyIndex other : others) wakeIsland(world, other);
+}
+
+}  // namespace plumb

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/fields/field_flight.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <plumb/dynamics/bodies/free_motion.h>
+#include <plumb/dynamics/fields/field_force.h>
+#include <plumb/dynamics/fields/field_kick.h>
+#include <plumb/dynamics/fields/field_scope.h>
+
+namespace plumb {
+
+namespace {
+
+/// A body on its way, by velocity Verlet: its place as a shift from its start, so that no rounding of it counts.
+class VerletFlight {
+public:
+    VerletFlight(const BodyStore& bodies, PredictedFlight& flight, FieldAccount& account, const BodyMotion& from,
+                 BodyMotion& at, int steps)
+        : body_(bodies.record[flight.body]),
+          base_(accelerationOf(body_, bodies.gravity)),
+          flight_(&flight),
+          account_(&account),
+          from_(&from),
+          at_(&at),
+          share_(0.5 / steps) {
+        flight.law = {base_, 0, 0};
+        flight.rest = {};
+        account = {};
+        *at_ = from;
+    }
+
+    void kick(const FieldPull& pull, double half) {
+        const VelocityChange before{at_->velocity, at_->angularVelocity};
+        const FieldKick kick = kickOf(body_, base_, pull, before, half);
+        VelocityChange after = before;
+        after += sumOf(kick);
+        at_->velocity = after.velocity;
+        at_->angularVelocity = after.spin;
+        flight_->law.linearDamping += kick.rate * share_;
+        flight_->law.angularDamping += kick.turningRate * share_;
+        const VelocityChange mean{0.5 * (before.velocity + after.velocity), 0.5 * (before.spin + after.spin)};
+        account_->add(body_, kick, mean, base_.linear * half);
+    }
+
+    void drift(double h) {
+        shift_ += at_->velocity * h;
+        turn_ += at_->angularVelocity * h;
+        at_->center = from_->center + shift_;
+        at_->angle = from_->angle + turn_;
+        at_->rotation = Rot::fromAngle(at_->angle);
+    }
+
+    /// The steady acceleration that, with the mean rate of drag, leads to the same place; and what then is missing.
+    void conclude(double time) {
+        FlightLaw& law = flight_->law;
+        const Decay linear = decay(law.linearDamping, time), angular = decay(law.angularDamping, time);
+        law.acceleration.linear = (shift_ - from_->velocity * linear.gain) / linear.reach;
+        law.acceleration.angular = (turn_ - from_->angularVelocity * angular.gain) / angular.reach;
+        flight_->rest.velocity = at_->velocity - from_->velocity * linear.keep - law.acceleration.linear * linear.gain;
+        flight_->rest.spin =
+            at_->angularVelocity - from_->angularVelocity * angular.keep - law.acceleration.angular * angular.gain;
+    }
+
+private:
+    const BodyRecord& body_;
+    Acceleration base_;
+    PredictedFlight* flight_;
+    FieldAccount* account_;
+    const BodyMotion* from_;
+    BodyMotion* at_;
+    double share_;
+    Vec2 shift_{0, 0};
+    double turn_ = 0;
+};
+
+/// All that is awake and does not feel more than is steady, so long after the step's start.
+void moveOthers(FieldStore& fields, const BodyStore& bodies, double time) {
+    for (const BodyIndex body : bodies.awake) {
+        const std::uint32_t flight = bodies.step[body].flight;
+        if (flight != none && !bodies.flights[flight].steady) continue;
+        fields.now[body] = fly(bodies.motion[body], flightLawOf(bodies, body), time);
+    }
+}
+
+/// Moves all that feels fields through the step, together.
+class Flights {
+public:
+    Flights(FieldStore& fields, BodyStore& bodies, const Space& space, double dt)
+        : fields_(fields), bodies_(bodies), space_(space), steps_(bodies.subSteps), h_(dt / steps_) {
+        around_ = looksAround(fields);
+        if (around_) fields.now = bodies.motion;
+        for (std::size_t i = 0; i < bodies.flights.size(); ++i) {
+            PredictedFlight& flight = bodies.flights[i];
+            if (!flight.steady)
+                verlet_.emplace_back(bodies, flight, fields.accounts[i].account, bodies.motion[flight.body],
+                                     fields.now[flight.body], steps_);
+        }
+        if (fields.pulls.size() < verlet_.size()) fields.pulls.resize(verlet_.size());
+    }
+
+    void run(double dt) {
+        if (verlet_.empty()) return;
+        findPulls();
+        for (int step = 1; step <= steps_; ++step) {
+            kick();
+            for (VerletFlight& verlet : verlet_) verlet.drift(h_);
+            if (around_) moveOthers(fields_, bodies_, step * h_);
+            findPulls();
+            kick();
+        }
+        for (VerletFlight& verlet : verlet_) verlet.conclude(dt);
+    }
+
+private:
+    void findPulls() {
+        std::size_t i = 0;
+        for (const PredictedFlight& flight : bodies_.flights)
+            if (!flight.steady) pullOn({fields_, bodies_, space_}, flight.body, fields_.now, fields_.pulls[i++]);
+    }
+    void kick() {
+        for (std::size_t i = 0; i < verlet_.size(); ++i) verlet_[i].kick(fields_.pulls[i], 0.5 * h_);
+    }
+
+    FieldStore& fields_;
+    BodyStore& bodies_;
+    const Space& space_;
+    int steps_;
+    double h_;
+    bool around_ = false;
+    std::vector<VerletFlight> verlet_;
+};
+
+/// What acts on it is the same wherever it is.
+void setSteadyLaw(FieldStore& fields, const BodyStore& bodies, const Space& space, PredictedFlight& flight,
+                  FlightAccount& account) {
+    const BodyRecord& record = bodies.record[flight.body];
+    fields.now[flight.body] = bodies.motion[flight.body];
+    if (fields.pulls.empty()) fields.pulls.resize(1);
+    FieldPull& pull = fields.pulls.front();
+    pullOn({fields, bodies, space}, flight.body, fields.now, pull);
+    account.steadyPull = pull.acceleration.linear;
+    flight.law = {accelerationOf(record, bodies.gravity), record.linearDamping + pull.linear, record.angularDamping};
+    flight.law.acceleration.linear += pull.acceleration.linear + pull.flow;
+}
+
+void gatherFlights(FieldStore& fields, BodyStore& bodies, const Space& space, double dt) {
+    fields.now.resize(bodies.motion.size());
+    for (const BodyIndex body : bodies.awake) {
+        if (!bodies.canMove(body)) continue;
+        const BodyMotion& from = bodies.motion[body];
+        const Vec2 to = fly(from, flightLawOf(bodies, body), dt).center;
+        const FieldInfluence influence = influenceOn({fields, bodies, space}, body, from.center, to);
+        if (influence == FieldInfluence::None) continue;
+        PredictedFlight& flight = bodies.flights.emplace_back();
+        FlightAccount& account = fields.accounts.emplace_back();
+        flight.body = body;
+        flight.steady = influence == FieldInfluence::Steady;
+        if (flight.steady) setSteadyLaw(fields, bodies, space, flight, account);
+    }
+    for (std::size_t i = 0; i < bodies.flights.size(); ++i)
+        bodies.step[bodies.flights[i].body].flight = static_cast<std::uint32_t>(i);
+}
+
+}  // namespace
+
+void predictFlights(FieldStore& fields, BodyStore& bodies, const Space& space, double dt) {
+    if (fields.empty() || dt < shortestFelt) return;
+    gatherFlights(fields, bodies, space, dt);
+    Flights(fields, bodies, space, dt).run(dt);
+}
+
+FieldFlight flightFrom(FieldStore& fields, const BodyStore& bodies, const Space& space, const PredictedFlight& before,
+                       const BodyMotion& from, double start, double time) {
+    FieldFlight result{before, {}};
+    PredictedFlight& flight = result.flight;
+    if (flight.steady) return result;
+    flight.rest = {};
+    if (time < shortestFelt) {
+        const BodyRecord& record = bodies.record[flight.body];
+        flight.law = {accelerationOf(record, bodies.gravity), record.linearDamping, record.angularDamping};
+        return result;
+    }
+    const double whole = bodies.lastStep / bodies.subSteps;
+    const int steps = std::max(1, static_cast<int>(std::ceil(time / whole - 1e-6)));
+    // The others half-way: the error is of the order of Verlet's.
+    if (looksAround(fields)) {
+        fields.now = bodies.motion;
+        for (const BodyIndex other : bodies.awake)
+            if (!bodies.isMovedBy(other, MovedBy::Impacts))
+                fields.now[other] = fly(fields.now[other], flightLawOf(bodies, other), start + 0.5 * time);
+    }
+    VerletFlight verlet(bodies, flight, result.account, from, fields.now[flight.body], steps);
+    FieldPull& pull = fields.pulls.front();
+    const FieldView view{fields, bodies, space};
+    pullOn(view, flight.body, fields.now, pull);
+    for (int step = 0; step < steps; ++step) {
+        verlet.kick(pull, 0.5 * time / steps);
+        verlet.drift(time / steps);
+        pullOn(view, flight.body, fields.now, pull);
+        verlet.kick(pull, 0.5 * time / steps);
+    }
+    verlet.conclude(time);
+    return result;
+}
+
+void clearFlights(FieldStore& fields, BodyStore& bodies) {
+    for (const PredictedFlight& flight : bodies.flights) bodies.step[flight.body].flight = none;
+    bodies.flights.clear();
+    fields.accounts.clear();
+}
+
+}  // namespace plumb

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/fields/field_scope.h>
+
+#include <algorithm>
+#include <limits>
+
+#include <plumb/collide/distance.h>
+
+namespace plumb {
+
+namespace {
+
+bool letsIn(const FieldRecord& field, const FieldView& view, BodyIndex body) {
+    if (!field.choosy) return true;
+    const Filter& f = field.def.filter;
+    const Gate gate{f.category, f.mask, 0, f.group, false, false};
+    const std::vector<ProxyId>& proxies = view.bodies.links[body].proxies;
+    return std::any_of(proxies.begin(), proxies.end(), [&](ProxyId proxy) {
+        return mayMeet(gate, view.space.gate(proxy)) && view.space[proxy].use != PieceUse::None;
+    });
+}
+
+bool covers(const FieldDef& field, const Vec2& point) {
+    return !field.region || distance(Circle{1e-9, point}, {}, *field.region, {}).separation <= 1e-9;
+}
+
+Vec2 pointOn(const BodyRecord& record, const BodyMotion& motion, const Vec2& local) {
+    return motion.center + motion.rotation * Vec2(local - record.localCenter);
+}
+
+/// Does a body come as low as the surface?
+bool dips(const BodyRecord& record, const Vec2& center, const Fluid& fluid) {
+    return fluid.gravity.dot(fluid.surface - center) <= record.extent * fluid.gravity.norm();
+}
+
+/// May something on its way between two places come as near to a centre?
+bool comesNear(const Vec2& center, double range, const Vec2& from, const Vec2& to) {
+    return (0.5 * (from + to) - center).norm() <= range + 0.5 * (to - from).norm();
+}
+
+/// May something on its way come into a field's region?
+bool mayReach(const FieldView& view, const FieldRecord& field, const Aabb& way) {
+    if (!field.def.region || !view.bodies.wrap.any()) return overlap(way, field.box);
+    bool reaches = false;
+    view.space.forEachShift(field.box, way, [&](const Vec2&) { reaches = true; });
+    return reaches;
+}
+
+/// May a field act on a body somewhere between two places?
+bool mayInfluence(const FieldView& view, const FieldRecord& field, BodyIndex body, const Vec2& from, const Vec2& to) {
+    const auto* magnet = std::get_if<Magnet>(&field.def.law);
+    if (magnet && !isCarried(*magnet, view)) return false;
+    if (isCarriedBy(field.def.law, body)) return true;
+    if (!letsIn(field, view, body)) return false;
+    if (!mayReach(view, field, merge({from, from}, {to, to}))) return false;
+    if (magnet) {
+        const BodyMotion& carrier = view.bodies.motion[magnet->body.index];
+        const double moves = 2 * carrier.velocity.norm() * view.bodies.lastStep;
+        const Vec2 center = pointOn(view.bodies.record[magnet->body.index], carrier, magnet->pull.center);
+        return comesNear(view.bodies.near(center, 0.5 * (from + to)), magnet->pull.range + moves, from, to);
+    }
+    if (const auto* attractor = std::get_if<Attractor>(&field.def.law))
+        return comesNear(view.bodies.near(attractor->center, 0.5 * (from + to)), attractor->range, from, to);
+    if (const auto* pool = std::get_if<Pool>(&field.def.law)) {
+        const BodyRecord& record = view.bodies.record[body];
+        if (view.bodies.wrap.any()) return true;
+        return dips(record, from, pool->fluid) || dips(record, to, pool->fluid);
+    }
+    return true;
+}
+
+bool isSteady(const FieldDef& field) {
+    if (field.region) return false;
+    const auto* drag = std::get_if<Drag>(&field.law);
+    return (drag && drag->quadratic == 0) || std::holds_alternative<UniformGravity>(field.law);
+}
+
+bool attractsOthers(const FieldDef& field) {
+    return std::holds_alternative<MutualGravity>(field.law) || std::holds_alternative<Magnet>(field.law);
+}
+
+bool keepsAwake(const FieldView& view, const FieldDef& field) {
+    if (const auto* magnet = std::get_if<Magnet>(&field.law)) return view.bodies.record[magnet->body.index].awake;
+    return true;
+}
+
+}  // namespace
+
+Aabb boxOf(const FieldDef& field) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (!field.region) return {{-infinity, -infinity}, {infinity, infinity}};
+    const Aabb box = aabbOf(*field.region, {});
+    // As far as covers() rounds, and what a number so large rounds to.
+    return inflate(box, 1e-8 + 1e-12 * box.lower.cwiseAbs().cwiseMax(box.upper.cwiseAbs()).maxCoeff());
+}
+
+std::optional<Vec2> shiftInto(const FieldRecord& field, const FieldView& view, const Vec2& point) {
+    const Wrap& wrap = view.bodies.wrap;
+    if (!wrap.any()) return covers(field.def, point) ? std::optional<Vec2>(Vec2(0, 0)) : std::nullopt;
+    std::optional<Vec2> found;
+    if (field.def.region) {
+        view.space.forEachShift(field.box, {point, point}, [&](const Vec2& shift) {
+            if (!found && covers(field.def, point + shift)) found = shift;
+        });
+    } else if (const auto* attractor = std::get_if<Attractor>(&field.def.law)) {
+        found = wrap.shiftNear(point, attractor->center);
+    } else {
+        found = std::holds_alternative<Pool>(field.def.law) ? Vec2(wrap.place(point) - point) : Vec2(0, 0);
+    }
+    return found;
+}
+
+bool actsOn(const FieldRecord& field, const FieldView& view, BodyIndex body, const BodyMotion& there) {
+    return view.bodies.canMove(body) && isInRange(there) && letsIn(field, view, body) &&
+           shiftInto(field, view, there.center).has_value();
+}
+
+Attractor attractorOf(const Magnet& magnet, const FieldView& view, const std::vector<BodyMotion>& now) {
+    Attractor attractor = magnet.pull;
+    const BodyIndex body = magnet.body.index;
+    attractor.center = pointOn(view.bodies.record[body], now[body], magnet.pull.center);
+    return attractor;
+}
+
+bool isCarried(const Magnet& magnet, const FieldView& view) {
+    const BodyRecord& record = view.bodies.record[magnet.body.index];
+    return record.alive && record.enabled && record.generation == magnet.body.generation;
+}
+
+bool isCarriedBy(const FieldLaw& law, BodyIndex body) {
+    const auto* magnet = std::get_if<Magnet>(&law);
+    return magnet && magnet->body.index == body;
+}
+
+bool looksAround(const FieldStore& fields) {
+    return std::any_of(fields.records.begin(), fields.records.end(),
+                       [](const FieldRecord& field) { return field.alive && attractsOthers(field.def); });
+}
+
+FieldInfluence influenceOn(const FieldView& view, BodyIndex body, const Vec2& from, const Vec2& to) {
+    FieldInfluence influence = FieldInfluence::None;
+    for (const FieldRecord& field : view.fields.records) {
+        if (!field.alive || !mayInfluence(view, field, body, from, to)) continue;
+        if (!isSteady(field.def)) return FieldInfluence::Varying;
+        influence = FieldInfluence::Steady;
+    }
+    return influence;
+}
+
+std::vector<BodyIndex> bodiesInfluencedBy(const FieldView& view, const FieldRecord& field) {
+    std::vector<BodyIndex> influenced;
+    for (BodyIndex body = 1; body < view.bodies.record.size(); ++body) {
+        if (isCarriedBy(field.def.law, body)) continue;
+        const BodyMotion& motion = view.bodies.motion[body];
+        if (actsOn(field, view, body, motion) && mayInfluence(view, field, body, motion.center, motion.center))
+            influenced.push_back(body);
+    }
+    return influenced;
+}
+
+std::vector<BodyIndex> gatherAttracted(FieldStore& fields, FieldIndex index, const BodyStore& bodies,
+                                       const Space& space) {
+    const FieldView view{fields, bodies, space};
+    FieldRecord& field = fields.records[index];
+    field.attracted.clear();
+    if (!field.alive || !attractsOthers(field.def)) return {};
+    for (BodyIndex body = 1; body < bodies.record.size(); ++body)
+        if (bodies.canMove(body) && letsIn(field, view, body)) field.attracted.push_back(body);
+    return keepsAwake(view, field.def) ? bodiesInfluencedBy(view, field) : std::vector<BodyIndex>();
+}
+
+}  // namespace plumb

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/fields/field_solving.h>
+
+#include <plumb/dynamics/bodies/free_motion.h>
+#include <plumb/dynamics/fields/field_force.h>
+#include <plumb/dynamics/fields/field_kick.h>
+#include <plumb/dynamics/fields/field_scope.h>
+
+namespace plumb {
+
+namespace {
+
+BodyMotion solvedMotion(const BodyStore& bodies, BodyIndex body) {
+    BodyMotion motion = bodies.motion[body];
+    const SolverDisplacement& d = bodies.displacement[body];
+    motion.center += Vec2(static_cast<double>(d.x), static_cast<double>(d.y));
+    motion.angle += static_cast<double>(bodies.turn[body].angle);
+    motion.rotation = Rot::fromAngle(motion.angle);
+    return motion;
+}
+
+VelocityChange speedsOf(const BodyStore& bodies, BodyIndex body) {
+    const SolverVelocity& v = bodies.velocity[body];
+    return {{static_cast<double>(v.x), static_cast<double>(v.y)}, static_cast<double>(v.w * bodies.turn[body].rho)};
+}
+
+void addChange(SolverVelocity& velocity, const VelocityChange& push, float inverseRho) {
+    velocity.x += static_cast<float>(push.velocity.x());
+    velocity.y += static_cast<float>(push.velocity.y());
+    velocity.w += static_cast<float>(push.spin) * inverseRho;
+}
+
+}  // namespace
+
+void FieldSolving::findPulls(const std::vector<BodyIndex>& solved) {
+    std::vector<BodyMotion>& now = fields_.now;
+    if (looksAround(fields_)) {
+        // What is not solved moves as predicted; what the impacts have moved is at the step's end already.
+        now = bodies_.motion;
+        for (const BodyIndex body : bodies_.awake)
+            if (!bodies_.isConstrained(body) && !bodies_.isMovedBy(body, MovedBy::Impacts) && subSteps_ > 0)
+                now[body] = fly(now[body], flightLawOf(bodies_, body), subSteps_ * h_);
+        for (const BodyIndex body : solved)
+            if (body != noBody) now[body] = solvedMotion(bodies_, body);
+    }
+    pulls_.resize(solved.size());
+    for (std::size_t i = 0; i < solved.size(); ++i) {
+        if (!feels(solved[i])) continue;
+        now[solved[i]] = solvedMotion(bodies_, solved[i]);
+        pullOn({fields_, bodies_, space_}, solved[i], now, pulls_[i]);
+    }
+    known_ = true;
+    ++subSteps_;
+}
+
+bool FieldSolving::feels(BodyIndex body) const {
+    return body != noBody && bodies_.step[body].flight != none;
+}
+
+void FieldSolving::kick(const std::vector<BodyIndex>& solved) {
+    if (bodies_.flights.empty()) return;
+    if (!known_) findPulls(solved);
+    for (std::size_t i = 0; i < solved.size(); ++i) {
+        const BodyIndex body = solved[i];
+        if (!feels(body)) continue;
+        const BodyRecord& record = bodies_.record[body];
+        const Acceleration base = accelerationOf(record, bodies_.gravity);
+        const FieldKick kick = kickOf(record, base, pulls_[i], speedsOf(bodies_, body), 0.5 * h_);
+        const VelocityChange sum = sumOf(kick);
+        addChange(bodies_.velocity[body], sum, bodies_.turn[body].inverseRho);
+        addChange(bodies_.before[body], sum, bodies_.turn[body].inverseRho);
+        if (observer_ != nullptr) observer_->noteFieldKick(body, kick, base.linear * (0.5 * h_));
+    }
+}
+
+}  // namespace plumb

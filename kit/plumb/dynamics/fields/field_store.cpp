@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/fields/field_store.h>
+
+namespace plumb {
+
+void FieldAccount::add(const BodyRecord& body, const FieldKick& kick, const VelocityChange& mean, const Vec2& base) {
+    const auto workOf = [&](const VelocityChange& push) {
+        const double turned = body.inverseInertia > 0 ? body.inertia * push.spin * mean.spin : 0.0;
+        return body.mass * push.velocity.dot(mean.velocity) + turned;
+    };
+    forced += workOf(kick.forced);
+    damped += workOf(kick.damped);
+    rubbed += workOf(kick.rubbed);
+    fields += body.mass * (kick.kept.velocity - base + kick.forced.velocity);
+    dampedMomentum += body.mass * kick.damped.velocity;
+    rubbedMomentum += body.mass * kick.rubbed.velocity;
+}
+
+FieldAccount& FieldAccount::operator+=(const FieldAccount& other) {
+    forced += other.forced;
+    damped += other.damped;
+    rubbed += other.rubbed;
+    fields += other.fields;
+    dampedMomentum += other.dampedMomentum;
+    rubbedMomentum += other.rubbedMomentum;
+    return *this;
+}
+
+FieldIndex FieldStore::acquire() {
+    if (free.empty()) {
+        records.emplace_back();
+        return static_cast<FieldIndex>(records.size() - 1);
+    }
+    const FieldIndex field = free.back();
+    free.pop_back();
+    return field;
+}
+
+void FieldStore::release(FieldIndex field) {
+    const std::uint32_t generation = records[field].generation + 1;
+    records[field] = {};
+    records[field].generation = generation;
+    free.push_back(field);
+}
+
+}  // namespace plumb

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/impacts/body_motion.h>
+
+#include <cmath>
+
+#include <plumb/dynamics/bodies/free_motion.h>
+
+namespace plumb {
+
+namespace {
+
+/// A body that moves by less than this share of its core in a step is still where its contacts see it [-].
+constexpr double slow = 0.5;
+
+/// What the solver has moved a body by.
+struct Moved {
+    Vec2 shift{0, 0};
+    double turn = 0;
+};
+
+Moved movedBy(const BodyStore& bodies, BodyIndex body) {
+    const SolverDisplacement& moved = bodies.displacement[body];
+    return {Vec2(static_cast<double>(moved.x), static_cast<double>(moved.y)),
+            static_cast<double>(bodies.turn[body].angle)};
+}
+
+}  // namespace
+
+Way wayBetween(const BodyMotion& from, const BodyMotion& to, const BodyRecord& record) {
+    return {from.center, to.center - from.center, from.angle, to.angle - from.angle, record.localCenter};
+}
+
+Way freeWay(const BodyStore& bodies, BodyIndex body, const Past& past) {
+    const BodyRecord& record = bodies.record[body];
+    BodyMotion now = bodies.motion[body];
+    if (!record.awake) return wayBetween(now, now, record);
+    const FlightLaw law = flightLawOf(bodies, body);
+    if (const std::uint32_t flight = bodies.step[body].flight; flight != none) {  // without what was added at its end
+        now.velocity -= bodies.flights[flight].rest.velocity;
+        now.angularVelocity -= bodies.flights[flight].rest.spin;
+    }
+    return wayBetween(fly(now, law, -past.from), past.to > 0 ? fly(now, law, -past.to) : now, record);
+}
+
+Way wayOf(const BodyStore& bodies, BodyIndex body, double dt) {
+    if (!bodies.isMovedBy(body, MovedBy::Solver)) return freeWay(bodies, body, {dt, 0});
+    const BodyMotion& now = bodies.motion[body];
+    const Moved moved = movedBy(bodies, body);
+    return {now.center - moved.shift, moved.shift, now.angle - moved.turn, moved.turn, bodies.record[body].localCenter};
+}
+
+double travelOf(const Vec2& shift, double turn, const BodyRecord& record) {
+    return shift.norm() + std::fabs(turn) * record.reach;
+}
+
+bool isFar(const BodyRecord& record, double travel) {
+    return travel > slow * record.core;
+}
+
+bool hasComeFar(const BodyStore& bodies, BodyIndex body, double dt) {
+    const BodyRecord& record = bodies.record[body];
+    if (bodies.isMovedBy(body, MovedBy::Solver)) {
+        const Moved moved = movedBy(bodies, body);
+        return isFar(record, travelOf(moved.shift, moved.turn, record));
+    }
+    const Way way = freeWay(bodies, body, {dt, 0});
+    return isFar(record, travelOf(way.shift, way.turn, record));
+}
+
+}  // namespace plumb

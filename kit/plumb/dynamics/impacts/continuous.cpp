@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/impacts/continuous.h>
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+namespace plumb {
+
+namespace {
+
+/// Where a body stays that meets a wall on its way: there, or, if the wall moves on, at the same place of it.
+Way stayAt(const BodyStore& bodies, const Way& way, const WallHit& hit) {
+    Way stay = way;
+    stay.start = way.start + way.shift * hit.time;
+    stay.angle = way.angle + way.turn * hit.time;
+    const BodyMotion& wall = bodies.motion[hit.wall];
+    const Vec2 wallThen = hit.wallWay.start + hit.wallWay.shift * hit.time;
+    stay.turn = wall.angle - (hit.wallWay.angle + hit.wallWay.turn * hit.time);
+    stay.shift = (wall.center + hit.shift - stay.start) + Rot::fromAngle(stay.turn) * Vec2(stay.start - wallThen);
+    return stay;
+}
+
+/// A dynamic body that was moved by the solver or by nothing.
+bool isMoved(const BodyStore& bodies, BodyIndex body) {
+    const BodyRecord& record = bodies.record[body];
+    return record.type == BodyType::Dynamic && record.awake && !bodies.isMovedBy(body, MovedBy::Impacts) &&
+           !record.quarantined;
+}
+
+/// A body that may have gone through a wall: through what it has this contact with, or, without, anything static.
+struct Suspect {
+    BodyIndex body = noBody;
+    ContactIndex contact = none;
+};
+
+/// Stops bodies at walls, one after the other.
+class WallStop {
+public:
+    WallStop(BodyStore& bodies, const ContactStore& contacts, const Space& space, double dt)
+        : bodies_(bodies), contacts_(contacts), view_{bodies, contacts, space}, dt_(dt) {}
+
+    /// In the order of their slots, those that have moved far for their size, or past which a wall has.
+    std::vector<Suspect> findSuspects() const {
+        std::vector<Suspect> suspects;
+        for (const BodyIndex body : bodies_.awake)
+            if (isMoved(bodies_, body) && hasComeFar(bodies_, body, dt_)) suspects.push_back({body, none});
+        for (const BodyIndex wall : bodies_.kinematic) addSwept(wall, suspects);
+        std::sort(suspects.begin(), suspects.end(), [](const Suspect& a, const Suspect& b) {
+            return a.body != b.body ? a.body < b.body : a.contact < b.contact;
+        });
+        return suspects;
+    }
+
+    /// All of one body.
+    void stop(std::span<const Suspect> suspects) {
+        const BodyIndex body = suspects.front().body;
+        const Way way = wayOf(bodies_, body, dt_);
+        WallSearch search(view_, body, way, {dt_, 0});
+        for (const Suspect& suspect : suspects) {
+            if (suspect.contact != none) {
+                search.searchContact(suspect.contact);
+                continue;
+            }
+            search.searchStatic();
+            // The bounds for which contacts were made hold all else; what is kinematic is looked at from its side.
+            if (!search.isWithinBounds()) search.searchKinematic();
+        }
+        if (search.first()) stopAt(body, way, {dt_, 0}, *search.first());
+    }
+
+    /// Segment after segment, and a body that was stopped in one has none after it.
+    void stop(const Trajectories& trajectories) {
+        std::vector<BodyIndex> stopped;
+        for (const TrajectorySegment& segment : trajectories) {
+            const BodyRecord& record = bodies_.record[segment.body];
+            const Way way = wayBetween(segment.from, segment.to, record);
+            if (!isFar(record, travelOf(way.shift, way.turn, record))) continue;
+            if (std::find(stopped.begin(), stopped.end(), segment.body) != stopped.end()) continue;
+            const Past past{dt_ - segment.start, dt_ - segment.end};
+            WallSearch search(view_, segment.body, way, past);
+            search.searchStatic();
+            search.searchKinematic();
+            if (!search.first()) continue;
+            stopAt(segment.body, way, past, *search.first());
+            stopped.push_back(segment.body);
+        }
+    }
+
+private:
+    /// Bodies that have come far as seen from something kinematic, and near it.
+    void addSwept(BodyIndex wall, std::vector<Suspect>& suspects) const {
+        const WallWay wallWay(freeWay(bodies_, wall, {dt_, 0}));
+        forEachContact(bodies_, contacts_, wall, [&](ContactIndex index) {
+            const ContactRecord& contact = contacts_[index];
+            const bool isA = contact.bodyA == wall;
+            const BodyIndex body = isA ? contact.bodyB : contact.bodyA;
+            if (!isMoved(bodies_, body)) return;
+            const Shape& face = view_.space[isA ? contact.proxyA : contact.proxyB].def.shape;
+            Way own = wayOf(bodies_, body, dt_);
+            own.start += isA ? contact.shift : Vec2(-contact.shift);
+            if (mayCross(wallWay, own, face, bodies_.record[body])) suspects.push_back({body, index});
+        });
+    }
+
+    /// Puts the body to where it met the wall. What moves on carries it along, perhaps into what does not.
+    void stopAt(BodyIndex body, const Way& way, const Past& past, const WallHit& hit) {
+        Way stopped = stayAt(bodies_, way, hit);
+        if (bodies_.record[hit.wall].type == BodyType::Kinematic) {
+            const Way carried = stopped;
+            WallSearch search(view_, body, carried, past);
+            search.searchStatic();
+            if (search.first()) stopped = stayAt(bodies_, carried, *search.first());
+        }
+        BodyMotion motion = bodies_.motion[body];
+        motion.center = stopped.start + stopped.shift;
+        motion.angle = stopped.angle + stopped.turn;
+        motion.rotation = Rot::fromAngle(motion.angle);
+        moveTo(bodies_, body, motion);
+    }
+
+    BodyStore& bodies_;
+    const ContactStore& contacts_;
+    WallView view_;
+    double dt_;
+};
+
+}  // namespace
+
+void stopAtWalls(BodyStore& bodies, const ContactStore& contacts, const Space& space, const Trajectories& trajectories,
+                 double dt) {
+    WallStop walls(bodies, contacts, space, dt);
+    const std::vector<Suspect> suspects = walls.findSuspects();
+    for (auto first = suspects.begin(); first != suspects.end();) {
+        const auto last = std::find_if(first, suspects.end(), [&](const Suspect& s) { return s.body != first->body; });
+        walls.stop(std::span(first, last));
+        first = last;
+    }
+    walls.stop(trajectories);
+}
+
+}  // namespace plumb

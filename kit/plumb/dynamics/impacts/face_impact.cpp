@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/impacts/face_impact.h>
+
+#include <algorithm>
+#include <array>
+
+#include <plumb/collide/manifold.h>
+#include <plumb/dynamics/contacts/predicted_manifold.h>
+
+namespace plumb {
+
+namespace {
+
+/// Over both points, until nothing changes by then.
+constexpr int sweeps = 200;
+
+ImpactSide sideOf(const ImpactBody& body, const Vec2& point) {
+    return {body.motion.velocity, body.motion.angularVelocity, body.inverseMass, body.inverseInertia,
+            point - body.motion.center};
+}
+
+/// Two points at once: each parts at its share of its own approach.
+class FaceImpact {
+public:
+    FaceImpact(const Vec2& normal, const ImpactLaw& law, ImpactBody& a, ImpactBody& b)
+        : normal_(normal), law_(law), a_(a), b_(b) {}
+
+    std::vector<PointImpulse> solve(std::span<const Vec2> points) {
+        std::array<Impulse, 2> impulses;
+        for (std::size_t i = 0; i < 2; ++i)
+            impulses[i].wanted = -law_.restitution * std::min(speedAt(points[i]).dot(normal_), 0.0);
+        for (int sweep = 0; sweep < sweeps; ++sweep)
+            for (std::size_t i = 0; i < 2; ++i) solvePoint(points[i], impulses[i]);
+        std::vector<PointImpulse> given;
+        for (std::size_t i = 0; i < 2; ++i) given.push_back({points[i], impulses[i].normal, impulses[i].tangent});
+        return given;
+    }
+
+private:
+    struct Impulse {
+        double wanted = 0, normal = 0, tangent = 0;
+    };
+
+    void solvePoint(const Vec2& point, Impulse& impulse) {
+        const double change = (impulse.wanted - speedAt(point).dot(normal_)) / inverseMass(point, normal_);
+        const double normal = std::max(impulse.normal + change, 0.0);
+        push(point, normal_ * (normal - impulse.normal));
+        impulse.normal = normal;
+        const Vec2 t = perp(normal_);
+        const double limit = law_.friction * impulse.normal;
+        const double slow = speedAt(point).dot(t) / inverseMass(point, t);
+        const double tangent = std::clamp(impulse.tangent - slow, -limit, limit);
+        push(point, t * (tangent - impulse.tangent));
+        impulse.tangent = tangent;
+    }
+
+    /// Of B against A.
+    Vec2 speedAt(const Vec2& point) const { return velocityAt(b_.motion, point) - velocityAt(a_.motion, point); }
+
+    void push(const Vec2& point, const Vec2& impulse) {
+        const ImpactSide sa = sideOf(a_, point);
+        const ImpactSide sb = sideOf(b_, point);
+        a_.motion.velocity = sa.velocity - impulse * sa.inverseMass;
+        a_.motion.angularVelocity = sa.angularVelocity - cross(sa.arm, impulse) * sa.inverseInertia;
+        b_.motion.velocity = sb.velocity + impulse * sb.inverseMass;
+        b_.motion.angularVelocity = sb.angularVelocity + cross(sb.arm, impulse) * sb.inverseInertia;
+    }
+
+    double inverseMass(const Vec2& point, const Vec2& direction) const {
+        const ImpactSide sa = sideOf(a_, point);
+        const ImpactSide sb = sideOf(b_, point);
+        const double ra = cross(sa.arm, direction);
+        const double rb = cross(sb.arm, direction);
+        return sa.inverseMass + ra * ra * sa.inverseInertia + sb.inverseMass + rb * rb * sb.inverseInertia;
+    }
+
+    Vec2 normal_;
+    ImpactLaw law_;
+    ImpactBody& a_;
+    ImpactBody& b_;
+};
+
+}  // namespace
+
+std::vector<Vec2> touchingPoints(const Convex& a, const BodyMotion& motionA, const Convex& b, const BodyMotion& motionB,
+                                 const Distance& where, double size) {
+    const Vec2 middle = 0.5 * (where.pointA + where.pointB);
+    if (a.count == 1 || b.count == 1) return {middle};
+    const double faceTolerance = 1e-5 * size;  // float's, of a shape's size
+    const Manifold m = manifold(a, b, relativePose(motionA, motionB), static_cast<float>(faceTolerance));
+    if (m.count < 2) return {middle};
+    std::vector<Vec2> points;
+    for (const ManifoldPoint& p : m.points)
+        points.push_back(motionA.center + motionA.rotation * Vec2(p.position.cast<double>()));
+    return points;
+}
+
+std::vector<PointImpulse> solveImpact(std::span<const Vec2> points, const Vec2& normal, const ImpactLaw& law,
+                                      ImpactBody& a, ImpactBody& b) {
+    if (points.size() == 2) return FaceImpact(normal, law, a, b).solve(points);
+    const ImpactResult result = impact(sideOf(a, points[0]), sideOf(b, points[0]), normal, law);
+    a.motion.velocity = result.velocityA;
+    a.motion.angularVelocity = result.angularVelocityA;
+    b.motion.velocity = result.velocityB;
+    b.motion.angularVelocity = result.angularVelocityB;
+    return {{points[0], result.normalImpulse, result.tangentImpulse}};
+}
+
+}  // namespace plumb

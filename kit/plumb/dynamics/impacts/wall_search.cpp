@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/impacts/wall_search.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <plumb/collide/distance.h>
+#include <plumb/dynamics/bodies/shape_radii.h>
+#include <plumb/dynamics/contacts/bounds.h>
+#include <plumb/dynamics/contacts/contact_rules.h>
+#include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
+
+namespace plumb {
+
+namespace {
+
+/// This share of its core, and no more than this [m], a body may be deep in a wall: the solver pushes it out.
+constexpr double deepShare = 0.25;
+constexpr double deepest = 0.02;
+/// A body is stopped this far from the wall [m].
+constexpr double skin = 1e-4;
+/// Less than this makes no difference, and a search ends as near as that [m].
+constexpr double noticeable = 2e-5;
+/// What goes round a world more often in one step is looked at on its first rounds only [-].
+constexpr double mostRounds = 64;
+
+/// When a shape that goes through a wall, or too deep into it, has met it; empty when it does neither.
+std::optional<double> timeOfCrossing(const SweptShape& wall, const SweptShape& moving) {
+    const double deep = std::min(deepShare * coreOf(*moving.shape), deepest);
+    const double start = distance(*wall.shape, poseOn(wall.way, 0), *moving.shape, poseOn(moving.way, 0)).separation;
+    // What is deeper already, as under a heavy load, goes no deeper.
+    const std::optional<double> crossed = timeWithin(wall, moving, std::min(skin - deep, start - noticeable), 0);
+    return crossed && start > skin ? timeWithin(wall, moving, skin, 0) : crossed;
+}
+
+/// The same of two that are far from each other outside of a part of their ways: the search is as long as that.
+std::optional<double> timeOfCrossingIn(const RayPart& part, SweptShape wall, SweptShape moving) {
+    if (part.first <= 0 && part.last >= 1) return timeOfCrossing(wall, moving);
+    if (!(part.first <= part.last)) return std::nullopt;
+    wall.way = partOf(wall.way, part.first, part.last);
+    moving.way = partOf(moving.way, part.first, part.last);
+    const std::optional<double> time = timeOfCrossing(wall, moving);
+    return time ? std::optional(part.first + (part.last - part.first) * *time) : std::nullopt;
+}
+
+/// A body's way as seen from a wall.
+struct Passage {
+    Vec2 from{0, 0}, to{0, 0};  ///< of its centre, in the wall's frame [m]
+    double bend = 0;            ///< no farther than this off the straight line between the two [m]
+    double turn = 0;            ///< [rad]
+
+    /// No point of the body's outline has moved farther than this [m].
+    double travel(const BodyRecord& body) const { return (to - from).norm() + bend + std::fabs(turn) * body.reach; }
+};
+
+Passage passageOf(const WallWay& wall, const Way& way) {
+    const Vec2 before = way.start - wall.way.start;
+    const Vec2 after = before + (way.shift - wall.way.shift);
+    const double spin = std::fabs(wall.way.turn);
+    const double bend = spin * (2 * (after - before).norm() + spin * std::max(before.norm(), after.norm())) / 8;
+    const Vec2& center = wall.way.localCenter;
+    return {wall.toWallBefore * before + center, wall.toWallAfter * after + center, bend, way.turn - wall.way.turn};
+}
+
+}  // namespace
+
+bool mayCross(const WallWay& wall, const Way& way, const Shape& face, const BodyRecord& body) {
+    const Passage passage = passageOf(wall, way);
+    if (!isFar(body, passage.travel(body))) return false;
+    const Aabb line{passage.from.cwiseMin(passage.to), passage.from.cwiseMax(passage.to)};
+    return overlap(inflate(line, body.extent + passage.bend), aabbOf(face, {}));
+}
+
+void WallSearch::searchContact(ContactIndex index) {
+    const ContactRecord& contact = view_.contacts[index];
+    const bool isA = contact.bodyA == body_;
+    if (isA)
+        meet(contact.proxyA, contact.proxyB, contact.shift);
+    else
+        meet(contact.proxyB, contact.proxyA, -contact.shift);
+}
+
+void WallSearch::searchStatic() {
+    if (goesRound()) return meetAround([](const Proxy& other) { return other.fixed; });
+    meetNear([](const Space& space, const Aabb& box, Space::Visit visit) { space.queryFixed(box, visit); });
+}
+
+void WallSearch::searchKinematic() {
+    if (view_.bodies.kinematic.empty()) return;
+    if (goesRound()) return meetAround([](const Proxy& other) { return !other.fixed; });
+    meetNear([](const Space& space, const Aabb& box, Space::Visit visit) {
+        space.query(box, [&](ProxyId other, const Vec2& shift) {
+            if (!space[other].fixed) visit(other, shift);
+        });
+    });
+}
+
+bool WallSearch::isWithinBounds() const {
+    const BodyPlace& place = view_.bodies.place[body_];
+    const auto excess = [](double moved, double predicted) {
+        return std::max(std::min(predicted, 0.0) - moved, moved - std::max(predicted, 0.0));
+    };
+    const Vec2 predicted = predictedShift(view_.bodies, body_);
+    const double aside = std::max({excess(way_.shift.x(), predicted.x()), excess(way_.shift.y(), predicted.y()), 0.0});
+    const double turned = std::fabs(way_.turn) * view_.bodies.record[body_].reach;
+    return aside + std::max(turned - static_cast<double>(place.turn), 0.0) < 0.5 * static_cast<double>(contactMargin);
+}
+
+void WallSearch::meet(ProxyId own, ProxyId other, const Vec2& shift, const RayPart& part) {
+    const bool ruled = hasRule(view_.space[own].def) || hasRule(view_.space[other].def);
+    const Verdict verdict = ruled ? verdictOn(own, other, shift) : Verdict::Solid;
+    if (letsPass(verdict)) return;
+    const BodyIndex wall = view_.space[other].owner;
+    Way wallWay = freeWay(view_.bodies, wall, past_);
+    wallWay.start += shift;
+    const Shape& shape = view_.space[own].def.shape;
+    const Shape& face = view_.space[other].def.shape;
+    if (!mayCross(WallWay(wallWay), way_, face, view_.bodies.record[body_])) return;
+    const SweptShape swept{&shape, way_, reachOf(shape, way_.localCenter)};
+    const std::optional<double> time = timeOfCrossingIn(part, {&face, wallWay, 0}, swept);
+    if (!time || (first_ && *time >= first_->time)) return;
+    if (verdict == Verdict::Solid || isSolidAt(*time, {&face, wallWay, 0}, swept, own, other))
+        first_ = WallHit{*time, wall, wallWay, shift};
+}
+
+Verdict WallSearch::verdictOn(ProxyId own, ProxyId other, const Vec2& shift) const {
+    Verdict verdict = Verdict::Open;
+    forEachContact(view_.bodies, view_.contacts, body_, [&](ContactIndex index) {
+        const ContactRecord& contact = view_.contacts[index];
+        if ((contact.proxyA == own && contact.proxyB == other && contact.shift == shift) ||
+            (contact.proxyB == own && contact.proxyA == other && contact.shift == -shift))
+            verdict = contact.verdict;
+    });
+    return verdict;
+}
+
+/// Asks the rules of what was not seen coming, where it meets the wall.
+bool WallSearch::isSolidAt(double time, const SweptShape& wall, const SweptShape& swept, ProxyId own,
+                           ProxyId other) const {
+    const Distance met = distance(*wall.shape, poseOn(wall.way, time), *swept.shape, poseOn(swept.way, time));
+    const double duration = std::max(past_.from - past_.to, 1e-9);
+    const auto velocityOf = [&](const Way& way, const Vec2& point) {
+        return Vec2((way.shift + perp(Vec2(point - way.start - way.shift * time)) * way.turn) / duration);
+    };
+    const Face face{met.normal, velocityOf(swept.way, met.pointB) - velocityOf(wall.way, met.pointA), met.separation};
+    const Proxy& a = view_.space[other];
+    const Proxy& b = view_.space[own];
+    return rulesAdmit(view_.bodies, a, b, face) && comesFromOpenSide(view_.bodies, a, b, face, false);
+}
+
+void WallSearch::meetNear(FunctionRef<void(const Space&, const Aabb&, Space::Visit)> query) {
+    const Space& space = view_.space;
+    const BodyRecord& record = view_.bodies.record[body_];
+    const Vec2 end = way_.start + way_.shift;
+    const Aabb box = inflate({way_.start.cwiseMin(end), way_.start.cwiseMax(end)}, record.extent);
+    query(space, box, [&](ProxyId other, const Vec2& shift) { meetAll(other, shift); });
+}
+
+void WallSearch::meetAll(ProxyId other, const Vec2& shift, const RayPart& part) {
+    const Space& space = view_.space;
+    if (view_.bodies.isDynamic(space[other].owner) || space[other].def.sensor) return;
+    for (const ProxyId own : view_.bodies.links[body_].proxies)
+        if (!space[own].def.sensor && mayPair(space[own], space[other]) &&
+            !view_.bodies.areKeptApart(body_, space[other].owner))
+            meet(own, other, shift, part);
+}
+
+/// The part of the way on which the body may touch a shape's box.
+RayPart WallSearch::partNear(ProxyId other, const Vec2& shift) const {
+    const double extent = view_.bodies.record[body_].extent;
+    const Aabb box = inflate(view_.space.box(other), extent * (1 + 1e-6) + skin);
+    return clipRay(way_.start, way_.start + way_.shift, {box.lower + shift, box.upper + shift});
+}
+
+/// Is the way longer than a world that wraps?
+bool WallSearch::goesRound() const {
+    const Wrap& wrap = view_.bodies.wrap;
+    return (wrap.width && std::fabs(way_.shift.x()) > *wrap.width) ||
+           (wrap.height && std::fabs(way_.shift.y()) > *wrap.height);
+}
+
+/// Then what lies on the way is met in its order, and, of more than 64 rounds, on the first 64.
+void WallSearch::meetAround(FunctionRef<bool(const Proxy&)> wanted) {
+    const Wrap& wrap = view_.bodies.wrap;
+    double part = 1;
+    if (wrap.width) part = std::min(part, mostRounds * *wrap.width / std::fabs(way_.shift.x()));
+    if (wrap.height) part = std::min(part, mostRounds * *wrap.height / std::fabs(way_.shift.y()));
+    const double extent = view_.bodies.record[body_].extent;
+    view_.space.castBox({extent, extent}, way_.start, way_.start + way_.shift * part,
+                        [&](ProxyId other, const Vec2& shift) {
+                            if (wanted(view_.space[other])) meetAll(other, shift, partNear(other, shift));
+                            return first_ ? std::min(first_->time / part, 1.0) : 1.0;
+                        });
+}
+
+}  // namespace plumb

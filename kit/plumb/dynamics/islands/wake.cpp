@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/islands/wake.h>
+
+#include <plumb/dynamics/bodies/load_bodies.h>
+#include <plumb/dynamics/islands/neighbours.h>
+
+namespace plumb {
+
+namespace {
+
+void wakeOne(BodyStore& bodies, ContactStore& contacts, JointStore& joints, BodyIndex body) {
+    if (bodies.record[body].awake) {
+        bodies.record[body].stillTime = 0;
+        return;
+    }
+    bodies.wake(body);
+    loadBody(bodies, body, bodies.lastStep);
+    // Its bounds stay until the next step: a pair whose bounds part within a step, and meet again, would be lost.
+    bodies.step[body].boundsPending = true;
+    joints.changed = joints.changed || !bodies.links[body].joints.empty();
+    forEachContact(bodies, contacts, body, [&](ContactIndex contact) { contacts.addNear(contact); });
+}
+
+}  // namespace
+
+void wakeIsland(BodyStore& bodies, ContactStore& contacts, JointStore& joints, BodyIndex seed) {
+    if (!bodies.canMove(seed)) return;
+    std::vector<BodyIndex> reached{seed};
+    wakeOne(bodies, contacts, joints, seed);
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+        forEachNeighbour(bodies, contacts, joints, reached[i], [&](BodyIndex other) {
+            if (bodies.record[other].awake) return;
+            wakeOne(bodies, contacts, joints, other);
+            reached.push_back(other);
+        });
+    }
+}
+
+void wakeIslands(BodyStore& bodies, ContactStore& contacts, JointStore& joints, std::span<const BodyIndex> named) {
+    for (const BodyIndex body : named) wakeIsland(bodies, contacts, joints, body);
+}
+
+void wakeNeighbours(BodyStore& bodies, ContactStore& contacts, JointStore& joints, BodyIndex body) {
+    std::vector<BodyIndex> neighbours;
+    forEachNeighbour(bodies, contacts, joints, body, [&](BodyIndex other) { neighbours.push_back(other); });
+    wakeIslands(bodies, contacts, joints, neighbours);
+}
+
+}  // namespace plumb

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Which bodies feel a joint? Two, or, of a gear, up to four.
+#pragma once
+#include <algorithm>
+
+#include <plumb/dynamics/joints/joint_store.h>
+
+namespace plumb {
+
+/// In the order of its rows' ends: noBody where there is none, and maybe one twice.
+inline std::array<BodyIndex, mostEnds> endsOf(const JointStore& joints, JointIndex index) {
+    const JointRecord& record = joints[index];
+    const auto* gear = std::get_if<GearJoint>(&record.joint);
+    if (gear == nullptr) return {record.bodyA, record.bodyB, noBody, noBody};
+    return {record.bodyA, record.bodyB, joints[gear->jointA].bodyA, joints[gear->jointB].bodyA};
+}
+
+/// Calls visit(body) for each of them once.
+template <class Visit>
+void forEachBody(const JointStore& joints, JointIndex index, Visit&& visit) {
+    const std::array<BodyIndex, mostEnds> ends = endsOf(joints, index);
+    for (auto end = ends.begin(); end != ends.end(); ++end)
+        if (*end != noBody && std::find(ends.begin(), end, *end) == end) visit(*end);
+}
+
+/// Is there something that it could move, and is all of it where a body can be?
+inline bool holdsSomething(const JointStore& joints, const BodyStore& bodies, JointIndex index) {
+    const std::array<BodyIndex, mostEnds> ends = endsOf(joints, index);
+    return std::any_of(ends.begin(), ends.end(), [&](BodyIndex body) { return bodies.canMove(body); }) &&
+           std::all_of(ends.begin(), ends.end(), [&](BodyIndex body) { return isInRange(bodies.motion[body]); });
+}
+
+}  // namespace plumb

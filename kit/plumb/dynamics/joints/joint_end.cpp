@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/joints/joint_end.h>
+
+#include <algorithm>
+
+namespace plumb {
+
+namespace {
+
+/// Turning is looked ahead no farther than this: beyond, in a joint that breaks up, it would feed what it is to correct
+/// [rad].
+constexpr double farthestTurn = 0.5;
+
+End endOf(const Anchor& anchor, const BodyMotion& motion) {
+    End end;
+    end.body = anchor.body;
+    end.rotation = motion.rotation;
+    end.arm = motion.rotation * anchor.local;
+    end.point = motion.center + end.arm + anchor.shift;
+    end.angle = motion.angle;
+    end.velocity = motion.velocity;
+    end.spin = motion.angularVelocity;
+    return end;
+}
+
+}  // namespace
+
+End endAtRest(const Anchor& anchor, const BodyStore& bodies) {
+    return endOf(anchor, bodies.motion[anchor.body]);
+}
+
+End endNow(const Anchor& anchor, const BodyStore& bodies) {
+    BodyMotion motion = bodies.motion[anchor.body];
+    const SolverDisplacement& moved = bodies.displacement[anchor.body];
+    const SolverVelocity& velocity = bodies.velocity[anchor.body];
+    const double rho = static_cast<double>(bodies.turn[anchor.body].rho);
+    const Rot start = motion.rotation;
+    const double sin = static_cast<double>(moved.sin) * rho, less = static_cast<double>(moved.cosMinus1) * rho;
+    motion.center += Vec2(static_cast<double>(moved.x), static_cast<double>(moved.y));
+    motion.angle += static_cast<double>(bodies.turn[anchor.body].angle);
+    motion.rotation.cos = start.cos + (start.cos * less - start.sin * sin);
+    motion.rotation.sin = start.sin + (start.sin * less + start.cos * sin);
+    motion.velocity = {static_cast<double>(velocity.x), static_cast<double>(velocity.y)};
+    motion.angularVelocity = static_cast<double>(velocity.w) * rho;
+    return endOf(anchor, motion);
+}
+
+End endAfter(const End& now, double h) {
+    End end = now;
+    const double turn = std::clamp(now.spin * h, -farthestTurn, farthestTurn);
+    const Rot turned{1 - turn * turn / 2 * (1 - turn * turn / 12),
+                     turn * (1 - turn * turn / 6 * (1 - turn * turn / 20))};
+    end.arm = turned * now.arm;
+    end.rotation = turned * now.rotation;
+    end.point += now.velocity * h + (end.arm - now.arm);
+    end.angle += turn;
+    return end;
+}
+
+}  // namespace plumb

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Where is a joint's end on a body now, and where will it be after the sub-step?
+#pragma once
+#include <plumb/dynamics/bodies/body_store.h>
+
+namespace plumb {
+
+/// A point fixed to a body, or, on noBody, to the world.
+struct Anchor {
+    Vec2 local{0, 0};  ///< from the centre of mass, in the body's frame [m]
+    BodyIndex body = noBody;
+    Vec2 shift{0, 0};  ///< so many rounds of the world bring it to the other end [m]
+};
+
+/// The anchor on a body at a point of the world, where the body stands now.
+inline Anchor anchorAt(BodyIndex body, const Vec2& point, const BodyStore& bodies) {
+    const BodyMotion& motion = bodies.motion[body];
+    const Vec2 there = bodies.near(point, motion.center);
+    return {motion.rotation.inverse() * Vec2(there - motion.center), body, point - there};
+}
+
+struct AnchorPair {
+    Anchor a, b;
+};
+
+/// An anchor, and how its body moves.
+struct End {
+    BodyIndex body = noBody;
+    Vec2 point{0, 0};     ///< the anchor, in the world [m]
+    Vec2 arm{0, 0};       ///< from the centre of mass to it [m]
+    Rot rotation;         ///< of the body
+    double angle = 0;     ///< of the body [rad]
+    Vec2 velocity{0, 0};  ///< of the centre of mass [m/s]
+    double spin = 0;      ///< [rad/s]
+};
+
+/// Where it was left by the last step.
+End endAtRest(const Anchor& anchor, const BodyStore& bodies);
+/// Within a step, where its sub-steps have brought it.
+End endNow(const Anchor& anchor, const BodyStore& bodies);
+/// After the coming sub-step of h [s], if it goes on as it moves now.
+End endAfter(const End& now, double h);
+
+/// Both ends of a joint.
+struct Ends {
+    End a, b;
+    Vec2 apart() const { return b.point - a.point; }
+    double angle() const { return b.angle - a.angle; }
+};
+inline Ends endsNow(const AnchorPair& anchors, const BodyStore& bodies) {
+    return {endNow(anchors.a, bodies), endNow(anchors.b, bodies)};
+}
+inline Ends endsAtRest(const AnchorPair& anchors, const BodyStore& bodies) {
+    return {endAtRest(anchors.a, bodies), endAtRest(anchors.b, bodies)};
+}
+inline Ends after(const Ends& now, double h) {
+    return {endAfter(now.a, h), endAfter(now.b, h)};
+}
+
+}  // namespace plumb

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/joints/joint_store.h>
+
+#include <type_traits>
+
+namespace plumb {
+
+namespace {
+
+template <class Joint>
+constexpr bool hasEnds = requires(const Joint& joint) {
+    joint.anchors;
+};
+
+Geared geared(const JointStore& joints, JointIndex index, const BodyStore& bodies, double ahead, bool within) {
+    Geared result;
+    std::visit(
+        [&]<class Joint>(const Joint& joint) {
+            if constexpr (hasEnds<Joint>) {
+                const Ends now = within ? endsNow(joint.anchors, bodies) : endsAtRest(joint.anchors, bodies);
+                result.body = {now.a.body, now.b.body};
+                result.row = joint.coordinateRow(now);
+                result.speed = plumb::speedOf(result.row, now);
+                result.course = {joint.coordinate(now), joint.coordinate(after(now, ahead))};
+            }
+        },
+        joints[index].joint);
+    return result;
+}
+
+}  // namespace
+
+JointIndex JointStore::acquire() {
+    if (free.empty()) {
+        records.emplace_back();
+        loads.emplace_back();
+        return static_cast<JointIndex>(records.size() - 1);
+    }
+    const JointIndex joint = free.back();
+    free.pop_back();
+    return joint;
+}
+
+void JointStore::release(JointIndex joint) {
+    const std::uint32_t generation = records[joint].generation + 1;
+    std::erase(gears, joint);
+    records[joint] = {};
+    loads[joint] = {};
+    records[joint].generation = generation;
+    free.push_back(joint);
+}
+
+void JointStore::ask(JointIndex index, const BodyStore& bodies, JointPass pass, JointRows& rows) const {
+    pass.springShare = records[index].springShare;
+    std::visit(
+        [&]<class Joint>(const Joint& joint) {
+            if constexpr (hasEnds<Joint>) {
+                const Ends now = endsNow(joint.anchors, bodies);
+                start(rows, now);
+                joint.ask(rows, now, pass);
+            } else if constexpr (std::is_same_v<Joint, GearJoint>) {
+                start(rows, {});
+                joint.ask(rows, geared(*this, joint.jointA, bodies, pass.step, true),
+                          geared(*this, joint.jointB, bodies, pass.step, true), pass);
+            } else {
+                start(rows, {});
+            }
+        },
+        records[index].joint);
+}
+
+JointDef JointRecord::def() const {
+    return std::visit(
+        []<class Joint>(const Joint& any) -> JointDef {
+            if constexpr (requires { any.def(); })
+                return any.def();
+            else
+                return {};
+        },
+        joint);
+}
+
+bool JointStore::hasSpring(JointIndex index) const {
+    return std::visit(
+        []<class Joint>(const Joint& joint) {
+            bool has = std::is_same_v<Joint, TargetJoint>;
+            if constexpr (requires { joint.def().spring.has_value(); }) has = has || joint.def().spring.has_value();
+            if constexpr (requires { joint.def().bending; }) has = has || joint.def().bending.has_value();
+            return has;
+        },
+        records[index].joint);
+}
+
+SpringLoad JointStore::springLoadOf(JointIndex index, const BodyStore& bodies) const {
+    return std::visit(
+        [&]<class Joint>(const Joint& joint) -> SpringLoad {
+            if constexpr (requires(const Ends& ends) { joint.springLoad(ends); })
+                return joint.springLoad(endsAtRest(joint.anchors, bodies));
+            else
+                return {};
+        },
+        records[index].joint);
+}
+
+double JointStore::coordinateOf(JointIndex index, const BodyStore& bodies) const {
+    if (const auto* gear = std::get_if<GearJoint>(&records[index].joint))
+        return coordinateOf(gear->jointA, bodies) + gear->ratio() * coordinateOf(gear->jointB, bodies);
+    return geared(*this, index, bodies, 0, false).course.now;
+}
+
+double JointStore::speedOf(JointIndex index, const BodyStore& bodies) const {
+    if (const auto* gear = std::get_if<GearJoint>(&records[index].joint))
+        return speedOf(gear->jointA, bodies) + gear->ratio() * speedOf(gear->jointB, bodies);
+    return geared(*this, index, bodies, 0, false).speed;
+}
+
+double JointStore::errorOf(JointIndex index, const BodyStore& bodies) const {
+    return std::visit(
+        [&]<class Joint>(const Joint& joint) -> double {
+            if constexpr (hasEnds<Joint>)
+                return joint.error(endsAtRest(joint.anchors, bodies));
+            else if constexpr (std::is_same_v<Joint, GearJoint>)
+                return std::abs(coordinateOf(index, bodies) - joint.total());
+            else
+                return 0;
+        },
+        records[index].joint);
+}
+
+double JointStore::angleErrorOf(JointIndex index, const BodyStore& bodies) const {
+    return std::visit(
+        [&]<class Joint>(const Joint& joint) -> double {
+            if constexpr (requires(const Ends& ends) { joint.angleError(ends); })
+                return joint.angleError(endsAtRest(joint.anchors, bodies));
+            else
+                return 0;
+        },
+        records[index].joint);
+}
+
+AnyJoint makeJoint(const JointDef& def, const JointStore& joints, const BodyStore& bodies) {
+    struct Maker {
+        const JointStore& joints;
+        const BodyStore& bodies;
+        AnyJoint operator()(const RevoluteJointDef& d) const { return RevoluteJoint(d, bodies); }
+        AnyJoint operator()(const PrismaticJointDef& d) const { return PrismaticJoint(d, bodies); }
+        AnyJoint operator()(const DistanceJointDef& d) const { return DistanceJoint(d, bodies); }
+        AnyJoint operator()(const WeldJointDef& d) const { return WeldJoint(d, bodies); }
+        AnyJoint operator()(const WheelJointDef& d) const { return WheelJoint(d, bodies); }
+        AnyJoint operator()(const PulleyJointDef& d) const { return PulleyJoint(d, bodies); }
+        AnyJoint operator()(const GearJointDef& d) const {
+            return GearJoint(d, joints.coordinateOf(d.jointA.index, bodies),
+                             joints.coordinateOf(d.jointB.index, bodies));
+        }
+        AnyJoint operator()(const MotorJointDef& d) const { return MotorJoint(d, bodies); }
+        AnyJoint operator()(const TargetJointDef& d) const { return TargetJoint(d, bodies); }
+        AnyJoint operator()(const FilterJointDef& d) const { return FilterJoint(d); }
+    };
+    return std::visit(Maker{joints, bodies}, def);
+}
+
+}  // namespace plumb

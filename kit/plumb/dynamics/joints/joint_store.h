@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Which joints are there, and what is kept of each?
+#pragma once
+#include <variant>
+#include <vector>
+
+#include <plumb/dynamics/joints/kinds/distance_joint.h>
+#include <plumb/dynamics/joints/kinds/gear_joint.h>
+#include <plumb/dynamics/joints/kinds/lock_joint.h>
+#include <plumb/dynamics/joints/kinds/motor_joint.h>
+#include <plumb/dynamics/joints/kinds/prismatic_joint.h>
+#include <plumb/dynamics/joints/kinds/pulley_joint.h>
+#include <plumb/dynamics/joints/kinds/revolute_joint.h>
+#include <plumb/dynamics/joints/kinds/target_joint.h>
+#include <plumb/dynamics/joints/kinds/weld_joint.h>
+#include <plumb/dynamics/joints/kinds/wheel_joint.h>
+
+namespace plumb {
+
+using JointIndex = std::uint32_t;
+
+/// Only keeps its bodies from touching.
+class FilterJoint {
+public:
+    explicit FilterJoint(const FilterJointDef& def) : def_(def) {}
+    const FilterJointDef& def() const { return def_; }
+
+private:
+    FilterJointDef def_;
+};
+
+/// monostate: a free slot.
+using AnyJoint = std::variant<std::monostate, RevoluteJoint, PrismaticJoint, DistanceJoint, WeldJoint, WheelJoint,
+                              PulleyJoint, GearJoint, MotorJoint, TargetJoint, LockJoint, FilterJoint>;
+
+/// Impulses on B in the last step it was solved in, and how long that was.
+struct JointLoad {
+    Vec2 impulse{0, 0};  ///< [N s]
+    double turning = 0;  ///< about B's anchor [N m s]
+    double time = 0;     ///< [s]
+
+    Vec2 force() const { return time > 0 ? Vec2(impulse / time) : Vec2(0, 0); }
+    double torque() const { return time > 0 ? turning / time : 0.0; }
+};
+
+struct JointRecord {
+    AnyJoint joint;
+    BodyIndex bodyA = noBody, bodyB = noBody;  ///< noBody: the world; of a gear, what its joints move
+    bool collideConnected = false;
+    std::uint32_t generation = 0;
+    Breaking breaking;
+    std::array<RowState, mostRows> states{};
+    double springShare = 1;  ///< in this step (see joint_springs.h)
+    Vec3 speeds{};           ///< of the rows, before the sub-step: what dampers go by [m/s or rad/s]
+    Vec3 impulse{};          ///< of half a sub-step, while its island is swept [N s or N m s]
+
+    bool isFree() const { return std::holds_alternative<std::monostate>(joint); }
+    JointDef def() const;  ///< of one that is neither free nor hidden
+    bool isHidden() const { return std::holds_alternative<LockJoint>(joint); }
+    bool mayBreak() const { return breaking.force < unlimited || breaking.torque < unlimited; }
+    bool acts() const { return !isFree() && !std::holds_alternative<FilterJoint>(joint); }
+};
+
+struct JointStore {
+    std::vector<JointRecord> records;
+    std::vector<JointLoad> loads;  ///< of the records: written every step, so apart from what is not
+    std::vector<JointIndex> free;
+    std::vector<JointIndex> gears;  ///< those that two others drive
+    bool changed = false;           ///< islands that were found before are out of date
+
+    JointRecord& operator[](JointIndex joint) { return records[joint]; }
+    const JointRecord& operator[](JointIndex joint) const { return records[joint]; }
+
+    JointIndex acquire();
+    void release(JointIndex joint);
+
+    /// What a joint asks for in this half of a sub-step.
+    void ask(JointIndex joint, const BodyStore& bodies, JointPass pass, JointRows& rows) const;
+    bool hasSpring(JointIndex joint) const;
+    SpringLoad springLoadOf(JointIndex joint, const BodyStore& bodies) const;
+    /// Where the last step has left it [m or rad].
+    double coordinateOf(JointIndex joint, const BodyStore& bodies) const;
+    double speedOf(JointIndex joint, const BodyStore& bodies) const;       ///< [m/s or rad/s]
+    double errorOf(JointIndex joint, const BodyStore& bodies) const;       ///< [m]
+    double angleErrorOf(JointIndex joint, const BodyStore& bodies) const;  ///< [rad]
+};
+
+/// The joint that a def describes, where the bodies stand now.
+AnyJoint makeJoint(const JointDef& def, const JointStore& joints, const BodyStore& bodies);
+
+}  // namespace plumb

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// How are two points kept at a distance, or pulled back to it?
+//
+// One row, along the line from anchor to anchor: held, of a rod; within limits, and driven, of a spring.
+#pragma once
+#include <plumb/dynamics/joints/joint_rows.h>
+
+namespace plumb {
+
+class DistanceJoint {
+public:
+    AnchorPair anchors;
+
+    DistanceJoint(const DistanceJointDef& def, const BodyStore& bodies);
+
+    const DistanceJointDef& def() const { return def_; }
+    void set(const DistanceJointDef& def);
+    void ask(JointRows& rows, const Ends& now, const JointPass& pass) const;
+    SpringLoad springLoad(const Ends& now) const;
+    static double coordinate(const Ends& ends) { return ends.apart().norm(); }
+    static JointRow coordinateRow(const Ends& ends);
+    double error(const Ends& ends) const;
+
+private:
+    DistanceJointDef def_;
+    double apart_ = 1;  ///< how far the anchors were when it was made [m]
+    double length_ = 1;
+};
+
+}  // namespace plumb

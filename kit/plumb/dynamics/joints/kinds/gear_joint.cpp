@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/joints/kinds/gear_joint.h>
+
+namespace plumb {
+
+void GearJoint::ask(JointRows& rows, const Geared& a, const Geared& b, const JointPass& pass) const {
+    rows.ends = 4;
+    // The second end is the one whose force is told: what the second joint moves.
+    rows.body = {a.body[1], b.body[1], a.body[0], b.body[0]};
+    JointRow& row = rows.add();
+    row.at[0] = a.row.at[1];
+    rows.far[0] = a.row.at[0];
+    for (std::size_t i = 0; i < 3; ++i) {
+        row.at[1][i] = def_.ratio * b.row.at[1][i];
+        rows.far[1][i] = def_.ratio * b.row.at[0][i];
+    }
+    const Course course{a.course.now + def_.ratio * b.course.now - total_,
+                        a.course.later + def_.ratio * b.course.later - total_};
+    hold(row, course, a.speed + def_.ratio * b.speed, pass);
+}
+
+}  // namespace plumb

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/joints/kinds/motor_joint.h>
+
+namespace plumb {
+
+MotorJoint::MotorJoint(const MotorJointDef& def, const BodyStore& bodies)
+    : anchors{anchorAt(def.bodyA.index, bodies.origin(def.bodyA.index), bodies),
+              anchorAt(def.bodyB.index, bodies.near(bodies.origin(def.bodyB.index), bodies.origin(def.bodyA.index)),
+                       bodies)},
+      startOffset_(bodies.motion[anchors.a.body].rotation.inverse() *
+                   Vec2(bodies.near(bodies.origin(def.bodyB.index), bodies.origin(def.bodyA.index)) -
+                        bodies.origin(def.bodyA.index))),
+      startAngle_(bodies.motion[anchors.b.body].angle - bodies.motion[anchors.a.body].angle) {
+    set(def);
+}
+
+void MotorJoint::set(const MotorJointDef& def) {
+    def_ = def;
+    offset_ = def.offset.value_or(startOffset_);
+    angle_ = def.angle.value_or(startAngle_);
+}
+
+JointRow MotorJoint::coordinateRow(const Ends& ends) const {
+    return rowAlong(off(ends).stableNormalized(), ends);
+}
+
+void MotorJoint::ask(JointRows& rows, const Ends& now, const JointPass& pass) const {
+    const Vec2 wanted = now.a.rotation * def_.velocity - off(now) * def_.rate;
+    const Vec2 fromA = now.a.arm + now.apart();
+    const Vec2 speed = (now.b.velocity + perp(now.b.arm) * now.b.spin) - (now.a.velocity + perp(fromA) * now.a.spin);
+    if (def_.maxForce > 0) {
+        // Along what is missing first, so that the force is no larger askew than it is along an axis.
+        const Vec2 missing = wanted - speed;
+        const Vec2 way = missing.squaredNorm() > 0 ? Vec2(missing.stableNormalized()) : Vec2(1, 0);
+        for (const Vec2& axis : {way, perp(way)}) {
+            JointRow& row = rows.add() = rowAlong(axis, now);
+            drive(row, axis.dot(wanted), def_.maxForce, pass);
+        }
+    }
+    if (def_.maxTorque > 0) {
+        JointRow& row = rows.add() = rowTurning();
+        drive(row, def_.angularVelocity - (now.angle() - angle_) * def_.rate, def_.maxTorque, pass);
+    }
+}
+
+}  // namespace plumb

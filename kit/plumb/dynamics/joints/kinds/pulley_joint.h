@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// How do two bodies hang on one rope over two fixed wheels?
+//
+// One row, the rate of lengthA + ratio lengthB, that may not grow beyond what the rope is long; it pulls and never
+// pushes.
+#pragma once
+#include <plumb/dynamics/joints/joint_rows.h>
+
+namespace plumb {
+
+class PulleyJoint {
+public:
+    AnchorPair anchors;
+
+    PulleyJoint(const PulleyJointDef& def, const BodyStore& bodies);
+
+    const PulleyJointDef& def() const { return def_; }
+    void set(const PulleyJointDef& def);
+    void ask(JointRows& rows, const Ends& now, const JointPass& pass) const;
+    double coordinate(const Ends& ends) const;
+    JointRow coordinateRow(const Ends& ends) const;
+    double error(const Ends& ends) const;
+
+private:
+    PulleyJointDef def_;
+    double startA_ = 0, startB_ = 0;  ///< lengths when it was made [m]
+    double length_ = 0;               ///< of the rope, B's part counted ratio times [m]
+};
+
+}  // namespace plumb

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// How is a point of a body dragged to a point of the world?
+//
+// Two rows, along the pull and across it: a spring from the one to the other, of bounded force.
+#pragma once
+#include <plumb/dynamics/joints/joint_rows.h>
+
+namespace plumb {
+
+class TargetJoint {
+public:
+    AnchorPair anchors;
+
+    TargetJoint(const TargetJointDef& def, const BodyStore& bodies);
+
+    const TargetJointDef& def() const { return def_; }
+    void set(const TargetJointDef& def, const BodyStore& bodies);
+    void ask(JointRows& rows, const Ends& now, const JointPass& pass) const;
+    SpringLoad springLoad(const Ends& now) const;
+    static double coordinate(const Ends& ends) { return ends.apart().norm(); }
+    static JointRow coordinateRow(const Ends& ends) { return rowAlong(ends.apart().stableNormalized(), ends); }
+    static double error(const Ends&) { return 0; }
+
+private:
+    /// Along the way to the target, and across it.
+    static std::array<Vec2, 2> axes(const Ends& ends);
+
+    TargetJointDef def_;
+    Spring spring_;
+};
+
+}  // namespace plumb

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/ledger/account.h>
+
+#include <plumb/dynamics/fields/field_energy.h>
+
+namespace plumb {
+
+double kineticEnergyOf(const BodyRecord& body, const Vec2& velocity, double spin) {
+    return 0.5 * body.mass * velocity.squaredNorm() +
+           (body.inverseInertia > 0 ? 0.5 * body.inertia * spin * spin : 0.0);
+}
+
+double gravitationalEnergyOf(const BodyRecord& body, const Vec2& center, const Vec2& gravity) {
+    return -body.mass * body.gravityScale * gravity.dot(center);
+}
+
+void Account::note(Energy entry, double energy) {
+    ledger_.energy.*entry += energy;
+    notedEnergy_ += energy;
+}
+
+void Account::note(Momentum entry, const Vec2& momentum) {
+    ledger_.momentum.*entry += momentum;
+    notedMomentum_ += momentum;
+}
+
+void Account::close(const LedgerView& view, Energy energy, Momentum momentum) {
+    EnergyLedger& e = ledger_.energy;
+    const BodyStore& bodies = view.bodies;
+    e.kinetic = e.gravitational = e.spring = 0;
+    e.fields = fieldEnergyOf({view.fields, bodies, view.space});
+    Vec2 sum(0, 0);
+    for (BodyIndex body = 1; body < bodies.record.size(); ++body) {
+        const BodyRecord& record = bodies.record[body];
+        if (!record.alive || record.type != BodyType::Dynamic) continue;
+        const BodyMotion& motion = bodies.motion[body];
+        if (!isInRange(motion)) continue;  // it goes into quarantine before it can do anything
+        e.kinetic += kineticEnergyOf(record, motion.velocity, motion.angularVelocity);
+        e.gravitational += gravitationalEnergyOf(record, motion.center, bodies.gravity);
+        sum += record.mass * motion.velocity;
+    }
+    if (view.jointPhases != nullptr) e.spring = view.jointPhases->springEnergy(view.joints, bodies);
+    e.*energy += (e.stored() - energy_) - notedEnergy_;
+    ledger_.momentum.*momentum += (sum - momentum_) - notedMomentum_;
+    ledger_.momentum.momentum = momentum_ = sum;
+    energy_ = e.stored();
+    notedEnergy_ = 0;
+    notedMomentum_.setZero();
+}
+
+}  // namespace plumb

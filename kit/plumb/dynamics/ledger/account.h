@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// How much energy and momentum has a world, and where did it go?
+#pragma once
+#include <plumb/dynamics/contacts/contact_graph.h>
+#include <plumb/dynamics/fields/field_store.h>
+#include <plumb/dynamics/ledger.h>
+#include <plumb/dynamics/solver/joint_phases.h>
+
+namespace plumb {
+
+/// What is looked at.
+struct LedgerView {
+    const BodyStore& bodies;
+    const FieldStore& fields;
+    const ContactGraph& graph;
+    const JointStore& joints;
+    const Space& space;
+    const JointPhases* jointPhases = nullptr;  ///< if the world has joints
+};
+
+double kineticEnergyOf(const BodyRecord& body, const Vec2& velocity, double spin);              ///< [J]
+double gravitationalEnergyOf(const BodyRecord& body, const Vec2& center, const Vec2& gravity);  ///< [J]
+
+class Account {
+public:
+    using Energy = double EnergyLedger::*;
+    using Momentum = Vec2 MomentumLedger::*;
+
+    const Ledger& ledger() const { return ledger_; }
+
+    /// Part of what the phase now going on does.
+    void note(Energy entry, double energy);
+    void note(Momentum entry, const Vec2& momentum);
+    /// A phase is over: what it did beyond what was noted goes to these entries.
+    void close(const LedgerView& view, Energy energy, Momentum momentum);
+
+private:
+    Ledger ledger_;
+    double energy_ = 0, notedEnergy_ = 0;
+    Vec2 momentum_{0, 0}, notedMomentum_{0, 0};
+};
+
+}  // namespace plumb

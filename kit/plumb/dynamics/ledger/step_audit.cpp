@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/ledger/step_audit.h>
+
+#include <algorithm>
+
+#include <plumb/dynamics/bodies/free_motion.h>
+#include <plumb/dynamics/fields/field_energy.h>
+
+namespace plumb {
+
+namespace {
+
+/// The speed of a contact's point on one body along an axis, its arm's part times rho given.
+double speedAlong(const SolverVelocity& v, double x, double y, double turn) {
+    return x * static_cast<double>(v.x) + y * static_cast<double>(v.y) + turn * static_cast<double>(v.w);
+}
+
+Vec2 linearOf(const SolverVelocity& v) {
+    return {static_cast<double>(v.x), static_cast<double>(v.y)};
+}
+
+/// Calls visit(batch, its manifolds, lane).
+template <class Visit>
+void forEachLane(const ContactGraph& graph, Visit&& visit) {
+    for (const Colour& colour : graph.colours)
+        for (std::size_t slot = 0; slot < colour.contactOf.size(); ++slot)
+            visit(colour.batches[slot / batchLanes], colour.manifolds[slot / batchLanes], slot % batchLanes);
+}
+
+}  // namespace
+
+/// One contact: what it has given, and the velocities of its bodies.
+struct StepAudit::Lane {
+    const ContactBatch& batch;
+    std::size_t lane;
+    SolverVelocity a, b;
+    double normal[2] = {0, 0}, tangent[2] = {0, 0}, roll = 0;
+
+    /// Before it has given anything.
+    static Lane before(const ContactBatch& from, std::size_t at, const std::vector<SolverVelocity>& velocities) {
+        Lane lane(from, at, velocities);
+        lane.normal[0] = lane.normal[1] = lane.tangent[0] = lane.tangent[1] = lane.roll = 0;
+        return lane;
+    }
+    Lane(const ContactBatch& from, std::size_t at, const std::vector<SolverVelocity>& velocities)
+        : batch(from), lane(at), a(velocities[from.bodyA[at]]), b(velocities[from.bodyB[at]]) {
+        for (std::size_t p = 0; p < 2; ++p) {
+            normal[p] = static_cast<double>(batch.points[p].normalImpulse[lane]);
+            tangent[p] = static_cast<double>(batch.points[p].tangentImpulse[lane]);
+        }
+        roll = static_cast<double>(batch.rollImpulse[lane]);
+    }
+    double nx() const { return static_cast<double>(batch.normalX[lane]); }
+    double ny() const { return static_cast<double>(batch.normalY[lane]); }
+    // Along the normal, and along the tangent (-ny, nx), of a point on A and on B.
+    double normalA(std::size_t p) const {
+        return speedAlong(a, nx(), ny(), -static_cast<double>(batch.points[p].anchorTangentA[lane]));
+    }
+    double normalB(std::size_t p) const {
+        return speedAlong(b, nx(), ny(), -static_cast<double>(batch.points[p].anchorTangentB[lane]));
+    }
+    double tangentA(std::size_t p) const {
+        return speedAlong(a, -ny(), nx(), static_cast<double>(batch.points[p].anchorNormalA[lane]));
+    }
+    double tangentB(std::size_t p) const {
+        return speedAlong(b, -ny(), nx(), static_cast<double>(batch.points[p].anchorNormalB[lane]));
+    }
+    double rollA() const { return static_cast<double>(batch.rollRhoA[lane] * a.w); }
+    double rollB() const { return static_cast<double>(batch.rollRhoB[lane] * b.w); }
+};
+
+void StepAudit::noteFlight(BodyIndex body, const BodyMotion& from, const BodyMotion& to, double time) {
+    const BodyRecord& record = bodies_.record[body];
+    if (record.type != BodyType::Dynamic) return;
+    const double work = record.force.dot(to.center - from.center) + record.torque * (to.angle - from.angle);
+    const Vec2 pull = record.mass * record.gravityScale * bodies_.gravity * time, push = record.force * time;
+    account_.note(&EnergyLedger::forces, work);
+    account_.note(&MomentumLedger::gravity, pull);
+    account_.note(&MomentumLedger::forces, push);
+    const auto energyAt = [&](const BodyMotion& m) {
+        return kineticEnergyOf(record, m.velocity, m.angularVelocity) +
+               gravitationalEnergyOf(record, m.center, bodies_.gravity) +
+               fieldEnergyOf({view_.fields, bodies_, view_.space}, body, m);
+    };
+    const std::uint32_t flight = bodies_.step[body].flight;
+    if (flight != none &&
+        !bodies_.flights[flight].steady) {  // what of it had which cause is told when its flight is over
+        account_.note(&EnergyLedger::solver, energyAt(to) - energyAt(from) - work);
+        return;
+    }
+    const Vec2 fields =
+        flight != none ? Vec2(record.mass * view_.fields.accounts[flight].steadyPull * time) : Vec2(0, 0);
+    account_.note(&MomentumLedger::fields, fields);
+    const FlightLaw law = flightLawOf(bodies_, body);
+    if (law.linearDamping == 0 && law.angularDamping == 0) return;
+    account_.note(&EnergyLedger::damping, energyAt(to) - energyAt(from) - work);
+    account_.note(&MomentumLedger::damping, record.mass * (to.velocity - from.velocity) - pull - push - fields);
+}
+
+void StepAudit::noteAccount(const FieldAccount& account) {
+    account_.note(&EnergyLedger::forces, account.forced);
+    account_.note(&EnergyLedger::damping, account.damped);
+    account_.note(&EnergyLedger::friction, account.rubbed);
+    account_.note(&MomentumLedger::fields, account.fields);
+    account_.note(&MomentumLedger::damping, account.dampedMomentum);
+    account_.note(&MomentumLedger::ground, account.rubbedMomentum);
+}
+
+void StepAudit::noteFieldFlight(std::uint32_t flight) {
+    const FieldAccount& account = view_.fields.accounts[flight].account;
+    noteAccount(account);
+    account_.note(&EnergyLedger::solver, -(account.forced + account.damped + account.rubbed));
+}
+
+void StepAudit::noteImpact(double friction, double drivers, const Vec2& ground) {
+    account_.note(&EnergyLedger::friction, friction);
+    account_.note(&EnergyLedger::drivers, drivers);
+    account_.note(&MomentumLedger::ground, ground);
+}
+
+void StepAudit::noteGround(const Vec2& momentum) {
+    account_.note(&MomentumLedger::ground, momentum);
+}
+
+void StepAudit::beginSolver() {
+    dampedEnergy_.assign(bodies_.record.size(), 0.0);
+    dampedMomentum_.assign(bodies_.record.size(), Vec2(0, 0));
+    fieldAccounts_.assign(bodies_.flights.empty() ? 0 : bodies_.record.size(), {});
+}
+
+void StepAudit::beginHalf(const std::vector<BodyIndex>& solved) {
+    const double half = 0.5 * bodies_.lastStep / bodies_.subSteps;
+    start_ = bodies_.velocity;
+    for (const BodyIndex body : solved) {
+        const BodyRecord& record = bodies_.record[body];
+        if (bodies_.step[body].flight != none) continue;  // theirs is told by noteFieldKick
+        SolverVelocity& v = start_[body];
+        const Kick& kick = bodies_.kick[body];
+        const double rho = static_cast<double>(bodies_.turn[body].rho);
+        const double before = kineticEnergyOf(record, linearOf(v), static_cast<double>(v.w) * rho);
+        const Vec2 start = linearOf(v);
+        v = {v.x * kick.keep.x, v.y * kick.keep.y, v.w * kick.keep.w, v.inverseMass};
+        dampedEnergy_[body] += kineticEnergyOf(record, linearOf(v), static_cast<double>(v.w) * rho) - before;
+        dampedMomentum_[body] += record.mass * (linearOf(v) - start);
+        const Vec2 gain(static_cast<double>(kick.gain.x), static_cast<double>(kick.gain.y));
+        const Vec2 pull = record.mass * record.gravityScale * bodies_.gravity + record.force;
+        if (record.linearDamping > 0) dampedMomentum_[body] += record.mass * gain - pull * half;
+        v = {v.x + kick.gain.x, v.y + kick.gain.y, v.w + kick.gain.w, v.inverseMass};
+    }
+}
+
+void StepAudit::noteFieldKick(BodyIndex body, const FieldKick& kick, const Vec2& base) {
+    SolverVelocity& v = start_[body];
+    v.x += static_cast<float>(kick.kept.velocity.x());
+    v.y += static_cast<float>(kick.kept.velocity.y());
+    v.w += static_cast<float>(kick.kept.spin) * bodies_.turn[body].inverseRho;
+    fieldsGiven_.push_back({body, kick, base});
+}
+
+void StepAudit::noteGiven(const FieldGiven& given) {
+    const double rho = static_cast<double>(bodies_.turn[given.body].rho);
+    const SolverVelocity &then = start_[given.body], &now = bodies_.velocity[given.body];
+    const VelocityChange mean{0.5 * (linearOf(then) + linearOf(now)), 0.5 * rho * static_cast<double>(then.w + now.w)};
+    fieldAccounts_[given.body].add(bodies_.record[given.body], given.kick, mean, given.base);
+}
+
+void StepAudit::noteContact(const Lane& before, const Lane& after, bool hits) {
+    const ContactBatch& batch = after.batch;
+    const double belt = batch.belts ? static_cast<double>(batch.beltSpeed[after.lane]) : 0.0;
+    const bool pushA = after.a.inverseMass > 0, pushB = after.b.inverseMass > 0;
+    double friction = 0, impacts = 0, drivers = 0;
+    Vec2 impulse(0, 0);
+    for (std::size_t p = 0; p < 2; ++p) {
+        const double normal = after.normal[p] - before.normal[p], tangent = after.tangent[p] - before.tangent[p];
+        const double na = 0.5 * (before.normalA(p) + after.normalA(p)),
+                     nb = 0.5 * (before.normalB(p) + after.normalB(p));
+        const double ta = 0.5 * (before.tangentA(p) + after.tangentA(p));
+        const double tb = 0.5 * (before.tangentB(p) + after.tangentB(p));
+        impacts += normal * (nb - na);
+        friction += tangent * (tb - ta + belt);
+        drivers -= tangent * belt;
+        // What is not pushed works on what is.
+        if (!pushA) drivers += normal * na + tangent * ta;
+        if (!pushB) drivers -= normal * nb + tangent * tb;
+        impulse += Vec2(after.nx(), after.ny()) * normal + Vec2(-after.ny(), after.nx()) * tangent;
+    }
+    if (batch.rolls) {
+        const double roll = after.roll - before.roll;
+        const double ra = 0.5 * (before.rollA() + after.rollA()), rb = 0.5 * (before.rollB() + after.rollB());
+        friction += roll * (rb - ra);
+        if (!pushA) drivers += roll * ra;
+        if (!pushB) drivers -= roll * rb;
+    }
+    account_.note(&EnergyLedger::friction, friction);
+    account_.note(&EnergyLedger::drivers, drivers);
+    if (hits) account_.note(&EnergyLedger::impacts, impacts);
+    if (pushA != pushB) account_.note(&MomentumLedger::ground, pushB ? impulse : Vec2(-impulse));
+}
+
+StepAudit::Given StepAudit::givenBy(const JointRows& rows, std::size_t row, double impulse) {
+    Given given;
+    given.body = rows.body;
+    given.all = impulse;
+    for (std::size_t e = 0; e < rows.ends; ++e) given.at[e] = rows.at(row, e);
+    return given;
+}
+
+void StepAudit::noteRows(const JointRows& rows, const Vec3& impulses, const Vec3& after, const Vec3& slopes) {
+    for (std::size_t r = 0; r < rows.count; ++r) {
+        const JointRow& row = rows.row[r];
+        Given& given = given_.emplace_back(givenBy(rows, r, impulses[r]));
+        if (row.holds) continue;
+        given.damper = row.dampPush - slopes[r] * after[r];
+        if (row.bounded) continue;
+        const double curve = impulses[r] - row.push - (given.damper - row.dampPush);
+        given.motor = std::clamp(curve, row.low, row.high);
+        given.impact = curve - given.motor;
+    }
+}
+
+void StepAudit::noteRowImpact(const JointRows& rows, double impulse) {
+    given_.push_back(givenBy(rows, 0, impulse));
+    given_.back().impact = impulse;
+}
+
+void StepAudit::noteGiven(const Given& given) {
+    double mean = 0, driven = 0;
+    for (std::size_t e = 0; e < mostEnds; ++e) {
+        const BodyIndex body = given.body[e];
+        const Vec3& at = given.at[e];
+        const double turn = at[2] * static_cast<double>(bodies_.turn[body].rho);
+        const SolverVelocity& now = bodies_.velocity[body];
+        mean += 0.5 * (speedAlong(start_[body], at[0], at[1], turn) + speedAlong(now, at[0], at[1], turn));
+        if (now.inverseMass == 0) driven += speedAlong(now, at[0], at[1], turn);
+    }
+    account_.note(&EnergyLedger::drivers, -given.all * driven);
+    account_.note(&EnergyLedger::damping, given.damper * mean);
+    account_.note(&EnergyLedger::motors, given.motor * mean);
+    account_.note(&EnergyLedger::impacts, given.impact * mean);
+}
+
+void StepAudit::endHalf() {
+    forEachLane(view_.graph, [&](const ContactBatch& batch, const ManifoldLanes& manifolds, std::size_t lane) {
+        const Lane after(batch, lane, bodies_.velocity);
+        noteContact(Lane::before(batch, lane, start_), after, hits(manifolds, lane));
+    });
+    for (const Given& given : given_) noteGiven(given);
+    given_.clear();
+    for (const FieldGiven& given : fieldsGiven_) noteGiven(given);
+    fieldsGiven_.clear();
+}
+
+/// Faster than gravity makes in two steps what has lain still.
+bool StepAudit::hits(const ManifoldLanes& manifolds, std::size_t lane) const {
+    return static_cast<double>(manifolds.approachSpeed[lane]) > 2 * bodies_.gravity.norm() * bodies_.lastStep + 1e-3;
+}
+
+void StepAudit::beginBounces() {
+    start_ = bodies_.velocity;
+    totals_.clear();
+    forEachLane(view_.graph, [&](const ContactBatch& batch, const ManifoldLanes&, std::size_t lane) {
+        for (const PointLanes& point : batch.points) totals_.push_back(point.totalNormal[lane]);
+    });
+}
+
+/// What has been given since then is counted in the totals only.
+void StepAudit::endBounces() {
+    std::size_t next = 0;
+    forEachLane(view_.graph, [&](const ContactBatch& batch, const ManifoldLanes&, std::size_t lane) {
+        Lane after = Lane::before(batch, lane, bodies_.velocity);
+        for (std::size_t p = 0; p < 2; ++p)
+            after.normal[p] = static_cast<double>(batch.points[p].totalNormal[lane] - totals_[next++]);
+        noteContact(Lane::before(batch, lane, start_), after, true);
+    });
+}
+
+void StepAudit::endSolver(const std::vector<BodyIndex>& solved, double dt) {
+    for (const BodyIndex body : solved) {
+        const BodyRecord& record = bodies_.record[body];
+        if (!bodies_.isMovedBy(body, MovedBy::Solver) || record.type != BodyType::Dynamic) continue;
+        account_.note(&EnergyLedger::damping, dampedEnergy_[body]);
+        account_.note(&MomentumLedger::damping, dampedMomentum_[body]);
+        if (!fieldAccounts_.empty()) noteAccount(fieldAccounts_[body]);
+        const SolverDisplacement& moved = bodies_.displacement[body];
+        const Vec2 shift(static_cast<double>(moved.x), static_cast<double>(moved.y));
+        const double turn = static_cast<double>(bodies_.turn[body].angle);
+        account_.note(&EnergyLedger::forces, record.force.dot(shift) + record.torque * turn);
+        account_.note(&MomentumLedger::forces, record.force * dt);
+        account_.note(&MomentumLedger::gravity, record.mass * record.gravityScale * bodies_.gravity * dt);
+    }
+}
+
+}  // namespace plumb

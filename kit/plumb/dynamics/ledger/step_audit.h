@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// What does each phase of a step do to the energy and the momentum of a world?
+//
+// After each phase all energy there is is summed up anew. What of the change the phase could name by its law, as it
+// went, is booked there; the rest under the phase's own entry. An impulse P that changes the speed it acts along from v
+// to v' gives P (v + v') / 2, however many act at once: so all impulses of half a sub-step, of contacts and joints, are
+// booked by the speeds before the first of them and after the last. Were each booked by the speeds it met, a solver
+// that goes round would have friction give energy, and joints take what a blow took.
+//
+// Tests: "each entry of the ledger is needed for it to close", "friction, blows and dampers never give, in any scene,
+// and few joules go without a cause"
+#pragma once
+#include <array>
+#include <vector>
+
+#include <plumb/dynamics/joints/joint_rows.h>
+#include <plumb/dynamics/ledger/account.h>
+
+namespace plumb {
+
+/// Notes in an account what a step does.
+class StepAudit final : public StepObserver {
+public:
+    StepAudit(Account& account, const LedgerView& view) : account_(account), view_(view), bodies_(view.bodies) {}
+
+    void noteFlight(BodyIndex body, const BodyMotion& from, const BodyMotion& to, double time) override;
+    void noteFieldFlight(std::uint32_t flight) override;
+    void noteImpact(double friction, double drivers, const Vec2& ground) override;
+    void beginSolver() override;
+    void beginHalf(const std::vector<BodyIndex>& solved) override;
+    void noteFieldKick(BodyIndex body, const FieldKick& kick, const Vec2& base) override;
+    void noteRows(const JointRows& rows, const Vec3& impulses, const Vec3& after, const Vec3& slopes) override;
+    void noteRowImpact(const JointRows& rows, double impulse) override;
+    void noteGround(const Vec2& momentum) override;
+    void endHalf() override;
+    void beginBounces() override;
+    void endBounces() override;
+    void endSolver(const std::vector<BodyIndex>& solved, double dt) override;
+
+private:
+    struct Lane;
+    /// A row's impulses in one pass, by cause.
+    struct Given {
+        std::array<Vec3, mostEnds> at{};
+        std::array<BodyIndex, mostEnds> body{};
+        double all = 0, motor = 0, damper = 0, impact = 0;
+    };
+
+    struct FieldGiven {
+        BodyIndex body = noBody;
+        FieldKick kick;
+        Vec2 base{0, 0};
+    };
+
+    static Given givenBy(const JointRows& rows, std::size_t row, double impulse);
+    void noteGiven(const Given& given);
+    void noteGiven(const FieldGiven& given);
+    void noteAccount(const FieldAccount& account);
+    void noteContact(const Lane& before, const Lane& after, bool hits);
+    bool hits(const ManifoldLanes& manifolds, std::size_t lane) const;
+
+    Account& account_;
+    LedgerView view_;
+    const BodyStore& bodies_;
+    std::vector<SolverVelocity> start_;        ///< velocities before the first impulse of what is going on
+    std::vector<Given> given_;                 ///< in this half sub-step
+    std::vector<FieldGiven> fieldsGiven_;      ///< likewise
+    std::vector<FieldAccount> fieldAccounts_;  ///< of each body, in this step
+    std::vector<float> totals_;                ///< normal impulses of the contacts' points, before the bounces
+    std::vector<double> dampedEnergy_;         ///< of each body, in this step
+    std::vector<Vec2> dampedMomentum_;         ///< likewise
+};
+
+}  // namespace plumb

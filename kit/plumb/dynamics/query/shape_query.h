@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Which shapes are there to be found, for whoever looks through a filter?
+#pragma once
+#include <plumb/collide/ray_cast.h>
+#include <plumb/dynamics/query.h>
+#include <plumb/dynamics/state/world_state.h>
+
+namespace plumb {
+
+/// Finds candidates by their boxes, wherever the last step or a call since has moved them: all that are in question,
+/// some that are not, and some twice.
+class ShapeQuery {
+public:
+    ShapeQuery(const WorldState& world, const Filter& filter, BodyIndex ignored = noBody)
+        : world_(world), gate_{filter.category, filter.mask, 0, filter.group}, ignored_(ignored) {}
+
+    /// From now on also finds outlines that stand for areas elsewhere.
+    void seeOutlines() { outlines_ = true; }
+    /// Is this a part of an outline, or of an area, that stands for the other?
+    bool isOutline(ProxyId id) const { return world_.space[id].use == PieceUse::Touch; }
+    bool isArea(ProxyId id) const { return world_.space[id].use == PieceUse::Ask; }
+
+    const Shape& shape(ProxyId id) const { return world_.space[id].def.shape; }
+    /// Where it was found, in a world that wraps.
+    Transform pose(ProxyId id, const Vec2& shift) const {
+        return shifted(world_.bodies.pose(world_.space[id].owner), shift);
+    }
+    Vec2 place(const Vec2& point) const { return world_.bodies.wrap.place(point); }
+    ShapeId idOf(ProxyId id) const { return idOfShape(world_, id); }
+    CastHit hitOf(ProxyId id, const Vec2& shift, const CastPoint& met) const {
+        CastHit hit{idOf(id), place(met.point), met.normal, met.fraction};
+        if (const std::optional<Vec2>& open = world_.space[id].def.oneWay)
+            hit.oneWay = pose(id, shift).rotation * *open;
+        hit.tile = tileMet(world_.tiles, world_.bodies, world_.space, id, met.point - shift, met.normal);
+        return hit;
+    }
+
+    /// Whatever a box of this half size may meet on its way; visit(id, shift) gives the fraction of it up to which more
+    /// is wanted.
+    void lookAlong(const Vec2& halfSize, const Vec2& from, const Vec2& to, Space::VisitWhile visit) const;
+
+    /// Whatever may be no farther from a point than within; visit(id, shift) gives the distance up to which more is
+    /// wanted.
+    void lookAround(const Vec2& point, double within, Space::VisitWhile visit) const;
+
+    /// Whatever may be in a box.
+    void lookInto(const Aabb& tight, Space::Visit visit) const;
+
+private:
+    bool sees(ProxyId id) const {
+        const Gate& gate = world_.space.gate(id);
+        return mayMeet(gate_, gate) && (gate.asked || (outlines_ && gate.touched)) && !gate.sensor &&
+               gate.owner != ignored_;
+    }
+    /// With each shift by which it may be in a box; without one in a world that does not wrap.
+    void forEachStale(const Aabb& where, FunctionRef<void(const StaleBound&, const Vec2&)> visit) const;
+
+    const WorldState& world_;
+    Gate gate_;
+    BodyIndex ignored_;
+    bool outlines_ = false;
+};
+
+}  // namespace plumb

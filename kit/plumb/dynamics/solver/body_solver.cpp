@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/solver/body_solver.h>
+
+#include <plumb/dynamics/solver/body_solver_wide.h>
+#include <plumb/math/detail/for_lanes.h>
+#include <plumb/math/trig.h>
+
+namespace plumb {
+
+namespace {
+
+/// A record, field by field, so that compilers can make it one operation.
+struct Row {
+    float field[4];
+};
+
+Row rowOf(const SolverVelocity& v) {
+    return {{v.x, v.y, v.w, v.inverseMass}};
+}
+SolverVelocity speedOfRow(const Row& row) {
+    return {row.field[0], row.field[1], row.field[2], row.field[3]};
+}
+
+}  // namespace
+
+template struct WideBodySolver<1>;
+#if defined(__GNUC__)
+extern template struct WideBodySolver<4>;
+extern template struct WideBodySolver<8>;
+extern template struct WideBodySolver<16>;
+#endif
+
+const BodySolver& bodySolver(int lanes) {
+#if defined(__GNUC__)
+    return forLanes(lanes, WideBodySolver<1>::solver, WideBodySolver<4>::solver, WideBodySolver<8>::solver,
+                    WideBodySolver<16>::solver);
+#else
+    (void)lanes;
+    return WideBodySolver<1>::solver;
+#endif
+}
+
+SinCosMinus1 turnedFar(float angle) {
+    const SinCos sc = sinCos(static_cast<double>(angle));
+    return {static_cast<float>(sc.sin), static_cast<float>(sc.cos - 1)};
+}
+
+void kickBodies(const std::uint32_t* list, std::size_t count, const SolverBodies& bodies, bool first) {
+    for (const std::uint32_t* body = list; body != list + count; ++body) {
+        Row v = rowOf(bodies.velocity[*body]), warm = rowOf(bodies.warm[*body]);
+        const Row before = rowOf(first ? bodies.velocity[*body] : bodies.before[*body]);
+        const Row gain = rowOf(bodies.kick[*body].gain), keep = rowOf(bodies.kick[*body].keep);
+        for (int i = 0; i < 4; ++i) {
+            warm.field[i] += v.field[i] - before.field[i];  // nothing, for the inverse mass
+            v.field[i] = v.field[i] * keep.field[i] + gain.field[i] + warm.field[i];
+        }
+        bodies.warm[*body] = speedOfRow(warm);
+        bodies.velocity[*body] = bodies.before[*body] = speedOfRow(v);
+    }
+}
+
+void markBodies(const std::uint32_t* list, std::size_t count, const SolverBodies& bodies) {
+    for (const std::uint32_t* body = list; body != list + count; ++body) bodies.before[*body] = bodies.velocity[*body];
+}
+
+}  // namespace plumb

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// How do W bodies move at once?
+#pragma once
+#include <plumb/dynamics/solver/body_solver.h>
+#include <plumb/math/detail/wide_ops.h>
+#include <plumb/math/detail/wide_rows.h>
+
+namespace plumb {
+
+template <int W>
+struct BodyMover {
+    using F = typename Wide<W>::Float;
+    using Array = float[static_cast<std::size_t>(W)];
+
+    /// The series are exact to float up to smallTurn.
+    static F sine(F a) {
+        const F a2 = a * a;
+        return a * (1.0f - a2 * (1.0f / 6 - a2 * (1.0f / 120 - a2 * (1.0f / 5040))));
+    }
+    static F cosineMinus1(F a) {
+        const F a2 = a * a;
+        return -a2 * (0.5f - a2 * (1.0f / 24 - a2 * (1.0f / 720 - a2 * (1.0f / 40320))));
+    }
+
+    static void correctFar(F angle, Rows<W>& d, F inverseRho) {
+        Array angles, inverse, sines, cosines;
+        storeLanes(angles, angle);
+        storeLanes(inverse, inverseRho);
+        storeLanes(sines, d.z);
+        storeLanes(cosines, d.w);
+        for (int i = 0; i < W; ++i) {
+            if (angles[i] <= smallTurn && angles[i] >= -smallTurn) continue;
+            const SinCosMinus1 t = turnedFar(angles[i]);
+            sines[i] = t.sin * inverse[i];
+            cosines[i] = t.cosMinus1 * inverse[i];
+        }
+        d.z = loadLanes<W>(static_cast<const float*>(sines));
+        d.w = loadLanes<W>(static_cast<const float*>(cosines));
+    }
+
+    static bool anyFar(F angle) {
+        Array angles;
+        storeLanes(angles, magnitude(angle));
+        bool far = false;
+        for (int i = 0; i < W; ++i) far |= angles[i] > smallTurn;
+        return far;
+    }
+
+    static void move(const std::uint32_t* list, std::size_t count, const SolverBodies& bodies, float h) {
+        for (const std::uint32_t* at = list; at != list + count; at += W) {
+            const Rows<W> v = loadRows<W>(&bodies.velocity->x, at);
+            Rows<W> d = loadRows<W>(&bodies.displacement->x, at);
+            Rows<W> t = loadRows<W>(&bodies.turn->angle, at);
+            d.x += v.x * h;
+            d.y += v.y * h;
+            t.x += v.z * t.y * h;
+            d.z = sine(t.x) * t.z;
+            d.w = cosineMinus1(t.x) * t.z;
+            if (anyFar(t.x)) correctFar(t.x, d, t.z);
+            storeRows<W>(&bodies.displacement->x, at, d);
+            storeRows<W>(&bodies.turn->angle, at, t);
+        }
+    }
+};
+
+template <int W>
+const BodySolver WideBodySolver<W>::solver{BodyMover<W>::move};
+
+}  // namespace plumb

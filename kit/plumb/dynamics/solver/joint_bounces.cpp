@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/solver/joint_bounces.h>
+
+#include <algorithm>
+#include <optional>
+
+#include <plumb/dynamics/joints/joint_response.h>
+#include <plumb/dynamics/joints/solve_island.h>
+
+namespace plumb {
+
+namespace {
+
+/// More impacts than this for each contact in a sub-step: a heap, for the solver.
+constexpr std::size_t impactsPerContact = 16;
+/// More contacts than this at once: likewise. Each impact looks at all of them.
+constexpr std::size_t mostBounces = 64;
+
+/// A point of a contact, as it stands.
+struct Point {
+    ContactIndex contact = 0;
+    std::size_t number = 0;
+    double approach = 0;  ///< [m/s]
+};
+
+/// Its slot with the solver.
+struct Slot {
+    const ContactBatch& batch;
+    std::size_t lane;
+
+    Slot(const ContactGraph& graph, const ContactRecord& contact)
+        : batch(graph.colours[contact.colour].batches[contact.slot / batchLanes]), lane(contact.slot % batchLanes) {}
+    Vec2 normal() const { return {static_cast<double>(batch.normalX[lane]), static_cast<double>(batch.normalY[lane])}; }
+    /// Where the bodies are now, as contact_solver.h has it [m].
+    double separation(const BodyStore& bodies, std::size_t point) const {
+        const PointLanes& p = batch.points[point];
+        const SolverDisplacement& a = bodies.displacement[batch.bodyA[lane]];
+        const SolverDisplacement& b = bodies.displacement[batch.bodyB[lane]];
+        const float shift = batch.normalX[lane] * (b.x - a.x) + batch.normalY[lane] * (b.y - a.y);
+        const float turnA = (p.anchorNormalA[lane] - batch.roundA[lane]) * a.cosMinus1 - p.anchorTangentA[lane] * a.sin;
+        const float turnB = (p.anchorNormalB[lane] + batch.roundB[lane]) * b.cosMinus1 - p.anchorTangentB[lane] * b.sin;
+        return static_cast<double>(p.startSeparation[lane] + (shift + (turnB - turnA)));
+    }
+    /// What a unit impulse along the normal is to a body: x, y, turning about its centre of mass.
+    Vec3 push(const BodyStore& bodies, BodyIndex body, std::size_t point) const {
+        const PointLanes& p = batch.points[point];
+        const float anchor = body == batch.bodyA[lane] ? p.anchorTangentA[lane] : p.anchorTangentB[lane];
+        const float rho = bodies.turn[body].rho;
+        return {normal().x(), normal().y(), rho > 0 ? -static_cast<double>(anchor / rho) : 0.0};
+    }
+};
+
+double speedAlong(const BodyStore& bodies, BodyIndex body, const Vec3& push) {
+    const SolverVelocity& v = bodies.velocity[body];
+    const double spin = static_cast<double>(v.w) * static_cast<double>(bodies.turn[body].rho);
+    return push[0] * static_cast<double>(v.x) + push[1] * static_cast<double>(v.y) + push[2] * spin;
+}
+
+class JointBounces {
+public:
+    JointBounces(const JointStores& stores, ContactGraph& graph, const ContactStore& contacts, double h)
+        : joints_(stores.joints),
+          islands_(stores.islands),
+          bodies_(stores.bodies),
+          observer_(stores.observer),
+          graph_(graph),
+          contacts_(contacts),
+          h_(h) {}
+
+    /// The point that comes together fastest, of those that meet in the sub-step faster than gravity lets lie.
+    std::optional<Point> fastest(const std::vector<ContactIndex>& bounces) const {
+        const double resting = bodies_.gravity.norm() * bodies_.lastStep;
+        std::optional<Point> first;
+        for (const ContactIndex index : bounces) {
+            const ContactRecord& contact = contacts_[index];
+            const Slot slot(graph_, contact);
+            for (std::size_t p = 0; p < 2; ++p) {
+                if (slot.batch.points[p].normalMass[slot.lane] == 0) continue;
+                const double approach = approachOf(contact, p);
+                if (approach <= resting || slot.separation(bodies_, p) > approach * h_ ||
+                    (first && approach <= first->approach))
+                    continue;
+                first = Point{index, p, approach};
+            }
+        }
+        return first;
+    }
+
+    /// Tries how much a small impulse does, and gives what is then known to be needed.
+    void bounce(const Point& point) {
+        const ContactRecord& contact = contacts_[point.contact];
+        const Slot slot(graph_, contact);
+        const double trial =
+            static_cast<double>(slot.batch.points[point.number].normalMass[slot.lane]) * point.approach;
+        pushBoth(contact, point.number, trial);
+        const double change = point.approach - approachOf(contact, point.number);
+        if (!(change > 0)) return;
+        const double wanted = (1 + contact.restitution) * point.approach;
+        pushBoth(contact, point.number, trial * (wanted / change - 1));
+        const double impulse = trial * wanted / change;
+        ContactBatch& batch = graph_.colours[contact.colour].batches[contact.slot / batchLanes];
+        batch.points[point.number].totalNormal[slot.lane] += static_cast<float>(impulse);
+        batch.pushed[slot.lane] = -1;
+        if (observer_ != nullptr) observer_->noteRowImpact(partingRow(contact, point.number), impulse);
+    }
+
+private:
+    double approachOf(const ContactRecord& contact, std::size_t point) const {
+        const Slot slot(graph_, contact);
+        return speedAlong(bodies_, contact.bodyA, slot.push(bodies_, contact.bodyA, point)) -
+               speedAlong(bodies_, contact.bodyB, slot.push(bodies_, contact.bodyB, point));
+    }
+
+    void pushBoth(const ContactRecord& contact, std::size_t point, double impulse) {
+        const Slot slot(graph_, contact);
+        push(contact.bodyA, slot.push(bodies_, contact.bodyA, point), -impulse);
+        push(contact.bodyB, slot.push(bodies_, contact.bodyB, point), impulse);
+    }
+
+    /// Gives one body an impulse, and its island what follows from it.
+    void push(BodyIndex body, const Vec3& along, double impulse) {
+        if (!bodies_.canMove(body)) return;
+        const Vec3 given{along[0] * impulse, along[1] * impulse, along[2] * impulse};
+        if (JointIsland* island = islandOf(body)) {
+            pushIsland(*island, joints_, bodies_, body, given, h_);
+            return;
+        }
+        SolverVelocity& v = bodies_.velocity[body];
+        const double rho = static_cast<double>(bodies_.turn[body].rho);
+        const double inverseMass = static_cast<double>(v.inverseMass);
+        v.x = static_cast<float>(static_cast<double>(v.x) + inverseMass * given[0]);
+        v.y = static_cast<float>(static_cast<double>(v.y) + inverseMass * given[1]);
+        v.w = static_cast<float>(static_cast<double>(v.w) + inverseMass * rho * given[2]);
+    }
+
+    JointIsland* islandOf(BodyIndex body) const {
+        for (JointIsland& island : islands_.islands)
+            if (island.direct && std::find(island.bodies.begin(), island.bodies.end(), body) != island.bodies.end())
+                return &island;
+        return nullptr;
+    }
+
+    /// How fast the point parts, as a row.
+    JointRows partingRow(const ContactRecord& contact, std::size_t point) const {
+        const Slot slot(graph_, contact);
+        JointRows rows;
+        rows.body = {contact.bodyA, contact.bodyB, noBody, noBody};
+        rows.add().at = {times(slot.push(bodies_, contact.bodyA, point), -1), slot.push(bodies_, contact.bodyB, point)};
+        return rows;
+    }
+
+    JointStore& joints_;
+    JointIslands& islands_;
+    BodyStore& bodies_;
+    StepObserver* observer_;
+    ContactGraph& graph_;
+    const ContactStore& contacts_;
+    double h_;
+};
+
+}  // namespace
+
+std::vector<ContactIndex> takeJointedBounces(ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies,
+                                             const JointIslands& islands) {
+    std::vector<ContactIndex> found;
+    if (islands.islands.empty()) return found;
+    const auto isJointed = [&](BodyIndex body) { return bodies.links[body].actingJoints > 0; };
+    for (const Colour& colour : graph.colours) {
+        for (std::size_t b = 0; b < colour.batches.size(); ++b) {
+            if (!colour.batches[b].bounces) continue;
+            const std::size_t count = std::min<std::size_t>(batchLanes, colour.contactOf.size() - b * batchLanes);
+            for (std::size_t lane = 0; lane < count; ++lane) {
+                const ContactIndex index = colour.contactOf[b * batchLanes + lane];
+                const ContactRecord& contact = contacts[index];
+                if (contact.restitution <= 0 || !(isJointed(contact.bodyA) || isJointed(contact.bodyB))) continue;
+                found.push_back(index);
+            }
+        }
+    }
+    if (found.size() > mostBounces) return {};
+    for (const ContactIndex index : found) {
+        const ContactRecord& contact = contacts[index];
+        for (PointLanes& point : graph.colours[contact.colour].batches[contact.slot / batchLanes].points)
+            point.bounceSpeed[contact.slot % batchLanes] = 0;
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+void bounceJointedBodies(const JointStores& stores, ContactGraph& graph, const ContactStore& contacts,
+                         const std::vector<ContactIndex>& bounces, double h) {
+    JointBounces search(stores, graph, contacts, h);
+    for (std::size_t count = 0; count < impactsPerContact * bounces.size(); ++count) {
+        const std::optional<Point> next = search.fastest(bounces);
+        if (!next) return;
+        search.bounce(*next);
+    }
+}
+
+}  // namespace plumb

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/solver/joint_phases.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <plumb/dynamics/joints/find_islands.h>
+#include <plumb/dynamics/joints/joint_bodies.h>
+#include <plumb/dynamics/joints/solve_island.h>
+#include <plumb/dynamics/solver/joint_bounces.h>
+
+namespace plumb {
+
+namespace {
+
+/// Nets of joints that are swept are held this stiffly, as a share of the sub-step rate, so that their give falls with
+/// the step. Those that are solved at once close their whole gaps in one sub-step, which is truer; what one sweep does
+/// not solve blows up on that (tried).
+constexpr double jointFrequencyShare = 0.25;
+constexpr double jointDampingRatio = 2;
+
+IslandPass passOf(const SolverSettings& settings, const JointHalf& half) {
+    const double h = half.step, pull = settings.contactPushSpeed;
+    const float step = static_cast<float>(h), fastest = static_cast<float>(pull);
+    const HingeSolver* hinges = &hingeSolver(settings.lanes);
+    if (!half.correct) return {{h, false, 0, pull}, {h, false, 0, pull}, {step, false, fastest, {}}, hinges};
+    const Softness soft = softness(jointFrequencyShare / h, jointDampingRatio, h);
+    return {{h, true, 1 / h, pull},
+            {h, true, static_cast<double>(soft.biasRate), pull},
+            {step, true, fastest, soft},
+            hinges};
+}
+
+/// What sleeps bears what it did; a joint that holds nothing any more bears nothing, and one whose body is out of range
+/// has no first guess.
+void resetLoads(JointStore& joints, const BodyStore& bodies) {
+    for (JointIndex index = 0; index < joints.records.size(); ++index) {
+        JointRecord& record = joints[index];
+        if (!record.acts()) continue;
+        if (!holdsSomething(joints, bodies, index)) joints.loads[index] = {};
+        for (double& impulse : record.impulse) impulse = std::isfinite(impulse) ? impulse : 0;
+    }
+}
+
+void findAwakeIslands(const JointStores& stores) {
+    JointStore& joints = stores.joints;
+    JointIslands& found = stores.islands;
+    if (!joints.changed) return;
+    joints.changed = false;
+    const std::vector<JointIsland> before = std::move(found.islands);
+    for (const JointIsland& island : before) island.hinges.release(joints);
+    resetLoads(joints, stores.bodies);
+    found.islands = findJointIslands(joints, stores.bodies, stores.settings.jointsAtOnce);
+    keepStiffness(before, found.islands);
+    found.joints.clear();
+    for (const JointIsland& island : found.islands)
+        found.joints.insert(found.joints.end(), island.joints.begin(), island.joints.end());
+    std::sort(found.joints.begin(), found.joints.end());
+    found.breakable.clear();
+    std::copy_if(found.joints.begin(), found.joints.end(), std::back_inserter(found.breakable),
+                 [&joints](JointIndex index) { return joints[index].mayBreak(); });
+    found.springs.find(found.joints, joints);
+}
+
+void prepareJoints(const JointStores& stores, double dt) {
+    findAwakeIslands(stores);
+    for (const JointIndex index : stores.islands.joints) {
+        stores.joints.loads[index] = {};
+        stores.joints.loads[index].time = dt;
+    }
+    for (JointIsland& island : stores.islands.islands)
+        island.hinges.prepare(hingeSolver(stores.settings.lanes), stores.bodies);
+    stores.islands.springs.share(stores.joints, stores.bodies, dt / stores.settings.subSteps);
+}
+
+Vec2 momentumOf(const BodyStore& bodies, const std::vector<BodyIndex>& some) {
+    Vec2 sum(0, 0);
+    for (const BodyIndex body : some) {
+        const SolverVelocity& v = bodies.velocity[body];
+        sum += bodies.record[body].mass * Vec2(static_cast<double>(v.x), static_cast<double>(v.y));
+    }
+    return sum;
+}
+
+/// Calls change(), and tells the observer what it did to the momentum of some bodies: only what is fixed can.
+template <class Change>
+void reportGround(const JointStores& stores, const std::vector<BodyIndex>& some, Change&& change) {
+    const Vec2 before = stores.observer != nullptr ? momentumOf(stores.bodies, some) : Vec2(0, 0);
+    change();
+    if (stores.observer != nullptr) stores.observer->noteGround(momentumOf(stores.bodies, some) - before);
+}
+
+void solveJoints(const JointStores& stores, const JointHalf& half) {
+    IslandPass pass = passOf(stores.settings, half);
+    pass.observer = stores.observer;
+    for (JointIsland& island : stores.islands.islands)
+        reportGround(stores, island.bodies, [&] { solveIsland(island, stores.joints, stores.bodies, pass); });
+}
+
+/// The joints have the last word before bodies move: a blow on a plank of a bridge is a blow on the bridge. What they
+/// take out is not what the contacts have done, and so not in their next first guess.
+void holdJoints(const JointStores& stores, double h) {
+    const JointPass pass{h, true, 1 / h, stores.settings.contactPushSpeed};
+    BodyStore& bodies = stores.bodies;
+    for (JointIsland& island : stores.islands.islands) {
+        const auto touched = [&](BodyIndex body) { return bodies.links[body].solverContacts > 0; };
+        if (!island.direct || std::none_of(island.bodies.begin(), island.bodies.end(), touched)) continue;
+        std::vector<SolverVelocity> was;
+        for (const BodyIndex body : island.bodies) was.push_back(bodies.velocity[body]);
+        reportGround(stores, island.bodies, [&] { holdIsland(island, stores.joints, bodies, pass, stores.observer); });
+        for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+            const SolverVelocity& now = bodies.velocity[island.bodies[i]];
+            SolverVelocity& before = bodies.before[island.bodies[i]];
+            before.x += now.x - was[i].x;
+            before.y += now.y - was[i].y;
+            before.w += now.w - was[i].w;
+        }
+    }
+}
+
+void bounceJointed(const JointStores& stores, ContactGraph& graph, const ContactStore& contacts,
+                   const std::vector<ContactIndex>& bounces, const std::vector<BodyIndex>& solved, double h) {
+    if (bounces.empty()) return;
+    reportGround(stores, solved, [&] { bounceJointedBodies(stores, graph, contacts, bounces, h); });
+}
+
+void noteSpeeds(const JointStores& stores, double h) {
+    stores.islands.springs.noteSpeeds(stores.joints, stores.bodies, h);
+}
+
+void addLoads(JointStore& joints, const JointIslands& islands) {
+    for (const JointIsland& island : islands.islands) island.hinges.tellLoads(joints);
+}
+
+double springEnergyOf(const SpringLoad& load) {
+    double squares = 0, energy = 0, stiffness = 0;
+    for (std::size_t r = 0; r < load.count; ++r) {
+        const SpringLoad::Row& row = load.row[r];
+        energy += 0.5 * row.stiffness * row.stretch * row.stretch;
+        squares += row.stretch * row.stretch;
+        stiffness = row.stiffness;
+    }
+    const double stretch = std::sqrt(squares);
+    if (stiffness * stretch <= load.mostForce) return energy;
+    return load.mostForce * (stretch - 0.5 * load.mostForce / stiffness);  // one that pulls no harder
+}
+
+double springEnergy(const JointStore& joints, const BodyStore& bodies) {
+    double energy = 0;
+    const auto inRange = [&](BodyIndex body) { return isInRange(bodies.motion[body]); };
+    for (JointIndex joint = 0; joint < joints.records.size(); ++joint)
+        if (joints.hasSpring(joint) && inRange(joints[joint].bodyA) && inRange(joints[joint].bodyB))
+            energy += springEnergyOf(joints.springLoadOf(joint, bodies));
+    return energy;
+}
+
+}  // namespace
+
+const JointPhases jointPhases{.prepare = prepareJoints,
+                              .noteSpeeds = noteSpeeds,
+                              .solve = solveJoints,
+                              .takeBounces = takeJointedBounces,
+                              .bounce = bounceJointed,
+                              .hold = holdJoints,
+                              .addLoads = addLoads,
+                              .springEnergy = springEnergy};
+
+}  // namespace plumb

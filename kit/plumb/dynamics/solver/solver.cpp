@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/solver/solver.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <plumb/dynamics/contacts/contact_lane.h>
+#include <plumb/dynamics/contacts/lanes/contact_solver.h>
+#include <plumb/dynamics/fields/field_solving.h>
+#include <plumb/dynamics/joints/joint_island.h>
+#include <plumb/dynamics/solver/body_solver.h>
+
+namespace plumb {
+
+namespace {
+
+struct Pass {
+    ContactPass contacts, groundContacts;
+};
+
+Pass passOf(const SolverSettings& settings, double h) {
+    Pass pass;
+    const auto contactPass = [&](double frequency) -> ContactPass {
+        return {static_cast<float>(1 / h), softness(std::min(frequency, 0.25 / h), settings.contactDampingRatio, h),
+                static_cast<float>(settings.contactPushSpeed)};
+    };
+    pass.contacts = contactPass(settings.contactFrequency);
+    pass.groundContacts = contactPass(2 * settings.contactFrequency);
+    return pass;
+}
+
+/// The bodies that are solved: dynamic ones with a constraint, and kinematic ones, which their contacts must see move.
+/// Filled up with slot 0, which stands still, to a multiple of the lanes.
+std::vector<BodyIndex> solvedBodies(const BodyStore& bodies) {
+    std::vector<BodyIndex> solved;
+    solved.reserve(bodies.awake.size() + batchLanes);
+    for (const BodyIndex body : bodies.awake)
+        if (bodies.isConstrained(body) || bodies.record[body].type == BodyType::Kinematic) solved.push_back(body);
+    while (solved.size() % batchLanes != 0) solved.push_back(noBody);
+    return solved;
+}
+
+/// A rotation turned on by a small angle: by the series in double, which leaves no more than rounding.
+Rot turnedOn(const BodyMotion& motion, double turn) {
+    if (std::fabs(turn) > 0.1) return Rot::fromAngle(motion.angle);
+    const double t2 = turn * turn;
+    const double sin = turn * (1 - t2 / 6 * (1 - t2 / 20 * (1 - t2 / 42 * (1 - t2 / 72))));
+    const double cos = 1 - t2 / 2 * (1 - t2 / 12 * (1 - t2 / 30 * (1 - t2 / 56 * (1 - t2 / 90))));
+    const Rot& r = motion.rotation;
+    const double c = r.cos * cos - r.sin * sin;
+    const double s = r.sin * cos + r.cos * sin;
+    const double stretch = 1.5 - 0.5 * (c * c + s * s);  // back to length 1, to first order
+    Rot turned;
+    turned.cos = c * stretch;
+    turned.sin = s * stretch;
+    return turned;
+}
+
+/// What joints have made heavier to turn keeps its momentum: else it would be fed.
+double slowerBy(const BodyStore& bodies, BodyIndex body) {
+    const double rho = static_cast<double>(bodies.record[body].rho), was = static_cast<double>(bodies.turn[body].rho);
+    return rho < was ? rho / was * (rho / was) : 1.0;
+}
+
+/// One way of going over all contacts: a function of ContactSolver.
+using ContactWork = void (*ContactSolver::*)(ContactBatch*, std::size_t, const SolverBodies&, const ContactPass&);
+
+class Solver {
+public:
+    Solver(const SolverStores& stores, double dt)
+        : stores_(stores),
+          bodies_(stores.bodies),
+          observer_(stores.observer),
+          joints_(stores.jointPhases),
+          h_(dt / stores.settings.subSteps),
+          contactSolver_(contactSolver(stores.settings.lanes)),
+          bodySolver_(bodySolver(stores.settings.lanes)),
+          solverBodies_(bodies_.solverBodies()),
+          solved_(solvedBodies(bodies_)),
+          pass_(passOf(stores.settings, h_)),
+          fields_(stores.fields, bodies_, stores.space, h_, observer_) {}
+
+    void run(double dt) {
+        if (joints_ != nullptr) joints_->prepare(stores_.joints, dt);
+        if (solved_.empty()) return;
+        if (joints_ != nullptr)
+            bounces_ = joints_->takeBounces(stores_.graph, stores_.contacts, bodies_, stores_.joints.islands);
+        if (observer_ != nullptr) observer_->beginSolver();
+        forEachColour([this](const ContactSolver& solver, const Colour& colour, const ContactPass&) {
+            solver.gatherWarmStart(colour.batches.data(), colour.batches.size(), solverBodies_);
+        });
+        for (int i = 0; i < stores_.settings.subSteps; ++i) subStep(i == 0);
+        bounceContacts();
+        if (joints_ != nullptr) joints_->addLoads(stores_.joints.joints, stores_.joints.islands);
+        storeBodies();
+        if (observer_ != nullptr) observer_->endSolver(solved_, dt);
+    }
+
+private:
+    void subStep(bool first) {
+        startHalf({h_, true}, first);
+        solveContacts(&ContactSolver::solve);
+        if (joints_ != nullptr) joints_->hold(stores_.joints, h_);
+        if (observer_ != nullptr) observer_->endHalf();
+        bodySolver_.move(solved_.data(), solved_.size(), solverBodies_, static_cast<float>(h_));
+        fields_.moved();
+        startHalf({h_, false}, false);
+        solveContacts(&ContactSolver::relax);
+        if (observer_ != nullptr) observer_->endHalf();
+    }
+
+    /// Forces and joints.
+    void startHalf(JointHalf half, bool first) {
+        if (joints_ != nullptr && half.correct) joints_->noteSpeeds(stores_.joints, half.step);
+        if (observer_ != nullptr) observer_->beginHalf(solved_);
+        kickBodies(solved_.data(), solved_.size(), solverBodies_, first);
+        fields_.kick(solved_);
+        if (joints_ == nullptr || stores_.joints.islands.joints.empty()) return;
+        joints_->solve(stores_.joints, half);
+        joints_->bounce(stores_.joints, stores_.graph, stores_.contacts, bounces_, solved_, half.step);
+        markBodies(solved_.data(), solved_.size(), solverBodies_);
+    }
+
+    void solveContacts(ContactWork work) {
+        forEachColour([&](const ContactSolver& solver, Colour& colour, const ContactPass& pass) {
+            (solver.*work)(colour.batches.data(), colour.batches.size(), solverBodies_, pass);
+        });
+    }
+
+    void bounceContacts() {
+        if (observer_ != nullptr) observer_->beginBounces();
+        forEachColour([this](const ContactSolver& solver, Colour& colour, const ContactPass&) {
+            solver.bounce(colour.batches.data(), colour.batches.size(), solverBodies_);
+        });
+        if (observer_ != nullptr) observer_->endBounces();
+    }
+
+    /// What stands on something fixed stands twice as stiffly: the ground does not give. Calls solve(solver, colour,
+    /// pass).
+    template <class Solve>
+    void forEachColour(Solve&& solve) {
+        auto& colours = stores_.graph.colours;
+        for (std::size_t index = 0; index < colours.size(); ++index) {
+            if (colours[index].batches.empty()) continue;
+            const int colour = colourAt(index);
+            const bool ground = colour >= fixedColour && colour != overflowColour;
+            const ContactSolver& solver = colour == overflowColour ? scalarContactSolver : contactSolver_;
+            solve(solver, colours[index], ground ? pass_.groundContacts : pass_.contacts);
+        }
+    }
+
+    /// 1 for each body, by its slot, that a contact or joint gave an impulse.
+    std::vector<std::uint8_t> pushedBodies() const {
+        std::vector<std::uint8_t> pushed(bodies_.record.size(), 0);
+        for (const Colour& colour : stores_.graph.colours) {
+            for (const ContactBatch& batch : colour.batches) {
+                for (std::size_t lane = 0; lane < batchLanes; ++lane) {
+                    if (batch.pushed[lane] == 0) continue;
+                    pushed[batch.bodyA[lane]] = pushed[batch.bodyB[lane]] = 1;
+                }
+            }
+        }
+        if (joints_ == nullptr) return pushed;
+        for (const JointIsland& island : stores_.joints.islands.islands)
+            for (const BodyIndex body : island.bodies) pushed[body] = 1;
+        return pushed;
+    }
+
+    void storeBodies() {
+        const std::vector<std::uint8_t> pushed = pushedBodies();
+        for (const BodyIndex body : solved_) {
+            if (pushed[body] == 0 || bodies_.velocity[body].inverseMass == 0) continue;
+            bodies_.step[body].movedBy = MovedBy::Solver;
+            storeBody(body);
+        }
+    }
+
+    void storeBody(BodyIndex body) {
+        const SolverVelocity& v = bodies_.velocity[body];
+        BodyMotion motion = bodies_.motion[body];
+        const SolverDisplacement& d = bodies_.displacement[body];
+        motion.center += Vec2(static_cast<double>(d.x), static_cast<double>(d.y));
+        motion.velocity = {static_cast<double>(v.x), static_cast<double>(v.y)};
+        motion.angularVelocity = static_cast<double>(v.w * bodies_.turn[body].rho) * slowerBy(bodies_, body);
+        if (bodies_.record[body].rho != bodies_.turn[body].rho)
+            renewRho(stores_.graph, stores_.contacts, bodies_, stores_.space, body);
+        const double turn = static_cast<double>(bodies_.turn[body].angle);
+        motion.angle += turn;
+        motion.rotation = turnedOn(motion, turn);
+        moveTo(bodies_, body, motion);
+    }
+
+    const SolverStores& stores_;
+    BodyStore& bodies_;
+    StepObserver* observer_;
+    const JointPhases* joints_;
+    double h_;  ///< of the sub-step [s]
+    const ContactSolver& contactSolver_;
+    const BodySolver& bodySolver_;
+    SolverBodies solverBodies_;
+    std::vector<BodyIndex> solved_;
+    Pass pass_;
+    FieldSolving fields_;
+    std::vector<ContactIndex> bounces_;  ///< of jointed bodies
+};
+
+}  // namespace
+
+void solveConstraints(const SolverStores& stores, double dt) {
+    stores.bodies.rest(noBody);
+    Solver(stores, dt).run(dt);
+}
+
+}  // namespace plumb

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Which shapes are tile maps, and which of their tiles was met?
+#pragma once
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <plumb/dynamics/bodies/body_store.h>
+#include <plumb/shapes/tile_map.h>
+#include <plumb/space/space.h>
+
+namespace plumb {
+
+/// A tile map that is a shape: what was given, and which pieces of which block of cells are in the space for it.
+struct TileShape {
+    ShapeDef def;                                                ///< with the map as it is now
+    std::map<std::pair<int, int>, std::vector<ProxyId>> blocks;  ///< by row and column of the block
+
+    const TileMap& map() const { return std::get<TileMap>(def.shape); }
+};
+
+/// Of all bodies, by body and number of the shape.
+using TileStore = std::map<std::pair<BodyIndex, std::uint32_t>, TileShape>;
+
+/// Where two shapes have met.
+struct MetTile {
+    ProxyId proxyA = 0, proxyB = 0;
+    Vec2 shift{0, 0};   ///< of B, in a world that wraps [m]
+    Vec2 point{0, 0};   ///< as A sees it [m]
+    Vec2 normal{0, 1};  ///< from A to B
+};
+
+/// The cell of a tile map that was met at a point of the world, through one of its pieces. None of another shape.
+std::optional<Cell> tileMet(const TileStore& tiles, const BodyStore& bodies, const Space& space, ProxyId piece,
+                            const Vec2& point, const Vec2& normal);
+/// The cell of a tile map at which two shapes touch, if one of them is a map.
+std::optional<Cell> tileTouched(const TileStore& tiles, const BodyStore& bodies, const Space& space,
+                                const MetTile& where);
+
+}  // namespace plumb

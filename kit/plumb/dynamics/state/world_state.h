@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// What is a world made of?
+#pragma once
+#include <map>
+#include <optional>
+#include <vector>
+
+#include <plumb/dynamics/bodies/trajectory.h>
+#include <plumb/dynamics/contacts/stale_bounds.h>
+#include <plumb/dynamics/joints/joint_island.h>
+#include <plumb/dynamics/ledger/account.h>
+#include <plumb/dynamics/sensors/sensor_store.h>
+#include <plumb/dynamics/state/tile_store.h>
+#include <plumb/dynamics/state/world_events.h>
+#include <plumb/dynamics/step_profile.h>
+#include <plumb/dynamics/world_def.h>
+
+namespace plumb {
+
+struct JointEdits;
+
+struct WorldState {
+    bool sleeping = true;
+    double hitSpeed = 1;  ///< [m/s]
+    SolverSettings solver;
+
+    BodyStore bodies;  ///< with gravity and wrap
+    Space space;
+    std::uint32_t walls = 0;  ///< shapes that nothing pushes: those of static and kinematic bodies, but for sensors
+    ContactStore contacts;
+    ContactGraph graph;
+    JointStore joints;
+    JointIslands jointIslands;
+    FieldStore fields;
+    SensorStore sensors;
+    TileStore tiles;
+    Trajectories trajectories;             ///< of the last step
+    std::map<BodyIndex, Mass> parkedMass;  ///< given to bodies that are not dynamic now
+
+    const JointPhases* jointPhases = nullptr;  ///< none before the first joint
+    const JointEdits* jointEdits = nullptr;    ///< likewise
+
+    WorldEvents events;
+    StaleBounds staleBounds;
+    std::optional<Account> account;  ///< if WorldDef.ledger asks for one
+    StepProfile profile;
+};
+
+inline ShapeId idOfShape(const WorldState& world, ProxyId proxy) {
+    return idOfShape(world.bodies, world.space[proxy]);
+}
+
+}  // namespace plumb

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+// How does a world move on by one step? The phases in their order; each is a room's, with the stores that it reads and
+// writes. README.md has the map.
+#include <chrono>
+
+#include <plumb/dynamics/bodies/load_bodies.h>
+#include <plumb/dynamics/contacts/bounds.h>
+#include <plumb/dynamics/contacts/narrow_phase.h>
+#include <plumb/dynamics/edit/edits.h>
+#include <plumb/dynamics/edit/joint_edits.h>
+#include <plumb/dynamics/edit/quarantine.h>
+#include <plumb/dynamics/fields/field_flight.h>
+#include <plumb/dynamics/fields/field_scope.h>
+#include <plumb/dynamics/impacts/continuous.h>
+#include <plumb/dynamics/impacts/isolated_impacts.h>
+#include <plumb/dynamics/islands/sleep.h>
+#include <plumb/dynamics/islands/wake.h>
+#include <plumb/dynamics/ledger/step_audit.h>
+#include <plumb/dynamics/sensors/sensors.h>
+#include <plumb/dynamics/solver/solver.h>
+#include <plumb/dynamics/world.h>
+#include <plumb/math/check.h>
+
+namespace plumb {
+
+namespace {
+
+/// In less than this nothing that presses or pulls could make a difference, and 1/dt might leave the solver's floats
+/// [s].
+constexpr double shortestSolved = 1e-9;
+
+/// Runs the phases of one step, times them, and keeps account of what they do.
+class Step {
+public:
+    Step(WorldState& world, double dt) : world(world), dt(dt), watch_(world.profile) {
+        world.events.clear();
+        world.sensors.begins.clear();
+        world.sensors.ends.clear();
+        world.trajectories.clear();
+        if (world.account) audit_.emplace(*world.account, viewOf(world));
+        if (world.account) world.account->close(viewOf(world), &EnergyLedger::edits, &MomentumLedger::edits);
+        if (dt > 0) world.bodies.lastStep = dt;
+        if (dt > 0) world.profile = {};
+    }
+
+    /// time: what it takes is added to; energy: what it does beyond what it notes is entered there.
+    void run(void (*phase)(Step&), double StepProfile::*time, double EnergyLedger::*energy) {
+        watch_.start(time);
+        phase(*this);
+        if (world.account) world.account->close(viewOf(world), energy, &MomentumLedger::solver);
+    }
+
+    void end() {
+        watch_.stop();
+        if (dt > 0) clearForces(world.bodies);
+        if (dt > 0) clearFlights(world.fields, world.bodies);
+        WorldEvents& events = world.events;
+        events.movers = world.bodies.awake;
+        events.movers.insert(events.movers.end(), events.sleepers.begin(), events.sleepers.end());
+        events.gone.clear();
+        events.reportedEnds = events.ends.size();
+    }
+
+    static LedgerView viewOf(const WorldState& w) {
+        return {w.bodies, w.fields, w.graph, w.joints, w.space, w.jointPhases};
+    }
+    StepObserver* observer() { return audit_ ? &*audit_ : nullptr; }
+    void wake(std::span<const BodyIndex> named) { wakeIslands(world.bodies, world.contacts, world.joints, named); }
+    void report(const TouchEvents& touches) { world.events.add(touches, world.bodies, world.space, world.tiles); }
+
+    WorldState& world;
+    double dt;
+
+private:
+    /// Nothing else depends on it.
+    class Stopwatch {
+    public:
+        explicit Stopwatch(StepProfile& profile) : profile_(profile) {}
+        void start(double StepProfile::*phase) {
+            if (phase == phase_) return;
+            stop();
+            phase_ = phase;
+        }
+        void stop() {
+            const Clock::time_point now = Clock::now();
+            if (phase_ != nullptr) {
+                const double time = std::chrono::duration<double>(now - last_).count();
+                profile_.*phase_ += time;
+                profile_.total += time;
+            }
+            phase_ = nullptr;
+            last_ = now;
+        }
+
+    private:
+        using Clock = std::chrono::steady_clock;
+        StepProfile& profile_;
+        double StepProfile::*phase_ = nullptr;
+        Clock::time_point last_;
+    };
+
+    Stopwatch watch_;
+    std::optional<StepAudit> audit_;
+};
+
+void predict(Step& s) {
+    WorldState& w = s.world;
+    if (w.fields.empty() || s.dt < shortestFelt) return;
+    for (FieldIndex field = 0; field < w.fields.records.size(); ++field)
+        s.wake(gatherAttracted(w.fields, field, w.bodies, w.space));
+    predictFlights(w.fields, w.bodies, w.space, s.dt);
+}
+
+void load(Step& s) {
+    WorldState& w = s.world;
+    w.staleBounds.reset();
+    loadBodies(w.bodies, s.dt);
+    placeAwakeBounds(w.space, w.bodies, w.contacts, s.dt);
+    quarantine(w);
+}
+
+void findPairs(Step& s) {
+    WorldState& w = s.world;
+    const SortedPairs& pairs = w.space.takeNewPairs();
+    const std::span<const Vec2> shifts = w.space.newPairShifts();
+    for (std::size_t i = 0; i < pairs.size(); ++i) addPair(w, {pairs[i], shifts.empty() ? Vec2(0, 0) : shifts[i]});
+}
+
+void collide(Step& s) {
+    WorldState& w = s.world;
+    NarrowPhase narrow(w.graph, w.contacts, w.bodies, w.space, w.solver.lanes, s.dt);
+    narrow.collideSolved();
+    while (!narrow.isDone()) s.wake(narrow.collideNear());
+    narrow.finish();
+    w.events.addEnds(narrow.ends(), w.bodies, w.space);
+}
+
+void solveImpacts(Step& s) {
+    WorldState& w = s.world;
+    const ImpactStores stores{w.contacts, w.bodies, w.fields, w.graph, w.space, s.observer()};
+    Impacts impacts = solveIsolatedImpacts(w.graph, stores, s.dt, w.hitSpeed);
+    w.trajectories = std::move(impacts.trajectories);
+    s.report(impacts.touches);
+}
+
+void solve(Step& s) {
+    WorldState& w = s.world;
+    const JointStores joints{w.joints, w.jointIslands, w.bodies, w.solver, s.observer()};
+    solveConstraints({w.graph, w.contacts, w.bodies, w.fields, w.space, w.jointPhases, joints, w.solver, s.observer()},
+                     s.dt);
+}
+
+void moveFree(Step& s) {
+    moveFreeBodies(s.world.bodies, s.dt, s.observer());
+}
+
+void stopAtWalls(Step& s) {
+    WorldState& w = s.world;
+    if (w.walls > 0) stopAtWalls(w.bodies, w.contacts, w.space, w.trajectories, s.dt);
+}
+
+void breakJoints(Step& s) {
+    if (s.world.jointEdits != nullptr) s.world.jointEdits->breakOverloaded(s.world);
+}
+
+void reportTouches(Step& s) {
+    WorldState& w = s.world;
+    s.report(findTouchEvents(w.graph, w.contacts, w.bodies, w.hitSpeed));
+}
+
+/// What has left the range of numbers.
+void takeOut(Step& s) {
+    quarantine(s.world);
+}
+
+void watchSensors(Step& s) {
+    WorldState& w = s.world;
+    watchSensors(w.sensors, w.bodies, w.space, w.trajectories, s.dt);
+}
+
+void sleep(Step& s) {
+    WorldState& w = s.world;
+    if (w.sleeping)
+        w.events.sleepers = sleepIslands({w.bodies, w.graph, w.contacts, w.joints, w.space}, w.solver, s.dt);
+}
+
+}  // namespace
+
+void World::step(double dt) {
+    requireNotNegative(dt, "World.step: dt");
+    Step step(*state_, dt);
+    const bool moves = dt > 0, solves = dt >= shortestSolved;
+    if (moves) step.run(predict, &StepProfile::pairs, &EnergyLedger::solver);
+    if (moves) step.run(load, &StepProfile::pairs, &EnergyLedger::solver);
+    if (solves) step.run(findPairs, &StepProfile::pairs, &EnergyLedger::solver);
+    if (solves) step.run(collide, &StepProfile::collide, &EnergyLedger::solver);
+    if (solves) step.run(solveImpacts, &StepProfile::impacts, &EnergyLedger::impacts);
+    if (solves) step.run(solve, &StepProfile::solve, &EnergyLedger::solver);
+    if (moves) step.run(moveFree, &StepProfile::finish, &EnergyLedger::solver);
+    if (moves) step.run(stopAtWalls, &StepProfile::finish, &EnergyLedger::solver);
+    if (moves) step.run(breakJoints, &StepProfile::finish, &EnergyLedger::breaking);
+    if (moves) step.run(reportTouches, &StepProfile::finish, &EnergyLedger::solver);
+    if (moves) step.run(takeOut, &StepProfile::finish, &EnergyLedger::solver);
+    if (solves) step.run(watchSensors, &StepProfile::finish, &EnergyLedger::solver);
+    if (moves) step.run(sleep, &StepProfile::finish, &EnergyLedger::solver);
+    step.end();
+}
+
+}  // namespace plumb
