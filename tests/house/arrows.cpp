@@ -14,10 +14,6 @@ bool isHeader(std::string_view path) {
     return path.ends_with(".h");
 }
 
-bool isDetail(std::string_view path) {
-    return path.find("/detail/") != std::string_view::npos;
-}
-
 std::string arrow(const std::string& from, const std::string& to, const std::string& why) {
     return from + " includes " + to + ": " + why;
 }
@@ -116,12 +112,17 @@ std::vector<std::string> arrowsOutOfGames(const std::vector<SourceFile>& games) 
     return faults;
 }
 
-std::vector<std::string> arrowsIntoDetail(const std::vector<SourceFile>& kit) {
+bool isInstalled(std::string_view path) {
+    return path.starts_with("plumb/") && isHeader(path) && std::count(path.begin(), path.end(), '/') <= 2;
+}
+
+std::vector<std::string> arrowsOutOfInstalled(const std::vector<SourceFile>& kit) {
     std::vector<std::string> faults;
     for (const SourceFile& source : kit) {
-        if (!isHeader(source.path) || isDetail(source.path)) continue;
+        if (!isInstalled(source.path)) continue;
         for (const std::string& include : includesOf(source.text))
-            if (isDetail(include)) faults.push_back(arrow(source.path, include, "that is not installed"));
+            if (include.starts_with("plumb/") && !isInstalled(include))
+                faults.push_back(arrow(source.path, include, "that is not installed"));
     }
     return faults;
 }

@@ -33,8 +33,10 @@ std::vector<std::string> arrowsInto(std::string_view folder, const std::vector<S
 /// In games/, a game includes the C++ standard library, the kit, the frame and its own folder; the frame does without
 /// games and shells. The shells may include what they like, but for games.
 std::vector<std::string> arrowsOutOfGames(const std::vector<SourceFile>& games);
-/// What is in a folder detail is not installed: no header that is may include it.
-std::vector<std::string> arrowsIntoDetail(const std::vector<SourceFile>& kit);
+/// The umbrella header and those that lie in a module's own folder are installed; no header in a folder below is.
+bool isInstalled(std::string_view path);
+/// No header that is installed includes one of the kit that is not.
+std::vector<std::string> arrowsOutOfInstalled(const std::vector<SourceFile>& kit);
 /// A source includes its own header first: so one that is compiled by itself proves that its header stands alone.
 std::vector<std::string> ownHeadersNotFirst(const std::vector<SourceFile>& kit);
 

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "catch.h"
+#include "house/arrows.h"
 #include "house/cmake_project.h"
 #include "house/compile_commands.h"
 #include "house/repository.h"
@@ -29,8 +30,7 @@ int writeLoneSources(const std::filesystem::path& folder) {
     int count = 0;
     for (const auto& file : repositoryFiles()) {
         const std::string path = file.generic_string();
-        const bool installed = path.starts_with("kit/plumb/") && path.find("/detail/") == std::string::npos;
-        if (!installed || file.extension() != ".h") continue;
+        if (!path.starts_with("kit/") || !isInstalled(path.substr(sizeof("kit/") - 1))) continue;
         std::string name = path.substr(sizeof("kit/plumb/") - 1);
         std::replace(name.begin(), name.end(), '/', '_');
         std::ofstream(folder / (name + ".cpp")) << "#include <" << path.substr(sizeof("kit/") - 1) << ">\n";

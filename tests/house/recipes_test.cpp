@@ -9,6 +9,7 @@
 
 #include "catch.h"
 #include "games/walk_through.h"
+#include "house/arrows.h"
 #include "house/blocks.h"
 #include "house/cmake_project.h"
 #include "house/examples.h"
@@ -147,6 +148,16 @@ void requireCommandsBuildable(const Checkout& checkout) {
         CHECK(help.output.find("\n" + target) != std::string::npos);
 }
 
+/// All of the kit's headers that users may include, and no others.
+void requireOnlyPublicHeaders(const fs::path& installed) {
+    std::set<std::string> wanted, found;
+    for (const SourceFile& source : sourcesUnder(repository / "kit/plumb", repository / "kit"))
+        if (isInstalled(source.path)) wanted.insert(source.path);
+    for (const auto& entry : fs::recursive_directory_iterator(installed))
+        if (!entry.is_directory()) found.insert(fs::relative(entry.path(), installed).generic_string());
+    CHECK(found == wanted);
+}
+
 }  // namespace
 
 TEST_CASE("a page's commands are what its sh blocks hold, without comments", "[house]") {
@@ -191,8 +202,7 @@ TEST_CASE("every command on a page does what the page says, in a checkout of its
     requireCommandsBuildable(checkout);
 
     REQUIRE(fs::exists(checkout.prefix));
-    for (const auto& entry : fs::recursive_directory_iterator(checkout.prefix))
-        CHECK(entry.path().filename() != "detail");
+    requireOnlyPublicHeaders(checkout.prefix / "include");
     const fs::path user = houseFolder("recipes") / "user";
     buildTenLinesWith(checkout.prefix, user);
     requireBallAtRest(user / "build" / "game");

@@ -46,7 +46,7 @@ void requireMovable(const WorldState& world, BodyIndex body, const char* field, 
 
 Contact contactOf(const WorldState& world, const ContactRecord& record) {
     const Vec2 normal = normalOf(world.graph, world.bodies, record);
-    Contact contact{idOfShape(world, record.proxyA), idOfShape(world, record.proxyB), normal, {}};
+    Contact contact{world.idOfShape(record.proxyA), world.idOfShape(record.proxyB), normal, {}};
     const double time = record.isSolved() ? world.bodies.lastStep : record.memoryStep;
     const auto memory = world.graph.memoryOf(record);
     for (std::size_t p = 0; p < static_cast<std::size_t>(world.graph.manifoldOf(record).count); ++p) {

@@ -22,12 +22,11 @@ const std::set<std::string> byThemselves{"ballistics", "forces", "impact",   "in
                                          "kinematics", "movers", "steering", "stepping"};
 
 Declarations publicDeclarations() {
-    const fs::path kit = fs::path(PLUMB_SOURCE_DIR) / "kit";
     std::vector<fs::path> headers;
-    for (const auto& entry : fs::recursive_directory_iterator(kit / "plumb")) {
-        const fs::path folder = entry.path().parent_path().filename();
-        if (entry.path().extension() == ".h" && folder != "detail" && !byThemselves.contains(folder.string()))
-            headers.push_back(entry.path());
+    for (const auto& module : fs::directory_iterator(fs::path(PLUMB_SOURCE_DIR) / "kit" / "plumb")) {
+        if (!module.is_directory() || byThemselves.contains(module.path().filename().string())) continue;
+        for (const auto& entry : fs::directory_iterator(module))  // folders below are the kit's own
+            if (entry.path().extension() == ".h") headers.push_back(entry.path());
     }
     std::sort(headers.begin(), headers.end());
     Declarations all;

@@ -8,10 +8,11 @@
 #include <plumb/collide/distance.h>
 #include <plumb/collide/manifold.h>
 #include <plumb/dynamics/bodies/body_store.h>
-#include <plumb/dynamics/contacts/lanes/contact_solver.h>
-#include <plumb/dynamics/contacts/predicted_manifold.h>
-#include <plumb/dynamics/contacts/lanes/lane_collider.h>
 #include <plumb/dynamics/bodies/shape_radii.h>
+#include <plumb/dynamics/contacts/contact_store.h>
+#include <plumb/dynamics/contacts/lanes/contact_solver.h>
+#include <plumb/dynamics/contacts/lanes/lane_collider.h>
+#include <plumb/dynamics/contacts/predicted_manifold.h>
 #include <plumb/math/random.h>
 
 #include "catch.h"

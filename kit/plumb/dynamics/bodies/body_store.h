@@ -6,7 +6,6 @@
 #include <limits>
 #include <vector>
 
-#include <plumb/dynamics/bodies/body_place.h>
 #include <plumb/dynamics/bodies/flight_law.h>
 #include <plumb/dynamics/bodies/solver_body.h>
 #include <plumb/dynamics/body_def.h>

@@ -8,6 +8,8 @@
 // Test: "a thrown ball is where the formula says at every tick"
 #pragma once
 #include <plumb/dynamics/bodies/step_observer.h>
+#include <vector>
+#include <plumb/dynamics/bodies/body_store.h>
 
 namespace plumb {
 
@@ -25,5 +27,15 @@ Decay decay(double damping, double time);
 
 /// Moves the bodies on by dt [s] that neither impacts nor the solver move.
 void moveFreeBodies(BodyStore& bodies, double dt, StepObserver* observer);
+
+/// From one impact to the next.
+struct TrajectorySegment {
+    BodyIndex body = noBody;
+    BodyMotion from, to;
+    double start = 0, end = 0;  ///< in the step [s]
+};
+
+/// Each body's segments in the order of time.
+using Trajectories = std::vector<TrajectorySegment>;
 
 }  // namespace plumb

@@ -4,13 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <plumb/dynamics/bodies/batch_lanes.h>
+
 namespace plumb {
-
-inline constexpr int batchLanes = 16;
-
-/// One value of each lane. A plain array, for what is compiled for wider machines (see math/detail/wide.h).
-template <class T>
-using Lanes = T[batchLanes];
 
 /// One point of each lane's manifold. Anchors are components along the contact's normal and tangent, times rho of their
 /// body (see SolverVelocity). Impulses are those of half a sub-step.

@@ -22,7 +22,7 @@ void sleepIsland(WorldState& world, BodyIndex body) {
 void removeContact(WorldState& world, ContactIndex index) {
     const ContactRecord& contact = world.contacts[index];
     if (contact.touching)
-        world.events.ends.push_back({idOfShape(world, contact.proxyA), idOfShape(world, contact.proxyB)});
+        world.events.ends.push_back({world.idOfShape(contact.proxyA), world.idOfShape(contact.proxyB)});
     removeContact(world.graph, world.contacts, world.bodies, index);
 }
 

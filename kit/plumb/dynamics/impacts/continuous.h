@@ -6,7 +6,7 @@
 // deep into it that the way out is on the wrong side, and puts it to where the two met, as seen from the wall. Its
 // velocity stays: it arrives in the next step, as an impact like any other.
 #pragma once
-#include <plumb/dynamics/bodies/trajectory.h>
+#include <plumb/dynamics/bodies/free_motion.h>
 #include <plumb/dynamics/impacts/wall_search.h>
 
 namespace plumb {

@@ -7,10 +7,11 @@
 // [m], w angular velocities [rad/s], K what an impulse does to vB - vA [1/kg], L0 the impulse so far [N s], b, s, i
 // bias rate, mass scale and impulse scale (see softness.h).
 #pragma once
-#include <plumb/dynamics/bodies/body_place.h>
+#include <cstddef>
+
 #include <plumb/dynamics/bodies/softness.h>
 #include <plumb/dynamics/bodies/solver_body.h>
-#include <plumb/dynamics/contacts/contact_batch.h>
+#include <plumb/dynamics/bodies/batch_lanes.h>
 
 namespace plumb {
 
@@ -41,7 +42,7 @@ struct HingeSolver {
 
 template <int W>
 struct WideHingeSolver {
-    static const HingeSolver solver;
+    static const HingeSolver code;
 };
 
 /// For at most so many lanes, as the machine can.

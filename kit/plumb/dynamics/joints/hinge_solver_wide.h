@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How are W hinges solved at once?
 #pragma once
-#include <plumb/dynamics/contacts/lanes/relative_lanes.h>
+#include <plumb/dynamics/bodies/relative_lanes.h>
 #include <plumb/dynamics/joints/hinge_solver.h>
 
 namespace plumb {
@@ -131,6 +131,6 @@ struct WideHinges {
 };
 
 template <int W>
-const HingeSolver WideHingeSolver<W>::solver{WideHinges<W>::prepare, WideHinges<W>::warmStart, WideHinges<W>::solve};
+const HingeSolver WideHingeSolver<W>::code{WideHinges<W>::prepare, WideHinges<W>::warmStart, WideHinges<W>::solve};
 
 }  // namespace plumb

@@ -26,7 +26,7 @@ public:
         return shifted(world_.bodies.pose(world_.space[id].owner), shift);
     }
     Vec2 place(const Vec2& point) const { return world_.bodies.wrap.place(point); }
-    ShapeId idOf(ProxyId id) const { return idOfShape(world_, id); }
+    ShapeId idOf(ProxyId id) const { return world_.idOfShape(id); }
     CastHit hitOf(ProxyId id, const Vec2& shift, const CastPoint& met) const {
         CastHit hit{idOf(id), place(met.point), met.normal, met.fraction};
         if (const std::optional<Vec2>& open = world_.space[id].def.oneWay)

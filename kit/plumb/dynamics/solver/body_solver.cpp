@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/solver/body_solver.h>
 
-#include <plumb/dynamics/solver/body_solver_wide.h>
-#include <plumb/math/detail/for_lanes.h>
 #include <plumb/math/trig.h>
 
 namespace plumb {
@@ -22,23 +20,6 @@ SolverVelocity speedOfRow(const Row& row) {
 }
 
 }  // namespace
-
-template struct WideBodySolver<1>;
-#if defined(__GNUC__)
-extern template struct WideBodySolver<4>;
-extern template struct WideBodySolver<8>;
-extern template struct WideBodySolver<16>;
-#endif
-
-const BodySolver& bodySolver(int lanes) {
-#if defined(__GNUC__)
-    return forLanes(lanes, WideBodySolver<1>::solver, WideBodySolver<4>::solver, WideBodySolver<8>::solver,
-                    WideBodySolver<16>::solver);
-#else
-    (void)lanes;
-    return WideBodySolver<1>::solver;
-#endif
-}
 
 SinCosMinus1 turnedFar(float angle) {
     const SinCos sc = sinCos(static_cast<double>(angle));

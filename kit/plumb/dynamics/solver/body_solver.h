@@ -22,7 +22,7 @@ struct BodySolver {
 
 template <int W>
 struct WideBodySolver {
-    static const BodySolver solver;
+    static const BodySolver code;
 };
 
 /// For at most so many lanes, as the machine can.

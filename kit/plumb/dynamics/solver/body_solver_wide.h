@@ -64,6 +64,6 @@ struct BodyMover {
 };
 
 template <int W>
-const BodySolver WideBodySolver<W>::solver{BodyMover<W>::move};
+const BodySolver WideBodySolver<W>::code{BodyMover<W>::move};
 
 }  // namespace plumb

@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include <plumb/dynamics/bodies/trajectory.h>
+#include <plumb/dynamics/bodies/free_motion.h>
 #include <plumb/dynamics/contacts/stale_bounds.h>
 #include <plumb/dynamics/joints/joint_island.h>
 #include <plumb/dynamics/ledger/account.h>
-#include <plumb/dynamics/sensors/sensor_store.h>
+#include <plumb/dynamics/sensors/sensors.h>
 #include <plumb/dynamics/state/tile_store.h>
 #include <plumb/dynamics/state/world_events.h>
 #include <plumb/dynamics/step_profile.h>
@@ -44,10 +44,8 @@ struct WorldState {
     StaleBounds staleBounds;
     std::optional<Account> account;  ///< if WorldDef.ledger asks for one
     StepProfile profile;
-};
 
-inline ShapeId idOfShape(const WorldState& world, ProxyId proxy) {
-    return idOfShape(world.bodies, world.space[proxy]);
-}
+    ShapeId idOfShape(ProxyId proxy) const { return plumb::idOfShape(bodies, space[proxy]); }
+};
 
 }  // namespace plumb

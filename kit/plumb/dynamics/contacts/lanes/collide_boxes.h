@@ -6,8 +6,8 @@
 // cut to its length; apart corner to corner, the line between the corners is the normal.
 // Test: "boxes side by side have the manifolds that they have one by one"
 #pragma once
+#include <plumb/dynamics/bodies/relative_lanes.h>
 #include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
-#include <plumb/dynamics/contacts/lanes/relative_lanes.h>
 
 namespace plumb {
 
@@ -238,7 +238,8 @@ struct BoxCollider {
     }
 
     static void collide(const PairLanes& m, int lane, const BodyPlace* places, FreshLanes& fresh) {
-        const RelativeLanes<W> r = relativeLanes<W>(m.bodyA + lane, m.bodyB + lane, places, &fresh, lane);
+        const RelativeLanes<W> r =
+            relativeLanes<W>(m.bodyA + lane, m.bodyB + lane, places, fresh.apartXFrom(lane), fresh.apartYFrom(lane));
         const View v = view(r, m, lane);
         const Faces f = faces(v, r.cos);
         const Result result = meet(v, f);

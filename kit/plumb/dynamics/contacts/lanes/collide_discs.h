@@ -5,8 +5,8 @@
 // nearest point of the box; from inside, through the nearest face. A disc is a box without extent. Test: "discs side by
 // side have the manifolds that they have one by one"
 #pragma once
+#include <plumb/dynamics/bodies/relative_lanes.h>
 #include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
-#include <plumb/dynamics/contacts/lanes/relative_lanes.h>
 
 namespace plumb {
 
@@ -80,7 +80,8 @@ struct DiscCollider {
     }
 
     static void collide(const PairLanes& m, int lane, const BodyPlace* places, FreshLanes& fresh) {
-        const RelativeLanes<W> r = relativeLanes<W>(m.bodyA + lane, m.bodyB + lane, places, &fresh, lane);
+        const RelativeLanes<W> r =
+            relativeLanes<W>(m.bodyA + lane, m.bodyB + lane, places, fresh.apartXFrom(lane), fresh.apartYFrom(lane));
         const M boxIsB = loadLanes<W>(m.discs + lane) == I{} + discFirst;
         const View v = view(r, m, lane, boxIsB);
         const Nearest n = nearest(v);

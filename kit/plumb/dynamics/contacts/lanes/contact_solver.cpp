@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/contacts/lanes/contact_solver.h>
 
-#include <plumb/math/detail/for_lanes.h>
 #include <plumb/math/detail/wide_ops.h>
 
 namespace plumb {
@@ -205,15 +204,5 @@ void bounce(ContactBatch* batches, std::size_t count, const SolverBodies& bodies
 }  // namespace
 
 const ContactSolver scalarContactSolver{gatherWarmStart, solve, relax, bounce};
-
-const ContactSolver& contactSolver(int lanes) {
-#if defined(__GNUC__)
-    return forLanes(lanes, scalarContactSolver, WideContactSolver<4>::solver, WideContactSolver<8>::solver,
-                    WideContactSolver<16>::solver);
-#else
-    (void)lanes;
-    return scalarContactSolver;
-#endif
-}
 
 }  // namespace plumb

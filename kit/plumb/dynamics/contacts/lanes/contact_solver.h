@@ -42,13 +42,8 @@ extern const ContactSolver scalarContactSolver;
 
 template <int W>
 struct WideContactSolver {
-    static const ContactSolver solver;
+    static const ContactSolver code;
 };
-#if defined(__GNUC__)
-extern template struct WideContactSolver<4>;
-extern template struct WideContactSolver<8>;
-extern template struct WideContactSolver<16>;
-#endif
 
 /// For at most so many lanes, as the machine can.
 const ContactSolver& contactSolver(int lanes);

@@ -217,7 +217,7 @@ struct WideContacts {
 };
 
 template <int W>
-const ContactSolver WideContactSolver<W>::solver{WideContacts<W>::gatherWarmStart, WideContacts<W>::solve,
-                                                 WideContacts<W>::relax, WideContacts<W>::bounce};
+const ContactSolver WideContactSolver<W>::code{WideContacts<W>::gatherWarmStart, WideContacts<W>::solve,
+                                               WideContacts<W>::relax, WideContacts<W>::bounce};
 
 }  // namespace plumb

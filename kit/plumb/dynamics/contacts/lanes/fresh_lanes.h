@@ -22,6 +22,9 @@ struct alignas(64) FreshLanes {
 
     Lanes<float> apartX, apartY;  ///< if around: from A's centre of mass to B's, as the contact sees it [m]
     bool around = false;          ///< some lane's bodies meet around the world
+
+    [[gnu::always_inline]] const float* apartXFrom(int lane) const { return around ? apartX + lane : nullptr; }
+    [[gnu::always_inline]] const float* apartYFrom(int lane) const { return around ? apartY + lane : nullptr; }
 };
 
 /// Without what is known before anything is found.

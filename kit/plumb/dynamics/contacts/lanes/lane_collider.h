@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which code finds and prepares the contacts of a whole batch? The same text for each number of lanes.
 #pragma once
-#include <plumb/dynamics/bodies/body_place.h>
 #include <plumb/dynamics/bodies/solver_body.h>
 #include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
 
@@ -19,7 +18,7 @@ struct LaneCollider {
 
 template <int W>
 struct WideLaneCollider {
-    static const LaneCollider collider;
+    static const LaneCollider code;
 };
 
 /// For at most so many lanes, as the machine can.

@@ -24,7 +24,7 @@ struct BatchCollider {
 };
 
 template <int W>
-const LaneCollider WideLaneCollider<W>::collider{BatchCollider<W>::collideBoxes, BatchCollider<W>::collideDiscs,
-                                                 BatchCollider<W>::prepare};
+const LaneCollider WideLaneCollider<W>::code{BatchCollider<W>::collideBoxes, BatchCollider<W>::collideDiscs,
+                                             BatchCollider<W>::prepare};
 
 }  // namespace plumb

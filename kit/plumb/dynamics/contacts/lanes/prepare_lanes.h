@@ -2,9 +2,9 @@
 // What does the solver need to know of fresh manifolds, W lanes at a time? Impulses follow their points into the new
 // manifold; anchors, effective masses and separations are worked out for the step.
 #pragma once
+#include <plumb/dynamics/bodies/relative_lanes.h>
 #include <plumb/dynamics/bodies/solver_body.h>
 #include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
-#include <plumb/dynamics/contacts/lanes/relative_lanes.h>
 
 namespace plumb {
 
@@ -159,7 +159,8 @@ struct LanePreparer {
     static void prepare(ContactBatch& batch, ManifoldLanes& m, int lane, const BodyPlace* places,
                         const SolverVelocity* velocity, const FreshLanes& fresh, float inverseStep) {
         carry(batch, lane, matches(fresh, m, lane));
-        const RelativeLanes<W> r = relativeLanes<W>(batch.bodyA + lane, batch.bodyB + lane, places, &fresh, lane);
+        const RelativeLanes<W> r = relativeLanes<W>(batch.bodyA + lane, batch.bodyB + lane, places,
+                                                    fresh.apartXFrom(lane), fresh.apartYFrom(lane));
         const F localX = at(fresh.normalX + lane), localY = at(fresh.normalY + lane);
         const F nx = r.cosA * localX - r.sinA * localY, ny = r.sinA * localX + r.cosA * localY;
         const Sides s = sides(batch, lane, places, velocity, nx, ny);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How do the two bodies of each lane stand to each other?
 #pragma once
-#include <plumb/dynamics/bodies/body_place.h>
-#include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
+#include <plumb/dynamics/bodies/solver_body.h>
 #include <plumb/math/detail/wide_ops.h>
 #include <plumb/math/detail/wide_rows.h>
 
@@ -30,10 +29,11 @@ template <class F>
     return d + (error + (lowB - lowA));
 }
 
+/// apartX, apartY: how far apart they are, where that is not what their places say, as around a world that wraps [m].
 template <int W>
 [[gnu::always_inline]] inline RelativeLanes<W> relativeLanes(const std::uint32_t* a, const std::uint32_t* b,
-                                                             const BodyPlace* places, const FreshLanes* fresh = nullptr,
-                                                             int lane = 0) {
+                                                             const BodyPlace* places, const float* apartX = nullptr,
+                                                             const float* apartY = nullptr) {
     using F = typename Wide<W>::Float;
     const float* rows = &places->highX;
     const Rows<W> placeA = loadRows<W, 16>(rows, a), placeB = loadRows<W, 16>(rows, b);
@@ -42,9 +42,9 @@ template <int W>
     RelativeLanes<W> r;
     r.apartX = difference(placeB.x, placeB.z, placeA.x, placeA.z);
     r.apartY = difference(placeB.y, placeB.w, placeA.y, placeA.w);
-    if (fresh != nullptr && fresh->around) {
-        r.apartX = loadLanes<W>(fresh->apartX + lane);
-        r.apartY = loadLanes<W>(fresh->apartY + lane);
+    if (apartX != nullptr) {
+        r.apartX = loadLanes<W>(apartX);
+        r.apartY = loadLanes<W>(apartY);
     }
     const F c = angleA.x, s = angleA.y;
     r.dx = c * r.apartX + s * r.apartY;

@@ -1,6 +1,0 @@
-// SPDX-License-Identifier: MIT
-#if defined(__GNUC__)
-#include <plumb/dynamics/contacts/lanes/contact_solver_wide.h>
-
-template struct plumb::WideContactSolver<8>;
-#endif

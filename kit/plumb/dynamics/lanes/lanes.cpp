@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Which code does a step run, of those for 1, 4, 8 and 16 lanes? The widest that the machine can, and that has no more
+// lanes than asked for.
+#include <plumb/dynamics/lanes/lanes_wide.h>
+#include <plumb/math/detail/for_lanes.h>
+
+namespace plumb {
+
+template struct WideLaneCollider<1>;
+template struct WideHingeSolver<1>;
+template struct WideBodySolver<1>;
+#if defined(__GNUC__)
+extern template struct WideContactSolver<4>;
+extern template struct WideContactSolver<8>;
+extern template struct WideContactSolver<16>;
+extern template struct WideLaneCollider<4>;
+extern template struct WideLaneCollider<8>;
+extern template struct WideLaneCollider<16>;
+extern template struct WideHingeSolver<4>;
+extern template struct WideHingeSolver<8>;
+extern template struct WideHingeSolver<16>;
+extern template struct WideBodySolver<4>;
+extern template struct WideBodySolver<8>;
+extern template struct WideBodySolver<16>;
+#endif
+
+namespace {
+
+template <template <int> class Wide, class Code>
+const Code& codeFor([[maybe_unused]] int lanes, const Code& one) {
+#if defined(__GNUC__)
+    return forLanes(lanes, one, Wide<4>::code, Wide<8>::code, Wide<16>::code);
+#else
+    return one;
+#endif
+}
+
+}  // namespace
+
+const ContactSolver& contactSolver(int lanes) {
+    return codeFor<WideContactSolver>(lanes, scalarContactSolver);
+}
+
+const LaneCollider& laneCollider(int lanes) {
+    return codeFor<WideLaneCollider>(lanes, WideLaneCollider<1>::code);
+}
+
+const HingeSolver& hingeSolver(int lanes) {
+    return codeFor<WideHingeSolver>(lanes, WideHingeSolver<1>::code);
+}
+
+const BodySolver& bodySolver(int lanes) {
+    return codeFor<WideBodySolver>(lanes, WideBodySolver<1>::code);
+}
+
+}  // namespace plumb

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+#if defined(__GNUC__)
+#include <plumb/dynamics/lanes/lanes_wide.h>
+
+template struct plumb::WideContactSolver<4>;
+template struct plumb::WideLaneCollider<4>;
+template struct plumb::WideHingeSolver<4>;
+template struct plumb::WideBodySolver<4>;
+#endif

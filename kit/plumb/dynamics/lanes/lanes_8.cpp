@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+#if defined(__GNUC__)
+#include <plumb/dynamics/lanes/lanes_wide.h>
+
+template struct plumb::WideContactSolver<8>;
+template struct plumb::WideLaneCollider<8>;
+template struct plumb::WideHingeSolver<8>;
+template struct plumb::WideBodySolver<8>;
+#endif

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+// Which templates over the number of lanes are there?
+#pragma once
+#include <plumb/dynamics/contacts/lanes/contact_solver_wide.h>
+#include <plumb/dynamics/contacts/lanes/lane_collider_wide.h>
+#include <plumb/dynamics/joints/hinge_solver_wide.h>
+#include <plumb/dynamics/solver/body_solver_wide.h>

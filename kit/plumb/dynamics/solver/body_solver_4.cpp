@@ -1,6 +1,0 @@
-// SPDX-License-Identifier: MIT
-#if defined(__GNUC__)
-#include <plumb/dynamics/solver/body_solver_wide.h>
-
-template struct plumb::WideBodySolver<4>;
-#endif
