@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/body_def.h>
 
+#include <type_traits>
+
+#include <plumb/dynamics/describe_body_def.h>
 #include <plumb/dynamics/detail/validate.h>
 #include <plumb/math/check.h>
+#include <plumb/math/require_members.h>
 
 namespace plumb {
 
@@ -16,6 +20,33 @@ void validateMass(const BodyDef& def, const std::string& field) {
                     "a dynamic body needs a shape with area and density, or BodyDef.mass");
 }
 
+/// Shapes are asked more of on a body than by themselves, and a mass depends on the type.
+struct BodyCheck {
+    const MemberPath& path;
+    template <class T>
+    [[gnu::always_inline]] void operator()(const Member& member, const T& value) const {
+        if constexpr (std::is_same_v<T, std::vector<ShapeDef>>) {
+            for (std::size_t i = 0; i < value.size(); ++i)
+                requireShape(value[i], path.text(member.name) + "[" + std::to_string(i) + "]");
+        } else if constexpr (!std::is_same_v<T, std::optional<Mass>> && !std::is_same_v<T, Lock>) {
+            requireMember(member, value, path);
+        }
+    }
+};
+
+/// What its type and its other members leave a body.
+void validateTogether(const BodyDef& def, const std::string& field) {
+    if (def.fixedRotation && def.angularVelocity != 0)
+        refuse(field + ".angularVelocity", toText(def.angularVelocity) + " on a body of fixed rotation, not 0");
+    if (def.mass && def.type != BodyType::Dynamic)
+        refuse(field + ".mass", toText(def.mass->mass) + " kg given to a body that is not dynamic");
+    if (def.type == BodyType::Dynamic) validateMass(def, field);
+    if (def.type != BodyType::Static) return;
+    if (!def.velocity.isZero(0)) refuse(field + ".velocity", toText(def.velocity) + " on a static body, not (0, 0)");
+    if (def.angularVelocity != 0)
+        refuse(field + ".angularVelocity", toText(def.angularVelocity) + " on a static body, not 0");
+}
+
 }  // namespace
 
 Mass massOf(const BodyDef& def) {
@@ -26,25 +57,9 @@ Mass massOf(const BodyDef& def) {
 }
 
 void validate(const BodyDef& def, const std::string& field) {
-    requireType(def.type, field + ".type");
-    requireFinite(def.position, field, ".position");
-    requireFinite(def.angle, field, ".angle");
-    requireFinite(def.velocity, field, ".velocity");
-    requireFinite(def.angularVelocity, field, ".angularVelocity");
-    requireFinite(def.gravityScale, field, ".gravityScale");
-    requireNotNegative(def.linearDamping, field, ".linearDamping");
-    requireNotNegative(def.angularDamping, field, ".angularDamping");
-    for (std::size_t i = 0; i < def.shapes.size(); ++i)
-        requireShape(def.shapes[i], field + ".shapes[" + std::to_string(i) + "]");
-    if (def.fixedRotation && def.angularVelocity != 0)
-        refuse(field + ".angularVelocity", toText(def.angularVelocity) + " on a body of fixed rotation, not 0");
-    if (def.mass && def.type != BodyType::Dynamic)
-        refuse(field + ".mass", toText(def.mass->mass) + " kg given to a body that is not dynamic");
-    if (def.type == BodyType::Dynamic) validateMass(def, field);
-    if (def.type != BodyType::Static) return;
-    if (!def.velocity.isZero(0)) refuse(field + ".velocity", toText(def.velocity) + " on a static body, not (0, 0)");
-    if (def.angularVelocity != 0)
-        refuse(field + ".angularVelocity", toText(def.angularVelocity) + " on a static body, not 0");
+    const MemberPath path{field};
+    describe(def, BodyCheck{path});
+    validateTogether(def, field);
 }
 
 }  // namespace plumb
