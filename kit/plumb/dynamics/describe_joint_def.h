@@ -7,7 +7,7 @@
 namespace plumb {
 
 /// Of where a body is to be, or how it is to move: farther or faster, it would be put in quarantine.
-consteval Allowed withinReach(const Allowed& allowed) {
+constexpr Allowed withinReach(const Allowed& allowed) {
     return allowed.upTo(1e15, "where no body can be, nor move so fast");
 }
 

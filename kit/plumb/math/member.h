@@ -36,15 +36,15 @@ struct Allowed {
     AnchorOf anchor = AnchorOf::None;                       ///< a point that must be near these bodies
 
     static const Allowed any, finite, notNegative, positive;
-    static consteval Allowed within(double low, double high);
-    static consteval Allowed among(std::span<const int> choices);
+    static constexpr Allowed within(double low, double high);
+    static constexpr Allowed among(std::span<const int> choices);
 
-    consteval Allowed orInfinite() const;
-    consteval Allowed orMinusInfinite() const;
-    consteval Allowed upTo(double furthest, const char* why) const;
-    consteval Allowed butNotZero(const char* why) const;
-    consteval Allowed onlyOnce() const;
-    consteval Allowed anchorOf(AnchorOf bodies) const;
+    constexpr Allowed orInfinite() const;
+    constexpr Allowed orMinusInfinite() const;
+    constexpr Allowed upTo(double furthest, const char* why) const;
+    constexpr Allowed butNotZero(const char* why) const;
+    constexpr Allowed onlyOnce() const;
+    constexpr Allowed anchorOf(AnchorOf bodies) const;
 
     constexpr bool isRange() const { return low > -std::numeric_limits<double>::infinity(); }
 };
@@ -54,39 +54,39 @@ inline constexpr Allowed Allowed::finite{};
 inline constexpr Allowed Allowed::notNegative{.sign = Sign::NotNegative};
 inline constexpr Allowed Allowed::positive{.sign = Sign::Positive};
 
-consteval Allowed Allowed::within(double low, double high) {
+constexpr Allowed Allowed::within(double low, double high) {
     return {.low = low, .high = high};
 }
-consteval Allowed Allowed::among(std::span<const int> choices) {
+constexpr Allowed Allowed::among(std::span<const int> choices) {
     return {.oneOf = choices};
 }
-consteval Allowed Allowed::orInfinite() const {
+constexpr Allowed Allowed::orInfinite() const {
     Allowed changed = *this;
     changed.infinite = true;
     return changed;
 }
-consteval Allowed Allowed::orMinusInfinite() const {
+constexpr Allowed Allowed::orMinusInfinite() const {
     Allowed changed = *this;
     changed.minusInfinite = true;
     return changed;
 }
-consteval Allowed Allowed::upTo(double furthest, const char* why) const {
+constexpr Allowed Allowed::upTo(double furthest, const char* why) const {
     Allowed changed = *this;
     changed.most = furthest;
     changed.beyond = why;
     return changed;
 }
-consteval Allowed Allowed::butNotZero(const char* why) const {
+constexpr Allowed Allowed::butNotZero(const char* why) const {
     Allowed changed = *this;
     changed.zero = why;
     return changed;
 }
-consteval Allowed Allowed::onlyOnce() const {
+constexpr Allowed Allowed::onlyOnce() const {
     Allowed changed = *this;
     changed.once = true;
     return changed;
 }
-consteval Allowed Allowed::anchorOf(AnchorOf bodies) const {
+constexpr Allowed Allowed::anchorOf(AnchorOf bodies) const {
     Allowed changed = onlyOnce();
     changed.anchor = bodies;
     return changed;
