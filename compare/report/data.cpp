@@ -89,12 +89,11 @@ const char* standInName(const MoverMotion& motion) {
 }
 
 json bodyData(const SceneBody& body) {
-    constexpr const char* types[] = {"static", "kinematic", "dynamic"};
     json shapes = json::array();
     for (const ShapeDef& shape : body.def.shapes)
         for (json& data : shapesData(shape.shape)) shapes.push_back(std::move(data));
     return {{"name", body.name},
-            {"type", types[static_cast<int>(body.def.type)]},
+            {"type", bodyTypeTags[static_cast<std::size_t>(body.def.type)]},
             {"start", {body.def.position.x(), body.def.position.y(), body.def.angle}},
             {"shapes", shapes}};
 }
@@ -106,7 +105,7 @@ json jointData(const SceneJoint& joint, const JointGeometry& geometry) {
     json data{{"name", joint.name},
               {"a", geometry.bodyA},
               {"b", geometry.bodyB},
-              {"type", jointTags.begin()[joint.def.index()]},
+              {"type", tagsOfAlternatives<JointDef>[joint.def.index()]},
               {"atA", pair(geometry.localAnchorA)},
               {"atB", pair(geometry.localAnchorB)}};
     if (const auto* pulley = std::get_if<PulleyJointDef>(&joint.def))

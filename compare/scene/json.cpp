@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <initializer_list>
 #include <iterator>
 #include <limits>
 #include <span>
@@ -72,8 +71,8 @@ public:
 
     void shape(Shape& shape) {
         const Json* given = find("box");
-        if (given == nullptr) return oneOf(shape, shapeTags);
-        for (const char* other : shapeTags) {
+        if (given == nullptr) return oneOf(shape, tagsOfAlternatives<Shape>);
+        for (const char* other : tagsOfAlternatives<Shape>) {
             if (find(other) != nullptr)
                 plumb::refuse(path_, "has both box and " + std::string(other) + ", wanted one of them");
         }
@@ -87,13 +86,13 @@ public:
     }
 
     template <class... T>
-    void oneOf(std::variant<T...>& value, std::initializer_list<const char*> tags) {
+    void oneOf(std::variant<T...>& value, std::span<const char* const> tags) {
         std::size_t found = 0;
         for (std::size_t i = 0; i < tags.size(); ++i) {
-            const bool here = find(tags.begin()[i]) != nullptr;
+            const bool here = find(tags[i]) != nullptr;
             if (here && found > 0) {
-                plumb::refuse(path_, "has both " + std::string(tags.begin()[found - 1]) + " and " + tags.begin()[i] +
-                                         ", wanted one of them");
+                plumb::refuse(path_,
+                              "has both " + std::string(tags[found - 1]) + " and " + tags[i] + ", wanted one of them");
             }
             if (here) found = i + 1;
         }
@@ -101,7 +100,7 @@ public:
             kindWanted_ = oneOfText(tags);  // not refused before a misspelled field, which says more
             return;
         }
-        readAlternative(value, found - 1, tags.begin()[found - 1], std::index_sequence_for<T...>());
+        readAlternative(value, found - 1, tags[found - 1], std::index_sequence_for<T...>());
     }
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
-#include <initializer_list>
+#include <span>
 
 #include <compare/scene/fields.h>
 #include <compare/scene/json.h>
@@ -57,10 +57,10 @@ public:
     void orInfinite(const char* name, double value) {
         object_[name] = !std::isinf(value) ? Json(value) : Json(value > 0 ? infiniteTag : minusInfiniteTag);
     }
-    void shape(const Shape& shape) { oneOf(shape, shapeTags); }
+    void shape(const Shape& shape) { oneOf(shape, tagsOfAlternatives<Shape>); }
     template <class... T>
-    void oneOf(const std::variant<T...>& value, std::initializer_list<const char*> tags) {
-        tag_ = tags.begin()[value.index()];
+    void oneOf(const std::variant<T...>& value, std::span<const char* const> tags) {
+        tag_ = tags[value.index()];
         std::visit([&](const auto& alternative) { object_[tag_] = write(alternative); }, value);
     }
 

@@ -11,8 +11,8 @@
 #include <compare/scene/scene.h>
 #include <compare/scene/validate_joint.h>
 #include <compare/scene/validate_mover.h>
-#include <plumb/dynamics/world.h>
 #include <plumb/math/check.h>
+#include <plumb/math/require_members.h>
 
 namespace plumb::compare {
 namespace {
@@ -42,8 +42,7 @@ void validateSceneName(const std::string& name) {
 
 void validateTime(const Scene& scene) {
     requireFinite(scene.gravity, "gravity");
-    if (scene.wrap.width) requirePositive(*scene.wrap.width, "wrap.width");
-    if (scene.wrap.height) requirePositive(*scene.wrap.height, "wrap.height");
+    requireMembers(scene.wrap, {"wrap"});
     requirePositive(scene.duration, "duration");
     requirePositive(scene.dt, "dt");
     const double steps = scene.duration / scene.dt;
@@ -57,7 +56,7 @@ void validateBody(const SceneBody& body, const std::string& field) {
     for (std::size_t i = 0; i < body.def.shapes.size(); ++i) {
         const Shape& shape = body.def.shapes[i].shape;
         const std::string path = at(field + ".shapes", i);
-        plumb::validate(shape, path + "." + shapeTags.begin()[shape.index()]);
+        plumb::validate(shape, path + "." + tagsOfAlternatives<Shape>[shape.index()]);
         if (body.def.shapes[i].rule != nullptr) refuse(path + ".rule", "is code, and a scene is data: wanted none");
     }
     plumb::validate(body.def, field);
@@ -144,16 +143,12 @@ void validateMotion(const KeplerMotion& motion, const std::string& field) {
 void validateField(const Scene& scene, std::size_t index) {
     const SceneField& field = scene.fields[index];
     const std::string path = at("fields", index);
-    FieldDef def = field.def;
-    World world;
-    if (auto* magnet = std::get_if<Magnet>(&def.law)) {
+    if (std::holds_alternative<Magnet>(field.def.law))
         requireKnown(field.body, namesOf(scene.bodies), path + ".body", "a body");
-        magnet->body = world.add({.type = BodyType::Static});
-    } else if (!field.body.empty()) {
+    else if (!field.body.empty())
         refuse(path + ".body", quoted(field.body) + " carries no magnet: the field is another");
-    }
     try {
-        (void)world.addField(def);
+        plumb::validate(field.def);
     } catch (const std::invalid_argument& error) {
         refuse(path, error.what());
     }
@@ -166,7 +161,7 @@ void validateClosedForm(const ClosedForm& form, const std::vector<std::string>& 
     for (std::size_t i = 0; i < form.bodies.size(); ++i) {
         const std::string field = at("closedForm.bodies", i);
         const std::string body = std::visit([](const auto& motion) { return motion.body; }, form.bodies[i]);
-        const std::string bodyField = field + "." + motionTags.begin()[form.bodies[i].index()] + ".body";
+        const std::string bodyField = field + "." + motionTags[form.bodies[i].index()] + ".body";
         requireKnown(body, bodies, bodyField, "a body");
         if (std::ranges::find(described, body) != described.end()) {
             refuse(bodyField, quoted(body) + " has a motion already, wanted one for each body");
@@ -178,7 +173,7 @@ void validateClosedForm(const ClosedForm& form, const std::vector<std::string>& 
 
 void validateProbe(const Probe& probe, const Scene& scene, const std::string& field) {
     const std::vector<std::string> bodies = namesOf(scene.bodies);
-    const std::string path = field + "." + probeTags.begin()[probe.quantity.index()];
+    const std::string path = field + "." + probeTags[probe.quantity.index()];
     const auto check = [&](const auto& quantity) {
         if constexpr (requires { quantity.body; }) requireKnown(quantity.body, bodies, path + ".body", "a body");
         if constexpr (requires { quantity.direction; }) requireUnit(quantity.direction, path + ".direction");

@@ -10,121 +10,6 @@
 namespace plumb::compare {
 namespace {
 
-/// Infinite is as much as it takes.
-void requireBound(double value, const std::string& field, const std::string& member) {
-    if (!(value >= 0)) refuse(field + member, toText(value) + " is negative or no number");
-}
-
-void requireAxis(const Vec2& axis, const std::string& field) {
-    requireFinite(axis, field, ".axis");
-    if (axis.norm() == 0) refuse(field + ".axis", toText(axis) + " has no direction");
-}
-
-void requireLimit(const std::optional<Limit>& limit, const std::string& field) {
-    if (limit && !(limit->lower <= limit->upper))
-        refuse(field + ".limit.upper", toText(limit->upper) + " is not at least lower, " + toText(limit->lower));
-}
-
-void requireSpring(const std::optional<Spring>& spring, const std::string& field) {
-    if (!spring) return;
-    requireNotNegative(spring->stiffness, field, ".stiffness");
-    requireNotNegative(spring->damping, field, ".damping");
-}
-
-void requireBreaking(const Breaking& breaking, const std::string& field) {
-    if (!(breaking.force > 0)) refuse(field + ".breaking.force", toText(breaking.force) + " is not positive");
-    if (!(breaking.torque > 0)) refuse(field + ".breaking.torque", toText(breaking.torque) + " is not positive");
-}
-
-/// Two anchors, or one for both.
-void requireAnchors(const auto& def, const std::string& field) {
-    if constexpr (requires { def.anchor; }) {
-        requireFinite(def.anchor, field, ".anchor");
-    } else {
-        requireFinite(def.anchorA, field, ".anchorA");
-        requireFinite(def.anchorB, field, ".anchorB");
-    }
-}
-
-void validateDef(const RevoluteJointDef& def, const std::string& field) {
-    requireAnchors(def, field);
-    requireFinite(def.motorSpeed, field, ".motorSpeed");
-    requireBound(def.maxMotorTorque, field, ".maxMotorTorque");
-    requireLimit(def.limit, field);
-    requireSpring(def.spring, field + ".spring");
-    requireFinite(def.restAngle, field, ".restAngle");
-}
-
-void validateDef(const PrismaticJointDef& def, const std::string& field) {
-    requireAnchors(def, field);
-    requireAxis(def.axis, field);
-    requireFinite(def.motorSpeed, field, ".motorSpeed");
-    requireBound(def.maxMotorForce, field, ".maxMotorForce");
-    requireLimit(def.limit, field);
-    requireSpring(def.spring, field + ".spring");
-    requireFinite(def.restShift, field, ".restShift");
-}
-
-void validateDef(const DistanceJointDef& def, const std::string& field) {
-    requireAnchors(def, field);
-    if (def.length) requirePositive(*def.length, field, ".length");
-    if (!def.length && def.anchorA == def.anchorB)
-        refuse(field + ".anchorB", toText(def.anchorB) + " is anchorA too, wanted another point or a length");
-    requireSpring(def.spring, field + ".spring");
-    requireNotNegative(def.minLength, field, ".minLength");
-    if (!(def.maxLength >= def.minLength))
-        refuse(field + ".maxLength", toText(def.maxLength) + " is not at least minLength, " + toText(def.minLength));
-    requireFinite(def.motorSpeed, field, ".motorSpeed");
-    requireBound(def.maxMotorForce, field, ".maxMotorForce");
-}
-
-void validateDef(const WeldJointDef& def, const std::string& field) {
-    requireAnchors(def, field);
-    requireSpring(def.spring, field + ".spring");
-    requireSpring(def.bending, field + ".bending");
-}
-
-void validateDef(const WheelJointDef& def, const std::string& field) {
-    requireAnchors(def, field);
-    requireAxis(def.axis, field);
-    requireFinite(def.motorSpeed, field, ".motorSpeed");
-    requireBound(def.maxMotorTorque, field, ".maxMotorTorque");
-    requireLimit(def.limit, field);
-    requireSpring(def.spring, field + ".spring");
-    requireFinite(def.restShift, field, ".restShift");
-}
-
-void validateDef(const PulleyJointDef& def, const std::string& field) {
-    requireFinite(def.groundA, field, ".groundA");
-    requireFinite(def.groundB, field, ".groundB");
-    requireAnchors(def, field);
-    requirePositive(def.ratio, field, ".ratio");
-}
-
-void validateDef(const GearJointDef& def, const std::string& field) {
-    requireFinite(def.ratio, field, ".ratio");
-    if (def.ratio == 0) refuse(field + ".ratio", "0 couples nothing");
-}
-
-void validateDef(const MotorJointDef& def, const std::string& field) {
-    if (def.offset) requireFinite(*def.offset, field, ".offset");
-    if (def.angle) requireFinite(*def.angle, field, ".angle");
-    requireNotNegative(def.rate, field, ".rate");
-    requireFinite(def.velocity, field, ".velocity");
-    requireFinite(def.angularVelocity, field, ".angularVelocity");
-    requireBound(def.maxForce, field, ".maxForce");
-    requireBound(def.maxTorque, field, ".maxTorque");
-}
-
-void validateDef(const TargetJointDef& def, const std::string& field) {
-    requireAnchors(def, field);
-    requireFinite(def.target, field, ".target");
-    requireSpring(def.spring, field + ".spring");
-    requireBound(def.maxForce, field, ".maxForce");
-}
-
-void validateDef(const FilterJointDef&, const std::string&) {}
-
 void requireNone(const std::string& name, const std::string& field, const std::string& why) {
     if (!name.empty()) refuse(field, quoted(name) + " is one too many: " + why);
 }
@@ -165,18 +50,22 @@ void validateEnds(const Scene& scene, std::size_t index, const NameIndex& bodies
         refuse(field + ".bodyB", quoted(joint.bodyB) + " is bodyA too, wanted another body");
 }
 
+/// Box2D takes no distance joint of no length.
+void requireLength(const JointDef& def, const std::string& field) {
+    const auto* distance = std::get_if<DistanceJointDef>(&def);
+    if (distance != nullptr && !distance->length && distance->anchorA == distance->anchorB)
+        refuse(field + ".anchorB", toText(distance->anchorB) + " is anchorA too, wanted another point or a length");
+}
+
 }  // namespace
 
 void validateJoint(const Scene& scene, std::size_t index, const NameIndex& bodies) {
     const std::string field = at("joints", index);
     validateEnds(scene, index, bodies, field);
     const JointDef& def = scene.joints[index].def;
-    const std::string defField = field + "." + jointTags.begin()[def.index()];
-    const auto check = [&](const auto& d) {
-        validateDef(d, defField);
-        if constexpr (requires { d.breaking; }) requireBreaking(d.breaking, defField);
-    };
-    std::visit(check, def);
+    const std::string defField = field + "." + tagsOfAlternatives<JointDef>[def.index()];
+    requireLength(def, defField);
+    plumb::validate(def, defField);
 }
 
 }  // namespace plumb::compare

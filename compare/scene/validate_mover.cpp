@@ -58,7 +58,7 @@ void validateMover(const Scene& scene, std::size_t index) {
         refuse(field + ".body", quoted(mover.body) + " is not kinematic: it has a motion of its own");
     for (std::size_t i = 0; i < index; ++i)
         if (scene.movers[i].body == mover.body) refuse(field + ".body", quoted(mover.body) + " has a mover already");
-    const std::string path = field + "." + moverTags.begin()[mover.motion.index()];
+    const std::string path = field + "." + moverTags[mover.motion.index()];
     std::visit([&](const auto& motion) { validateMotion(scene, motion, path); }, mover.motion);
 }
 

@@ -129,7 +129,8 @@ void addPiece(Declarations& all, const Piece& piece, const std::string& scope, b
         return addScope(all, piece.body, name, inner);
     }
     if (isLeftOut(piece.head)) return;
-    if (piece.head.find('(') != std::string::npos) return addFunction(all, piece.head, scope);
+    const std::size_t bracket = piece.head.find('(');  // behind '=' it is an initial value's
+    if (bracket != std::string::npos && bracket < piece.head.find('=')) return addFunction(all, piece.head, scope);
     if (scope.empty() || isClass) return;
     for (const std::string& part : splitAtCommas(piece.head)) add(all.structs[scope], nameIn(part));
 }

@@ -48,4 +48,8 @@ struct FieldDef {
     Filter filter = {};  ///< only on what has a shape that collides with a shape of this
 };
 
+/// Throws std::invalid_argument naming the field, the value and what was wanted, as far as no world is needed to tell:
+/// the body that carries a magnet is not looked at.
+void validate(const FieldDef& def);
+
 }  // namespace plumb

@@ -29,7 +29,7 @@ double JointView::angleError() const {
 }
 
 void Joint::set(const JointDef& def) {
-    validateChange(*world_, world_->joints[index_].def(), def);
+    validateChange(world_->joints[index_].def(), def);
     changeJoint(*world_, index_, def);
 }
 

@@ -161,4 +161,8 @@ struct FilterJointDef {
 using JointDef = std::variant<RevoluteJointDef, PrismaticJointDef, DistanceJointDef, WeldJointDef, WheelJointDef,
                               PulleyJointDef, GearJointDef, MotorJointDef, TargetJointDef, FilterJointDef>;
 
+/// Throws std::invalid_argument naming the field, the value and what was wanted, as far as no world is needed to tell:
+/// ids are not looked at, nor how far anchors are from their bodies. field is the name of the def itself.
+void validate(const JointDef& def, const std::string& field);
+
 }  // namespace plumb

@@ -44,7 +44,7 @@ struct MomentumLedger {
     Vec2 damping{0, 0};  ///< and drag
     Vec2 solver{0, 0};   ///< rounding, sleep, and what was stopped short
 
-    Vec2 gained() const;
+    Vec2 gained() const { return edits + gravity + fields + forces + ground + damping + solver; }
 };
 
 struct Ledger {

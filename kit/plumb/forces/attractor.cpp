@@ -3,18 +3,11 @@
 
 #include <cmath>
 
-#include <plumb/math/check.h>
+#include <plumb/forces/detail/require_numbers.h>
 #include <plumb/math/logarithm.h>
 
 namespace plumb {
 namespace {
-
-void requireSound(const Attractor& attractor) {
-    requireFinite(attractor.strength, "Attractor", ".strength");
-    requireWithin(attractor.power, 1, 8, "Attractor", ".power");
-    requireNotNegative(attractor.softening, "Attractor", ".softening");
-    if (!(attractor.range > 0)) requirePositive(attractor.range, "Attractor", ".range");
-}
 
 double softened(const Attractor& attractor, double squaredDistance) {
     return std::sqrt(squaredDistance + attractor.softening * attractor.softening);
@@ -36,7 +29,7 @@ double energyAt(const Attractor& attractor, double q) {
 }  // namespace
 
 Vec2 attraction(const Attractor& attractor, const Vec2& position) {
-    requireSound(attractor);
+    requireNumbers(attractor);
     const Vec2 d = position - attractor.center;
     const double squared = d.squaredNorm();
     if (squared > attractor.range * attractor.range) return {0, 0};
@@ -47,7 +40,7 @@ Vec2 attraction(const Attractor& attractor, const Vec2& position) {
 }
 
 double potentialEnergy(const Attractor& attractor, const Vec2& position) {
-    requireSound(attractor);
+    requireNumbers(attractor);
     if (attractor.strength == 0) return 0;
     const double squared = (position - attractor.center).squaredNorm();
     const double limit = attractor.range * attractor.range;

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include <plumb/forces/describe_law.h>
 #include <plumb/forces/detail/submerged.h>
 #include <plumb/math/check.h>
+#include <plumb/math/require_members.h>
 #include <plumb/math/trig.h>
 
 namespace plumb {
@@ -140,9 +142,7 @@ Moments momentsBelow(const Outline& outline) {
 }
 
 void requireSound(const Fluid& fluid) {
-    requireNotNegative(fluid.density, "Fluid", ".density");
-    requireFinite(fluid.surface, "Fluid", ".surface");
-    requireFinite(fluid.gravity, "Fluid", ".gravity");
+    requireMembers(fluid, {definitionName<Fluid>.type});
 }
 
 }  // namespace

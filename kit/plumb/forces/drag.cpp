@@ -3,19 +3,11 @@
 
 #include <cmath>
 
+#include <plumb/forces/detail/require_numbers.h>
 #include <plumb/math/check.h>
 #include <plumb/math/trig.h>
 
 namespace plumb {
-namespace {
-
-void requireSound(const Drag& drag) {
-    requireNotNegative(drag.linear, "Drag", ".linear");
-    requireNotNegative(drag.quadratic, "Drag", ".quadratic");
-}
-
-}  // namespace
-
 double quadraticDrag(double density, double dragCoefficient, double area) {
     requireNotNegative(density, "quadraticDrag: density");
     requireNotNegative(dragCoefficient, "quadraticDrag: dragCoefficient");
@@ -24,20 +16,20 @@ double quadraticDrag(double density, double dragCoefficient, double area) {
 }
 
 Vec2 dragForce(const Drag& drag, const Vec2& velocity) {
-    requireSound(drag);
+    requireNumbers(drag);
     const Vec2 u = velocity - drag.wind;
     return -(drag.linear + drag.quadratic * u.norm()) * u;
 }
 
 double terminalSpeed(const Drag& drag, double force) {
-    requireSound(drag);
+    requireNumbers(drag);
     requireNotNegative(force, "terminalSpeed: force");
     if (force == 0) return 0;
     return 2 * force / (drag.linear + std::sqrt(drag.linear * drag.linear + 4 * drag.quadratic * force));
 }
 
 Vec2 velocityAfterDrag(const Drag& drag, double mass, const Vec2& velocity, double time) {
-    requireSound(drag);
+    requireNumbers(drag);
     requirePositive(mass, "velocityAfterDrag: mass");
     requireNotNegative(time, "velocityAfterDrag: time");
     const double a = drag.linear / mass, b = drag.quadratic / mass;

@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/forces/friction.h>
 
+#include <plumb/forces/detail/require_numbers.h>
 #include <plumb/math/check.h>
 
 namespace plumb {
-namespace {
-
-void requireSound(const GroundFriction& ground) {
-    requireNotNegative(ground.friction, "GroundFriction", ".friction");
-    requireNotNegative(ground.gravity, "GroundFriction", ".gravity");
-    requireNotNegative(ground.lever, "GroundFriction", ".lever");
-}
-
-}  // namespace
-
 Vec2 frictionForce(const GroundFriction& ground, double mass, const Vec2& velocity) {
-    requireSound(ground);
+    requireNumbers(ground);
     requireNotNegative(mass, "frictionForce: mass");
     const double speed = velocity.norm();
     if (speed == 0) return {0, 0};
@@ -23,14 +14,14 @@ Vec2 frictionForce(const GroundFriction& ground, double mass, const Vec2& veloci
 }
 
 double frictionTorque(const GroundFriction& ground, double mass, double angularVelocity) {
-    requireSound(ground);
+    requireNumbers(ground);
     requireNotNegative(mass, "frictionTorque: mass");
     const double most = ground.friction * mass * ground.gravity * ground.lever;
     return angularVelocity > 0 ? -most : angularVelocity < 0 ? most : 0;
 }
 
 Vec2 velocityAfterFriction(const GroundFriction& ground, const Vec2& velocity, double time) {
-    requireSound(ground);
+    requireNumbers(ground);
     requireNotNegative(time, "velocityAfterFriction: time");
     const double speed = velocity.norm();
     const double loss = ground.friction * ground.gravity * time;

@@ -5,18 +5,14 @@
 #include <numbers>
 
 #include <plumb/forces/detail/gravity_force.h>
+#include <plumb/forces/detail/require_numbers.h>
 #include <plumb/math/check.h>
 
 namespace plumb {
 namespace {
 
-void requireSound(const MutualGravity& gravity) {
-    requireNotNegative(gravity.constant, "MutualGravity", ".constant");
-    requireNotNegative(gravity.softening, "MutualGravity", ".softening");
-}
-
 void requireSound(const MutualGravity& gravity, const PointMass& a, const PointMass& b) {
-    requireSound(gravity);
+    requireNumbers(gravity);
     requireNotNegative(a.mass, "PointMass a", ".mass");
     requireNotNegative(b.mass, "PointMass b", ".mass");
 }
@@ -50,7 +46,7 @@ double potentialEnergy(const MutualGravity& gravity, const PointMass& a, const P
 }
 
 double circularOrbitSpeed(const MutualGravity& gravity, double totalMass, double distance) {
-    requireSound(gravity);
+    requireNumbers(gravity);
     requirePositive(totalMass, "circularOrbitSpeed: totalMass");
     requirePositive(distance, "circularOrbitSpeed: distance");
     const double r = softened(gravity, distance * distance);
@@ -58,7 +54,7 @@ double circularOrbitSpeed(const MutualGravity& gravity, double totalMass, double
 }
 
 double orbitPeriod(const MutualGravity& gravity, double totalMass, double semiMajorAxis) {
-    requireSound(gravity);
+    requireNumbers(gravity);
     requirePositive(totalMass, "orbitPeriod: totalMass");
     requirePositive(semiMajorAxis, "orbitPeriod: semiMajorAxis");
     return 2 * std::numbers::pi * semiMajorAxis * std::sqrt(semiMajorAxis / (gravity.constant * totalMass));

@@ -6,7 +6,9 @@
 #include <string>
 
 #include <plumb/math/check.h>
+#include <plumb/math/require_members.h>
 #include <plumb/math/trig.h>
+#include <plumb/shapes/describe_shape.h>
 
 namespace plumb {
 namespace {
@@ -89,16 +91,6 @@ Mass lineMass(const Vec2& start, const Vec2& end) {
     return {0, 0.5 * (start + end), 0};
 }
 
-void requirePart(const Mass& part, std::size_t index) {
-    const bool sound = part.mass >= 0 && std::isfinite(part.mass) && part.center.allFinite() && part.inertia >= 0 &&
-                       std::isfinite(part.inertia);
-    if (sound) return;
-    const std::string field = "combine: parts[" + std::to_string(index) + "]";
-    requireNotNegative(part.mass, field, ".mass");
-    requireFinite(part.center, field, ".center");
-    requireNotNegative(part.inertia, field, ".inertia");
-}
-
 }  // namespace
 
 Mass massOf(const Shape& shape, double density) {
@@ -114,7 +106,8 @@ Mass massOf(const Shape& shape, double density) {
 }
 
 Mass combine(std::span<const Mass> parts) {
-    for (std::size_t i = 0; i < parts.size(); ++i) requirePart(parts[i], i);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        requireMembers(parts[i], {.name = "combine: parts", .index = static_cast<std::ptrdiff_t>(i)});
     Mass all;
     const Mass* heaviest = nullptr;
     for (const Mass& part : parts) {

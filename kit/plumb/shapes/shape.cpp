@@ -7,6 +7,8 @@
 #include <span>
 
 #include <plumb/math/check.h>
+#include <plumb/math/require_members.h>
+#include <plumb/shapes/describe_shape.h>
 #include <plumb/shapes/detail/counts.h>
 
 namespace plumb {
@@ -52,12 +54,6 @@ Edges scaledEdges(const Polygon& polygon) {
     for (std::size_t i = 0; i < edges.count; ++i)
         edges.room[i] = scaled(polygon.vertices[edges.after(i)]) - scaled(polygon.vertices[i]);
     return edges;
-}
-
-void requireCounts(const Polygon& polygon, const std::string& field) {
-    requireCount(polygon, field);
-    for (std::size_t i = 0; i < polygon.vertices.size(); ++i)
-        if (!polygon.vertices[i].allFinite()) requireFinite(polygon.vertices[i], cornerName(field, i));
 }
 
 void requireDistinctCorners(const Polygon& polygon, const Edges& edges, const std::string& field) {
@@ -111,14 +107,13 @@ void requireOneWinding(const Edges& edges, const std::string& field) {
         refuse(field + ".vertices", "the corners wind around " + std::to_string(windings) + " times, not once");
 }
 
-void validateCircle(const Circle& circle, const std::string& field) {
-    requirePositive(circle.radius, field, ".radius");
-    requireFinite(circle.center, field, ".center");
-}
+// What the description of each shape cannot say: what holds between its members, and between its corners.
 
-void validatePolygon(const Polygon& polygon, const std::string& field) {
-    requireCounts(polygon, field);
-    requireNotNegative(polygon.radius, field, ".radius");
+void validateTogether(const Circle&, const std::string&) {}
+void validateTogether(const TileMap&, const std::string&) {}
+
+void validateTogether(const Polygon& polygon, const std::string& field) {
+    requireCount(polygon, field);
     const Edges edges = scaledEdges(polygon);
     requireDistinctCorners(polygon, edges, field);
     requireLeftTurns(polygon, edges, field);
@@ -136,34 +131,26 @@ bool foldsBack(const Vec2& a, const Vec2& b, const Vec2& c) {
     return in.dot(out) < 0 && std::fabs(cross(in, out)) < polygonTolerance;
 }
 
-void validateCapsule(const Capsule& capsule, const std::string& field) {
-    requireFinite(capsule.start, field, ".start");
-    requireFinite(capsule.end, field, ".end");
-    requirePositive(capsule.radius, field, ".radius");
+void validateTogether(const Capsule& capsule, const std::string& field) {
     if (same(capsule.start, capsule.end))
         refuse(field + ".end", toText(capsule.end) + " is the same point as start: that is a circle");
 }
 
 void validateNeighbour(const Vec2& beyond, const Vec2& joint, const Vec2& other, const std::string& field) {
-    requireFinite(beyond, field);
     if (same(beyond, joint)) refuse(field, toText(beyond) + " is the end of the segment, not a point beyond");
     if (foldsBack(other, joint, beyond)) refuse(field, toText(beyond) + " folds the line straight back on itself");
 }
 
-void validateSegment(const Segment& segment, const std::string& field) {
-    requireFinite(segment.start, field, ".start");
-    requireFinite(segment.end, field, ".end");
+void validateTogether(const Segment& segment, const std::string& field) {
     if (same(segment.start, segment.end)) refuse(field + ".end", toText(segment.end) + " is the same point as start");
     if (segment.before) validateNeighbour(*segment.before, segment.start, segment.end, field + ".before");
     if (segment.after) validateNeighbour(*segment.after, segment.end, segment.start, field + ".after");
 }
 
-void validateChain(const Chain& chain, const std::string& field) {
+void validateTogether(const Chain& chain, const std::string& field) {
     requireCount(chain, field);
     const std::size_t count = chain.points.size();
     const auto name = [&](std::size_t i) { return field + ".points[" + std::to_string(i) + "]"; };
-    for (std::size_t i = 0; i < count; ++i)
-        if (!chain.points[i].allFinite()) requireFinite(chain.points[i], name(i));
     const auto point = [&](std::size_t i) -> const Vec2& { return chain.points[i % count]; };
     const std::size_t segments = chain.closed ? count : count - 1;
     for (std::size_t i = 0; i < segments; ++i)
@@ -186,11 +173,12 @@ Polygon boxPolygon(const Vec2& halfSize, const Vec2& center) {
 }
 
 void validate(const Shape& shape, const std::string& field) {
-    if (const auto* circle = std::get_if<Circle>(&shape)) validateCircle(*circle, field);
-    if (const auto* capsule = std::get_if<Capsule>(&shape)) validateCapsule(*capsule, field);
-    if (const auto* polygon = std::get_if<Polygon>(&shape)) validatePolygon(*polygon, field);
-    if (const auto* segment = std::get_if<Segment>(&shape)) validateSegment(*segment, field);
-    if (const auto* chain = std::get_if<Chain>(&shape)) validateChain(*chain, field);
+    std::visit(
+        [&field]<class Kind>(const Kind& kind) {
+            if constexpr (!std::is_same_v<Kind, TileMap>) requireMembers(kind, {field});
+            validateTogether(kind, field);
+        },
+        shape);
 }
 
 }  // namespace plumb

@@ -7,16 +7,12 @@
 #include <string>
 
 #include <plumb/math/check.h>
+#include <plumb/math/require_members.h>
+#include <plumb/shapes/describe_shape.h>
 
 namespace plumb {
 
 namespace {
-
-constexpr std::int64_t mostCells = std::int64_t{1} << 24;
-
-void requireCells(int count, const char* field) {
-    if (count < 1) refuse(field, std::to_string(count) + " is not a number of cells, 1 or more");
-}
 
 int wrappedInto(int index, int count) {
     const int rest = index % count;
@@ -35,11 +31,9 @@ std::string textOf(Cell cell) {
 }  // namespace
 
 TileMap::TileMap(const TileMapDef& def) : def_(def) {
-    requireCells(def.columns, "TileMapDef.columns");
-    requireCells(def.rows, "TileMapDef.rows");
-    requirePositive(def.size, "TileMapDef.size");
+    requireMembers(def, {"TileMapDef"});
     const std::int64_t cells = std::int64_t{def.columns} * def.rows;
-    if (cells > mostCells) refuse("TileMapDef", std::to_string(cells) + " cells are more than 2^24");
+    if (cells > maxTileCells) refuse("TileMapDef", std::to_string(cells) + " cells are more than 2^24");
     requireFinite(def.size * std::max(def.columns, def.rows), "TileMapDef.size, times columns and rows");
     tiles_.resize(static_cast<std::size_t>(cells));
 }

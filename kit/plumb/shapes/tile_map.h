@@ -15,6 +15,8 @@ struct Cell {
     friend bool operator==(const Cell&, const Cell&) = default;
 };
 
+inline constexpr int maxTileCells = 1 << 24;
+
 struct TileMapDef {
     int columns = 1, rows = 1;  ///< >= 1, at most 2^24 cells together
     double size = 1;            ///< of a cell, > 0 [m]

@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/space/shape_def.h>
 
+#include <type_traits>
 #include <utility>
 
-#include <plumb/math/check.h>
+#include <plumb/math/require_members.h>
 #include <plumb/shapes/decompose.h>
+#include <plumb/space/describe_shape_def.h>
 
 namespace plumb {
 
 namespace {
 
-void requireMix(Mix mix, const std::string& field, const char* member) {
-    switch (mix) {
-        case Mix::Average:
-        case Mix::GeometricMean:
-        case Mix::Minimum:
-        case Mix::Product:
-        case Mix::Maximum: return;
+/// An outline is checked by its own rules.
+struct ShapeCheck {
+    const MemberPath& path;
+    template <class T>
+    [[gnu::always_inline]] void operator()(const Member& member, const T& value) const {
+        if constexpr (std::is_same_v<T, Shape>)
+            validate(value, path.text(member.name));
+        else
+            requireMember(member, value, path);
     }
-    refuse(field + member,
-           std::to_string(static_cast<int>(mix)) + " is none of Average, GeometricMean, Minimum, Product and Maximum");
-}
+};
 
 }  // namespace
 
@@ -73,17 +75,8 @@ std::vector<ShapeDef> outline(std::vector<Vec2> points, const Material& material
 }
 
 void validate(const ShapeDef& def, const std::string& field) {
-    validate(def.shape, field + ".shape");
-    requireNotNegative(def.material.density, field, ".material.density");
-    requireNotNegative(def.material.friction, field, ".material.friction");
-    requireWithin(def.material.restitution, 0, 1, field, ".material.restitution");
-    requireNotNegative(def.material.rollingResistance, field, ".material.rollingResistance");
-    requireFinite(def.material.surfaceSpeed, field, ".material.surfaceSpeed");
-    requireMix(def.material.frictionMix, field, ".material.frictionMix");
-    requireMix(def.material.restitutionMix, field, ".material.restitutionMix");
-    if (!def.oneWay) return;
-    requireFinite(*def.oneWay, field, ".oneWay");
-    if (def.oneWay->isZero(0)) refuse(field + ".oneWay", "(0, 0) is no direction");
+    const MemberPath path{field};
+    describe(def, ShapeCheck{path});
 }
 
 }  // namespace plumb

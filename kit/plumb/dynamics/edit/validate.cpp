@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include <plumb/dynamics/describe.h>
 #include <plumb/dynamics/edit/shape_pieces.h>
 #include <plumb/math/check.h>
+#include <plumb/math/require_members.h>
 #include <plumb/shapes/aabb.h>
 
 namespace plumb {
@@ -46,26 +47,8 @@ std::string textOf(JointId id) {
     return textOf(id.index, id.generation, id.world);
 }
 
-void validate(const Wrap& wrap) {
-    constexpr double least = 1e-3, most = 1e9;  // counts of rounds are to stay whole numbers
-    if (wrap.width) requireWithin(*wrap.width, least, most, "WorldDef.wrap.width");
-    if (wrap.height) requireWithin(*wrap.height, least, most, "WorldDef.wrap.height");
-}
-
 void validate(const WorldDef& def) {
-    validate(def.wrap);
-    requireFinite(def.gravity, "WorldDef.gravity");
-    if (def.hitSpeed != std::numeric_limits<double>::infinity()) requireNotNegative(def.hitSpeed, "WorldDef.hitSpeed");
-    const SolverSettings& s = def.solver;
-    requireWithin(s.subSteps, 1, 64, "WorldDef.solver.subSteps");
-    requirePositive(s.contactFrequency, "WorldDef.solver.contactFrequency");
-    requirePositive(s.contactDampingRatio, "WorldDef.solver.contactDampingRatio");
-    requirePositive(s.contactPushSpeed, "WorldDef.solver.contactPushSpeed");
-    requireNotNegative(s.sleepSpeed, "WorldDef.solver.sleepSpeed");
-    requireNotNegative(s.sleepTime, "WorldDef.solver.sleepTime");
-    requireNotNegative(s.jointsAtOnce, "WorldDef.solver.jointsAtOnce");
-    if (s.lanes != 1 && s.lanes != 4 && s.lanes != 8 && s.lanes != 16)
-        refuse("WorldDef.solver.lanes", std::to_string(s.lanes) + " is not 1, 4, 8 or 16");
+    requireMembers(def, {definitionName<WorldDef>.type});
 }
 
 void requireFit(const WorldState& world, const Shape& shape, const Transform& pose, const std::string& field) {
@@ -101,16 +84,11 @@ void requireFewRounds(const WorldState& world, const Aabb& box, double most, con
 }
 
 std::string nameOf(BodyType type) {
-    return type == BodyType::Static ? "static" : type == BodyType::Kinematic ? "kinematic" : "dynamic";
+    return bodyTypeTags[static_cast<std::size_t>(type)];
 }
 
 void requireType(BodyType type, const std::string& field) {
-    switch (type) {
-        case BodyType::Static:
-        case BodyType::Kinematic:
-        case BodyType::Dynamic: return;
-    }
-    refuse(field, std::to_string(static_cast<int>(type)) + " is none of Static, Kinematic and Dynamic");
+    requireEnumerator(static_cast<int>(type), tagsOf(type), {field}, "");
 }
 
 void requireMass(const Mass& mass, const std::string& field, const std::string& why) {

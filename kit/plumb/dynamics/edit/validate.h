@@ -35,7 +35,7 @@ void requireFit(const WorldState& world, const BodyDef& def);
 void requireFewRounds(const WorldState& world, const Aabb& box, double most, const std::string& field);
 void validate(const WorldState& world, const JointDef& def);
 /// And unless it is of the kind, the bodies, the anchors and the axes of what it is to replace.
-void validateChange(const WorldState& world, const JointDef& from, const JointDef& to);
+void validateChange(const JointDef& from, const JointDef& to);
 void requireBody(const WorldState& world, BodyId id, std::string_view field);
 void requireShape(const WorldState& world, ShapeId id, std::string_view field);
 void requireField(const WorldState& world, FieldId id, std::string_view field);

@@ -1,45 +1,23 @@
 // SPDX-License-Identifier: MIT
-// Which fields may come in? Each law refuses its own numbers, by name; what only a world knows is looked at here.
+// Which fields may come in?
+#include <type_traits>
+
+#include <plumb/dynamics/describe.h>
 #include <plumb/dynamics/edit/validate.h>
 #include <plumb/math/check.h>
+#include <plumb/math/require_members.h>
 
 namespace plumb {
 
 namespace {
 
-void validate(const WorldState&, const UniformGravity& law) {
-    requireFinite(law.acceleration, "UniformGravity.acceleration");
-}
-
-void validate(const WorldState&, const MutualGravity& law) {
-    (void)gravityForce(law, {}, {});
-}
-
-void validate(const WorldState&, const Drag& law) {
-    (void)dragForce(law, {0, 0});
-    requireFinite(law.wind, "Drag.wind");
-}
-
-void validate(const WorldState&, const Attractor& law) {
-    (void)attraction(law, {1, 0});
-    requireFinite(law.center, "Attractor.center");
-}
-
-void validate(const WorldState& world, const Magnet& law) {
-    requireBody(world, law.body, "Magnet.body");
-    validate(world, law.pull);
-}
-
-void validate(const WorldState&, const Pool& law) {
-    const Vec2 point[] = {{0, 0}};
-    (void)submergedPart(point, 1, law.fluid);
-    requireNotNegative(law.drag, "Pool.drag");
-    requireFinite(law.flow, "Pool.flow");
-}
-
-void validate(const WorldState&, const GroundFriction& law) {
-    (void)frictionForce(law, 1, {0, 0});
-}
+struct LawCheck {
+    const MemberPath& path;
+    template <class T>
+    [[gnu::always_inline]] void operator()(const Member& member, const T& value) const {
+        if constexpr (!std::is_same_v<T, BodyId>) requireMember(member, value, path);
+    }
+};
 
 void validateRegion(const Shape& region) {
     validate(region, "FieldDef.region");
@@ -51,9 +29,19 @@ void validateRegion(const Shape& region) {
 
 }  // namespace
 
-void validate(const WorldState& world, const FieldDef& def) {
-    std::visit([&world](const auto& law) { validate(world, law); }, def.law);
+void validate(const FieldDef& def) {
+    std::visit(
+        []<class Law>(const Law& law) {
+            const MemberPath path{definitionName<Law>.type};
+            describe(law, LawCheck{path});
+        },
+        def.law);
     if (def.region) validateRegion(*def.region);
+}
+
+void validate(const WorldState& world, const FieldDef& def) {
+    if (const auto* magnet = std::get_if<Magnet>(&def.law)) requireBody(world, magnet->body, "Magnet.body");
+    validate(def);
 }
 
 }  // namespace plumb

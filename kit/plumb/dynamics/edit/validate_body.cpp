@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Which bodies may be added, and what do they weigh?
+#include <type_traits>
+
+#include <plumb/dynamics/describe.h>
+#include <plumb/dynamics/edit/validate.h>
+#include <plumb/math/check.h>
+#include <plumb/math/require_members.h>
+
+namespace plumb {
+
+namespace {
+
+void validateMass(const BodyDef& def, const std::string& field) {
+    if (def.mass)
+        requireMass(*def.mass, field + ".mass");
+    else
+        requireMass(massOf(def), field + ".shapes",
+                    "a dynamic body needs a shape with area and density, or BodyDef.mass");
+}
+
+/// Shapes are asked more of on a body than by themselves, and a mass depends on the type.
+struct BodyCheck {
+    const MemberPath& path;
+    template <class T>
+    [[gnu::always_inline]] void operator()(const Member& member, const T& value) const {
+        if constexpr (std::is_same_v<T, std::vector<ShapeDef>>) {
+            for (std::size_t i = 0; i < value.size(); ++i)
+                requireShape(value[i], path.text(member.name) + "[" + std::to_string(i) + "]");
+        } else if constexpr (!std::is_same_v<T, std::optional<Mass>> && !std::is_same_v<T, Lock>) {
+            requireMember(member, value, path);
+        }
+    }
+};
+
+/// What its type and its other members leave a body.
+void validateTogether(const BodyDef& def, const std::string& field) {
+    if (def.fixedRotation && def.angularVelocity != 0)
+        refuse(field + ".angularVelocity", toText(def.angularVelocity) + " on a body of fixed rotation, not 0");
+    if (def.mass && def.type != BodyType::Dynamic)
+        refuse(field + ".mass", toText(def.mass->mass) + " kg given to a body that is not dynamic");
+    if (def.type == BodyType::Dynamic) validateMass(def, field);
+    if (def.type != BodyType::Static) return;
+    if (!def.velocity.isZero(0)) refuse(field + ".velocity", toText(def.velocity) + " on a static body, not (0, 0)");
+    if (def.angularVelocity != 0)
+        refuse(field + ".angularVelocity", toText(def.angularVelocity) + " on a static body, not 0");
+}
+
+}  // namespace
+
+Mass massOf(const BodyDef& def) {
+    if (def.mass) return *def.mass;
+    std::vector<Mass> parts;
+    for (const ShapeDef& shape : def.shapes) parts.push_back(massOf(shape.shape, shape.material.density));
+    return combine(parts);
+}
+
+void validate(const BodyDef& def, const std::string& field) {
+    const MemberPath path{field};
+    describe(def, BodyCheck{path});
+    validateTogether(def, field);
+}
+
+}  // namespace plumb

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// Are all definitions described, each with its members, in the units that their headers say?
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "catch.h"
+#include "house/declarations.h"
+#include "kit/dynamics/described_leaves.h"
+
+namespace plumb::test {
+
+namespace {
+
+struct MemberText {
+    std::string name, unit, meaning;
+};
+using Descriptions = std::map<std::string, std::vector<MemberText>>;
+
+/// What is said of each definition, and of those that are members of it.
+struct Collect {
+    Descriptions& all;
+    std::string type;
+
+    template <class T>
+    void operator()(const Member& member, const T& value) const {
+        all[type].push_back({member.name, member.unit, member.meaning});
+        nested(value);
+    }
+    template <class T>
+    void nested(const T& value) const {
+        if constexpr (isVariantType<T>) {
+            forEachAlternative(std::type_identity<T>(), [&](const auto& kind) { nested(kind); });
+        } else if constexpr (isOptionalType<T>) {
+            nested(typename T::value_type{});
+        } else if constexpr (std::is_same_v<T, std::vector<ShapeDef>>) {
+            nested(ShapeDef{});
+        } else if constexpr (Described<T>) {
+            const std::string name = definitionName<T>.type;
+            if (!all.contains(name)) describe(value, Collect{all, name});
+        }
+    }
+};
+
+Descriptions allDescriptions() {
+    Descriptions all;
+    const Collect collect{all, ""};
+    collect.nested(WorldDef{});
+    collect.nested(BodyDef{});
+    collect.nested(FieldDef{});
+    collect.nested(TileMapDef{});
+    collect.nested(JointDef{});
+    return all;
+}
+
+/// But for those of movers, whose definitions are not described.
+std::string allHeaders() {
+    std::ostringstream text;
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator(std::filesystem::path(PLUMB_SOURCE_DIR) / "kit/plumb"))
+        if (entry.path().extension() == ".h" && entry.path().parent_path().filename() != "detail" &&
+            entry.path().parent_path().filename() != "movers")
+            text << std::ifstream(entry.path()).rdbuf() << '\n';
+    return text.str();
+}
+
+/// Definitions and members that stand in the headers and are not described, or otherwise.
+std::vector<std::string> notDescribed(const Declarations& declared, const Descriptions& described) {
+    std::vector<std::string> faults;
+    for (const auto& [name, fields] : declared.structs)
+        if (name.ends_with("Def") && !described.contains(name)) faults.push_back(name + " is not described");
+    for (const auto& [name, members] : described) {
+        Names names;
+        for (const MemberText& member : members) names.push_back(member.name);
+        if (!declared.structs.contains(name) || declared.structs.at(name) != names)
+            faults.push_back(name + " is described with other members than it has, or in another order");
+    }
+    return faults;
+}
+
+/// The comments of a struct's fields: on their own lines and those below, or, of those that have none, just above.
+std::string commentOf(const std::string& header, const std::string& type, const std::string& field) {
+    std::istringstream lines(header.substr(header.find("struct " + type + " {")));
+    std::string above, comment;
+    bool found = false;
+    for (std::string line; std::getline(lines, line) && line != "};";) {
+        const std::size_t at = line.find("//");
+        const std::string code = line.substr(0, at), said = at == std::string::npos ? "" : line.substr(at);
+        const bool blank = code.find_first_not_of(' ') == std::string::npos;
+        if (found && !blank && comment.find('[') != std::string::npos) break;
+        const bool names =
+            code.find(" " + field + " ") != std::string::npos || code.find(" " + field + "{") != std::string::npos;
+        if (names) comment = above;
+        if (found || names) comment += said;
+        found = found || names;
+        above = blank ? above + said : "";
+    }
+    return comment;
+}
+
+std::vector<std::string> otherUnits(const std::string& headers, const Descriptions& described) {
+    std::vector<std::string> faults;
+    for (const auto& [type, members] : described)
+        for (const MemberText& member : members)
+            if (!member.unit.empty() && member.unit != "-" &&
+                commentOf(headers, type, member.name).find("[" + member.unit + "]") == std::string::npos)
+                faults.push_back(type + "." + member.name + " is not said to be in [" + member.unit + "]");
+    return faults;
+}
+
+using Faults = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("each definition of the kit is described, with all of its members in their order", "[dynamics][describe]") {
+    const Descriptions all = allDescriptions();
+    CHECK(all.size() > 30);
+    Declarations declared;
+    addDeclarations(declared, allHeaders());
+    CHECK(notDescribed(declared, all) == Faults{});
+    for (const auto& [type, members] : all)
+        for (const MemberText& member : members) CHECK_FALSE(member.meaning.empty());
+}
+
+TEST_CASE("each member is described in the unit that its header says", "[dynamics][describe]") {
+    CHECK(otherUnits(allHeaders(), allDescriptions()) == Faults{});
+}
+
+TEST_CASE("a member, a definition or a unit that is described otherwise is caught", "[dynamics][describe]") {
+    const std::string header =
+        "struct BallDef {\n    double radius = 1;  ///< [m]\n    double weight = 2;  ///< of the ball,\n"
+        "                        ///< all of it [kg]\n    /// above [s]\n    double time = 3;\n};\n";
+    Declarations declared;
+    addDeclarations(declared, header);
+    const MemberText radius{"radius", "m", ""}, weight{"weight", "kg", ""}, time{"time", "s", ""};
+    const Descriptions right{{"BallDef", {radius, weight, time}}};
+    CHECK(notDescribed(declared, right) == Faults{});
+    CHECK(otherUnits(header, right) == Faults{});
+    CHECK(notDescribed(declared, {}).size() == 1);
+    CHECK(notDescribed(declared, {{"BallDef", {radius, weight}}}).size() == 1);
+    CHECK(notDescribed(declared, {{"BallDef", {weight, radius, time}}}).size() == 1);
+    CHECK(otherUnits(header, {{"BallDef", {{"radius", "kg", ""}, {"weight", "m", ""}, {"time", "m", ""}}}}).size() ==
+          3);
+}
+
+}  // namespace plumb::test
