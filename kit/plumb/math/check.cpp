@@ -9,7 +9,7 @@
 namespace plumb {
 namespace {
 
-// Not snprintf, which writes a comma in some countries.
+// Not snprintf, whose decimal separator depends on the locale.
 std::string withDigits(double value, int digits) {
     std::ostringstream out;
     out.imbue(std::locale::classic());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Is this number one that can be taken in? If not, who is told, and how?
+// Is this number valid input? If not, which error is thrown?
 #pragma once
 #include <string>
 #include <string_view>
@@ -8,8 +8,8 @@
 
 namespace plumb {
 
-// Each throws std::invalid_argument with "<field><member>: <value> <what is wrong>" unless the value is as its name
-// says. member is for callers that hold the name of a whole, and would have to build a string for each of its parts.
+// Each throws std::invalid_argument with "<field><member>: <value> <what is wrong>" unless the value is as the
+// function's name says. member is separate so that a caller need not build a string for each member of a structure.
 
 void requireFinite(double value, std::string_view field, std::string_view member = {});
 void requireFinite(const Vec2& value, std::string_view field, std::string_view member = {});

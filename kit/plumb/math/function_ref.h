@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How is a function taken that is called while the call lasts, whatever its type, without a copy of the code a type?
+// How is a callback of any type passed to a function, without a template for each type?
 #pragma once
 #include <memory>
 #include <type_traits>
@@ -10,9 +10,8 @@ namespace plumb {
 template <class Signature>
 class FunctionRef;
 
-/// Refers to what can be called, and does not own it: for parameters alone. What takes the first argument only may be
-/// given too. A call through it costs a pointer's, so it is for what is looked at one by one, and not for the innermost
-/// loops.
+/// A non-owning reference to a callable: for parameters only, as it must not outlive the call. A callable that takes
+/// only the first argument is accepted, too. A call costs an indirect call, so it is not for innermost loops.
 template <class Result, class First, class... Rest>
 class FunctionRef<Result(First, Rest...)> {
 public:

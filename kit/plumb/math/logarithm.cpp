@@ -22,7 +22,7 @@ double seriesOf(double s) {
 }
 
 struct Split {
-    double part;   ///< within [sqrt(1/2), sqrt(2))
+    double part;   ///< in [sqrt(1/2), sqrt(2))
     int exponent;  ///< x = 2^exponent part
 };
 
@@ -36,9 +36,9 @@ Split split(double x) {
     return result;
 }
 
-// ln(2^exponent (1 + f)) + lost, for lost so small that its square does not count.
+// ln(2^exponent (1 + f)) + lost, where lost is so small that its square is negligible.
 double sum(double f, int exponent, double lost) {
-    constexpr double ln2High = 0x1.62e42fefa2p-1;  // 40 bits: times an exponent, of at most 11, exact
+    constexpr double ln2High = 0x1.62e42fefa2p-1;  // 40 bits: exact when multiplied by an exponent of at most 11 bits
     constexpr double ln2Low = 0x1.9ef35793c7673p-41;
     const double half = 0.5 * f * f;
     const double s = f / (2 + f);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which numbers look random, and are the same for the same seed everywhere?
+// Which numbers look random, and are the same for the same seed on every machine?
 #pragma once
 #include <cstdint>
 
@@ -17,11 +17,11 @@ public:
         z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
         return z ^ (z >> 31);
     }
-    /// Evenly spread over [low, high).
+    /// Uniformly distributed over [low, high).
     double uniform(double low, double high) {
         return low + (high - low) * (static_cast<double>(bits() >> 11) * 0x1p-53);
     }
-    /// Evenly spread over low, low + 1, ..., high.
+    /// Uniformly distributed over low, low + 1, ..., high.
     int integer(int low, int high) {
         const auto span = static_cast<std::uint64_t>(high - low) + 1;
         return low + static_cast<int>(bits() % span);

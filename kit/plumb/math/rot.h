@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// How is a direction turned?
+// How is a rotation represented?
 #pragma once
 #include <plumb/math/trig.h>
 #include <plumb/math/vec2.h>
 
 namespace plumb {
 
-/// A rotation, kept as the cosine and sine of its angle [-].
+/// A rotation, stored as the cosine and sine of its angle [-].
 struct Rot {
     double cos = 1;
     double sin = 0;

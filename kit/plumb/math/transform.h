@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Where does a point of a body lie in the world?
+// How are points transformed from a body's frame to the world?
 #pragma once
 #include <plumb/math/rot.h>
 
 namespace plumb {
 
-/// A rotation followed by a shift: local to world.
+/// A rotation followed by a translation: local to world.
 struct Transform {
     Vec2 position{0, 0};  ///< [m]
     Rot rotation;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double noAngle = std::numeric_limits<double>::quiet_NaN();
 
-// Adding and taking off 1.5 * 2^52 leaves no bits behind the point: exact, for |x| < 2^51, and no library call.
+// Adding and subtracting 1.5 * 2^52 rounds to an integer: exact for |x| < 2^51, and without a library call.
 double nearestInteger(double x) {
     constexpr double shift = 0x1.8p52;
     return (x + shift) - shift;
@@ -29,7 +29,8 @@ Pair2 difference(double a, double b) {
     return {high, (a - (high + bPart)) + (bPart - b)};
 }
 
-// pi / 2 cut into pieces of 26 bits (the last has 53): times an integer of 26 bits, each of the first four is exact.
+// pi / 2 split into parts of 26 bits (the last has 53): the product of an integer of 26 bits with each of the first
+// four is exact.
 constexpr std::array<double, 5> halfPiPieces = {0x1.921fb5p+0, 0x1.110b46p-26, 0x1.1a6263p-54, 0x1.8a2e03p-81,
                                                 0x1.c1cd129024e09p-107};
 constexpr double twoOverPi = 0x1.45f306dc9c883p-1;
@@ -47,14 +48,14 @@ Pair2 minusQuarterTurns(Pair2 angle, double count) {
 }
 
 struct Reduced {
-    Pair2 angle;       ///< in [-pi/4, pi/4], or a hair outside [rad]
+    Pair2 angle;       ///< in [-pi/4, pi/4], or slightly outside [rad]
     unsigned quarter;  ///< quarter turns to add, modulo 4
 };
 
 // Source: Cody and Waite, "Software Manual for the Elementary Functions", 1980, with the pieces summed error-free.
 Reduced reduce(double angle) {
-    // Past 2^45 neighbouring doubles are further apart than a hundredth; the library's remainder is exact by
-    // definition, and leaves the error of 2 pi as a double.
+    // Above 2^45 neighbouring doubles differ by more than a hundredth; the library's remainder is exact by definition,
+    // and only the error of 2 pi as a double remains.
     const double within = std::fabs(angle) < 0x1p45 ? angle : std::remainder(angle, twoPi);
     const double count = nearestInteger(within * twoOverPi);
     if (count == 0) return {{within, 0}, 0};
@@ -66,7 +67,7 @@ Reduced reduce(double angle) {
     return {{sum, rest.low - (sum - rest.high)}, static_cast<unsigned>(static_cast<std::int64_t>(count) & 3)};
 }
 
-// The sum of coefficients[k] z^k.
+// The sum of coefficients[k] z^k (Horner's scheme).
 template <std::size_t N>
 double polynomial(const std::array<double, N>& coefficients, double z) {
     double sum = coefficients[N - 1];
@@ -100,7 +101,7 @@ double smallArcTangent(double u) {
     return u * z * polynomial(series, z);
 }
 
-// atan(i / 8) and what is missing from it.
+// atan(i / 8) and the rounding error of that value.
 constexpr std::array<Pair2, 9> arcTangents = {{{0, 0},
                                                {0x1.fd5ba9aac2f6ep-4, -0x1.cd37686760c17p-59},
                                                {0x1.f5b75f92c80ddp-3, 0x1.8ab6e3cf7afbdp-57},
@@ -131,14 +132,14 @@ double expTail(double x) {
 }
 
 struct PowerOfTwo {
-    double rest;      ///< within half of ln 2 of 0
-    double lost;      ///< what rounding took from rest
+    double rest;      ///< within [-ln 2 / 2, ln 2 / 2]
+    double lost;      ///< rounding error of rest
     double exponent;  ///< x = exponent ln 2 + rest + lost
 };
 
 PowerOfTwo splitPower(double x) {
     constexpr double log2e = 0x1.71547652b82fep+0;
-    constexpr double ln2High = 0x1.62e42fefa2p-1;  // 40 bits: times an exponent, of at most 11, exact
+    constexpr double ln2High = 0x1.62e42fefa2p-1;  // 40 bits: exact when multiplied by an exponent of at most 11 bits
     constexpr double ln2Low = 0x1.9ef35793c7673p-41;
     const double exponent = nearestInteger(x * log2e);
     const double high = x - exponent * ln2High;

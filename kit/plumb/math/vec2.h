@@ -1,19 +1,28 @@
 // SPDX-License-Identifier: MIT
-// Which vectors does the kit compute with?
+// Which vector types does the kit use?
 #pragma once
 #include <Eigen/Core>
 
 namespace plumb {
 
-using Vec2 = Eigen::Vector2d;  ///< every public vector, SI units
+using Vec2 = Eigen::Vector2d;   ///< for every public vector, in SI units
+using Vec2f = Eigen::Vector2f;  ///< in hot loops, for coordinates relative to a body
 
-/// z of a x b: the sine of the turn from a to b, times their lengths.
+/// z component of a x b: |a| |b| times the sine of the angle from a to b.
 inline double cross(const Vec2& a, const Vec2& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 
-/// v turned a quarter turn counter-clockwise; times an angular speed, the velocity of a point at v.
+/// v rotated by 90 degrees counter-clockwise; times an angular velocity, the velocity of a point at v.
 inline Vec2 perp(const Vec2& v) {
+    return {-v.y(), v.x()};
+}
+
+// The same in float.
+inline float cross(const Vec2f& a, const Vec2f& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+inline Vec2f perp(const Vec2f& v) {
     return {-v.y(), v.x()};
 }
 

@@ -6,7 +6,7 @@
 
 namespace plumb {
 
-/// Beside itself, and beside what its items hold [bytes].
+/// Heap memory, without what the items themselves allocate [bytes].
 template <class Item>
 std::size_t bytesOf(const std::vector<Item>& items) {
     return items.capacity() * sizeof(Item);

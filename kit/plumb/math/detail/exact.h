@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What does rounding take from a sum or a product?
+// Which rounding error does a sum or a product have?
 #pragma once
 
 namespace plumb {
 
-/// A number and what rounding took from it: value + lost is the true one.
+/// A floating-point number and its rounding error: value + lost is the exact result (error-free transformation).
 struct Exact {
     double value, lost;
 };
@@ -16,8 +16,8 @@ inline Exact exactSum(double a, double b) {
     return {value, (a - (value - bPart)) + (b - bPart)};
 }
 
-/// a b, while neither is beyond 1e299 nor the product, when it is not 0, below 1e-290; farther out lost is no
-/// number, or not all of it. Source: Veltkamp's splitting and Dekker's product, Numerische Mathematik 18, 1971.
+/// a b, if neither is above 1e299 nor the product, when it is not 0, below 1e-290; beyond these limits lost may be NaN
+/// or incomplete. Source: Veltkamp's splitting and Dekker's product, Numerische Mathematik 18, 1971.
 inline Exact exactProduct(double a, double b) {
     constexpr double split = 0x1p27 + 1;
     const double aHigh = split * a - (split * a - a), aLow = a - aHigh;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which of several codes, one for each number of lanes, is this machine to run?
+// Which of several variants of a function, one for each number of lanes, should run on this machine?
 #pragma once
 #include <algorithm>
 
@@ -7,7 +7,8 @@
 
 namespace plumb {
 
-/// The widest that it can, and that has no more than the lanes asked for. Not for files of ..._8.cpp and ..._16.cpp.
+/// The widest variant that the machine supports and that has at most the requested lanes. Not for use in files
+/// ..._8.cpp and ..._16.cpp.
 template <class Code>
 const Code& forLanes(int lanes, const Code& one, const Code& four, const Code& eight, const Code& sixteen) {
     const int wanted = std::min(lanes, machineLanes());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long is a vector, and which way does it point, also when its square is too small or too large to be a number?
+// What are the length and the direction of a vector, even if its square underflows or overflows?
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -8,12 +8,12 @@
 
 namespace plumb::detail {
 
-/// v / |v|, where its square is a number other than 0.
+/// v / |v|, where the square of v is not 0 and finite.
 inline Vec2 unit(const Vec2& v) {
     return v / std::sqrt(v.dot(v));
 }
 
-/// As Vec2::norm, to the last place for tiny and for huge vectors as well.
+/// As Vec2::norm, but accurate to the last place for tiny and for huge vectors as well.
 inline double lengthOf(const Vec2& v) {
     const double square = v.squaredNorm();
     if (square > 1e-280 && square < 1e300) return std::sqrt(square);
@@ -23,7 +23,7 @@ inline double lengthOf(const Vec2& v) {
     return larger * std::sqrt(x * x + y * y);
 }
 
-/// Of length 1, for any finite vector but zero, which stays zero.
+/// The unit vector of any finite vector but zero, which stays zero.
 inline Vec2 directionOf(const Vec2& v) {
     const double larger = std::max(std::fabs(v.x()), std::fabs(v.y()));
     if (!(larger > 0)) return {0, 0};

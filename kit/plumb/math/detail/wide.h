@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // How does one operation act on several floats at once?
 //
-// Wide<W>::Float is W floats, added, multiplied and compared lane by lane: by the compiler's vectors, so that any
-// machine will do. Code for W lanes is a template over W, and W = 8 and 16 are compiled in files of their own, named
-// ..._8.cpp and ..._16.cpp, for machines that have them. Nothing else may be emitted there: what is inline and not a
-// template over W would be merged by the linker with what other files have of it, and run on machines that cannot.
-// W = 1 is a plain float, so that one text serves lanes and scalars.
+// Wide<W>::Float is W floats that are added, multiplied and compared lane by lane, with the compiler's vector
+// extensions, so that it works on any machine. Code for W lanes is a template over W. W = 8 and 16 are compiled in
+// files of their own, named ..._8.cpp and ..._16.cpp, with wider instruction sets. These files must not emit any other
+// code: an inline function that is not a template over W would be merged by the linker with the copies of other files,
+// and run on machines that lack the instructions.
+// W = 1 is a plain float, so that the same code serves vectors and scalars.
 #pragma once
 #include <cstdint>
 
@@ -25,7 +26,7 @@ template <>
 struct Wide<4> {
     typedef float Float __attribute__((vector_size(16)));
     typedef std::int32_t Int __attribute__((vector_size(16)));
-    using Mask = Int;  ///< of a comparison: -1 where it holds, else 0
+    using Mask = Int;  ///< of a comparison: -1 where it is true, else 0
 };
 template <>
 struct Wide<8> {
@@ -41,7 +42,7 @@ struct Wide<16> {
 };
 #endif
 
-/// How many floats this machine works on at once: 4, 8 or 16; 1 where the compiler has no vectors.
+/// How many floats this machine processes at once: 4, 8 or 16; 1 where the compiler has no vector extensions.
 int machineLanes();
 
 }  // namespace plumb

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What can be done to floats side by side? The same text for a single one; each result the same in every lane.
+// Which operations are there on several floats at once? The same code works for a single float, and gives the same
+// result.
 #pragma once
 #include <cmath>
 #include <cstring>
@@ -38,7 +39,7 @@ struct LanesOf<W, std::int32_t> {
     using Type = typename Wide<W>::Int;
 };
 
-/// W values from consecutive memory.
+/// W consecutive values.
 template <int W, class T>
 inline typename LanesOf<W, T>::Type loadLanes(const T* from) {
     typename LanesOf<W, T>::Type v;
@@ -50,7 +51,7 @@ inline void storeLanes(T* to, const V& v) {
     std::memcpy(to, &v, sizeof v);
 }
 
-/// Rounded as IEEE 754 says, as everywhere.
+/// Correctly rounded (IEEE 754), so the same everywhere.
 template <int W>
 inline typename Wide<W>::Float squareRoot(typename Wide<W>::Float v) {
 #if defined(__x86_64__)
@@ -66,11 +67,11 @@ inline typename Wide<W>::Float squareRoot(typename Wide<W>::Float v) {
     std::memcpy(&v, lanes, sizeof v);
     return v;
 #else
-    return std::sqrt(v);  // of the one lane there is
+    return std::sqrt(v);  // there is one lane only
 #endif
 }
 
-/// Bit i tells whether lane i of a comparison holds.
+/// Bit i tells whether the comparison is true in lane i.
 template <int W>
 [[gnu::always_inline]] inline std::uint32_t bitsOf(const typename Wide<W>::Mask& mask) {
     if constexpr (W == 1) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How do records of four floats get into lanes and back?
+// How are records of four floats loaded into lanes and stored back (transposed)?
 //
-// W records are loaded whole, W / 4 side by side in one register, and turned by shuffles that stay within its quarters:
+// W records are loaded as a whole, W / 4 side by side in one register, and transposed by shuffles within its quarters:
 // a hardware gather takes 1.6 times as long (measured).
 #pragma once
 #include <cstddef>
@@ -11,13 +11,13 @@
 
 namespace plumb {
 
-/// Field by field, W records; lane i has record i.
+/// One vector per field; lane i has record i.
 template <int W>
 struct Rows {
     typename Wide<W>::Float x, y, z, w;
 };
 
-/// Owner, the lanes of the file that uses it, keeps each file's copy its own.
+/// Owner, the number of lanes of the file that uses it, makes the code of each file distinct for the linker.
 template <int W, int Owner>
 struct Shuffle;
 
@@ -97,7 +97,7 @@ struct Shuffle<16, Owner> {
 
 #endif
 
-/// The records at Stride * indices[lane] floats from rows.
+/// Loads the records at Stride * indices[lane] floats from rows.
 template <int W, int Stride = 4>
 [[gnu::always_inline]] inline Rows<W> loadRows(const float* rows, const std::uint32_t* indices) {
     if constexpr (W == 1) {
@@ -117,7 +117,7 @@ template <int W, int Stride = 4>
     }
 }
 
-/// No record may be in two lanes, unless both write what is there already.
+/// No record may be in two lanes, unless both store the value that is there already.
 template <int W>
 [[gnu::always_inline]] inline void storeRows(float* rows, const std::uint32_t* indices, const Rows<W>& r) {
     if constexpr (W == 1) {
