@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which upright box holds a shape?
+// What is the axis-aligned bounding box of a shape?
 #pragma once
 #include <algorithm>
 
@@ -30,7 +30,8 @@ inline Aabb inflate(const Aabb& a, double margin) {
     return {{a.lower.x() - margin, a.lower.y() - margin}, {a.upper.x() + margin, a.upper.y() + margin}};
 }
 
-/// The smallest upright box around a placed shape. Throws std::invalid_argument if it has too few corners, or too many.
+/// The smallest axis-aligned box of a placed shape. Throws std::invalid_argument on a polygon or chain with too few or
+/// too many corners.
 Aabb aabbOf(const Shape& shape, const Transform& pose);
 
 }  // namespace plumb

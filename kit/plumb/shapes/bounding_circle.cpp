@@ -14,7 +14,8 @@
 namespace plumb {
 namespace {
 
-/// So much outside, of the radius, still counts as on the circle: two or three points that made it [-].
+/// A point this far outside the circle, relative to its radius, counts as on it: rounding of the two or three points
+/// that define it [-].
 constexpr double onCircle = 1e-14;
 
 bool holds(const BoundingCircle& circle, const Vec2& point) {
@@ -25,7 +26,7 @@ BoundingCircle around(const Vec2& a, const Vec2& b) {
     return {0.5 * a + 0.5 * b, 0.5 * (b - a).norm()};
 }
 
-/// Through three points; of points in line around the two that are farthest apart.
+/// The circle through three points; for collinear points, the circle on the two that are farthest apart.
 BoundingCircle through(const Vec2& a, const Vec2& b, const Vec2& c) {
     const Vec2 ab = b - a, ac = c - a;
     const double twice = 2 * cross(ab, ac);
@@ -42,7 +43,8 @@ std::vector<Vec2> shuffled(std::span<const Vec2> points) {
     return order;
 }
 
-/// Each point that lies outside of the circle around those before it is on the circle around them and itself.
+/// Each point outside of the smallest circle of those before it is on the smallest circle of them and itself (Welzl's
+/// algorithm).
 BoundingCircle smallestAround(std::span<const Vec2> points) {
     BoundingCircle circle{points[0], 0};
     for (std::size_t i = 1; i < points.size(); ++i) {

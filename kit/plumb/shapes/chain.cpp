@@ -27,7 +27,7 @@ std::vector<Shape> segmentsOf(const Chain& chain) {
 std::vector<Shape> filledBy(const TileMap& map) {
     std::vector<Shape> pieces;
     for (TilePiece& piece : tilePiecesOf(map))
-        if (piece.use != PieceUse::Touch && piece.kind != TileKind::Sensor) pieces.push_back(std::move(piece.shape));
+        if (piece.use != PieceUse::Contact && piece.kind != TileKind::Sensor) pieces.push_back(std::move(piece.shape));
     return pieces;
 }
 

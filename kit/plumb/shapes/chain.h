@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which pieces collide one by one, so that together they make a shape?
+// Of which convex pieces does a shape consist for collision tests?
 #pragma once
 #include <vector>
 
@@ -7,11 +7,11 @@
 
 namespace plumb {
 
-/// Is it more than one piece, or, of an empty tile map, none?
+/// Does it consist of more than one piece, or, if it is an empty tile map, of none?
 bool hasPieces(const Shape& shape);
 
-/// A chain's segments in order, each with its neighbours; what a tile map's solid and one-way tiles fill; any other
-/// shape is its own one piece. Throws std::invalid_argument if the chain has too few points.
+/// The segments of a chain in order, each with its neighbours; the areas of a tile map's solid and one-way tiles; any
+/// other shape is its own single piece. Throws std::invalid_argument if a chain has too few points.
 std::vector<Shape> piecesOf(const Shape& shape);
 
 }  // namespace plumb

@@ -23,7 +23,7 @@ std::string nameOf(std::size_t index) {
     return "convexPieces.outline[" + std::to_string(index) + "]";
 }
 
-/// An outline under way: its points as they came, and in numbers near 1.
+/// An outline in progress: its points as given, and scaled to numbers near 1.
 struct Outline {
     std::span<const Vec2> points;
     std::vector<Vec2> scaled;
@@ -40,14 +40,14 @@ struct Outline {
     }
 };
 
-/// One round along the outline without the points that repeat the one before or hardly make a turn.
+/// One pass along the outline that removes points which repeat the one before or hardly make a turn.
 Indices withoutFlats(const Outline& outline, const Indices& corners, double shortest) {
     Indices kept;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const std::size_t at = corners[i], before = kept.empty() ? corners.back() : kept.back();
         const std::size_t after = i + 1 < corners.size() ? corners[i + 1] : kept.empty() ? before : kept.front();
         if (!((outline.scaled[at] - outline.scaled[before]).norm() > shortest)) continue;
-        // The one after repeats it: that one's turn to be left out comes.
+        // If the next point repeats this one, the next one is left out instead.
         const bool repeated = !((outline.scaled[after] - outline.scaled[at]).norm() > shortest);
         if (!repeated && std::fabs(outline.sine(before, at, after)) <= cornerTolerance) {
             if (outline.foldsBack(before, at, after)) outline.refuseAt(at, "folds the outline straight back on itself");
@@ -58,14 +58,14 @@ Indices withoutFlats(const Outline& outline, const Indices& corners, double shor
     return kept;
 }
 
-double turnedArea(const Outline& outline, const Indices& corners) {
+double doubleSignedArea(const Outline& outline, const Indices& corners) {
     double area = 0;
     for (std::size_t i = 0; i < corners.size(); ++i)
         area += cross(outline.scaled[corners[i]], outline.scaled[corners[i + 1 < corners.size() ? i + 1 : 0]]);
     return area;
 }
 
-/// On which side of the line from a to b does c lie? 0 for on it.
+/// On which side of the line from a to b is c? 0 if it is on the line.
 int sideOf(const Vec2& a, const Vec2& b, const Vec2& c) {
     const double turn = cross(Vec2(b - a), Vec2(c - a));
     return turn > 0 ? 1 : turn < 0 ? -1 : 0;
@@ -83,7 +83,7 @@ bool meet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
            (cda == 0 && boxHolds(c, d, a)) || (cdb == 0 && boxHolds(c, d, b));
 }
 
-/// Neighbouring edges do not meet again: where one folds back on the other, that has been refused.
+/// Neighbouring edges do not intersect again: edges that fold back have been refused before.
 void requireSimple(const Outline& outline, const Indices& corners) {
     const std::size_t count = corners.size();
     const auto at = [&](std::size_t i) -> const Vec2& { return outline.scaled[corners[i % count]]; };
@@ -101,7 +101,7 @@ void requireSimple(const Outline& outline, const Indices& corners) {
 Indices cornersOf(const Outline& outline) {
     Indices corners(outline.points.size());
     std::iota(corners.begin(), corners.end(), std::size_t{0});
-    const double shortest = cornerTolerance * (corners.empty() ? 0 : extentOf(outline.scaled));
+    const double shortest = cornerTolerance * (corners.empty() ? 0 : diagonalOf(outline.scaled));
     for (std::size_t before = corners.size() + 1; corners.size() < before;) {
         before = corners.size();
         corners = withoutFlats(outline, corners, shortest);
@@ -110,18 +110,19 @@ Indices cornersOf(const Outline& outline) {
         refuse("convexPieces.outline", std::to_string(corners.size()) + " corners, made of " +
                                            std::to_string(outline.points.size()) + " points, are fewer than 3");
     requireSimple(outline, corners);
-    if (turnedArea(outline, corners) < 0) std::reverse(corners.begin(), corners.end());
+    if (doubleSignedArea(outline, corners) < 0) std::reverse(corners.begin(), corners.end());
     return corners;
 }
 
-/// Pieces that grow together across diagonals.
-class Merging {
+/// Convex pieces that are merged across diagonals.
+class PieceMerger {
 public:
-    Merging(const Outline& outline, std::vector<Indices> pieces) : outline_(outline), pieces_(std::move(pieces)) {
-        for (std::size_t i = 0; i < pieces_.size(); ++i) note(i);
+    PieceMerger(const Outline& outline, std::vector<Indices> pieces) : outline_(outline), pieces_(std::move(pieces)) {
+        for (std::size_t i = 0; i < pieces_.size(); ++i) addSides(i);
     }
 
-    /// Across each diagonal, where it can be: first where something is too thin to stay as it is, then in this order.
+    /// Removes each diagonal where that is possible: first those of pieces too thin to be valid, then all in this
+    /// order.
     std::vector<Indices> run(const std::vector<Side>& order) && {
         for (const Side& side : order)
             if (!isConvex(pieceOf(side)) || !isConvex(pieceOf(opposite(side)))) merge(side);
@@ -145,12 +146,12 @@ public:
     }
 
 private:
-    void note(std::size_t i) {
+    void addSides(std::size_t i) {
         const Indices& piece = pieces_[i];
         for (std::size_t k = 0; k < piece.size(); ++k) owner_[{piece[k], piece[(k + 1) % piece.size()]}] = i;
     }
 
-    /// So little is a point off the line between those beside it that only rounding has put it there.
+    /// A point is so near to the line between its neighbours that only rounding moved it off that line.
     bool isOnLine(std::size_t before, std::size_t at, std::size_t after) const {
         const Vec2 in = outline_.scaled[at] - outline_.scaled[before],
                    out = outline_.scaled[after] - outline_.scaled[at];
@@ -179,7 +180,7 @@ private:
     void merge(const Side& side) {
         const std::size_t kept = owner_.at(side), gone = owner_.at(opposite(side));
         if (kept == gone) return;  // merged before
-        // From where the diagonal ends, around one piece to where it begins, and around the other back.
+        // One piece from the diagonal's end around to its start, then the other piece back.
         const auto open = [](Indices piece, std::size_t first) {
             std::rotate(piece.begin(), std::find(piece.begin(), piece.end(), first), piece.end());
             return piece;
@@ -190,7 +191,7 @@ private:
         if (!isConvex(all)) return;
         pieces_[kept] = std::move(all);
         pieces_[gone].clear();
-        note(kept);
+        addSides(kept);
         owner_[side] = owner_[opposite(side)] = kept;
     }
 
@@ -199,18 +200,18 @@ private:
     std::map<Side, std::size_t> owner_;
 };
 
-/// Which diagonals are left depends on the order in which they are tried: the best of some is taken. The orders are the
-/// same for the same outline.
+/// Which diagonals remain depends on the order of removal: the best of several orders is taken. The orders are the same
+/// for the same outline.
 std::vector<Indices> merged(const Outline& outline, const std::vector<Indices>& triangles) {
     constexpr std::size_t work = 512;  // triangles, all tries together
-    const Merging unmerged(outline, triangles);
+    const PieceMerger unmerged(outline, triangles);
     std::vector<Side> order = unmerged.diagonals();
-    std::vector<Indices> best = Merging(unmerged).run(order);
+    std::vector<Indices> best = PieceMerger(unmerged).run(order);
     Random random(1);
     for (std::size_t tries = work / (triangles.size() + 16); tries > 0 && best.size() > 2; --tries) {
         for (std::size_t i = order.size() - 1; i > 0; --i)
             std::swap(order[i], order[static_cast<std::size_t>(random.integer(0, static_cast<int>(i)))]);
-        std::vector<Indices> pieces = Merging(unmerged).run(order);
+        std::vector<Indices> pieces = PieceMerger(unmerged).run(order);
         if (pieces.size() < best.size()) best = std::move(pieces);
     }
     return best;
@@ -235,13 +236,13 @@ std::vector<Polygon> convexPieces(std::span<const Vec2> points) {
     for (std::size_t i = 0; i < points.size(); ++i)
         if (!points[i].allFinite()) requireFinite(points[i], nameOf(i));
     if (points.empty()) refuse("convexPieces.outline", "0 points are fewer than 3");
-    // Twice: how far from the body's origin they lie is no matter here.
+    // Twice, because the first point may be far from the body's origin.
     const Outline outline{points, scaledPoints(scaledPoints(points))};
     const Indices corners = cornersOf(outline);
-    std::vector<Vec2> places;
-    for (const std::size_t corner : corners) places.push_back(outline.scaled[corner]);
+    std::vector<Vec2> positions;
+    for (const std::size_t corner : corners) positions.push_back(outline.scaled[corner]);
     std::vector<Indices> triangles;
-    for (const Triangle& t : triangulate(places)) triangles.push_back({corners[t[0]], corners[t[1]], corners[t[2]]});
+    for (const Triangle& t : triangulate(positions)) triangles.push_back({corners[t[0]], corners[t[1]], corners[t[2]]});
     std::vector<Polygon> pieces;
     for (const Indices& piece : merged(outline, triangles)) pieces.push_back(polygonOf(outline, piece));
     return pieces;

@@ -10,7 +10,7 @@
 namespace plumb {
 namespace {
 
-/// One round along the outline without the corners that are hardly any: too near to the one before, or hardly a turn.
+/// One pass along the outline that removes corners which are too near to the one before or hardly make a turn.
 HullIndices withoutFlats(const HullIndices& outline, const std::vector<Vec2>& points, double shortest) {
     HullIndices kept;
     for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -32,7 +32,7 @@ Polygon hullOf(std::span<const Vec2> points) {
     HullIndices hull;
     if (!points.empty()) {
         const std::vector<Vec2> scaled = scaledPoints(points);
-        const double shortest = cornerTolerance * extentOf(scaled);
+        const double shortest = cornerTolerance * diagonalOf(scaled);
         hull = hullOutline(scaled);
         for (std::size_t before = hull.size() + 1; hull.size() < before;) {
             before = hull.size();

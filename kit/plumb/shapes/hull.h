@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which convex polygon holds these points?
+// What is the convex hull of these points?
 #pragma once
 #include <span>
 
@@ -7,9 +7,9 @@
 
 namespace plumb {
 
-/// The convex hull: corners are points that came in, counter-clockwise, from the leftmost (of those the lowest) on.
-/// Points that repeat, lie in line, or stick out by less than a polygon's tolerances are left out, so that the result
-/// is a polygon that a body can have; what is left out lies outside of it by no more than 5e-6 of the whole.
+/// The convex hull: its corners are points of the input, counter-clockwise, starting with the leftmost (the lowest of
+/// several). Points that repeat, are collinear, or project by less than a polygon's tolerances are left out, so that
+/// the result is valid for a body; points left out lie outside of it by at most 5e-6 of its size.
 /// Throws std::invalid_argument if a point is not finite, fewer than 3 corners remain, or more than maxPolygonVertices.
 /// Source: Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979.
 /// Test: "hulls of 10,000 clouds of points are what brute force finds"

@@ -19,7 +19,8 @@ Mass circleMass(const Circle& circle, double density) {
     return {mass, circle.center, 0.5 * mass * square};
 }
 
-/// A rectangle and a disc cut in halves, half a length to either side; g is where a half's own centre lies.
+/// A rectangle and a disc cut into halves, half a length to either side; g is the distance of a half disc's centroid
+/// from the cut.
 Mass capsuleMass(const Capsule& capsule, double density) {
     const double length = (capsule.end - capsule.start).norm();
     const double r = capsule.radius;
@@ -31,8 +32,8 @@ Mass capsuleMass(const Capsule& capsule, double density) {
     return {box + disc, 0.5 * (capsule.start + capsule.end), boxInertia + discInertia};
 }
 
-// Triangles from the first corner, not from the body's origin: far from there, a sum about the origin would lose the
-// polygon's own inertia in the square of the distance.
+// Triangles from the first corner, not from the body's origin: if the polygon is far from the origin, the square of the
+// distance would swamp its own inertia.
 Mass coreMass(const Polygon& polygon, double density) {
     const Vec2 first = polygon.vertices.front();
     double area = 0;
@@ -50,7 +51,7 @@ Mass coreMass(const Polygon& polygon, double density) {
     return {density * area, first + center, density * (second - area * center.dot(center))};
 }
 
-/// What lies within radius outside of an edge.
+/// The strip along an edge, of width radius.
 Mass stripMass(const Vec2& start, const Vec2& end, const Vec2& outward, double radius, double density) {
     const Vec2 edge = end - start;
     const double mass = density * edge.norm() * radius;
@@ -58,12 +59,12 @@ Mass stripMass(const Vec2& start, const Vec2& end, const Vec2& outward, double r
     return {mass, center, mass * (edge.squaredNorm() + radius * radius) / 12};
 }
 
-/// What lies within radius of a corner, between the normals before and after it: a sector of a disc, of angle t.
-/// area = r^2 t / 2, centroid at (4 r / 3 t) sin(t / 2) from the tip, moment about the tip r^4 t / 4.
+/// The sector of a disc at a corner, of angle t between the normals before and after it: area = r^2 t / 2, centroid at
+/// (4 r / 3 t) sin(t / 2) from the tip, second moment about the tip r^4 t / 4.
 Mass sectorMass(const Vec2& corner, const Vec2& before, const Vec2& after, double radius, double density) {
     const double angle = arcTangent(cross(before, after), before.dot(after));
     const double mass = density * radius * radius * angle / 2;
-    // The difference of the normals is 2 sin(t / 2) long and lies across the middle.
+    // The difference of the normals has length 2 sin(t / 2) and is perpendicular to the sector's axis.
     const Vec2 across = after - before;
     const Vec2 out = -perp(across) * (2 * radius / (3 * angle));
     return {mass, corner + out, mass * (radius * radius / 2 - out.squaredNorm())};
@@ -86,7 +87,7 @@ Mass polygonMass(const Polygon& polygon, double density) {
     return combine(parts);
 }
 
-/// A line of no width has no mass; its middle stands for its place.
+/// A line has no mass; its midpoint is used as its centre.
 Mass lineMass(const Vec2& start, const Vec2& end) {
     return {0, 0.5 * (start + end), 0};
 }
@@ -117,7 +118,7 @@ Mass combine(std::span<const Mass> parts) {
     if (heaviest == nullptr) return all;
     all.center = heaviest->center;
     if (!(all.mass > 0)) return all;
-    // Relative to one part's centre, for the same reason as a polygon's corners.
+    // Relative to one part's centre, for the same reason as in coreMass.
     Vec2 moment{0, 0};
     for (const Mass& part : parts) moment += part.mass * (part.center - heaviest->center);
     all.center += moment / all.mass;

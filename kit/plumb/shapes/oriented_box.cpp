@@ -13,14 +13,15 @@
 namespace plumb {
 namespace {
 
-/// The hull of some points, its edges, and which of its corners is farthest to each side of an edge.
+/// Rotating calipers: the hull of some points, and which of its corners is farthest on each side of an edge.
 class Calipers {
 public:
     explicit Calipers(std::span<const Vec2> points) {
         for (const std::size_t index : hullOutline(points)) corners_.push_back(points[index]);
     }
 
-    /// The direction of the edge along which the smallest box lies, with the diameter of a rounding added.
+    /// The direction of the edge along which the smallest box lies, with the diameter of the rounding added to both
+    /// sides.
     Vec2 bestDirection(double diameter) {
         Vec2 best(1, 0);
         double least = std::numeric_limits<double>::infinity();
@@ -43,13 +44,14 @@ private:
     std::size_t after(std::size_t i) const { return i + 1 < corners_.size() ? i + 1 : 0; }
     Vec2 edgeFrom(std::size_t i) const { return corners_[after(i)] - corners_[i]; }
 
-    /// On to the corner that is farthest along a direction, from one before it; once around at most, if rounding errs.
+    /// Advances from an earlier corner to the one that is farthest along a direction; at most once around, in case of
+    /// rounding errors.
     std::size_t farthestFrom(std::size_t corner, const Vec2& direction) const {
         for (std::size_t i = 0; i < corners_.size() && direction.dot(edgeFrom(corner)) > 0; ++i) corner = after(corner);
         return corner;
     }
 
-    /// Width and height of the box along edge i: called for one edge after the other.
+    /// Width and height of the box along edge i; call it for one edge after the other.
     Vec2 sizeAlong(std::size_t i, const Vec2& along) {
         if (!started_) right_ = top_ = left_ = after(i);
         right_ = farthestFrom(right_, along);
@@ -71,11 +73,11 @@ OrientedBox boxAround(std::span<const Vec2> points, double radius) {
     std::vector<Vec2> fromFirst;
     for (const Vec2& point : points) fromFirst.push_back(point - points.front());
     const Vec2 along = Calipers(fromFirst).bestDirection(2 * radius);
-    Vec2 lower(0, 0), upper(0, 0);  // along the box's axes, from the first point
+    Vec2 lower(0, 0), upper(0, 0);  // in the box's axes, relative to the first point
     for (const Vec2& from : fromFirst) {
-        const Vec2 place(along.dot(from), perp(along).dot(from));
-        lower = lower.cwiseMin(place);
-        upper = upper.cwiseMax(place);
+        const Vec2 position(along.dot(from), perp(along).dot(from));
+        lower = lower.cwiseMin(position);
+        upper = upper.cwiseMax(position);
     }
     const Rot rotation{along.x(), along.y()};
     const Vec2 middle = 0.5 * lower + 0.5 * upper;

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <string>
+#include <string_view>
 
 #include <plumb/math/check.h>
 #include <plumb/math/require_members.h>
@@ -14,8 +16,8 @@
 namespace plumb {
 namespace {
 
-// The least length of an edge, over the polygon's extent, and the least sine of the turn at a corner. The hot loops
-// see corners as floats: what is smaller than this is less than ten of their last places.
+// The smallest edge, relative to the polygon's size, and the smallest sine of the turn at a corner. The hot loops store
+// corners as floats: anything smaller is less than ten of their last places.
 constexpr double polygonTolerance = 1e-6;
 
 std::string cornerName(const std::string& field, std::size_t index) {
@@ -27,8 +29,8 @@ std::string cornerName(const std::string& field, std::size_t index) {
     refuse(cornerName(field, index), toText(polygon.vertices[index]) + " " + complaint);
 }
 
-// The edges, times a power of two, so that products of huge or tiny lengths neither overflow nor vanish. Without memory
-// of their own: overlap() looks at its shapes each time.
+// The edges, times a power of two, so that products of huge or tiny lengths neither overflow nor underflow. Without
+// heap memory, because overlap() validates its shapes on each call.
 struct Edges {
     std::array<Vec2, maxPolygonVertices> room;
     std::size_t count = 0;
@@ -46,7 +48,7 @@ Edges scaledEdges(const Polygon& polygon) {
     for (const Vec2& v : polygon.vertices) largest = std::max({largest, std::fabs(v.x()), std::fabs(v.y())});
     int exponent = 0;
     std::frexp(largest, &exponent);
-    // In two halves: the whole is not a number of its own where the largest is denormal.
+    // In two factors: the whole power is not representable where the largest number is denormal.
     const double some = std::ldexp(1, -exponent / 2), rest = std::ldexp(1, -exponent - -exponent / 2);
     const auto scaled = [&](const Vec2& v) { return Vec2(v * some * rest); };
     Edges edges;
@@ -57,7 +59,7 @@ Edges scaledEdges(const Polygon& polygon) {
 }
 
 void requireDistinctCorners(const Polygon& polygon, const Edges& edges, const std::string& field) {
-    // How far the corners spread from the first.
+    // The largest distance of a corner from the first.
     double extent = 0;
     Vec2 fromFirst{0, 0};
     for (const Vec2& edge : edges) {
@@ -70,7 +72,7 @@ void requireDistinctCorners(const Polygon& polygon, const Edges& edges, const st
 }
 
 // Twice the signed area.
-double turnedArea(const Edges& edges) {
+double doubleSignedArea(const Edges& edges) {
     double area = 0;
     Vec2 fromFirst{0, 0};
     for (const Vec2& edge : edges) {
@@ -91,13 +93,13 @@ void requireLeftTurns(const Polygon& polygon, const Edges& edges, const std::str
         if (!(std::fabs(sines[i]) > polygonTolerance))
             refuseCorner(polygon, i, field, "lies in line with the corners beside it");
     const bool allRight = std::all_of(sines.begin(), sines.end(), [](double sine) { return sine < 0; });
-    if (allRight && turnedArea(edges) < 0)
+    if (allRight && doubleSignedArea(edges) < 0)
         refuse(field + ".vertices", "the corners run clockwise, not counter-clockwise");
     for (std::size_t i = 0; i < edges.size(); ++i)
         if (sines[i] < 0) refuseCorner(polygon, i, field, "makes the polygon not convex");
 }
 
-// Where every turn is to the left, each time around the edges point upwards anew once. A pentagram does so twice.
+// Where every turn is to the left, the edges start to point upwards once per revolution. A pentagram has two.
 void requireOneWinding(const Edges& edges, const std::string& field) {
     const auto up = [](const Vec2& edge) { return edge.y() > 0 || (edge.y() == 0 && edge.x() > 0); };
     int windings = 0;
@@ -124,7 +126,7 @@ bool same(const Vec2& a, const Vec2& b) {
     return a.x() == b.x() && a.y() == b.y();
 }
 
-/// Does a line that goes from a to b come straight back on itself to c?
+/// Does a line from a to b reverse straight back to c?
 bool foldsBack(const Vec2& a, const Vec2& b, const Vec2& c) {
     const Vec2 in = (b - a).stableNormalized();
     const Vec2 out = (c - b).stableNormalized();
@@ -163,6 +165,18 @@ void validateTogether(const Chain& chain, const std::string& field) {
 }
 
 }  // namespace
+
+void refuseCount(const Polygon& polygon, std::string_view field) {
+    const std::size_t count = polygon.vertices.size();
+    refuse(std::string(field) + ".vertices",
+           std::to_string(count) + " corners are " +
+               (count < 3 ? "fewer than 3" : "more than " + std::to_string(maxPolygonVertices)));
+}
+
+void refuseCount(const Chain& chain, std::string_view field) {
+    refuse(std::string(field) + ".points", std::to_string(chain.points.size()) + " points are fewer than " +
+                                               (chain.closed ? "3 of a closed chain" : "2"));
+}
 
 Polygon boxPolygon(const Vec2& halfSize, const Vec2& center) {
     requirePositive(halfSize, "box.halfSize");

@@ -7,7 +7,7 @@ namespace plumb {
 
 namespace {
 
-std::vector<Vec2> standing(TileForm form) {
+std::vector<Vec2> uprightCorners(TileForm form) {
     switch (form) {
         case TileForm::Empty: return {};
         case TileForm::Full: return {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
@@ -24,8 +24,8 @@ std::vector<Vec2> standing(TileForm form) {
 }  // namespace
 
 std::vector<Vec2> cornersOf(const Tile& tile) {
-    std::vector<Vec2> corners = standing(tile.form);
-    if (!tile.hanging) return corners;
+    std::vector<Vec2> corners = uprightCorners(tile.form);
+    if (!tile.upsideDown) return corners;
     for (Vec2& corner : corners) corner.y() = 1 - corner.y();
     std::reverse(corners.begin(), corners.end());
     return corners;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What can fill a cell of a tile map?
+// What can be in a cell of a tile map?
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace plumb {
 
-/// How much of its cell a tile fills. Slopes rise (Up) or fall (Down) to the right. A gentle one, whose name in games
-/// is "22.5 degrees" though it rises by one in two (26.57), comes in two halves: Low fills less than half of its cell.
+/// How much of its cell a tile fills. Slopes rise (Up) or fall (Down) to the right. A gentle slope, called "22.5
+/// degrees" in games although it rises by one in two (26.57), has two halves: Low fills less than half of its cell.
 enum class TileForm : std::uint8_t {
     Empty,
     Full,
@@ -23,28 +23,28 @@ enum class TileForm : std::uint8_t {
 
 enum class TileKind : std::uint8_t {
     Solid,
-    OneWay,  ///< its top only, to what comes from above, not from the side
-    Hazard,  ///< solid; whoever meets it can tell
-    Sensor,  ///< touches nothing, and tells what overlaps it
+    OneWay,  ///< solid at its top only, for bodies that come from above, not from the side
+    Hazard,  ///< solid; contacts with it are reported as hazards
+    Sensor,  ///< has no contacts, but reports what overlaps it
 };
 
 struct Tile {
     TileForm form = TileForm::Empty;
     TileKind kind = TileKind::Solid;
-    bool hanging = false;   ///< the form upside down: it fills its cell from above
-    std::uint32_t tag = 0;  ///< whatever its owner wants to know it by
+    bool upsideDown = false;  ///< mirrored vertically: it fills its cell from above
+    std::uint32_t tag = 0;    ///< free for the user
     friend bool operator==(const Tile&, const Tile&) = default;
 };
 
 inline bool isEmpty(const Tile& tile) {
     return tile.form == TileForm::Empty;
 }
-/// Does it stop what comes from any side?
+/// Is it solid from all sides?
 inline bool isSolid(const Tile& tile) {
     return !isEmpty(tile) && (tile.kind == TileKind::Solid || tile.kind == TileKind::Hazard);
 }
 
-/// The outline of what fills the cell, counter-clockwise, in a cell from (0, 0) to (1, 1); no corners when empty.
+/// The outline of the filled area, counter-clockwise, in a cell from (0, 0) to (1, 1); no corners when empty.
 std::vector<Vec2> cornersOf(const Tile& tile);
 
 }  // namespace plumb

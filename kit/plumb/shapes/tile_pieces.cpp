@@ -19,12 +19,12 @@ bool isParallel(const TileEdge& a, const TileEdge& b) {
     return ax * by == ay * bx && ax * bx + ay * by > 0;
 }
 
-/// Are two edges, one after the other, the same piece?
+/// Do two consecutive edges belong to the same piece?
 bool isOnePiece(const TileEdge& edge, const std::optional<TileEdge>& next) {
     return next && next->kind == edge.kind && isParallel(edge, *next) && blockOf(next->cell) == blockOf(edge.cell);
 }
 
-/// What goes on at the map's other side is another piece.
+/// An edge on the map's other side belongs to another piece.
 bool isWithin(const TileMap& map, const std::optional<TileEdge>& edge) {
     return edge && map.wrapped(edge->cell) == edge->cell;
 }
@@ -46,22 +46,22 @@ class Scale {
 public:
     explicit Scale(double size) : half_(0.5 * size) {}
     Vec2 operator()(HalfPoint p) const { return {p.x * half_, p.y * half_}; }
-    /// From a to b, at c: where the map wraps, the neighbour may be at its other side.
+    /// From a to b, starting at c: where the map wraps, the neighbour may be on the other side.
     Vec2 operator()(HalfPoint c, HalfPoint a, HalfPoint b) const { return (*this)({c.x + b.x - a.x, c.y + b.y - a.y}); }
 
 private:
     double half_;
 };
 
-/// Where a line goes on to, from an edge that is solid. A one-way top in line with it is not part of its outline: on
-/// top it goes on, and within the tile it has a corner there.
+/// Does the outline of a solid edge continue with this one? A collinear one-way top is not part of its outline: for a
+/// body on top the line continues, for a body within the tile it has a corner there.
 bool isOutline(const TileEdge& edge, const std::optional<TileEdge>& next) {
     return next && (edge.kind == TileKind::OneWay || next->kind != TileKind::OneWay);
 }
 
-/// The points that the line goes on to beyond both ends of a stretch. Around the corner that lies in line with a
-/// one-way top, it turns back along that: a hollow to what comes within the tile, and nothing to what stands on top.
-void goOn(const TileMap& map, const TileEdge& first, const TileEdge& last, Segment& segment) {
+/// Sets the neighbours at both ends of a segment. At a corner that is collinear with a one-way top, the neighbour turns
+/// back along that top: a concave corner for a body within the tile, and no effect on a body that stands on top.
+void setNeighbours(const TileMap& map, const TileEdge& first, const TileEdge& last, Segment& segment) {
     const Scale scale(map.size());
     const std::optional<TileEdge> before = edgeBefore(map, first), after = edgeAfter(map, last);
     if (isOutline(first, before)) segment.before = scale(first.start, before->end, before->start);
@@ -70,17 +70,17 @@ void goOn(const TileMap& map, const TileEdge& first, const TileEdge& last, Segme
     if (const auto top = topOverEnd(map, last)) segment.after = scale(last.end, top->end, top->start);
 }
 
-/// The stretch that begins with an edge.
-TilePiece stretchFrom(const TileMap& map, const TileEdge& first) {
+/// The segment that begins with an edge.
+TilePiece segmentFrom(const TileMap& map, const TileEdge& first) {
     const Scale scale(map.size());
     TileEdge last = first;
     while (const std::optional<TileEdge> next = sameAfter(map, last)) last = *next;
     Segment segment{scale(first.start), scale(last.end)};
-    goOn(map, first, last, segment);
-    return {segment, first.kind, first.kind == TileKind::OneWay ? PieceUse::Both : PieceUse::Touch};
+    setNeighbours(map, first, last, segment);
+    return {segment, first.kind, first.kind == TileKind::OneWay ? PieceUse::Both : PieceUse::Contact};
 }
 
-/// Columns and rows of a block that the map has.
+/// Columns and rows of a block that are within the map.
 struct CellRange {
     Cell first, end;
 };
@@ -94,7 +94,7 @@ bool hasArea(const Tile& tile) {
     return !isEmpty(tile) && tile.kind != TileKind::OneWay;
 }
 
-/// From a cell on to the right: full tiles of one kind are one rectangle.
+/// The end of a run of full tiles of one kind, to the right of a cell: they are one rectangle.
 int endOfRun(const TileMap& map, Cell cell, int end) {
     const Tile tile = map.at(cell);
     int column = cell.column + 1;
@@ -106,7 +106,7 @@ int endOfRun(const TileMap& map, Cell cell, int end) {
 
 TilePiece areaOf(const TileMap& map, Cell cell, int end) {
     const TileKind kind = map.at(cell).kind;
-    const PieceUse use = kind == TileKind::Sensor ? PieceUse::Both : PieceUse::Ask;
+    const PieceUse use = kind == TileKind::Sensor ? PieceUse::Both : PieceUse::Query;
     if (end - cell.column == 1) return {Polygon{map.cornersOf(cell)}, kind, use};
     const Vec2 lower = map.lowerLeft(cell), upper = map.lowerLeft({end, cell.row + 1});
     return {Polygon{{lower, {upper.x(), lower.y()}, upper, {lower.x(), upper.y()}}}, kind, use};
@@ -120,7 +120,7 @@ std::vector<TilePiece> tilePiecesOf(const TileMap& map, Cell block) {
     for (int row = cells.first.row; row < cells.end.row; ++row)
         for (int column = cells.first.column; column < cells.end.column; ++column)
             for (const TileEdge& edge : openEdges(map, {column, row}))
-                if (!sameBefore(map, edge)) pieces.push_back(stretchFrom(map, edge));
+                if (!sameBefore(map, edge)) pieces.push_back(segmentFrom(map, edge));
     for (int row = cells.first.row; row < cells.end.row; ++row) {
         for (int column = cells.first.column; column < cells.end.column;) {
             const Cell cell{column, row};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which pieces of a tile map collide one by one, so that together they make a shape without inner edges?
+// Into which pieces is a tile map split, so that together they have no inner edges?
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -9,20 +9,20 @@
 
 namespace plumb {
 
-/// What a piece of a shape is there for.
+/// What a piece of a shape is used for.
 enum class PieceUse : std::uint8_t {
-    Both,   ///< bodies touch it, and queries find it
-    Touch,  ///< bodies touch it: part of an outline
-    Ask,    ///< queries find it: part of an area
-    None,   ///< nothing meets it
+    Both,     ///< contacts and queries
+    Contact,  ///< contacts only: part of an outline
+    Query,    ///< queries only: part of an area
+    None,     ///< nothing
 };
 
-/// Cells are pieced together by squares of so many columns and rows: an edit changes pieces of its square, and of those
-/// beside it, only.
+/// The pieces are built in square blocks of so many columns and rows: an edit changes the pieces of its own block, and
+/// of the blocks beside it, only.
 inline constexpr int tileBlock = 16;
 
-/// A stretch of the outline, with its neighbours, or a convex part of the area. One-way tiles are outline only, sensors
-/// area only.
+/// A segment of the outline, with its neighbours, or a convex part of the area. One-way tiles have an outline only,
+/// sensors an area only.
 struct TilePiece {
     Shape shape;
     TileKind kind = TileKind::Solid;
@@ -30,13 +30,13 @@ struct TilePiece {
     friend bool operator==(const TilePiece&, const TilePiece&) = default;
 };
 
-/// Those of one block: columns from block.column * tileBlock on, rows likewise. Edges on which two tiles lie against
-/// each other are gone. What is in line is one piece.
+/// The pieces of one block: columns from block.column * tileBlock on, rows likewise. Edges between two adjacent tiles
+/// are removed. Collinear edges are one piece.
 std::vector<TilePiece> tilePiecesOf(const TileMap& map, Cell block);
-/// Of all blocks, row by row.
+/// The pieces of all blocks, row by row.
 std::vector<TilePiece> tilePiecesOf(const TileMap& map);
 
-/// How many columns and rows of blocks there are.
+/// The number of columns and rows of blocks.
 Cell tileBlocksOf(const TileMap& map);
 /// The blocks whose pieces may change with a cell, each once.
 std::vector<Cell> tileBlocksAt(const TileMap& map, Cell cell);

@@ -19,17 +19,17 @@ using TileLegend = std::map<char, Tile>;
 /// fall.
 TileLegend standardLegend();
 
-/// The rows of a picture, the topmost first; rows shorter than the longest are empty beyond their end. size is that of
-/// a cell [m]. Throws std::invalid_argument on a character that the legend lacks, with its row and column, and on no
-/// cells at all.
+/// Rows of text, the topmost first; a row shorter than the longest is empty beyond its end. size is that of a cell [m].
+/// Throws std::invalid_argument on a character that is not in the legend, with its row and column, and on a map without
+/// cells.
 TileMap tileMapOf(std::span<const std::string> rows, double size = 1, const TileLegend& legend = standardLegend());
 TileMap tileMapOf(std::initializer_list<std::string> rows, double size = 1,
                   const TileLegend& legend = standardLegend());
-/// The same of one text, its rows divided by line ends; an empty line at its end is none.
+/// The same for one text, split into rows at line ends; an empty line at the end is ignored.
 TileMap tileMapOf(std::string_view text, double size = 1, const TileLegend& legend = standardLegend());
 
-/// Row by row, the topmost first; of characters that stand for the same tile, the last: a full stop, not a space.
-/// Throws std::invalid_argument on a tile that the legend lacks.
+/// Row by row, the topmost first; if several characters stand for the same tile, the last one is used: a full stop, not
+/// a space. Throws std::invalid_argument on a tile that is not in the legend.
 std::vector<std::string> textOf(const TileMap& map, const TileLegend& legend = standardLegend());
 
 }  // namespace plumb

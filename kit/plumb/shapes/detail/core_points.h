@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which points, and what radius around them, hold a shape?
+// Which points, and what radius around them, bound a shape?
 #pragma once
 #include <vector>
 
@@ -7,7 +7,7 @@
 
 namespace plumb {
 
-/// The shape lies in the convex hull of the points, grown by the radius, and touches all sides of it.
+/// The shape lies in the convex hull of the points, enlarged by the radius, and touches all its sides.
 struct CorePoints {
     std::vector<Vec2> points;  ///< in the body's frame [m]
     double radius = 0;         ///< [m]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Has a shape as many corners as arithmetic on it takes for granted?
+// Does a shape have a valid number of corners?
 #pragma once
 #include <string_view>
 
@@ -10,8 +10,8 @@ namespace plumb {
 [[noreturn]] void refuseCount(const Polygon& polygon, std::string_view field);
 [[noreturn]] void refuseCount(const Chain& chain, std::string_view field);
 
-// What no hot loop feels. All else that validate() asks of a shape makes answers wrong, but never reads or writes
-// where nothing is. Each throws std::invalid_argument with the field's name and the count.
+// Cheap enough for hot loops. Other faults that validate() finds give wrong results, but no access outside of an array.
+// Each throws std::invalid_argument with the field's name and the count.
 
 /// Unless there are 3 to maxPolygonVertices corners.
 inline void requireCount(const Polygon& polygon, std::string_view field = "Polygon") {

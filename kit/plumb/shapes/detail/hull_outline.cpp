@@ -6,7 +6,7 @@
 
 namespace plumb {
 
-// The lower outline from left to right, then the upper one back.
+// The lower hull from left to right, then the upper hull back.
 HullIndices hullOutline(std::span<const Vec2> points) {
     HullIndices sorted(points.size());
     std::iota(sorted.begin(), sorted.end(), std::size_t{0});
@@ -27,7 +27,7 @@ HullIndices hullOutline(std::span<const Vec2> points) {
     for (const std::size_t index : sorted) add(index, 1);
     const std::size_t lower = hull.size();
     for (std::size_t i = sorted.size() - 1; i-- > 0;) add(sorted[i], lower);
-    if (hull.size() > 1) hull.pop_back();  // the first again
+    if (hull.size() > 1) hull.pop_back();  // the first point again
     return hull;
 }
 

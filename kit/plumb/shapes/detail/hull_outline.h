@@ -10,8 +10,9 @@ namespace plumb {
 
 using HullIndices = std::vector<std::size_t>;
 
-/// Counter-clockwise, from the leftmost (of those the lowest) on; none that lies in line between two others. Points in
-/// line have two corners; so have several in one place, and one has one. There must be one, and all must be finite.
+/// Counter-clockwise, starting with the leftmost point (the lowest of several); no corner is collinear with its
+/// neighbours. Collinear points have two corners; so have several equal points, and one point has one. There must be
+/// one point or more, and all must be finite.
 /// Source: Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979.
 HullIndices hullOutline(std::span<const Vec2> points);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How do points look from among them, in numbers near 1?
+// How are points scaled to numbers near 1?
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -10,12 +10,12 @@
 
 namespace plumb {
 
-/// The least edge over the extent, and the least sine of a corner, of polygons that are made here: a little more than
-/// what a polygon is held to, so that rounding does not make it refuse them [-].
+/// The smallest edge relative to the diagonal, and the smallest sine of a corner, of polygons that are constructed: a
+/// little more than validate() demands, so that rounding does not make a polygon invalid [-].
 inline constexpr double cornerTolerance = 1.5e-6;
 
-/// Points from the first one, times a power of two, so that products of huge or tiny lengths neither overflow nor
-/// vanish.
+/// Points relative to the first one, times a power of two, so that products of huge or tiny lengths neither overflow
+/// nor underflow.
 inline std::vector<Vec2> scaledPoints(std::span<const Vec2> points) {
     double largest = 0;
     for (const Vec2& p : points) largest = std::max({largest, std::fabs(p.x()), std::fabs(p.y())});
@@ -29,8 +29,8 @@ inline std::vector<Vec2> scaledPoints(std::span<const Vec2> points) {
     return scaled;
 }
 
-/// The diagonal of the upright box around points.
-inline double extentOf(const std::vector<Vec2>& points) {
+/// The diagonal of the axis-aligned box around points.
+inline double diagonalOf(const std::vector<Vec2>& points) {
     Vec2 lower = points.front(), upper = points.front();
     for (const Vec2& p : points) {
         lower = lower.cwiseMin(p);

@@ -21,7 +21,7 @@ bool isUpright(const HalfEdge& edge) {
     return edge.start.x == edge.end.x || edge.start.y == edge.end.y;
 }
 
-/// Around a tile; those on the cell's sides in halves.
+/// The edges of a tile; edges on the cell's sides are split in halves.
 std::vector<HalfEdge> edgesAround(const Tile& tile, Cell cell) {
     const std::vector<Vec2> corners = cornersOf(tile);
     std::vector<HalfEdge> edges;
@@ -39,7 +39,7 @@ std::vector<HalfEdge> edgesAround(const Tile& tile, Cell cell) {
     return edges;
 }
 
-/// The cell on the other side of an edge that lies on a side of its own.
+/// The cell on the other side of an edge that lies on a side of this cell.
 Cell cellBeyond(const HalfEdge& edge, Cell cell) {
     const int dx = edge.end.x - edge.start.x, dy = edge.end.y - edge.start.y;
     return {cell.column + (dy > 0) - (dy < 0), cell.row + (dx < 0) - (dx > 0)};
@@ -69,14 +69,14 @@ int dot(const TileEdge& a, const TileEdge& b) {
     return (a.end.x - a.start.x) * (b.end.x - b.start.x) + (a.end.y - a.start.y) * (b.end.y - b.start.y);
 }
 
-/// Grows with the turn to the left from one edge to the next, from -1 at a turn straight back on the right to 1.
+/// Grows with the left turn from one edge to the next, from -1 for a reversal to the right up to 1.
 double turnBetween(const TileEdge& from, const TileEdge& to) {
     const double c = dot(from, to), s = crossOf(from, to);
     const double cosine = c / std::sqrt(c * c + s * s);
     return s < 0 || (s == 0 && c < 0) ? (cosine - 1) / 2 : (1 - cosine) / 2;
 }
 
-/// Of all that start, or end, at a point.
+/// All edges near a point for which fits is true.
 template <class Fits>
 std::vector<TileEdge> edgesAt(const TileMap& map, HalfPoint point, Fits&& fits) {
     const auto floored = [](int half) { return half >= 0 ? half / 2 : -((1 - half) / 2); };
@@ -92,7 +92,7 @@ std::optional<TileEdge> firstOf(const std::vector<TileEdge>& edges) {
     return edges.empty() ? std::nullopt : std::optional(edges.front());
 }
 
-/// turn(edge) is that of the outline where it goes from the one in question to this, or comes from it.
+/// turn(edge) is the turn of the outline between the given edge and the candidate.
 template <class Turn>
 std::optional<TileEdge> chosen(const std::vector<TileEdge>& candidates, TileKind kind, Turn&& turn) {
     std::optional<TileEdge> best;

@@ -14,31 +14,31 @@ double area(const Vec2& a, const Vec2& b, const Vec2& c) {
     return cross(Vec2(b - a), Vec2(c - a));
 }
 
-/// How far from a line a triangle is: its least height over its longest side; negative when it runs clockwise.
+/// How far a triangle is from degenerate: its smallest height over its longest side; negative when it is clockwise.
 double thickness(const Vec2& a, const Vec2& b, const Vec2& c) {
     const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
     return area(a, b, c) / longest;
 }
 
-/// What is left of the polygon, and how good each of its corners is as an ear.
+/// The remaining polygon, and the quality of each of its corners as an ear.
 class EarClipping {
 public:
     explicit EarClipping(std::span<const Vec2> corners) : corners_(corners) {
         for (std::size_t i = 0; i < corners.size(); ++i) left_.push_back(i);
-        for (std::size_t at = 0; at < left_.size(); ++at) worth_.push_back(worthOf(at));
+        for (std::size_t at = 0; at < left_.size(); ++at) quality_.push_back(qualityOf(at));
     }
 
     std::vector<Triangle> run() {
         std::vector<Triangle> triangles;
         while (left_.size() > 3) {
-            const auto best = std::max_element(worth_.begin(), worth_.end());
-            std::size_t at = static_cast<std::size_t>(best - worth_.begin());
+            const auto best = std::max_element(quality_.begin(), quality_.end());
+            std::size_t at = static_cast<std::size_t>(best - quality_.begin());
             triangles.push_back({left_[before(at)], left_[at], left_[after(at)]});
             left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(at));
-            worth_.erase(best);
+            quality_.erase(best);
             at = at < left_.size() ? at : 0;
-            worth_[at] = worthOf(at);
-            worth_[before(at)] = worthOf(before(at));
+            quality_[at] = qualityOf(at);
+            quality_[before(at)] = qualityOf(before(at));
         }
         triangles.push_back({left_[0], left_[1], left_[2]});
         return triangles;
@@ -48,8 +48,8 @@ private:
     std::size_t before(std::size_t at) const { return (at > 0 ? at : left_.size()) - 1; }
     std::size_t after(std::size_t at) const { return at + 1 < left_.size() ? at + 1 : 0; }
 
-    /// Less than -1 where it is none: then only when rounding leaves nothing else is it taken.
-    double worthOf(std::size_t at) const {
+    /// Less than -1 for a corner that is not an ear: it is taken only if rounding leaves no other.
+    double qualityOf(std::size_t at) const {
         const Vec2& a = corners_[left_[before(at)]];
         const Vec2& b = corners_[left_[at]];
         const Vec2& c = corners_[left_[after(at)]];
@@ -57,36 +57,36 @@ private:
         if (!(thick > 0)) return thick - 2;
         const auto isWithin = [&](std::size_t i) {
             const Vec2& p = corners_[i];
-            return area(a, b, p) >= 0 && area(b, c, p) >= 0 && area(c, a, p) >= -nothing;
+            return area(a, b, p) >= 0 && area(b, c, p) >= 0 && area(c, a, p) >= -tolerance;
         };
         for (std::size_t i = 0; i < left_.size(); ++i)
             if (i != at && i != before(at) && i != after(at) && isWithin(left_[i])) return thick - 4;
         return thick;
     }
 
-    /// What lies on the new side of the polygon is in the way, too, whatever rounding says.
-    static constexpr double nothing = 1e-14;
+    /// Points on the new edge of the polygon count as inside the ear, despite rounding.
+    static constexpr double tolerance = 1e-14;
 
     std::span<const Vec2> corners_;
     std::vector<std::size_t> left_;
-    std::vector<double> worth_;
+    std::vector<double> quality_;
 };
 
-/// Triangles, and on which one each side is.
-class Flipping {
+/// Triangles, and a map from each edge to its triangle.
+class EdgeFlipper {
 public:
-    Flipping(std::span<const Vec2> corners, std::vector<Triangle> triangles)
+    EdgeFlipper(std::span<const Vec2> corners, std::vector<Triangle> triangles)
         : corners_(corners), triangles_(std::move(triangles)) {
-        for (std::size_t i = 0; i < triangles_.size(); ++i) note(i);
+        for (std::size_t i = 0; i < triangles_.size(); ++i) addSides(i);
     }
 
-    /// Each turn makes the least angles larger, so that this comes to an end; the count guards against roundings.
+    /// Each flip makes the smallest angles larger, so that this ends; the limit guards against rounding.
     std::vector<Triangle> run() {
-        bool turned = true;
-        for (std::size_t round = 0; turned && round < corners_.size() + 8; ++round) {
-            turned = false;
+        bool flipped = true;
+        for (std::size_t pass = 0; flipped && pass < corners_.size() + 8; ++pass) {
+            flipped = false;
             for (std::size_t i = 0; i < triangles_.size(); ++i)
-                for (std::size_t side = 0; side < 3; ++side) turned = turn(i, side) || turned;
+                for (std::size_t side = 0; side < 3; ++side) flipped = flip(i, side) || flipped;
         }
         return triangles_;
     }
@@ -94,12 +94,12 @@ public:
 private:
     using Side = std::pair<std::size_t, std::size_t>;
 
-    void note(std::size_t i) {
+    void addSides(std::size_t i) {
         const Triangle& t = triangles_[i];
         for (std::size_t side = 0; side < 3; ++side) owner_[{t[side], t[(side + 1) % 3]}] = i;
     }
 
-    bool turn(std::size_t i, std::size_t side) {
+    bool flip(std::size_t i, std::size_t side) {
         const Triangle here = triangles_[i];
         const std::size_t from = here[side], to = here[(side + 1) % 3], apex = here[(side + 2) % 3];
         const auto other = owner_.find({to, from});
@@ -110,18 +110,18 @@ private:
         for (const std::size_t corner : there)
             if (corner != from && corner != to) opposite = corner;
         const Vec2 &a = corners_[from], &b = corners_[to], &c = corners_[apex], &d = corners_[opposite];
-        if (!isBetterTurned(a, b, c, d)) return false;
+        if (!isBetterFlipped(a, b, c, d)) return false;
         owner_.erase({from, to});
         owner_.erase({to, from});
         triangles_[i] = {apex, from, opposite};
         triangles_[j] = {opposite, to, apex};
-        note(i);
-        note(j);
+        addSides(i);
+        addSides(j);
         return true;
     }
 
-    /// The sine of the sum of the angles at c and d, which see the diagonal from a to b.
-    static bool isBetterTurned(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+    /// By the sine of the sum of the angles at c and d, opposite to the diagonal from a to b.
+    static bool isBetterFlipped(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
         if (!(area(c, a, d) > 0 && area(d, b, c) > 0)) return false;
         const Vec2 ca = a - c, cb = b - c, da = a - d, db = b - d;
         const double sine = cross(ca, cb) * da.dot(db) + ca.dot(cb) * cross(db, da);
@@ -137,7 +137,7 @@ private:
 }  // namespace
 
 std::vector<Triangle> triangulate(std::span<const Vec2> corners) {
-    return Flipping(corners, EarClipping(corners).run()).run();
+    return EdgeFlipper(corners, EarClipping(corners).run()).run();
 }
 
 }  // namespace plumb

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which triangles make up a simple polygon?
+// Into which triangles can a simple polygon be divided?
 #pragma once
 #include <array>
 #include <cstddef>
@@ -12,9 +12,9 @@ namespace plumb {
 
 using Triangle = std::array<std::size_t, 3>;
 
-/// Counter-clockwise triangles between the corners of a simple polygon that runs counter-clockwise: as thick as can be,
-/// for a triangle as thin as a line is of no use. Ears are cut off, the thickest first; then every diagonal is turned
-/// whose opposite angles are more than half a turn together.
+/// Counter-clockwise triangles between the corners of a simple counter-clockwise polygon, as far from degenerate as
+/// possible. Ear clipping, the thickest ear first; then every diagonal is flipped whose opposite angles add up to more
+/// than 180 degrees (Delaunay).
 /// Source: Meisters, "Polygons have ears", 1975; Lawson, "Transforming triangulations", 1972.
 /// Test: "pieces of 8,000 random outlines ..."
 std::vector<Triangle> triangulate(std::span<const Vec2> corners);
