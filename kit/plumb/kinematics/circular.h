@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where is a point that goes round a circle at an even speed?
+// Where is a point that moves on a circle at constant speed?
 #pragma once
 #include <plumb/math/vec2.h>
 
@@ -20,7 +20,8 @@ struct CircularPoint {
 
 /// p = c + r (cos A, sin A),  v = w perp(p - c),  a = -w^2 (p - c),  A = A0 + w t
 /// p position, c center, r radius [m], A angle, A0 startAngle [rad], w angularVelocity [rad/s], t time [s].
-/// Source: textbook. Exact to the rounding of w t. For a wheel that speeds up evenly give solveMotion angles.
+/// Source: textbook. Exact to the rounding of w t. For a wheel with constant angular acceleration use solveMotion with
+/// angles.
 /// Throws std::invalid_argument on a negative radius and on what is not finite, A and w^2 r included.
 /// Test: "the velocity and the acceleration on a circle are the slopes of the place and of the velocity"
 CircularPoint circularAt(const CircularMotion& motion, double time);

@@ -12,7 +12,7 @@
 namespace plumb {
 namespace {
 
-// a b + c d within two of its last place, its sign always right.
+// a b + c d within two units in its last place, its sign always correct.
 // Source: Kahan's difference of products, with Dekker's product; Jeannerod, Louvet, Muller, Math. Comp. 82, 2013.
 double sumOfProducts(double a, double b, double c, double d) {
     const Exact ab = exactProduct(a, b), cd = exactProduct(c, d);
@@ -24,13 +24,13 @@ double sumOfProducts(double a, double b, double c, double d) {
 MotionSolutions one(const SolvedMotion& motion) {
     return {{motion}, false};
 }
-// What is left open when an equation says 0 x = rest.
+// When an equation reduces to 0 x = rest.
 MotionSolutions allOrNone(double rest) {
     return {{}, rest == 0};
 }
 
-// The seven combinations that know the start velocity, or neither velocity; the other three are these backwards in
-// time.
+// The seven combinations that include the start velocity, or neither velocity; the other three are these with time
+// reversed.
 
 MotionSolutions ofStartAccelerationTime(double u, double a, double t) {
     return one({t * sumOfProducts(u, 1, 0.5 * a, t), u, sumOfProducts(u, 1, a, t), a, t});
@@ -48,7 +48,7 @@ MotionSolutions ofDistanceStartTime(double d, double u, double t) {
 
 MotionSolutions ofDistanceAccelerationTime(double d, double a, double t) {
     if (t == 0) return allOrNone(d);
-    // u = d / t - a t / 2 and v = d / t + a t / 2, with what rounding takes from the quotient put back
+    // u = d / t - a t / 2 and v = d / t + a t / 2, with the rounding error of the quotient added back
     const double mean = d / t;
     const Exact back = exactProduct(mean, t);
     const double lost = ((d - back.value) - back.lost) / t;
@@ -64,7 +64,7 @@ MotionSolutions ofVelocitiesAcceleration(double u, double v, double a) {
 
 MotionSolutions ofDistanceVelocities(double d, double u, double v) {
     if (u + v == 0) return allOrNone(d);
-    if (d == 0) return allOrNone(v - u);  // no time passes, so any acceleration does
+    if (d == 0) return allOrNone(v - u);  // no time passes, so any acceleration is a solution
     const double t = 2 * (d / (u + v));
     return one({d, u, v, (v - u) / t, t});
 }
@@ -97,7 +97,7 @@ std::optional<double> negated(const std::optional<double>& number) {
 
 MotionSolutions solve(const KnownMotion& k) {
     if (k.startVelocity || !k.endVelocity) return solveForwards(k);
-    // The same motion, seen from its end: what was v is u, and both the way and the time are negative.
+    // The same motion with time reversed: start and end velocity are exchanged, displacement and time are negated.
     MotionSolutions solutions =
         solveForwards({negated(k.displacement), k.endVelocity, k.startVelocity, k.acceleration, negated(k.time)});
     for (SolvedMotion& motion : solutions.motions)
@@ -105,7 +105,7 @@ MotionSolutions solve(const KnownMotion& k) {
     return solutions;
 }
 
-/// What was given, told apart from what was not: "displacement, time".
+/// Lists the names of the given quantities: "displacement, time".
 struct Given {
     std::string_view whole;  ///< "KnownMotion"
     int count = 0;
@@ -137,7 +137,7 @@ bool isFinite(const SolvedMotion& m) {
            std::isfinite(m.acceleration) && std::isfinite(m.time);
 }
 
-// Zeros without a sign.
+// Removes the sign of zeros.
 SolvedMotion tidy(const SolvedMotion& m) {
     return {m.displacement + 0.0, m.startVelocity + 0.0, m.endVelocity + 0.0, m.acceleration + 0.0, m.time + 0.0};
 }

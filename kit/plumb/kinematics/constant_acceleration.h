@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far, how fast, how long, at constant acceleration: which of them follow from three that are known?
+// Which quantities of a motion with constant acceleration follow from three known ones?
 #pragma once
 #include <optional>
 #include <vector>
@@ -8,7 +8,8 @@
 
 namespace plumb {
 
-/// What is known of a motion along one axis: three of the five. Of a turn, read angle for displacement, and so on.
+/// The known quantities of a motion along one axis: three of the five. For a rotation, read angle for displacement, and
+/// so on.
 struct KnownMotion {
     std::optional<double> displacement = std::nullopt;   ///< d, from where it was at the start [m]
     std::optional<double> startVelocity = std::nullopt;  ///< u [m/s]
@@ -22,25 +23,25 @@ struct SolvedMotion {
 };
 
 struct MotionSolutions {
-    std::vector<SolvedMotion> motions;  ///< at most two, the earlier first; none when what is known contradicts itself
-    bool infinitelyMany = false;        ///< what is known leaves a quantity open; then motions is empty
+    std::vector<SolvedMotion> motions;  ///< at most two, the earlier first; none if there is a contradiction
+    bool infinitelyMany = false;        ///< the known quantities leave one undetermined; then motions is empty
 };
 
-/// Which times count as a solution. With NotNegative a given time below 0 has none, which is told by an empty answer
-/// and not refused.
+/// Which times count as a solution. With NotNegative a given time below 0 has no solution: the result is empty, and
+/// nothing is thrown.
 enum class MotionTimes { NotNegative, AnyReal };
 
 /// v = u + a t,  d = u t + a t^2 / 2 = (u + v) t / 2,  v^2 = u^2 + 2 a d;  symbols and units as in KnownMotion.
-/// All real solutions, each quantity within four of its last place; how many there are is exact as well.
-/// Magnitudes are to be 0 or 1e-90 to 1e90: farther out digits may be lost, and solutions that are not finite, or
-/// not on the way there.
-/// Throws std::invalid_argument unless three are given, each finite. Source: textbook; the quadratic by its
-/// larger root and the product of the two (Press et al., "Numerical Recipes", 5.6), its discriminant with the
-/// exact products after Kahan. Tests: "1,000,000 motions are found again from any three of their five numbers",
-/// "each of 10,000,000 answers is within four of its last place of the textbook's in long double"
+/// All real solutions, each quantity within four units in its last place; the number of solutions is exact as well.
+/// Magnitudes should be 0 or from 1e-90 to 1e90: outside of that, digits may be lost, and solutions that are not
+/// finite, or overflow on the way.
+/// Throws std::invalid_argument unless three are given, each finite. Source: textbook; the quadratic by its larger root
+/// and the product of the two (Press et al., "Numerical Recipes", 5.6), its discriminant with the exact products after
+/// Kahan. Tests: "1,000,000 motions are found again from any three of their five numbers", "each of 10,000,000 answers
+/// is within four of its last place of the textbook's in long double"
 MotionSolutions solveMotion(const KnownMotion& known, MotionTimes times = MotionTimes::NotNegative);
 
-/// The same in the plane, where the time is given: then two of the four vectors give the others.
+/// The same in the plane, with given time: then two of the four vectors determine the others.
 struct KnownPlaneMotion {
     std::optional<Vec2> displacement = std::nullopt;   ///< [m]
     std::optional<Vec2> startVelocity = std::nullopt;  ///< [m/s]
@@ -59,14 +60,14 @@ struct PlaneMotionSolution {
     bool infinitelyMany = false;
 };
 
-/// Each axis by solveMotion, at any real time.
+/// Each axis by solveMotion, with a time of either sign.
 /// Throws std::invalid_argument unless two vectors are given, all finite, and a finite time.
 /// Test: "a motion in the plane is that of its axes"
 PlaneMotionSolution solveMotion(const KnownPlaneMotion& known);
 
-/// x = x0 + v0 t + a t^2 / 2, v = v0 + a t: exact for any t, so any number of steps leads to the same place.
+/// x = x0 + v0 t + a t^2 / 2, v = v0 + a t: exact for any t, so any number of steps leads to the same state.
 /// x position [m], v velocity [m/s], a acceleration [m/s^2], t time, of either sign [s]. Source: textbook.
-/// Throws std::invalid_argument on what is not finite. Test: "a motion in steps is the motion at once"
+/// Throws std::invalid_argument on a number that is not finite. Test: "a motion in steps is the motion at once"
 PointMotion moveAccelerated(const PointMotion& from, const Vec2& acceleration, double time);
 
 }  // namespace plumb

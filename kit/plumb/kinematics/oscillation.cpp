@@ -10,13 +10,13 @@
 namespace plumb {
 namespace {
 
-/// The step in units of 1 / w: x = xx x0 + (theta slope) v0 / w, v = vv v0 - w (theta slope) x0.
+/// The step with 1 / w as the unit of time: x = xx x0 + (theta slope) v0 / w, v = vv v0 - w (theta slope) x0.
 struct UnitStep {
     double xx, vv, slope;
 };
 
-// Near z = 1: cos r and sin(r) / r by their series in r^2 = theta^2 (1 - z^2), of either sign, at most 1 in size.
-// The next terms are below 1e-17.
+// Near z = 1: cos r and sin(r) / r by their series in r^2 = theta^2 (1 - z^2), of either sign, at most 1 in size. The
+// next terms are below 1e-17.
 UnitStep nearCritical(double z, double theta, double square) {
     double cosine = 1, sine = 1;
     for (int n = 9; n >= 1; --n) {
@@ -28,7 +28,7 @@ UnitStep nearCritical(double z, double theta, double square) {
     return {decay * (cosine + z * theta * sine), decay * (cosine - z * theta * sine), decay * sine};
 }
 
-UnitStep swinging(double z, double theta) {
+UnitStep underdamped(double z, double theta) {
     const double root = std::sqrt((1 - z) * (1 + z));
     const SinCos turn = sinCos(root * theta);
     const double decay = exponential(-z * theta);
@@ -36,8 +36,8 @@ UnitStep swinging(double z, double theta) {
     return {decay * (turn.cos + z * sine), decay * (turn.cos - z * sine), decay * sine / theta};
 }
 
-// Two rates, z + root and its inverse. Their exponentials are far apart here, theta root > 1: nothing cancels.
-UnitStep creeping(double z, double theta) {
+// Two decay rates, z + root and its inverse. Their exponentials differ strongly here, theta root > 1: no cancellation.
+UnitStep overdamped(double z, double theta) {
     const double root = std::sqrt(z - 1) * std::sqrt(z + 1);
     const double fast = z + root, slow = 1 / fast;
     const double slowly = exponential(-slow * theta), fastly = exponential(-fast * theta);
@@ -49,7 +49,7 @@ UnitStep creeping(double z, double theta) {
 UnitStep unitStep(double z, double theta) {
     const double square = theta * (1 - z) * (theta * (1 + z));
     if (std::fabs(square) <= 1) return nearCritical(z, theta, square);
-    return z < 1 ? swinging(z, theta) : creeping(z, theta);
+    return z < 1 ? underdamped(z, theta) : overdamped(z, theta);
 }
 
 }  // namespace

@@ -10,7 +10,8 @@
 namespace plumb {
 namespace {
 
-/// Of two positive numbers, the larger first. Each round about doubles the digits that the two have in common.
+/// Of two positive numbers, the larger first. Each iteration about doubles the number of digits that the two have in
+/// common.
 double arithmeticGeometricMean(double a, double b) {
     for (int i = 0; i < 40 && a - b > 1e-8 * a; ++i) {
         const double mean = 0.5 * (a + b);

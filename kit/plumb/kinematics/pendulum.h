@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long does a pendulum take to and fro?
+// What is the period of a pendulum?
 #pragma once
 
 namespace plumb {
@@ -13,8 +13,8 @@ struct Pendulum {
 };
 
 /// T = 2 pi sqrt(I / (m g l)) / AGM(1, cos(A / 2)), for small swings 2 pi sqrt(I / (m g l)) (1 + A^2 / 16 + ...)
-/// T period [s], A amplitude, the angle at which it turns, of either sign, less than pi in size [rad], AGM the
-/// arithmetic-geometric mean [-], the rest as in Pendulum. Without damping. Within 1e-14 of itself.
+/// T period [s], A amplitude, the largest angle, of either sign, less than pi in size [rad], AGM the
+/// arithmetic-geometric mean [-], the rest as in Pendulum. Without damping. Relative error below 1e-14.
 /// Source: Carvalhaes and Suppes, "Approximations for the period of the simple pendulum based on the
 /// arithmetic-geometric mean", Am. J. Phys. 76, 2008. Throws std::invalid_argument on numbers that are not as above,
 /// and where the period is not finite. Test: "a pendulum's period is its elliptic integral, and the series' for small

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where is a point, and how does it move?
+// What are the position and the velocity of a point?
 #pragma once
 #include <plumb/math/vec2.h>
 
@@ -10,7 +10,7 @@ struct PointMotion {
     Vec2 velocity{0, 0};  ///< [m/s]
 };
 
-/// The same along one axis, or of an angle in rad.
+/// The same along one axis, or for an angle in rad.
 struct AxisMotion {
     double position = 0;  ///< [m]
     double velocity = 0;  ///< [m/s]

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What is dragStep() of numbers that are known to be sound?
+// How is dragStep() computed for input that has been checked?
 #pragma once
 #include <plumb/kinematics/linear_drag.h>
 
 namespace plumb::detail {
 
-/// dragStep() without its checks: at a time that is infinite or NaN, so is what comes of it.
+/// dragStep() without its checks: for a time that is infinite or NaN, so is the result.
 DragStep uncheckedDragStep(double rate, double time);
 
 }  // namespace plumb::detail
