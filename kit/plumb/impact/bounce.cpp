@@ -19,7 +19,7 @@ double dropTime(const DroppedBall& ball) {
     return std::sqrt(2 * ball.height / ball.gravity);
 }
 
-/// Of 1 + q + ... + q^(n - 1), and q^n: by doubling, so that a billion terms take sixty products, and none cancels.
+/// Of 1 + q + ... + q^(n - 1), and q^n: by doubling, so that a billion terms take sixty products, without cancellation.
 struct GeometricSeries {
     double sum = 0, power = 1;
 };

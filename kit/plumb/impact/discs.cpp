@@ -7,7 +7,7 @@
 namespace plumb {
 namespace {
 
-/// normal: away from the disc's centre, to the point.
+/// normal: from the disc's centre to the contact point.
 ImpactSide sideOf(const Disc& disc, const Vec2& normal, std::string_view field) {
     requirePositive(disc.radius, field, ".radius");
     requirePositive(disc.inertiaRatio, field, ".inertiaRatio");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How do two discs part that touch, and one that touches a wall, with spin and friction?
+// How do two discs separate after a collision, and a disc from a wall, with spin and friction?
 #pragma once
 #include <plumb/impact/impact.h>
 
@@ -8,23 +8,23 @@ namespace plumb {
 struct Disc {
     Vec2 position{0, 0};         ///< of its centre [m]
     double radius = 0.5;         ///< > 0 [m]
-    double mass = 1;             ///< > 0; infinite: it does not give way, nor turn [kg]
+    double mass = 1;             ///< > 0; infinite: it neither moves nor turns [kg]
     double inertiaRatio = 0.5;   ///< k = I / (m r^2): 1/2 for a full disc, 1 for a ring, 2/5 for a ball, > 0 [-]
     Vec2 velocity{0, 0};         ///< [m/s]
     double angularVelocity = 0;  ///< [rad/s]
 };
 
-/// impact() at the point where they touch, along the line of their centres; they are taken to touch. Two whose
-/// centres are at one place have no such line: nothing changes. Where the slip between them ends, the impulse
-/// along it is slip times m k / (2 (1 + k)) for two alike: a sixth of the mass for full discs.
+/// impact() at the point where they touch, along the line of their centres; the discs are assumed to touch. If their
+/// centres coincide there is no such line: nothing changes. Where the slip between them ends, the tangential impulse is
+/// slip times m k / (2 (1 + k)) for two equal discs: a sixth of the mass for full discs.
 /// Throws std::invalid_argument as impact() does, on a radius, mass or inertia ratio that is not positive, and on a
-/// place or a velocity that is not finite. Tests: "equal discs that meet 30 degrees off the line of centres part as the
-/// lecture says", "two alike discs that graze pass on slip by a sixth of their mass"
+/// position or a velocity that is not finite. Tests: "equal discs that meet 30 degrees off the line of centres part as
+/// the lecture says", "two alike discs that graze pass on slip by a sixth of their mass"
 ImpactResult collideDiscs(const Disc& a, const Disc& b, const ImpactLaw& law);
 
 struct ImpactWall {
     Vec2 normal{0, 1};    ///< a unit vector out of the wall [-]
-    Vec2 velocity{0, 0};  ///< of its surface, as of a lift or a belt [m/s]
+    Vec2 velocity{0, 0};  ///< of its surface, as of a lift or a conveyor belt [m/s]
 };
 
 /// impact() of a wall, which is A, and a disc, which is B, where the disc touches it. For a wall at rest, along it:

@@ -15,7 +15,7 @@ void requireSide(const ImpactSide& side, std::string_view field) {
     requireFinite(side.arm, field, ".arm");
 }
 
-/// How the two points' relative velocity answers to an impulse at them: (n, t)' = (n, t) + K (jn, jt).
+/// The relative velocity of the two points after an impulse at them: (n, t)' = (n, t) + K (jn, jt).
 struct Response {
     double normal, coupling, tangent;  ///< K_nn, K_nt = K_tn, K_tt [1/kg]
 };
@@ -34,21 +34,21 @@ struct Impulses {
     bool sticks;
 };
 
-// Every impulse that obeys the law of restitution lies on a line, normal = (push - K_nt tangent) / K_nn. On it:
+// Every impulse that obeys the law of restitution is on a line, normal = (push - K_nt tangent) / K_nn. On it:
 //   slip after  = slip0 + m tangent,  m = K_tt - K_nt^2 / K_nn >= 0
 //   energy gain = normal (n + n') / 2 + tangent (t + t') / 2,  a parabola in tangent, <= 0 at tangent = 0
-// So: the tangent impulse that sticks; no more of it than the friction cone holds; no more than the energy allows.
+// So the tangential impulse is the one that stops the slip, limited by the friction cone and by the energy.
 Impulses solve(const Response& k, double approach, double slip, const ImpactLaw& law) {
     const double push = (1 + law.restitution) * approach;
     const double slip0 = slip + k.coupling * push / k.normal;
     const double m = k.tangent - k.coupling * k.coupling / k.normal;
-    // A pivot has m = 0: tangent impulses do nothing that normal ones would not. Rounding leaves about 1e-16 of it.
+    // A pivot has m = 0: tangential impulses have no effect of their own. Rounding leaves about 1e-16 of it.
     if (!(m > 1e-12 * k.tangent) || law.friction == 0) return {push / k.normal, 0, false};
 
     double tangent = -slip0 / m;
     bool sticks = std::fabs(tangent) * k.normal <= law.friction * (push - k.coupling * tangent);
     if (!sticks) {
-        // Larger friction changes no digit, and infinite friction is allowed.
+        // Larger friction makes no difference to the result, and infinite friction is allowed.
         const double friction = std::min(law.friction, 1e9);
         const double direction = tangent > 0 ? 1 : -1;
         tangent = direction * friction * push / (k.normal + direction * friction * k.coupling);

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-// How do two bodies part after they hit each other at one point?
+// How do two bodies separate after they hit each other at one point?
 #pragma once
 #include <plumb/math/vec2.h>
 
 namespace plumb {
 
-/// One of the two, at the moment of impact. An inverse mass or inertia of 0 is a wall, or a body that does not turn.
+/// One of the two bodies at the moment of impact. An inverse mass or inertia of 0 means a wall, or a body that does not
+/// turn.
 struct ImpactSide {
     Vec2 velocity{0, 0};         ///< of the centre of mass [m/s]
     double angularVelocity = 0;  ///< [rad/s]
     double inverseMass = 0;      ///< [1/kg]
     double inverseInertia = 0;   ///< about the centre of mass [1/(kg m^2)]
-    Vec2 arm{0, 0};              ///< from the centre of mass to the point [m]
+    Vec2 arm{0, 0};              ///< from the centre of mass to the contact point [m]
 };
 
 struct ImpactLaw {
@@ -24,19 +25,20 @@ struct ImpactResult {
     double angularVelocityA = 0, angularVelocityB = 0;  ///< afterwards [rad/s]
     double normalImpulse = 0;   ///< on B along the normal, >= 0; 0 when they were not approaching [N s]
     double tangentImpulse = 0;  ///< on B along perp(normal) [N s]
-    bool sticks = false;        ///< the point of contact ended without slip
+    bool sticks = false;        ///< the contact point ended without slip
 };
 
 /// Newton's law of impact with Coulomb friction; normal is a unit vector from A to B. With u the velocity of B's point
 /// relative to A's, n along the normal and t along perp(normal):
 ///   u' = u + K (jn, jt),  u'_n = -e u_n,  u'_t = 0 if |jt| <= f jn there, else |jt| = f jn against the slip
 /// u, u' before and after [m/s], jn, jt impulses [N s], e restitution [-], f friction [-], K inverse mass matrix at the
-/// point [1/kg]: its coupling K_nt is not 0 when an arm is not along the normal. The two laws together could then gain
-/// energy (Kane's paradox); there jt stops where none is gained, and is less than either law says.
+/// point [1/kg]: its coupling K_nt is not 0 when an arm is not along the normal. The two laws together could then
+/// increase the energy (Kane's paradox); in that case jt is reduced until the energy does not increase, and is less
+/// than either law says.
 /// When the points do not approach each other, or a velocity is not finite or the normal NaN, nothing changes.
 /// Throws std::invalid_argument on restitution outside 0 to 1, on negative or NaN friction (infinite friction never
 /// slips), on an inverse mass or inertia that is negative or not finite, on an arm that is not finite, on a normal
-/// whose length is not 1 to 1e-5, and where masses and speeds make an impulse that is not finite. Source: Routh,
+/// whose length is not 1 to 1e-5, and where masses and speeds give an impulse that is not finite. Source: Routh,
 /// "Dynamics of a System of Rigid Bodies", part 1, 1905, ch. 5; Kane and Levinson, "Dynamics", 1985, 5.9. Exact to
 /// rounding. Test: "100,000 random impacts obey momentum, restitution and friction, and gain no energy"
 ImpactResult impact(const ImpactSide& a, const ImpactSide& b, const Vec2& normal, const ImpactLaw& law);

@@ -45,8 +45,8 @@ RowImpact collideRow(std::span<const LineParticle> row, double restitution, int 
         largest = std::max(largest, std::fabs(particle.velocity));
     }
     std::vector<double>& v = result.velocities;
-    // Sweep after sweep. Going back to the left after each impact instead would let three that come to rest among
-    // themselves, by very many impacts, keep all others waiting.
+    // Sweep after sweep. Going back to the left after each impact instead would let three particles that come to rest
+    // among themselves, by very many impacts, delay all others.
     for (bool calm = false; !calm;) {
         calm = true;
         for (std::size_t i = 0; i + 1 < row.size(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How do particles part that hit each other, one that hits a wall, and a whole row of them?
+// How do particles separate after a collision with each other, with a wall, and in a whole row?
 #pragma once
 #include <span>
 #include <vector>
@@ -13,18 +13,16 @@ struct Particle {
     Vec2 velocity{0, 0};  ///< [m/s]
 };
 
-/// impact() of two particles, which cannot turn; normal a unit vector from A to B.
-/// Throws std::invalid_argument as impact() does, on a mass that is not positive and on a velocity that is not
-/// finite, as all of these. Test: "equal particles that
-/// meet 30 degrees off the line part as the lecture says"
+/// impact() of two particles, which cannot turn; normal is a unit vector from A to B. Throws std::invalid_argument as
+/// impact() does, on a mass that is not positive and on a velocity that is not finite, as all functions here. Test:
+/// "equal particles that meet 30 degrees off the line part as the lecture says"
 ImpactResult collideParticles(const Particle& a, const Particle& b, const Vec2& normal, const ImpactLaw& law = {});
 
-/// impact() of a particle that hits a wall at rest: its velocity afterwards [m/s]. normal: a unit vector out of
-/// the wall. Along the normal v' = -e v, along the wall friction takes up to f (1 + e) |v|, and no more than there
-/// is.
+/// impact() of a particle that hits a wall at rest: its velocity afterwards [m/s]. normal: a unit vector out of the
+/// wall. Along the normal v' = -e v; along the wall friction reduces the speed by up to f (1 + e) |v|, but not below 0.
 Vec2 bounceOffWall(const Vec2& velocity, const Vec2& normal, const ImpactLaw& law = {});
 
-/// One that moves on a line.
+/// A particle that moves on a line.
 struct LineParticle {
     double mass = 1;      ///< > 0; infinite is a wall [kg]
     double velocity = 0;  ///< [m/s]
@@ -44,16 +42,16 @@ LineImpact collideInLine(const LineParticle& a, const LineParticle& b, double re
 struct RowImpact {
     std::vector<double> velocities = {};  ///< afterwards, from left to right [m/s]
     int impacts = 0;                      ///< of two at a time [-]
-    bool parted = true;                   ///< false when the most impacts did not do
+    bool parted = true;                   ///< false when maxImpacts was not enough
 };
 
-/// A row of particles that touch, from left to right, as Newton's cradle or balls dropped on each other: they hit
-/// two at a time, in sweeps from the left, until no two approach each other by more than 1e-12 of the largest
-/// speed. Where e < 1 that may take very many impacts, of less and less: maxImpacts at most.
+/// A row of particles that touch, from left to right, as in Newton's cradle or stacked balls that are dropped: they
+/// collide two at a time, in sweeps from the left, until no two approach each other by more than 1e-12 of the largest
+/// speed. For e < 1 that may take very many ever weaker impacts: maxImpacts at most.
 /// Source: Herrmann, Seitz, "How does the ball-chain work?", Am. J. Phys. 50, 1982; as if there were gaps between.
 /// Throws std::invalid_argument as collideInLine does, whether that particle collides or not, and on a maxImpacts that
-/// is negative. Tests: "in a cradle of five as many balls go out as come
-/// in", "three balls dropped on each other, each far lighter, rise 49 times as high"
+/// is negative. Tests: "in a cradle of five as many balls go out as come in", "three balls dropped on each other, each
+/// far lighter, rise 49 times as high"
 RowImpact collideRow(std::span<const LineParticle> row, double restitution = 1, int maxImpacts = 100'000);
 
 }  // namespace plumb

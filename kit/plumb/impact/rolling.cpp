@@ -25,7 +25,7 @@ std::optional<Rolling> slideToRoll(const SlidingDisc& disc) {
     requireSound(disc);
     const double k = disc.inertiaRatio, turn = disc.angularVelocity * disc.radius;
     const double slip = disc.speed + turn;
-    // What rolls but for the rounding of r, w r and v: each of them half a last place.
+    // Rolling up to the rounding of r, w r and v: half a unit in the last place each.
     if (std::fabs(slip) <= 2e-16 * (std::fabs(disc.speed) + std::fabs(turn)))
         return Rolling{0, 0, disc.speed, disc.angularVelocity};
     if (disc.friction == 0) return std::nullopt;
