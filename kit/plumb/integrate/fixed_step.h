@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Where does y' = f(t, y) lead in one step of a given length?
 //
-// Each takes derivative f, called as State f(double time, const State& state), the time [s], the state and the
-// step h [s], of either sign, and returns the state a step later. Each throws std::invalid_argument on a time or
-// a step that is not finite, and on a derivative of another size than the state; what overflows is infinite or
-// NaN. With z = h w on an oscillator of w [rad/s], and h L on a decay y' = -L y:
+// Each takes derivative f, called as State f(double time, const State& state), the time [s], the state and the step h
+// [s], of either sign, and returns the state after the step. Each throws std::invalid_argument on a time or a step that
+// is not finite, and on a derivative of another size than the state; overflow gives infinity or NaN. With z = h w for
+// an oscillator of w [rad/s], and h L for a decay y' = -L y:
 //
 //               order  evaluations  oscillator        its energy, a step     decay         constant acceleration
 //   Euler       1      1            never stable      (1 + z^2)              h L < 2       -a h t / 2
@@ -19,7 +19,7 @@
 
 namespace plumb {
 
-/// y + h f(t, y). An oscillator gains energy at any step: it shows what not to use.
+/// y + h f(t, y). An oscillator gains energy at any step size: included to show the problem.
 template <EigenState State, typename Derivative>
 State explicitEulerStep(const Derivative& derivative, double time, const State& state, double step) {
     requireFinite(time, "time");
@@ -37,8 +37,8 @@ State midpointStep(const Derivative& derivative, double time, const State& state
     return state + step * slope;
 }
 
-/// y + h (k1 + k2) / 2, the slopes at the start and at the end that Euler's step foretells: the trapezium rule. Where f
-/// is linear it is the midpoint's. Source: Heun, 1900.
+/// y + h (k1 + k2) / 2, the slopes at the start and at the end as predicted by Euler's step: the trapezium rule. Where
+/// f is linear it equals the midpoint method. Source: Heun, 1900.
 template <EigenState State, typename Derivative>
 State heunStep(const Derivative& derivative, double time, const State& state, double step) {
     requireFinite(time, "time");

@@ -12,7 +12,7 @@ bool counts(int signBefore, ZeroCrossing crossing) {
     return signBefore != 0;
 }
 
-// The first number at which the quantity is no longer of the sign it has at low.
+// The first number at which the quantity no longer has the sign it has at low.
 double bisected(const std::function<double(double)>& quantity, double low, double high, int sign) {
     for (;;) {
         const double middle = 0.5 * (low + high);
@@ -24,13 +24,13 @@ double bisected(const std::function<double(double)>& quantity, double low, doubl
 }  // namespace
 
 CrossingSearch findCrossing(const std::function<double(double)>& quantity, int signBefore, ZeroCrossing crossing) {
-    constexpr int places = 8;
+    constexpr int samples = 8;
     int sign = signBefore;
-    for (int i = 1; i <= places; ++i) {
-        const double value = quantity(static_cast<double>(i) / places);
+    for (int i = 1; i <= samples; ++i) {
+        const double value = quantity(static_cast<double>(i) / samples);
         const bool crosses = value == 0 || sign * value < 0;
         if (crosses && counts(sign, crossing))
-            return {bisected(quantity, static_cast<double>(i - 1) / places, static_cast<double>(i) / places, sign),
+            return {bisected(quantity, static_cast<double>(i - 1) / samples, static_cast<double>(i) / samples, sign),
                     sign};
         if (value != 0 && !std::isnan(value)) sign = value > 0 ? 1 : -1;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which states can be integrated?
+// Which types of state can be integrated?
 #pragma once
 #include <concepts>
 #include <string>
@@ -11,12 +11,12 @@
 
 namespace plumb {
 
-/// A vector (or matrix) of doubles of Eigen's, of fixed or dynamic size; no expression. What gives derivatives is
-/// to return the like, not an expression either.
+/// An Eigen vector (or matrix) of doubles, of fixed or dynamic size; not an expression. Functions for derivatives must
+/// return the same type, not an expression either.
 template <typename T>
 concept EigenState = std::derived_from<T, Eigen::PlainObjectBase<T>> && std::same_as<typename T::Scalar, double>;
 
-/// Throws std::invalid_argument when what is named is not of the state's size.
+/// Throws std::invalid_argument when the named value does not have the state's size.
 template <EigenState State>
 void requireSizeOf(const State& state, const State& other, std::string_view name, std::string_view nameOfState) {
     if constexpr (State::SizeAtCompileTime == Eigen::Dynamic) {

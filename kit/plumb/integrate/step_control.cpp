@@ -15,8 +15,8 @@ void requireSettings(const AdaptiveSettings& settings) {
     if (settings.absoluteTolerance == 0 && settings.relativeTolerance == 0)
         refuse("AdaptiveSettings.relativeTolerance", "0 is not positive, nor is absoluteTolerance");
     requireNotNegative(settings.firstStep, "AdaptiveSettings.firstStep");
-    requireNotNegative(settings.longestStep, "AdaptiveSettings.longestStep");
-    requirePositive(settings.mostSteps, "AdaptiveSettings.mostSteps");
+    requireNotNegative(settings.maxStep, "AdaptiveSettings.maxStep");
+    requirePositive(settings.maxSteps, "AdaptiveSettings.maxSteps");
 }
 
 double worstRatio(std::span<const double> value, std::span<const double> before, std::span<const double> after,

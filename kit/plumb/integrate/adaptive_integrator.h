@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where does y' = f(t, y) lead in steps that are as long as a tolerance allows?
+// Where does y' = f(t, y) lead in steps whose length is adapted to a tolerance?
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -13,27 +13,27 @@ namespace plumb {
 
 /// Why an integration ended.
 enum class IntegrationEnd {
-    Reached,       ///< it is at its end time
-    Crossed,       ///< the quantity watched has crossed zero
-    StepTooSmall,  ///< no step that still moves the time is exact enough: a jump, or a pole
-    TooManySteps,  ///< AdaptiveSettings.mostSteps were tried
-    NotFinite      ///< however short the step, the derivative or the state is not finite
+    Reached,       ///< the end time was reached
+    Crossed,       ///< the watched quantity crossed zero
+    StepTooSmall,  ///< even the smallest step that changes the time is not accurate enough: a discontinuity, or a pole
+    TooManySteps,  ///< AdaptiveSettings.maxSteps steps were tried
+    NotFinite      ///< even for the smallest step, the derivative or the state is not finite
 };
 
-/// A walk from a time to another, before or after it, step by step, for who wants to see or to stop on the way;
-/// integrate() goes all of it. Derivative is as in fixed_step.h. The error of each step is held to
-/// AdaptiveSettings. At the end it is the tolerance times the number of steps, or less, on an equation that
-/// amplifies no error; energy drifts as slowly. Nothing makes it go on for ever.
-/// Throws std::invalid_argument on a time or a state that is not finite, a derivative of another size, bad
+/// Integrates from one time to another, in either direction, step by step, so that a caller can inspect the steps or
+/// stop early; integrate() makes all steps. Derivative is as in fixed_step.h. The error of each step is limited by
+/// AdaptiveSettings. At the end the error is at most the tolerance times the number of steps, for an equation that does
+/// not amplify errors; energy drifts as slowly. The number of steps is always limited.
+/// Throws std::invalid_argument on a time or a state that is not finite, a derivative of another size, invalid
 /// settings.
 /// Source: Dormand and Prince's pair with local extrapolation; step control after Hairer, Norsett, Wanner, II.4.
-/// Tests: "an oscillator is within the tolerance times the steps after 100 s", "whatever is integrated ends, and
-/// says why"
+/// Tests: "an oscillator is within the tolerance times the steps after 100 s", "whatever is integrated ends, and says
+/// why"
 template <EigenState State, typename Derivative>
-class AdaptiveWalk {
+class AdaptiveIntegrator {
 public:
-    AdaptiveWalk(Derivative derivative, double time, const State& state, double endTime,
-                 const AdaptiveSettings& settings = {})
+    AdaptiveIntegrator(Derivative derivative, double time, const State& state, double endTime,
+                       const AdaptiveSettings& settings = {})
         : derivative_(std::move(derivative)), settings_(settings), time_(time), endTime_(endTime) {
         requireFinite(time, "time");
         requireFinite(endTime, "endTime");
@@ -49,9 +49,9 @@ public:
         step_ = std::copysign(firstStep(), endTime - time);
     }
 
-    /// Makes a step; false when there is none to be made: end() says why.
+    /// Makes a step; false when there is no further step: end() gives the reason.
     bool advance() {
-        while (time_ != endTime_ && tried_ < settings_.mostSteps) {
+        while (time_ != endTime_ && tried_ < settings_.maxSteps) {
             const double left = endTime_ - time_;
             const bool last = std::fabs(step_) >= std::fabs(left);
             const double step = last ? left : step_;
@@ -68,9 +68,9 @@ public:
     }
 
     double time() const { return time_; }                               ///< after the last step [s]
-    double startTime() const { return startTime_; }                     ///< before it [s]
-    const DormandPrinceStep<State>& lastStep() const { return made_; }  ///< its way, and where it led: .end
-    IntegrationEnd end() const { return end_; }                         ///< once advance() is false
+    double startTime() const { return startTime_; }                     ///< time before the last step [s]
+    const DormandPrinceStep<State>& lastStep() const { return made_; }  ///< its start, its end, and its interpolant
+    IntegrationEnd end() const { return end_; }                         ///< valid once advance() is false
     int accepted() const { return accepted_; }
     int rejected() const { return tried_ - accepted_; }
 
@@ -81,9 +81,7 @@ private:
     double ratioOf(const State& value, const State& before, const State& after) const {
         return worstRatio(numbersOf(value), numbersOf(before), numbersOf(after), settings_);
     }
-    double limited(double step) const {
-        return settings_.longestStep > 0 ? std::min(step, settings_.longestStep) : step;
-    }
+    double limited(double step) const { return settings_.maxStep > 0 ? std::min(step, settings_.maxStep) : step; }
 
     bool isTooSmall(double step) const { return std::fabs(step) <= 0x1p-50 * std::fabs(time_) + 1e-300; }
 
@@ -97,7 +95,7 @@ private:
         };
         double guess = std::min(firstStepGuess(ratioOf(state, state, state), slopeRatio), std::fabs(endTime_ - time_));
         State change = changeWithin(guess);
-        // The equation may end nearer than that.
+        // The equation may not be defined that far away.
         while (finite_ && !change.allFinite() && !isTooSmall(guess)) change = changeWithin(guess *= 0.1);
         if (!change.allFinite()) finite_ = false;
         return limited(firstStepFrom(guess, slopeRatio, ratioOf(change, state, state) / guess));
@@ -112,7 +110,7 @@ private:
             mayGrow_ = false;
             return false;
         }
-        if (!mayGrow_) factor = std::min(factor, 1.0);  // a step made shorter for its error is not tried longer at once
+        if (!mayGrow_) factor = std::min(factor, 1.0);  // a shortened step is not lengthened at once
         mayGrow_ = true;
         step_ = std::copysign(limited(std::fabs(step) * factor), step);
         startTime_ = std::exchange(time_, time);
