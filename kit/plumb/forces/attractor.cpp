@@ -19,7 +19,7 @@ double raised(double base, int power) {
     return product;
 }
 
-/// Without a range; q softened distance.
+/// Without a range; q is the softened distance.
 double energyAt(const Attractor& attractor, double q) {
     if (attractor.power == 1) return attractor.strength * logarithm(q);
     const int n = attractor.power - 1;
@@ -35,7 +35,7 @@ Vec2 attraction(const Attractor& attractor, const Vec2& position) {
     if (squared > attractor.range * attractor.range) return {0, 0};
     const double divisor = raised(softened(attractor, squared), attractor.power + 1);
     const double pull = attractor.strength / divisor;
-    if (!std::isfinite(pull)) return {0, 0};  // at the centre, or too near for numbers
+    if (!std::isfinite(pull)) return {0, 0};  // at the centre, or so near that it overflows
     return -pull * d;
 }
 

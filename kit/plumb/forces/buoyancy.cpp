@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include <plumb/forces/describe_law.h>
-#include <plumb/forces/detail/submerged.h>
+#include <plumb/forces/detail/unchecked.h>
 #include <plumb/math/check.h>
 #include <plumb/math/require_members.h>
 #include <plumb/math/trig.h>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Along and across the surface, from a point of it.
+/// Axes along and across the surface, from a point of it.
 struct Frame {
     Vec2 origin{0, 0}, right{1, 0}, up{0, 1};
 
@@ -24,7 +24,7 @@ struct Frame {
     Vec2 world(const Vec2& p) const { return origin + p.x() * right + p.y() * up; }
 };
 
-/// Of what lies below y = 0: each a sum over the outline's parts there.
+/// Moments of the part below y = 0: each is a sum over the lines and arcs of its outline.
 struct Moments {
     double area = 0, x = 0, y = 0;
 
@@ -63,27 +63,27 @@ void addLineBelow(Moments& sum, Vec2 a, Vec2 b) {
     sum.addLine(a, b);
 }
 
-/// The arc is below the surface where its angle is within (pi - crossing, 2 pi + crossing), and whole turns from there.
-void addArcBelow(Moments& sum, const Vec2& center, double radius, double start, double sweep) {
+/// The arc is below the surface where its angle is within (pi - crossing, 2 pi + crossing), plus whole turns.
+void addArcBelow(Moments& sum, const Vec2& center, double radius, double start, double arcAngle) {
     if (center.y() - radius >= 0) return;
-    if (center.y() + radius <= 0) return sum.addArc(center, radius, start, start + sweep);
+    if (center.y() + radius <= 0) return sum.addArc(center, radius, start, start + arcAngle);
     const double sine = -center.y() / radius;
     const double crossing = arcTangent(sine, std::sqrt((1 - sine) * (1 + sine)));
     for (int turn = -2; turn <= 1; ++turn) {
         const double from = std::max(start, pi - crossing + 2 * pi * turn);
-        const double to = std::min(start + sweep, 2 * pi + crossing + 2 * pi * turn);
+        const double to = std::min(start + arcAngle, 2 * pi + crossing + 2 * pi * turn);
         if (from < to) sum.addArc(center, radius, from, to);
     }
 }
 
-/// An outline as submergedPart takes it, seen from the surface.
+/// An outline as submergedPart takes it, in the frame of the surface.
 struct Outline {
     std::span<const Vec2> corners;
     double radius;
     Frame frame;
 
     Vec2 at(std::size_t i) const { return frame.local(corners[i % corners.size()]); }
-    /// Of the edge from corner i on.
+    /// Normal of the edge that starts at corner i.
     Vec2 outward(std::size_t i) const {
         const Vec2 edge = at(i + 1) - at(i);
         return -perp(edge).normalized();
@@ -101,24 +101,24 @@ void requireSound(const Outline& outline) {
     }
 }
 
-struct Extent {
+struct Bounds {
     Vec2 low, high;
 };
 
-Extent extentOf(const Outline& outline) {
-    Extent extent{outline.at(0), outline.at(0)};
+Bounds boundsOf(const Outline& outline) {
+    Bounds bounds{outline.at(0), outline.at(0)};
     for (std::size_t i = 1; i < outline.corners.size(); ++i) {
-        extent.low = extent.low.cwiseMin(outline.at(i));
-        extent.high = extent.high.cwiseMax(outline.at(i));
+        bounds.low = bounds.low.cwiseMin(outline.at(i));
+        bounds.high = bounds.high.cwiseMax(outline.at(i));
     }
     const Vec2 margin(outline.radius, outline.radius);
-    return {extent.low - margin, extent.high + margin};
+    return {bounds.low - margin, bounds.high + margin};
 }
 
-/// From one edge's normal to the next one's, counter-clockwise.
-double sweepBetween(const Vec2& from, const Vec2& to) {
+/// The angle from one edge's normal to the next one's, counter-clockwise.
+double arcAngleBetween(const Vec2& from, const Vec2& to) {
     const double angle = arcTangent(cross(from, to), from.dot(to));
-    // Around the ends of a capsule half a turn, which rounding may show as the other half.
+    // Half a turn around the ends of a capsule, which rounding may report as -half a turn.
     return angle < -pi / 2 ? angle + 2 * pi : std::max(0.0, angle);
 }
 
@@ -136,7 +136,7 @@ Moments momentsBelow(const Outline& outline) {
         }
         const Vec2 normal = outline.outward(i), next = outline.outward(i + 1);
         addLineBelow(sum, a + outline.radius * normal, b + outline.radius * normal);
-        addArcBelow(sum, b, outline.radius, arcTangent(normal.y(), normal.x()), sweepBetween(normal, next));
+        addArcBelow(sum, b, outline.radius, arcTangent(normal.y(), normal.x()), arcAngleBetween(normal, next));
     }
     return sum;
 }
@@ -158,15 +158,16 @@ Submerged submergedPartOf(std::span<const Vec2> corners, double radius, const Fl
     Outline outline{corners, radius, {}};
     if (corners.empty() || strength == 0) return {};
 
-    // Close to the outline, and at its top when all of it is below: numbers stay small, however far and deep it is.
+    // The frame's origin is near the outline, and at its top when all of it is below: numbers stay small, however far
+    // and deep it is.
     const Vec2 up = -fluid.gravity / strength;
     outline.frame = {corners[0] - up.dot(corners[0] - fluid.surface) * up, -perp(up), up};
-    const Extent extent = extentOf(outline);
-    const double over = std::max(0.0, -extent.high.y());
+    const Bounds bounds = boundsOf(outline);
+    const double over = std::max(0.0, -bounds.high.y());
     outline.frame.origin -= over * up;
 
     const Moments sum = momentsBelow(outline);
-    const Vec2 size = extent.high - extent.low;
+    const Vec2 size = bounds.high - bounds.low;
     if (!(std::fabs(sum.area) > 1e-12 * size.squaredNorm())) return {};
     const Vec2 centroid(sum.x / sum.area, sum.y / sum.area);
     return {std::fabs(sum.area), outline.frame.world(centroid), over - centroid.y()};

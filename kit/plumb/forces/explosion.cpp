@@ -15,7 +15,7 @@ void requireSound(const Explosion& explosion, const BlastTarget& target) {
     requireNotNegative(target.width, "BlastTarget", ".width");
 }
 
-/// 1 in full, 0 out of reach.
+/// 1 in full, 0 beyond the falloff.
 double strengthAt(const Explosion& explosion, double distance) {
     if (distance <= explosion.radius) return 1;
     const double beyond = distance - explosion.radius;

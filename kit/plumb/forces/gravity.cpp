@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include <plumb/forces/detail/gravity_force.h>
 #include <plumb/forces/detail/require_numbers.h>
+#include <plumb/forces/detail/unchecked.h>
 #include <plumb/math/check.h>
 
 namespace plumb {

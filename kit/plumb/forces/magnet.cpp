@@ -13,7 +13,7 @@ void requireSound(const Magnetism& law) {
     requireNotNegative(law.softening, "Magnetism", ".softening");
 }
 
-/// K / q^3 [N/A^2/m^3], and 1 / q^2; both 0 at one place, or where it is too near for numbers.
+/// K / q^3 [N/A^2/m^3], and 1 / q^2; both 0 at the same position, or so near that they overflow.
 struct Nearness {
     double strength = 0, inverseSquare = 0;
 };
@@ -25,7 +25,7 @@ Nearness nearnessOf(const Magnetism& law, const Vec2& d) {
     return {law.constant / (square * std::sqrt(square)), 1 / square};
 }
 
-/// Of A, as far from it as d [T].
+/// The field of A at the displacement d from it [T].
 Vec2 fieldAt(const Nearness& near, const Vec2& moment, const Vec2& d) {
     return near.strength * (3 * near.inverseSquare * moment.dot(d) * d - moment);
 }
