@@ -25,7 +25,7 @@ Vec2 steerTo(const Agent& agent, const Vec2& wantedVelocity) {
     requireFinite(wantedVelocity, "steerTo: wantedVelocity");
     const Vec2 change = wantedVelocity - agent.velocity;
     const Vec2 wanted = change / agent.responseTime;
-    if (!wanted.allFinite())  // more than any number, and so than there is
+    if (!wanted.allFinite())  // overflow: more than the limit in any case
         return agent.maxAcceleration * detail::directionOf(0.5 * wantedVelocity - 0.5 * agent.velocity);
     return detail::limited(wanted, agent.maxAcceleration);
 }

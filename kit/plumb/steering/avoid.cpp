@@ -12,13 +12,13 @@
 namespace plumb {
 namespace {
 
-/// How far off a centre one has to turn to pass it at a distance.
+/// How far from a centre a turn has to start to pass it at this distance.
 double turningDistance(const Agent& agent, double distance) {
     const double turn = agent.maxSpeed * agent.maxSpeed / (agent.maxAcceleration / 2);
     return std::sqrt(distance * distance + 2 * distance * turn) + 2 * agent.maxSpeed * agent.responseTime;
 }
 
-/// The direction from the origin that touches a circle around d, B in radius, on the side of heading.
+/// The direction from the origin of the tangent to a circle around d with radius b, on the side of heading.
 Vec2 tangentTo(const Vec2& d, double b, const Vec2& heading) {
     const double squared = d.squaredNorm();
     const double along = std::sqrt(std::max(0.0, squared - b * b));
@@ -33,8 +33,9 @@ Vec2 nearestOn(const WallSegment& wall, const Vec2& p) {
     return wall.start + std::clamp((p - wall.start).dot(along) / squared, 0.0, 1.0) * along;
 }
 
-/// Out of a wall, for one that is off it by so much. From right on it, the side it does not go to, back to where it
-/// came from; at rest, the left of the wall's direction; of a wall of no length, against the heading.
+/// The normal of a wall for an agent at offset off from it. For an agent exactly on it: the side that it does not move
+/// towards, back to where it came from; at rest, the left of the wall's direction; for a wall of zero length, opposite
+/// to the heading.
 Vec2 normalOf(const WallSegment& wall, const Agent& agent, const Vec2& off) {
     if (!off.isZero(0)) return detail::directionOf(off);
     const Vec2 left = perp(detail::directionOf(wall.end - wall.start));
@@ -42,8 +43,8 @@ Vec2 normalOf(const WallSegment& wall, const Agent& agent, const Vec2& off) {
     return agent.velocity.dot(left) > 0 ? Vec2(-left) : left;
 }
 
-/// What is left of a velocity without its parts against the normals. Taking out one may bring back another, but less:
-/// in a corner of 60 degrees, half of it.
+/// A velocity without its components against the normals. Removing one may bring back another, but a smaller one: in a
+/// corner of 60 degrees, half of it.
 Vec2 withoutTowards(Vec2 velocity, const std::vector<Vec2>& normals) {
     for (int pass = 0; pass < 10; ++pass)
         for (const Vec2& normal : normals) velocity += std::max(0.0, -velocity.dot(normal)) * normal;

@@ -7,30 +7,30 @@
 namespace plumb {
 namespace {
 
-Vec2 weighted(const Wish& wish) {
-    requireNotNegative(wish.weight, "Wish", ".weight");
-    requireFinite(wish.acceleration, "Wish", ".acceleration");
-    const Vec2 wanted = wish.weight * wish.acceleration;
-    requireFinite(wanted, "Wish", ".weight * acceleration");
+Vec2 weighted(const WeightedSteering& request) {
+    requireNotNegative(request.weight, "WeightedSteering", ".weight");
+    requireFinite(request.acceleration, "WeightedSteering", ".acceleration");
+    const Vec2 wanted = request.weight * request.acceleration;
+    requireFinite(wanted, "WeightedSteering", ".weight * acceleration");
     return wanted;
 }
 
 }  // namespace
 
-Vec2 steerByWeight(const Agent& agent, std::span<const Wish> wishes) {
+Vec2 steerByWeight(const Agent& agent, std::span<const WeightedSteering> requests) {
     validate(agent);
     Vec2 sum(0, 0);
-    for (const Wish& wish : wishes) sum += weighted(wish);
+    for (const WeightedSteering& request : requests) sum += weighted(request);
     requireFinite(sum, "steerByWeight: sum");
     return detail::limited(sum, agent.maxAcceleration);
 }
 
-Vec2 steerByBudget(const Agent& agent, std::span<const Wish> wishes) {
+Vec2 steerByBudget(const Agent& agent, std::span<const WeightedSteering> requests) {
     validate(agent);
     Vec2 sum(0, 0);
     double left = agent.maxAcceleration;
-    for (const Wish& wish : wishes) {
-        const Vec2 granted = detail::limited(weighted(wish), left);
+    for (const WeightedSteering& request : requests) {
+        const Vec2 granted = detail::limited(weighted(request), left);
         sum += granted;
         left -= detail::lengthOf(granted);
         if (!(left > 0)) break;
@@ -38,10 +38,10 @@ Vec2 steerByBudget(const Agent& agent, std::span<const Wish> wishes) {
     return detail::limited(sum, agent.maxAcceleration);
 }
 
-Vec2 steerByPriority(const Agent& agent, std::span<const Wish> wishes) {
+Vec2 steerByPriority(const Agent& agent, std::span<const WeightedSteering> requests) {
     validate(agent);
-    for (const Wish& wish : wishes) {
-        const Vec2 wanted = weighted(wish);
+    for (const WeightedSteering& request : requests) {
+        const Vec2 wanted = weighted(request);
         if (!wanted.isZero(0)) return detail::limited(wanted, agent.maxAcceleration);
     }
     return {0, 0};

@@ -9,10 +9,10 @@
 namespace plumb {
 namespace {
 
-/// Who is a neighbour.
-class Sight {
+/// Decides which agents are neighbours.
+class NeighborTest {
 public:
-    Sight(const Agent& agent, const Neighborhood& neighborhood) : agent_(agent), radius_(neighborhood.radius) {
+    NeighborTest(const Agent& agent, const Neighborhood& neighborhood) : agent_(agent), radius_(neighborhood.radius) {
         validate(agent);
         requirePositive(neighborhood.radius, "Neighborhood", ".radius");
         requireWithin(neighborhood.view, 0, std::numbers::pi, "Neighborhood", ".view");
@@ -21,7 +21,7 @@ public:
         heading_ = headingOf(agent);
     }
 
-    bool sees(const Seen& other) const {
+    bool accepts(const AgentState& other) const {
         validate(other);
         const Vec2 d = other.position - agent_.position;
         const double distance = d.norm();
@@ -39,11 +39,11 @@ private:
 
 }  // namespace
 
-Vec2 separate(const Agent& agent, std::span<const Seen> others, const Neighborhood& neighborhood) {
-    const Sight sight(agent, neighborhood);
+Vec2 separate(const Agent& agent, std::span<const AgentState> others, const Neighborhood& neighborhood) {
+    const NeighborTest test(agent, neighborhood);
     Vec2 push(0, 0);
-    for (const Seen& other : others) {
-        if (!sight.sees(other)) continue;
+    for (const AgentState& other : others) {
+        if (!test.accepts(other)) continue;
         const Vec2 away = agent.position - other.position;
         const double distance = away.norm();
         push += (1 - distance / neighborhood.radius) / distance * away;
@@ -51,21 +51,21 @@ Vec2 separate(const Agent& agent, std::span<const Seen> others, const Neighborho
     return detail::limited(agent.maxAcceleration * push, agent.maxAcceleration);
 }
 
-Vec2 align(const Agent& agent, std::span<const Seen> others, const Neighborhood& neighborhood) {
-    const Sight sight(agent, neighborhood);
+Vec2 align(const Agent& agent, std::span<const AgentState> others, const Neighborhood& neighborhood) {
+    const NeighborTest test(agent, neighborhood);
     Vec2 sum(0, 0);
     int count = 0;
-    for (const Seen& other : others)
-        if (sight.sees(other)) sum += other.velocity, ++count;
+    for (const AgentState& other : others)
+        if (test.accepts(other)) sum += other.velocity, ++count;
     return count > 0 ? steerTo(agent, sum / count) : Vec2(0, 0);
 }
 
-Vec2 cohere(const Agent& agent, std::span<const Seen> others, const Neighborhood& neighborhood) {
-    const Sight sight(agent, neighborhood);
+Vec2 cohere(const Agent& agent, std::span<const AgentState> others, const Neighborhood& neighborhood) {
+    const NeighborTest test(agent, neighborhood);
     Vec2 offset(0, 0), velocity(0, 0);
     int count = 0;
-    for (const Seen& other : others) {
-        if (!sight.sees(other)) continue;
+    for (const AgentState& other : others) {
+        if (!test.accepts(other)) continue;
         offset += other.position - agent.position;
         velocity += other.velocity;
         ++count;

@@ -17,22 +17,23 @@ std::size_t edgesOf(const Path& path) {
     return path.points.size() - (path.closed ? 0 : 1);
 }
 
-/// From point i of the path to the next.
+/// The edge from point i of the path to the next.
 Vec2 edgeOf(const Path& path, std::size_t i) {
     return path.points[(i + 1) % path.points.size()] - path.points[i];
 }
 
-/// The part of the round that lies before the given way.
+/// The length of the completed rounds before a given distance along a closed path.
 double roundsBefore(const Path& path, double along, double length) {
     return path.closed ? std::floor(along / length) * length : 0;
 }
 
-struct Abreast {
+struct NearestPoint {
     double along, squaredDistance;
 };
 
-/// The point of an edge that is nearest to p, of those from low to high along the path; the edge begins at start.
-Abreast nearestOnEdge(const Vec2& p, const Vec2& from, const Vec2& edge, double start, double low, double high) {
+/// The point of an edge that is nearest to p, restricted to the range from low to high along the path; the edge begins
+/// at start.
+NearestPoint nearestOnEdge(const Vec2& p, const Vec2& from, const Vec2& edge, double start, double low, double high) {
     const double length = edge.norm();
     const double wanted = length > 0 ? (p - from).dot(edge) / length : 0;
     // An edge that ends at low may be shorter than low - start by rounding.
@@ -42,18 +43,18 @@ Abreast nearestOnEdge(const Vec2& p, const Vec2& from, const Vec2& edge, double 
     return {start + along, (p - point).squaredNorm()};
 }
 
-/// Where the path is nearest to p, of its points from progress to reach beyond.
-double abreastOf(const Path& path, const Vec2& p, double progress, double reach, double length) {
-    Abreast best{progress, std::numeric_limits<double>::infinity()};
+/// The distance along the path of its point nearest to p, in the range from progress to progress + reach.
+double nearestAhead(const Path& path, const Vec2& p, double progress, double reach, double length) {
+    NearestPoint best{progress, std::numeric_limits<double>::infinity()};
     double start = roundsBefore(path, progress, length);
     const double end = progress + reach;
-    const int rounds = path.closed ? 2 : 1;  // of which the reach, a round at most, begins in the first
+    const int rounds = path.closed ? 2 : 1;  // the range is at most one round long and begins in the first
     for (int round = 0; round < rounds; ++round) {
         for (std::size_t i = 0; i < edgesOf(path); ++i) {
             const Vec2 edge = edgeOf(path, i);
             const double edgeEnd = start + edge.norm();
             if (edgeEnd >= progress && start <= end) {
-                const Abreast here = nearestOnEdge(p, path.points[i], edge, start, progress, end);
+                const NearestPoint here = nearestOnEdge(p, path.points[i], edge, start, progress, end);
                 if (here.squaredDistance < best.squaredDistance) best = here;
             }
             start = edgeEnd;
@@ -100,11 +101,11 @@ PathStep followPath(const Agent& agent, const Path& path, double progress, doubl
     requirePositive(ahead, "followPath: ahead");
     const double length = lengthOf(path);
     requirePositive(length, "Path.points: length");
-    const double here = abreastOf(path, agent.position, progress, std::min(ahead, length), length);
+    const double here = nearestAhead(path, agent.position, progress, std::min(ahead, length), length);
     const double there = here + ahead;
     if (!path.closed && there >= length) return {arrive(agent, path.points.back()), std::min(here, length)};
     const Vec2 direction = detail::directionOf(pointAt(path, there, length) - agent.position);
-    // As slow as arrive would have it, so that it need not stop short at the end.
+    // As slow as arrive would be, so that it can stop at the end.
     const double slow = path.closed ? 1 : std::min(1.0, (length - here) / slowingDistanceOf(agent));
     return {steerTo(agent, slow * agent.maxSpeed * direction), here};
 }

@@ -11,7 +11,8 @@
 namespace plumb {
 namespace {
 
-/// When one at that speed meets what is at d and moves at w; most where it does not within that time.
+/// The time at which an agent with this speed meets a target at d with velocity w; most if it does not meet it within
+/// that time.
 double meetingTime(const Vec2& d, const Vec2& w, double speed, double most) {
     if (d.isZero(0)) return 0;
     const double along = d.dot(w);
@@ -21,7 +22,7 @@ double meetingTime(const Vec2& d, const Vec2& w, double speed, double most) {
     return divisor > 0 ? std::min(most, d.squaredNorm() / divisor) : most;
 }
 
-/// Straight out of the way of what moves at w, for one that stands at back from it.
+/// The direction sideways out of the way of a pursuer with velocity w, for an agent at the offset back from it.
 Vec2 aside(const Vec2& w, const Vec2& back) {
     const Vec2 left = perp(detail::directionOf(w));
     return cross(w, back) >= 0 ? left : Vec2(-left);
@@ -29,12 +30,12 @@ Vec2 aside(const Vec2& w, const Vec2& back) {
 
 }  // namespace
 
-void validate(const Seen& seen, std::string_view field) {
+void validate(const AgentState& seen, std::string_view field) {
     requireFinite(seen.position, field, ".position");
     requireFinite(seen.velocity, field, ".velocity");
 }
 
-Vec2 pursue(const Agent& agent, const Seen& quarry, double mostAhead) {
+Vec2 pursue(const Agent& agent, const AgentState& quarry, double mostAhead) {
     validate(agent);
     validate(quarry);
     requireNotNegative(mostAhead, "pursue: mostAhead");
@@ -42,7 +43,7 @@ Vec2 pursue(const Agent& agent, const Seen& quarry, double mostAhead) {
     return seek(agent, quarry.position + meetingTime(d, quarry.velocity, agent.maxSpeed, mostAhead) * quarry.velocity);
 }
 
-Vec2 evade(const Agent& agent, const Seen& pursuer, double mostAhead) {
+Vec2 evade(const Agent& agent, const AgentState& pursuer, double mostAhead) {
     validate(agent);
     validate(pursuer);
     requireNotNegative(mostAhead, "evade: mostAhead");

@@ -11,25 +11,25 @@ namespace plumb {
 
 namespace {
 
-/// From an agent to a place.
-Vec2 wayTo(const Agent& agent, const Vec2& place, std::string_view field) {
+/// The displacement from an agent to a point.
+Vec2 displacementTo(const Agent& agent, const Vec2& point, std::string_view field) {
     validate(agent);
-    requireFinite(place, field);
-    const Vec2 way = place - agent.position;
-    requireFinite(way, field, " - Agent.position");
-    return way;
+    requireFinite(point, field);
+    const Vec2 displacement = point - agent.position;
+    requireFinite(displacement, field, " - Agent.position");
+    return displacement;
 }
 
 }  // namespace
 
 Vec2 seek(const Agent& agent, const Vec2& target) {
-    const Vec2 direction = detail::directionOf(wayTo(agent, target, "seek: target"));
+    const Vec2 direction = detail::directionOf(displacementTo(agent, target, "seek: target"));
     if (direction.isZero(0)) return {0, 0};
     return steerTo(agent, agent.maxSpeed * direction);
 }
 
 Vec2 flee(const Agent& agent, const Vec2& threat) {
-    const Vec2 direction = -detail::directionOf(wayTo(agent, threat, "flee: threat"));
+    const Vec2 direction = -detail::directionOf(displacementTo(agent, threat, "flee: threat"));
     return steerTo(agent, agent.maxSpeed * (direction.isZero(0) ? headingOf(agent) : direction));
 }
 
@@ -41,9 +41,9 @@ double slowingDistanceOf(const Agent& agent) {
 Vec2 arrive(const Agent& agent, const Vec2& target, std::optional<double> slowingDistance) {
     if (slowingDistance) requirePositive(*slowingDistance, "arrive: slowingDistance");
     const double slowing = slowingDistance ? *slowingDistance : slowingDistanceOf(agent);
-    const Vec2 way = wayTo(agent, target, "arrive: target");
-    const bool near = detail::lengthOf(way) < slowing;
-    return steerTo(agent, agent.maxSpeed * (near ? Vec2(way / slowing) : detail::directionOf(way)));
+    const Vec2 displacement = displacementTo(agent, target, "arrive: target");
+    const bool near = detail::lengthOf(displacement) < slowing;
+    return steerTo(agent, agent.maxSpeed * (near ? Vec2(displacement / slowing) : detail::directionOf(displacement)));
 }
 
 }  // namespace plumb

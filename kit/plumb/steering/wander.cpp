@@ -21,7 +21,7 @@ WanderStep wander(const Agent& agent, const WanderState& state, double dt, const
     requireNotNegative(dt, "wander: dt");
 
     WanderStep step{{0, 0}, state};
-    // Evenly within +- sqrt(3) has a mean square of 1.
+    // A uniform distribution within +- sqrt(3) has a mean square of 1.
     const double turn = settings.jitter * std::sqrt(dt) * step.state.random.uniform(-1, 1) * std::numbers::sqrt3;
     step.state.angle = state.angle + turn;
     requireFinite(step.state.angle, "WanderState", ".angle + turn");
