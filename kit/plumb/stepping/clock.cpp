@@ -13,7 +13,7 @@ namespace {
 
 constexpr double earliness = 1e-9;
 
-/// A sum kept to twice the digits.
+/// A sum with twice the precision of a double.
 struct LongSum {
     double high, low;
 

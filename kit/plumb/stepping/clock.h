@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How many ticks of a fixed interval are due, whatever the display's rate?
+// How many ticks of a fixed interval are due, independent of the display rate?
 #pragma once
 #include <cstdint>
 
@@ -7,40 +7,40 @@ namespace plumb {
 
 struct ClockSettings {
     double interval = 1.0 / 60;  ///< between two ticks, from 1e-6 to 1e6 [s]
-    /// Real time taken in at once; what is more is lost, so that a stall is not answered by a burst of ticks that
+    /// The longest real time that one call accepts; more is lost, so that a stall does not cause a burst of ticks that
     /// stalls again [s]. Source: Fiedler, "Fix your timestep!", 2004.
     double longestElapsed = 0.25;
-    double timeScale = 1;  ///< of slow motion, >= 0 [-]
+    double timeScale = 1;  ///< time scale, below 1 for slow motion, >= 0 [-]
 };
 
 struct Ticks {
     int due = 0;          ///< steps to make now
-    double fraction = 0;  ///< of the interval that has passed since the last of them, from 0 to below 1 [-]
-    double lost = 0;      ///< real time left out, for it was more than longestElapsed [s]
+    double fraction = 0;  ///< elapsed fraction of the interval after the last of them, from 0 to below 1 [-]
+    double lost = 0;      ///< real time left out because it was more than longestElapsed [s]
 };
 
-/// A clock that counts ticks. With T the time taken in so far, each elapsed time cut to longestElapsed, times the
-/// time scale, and no time while it is paused [s]; tick n is due as soon as
+/// A clock that counts ticks. T is the accumulated time: each elapsed time, limited to longestElapsed, times the time
+/// scale, and nothing while the clock is paused [s]; tick n is due as soon as
 ///   T + 1 ns >= n interval
-/// Elapsed times of 1/60 s, rounded to doubles, add up to a little less than they should: the nanosecond keeps
-/// them from delaying an exact tick, until they are off by more, in 50 days at the soonest. T itself is kept to
-/// twice a double's digits, so no rounding adds up. Test: "0.02 s is due 150 times in exactly 3 s at 24, 25, 60,
-/// 75, 144 and 240 Hz"
+/// Elapsed times of 1/60 s, rounded to doubles, add up to slightly too little: the nanosecond keeps them from delaying
+/// an exact tick, until the error is larger, after 50 days at the earliest. T itself is stored with twice a double's
+/// precision, so rounding does not accumulate. Test: "0.02 s is due 150 times in exactly 3 s at 24, 25, 60, 75, 144 and
+/// 240 Hz"
 class FixedClock {
 public:
     /// Throws std::invalid_argument that names the field; more than a million ticks at once are refused as well.
     explicit FixedClock(const ClockSettings& settings = {});
 
-    /// Takes in the real time since the last call [s]. Throws std::invalid_argument, and changes nothing, when it
-    /// is negative or not finite.
+    /// Adds the real time since the last call [s]. Throws std::invalid_argument, and changes nothing, when it is
+    /// negative or not finite.
     Ticks advance(double elapsed);
 
     void pause() { paused_ = true; }
     void resume() { paused_ = false; }
     bool paused() const { return paused_; }
-    /// One tick more is due at the next call of advance; on a paused clock, that one only.
+    /// One more tick is due at the next call of advance; on a paused clock, only that one.
     void singleStep() { ++singleSteps_; }
-    void setTimeScale(double timeScale);  ///< refused as by the constructor [-]
+    void setTimeScale(double timeScale);  ///< throws as the constructor [-]
 
     double interval() const { return settings_.interval; }                           ///< to step a world by [s]
     double timeScale() const { return settings_.timeScale; }                         ///< [-]
