@@ -18,7 +18,7 @@ void noteHits(const World& world, BodyId body, int tick, std::vector<ForecastHit
     }
 }
 
-/// Of a world that is ours to step.
+/// Steps a world that is a copy.
 Forecast follow(World& world, BodyId body, int ticks, double dt) {
     Forecast forecast;
     const auto note = [&] {
