@@ -23,7 +23,7 @@ BoxBlock emptyBlock() {
     return block;
 }
 
-// Four lanes at once, as compilers make vectors of. NaN fails every comparison, and so is passed over.
+// Four lanes at once, as compilers vectorise this. NaN fails every comparison, and so is skipped.
 float smallest(const std::array<float, BoxBlock::width>& values) {
     std::array<float, 4> least{infinity, infinity, infinity, infinity};
     for (std::size_t i = 0; i < values.size(); i += 4)
@@ -57,7 +57,7 @@ BlockTree::View BlockTree::view() const {
     for (std::size_t level = 0; level < levelCount_; ++level) view.levels[level] = levels_[level].data();
     view.levelCount = static_cast<std::uint32_t>(levelCount_);
     view.previous = previous_.data();
-    view.touched = touched_[0].data();
+    view.dirty = dirty_[0].data();
     return view;
 }
 
@@ -66,10 +66,10 @@ void BlockTree::assign(std::span<const std::uint32_t> members) {
     memberCount_ = slotCount();
     for (std::size_t level = 0; level < levelCount_; ++level) {
         levels_[level].clear();
-        touched_[level].clear();
+        dirty_[level].clear();
     }
     previous_.clear();
-    touchedBlocks_.clear();
+    dirtyBlocks_.clear();
     levelCount_ = 0;
     if (!members_.empty()) grow();
 }
@@ -87,10 +87,10 @@ void BlockTree::grow() {
     previous_.resize(blocks, emptyBlock());
     for (std::size_t level = 0;; ++level) {
         levels_[level].resize(blocks, emptyBlock());
-        touched_[level].resize(blocks, 0);
+        dirty_[level].resize(blocks, 0);
         if (level == levelCount_) {
             ++levelCount_;
-            if (level > 0) touched_[level][0] = 1;  // what was the top is to be held by the new one
+            if (level > 0) dirty_[level][0] = 1;  // the old root becomes a child of the new one
         }
         if (blocks == 1) return;
         blocks = (blocks + width - 1) / width;
@@ -101,82 +101,82 @@ void BlockTree::reserve(std::size_t slots) {
     std::size_t blocks = (slots + width - 1) / width;
     members_.reserve(slots);
     previous_.reserve(blocks);
-    touchedBlocks_.reserve(blocks);
+    dirtyBlocks_.reserve(blocks);
     for (std::size_t level = 0; blocks > 1; ++level) {
         levels_[level].reserve(blocks);
-        touched_[level].reserve(blocks);
+        dirty_[level].reserve(blocks);
         blocks = (blocks + width - 1) / width;
     }
 }
 
 std::size_t BlockTree::bytes() const {
-    std::size_t bytes = bytesOf(members_) + bytesOf(previous_) + bytesOf(touchedBlocks_);
-    for (std::size_t level = 0; level < maxLevels; ++level) bytes += bytesOf(levels_[level]) + bytesOf(touched_[level]);
+    std::size_t bytes = bytesOf(members_) + bytesOf(previous_) + bytesOf(dirtyBlocks_);
+    for (std::size_t level = 0; level < maxLevels; ++level) bytes += bytesOf(levels_[level]) + bytesOf(dirty_[level]);
     return bytes;
 }
 
-// The bounds around stay as they are: they hold what is left.
+// The bounds around it stay: they contain the remaining boxes.
 void BlockTree::erase(std::uint32_t slot) {
     members_[slot] = noMember;
     --memberCount_;
     put(slot, {notANumber, notANumber, notANumber, notANumber});
-    forgetPrevious(slot);
+    clearPrevious(slot);
 }
 
-void BlockTree::forgetPrevious(std::uint32_t slot) {
+void BlockTree::clearPrevious(std::uint32_t slot) {
     putPrevious(slot, {notANumber, notANumber, notANumber, notANumber});
 }
 
-void BlockTree::touch(std::uint32_t slot) {
+void BlockTree::markDirty(std::uint32_t slot) {
     for (std::size_t level = 0; level < levelCount_; ++level) {
-        std::uint16_t& lanes = touched_[level][slot / width];
-        const bool known = lanes != 0;  // then those above are, too
+        std::uint16_t& lanes = dirty_[level][slot / width];
+        const bool alreadyMarked = lanes != 0;  // then its parents are marked, too
         lanes = static_cast<std::uint16_t>(lanes | bit(slot % width));
-        if (known) return;
+        if (alreadyMarked) return;
         slot /= width;
     }
 }
 
-void BlockTree::touchAll() {
-    std::fill(touched_[0].begin(), touched_[0].end(), allLanes);
+void BlockTree::markAllDirty() {
+    std::fill(dirty_[0].begin(), dirty_[0].end(), allLanes);
 }
 
 Bounds BlockTree::refitBlock(std::size_t level, std::uint32_t block) {
-    std::uint16_t& touched = touched_[level][block];
+    std::uint16_t& dirty = dirty_[level][block];
     if (level == 0) {
-        if (touched != 0) touchedBlocks_.push_back(block);
+        if (dirty != 0) dirtyBlocks_.push_back(block);
         return boundsOf(levels_[0][block]);
     }
-    for (std::uint32_t lanes = touched; lanes != 0; lanes &= lanes - 1) {
+    for (std::uint32_t lanes = dirty; lanes != 0; lanes &= lanes - 1) {
         const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
         put(levels_[level][block], lane, refitBlock(level - 1, block * width + lane));
     }
-    touched = 0;
+    dirty = 0;
     return boundsOf(levels_[level][block]);
 }
 
-void BlockTree::refitTouched() {
-    touchedBlocks_.clear();
+void BlockTree::refitDirty() {
+    dirtyBlocks_.clear();
     if (levelCount_ > 0) refitBlock(levelCount_ - 1, 0);
 }
 
 void BlockTree::refitAll() {
-    touchedBlocks_.clear();
+    dirtyBlocks_.clear();
     for (std::uint32_t block = 0; levelCount_ > 0 && block < levels_[0].size(); ++block)
-        if (touched_[0][block] != 0) touchedBlocks_.push_back(block);
+        if (dirty_[0][block] != 0) dirtyBlocks_.push_back(block);
     for (std::size_t level = 1; level < levelCount_; ++level) {
         const std::vector<BoxBlock>& below = levels_[level - 1];
         for (std::uint32_t i = 0; i < below.size(); ++i) put(levels_[level][i / width], i % width, boundsOf(below[i]));
-        std::fill(touched_[level].begin(), touched_[level].end(), std::uint16_t{0});
+        std::fill(dirty_[level].begin(), dirty_[level].end(), std::uint16_t{0});
     }
 }
 
-void BlockTree::settle() {
-    for (const std::uint32_t block : touchedBlocks_) {
+void BlockTree::storePrevious() {
+    for (const std::uint32_t block : dirtyBlocks_) {
         previous_[block] = levels_[0][block];
-        touched_[0][block] = 0;
+        dirty_[0][block] = 0;
     }
-    touchedBlocks_.clear();
+    dirtyBlocks_.clear();
 }
 
 Bounds BlockTree::bounds() const {
@@ -184,7 +184,7 @@ Bounds BlockTree::bounds() const {
     return boundsOf(levels_[levelCount_ - 1][0]);
 }
 
-double BlockTree::looseness() const {
+double BlockTree::halfPerimeterSum() const {
     if (levelCount_ < 2) return 0;
     double sum = 0;
     for (std::uint32_t i = 0; i < levels_[0].size(); ++i) {

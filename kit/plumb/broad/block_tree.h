@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where does each of a crowd of boxes lie? In an implicit hierarchy that follows them as they move.
+// Which of many moving boxes overlap? An implicit bounding volume hierarchy that is refitted as they move.
 #pragma once
 #include <array>
 #include <bit>
@@ -14,9 +14,9 @@
 
 namespace plumb {
 
-/// Rounds boxes to float. What overlaps in double does so in float; what overlaps in float by more than a common edge
-/// does so in double: rounding keeps the order of any two numbers, or makes them equal.
-/// Numbers too large for a float become the largest one; NaN stays.
+/// Rounds boxes to float. Boxes that overlap in double do so in float; boxes that overlap in float by more than a
+/// common edge do so in double: rounding keeps the order of two numbers, or makes them equal.
+/// Numbers too large for a float become the largest float; NaN stays NaN.
 class BoundsRounding {
 public:
     explicit BoundsRounding(const Vec2& origin) : origin_(origin) {}
@@ -34,71 +34,73 @@ private:
     Vec2 origin_;
 };
 
-/// A hierarchy without pointers: slots in blocks of 16, one bounding box a block, these in blocks of 16, and so on.
-/// Members stand in the order given (mortonOrder is a good one); what is added comes last; what is taken out leaves a
-/// hole. Boxes may be put anew at any time: refit mends what was touched, and costs in proportion to that.
-/// Each slot has the box that it has now and the one that it had when settle was called.
+/// A hierarchy without pointers: slots in blocks of 16, one bounding box per block, these in blocks of 16, and so on.
+/// Members are in the order given (mortonOrder is a good one); an added member comes last; a removed one leaves a hole.
+/// Boxes may be changed at any time: refitting updates the blocks marked dirty, and costs in proportion to them.
+/// Each slot has its present box and its previous one, from the last call of storePrevious.
 class BlockTree {
 public:
     static constexpr std::uint32_t width = BoxBlock::width;
     static constexpr std::size_t maxLevels = BoxBlock::maxLevels;
     static constexpr std::uint32_t noMember = ~std::uint32_t{0};
 
-    /// What a search reads, as plain memory.
+    /// What a search reads, as plain arrays.
     struct View {
         std::array<const BoxBlock*, maxLevels> levels;  ///< levels[0] has the boxes themselves
         std::uint32_t levelCount;
-        const BoxBlock* previous;      ///< of levels[0], when it settled
-        const std::uint16_t* touched;  ///< of each block of levels[0], one bit a lane
+        const BoxBlock* previous;    ///< boxes of levels[0] at the last storePrevious
+        const std::uint16_t* dirty;  ///< dirty bits of each block of levels[0], one bit a lane
     };
 
-    /// Makes room for so many slots.
+    /// Reserves memory for so many slots.
     void reserve(std::size_t slots);
-    /// Of memory that it holds.
+    /// Memory in use.
     std::size_t bytes() const;
 
     std::uint32_t slotCount() const { return static_cast<std::uint32_t>(members_.size()); }
     std::uint32_t memberCount() const { return memberCount_; }
     /// The member of each slot; noMember in a hole.
     std::span<const std::uint32_t> members() const { return members_; }
-    /// The blocks of slots that were touched, in order, from refit until settle.
-    std::span<const std::uint32_t> touchedBlocks() const { return touchedBlocks_; }
+    /// The blocks with dirty slots, in order; valid from refit until storePrevious.
+    std::span<const std::uint32_t> dirtyBlocks() const { return dirtyBlocks_; }
     View view() const;
 
-    /// Starts anew with these members, whose boxes are to be put.
+    /// Replaces all members; their boxes have to be put afterwards.
     void assign(std::span<const std::uint32_t> members);
-    /// Returns the slot; its box is to be put.
+    /// Returns the slot; its box has to be put afterwards.
     std::uint32_t append(std::uint32_t member);
     void erase(std::uint32_t slot);
 
     void put(std::uint32_t slot, const Bounds& now) { put(levels_[0][slot / width], slot % width, now); }
     void putPrevious(std::uint32_t slot, const Bounds& was) { put(previous_[slot / width], slot % width, was); }
-    /// As if the slot had been nowhere when it settled.
-    void forgetPrevious(std::uint32_t slot);
+    /// As if the slot had been empty at the last storePrevious.
+    void clearPrevious(std::uint32_t slot);
 
-    void touch(std::uint32_t slot);
-    void touchAll();
-    /// Makes the bounds hold the boxes again, where slots were touched; or everywhere. Nothing is to be touched from
-    /// then until settle.
-    void refitTouched();
+    void markDirty(std::uint32_t slot);
+    void markAllDirty();
+    /// Makes the bounds contain the boxes again: where slots are dirty, or everywhere. No slot may be marked dirty from
+    /// then until storePrevious.
+    void refitDirty();
     void refitAll();
-    /// From now on nothing is touched, and what is now is what was.
-    void settle();
+    /// Copies the dirty boxes to the previous ones, and clears the dirty marks.
+    void storePrevious();
 
-    /// Calls visit(slot) for every box that may overlap the given one, as far as floats can tell: for none too few.
+    /// Calls visit(slot) for every box that may overlap the given one: in float, so sometimes one too many, never one
+    /// too few.
     template <class Visit>
     void query(const Bounds& box, Visit&& visit) const;
 
-    /// Calls visit(slot) for every box whose key is the limit or less, nearer ones sooner as far as blocks tell; visit
-    /// returns the limit from then on, no larger than it was. Returns the last limit.
+    /// Calls visit(slot) for every box whose key is at most the limit, nearer ones first as far as blocks tell; visit
+    /// returns the new limit, no larger than before. Returns the last limit.
     template <class Visit>
     float probe(const BoxProbe& probe, float limit, Visit&& visit) const;
 
-    /// Holds all boxes, as far as they were refitted; NaN when there are none.
+    /// Contains all boxes as of the last refit; NaN when there are none.
     Bounds bounds() const;
 
-    /// The sum of half perimeters over the blocks of slots [m]: grows as the order grows stale.
-    double looseness() const;
+    /// The sum of half perimeters over the blocks of slots [m]: a cost that grows when the order no longer fits the
+    /// positions.
+    double halfPerimeterSum() const;
 
 private:
     static void put(BoxBlock& block, std::uint32_t lane, const Bounds& bounds) {
@@ -108,7 +110,7 @@ private:
         block.upperY[lane] = bounds.upperY;
     }
     static std::uint32_t notAbove(float a, float b) { return a <= b ? 1 : 0; }
-    // Bit i tells whether the block's box i overlaps. Without branches, so that compilers can make it wide.
+    // Bit i tells whether the block's box i overlaps. Without branches, so that compilers can vectorise it.
     static std::uint32_t overlaps(const BoxBlock& block, const Bounds& box) {
         std::uint32_t lanes = 0;
         for (std::uint32_t i = 0; i < width; ++i) {
@@ -124,60 +126,60 @@ private:
     std::vector<std::uint32_t> members_;
     std::uint32_t memberCount_ = 0;
     std::size_t levelCount_ = 0;
-    // Box i of levels_[k + 1] holds block i of levels_[k]; the last is one block. Bit i of touched_[k + 1] tells of
-    // block i of levels_[k] whether it is to be mended.
+    // Box i of levels_[k + 1] contains block i of levels_[k]; the last level is one block. Bit i of dirty_[k + 1] tells
+    // whether block i of levels_[k] has to be refitted.
     std::array<std::vector<BoxBlock>, maxLevels> levels_;
-    std::array<std::vector<std::uint16_t>, maxLevels> touched_;
+    std::array<std::vector<std::uint16_t>, maxLevels> dirty_;
     std::vector<BoxBlock> previous_;
-    std::vector<std::uint32_t> touchedBlocks_;
+    std::vector<std::uint32_t> dirtyBlocks_;
 };
 
 template <class Visit>
 void BlockTree::query(const Bounds& box, Visit&& visit) const {
-    struct Place {
+    struct Node {
         std::uint32_t level, block;
     };
     if (levelCount_ == 0) return;
-    // Each place taken off puts at most 16 on, one level down.
-    std::array<Place, maxLevels*(width - 1) + 1> stack;
+    // Each node popped pushes at most 16, one level down.
+    std::array<Node, maxLevels*(width - 1) + 1> stack;
     std::size_t size = 0;
     stack[size++] = {static_cast<std::uint32_t>(levelCount_ - 1), 0};
     while (size > 0) {
-        const Place place = stack[--size];
-        for (std::uint32_t lanes = overlaps(levels_[place.level][place.block], box); lanes != 0; lanes &= lanes - 1) {
-            const std::uint32_t i = place.block * width + static_cast<std::uint32_t>(std::countr_zero(lanes));
-            if (place.level == 0)
+        const Node node = stack[--size];
+        for (std::uint32_t lanes = overlaps(levels_[node.level][node.block], box); lanes != 0; lanes &= lanes - 1) {
+            const std::uint32_t i = node.block * width + static_cast<std::uint32_t>(std::countr_zero(lanes));
+            if (node.level == 0)
                 visit(i);
             else
-                stack[size++] = {place.level - 1, i};
+                stack[size++] = {node.level - 1, i};
         }
     }
 }
 
 template <class Visit>
 float BlockTree::probe(const BoxProbe& probe, float limit, Visit&& visit) const {
-    struct Place {
+    struct Node {
         float key;
         std::uint32_t level, block;
     };
     if (levelCount_ == 0) return limit;
-    std::array<Place, maxLevels*(width - 1) + 1> stack;
+    std::array<Node, maxLevels*(width - 1) + 1> stack;
     alignas(64) std::array<float, width> keys;
     std::size_t size = 0;
     stack[size++] = {0, static_cast<std::uint32_t>(levelCount_ - 1), 0};
     while (size > 0) {
-        const Place place = stack[--size];
-        if (place.key > limit) continue;
+        const Node node = stack[--size];
+        if (node.key > limit) continue;
         const std::size_t first = size;
-        std::uint32_t lanes = probe.keys(probe, levels_[place.level][place.block], limit, keys.data());
+        std::uint32_t lanes = probe.keys(probe, levels_[node.level][node.block], limit, keys.data());
         for (; lanes != 0; lanes &= lanes - 1) {
             const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
-            // The nearest comes to lie on top.
+            // The nearest ends on top.
             std::size_t at = size++;
             for (; at > first && stack[at - 1].key < keys[lane]; --at) stack[at] = stack[at - 1];
-            stack[at] = {keys[lane], place.level - 1, place.block * width + lane};
+            stack[at] = {keys[lane], node.level - 1, node.block * width + lane};
         }
-        if (place.level > 0) continue;
+        if (node.level > 0) continue;
         for (; size > first; --size)
             if (stack[size - 1].key <= limit) limit = visit(stack[size - 1].block);
     }

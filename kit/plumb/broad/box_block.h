@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How do boxes lie in memory, so that many are tested at once?
+// How are boxes stored, so that many are tested at once?
 #pragma once
 #include <array>
 #include <cstddef>
@@ -7,15 +7,15 @@
 
 namespace plumb {
 
-/// A box in float, counted from some origin.
+/// A box in float, relative to some origin.
 struct Bounds {
     float lowerX, lowerY, upperX, upperY;
 };
 
-/// Boxes side by side. A lane without a box is NaN, and so overlaps nothing.
+/// Structure of arrays. A lane without a box is NaN, and so overlaps nothing.
 struct alignas(64) BoxBlock {
     static constexpr std::uint32_t width = 16;
-    static constexpr std::size_t maxLevels = 8;  ///< of blocks of blocks, for 2^32 boxes
+    static constexpr std::size_t maxLevels = 8;  ///< of nested blocks, for 2^32 boxes
     std::array<float, width> lowerX, lowerY, upperX, upperY;
 };
 

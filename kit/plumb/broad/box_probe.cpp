@@ -16,9 +16,9 @@ extern template struct WideBoxProbe<16>;
 
 namespace {
 
-/// Sixteen roundings of the largest float that comes in: those of the ray's ends, of boxes that are no farther away
-/// than twice that, of their differences and the products with 1 / way make ten. What is farther lies clear of the ray.
-constexpr double roundings = 0x1p-20;
+/// Sixteen roundings of the largest float in the input: rounding the ray's ends, boxes up to twice as far away, their
+/// differences, and the products with 1 / displacement makes ten. Boxes farther away are clear of the ray.
+constexpr double relativeError = 0x1p-20;
 
 template <int W>
 struct Keys {
@@ -29,7 +29,9 @@ struct Keys {
         return WideBoxProbe<W>::pointKeys(rowOf(p), floatsOf(boxes), limit, keys);
     }
     static const float* floatsOf(const BoxBlock& boxes) { return reinterpret_cast<const float*>(&boxes); }
-    static BoxProbeRow rowOf(const BoxProbe& p) { return {p.fromX, p.fromY, p.perX, p.perY, p.growX, p.growY}; }
+    static BoxProbeRow rowOf(const BoxProbe& p) {
+        return {p.fromX, p.fromY, p.inverseX, p.inverseY, p.marginX, p.marginY};
+    }
 };
 
 template <int W>
@@ -53,31 +55,31 @@ float rounded(double x) {
     return static_cast<float>(std::clamp(x, -largest, largest));
 }
 
-/// 1 / way, but neither so large nor so small that a distance times it would not be a number.
-float perLength(double way) {
+/// 1 / displacement, limited so that a distance times it is never NaN.
+float inverseOf(double displacement) {
     constexpr double most = 0x1p100;
-    return static_cast<float>(std::copysign(std::clamp(1 / std::fabs(way), 1 / most, most), way));
+    return static_cast<float>(std::copysign(std::clamp(1 / std::fabs(displacement), 1 / most, most), displacement));
 }
 
 }  // namespace
 
 BoxProbe rayProbe(const Vec2& from, const Vec2& to, const Vec2& halfSize, const Vec2& origin, int lanes) {
-    const Vec2 start = from - origin, end = to - origin, way = to - from;
-    const Vec2 reach = start.cwiseAbs().cwiseMax(end.cwiseAbs()) + halfSize;
-    const double slack = roundings * reach.maxCoeff();
+    const Vec2 start = from - origin, end = to - origin, displacement = to - from;
+    const Vec2 farthest = start.cwiseAbs().cwiseMax(end.cwiseAbs()) + halfSize;
+    const double slack = relativeError * farthest.maxCoeff();
     return {rounded(start.x()),
             rounded(start.y()),
-            perLength(way.x()),
-            perLength(way.y()),
+            inverseOf(displacement.x()),
+            inverseOf(displacement.y()),
             rounded(halfSize.x() + slack),
             rounded(halfSize.y() + slack),
             keysFor(lanes, true)};
 }
 
 BoxProbe pointProbe(const Vec2& point, const Vec2& origin, int lanes) {
-    const Vec2 place = point - origin;
-    const float slack = rounded(roundings * place.cwiseAbs().maxCoeff());
-    return {rounded(place.x()), rounded(place.y()), 0, 0, slack, slack, keysFor(lanes, false)};
+    const Vec2 position = point - origin;
+    const float slack = rounded(relativeError * position.cwiseAbs().maxCoeff());
+    return {rounded(position.x()), rounded(position.y()), 0, 0, slack, slack, keysFor(lanes, false)};
 }
 
 float probeLimit(double limit) {
@@ -90,15 +92,15 @@ RayPart clipRay(const Vec2& from, const Vec2& to, const Aabb& box) {
     constexpr double fourRoundings = 2 * std::numeric_limits<double>::epsilon();
     RayPart part;
     for (const int axis : {0, 1}) {
-        const double way = to[axis] - from[axis], far = std::max(std::fabs(from[axis]), std::fabs(to[axis]));
+        const double displacement = to[axis] - from[axis], far = std::max(std::fabs(from[axis]), std::fabs(to[axis]));
         const double lower = box.lower[axis] - from[axis] - fourRoundings * far;
         const double upper = box.upper[axis] - from[axis] + fourRoundings * far;
-        if (way == 0) {
+        if (displacement == 0) {
             if (!(lower <= 0 && upper >= 0)) return {1, 0};
             continue;
         }
-        part.first = std::max(part.first, std::min(lower / way, upper / way));
-        part.last = std::min(part.last, std::max(lower / way, upper / way));
+        part.first = std::max(part.first, std::min(lower / displacement, upper / displacement));
+        part.last = std::min(part.last, std::max(lower / displacement, upper / displacement));
     }
     return part;
 }

@@ -8,8 +8,8 @@
 
 namespace plumb {
 
-PairSearch findPairs(BroadPhase way, std::span<const Aabb> boxes) {
-    switch (way) {
+PairSearch findPairs(BroadPhase method, std::span<const Aabb> boxes) {
+    switch (method) {
         case BroadPhase::BruteForce: return bruteForcePairs(boxes);
         case BroadPhase::Grid: return gridPairs(boxes);
         case BroadPhase::SweepAndPrune: return sweepAndPrunePairs(boxes);

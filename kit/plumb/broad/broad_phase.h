@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which boxes overlap, and what does it cost to find out? Four ways, one answer.
+// Which boxes overlap, and how many tests does it take to find out? Four methods, one result.
 #pragma once
 #include <array>
 #include <span>
@@ -13,12 +13,12 @@ enum class BroadPhase { BruteForce, Grid, SweepAndPrune, Bvh };
 inline constexpr std::array broadPhases{BroadPhase::BruteForce, BroadPhase::Grid, BroadPhase::SweepAndPrune,
                                         BroadPhase::Bvh};
 
-/// The pairs of boxes that overlap or touch: the same, in the same order, in every way. A box with a coordinate that is
-/// not a number overlaps nothing; infinite ones are boxes like others. What each way counts as a test is said where it
-/// is: brute_force.h, grid.h, sweep_and_prune.h, bvh.h.
-/// Tests made for n boxes that lie evenly, at constant density, grow as
+/// The pairs of boxes that overlap or touch: the same, in the same order, for every method. A box with a NaN coordinate
+/// overlaps nothing; infinite coordinates are allowed. Each method's header defines what it counts as a test:
+/// brute_force.h, grid.h, sweep_and_prune.h, bvh.h.
+/// Tests for n evenly distributed boxes, at constant density, grow as
 ///   brute force n^2, grid n, sweep and prune n^1.5, hierarchy n
 /// Test: "all broad phases find equal pairs in 1,000 scenes", "tests grow as ..."
-PairSearch findPairs(BroadPhase way, std::span<const Aabb> boxes);
+PairSearch findPairs(BroadPhase method, std::span<const Aabb> boxes);
 
 }  // namespace plumb

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which boxes overlap? Asked of every pair: the reference for the other broad phases.
+// Which boxes overlap? Tests every pair: the reference for the other broad phases.
 #pragma once
 #include <span>
 
@@ -8,7 +8,7 @@
 
 namespace plumb {
 
-/// Tests each two of n boxes: n (n - 1) / 2 tests.
+/// Tests every two of n boxes: n (n - 1) / 2 tests.
 PairSearch bruteForcePairs(std::span<const Aabb> boxes);
 
 }  // namespace plumb

@@ -14,8 +14,8 @@ constexpr float beyondAll = std::numeric_limits<float>::infinity();
 constexpr float largestFloat = std::numeric_limits<float>::max();
 constexpr float noBound = std::numeric_limits<float>::quiet_NaN();
 
-// Rounding keeps what is not above another not above it, and so does taking off the origin: boxes that overlap in
-// double do so in float, too. A cast from beyond the largestFloat float would be undefined.
+// Rounding and subtracting the origin keep the order of numbers, or make them equal: boxes that overlap in double do so
+// in float, too. Casting a double beyond the largest float would be undefined.
 float inFloat(double x) {
     if (x > largestFloat) return beyondAll;
     if (x < -largestFloat) return -beyondAll;
@@ -35,7 +35,7 @@ Bvh::Bounds Bvh::rounded(const Aabb& box) const {
     return {inFloat(lower.x()), inFloat(lower.y()), inFloat(upper.x()), inFloat(upper.y())};
 }
 
-// Lanes that hold no box are NaN, and fail every comparison here; so do coordinates that are no number.
+// Lanes that hold no box are NaN, and fail every comparison here; so do NaN coordinates.
 Bvh::Bounds Bvh::boundsOf(const Block& block) {
     Bounds all{beyondAll, beyondAll, -beyondAll, -beyondAll};
     for (std::uint32_t i = 0; i < width; ++i) {
@@ -58,7 +58,7 @@ void Bvh::build(std::span<const Aabb> boxes) {
     order_ = mortonOrder(boxes, width);
     boxes_.resize(boxes.size());
     for (std::size_t k = 0; k < boxes.size(); ++k) boxes_[k] = boxes[order_[k]];
-    // Not the middle of all, which one box far away would move.
+    // Not the middle of the bounds, which one box far away would move.
     origin_ =
         boxes.empty() ? Vec2(0, 0) : Vec2(0.5 * boxes_[boxes.size() / 2].lower + 0.5 * boxes_[boxes.size() / 2].upper);
     if (!origin_.allFinite()) origin_ = {0, 0};
@@ -66,7 +66,7 @@ void Bvh::build(std::span<const Aabb> boxes) {
 }
 
 void Bvh::buildLevels() {
-    // Lanes that nothing is put into must overlap nothing, not even an infinite box: only NaN does that.
+    // Unused lanes must overlap nothing, not even an infinite box: only NaN does that.
     Block empty;
     for (std::uint32_t lane = 0; lane < width; ++lane) put(empty, lane, {noBound, noBound, noBound, noBound});
 
@@ -88,23 +88,23 @@ SortedPairs Bvh::pairs() const {
 PairSearch Bvh::countedPairs() const {
     std::uint64_t tests = 0;
     std::vector<Pair> found;
-    std::vector<BlockPair> open;
-    if (!levels_.empty()) open.push_back({static_cast<std::uint32_t>(levels_.size() - 1), 0, 0});
-    while (!open.empty()) {
-        const BlockPair at = open.back();
-        open.pop_back();
+    std::vector<BlockPair> stack;
+    if (!levels_.empty()) stack.push_back({static_cast<std::uint32_t>(levels_.size() - 1), 0, 0});
+    while (!stack.empty()) {
+        const BlockPair at = stack.back();
+        stack.pop_back();
         const Block& a = levels_[at.level][at.a];
         const Block& b = levels_[at.level][at.b];
         tests += std::uint64_t{width} * width;
         for (std::uint32_t lane = 0; lane < width; ++lane) {
             const std::uint32_t i = at.a * width + lane;
             std::uint32_t mask = overlaps(b, {a.lowerX[lane], a.lowerY[lane], a.upperX[lane], a.upperY[lane]});
-            // Within one block each two once; and above the boxes, each block with itself.
+            // Within one block every two once; and above the lowest level, each block with itself.
             if (at.a == at.b) mask &= ~std::uint32_t{0} << lane << (at.level == 0 ? 1 : 0);
             for (; mask != 0; mask &= mask - 1) {
                 const std::uint32_t j = at.b * width + static_cast<std::uint32_t>(std::countr_zero(mask));
                 if (at.level > 0)
-                    open.push_back({at.level - 1, i, j});
+                    stack.push_back({at.level - 1, i, j});
                 else if (overlap(boxes_[i], boxes_[j]))
                     found.push_back(pairOf(order_[i], order_[j]));
             }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which boxes overlap? Asked of a hierarchy of bounding boxes.
+// Which boxes overlap? Tested with a bounding volume hierarchy.
 #pragma once
 #include <array>
 #include <bit>
@@ -13,20 +13,20 @@
 
 namespace plumb {
 
-/// An implicit hierarchy: boxes in Morton order, in blocks, with bounds built from the bottom up; no pointers.
-/// Blocks are tested in float, eight boxes side by side; what passes is tested in double. The floats count from the
-/// middle of the crowd, so a world may lie anywhere; across 1,000 km they tell 6 cm, and beyond that more and more is
-/// left to the test in double.
-/// A box with a coordinate that is not a number overlaps nothing; infinite ones are boxes like others.
-/// Time grows as n log n + pairs for boxes spread evenly; 56 bytes a box.
+/// An implicit hierarchy: boxes in Morton order, in blocks, with bounds built bottom-up; no pointers.
+/// Blocks are tested in float, eight boxes at a time; candidates are tested in double. Float coordinates are relative
+/// to a box in the middle, so the world may be anywhere; over 1,000 km they resolve 6 cm, and beyond that more and more
+/// candidates are left to the test in double.
+/// A box with a NaN coordinate overlaps nothing; infinite coordinates are allowed.
+/// Time grows as n log n + pairs for evenly distributed boxes; 56 bytes a box.
 class Bvh {
 public:
-    /// Takes the boxes in; index i is boxes[i] from then on.
+    /// Copies the boxes; index i refers to boxes[i] from then on.
     void build(std::span<const Aabb> boxes);
 
     SortedPairs pairs() const;
-    /// The same. A test is one box, or bounds of a block, against another, eight of them side by side: 64 for every two
-    /// blocks that may share a pair, lanes that hold no box among them.
+    /// The same, with a count. A test is one box, or bounds of a block, against another, eight at a time: 64 for every
+    /// two blocks that may share a pair, unused lanes included.
     PairSearch countedPairs() const;
 
     /// Calls visit(index) for every box that overlaps or touches the given one, in the hierarchy's order.
@@ -43,7 +43,7 @@ private:
     struct Block {
         std::array<float, width> lowerX, lowerY, upperX, upperY;
     };
-    struct Place {
+    struct Node {
         std::uint32_t level, block;
     };
 
@@ -53,7 +53,7 @@ private:
     void buildLevels();
 
     static std::uint32_t notAbove(float a, float b) { return a <= b ? 1 : 0; }
-    // Bit i tells whether the block's box i overlaps. Without branches, so that compilers can make it wide.
+    // Bit i tells whether the block's box i overlaps. Without branches, so that compilers can vectorise it.
     static std::uint32_t overlaps(const Block& block, const Bounds& box) {
         std::uint32_t mask = 0;
         for (std::uint32_t i = 0; i < width; ++i) {
@@ -64,10 +64,11 @@ private:
         return mask;
     }
 
-    std::vector<std::uint32_t> order_;  // order_[k]: whose box is the k-th of the hierarchy
+    std::vector<std::uint32_t> order_;  // order_[k]: the index of the k-th box of the hierarchy
     std::vector<Aabb> boxes_;           // in that order
     Vec2 origin_{0, 0};                 // of the floats [m]
-    // levels_[0] has the boxes themselves; box i of levels_[k + 1] holds block i of levels_[k]; the last is one block.
+    // levels_[0] has the boxes themselves; box i of levels_[k + 1] contains block i of levels_[k]; the last level is
+    // one block.
     std::vector<std::vector<Block>> levels_;
 };
 
@@ -75,25 +76,25 @@ template <class Visit>
 void Bvh::query(const Aabb& box, Visit&& visit) const {
     if (levels_.empty()) return;
     const Bounds bounds = rounded(box);
-    // Each place taken off puts at most eight on, one level down.
-    std::array<Place, maxLevels*(width - 1) + 1> stack;
+    // Each node popped pushes at most eight, one level down.
+    std::array<Node, maxLevels*(width - 1) + 1> stack;
     std::size_t size = 0;
     stack[size++] = {static_cast<std::uint32_t>(levels_.size() - 1), 0};
     while (size > 0) {
-        const Place place = stack[--size];
-        std::uint32_t mask = overlaps(levels_[place.level][place.block], bounds);
-        if (place.level == 0) {
+        const Node node = stack[--size];
+        std::uint32_t mask = overlaps(levels_[node.level][node.block], bounds);
+        if (node.level == 0) {
             for (; mask != 0; mask &= mask - 1) {
                 const std::size_t k =
-                    place.block * std::size_t{width} + static_cast<std::size_t>(std::countr_zero(mask));
+                    node.block * std::size_t{width} + static_cast<std::size_t>(std::countr_zero(mask));
                 if (overlap(boxes_[k], box)) visit(order_[k]);
             }
             continue;
         }
-        while (mask != 0) {  // the last first, so that the first is taken off next
+        while (mask != 0) {  // the last first, so that the first is popped next
             const auto lane = static_cast<std::uint32_t>(std::bit_width(mask) - 1);
             mask ^= std::uint32_t{1} << lane;
-            stack[size++] = {place.level - 1, place.block * width + lane};
+            stack[size++] = {node.level - 1, node.block * width + lane};
         }
     }
 }

@@ -4,17 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include <plumb/broad/detail/extent.h>
+#include <plumb/broad/detail/ordered_box.h>
 #include <plumb/broad/detail/sort_pairs.h>
 #include <plumb/math/check.h>
 
 namespace plumb {
 namespace {
 
-/// Larger boxes are in no cell, whose size has to be a number as well [m].
+/// Larger boxes are in no cell, because the cell size has to be finite as well [m].
 constexpr double largestSize = 1e300;
 
-/// So many cells from the origin on places are told apart to a thousandth of a cell.
+/// Up to so many cells from the origin, positions are resolved to a thousandth of a cell.
 constexpr double farthestCell = 0x1p40;
 
 double sizeOf(const Aabb& extent) {
@@ -29,43 +29,44 @@ struct Entry {
     friend auto operator<=>(const Entry&, const Entry&) = default;
 };
 
-/// What this share of the values is below. Puts them into another order.
+/// The value that this share of the values is below. Reorders the values.
 double quantile(std::vector<double>& values, double share) {
     const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), at, values.end());
     return *at;
 }
 
-/// Of the boxes in cells, what the grid is laid out by; few that lie far away or are large do not move it.
-struct Crowd {
+/// Statistics of the boxes in cells by which the grid is laid out; a few boxes that are far away or large do not change
+/// them.
+struct BoxStatistics {
     Vec2 middle{0, 0};   ///< of the lower corners [m]
-    double size = 0;     ///< nine of ten have no larger side [m]
-    double spacing = 0;  ///< as if the middle quarter of them lay evenly, in a square or in a row [m]
+    double size = 0;     ///< nine of ten boxes have no larger side [m]
+    double spacing = 0;  ///< as if the middle quarter of them were distributed evenly, in a square or in a row [m]
 };
 
-Crowd crowdOf(std::span<const Aabb> extents) {
-    Crowd crowd;
-    if (extents.empty()) return crowd;
+BoxStatistics statisticsOf(std::span<const Aabb> extents) {
+    BoxStatistics statistics;
+    if (extents.empty()) return statistics;
     const auto count = static_cast<double>(extents.size());
     std::vector<double> values(extents.size());
     Vec2 width(0, 0);
     for (const int axis : {0, 1}) {
         for (std::size_t i = 0; i < values.size(); ++i) values[i] = extents[i].lower[axis];
-        crowd.middle[axis] = quantile(values, 0.5);
+        statistics.middle[axis] = quantile(values, 0.5);
         width[axis] = std::min(quantile(values, 0.75) - quantile(values, 0.25), largestSize);
     }
     const double inSquare = std::sqrt(width.x()) * std::sqrt(width.y()) / std::sqrt(count / 4);
-    crowd.spacing = std::max(inSquare, width.maxCoeff() / (count / 2));
+    statistics.spacing = std::max(inSquare, width.maxCoeff() / (count / 2));
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = sizeOf(extents[i]);
-    crowd.size = quantile(values, 0.9);
-    return crowd;
+    statistics.size = quantile(values, 0.9);
+    return statistics;
 }
 
 class Grid {
 public:
     Grid(const Vec2& origin, double finest) : origin_(origin), finest_(finest) {}
 
-    /// The finest whose cells are at least twice as wide as the box.
+    /// The finest level whose cells are at least twice as wide as the box.
     int levelOf(const Aabb& extent) const {
         const double twice = 2 * sizeOf(extent);
         if (twice <= finest_) return 0;
@@ -87,17 +88,17 @@ private:
     double finest_;
 };
 
-/// Empty cells cost nothing, so that wide ones buy nothing: they only hold more boxes. But they are counted from the
+/// Empty cells cost nothing, so wide cells have no advantage: they only hold more boxes. But cells are counted from the
 /// middle: of a million boxes in a row, each a million cells from the next, the last is farthestCell away.
-constexpr double leastOfSpacing = 0x1p-20;
+constexpr double minSizeOfSpacing = 0x1p-20;
 
-double finestFor(const Crowd& crowd, const GridSettings& settings) {
+double finestFor(const BoxStatistics& statistics, const GridSettings& settings) {
     if (settings.cellSize > 0) return std::min(settings.cellSize, largestSize);
-    const double chosen = std::max(std::min(2 * crowd.size, largestSize), leastOfSpacing * crowd.spacing);
+    const double chosen = std::max(std::min(2 * statistics.size, largestSize), minSizeOfSpacing * statistics.spacing);
     return chosen > 0 ? chosen : 1;
 }
 
-/// Tests boxes against others, and keeps count.
+/// Tests pairs of boxes, and counts the tests.
 class Tester {
 public:
     explicit Tester(std::span<const Aabb> boxes) : boxes_(boxes) {}
@@ -115,8 +116,8 @@ private:
 
 using Entries = std::vector<Entry>;
 
-/// Each against the ones after it in its own cell and the next, and in the three cells of the row above: what is before
-/// it has looked at it. The row above moves on with it, as both are sorted.
+/// Each box against the boxes after it in its own cell and the next, and in the three cells of the row above: the boxes
+/// before it have been tested against it. The range in the row above advances with it, as both are sorted.
 void testWithinLevels(const Entries& entries, Tester& tester) {
     std::size_t above = 0;
     for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -130,8 +131,8 @@ void testWithinLevels(const Entries& entries, Tester& tester) {
     }
 }
 
-/// Each against what is in coarser grids in the cells that it lies in, and in those before them, from where a box may
-/// reach into them.
+/// Each box against the boxes of coarser levels: in the cells that it lies in, and in the cells before them from which
+/// a box may extend into them.
 void testAcrossLevels(const Entries& entries, std::span<const Aabb> extents, const Grid& grid, Tester& tester) {
     std::vector<Entries::const_iterator> starts;  // of the levels
     for (auto it = entries.begin(); it != entries.end(); ++it)
@@ -158,13 +159,13 @@ PairSearch gridPairs(std::span<const Aabb> boxes, const GridSettings& settings) 
     std::vector<std::uint32_t> cells, others;
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
         if (hasNaN(boxes[i])) continue;
-        extents[i] = extentOf(boxes[i]);
+        extents[i] = ordered(boxes[i]);
         const bool isInCell = extents[i].lower.allFinite() && sizeOf(extents[i]) <= largestSize;
         if (isInCell) inCells.push_back(extents[i]);
         (isInCell ? cells : others).push_back(i);
     }
-    const Crowd crowd = crowdOf(inCells);
-    const Grid grid(crowd.middle, finestFor(crowd, settings));
+    const BoxStatistics statistics = statisticsOf(inCells);
+    const Grid grid(statistics.middle, finestFor(statistics, settings));
     Entries entries;
     entries.reserve(cells.size());
     for (const std::uint32_t i : cells) {

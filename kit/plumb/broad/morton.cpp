@@ -14,7 +14,7 @@
 namespace plumb {
 namespace {
 
-constexpr unsigned cellBits = 28;  // and a class of four bits make a key
+constexpr unsigned cellBits = 28;  // and a size class of four bits make a key
 constexpr int topClass = 15;
 
 struct Item {
@@ -34,7 +34,7 @@ Vec2 halfCenter(const Aabb& box) {
     return 0.25 * box.lower + 0.25 * box.upper;
 }
 
-/// One axis of the cells that a range of centres is put into.
+/// One axis of the cells that divide a range of centres.
 struct Axis {
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
@@ -47,7 +47,7 @@ struct Axis {
     }
     bool divides() const { return high - low > 0; }
     void fit(double cells) { scale = divides() ? cells / (high - low) : 0; }
-    // Written so that NaN, from an infinite scale or centre, ends in the first cell.
+    // Written so that NaN, from an infinite scale or centre, gives the first cell.
     std::uint32_t cell(double x, double cells) const {
         const double place = (x - low) * scale;
         if (!(place > 0)) return 0;
@@ -55,17 +55,17 @@ struct Axis {
     }
 };
 
-// The power of two at or below a length, within those of floats; infinite and NaN count as the largest.
+// The power of two at or below a length, within the range of float; infinity and NaN count as the largest.
 int exponentOf(double length) {
     if (!(length < 0x1p127)) return 127;
     if (!(length > 0x1p-126)) return -126;
-    std::uint64_t bits = 0;  // of which the upper ones are the exponent: the number is above zero
+    std::uint64_t bits = 0;  // the upper bits are the exponent, because the number is positive
     std::memcpy(&bits, &length, sizeof bits);
     return static_cast<int>(bits >> 52) - 1023;
 }
 
-/// How many bits of a key tell where on each axis: so many that few boxes share a cell where they lie evenly, as more
-/// would only be sorted; and the longer axis has more, so that cells are about as wide as high.
+/// How many bits of a key are used for each axis: so many that few of evenly distributed boxes share a cell, as more
+/// bits would only cost sorting time; the longer axis has more, so that cells are about as wide as high.
 struct CellBits {
     unsigned x, y;
 
@@ -75,7 +75,7 @@ struct CellBits {
         x = static_cast<unsigned>(std::clamp((all + wider) / 2, 0, std::min(all, 16)));
         y = static_cast<unsigned>(std::min(all - static_cast<int>(x), 16));
     }
-    /// The lower bits of both in turn, above them what the longer one has more.
+    /// The lower bits of both interleaved, above them the additional bits of the longer axis.
     std::uint32_t key(std::uint32_t cellX, std::uint32_t cellY) const {
         const unsigned shared = std::min(x, y);
         const std::uint32_t low = (1u << shared) - 1;
@@ -84,7 +84,7 @@ struct CellBits {
     }
 };
 
-// Gives every item of the range its cell, after the key's class bits; false if all centres are in one place.
+// Gives every item of the range its cell, below the key's class bits; false if all centres are equal.
 bool assignCells(std::span<Item> items, std::span<const Aabb> boxes) {
     Axis x, y;
     for (const Item& item : items) {
@@ -149,7 +149,7 @@ void MortonSort::Memory::divide(const Range& range, std::span<const Aabb> boxes,
     const bool divided = assignCells(part, boxes);
     if (!divided && part.size() < items.size()) return;
     sort(part, [](const Item& item) { return item.key; });
-    // The centres farthest apart are in different cells by now, so every run is shorter than the range was.
+    // The two most distant centres are in different cells by now, so every run is shorter than the range was.
     for (std::size_t begin = range.begin; divided && begin < range.end;) {
         std::size_t end = begin + 1;
         while (end < range.end && items[end].key == items[begin].key) ++end;
@@ -161,7 +161,7 @@ void MortonSort::Memory::divide(const Range& range, std::span<const Aabb> boxes,
 MortonSort::MortonSort() : memory_(std::make_unique<Memory>()) {}
 MortonSort::MortonSort(const MortonSort&) : MortonSort() {}
 MortonSort& MortonSort::operator=(const MortonSort&) {
-    return *this;  // nothing of it outlasts a call
+    return *this;  // it holds no data between calls
 }
 MortonSort::MortonSort(MortonSort&&) noexcept = default;
 MortonSort& MortonSort::operator=(MortonSort&&) noexcept = default;

@@ -16,10 +16,10 @@ struct Pair {
 /// Sorted by a, then b; each pair once.
 using SortedPairs = std::vector<Pair>;
 
-/// What a search found, and what it did to find it.
+/// The pairs that were found, and the number of tests.
 struct PairSearch {
     SortedPairs pairs = {};
-    std::uint64_t tests = 0;  ///< of two boxes for overlap [-]
+    std::uint64_t tests = 0;  ///< tests of two boxes for overlap [-]
 };
 
 }  // namespace plumb

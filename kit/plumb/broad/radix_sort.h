@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How are many items put in order of a whole number, without comparing them?
+// How are many items sorted by an unsigned key, without comparing them?
 #pragma once
 #include <algorithm>
 #include <array>
@@ -10,8 +10,8 @@
 
 namespace plumb {
 
-/// Byte by byte, the lowest first; a byte that all keys share is passed over. Items of equal keys keep their order.
-/// keyOf(item) is an unsigned number of keyBytes bytes. Remembers its memory from call to call.
+/// Byte by byte, the lowest first; a byte that all keys share is skipped. Items with equal keys keep their order.
+/// keyOf(item) is an unsigned number of keyBytes bytes. Keeps its memory from call to call.
 /// Source: Knuth, TAOCP 3, 5.2.5.
 template <class Item, unsigned keyBytes>
 class RadixSort {
@@ -35,7 +35,7 @@ public:
         if (from.data() != items.data()) std::copy(from.begin(), from.end(), items.begin());
     }
 
-    /// Of memory that it holds.
+    /// Memory in use.
     std::size_t bytes() const { return other_.capacity() * sizeof(Item); }
 
 private:

@@ -3,19 +3,19 @@
 
 #include <algorithm>
 
-#include <plumb/broad/detail/extent.h>
+#include <plumb/broad/detail/ordered_box.h>
 #include <plumb/broad/detail/sort_pairs.h>
 
 namespace plumb {
 namespace {
 
-/// The stretch of the axis that a box has.
-struct Stretch {
+/// The interval of a box on the axis.
+struct Interval {
     double begin, end;
     std::uint32_t index;
 };
 
-/// Of the centres of boxes that have one, halved so that no sum overflows; NaN where a square does.
+/// Of the centres of all boxes with a finite centre, halved so that no sum overflows; NaN where a square overflows.
 Vec2 varianceOf(std::span<const Aabb> boxes) {
     Vec2 mean(0, 0), sum(0, 0);
     double count = 0;
@@ -35,23 +35,23 @@ Vec2 varianceOf(std::span<const Aabb> boxes) {
 PairSearch sweepAndPrunePairs(std::span<const Aabb> boxes) {
     const Vec2 variance = varianceOf(boxes);
     const int axis = variance.y() > variance.x() ? 1 : 0;
-    std::vector<Stretch> stretches;
-    stretches.reserve(boxes.size());
+    std::vector<Interval> intervals;
+    intervals.reserve(boxes.size());
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
         if (hasNaN(boxes[i])) continue;
-        const Aabb extent = extentOf(boxes[i]);
-        stretches.push_back({extent.lower[axis], extent.upper[axis], i});
+        const Aabb extent = ordered(boxes[i]);
+        intervals.push_back({extent.lower[axis], extent.upper[axis], i});
     }
-    std::sort(stretches.begin(), stretches.end(), [](const Stretch& a, const Stretch& b) {
+    std::sort(intervals.begin(), intervals.end(), [](const Interval& a, const Interval& b) {
         return a.begin != b.begin ? a.begin < b.begin : a.index < b.index;
     });
 
     PairSearch search;
     std::vector<Pair> found;
-    for (std::size_t i = 0; i < stretches.size(); ++i) {
-        for (std::size_t j = i + 1; j < stretches.size() && stretches[j].begin <= stretches[i].end; ++j) {
+    for (std::size_t i = 0; i < intervals.size(); ++i) {
+        for (std::size_t j = i + 1; j < intervals.size() && intervals[j].begin <= intervals[i].end; ++j) {
             ++search.tests;
-            const std::uint32_t a = stretches[i].index, b = stretches[j].index;
+            const std::uint32_t a = intervals[i].index, b = intervals[j].index;
             if (overlap(boxes[a], boxes[b])) found.push_back(pairOf(a, b));
         }
     }

@@ -20,16 +20,16 @@ SearchWork searchWide(const BlockSearch& search, const SlotPairSink& sink) {
     task.levels = search.in.levels.data();
     task.levelCount = search.in.levelCount;
     task.previous = search.in.previous;
-    task.touched = search.in.touched;
+    task.dirty = search.in.dirty;
     task.fromBoxes = search.from.levels[0];
     task.fromBounds = search.from.levelCount > 1 ? search.from.levels[1] : nullptr;
     task.fromPrevious = search.from.previous;
-    task.fromTouched = search.from.touched;
+    task.fromDirty = search.from.dirty;
     task.blocks = search.blocks.data();
     task.blockCount = static_cast<std::uint32_t>(search.blocks.size());
-    task.itself = search.is == BlockSearch::Itself;
-    task.asksToo = search.is == BlockSearch::AnotherThatAsks;
-    task.allTouched = search.allTouched;
+    task.self = search.target == BlockSearch::Self;
+    task.otherSearches = search.target == BlockSearch::OtherSearchesToo;
+    task.allDirty = search.allDirty;
     return WideBlockSearch<W>::run(task, sink);
 }
 

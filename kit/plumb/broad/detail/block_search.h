@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which boxes of one hierarchy overlap which of another, that did not before?
+// Which boxes of one hierarchy overlap boxes of another, and did not before?
 #pragma once
 #include <cstdint>
 #include <span>
@@ -10,11 +10,11 @@
 namespace plumb {
 
 struct BlockSearch {
-    BlockTree::View from;                          ///< whose touched slots ask
-    std::span<const std::uint32_t> blocks;         ///< of from: those with touched slots
-    BlockTree::View in;                            ///< which is asked
-    enum { Itself, Another, AnotherThatAsks } is;  ///< in: from itself; another; or one whose touched slots ask as well
-    bool allTouched = false;                       ///< of itself: every slot of each block
+    BlockTree::View from;                           ///< its dirty slots are searched for
+    std::span<const std::uint32_t> blocks;          ///< of from: those with dirty slots
+    BlockTree::View in;                             ///< which is searched
+    enum { Self, Other, OtherSearchesToo } target;  ///< from itself, another tree, or one that searches as well
+    bool allDirty = false;                          ///< of from itself: every slot of each block is dirty
 };
 
 /// Each pair once, in the same order for any number of lanes: 1, 4, 8 or 16, no more than the machine has.

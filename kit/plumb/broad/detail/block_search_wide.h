@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does a block of boxes find its neighbours, W boxes at a time?
+// How does a block of boxes find overlapping boxes, W at a time?
 #pragma once
 #include <cmath>
 
@@ -9,22 +9,22 @@
 
 namespace plumb {
 
-/// Plain memory and templates over W only, and no Eigen: see math/detail/wide.h.
+/// Plain arrays and templates over W only, and no Eigen: see math/detail/wide.h.
 template <int W>
 struct WideBlockSearch {
-    /// BlockSearch as plain memory.
+    /// BlockSearch as plain arrays.
     struct Task {
         const BoxBlock* const* levels;
         std::uint32_t levelCount;
         const BoxBlock* previous;
-        const std::uint16_t* touched;
+        const std::uint16_t* dirty;
         const BoxBlock* fromBoxes;
         const BoxBlock* fromBounds;  ///< of the level above, if there is one
         const BoxBlock* fromPrevious;
-        const std::uint16_t* fromTouched;
+        const std::uint16_t* fromDirty;
         const std::uint32_t* blocks;
         std::uint32_t blockCount;
-        bool itself, asksToo, allTouched;
+        bool self, otherSearches, allDirty;
     };
     static SearchWork run(const Task& task, const SlotPairSink& sink);
 
@@ -34,22 +34,22 @@ private:
     static constexpr std::uint32_t width = 16;
     static constexpr std::uint32_t lowerX = 0, lowerY = width, upperX = 2 * width, upperY = 3 * width;
     static constexpr std::uint32_t bufferSize = 256;
-    /// Block against block pays off up to so many neighbours for each that asks (measured).
-    static constexpr std::uint32_t worthGathering = 16;
-    static constexpr std::uint32_t mostGathered = 64;
+    /// Block against block is faster up to so many candidates for each searching slot (measured).
+    static constexpr std::uint32_t maxPerSearching = 16;
+    static constexpr std::uint32_t maxGathered = 64;
 
     using Box = Bounds;
-    struct Place {
+    struct Node {
         std::uint32_t level, block;
     };
     struct Gathered {
         std::uint32_t block, lanes;
     };
 
-    // A block as plain floats, for inline functions of arrays are not to be emitted here.
+    // A block as plain floats: inline functions of std::array must not be emitted here.
     static const float* boxesOf(const BoxBlock& block);
     static Box boxOf(const float* boxes, std::uint32_t lane);
-    static Box around(const float* boxes, std::uint32_t lanes);
+    static Box boundsOf(const float* boxes, std::uint32_t lanes);
     static std::uint32_t lowestBit(std::uint32_t bits);
     static std::uint32_t countOf(std::uint32_t bits);
     static Mask both(const Mask& a, const Mask& b);
@@ -57,15 +57,15 @@ private:
     static Mask overlapBeyondEdges(const float* boxes, const Box& box);
     static std::uint32_t overlaps(const float* boxes, const Box& box);
     static std::uint32_t newOverlaps(const float* boxes, const float* were, const Box& box, const Box& was);
-    static std::uint32_t lanesFrom(std::uint32_t block, const Place& place);
+    static std::uint32_t lanesFrom(std::uint32_t block, const Node& node);
 
     WideBlockSearch(const Task& t, const SlotPairSink& s) : task(t), sink(s) {}
-    void neighboursOf(std::uint32_t block);
-    bool gather(std::uint32_t block, const Box& reach, std::uint32_t asking);
+    void searchBlock(std::uint32_t block);
+    bool gather(std::uint32_t block, const Box& bounds, std::uint32_t searching);
     void compare(std::uint32_t block, const Gathered& other);
-    void ask(std::uint32_t block, std::uint32_t lane);
+    void searchLane(std::uint32_t block, std::uint32_t lane);
     template <class Visit>
-    bool descend(std::uint32_t block, const Box& reach, Visit&& visit);
+    bool descend(std::uint32_t block, const Box& bounds, Visit&& visit);
     void report(std::uint32_t a, std::uint32_t b);
     void flush();
 
@@ -74,11 +74,11 @@ private:
     std::uint64_t blockTests = 0, boxTests = 0;
     std::uint32_t count = 0;
     std::uint32_t gatheredCount = 0;
-    Gathered gathered[mostGathered];
+    Gathered gathered[maxGathered];
     SlotPair buffer[bufferSize];
 };
 
-// The arrays of a block follow each other without gaps.
+// The arrays of a block are adjacent, without gaps.
 template <int W>
 [[gnu::always_inline]] inline const float* WideBlockSearch<W>::boxesOf(const BoxBlock& block) {
     static_assert(sizeof(BoxBlock) == 4 * width * sizeof(float));
@@ -92,7 +92,7 @@ template <int W>
 }
 
 template <int W>
-typename WideBlockSearch<W>::Box WideBlockSearch<W>::around(const float* boxes, std::uint32_t lanes) {
+typename WideBlockSearch<W>::Box WideBlockSearch<W>::boundsOf(const float* boxes, std::uint32_t lanes) {
     constexpr float infinity = HUGE_VALF;
     Box box{infinity, infinity, -infinity, -infinity};
     for (; lanes != 0; lanes &= lanes - 1) {
@@ -156,8 +156,8 @@ template <int W>
     return bits;
 }
 
-// They may overlap if they do in float; they did for sure if they did by more than an edge: so no rounding hides a
-// pair.
+// Boxes may overlap now if they do in float; they surely did before if they overlapped in float by more than an edge:
+// so rounding never hides a pair.
 template <int W>
 [[gnu::always_inline]] inline std::uint32_t WideBlockSearch<W>::newOverlaps(const float* boxes, const float* were,
                                                                             const Box& box, const Box& was) {
@@ -173,99 +173,99 @@ template <int W>
     return bits;
 }
 
-/// Which lanes of a place's block have to do with slots of this block or later ones?
+/// Which lanes of a node's block contain slots of this block or of later ones?
 template <int W>
-std::uint32_t WideBlockSearch<W>::lanesFrom(std::uint32_t block, const Place& place) {
-    const std::uint32_t first = block >> 4 * (place.level - 1);  // on the level below the place's
-    const std::uint32_t begin = place.block * width;
+std::uint32_t WideBlockSearch<W>::lanesFrom(std::uint32_t block, const Node& node) {
+    const std::uint32_t first = block >> 4 * (node.level - 1);  // on the level below the node's
+    const std::uint32_t begin = node.block * width;
     return first <= begin ? 0xFFFF : 0xFFFFu << (first - begin);
 }
 
 /// Calls visit(block) for the blocks of boxes whose bounds are in reach, until visit returns false.
 template <int W>
 template <class Visit>
-bool WideBlockSearch<W>::descend(std::uint32_t block, const Box& reach, Visit&& visit) {
-    // Each place taken off puts at most 16 on, one level down.
-    Place stack[BoxBlock::maxLevels * (width - 1) + 1];
+bool WideBlockSearch<W>::descend(std::uint32_t block, const Box& bounds, Visit&& visit) {
+    // Each node popped pushes at most 16, one level down.
+    Node stack[BoxBlock::maxLevels * (width - 1) + 1];
     std::uint32_t size = 0;
     stack[size++] = {task.levelCount - 1, 0};
     while (size > 0) {
-        const Place place = stack[--size];
-        if (place.level == 0) {
-            if (!visit(place.block)) return false;
+        const Node node = stack[--size];
+        if (node.level == 0) {
+            if (!visit(node.block)) return false;
             continue;
         }
         ++blockTests;
-        std::uint32_t lanes = overlaps(boxesOf(task.levels[place.level][place.block]), reach);
-        if (task.itself && task.allTouched) lanes &= lanesFrom(block, place);
-        for (; lanes != 0; lanes &= lanes - 1)
-            stack[size++] = {place.level - 1, place.block * width + lowestBit(lanes)};
+        std::uint32_t lanes = overlaps(boxesOf(task.levels[node.level][node.block]), bounds);
+        if (task.self && task.allDirty) lanes &= lanesFrom(block, node);
+        for (; lanes != 0; lanes &= lanes - 1) stack[size++] = {node.level - 1, node.block * width + lowestBit(lanes)};
     }
     return true;
 }
 
 template <int W>
-void WideBlockSearch<W>::neighboursOf(std::uint32_t block) {
-    const std::uint32_t asking = task.fromTouched[block];
+void WideBlockSearch<W>::searchBlock(std::uint32_t block) {
+    const std::uint32_t searching = task.fromDirty[block];
     const float* boxes = boxesOf(task.fromBoxes[block]);
-    // Where all ask, the level above has their bounds.
-    const Box reach = asking == 0xFFFF && task.fromBounds != nullptr
-                          ? boxOf(boxesOf(task.fromBounds[block / width]), block % width)
-                          : around(boxes, asking);
-    if ((asking & (asking - 1)) != 0 && gather(block, reach, asking)) {
+    // Where all slots search, the level above has their bounds.
+    const Box bounds = searching == 0xFFFF && task.fromBounds != nullptr
+                           ? boxOf(boxesOf(task.fromBounds[block / width]), block % width)
+                           : boundsOf(boxes, searching);
+    if ((searching & (searching - 1)) != 0 && gather(block, bounds, searching)) {
         for (std::uint32_t i = 0; i < gatheredCount; ++i) compare(block, gathered[i]);
         return;
     }
-    for (std::uint32_t lanes = asking; lanes != 0; lanes &= lanes - 1) ask(block, lowestBit(lanes));
+    for (std::uint32_t lanes = searching; lanes != 0; lanes &= lanes - 1) searchLane(block, lowestBit(lanes));
 }
 
-/// Lists the neighbours of all that asks in a block; false if so many that each had better ask for itself.
+/// Lists the candidates for all searching slots of a block; false if there are so many that one search per slot is
+/// faster.
 template <int W>
-bool WideBlockSearch<W>::gather(std::uint32_t block, const Box& reach, std::uint32_t asking) {
-    std::uint32_t left = worthGathering * countOf(asking);
+bool WideBlockSearch<W>::gather(std::uint32_t block, const Box& bounds, std::uint32_t searching) {
+    std::uint32_t left = maxPerSearching * countOf(searching);
     gatheredCount = 0;
-    return descend(block, reach, [&](std::uint32_t other) {
+    return descend(block, bounds, [&](std::uint32_t other) {
         ++blockTests;
-        std::uint32_t lanes = overlaps(boxesOf(task.levels[0][other]), reach);
-        if (task.asksToo || (task.itself && other < block)) lanes &= ~task.touched[other];  // they find the pair
+        std::uint32_t lanes = overlaps(boxesOf(task.levels[0][other]), bounds);
+        if (task.otherSearches || (task.self && other < block)) lanes &= ~task.dirty[other];  // those find the pair
         if (lanes == 0) return true;
         const std::uint32_t more = countOf(lanes);
-        if (more > left || gatheredCount == mostGathered) return false;
+        if (more > left || gatheredCount == maxGathered) return false;
         left -= more;
         gathered[gatheredCount++] = {other, lanes};
         return true;
     });
 }
 
-/// What asks in a block against what was gathered of another, or of itself.
+/// Tests the searching slots of a block against candidates in another block, or in the same one.
 template <int W>
 void WideBlockSearch<W>::compare(std::uint32_t block, const Gathered& other) {
-    const std::uint32_t asking = task.fromTouched[block];
-    const bool same = task.itself && other.block == block;
+    const std::uint32_t searching = task.fromDirty[block];
+    const bool same = task.self && other.block == block;
     const float* boxes = boxesOf(task.fromBoxes[block]);
     const float* were = boxesOf(task.fromPrevious[block]);
     const float* otherBoxes = boxesOf(task.levels[0][other.block]);
     const float* otherWere = boxesOf(task.previous[other.block]);
     for (std::uint32_t lanes = other.lanes; lanes != 0; lanes &= lanes - 1) {
         const std::uint32_t lane = lowestBit(lanes);
-        std::uint32_t found = asking & newOverlaps(boxes, were, boxOf(otherBoxes, lane), boxOf(otherWere, lane));
+        std::uint32_t found = searching & newOverlaps(boxes, were, boxOf(otherBoxes, lane), boxOf(otherWere, lane));
         ++boxTests;
-        // Within a block each two once: the first of two that ask.
-        if (same) found &= asking >> lane & 1 ? (1u << lane) - 1 : ~0u;
+        // Within a block every two once: found by the first of two that search.
+        if (same) found &= searching >> lane & 1 ? (1u << lane) - 1 : ~0u;
         for (; found != 0; found &= found - 1) report(block * width + lowestBit(found), other.block * width + lane);
     }
 }
 
-/// One that asks against all.
+/// Searches the whole tree for one slot.
 template <int W>
-void WideBlockSearch<W>::ask(std::uint32_t block, std::uint32_t lane) {
+void WideBlockSearch<W>::searchLane(std::uint32_t block, std::uint32_t lane) {
     const Box box = boxOf(boxesOf(task.fromBoxes[block]), lane);
     const Box was = boxOf(boxesOf(task.fromPrevious[block]), lane);
     descend(block, box, [&](std::uint32_t other) {
         ++boxTests;
         std::uint32_t found = newOverlaps(boxesOf(task.levels[0][other]), boxesOf(task.previous[other]), box, was);
-        if (task.asksToo || (task.itself && other < block)) found &= ~std::uint32_t{task.touched[other]};
-        if (task.itself && other == block) found &= ~(task.touched[block] & ((2u << lane) - 1));
+        if (task.otherSearches || (task.self && other < block)) found &= ~std::uint32_t{task.dirty[other]};
+        if (task.self && other == block) found &= ~(task.dirty[block] & ((2u << lane) - 1));
         for (; found != 0; found &= found - 1) report(block * width + lane, other * width + lowestBit(found));
         return true;
     });
@@ -286,7 +286,7 @@ void WideBlockSearch<W>::flush() {
 template <int W>
 SearchWork WideBlockSearch<W>::run(const Task& task, const SlotPairSink& sink) {
     WideBlockSearch search(task, sink);
-    for (std::uint32_t i = 0; i < task.blockCount; ++i) search.neighboursOf(task.blocks[i]);
+    for (std::uint32_t i = 0; i < task.blockCount; ++i) search.searchBlock(task.blocks[i]);
     search.flush();
     return {search.blockTests, search.boxTests};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does a ray or a point look at a block of boxes, W boxes at a time?
+// How are a ray or a point tested against a block of boxes, W at a time?
 #pragma once
 #include <plumb/broad/box_block.h>
 #include <plumb/math/detail/wide_ops.h>
@@ -8,7 +8,7 @@ namespace plumb {
 
 /// BoxProbe as plain memory: see math/detail/wide.h for what may be in a file for W lanes.
 struct BoxProbeRow {
-    float fromX, fromY, perX, perY, growX, growY;
+    float fromX, fromY, inverseX, inverseY, marginX, marginY;
 };
 
 template <int W>
@@ -22,19 +22,19 @@ private:
     static constexpr std::uint32_t lowerX = 0, lowerY = width, upperX = 2 * width, upperY = 3 * width;
 };
 
-/// Slabs: within [min, max] of (lower - from) / way and (upper - from) / way in x and in y at once. A hole has no
-/// bounds, and fails the comparison with itself.
+/// Slab test: the ray is within [min, max] of (lower - from) / displacement and (upper - from) / displacement in x and
+/// in y at once. A hole is NaN, and fails the comparison with itself.
 template <int W>
 std::uint32_t WideBoxProbe<W>::rayKeys(const BoxProbeRow& ray, const float* boxes, float limit, float* keys) {
     std::uint32_t lanes = 0;
-    const float lowX = ray.fromX + ray.growX, lowY = ray.fromY + ray.growY;
-    const float highX = ray.fromX - ray.growX, highY = ray.fromY - ray.growY;
+    const float lowX = ray.fromX + ray.marginX, lowY = ray.fromY + ray.marginY;
+    const float highX = ray.fromX - ray.marginX, highY = ray.fromY - ray.marginY;
     const Float zero{};
     for (std::uint32_t i = 0; i < width; i += W) {
         const Float left = loadLanes<W>(boxes + lowerX + i);
-        const Float x1 = (left - lowX) * ray.perX, x2 = (loadLanes<W>(boxes + upperX + i) - highX) * ray.perX;
-        const Float y1 = (loadLanes<W>(boxes + lowerY + i) - lowY) * ray.perY;
-        const Float y2 = (loadLanes<W>(boxes + upperY + i) - highY) * ray.perY;
+        const Float x1 = (left - lowX) * ray.inverseX, x2 = (loadLanes<W>(boxes + upperX + i) - highX) * ray.inverseX;
+        const Float y1 = (loadLanes<W>(boxes + lowerY + i) - lowY) * ray.inverseY;
+        const Float y2 = (loadLanes<W>(boxes + upperY + i) - highY) * ray.inverseY;
         const Float enter = larger(larger(smaller(x1, x2), smaller(y1, y2)), zero);
         const Float leave = smaller(larger(x1, x2), larger(y1, y2));
         storeLanes(keys + i, enter);
@@ -54,7 +54,7 @@ std::uint32_t WideBoxProbe<W>::pointKeys(const BoxProbeRow& point, const float* 
         const Float y = larger(
             larger(loadLanes<W>(boxes + lowerY + i) - point.fromY, point.fromY - loadLanes<W>(boxes + upperY + i)),
             zero);
-        const Float distance = squareRoot<W>(x * x + y * y) * shorter - point.growX;
+        const Float distance = squareRoot<W>(x * x + y * y) * shorter - point.marginX;
         storeLanes(keys + i, distance);
         lanes |= (bitsOf<W>(distance <= limit) & bitsOf<W>(left == left)) << i;
     }

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
-// What does a search through blocks of boxes give?
+// What does a search of a block tree return?
 #pragma once
 #include <cstdint>
 
 namespace plumb {
 
-/// Two slots whose boxes may overlap now and did not before, as far as floats can tell: what they miss is nothing, what
-/// they add are edges that are the same when rounded.
+/// Two slots whose boxes may overlap now and did not before, in float: no pair is missed; a pair too many has edges
+/// that are equal when rounded.
 struct SlotPair {
     std::uint32_t a, b;
 };
 
-/// How much was done, in units that take about as long on any machine.
+/// The work done, in units that take about the same time on any machine.
 struct SearchWork {
-    std::uint64_t blocks;  ///< 16 boxes tested against the bounds of one block's touched slots
+    std::uint64_t blocks;  ///< 16 boxes tested against the bounds of one block's dirty slots
     std::uint64_t boxes;   ///< one box tested against the 16 of a block
 };
 
-/// What is found goes there, some at a time.
+/// Receives the pairs that are found, in batches.
 struct SlotPairSink {
     void (*take)(void* receiver, const SlotPair* pairs, std::uint32_t count);
     void* receiver;

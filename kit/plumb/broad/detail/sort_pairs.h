@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How are pairs put in order, found in any?
+// How are pairs sorted that were found in any order?
 #pragma once
 #include <span>
 
@@ -7,10 +7,10 @@
 
 namespace plumb {
 
-/// Pairs of count boxes, each once, a < b, by a, then b: a counting sort by a, then each one's b.
+/// Pairs of count boxes, each once, a < b, sorted by a, then b: a counting sort by a, then a sort of each group by b.
 SortedPairs sortPairs(std::span<const Pair> found, std::size_t count);
 
-/// The two as a pair.
+/// The pair of the two, the smaller index first.
 inline Pair pairOf(std::uint32_t i, std::uint32_t j) {
     return i < j ? Pair{i, j} : Pair{j, i};
 }

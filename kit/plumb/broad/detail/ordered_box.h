@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// From where to where does a box reach along each axis, whichever of its corners is called the lower one?
+// The intervals of a box along the axes, whichever of its corners is the lower one.
 #pragma once
 #include <plumb/shapes/aabb.h>
 
 namespace plumb {
 
-/// Boxes turned inside out overlap what reaches across them: what overlaps has extents that do.
-inline Aabb extentOf(const Aabb& box) {
+/// Inverted boxes overlap boxes that extend across them: boxes that overlap also do so when their corners are ordered.
+inline Aabb ordered(const Aabb& box) {
     return {box.lower.cwiseMin(box.upper), box.lower.cwiseMax(box.upper)};
 }
 
