@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/collide/bisection.h>
 
-#include <plumb/collide/detail/reach.h>
+#include <plumb/collide/detail/sweep_limits.h>
 #include <plumb/collide/overlap.h>
 #include <plumb/math/check.h>
 
@@ -21,14 +21,14 @@ std::optional<CollisionTime> bisectCollision(const std::function<bool(double)>& 
     return time;
 }
 
-std::optional<CollisionTime> bisectCollision(const Shape& a, const Way& wayA, const Shape& b, const Way& wayB,
+std::optional<CollisionTime> bisectCollision(const Shape& a, const Sweep& sweepA, const Shape& b, const Sweep& sweepB,
                                              int probes) {
-    requireReach(a, "bisectCollision.a");
-    requireReach(wayA, "bisectCollision.wayA");
-    requireReach(b, "bisectCollision.b");
-    requireReach(wayB, "bisectCollision.wayB");
+    requireInRange(a, "bisectCollision.a");
+    requireInRange(sweepA, "bisectCollision.sweepA");
+    requireInRange(b, "bisectCollision.b");
+    requireInRange(sweepB, "bisectCollision.sweepB");
     return bisectCollision(
-        [&](double time) { return overlap(a, poseOn(wayA, time), b, poseOn(wayB, time)).has_value(); }, probes);
+        [&](double time) { return overlap(a, poseAt(sweepA, time), b, poseAt(sweepB, time)).has_value(); }, probes);
 }
 
 }  // namespace plumb

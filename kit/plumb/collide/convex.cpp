@@ -11,10 +11,10 @@
 
 namespace plumb {
 
-FewVectors::FewVectors(std::span<const Vec2f> vectors) {
-    const std::size_t room = (vectors.size() + few - 1) / few * few;
-    if (room > few) many_.resize(2 * room);
-    float* row = many_.empty() ? few_.data() : many_.data();
+Vec2fArray::Vec2fArray(std::span<const Vec2f> vectors) {
+    const std::size_t room = (vectors.size() + inlineCapacity - 1) / inlineCapacity * inlineCapacity;
+    if (room > inlineCapacity) heap_.resize(2 * room);
+    float* row = heap_.empty() ? inline_.data() : heap_.data();
     for (std::size_t i = 0; i < room; ++i) {
         const Vec2f& vector = vectors[std::min(i, vectors.size() - 1)];
         row[i] = vector.x();
@@ -29,7 +29,7 @@ Vec2f outwardOf(const Vec2& from, const Vec2& to) {
     return Vec2(-perp(edge) / std::sqrt(edge.dot(edge))).cast<float>();
 }
 
-/// Rounded to float last: a short edge far from the centre keeps its direction.
+/// Rounded to float last: so a short edge far from the centre keeps its direction.
 Convex convexAround(std::span<const Vec2> corners, double radius, const Vec2& center) {
     std::vector<Vec2f> vertices, normals;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -37,8 +37,8 @@ Convex convexAround(std::span<const Vec2> corners, double radius, const Vec2& ce
         normals.push_back(outwardOf(corners[i], corners[i + 1 < corners.size() ? i + 1 : 0]));
     }
     Convex convex;
-    convex.vertices = FewVectors(vertices);
-    convex.normals = FewVectors(normals);
+    convex.vertices = Vec2fArray(vertices);
+    convex.normals = Vec2fArray(normals);
     convex.count = static_cast<int>(corners.size());
     convex.radius = static_cast<float>(radius);
     return convex;
@@ -47,7 +47,7 @@ Convex convexAround(std::span<const Vec2> corners, double radius, const Vec2& ce
 Convex convexOf(const Circle& circle, const Vec2& center) {
     const Vec2f middle = Vec2(circle.center - center).cast<float>();
     Convex convex;
-    convex.vertices = FewVectors(std::span(&middle, 1));
+    convex.vertices = Vec2fArray(std::span(&middle, 1));
     convex.count = 1;
     convex.radius = static_cast<float>(circle.radius);
     return convex;

@@ -13,7 +13,7 @@ namespace plumb {
 
 namespace {
 
-/// The edge that the whole of the other shape is farthest outside of, and the other's corner nearest to its line.
+/// The edge that the whole other shape is farthest outside of, and the other shape's corner nearest to its line.
 struct FarAxis {
     std::size_t edge = 0, corner = 0;
     double separation = -std::numeric_limits<double>::infinity();
@@ -32,8 +32,9 @@ FarAxis bestAxis(const Outline& a, const Outline& b) {
     return best;
 }
 
-/// The deepest corner of b under a's edge, and the place on the edge above it. Of a face that lies flush under the edge
-/// either corner may have come, and may reach out past the edge: then the end of the edge is as deep.
+/// The deepest corner of b below a's edge, and the point on the edge above it. If a face lies flush below the edge,
+/// either of its corners may have been chosen, and it may extend past the edge: then the end of the edge is equally
+/// deep.
 Distance along(const FarAxis& axis, const Outline& a, const Outline& b) {
     const Vec2& normal = a.normals[axis.edge];
     const Vec2 edge = a.edgeFrom(axis.edge);
@@ -67,7 +68,7 @@ Nearest cornerAgainstEdge(const Vec2& corner, const Outline& a, std::size_t i) {
     return {squared, {separation, between / separation, behindStart ? end : start, corner}};
 }
 
-/// Corners of b against those edges of a that face the direction in which the two are known to be apart.
+/// Corners of b against those edges of a that face the direction in which the two are separated.
 Nearest nearestOf(const Outline& a, const Outline& b, const Vec2& apart) {
     Nearest best;
     for (std::size_t i = 0; i < a.edges; ++i) {
@@ -103,7 +104,7 @@ Distance coreDistance(const Outline& a, const Outline& b) {
     const Nearest fromB = nearestOf(b, a, -axis.normal);
     const bool nearerB = fromB.squared < fromA.squared;
     const Nearest& best = nearerB ? fromB : fromA;
-    // So near that squares vanish, or so far that they overflow; or a place is not a number.
+    // So near that squares underflow, or so far that they overflow; or a position is NaN.
     if (!(best.squared > 0 && best.squared < std::numeric_limits<double>::infinity())) return axis;
     return nearerB ? exchanged(best.distance) : best.distance;
 }

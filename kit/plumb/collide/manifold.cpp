@@ -20,17 +20,17 @@ Vec2f placed(const RelativePose& pose, const Vec2f& point) {
     return direction + pose.position;
 }
 
-Core placed(const RelativePose& pose, const Convex& shape, PlacedRows& room) {
+Core placed(const RelativePose& pose, const Convex& shape, PlacedRows& buffer) {
     const Core core = coreOf(shape);
     for (std::size_t i = 0; i < core.count; i += lanes) {
         const Lanes x = lanesAt(core.x + i), y = lanesAt(core.y + i);
-        store(pose.cos * x - pose.sin * y + pose.position.x(), room.x + i);
-        store(pose.sin * x + pose.cos * y + pose.position.y(), room.y + i);
+        store(pose.cos * x - pose.sin * y + pose.position.x(), buffer.x + i);
+        store(pose.sin * x + pose.cos * y + pose.position.y(), buffer.y + i);
         const Lanes nx = lanesAt(core.normalX + i), ny = lanesAt(core.normalY + i);
-        store(pose.cos * nx - pose.sin * ny, room.normalX + i);
-        store(pose.sin * nx + pose.cos * ny, room.normalY + i);
+        store(pose.cos * nx - pose.sin * ny, buffer.normalX + i);
+        store(pose.sin * nx + pose.cos * ny, buffer.normalY + i);
     }
-    return {room.x, room.y, room.normalX, room.normalY, core.count, core.radius};
+    return {buffer.x, buffer.y, buffer.normalX, buffer.normalY, core.count, core.radius};
 }
 
 RelativePose inverse(const RelativePose& pose) {
@@ -43,16 +43,16 @@ CoreDisc discOf(const Core& shape) {
 }
 
 /// Only B may be a circle here.
-Manifold placedManifold(const Convex& a, const Core& b, float far, float margin) {
-    if (goesOn(a)) return chainManifold(a, b, far, margin);
-    if (b.count > 1) return polygonManifold(coreOf(a), b, far, margin);
-    return circleManifold(coreOf(a), discOf(b), far, margin);
+Manifold placedManifold(const Convex& a, const Core& b, float magnitude, float margin) {
+    if (isChainSegment(a)) return chainManifold(a, b, magnitude, margin);
+    if (b.count > 1) return polygonManifold(coreOf(a), b, magnitude, margin);
+    return circleManifold(coreOf(a), discOf(b), magnitude, margin);
 }
 
-/// B against A, seen from A again.
-Manifold exchanged(const Convex& a, const Convex& b, const RelativePose& bInA, float far, float margin) {
-    PlacedRows room;
-    Manifold result = placedManifold(b, placed(inverse(bInA), a, room), far, margin);
+/// B against A, with the result in A's frame.
+Manifold exchanged(const Convex& a, const Convex& b, const RelativePose& bInA, float magnitude, float margin) {
+    PlacedRows buffer;
+    Manifold result = placedManifold(b, placed(inverse(bInA), a, buffer), magnitude, margin);
     if (result.count == 0) return result;
     result.normal = turned(bInA, -result.normal);
     for (std::size_t i = 0; i < static_cast<std::size_t>(result.count); ++i) {
@@ -68,11 +68,11 @@ Manifold exchanged(const Convex& a, const Convex& b, const RelativePose& bInA, f
 Manifold manifold(const Convex& a, const Convex& b, const RelativePose& bInA, float margin) {
     if (a.count == 1 && b.count == 1)
         return circleManifold(discOf(coreOf(a)), {placed(bInA, b.vertices[0]), b.radius}, margin);
-    const float far = manhattan(bInA.position);
-    // A circle is B, and what is more than a segment with neighbours: so that each case is there once.
-    if (a.count == 1 || (goesOn(b) && !goesOn(a))) return exchanged(a, b, bInA, far, margin);
-    PlacedRows room;
-    return placedManifold(a, placed(bInA, b, room), far, margin);
+    const float magnitude = manhattan(bInA.position);
+    // The circle, or the shape that is not a chain segment, is always B: so each case is written once.
+    if (a.count == 1 || (isChainSegment(b) && !isChainSegment(a))) return exchanged(a, b, bInA, magnitude, margin);
+    PlacedRows buffer;
+    return placedManifold(a, placed(bInA, b, buffer), magnitude, margin);
 }
 
 }  // namespace plumb

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include <plumb/collide/detail/reach.h>
+#include <plumb/collide/detail/sweep_limits.h>
 
 namespace plumb {
 
@@ -12,9 +12,9 @@ namespace {
 
 void requireSound(const MovingCircle& circle, const std::string& name) {
     requireNotNegative(circle.radius, name, ".radius");
-    requireWithin(circle.radius, 0, farthestReach, name, ".radius");
-    requireReach(circle.position, name, ".position");
-    requireReach(circle.velocity, name, ".velocity");
+    requireWithin(circle.radius, 0, maxMagnitude, name, ".radius");
+    requireInRange(circle.position, name, ".position");
+    requireInRange(circle.velocity, name, ".velocity");
 }
 
 double lengthOf(const Vec2& v) {
@@ -34,14 +34,14 @@ Touch touchAt(double time, const MovingCircle& a, const MovingCircle& b) {
 std::optional<Touch> firstTouch(const MovingCircle& a, const MovingCircle& b) {
     requireSound(a, "MovingCircle a");
     requireSound(b, "MovingCircle b");
-    const Vec2 place = b.position - a.position, velocity = b.velocity - a.velocity;
-    const double radii = a.radius + b.radius, distance = lengthOf(place);
+    const Vec2 position = b.position - a.position, velocity = b.velocity - a.velocity;
+    const double radii = a.radius + b.radius, distance = lengthOf(position);
     const double outside = (distance - radii) * (distance + radii);
     if (outside <= 0) return touchAt(0, a, b);
-    const double closing = -place.dot(velocity);
-    const double way = radii * lengthOf(velocity), aside = std::fabs(cross(place, velocity));
-    if (!(closing > 0) || !(aside <= way)) return std::nullopt;
-    const double time = outside / (closing + std::sqrt((way - aside) * (way + aside)));
+    const double closing = -position.dot(velocity);
+    const double limit = radii * lengthOf(velocity), aside = std::fabs(cross(position, velocity));
+    if (!(closing > 0) || !(aside <= limit)) return std::nullopt;
+    const double time = outside / (closing + std::sqrt((limit - aside) * (limit + aside)));
     return std::isfinite(time) ? std::optional<Touch>(touchAt(time, a, b)) : std::nullopt;
 }
 

@@ -9,7 +9,7 @@ namespace plumb {
 
 namespace {
 
-/// Of what has come near enough for its boxes to overlap; the deeperOf of this and what was found before.
+/// For shapes whose boxes overlap: the deeper of this overlap and the one found before.
 std::optional<Overlap> deeperOf(const std::optional<Overlap>& before, const Shape& a, const Transform& poseA,
                                 const Shape& b, const Transform& poseB) {
     const Distance d = distance(a, poseA, b, poseB);

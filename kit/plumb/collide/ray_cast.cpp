@@ -14,87 +14,88 @@ namespace plumb {
 
 namespace {
 
-/// In the frame of the shape; its way is not zero.
+/// In the frame of the shape; its direction is not zero.
 struct Ray {
-    Vec2 from, way;
+    Vec2 from, direction;
 };
 
-struct Meeting {
+struct RayHit {
     double fraction = 0;
-    Vec2 normal{0, 0};  ///< of any length; zero where it began inside or touching
+    Vec2 normal{0, 0};  ///< of any length; zero where the ray starts inside or touching
 };
-using MaybeMeeting = std::optional<Meeting>;
+using MaybeHit = std::optional<RayHit>;
 
-MaybeMeeting inside() {
-    return Meeting{};
+MaybeHit startsInside() {
+    return RayHit{};
 }
 
-MaybeMeeting meet(const Ray& ray, const Vec2& center, double radius) {
+MaybeHit intersect(const Ray& ray, const Vec2& center, double radius) {
     const Vec2 start = ray.from - center;
-    if (start.dot(start) <= radius * radius) return inside();
-    const double towards = -start.dot(ray.way);
+    if (start.dot(start) <= radius * radius) return startsInside();
+    const double towards = -start.dot(ray.direction);
     if (!(towards > 0)) return std::nullopt;
-    const double whole = ray.way.dot(ray.way);
-    const double aside = cross(start, ray.way);
+    const double whole = ray.direction.dot(ray.direction);
+    const double aside = cross(start, ray.direction);
     const double chord = radius * radius * whole - aside * aside;
     if (!(chord >= 0)) return std::nullopt;
     const double fraction = std::max((towards - std::sqrt(chord)) / whole, 0.0);
     if (fraction > 1) return std::nullopt;
-    return Meeting{fraction, start + ray.way * fraction};
+    return RayHit{fraction, start + ray.direction * fraction};
 }
 
-MaybeMeeting meet(const Ray& ray, const Circle& circle) {
-    return meet(ray, circle.center, circle.radius);
+MaybeHit intersect(const Ray& ray, const Circle& circle) {
+    return intersect(ray, circle.center, circle.radius);
 }
 
 /// The ray runs along the line that the segment is on.
-MaybeMeeting meetInLine(const Ray& ray, const Vec2& toStart, const Vec2& toEnd) {
-    const double first = toStart.dot(ray.way), last = toEnd.dot(ray.way);
+MaybeHit intersectCollinear(const Ray& ray, const Vec2& toStart, const Vec2& toEnd) {
+    const double first = toStart.dot(ray.direction), last = toEnd.dot(ray.direction);
     if (first < 0 && last < 0) return std::nullopt;
-    if (!(first > 0 && last > 0)) return inside();
-    const double fraction = std::min(first, last) / ray.way.dot(ray.way);
+    if (!(first > 0 && last > 0)) return startsInside();
+    const double fraction = std::min(first, last) / ray.direction.dot(ray.direction);
     if (fraction > 1) return std::nullopt;
-    return Meeting{fraction, first < last ? Vec2(toStart - toEnd) : Vec2(toEnd - toStart)};
+    return RayHit{fraction, first < last ? Vec2(toStart - toEnd) : Vec2(toEnd - toStart)};
 }
 
-/// Is a cross product of these nothing but rounding?
+/// Is a cross product of these two vectors only a rounding error?
 bool isRounding(double product, const Vec2& a, const Vec2& b) {
     constexpr double fourRoundings = 2 * std::numeric_limits<double>::epsilon();
     return std::fabs(product) <= fourRoundings * (std::fabs(a.x() * b.y()) + std::fabs(a.y() * b.x()));
 }
 
-/// Both ends on one side of the ray's line: missed. The side of a point is the same for all segments that share it.
-MaybeMeeting meet(const Ray& ray, const Vec2& start, const Vec2& end) {
+/// Both ends on one side of the ray's line: no hit. The side of a point is the same for all segments that share it.
+MaybeHit intersect(const Ray& ray, const Vec2& start, const Vec2& end) {
     const Vec2 toStart = start - ray.from, toEnd = end - ray.from, edge = end - start;
-    const double sideStart = cross(ray.way, toStart), sideEnd = cross(ray.way, toEnd);
-    if (isRounding(sideStart, ray.way, toStart) && isRounding(sideEnd, ray.way, toEnd))
-        return meetInLine(ray, toStart, toEnd);
+    const double sideStart = cross(ray.direction, toStart), sideEnd = cross(ray.direction, toEnd);
+    if (isRounding(sideStart, ray.direction, toStart) && isRounding(sideEnd, ray.direction, toEnd))
+        return intersectCollinear(ray, toStart, toEnd);
     if ((sideStart > 0 && sideEnd > 0) || (sideStart < 0 && sideEnd < 0)) return std::nullopt;
-    // By the place on the segment, not by that on the ray: where the two are nearly in line only it is sure.
+    // Computed from the point on the segment, not from that on the ray: only this is accurate where the two are almost
+    // parallel.
     const double across = sideEnd - sideStart;
-    const Vec2 place = toStart - edge * (sideStart / across);
-    const double fraction = place.dot(ray.way) / ray.way.dot(ray.way);
-    if (fraction == 0) return inside();
+    const Vec2 position = toStart - edge * (sideStart / across);
+    const double fraction = position.dot(ray.direction) / ray.direction.dot(ray.direction);
+    if (fraction == 0) return startsInside();
     if (!(fraction > 0 && fraction <= 1)) return std::nullopt;
-    return Meeting{fraction, across > 0 ? perp(edge) : Vec2(-perp(edge))};
+    return RayHit{fraction, across > 0 ? perp(edge) : Vec2(-perp(edge))};
 }
 
-MaybeMeeting meet(const Ray& ray, const Segment& segment) {
-    return meet(ray, segment.start, segment.end);
+MaybeHit intersect(const Ray& ray, const Segment& segment) {
+    return intersect(ray, segment.start, segment.end);
 }
 
-MaybeMeeting meet(const Ray& ray, const Chain& chain) {
+MaybeHit intersect(const Ray& ray, const Chain& chain) {
     requireCount(chain);
-    MaybeMeeting first;
+    MaybeHit first;
     const std::size_t count = chain.points.size();
     for (std::size_t i = 0; i < (chain.closed ? count : count - 1); ++i) {
-        const MaybeMeeting here = meet(ray, chain.points[i], chain.points[i + 1 < count ? i + 1 : 0]);
+        const MaybeHit here = intersect(ray, chain.points[i], chain.points[i + 1 < count ? i + 1 : 0]);
         if (here && (!first || here->fraction < first->fraction)) first = here;
     }
     return first;
 }
 
-MaybeMeeting meet(const Ray& ray, const Capsule& capsule) {
+MaybeHit intersect(const Ray& ray, const Capsule& capsule) {
     const Vec2 edge = capsule.end - capsule.start;
     const double whole = edge.dot(edge);
     Vec2 normal = perp(edge) / std::sqrt(whole);
@@ -103,21 +104,21 @@ MaybeMeeting meet(const Ray& ray, const Capsule& capsule) {
     height = std::fabs(height);
     const bool beside = height > capsule.radius;
     if (beside) {
-        const double closing = -normal.dot(ray.way);
+        const double closing = -normal.dot(ray.direction);
         if (!(closing > 0) || height - capsule.radius > closing) return std::nullopt;
         fraction = (height - capsule.radius) / closing;
     }
-    const double along = edge.dot(ray.from + ray.way * fraction - capsule.start);
-    if (along < 0) return meet(ray, capsule.start, capsule.radius);
-    if (along > whole) return meet(ray, capsule.end, capsule.radius);
-    return beside ? Meeting{fraction, normal} : inside();
+    const double along = edge.dot(ray.from + ray.direction * fraction - capsule.start);
+    if (along < 0) return intersect(ray, capsule.start, capsule.radius);
+    if (along > whole) return intersect(ray, capsule.end, capsule.radius);
+    return beside ? RayHit{fraction, normal} : startsInside();
 }
 
 struct Edge {
     const Vec2& start;
     const Vec2& end;
-    Vec2 way() const { return end - start; }
-    Vec2 outward() const { return -perp(way()); }
+    Vec2 direction() const { return end - start; }
+    Vec2 outward() const { return -perp(direction()); }
 };
 
 Edge edgeOf(const Polygon& polygon, std::size_t i) {
@@ -125,27 +126,27 @@ Edge edgeOf(const Polygon& polygon, std::size_t i) {
     return {polygon.vertices[i], polygon.vertices[next]};
 }
 
-/// Begins where every edge, moved out by the radius, has it behind it: inside, or before a corner that is round.
-MaybeMeeting meetFromWithinEdges(const Ray& ray, const Polygon& polygon) {
+/// The ray starts behind every edge offset outwards by the radius: inside, or in front of a rounded corner.
+MaybeHit intersectFromWithinEdges(const Ray& ray, const Polygon& polygon) {
     bool inCore = true;
     double least = std::numeric_limits<double>::infinity();
     Vec2 nearest = polygon.vertices.front();
     for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
         const Edge edge = edgeOf(polygon, i);
-        const Vec2 way = edge.way(), start = ray.from - edge.start;
+        const Vec2 direction = edge.direction(), start = ray.from - edge.start;
         if (edge.outward().dot(start) <= 0) continue;
         inCore = false;
-        const double part = std::clamp(start.dot(way) / way.dot(way), 0.0, 1.0);
-        const Vec2 apart = start - way * part;
+        const double part = std::clamp(start.dot(direction) / direction.dot(direction), 0.0, 1.0);
+        const Vec2 apart = start - direction * part;
         if (apart.dot(apart) >= least) continue;
         least = apart.dot(apart);
         nearest = part < 0.5 ? edge.start : edge.end;
     }
-    if (inCore || least <= polygon.radius * polygon.radius) return inside();
-    return meet(ray, nearest, polygon.radius);
+    if (inCore || least <= polygon.radius * polygon.radius) return startsInside();
+    return intersect(ray, nearest, polygon.radius);
 }
 
-MaybeMeeting meet(const Ray& ray, const Polygon& polygon) {
+MaybeHit intersect(const Ray& ray, const Polygon& polygon) {
     requireCount(polygon);
     const double radius = polygon.radius;
     double enter = -1, leave = 1;
@@ -154,38 +155,38 @@ MaybeMeeting meet(const Ray& ray, const Polygon& polygon) {
         const Vec2 outward = edgeOf(polygon, i).outward();
         const double extra = radius > 0 ? radius * std::sqrt(outward.dot(outward)) : 0.0;
         const double depth = outward.dot(polygon.vertices[i] - ray.from) + extra;
-        const double going = outward.dot(ray.way);
+        const double outwardSpeed = outward.dot(ray.direction);
         if (depth < 0) {
-            if (!(going < 0)) return std::nullopt;
-            const double fraction = depth / going;
+            if (!(outwardSpeed < 0)) return std::nullopt;
+            const double fraction = depth / outwardSpeed;
             if (fraction > enter) entered = i;
             enter = std::max(enter, fraction);
-        } else if (going > 0) {
-            leave = std::min(leave, depth / going);
+        } else if (outwardSpeed > 0) {
+            leave = std::min(leave, depth / outwardSpeed);
         }
     }
     if (enter > leave) return std::nullopt;
-    if (enter < 0) return radius > 0 ? meetFromWithinEdges(ray, polygon) : inside();
+    if (enter < 0) return radius > 0 ? intersectFromWithinEdges(ray, polygon) : startsInside();
     const Edge edge = edgeOf(polygon, entered);
     if (radius > 0) {
-        const double along = edge.way().dot(ray.from + ray.way * enter - edge.start);
-        if (along < 0) return meet(ray, edge.start, radius);
-        if (along > edge.way().dot(edge.way())) return meet(ray, edge.end, radius);
+        const double along = edge.direction().dot(ray.from + ray.direction * enter - edge.start);
+        if (along < 0) return intersect(ray, edge.start, radius);
+        if (along > edge.direction().dot(edge.direction())) return intersect(ray, edge.end, radius);
     }
-    return Meeting{enter, edge.outward()};
+    return RayHit{enter, edge.outward()};
 }
 
-MaybeMeeting meet(const Ray& ray, const TileMap& map) {
-    MaybeMeeting first;
+MaybeHit intersect(const Ray& ray, const TileMap& map) {
+    MaybeHit first;
     for (const Shape& piece : piecesOf(map)) {
         const auto* segment = std::get_if<Segment>(&piece);
-        const MaybeMeeting here = segment != nullptr ? meet(ray, *segment) : meet(ray, std::get<Polygon>(piece));
+        const MaybeHit here = segment != nullptr ? intersect(ray, *segment) : intersect(ray, std::get<Polygon>(piece));
         if (here && (!first || here->fraction < first->fraction)) first = here;
     }
     return first;
 }
 
-/// A ray of no length.
+/// A ray of zero length.
 std::optional<CastPoint> castPoint(const Vec2& point, const Shape& shape, const Transform& pose) {
     const Distance here = distance(shape, pose, Circle{.radius = 0}, {point, {}});
     if (!(here.separation <= 0 && std::isfinite(here.separation))) return std::nullopt;
@@ -195,20 +196,20 @@ std::optional<CastPoint> castPoint(const Vec2& point, const Shape& shape, const 
 }  // namespace
 
 std::optional<CastPoint> castRay(const Vec2& from, const Vec2& to, const Shape& shape, const Transform& pose) {
-    const Vec2 way = to - from;
-    if (!(way.dot(way) > 0)) return castPoint(from, shape, pose);
+    const Vec2 direction = to - from;
+    if (!(direction.dot(direction) > 0)) return castPoint(from, shape, pose);
     const Rot back = pose.rotation.inverse();
-    const Ray ray{back * Vec2(from - pose.position), back * way};
-    const MaybeMeeting meeting = std::visit([&](const auto& outline) { return meet(ray, outline); }, shape);
-    if (!meeting) return std::nullopt;
-    if (meeting->normal.isZero(0)) {
-        // Nothing of what is not a number is outside of an edge.
-        const bool sound = ray.from.allFinite() && ray.way.allFinite();
-        return sound ? std::optional<CastPoint>({from, -detail::unit(way), 0}) : std::nullopt;
+    const Ray ray{back * Vec2(from - pose.position), back * direction};
+    const MaybeHit hit = std::visit([&](const auto& outline) { return intersect(ray, outline); }, shape);
+    if (!hit) return std::nullopt;
+    if (hit->normal.isZero(0)) {
+        // A ray that is not finite is never outside of an edge.
+        const bool sound = ray.from.allFinite() && ray.direction.allFinite();
+        return sound ? std::optional<CastPoint>({from, -detail::unit(direction), 0}) : std::nullopt;
     }
-    const Vec2 point = from + way * meeting->fraction;
+    const Vec2 point = from + direction * hit->fraction;
     if (!point.allFinite()) return std::nullopt;
-    return CastPoint{point, pose.rotation * detail::unit(meeting->normal), meeting->fraction};
+    return CastPoint{point, pose.rotation * detail::unit(hit->normal), hit->fraction};
 }
 
 }  // namespace plumb

@@ -13,8 +13,8 @@ namespace plumb {
 
 namespace {
 
-/// Twice the steps that the slowest case takes: where the two just graze, half of the way is left after each.
-constexpr int mostSteps = 100;
+/// Twice the steps of the slowest case: where the two just graze, half of the distance is left after each step.
+constexpr int maxSteps = 100;
 
 double largestOf(const Outline& outline) {
     double largest = outline.radius;
@@ -23,7 +23,7 @@ double largestOf(const Outline& outline) {
     return largest;
 }
 
-/// Nearer than this is a touch: eight roundings of the largest number that comes in, as distance makes five [m].
+/// Two shapes nearer than this touch: eight roundings of the largest input, as distance makes five [m].
 double touchOf(const Outline& target, const Outline& moving, const Vec2& shift) {
     constexpr double eightRoundings = 4 * std::numeric_limits<double>::epsilon();
     return eightRoundings * (largestOf(target) + largestOf(moving) + shift.cwiseAbs().maxCoeff());
@@ -34,22 +34,22 @@ std::optional<CastPoint> overlapping(const Distance& now, const Vec2& point, con
     return CastPoint{point, length > 0 ? Vec2(-shift / length) : now.normal, 0};
 }
 
-/// The outlines of convex shapes, seen from one origin, as is the point that is found.
+/// The outlines of convex shapes relative to one origin, as is the resulting point.
 std::optional<CastPoint> castOutline(Outline moving, const Vec2& shift, const Outline& target) {
     std::array<Vec2, maxPolygonVertices> start;  // of its corners
     std::copy_n(moving.corners.begin(), moving.count, start.begin());
     const double radii = target.radius + moving.radius, touch = touchOf(target, moving, shift);
     double fraction = 0;
     Vec2 normal{0, 0};
-    for (int i = 0; i < mostSteps; ++i) {
+    for (int i = 0; i < maxSteps; ++i) {
         for (std::size_t k = 0; k < moving.count; ++k) moving.corners[k] = start[k] + shift * fraction;
         const Distance now = coreDistance(target, moving);
         const double separation = now.separation - radii;
         const Vec2 point = now.pointA + now.normal * target.radius;
-        // Of what is not a number no edge is outside: that seems infinitely deep.
+        // With NaN no edge is outside: the shapes seem infinitely deep.
         if (i == 0 && !std::isfinite(separation)) return std::nullopt;
         if (i == 0 && separation <= 0) return overlapping(now, point, shift);
-        // Where corners touch, their difference has no direction any more; the one before parts the two just as well.
+        // Where corners touch, their difference has no direction; the one of the step before separates the two as well.
         const bool blurred = i > 0 && radii < 1e3 * touch;
         if (separation <= touch) return CastPoint{point, blurred ? normal : now.normal, fraction};
         const double closing = -now.normal.dot(shift);

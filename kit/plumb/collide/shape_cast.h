@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where does a shape that is shifted meet another?
+// Where does a translated shape hit another?
 #pragma once
 #include <optional>
 
@@ -7,16 +7,17 @@
 
 namespace plumb {
 
-/// How one shape, shifted straight on without turning, first meets another that stays; empty when it does not. The
-/// point and the normal are of the one that stays. Of two that overlap at the start, its point that is deepest in the
-/// other; shifted by nothing, the normal is the shortest way out. At a place that is not finite nothing is met.
+/// How one shape, translated without rotation, first hits another that is at rest; empty when it does not. The point
+/// and the normal are those of the shape at rest. If the two overlap at the start, the point is the one of the resting
+/// shape that is deepest in the other; for a translation of zero, the normal is the direction of the shortest way out.
+/// At a position that is not finite nothing is hit.
 ///   t' = t + s(t) / -(n . d)
-/// t fraction of the way [-], s the distance there [m], n the normal of it [-], d the shift [m]
-/// The distance of convex shapes along a straight way is a convex function of t, so Newton's method comes to its first
-/// zero from below, never beyond it, and where the distance does not shrink it never will.
-/// Shapes are ones that a body can have: for the engine's sake only counts are looked at, and std::invalid_argument
-/// thrown on too few corners or too many. Others, as a polygon that runs clockwise, validate() refuses.
-/// Source: Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996, section 2.3, without turning.
+/// t fraction of the translation [-], s the distance there [m], n its normal [-], d the translation [m]
+/// The distance of convex shapes along a straight line is a convex function of t, so Newton's method reaches its first
+/// zero from below, never beyond it; where the distance does not shrink, it never will.
+/// The shapes must be valid for a body: for speed only the number of corners is checked, and std::invalid_argument
+/// thrown on too few or too many. validate() refuses all other faults, such as a clockwise polygon.
+/// Source: Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996, section 2.3, without rotation.
 /// Test: "where 20,000 shifted shapes of each two kinds meet is where the Minkowski difference says"
 std::optional<CastPoint> castShape(const Shape& moving, const Transform& pose, const Vec2& shift, const Shape& target,
                                    const Transform& targetPose);

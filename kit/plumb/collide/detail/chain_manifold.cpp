@@ -12,28 +12,31 @@ namespace plumb {
 
 namespace {
 
-/// Directions this near to a segment's own normal are its own: above what a body at rest trembles, and above the angle
-/// within which faces count as facing [rad].
-constexpr float own = 0.02f;
-/// Joints that turn by less are flat [rad].
-constexpr float flat = 1e-3f;
-/// What is nearer than this at a joint, the neighbour has as well, as near: it holds it. What is farther may be on this
-/// segment by the step's end. Must stay below the distance at which the world takes a contact for a touching one [m].
+/// Directions this near to a segment's own normal count as that normal: more than the jitter of a body at rest, and
+/// more than the angle within which faces count as parallel [rad].
+constexpr float ownAngle = 0.02f;
+/// Chain vertices with a smaller turn are flat [rad].
+constexpr float flatAngle = 1e-3f;
+/// At a chain vertex, a shape nearer than this is as near to the neighbour, which has the contact. A shape farther away
+/// may be on this segment by the end of the step. Must be below the distance at which the world counts a contact as
+/// touching [m].
 constexpr float touching = 0.005f;
 
-/// This share of the height of its centre, and no more than this [m], a body may have sunk in what it stands on: the
-/// world lets none go deeper into a wall in a step.
-constexpr float sunkShare = 0.25f;
-constexpr float deepest = 0.02f;
+/// A body may penetrate what it stands on by this share of the height of its centre, and no more than this [m]: the
+/// world lets no body go deeper into a wall in a step.
+constexpr float maxDepthShare = 0.25f;
+constexpr float maxDepth = 0.02f;
 
-/// Past the neighbour's normal by less than this, a way is rather the neighbour's [sine of 45 degrees] ...
-constexpr float steep = 0.707f;
-/// ... if the segment's own is so many times as long: it may be that of a wall under a box that stands out over it.
-constexpr float deeper = 2.5f;
+/// A direction that has turned past the neighbour's normal by less than this belongs to the neighbour [sine of 45
+/// degrees] ...
+constexpr float steepSine = 0.707f;
+/// ... if the depth along the segment's own normal is so many times as large: it may be the normal of a wall under a
+/// box that projects over it.
+constexpr float deeperFactor = 2.5f;
 
 /// The side of a segment on which the other shape is.
 struct Side {
-    std::size_t edge = 0;  ///< of the segment's two, back to back
+    std::size_t edge = 0;  ///< of the segment's two edges, back to back
     Vec2f normal;
     Vec2f center;  ///< of the other shape
 };
@@ -47,43 +50,43 @@ Side sideOf(const Core& segment, const Core& other) {
     return {edge, segment.normal(edge), center};
 }
 
-/// One end of the segment, as a direction sees it that leans out over it.
-struct Joint {
+/// One end of the segment. The convex side is the one on which a contact direction leans outwards over this end.
+struct EndVertex {
     std::size_t corner = 0;
-    Vec2f outward;        ///< along the segment, out over this end
-    Vec2f next{0, 0};     ///< the neighbour's normal, on the convex side; zero without a neighbour or where it is flat
-    Vec2f normal{0, 0};   ///< the segment's own, on the convex side
-    bool goesOn = false;  ///< there is a neighbour
-    bool isOpen = false;  ///< it is a one-way top, in line
-    bool isConvex = false;  ///< on one of the sides, that is: not flat
+    Vec2f outward;              ///< along the segment, outwards at this end
+    Vec2f next{0, 0};           ///< the neighbour's normal on the convex side; zero if there is none, or it is flat
+    Vec2f normal{0, 0};         ///< the segment's own, on the convex side
+    bool hasNeighbour = false;  ///< there is a neighbour
+    bool isOneWayTop = false;   ///< the neighbour is a one-way top in line with the segment
+    bool isConvex = false;      ///< convex on one of the two sides, so not flat
 };
 
-Joint jointAt(const Convex& piece, bool atEnd) {
-    Joint joint;
+EndVertex endVertexAt(const Convex& piece, bool atEnd) {
+    EndVertex endVertex;
     const Vec2f along = perp(piece.normals[0]);
     const Vec2f& neighbour = atEnd ? piece.after : piece.before;
-    joint.corner = atEnd ? 1 : 0;
-    joint.outward = atEnd ? along : Vec2f(-along);
-    joint.isOpen = piece.oneSided && !isVector(neighbour);
-    joint.goesOn = joint.isOpen || isVector(neighbour);
-    const float turn = neighbour.dot(joint.outward);
-    joint.isConvex = std::abs(turn) > flat;
-    if (!joint.isConvex) return joint;
-    joint.next = turn > 0 ? neighbour : Vec2f(-neighbour);
-    joint.normal = turn > 0 ? piece.normals[0] : piece.normals[1];
-    return joint;
+    endVertex.corner = atEnd ? 1 : 0;
+    endVertex.outward = atEnd ? along : Vec2f(-along);
+    endVertex.isOneWayTop = piece.oneSided && !isVector(neighbour);
+    endVertex.hasNeighbour = endVertex.isOneWayTop || isVector(neighbour);
+    const float turn = neighbour.dot(endVertex.outward);
+    endVertex.isConvex = std::abs(turn) > flatAngle;
+    if (!endVertex.isConvex) return endVertex;
+    endVertex.next = turn > 0 ? neighbour : Vec2f(-neighbour);
+    endVertex.normal = turn > 0 ? piece.normals[0] : piece.normals[1];
+    return endVertex;
 }
 
-/// How far a direction has turned past the neighbour's normal, away from the segment's own.
-struct Past {
+/// How far a direction is rotated past the neighbour's normal, away from the segment's own.
+struct TurnPast {
     float sine = 0, cosine = 1;
 
     bool isNear(float sineOfAngle) const { return cosine > 0 && std::abs(sine) < sineOfAngle; }
 };
 
-Past pastNext(const Joint& joint, const Vec2f& direction) {
-    const float x = direction.dot(joint.outward), y = direction.dot(joint.normal);
-    const float nextX = joint.next.dot(joint.outward), nextY = joint.next.dot(joint.normal);
+TurnPast turnPastNeighbour(const EndVertex& endVertex, const Vec2f& direction) {
+    const float x = direction.dot(endVertex.outward), y = direction.dot(endVertex.normal);
+    const float nextX = endVertex.next.dot(endVertex.outward), nextY = endVertex.next.dot(endVertex.normal);
     return {nextY * x - nextX * y, nextX * x + nextY * y};
 }
 
@@ -91,14 +94,14 @@ float nearestOf(const Manifold& m) {
     return m.count == 2 ? std::min(m.points[0].separation, m.points[1].separation) : m.points[0].separation;
 }
 
-/// How far the other shape is outside of a line through a corner.
+/// How far the other shape is outside of the line through a corner with this normal.
 float gapAlong(const Vec2f& direction, const Vec2f& corner, const Core& other) {
     float lowest = direction.dot(other.vertex(0));
     for (std::size_t i = 1; i < other.count; ++i) lowest = std::min(lowest, direction.dot(other.vertex(i)));
     return lowest - direction.dot(corner) - other.radius;
 }
 
-/// The vertex of a core that lies lowest along a direction; of those that lie as low, the one nearest to a corner.
+/// The vertex of a core that is lowest along a direction; of several that are equally low, the one nearest to a corner.
 Vec2f lowestVertex(const Vec2f& direction, const Vec2f& corner, const Core& core) {
     Vec2f best = core.vertex(0);
     for (std::size_t i = 1; i < core.count; ++i) {
@@ -111,10 +114,10 @@ Vec2f lowestVertex(const Vec2f& direction, const Vec2f& corner, const Core& core
     return best;
 }
 
-/// One point along another direction than the one found. Of what is rounded it lies straight below the core: from any
-/// other place a disc that only rolls on would seem to come nearer.
-Manifold turnedTo(const Vec2f& direction, float separation, const Vec2f& corner, const Core& other,
-                  const Manifold& found) {
+/// One contact point along a direction other than the one found. For a rounded shape it lies straight below the core:
+/// at any other place a disc that only rolls would seem to approach.
+Manifold redirected(const Vec2f& direction, float separation, const Vec2f& corner, const Core& other,
+                    const Manifold& found) {
     Manifold result;
     result.normal = direction;
     result.count = 1;
@@ -124,13 +127,13 @@ Manifold turnedTo(const Vec2f& direction, float separation, const Vec2f& corner,
     return result;
 }
 
-/// Along the segment's own normal, as far as the other shape is above or below it.
-Manifold ownManifold(const Core& segment, const Side& side, const Core& other, float far, float margin) {
-    if (other.count > 1) return edgeManifold(segment, side.edge, other, far, margin);
+/// The manifold along the segment's own normal, for the part of the other shape above or below the segment.
+Manifold ownManifold(const Core& segment, const Side& side, const Core& other, float magnitude, float margin) {
+    if (other.count > 1) return edgeManifold(segment, side.edge, other, magnitude, margin);
     const Vec2f fromStart = other.vertex(0) - segment.vertex(side.edge);
     const Vec2f edge = segment.edgeFrom(side.edge);
     const float length = perp(side.normal).dot(edge), along = perp(side.normal).dot(fromStart);
-    const float noise = roundingOf(far + manhattan(segment.vertex(0)) + manhattan(segment.vertex(1)));
+    const float noise = roundingOf(magnitude + manhattan(segment.vertex(0)) + manhattan(segment.vertex(1)));
     const float separation = side.normal.dot(fromStart) - other.radius;
     if (along < -noise || along > length + noise || !(separation <= margin)) return {};
     Manifold result;
@@ -140,7 +143,7 @@ Manifold ownManifold(const Core& segment, const Side& side, const Core& other, f
     return result;
 }
 
-/// How far a point is outside of a shape's edges, negative inside, and of which one.
+/// How far a point is outside of a shape's edges, negative inside, and for which edge that is.
 struct Outside {
     std::size_t edge = 0;
     float distance = 0;
@@ -156,17 +159,17 @@ Outside outsideOf(const Core& shape, const Vec2f& point) {
     return best;
 }
 
-/// The neighbour, whose joint this is, finds the same way as this segment; unless it has a better one, through another
-/// edge of the other shape, that is not allowed to it.
-bool hasBetterWay(const Core& other, const Vec2f& corner, const Vec2f& way) {
+/// The neighbour at this vertex finds the same direction as this segment, unless it finds a shallower one, through
+/// another edge of the other shape, that the neighbour may not use.
+bool hasShallowerDirection(const Core& other, const Vec2f& corner, const Vec2f& direction) {
     constexpr float opposite = -0.9999f;
-    return other.normal(outsideOf(other, corner).edge).dot(way) > opposite;
+    return other.normal(outsideOf(other, corner).edge).dot(direction) > opposite;
 }
 
-/// Does the other shape lie over the neighbour, so that this has it along its own normal?
-bool reachesOver(const Joint& joint, const Vec2f& corner, const Core& other) {
-    const float turn = perp(joint.normal).dot(joint.outward);
-    const Vec2f along = turn > 0 ? perp(joint.next) : Vec2f(-perp(joint.next));
+/// Does the other shape lie over the neighbour, so that the neighbour has a contact along its own normal?
+bool extendsOver(const EndVertex& endVertex, const Vec2f& corner, const Core& other) {
+    const float turn = perp(endVertex.normal).dot(endVertex.outward);
+    const Vec2f along = turn > 0 ? perp(endVertex.next) : Vec2f(-perp(endVertex.next));
     for (std::size_t i = 0; i < other.count; ++i) {
         const Vec2f fromCorner = other.vertex(i) - corner;
         if (along.dot(fromCorner) > touching) return true;
@@ -174,169 +177,172 @@ bool reachesOver(const Joint& joint, const Vec2f& corner, const Core& other) {
     return false;
 }
 
-/// A segment, another shape, and the manifold that they would have if the segment were alone.
-struct Encounter {
+/// A segment, another shape, and the manifold that they would have if the segment had no neighbours.
+struct SegmentContact {
     Core segment, other;
-    float far = 0, margin = 0;  ///< [m]
+    float magnitude = 0, margin = 0;  ///< [m]
     Manifold found;
-    float separation = 0;  ///< [m]
-    bool apart = false;    ///< the two overlap by their radii, if at all
+    float separation = 0;    ///< [m]
+    bool separated = false;  ///< the cores do not overlap: at most the radii do
     Side side;
-    Joint joint;           ///< the one over which the way found leans
-    float lean = 0;        ///< its sine
-    Past past;             ///< of the neighbour's normal
-    bool between = false;  ///< the way found lies between the segment's normal and the neighbour's
+    EndVertex endVertex;   ///< the end over which the direction found leans
+    float lean = 0;        ///< sine of the angle by which it leans
+    TurnPast turnPast;     ///< rotation past the neighbour's normal
+    bool between = false;  ///< the direction found lies between the segment's normal and the neighbour's
 };
 
-Encounter meetingOf(const Convex& piece, const Core& other, float far, float margin) {
-    Encounter m;
+SegmentContact segmentContactOf(const Convex& piece, const Core& other, float magnitude, float margin) {
+    SegmentContact m;
     m.segment = coreOf(piece);
     m.other = other;
-    m.far = far;
+    m.magnitude = magnitude;
     m.margin = margin;
-    m.found = other.count > 1 ? polygonManifold(m.segment, other, far, margin)
-                              : circleManifold(m.segment, CoreDisc{other.vertex(0), other.radius}, far, margin);
+    m.found = other.count > 1 ? polygonManifold(m.segment, other, magnitude, margin)
+                              : circleManifold(m.segment, CoreDisc{other.vertex(0), other.radius}, magnitude, margin);
     if (m.found.count == 0) return m;
-    const Vec2f& way = m.found.normal;
+    const Vec2f& direction = m.found.normal;
     m.separation = nearestOf(m.found);
-    m.apart = m.separation + other.radius > 0;
+    m.separated = m.separation + other.radius > 0;
     m.side = sideOf(m.segment, other);
-    m.joint = jointAt(piece, way.dot(perp(m.segment.normal(0))) >= 0);
-    m.lean = way.dot(m.joint.outward);
-    if (!m.joint.isConvex) return m;
-    m.past = pastNext(m.joint, way);
-    m.between = m.past.sine <= 0;
+    m.endVertex = endVertexAt(piece, direction.dot(perp(m.segment.normal(0))) >= 0);
+    m.lean = direction.dot(m.endVertex.outward);
+    if (!m.endVertex.isConvex) return m;
+    m.turnPast = turnPastNeighbour(m.endVertex, direction);
+    m.between = m.turnPast.sine <= 0;
     return m;
 }
 
-/// The way found is the segment's own, but for trembling, and its joint is no corner there; or it leads out on the far
-/// side, so deep is the overlap.
-Manifold alongOwn(const Encounter& m) {
-    const bool below = m.apart && m.found.normal.dot(m.side.normal) < 0;
+/// The direction found is the segment's own normal, up to jitter, and the vertex is flat there; or it points to the far
+/// side, because the overlap is deep.
+Manifold alongOwnNormal(const SegmentContact& m) {
+    const bool below = m.separated && m.found.normal.dot(m.side.normal) < 0;
     const Side side = below ? Side{1 - m.side.edge, -m.side.normal, m.side.center} : m.side;
-    const Manifold result = ownManifold(m.segment, side, m.other, m.far, m.margin);
+    const Manifold result = ownManifold(m.segment, side, m.other, m.magnitude, m.margin);
     if (result.count > 0 || m.separation <= touching) return result;
-    return turnedTo(side.normal, m.separation, m.segment.vertex(m.joint.corner), m.other, m.found);
+    return redirected(side.normal, m.separation, m.segment.vertex(m.endVertex.corner), m.other, m.found);
 }
 
-/// The way found lies between both normals. The corner belongs to the segment that ends there, but for what lies along
-/// the neighbour; and to the other where this one has another way.
-Manifold aroundCorner(const Encounter& m) {
-    const Vec2f corner = m.segment.vertex(m.joint.corner);
-    const bool along = m.past.isNear(own / 2) && reachesOver(m.joint, corner, m.other);
-    const bool ends = m.joint.corner == 1;
-    const bool mine = ends ? !along : !m.apart && hasBetterWay(m.other, corner, m.found.normal);
-    return m.lean <= own || mine || m.separation > touching ? m.found : Manifold{};
+/// The direction found lies between both normals. A corner belongs to the segment that ends there, except for a shape
+/// that lies along the neighbour; and to the other segment where this one has a shallower direction.
+Manifold aroundCorner(const SegmentContact& m) {
+    const Vec2f corner = m.segment.vertex(m.endVertex.corner);
+    const bool along = m.turnPast.isNear(ownAngle / 2) && extendsOver(m.endVertex, corner, m.other);
+    const bool ends = m.endVertex.corner == 1;
+    const bool mine = ends ? !along : !m.separated && hasShallowerDirection(m.other, corner, m.found.normal);
+    return m.lean <= ownAngle || mine || m.separation > touching ? m.found : Manifold{};
 }
 
-/// The way found is not allowed, and the two are apart.
-Manifold turnedApart(const Encounter& m) {
-    const Vec2f corner = m.segment.vertex(m.joint.corner);
-    const bool convexHere = m.joint.isConvex && m.joint.normal.dot(m.side.normal) > 0;
-    if (m.joint.isConvex && !convexHere) {
-        // In a hollow the segment's plane bounds what the body may do, beyond its end too.
+/// The direction found is not allowed, and the cores are separated.
+Manifold redirectedSeparated(const SegmentContact& m) {
+    const Vec2f corner = m.segment.vertex(m.endVertex.corner);
+    const bool convexHere = m.endVertex.isConvex && m.endVertex.normal.dot(m.side.normal) > 0;
+    if (m.endVertex.isConvex && !convexHere) {
+        // In a concave corner the plane of the segment limits the body beyond the segment's end too.
         const float gap = gapAlong(m.side.normal, corner, m.other);
-        if (gap >= 0) return turnedTo(m.side.normal, gap, corner, m.other, m.found);
+        if (gap >= 0) return redirected(m.side.normal, gap, corner, m.other, m.found);
     }
     if (m.separation <= touching) return {};
-    return turnedTo(convexHere ? m.joint.next : m.side.normal, m.separation, corner, m.other, m.found);
+    return redirected(convexHere ? m.endVertex.next : m.side.normal, m.separation, corner, m.other, m.found);
 }
 
-/// The way found is not allowed, and the two overlap.
-Manifold turnedSunk(const Encounter& m) {
-    const Manifold result = ownManifold(m.segment, m.side, m.other, m.far, m.margin);
-    if (!m.joint.isConvex || !m.past.isNear(steep) || result.count == 0) return result;
+/// The direction found is not allowed, and the cores overlap.
+Manifold redirectedOverlapping(const SegmentContact& m) {
+    const Manifold result = ownManifold(m.segment, m.side, m.other, m.magnitude, m.margin);
+    if (!m.endVertex.isConvex || !m.turnPast.isNear(steepSine) || result.count == 0) return result;
     const float depth = -(m.separation + m.other.radius), ownDepth = -(nearestOf(result) + m.other.radius);
-    return ownDepth > deeper * depth ? Manifold{} : result;
+    return ownDepth > deeperFactor * depth ? Manifold{} : result;
 }
 
-/// Of an outline that is solid on its left, in a hollow narrower than a quarter turn: all of that lies on this side of
-/// its joint. What is met beyond it, or is as good as beyond it and beyond the neighbour, is met through the neighbour.
-bool isThroughNeighbour(const Convex& piece, const Encounter& m) {
+/// For an outline that is solid on its left, with a concave corner of less than 90 degrees: the whole corner lies on
+/// this side of the vertex. A shape beyond the vertex, or almost beyond it and beyond the neighbour, has its contact
+/// with the neighbour.
+bool hitsThroughNeighbour(const Convex& piece, const SegmentContact& m) {
     const Vec2f outer = piece.normals[0];
     for (const bool atEnd : {false, true}) {
-        const Joint joint = jointAt(piece, atEnd);
-        const bool narrow = joint.isConvex && joint.normal.dot(outer) < 0 && joint.next.dot(outer) > 0;
+        const EndVertex endVertex = endVertexAt(piece, atEnd);
+        const bool narrow = endVertex.isConvex && endVertex.normal.dot(outer) < 0 && endVertex.next.dot(outer) > 0;
         if (!narrow) continue;
-        if (m.found.normal.dot(joint.outward) > own) return true;
-        const Vec2f corner = m.segment.vertex(joint.corner), fromCorner = m.side.center - corner;
-        if (joint.next.dot(fromCorner) > 0 && gapAlong(joint.outward, corner, m.other) > -touching) return true;
+        if (m.found.normal.dot(endVertex.outward) > ownAngle) return true;
+        const Vec2f corner = m.segment.vertex(endVertex.corner), fromCorner = m.side.center - corner;
+        if (endVertex.next.dot(fromCorner) > 0 && gapAlong(endVertex.outward, corner, m.other) > -touching) return true;
     }
     return false;
 }
 
-/// Is the other shape outside of a line through a corner, but for what it has sunk?
-bool isAbove(const Vec2f& normal, const Vec2f& corner, const Encounter& m) {
+/// Is the other shape outside of the line through a corner with this normal, up to the allowed penetration?
+bool isAbove(const Vec2f& normal, const Vec2f& corner, const SegmentContact& m) {
     const float height = normal.dot(Vec2f(m.side.center - corner));
-    const float sunk = std::max(touching, std::min(sunkShare * height, deepest));
-    return gapAlong(normal, corner, m.other) >= -sunk;
+    const float allowedDepth = std::max(touching, std::min(maxDepthShare * height, maxDepth));
+    return gapAlong(normal, corner, m.other) >= -allowedDepth;
 }
 
-/// Of a body on a segment's far side that stands over the neighbour at a convex joint. It cannot come to the segment
-/// but through the neighbour, or around its far end, or around the corner, and then to the segment's near side: the far
-/// side's plane would stop it at a brink that it goes over. It is the neighbour's where the corner is the segment's
-/// nearest point, for then the neighbour is nearer; where it is outside of the neighbour, but for what it has sunk; and
-/// where it stands around the corner, sunk, out over a cliff.
+/// For a body on the far side of a segment that stands over the neighbour at a convex vertex. It can reach the segment
+/// only through the neighbour, around the neighbour's far end, or around the corner, and then it comes to the near
+/// side. A contact with the far side's plane would stop it at an edge that it slides over. The contact belongs to the
+/// neighbour where the corner is the segment's nearest point, because then the neighbour is nearer; where the body is
+/// outside of the neighbour, up to the allowed penetration; and where it stands around the corner and penetrates, over
+/// a cliff.
 ///
-/// An outline, whose inside is solid, has such a neighbour in a one-way top alone: it is passed through from below, and
-/// so only what stands on it is its own.
-bool isNeighbours(const Joint& joint, const Encounter& m, bool oneSided) {
-    if (!joint.isConvex || joint.normal.dot(m.side.normal) > 0) return false;
-    const Vec2f corner = m.segment.vertex(joint.corner), fromCorner = m.side.center - corner;
-    if (joint.next.dot(fromCorner) <= 0) return false;
-    if (isAbove(joint.next, corner, m)) return true;
+/// An outline, whose inside is solid, has such a neighbour only if that is a one-way top. Bodies pass a one-way top
+/// from below, so only a body that stands on it belongs to it.
+bool belongsToNeighbour(const EndVertex& endVertex, const SegmentContact& m, bool oneSided) {
+    if (!endVertex.isConvex || endVertex.normal.dot(m.side.normal) > 0) return false;
+    const Vec2f corner = m.segment.vertex(endVertex.corner), fromCorner = m.side.center - corner;
+    if (endVertex.next.dot(fromCorner) <= 0) return false;
+    if (isAbove(endVertex.next, corner, m)) return true;
     if (oneSided) return false;
-    if (m.apart && m.lean > own && joint.corner == m.joint.corner) return true;
+    if (m.separated && m.lean > ownAngle && endVertex.corner == m.endVertex.corner) return true;
     return m.separation <= touching && m.other.count > 1 && outsideOf(m.other, corner).distance < touching;
 }
 
-/// Of an outline that is solid on its left: is the other shape on its inner side, but for the way around a corner?
-bool isBehind(const Convex& piece, const Encounter& m) {
+/// For an outline that is solid on its left: is the other shape on its inner side, unless it is coming around a corner?
+bool isBehind(const Convex& piece, const SegmentContact& m) {
     const Vec2f outer = piece.normals[0];
-    if (m.side.normal.dot(outer) > 0) return isThroughNeighbour(piece, m);
-    return !m.between || m.joint.normal.dot(outer) <= 0;
+    if (m.side.normal.dot(outer) > 0) return hitsThroughNeighbour(piece, m);
+    return !m.between || m.endVertex.normal.dot(outer) <= 0;
 }
 
-/// Where an outline goes on into a one-way top, in line: is the other shape beyond that end, and not on top? It is on
-/// its way through, and the outline's edge below the corner meets it.
-bool isThrough(const Joint& joint, const Encounter& m) {
-    const Vec2f corner = m.segment.vertex(joint.corner);
-    const bool beyond = joint.outward.dot(Vec2f(m.side.center - corner)) > 0;
-    return joint.isOpen && beyond && !isAbove(m.side.normal, corner, m);
+/// At an end that continues into a one-way top in line: is the other shape beyond that end and not on top? Then it is
+/// passing through, and its contact is with the outline's edge below the corner.
+bool passesThrough(const EndVertex& endVertex, const SegmentContact& m) {
+    const Vec2f corner = m.segment.vertex(endVertex.corner);
+    const bool beyond = endVertex.outward.dot(Vec2f(m.side.center - corner)) > 0;
+    return endVertex.isOneWayTop && beyond && !isAbove(m.side.normal, corner, m);
 }
 
-/// That edge has the corner as its own, from the side to the top: its joint is the hollow under the one-way top.
-bool meetsCorner(const Encounter& m) {
-    if (!m.joint.isConvex || m.joint.normal.dot(m.side.normal) > 0) return false;
-    const bool leans = m.lean > (m.other.radius > 0 ? 0 : own);
-    return leans && m.found.normal.dot(m.side.normal) >= 0 && m.found.normal.dot(m.joint.next) >= 0;
+/// The edge below such a corner owns the corner's directions, from the side to the top: its own vertex there is the
+/// concave corner under the one-way top.
+bool meetsCorner(const SegmentContact& m) {
+    if (!m.endVertex.isConvex || m.endVertex.normal.dot(m.side.normal) > 0) return false;
+    const bool leans = m.lean > (m.other.radius > 0 ? 0 : ownAngle);
+    return leans && m.found.normal.dot(m.side.normal) >= 0 && m.found.normal.dot(m.endVertex.next) >= 0;
 }
 
-/// Does the contact belong to a neighbour of the segment, whatever way is found?
-bool isElsewhere(const Convex& piece, const Encounter& m) {
-    const bool around = m.between && m.lean > own;
+/// Does the contact belong to a neighbour of the segment, whatever direction is found?
+bool belongsElsewhere(const Convex& piece, const SegmentContact& m) {
+    const bool around = m.between && m.lean > ownAngle;
     for (const bool atEnd : {false, true}) {
-        const Joint joint = jointAt(piece, atEnd);
-        if (isThrough(joint, m) || (!around && isNeighbours(joint, m, piece.oneSided))) return true;
+        const EndVertex endVertex = endVertexAt(piece, atEnd);
+        if (passesThrough(endVertex, m) || (!around && belongsToNeighbour(endVertex, m, piece.oneSided))) return true;
     }
     return false;
 }
 
 }  // namespace
 
-Manifold chainManifold(const Convex& piece, const Core& other, float far, float margin) {
-    const Encounter m = meetingOf(piece, other, far, margin);
+Manifold chainManifold(const Convex& piece, const Core& other, float magnitude, float margin) {
+    const SegmentContact m = segmentContactOf(piece, other, magnitude, margin);
     if (m.found.count == 0) return m.found;
     if (piece.oneSided && isBehind(piece, m)) return {};
-    if (isElsewhere(piece, m)) return {};
+    if (belongsElsewhere(piece, m)) return {};
     if (piece.oneSided && meetsCorner(m)) return m.found;
 
-    const bool allowed = m.joint.isConvex ? m.between : !m.joint.goesOn;
-    const bool farSide = !m.apart && m.found.normal.dot(m.side.normal) < 0;
-    if (m.lean <= own && (farSide || !allowed)) return alongOwn(m);
-    if (!m.joint.goesOn) return m.found;
+    const bool allowed = m.endVertex.isConvex ? m.between : !m.endVertex.hasNeighbour;
+    const bool farSide = !m.separated && m.found.normal.dot(m.side.normal) < 0;
+    if (m.lean <= ownAngle && (farSide || !allowed)) return alongOwnNormal(m);
+    if (!m.endVertex.hasNeighbour) return m.found;
     if (m.between) return aroundCorner(m);
-    return m.apart ? turnedApart(m) : turnedSunk(m);
+    return m.separated ? redirectedSeparated(m) : redirectedOverlapping(m);
 }
 
 }  // namespace plumb

@@ -9,11 +9,11 @@ namespace plumb {
 
 namespace {
 
-/// A circle meets in one point, whatever it meets: it keeps one name, and so its impulse, when it rolls from an edge
-/// over a corner.
+/// A circle touches in one point only. The point keeps one feature id, and with it its impulse, when the circle rolls
+/// from an edge over a corner.
 constexpr std::uint16_t onlyPoint = 0;
 
-/// The point at which disc B is nearest along normal. Written so that what is not a number makes no contact.
+/// The point at which disc B is nearest along normal. Written so that NaN gives no contact.
 Manifold onePoint(const Vec2f& normal, float separation, const CoreDisc& b, float margin) {
     Manifold result;
     if (!(separation <= margin)) return result;
@@ -28,7 +28,7 @@ struct Face {
     float separation = 0;
 };
 
-/// Of a's edges, the one that the point is farthest outside of. Not a number if the point is not.
+/// The edge of a that the point is farthest outside of. NaN if the point is NaN.
 Face farthestFace(const Core& a, const Vec2f& point) {
     Row outside;
     for (std::size_t i = 0; i < a.count; i += lanes) {
@@ -42,14 +42,14 @@ Face farthestFace(const Core& a, const Vec2f& point) {
 }  // namespace
 
 Manifold circleManifold(const CoreDisc& a, const CoreDisc& b, float margin) {
-    constexpr float squaresUnderflow = 1e-18f;  // closer than this is one place: any normal parts them
+    constexpr float squaresUnderflow = 1e-18f;  // the centres coincide: any normal separates them
     const Vec2f between = b.center - a.center;
     const float distance = std::sqrt(between.dot(between));
     const Vec2f normal = distance > squaresUnderflow ? Vec2f(between / distance) : Vec2f(0, 1);
     return onePoint(normal, distance - a.radius - b.radius, b, margin);
 }
 
-Manifold circleManifold(const Core& a, const CoreDisc& b, float far, float margin) {
+Manifold circleManifold(const Core& a, const CoreDisc& b, float magnitude, float margin) {
     const Face face = farthestFace(a, b.center);
     const float radii = a.radius + b.radius;
     if (!(face.separation - radii <= margin)) return {};
@@ -62,8 +62,8 @@ Manifold circleManifold(const Core& a, const CoreDisc& b, float far, float margi
     const bool beforeStart = fromStart.dot(edge) < 0;
     const bool behindEnd = fromEnd.dot(edge) > 0;
 
-    // In line with a segment its two faces see nothing: so not "separation > 0".
-    const float noise = roundingOf(far + manhattan(start) + manhattan(end));
+    // In line with a segment both its faces have separation 0: so not "separation > 0".
+    const float noise = roundingOf(magnitude + manhattan(start) + manhattan(end));
     if ((beforeStart || behindEnd) && face.separation > -noise) {
         const Vec2f& fromCorner = beforeStart ? fromStart : fromEnd;
         const float distance = std::sqrt(fromCorner.dot(fromCorner));

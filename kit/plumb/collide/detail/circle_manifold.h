@@ -3,7 +3,7 @@
 #pragma once
 #include <plumb/collide/detail/core.h>
 #include <plumb/collide/manifold.h>
-#include <plumb/math/vec2f.h>
+#include <plumb/math/vec2.h>
 
 namespace plumb {
 
@@ -14,7 +14,8 @@ struct CoreDisc {
 
 Manifold circleManifold(const CoreDisc& a, const CoreDisc& b, float margin);
 
-/// A core of two or more points against a circle in its frame, whose centre came from as far as this [m].
-Manifold circleManifold(const Core& a, const CoreDisc& b, float far, float margin);
+/// A core of two or more points against a circle in its frame; magnitude: size of the coordinates before they were made
+/// relative [m].
+Manifold circleManifold(const Core& a, const CoreDisc& b, float magnitude, float margin);
 
 }  // namespace plumb

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What do the manifolds read of a shape? Its core, wherever that lies, four corners or edges at a time.
+// In which form do the manifold functions read a shape? Its core, with four corners or edges at a time.
 #pragma once
 #include <cstddef>
 
 #include <plumb/collide/convex.h>
-#include <plumb/math/vec2f.h>
+#include <plumb/math/vec2.h>
 
 namespace plumb {
 
@@ -18,7 +18,8 @@ inline void store(const Lanes& values, float* to) {
     Eigen::Map<Lanes>{to} = values;
 }
 
-/// Looks at a Convex, or at one that was placed. Rows are filled up to a multiple of four with the last.
+/// A view of a Convex, or of one that was transformed. Rows are filled up to a multiple of four with copies of the
+/// last.
 struct Core {
     const float* x = nullptr;  ///< of the vertices, counter-clockwise [m]
     const float* y = nullptr;
@@ -42,18 +43,18 @@ inline Core coreOf(const Convex& convex) {
             convex.radius};
 }
 
-/// Room for a core seen from another frame. Not filled to begin with: that would cost more than most manifolds.
+/// Memory for a core transformed to another frame. Not initialised: that would take longer than most manifolds.
 struct PlacedRows {
     float x[maxPolygonVertices], y[maxPolygonVertices];
     float normalX[maxPolygonVertices], normalY[maxPolygonVertices];
 };
 
-/// A number for each corner or edge, four at a time.
+/// One value for each corner or edge, four at a time.
 struct Row {
     float values[maxPolygonVertices];
 };
 
-/// The first of the largest. Written so that it needs no branch that depends on the numbers.
+/// The index of the largest; the first of several. Without data-dependent branches.
 inline std::size_t largestOf(const Row& row, std::size_t count) {
     std::size_t best = 0;
     float largest = row.values[0];

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// How is a contact point known again in the next step? By the corner or edge of A and of B that made it.
+// How is a contact point identified in the next step? By the corner or edge of A and of B that made it.
 #pragma once
 #include <cstddef>
 #include <cstdint>
 
 namespace plumb {
 
-/// A corner or an edge of one shape; room for 128 of each.
+/// A corner or an edge of one shape; up to 128 of each.
 struct Feature {
     std::uint8_t code = 0;
 

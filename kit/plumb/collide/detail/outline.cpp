@@ -47,7 +47,7 @@ Outline outlineOf(const Capsule& capsule) {
     return outlineOf(capsule.start, capsule.end, capsule.radius);
 }
 
-/// A chain has none, nor has a tile map: they go piece by piece.
+/// Empty for a chain and a tile map: these are converted piece by piece.
 Outline outlineOf(const Chain&) {
     return {};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What does arithmetic in double see of a shape? Its corners and edges, where they lie, and a radius around them.
+// How is a shape represented for arithmetic in double? By its placed corners and edges, and a radius around them.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -14,16 +14,15 @@ namespace plumb {
 struct Outline {
     std::array<Vec2, maxPolygonVertices> corners, normals;
     std::size_t count = 0;  ///< of corners
-    std::size_t edges = 0;  ///< as many, but for a circle: it has none
+    std::size_t edges = 0;  ///< the same number; but 0 for a circle
     double radius = 0;      ///< [m]
 
     std::size_t after(std::size_t i) const { return i + 1 < count ? i + 1 : 0; }
     Vec2 edgeFrom(std::size_t i) const { return corners[after(i)] - corners[i]; }
 };
 
-/// The shape turned as it lies in the world, its place seen from origin: numbers no larger than need be.
-/// Of a chain it is empty: a chain goes piece by piece. Throws std::invalid_argument on a polygon of too few corners,
-/// or too many.
+/// The shape rotated as it is in the world, with positions relative to origin, so that numbers stay small. Empty for a
+/// chain: convert its pieces. Throws std::invalid_argument on a polygon with too few or too many corners.
 Outline outlineOf(const Shape& shape, const Transform& pose, const Vec2& origin);
 
 /// The signed distance (see distance.h) of the cores of two outlines seen from one origin, without their radii.

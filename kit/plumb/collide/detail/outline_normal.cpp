@@ -9,11 +9,11 @@ namespace plumb {
 
 namespace {
 
-/// Above roundings of a unit vector, below any turn of an outline [-].
+/// Above the rounding error of a unit vector, below any turn of an outline [-].
 constexpr double tiny = 1e-9;
 
-/// Out over a hollow leans the way to what is within a one-way tile alone, about the corner below its top, where the
-/// outline goes on the other way; to all else, no more than by roundings [-].
+/// A normal that leans outwards over a concave corner by more than this belongs to a shape within a one-way tile, about
+/// the corner below its top, where the outline turns back; all other normals lean by rounding errors only [-].
 constexpr double leaning = 1e-3;
 
 /// A unit vector turned to the right.
@@ -29,13 +29,14 @@ std::optional<Vec2> outlineNormal(const Segment& segment, const Vec2& normal) {
     const auto outward = [&]() { return normal.dot(own) > 0 ? std::optional(own) : std::nullopt; };
     if (std::fabs(lean) <= tiny) return outward();
     const std::optional<Vec2>& beyond = lean > 0 ? segment.after : segment.before;
-    if (!beyond) return outward();  // it goes on into a one-way top
-    // On from the joint, away from this segment.
+    if (!beyond) return outward();  // it continues into a one-way top
+    // Along the neighbour, away from this segment.
     Vec2 on = detail::unit(*beyond - (lean > 0 ? segment.end : segment.start));
     const bool under = on.dot(own) > tiny && std::fabs(lean) > leaning;
     if (under) on = -on;
     const bool corner = on.dot(own) < -tiny;
-    // A hollow narrower than a quarter turn lies all on this side of the joint: what leans on was met through a wall.
+    // A concave corner of less than 90 degrees lies on this side of the vertex: a hit that leans outwards came through
+    // a wall.
     const bool narrow = !corner && on.dot(lean > 0 ? along : Vec2(-along)) < -tiny;
     if (narrow) return std::nullopt;
     if (!corner) return outward();

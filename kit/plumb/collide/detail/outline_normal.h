@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which way does an outline push that is solid on its left, where a cast met one of its segments?
+// In which direction does an outline that is solid on its left push, where a cast hit one of its segments?
 #pragma once
 #include <optional>
 
@@ -7,10 +7,10 @@
 
 namespace plumb {
 
-/// The outward normal for a cast that met a segment by itself with this normal, in the segment's frame [-]. Along the
-/// segment and at a joint that is flat or hollow that is the segment's own; at a corner, any between its own and its
-/// neighbour's. None where it was met from behind, or through the neighbour at a narrow hollow, or where the neighbour
-/// is what was met.
+/// The outward normal for a cast that hit a segment on its own with this normal, in the segment's frame [-]. Along the
+/// segment, and at a flat or concave vertex, that is the segment's own normal; at a convex corner, any normal between
+/// its own and its neighbour's. None where the segment was hit from behind, or through the neighbour at a narrow
+/// concave corner, or where the hit belongs to the neighbour.
 /// Test: "10,000 movers slide over flush tiles, floor and wall, as on one slab, and lose nothing"
 std::optional<Vec2> outlineNormal(const Segment& segment, const Vec2& normal);
 

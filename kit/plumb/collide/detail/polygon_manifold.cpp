@@ -12,19 +12,21 @@ namespace plumb {
 
 namespace {
 
-/// How much better B's edge must be than the edge of A that it faces, as a part of the shorter of the two: far above
-/// the trembling of a stack at rest (1e-6), far below what the eye sees. Stretches shorter than this are one point.
-constexpr float favour = 1e-4f;
-/// The cosine of the angle within which two edges face each other, 0.8 degrees: far above what trembles, and too little
-/// for the worse edge's normal to do harm. Wider, and rounded shapes got a direction that did not part them.
-constexpr float facing = 0.9999f;
+/// How much better B's edge must be than A's parallel edge to be preferred, as a share of the shorter of the two: far
+/// more than the jitter of a stack at rest (1e-6), far less than what is visible. Two points closer than this are one
+/// point.
+constexpr float edgePreference = 1e-4f;
+/// The cosine of the angle within which two edges count as parallel, 0.8 degrees: far more than jitter, and too little
+/// for the worse edge's normal to do harm. With a larger angle, rounded shapes got a direction that did not separate
+/// them.
+constexpr float parallelCosine = 0.9999f;
 
 struct Axis {
     std::size_t edge = 0;
     float separation = 0;
 };
 
-/// Of a's edges, the one that b is farthest outside of. Not a number if b's place is not.
+/// The edge of a that b is farthest outside of. NaN if b's position is NaN.
 Axis bestAxisOfFew(const Core& a, const Core& b) {
     Row separation;
     for (std::size_t i = 0; i < a.count; i += lanes) {
@@ -37,8 +39,9 @@ Axis bestAxisOfFew(const Core& a, const Core& b) {
     return {edge, separation.values[edge]};
 }
 
-/// The same in one walk around both: as a's normal turns on, b's corner farthest against it goes on around b. Which one
-/// that is the normals say, not the heights: edges too short for their height to mean anything do not stop the walk.
+/// The same in one walk around both polygons: as a's normal rotates, b's lowest corner against it moves on around b.
+/// Normals decide which corner that is, not heights: edges too short for their height to be significant do not stop the
+/// walk.
 Axis bestAxisOfMany(const Core& a, const Core& b) {
     std::size_t corner = 0;
     float lowest = a.normal(0).dot(b.vertex(0));
@@ -60,7 +63,7 @@ Axis bestAxisOfMany(const Core& a, const Core& b) {
     return best;
 }
 
-/// From this many products of corners on, the walk is faster.
+/// Above this product of corner counts, the walk is faster.
 constexpr std::size_t manyProducts = 256;
 
 Axis bestAxis(const Core& a, const Core& b) {
@@ -76,27 +79,27 @@ std::size_t edgeFacing(const Vec2f& normal, const Core& incident) {
     return largestOf(against, incident.count);
 }
 
-/// A point of the incident edge as the reference edge sees it.
+/// A point of the incident edge in the coordinates of the reference edge.
 struct EdgePoint {
     float along = 0;  ///< from the reference edge's start towards its end [m]
     float above = 0;  ///< out of the reference edge [m]
     Feature reference, incident;
 };
 
-/// The reference edge and the incident edge that faces it.
+/// The reference edge and the incident edge opposite to it.
 struct Faces {
     std::size_t edge = 0, incidentEdge = 0;
     Feature start, end;             ///< corners of the reference edge
     Vec2f origin, normal, tangent;  ///< of the reference edge
     float length = 0;               ///< of the reference edge [m]
-    EdgePoint low, high;            ///< ends of the incident edge; the two run against each other
+    EdgePoint low, high;            ///< ends of the incident edge; the two edges run in opposite directions
     float radius = 0;               ///< around the reference core [m]
     float incidentRadius = 0;       ///< [m]
-    float rounding = 0;             ///< lengths below this are noise [m]
-    float slack = 0;                ///< lengths below this make no difference [m]
+    float rounding = 0;             ///< lengths below this are rounding errors [m]
+    float slack = 0;                ///< lengths below this are insignificant [m]
 };
 
-Faces facesAt(const Core& reference, std::size_t edge, const Core& incident, float far) {
+Faces facesAt(const Core& reference, std::size_t edge, const Core& incident, float magnitude) {
     Faces f;
     f.edge = edge;
     f.start = Feature::corner(edge);
@@ -118,8 +121,8 @@ Faces facesAt(const Core& reference, std::size_t edge, const Core& incident, flo
     f.radius = reference.radius;
     f.incidentRadius = incident.radius;
     const Vec2f incidentWhole = incident.edgeFrom(f.incidentEdge);
-    f.rounding = roundingOf(far + manhattan(f.origin) + manhattan(whole) + manhattan(incidentWhole));
-    f.slack = f.rounding + favour * std::min(manhattan(whole), manhattan(incidentWhole));
+    f.rounding = roundingOf(magnitude + manhattan(f.origin) + manhattan(whole) + manhattan(incidentWhole));
+    f.slack = f.rounding + edgePreference * std::min(manhattan(whole), manhattan(incidentWhole));
     return f;
 }
 
@@ -134,7 +137,7 @@ CornerPair cornerPair(const EdgePoint& near, const EdgePoint& far, const Faces& 
     return {near, far, near.along - std::clamp(near.along, 0.0f, f.length), near.above};
 }
 
-/// The two corners that are nearest to each other, if they are apart and neither looks at the other's edge.
+/// The two corners that are nearest to each other, if they are separated and neither is nearest to the other's edge.
 std::optional<CornerPair> facingCorners(const Faces& f) {
     const CornerPair low = cornerPair(f.low, f.high, f);
     const CornerPair high = cornerPair(f.high, f.low, f);
@@ -159,9 +162,9 @@ Manifold cornerManifold(const CornerPair& pair, const Faces& f, float margin) {
     return result;
 }
 
-/// Cuts the incident edge's end off where a corner of the reference edge is, if it reaches out there by excess.
-/// The point is then named after that corner and the incident edge, as it would be with the roles exchanged. An excess
-/// that makes no difference leaves the name: a box that sits flush on its like and trembles keeps its impulses.
+/// Clips the end of the incident edge at a corner of the reference edge, if it extends beyond that corner by excess.
+/// The point is then identified by that corner and the incident edge, as it would be with the roles exchanged. An
+/// insignificant excess leaves the id as it is: a box that sits flush on an equal box and jitters keeps its impulses.
 EdgePoint clipped(const EdgePoint& end, const EdgePoint& other, const Faces& f, float excess, Feature corner) {
     if (excess <= f.rounding) return end;
     const float width = other.along - end.along;
@@ -173,7 +176,7 @@ EdgePoint clipped(const EdgePoint& end, const EdgePoint& other, const Faces& f, 
     return cut;
 }
 
-/// The ends of the stretch that both edges share.
+/// The ends of the stretch that both edges have in common.
 Manifold faceManifold(const Faces& f, float margin) {
     Manifold result;
     result.normal = f.normal;
@@ -197,13 +200,13 @@ Manifold faceManifold(const Faces& f, float margin) {
     return result;
 }
 
-/// separation is that of the best axis. Segments in line have none that sees the gap between them: so not "above 0".
+/// separation is that of the best axis. For collinear segments no axis gives the gap between them: so not "> 0".
 Manifold manifoldAt(const Faces& f, float separation, float margin) {
     const std::optional<CornerPair> corners = separation > -f.rounding ? facingCorners(f) : std::nullopt;
     return corners ? cornerManifold(*corners, f, margin) : faceManifold(f, margin);
 }
 
-/// A's and B's roles exchanged, in the same frame.
+/// The same manifold with the roles of A and B exchanged, in the same frame.
 Manifold exchanged(Manifold m) {
     m.normal = -m.normal;
     for (ManifoldPoint& point : m.points) point.feature = swapped(point.feature);
@@ -212,14 +215,14 @@ Manifold exchanged(Manifold m) {
 
 }  // namespace
 
-Manifold edgeManifold(const Core& a, std::size_t edge, const Core& b, float far, float margin) {
-    const Faces f = facesAt(a, edge, b, far);
+Manifold edgeManifold(const Core& a, std::size_t edge, const Core& b, float magnitude, float margin) {
+    const Faces f = facesAt(a, edge, b, magnitude);
     const bool beyond = std::min(f.low.along, f.high.along) > f.length + f.rounding ||
                         std::max(f.low.along, f.high.along) < -f.rounding;
     return beyond ? Manifold{} : faceManifold(f, margin);
 }
 
-Manifold polygonManifold(const Core& a, const Core& b, float far, float margin) {
+Manifold polygonManifold(const Core& a, const Core& b, float magnitude, float margin) {
     const float reach = margin + a.radius + b.radius;
     const Axis onA = bestAxis(a, b);
     if (!(onA.separation <= reach)) return {};
@@ -228,12 +231,12 @@ Manifold polygonManifold(const Core& a, const Core& b, float far, float margin) 
 
     const float best = std::max(onA.separation, onB.separation);
     if (onB.separation > onA.separation) {
-        const Faces onEdgeB = facesAt(b, onB.edge, a, far);
-        const bool faces = a.normal(onA.edge).dot(onEdgeB.normal) < -facing;
+        const Faces onEdgeB = facesAt(b, onB.edge, a, magnitude);
+        const bool faces = a.normal(onA.edge).dot(onEdgeB.normal) < -parallelCosine;
         if (!faces || onB.separation > onA.separation + onEdgeB.slack)
             return exchanged(manifoldAt(onEdgeB, best, margin));
     }
-    return manifoldAt(facesAt(a, onA.edge, b, far), best, margin);
+    return manifoldAt(facesAt(a, onA.edge, b, magnitude), best, margin);
 }
 
 }  // namespace plumb

@@ -6,10 +6,11 @@
 
 namespace plumb {
 
-/// Two cores of two or more points each, in one frame; b's numbers came from as far as this [m], and are as rough.
-Manifold polygonManifold(const Core& a, const Core& b, float far, float margin);
+/// Two cores of two or more points each, in one frame; magnitude: size of b's coordinates before they were made
+/// relative, for the rounding error [m].
+Manifold polygonManifold(const Core& a, const Core& b, float magnitude, float margin);
 
-/// The same, where only that edge of a may lend its normal; none if b does not reach above or below it.
-Manifold edgeManifold(const Core& a, std::size_t edge, const Core& b, float far, float margin);
+/// The same with this edge of a as the reference edge; none if no part of b is above or below it.
+Manifold edgeManifold(const Core& a, std::size_t edge, const Core& b, float magnitude, float margin);
 
 }  // namespace plumb
