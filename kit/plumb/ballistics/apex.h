@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which shot hits a target on its way down from a given height?
+// Which shot with a given apex hits a target on its way down?
 #pragma once
 #include <optional>
 
@@ -9,16 +9,16 @@ namespace plumb {
 
 struct ApexAim {
     Vec2 target{0, 0};       ///< from the muzzle [m]
-    double apex = 0;         ///< the path's highest point above the muzzle, >= 0 [m]
+    double apex = 0;         ///< the highest point of the trajectory above the muzzle, >= 0 [m]
     Vec2 gravity{0, -9.81};  ///< [m/s^2]
 };
 
-/// Empty when the target is above the apex, when the shot has no time to get there (a level target, apex 0), and
-/// without gravity.
-///   w = sqrt(2 |g| H),  t = w / |g| + sqrt(2 (H - y) / |g|),  the level part of the velocity is x / t
-/// w upward part of the velocity [m/s], g gravity [m/s^2], H apex [m], (x, y) target along the level and up [m], t
-/// time [s]. Throws std::invalid_argument on input out of range (shot.h). Test: "a million shots over a given apex
-/// hit, and rise just so high"
+/// Empty when the target is above the apex, when the shot has no time to get there (a target at the muzzle's height,
+/// apex 0), and without gravity.
+///   w = sqrt(2 |g| H),  t = w / |g| + sqrt(2 (H - y) / |g|),  the horizontal velocity is x / t
+/// w upward velocity [m/s], g gravity [m/s^2], H apex [m], (x, y) target, horizontal and up [m], t time [s]. Throws
+/// std::invalid_argument on input out of range (shot.h). Test: "a million shots over a given apex hit, and rise just so
+/// high"
 std::optional<Shot> aimByApex(const ApexAim& problem);
 
 }  // namespace plumb

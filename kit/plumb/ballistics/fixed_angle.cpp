@@ -18,7 +18,7 @@ std::optional<Shot> aimAtAngle(const AngleAim& problem) {
     const double fall = cross(n, problem.gravity);
     const double time = std::sqrt(2 * (cross(n, problem.target) / fall));
     const double speed = cross(problem.target, problem.gravity) / (time * fall);
-    // Infinite or NaN when the barrel points along gravity, or straight at the target, or above where it should.
+    // Infinite or NaN when the barrel points along gravity, straight at the target, or above the possible angles.
     if (!(speed > 0 && std::isfinite(speed) && std::isfinite(time))) return std::nullopt;
     return Shot{speed * n, time};
 }

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include <plumb/ballistics/detail/gravity_frame.h>
 #include <plumb/ballistics/detail/input.h>
-#include <plumb/ballistics/detail/level.h>
 
 namespace plumb {
 
@@ -17,7 +17,7 @@ std::vector<Shot> aim(const Aim& problem) {
     const Vec2& g = problem.gravity;
     const double v = problem.speed;
     const double distance = detail::lengthOf(d);
-    if (distance <= detail::muzzle) return {{v * detail::Level(g).up, 0}};
+    if (distance <= detail::muzzle) return {{v * detail::GravityFrame(g).up, 0}};
     const double gravity = detail::lengthOf(g);
     const double least = detail::leastSpeedSquared(d, distance, g, gravity);
     double spare = v * v - least;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which shot is at a target after a given time?
+// Which shot reaches a target after a given time?
 #pragma once
 #include <plumb/ballistics/shot.h>
 
@@ -11,9 +11,9 @@ struct TimeAim {
     Vec2 gravity{0, -9.81};  ///< [m/s^2]
 };
 
-/// There always is one:
+/// There always is exactly one:
 ///   u = d / t - g t / 2
-/// u velocity [m/s], d target [m], t time [s], g gravity [m/s^2]. For a target that moves, give where it will be.
+/// u velocity [m/s], d target [m], t time [s], g gravity [m/s^2]. For a moving target, pass its position at that time.
 /// Throws std::invalid_argument on input out of range (shot.h).
 /// Test: "a million shots of fixed time are at their target then"
 Shot aimInTime(const TimeAim& problem);

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include <plumb/ballistics/detail/gravity_frame.h>
 #include <plumb/ballistics/detail/input.h>
-#include <plumb/ballistics/detail/level.h>
 
 namespace plumb {
 

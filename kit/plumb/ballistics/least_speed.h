@@ -12,11 +12,11 @@ struct SlowestAim {
     Vec2 gravity{0, -9.81};  ///< [m/s^2]
 };
 
-/// Of speed 0 when the target is straight below. Empty without gravity, where any slower shot hits as well.
+/// Of speed 0 when the target is straight below. Empty without gravity, where there is no slowest shot.
 ///   v^2 = |g| D - g . d,  t^2 = 2 D / |g|
-/// v speed [m/s], g gravity [m/s^2], d target [m], D its distance [m], t time [s]. The shot halves the angle
-/// between straight up and the target. Throws std::invalid_argument on input out of range (shot.h). Source: where
-/// the two arcs of fixed speed become one. Test: "a million slowest shots hit, and slower ones do not"
+/// v speed [m/s], g gravity [m/s^2], d target [m], D its distance [m], t time [s]. The direction of the shot bisects
+/// the angle between straight up and the target. Throws std::invalid_argument on input out of range (shot.h). Source:
+/// the case in which the two arcs of fixed speed coincide. Test: "a million slowest shots hit, and slower ones do not"
 std::optional<Shot> aimSlowest(const SlowestAim& problem);
 
 }  // namespace plumb

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include <plumb/ballistics/detail/gravity_frame.h>
 #include <plumb/ballistics/detail/input.h>
-#include <plumb/ballistics/detail/level.h>
 #include <plumb/kinematics/detail/drag_step.h>
 #include <plumb/math/logarithm.h>
 
@@ -20,7 +20,7 @@ void require(const Vec2& velocity, const LinearDrag& drag) {
     detail::requireSize(drag.gravity, "LinearDrag", ".gravity");
 }
 
-// Acceleration of what is at rest.
+// Acceleration of a shot at rest.
 Vec2 startOf(const LinearDrag& drag) {
     return drag.gravity + drag.rate * drag.wind;
 }
@@ -38,24 +38,24 @@ std::optional<PathPoint> pointAt(const Vec2& velocity, double time, const Linear
     return PathPoint{position, time};
 }
 
-/// Upward motion alone.
+/// The vertical motion alone.
 struct Rise {
     double speed;  ///< at the launch, upward [m/s]
-    double pull;   ///< acceleration of what is at rest, downward [m/s^2]
+    double pull;   ///< acceleration of a shot at rest, downward [m/s^2]
     double rate;
 
     double apexTime() const { return rate > 0 ? logarithm1Plus(rate * (speed / pull)) / rate : speed / pull; }
 
-    /// When it would come down to a height below the muzzle, >= 0, if drag did nothing: no later than it does when it
-    /// does not rise, else sooner or later.
+    /// The time at which it would reach a height below the muzzle, >= 0, without drag: not later than with drag when it
+    /// does not rise, otherwise sooner or later.
     double timeWithoutDrag(double height) const {
         const double root = std::sqrt(speed * speed + 2 * std::max(pull, 0.0) * height);
         return speed > 0 ? (speed + root) / pull : 2 * height / (root - speed);
     }
 
-    /// When it comes down to a height below the muzzle; infinite when it never does. The height is bent to one
-    /// side only, so that from the second step on Newton's method comes to its zero from one side. Where it is
-    /// bent upward, a step past its lowest point says that there is none.
+    /// The time at which it reaches a height below the muzzle; infinite when it never does. The height is convex or
+    /// concave in time, so that from the second step on Newton's method converges from one side. If it is convex, a
+    /// step past its minimum shows that there is no zero.
     double landingTime(double height) const {
         double time = timeWithoutDrag(std::max(height, 0.0));
         for (int i = 0; i < 200; ++i) {
@@ -75,8 +75,8 @@ struct Rise {
 
 std::optional<PathPoint> linearDragApex(const Vec2& velocity, const LinearDrag& drag) {
     require(velocity, drag);
-    const detail::Level level(drag.gravity);
-    const Rise rise{velocity.dot(level.up), -startOf(drag).dot(level.up), drag.rate};
+    const detail::GravityFrame frame(drag.gravity);
+    const Rise rise{velocity.dot(frame.up), -startOf(drag).dot(frame.up), drag.rate};
     if (!(rise.speed > 0 && rise.pull > 0)) return std::nullopt;
     return pointAt(velocity, rise.apexTime(), drag);
 }
@@ -84,9 +84,9 @@ std::optional<PathPoint> linearDragApex(const Vec2& velocity, const LinearDrag& 
 std::optional<PathPoint> linearDragLanding(const Vec2& velocity, double height, const LinearDrag& drag) {
     require(velocity, drag);
     detail::requireSize(height, "linear drag: ", "height");
-    const detail::Level level(drag.gravity);
-    const Rise rise{velocity.dot(level.up), -startOf(drag).dot(level.up), drag.rate};
-    if (level.gravity == 0) return std::nullopt;
+    const detail::GravityFrame frame(drag.gravity);
+    const Rise rise{velocity.dot(frame.up), -startOf(drag).dot(frame.up), drag.rate};
+    if (frame.gravity == 0) return std::nullopt;
     if (rise.speed <= 0) {
         if (height < 0) return std::nullopt;
         return pointAt(velocity, height == 0 ? 0 : rise.landingTime(height), drag);

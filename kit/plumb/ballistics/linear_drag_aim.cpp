@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include <plumb/ballistics/detail/gravity_frame.h>
 #include <plumb/ballistics/detail/input.h>
-#include <plumb/ballistics/detail/level.h>
 #include <plumb/kinematics/detail/drag_step.h>
 
 namespace plumb {
@@ -18,7 +18,7 @@ void require(const LinearDrag& drag) {
     detail::requireSize(drag.gravity, "LinearDrag", ".gravity");
 }
 
-/// The circle on which all shots of a speed are, and the target.
+/// The circle on which all shots of one speed are at a time, and the target.
 class Circle {
 public:
     explicit Circle(const LinearDragAim& problem)
@@ -30,8 +30,8 @@ public:
           pull_(detail::lengthOf(start_)) {}
 
     struct At {
-        double gap;    ///< of the target from the circle, positive outside [m]; 0 where rounding leaves no more
-        double slope;  ///< of the gap over reach [1/s^2 m]
+        double gap;    ///< distance of the target from the circle, positive outside; 0 if only rounding [m]
+        double slope;  ///< derivative of the gap with respect to reach [1/s^2 m]
         DragStep step;
     };
     At at(double time) const {
@@ -45,9 +45,9 @@ public:
         return {std::fabs(gap) <= 1e-15 * parts ? 0 : gap, -towards - speed_ * step.keep / step.gain, step};
     }
 
-    /// No shot is there before: without drag, with all of the pull and straight at the target, it would be then.
+    /// No shot can arrive before: this is the time without drag, with the whole pull, straight at the target.
     double soonest() const { return 2 * distance_ / (speed_ + std::sqrt(speed_ * speed_ + 2 * pull_ * distance_)); }
-    /// None is there after: the circle's centre is too far away then, for the radius is below speed sqrt(2 reach)
+    /// No shot can arrive later: the circle's centre is too far away then, as the radius is below speed sqrt(2 reach)
     /// and below speed / rate.
     double latest() const {
         const double root = (speed_ + std::sqrt(speed_ * speed_ + 2 * pull_ * distance_)) / pull_;
@@ -57,13 +57,13 @@ public:
         return 1.001 * (half + std::sqrt(half * half + 2 * reach));  // reach >= t^2 / (2 + rate t)
     }
 
-    /// The zero of the gap next to a time that is not within, on the side to which the gap shrinks.
+    /// The zero of the gap nearest to a time outside of it, in the direction in which the gap decreases.
     std::optional<double> zeroFrom(double time, bool forward) const {
         for (int i = 0; i < 200; ++i) {
             const At now = at(time);
             if (now.gap <= 0) return time;
             if (forward ? !(now.slope < 0) : !(now.slope > 0)) return std::nullopt;
-            // The time by which reach has changed so much, or a little less: reach is at most its parabola here.
+            // The time in which reach changes by so much, or a little less: reach is at most its parabola here.
             const double change = -now.gap / now.slope;
             const double gain = now.step.gain;
             const double root = std::sqrt(std::max(0.0, gain * gain + 2 * now.step.keep * change));
@@ -92,7 +92,7 @@ std::vector<Shot> aimThroughLinearDrag(const LinearDragAim& problem) {
     detail::requireAmount(problem.speed, "LinearDragAim", ".speed");
     require(problem.drag);
     if (detail::lengthOf(problem.target) <= detail::muzzle)
-        return {{problem.speed * detail::Level(problem.drag.gravity).up, 0}};
+        return {{problem.speed * detail::GravityFrame(problem.drag.gravity).up, 0}};
 
     const Circle circle(problem);
     std::vector<Shot> shots;
@@ -106,7 +106,7 @@ std::vector<Shot> aimThroughLinearDrag(const LinearDragAim& problem) {
     if (!last || !(*last > *first)) {
         add(*first);
     } else if (const double between = 0.5 * (*first + *last); circle.at(between).gap == 0) {
-        add(between);  // both were found where the gap is no more than rounding, and it is no more between them
+        add(between);  // both were found where the gap is no more than rounding, and so is it between them
     } else {
         add(*first);
         add(*last);

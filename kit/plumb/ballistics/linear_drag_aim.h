@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How must a shot be aimed through wind, with drag proportional to its speed through the air?
+// How must a shot be aimed with wind and with drag proportional to its speed relative to the air?
 #pragma once
 #include <vector>
 
@@ -9,19 +9,19 @@ namespace plumb {
 
 struct LinearDragAim {
     Vec2 target{0, 0};  ///< from the muzzle [m]
-    double speed = 0;   ///< on leaving the muzzle, as seen by the world, >= 0 [m/s]
+    double speed = 0;   ///< when it leaves the muzzle, in the world's frame, >= 0 [m/s]
     LinearDrag drag{};
 };
 
 /// None, one or two shots, the earlier first.
 ///   |d - a m(t)| = v r(t),  u = (d - a m) / r,  a = g + k W
 /// d target [m], v speed, u velocity [m/s], t time [s], g gravity, k rate, W wind as in LinearDrag, r and m the gain
-/// and reach of dragStep(k, t) in kinematics/linear_drag.h. All shots of that speed are on a circle at any time; r is
-/// a concave function of m, so the left side less the right is convex in m: at most two zeros, and Newton's method
-/// comes to each from outside without stepping over it. Two that rounding cannot tell apart count as one. A target
-/// at the muzzle is hit at once, by one shot straight up. What would take no finite time is left out. Throws
-/// std::invalid_argument on input out of range (shot.h). Test: "a million shots of fixed speed through linear drag
-/// hit, and where there is none no angle does"
+/// and reach of dragStep(k, t) in kinematics/linear_drag.h. All shots of that speed are on a circle at any time. r is a
+/// concave function of m, so the left side minus the right is convex in m: there are at most two zeros, and Newton's
+/// method converges to each from outside without overshooting. Two zeros that rounding cannot separate count as one. A
+/// target at the muzzle is hit at once, by one shot straight up. Shots whose time would not be finite are left out.
+/// Throws std::invalid_argument on input out of range (shot.h). Test: "a million shots of fixed speed through linear
+/// drag hit, and where there is none no angle does"
 std::vector<Shot> aimThroughLinearDrag(const LinearDragAim& problem);
 
 struct LinearDragTimeAim {
@@ -30,7 +30,7 @@ struct LinearDragTimeAim {
     LinearDrag drag{};
 };
 
-/// The shot that is at the target after a time: u = (d - a m) / r. Throws as above.
+/// The shot that reaches the target after this time: u = (d - a m) / r. Throws as above.
 /// Test: "a million shots of fixed time through linear drag are at their target then"
 Shot aimThroughLinearDragInTime(const LinearDragTimeAim& problem);
 

@@ -5,20 +5,20 @@
 #include <cmath>
 
 #include <plumb/ballistics/detail/bracket.h>
+#include <plumb/ballistics/detail/gravity_frame.h>
 #include <plumb/ballistics/detail/input.h>
-#include <plumb/ballistics/detail/level.h>
-#include <plumb/ballistics/detail/straight_meetings.h>
+#include <plumb/ballistics/detail/straight_intercepts.h>
 
 namespace plumb {
 namespace {
 
 using detail::ValueAndSlope;
 
-/// A few numbers, the smallest first.
+/// A few numbers in increasing order.
 struct Roots {
     std::array<double, 6> values{};
     std::size_t count = 0;
-    void add(double root) { values[count++] = root; }  ///< larger than all others
+    void add(double root) { values[count++] = root; }  ///< must be larger than all others
     void insert(double root) {
         std::size_t at = count++;
         for (; at > 0 && values[at - 1] > root; --at) values[at] = values[at - 1];
@@ -27,19 +27,20 @@ struct Roots {
 };
 
 struct Chase {
-    Vec2 target, velocity;  ///< as the shooter sees them
+    Vec2 target, velocity;  ///< relative to the shooter
     Vec2 halfGravity;
     double speed;
 
-    Vec2 placeAt(double t) const { return target + t * (velocity - t * halfGravity); }
-    /// How far the target is, less what the shot can do by then; counted without gravity for both.
+    Vec2 positionAt(double t) const { return target + t * (velocity - t * halfGravity); }
+    /// The distance of the target, minus the distance the shot can travel by then; gravity is applied to the target
+    /// instead.
     ValueAndSlope gapAt(double t) const {
-        const Vec2 place = placeAt(t);
-        const double distance = detail::lengthOf(place);
+        const Vec2 position = positionAt(t);
+        const double distance = detail::lengthOf(position);
         const Vec2 rate = velocity - 2 * t * halfGravity;
-        return {distance - speed * t, (distance > 0 ? place.dot(rate) / distance : 0) - speed};
+        return {distance - speed * t, (distance > 0 ? position.dot(rate) / distance : 0) - speed};
     }
-    /// 0 where the gap is no more than what rounding leaves of it.
+    /// 0 where the gap is no more than rounding.
     int signAt(double t) const {
         const double gap = gapAt(t).value;
         const double parts = target.lpNorm<1>() + t * (velocity.lpNorm<1>() + t * halfGravity.lpNorm<1>() + speed);
@@ -47,7 +48,7 @@ struct Chase {
     }
 };
 
-/// Degree of the polynomial, and its coefficients from the constant one on.
+/// Coefficients of a polynomial of this degree, starting with the constant one.
 template <std::size_t Degree>
 using Polynomial = std::array<double, Degree + 1>;
 
@@ -61,7 +62,7 @@ ValueAndSlope valueAt(const Polynomial<Degree>& p, double t) {
     return {value, slope};
 }
 
-/// Between low and high, in order: one between each two neighbouring extremes where the sign changes.
+/// Roots between low and high, in order: one between each two neighbouring extrema with a change of sign.
 template <std::size_t Degree>
 Roots rootsOf(const Polynomial<Degree>& p, double low, double high);
 
@@ -95,20 +96,20 @@ Roots rootsOf(const Polynomial<Degree>& p, double low, double high) {
     return roots;
 }
 
-// Where a root of the gap may end a bracket: its square's extremes stand between any two. Next to no gravity they are
-// so far off that rounding hides the gap there; so when a beam would meet the target, and twice that, are looked at
-// too.
+// Possible ends of brackets for the roots of the gap: between any two roots there is an extremum of its square. With
+// almost no gravity the extrema are so far away that rounding hides the gap there; so the time at which a beam would
+// hit the target, and twice that, are included.
 Roots bracketEnds(const Chase& chase, const Polynomial<4>& squared, double low, double high) {
     Roots ends = extremesOf<4>(squared, low, high);
-    const detail::StraightMeetings beam = detail::straightMeetings(chase.target, chase.velocity, chase.speed);
+    const detail::Intercepts beam = detail::straightIntercepts(chase.target, chase.velocity, chase.speed);
     if (beam.count > 0)
-        for (const double time : {beam.meetings[0].time, 2 * beam.meetings[0].time})
+        for (const double time : {beam.intercepts[0].time, 2 * beam.intercepts[0].time})
             if (time > low && time < high) ends.insert(time);
     ends.add(high);
     return ends;
 }
 
-Roots meetings(const Chase& chase, double low, double high) {
+Roots intercepts(const Chase& chase, double low, double high) {
     const Vec2 &d = chase.target, &w = chase.velocity, &h = chase.halfGravity;
     const Polynomial<4> squared = {d.squaredNorm(), 2 * d.dot(w),
                                    w.squaredNorm() - 2 * h.dot(d) - chase.speed * chase.speed, -2 * h.dot(w),
@@ -129,12 +130,12 @@ Roots meetings(const Chase& chase, double low, double high) {
     return roots;
 }
 
-// Without gravity shots and target go straight in the shooter's frame.
-Roots straightMeetings(const Chase& chase, double longest) {
-    const detail::StraightMeetings beam = detail::straightMeetings(chase.target, chase.velocity, chase.speed);
+// Without gravity, shots and target move in straight lines in the shooter's frame.
+Roots straightIntercepts(const Chase& chase, double longest) {
+    const detail::Intercepts beam = detail::straightIntercepts(chase.target, chase.velocity, chase.speed);
     Roots roots;
     for (std::size_t i = 0; i < beam.count; ++i)
-        if (beam.meetings[i].time <= longest) roots.add(beam.meetings[i].time);
+        if (beam.intercepts[i].time <= longest) roots.add(beam.intercepts[i].time);
     return roots;
 }
 
@@ -155,10 +156,10 @@ std::vector<Shot> aimAtMoving(const MovingAim& problem) {
     const double distance = detail::lengthOf(chase.target);
     const double gravity = detail::lengthOf(problem.gravity);
     if (distance <= detail::muzzle)
-        return {{chase.speed * detail::Level(problem.gravity).up + problem.shooterVelocity, 0}};
+        return {{chase.speed * detail::GravityFrame(problem.gravity).up + problem.shooterVelocity, 0}};
 
-    // Before, the shot and the target together cannot have come so far, even straight at each other; after,
-    // gravity has taken the shot further than both can make good. A little is added to either side for rounding.
+    // Before low, the shot and the target together cannot have covered the distance, even straight at each other; after
+    // high, gravity has taken the shot farther than both can compensate. Both limits are widened a little for rounding.
     const double closing = chase.speed + detail::lengthOf(chase.velocity);
     const double root = std::sqrt(closing * closing + 2 * gravity * distance);
     constexpr double longest = 1e70;
@@ -166,7 +167,7 @@ std::vector<Shot> aimAtMoving(const MovingAim& problem) {
     const double high = std::min(longest, 1.001 * (closing + root) / gravity);
     std::vector<Shot> shots;
     if (!(low < high)) return shots;
-    const Roots roots = gravity > 0 ? meetings(chase, low, high) : straightMeetings(chase, longest);
+    const Roots roots = gravity > 0 ? intercepts(chase, low, high) : straightIntercepts(chase, longest);
     for (std::size_t i = 0; i < roots.count; ++i) {
         const double t = roots.values[i];
         const Vec2 velocity = chase.target / t + chase.velocity - t * chase.halfGravity;

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <plumb/ballistics/detail/gravity_frame.h>
 #include <plumb/ballistics/detail/input.h>
-#include <plumb/ballistics/detail/level.h>
 #include <plumb/ballistics/fixed_speed.h>
 #include <plumb/ballistics/least_speed.h>
 
@@ -20,29 +20,30 @@ void require(const WallAim& problem) {
     detail::requireSize(problem.gravity, "WallAim", ".gravity");
 }
 
-/// The problem with the target to the right, and gravity down.
+/// The problem in a frame with the target to the right, and gravity down.
 class Side {
 public:
-    explicit Side(const WallAim& problem) : level_(problem.gravity), margin_(problem.margin) {
-        if (problem.target.dot(level_.right) < 0) level_.right = -level_.right;
+    explicit Side(const WallAim& problem) : frame_(problem.gravity), margin_(problem.margin) {
+        if (problem.target.dot(frame_.right) < 0) frame_.right = -frame_.right;
         target_ = local(problem.target);
     }
 
-    double gravity() const { return level_.gravity; }
+    double gravity() const { return frame_.gravity; }
     const Vec2& target() const { return target_; }
-    /// Along the level, and up.
-    Vec2 local(const Vec2& v) const { return {v.dot(level_.right), v.dot(level_.up)}; }
-    Vec2 world(const Vec2& v) const { return v.x() * level_.right + v.y() * level_.up; }
+    /// Horizontal and vertical components.
+    Vec2 local(const Vec2& v) const { return {v.dot(frame_.right), v.dot(frame_.up)}; }
+    Vec2 world(const Vec2& v) const { return v.x() * frame_.right + v.y() * frame_.up; }
     bool isInTheWay(const Vec2& wall) const { return wall.x() > 0 && wall.x() < target_.x(); }
 
-    /// Of the least steep shot at the target that passes a wall, local and in the way: the tangent of its angle.
+    /// The tangent of the angle of the flattest shot at the target that clears a wall; the wall is local and between
+    /// muzzle and target.
     double slopeOver(const Vec2& wall) const {
         const double part = wall.x() / target_.x();
         const double rest = 1 - part;
         return ((wall.y() + margin_) / wall.x() - target_.y() / target_.x() * part) / rest;
     }
 
-    /// Of the top and its margin, by more than rounding.
+    /// Does the shot pass below the top and its margin, by more than rounding?
     bool fallsShort(const Shot& shot, const Vec2& top) const {
         const Vec2 velocity = local(shot.velocity), wall = local(top);
         if (!isInTheWay(wall)) return false;
@@ -53,7 +54,7 @@ public:
     }
 
 private:
-    detail::Level level_;
+    detail::GravityFrame frame_;
     double margin_;
     Vec2 target_{0, 0};
 };
@@ -69,7 +70,7 @@ std::vector<Shot> aimOver(const WallAim& problem) {
                            [&](const Vec2& top) { return side.fallsShort(shot, top); });
     });
     if (!shots.empty() || problem.walls.empty()) return shots;
-    // Next to the least speed the angle hangs on the square root of what is to spare, and of rounding.
+    // Near the least speed the angle depends on the square root of a small difference, and so of rounding.
     const std::optional<Shot> slowest = aimSlowestOver(problem);
     if (!slowest) return shots;
     const double least = detail::lengthOf(slowest->velocity);

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
-// How does a shot fly straight up, and fall, whose drag grows as the square of its speed?
+// How does a shot fly straight up, and fall, with drag proportional to the square of its speed?
 #pragma once
 
 namespace plumb {
 
 struct QuadraticDrag {
-    double coefficient = 0;  ///< drag over mass and speed squared, rho C A / (2 m); 0, or 1e-50 at least [1/m]
+    double coefficient = 0;  ///< drag over (mass times speed squared), rho C A / (2 m); 0, or at least 1e-50 [1/m]
     double gravity = 9.81;   ///< > 0 [m/s^2]
 };
 
-/// The speed at which drag bears the weight: sqrt(g / c) [m/s], c coefficient [1/m], g gravity [m/s^2]; infinite
+/// The speed at which drag balances the weight: sqrt(g / c) [m/s], c coefficient [1/m], g gravity [m/s^2]; infinite
 /// without drag.
-/// Throws std::invalid_argument on input out of range (shot.h), as all of these.
+/// Throws std::invalid_argument on input out of range (shot.h), as all functions here.
 double terminalSpeed(const QuadraticDrag& drag);
 
 struct VerticalShot {
     double riseTime = 0;     ///< up to the apex [s]
     double height = 0;       ///< of the apex [m]
     double fallTime = 0;     ///< from the apex back to the muzzle [s]
-    double returnSpeed = 0;  ///< there [m/s]
+    double returnSpeed = 0;  ///< at the muzzle [m/s]
 };
 
 /// A shot straight up and its return.
@@ -35,7 +35,7 @@ struct Fall {
     double speed = 0;     ///< [m/s]
 };
 
-/// A time after it was let go, at rest.
+/// The fall from rest after a time.
 ///   v = V tanh(g t / V),  s = (V^2 / g) ln cosh(g t / V)
 /// v speed [m/s], s distance [m], V terminal speed [m/s], g gravity [m/s^2], t time [s]; without drag g t and
 /// g t^2 / 2. Throws, source, tests as above.

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include <plumb/ballistics/detail/gravity_frame.h>
 #include <plumb/ballistics/detail/input.h>
-#include <plumb/ballistics/detail/level.h>
 #include <plumb/ballistics/detail/quadratic_path.h>
 #include <plumb/ballistics/fixed_speed.h>
 #include <plumb/math/logarithm.h>
@@ -14,23 +14,23 @@
 namespace plumb {
 namespace {
 
-/// A launch, by how much steeper it is than the line to the target.
+/// A launch, by how much its slope exceeds that of the line to the target.
 struct Launched {
     double steeper = 0;
     double time = 0;        ///< to the target, in units of v / g
-    bool straight = false;  ///< as without gravity: the others say nothing
+    bool straight = false;  ///< without effect of gravity: the other fields are not used
 };
 
-/// The target to the right and gravity down, in units of v^2 / g.
-struct Reach {
+/// The problem in units of v^2 / g, with the target to the right and gravity down.
+struct ScaledProblem {
     double across;    ///< x of the target, > 0
     double line;      ///< y / x of it
     double strength;  ///< 2 c v^2 / g
-    double growth;    ///< how much more a flat shot falls on the way to the target than without drag
+    double growth;    ///< by which factor a flat shot falls more on the way to the target than without drag
 
     struct Gap {
         double value;  ///< across / crossing - 1, positive when it falls short
-        double slope;  ///< of that, by the slope of the launch
+        double slope;  ///< its derivative with respect to the slope of the launch
         double time;
     };
     std::optional<Gap> gapAt(double steeper) const {
@@ -40,8 +40,8 @@ struct Reach {
         return Gap{ratio - 1, -ratio * at->acrossSlope / at->across, at->time};
     }
 
-    /// Without drag, and with so many times gravity: (b + S) / x, the steepness of the high arc; NaN when none
-    /// hits. That of the low one is (1 + line^2) over it.
+    /// Without drag, and with this multiple of gravity: (b + S) / x, the excess slope of the high arc; NaN when no shot
+    /// hits. That of the low arc is (1 + line^2) divided by it.
     double highArc(double gravities) const {
         const double x = gravities * across;
         const double b = 1 - x * line;
@@ -49,8 +49,8 @@ struct Reach {
         return (b + std::sqrt(b - limit) * std::sqrt(b + limit)) / x;
     }
 
-    /// Newton's method, forward to the low arc or back to the high one; outside is a start from which the way is
-    /// monotone.
+    /// Newton's method, forward to the low arc or backward to the high one; outside is a start from which convergence
+    /// is monotone.
     std::optional<Launched> zeroFrom(double start, double outside, bool forward) const {
         double steeper = start;
         for (int i = 0; i < 100; ++i) {
@@ -76,14 +76,14 @@ struct Reach {
         const double square = 1 + line * line;
         std::vector<Launched> found;
         if (across * growth * std::sqrt(square) < 1e-12) {
-            found.push_back({.straight = true});  // gravity bends it by less
+            found.push_back({.straight = true});  // gravity bends it by less than rounding
         } else {
             const double dragged = square / highArc(growth);
             const std::optional<Launched> first = zeroFrom(dragged > 0 ? dragged : square / high, square / high, true);
             if (!first) return {};
             found.push_back(*first);
         }
-        // Its fourth power must be a number; and who wants a shot that flies so far?
+        // Its fourth power must be finite, and a longer flight is of no use.
         if (!(high < 1e60)) return found;
         const std::optional<Launched> last = zeroFrom(high, high, false);
         if (last && last->steeper > found[0].steeper) found.push_back(*last);
@@ -91,12 +91,12 @@ struct Reach {
     }
 };
 
-/// Straight up and down.
-struct Plumb {
+/// A shot straight up or down.
+struct VerticalFlight {
     double speed, coefficient, gravity;
     double terminal = std::sqrt(gravity / coefficient);
 
-    /// Times from the launch to a height, all ways there.
+    /// Times from the launch until a height is reached, going up and coming down.
     std::vector<double> timesUpTo(double height) const {
         const double start = speed / terminal;
         const double lost = (1 + start * start) * -exponentialMinus1(-2 * coefficient * height);
@@ -136,14 +136,14 @@ void addStraight(std::vector<Shot>& shots, const QuadraticDragAim& problem, doub
     addFinite(shots, problem.target, problem.speed, stretch * (distance / problem.speed));
 }
 
-std::vector<Shot> plumbShots(const QuadraticDragAim& problem, const detail::Level& level, double up) {
-    const Plumb plumb{problem.speed, problem.coefficient, level.gravity};
-    const std::vector<double> times = up > 0 ? plumb.timesUpTo(up) : plumb.timesDownTo(-up);
+std::vector<Shot> verticalShots(const QuadraticDragAim& problem, const detail::GravityFrame& frame, double up) {
+    const VerticalFlight flight{problem.speed, problem.coefficient, frame.gravity};
+    const std::vector<double> times = up > 0 ? flight.timesUpTo(up) : flight.timesDownTo(-up);
     std::vector<Shot> shots;
     for (const double time : times) {
         if (!shots.empty() && !(time > shots.back().time)) continue;
         const bool firstDown = up < 0 && shots.empty();
-        addFinite(shots, firstDown ? Vec2(-level.up) : level.up, problem.speed, time);
+        addFinite(shots, firstDown ? Vec2(-frame.up) : frame.up, problem.speed, time);
     }
     return shots;
 }
@@ -158,10 +158,10 @@ std::vector<Shot> aimThroughQuadraticDrag(const QuadraticDragAim& problem) {
 
     const double v = problem.speed;
     const double distance = detail::lengthOf(problem.target);
-    detail::Level level(problem.gravity);
-    const double strength = 2 * problem.coefficient * v * (v / level.gravity);
+    detail::GravityFrame frame(problem.gravity);
+    const double strength = 2 * problem.coefficient * v * (v / frame.gravity);
     const double z = 2 * problem.coefficient * distance;
-    // Drag over weight, at the launch and by the speed of a fall all the way: both lost in rounding?
+    // Drag over weight, at the launch and for a fall over the whole distance: are both lost in rounding?
     if (distance <= detail::muzzle || problem.coefficient == 0 || (strength < 1e-17 && z < 1e-17))
         return aim({problem.target, v, problem.gravity});
     std::vector<Shot> shots;
@@ -170,21 +170,21 @@ std::vector<Shot> aimThroughQuadraticDrag(const QuadraticDragAim& problem) {
         return shots;
     }
 
-    const double up = problem.target.dot(level.up);
-    if (problem.target.dot(level.right) < 0) level.right = -level.right;
-    const double right = problem.target.dot(level.right);
-    // No further off the plumb line than rounding puts what is meant to be on it.
-    if (!(right > 1e-15 * distance)) return plumbShots(problem, level, up);
+    const double up = problem.target.dot(frame.up);
+    if (problem.target.dot(frame.right) < 0) frame.right = -frame.right;
+    const double right = problem.target.dot(frame.right);
+    // Off the vertical line by no more than rounding.
+    if (!(right > 1e-15 * distance)) return verticalShots(problem, frame, up);
 
-    if (strength == 0) return shots;  // too slow to get off that line
+    if (strength == 0) return shots;  // too slow to leave that line
     const double growth = z < 1e-3 ? 1 + z / 3 : 2 * (exponentialMinus1(z) - z) / (z * z);
-    const Reach reach{right / v * (level.gravity / v), up / right, strength, growth};
-    for (const Launched& launch : reach.launches())
+    const ScaledProblem scaled{right / v * (frame.gravity / v), up / right, strength, growth};
+    for (const Launched& launch : scaled.launches())
         if (launch.straight)
             addStraight(shots, problem, distance);
         else
-            addFinite(shots, level.right + (reach.line + launch.steeper) * level.up, v,
-                      launch.time * (v / level.gravity));
+            addFinite(shots, frame.right + (scaled.line + launch.steeper) * frame.up, v,
+                      launch.time * (v / frame.gravity));
     return shots;
 }
 

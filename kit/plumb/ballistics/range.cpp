@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include <plumb/ballistics/detail/gravity_frame.h>
 #include <plumb/ballistics/detail/input.h>
-#include <plumb/ballistics/detail/level.h>
 
 namespace plumb {
 namespace {
@@ -25,20 +25,20 @@ std::optional<PathPoint> pointAt(const Launch& launch, double time) {
 
 std::optional<PathPoint> apexOf(const Launch& launch) {
     require(launch);
-    const detail::Level level(launch.gravity);
-    const double rise = launch.velocity.dot(level.up);
+    const detail::GravityFrame frame(launch.gravity);
+    const double rise = launch.velocity.dot(frame.up);
     if (!(rise > 0)) return std::nullopt;
-    return pointAt(launch, rise / level.gravity);
+    return pointAt(launch, rise / frame.gravity);
 }
 
 std::optional<PathPoint> landingOf(const Launch& launch) {
     require(launch);
-    const detail::Level level(launch.gravity);
-    const double rise = launch.velocity.dot(level.up);
-    const double square = rise * rise + 2 * level.gravity * launch.height;
-    if (!(level.gravity > 0) || square < 0 || (rise <= 0 && launch.height < 0)) return std::nullopt;
+    const detail::GravityFrame frame(launch.gravity);
+    const double rise = launch.velocity.dot(frame.up);
+    const double square = rise * rise + 2 * frame.gravity * launch.height;
+    if (!(frame.gravity > 0) || square < 0 || (rise <= 0 && launch.height < 0)) return std::nullopt;
     const double root = std::sqrt(square);
-    if (rise > 0) return pointAt(launch, (rise + root) / level.gravity);
+    if (rise > 0) return pointAt(launch, (rise + root) / frame.gravity);
     return pointAt(launch, launch.height == 0 ? 0 : 2 * launch.height / (root - rise));
 }
 
@@ -47,14 +47,14 @@ std::optional<GreatestRange> greatestRange(const RangeAim& problem) {
     detail::requireSize(problem.height, "RangeAim", ".height");
     detail::requireSize(problem.gravity, "RangeAim", ".gravity");
 
-    const detail::Level level(problem.gravity);
+    const detail::GravityFrame frame(problem.gravity);
     const double v = problem.speed;
-    const double square = v * v + 2 * level.gravity * problem.height;
-    if (!(level.gravity > 0) || square < 0) return std::nullopt;
+    const double square = v * v + 2 * frame.gravity * problem.height;
+    if (!(frame.gravity > 0) || square < 0) return std::nullopt;
     const double landing = std::sqrt(square);  // the speed there
     const double both = std::sqrt(v * v + square);
-    const Vec2 direction = both > 0 ? Vec2((landing * level.right + v * level.up) / both) : level.right;
-    const GreatestRange result{v * (landing / level.gravity), {v * direction, both / level.gravity}};
+    const Vec2 direction = both > 0 ? Vec2((landing * frame.right + v * frame.up) / both) : frame.right;
+    const GreatestRange result{v * (landing / frame.gravity), {v * direction, both / frame.gravity}};
     if (!std::isfinite(result.range) || !std::isfinite(result.shot.time)) return std::nullopt;
     return result;
 }

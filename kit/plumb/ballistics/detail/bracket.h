@@ -9,9 +9,9 @@ struct ValueAndSlope {
     double value, slope;
 };
 
-/// To the last places. f(x) gives value and slope and has another sign at low than at high, of which lowIsPositive
-/// tells the one; 0 < low < high. Newton's method, and where it leaves the bracket or is slow, halves of the
-/// bracket's exponents: so it ends, for any f, in time. Source: Press et al., "Numerical Recipes", 9.4, rtsafe.
+/// To the last digits. f(x) returns value and slope and has opposite signs at low and high; lowIsPositive tells which;
+/// 0 < low < high. Newton's method; where it leaves the bracket or converges slowly, bisection of the exponents
+/// (geometric mean): so it converges for any f. Source: Press et al., "Numerical Recipes", 9.4, rtsafe.
 template <typename Function>
 double rootBetween(double low, double high, bool lowIsPositive, const Function& f) {
     double last = high - low;

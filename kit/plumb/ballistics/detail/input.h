@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Is this number one that aiming can compute with?
+// Is this number in the valid range for aiming?
 #pragma once
 #include <cmath>
 #include <string_view>
@@ -8,7 +8,7 @@
 
 namespace plumb::detail {
 
-/// So large that no game has it, so small that products of six are finite.
+/// More than any game needs, and small enough that products of six are finite.
 inline constexpr double largest = 1e50;
 
 inline void requireSize(double value, std::string_view field, std::string_view member) {
@@ -20,12 +20,12 @@ inline void requireSize(const Vec2& value, std::string_view field, std::string_v
     requireSize(value.y(), field, member);
 }
 
-/// 0 to the largest.
+/// From 0 to the largest.
 inline void requireAmount(double value, std::string_view field, std::string_view member) {
     if (!(value >= 0 && value <= largest)) requireWithin(value, 0, largest, field, member);
 }
 
-/// 1 over the largest to the largest.
+/// From 1 / largest to largest.
 inline void requirePositiveAmount(double value, std::string_view field, std::string_view member) {
     requirePositive(value, field, member);
     requireWithin(value, 1 / largest, largest, field, member);

@@ -10,9 +10,9 @@
 namespace plumb::detail {
 namespace {
 
-/// One of two, the other of which lies as far on the other side of an interval's middle; its ends are at -1 and 1.
+/// Two nodes of Gauss quadrature, symmetric about the middle of the interval from -1 to 1.
 struct GaussPair {
-    double place, weight;
+    double node, weight;
 };
 constexpr std::array<GaussPair, 4> eightPoints = {{{0.96028985649753623, 0.10122853629037626},
                                                    {0.79666647741362674, 0.22238103445337447},
@@ -20,12 +20,12 @@ constexpr std::array<GaussPair, 4> eightPoints = {{{0.96028985649753623, 0.10122
                                                    {0.18343464249564980, 0.36268378337836198}}};
 constexpr std::array<GaussPair, 1> twoPoints = {{{0.57735026918962576, 1}}};
 
-/// Integrals along the path from the launch on.
+/// Integrals along the trajectory from the launch on.
 struct Sums {
     double above = 0;   ///< height above the line
     double across = 0;  ///< x
     double time = 0;
-    double aboveChange = 0, acrossChange = 0;  ///< derivatives of the first two by W
+    double aboveChange = 0, acrossChange = 0;  ///< derivatives of the first two with respect to W
 };
 
 /// e^z - 1 as the sum of an odd and an even part, for |z| <= 1/2; the next terms are below 1e-16 of the first.
@@ -41,7 +41,7 @@ SmallPower smallPower(double z) {
     return {z + z * q * oddSum, q * (0.5 + q * evenSum)};
 }
 
-/// The path, by its bend: how much less steep it is than at the launch, s0 - s.
+/// The trajectory, parametrised by its bend: the decrease of the slope parameter since the launch, s0 - s.
 class Path {
 public:
     Path(double line, double steeper, double strength)
@@ -54,10 +54,10 @@ public:
           inverse_(1 / power_) {}
 
     struct At {
-        double steeper;                           ///< than the line: sinh s less the line's slope
+        double steeper;                           ///< slope above that of the line: sinh s minus the line's slope
         double cosh;                              ///< of s
         double w;                                 ///< W
-        double rate() const { return cosh / w; }  ///< of x by the bend
+        double rate() const { return cosh / w; }  ///< derivative of x with respect to the bend
     };
     At at(double bend) const { return at(bend, exponentialMinus1(bend)); }
 
@@ -68,14 +68,15 @@ public:
             addBy(eightPoints, sums, from, to);
     }
 
-    /// A width over which W grows by little, and that is not far beyond where the path would cross without drag.
+    /// A panel width over which W grows little, and that is not far beyond where the trajectory would cross without
+    /// drag.
     double panelAt(double bend) const {
         const At now = at(bend);
         const double smooth = 0.5 / (strength_ * now.cosh * now.rate());
         return std::min({0.8, smooth, std::max(2.5 * steeper_ / secant_, bend)});
     }
 
-    /// Does it fall straight down from here on, at the terminal speed, to rounding?
+    /// Does it fall vertically from here on, at the terminal speed, to rounding?
     bool fallsStraight(double bend) const {
         if (bend < 40) return false;
         const At now = at(bend);
@@ -89,14 +90,14 @@ public:
     }
 
     Crossing crossingAt(double bend, const Sums& sums) const {
-        const double change = 2 * launch_ + strength_ * secant_;  // of W with the launch's slope
+        const double change = 2 * launch_ + strength_ * secant_;  // derivative of W with respect to the launch slope
         const double across = 1 / square_ + change * sums.acrossChange;
         const double above = steeper_ / square_ + change * sums.aboveChange;
         return {sums.across, across - above / at(bend).steeper, sums.time};
     }
 
 private:
-    // All differences are sums of what has one sign: nothing cancels.
+    // All differences are sums of terms with one sign: no cancellation.
     At at(double bend, double more) const {
         const double grown = 1 + more;
         const double shrunk = 1 / grown;
@@ -113,7 +114,7 @@ private:
         const double half = 0.5 * (to - from);
         const double more = exponentialMinus1(middle);
         for (const GaussPair& pair : rule) {
-            const double z = half * pair.place;
+            const double z = half * pair.node;
             const SmallPower power = smallPower(z);
             for (const double side : {1.0, -1.0}) {
                 const double further = side * power.sinh + power.coshMinus1;
@@ -138,7 +139,7 @@ private:
     double power_, inverse_;           ///< e^s0, e^-s0
 };
 
-/// Two ends of an interval of the bend, between which the path crosses the line, and the integrals to there.
+/// An interval of the bend in which the trajectory crosses the line, and the integrals up to both ends.
 struct Bracket {
     double from = 0, to = 0;
     Sums before, after;
@@ -159,8 +160,8 @@ Found bracketCrossing(const Path& path, Bracket& bracket) {
     return Found::Nothing;
 }
 
-/// Back from the bracket's far end, first to where the parabola through both ends crosses, with the slope at the
-/// far one.
+/// The first step back from the bracket's far end: to the crossing of the parabola through both ends, with the slope at
+/// the far one.
 double firstStep(const Path& path, const Bracket& bracket) {
     const Path::At end = path.at(bracket.to);
     const double width = bracket.to - bracket.from;

@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: MIT
-// Which way is up, and what does gravity make of the plane?
+// Which direction is up, and which is horizontal, for a given gravity?
 #pragma once
 #include <plumb/ballistics/shot.h>
 #include <plumb/math/detail/length.h>
 
 namespace plumb::detail {
 
-/// A target no further away is at the muzzle: times to it could not be told from 0.
+/// A target at this distance or less is at the muzzle: its time of flight could not be distinguished from 0.
 inline constexpr double muzzle = 1e-200;
 
-/// What gravity makes of the plane; without it, up is +y.
-struct Level {
+/// Axes along and across gravity; without gravity, up is +y.
+struct GravityFrame {
     double gravity = 0;  ///< [m/s^2]
     Vec2 up{0, 1}, right{1, 0};
 
-    explicit Level(const Vec2& gravityVector) : gravity(lengthOf(gravityVector)) {
+    explicit GravityFrame(const Vec2& gravityVector) : gravity(lengthOf(gravityVector)) {
         if (!(gravity > 0)) return;
         up = -directionOf(gravityVector);
         right = {up.y(), -up.x()};
     }
 };
 
-/// The same direction, of the length that was asked for: what rounding or a close call took is given back.
+/// The same direction, with the requested length: removes rounding errors of the length.
 inline Vec2 withLength(const Vec2& v, double length) {
     return length * directionOf(v);
 }
