@@ -11,10 +11,10 @@ double placedIn(double x, const std::optional<double>& size) {
     if (!size) return x;
     const double place = x - std::floor(x / *size) * *size;
     if (place < 0) return 0;
-    return place < *size ? place : 0;  // a hair below 0 is rounded to a whole round
+    return place < *size ? place : 0;  // a point just below 0 may be rounded to a whole period
 }
 
-double roundIn(double x, const std::optional<double>& size) {
+double imageIndexIn(double x, const std::optional<double>& size) {
     return size ? std::floor(x / *size) : 0;
 }
 
@@ -32,12 +32,12 @@ Vec2 Wrap::shiftNear(const Vec2& point, const Vec2& other) const {
     return {shiftIn(point.x(), other.x(), width), shiftIn(point.y(), other.y(), height)};
 }
 
-Vec2 Wrap::roundOf(const Vec2& point) const {
-    return {roundIn(point.x(), width), roundIn(point.y(), height)};
+Vec2 Wrap::imageIndex(const Vec2& point) const {
+    return {imageIndexIn(point.x(), width), imageIndexIn(point.y(), height)};
 }
 
-Vec2 Wrap::lengthOf(const Vec2& rounds) const {
-    return {rounds.x() * width.value_or(0), rounds.y() * height.value_or(0)};
+Vec2 Wrap::imageOffset(const Vec2& image) const {
+    return {image.x() * width.value_or(0), image.y() * height.value_or(0)};
 }
 
 }  // namespace plumb
