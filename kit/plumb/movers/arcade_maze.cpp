@@ -11,7 +11,7 @@ namespace plumb {
 
 namespace {
 
-/// As the sources count: rows from above.
+/// Rows counted from above, as in the sources.
 Cell fromAbove(int column, int row) {
     return {column, ArcadeProfile{}.rows - 1 - row};
 }
@@ -63,15 +63,15 @@ int hunterPercent(const ArcadeSpeeds& speeds, bool slow, bool frightened, int ha
     return haste == 0 ? speeds.hunter : haste == 1 ? speeds.haste1 : speeds.haste2;
 }
 
-Cell hunterTarget(int hunter, const HunterQuestion& question, const ArcadeMaze& maze) {
+Cell hunterTarget(int hunter, const HunterContext& context, const ArcadeMaze& maze) {
     switch (hunter) {
-        case 0: return question.player;
-        case 1: return ahead(question.player, question.heading, 4);
+        case 0: return context.player;
+        case 1: return ahead(context.player, context.heading, 4);
         case 2: {
-            const Cell middle = ahead(question.player, question.heading, 2);
-            return {2 * middle.column - question.chaser.column, 2 * middle.row - question.chaser.row};
+            const Cell middle = ahead(context.player, context.heading, 2);
+            return {2 * middle.column - context.chaser.column, 2 * middle.row - context.chaser.row};
         }
-        case 3: return isFar(question.hunter, question.player) ? question.player : maze.corners[3];
+        case 3: return isFar(context.hunter, context.player) ? context.player : maze.corners[3];
         default: break;
     }
     refuse("hunterTarget: hunter", std::to_string(hunter) + " is not within 0 to 3");

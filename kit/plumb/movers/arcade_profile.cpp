@@ -17,7 +17,7 @@ void requireLevel(int level) {
     if (level < 1) refuse("level", std::to_string(level) + " is not a level, 1 or more");
 }
 
-/// What holds up to a level, and the rest for all beyond.
+/// A value that is valid up to a level, after the one of the band before.
 template <typename Value>
 struct Band {
     int last;

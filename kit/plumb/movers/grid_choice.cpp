@@ -11,7 +11,7 @@ bool mayLeave(const TileMap& map, const GridCrossing& crossing, Direction exit) 
     return isOpen(map, crossing.cell, exit, crossing.pass);
 }
 
-/// In double: exact for maps of up to 2^24 cells, and no overflow for any cell.
+/// In double: exact for maps of up to 2^24 cells, and without overflow for any cell.
 double squaredDistance(Cell a, Cell b) {
     const double columns = static_cast<double>(a.column) - b.column, rows = static_cast<double>(a.row) - b.row;
     return columns * columns + rows * rows;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which ways lead out of a cell?
+// Which directions lead out of a cell?
 #pragma once
 #include <array>
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace plumb {
 
-/// Along a lane of a grid. In the order in which the arcade prefers one of two that are equally good.
+/// Along a lane of a grid. In the order of priority of the arcade.
 enum class Direction : std::uint8_t { Up, Left, Down, Right };
 
 inline constexpr std::array<Direction, 4> allDirections{Direction::Up, Direction::Left, Direction::Down,
@@ -26,7 +26,7 @@ constexpr Direction clockwise(Direction direction) {
 constexpr bool isHorizontal(Direction direction) {
     return direction == Direction::Left || direction == Direction::Right;
 }
-/// Is it to the right or up, where coordinates grow?
+/// Is it to the right or up, in the direction of growing coordinates?
 constexpr bool isForward(Direction direction) {
     return direction == Direction::Right || direction == Direction::Up;
 }

@@ -12,9 +12,9 @@ namespace plumb {
 
 namespace {
 
-constexpr int mostPixels = 1 << 20;
-constexpr double mostTilesAtOnce = 1 << 20;
-constexpr int mostFrames = 1 << 30;
+constexpr int maxPixels = 1 << 20;
+constexpr double maxTilesAtOnce = 1 << 20;
+constexpr int maxFrames = 1 << 30;
 
 void requireWindow(const CorneringWindow& window, const char* field) {
     requireWithin(window.before, 0, 0.5, field, ".before");
@@ -41,11 +41,11 @@ void requireOnLane(const GridMoverDef& def) {
         refuse("GridMoverDef.offset", toText(def.offset) + " is not along the heading, above -1/2, to 1/2");
 }
 
-/// The part of a tick's way that is left when it stands for a while; that while grows shorter.
-double withoutStanding(double way, double dt, double& standing) {
-    const double stood = std::min(standing, dt);
-    standing -= stood;
-    return stood == dt ? 0 : way * ((dt - stood) / dt);
+/// The part of a tick's motion that remains after a pause; reduces the remaining pause.
+double withoutPause(double distance, double dt, double& remainingPause) {
+    const double paused = std::min(remainingPause, dt);
+    remainingPause -= paused;
+    return paused == dt ? 0 : distance * ((dt - paused) / dt);
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ GridMover::GridMover(const GridMoverDef& def) : def_(def), cell_(def.cell), head
     requireDirection(def.heading, "GridMoverDef.heading");
     requireSound(def.cornering);
     requireOnLane(def);
-    if (def.pixelsPerTile < 1 || def.pixelsPerTile > mostPixels)
+    if (def.pixelsPerTile < 1 || def.pixelsPerTile > maxPixels)
         refuse("GridMoverDef.pixelsPerTile", std::to_string(def.pixelsPerTile) + " is not within 1 to 2^20");
     x_ = def.offset.x() * def.pixelsPerTile;
     y_ = def.offset.y() * def.pixelsPerTile;
@@ -86,34 +86,34 @@ void GridMover::reverseOnEntry() {
     reversing_ = true;
 }
 
-void GridMover::standFrames(int frames) {
-    if (frames < 0 || frames > mostFrames - standingFrames_)
-        refuse("GridMover.standFrames: frames", std::to_string(frames) + " is not within 0 to 2^30, all together");
-    standingFrames_ += frames;
+void GridMover::pauseFrames(int frames) {
+    if (frames < 0 || frames > maxFrames - pauseFrames_)
+        refuse("GridMover.pauseFrames: frames", std::to_string(frames) + " is not within 0 to 2^30, all together");
+    pauseFrames_ += frames;
 }
 
-void GridMover::stand(double time) {
-    requireNotNegative(time, "GridMover.stand: time");
-    requireFinite(standing_ + time, "GridMover.stand: time");
-    standing_ += time;
+void GridMover::pause(double time) {
+    requireNotNegative(time, "GridMover.pause: time");
+    requireFinite(pause_ + time, "GridMover.pause: time");
+    pause_ += time;
 }
 
 std::span<const GridEvent> GridMover::move(const TileMap& map, double speed, double dt) {
     requireNotNegative(speed, "GridMover.move: speed");
     requireNotNegative(dt, "GridMover.move: dt");
-    requireWithin(speed * dt, 0, mostTilesAtOnce, "GridMover.move: speed dt");
+    requireWithin(speed * dt, 0, maxTilesAtOnce, "GridMover.move: speed dt");
     begin(map);
-    go(map, withoutStanding(speed * dt * def_.pixelsPerTile, dt, standing_));
+    moveBy(map, withoutPause(speed * dt * def_.pixelsPerTile, dt, pause_));
     return events_;
 }
 
 std::span<const GridEvent> GridMover::moveFrame(const TileMap& map, SpeedPattern speed) {
     begin(map);
-    if (standingFrames_ > 0) {
-        --standingFrames_;
+    if (pauseFrames_ > 0) {
+        --pauseFrames_;
         return events_;
     }
-    for (int pixels = speed.pixels(frame_++); pixels > 0; --pixels) goPixel(map);
+    for (int pixels = speed.pixels(frame_++); pixels > 0; --pixels) movePixel(map);
     return events_;
 }
 
@@ -126,27 +126,27 @@ void GridMover::begin(const TileMap& map) {
     events_.clear();
 }
 
-void GridMover::go(const TileMap& map, double way) {
-    while (way > 0) {
-        turnBackIfEntered(map);
-        obey(map);
-        way -= goOn(map, way);
-        crossIfDue(map, way > 0);
+void GridMover::moveBy(const TileMap& map, double distance) {
+    while (distance > 0) {
+        reverseIfEntered(map);
+        takeWantedTurn(map);
+        distance -= advance(map, distance);
+        crossIfAtEdge(map, distance > 0);
     }
 }
 
-/// Who is to turn back on entry has come a pixel into the cell by then.
-void GridMover::goPixel(const TileMap& map) {
-    turnBackIfEntered(map);
-    for (double way = 1; way > 0;) {
-        obey(map);
-        way -= goOn(map, way);
-        crossIfDue(map, way > 0);
+/// A reversal on entry happens when the mover is one pixel inside the cell.
+void GridMover::movePixel(const TileMap& map) {
+    reverseIfEntered(map);
+    for (double distance = 1; distance > 0;) {
+        takeWantedTurn(map);
+        distance -= advance(map, distance);
+        crossIfAtEdge(map, distance > 0);
     }
 }
 
-/// Turns, if that is wanted and can be here.
-void GridMover::obey(const TileMap& map) {
+/// Makes the wanted turn, if it is possible here.
+void GridMover::takeWantedTurn(const TileMap& map) {
     if (wanted_ == heading_) wanted_.reset();
     if (!wanted_) return;
     const bool back = *wanted_ == opposite(heading_);
@@ -161,7 +161,7 @@ bool GridMover::mayTurn(const TileMap& map) const {
     return near && open(map, *wanted_);
 }
 
-/// Past the centre, that is what lies behind; else it is the cell from which it came.
+/// Past the centre, the way back leads through this cell; before it, through the cell from which it came.
 bool GridMover::mayTurnBack(const TileMap& map) const {
     const Direction back = opposite(heading_);
     if (def_.reverses) return along() > 0 || open(map, back);
@@ -172,43 +172,44 @@ bool GridMover::mayTurnBack(const TileMap& map) const {
 
 void GridMover::turn(Direction direction, GridEventKind kind) {
     heading_ = direction;
-    tell(kind);
+    addEvent(kind);
 }
 
-/// As far as the next place at which there is something to decide; returns the way it took.
-double GridMover::goOn(const TileMap& map, double way) {
+/// Moves to the next point at which a decision is due; returns the distance.
+double GridMover::advance(const TileMap& map, double distance) {
     const double past = along();
     const bool atCentre = past == 0 && aside() == 0;
-    if (past >= 0 && !open(map, heading_)) return held(way);
-    if (halted_ && atCentre) return held(way);
+    if (past >= 0 && !open(map, heading_)) return stopAhead(distance);
+    if (halted_ && atCentre) return stopAhead(distance);
     stopped_ = false;
-    const double target = reach(map);
-    const double step = std::min(way, target - past);
+    const double target = nextDecision(map);
+    const double step = std::min(distance, target - past);
     setAlong(step == target - past ? target : past + step);
-    closeIn(step);
-    if (past < 0 && along() == 0 && aside() == 0) tell(GridEventKind::ReachedCentre);
+    approachLane(step);
+    if (past < 0 && along() == 0 && aside() == 0) addEvent(GridEventKind::ReachedCentre);
     return step;
 }
 
-/// A wall is ahead, or it is to halt at this centre.
-double GridMover::held(double way) {
-    if (along() > 0) {  // the wall was put up when it was past the centre: it goes back there
+/// A wall is ahead, or it has to halt at this centre.
+double GridMover::stopAhead(double distance) {
+    if (along() > 0) {  // the wall was closed when it was past the centre: it goes back
         turn(opposite(heading_), GridEventKind::Reversed);
         return 0;
     }
     if (aside() != 0) {
-        const double step = std::min(way, std::fabs(aside()));
-        closeIn(step);
-        if (aside() == 0) tell(GridEventKind::ReachedCentre);
+        const double step = std::min(distance, std::fabs(aside()));
+        approachLane(step);
+        if (aside() == 0) addEvent(GridEventKind::ReachedCentre);
         return step;
     }
-    if (!stopped_) tell(GridEventKind::Stopped);
+    if (!stopped_) addEvent(GridEventKind::Stopped);
     stopped_ = true;
-    return way;
+    return distance;
 }
 
-/// How far along the heading the next place lies: the window of a wanted turn, the centre, or the edge of the cell.
-double GridMover::reach(const TileMap& map) const {
+/// How far along the heading the next decision point is: the window of a wanted turn, the centre, or the edge of the
+/// cell.
+double GridMover::nextDecision(const TileMap& map) const {
     const double past = along();
     if (past >= 0) return half();
     const double opening = -def_.cornering.of(heading_).before * def_.pixelsPerTile;
@@ -216,9 +217,9 @@ double GridMover::reach(const TileMap& map) const {
     return turning && open(map, *wanted_) ? opening : 0;
 }
 
-/// The right and upper edges belong to the cell, the left and lower ones to its neighbours.
-void GridMover::crossIfDue(const TileMap& map, bool wayLeft) {
-    if (along() == half() && (wayLeft || !isForward(heading_))) cross(map);
+/// The right and upper edges belong to the cell, the left and lower edges to its neighbours.
+void GridMover::crossIfAtEdge(const TileMap& map, bool distanceLeft) {
+    if (along() == half() && (distanceLeft || !isForward(heading_))) cross(map);
 }
 
 void GridMover::cross(const TileMap& map) {
@@ -226,12 +227,12 @@ void GridMover::cross(const TileMap& map) {
     const Cell inside = map.wrapped(next);
     cell_ = inside;
     setAlong(-half());
-    if (!(inside == next)) tell(GridEventKind::Wrapped);
-    tell(GridEventKind::Entered);
+    if (!(inside == next)) addEvent(GridEventKind::Wrapped);
+    addEvent(GridEventKind::Entered);
     entered_ = true;
 }
 
-void GridMover::turnBackIfEntered(const TileMap& map) {
+void GridMover::reverseIfEntered(const TileMap& map) {
     const bool entered = std::exchange(entered_, false);
     if (!entered || !reversing_ || !open(map, opposite(heading_))) return;
     reversing_ = false;
@@ -247,9 +248,9 @@ void GridMover::setAlong(double distance) {
     axis(isHorizontal(heading_)) = isForward(heading_) ? distance : 0 - distance;  // no -0
 }
 
-void GridMover::closeIn(double way) {
+void GridMover::approachLane(double distance) {
     double& off = axis(!isHorizontal(heading_));
-    off = off > 0 ? std::max(0.0, off - way) : std::min(0.0, off + way);
+    off = off > 0 ? std::max(0.0, off - distance) : std::min(0.0, off + distance);
 }
 
 }  // namespace plumb

@@ -14,9 +14,9 @@ FreeMotion testMove(const World& world, BodyId body, const Vec2& displacement, d
     const SlideSettings settings{.skin = skin};
     const detail::SlideProbe probe(world, body, settings, 0);
     const double length = std::sqrt(displacement.dot(displacement));
-    const detail::FreeWay way = probe.freeWay(world.body(body).position(), displacement);
-    if (!way.hit) return {displacement};
-    return {displacement * (way.length / length), way.hit};
+    const detail::FreePath path = probe.freePath(world.body(body).position(), displacement);
+    if (!path.hit) return {displacement};
+    return {displacement * (path.length / length), path.hit};
 }
 
 FreeMotion moveAndCollide(World& world, BodyId body, const Vec2& displacement, double dt, double skin) {

@@ -33,7 +33,7 @@ SlideSettings withUnitUp(SlideSettings settings) {
     return settings;
 }
 
-/// Through what it stands on, and, until it is in that, through what is flush with it on its way.
+/// Passes the one-way floor it stands on, and, until it is inside of that, the floors level with it along its motion.
 void drop(SlideRun& run, const SlideMotion& motion, const Slide& last, const Vec2& wanted) {
     run.out.hasEntered = last.hasEntered && !motion.dropThrough;
     if (!motion.dropThrough && last.dropping.empty()) return;
@@ -44,7 +44,7 @@ void drop(SlideRun& run, const SlideMotion& motion, const Slide& last, const Vec
     run.out.dropping = run.probe.passedFloors();
 }
 
-/// Who stands did not drop, or is through; so is who has been in it and is not any more.
+/// The drop ends when it stands on a floor, or has been inside of a passed floor and is out again.
 void endDrop(SlideRun& run) {
     if (run.out.dropping.empty()) return;
     const bool isIn = run.probe.isInPassedFloor(run.position);
@@ -52,26 +52,26 @@ void endDrop(SlideRun& run) {
     run.out.hasEntered = !run.out.dropping.empty() && (run.out.hasEntered || isIn);
 }
 
-/// Along the floor, or through the air. Gives how far it wanted to go along the floor.
-double goItsOwnWay(SlideRun& run, const Vec2& wanted, bool grounded) {
+/// Moves along the floor, or through the air. Returns the wanted distance along the floor.
+double moveSelf(SlideRun& run, const Vec2& wanted, bool grounded) {
     if (!grounded) {
         detail::fly(run, wanted);
         return 0;
     }
-    const double level = wanted.dot(run.right());
+    const double horizontal = wanted.dot(run.right());
     const bool slips = !run.settings.floorStopOnSlope && run.out.floorNormal.dot(run.up()) < 1 - 1e-12;
     if (slips) {
         const Vec2 along = run.alongFloor(run.out.floorNormal, 1);
-        const double way = wanted.dot(along);
-        detail::walk(run, std::fabs(way), way < 0 ? -1 : 1);
-        return way;
+        const double distance = wanted.dot(along);
+        detail::walk(run, std::fabs(distance), distance < 0 ? -1 : 1);
+        return distance;
     }
-    detail::walk(run, std::fabs(level), level < 0 ? -1 : 1);
-    return level;
+    detail::walk(run, std::fabs(horizontal), horizontal < 0 ? -1 : 1);
+    return horizontal;
 }
 
 /// Is it on a floor at the end, and on which?
-void findFloor(SlideRun& run, bool grounded, double level) {
+void findFloor(SlideRun& run, bool grounded, double horizontal) {
     const bool rises = run.velocity.dot(run.up()) > 0;
     const bool landed = run.out.isOnFloor && !grounded;
     if (rises || !(grounded || landed)) {
@@ -82,43 +82,43 @@ void findFloor(SlideRun& run, bool grounded, double level) {
     const bool wedged = landed && run.out.floorNormal == run.up() && run.along.isZero(0);
     const double reach = run.settings.floorSnapLength + run.settings.stepHeight;
     run.out.isOnFloor = false;
-    if (detail::settle(run, reach, std::fabs(level)) || wedged) {
+    if (detail::snapToFloor(run, reach, std::fabs(horizontal)) || wedged) {
         run.out.isOnFloor = true;
         return;
     }
     run.out.floor.reset();
 }
 
-/// The velocity that is left, against the floor or the world.
+/// The remaining velocity, relative to the floor or to the world.
 void finishVelocity(SlideRun& run, bool grounded) {
     run.out.platformVelocity = run.carry;
     if (run.out.isOnFloor) {
         const BodyView body = std::as_const(run.world).body(run.out.floor->shape.body);
         const bool goes = detail::carries(run.world, *run.out.floor, run.settings);
         const Vec2 ground = goes ? body.velocityAt(run.position) : Vec2(0, 0);
-        // Who lands runs on as fast as before, seen from what it landed on.
+        // After landing it keeps its speed, converted to the floor's frame.
         if (!grounded && run.settings.platformOnLeave != PlatformOnLeave::DoNothing) run.velocity += run.carry - ground;
         run.out.platformVelocity = ground;
         run.out.velocity = run.right() * run.velocity.dot(run.right());
         run.out.floorAngle =
             arcTangent(std::fabs(cross(run.out.floorNormal, run.up())), run.out.floorNormal.dot(run.up()));
     } else {
-        run.out.velocity = run.velocity + detail::parting(run);
+        run.out.velocity = run.velocity + detail::leaveVelocity(run);
     }
 }
 
-void pressDown(SlideRun& run) {
+void applyWeight(SlideRun& run) {
     if (!run.out.isOnFloor || !(run.settings.weight > 0)) return;
     Body body = run.world.body(run.out.floor->shape.body);
     if (body.type() != BodyType::Dynamic) return;
     body.applyForce(run.up() * -run.settings.weight, run.position);
 }
 
-/// A map that is touched without being in the way is known from the tick in which it was.
+/// A map that is touched without having been hit in this tick is known from the tick in which it was hit.
 void findHazards(SlideRun& run, const Slide& last) {
-    for (const TileTouch& touch : last.hazards) run.probe.meetMap(touch.shape);
-    run.places.push_back(run.position);
-    if (!run.probe.mapsMet().empty()) run.out.hazards = detail::hazardsOn(run.probe, run.places);
+    for (const TileTouch& touch : last.hazards) run.probe.addHitMap(touch.shape);
+    run.waypoints.push_back(run.position);
+    if (!run.probe.hitMaps().empty()) run.out.hazards = detail::hazardsOn(run.probe, run.waypoints);
 }
 
 }  // namespace
@@ -139,11 +139,11 @@ void validate(const SlideSettings& settings, const std::string& field) {
     requireNotNegative(settings.reach, field, ".reach");
 }
 
-Slide moveAndSlide(World& world, BodyId body, const SlideMotion& motion, const SlideSettings& asked,
+Slide moveAndSlide(World& world, BodyId body, const SlideMotion& motion, const SlideSettings& given,
                    const Slide& last) {
     require(world, body, motion);
-    validate(asked, "SlideSettings");
-    const SlideSettings settings = withUnitUp(asked);
+    validate(given, "SlideSettings");
+    const SlideSettings settings = withUnitUp(given);
     const Vec2 here = world.body(body).position();
     const auto [start, jumped] = detail::startOf(world, body, last);
     const Vec2 wanted = motion.displacement ? *motion.displacement : Vec2(motion.velocity * motion.dt);
@@ -170,22 +170,22 @@ Slide moveAndSlide(World& world, BodyId body, const SlideMotion& motion, const S
     const bool arrived = rides && detail::carry(run, last, jumped);
     drop(run, motion, last, wanted);
     detail::pushAside(run, start);
-    detail::partOverlaps(run);
+    detail::resolveOverlaps(run);
     const bool hindered = !run.out.hits.empty();
-    run.places.push_back(run.position);
-    const double level = goItsOwnWay(run, wanted, grounded);
-    findFloor(run, grounded, level);
+    run.waypoints.push_back(run.position);
+    const double horizontal = moveSelf(run, wanted, grounded);
+    findFloor(run, grounded, horizontal);
     finishVelocity(run, grounded);
-    pressDown(run);
-    // Not who took off, even if it is on the floor again.
-    const bool kept = grounded && arrived && !jumped && level == 0 && !hindered;
-    detail::rememberPlace(run, last, kept);
+    applyWeight(run);
+    // Not after a jump, even if it is on the floor again.
+    const bool kept = grounded && arrived && !jumped && horizontal == 0 && !hindered;
+    detail::storeAnchor(run, last, kept);
     if (detail::isStill(run, here, kept)) run.position = here;
     findHazards(run, last);
     endDrop(run);
     run.out.position = run.position;
     run.out.displacement = run.position - here;
-    // Told anew, a velocity wakes what is near.
+    // Setting a velocity again would wake the bodies nearby.
     const Vec2 velocity = run.out.displacement / motion.dt;
     Body moved = world.body(body);
     if (moved.velocity() != velocity) moved.setVelocity(velocity);

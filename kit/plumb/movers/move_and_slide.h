@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where does a body that a game moves come to, among what it meets, pushes, stands on and is pushed by?
+// Where does a moved body end up, with obstacles, pushes, floors and moving bodies?
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace plumb {
 
-/// What of the velocity of what it stood on goes with a body that leaves it.
+/// Which velocity of its floor a body keeps when it leaves it.
 enum class PlatformOnLeave {
     AddVelocity,
     AddUpwardVelocity,  ///< as AddVelocity, but never downward
@@ -20,63 +20,63 @@ enum class PlatformOnLeave {
 
 enum class MotionMode {
     Grounded,  ///< with floors, walls and ceilings
-    Floating,  ///< seen from above, or in space: all is wall, nothing carries
+    Floating,  ///< for top-down games, or in space: everything is a wall, nothing carries
 };
 
 struct SlideSettings {
     MotionMode motionMode = MotionMode::Grounded;
     Vec2 up{0, 1};                             ///< not 0 [-]
-    double maxFloorAngle = 0.785398163397449;  ///< steeper is a wall; 0 to below pi / 2; pi / 4 is still floor [rad]
-    double floorSnapLength = 0.1;              ///< as far down as this the floor is followed, >= 0 [m]
-    bool floorStopOnSlope = true;              ///< false: the displacement's downward part slides it down a slope
-    bool floorConstantSpeed = true;            ///< as fast on a slope as on the flat; false: as fast across
-    bool floorBlockOnWall = true;              ///< false: who walks into a wall that leans away runs up it
-    bool slideOnCeiling = true;                ///< false: who hits a ceiling in a jump stops, and falls
-    double wallMinSlideAngle = 0.2617993877991494;  ///< floating: nearer head on it stops; 0 to pi / 2 [rad]
-    double stepHeight = 0;                          ///< as high as this it climbs from floor to floor, >= 0 [m]
-    double cornerCorrection = 0;                    ///< rising under an edge, it shifts aside by up to this, >= 0 [m]
+    double maxFloorAngle = 0.785398163397449;  ///< above it is wall; 0 to below pi / 2; pi / 4 is still floor [rad]
+    double floorSnapLength = 0.1;              ///< the floor is followed down as far as this, >= 0 [m]
+    bool floorStopOnSlope = true;              ///< false: the displacement's downward component slides it down a slope
+    bool floorConstantSpeed = true;            ///< true: same speed along a slope; false: same horizontal speed
+    bool floorBlockOnWall = true;              ///< false: walking into a wall that leans away runs up it
+    bool slideOnCeiling = true;                ///< false: hitting a ceiling stops a jump, and the body falls
+    double wallMinSlideAngle = 0.2617993877991494;  ///< floating: a more head-on hit stops it; 0 to pi / 2 [rad]
+    double stepHeight = 0;                          ///< climbs steps up to this height from floor to floor, >= 0 [m]
+    double cornerCorrection = 0;                    ///< rising under an edge, it shifts sideways up to this, >= 0 [m]
     double ledgeNudge = 0;    ///< in the air, against an edge, it is lifted by up to this, >= 0 [m]
-    double pushStrength = 0;  ///< on the dynamic bodies that it meets together, >= 0 [N]
-    double weight = 0;        ///< on the dynamic body on which it stands, >= 0 [N]
+    double pushStrength = 0;  ///< on all dynamic bodies that it hits, together, >= 0 [N]
+    double weight = 0;        ///< on the dynamic body that it stands on, >= 0 [N]
     PlatformOnLeave platformOnLeave = PlatformOnLeave::AddVelocity;
-    std::uint64_t platformFloorLayers = ~std::uint64_t{0};  ///< floors of other categories carry nobody along
-    double skin = 1e-3;                                     ///< kept to what is met, > 0 [m]
-    int maxSlides = 8;                                      ///< ways in one tick, >= 1 [-]
-    double reach = 1;  ///< kinematic bodies are seen coming from as far as this and its own way, >= 0 [m]
+    std::uint64_t platformFloorLayers = ~std::uint64_t{0};  ///< floors of other categories do not carry
+    double skin = 1e-3;                                     ///< distance kept to obstacles, > 0 [m]
+    int maxSlides = 8;                                      ///< straight motions in one tick, >= 1 [-]
+    double reach = 1;  ///< approaching kinematic bodies are detected within this plus its own motion, >= 0 [m]
 };
 
 struct SlideMotion {
-    Vec2 velocity{0, 0};  ///< wanted; on a floor, against that floor; up leaves the floor [m/s]
+    Vec2 velocity{0, 0};  ///< wanted; on a floor, relative to it; an upward one leaves the floor [m/s]
     double dt = 0;        ///< of the World::step that follows, > 0 [s]
-    std::optional<Vec2> displacement = std::nullopt;  ///< wanted in this tick; without, velocity dt [m]
+    std::optional<Vec2> displacement = std::nullopt;  ///< wanted in this tick; if empty, velocity dt [m]
     bool dropThrough = false;                         ///< through the one-way floors that it stands on
-    /// Of the bodies that this is called for in a tick, those for which it is yet to be: they are met where they are
-    /// now, and do not push. Without, they push on by the velocity of the tick before.
+    /// Bodies for which this function will be called later in the same tick: they are hit where they are now, and do
+    /// not push. If they are not listed, they push with their velocity of the tick before.
     std::span<const BodyId> later = {};
 };
 
 enum class SlideEffect {
     Landed,    ///< on a floor
-    Stopped,   ///< at a wall, or between two
+    Stopped,   ///< at a wall, or between two walls
     Slid,      ///< along it
     Pushed,    ///< a dynamic body, by impulse
     Stepped,   ///< up onto it
-    Nudged,    ///< aside of it, or up over its edge
-    PushedBy,  ///< out of its way, or out of where it overlapped
+    Nudged,    ///< sideways past it, or up over its edge
+    PushedBy,  ///< out of its way, or out of an overlap
 };
 
-/// As a CastHit; and how it came to that.
+/// A hit as in CastHit, and its effect.
 struct SlideHit {
     ShapeId shape;
     std::optional<Cell> tile = std::nullopt;
     Vec2 point{0, 0};    ///< in the world [m]
-    Vec2 normal{0, 1};   ///< from what was met to the body [-]
-    double speed = 0;    ///< at which they came together along it, >= 0 [m/s]
+    Vec2 normal{0, 1};   ///< from the obstacle to the body [-]
+    double speed = 0;    ///< approach speed along the normal, >= 0 [m/s]
     double impulse = 0;  ///< given to a dynamic body in the step [N s]
     SlideEffect effect = SlideEffect::Slid;
 };
 
-/// A one-way shape; of a tile map, the row of one-way tiles to which this one belongs.
+/// A one-way shape; of a tile map, the row of one-way tiles to which this tile belongs.
 struct OneWayFloor {
     ShapeId shape;
     std::optional<Cell> tile = std::nullopt;
@@ -87,46 +87,47 @@ struct TileTouch {
     Cell tile;
 };
 
-/// What came of a tick; the next tick needs it.
+/// The result of a tick; the next tick needs it.
 struct Slide {
-    Vec2 velocity{0, 0};      ///< what is left of the wanted one; on a floor, against that floor and level [m/s]
+    Vec2 velocity{0, 0};      ///< the rest of the wanted one; on a floor, relative to it and horizontal [m/s]
     Vec2 position{0, 0};      ///< where the body will be after World::step [m]
-    Vec2 displacement{0, 0};  ///< from where it is now, what carried or pushed it included [m]
-    bool isOnFloor = false, isOnWall = false, isOnCeiling = false;  ///< of walls and ceilings: as hits tell
-    bool crushed = false;                      ///< what moves into it, or lay over it, leaves it no way out
-    Vec2 floorNormal{0, 1}, wallNormal{1, 0};  ///< where it is on one [-]
-    double floorAngle = 0;                     ///< of the floor, from the level [rad]
-    Vec2 platformVelocity{0, 0};               ///< of the floor, under it; where it left one, of that [m/s]
-    std::vector<SlideHit> hits = {};           ///< in the order in which they came
-    std::vector<TileTouch> hazards = {};       ///< all hazard tiles that it touched: on its way, and where it stands
+    Vec2 displacement{0, 0};  ///< from its present position, including what carried or pushed it [m]
+    bool isOnFloor = false, isOnWall = false, isOnCeiling = false;  ///< for walls and ceilings: according to hits
+    bool crushed = false;                      ///< a body that moves into it, or overlaps it, leaves it no way out
+    Vec2 floorNormal{0, 1}, wallNormal{1, 0};  ///< of the floor and wall it touches [-]
+    double floorAngle = 0;                     ///< of the floor, from the horizontal [rad]
+    Vec2 platformVelocity{0, 0};               ///< of the floor, below it; if it left a floor, of that floor [m/s]
+    std::vector<SlideHit> hits = {};           ///< in the order of time
+    std::vector<TileTouch> hazards = {};       ///< all hazard tiles that it touched: during its motion, and at its end
 
     // For the next tick.
-    std::optional<CastHit> floor = std::nullopt;  ///< what it stands on, as it was met
-    Vec2 anchor{0, 0};                            ///< where it stands, in that body's frame [m]
-    Vec2 anchorAfter{0, 0};                       ///< where the step takes that place, in the world [m]
-    std::vector<OneWayFloor> dropping = {};       ///< it falls through these, until it is out of them
-    bool hasEntered = false;                      ///< it has been in one of those since it dropped
+    std::optional<CastHit> floor = std::nullopt;  ///< the floor, as it was hit
+    Vec2 anchor{0, 0};                            ///< where it stands, in the floor body's frame [m]
+    Vec2 anchorAfter{0, 0};                       ///< where the step takes that point, in the world [m]
+    std::vector<OneWayFloor> dropping = {};       ///< the floors it is falling through, until it is out of them
+    bool hasEntered = false;                      ///< it has been inside of one of those since it dropped
 };
 
 /// Gives a kinematic body the velocity with which the next World::step(motion.dt) takes it as far as it can go; call it
-/// before each. It stops a skin short of what it meets, slides along it, follows floors up, over and down, and pushes
-/// dynamic bodies by at most pushStrength dt, no faster than it goes itself: m a = pushStrength - friction.
-/// Kinematic bodies are met where the coming step takes them: they carry whoever stands on them, and push others.
-/// A body on another's floor keeps its place on it to rounding, as its place is kept in the other's frame; a floor that
-/// was set elsewhere, farther than its velocity explains, takes nobody along. Who stood on a body that was removed
-/// leaves it with its velocity.
-/// Of movers on movers, call it for who carries before who rides: the rider goes by the velocity given in this tick.
-/// And tell who comes later, or a mover that has turned around is still met as going on: its velocity is of the tick
-/// before.
-/// One-way shapes are solid from their open side only, unless overlapped. Of a tile map's one-way tiles those whose
-/// tops join end to end, sideways, are one floor; who drops through one meets the next. Its own sensors meet nothing.
-/// last is what this gave in the tick before, or Slide{} at first, or after a jump to elsewhere.
+/// before each step. It stops at a skin's distance from obstacles, slides along them, follows floors up, over and down,
+/// and pushes dynamic bodies by at most pushStrength dt, no faster than it moves itself: m a = pushStrength - friction.
+/// Kinematic bodies are hit where the coming step takes them: they carry bodies that stand on them, and push others. A
+/// body on another's floor keeps its place on it to rounding, because the place is stored in the other's frame; a floor
+/// that was moved elsewhere, farther than its velocity explains, does not carry. A body whose floor was removed leaves
+/// with the floor's velocity.
+/// For movers that stand on movers, call it for the carrier before the rider: the rider uses the velocity given in this
+/// tick. List the movers that are updated later, or a mover that has turned around is still expected to continue: its
+/// velocity is that of the tick before.
+/// One-way shapes are solid from their open side only, unless overlapped. One-way tiles of a map whose tops join end to
+/// end, horizontally, are one floor; after dropping through one floor, the body lands on the next. The body's own
+/// sensors hit nothing.
+/// last is the result of the tick before, or Slide{} at first, or after a teleport.
 /// Throws std::invalid_argument for a stale id, a body that is not kinematic, or values out of range.
 /// Tests: [movers], "a crate under a push F and friction mu m g gains (F - mu m g) / m a second"
 Slide moveAndSlide(World& world, BodyId body, const SlideMotion& motion, const SlideSettings& settings = {},
                    const Slide& last = {});
 
-/// Throws std::invalid_argument naming the field, the value and what was wanted; field is the name of the whole.
+/// Throws std::invalid_argument with the field, the value and what was expected; field is the name of the structure.
 void validate(const SlideSettings& settings, const std::string& field);
 
 }  // namespace plumb

@@ -55,7 +55,7 @@ void PathMover::addRest(double at, double pause) {
     period_ += pause;
 }
 
-/// Rests at both ends are taken once a lap.
+/// Pauses at both ends are made once per lap.
 void PathMover::addWayBack() {
     double along = def_.path.length();
     for (auto stop = def_.stops.rbegin(); stop != def_.stops.rend(); ++stop) {
@@ -75,7 +75,7 @@ PathState PathMover::at(double time) const {
         const PathPlace end = def_.path.at(def_.path.length());
         return {end.position, end.tangent, {0, 0}, def_.path.length(), 1, true};
     }
-    const double inLap = std::fmod(time, period_);  // exact, as no other function of the C library is bound to be
+    const double inLap = std::fmod(time, period_);  // exact, unlike most functions of the C library
     const auto after = std::upper_bound(legs_.begin() + 1, legs_.end(), inLap,
                                         [](double moment, const Leg& leg) { return moment < leg.start; });
     PathState state = stateIn(*(after - 1), inLap);
@@ -84,8 +84,8 @@ PathState PathMover::at(double time) const {
 }
 
 PathState PathMover::stateIn(const Leg& leg, double time) const {
-    const double way = std::fabs(leg.to - leg.from), side = leg.to < leg.from ? -1 : 1;
-    const Progress run = way > 0 ? progressAt(way, def_.timing, time - leg.start) : Progress{};
+    const double distance = std::fabs(leg.to - leg.from), side = leg.to < leg.from ? -1 : 1;
+    const Progress run = distance > 0 ? progressAt(distance, def_.timing, time - leg.start) : Progress{};
     const double along = leg.from + side * run.along;
     const PathPlace point = def_.path.at(along);
     return {point.position, point.tangent, side * run.speed * point.tangent, along, 0, false};

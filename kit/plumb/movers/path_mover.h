@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where is a thing that goes along a path, at any time?
+// Where is an object that moves along a path, at any time?
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -10,12 +10,12 @@
 namespace plumb {
 
 enum class PathRepeat : std::uint8_t {
-    Once,          ///< and rests at the end
-    Loop,          ///< round and round; the path must be closed
-    BackAndForth,  ///< turning round at both ends
+    Once,          ///< and stays at the end
+    Loop,          ///< repeats; the path must be closed
+    BackAndForth,  ///< reverses at both ends
 };
 
-/// A rest on the way. With easing it slows down for it, and speeds up after.
+/// A pause on the path. With easing, the object slows down before it and speeds up after it.
 struct PathStop {
     double along = 0;  ///< from 0 to the path's length [m]
     double pause = 0;  ///< >= 0 [s]
@@ -25,15 +25,15 @@ struct PathMoverDef {
     MotionPath path;
     PathTiming timing = {};
     PathRepeat repeat = PathRepeat::Once;
-    std::vector<PathStop> stops = {};  ///< in their order along the path, no two at one place
+    std::vector<PathStop> stops = {};  ///< in order of distance along the path, no two at one place
 };
 
 struct PathState {
     Vec2 position{0, 0};   ///< [m]
-    Vec2 tangent{1, 0};    ///< in which the path goes on there, also on the way back [-]
-    Vec2 velocity{0, 0};   ///< the tangent times what the way along grows by in a second [m/s]
+    Vec2 tangent{1, 0};    ///< direction of the path there, also on the way back [-]
+    Vec2 velocity{0, 0};   ///< the tangent times the rate of change of along [m/s]
     double along = 0;      ///< [m]
-    std::int64_t lap = 0;  ///< laps done; there and back again is one
+    std::int64_t lap = 0;  ///< completed laps; forth and back is one
     bool finished = false;
 };
 
@@ -42,7 +42,7 @@ struct PathPose {
     double angle = 0;     ///< [rad]
 };
 
-/// Each answer is a function of the time alone: nothing adds up, and after a million laps it is on its path as on the
+/// Each result is a function of time alone: nothing accumulates, and after a million laps it is on its path as on the
 /// first. Only its phase is rounded, by 2^-52 of the time at most. Tests: "a million laps later ...", "back and forth
 /// is the same there as back ..."
 class PathMover {
@@ -50,21 +50,21 @@ public:
     /// Throws std::invalid_argument naming the field.
     explicit PathMover(PathMoverDef def);
 
-    /// At a time since its start [s]. Where the velocity jumps it is that of what follows. Throws std::invalid_argument
-    /// on a time that is negative, not finite, or more than 2^53 laps long.
+    /// The state at a time since the start [s]. Where the velocity jumps it is that after the jump. Throws
+    /// std::invalid_argument on a time that is negative, not finite, or more than 2^53 laps long.
     PathState at(double time) const;
     PathState atTick(std::int64_t tick, double dt) const { return at(static_cast<double>(tick) * dt); }
 
-    /// What a kinematic body must be told before the step from tick to tick + 1: body.moveTo(position, angle, dt). Its
-    /// angle is the tangent's, by whole turns as near as can be to the body's own; who does not want to turn gives
-    /// moveTo another.
+    /// The target for a kinematic body before the step from tick to tick + 1: body.moveTo(position, angle, dt). The
+    /// angle is that of the tangent, plus whole turns to be as near as possible to the body's own angle; for a body
+    /// that should not turn, give moveTo another angle.
     PathPose poseAfter(std::int64_t tick, double dt, double angle = 0) const;
 
-    double period() const { return period_; }  ///< of one lap, its rests included [s]
+    double period() const { return period_; }  ///< of one lap, including its pauses [s]
     const PathMoverDef& def() const { return def_; }
 
 private:
-    /// A run from one place to another, or a rest.
+    /// A motion from one place to another, or a pause.
     struct Leg {
         double start;  ///< in the lap [s]
         double from, to;

@@ -74,11 +74,11 @@ void MotionPath::add(Piece piece) {
 
 MotionPath& MotionPath::lineTo(const Vec2& end) {
     requireFinite(end, "MotionPath.lineTo: end");
-    const Vec2 way = end - end_;
-    const double length = way.norm();
+    const Vec2 displacement = end - end_;
+    const double length = displacement.norm();
     requireFinite(length, "MotionPath.lineTo: length");
     if (!(length > 0)) refuse("MotionPath.lineTo: end", toText(end) + " is where the path is already");
-    add({LinePiece{end_, way / length, length}});
+    add({LinePiece{end_, displacement / length, length}});
     end_ = end;
     return *this;
 }
@@ -118,17 +118,17 @@ PathPlace MotionPath::at(double along) const {
     requireFinite(along, "MotionPath.at: along");
     if (pieces_.empty()) refuse("MotionPath.at", "the path has no piece");
     along = std::clamp(along, 0.0, length_);
-    const auto after =
-        std::upper_bound(pieces_.begin() + 1, pieces_.end(), along,
-                         [](double way, const std::shared_ptr<const Piece>& piece) { return way < piece->start; });
+    const auto after = std::upper_bound(
+        pieces_.begin() + 1, pieces_.end(), along,
+        [](double distance, const std::shared_ptr<const Piece>& piece) { return distance < piece->start; });
     const Piece& piece = **(after - 1);
     return piece.at(std::min(along - piece.start, piece.length()));
 }
 
 namespace {
 
-/// The points of a spline, and beyond an open one's ends a point more, its neighbour's mirror image; or round and
-/// round.
+/// The points of a spline. An open one is extended by one point at either end, the mirror image of the neighbour; a
+/// closed one is periodic.
 class Knots {
 public:
     Knots(std::span<const Vec2> points, bool closed) : points_(points), closed_(closed) {}
@@ -147,12 +147,12 @@ private:
     bool closed_;
 };
 
-/// The square root of the distance: what makes the spline centripetal.
+/// The square root of the distance: this makes the spline centripetal.
 double knotStep(const Vec2& a, const Vec2& b) {
     return std::sqrt((b - a).norm());
 }
 
-/// The curve's derivative at b, by its knots' steps to a and c.
+/// The derivative of the curve at b, from the knot intervals to a and c.
 Vec2 slopeAt(const Vec2& a, const Vec2& b, const Vec2& c) {
     const double before = knotStep(a, b), after = knotStep(b, c);
     return (b - a) / before + (c - b) / after - (c - a) / (before + after);

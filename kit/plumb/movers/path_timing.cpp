@@ -16,7 +16,7 @@ void requireSound(double length, const PathTiming& timing) {
     if (timing.easing == Easing::Acceleration) requirePositive(timing.acceleration, "PathTiming.acceleration");
 }
 
-/// How long it speeds up.
+/// The duration of the acceleration.
 double accelerationTime(double length, const PathTiming& timing) {
     return std::min(timing.speed / timing.acceleration, std::sqrt(length / timing.acceleration));
 }
@@ -64,7 +64,7 @@ Progress progressAt(double length, const PathTiming& timing, double time) {
     requireFinite(time, "progressAt: time");
     time = std::clamp(time, 0.0, total);
     if (2 * time <= total) return early(length, timing, time, total);
-    // The second half is the first one seen from the end: so that both ends are met exactly.
+    // The second half is the first one mirrored in time: so both ends are reached exactly.
     const Progress mirrored = early(length, timing, total - time, total);
     return {length - mirrored.along, mirrored.speed};
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// How does speed rise and fall between two rests?
+// How does speed rise and fall between two pauses?
 #pragma once
 #include <cstdint>
 
 namespace plumb {
 
 enum class Easing : std::uint8_t {
-    None,          ///< at full speed from the first moment to the last
-    Acceleration,  ///< evenly faster, as fast as may be, evenly slower
-    SmoothStep,    ///< s = L x^2 (3 - 2 x), x the part of the time that has passed
+    None,          ///< full speed all the time
+    Acceleration,  ///< constant acceleration, full speed, constant deceleration
+    SmoothStep,    ///< s = L x^2 (3 - 2 x), x the fraction of the time that has passed
 };
 
 struct PathTiming {
@@ -22,15 +22,15 @@ struct Progress {
     double speed = 0;  ///< [m/s]
 };
 
-// A run of a length L, > 0, from rest to rest, or without easing at full speed. Throws std::invalid_argument that names
-// the field. With v the speed, a the acceleration:
+// A motion of length L, > 0, from rest to rest, or without easing at full speed. Throws std::invalid_argument that
+// names the field. With v the speed, a the acceleration:
 //   None          T = L / v
 //   Acceleration  T = L / v + v / a, or 2 sqrt(L / a) where L < v^2 / a and v is not reached
 //   SmoothStep    T = 3 L / (2 v): v is met halfway; the acceleration is highest at both ends, 8 v^2 / (3 L)
 // Tests: "runs take their closed forms' time: ...", "10,000 runs: distance is the speed's integral, ..."
 
 double timeOf(double length, const PathTiming& timing);  ///< T [s]
-/// At a time since its start, cut to 0 to T [s].
+/// At a time since its start, limited to 0 to T [s].
 Progress progressAt(double length, const PathTiming& timing, double time);
 
 }  // namespace plumb

@@ -14,12 +14,12 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// Of times that are sums of ticks.
+/// Tolerant comparison for times that are sums of ticks.
 bool isWithin(double time, double limit, double dt) {
     return time <= limit + 1e-6 * dt;
 }
 
-/// The last band from whose speed on it is.
+/// The last band whose speed is reached.
 std::size_t bandOf(const std::vector<JumpBand>& bands, double speed) {
     std::size_t band = 0;
     while (band + 1 < bands.size() && speed >= bands[band + 1].fromSpeed * (1 - 1e-12)) ++band;
@@ -63,9 +63,9 @@ bool PlatformMover::takesOff(const PlatformInput& input, bool fresh, double dt) 
     if (input.swim && profile_.swim) return fresh;
     if (launched_) return false;
     const VerticalMotion& vertical = profile_.vertical;
-    const bool asked = fresh || (input.jump && isWithin(sincePress_, vertical.jumpBuffer, dt));
+    const bool requested = fresh || (input.jump && isWithin(sincePress_, vertical.jumpBuffer, dt));
     const bool late = mayStillJump_ && isWithin(sinceFloor_, vertical.coyoteTime, dt);
-    return asked && (slide_.isOnFloor || late);
+    return requested && (slide_.isOnFloor || late);
 }
 
 bool PlatformMover::dropsThrough(const World& world, const PlatformInput& input, bool fresh) const {
@@ -73,17 +73,18 @@ bool PlatformMover::dropsThrough(const World& world, const PlatformInput& input,
     return world.contains(slide_.floor->shape) && detail::openSideOf(*slide_.floor).has_value();
 }
 
-detail::TickMotion PlatformMover::levelPart(const PlatformInput& input, double speed, double dt) {
-    const LevelMotion& level = profile_.level;
+detail::TickMotion PlatformMover::horizontalPart(const PlatformInput& input, double speed, double dt) {
+    const HorizontalMotion& horizontal = profile_.horizontal;
     const bool onFloor = slide_.isOnFloor;
-    const bool withIt = !level.runNeedsMotion || input.move * speed >= 0;
-    const bool pushes = !level.runNeedsMotion || input.move != 0;
+    const bool withIt = !horizontal.runNeedsMotion || input.move * speed >= 0;
+    const bool pushes = !horizontal.runNeedsMotion || input.move != 0;
     sinceRun_ = input.run && withIt && pushes ? 0 : sinceRun_ + dt;
-    bool runs = withIt && pushes && (sinceRun_ == 0 || (level.runGrace > 0 && isWithin(sinceRun_, level.runGrace, dt)));
-    if (!onFloor && level.airRunSpeed) runs = std::fabs(speed) >= *level.airRunSpeed * (1 - 1e-12);
+    bool runs = withIt && pushes &&
+                (sinceRun_ == 0 || (horizontal.runGrace > 0 && isWithin(sinceRun_, horizontal.runGrace, dt)));
+    if (!onFloor && horizontal.airRunSpeed) runs = std::fabs(speed) >= *horizontal.airRunSpeed * (1 - 1e-12);
     std::optional<double> most;
     if (input.swim && profile_.swim) most = profile_.swim->speed;
-    return detail::levelTick(profile_, {speed, input.move, runs, onFloor, most}, dt);
+    return detail::horizontalTick(profile_, {speed, input.move, runs, onFloor, most}, dt);
 }
 
 detail::TickMotion PlatformMover::verticalPart(const PlatformInput& input, double speed, double dt) {
@@ -119,12 +120,12 @@ const Slide& PlatformMover::step(World& world, const PlatformInput& input, doubl
     }
     if (jumps || drops || thrown) mayStillJump_ = false;
 
-    const detail::TickMotion level = levelPart(input, along, dt);
+    const detail::TickMotion horizontal = horizontalPart(input, along, dt);
     const bool falls = jumps || drops || thrown || !slide_.isOnFloor;
     const detail::TickMotion vertical = falls ? verticalPart(input, rise, dt) : detail::TickMotion{};
-    const SlideMotion motion{.velocity = right * level.speed + up * vertical.speed,
+    const SlideMotion motion{.velocity = right * horizontal.speed + up * vertical.speed,
                              .dt = dt,
-                             .displacement = right * level.shift + up * vertical.shift,
+                             .displacement = right * horizontal.shift + up * vertical.shift,
                              .dropThrough = drops,
                              .later = later};
     slide_ = moveAndSlide(world, body_, motion, profile_.slide, slide_);

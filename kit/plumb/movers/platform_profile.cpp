@@ -9,15 +9,15 @@ namespace {
 
 constexpr double pixel = 1.0 / 16;  // [m]
 
-/// Of speeds as the tables have them: sixteenths of a pixel a tick.
+/// Speeds as in the tables: sixteenths of a pixel per tick.
 double speedOf(int sixteenths) {
     return sixteenths / 16.0 * pixel / tickOf1985;
 }
-/// 4096ths of a pixel a tick, each tick.
+/// 4096ths of a pixel per tick, each tick.
 double accelerationOf(int parts) {
     return parts / 4096.0 * pixel / (tickOf1985 * tickOf1985);
 }
-/// 256ths of a pixel a tick, each tick.
+/// 256ths of a pixel per tick, each tick.
 double gravityOf(int parts) {
     return accelerationOf(16 * parts);
 }
@@ -26,21 +26,21 @@ JumpBand bandOf1985(int fromSpeed, int pixels, int rise, int fall) {
     return {speedOf(fromSpeed), speedOf(16 * pixels), gravityOf(rise), gravityOf(fall), gravityOf(fall)};
 }
 
-void validate(const LevelMotion& level, const std::string& field) {
-    requireNotNegative(level.walkSpeed, field, ".walkSpeed");
-    requireNotNegative(level.runSpeed, field, ".runSpeed");
-    requireNotNegative(level.walkAcceleration, field, ".walkAcceleration");
-    requireNotNegative(level.runAcceleration, field, ".runAcceleration");
-    requireNotNegative(level.friction.value_or(0), field, ".friction");
-    requireNotNegative(level.airFriction.value_or(0), field, ".airFriction");
-    requireNotNegative(level.airShare, field, ".airShare");
-    requireNotNegative(level.turnFactor, field, ".turnFactor");
-    requireNotNegative(level.turnStopSpeed, field, ".turnStopSpeed");
-    requireNotNegative(level.fastSpeed.value_or(0), field, ".fastSpeed");
-    requireNotNegative(level.fastAcceleration, field, ".fastAcceleration");
-    requireNotNegative(level.airRunSpeed.value_or(0), field, ".airRunSpeed");
-    requireNotNegative(level.runGrace, field, ".runGrace");
-    requireNotNegative(level.moveGrain, field, ".moveGrain");
+void validate(const HorizontalMotion& horizontal, const std::string& field) {
+    requireNotNegative(horizontal.walkSpeed, field, ".walkSpeed");
+    requireNotNegative(horizontal.runSpeed, field, ".runSpeed");
+    requireNotNegative(horizontal.walkAcceleration, field, ".walkAcceleration");
+    requireNotNegative(horizontal.runAcceleration, field, ".runAcceleration");
+    requireNotNegative(horizontal.friction.value_or(0), field, ".friction");
+    requireNotNegative(horizontal.airFriction.value_or(0), field, ".airFriction");
+    requireNotNegative(horizontal.airShare, field, ".airShare");
+    requireNotNegative(horizontal.turnFactor, field, ".turnFactor");
+    requireNotNegative(horizontal.turnStopSpeed, field, ".turnStopSpeed");
+    requireNotNegative(horizontal.fastSpeed.value_or(0), field, ".fastSpeed");
+    requireNotNegative(horizontal.fastAcceleration, field, ".fastAcceleration");
+    requireNotNegative(horizontal.airRunSpeed.value_or(0), field, ".airRunSpeed");
+    requireNotNegative(horizontal.runGrace, field, ".runGrace");
+    requireNotNegative(horizontal.moveGrain, field, ".moveGrain");
 }
 
 void validate(const JumpBand& band, const std::string& field) {
@@ -101,23 +101,23 @@ PlatformProfile modernProfile(const JumpFeel& feel) {
 
 PlatformProfile profile1985() {
     PlatformProfile profile;
-    profile.level = {.walkSpeed = speedOf(0x18),
-                     .runSpeed = speedOf(0x28),
-                     .walkAcceleration = accelerationOf(0x98),
-                     .runAcceleration = accelerationOf(0xE4),
-                     .friction = std::nullopt,
-                     .airFriction = 0,
-                     .airShare = 1,
-                     .turnFactor = 2,
-                     .turnStopSpeed = speedOf(0x0B),
-                     .fastSpeed = speedOf(0x21),
-                     .fastAcceleration = accelerationOf(0xD0),
-                     .airRunSpeed = speedOf(0x19),
-                     .runGrace = 10 * tickOf1985,
-                     .runNeedsMotion = true,
-                     .overSpeed = OverSpeed::Cut,
-                     .order = TickOrder::VelocityFirst,
-                     .moveGrain = pixel / 16};
+    profile.horizontal = {.walkSpeed = speedOf(0x18),
+                          .runSpeed = speedOf(0x28),
+                          .walkAcceleration = accelerationOf(0x98),
+                          .runAcceleration = accelerationOf(0xE4),
+                          .friction = std::nullopt,
+                          .airFriction = 0,
+                          .airShare = 1,
+                          .turnFactor = 2,
+                          .turnStopSpeed = speedOf(0x0B),
+                          .fastSpeed = speedOf(0x21),
+                          .fastAcceleration = accelerationOf(0xD0),
+                          .airRunSpeed = speedOf(0x19),
+                          .runGrace = 10 * tickOf1985,
+                          .runNeedsMotion = true,
+                          .overSpeed = OverSpeed::Cut,
+                          .order = TickOrder::VelocityFirst,
+                          .moveGrain = pixel / 16};
     profile.vertical.jumps = {bandOf1985(0, 4, 0x20, 0x70), bandOf1985(0x10, 4, 0x1E, 0x60),
                               bandOf1985(0x19, 5, 0x28, 0x90)};
     profile.vertical.leastRise = pixel;
@@ -131,7 +131,7 @@ PlatformProfile profile1985() {
 }
 
 void validate(const PlatformProfile& profile, const std::string& field) {
-    validate(profile.level, field + ".level");
+    validate(profile.horizontal, field + ".horizontal");
     validate(profile.vertical, field + ".vertical");
     if (profile.swim) {
         requireNotNegative(profile.swim->speed, field, ".swim.speed");

@@ -8,7 +8,7 @@ namespace plumb {
 
 namespace {
 
-/// Nodes and weights on -1 to 1, of degree 9. Source: Abramowitz and Stegun, table 25.4.
+/// Nodes and weights of Gauss-Legendre quadrature on -1 to 1, of degree 9. Source: Abramowitz and Stegun, table 25.4.
 constexpr std::array<double, 3> gaussNodes{0, 0.538469310105683091, 0.906179845938663993};
 constexpr std::array<double, 3> gaussWeights{0.568888888888888889, 0.478628670499366468, 0.236926885056189088};
 
@@ -31,7 +31,7 @@ Vec2 Cubic::derivative(double u) const {
 Vec2 Cubic::tangent(double u) const {
     const double least = 1e-9 * size();
     Vec2 direction = derivative(u);
-    // Standing still, it goes on as the second derivative has it, or the third.
+    // Where the first derivative vanishes, the direction is that of the second derivative, or of the chord.
     if (direction.norm() <= least) {
         const double v = 1 - u;
         const Vec2 second =
@@ -63,7 +63,7 @@ double CubicLength::measure(double from, double to) const {
 void CubicLength::divide(double from, double to, double whole, int depth) {
     const double middle = 0.5 * (from + to);
     const double first = measure(from, middle), second = measure(middle, to);
-    // Not <=, which no NaN of an overflow would ever meet.
+    // Not <=, which would be false for the NaN of an overflow, at every depth.
     const bool differs = std::fabs(first + second - whole) > agreement * cubic_.size() * (to - from);
     if (!differs || depth == deepest) {
         nodes_.push_back({middle, nodes_.back().along + first});
@@ -77,12 +77,12 @@ void CubicLength::divide(double from, double to, double whole, int depth) {
 double CubicLength::parameterAt(double along) const {
     along = std::clamp(along, 0.0, length());
     const auto after = std::lower_bound(nodes_.begin() + 1, nodes_.end() - 1, along,
-                                        [](const Node& node, double way) { return node.along < way; });
+                                        [](const Node& node, double distance) { return node.along < distance; });
     const Node& start = *(after - 1);
     double low = start.u, high = after->u;
     const double span = after->along - start.along;
     double u = span > 0 ? low + (high - low) * ((along - start.along) / span) : low;
-    // Newton's method, kept within the interval; 60 halvings are the end of a double.
+    // Newton's method, kept within the interval; 60 halvings exhaust the precision of a double.
     for (int round = 0; round < 60; ++round) {
         const double miss = start.along + measure(start.u, u) - along;
         if (std::fabs(miss) <= 0x1p-50 * cubic_.size()) break;

@@ -24,15 +24,15 @@ Core coreOf(const Shape& shape) {
 
 }  // namespace
 
-FaceSpan faceSpan(const Shape& shape, const Transform& pose, const Vec2& way, const Vec2& line) {
+FaceSpan faceSpan(const Shape& shape, const Transform& pose, const Vec2& direction, const Vec2& line) {
     constexpr double inf = std::numeric_limits<double>::infinity(), flush = 1e-3;
     const Core core = coreOf(shape);
     double farthest = -inf;
-    for (const Vec2& corner : core.corners) farthest = std::max(farthest, (pose * corner).dot(way));
+    for (const Vec2& corner : core.corners) farthest = std::max(farthest, (pose * corner).dot(direction));
     FaceSpan span{inf, -inf, farthest + core.radius};
     for (const Vec2& corner : core.corners) {
         const Vec2 at = pose * corner;
-        if (at.dot(way) < farthest - flush) continue;
+        if (at.dot(direction) < farthest - flush) continue;
         span.low = std::min(span.low, at.dot(line));
         span.high = std::max(span.high, at.dot(line));
     }

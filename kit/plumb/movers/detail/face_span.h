@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How broad is what a shape shows to one side?
+// How wide is the face of a shape in one direction?
 #pragma once
 #include <span>
 
@@ -8,13 +8,13 @@
 
 namespace plumb::detail {
 
-/// Between which two lengths along a line the corners of a shape's core lie that are farthest out one way, to 1 mm; of
-/// a round one, and of a face that is not flush, the two are one.
+/// The interval along a line of those corners of a shape's core that are farthest in one direction, to 1 mm; a single
+/// value for a round shape, and for a face that is not perpendicular to the direction.
 struct FaceSpan {
     double low = 0, high = 0;  ///< [m]
-    double farthest = 0;       ///< along the way, with the shape's radius [m]
+    double farthest = 0;       ///< in that direction, with the shape's radius [m]
 };
 
-FaceSpan faceSpan(const Shape& shape, const Transform& pose, const Vec2& way, const Vec2& line);
+FaceSpan faceSpan(const Shape& shape, const Transform& pose, const Vec2& direction, const Vec2& line);
 
 }  // namespace plumb::detail

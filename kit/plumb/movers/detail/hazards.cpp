@@ -10,19 +10,19 @@ namespace plumb::detail {
 
 namespace {
 
-/// One body, one map, one stretch of the way.
+/// One body, one map, one straight part of its motion.
 struct Passage {
     const TileMap& map;
     ShapeId shape;
-    Transform pose;  ///< of the map, where the body is near it
-    Vec2 shift;      ///< of the body
+    Transform pose;  ///< of the map, at the image nearest to the body
+    Vec2 shift;      ///< motion of the body
 };
 
 bool isHazard(const Tile& tile) {
     return !isEmpty(tile) && tile.kind == TileKind::Hazard;
 }
 
-/// around: the body's shape, and all that is so near to it that it counts as touched.
+/// around: the body's shape, enlarged by the distance that counts as touching.
 void addTouched(std::vector<TileTouch>& touched, const Passage& passage, const Shape& around, const Transform& from) {
     const Transform there = passage.pose.inverse() * from;
     const Vec2 shift = passage.pose.rotation.inverse() * passage.shift;
@@ -39,11 +39,11 @@ void addTouched(std::vector<TileTouch>& touched, const Passage& passage, const S
     }
 }
 
-/// Where the step takes a map; in a world that wraps, of its places the one nearest to a point.
+/// The pose of a map after the step; in a world that wraps, the image nearest to a point.
 Transform poseOf(const SlideProbe& probe, const ShapeId& shape, const TileMap& map, const Vec2& near) {
-    const MovingThing* thing = probe.find(shape.body);
+    const MovingBody* other = probe.find(shape.body);
     Transform pose = probe.world().body(shape.body).pose();
-    if (thing != nullptr) pose = thing->back.inverse() * pose;
+    if (other != nullptr) pose = other->undoStep.inverse() * pose;
     const Vec2 middle = pose * Vec2(0.5 * map.size() * Vec2(map.columns(), map.rows()));
     pose.position += probe.world().wrap().shiftNear(middle, near);
     return pose;
@@ -55,14 +55,14 @@ auto placeOf(const TileTouch& touch) {
 
 }  // namespace
 
-std::vector<TileTouch> hazardsOn(const SlideProbe& probe, std::span<const Vec2> way) {
+std::vector<TileTouch> hazardsOn(const SlideProbe& probe, std::span<const Vec2> path) {
     std::vector<TileTouch> touched;
-    for (const ShapeId& shape : probe.mapsMet()) {
+    for (const ShapeId& shape : probe.hitMaps()) {
         const TileMap* map = mapOf(probe.world(), shape);
-        for (std::size_t i = 0; map != nullptr && i < way.size(); ++i) {
-            const Vec2 shift = i + 1 < way.size() ? Vec2(way[i + 1] - way[i]) : Vec2(0, 0);
-            const Passage passage{*map, shape, poseOf(probe, shape, *map, way[i]), shift};
-            probe.forEachShape(way[i], 1.5, [&](const Shape& around, const Transform& from) {
+        for (std::size_t i = 0; map != nullptr && i < path.size(); ++i) {
+            const Vec2 shift = i + 1 < path.size() ? Vec2(path[i + 1] - path[i]) : Vec2(0, 0);
+            const Passage passage{*map, shape, poseOf(probe, shape, *map, path[i]), shift};
+            probe.forEachShape(path[i], 1.5, [&](const Shape& around, const Transform& from) {
                 addTouched(touched, passage, around, from);
             });
         }

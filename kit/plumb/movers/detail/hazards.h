@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which hazard tiles does a body touch on its way through a tick?
+// Which hazard tiles does a body touch during a tick?
 #pragma once
 #include <span>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace plumb::detail {
 
-/// Those that come within a skin and a half of it as it goes from place to place, of the maps that it met; each once,
-/// by map, row and column.
-std::vector<TileTouch> hazardsOn(const SlideProbe& probe, std::span<const Vec2> way);
+/// Those within one and a half skins of the body as it moves from point to point, of the maps that it met; each once,
+/// sorted by map, row and column.
+std::vector<TileTouch> hazardsOn(const SlideProbe& probe, std::span<const Vec2> path);
 
 }  // namespace plumb::detail

@@ -11,7 +11,7 @@ namespace plumb::detail {
 
 namespace {
 
-/// In halves of a cell, from the cell's lower side: no tile's top has an end anywhere else.
+/// In half cells, from the cell's lower side: the ends of a tile's top are always multiples of this.
 struct TopEnds {
     int left = 0, right = 0;
 };
@@ -30,21 +30,21 @@ TopEnds topOf(const Tile& tile) {
     return top;
 }
 
-/// A point on a slope may be told as of the cell above or below.
+/// A point on a slope may be assigned to the cell above or below.
 Cell floorNear(const TileMap& map, Cell cell) {
     for (const int up : {0, -1, 1})
         if (isFloor(map, {cell.column, cell.row + up})) return {cell.column, cell.row + up};
     return cell;
 }
 
-/// How many columns to the right; on a map that wraps, the shorter way around.
+/// How many columns to the right; on a map that wraps, in the shorter direction.
 int columnsBetween(const TileMap& map, Cell from, Cell to) {
-    const int way = to.column - from.column, around = map.columns();
-    if (!map.def().wrapX || 2 * std::abs(way) <= around) return way;
-    return way < 0 ? way + around : way - around;
+    const int columns = to.column - from.column, around = map.columns();
+    if (!map.def().wrapX || 2 * std::abs(columns) <= around) return columns;
+    return columns < 0 ? columns + around : columns - around;
 }
 
-/// The rows in the next column whose tops go on from those of these.
+/// The rows in the next column whose tops continue those of these rows.
 std::vector<int> rowsBeside(const TileMap& map, int column, const std::vector<int>& rows, bool toRight) {
     std::vector<int> beside;
     for (const int row : rows) {
@@ -64,9 +64,10 @@ std::vector<int> rowsBeside(const TileMap& map, int column, const std::vector<in
 bool isOneRow(const TileMap& map, Cell from, Cell to) {
     from = floorNear(map, from);
     to = floorNear(map, to);
-    const int way = columnsBetween(map, from, to), step = way < 0 ? -1 : 1;
+    const int columns = columnsBetween(map, from, to), step = columns < 0 ? -1 : 1;
     std::vector<int> rows{from.row};
-    for (int i = 0; i != way && !rows.empty(); i += step) rows = rowsBeside(map, from.column + i, rows, way > 0);
+    for (int i = 0; i != columns && !rows.empty(); i += step)
+        rows = rowsBeside(map, from.column + i, rows, columns > 0);
     return std::any_of(rows.begin(), rows.end(), [&](int row) {
         return map.wrapped({to.column, row}).row == map.wrapped(to).row;
     });

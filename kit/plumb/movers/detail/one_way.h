@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which one-way things are one floor, that holds or lets through as a whole?
+// Which one-way shapes and tiles form one floor, which is passed as a whole?
 #pragma once
 #include <optional>
 
@@ -7,14 +7,13 @@
 
 namespace plumb::detail {
 
-/// The way, in the world, from which alone what was met, a shape or a map's tile, is solid; empty when it is from all
-/// sides.
+/// The direction, in the world, from which alone the hit shape or tile is solid; empty when it is solid from all sides.
 std::optional<Vec2> openSideOf(const CastHit& hit);
 
-/// nullptr when the shape is gone, or is none any more.
+/// nullptr when the shape was removed, or is not a tile map any more.
 const TileMap* mapOf(const World& world, const ShapeId& shape);
 
-/// A one-way shape is a floor; of a tile map's one-way tiles those are one whose tops join end to end, sideways.
+/// A one-way shape is one floor; one-way tiles of a map form one floor if their tops join end to end, horizontally.
 bool isOneFloor(const World& world, const OneWayFloor& a, const OneWayFloor& b);
 
 }  // namespace plumb::detail

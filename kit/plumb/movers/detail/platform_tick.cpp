@@ -8,16 +8,17 @@ namespace plumb::detail {
 
 namespace {
 
-/// Speeds as ways in a tick, and accelerations as what a tick adds to those; both of whole grains, where there are any.
-class Ticks {
+/// Speeds as displacements per tick, and accelerations as changes of those per tick; both rounded to multiples of the
+/// grain, if there is one.
+class TickUnits {
 public:
-    Ticks(double grain, double dt) : grain_(grain), dt_(dt) {}
+    TickUnits(double grain, double dt) : grain_(grain), dt_(dt) {}
     double speed(double metresPerSecond) const { return whole(metresPerSecond * dt_); }
     double acceleration(double a) const { return whole(a * dt_ * dt_); }
-    double perSecond(double way) const { return way / dt_; }
+    double perSecond(double motion) const { return motion / dt_; }
 
 private:
-    double whole(double way) const { return grain_ > 0 ? std::round(way / grain_) * grain_ : way; }
+    double whole(double motion) const { return grain_ > 0 ? std::round(motion / grain_) * grain_ : motion; }
     double grain_, dt_;
 };
 
@@ -25,13 +26,13 @@ double toward(double from, double to, double most) {
     return from < to ? std::min(from + most, to) : std::max(from - most, to);
 }
 
-/// In a part of a tick, 0 to 1.
-struct Stretch {
+/// Motion in a part of a tick, 0 to 1.
+struct MotionPart {
     double shift = 0, speed = 0, left = 0;  ///< left: of the tick
 };
 
-/// At a constant acceleration to a speed, and on at that.
-Stretch approach(double speed, double to, double acceleration, double time) {
+/// Constant acceleration up to a speed, then constant speed.
+MotionPart approach(double speed, double to, double acceleration, double time) {
     const double away = std::fabs(to - speed);
     if (away > acceleration * time) {
         const double after = toward(speed, to, acceleration * time);
@@ -41,43 +42,47 @@ Stretch approach(double speed, double to, double acceleration, double time) {
     return {0.5 * (speed + to) * took, to, time - took};
 }
 
-double accelerationOf(const LevelMotion& level, const LevelTick& tick) {
-    const bool fast = !tick.runs && level.fastSpeed && std::fabs(tick.speed) >= *level.fastSpeed * (1 - 1e-12);
-    const double own = fast ? level.fastAcceleration : tick.runs ? level.runAcceleration : level.walkAcceleration;
-    const double shared = tick.onFloor ? own : own * level.airShare;
-    if (tick.move == 0) return (tick.onFloor ? level.friction : level.airFriction).value_or(shared);
+double accelerationOf(const HorizontalMotion& horizontal, const HorizontalTick& tick) {
+    const bool fast =
+        !tick.runs && horizontal.fastSpeed && std::fabs(tick.speed) >= *horizontal.fastSpeed * (1 - 1e-12);
+    const double own = fast        ? horizontal.fastAcceleration
+                       : tick.runs ? horizontal.runAcceleration
+                                   : horizontal.walkAcceleration;
+    const double shared = tick.onFloor ? own : own * horizontal.airShare;
+    if (tick.move == 0) return (tick.onFloor ? horizontal.friction : horizontal.airFriction).value_or(shared);
     return shared;
 }
 
-double cutTo(double grain, double way) {
-    return grain > 0 ? std::trunc(way / grain) * grain : way;
+double truncatedTo(double grain, double motion) {
+    return grain > 0 ? std::trunc(motion / grain) * grain : motion;
 }
 
 }  // namespace
 
-TickMotion levelTick(const PlatformProfile& profile, const LevelTick& tick, double dt) {
-    const LevelMotion& level = profile.level;
-    const Ticks ticks(profile.grain, dt);
+TickMotion horizontalTick(const PlatformProfile& profile, const HorizontalTick& tick, double dt) {
+    const HorizontalMotion& horizontal = profile.horizontal;
+    const TickUnits ticks(profile.grain, dt);
     double speed = ticks.speed(tick.speed);
-    const double own = tick.runs ? level.runSpeed : level.walkSpeed;
+    const double own = tick.runs ? horizontal.runSpeed : horizontal.walkSpeed;
     const double target = ticks.speed(tick.move * std::min(own, tick.most.value_or(own)));
-    double gain = ticks.acceleration(accelerationOf(level, tick));
+    double gain = ticks.acceleration(accelerationOf(horizontal, tick));
     const bool turns = tick.move * speed < 0;
-    const double turnGain = turns ? gain * level.turnFactor : gain;
-    if (turns && tick.onFloor && std::fabs(speed) < ticks.speed(level.turnStopSpeed)) speed = 0;
+    const double turnGain = turns ? gain * horizontal.turnFactor : gain;
+    if (turns && tick.onFloor && std::fabs(speed) < ticks.speed(horizontal.turnStopSpeed)) speed = 0;
     const bool over = tick.move * target > 0 && tick.move * speed > tick.move * target;
-    if (over && level.overSpeed == OverSpeed::Cut) speed = target;
-    if (over && level.overSpeed == OverSpeed::Slow)
-        gain = ticks.acceleration((tick.onFloor ? level.friction : level.airFriction).value_or(gain / (dt * dt)));
-    if (level.order == TickOrder::Exact) {
-        Stretch way{0, speed, 1};
-        if (turns) way = approach(speed, 0, turnGain, 1);
-        const Stretch rest = approach(way.speed, target, gain, way.left);
-        return {way.shift + rest.shift + rest.speed * rest.left, ticks.perSecond(rest.speed)};
+    if (over && horizontal.overSpeed == OverSpeed::Cut) speed = target;
+    if (over && horizontal.overSpeed == OverSpeed::Slow)
+        gain = ticks.acceleration(
+            (tick.onFloor ? horizontal.friction : horizontal.airFriction).value_or(gain / (dt * dt)));
+    if (horizontal.order == TickOrder::Exact) {
+        MotionPart motion{0, speed, 1};
+        if (turns) motion = approach(speed, 0, turnGain, 1);
+        const MotionPart rest = approach(motion.speed, target, gain, motion.left);
+        return {motion.shift + rest.shift + rest.speed * rest.left, ticks.perSecond(rest.speed)};
     }
     const double after = toward(speed, target, turns ? turnGain : gain);
-    const double shift = level.order == TickOrder::PositionFirst ? speed : after;
-    return {cutTo(level.moveGrain, shift), ticks.perSecond(after)};
+    const double shift = horizontal.order == TickOrder::PositionFirst ? speed : after;
+    return {truncatedTo(horizontal.moveGrain, shift), ticks.perSecond(after)};
 }
 
 namespace {
@@ -88,7 +93,7 @@ double gravityOf(const VerticalMotion& vertical, const VerticalTick& tick, doubl
     return hangs ? own * vertical.hangShare : own;
 }
 
-/// The parabola, stretch by stretch: gravity changes at the hang speed, at the apex, and at the terminal speed.
+/// The parabola, piece by piece: gravity changes at the hang speed, at the apex, and at the terminal speed.
 TickMotion fallExactly(const VerticalMotion& vertical, const VerticalTick& tick, double dt) {
     double speed = std::max(tick.speed, -vertical.terminalSpeed), left = dt, shift = 0;
     for (const double next : {vertical.hangSpeed, 0.0, -vertical.hangSpeed, -vertical.terminalSpeed}) {
@@ -111,7 +116,7 @@ TickMotion fallExactly(const VerticalMotion& vertical, const VerticalTick& tick,
 TickMotion verticalTick(const PlatformProfile& profile, const VerticalTick& tick, double dt) {
     const VerticalMotion& vertical = profile.vertical;
     if (vertical.order == TickOrder::Exact) return fallExactly(vertical, tick, dt);
-    const Ticks ticks(profile.grain, dt);
+    const TickUnits ticks(profile.grain, dt);
     const double speed = ticks.speed(tick.speed);
     double after = speed - ticks.acceleration(gravityOf(vertical, tick, tick.speed, speed <= 0));
     const double terminal = ticks.speed(vertical.terminalSpeed), unit = ticks.speed(vertical.terminalUnit);

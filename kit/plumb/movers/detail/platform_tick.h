@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: MIT
-// What does a tick add to the place and the speed of a character?
+// How do the position and the speed of a character change in a tick?
 #pragma once
 #include <plumb/movers/platform_profile.h>
 
 namespace plumb::detail {
 
-/// Of one tick, in metres.
+/// The change in one tick.
 struct TickMotion {
-    double shift = 0;  ///< by which it goes [m]
+    double shift = 0;  ///< displacement [m]
     double speed = 0;  ///< after it [m/s]
 };
 
-struct LevelTick {
-    double speed = 0;  ///< before it, to the right [m/s]
-    double move = 0;   ///< wanted, -1 to 1 [-]
+struct HorizontalTick {
+    double speed = 0;  ///< before the tick, to the right [m/s]
+    double move = 0;   ///< input, -1 to 1 [-]
     bool runs = false;
     bool onFloor = false;
-    std::optional<double> most = std::nullopt;  ///< speed [m/s]
+    std::optional<double> most = std::nullopt;  ///< speed limit [m/s]
 };
-TickMotion levelTick(const PlatformProfile& profile, const LevelTick& tick, double dt);
+TickMotion horizontalTick(const PlatformProfile& profile, const HorizontalTick& tick, double dt);
 
 struct VerticalTick {
-    double speed = 0;  ///< before it, up [m/s]
+    double speed = 0;  ///< before the tick, upward [m/s]
     JumpBand band;
-    bool rises = false;  ///< with jump held; else as let go
-    bool held = false;   ///< jump is
+    bool rises = false;  ///< with jump held; otherwise as after releasing it
+    bool held = false;   ///< jump is held
 };
 TickMotion verticalTick(const PlatformProfile& profile, const VerticalTick& tick, double dt);
 

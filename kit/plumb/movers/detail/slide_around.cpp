@@ -10,17 +10,17 @@ namespace plumb::detail {
 bool stepOver(SlideRun& run, const CastHit& wall, const Vec2& along, double& length, double height, bool toFloor) {
     if (!(height > 0)) return false;
     const double skin = run.settings.skin;
-    const double lift = run.probe.freeWay(run.position, run.up() * (height + skin)).length;
+    const double lift = run.probe.freePath(run.position, run.up() * (height + skin)).length;
     const Vec2 above = run.position + run.up() * lift;
-    // A little over the edge, however short the way: it would never get on it otherwise.
+    // A little over the edge, even for a short motion: it would never get onto the step otherwise.
     const double wanted = std::max(length, 2 * skin);
-    const double on = run.probe.freeWay(above, along * wanted).length;
+    const double on = run.probe.freePath(above, along * wanted).length;
     if (!(on > skin)) return false;
     const Vec2 over = above + along * on;
-    const FreeWay down = run.probe.freeWay(over, run.up() * -lift);
+    const FreePath down = run.probe.freePath(over, run.up() * -lift);
     const double gain = lift - down.length;
     if (!(gain > 0) || !down.hit || !run.isFloor(down.hit->normal) || gain > height + skin) return false;
-    run.note(wall, toFloor ? SlideEffect::Stepped : SlideEffect::Nudged);
+    run.recordHit(wall, toFloor ? SlideEffect::Stepped : SlideEffect::Nudged);
     run.position = over - run.up() * down.length;
     run.along.setZero();
     length = std::max(0.0, length - on);
@@ -31,13 +31,13 @@ bool stepOver(SlideRun& run, const CastHit& wall, const Vec2& along, double& len
 bool nudgeAside(SlideRun& run, const CastHit& ceiling, double rise, double side) {
     for (const double to : {side, -side}) {
         const Vec2 along = run.right() * to;
-        const double aside = run.probe.freeWay(run.position, along * run.settings.cornerCorrection).length;
+        const double aside = run.probe.freePath(run.position, along * run.settings.cornerCorrection).length;
         if (!(aside > 0)) continue;
         const Vec2 beside = run.position + along * aside;
         const Vec2 lift = run.up() * rise;
-        if (run.probe.freeWay(beside, lift).hit) continue;
-        const double back = run.probe.freeWay(beside + lift, along * -aside).length;
-        run.note(ceiling, SlideEffect::Nudged);
+        if (run.probe.freePath(beside, lift).hit) continue;
+        const double back = run.probe.freePath(beside + lift, along * -aside).length;
+        run.recordHit(ceiling, SlideEffect::Nudged);
         run.position += along * (aside - back);
         return true;
     }
@@ -46,26 +46,26 @@ bool nudgeAside(SlideRun& run, const CastHit& ceiling, double rise, double side)
 
 namespace {
 
-/// A way that is turned aside gains no less along the push than this: 6 degrees from straight against it are a
-/// dead end [-].
+/// A direction that was deflected must gain at least this along the push: otherwise the mover counts as blocked, 6
+/// degrees from head-on [-].
 constexpr double leastGain = 0.1;
 
-/// Goes on by a length along a normal, and slides along what it meets, up floors too, until it has come as far along
-/// that normal. Gives how far it came.
-double shove(SlideRun& run, const Vec2& normal, double length) {
-    Vec2 way = normal;
+/// Moves by a length along a normal, and slides along obstacles, also up floors, until it has moved as far along that
+/// normal. Returns how far it moved.
+double moveAlongNormal(SlideRun& run, const Vec2& normal, double length) {
+    Vec2 direction = normal;
     double left = length;
     std::optional<Vec2> plane;
     for (int i = 0; i < run.settings.maxSlides && left > 0; ++i) {
-        const double gain = way.dot(normal);
-        const FreeWay free = run.probe.freeWay(run.position, way * (left / gain));
-        run.position += way * free.length;
+        const double gain = direction.dot(normal);
+        const FreePath free = run.probe.freePath(run.position, direction * (left / gain));
+        run.position += direction * free.length;
         if (!free.hit) return length;
         left -= free.length * gain;
         const Vec2 line = perp(free.hit->normal);
-        way = line.dot(normal) < 0 ? Vec2(-line) : line;
-        const bool wedged = plane && way.dot(*plane) < -1e-9;
-        if (wedged || way.dot(normal) < leastGain) break;
+        direction = line.dot(normal) < 0 ? Vec2(-line) : line;
+        const bool wedged = plane && direction.dot(*plane) < -1e-9;
+        if (wedged || direction.dot(normal) < leastGain) break;
         plane = free.hit->normal;
     }
     return length - left;
@@ -74,33 +74,33 @@ double shove(SlideRun& run, const Vec2& normal, double length) {
 }  // namespace
 
 void pushAside(SlideRun& run, const Vec2& from) {
-    for (const MovingThing& thing : run.probe.moving()) {
-        if (run.out.floor && thing.body == run.out.floor->shape.body) continue;
-        const Vec2 seen = thing.back * run.position - from;
+    for (const MovingBody& other : run.probe.moving()) {
+        if (run.out.floor && other.body == run.out.floor->shape.body) continue;
+        const Vec2 seen = other.undoStep * run.position - from;
         const double length = std::sqrt(seen.dot(seen));
         if (!(length > 0)) continue;
-        const FreeWay way = run.probe.freeWayAgainst(thing, from, run.position);
-        if (!way.hit) continue;
-        const Vec2 normal = way.hit->normal;
-        const double closing = -(thing.back.rotation.inverse() * seen).dot(normal) / length;
-        const double needed = (length - way.length) * closing;
+        const FreePath path = run.probe.freePathAgainst(other, from, run.position);
+        if (!path.hit) continue;
+        const Vec2 normal = path.hit->normal;
+        const double closing = -(other.undoStep.rotation.inverse() * seen).dot(normal) / length;
+        const double needed = (length - path.length) * closing;
         if (!(needed > 0)) continue;
-        run.note(*way.hit, SlideEffect::PushedBy);
-        // Where it is fast, its place after the step lies on the way.
-        run.probe.pass(thing.body);
-        shove(run, normal, needed);
+        run.recordHit(*path.hit, SlideEffect::PushedBy);
+        // A fast body may be after the step where the mover passes now.
+        run.probe.pass(other.body);
+        moveAlongNormal(run, normal, needed);
         run.probe.pass(std::nullopt);
     }
 }
 
-void partOverlaps(SlideRun& run) {
-    std::vector<Overlapped> overlaps = run.probe.overlaps(run.position);
+void resolveOverlaps(SlideRun& run) {
+    std::vector<OverlapHit> overlaps = run.probe.overlaps(run.position);
     for (int i = 0; i < 8 && !overlaps.empty(); ++i) {
         const auto deepest =
             std::max_element(overlaps.begin(), overlaps.end(),
-                             [](const Overlapped& a, const Overlapped& b) { return a.depth < b.depth; });
-        run.note(deepest->hit, SlideEffect::PushedBy);
-        const double went = shove(run, deepest->hit.normal, deepest->depth + run.settings.skin);
+                             [](const OverlapHit& a, const OverlapHit& b) { return a.depth < b.depth; });
+        run.recordHit(deepest->hit, SlideEffect::PushedBy);
+        const double went = moveAlongNormal(run, deepest->hit.normal, deepest->depth + run.settings.skin);
         overlaps = run.probe.overlaps(run.position);
         if (!(went > 0)) break;
     }
@@ -109,7 +109,7 @@ void partOverlaps(SlideRun& run) {
 
 namespace {
 
-/// Two faces that lie flush push each other in the middle of what they share.
+/// Two flush faces push each other at the middle of their common part.
 Vec2 middleOf(const SlideRun& run, const CastHit& hit) {
     const Vec2 line = perp(hit.normal);
     Transform pose = std::as_const(run.world).body(hit.shape.body).pose();
@@ -125,14 +125,14 @@ Vec2 middleOf(const SlideRun& run, const CastHit& hit) {
 
 namespace {
 
-/// What an impulse at a point gives that point along it, for each newton second; it may be held from turning, or along
-/// an axis, and then no mass tells.
-double yieldOf(Body& body, const Vec2& at, const Vec2& way) {
+/// The inverse effective mass of a body at a point, along a direction [1/kg]: found by a trial impulse, because the
+/// body's rotation, or its motion along an axis, may be locked, so that its mass alone does not tell.
+double inverseEffectiveMass(Body& body, const Vec2& at, const Vec2& direction) {
     const Vec2 velocity = body.velocity();
-    const double turn = body.angularVelocity(), before = body.velocityAt(at).dot(way);
+    const double turn = body.angularVelocity(), before = body.velocityAt(at).dot(direction);
     const double trial = body.mass();
-    body.applyImpulse(way * trial, at);
-    const double gained = body.velocityAt(at).dot(way) - before;
+    body.applyImpulse(direction * trial, at);
+    const double gained = body.velocityAt(at).dot(direction) - before;
     body.setVelocity(velocity);
     body.setAngularVelocity(turn);
     return std::max(0.0, gained) / trial;
@@ -147,13 +147,13 @@ SlidePush push(SlideRun& run, const CastHit& hit, const Vec2& velocity) {
     const bool again = std::find(run.pushed.begin(), run.pushed.end(), hit.shape.body) != run.pushed.end();
     const double closing = -(velocity - surface).dot(hit.normal);
     if (body.type() != BodyType::Dynamic || !(run.pushLeft > 0) || !(closing > 0) || again) return {0, surface};
-    const double yield = yieldOf(body, at, -hit.normal);
-    const double impulse = yield > 0 ? std::min(run.pushLeft, closing / yield) : run.pushLeft;
-    // Over the whole of the step: friction that is stronger holds it, as it would not hold a blow.
+    const double inverseMass = inverseEffectiveMass(body, at, -hit.normal);
+    const double impulse = inverseMass > 0 ? std::min(run.pushLeft, closing / inverseMass) : run.pushLeft;
+    // As a force over the whole step: static friction can resist it, which it could not for an instantaneous impulse.
     body.applyForce(-hit.normal * (impulse / run.dt), at);
     run.pushLeft -= impulse;
     run.pushed.push_back(hit.shape.body);
-    return {impulse, surface - hit.normal * (impulse * yield)};
+    return {impulse, surface - hit.normal * (impulse * inverseMass)};
 }
 
 }  // namespace plumb::detail

@@ -8,43 +8,43 @@ namespace plumb::detail {
 
 namespace {
 
-/// In a world that wraps, of the places that a point stands for the one nearest to another.
+/// In a world that wraps, the periodic image of a point that is nearest to another point.
 Vec2 nearTo(const World& world, const Vec2& point, const Vec2& other) {
     return world.wrap().any() ? Vec2(point + world.wrap().shiftNear(point, other)) : point;
 }
 
 constexpr double rounding = 1e-14;
 
-/// How large the numbers are that a place comes of [m].
-double roundsOf(const World& world, const Vec2& position) {
+/// The magnitude of the numbers that a position is computed from [m].
+double magnitudeOf(const World& world, const Vec2& position) {
     return position.cwiseAbs().maxCoeff() + world.wrap().width.value_or(0) + world.wrap().height.value_or(0);
 }
-/// From where a point of the world is now to where the step takes it, with the body that it is on.
-Vec2 soon(const SlideRun& run, BodyId carrier, const Vec2& now) {
-    const MovingThing* thing = run.probe.find(carrier);
-    return thing == nullptr ? now : Vec2(thing->back.inverse() * now);
+/// Where the step takes a point of the world that is fixed to a body.
+Vec2 afterStep(const SlideRun& run, BodyId carrier, const Vec2& now) {
+    const MovingBody* other = run.probe.find(carrier);
+    return other == nullptr ? now : Vec2(other->undoStep.inverse() * now);
 }
 
-Vec2 notSoon(const SlideRun& run, BodyId carrier, const Vec2& later) {
-    const MovingThing* thing = run.probe.find(carrier);
-    return thing == nullptr ? later : Vec2(thing->back * later);
+Vec2 beforeStep(const SlideRun& run, BodyId carrier, const Vec2& later) {
+    const MovingBody* other = run.probe.find(carrier);
+    return other == nullptr ? later : Vec2(other->undoStep * later);
 }
 
-/// Through whatever is in the way, but not what carries it.
-bool goAlong(SlideRun& run, Vec2 shift) {
+/// Moves and slides along obstacles, ignoring the carrier.
+bool moveByCarrier(SlideRun& run, Vec2 shift) {
     const Vec2 wanted = run.position + shift;
     for (int i = 0; i < run.settings.maxSlides; ++i) {
         const double length = std::sqrt(shift.dot(shift));
         if (!(length > 0)) break;
-        const FreeWay way = run.probe.freeWay(run.position, shift);
-        if (!way.hit) {
+        const FreePath path = run.probe.freePath(run.position, shift);
+        if (!path.hit) {
             run.position = run.position + shift;
             break;
         }
-        run.note(*way.hit, SlideEffect::Slid);
-        run.position += shift * (way.length / length);
-        shift *= 1 - way.length / length;
-        shift -= way.hit->normal * shift.dot(way.hit->normal);
+        run.recordHit(*path.hit, SlideEffect::Slid);
+        run.position += shift * (path.length / length);
+        shift *= 1 - path.length / length;
+        shift -= path.hit->normal * shift.dot(path.hit->normal);
     }
     return (run.position - wanted).cwiseAbs().maxCoeff() < 1e-9;
 }
@@ -53,7 +53,7 @@ bool goAlong(SlideRun& run, Vec2 shift) {
 
 SlideStart startOf(const World& world, BodyId body, const Slide& last) {
     const Vec2 position = world.body(body).position(), planned = nearTo(world, last.position, position);
-    const bool asPlanned = (position - planned).cwiseAbs().maxCoeff() <= rounding * (1 + roundsOf(world, position));
+    const bool asPlanned = (position - planned).cwiseAbs().maxCoeff() <= rounding * (1 + magnitudeOf(world, position));
     return {asPlanned ? planned : position, !asPlanned};
 }
 
@@ -79,33 +79,33 @@ bool carry(SlideRun& run, const Slide& last, bool moved) {
     const BodyView body = std::as_const(run.world).body(carrier);
     const Vec2 anchor = moved ? run.position : nearTo(run.world, body.pose() * last.anchor, run.position);
     run.carry = body.velocityAt(run.position);
-    const Vec2 shift = soon(run, carrier, anchor) - run.position;
-    const double none = 10 * rounding * (1 + roundsOf(run.world, run.position));
+    const Vec2 shift = afterStep(run, carrier, anchor) - run.position;
+    const double none = 10 * rounding * (1 + magnitudeOf(run.world, run.position));
     run.probe.pass(carrier);
-    const bool arrived = shift.cwiseAbs().maxCoeff() < none || goAlong(run, shift);
+    const bool arrived = shift.cwiseAbs().maxCoeff() < none || moveByCarrier(run, shift);
     const bool turns = body.angularVelocity() != 0 || body.type() == BodyType::Dynamic;
     if (turns)
-        run.position += run.up() * run.probe.freeWay(run.position, run.up() * run.settings.floorSnapLength).length;
+        run.position += run.up() * run.probe.freePath(run.position, run.up() * run.settings.floorSnapLength).length;
     run.probe.pass(std::nullopt);
-    if (turns) settle(run, 2 * run.settings.floorSnapLength);
+    if (turns) snapToFloor(run, 2 * run.settings.floorSnapLength);
     return arrived;
 }
 
-Vec2 parting(const SlideRun& run) {
+Vec2 leaveVelocity(const SlideRun& run) {
     if (run.settings.platformOnLeave == PlatformOnLeave::DoNothing) return {0, 0};
     const double rise = run.carry.dot(run.up());
     const bool upOnly = run.settings.platformOnLeave == PlatformOnLeave::AddUpwardVelocity;
     return upOnly && rise < 0 ? Vec2(run.carry - run.up() * rise) : run.carry;
 }
 
-void rememberPlace(SlideRun& run, const Slide& last, bool kept) {
+void storeAnchor(SlideRun& run, const Slide& last, bool kept) {
     if (!run.out.floor) return;
     const BodyId carrier = run.out.floor->shape.body;
-    const Vec2 now = notSoon(run, carrier, run.position);
+    const Vec2 now = beforeStep(run, carrier, run.position);
     const bool same = kept && last.floor && last.floor->shape.body == carrier;
     const Transform pose = std::as_const(run.world).body(carrier).pose();
     run.out.anchor = same ? last.anchor : Vec2(pose.inverse() * nearTo(run.world, now, pose.position));
-    run.out.anchorAfter = same ? soon(run, carrier, nearTo(run.world, pose * last.anchor, now)) : run.position;
+    run.out.anchorAfter = same ? afterStep(run, carrier, nearTo(run.world, pose * last.anchor, now)) : run.position;
 }
 
 bool isStill(const SlideRun& run, const Vec2& here, bool kept) {

@@ -8,11 +8,11 @@ namespace plumb::detail {
 
 namespace {
 
-/// Solid to what comes within 60 degrees of the open side, as contacts have it.
+/// Solid to motion within 60 degrees of the open side, as for contacts.
 constexpr double openCosine = 0.5;
 
-/// A way into a wall by less than this is along it: where a face ends, the normal of a round shape is known to the
-/// square root of some roundings over its size only [-].
+/// A motion into a wall by less than this counts as parallel: at the end of a face, the normal of a round shape is
+/// accurate only to the square root of a few roundings relative to its size [-].
 constexpr double parallel = 1e-6;
 
 double lengthOf(const Vec2& v) {
@@ -23,8 +23,8 @@ OneWayFloor floorOf(const CastHit& hit) {
     return {hit.shape, hit.tile};
 }
 
-CastHit asSeenAfter(const MovingThing& thing, CastHit hit) {
-    const Transform forth = thing.back.inverse();
+CastHit asSeenAfter(const MovingBody& other, CastHit hit) {
+    const Transform forth = other.undoStep.inverse();
     hit.point = forth * hit.point;
     hit.normal = forth.rotation * hit.normal;
     if (hit.oneWay) hit.oneWay = forth.rotation * *hit.oneWay;
@@ -33,7 +33,7 @@ CastHit asSeenAfter(const MovingThing& thing, CastHit hit) {
 
 }  // namespace
 
-Shape grown(Shape shape, double by) {
+Shape inflatedBy(Shape shape, double by) {
     if (auto* circle = std::get_if<Circle>(&shape)) circle->radius += by;
     if (auto* capsule = std::get_if<Capsule>(&shape)) capsule->radius += by;
     if (auto* polygon = std::get_if<Polygon>(&shape)) polygon->radius += by;
@@ -41,7 +41,7 @@ Shape grown(Shape shape, double by) {
     return shape;
 }
 
-MovingThing movingThing(const World& world, BodyId id, double dt, const Vec2& up, const Vec2& near) {
+MovingBody movingBody(const World& world, BodyId id, double dt, const Vec2& up, const Vec2& near) {
     const BodyView body = world.body(id);
     Vec2 velocity = body.velocity();
     if (body.type() == BodyType::Dynamic) velocity -= up * std::min(0.0, velocity.dot(up));
@@ -56,8 +56,8 @@ SlideProbe::SlideProbe(const World& world, BodyId body, const SlideSettings& set
     for (const ShapeId& id : world.body(body).shapes()) {
         const ShapeDef def = world.shape(id);
         if (!def.sensor)
-            own_.push_back({def.shape, grown(def.shape, settings.skin),
-                            grown(def.shape, settings.skin * (1 + 1e-6) + 1e-9), def.filter});
+            castShapes_.push_back({def.shape, inflatedBy(def.shape, settings.skin),
+                                   inflatedBy(def.shape, settings.skin * (1 + 1e-6) + 1e-9), def.filter});
     }
 }
 
@@ -71,49 +71,51 @@ void SlideProbe::findMoving(double within, const std::optional<BodyId>& floor, s
         if (view.type() != BodyType::Kinematic && !carries) return;
         if (view.velocity().isZero(0) && view.angularVelocity() == 0) return;
         if (!(floor && id == *floor) && std::find(still.begin(), still.end(), id) != still.end()) return;
-        moving_.push_back(movingThing(world_, id, dt_, settings_.up, position));
+        moving_.push_back(movingBody(world_, id, dt_, settings_.up, position));
     };
     if (floor && world_.contains(*floor)) take(*floor);
-    for (const Own& own : own_)
-        for (const ShapeId& near : world_.overlapBox(inflate(aabbOf(own.shape, poseAt(position)), within), own.filter))
+    for (const CastShape& castShape : castShapes_)
+        for (const ShapeId& near :
+             world_.overlapBox(inflate(aabbOf(castShape.shape, poseAt(position)), within), castShape.filter))
             take(near.body);
 }
 
-const MovingThing* SlideProbe::find(BodyId body) const {
+const MovingBody* SlideProbe::find(BodyId body) const {
     const auto found =
-        std::find_if(moving_.begin(), moving_.end(), [body](const MovingThing& thing) { return thing.body == body; });
+        std::find_if(moving_.begin(), moving_.end(), [body](const MovingBody& other) { return other.body == body; });
     return found == moving_.end() ? nullptr : &*found;
 }
 
-void SlideProbe::meetMap(const ShapeId& map) const {
+void SlideProbe::addHitMap(const ShapeId& map) const {
     if (std::find(maps_.begin(), maps_.end(), map) == maps_.end()) maps_.push_back(map);
 }
 
 template <class Visit>
-void SlideProbe::meetAll(const Shape& shape, const Filter& filter, const Vec2& from, const Vec2& shift,
+void SlideProbe::castAll(const Shape& shape, const Filter& filter, const Vec2& from, const Vec2& shift,
                          Visit&& visit) const {
     const Transform pose = poseAt(from);
-    const auto tell = [&](const CastHit& hit) {
-        if (hit.tile) meetMap(hit.shape);
+    const auto report = [&](const CastHit& hit) {
+        if (hit.tile) addHitMap(hit.shape);
         visit(hit);
     };
     for (const CastHit& hit : world_.castShapePieces(shape, pose, shift, filter, body_))
-        if (find(hit.shape.body) == nullptr) tell(hit);
-    for (const MovingThing& thing : moving_) {
-        const Vec2 shiftThere = thing.back.rotation * shift;
-        for (const CastHit& hit : world_.castShapePieces(shape, thing.back * pose, shiftThere, filter, body_))
-            if (hit.shape.body == thing.body) tell(asSeenAfter(thing, hit));
+        if (find(hit.shape.body) == nullptr) report(hit);
+    for (const MovingBody& other : moving_) {
+        const Vec2 shiftThere = other.undoStep.rotation * shift;
+        for (const CastHit& hit : world_.castShapePieces(shape, other.undoStep * pose, shiftThere, filter, body_))
+            if (hit.shape.body == other.body) report(asSeenAfter(other, hit));
     }
 }
 
-/// The pieces of a chain are one; of a tile map those that are solid from all sides, and each one-way floor.
+/// All pieces of a chain are the same obstacle; of a tile map, all tiles that are solid from all sides, and each
+/// one-way floor.
 bool SlideProbe::isSame(const CastHit& a, const CastHit& b) const {
     if (!(a.shape == b.shape) || a.oneWay.has_value() != b.oneWay.has_value()) return false;
     return !a.oneWay || isOneFloor(world_, floorOf(a), floorOf(b));
 }
 
-/// Of the hits of a shape that stays, those of what was met: the normal that a way goes into most, if it goes into one.
-/// It is another than the cast's where that began nearer than a skin.
+/// Among the hits of the shape at rest, those of the given obstacle: the normal that the motion points against most, if
+/// there is one. It may differ from the cast's normal where the cast began nearer than a skin.
 std::optional<Vec2> SlideProbe::wallOf(const std::vector<CastHit>& here, const CastHit& met, const Vec2& shift) const {
     std::optional<Vec2> wall;
     double into = -parallel * lengthOf(shift);
@@ -136,28 +138,29 @@ bool SlideProbe::isSolid(const CastHit& hit) const {
     return !open || (hit.normal.dot(*open) >= openCosine && !isPassed(floorOf(hit)));
 }
 
-/// meet(own, shift, visit) casts. What is one-way is solid from a skin on only, and not to what is in it.
-template <class Meet>
-FreeWay SlideProbe::freeWayBy(const Vec2& from, const Vec2& shift, double leastRise, Meet&& meet) const {
+/// cast(shape, filter, shift, visit) casts. A one-way obstacle is solid only from a skin's distance on, and not to a
+/// body inside of it.
+template <class Cast>
+FreePath SlideProbe::freePathBy(const Vec2& from, const Vec2& shift, double leastRise, Cast&& cast) const {
     const double length = lengthOf(shift);
     if (!(length > 0)) return {};
-    FreeWay free{length};
-    for (const Own& own : own_) {
+    FreePath free{length};
+    for (const CastShape& castShape : castShapes_) {
         std::optional<std::vector<CastHit>> here;
-        meet(own.inflated, own.filter, shift, [&](CastHit hit) {
+        cast(castShape.inflated, castShape.filter, shift, [&](CastHit hit) {
             if (!(hit.fraction * length < free.length)) return;
             if (!(hit.fraction > 0)) {
                 if (!here)
-                    meet(own.around, own.filter, {0, 0}, [&here](const CastHit& now) {
+                    cast(castShape.around, castShape.filter, {0, 0}, [&here](const CastHit& now) {
                         if (!here) here.emplace();
                         here->push_back(now);
                     });
                 const std::optional<Vec2> wall = here ? wallOf(*here, hit, shift) : std::nullopt;
                 if (!wall) return;
                 hit.normal = *wall;
-                if (hit.oneWay && isIn(own, from, hit)) return;
+                if (hit.oneWay && isIn(castShape, from, hit)) return;
             }
-            // What is convex lies behind its normal: a way along that goes into it by no more than roundings.
+            // A convex obstacle is behind its normal: a parallel motion enters it by no more than rounding errors.
             if (!(hit.normal.dot(shift) < -parallel * length)) return;
             if (isSolid(hit) && hit.normal.dot(settings_.up) >= leastRise) free = {hit.fraction * length, hit};
         });
@@ -165,40 +168,40 @@ FreeWay SlideProbe::freeWayBy(const Vec2& from, const Vec2& shift, double leastR
     return free;
 }
 
-bool SlideProbe::isIn(const Own& own, const Vec2& at, const CastHit& met) const {
+bool SlideProbe::isIn(const CastShape& castShape, const Vec2& at, const CastHit& met) const {
     bool inside = false;
-    meetAll(own.shape, own.filter, at, {0, 0}, [&](const CastHit& hit) { inside |= isSame(hit, met); });
+    castAll(castShape.shape, castShape.filter, at, {0, 0}, [&](const CastHit& hit) { inside |= isSame(hit, met); });
     return inside;
 }
 
-FreeWay SlideProbe::freeWay(const Vec2& from, const Vec2& shift, double leastRise) const {
-    return freeWayBy(from, shift, leastRise,
-                     [&](const Shape& shape, const Filter& filter, const Vec2& way, auto&& visit) {
-                         meetAll(shape, filter, from, way, visit);
-                     });
+FreePath SlideProbe::freePath(const Vec2& from, const Vec2& shift, double leastRise) const {
+    return freePathBy(from, shift, leastRise,
+                      [&](const Shape& shape, const Filter& filter, const Vec2& castShift, auto&& visit) {
+                          castAll(shape, filter, from, castShift, visit);
+                      });
 }
 
-FreeWay SlideProbe::freeWayAgainst(const MovingThing& thing, const Vec2& from, const Vec2& to) const {
-    const auto meet = [&](const Shape& shape, const Filter& filter, const Vec2& way, auto&& visit) {
-        for (const CastHit& hit : world_.castShapePieces(shape, poseAt(from), way, filter, body_))
-            if (hit.shape.body == thing.body) visit(hit);
+FreePath SlideProbe::freePathAgainst(const MovingBody& other, const Vec2& from, const Vec2& to) const {
+    const auto cast = [&](const Shape& shape, const Filter& filter, const Vec2& shift, auto&& visit) {
+        for (const CastHit& hit : world_.castShapePieces(shape, poseAt(from), shift, filter, body_))
+            if (hit.shape.body == other.body) visit(hit);
     };
-    FreeWay free = freeWayBy(from, thing.back * to - from, -2, meet);
-    if (free.hit) free.hit = asSeenAfter(thing, *free.hit);
+    FreePath free = freePathBy(from, other.undoStep * to - from, -2, cast);
+    if (free.hit) free.hit = asSeenAfter(other, *free.hit);
     return free;
 }
 
-/// From a place farther out along the normal, back until it touches.
-double SlideProbe::depthOf(const Own& own, const Vec2& at, const CastHit& hit) const {
-    const Aabb box = aabbOf(own.shape, poseAt(at));
+/// From a position farther out along the normal, back until it touches.
+double SlideProbe::depthOf(const CastShape& castShape, const Vec2& at, const CastHit& hit) const {
+    const Aabb box = aabbOf(castShape.shape, poseAt(at));
     double out = 0.125 * lengthOf(box.upper - box.lower);
     for (int i = 0; i < 40; ++i, out *= 2) {
         bool inside = false;
-        meetAll(own.shape, own.filter, at + hit.normal * out, {0, 0},
+        castAll(castShape.shape, castShape.filter, at + hit.normal * out, {0, 0},
                 [&](const CastHit& now) { inside |= isSame(now, hit); });
         if (inside) continue;
         double depth = 0;
-        meetAll(own.shape, own.filter, at + hit.normal * out, -hit.normal * out, [&](const CastHit& back) {
+        castAll(castShape.shape, castShape.filter, at + hit.normal * out, -hit.normal * out, [&](const CastHit& back) {
             if (isSame(back, hit)) depth = std::max(depth, out * (1 - back.fraction));
         });
         return depth;
@@ -206,22 +209,22 @@ double SlideProbe::depthOf(const Own& own, const Vec2& at, const CastHit& hit) c
     return 0;
 }
 
-std::vector<Overlapped> SlideProbe::overlaps(const Vec2& at) const {
-    std::vector<Overlapped> found;
-    for (const Own& own : own_) {
-        meetAll(own.shape, own.filter, at, {0, 0}, [&](const CastHit& hit) {
+std::vector<OverlapHit> SlideProbe::overlaps(const Vec2& at) const {
+    std::vector<OverlapHit> found;
+    for (const CastShape& castShape : castShapes_) {
+        castAll(castShape.shape, castShape.filter, at, {0, 0}, [&](const CastHit& hit) {
             if (world_.body(hit.shape.body).type() == BodyType::Dynamic || openSideOf(hit)) return;
-            found.push_back({hit, depthOf(own, at, hit)});
+            found.push_back({hit, depthOf(castShape, at, hit)});
         });
     }
     return found;
 }
 
-FaceSpan SlideProbe::faceSpanAt(const Vec2& at, const Vec2& way, const Vec2& line) const {
+FaceSpan SlideProbe::faceSpanAt(const Vec2& at, const Vec2& direction, const Vec2& line) const {
     FaceSpan farthest;
-    for (const Own& own : own_) {
-        const FaceSpan span = faceSpan(own.shape, poseAt(at), way, line);
-        if (&own == &own_.front() || span.farthest > farthest.farthest) farthest = span;
+    for (const CastShape& castShape : castShapes_) {
+        const FaceSpan span = faceSpan(castShape.shape, poseAt(at), direction, line);
+        if (&castShape == &castShapes_.front() || span.farthest > farthest.farthest) farthest = span;
     }
     return farthest;
 }
@@ -229,7 +232,7 @@ FaceSpan SlideProbe::faceSpanAt(const Vec2& at, const Vec2& way, const Vec2& lin
 bool SlideProbe::isInPassedFloor(const Vec2& at) const {
     bool inside = false;
     const auto look = [&](const CastHit& hit) { inside |= hit.oneWay && isPassed(floorOf(hit)); };
-    for (const Own& own : own_) meetAll(own.shape, own.filter, at, {0, 0}, look);
+    for (const CastShape& castShape : castShapes_) castAll(castShape.shape, castShape.filter, at, {0, 0}, look);
     return inside;
 }
 
@@ -237,10 +240,10 @@ void SlideProbe::passFloor(const OneWayFloor& floor) {
     if (!isPassed(floor)) passedFloors_.push_back(floor);
 }
 
-void SlideProbe::passFloorsUnder(const Vec2& at, const Vec2& way) {
+void SlideProbe::passFloorsUnder(const Vec2& at, const Vec2& shift) {
     const Vec2 lowered = at - settings_.up * (2 * settings_.skin);
-    for (const Own& own : own_)
-        meetAll(own.shape, own.filter, lowered, way, [&](const CastHit& hit) {
+    for (const CastShape& castShape : castShapes_)
+        castAll(castShape.shape, castShape.filter, lowered, shift, [&](const CastHit& hit) {
             if (hit.oneWay) passFloor(floorOf(hit));
         });
 }

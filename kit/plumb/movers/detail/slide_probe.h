@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What would stop a body on its way, with other kinematic bodies already where the coming step takes them?
+// What would stop a moving body, if other kinematic bodies were already where the coming step takes them?
 #pragma once
 #include <optional>
 #include <vector>
@@ -10,96 +10,99 @@
 
 namespace plumb::detail {
 
-/// A body that moves of itself, and a point's way back in time: from where the step takes the point, to where it is.
-struct MovingThing {
+/// A moving body, and the transform that takes a point fixed to it from its position after the step to its position
+/// before.
+struct MovingBody {
     BodyId body;
-    Transform back;
+    Transform undoStep;
 };
 
-/// Where a step of dt takes a kinematic body; of a dynamic one it is a guess, and never downward. In a world that
-/// wraps, of the body's places the one nearest to near.
-MovingThing movingThing(const World& world, BodyId body, double dt, const Vec2& up, const Vec2& near);
+/// Where a step of dt takes a kinematic body; for a dynamic body it is an estimate, and never downward. In a world that
+/// wraps, the periodic image nearest to near.
+MovingBody movingBody(const World& world, BodyId body, double dt, const Vec2& up, const Vec2& near);
 
-/// How far a way is free, a skin short of what stops it.
-struct FreeWay {
+/// How far a path is free, up to a skin's distance from the obstacle.
+struct FreePath {
     double length = 0;
     std::optional<CastHit> hit = std::nullopt;
 };
 
-struct Overlapped {
-    CastHit hit;  ///< the normal is the way out
+struct OverlapHit {
+    CastHit hit;  ///< its normal is the direction of separation
     double depth = 0;
 };
 
-/// All that is within a distance of a shape.
-Shape grown(Shape shape, double by);
+/// A shape enlarged by a distance on all sides.
+Shape inflatedBy(Shape shape, double by);
 
 class SlideProbe {
 public:
     SlideProbe(const World& world, BodyId body, const SlideSettings& settings, double dt);
 
-    /// Looks for what moves within this distance of the body; what it stands on is one of them. still:
-    /// what stays where it is for now.
+    /// Finds the moving bodies within this distance of the body, and the floor, if it moves. still: bodies that stay
+    /// where they are for now.
     void findMoving(double within, const std::optional<BodyId>& floor, std::span<const BodyId> still);
-    const std::vector<MovingThing>& moving() const { return moving_; }
-    const MovingThing* find(BodyId body) const;  ///< nullptr when it does not move
-    /// Goes through this one, if any, as if it were not there.
+    const std::vector<MovingBody>& moving() const { return moving_; }
+    const MovingBody* find(BodyId body) const;  ///< nullptr when it does not move
+    /// Ignores this body, if any.
     void pass(const std::optional<BodyId>& body) { passed_ = body; }
     void passFloor(const OneWayFloor& floor);
-    /// Those on which the body stands, or which are flush with those on a way.
-    void passFloorsUnder(const Vec2& at, const Vec2& way);
+    /// Ignores the one-way floors on which the body stands, and floors level with them along a path.
+    void passFloorsUnder(const Vec2& at, const Vec2& shift);
     const std::vector<OneWayFloor>& passedFloors() const { return passedFloors_; }
 
     const World& world() const { return world_; }
-    /// Tile maps of which anything was in the way of anything so far.
-    const std::vector<ShapeId>& mapsMet() const { return maps_; }
-    void meetMap(const ShapeId& map) const;
-    /// visit(shape, pose) of each of the body's, grown by so many skins.
+    /// Tile maps of which a tile was hit by any cast so far.
+    const std::vector<ShapeId>& hitMaps() const { return maps_; }
+    void addHitMap(const ShapeId& map) const;
+    /// visit(shape, pose) for each of the body's shapes, enlarged by this number of skins.
     template <class Visit>
     void forEachShape(const Vec2& at, double skins, Visit&& visit) const {
-        for (const Own& own : own_) visit(grown(own.shape, skins * settings_.skin), poseAt(at));
+        for (const CastShape& castShape : castShapes_)
+            visit(inflatedBy(castShape.shape, skins * settings_.skin), poseAt(at));
     }
 
-    /// The body is where from says, and shifted. Only what has a normal that rises by leastRise is met [-].
-    FreeWay freeWay(const Vec2& from, const Vec2& shift, double leastRise = -2) const;
-    /// The same of one that moves, as seen from it: the body goes from one place before the step to one after it.
-    FreeWay freeWayAgainst(const MovingThing& thing, const Vec2& from, const Vec2& to) const;
-    /// What is static or kinematic and overlaps the body.
-    std::vector<Overlapped> overlaps(const Vec2& at) const;
+    /// The body at from is moved by shift. Only obstacles whose normal has an upward component of at least leastRise
+    /// are hit [-].
+    FreePath freePath(const Vec2& from, const Vec2& shift, double leastRise = -2) const;
+    /// The same against one moving body, in its frame: the body goes from one position before the step to one after it.
+    FreePath freePathAgainst(const MovingBody& other, const Vec2& from, const Vec2& to) const;
+    /// Static and kinematic bodies that overlap the body.
+    std::vector<OverlapHit> overlaps(const Vec2& at) const;
     bool isInPassedFloor(const Vec2& at) const;
-    /// Of the one of the body's shapes that is farthest out that way.
-    FaceSpan faceSpanAt(const Vec2& at, const Vec2& way, const Vec2& line) const;
+    /// For the shape of the body that extends farthest in that direction.
+    FaceSpan faceSpanAt(const Vec2& at, const Vec2& direction, const Vec2& line) const;
 
 private:
-    struct Own {
+    struct CastShape {
         Shape shape;
-        Shape inflated;  ///< grown by a skin
-        Shape around;    ///< by a hair more, so that it touches all that a cast of inflated begins at
+        Shape inflated;  ///< enlarged by a skin
+        Shape around;    ///< by slightly more: touches all that a cast of inflated starts at
         Filter filter;
     };
 
     Transform poseAt(const Vec2& position) const { return {position, rotation_}; }
-    /// Everything that a shape of the body meets, moving things as they will be; visit(hit).
+    /// All hits of a shape of the body, with moving bodies where they will be; visit(hit).
     template <class Visit>
-    void meetAll(const Shape& shape, const Filter& filter, const Vec2& from, const Vec2& shift, Visit&& visit) const;
-    template <class Meet>
-    FreeWay freeWayBy(const Vec2& from, const Vec2& shift, double leastRise, Meet&& meet) const;
+    void castAll(const Shape& shape, const Filter& filter, const Vec2& from, const Vec2& shift, Visit&& visit) const;
+    template <class Cast>
+    FreePath freePathBy(const Vec2& from, const Vec2& shift, double leastRise, Cast&& cast) const;
     bool isSolid(const CastHit& hit) const;
     bool isPassed(const OneWayFloor& floor) const;
     bool isSame(const CastHit& a, const CastHit& b) const;
     std::optional<Vec2> wallOf(const std::vector<CastHit>& here, const CastHit& met, const Vec2& shift) const;
-    bool isIn(const Own& own, const Vec2& at, const CastHit& met) const;
-    double depthOf(const Own& own, const Vec2& at, const CastHit& hit) const;
+    bool isIn(const CastShape& castShape, const Vec2& at, const CastHit& met) const;
+    double depthOf(const CastShape& castShape, const Vec2& at, const CastHit& hit) const;
 
     const World& world_;
     BodyId body_;
     const SlideSettings& settings_;
     double dt_;
     Rot rotation_;
-    std::vector<Own> own_;
-    std::vector<MovingThing> moving_;
+    std::vector<CastShape> castShapes_;
+    std::vector<MovingBody> moving_;
     std::vector<OneWayFloor> passedFloors_;
-    mutable std::vector<ShapeId> maps_;  ///< for the record only: no answer depends on it
+    mutable std::vector<ShapeId> maps_;  ///< a record only: no result depends on it
     std::optional<BodyId> passed_ = std::nullopt;
 };
 
