@@ -31,7 +31,7 @@ std::vector<ShapeDef> solidParts(const ShapeDef& shape) {
     if (map == nullptr) return {shape};
     std::vector<ShapeDef> parts;
     for (TilePiece& piece : tilePiecesOf(*map)) {
-        if (piece.use != PieceUse::Ask) continue;
+        if (piece.use != PieceUse::Query) continue;
         parts.push_back({.shape = std::move(piece.shape), .filter = shape.filter});
     }
     return parts;
@@ -85,7 +85,7 @@ void Geometry::forEachAround(const std::vector<Aabb>& boxes, Look&& look) const 
     for (std::uint32_t b = 0; b < boxes.size(); ++b) {
         for (std::uint32_t a = 0; a < boxes.size(); ++a) {
             for (const Vec2& rounds : {Vec2(1, 0), Vec2(0, 1), Vec2(1, 1), Vec2(1, -1)}) {
-                const Vec2 shift = wrap_.lengthOf(rounds);
+                const Vec2 shift = wrap_.imageOffset(rounds);
                 const Aabb there{boxes[b].lower + shift, boxes[b].upper + shift};
                 if (a != b && !shift.isZero(0) && overlap(boxes[a], there)) look({a, b}, shift);
             }

@@ -81,9 +81,9 @@ MoverCommand SceneMovers::command(OnGrid& mover, const BodyState& now, double dt
 
 MoverCommand SceneMovers::command(OnPlatforms& mover, const BodyState& now, double dt) const {
     const PlatformCue cue = cueAt(mover.motion, tick_ * dt);
-    const LevelMotion& level = mover.profile.level;
-    const double wanted = cue.move * (cue.run ? level.runSpeed : level.walkSpeed);
-    const double gain = (cue.run ? level.runAcceleration : level.walkAcceleration) * dt;
+    const HorizontalMotion& horizontal = mover.profile.horizontal;
+    const double wanted = cue.move * (cue.run ? horizontal.runSpeed : horizontal.walkSpeed);
+    const double gain = (cue.run ? horizontal.runAcceleration : horizontal.walkAcceleration) * dt;
     MoverCommand command{.velocity = {towards(now.velocity.x(), wanted, gain), now.velocity.y()}};
     if (cue.jump && !mover.jumpHeld) {
         mover.band = bandAt(mover.profile.vertical.jumps, std::fabs(now.velocity.x()));

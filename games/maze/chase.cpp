@@ -85,7 +85,7 @@ void Chase::eatAt(Cell cell) {
 
 void Chase::eatDot(Cell cell, const Tile& tile) {
     const bool power = has(tile, powerTag);
-    player_.standFrames(power ? arcade.energizerStall : arcade.dotStall);
+    player_.pauseFrames(power ? arcade.energizerStall : arcade.dotStall);
     tell(power ? Happening::Power : Happening::Dot, power ? arcade.energizerPoints : arcade.dotPoints,
          mazeMap().centerOf(cell));
     Waiting waiting{};

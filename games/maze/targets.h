@@ -21,7 +21,7 @@ constexpr std::size_t indexOf(Who who) {
     return static_cast<std::size_t>(who);
 }
 
-inline Cell chaseTarget(Who who, const HunterQuestion& question) {
+inline Cell chaseTarget(Who who, const HunterContext& question) {
     return hunterTarget(static_cast<int>(who), question, specialPlaces());
 }
 /// Outside of the lanes, so that a hunter goes round and round the corner that is nearest.

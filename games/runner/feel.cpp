@@ -11,14 +11,14 @@ namespace {
 PlatformProfile modern() {
     PlatformProfile profile =
         modernProfile({.height = 4.3, .timeToApex = 0.46, .fallFactor = 1.5, .releaseFactor = 3, .hangShare = 0.6});
-    profile.level.walkSpeed = 5.8;
-    profile.level.runSpeed = 9.4;
-    profile.level.walkAcceleration = 34;
-    profile.level.runAcceleration = 26;
-    profile.level.friction = 40;
-    profile.level.airFriction = 10;
-    profile.level.airShare = 0.8;
-    profile.level.turnFactor = 2;
+    profile.horizontal.walkSpeed = 5.8;
+    profile.horizontal.runSpeed = 9.4;
+    profile.horizontal.walkAcceleration = 34;
+    profile.horizontal.runAcceleration = 26;
+    profile.horizontal.friction = 40;
+    profile.horizontal.airFriction = 10;
+    profile.horizontal.airShare = 0.8;
+    profile.horizontal.turnFactor = 2;
     profile.vertical.terminalSpeed = 17;
     return profile;
 }

@@ -49,16 +49,16 @@ double missedShare(const FrameTest& test, double speed) {
     return 100.0 * missed / starts;
 }
 
-bool overlapsAtEnd(const Shape& bullet, const Way& way, const Shape& window) {
-    return overlap(bullet, poseOn(way, 1), window, {}).has_value();
+bool overlapsAtEnd(const Shape& bullet, const Sweep& sweep, const Shape& window) {
+    return overlap(bullet, poseAt(sweep, 1), window, {}).has_value();
 }
 
-bool bisectionFinds(const Shape& bullet, const Way& way, const Shape& window) {
-    return bisectCollision(bullet, way, window, {}).has_value();
+bool bisectionFinds(const Shape& bullet, const Sweep& sweep, const Shape& window) {
+    return bisectCollision(bullet, sweep, window, {}).has_value();
 }
 
-bool sweptFinds(const Shape& bullet, const Way& way, const Shape& window) {
-    return firstTouch(bullet, way, window, {}).has_value();
+bool sweptFinds(const Shape& bullet, const Sweep& sweep, const Shape& window) {
+    return firstTouch(bullet, sweep, window, {}).has_value();
 }
 
 /// Of starts that are spread evenly over a frame's way, those whose frame ends all lie outside of the window.

@@ -24,11 +24,11 @@ Lab frameRate(const ClockSettings& clock = {.interval = 0.02}, const Method& tex
 Lab integrators(const std::vector<Method>& methods = knownMethods());
 
 /// broad_phases.cpp
-using PairFinder = std::function<PairSearch(BroadPhase way, std::span<const Aabb> boxes)>;
+using PairFinder = std::function<PairSearch(BroadPhase sweep, std::span<const Aabb> boxes)>;
 Lab broadPhases(const PairFinder& find = findPairs);
 
 /// Is the bullet, which goes its way through one frame, seen to touch the window, which stands?
-using FrameTest = std::function<bool(const Shape& bullet, const Way& way, const Shape& window)>;
+using FrameTest = std::function<bool(const Shape& bullet, const Sweep& sweep, const Shape& window)>;
 struct FrameTests {
     FrameTest overlapAtEnd, bisection, swept;
 };

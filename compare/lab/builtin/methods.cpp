@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <compare/lab/builtin/methods.h>
 
-#include <plumb/integrate/adaptive_walk.h>
+#include <plumb/integrate/adaptive_integrator.h>
 #include <plumb/integrate/fixed_step.h>
 
 namespace plumb::compare {
@@ -67,8 +67,8 @@ std::vector<Method> knownMethods() {
 int walk(const Method& method, const MotionProblem& problem, double endTime, const Effort& effort,
          const std::function<void(double time, const Motion& motion)>& seen) {
     if (!method.step) {
-        AdaptiveWalk adaptive(derivativeOf(problem), 0, flat(problem.start), endTime,
-                              {.absoluteTolerance = effort.tolerance, .relativeTolerance = effort.tolerance});
+        AdaptiveIntegrator adaptive(derivativeOf(problem), 0, flat(problem.start), endTime,
+                                    {.absoluteTolerance = effort.tolerance, .relativeTolerance = effort.tolerance});
         while (adaptive.advance()) seen(adaptive.time(), motionOf(adaptive.lastStep().end));
         return adaptive.accepted();
     }

@@ -99,7 +99,7 @@ TEST_CASE("a target has one body, and only gears name joints", "[compare][scene]
 
 TEST_CASE("a shape's rule is code and cannot stand in a scene", "[compare][scene][errors]") {
     Scene scene = sceneWith({"joint", "ground", "ball", FilterJointDef{}});
-    scene.bodies[1].def.shapes[0].rule = [](const ContactQuestion&) { return true; };
+    scene.bodies[1].def.shapes[0].rule = [](const ContactCandidate&) { return true; };
     CHECK_THROWS_WITH(validate(scene), "bodies[1].shapes[0].rule: is code, and a scene is data: wanted none");
 }
 

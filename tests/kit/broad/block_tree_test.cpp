@@ -47,7 +47,7 @@ struct Model {
     void put(std::uint32_t slot, const Bounds& box) {
         boxes[slot] = box;
         tree.put(slot, box);
-        tree.touch(slot);
+        tree.markDirty(slot);
     }
     void append(const Bounds& box) {
         boxes.emplace_back();
@@ -89,12 +89,12 @@ TEST_CASE("a hierarchy that is mended 400 times answers as a search through all 
             if (round % 7 == 3)
                 model.tree.refitAll();
             else
-                model.tree.refitTouched();
+                model.tree.refitDirty();
             for (int i = 0; i < 5; ++i) {
                 const Bounds box = roundedOut(someSquare(random));
                 if (queriedSlots(model.tree, box) != model.searched(box)) ++wrong;
             }
-            model.tree.settle();
+            model.tree.storePrevious();
         }
         INFO(most);
         CHECK(wrong == 0);
@@ -104,16 +104,16 @@ TEST_CASE("a hierarchy that is mended 400 times answers as a search through all 
 TEST_CASE("the touched blocks are those with touched slots, each once, in order", "[broad]") {
     Model model;
     for (int i = 0; i < 1000; ++i) model.append(roundedOut(squareAround(Vec2(i, 0), 0.5)));
-    model.tree.refitTouched();
-    CHECK(model.tree.touchedBlocks().size() == 63);  // 1000 / 16, rounded up
-    model.tree.settle();
-    for (const std::uint32_t slot : {17u, 999u, 16u, 5u}) model.tree.touch(slot);
-    model.tree.refitTouched();
-    const auto blocks = model.tree.touchedBlocks();
+    model.tree.refitDirty();
+    CHECK(model.tree.dirtyBlocks().size() == 63);  // 1000 / 16, rounded up
+    model.tree.storePrevious();
+    for (const std::uint32_t slot : {17u, 999u, 16u, 5u}) model.tree.markDirty(slot);
+    model.tree.refitDirty();
+    const auto blocks = model.tree.dirtyBlocks();
     CHECK(Slots(blocks.begin(), blocks.end()) == Slots{0, 1, 62});
-    CHECK(model.tree.view().touched[1] == 0b11);
-    model.tree.settle();
-    CHECK(model.tree.touchedBlocks().empty());
+    CHECK(model.tree.view().dirty[1] == 0b11);
+    model.tree.storePrevious();
+    CHECK(model.tree.dirtyBlocks().empty());
 }
 
 TEST_CASE("taking members out and in keeps count, and starting anew forgets all", "[broad]") {
@@ -133,15 +133,15 @@ TEST_CASE("taking members out and in keeps count, and starting anew forgets all"
     CHECK(queriedSlots(model.tree, roundedOut(squareAround({0, 0}, 1e9))).empty());
 }
 
-TEST_CASE("looseness is the half perimeter of the blocks of sixteen", "[broad]") {
+TEST_CASE("the sum of half perimeters is that of the blocks of sixteen", "[broad]") {
     Model model;
     for (int i = 0; i < 32; ++i) model.append(roundedOut(squareAround(Vec2(i, 0), 0.5)));
-    model.tree.refitTouched();
-    CHECK(model.tree.looseness() == 2 * (16 + 1));
-    model.tree.settle();
+    model.tree.refitDirty();
+    CHECK(model.tree.halfPerimeterSum() == 2 * (16 + 1));
+    model.tree.storePrevious();
     model.put(31, roundedOut(squareAround({31, 10}, 0.5)));
-    model.tree.refitTouched();
-    CHECK(model.tree.looseness() == 2 * (16 + 1) + 10);
+    model.tree.refitDirty();
+    CHECK(model.tree.halfPerimeterSum() == 2 * (16 + 1) + 10);
 }
 
 TEST_CASE("rounding to float keeps every overlap, and every overlap that it shows beyond an edge is one", "[broad]") {

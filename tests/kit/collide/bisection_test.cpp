@@ -17,8 +17,8 @@ using plumb::bisectCollision;
 using plumb::CollisionTime;
 using plumb::Random;
 using plumb::Shape;
+using plumb::Sweep;
 using plumb::Vec2;
-using plumb::Way;
 
 using Probes = std::vector<double>;
 
@@ -67,17 +67,18 @@ TEST_CASE("halving n times is within 2^-n of the first touch, 100,000 times", "[
     const int count = plumb::test::cases(100'000);
     for (int i = 0; i < count; ++i) {
         const Shape a = randomShape(random, randomKind(random), 1), b = randomShape(random, randomKind(random), 1);
-        const Way wayA{randomVec2(random, 3), randomVec2(random, 3), random.uniform(-3, 3), random.uniform(-1, 1)};
-        Way wayB{{0, 0}, randomVec2(random, 3), random.uniform(-3, 3), random.uniform(-1, 1)};
-        wayB.start = wayA.start + wayA.shift - wayB.shift + randomVec2(random, 1);  // near each other at the end
+        const Sweep sweepA{randomVec2(random, 3), randomVec2(random, 3), random.uniform(-3, 3), random.uniform(-1, 1)};
+        Sweep sweepB{{0, 0}, randomVec2(random, 3), random.uniform(-3, 3), random.uniform(-1, 1)};
+        sweepB.start =
+            sweepA.start + sweepA.shift - sweepB.shift + randomVec2(random, 1);  // near each other at the end
         const int n = random.integer(1, 20);
-        const auto time = bisectCollision(a, wayA, b, wayB, n);
+        const auto time = bisectCollision(a, sweepA, b, sweepB, n);
         if (!time || time->error == 0) continue;
         ++found;
-        const fine_stepping::Pair pair(a, wayA, b, wayB);
+        const fine_stepping::Pair pair(a, sweepA, b, sweepB);
         faults += !(pair.gapAt(time->apart) > -1e-12 && pair.gapAt(time->overlapping) < 1e-12);
         // Of several times that they touch it may have found a later one.
-        const auto touch = plumb::firstTouch(a, wayA, b, wayB, 1e-9);
+        const auto touch = plumb::firstTouch(a, sweepA, b, sweepB, 1e-9);
         faults += !touch || touch->time > time->overlapping;
         if (!touch || verdictOn(pair, 0, time->apart) != fine_stepping::Verdict::Apart) continue;
         ++sameTouch;
@@ -97,7 +98,7 @@ TEST_CASE("halving n times is within 2^-n of the first touch, 100,000 times", "[
 TEST_CASE("bisection does not see what went right through, nor what touched and parted; it needs an overlap at the end",
           "[collide][sweep]") {
     const Shape bullet = plumb::Circle{0.01}, window = plumb::boxPolygon({0.05, 1});
-    const Way through{.start = {-8, 0}, .shift = {1000.0 / 60, 0}};
+    const Sweep through{.start = {-8, 0}, .shift = {1000.0 / 60, 0}};
     CHECK_FALSE(bisectCollision(bullet, through, window, {}));
     CHECK(plumb::firstTouch(bullet, through, window, {}));
     CHECK(bisectCollision(bullet, {.start = {-8, 0}, .shift = {8, 0}}, window, {}));
@@ -130,12 +131,12 @@ TEST_CASE("a bullet at 1000 m/s goes 16.667 m a frame: the overlap test misses t
         int seen = 0, swept = 0;
         const int shots = 1000;
         for (int i = 0; i < shots; ++i) {
-            const double way = speed * frame, before = -10 - random.uniform(0, way);
+            const double sweep = speed * frame, before = -10 - random.uniform(0, sweep);
             bool overlapped = false;
             int touched = 0;
-            for (double x = before; x < 1; x += way) {
+            for (double x = before; x < 1; x += sweep) {
                 overlapped = overlapped || overlap(bullet, {{x, 0}, {}}, window, {}).has_value();
-                touched += firstTouch(bullet, {.start = {x, 0}, .shift = {way, 0}}, window, {}).has_value();
+                touched += firstTouch(bullet, {.start = {x, 0}, .shift = {sweep, 0}}, window, {}).has_value();
             }
             seen += overlapped;
             swept += touched > 0;

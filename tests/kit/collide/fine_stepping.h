@@ -13,14 +13,14 @@
 namespace fine_stepping {
 
 using plumb::Shape;
+using plumb::Sweep;
 using plumb::Transform;
 using plumb::Vec2;
-using plumb::Way;
 
 /// By the standard library's sine and cosine.
-inline Transform poseAt(const Way& way, double time) {
-    const plumb::Rot rotation = turnBy(way.angle + way.turn * time);
-    return {way.start + way.shift * time - rotation * way.localCenter, rotation};
+inline Transform referencePose(const Sweep& sweep, double time) {
+    const plumb::Rot rotation = turnBy(sweep.angle + sweep.turn * time);
+    return {sweep.start + sweep.shift * time - rotation * sweep.localCenter, rotation};
 }
 
 /// No point of the shape's core is farther from the point that it turns about.
@@ -34,18 +34,18 @@ inline double reachOf(const std::vector<Shape>& pieces, const Vec2& center) {
 
 struct Pair {
     std::vector<Shape> a, b;
-    Way wayA, wayB;
+    Sweep sweepA, sweepB;
     double fastest = 0;  ///< the distance changes by no more than this in the step [m]
 
-    Pair(const Shape& shapeA, const Way& ofA, const Shape& shapeB, const Way& ofB)
-        : a(plumb::piecesOf(shapeA)), b(plumb::piecesOf(shapeB)), wayA(ofA), wayB(ofB) {
-        fastest = (wayB.shift - wayA.shift).norm() + std::fabs(wayA.turn) * reachOf(a, wayA.localCenter) +
-                  std::fabs(wayB.turn) * reachOf(b, wayB.localCenter);
+    Pair(const Shape& shapeA, const Sweep& ofA, const Shape& shapeB, const Sweep& ofB)
+        : a(plumb::piecesOf(shapeA)), b(plumb::piecesOf(shapeB)), sweepA(ofA), sweepB(ofB) {
+        fastest = (sweepB.shift - sweepA.shift).norm() + std::fabs(sweepA.turn) * reachOf(a, sweepA.localCenter) +
+                  std::fabs(sweepB.turn) * reachOf(b, sweepB.localCenter);
     }
 
     /// Signed, of the nearest pieces: distance() is held to the Minkowski difference by a test of its own.
     plumb::Distance distanceAt(double time) const {
-        const Transform poseA = poseAt(wayA, time), poseB = poseAt(wayB, time);
+        const Transform poseA = referencePose(sweepA, time), poseB = referencePose(sweepB, time);
         plumb::Distance nearest;
         nearest.separation = std::numeric_limits<double>::infinity();
         for (const Shape& pieceA : a)

@@ -14,14 +14,14 @@
 #include "kit/collide/placements.h"
 
 using fine_stepping::Pair;
-using fine_stepping::poseAt;
+using fine_stepping::referencePose;
 using fine_stepping::Verdict;
 using plumb::firstTouch;
 using plumb::Random;
 using plumb::Shape;
+using plumb::Sweep;
 using plumb::Touch;
 using plumb::Vec2;
-using plumb::Way;
 
 namespace {
 
@@ -40,26 +40,26 @@ Shape anyShape(Random& random, double scale) {
     return chain;
 }
 
-Way anyWay(Random& random, double scale) {
-    Way way;
-    way.start = randomVec2(random, 3 * scale);
-    way.shift = randomVec2(random, scale * placements::powerOfTen(random, -1, 1.5));
-    way.angle = random.uniform(-3, 3);
-    way.turn = random.integer(0, 3) == 0 ? 0 : random.uniform(-1, 1) * placements::powerOfTen(random, -1, 1);
-    if (random.integer(0, 1) == 0) way.localCenter = randomVec2(random, scale);
-    return way;
+Sweep anySweep(Random& random, double scale) {
+    Sweep sweep;
+    sweep.start = randomVec2(random, 3 * scale);
+    sweep.shift = randomVec2(random, scale * placements::powerOfTen(random, -1, 1.5));
+    sweep.angle = random.uniform(-3, 3);
+    sweep.turn = random.integer(0, 3) == 0 ? 0 : random.uniform(-1, 1) * placements::powerOfTen(random, -1, 1);
+    if (random.integer(0, 1) == 0) sweep.localCenter = randomVec2(random, scale);
+    return sweep;
 }
 
 struct Swept {
     Shape a, b;
-    Way wayA, wayB;
+    Sweep sweepA, sweepB;
 };
 
 /// So that at some time within the step they are this far apart.
 void meetAt(Swept& s, double time, double gap) {
     for (int i = 0; i < 3; ++i) {
-        const plumb::Distance now = Pair(s.a, s.wayA, s.b, s.wayB).distanceAt(time);
-        s.wayB.start += now.normal * (gap - now.separation);
+        const plumb::Distance now = Pair(s.a, s.sweepA, s.b, s.sweepB).distanceAt(time);
+        s.sweepB.start += now.normal * (gap - now.separation);
     }
 }
 
@@ -67,20 +67,20 @@ void meetAt(Swept& s, double time, double gap) {
 /// and of these one in ten moves along the surface just then. One in ten lies 10 km away.
 Swept anySwept(Random& random) {
     const double scale = placements::powerOfTen(random, -1, 0.5);
-    Swept s{anyShape(random, scale), anyShape(random, scale), anyWay(random, scale), anyWay(random, scale)};
+    Swept s{anyShape(random, scale), anyShape(random, scale), anySweep(random, scale), anySweep(random, scale)};
     const int how = random.integer(0, 29);
     if (how >= 10) {
         const double time = random.uniform(0, 1), gap = how < 20 ? 0 : placements::powerOfTen(random, -7, -1);
         meetAt(s, time, random.integer(0, 1) == 0 ? gap : -gap);
         if (how % 10 == 0) {
-            const Vec2 along = plumb::perp(Pair(s.a, s.wayA, s.b, s.wayB).distanceAt(time).normal);
-            s.wayB.start += s.wayB.shift * time;
-            s.wayB.shift = s.wayA.shift + along * scale * random.uniform(-3, 3);
-            s.wayB.start -= s.wayB.shift * time;
+            const Vec2 along = plumb::perp(Pair(s.a, s.sweepA, s.b, s.sweepB).distanceAt(time).normal);
+            s.sweepB.start += s.sweepB.shift * time;
+            s.sweepB.shift = s.sweepA.shift + along * scale * random.uniform(-3, 3);
+            s.sweepB.start -= s.sweepB.shift * time;
         }
     }
     if (random.integer(0, 9) == 0)
-        for (Way* way : {&s.wayA, &s.wayB}) way->start += Vec2(1e4, -1e4);
+        for (Sweep* sweep : {&s.sweepA, &s.sweepB}) sweep->start += Vec2(1e4, -1e4);
     return s;
 }
 
@@ -92,7 +92,8 @@ struct TouchTally {
 
 /// The normal parts two pieces by as much as they are apart, and the point lies half way.
 bool isBetween(const Pair& pair, const Touch& touch) {
-    const plumb::Transform poseA = poseAt(pair.wayA, touch.time), poseB = poseAt(pair.wayB, touch.time);
+    const plumb::Transform poseA = referencePose(pair.sweepA, touch.time),
+                           poseB = referencePose(pair.sweepB, touch.time);
     const minkowski::Point normal = pointOf(touch.normal), point = pointOf(touch.point);
     for (const Shape& pieceA : pair.a)
         for (const Shape& pieceB : pair.b) {
@@ -136,9 +137,9 @@ std::string describePair(const Pair& pair, int index) {
     std::ostringstream text;
     text.precision(17);
     text << " in case " << index;
-    for (const Way& way : {pair.wayA, pair.wayB})
-        text << "\n  from (" << way.start.transpose() << ") by (" << way.shift.transpose() << "), angle " << way.angle
-             << " by " << way.turn << ", about (" << way.localCenter.transpose() << ")";
+    for (const Sweep& sweep : {pair.sweepA, pair.sweepB})
+        text << "\n  from (" << sweep.start.transpose() << ") by (" << sweep.shift.transpose() << "), angle "
+             << sweep.angle << " by " << sweep.turn << ", about (" << sweep.localCenter.transpose() << ")";
     return text.str();
 }
 
@@ -150,8 +151,8 @@ TEST_CASE("1,000,000 swept pairs touch where fine stepping says, none missed and
     const int count = plumb::test::cases(1'000'000);
     for (int i = 0; i < count; ++i) {
         const Swept s = anySwept(random);
-        const Pair pair(s.a, s.wayA, s.b, s.wayB);
-        const char* fault = faultOfTouch(pair, firstTouch(s.a, s.wayA, s.b, s.wayB), tally);
+        const Pair pair(s.a, s.sweepA, s.b, s.sweepB);
+        const char* fault = faultOfTouch(pair, firstTouch(s.a, s.sweepA, s.b, s.sweepB), tally);
         if (fault && tally.faults++ == 0) tally.first = fault + describePair(pair, i);
     }
     std::cout << "[sweep] " << count << " swept pairs: " << tally.hits << " touch, " << tally.atStart
@@ -173,15 +174,15 @@ TEST_CASE("shapes that do not turn touch where a shape cast says, 20,000 times",
     double worst = 0;
     for (int i = 0; i < 20'000; ++i) {
         const Shape a = anyShape(random, 1), b = anyShape(random, 1);
-        Way wayA = anyWay(random, 1), wayB = anyWay(random, 1);
-        wayA.turn = wayB.turn = 0;
-        const Vec2 shift = wayB.shift - wayA.shift;
-        const auto cast = plumb::castShape(b, poseAt(wayB, 0), shift, a, poseAt(wayA, 0));
-        const auto touch = firstTouch(a, wayA, b, wayB, 1e-7);
+        Sweep sweepA = anySweep(random, 1), sweepB = anySweep(random, 1);
+        sweepA.turn = sweepB.turn = 0;
+        const Vec2 shift = sweepB.shift - sweepA.shift;
+        const auto cast = plumb::castShape(b, poseAt(sweepB, 0), shift, a, poseAt(sweepA, 0));
+        const auto touch = firstTouch(a, sweepA, b, sweepB, 1e-7);
         INFO("case " << i);
         if (!cast) {
             // What only passes by may be told.
-            CHECK((!touch || Pair(a, wayA, b, wayB).gapAt(touch->time) > 0));
+            CHECK((!touch || Pair(a, sweepA, b, sweepB).gapAt(touch->time) > 0));
             continue;
         }
         REQUIRE(touch);
@@ -200,7 +201,7 @@ TEST_CASE("shapes that do not turn touch where a shape cast says, 20,000 times",
 TEST_CASE("a rod of 2 m that turns by half a turn meets a peg of 0.1 m, 1 m above its middle, at arccos 0.1",
           "[collide][sweep]") {
     const Shape rod = plumb::Segment{{-2, 0}, {2, 0}}, peg = plumb::Circle{0.1};
-    const Way turning{.turn = std::numbers::pi}, still{.start = {0, 1}};
+    const Sweep turning{.turn = std::numbers::pi}, still{.start = {0, 1}};
     const auto touch = firstTouch(rod, turning, peg, still);
     REQUIRE(touch);
     // The peg is cos(angle) from the rod's line, and comes nearer by sin(angle) = 0.995 m a radian.
@@ -214,7 +215,7 @@ TEST_CASE("a rod of 2 m that turns by half a turn meets a peg of 0.1 m, 1 m abov
 
 TEST_CASE("a disc that circles ten times around a disc, 0.1 mm off, does not touch it; 4 um off it does",
           "[collide][sweep]") {
-    const Way circling{.turn = 20 * std::numbers::pi}, still{};
+    const Sweep circling{.turn = 20 * std::numbers::pi}, still{};
     const Shape around = plumb::Circle{0.5, {1.5, 0}};
     CHECK_FALSE(firstTouch(plumb::Circle{0.9999}, still, around, circling));
     const auto touch = firstTouch(plumb::Circle{0.999996}, still, around, circling);
@@ -224,7 +225,7 @@ TEST_CASE("a disc that circles ten times around a disc, 0.1 mm off, does not tou
 
 TEST_CASE("what overlaps at the start touches at 0, along the shortest way out; a chain at its deepest segment",
           "[collide][sweep]") {
-    const Way still{}, moving{.start = {0.9, 0.2}, .shift = {5, 0}, .turn = 1};
+    const Sweep still{}, moving{.start = {0.9, 0.2}, .shift = {5, 0}, .turn = 1};
     const auto boxes = firstTouch(plumb::boxPolygon({0.5, 0.5}), still, plumb::boxPolygon({0.5, 0.5}), moving);
     REQUIRE(boxes);
     CHECK(boxes->time == 0);
@@ -242,37 +243,39 @@ TEST_CASE("a way between two poses goes from the one to the other, by the shorte
     for (int i = 0; i < 1000; ++i) {
         const plumb::Transform from{randomVec2(random, 9), turnBy(random.uniform(-9, 9))};
         const plumb::Transform to{randomVec2(random, 9), turnBy(random.uniform(-9, 9))};
-        const Way way = plumb::wayBetween(from, to, randomVec2(random, 2));
+        const Sweep sweep = plumb::sweepBetween(from, to, randomVec2(random, 2));
         for (const auto& [time, pose] : {std::pair{0.0, from}, std::pair{1.0, to}}) {
             const Vec2 place(1, 2);  // any point of the body
             // Some ten roundings of numbers up to 12.
-            CHECK((poseOn(way, time) * place - pose * place).norm() < 2e-14);
+            CHECK((poseAt(sweep, time) * place - pose * place).norm() < 2e-14);
         }
-        CHECK(std::fabs(way.turn) <= std::numbers::pi);
+        CHECK(std::fabs(sweep.turn) <= std::numbers::pi);
     }
 }
 
 TEST_CASE("a sweep refuses what is not finite, and a tolerance that is not positive", "[collide][sweep]") {
     const Shape disc = plumb::Circle{1};
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    CHECK_THROWS_WITH(firstTouch(disc, {.start = {nan, 0}}, disc, {}), "firstTouch.wayA.start: (nan, 0) is not finite");
-    CHECK_THROWS_WITH(firstTouch(disc, {}, disc, {.turn = nan}), "firstTouch.wayB.turn: nan is not finite");
+    CHECK_THROWS_WITH(firstTouch(disc, {.start = {nan, 0}}, disc, {}),
+                      "firstTouch.sweepA.start: (nan, 0) is not finite");
+    CHECK_THROWS_WITH(firstTouch(disc, {}, disc, {.turn = nan}), "firstTouch.sweepB.turn: nan is not finite");
     CHECK_THROWS_WITH(firstTouch(disc, {}, disc, {}, 0), "firstTouch.tolerance: 0 is not positive");
-    CHECK_THROWS_WITH(plumb::wayBetween({{nan, 0}, {}}, {}), "wayBetween.start: (nan, 0) is not finite");
+    CHECK_THROWS_WITH(plumb::sweepBetween({{nan, 0}, {}}, {}), "sweepBetween.start: (nan, 0) is not finite");
 }
 
 TEST_CASE("a sweep of any numbers up to 1e75 ends, and larger ones are refused", "[collide][sweep]") {
     const Shape box = plumb::boxPolygon({1, 1}), disc = plumb::Circle{1, {1, 0}};
     for (const double size : {1e-320, 1e12, 1e50, 1e75, 1.01e75, 1e160, 1.7e308})
-        for (const Way& way : {Way{.start = {3, size}}, Way{.start = {3, 0}, .shift = {size, -size}},
-                               Way{.start = {3.1, 0}, .turn = size}, Way{.start = {3.1, 0}, .localCenter = {size, 1}}})
+        for (const Sweep& sweep :
+             {Sweep{.start = {3, size}}, Sweep{.start = {3, 0}, .shift = {size, -size}},
+              Sweep{.start = {3.1, 0}, .turn = size}, Sweep{.start = {3.1, 0}, .localCenter = {size, 1}}})
             for (const Shape& shape : {box, disc}) {
                 INFO("of " << size);
                 if (size > 1e75) {
-                    CHECK_THROWS_AS(firstTouch(box, {}, shape, way), std::invalid_argument);
+                    CHECK_THROWS_AS(firstTouch(box, {}, shape, sweep), std::invalid_argument);
                     continue;
                 }
-                const auto touch = firstTouch(box, {}, shape, way);
+                const auto touch = firstTouch(box, {}, shape, sweep);
                 CHECK((!touch || (touch->time >= 0 && touch->time <= 1)));
             }
 }

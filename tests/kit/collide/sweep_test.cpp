@@ -11,9 +11,9 @@
 
 using plumb::Random;
 using plumb::Shape;
+using plumb::Sweep;
 using plumb::SweptShape;
 using plumb::Vec2;
-using plumb::Way;
 
 namespace {
 
@@ -30,13 +30,13 @@ Shape randomSweptShape(Random& random) {
     }
 }
 
-Way randomWay(Random& random) {
+Sweep randomSweep(Random& random) {
     return {randomVector(random, 2.5), randomVector(random, 4), random.uniform(-3, 3), random.uniform(-4, 4),
             randomVector(random, 0.2)};
 }
 
 double separationAt(const SweptShape& a, const SweptShape& b, double time) {
-    return plumb::distance(*a.shape, poseOn(a.way, time), *b.shape, poseOn(b.way, time)).separation;
+    return plumb::distance(*a.shape, poseAt(a.sweep, time), *b.shape, poseAt(b.sweep, time)).separation;
 }
 
 }  // namespace
@@ -48,10 +48,10 @@ TEST_CASE("a swept shape meets another when sampling ten thousand poses says so"
     for (int round = 0; round < plumb::test::allCases(300); ++round) {
         INFO("round " << round);
         const Shape wall = randomSweptShape(random), shape = randomSweptShape(random);
-        const SweptShape a{&wall, randomWay(random), 0};
-        const SweptShape b{&shape, randomWay(random), 3.1};  // 2 sqrt(2) at most, and 0.2 sqrt(2) off the centre
+        const SweptShape a{&wall, randomSweep(random), 0};
+        const SweptShape b{&shape, randomSweep(random), 3.1};  // 2 sqrt(2) at most, and 0.2 sqrt(2) off the centre
         const double limit = random.uniform(-0.1, 0.1);
-        const std::optional<double> time = plumb::timeWithin(a, b, limit, 0);
+        const std::optional<double> time = plumb::timeOfApproach(a, b, limit, 0);
         int first = 0;
         while (first <= samples && separationAt(a, b, first / double(samples)) > limit) ++first;
         if (!time) {
@@ -71,12 +71,12 @@ TEST_CASE("a swept shape meets another when sampling ten thousand poses says so"
 TEST_CASE("a disc at 3 m in a step meets a wall 1 m off after a third of the step", "[collide][sweep]") {
     const Shape wall = plumb::Segment{{-5, 0}, {5, 0}};
     const Shape disc = plumb::Circle{0.1};
-    Way way;
-    way.start = {0, 1.1};
-    way.shift = {2, -3};
-    const auto time = plumb::timeWithin({&wall, {}, 0}, {&disc, way, 0}, 0, 0);
+    Sweep sweep;
+    sweep.start = {0, 1.1};
+    sweep.shift = {2, -3};
+    const auto time = plumb::timeOfApproach({&wall, {}, 0}, {&disc, sweep, 0}, 0, 0);
     REQUIRE(time);
     CHECK(std::fabs(*time - 1.0 / 3) < 1e-5);
-    way.shift = {2, 3};
-    CHECK_FALSE(plumb::timeWithin({&wall, {}, 0}, {&disc, way, 0}, 0, 0));
+    sweep.shift = {2, 3};
+    CHECK_FALSE(plumb::timeOfApproach({&wall, {}, 0}, {&disc, sweep, 0}, 0, 0));
 }

@@ -27,8 +27,8 @@ using plumb::Chain;
 using plumb::Circle;
 using plumb::Polygon;
 using plumb::Shape;
+using plumb::Sweep;
 using plumb::Vec2;
-using plumb::Way;
 using plumb::test::infinity;
 
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
@@ -98,7 +98,7 @@ TEST_CASE("no question about two shapes crashes on an empty chain or a 300-gon: 
 
 TEST_CASE("a sweep makes up no touch with an empty polygon, nor an overlap with a dart: they are refused",
           "[collide][sweep][overlap]") {
-    const Way way{.start = {-8, 0}, .shift = {16, 0}};
+    const Sweep sweep{.start = {-8, 0}, .shift = {16, 0}};
     for (const Unsound& bad : unsound()) {
         INFO(bad.name);
         // Also far away, where nobody would look at it.
@@ -106,24 +106,25 @@ TEST_CASE("a sweep makes up no touch with an empty polygon, nor an overlap with 
             CHECK_THROWS_AS(plumb::overlap(bad.shape, {}, disc, {{x, 0}, {}}), std::invalid_argument);
             CHECK_THROWS_AS(plumb::overlap(disc, {{x, 0}, {}}, bad.shape, {}), std::invalid_argument);
         }
-        CHECK_THROWS_AS(plumb::firstTouch(bad.shape, way, disc, {}), std::invalid_argument);
-        CHECK_THROWS_AS(plumb::firstTouch(disc, way, bad.shape, {}), std::invalid_argument);
-        CHECK_THROWS_AS(plumb::bisectCollision(bad.shape, way, disc, {}), std::invalid_argument);
-        CHECK_THROWS_AS(plumb::bisectCollision(disc, way, bad.shape, {}), std::invalid_argument);
+        CHECK_THROWS_AS(plumb::firstTouch(bad.shape, sweep, disc, {}), std::invalid_argument);
+        CHECK_THROWS_AS(plumb::firstTouch(disc, sweep, bad.shape, {}), std::invalid_argument);
+        CHECK_THROWS_AS(plumb::bisectCollision(bad.shape, sweep, disc, {}), std::invalid_argument);
+        CHECK_THROWS_AS(plumb::bisectCollision(disc, sweep, bad.shape, {}), std::invalid_argument);
         CHECK_THROWS_AS(plumb::boundingCircleOf(bad.shape), std::invalid_argument);
         CHECK_THROWS_AS(plumb::orientedBoxOf(bad.shape), std::invalid_argument);
     }
     CHECK_THROWS_WITH(plumb::overlap(Chain{}, {}, disc, {}), "overlap.a.points: 0 points are fewer than 2");
-    CHECK_THROWS_WITH(plumb::firstTouch(disc, way, Polygon{}, {}), "firstTouch.b.vertices: 0 corners are fewer than 3");
-    CHECK_THROWS_WITH(plumb::bisectCollision(Circle{-1}, way, disc, {}),
+    CHECK_THROWS_WITH(plumb::firstTouch(disc, sweep, Polygon{}, {}),
+                      "firstTouch.b.vertices: 0 corners are fewer than 3");
+    CHECK_THROWS_WITH(plumb::bisectCollision(Circle{-1}, sweep, disc, {}),
                       "bisectCollision.a.radius: -1 is not positive");
 }
 
 TEST_CASE("bisection on a way that is not a number is no miss: it is refused", "[collide][sweep]") {
     CHECK_THROWS_WITH(plumb::bisectCollision(disc, {.start = {notANumber, 0}}, disc, {}),
-                      "bisectCollision.wayA.start: (nan, 0) is not finite");
+                      "bisectCollision.sweepA.start: (nan, 0) is not finite");
     CHECK_THROWS_WITH(plumb::bisectCollision(disc, {}, disc, {.angle = infinity}),
-                      "bisectCollision.wayB.angle: inf is not finite");
+                      "bisectCollision.sweepB.angle: inf is not finite");
 }
 
 TEST_CASE("a ray that is not finite, or at a shape whose place is not, meets nothing", "[collide]") {
@@ -163,8 +164,8 @@ TEST_CASE("a shot shifted by 1e300 m touches no window 8 m away that it flies fr
           "[collide][sweep]") {
     const Shape bullet = Circle{0.01}, window = plumb::boxPolygon({0.05, 1});
     const auto shot = [&](double shift) { return plumb::firstTouch(bullet, {{-8, 0}, {shift, 0}}, window, {}); };
-    CHECK_THROWS_WITH(shot(1e300), "firstTouch.wayA.shift: 1e+300 is not within -1e+75 to 1e+75");
-    CHECK_THROWS_WITH(shot(-1e155), "firstTouch.wayA.shift: -1e+155 is not within -1e+75 to 1e+75");
+    CHECK_THROWS_WITH(shot(1e300), "firstTouch.sweepA.shift: 1e+300 is not within -1e+75 to 1e+75");
+    CHECK_THROWS_WITH(shot(-1e155), "firstTouch.sweepA.shift: -1e+155 is not within -1e+75 to 1e+75");
     CHECK_THROWS_AS(plumb::firstTouch(bullet, {}, window, {.turn = 1e160}), std::invalid_argument);
     CHECK_THROWS_AS(plumb::firstTouch(bullet, {}, window, {.localCenter = {0, 1e160}}), std::invalid_argument);
     CHECK_THROWS_WITH(plumb::firstTouch(bullet, {{-8, 0}, {16, 0}}, Circle{1, {1e80, 0}}, {}),

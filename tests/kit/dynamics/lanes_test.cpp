@@ -356,7 +356,7 @@ TEST_CASE("of 10,000 shapes that meet another in the step none is passed over be
         place[2] = placeOf(moving, 1);
         place[2].shiftX = static_cast<float>(shift.x());
         place[2].shiftY = static_cast<float>(shift.y());
-        place[2].turn = static_cast<float>(std::fabs(turn) * reachOf(b, {0, 0}));
+        place[2].turn = static_cast<float>(std::fabs(turn) * turningRadiusOf(b, {0, 0}));
         PairLanes pairs{};
         fillOne(pairs, 0, {.shape = a}, {.shape = b}, 1, 2);
         FreshLanes fresh{};

@@ -286,11 +286,11 @@ TEST_CASE("a ball that bounces between floor and ceiling passes a platform upwar
 TEST_CASE("a rule is asked once as two come near, with what it may go by, and its answer holds until they part",
           "[dynamics][one way]") {
     static int asked;
-    static plumb::ContactQuestion last;
+    static plumb::ContactCandidate last;
     asked = 0;
     ShapeDef floor = plumb::segment({-5, 0}, {5, 0});
     floor.tag = 7;
-    floor.rule = [](const plumb::ContactQuestion& question) {
+    floor.rule = [](const plumb::ContactCandidate& question) {
         ++asked;
         last = question;
         return question.otherTag != 13;
@@ -317,8 +317,8 @@ TEST_CASE("a rule is asked once as two come near, with what it may go by, and it
 }
 
 TEST_CASE("two shapes touch only if the rules of both say so", "[dynamics][one way]") {
-    const plumb::ContactRule yes = [](const plumb::ContactQuestion&) { return true; };
-    const plumb::ContactRule no = [](const plumb::ContactQuestion&) { return false; };
+    const plumb::ContactRule yes = [](const plumb::ContactCandidate&) { return true; };
+    const plumb::ContactRule no = [](const plumb::ContactCandidate&) { return false; };
     for (int both = 0; both < 4; ++both) {
         World world;
         ShapeDef floor = plumb::segment({-5, 0}, {5, 0}), ball = plumb::circle(0.5);

@@ -10,7 +10,7 @@ namespace plumb::test {
 
 namespace {
 
-bool mayMeet(const ShapeDef& a, const ShapeDef& b) {
+bool filtersAllow(const ShapeDef& a, const ShapeDef& b) {
     return !a.sensor && !b.sensor && RandomEditor::passes(a.filter, b.filter);
 }
 
@@ -99,7 +99,8 @@ void RandomEditor::checkContacts() {
         for (const Contact& contact : world.body(id).contacts()) {
             if (contact.shapeA.body != id) continue;
             ++now[keyOf(contact.shapeA, contact.shapeB)];
-            if (!mayMeet(world.shape(contact.shapeA), world.shape(contact.shapeB))) FAIL("what may not touch does");
+            if (!filtersAllow(world.shape(contact.shapeA), world.shape(contact.shapeB)))
+                FAIL("what may not touch does");
             const Body a = world.body(contact.shapeA.body), b = world.body(contact.shapeB.body);
             if (!a.enabled() || !b.enabled()) FAIL("what is disabled touches");
             if (a.type() != BodyType::Dynamic && b.type() != BodyType::Dynamic) FAIL("two that nothing moves touch");

@@ -9,11 +9,11 @@ namespace {
 
 constexpr std::size_t mostBodies = 30;
 
-bool fromFast(const ContactQuestion& question) {
+bool fromFast(const ContactCandidate& question) {
     return question.velocity.dot(question.normal) < -1;
 }
 
-bool evenOnly(const ContactQuestion& question) {
+bool evenOnly(const ContactCandidate& question) {
     return (question.tag + question.otherTag) % 2 == 0;
 }
 

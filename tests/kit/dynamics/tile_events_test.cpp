@@ -51,7 +51,7 @@ TileMap randomFormsMap(Random& random) {
         const int column = random.integer(0, mapColumns - 1), row = random.integer(0, mapRows - 1);
         const auto form = static_cast<TileForm>(random.integer(0, 7));
         const auto kind = static_cast<TileKind>(random.integer(0, 3));
-        map.set({column, row}, {.form = form, .kind = kind, .hanging = random.integer(0, 1) == 0});
+        map.set({column, row}, {.form = form, .kind = kind, .upsideDown = random.integer(0, 1) == 0});
     }
     return map;
 }

@@ -31,7 +31,7 @@ constexpr double speed = 3;
 std::optional<TileMap> rowWith(TileForm form, bool hanging, double size) {
     TileMap map({.columns = 12, .rows = 2, .size = size});
     for (int i = 0; i < 12; ++i) map.set({i, 0}, {.form = TileForm::Full});
-    map.set({6, 0}, {.form = form, .hanging = hanging});
+    map.set({6, 0}, {.form = form, .upsideDown = hanging});
     const std::vector<Vec2> corners = map.cornersOf({6, 0});
     const auto isTop = [size](const Vec2& corner) { return corner.y() == size; };
     return std::count_if(corners.begin(), corners.end(), isTop) == 2 ? std::optional(map) : std::nullopt;
@@ -109,7 +109,7 @@ TEST_CASE("a mover goes up and down a wall in which a slope's back is flush, and
         for (const bool hanging : {false, true}) {
             TileMap map({.columns = 1, .rows = 12});
             for (int i = 0; i < 12; ++i) map.set({0, i}, {.form = TileForm::Full});
-            map.set({0, 6}, {.form = form, .hanging = hanging});
+            map.set({0, 6}, {.form = form, .upsideDown = hanging});
             for (const TipSlider& slider : tipSliders(1)) {
                 for (const double way : {-1.0, 1.0}) {
                     World world;

@@ -111,7 +111,7 @@ TEST_CASE("3,000 shapes cast at random maps of slopes go as far as among as many
                 const Cell cell{column, row};
                 if (isEmpty(map.at(cell)) || random.integer(0, 1) == 0) continue;
                 map.set(cell,
-                        {.form = static_cast<TileForm>(random.integer(1, 7)), .hanging = random.integer(0, 1) == 0});
+                        {.form = static_cast<TileForm>(random.integer(1, 7)), .upsideDown = random.integer(0, 1) == 0});
             }
         }
         for (int row = 0; row < map.rows(); ++row)
@@ -197,7 +197,7 @@ TEST_CASE("in 100 random maps of all forms no body's middle comes into what is s
         TileMap map = randomFullMap(random);
         for (int i = 0; i < 150; ++i)
             map.set({random.integer(0, 23), random.integer(0, 19)},
-                    {.form = static_cast<TileForm>(random.integer(0, 7)), .hanging = random.integer(0, 1) == 0});
+                    {.form = static_cast<TileForm>(random.integer(0, 7)), .upsideDown = random.integer(0, 1) == 0});
         Ground ground = groundOf(map);
         std::vector<BodyId> bodies;
         for (int i = 0; i < 40; ++i) {

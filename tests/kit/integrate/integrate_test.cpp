@@ -98,7 +98,7 @@ TEST_CASE("without a crossing an integration reaches its end", "[integrate]") {
 TEST_CASE("what is below zero for 0.02 s only is found with a longest step of 0.1 s", "[integrate]") {
     const auto dip = [](double, const Vector2& y) { return y[0] + 0.99995; };  // cosine, near pi
     const Integration<Vector2> found =
-        integrateUntil(oscillator, 0, Vector2(1, 0), 20, dip, ZeroCrossing::Either, {.longestStep = 0.1});
+        integrateUntil(oscillator, 0, Vector2(1, 0), 20, dip, ZeroCrossing::Either, {.maxStep = 0.1});
     CHECK(found.end == IntegrationEnd::Crossed);
     CHECK(std::fabs(found.time - std::acos(-0.99995)) < 1e-6);  // the slope there is 0.01: 1e-9 over it, ten times
 }

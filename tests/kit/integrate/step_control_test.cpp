@@ -61,6 +61,6 @@ TEST_CASE("tolerances and steps that mean nothing are refused by name", "[integr
     refused({.absoluteTolerance = 0, .relativeTolerance = 0},
             "AdaptiveSettings.relativeTolerance: 0 is not positive, nor is absoluteTolerance");
     refused({.firstStep = -1}, "AdaptiveSettings.firstStep: -1 is negative");
-    refused({.longestStep = INFINITY}, "AdaptiveSettings.longestStep: inf is not finite");
-    refused({.mostSteps = 0}, "AdaptiveSettings.mostSteps: 0 is not positive");
+    refused({.maxStep = INFINITY}, "AdaptiveSettings.maxStep: inf is not finite");
+    refused({.maxSteps = 0}, "AdaptiveSettings.maxSteps: 0 is not positive");
 }

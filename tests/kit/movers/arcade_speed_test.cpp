@@ -47,7 +47,7 @@ double percentThroughDots(int percent, int tiles) {
     for (int eaten = 0; eaten < tiles; ++frames)
         for (const GridEvent& event : mover.moveFrame(map, speedPattern(percent)))
             if (event.kind == GridEventKind::Entered) {
-                mover.standFrames(1);
+                mover.pauseFrames(1);
                 ++eaten;
             }
     // 3 pixels less: it began at a centre and ended on the first pixel of a tile. The last stall is still to come.
@@ -127,7 +127,7 @@ TEST_CASE("an energizer's three frames, a dot's one: the player stands so many, 
             stalled.moveFrame(map, speedPattern(100));
             free.moveFrame(map, speedPattern(100));
         }
-        stalled.standFrames(stall);
+        stalled.pauseFrames(stall);
         for (int frame = 0; frame < stall; ++frame) {
             CHECK(stalled.moveFrame(map, speedPattern(100)).empty());
             CHECK(pixelsAlong(stalled) == pixelsAlong(free));

@@ -159,8 +159,8 @@ TEST_CASE("halted, it stops at the next centre, 3/4 of a tile on, until somethin
 TEST_CASE("standing 0.35 s in ticks of 0.1 s costs 0.35 s of way, not four ticks", "[movers]") {
     const TileMap map = lane(true, 8, false);
     GridMover mover({.cell = {0, 1}});
-    mover.stand(0.25);
-    mover.stand(0.1);
+    mover.pause(0.25);
+    mover.pause(0.1);
     for (int tick = 0; tick < 10; ++tick) mover.move(map, 5, 0.1);
     const double way = mover.cell().column + mover.offset().x();
     CHECK(std::fabs(way - 5 * 0.65) < 1e-14);  // 10 sums of numbers below 4: 10 x 2^-51
@@ -223,11 +223,11 @@ TEST_CASE("unsound numbers are refused by name, and nothing has moved", "[movers
     for (const double bad : {nan, infinity, -1e-300}) {
         CHECK_THROWS_AS(mover.move(map, bad, 1), std::invalid_argument);
         CHECK_THROWS_AS(mover.move(map, 1, bad), std::invalid_argument);
-        CHECK_THROWS_AS(mover.stand(bad), std::invalid_argument);
+        CHECK_THROWS_AS(mover.pause(bad), std::invalid_argument);
     }
     CHECK_THROWS_AS(mover.move(map, 1e200, 1e200), std::invalid_argument);
     CHECK_THROWS_AS(mover.move(map, 1 << 20, 1.001), std::invalid_argument);
-    CHECK_THROWS_AS(mover.standFrames(-1), std::invalid_argument);
+    CHECK_THROWS_AS(mover.pauseFrames(-1), std::invalid_argument);
     CHECK_THROWS_AS(mover.setCornering({.up = {1, 0}}), std::invalid_argument);
     CHECK(mover.position(map) == map.centerOf({1, 1}));
     CHECK(mover.wanted() == std::nullopt);

@@ -98,7 +98,7 @@ TEST_CASE("in 200 random maps a mover is told each hazard that lies within a ski
         for (int i = 0; i < 100; ++i) {
             Tile tile{.form = static_cast<TileForm>(random.integer(1, 7))};
             if (random.integer(0, 1) == 0) tile.kind = TileKind::Hazard;
-            tile.hanging = random.integer(0, 3) == 0;
+            tile.upsideDown = random.integer(0, 3) == 0;
             map.set({random.integer(0, 19), random.integer(0, 10)}, tile);
         }
         World world;

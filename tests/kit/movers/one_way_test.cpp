@@ -157,8 +157,8 @@ TEST_CASE("over peaks of one-way tiles and chains of 45 degrees a mover of 30 m/
                              {3, 1},
                              {0, 1}}));
         PlatformProfile profile = modernProfile();
-        profile.level.walkSpeed = i < 2 ? 30 : random.uniform(5, 40);
-        profile.level.walkAcceleration = 1e4;
+        profile.horizontal.walkSpeed = i < 2 ? 30 : random.uniform(5, 40);
+        profile.horizontal.walkAcceleration = 1e4;
         const ShapeDef hero = i % 4 < 2 ? box({0.3, 0.45}) : roundedBox({0.2, 0.35}, 0.1);
         PlatformMover mover(addKinematic(world, at + Vec2(1, 1.6), hero), profile);
         const double tick = i < 2 ? 1.0 / 30 : random.uniform(0.004, 0.04);

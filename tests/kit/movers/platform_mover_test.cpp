@@ -179,7 +179,7 @@ TEST_CASE("a glider whose terminal speed of 1 m/s is below its hang speed falls 
 TEST_CASE("who is too fast loses 60 m/s a second by friction in whole ticks and exact ones", "[movers]") {
     for (TickOrder order : {TickOrder::Exact, TickOrder::PositionFirst, TickOrder::VelocityFirst}) {
         PlatformProfile profile = modernProfile();
-        profile.level.order = order;
+        profile.horizontal.order = order;
         Game game(profile, -15);
         for (int i = 0; i < 60; ++i) game.step({.move = 1, .run = true});
         for (int i = 1; i <= 2; ++i) CHECK(std::fabs(game.step(right).velocity.x() - (7 - 60 * dt * i)) < 1e-12);
@@ -342,7 +342,8 @@ TEST_CASE("profiles and input out of range are refused, by name", "[movers]") {
     CHECK(complaint(modernProfile(), right, dt) == "nothing");
     CHECK_THAT(complaint(modernProfile(), {.move = 1.5}, dt), containsText("PlatformInput.move"));
     CHECK_THAT(complaint(modernProfile(), right, 0), containsText("dt"));
-    CHECK_THAT(complaint(changed([](auto& p) { p.level.runSpeed = -1; }), right, dt), containsText("level.runSpeed"));
+    CHECK_THAT(complaint(changed([](auto& p) { p.horizontal.runSpeed = -1; }), right, dt),
+               containsText("horizontal.runSpeed"));
     CHECK_THAT(complaint(changed([](auto& p) { p.vertical.jumps.clear(); }), right, dt),
                containsText("vertical.jumps"));
     CHECK_THAT(complaint(changed([](auto& p) { p.vertical.jumps[0].fromSpeed = 1; }), right, dt),

@@ -58,7 +58,7 @@ struct TileLevel {
             if (overlap(mine, Aabb{low, low + Vec2(size, size)})) return;
         }
         Tile tile = standardLegend().at("....####==^~/\\1234"[random.integer(0, 17)]);
-        tile.hanging = tile.kind == TileKind::Solid && random.integer(0, 3) == 0;
+        tile.upsideDown = tile.kind == TileKind::Solid && random.integer(0, 3) == 0;
         truth.map.set(cell, tile);
         world.setTile(tiles, cell, tile);
     }

@@ -77,7 +77,7 @@ TEST_CASE("a point is in the cell to the right of and above the lines it lies on
 
 TEST_CASE("forms fill 0, 1, 1/2, 1/4 and 3/4 of their cells, hanging or not", "[shapes][tiles]") {
     const auto share = [](TileForm form, bool hanging) {
-        return areaOfCorners(plumb::cornersOf(Tile{.form = form, .hanging = hanging}));
+        return areaOfCorners(plumb::cornersOf(Tile{.form = form, .upsideDown = hanging}));
     };
     for (const bool hanging : {false, true}) {
         CHECK(share(TileForm::Empty, hanging) == 0);
@@ -101,7 +101,7 @@ TEST_CASE("what is no map is refused, by the field's name", "[shapes][tiles]") {
     CHECK_THROWS_WITH(plumb::tileMapOf(std::vector<std::string>{}), containsText("hold no cell"));
     TileMap map({.columns = 2, .rows = 2});
     CHECK_THROWS_WITH(map.set({2, 0}, full), containsText("(2, 0)"));
-    map.set({0, 0}, {.form = TileForm::SlopeUp, .hanging = true});
+    map.set({0, 0}, {.form = TileForm::SlopeUp, .upsideDown = true});
     CHECK_THROWS_WITH(plumb::textOf(map), containsText("no letter"));
 }
 

@@ -42,7 +42,7 @@ Tile randomTile(Random& random, bool allKinds) {
     if (random.integer(0, 2) == 0) return {};
     Tile tile;
     tile.form = random.integer(0, 1) == 0 ? TileForm::Full : static_cast<TileForm>(random.integer(1, 7));
-    tile.hanging = random.integer(0, 3) == 0;
+    tile.upsideDown = random.integer(0, 3) == 0;
     if (allKinds) tile.kind = static_cast<TileKind>(random.integer(0, 3));
     return tile;
 }
@@ -175,7 +175,7 @@ TEST_CASE("the areas of 1,000 random maps of all kinds of tiles hold the points 
                 if (polygon == nullptr || !isInside(polygon->vertices, point)) continue;
                 ++found;
                 REQUIRE(piece.kind == tile.kind);
-                REQUIRE(piece.use == (tile.kind == TileKind::Sensor ? PieceUse::Both : PieceUse::Ask));
+                REQUIRE(piece.use == (tile.kind == TileKind::Sensor ? PieceUse::Both : PieceUse::Query));
             }
             REQUIRE(found == (filled ? 1 : 0));
         }

@@ -117,7 +117,7 @@ public:
         known_[id].alive = false;
     }
     void renew(ProxyId id) {
-        for (const auto& space : spaces_) space->renew(id);
+        for (const auto& space : spaces_) space->markNew(id);
         known_[id].old = false;
     }
     void move(ProxyId id) {
@@ -142,7 +142,7 @@ public:
         const SortedPairs expected = newPairs();
         int wrong = 0;
         for (const auto& space : spaces_)
-            if (space->takeNewPairs() != expected) ++wrong;
+            if (space->findNewPairs() != expected) ++wrong;
         for (const auto& space : spaces_)
             if (space->work().blockTests != spaces_[0]->work().blockTests ||
                 space->work().boxTests != spaces_[0]->work().boxTests)
@@ -218,7 +218,7 @@ std::vector<ProxyId> addSquare(Space& space, int side, const Vec2& corner, bool 
 void lookAndShake(Space& space, ProxyId shaken, int looks) {
     for (int i = 0; i < looks; ++i) {
         space.place(shaken, around({-10, i % 2 ? 0.0 : 1.0}, 0.3), margin);
-        space.takeNewPairs();
+        space.findNewPairs();
     }
 }
 
@@ -280,12 +280,12 @@ TEST_CASE("boxes overlap now, or did at the last look, as the accessors tell", "
     const ProxyId b = space.add(plumb::circle(1), 2, false, {0, 0}, around({1, 0}, 1));
     CHECK(space.boxesOverlap(a, b));
     CHECK_FALSE(space.previousBoxesOverlap(a, b));
-    CHECK(space.takeNewPairs() == SortedPairs{{a, b}});
+    CHECK(space.findNewPairs() == SortedPairs{{a, b}});
     CHECK(space.previousBoxesOverlap(a, b));
     space.place(b, around({5, 0}, 1), margin);
     CHECK_FALSE(space.boxesOverlap(a, b));
     CHECK(space.previousBoxesOverlap(a, b));
-    CHECK(space.takeNewPairs().empty());
+    CHECK(space.findNewPairs().empty());
     CHECK_FALSE(space.previousBoxesOverlap(a, b));
 }
 
@@ -295,7 +295,7 @@ TEST_CASE("of one group shapes collide always or never; else category and mask d
         space.add(shapeOf(a), 1, false, {0, 0}, around({0, 0}, 1));
         space.add(shapeOf(b), 2, false, {0, 0}, around({1, 0}, 1));
         const bool may = mayPair(space[0], space[1]);
-        CHECK(may == (space.takeNewPairs().size() == 1));
+        CHECK(may == (space.findNewPairs().size() == 1));
         return may;
     };
     CHECK(pairs({}, {}));
@@ -312,8 +312,8 @@ TEST_CASE("of one group shapes collide always or never; else category and mask d
 TEST_CASE("a look costs nothing while 10,000 shapes rest", "[space][work]") {
     Space space;
     addSquare(space, 100, {0, 0});
-    space.takeNewPairs();
-    for (int i = 0; i < 10; ++i) space.takeNewPairs();
+    space.findNewPairs();
+    for (int i = 0; i < 10; ++i) space.findNewPairs();
     CHECK(space.work().placed == 0);
     CHECK(testsOf(space) == 0);
     CHECK(space.work().sorted == 0);
@@ -329,7 +329,7 @@ TEST_CASE("a shape that moves alone costs fewer than 100 tests among 10,000 that
     std::size_t met = 0;
     for (int i = 0; i < 100; ++i) {
         space.place(mover, around({0.5 + i, 50.5}, 0.15), margin);
-        met += space.takeNewPairs().size();
+        met += space.findNewPairs().size();
         most = std::max(most, testsOf(space));
         CHECK(space.work().placed == 1);
         CHECK(space.work().sorted <= 1);
@@ -349,7 +349,7 @@ TEST_CASE("what rests is not put in order again while a hundred shapes move for 
     std::uint64_t tests = 0;
     for (int step = 0; step < 400; ++step) {
         for (const ProxyId id : movers) space.place(id, around(within(random, 100), 0.3), margin);
-        space.takeNewPairs();
+        space.findNewPairs();
         if (step < 100) continue;  // by then the others have come to rest
         CHECK(space.work().sorted <= 100);
         tests += testsOf(space);
@@ -368,10 +368,10 @@ TEST_CASE("shapes that are woken by the thousand are found again", "[space]") {
         space.place(ids[i], around(Vec2(0.7 * static_cast<double>(i % 40 + 1), static_cast<double>(i / 40)), 0.3),
                     0.06);
     // Rows drawn together to 0.7 m, boxes 0.72 m wide: each meets the next one of its row.
-    CHECK(space.takeNewPairs().size() == 40 * 39);
+    CHECK(space.findNewPairs().size() == 40 * 39);
 }
 
-TEST_CASE("a hidden shape is met by nothing until it is placed and renewed", "[space]") {
+TEST_CASE("a hidden shape is met by nothing until it is placed and marked as new", "[space]") {
     Space space;
     const ProxyId a = space.add(shapeOf({}), 1, false, {0, 0}, around({0, 0}, 1));
     const ProxyId b = space.add(shapeOf({}), 2, false, {0, 0}, around({1, 0}, 1));
@@ -380,20 +380,20 @@ TEST_CASE("a hidden shape is met by nothing until it is placed and renewed", "[s
         space.query(around({0, 0}, 5), [&](ProxyId) { ++count; });
         return count;
     };
-    CHECK(space.takeNewPairs().size() == 1);
+    CHECK(space.findNewPairs().size() == 1);
     for (const bool looked : {true, false}) {
         space.hide(b);
         CHECK(found() == 1);
-        if (looked) CHECK(space.takeNewPairs().empty());
+        if (looked) CHECK(space.findNewPairs().empty());
         space.place(b, around({1, 1}, 1), margin);
-        space.renew(b);
+        space.markNew(b);
         CHECK(found() == 2);
-        CHECK(space.takeNewPairs() == SortedPairs{{a, b}});
+        CHECK(space.findNewPairs() == SortedPairs{{a, b}});
     }
     space.hide(b);
     space.remove(b);
     CHECK(space.add(shapeOf({}), 3, false, {0, 0}, around({1, 0}, 1)) == b);
-    CHECK(space.takeNewPairs() == SortedPairs{{a, b}});
+    CHECK(space.findNewPairs() == SortedPairs{{a, b}});
 }
 
 TEST_CASE("a shape that is fixed from now on pairs with what moves, and no more with what is fixed", "[space]") {
@@ -401,13 +401,13 @@ TEST_CASE("a shape that is fixed from now on pairs with what moves, and no more 
     const ProxyId a = space.add(shapeOf({}), 1, false, {0, 0}, around({0, 0}, 1));
     const ProxyId b = space.add(shapeOf({}), 2, true, {0, 0}, around({1, 0}, 1));
     const ProxyId c = space.add(shapeOf({}), 3, false, {0, 0}, around({0, 1}, 1));
-    CHECK(space.takeNewPairs().size() == 3);
+    CHECK(space.findNewPairs().size() == 3);
     space.change(a, true, {0, 0});
-    space.renew(a);
-    CHECK(space.takeNewPairs() == SortedPairs{{a, c}});
+    space.markNew(a);
+    CHECK(space.findNewPairs() == SortedPairs{{a, c}});
     space.change(a, false, {0, 0});
-    space.renew(a);
-    CHECK(space.takeNewPairs() == SortedPairs{{a, b}, {a, c}});
+    space.markNew(a);
+    CHECK(space.findNewPairs() == SortedPairs{{a, b}, {a, c}});
 }
 
 TEST_CASE("a sensor pairs with a shape, and not with a sensor", "[space]") {
@@ -417,5 +417,5 @@ TEST_CASE("a sensor pairs with a shape, and not with a sensor", "[space]") {
     const ProxyId a = space.add(sensor, 1, false, {0, 0}, around({0, 0}, 1));
     const ProxyId b = space.add(sensor, 2, false, {0, 0}, around({1, 0}, 1));
     const ProxyId c = space.add(shapeOf({}), 3, false, {0, 0}, around({0, 1}, 1));
-    CHECK(space.takeNewPairs() == SortedPairs{{a, c}, {b, c}});
+    CHECK(space.findNewPairs() == SortedPairs{{a, c}, {b, c}});
 }

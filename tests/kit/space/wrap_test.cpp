@@ -47,7 +47,7 @@ public:
             return;
         }
         if (what < 8) {
-            space.renew(id);
+            space.markNew(id);
             was[id].reset();
         }
         if (what < 50) {
@@ -190,7 +190,7 @@ TEST_CASE("a space that wraps finds in 1,000 scenes the pairs that there are wit
         for (int look = 0; look < 8; ++look) {
             const std::multiset<Found> expected = twin.newPairs();
             std::multiset<Found> found;
-            const SortedPairs& pairs = twin.space.takeNewPairs();
+            const SortedPairs& pairs = twin.space.findNewPairs();
             REQUIRE(twin.space.newPairShifts().size() == pairs.size());
             for (std::size_t i = 0; i < pairs.size(); ++i) {
                 const Vec2 rounds = twin.roundsOf(twin.space.newPairShifts()[i]);
@@ -227,7 +227,7 @@ TEST_CASE("10,000 boxes, casts and points are answered by a space that wraps as 
             casts += answersCast(twin, {half, 0.5 * half}, from, to) ? 0 : 1;
             points += answersNear(twin, place()) ? 0 : 1;
             if (look % 2 == 0) {
-                twin.space.takeNewPairs();
+                twin.space.findNewPairs();
                 twin.settle();
             }
             for (ProxyId id = 0; id < twin.alive.size(); ++id) twin.stepOne(id);
@@ -243,11 +243,11 @@ TEST_CASE("what moves 1e6 worlds in a step is looked at in 16 of them, and met i
     Space space(16, {.width = 2.0, .height = 3.0});
     const ProxyId wall = space.add(circle(0.1), 0, true, {0, 0}, {{1, 1}, {1.2, 1.2}});
     const ProxyId fast = space.add(circle(0.1), 1, false, {0, 0}, {{0, 0}, {2e6, 3e6}});
-    CHECK(space.takeNewPairs().size() == 256);
-    CHECK_FALSE(space.isWhole(fast));
+    CHECK(space.findNewPairs().size() == 256);
+    CHECK_FALSE(space.hasAllImages(fast));
     space.place(fast, {{2e6 + 1, 3e6 + 1}, {2e6 + 1.1, 3e6 + 1.1}}, 0.01);
-    space.takeNewPairs();
-    CHECK(space.isWhole(fast));
+    space.findNewPairs();
+    CHECK(space.hasAllImages(fast));
     std::size_t met = 0;
     space.query({{0.9, 0.9}, {1.3, 1.3}}, [&](ProxyId id, const Vec2& shift) {
         ++met;

@@ -23,7 +23,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Vec2 firstOf(const Agent& agent, const Vec2& first, const Vec2& then) {
-    return steerByPriority(agent, std::array{Wish{first}, Wish{then}});
+    return steerByPriority(agent, std::array{WeightedSteering{first}, WeightedSteering{then}});
 }
 
 /// Trees on a square of 40 m, with room between any two for the agent, its clearance and its sharpest turn.

@@ -42,8 +42,8 @@ Agent anyAgent(Random& random) {
 
 std::vector<Vec2> allBehaviours(Random& random, const Agent& agent) {
     const Vec2 there = randomPlace(random);
-    const Seen other{there, random.integer(0, 2) == 0 ? Vec2(0, 0) : randomVec2(random, 10)};
-    const std::vector<Seen> others{other, {agent.position, agent.velocity}, {randomPlace(random), {0, 1}}};
+    const AgentState other{there, random.integer(0, 2) == 0 ? Vec2(0, 0) : randomVec2(random, 10)};
+    const std::vector<AgentState> others{other, {agent.position, agent.velocity}, {randomPlace(random), {0, 1}}};
     const std::vector<RoundObstacle> trees{{randomPlace(random), random.uniform(0, 3)}, {there, 1}};
     const std::vector<WallSegment> walls{{randomPlace(random), there}, {there, there}};
     const std::vector<Vec2> points{{0, 0}, {1, 1}, {1, 1}, randomVec2(random, 5)};
@@ -85,7 +85,7 @@ TEST_CASE("blends keep to the budget, 100,000 times", "[steering]") {
     double worst = 0;
     for (int i = 0; i < test::cases(100'000); ++i) {
         const Agent agent = anyAgent(random);
-        std::vector<Wish> wishes;
+        std::vector<WeightedSteering> wishes;
         for (int k = random.integer(0, 5); k > 0; --k)
             wishes.push_back({randomVec2(random, 3 * agent.maxAcceleration), random.uniform(0, 2)});
         for (const auto& blend : {steerByWeight, steerByBudget, steerByPriority})
@@ -96,26 +96,27 @@ TEST_CASE("blends keep to the budget, 100,000 times", "[steering]") {
 
 TEST_CASE("with 6 m/s^2 to spend, wishes of 4 and 4 across are 4 and 2 by budget, 4 by priority", "[steering]") {
     const Agent agent{};
-    const std::array wishes{Wish{{4, 0}}, Wish{{0, 4}}};
+    const std::array wishes{WeightedSteering{{4, 0}}, WeightedSteering{{0, 4}}};
     CHECK(steerByBudget(agent, wishes) == Vec2(4, 2));
     CHECK(steerByPriority(agent, wishes) == Vec2(4, 0));
     CHECK(steerByWeight(agent, wishes) == Vec2(4, 4));  // 5.7 in all
-    CHECK(steerByPriority(agent, std::array{Wish{{0, 0}}, Wish{{0, 4}, 0.5}}) == Vec2(0, 2));
-    CHECK(steerByBudget(agent, std::array{Wish{{9, 0}}, Wish{{0, 4}}}) == Vec2(6, 0));
-    CHECK((steerByWeight(agent, std::array{Wish{{3, 4}, 9}}) - Vec2(3.6, 4.8)).norm() < 1e-15);
+    CHECK(steerByPriority(agent, std::array{WeightedSteering{{0, 0}}, WeightedSteering{{0, 4}, 0.5}}) == Vec2(0, 2));
+    CHECK(steerByBudget(agent, std::array{WeightedSteering{{9, 0}}, WeightedSteering{{0, 4}}}) == Vec2(6, 0));
+    CHECK((steerByWeight(agent, std::array{WeightedSteering{{3, 4}, 9}}) - Vec2(3.6, 4.8)).norm() < 1e-15);
     CHECK(steerByWeight(agent, {}) == Vec2(0, 0));
     CHECK(steerByPriority(agent, {}) == Vec2(0, 0));
 }
 
 TEST_CASE("a wish of less than nothing is refused by name", "[steering][errors]") {
-    const std::array wishes{Wish{{1, 0}, -1}};
-    CHECK_THROWS_WITH(steerByWeight({}, wishes), "Wish.weight: -1 is negative");
-    CHECK_THROWS_WITH(steerByBudget({}, wishes), "Wish.weight: -1 is negative");
-    CHECK_THROWS_WITH(steerByPriority({}, wishes), "Wish.weight: -1 is negative");
-    const std::array nothing{Wish{{std::nan(""), 0}}}, huge{Wish{{1e200, 0}, 1e200}}, two{Wish{{1e308, 0}, 1.5}};
+    const std::array wishes{WeightedSteering{{1, 0}, -1}};
+    CHECK_THROWS_WITH(steerByWeight({}, wishes), "WeightedSteering.weight: -1 is negative");
+    CHECK_THROWS_WITH(steerByBudget({}, wishes), "WeightedSteering.weight: -1 is negative");
+    CHECK_THROWS_WITH(steerByPriority({}, wishes), "WeightedSteering.weight: -1 is negative");
+    const std::array nothing{WeightedSteering{{std::nan(""), 0}}}, huge{WeightedSteering{{1e200, 0}, 1e200}},
+        two{WeightedSteering{{1e308, 0}, 1.5}};
     for (const auto& blend : {steerByWeight, steerByBudget, steerByPriority}) {
-        CHECK_THROWS_WITH(blend({}, nothing), "Wish.acceleration: (nan, 0) is not finite");
-        CHECK_THROWS_WITH(blend({}, huge), "Wish.weight * acceleration: (inf, 0) is not finite");
+        CHECK_THROWS_WITH(blend({}, nothing), "WeightedSteering.acceleration: (nan, 0) is not finite");
+        CHECK_THROWS_WITH(blend({}, huge), "WeightedSteering.weight * acceleration: (inf, 0) is not finite");
         CHECK(blend({}, two) == Vec2(6, 0));
     }
 }

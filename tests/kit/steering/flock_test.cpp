@@ -20,8 +20,8 @@ namespace {
 
 using Flock = std::vector<Agent>;
 
-std::vector<Seen> seen(const Flock& flock) {
-    std::vector<Seen> all;
+std::vector<AgentState> seen(const Flock& flock) {
+    std::vector<AgentState> all;
     for (const Agent& agent : flock) all.push_back({agent.position, agent.velocity});
     return all;
 }
@@ -37,7 +37,7 @@ Flock randomFlock(Random& random, int size, double spread) {
 template <typename Behaviour>
 Flock flown(Flock flock, double seconds, const Behaviour& behaviour) {
     for (int i = 0; i * dt < seconds; ++i) {
-        const std::vector<Seen> all = seen(flock);
+        const std::vector<AgentState> all = seen(flock);
         for (Agent& agent : flock) agent = moved(agent, behaviour(agent, all), dt);
     }
     return flock;
@@ -73,8 +73,9 @@ TEST_CASE("the headings of 30 flocks of thirty that align come together", "[stee
     double worst = 1, before = 0;
     for (int i = 0; i < 30; ++i) {
         const Flock flock = randomFlock(random, 30, 5);
-        const Flock after = flown(
-            flock, 5, [](const Agent& a, const std::vector<Seen>& all) { return align(a, all, {.radius = 100}); });
+        const Flock after = flown(flock, 5, [](const Agent& a, const std::vector<AgentState>& all) {
+            return align(a, all, {.radius = 100});
+        });
         worst = std::min(worst, order(after));
         before = std::max(before, order(flock));
     }
@@ -89,8 +90,9 @@ TEST_CASE("30 flocks of thirty that cohere shrink to a tenth, and no agent flies
     double worst = 0;
     for (int i = 0; i < 30; ++i) {
         const Flock flock = randomFlock(random, 30, 10);
-        const Flock after = flown(
-            flock, 30, [](const Agent& a, const std::vector<Seen>& all) { return cohere(a, all, {.radius = 100}); });
+        const Flock after = flown(flock, 30, [](const Agent& a, const std::vector<AgentState>& all) {
+            return cohere(a, all, {.radius = 100});
+        });
         worst = std::max(worst, spreadOf(after) / spreadOf(flock));
     }
     std::cout << "steering: flocks that cohere shrink to " << worst << " at most\n";
@@ -101,10 +103,12 @@ TEST_CASE("thirty that separate and come to rest are no nearer than their radius
     Random random(96);
     double worst = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 30; ++i) {
-        const Flock after = flown(randomFlock(random, 30, 3), 30, [](const Agent& a, const std::vector<Seen>& all) {
-            // Only the push; and a brake, as between people who stand about.
-            return steerByWeight(a, std::array{Wish{separate(a, all, {.radius = 2})}, Wish{steerTo(a, {0, 0}), 0.1}});
-        });
+        const Flock after =
+            flown(randomFlock(random, 30, 3), 30, [](const Agent& a, const std::vector<AgentState>& all) {
+                // Only the push; and a brake, as between people who stand about.
+                return steerByWeight(a, std::array{WeightedSteering{separate(a, all, {.radius = 2})},
+                                                   WeightedSteering{steerTo(a, {0, 0}), 0.1}});
+            });
         worst = std::min(worst, leastDistance(after));
     }
     std::cout << "steering: who separates comes to " << worst << " of 2 m at least\n";
@@ -115,12 +119,13 @@ TEST_CASE("a flock that does all three stays together, flies the same way and ke
     Random random(97);
     double order0 = 1, least = 1e9, spread = 0;
     for (int i = 0; i < 20; ++i) {
-        const Flock after = flown(randomFlock(random, 30, 6), 40, [](const Agent& a, const std::vector<Seen>& all) {
-            return steerByWeight(
-                a, std::array{Wish{separate(a, all, {.radius = 2}), 1.5}, Wish{align(a, all, {.radius = 6})},
-                              Wish{cohere(a, all, {.radius = 20}), 0.3},
-                              Wish{steerTo(a, a.maxSpeed * headingOf(a)), 0.5}});
-        });
+        const Flock after =
+            flown(randomFlock(random, 30, 6), 40, [](const Agent& a, const std::vector<AgentState>& all) {
+                return steerByWeight(a, std::array{WeightedSteering{separate(a, all, {.radius = 2}), 1.5},
+                                                   WeightedSteering{align(a, all, {.radius = 6})},
+                                                   WeightedSteering{cohere(a, all, {.radius = 20}), 0.3},
+                                                   WeightedSteering{steerTo(a, a.maxSpeed * headingOf(a)), 0.5}});
+            });
         order0 = std::min(order0, order(after));
         least = std::min(least, leastDistance(after));
         spread = std::max(spread, spreadOf(after));
@@ -134,7 +139,7 @@ TEST_CASE("a flock that does all three stays together, flies the same way and ke
 
 TEST_CASE("two at half their radius push each other with half of what they have, and alike", "[steering]") {
     const Agent a{.position = {0, 0}}, b{.position = {1, 0}};
-    const std::vector<Seen> all{{a.position, {0, 0}}, {b.position, {0, 0}}};
+    const std::vector<AgentState> all{{a.position, {0, 0}}, {b.position, {0, 0}}};
     CHECK(separate(a, all, {.radius = 2}) == Vec2(-3, 0));
     CHECK(separate(b, all, {.radius = 2}) == Vec2(3, 0));
     CHECK(separate(a, all, {.radius = 1}) == Vec2(0, 0));
@@ -142,11 +147,11 @@ TEST_CASE("two at half their radius push each other with half of what they have,
 
 TEST_CASE("who looks ahead sees nobody behind, and those at one place count for nobody", "[steering]") {
     const Agent agent{.velocity = {0, 2}};
-    const std::vector<Seen> all{{{0, -1}, {1, 0}}, {{0, 0}, {5, 5}}};
+    const std::vector<AgentState> all{{{0, -1}, {1, 0}}, {{0, 0}, {5, 5}}};
     CHECK(align(agent, all, {.view = 1}) == Vec2(0, 0));
     CHECK(align(agent, all).x() > 0);
-    CHECK(cohere(agent, std::vector<Seen>{{{0, 0}, {5, 5}}}) == Vec2(0, 0));
-    CHECK(separate(agent, std::vector<Seen>{{{0, 0}, {5, 5}}}) == Vec2(0, 0));
+    CHECK(cohere(agent, std::vector<AgentState>{{{0, 0}, {5, 5}}}) == Vec2(0, 0));
+    CHECK(separate(agent, std::vector<AgentState>{{{0, 0}, {5, 5}}}) == Vec2(0, 0));
     CHECK(separate(agent, {}) == Vec2(0, 0));
 }
 
@@ -154,8 +159,8 @@ TEST_CASE("neighbourhoods that nothing has are refused by name", "[steering][err
     CHECK_THROWS_WITH(separate({}, {}, {.radius = 0}), "Neighborhood.radius: 0 is not positive");
     CHECK_THROWS_WITH(align({}, {}, {.view = -1}), "Neighborhood.view: -1 is not within 0 to 3.141592653589793");
     CHECK_THROWS_WITH(cohere({.maxSpeed = 0}, {}), "Agent.maxSpeed: 0 is not positive");
-    const std::vector<Seen> nowhere{{{std::nan(""), 0}, {0, 0}}};
-    CHECK_THROWS_WITH(separate({}, nowhere), "Seen.position: (nan, 0) is not finite");
-    CHECK_THROWS_WITH(align({}, nowhere), "Seen.position: (nan, 0) is not finite");
-    CHECK_THROWS_WITH(cohere({}, nowhere), "Seen.position: (nan, 0) is not finite");
+    const std::vector<AgentState> nowhere{{{std::nan(""), 0}, {0, 0}}};
+    CHECK_THROWS_WITH(separate({}, nowhere), "AgentState.position: (nan, 0) is not finite");
+    CHECK_THROWS_WITH(align({}, nowhere), "AgentState.position: (nan, 0) is not finite");
+    CHECK_THROWS_WITH(cohere({}, nowhere), "AgentState.position: (nan, 0) is not finite");
 }

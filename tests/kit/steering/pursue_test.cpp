@@ -19,7 +19,7 @@ constexpr double never = 1e9;
 
 /// When the agent is within 0.3 m of what moves straight on [s].
 template <typename Behaviour>
-double caughtAfter(Agent agent, Seen quarry, double mostTime, const Behaviour& behaviour) {
+double caughtAfter(Agent agent, AgentState quarry, double mostTime, const Behaviour& behaviour) {
     for (int i = 0; i * dt < mostTime; ++i) {
         if ((agent.position - quarry.position).norm() < 0.3) return i * dt;
         agent = moved(agent, behaviour(agent, quarry), dt);
@@ -28,7 +28,7 @@ double caughtAfter(Agent agent, Seen quarry, double mostTime, const Behaviour& b
     return never;
 }
 
-double nearestPass(Agent agent, Seen threat, bool evades) {
+double nearestPass(Agent agent, AgentState threat, bool evades) {
     double least = never;
     for (int i = 0; i < 8 * 60; ++i) {
         agent = moved(agent, evades ? evade(agent, threat) : flee(agent, threat.position), dt);
@@ -49,13 +49,13 @@ TEST_CASE("who pursues catches no later than who seeks in 20,000 chases, and a t
         Agent agent = randomAgent(random);
         agent.velocity = {0, 0};
         agent.maxAcceleration = agent.maxSpeed / random.uniform(0.1, 1);  // it stops within a second
-        const Seen quarry{agent.position + randomOffset(random, 3, 20),
-                          agent.maxSpeed * randomOffset(random, 0.3, 0.9)};
+        const AgentState quarry{agent.position + randomOffset(random, 3, 20),
+                                agent.maxSpeed * randomOffset(random, 0.3, 0.9)};
         const double time = 200;
         const double pursued =
-            caughtAfter(agent, quarry, time, [](const Agent& a, const Seen& q) { return pursue(a, q, 100); });
+            caughtAfter(agent, quarry, time, [](const Agent& a, const AgentState& q) { return pursue(a, q, 100); });
         const double sought =
-            caughtAfter(agent, quarry, time, [](const Agent& a, const Seen& q) { return seek(a, q.position); });
+            caughtAfter(agent, quarry, time, [](const Agent& a, const AgentState& q) { return seek(a, q.position); });
         ++chases;
         onlyPursued += pursued < never && sought == never;
         if (pursued == never || sought == never) continue;
@@ -72,10 +72,10 @@ TEST_CASE("who pursues catches no later than who seeks in 20,000 chases, and a t
 TEST_CASE("a quarry that would get away through a door is caught by pursuit, and not by seeking", "[steering]") {
     // 5 m from the middle of the floor to the door; the hunter stands 6 m aside of the way, as fast as the quarry.
     const Agent hunter{.position = {3, 4}, .maxSpeed = 3, .maxAcceleration = 30};
-    const Seen quarry{{0, 0}, {2.4, 0}};
+    const AgentState quarry{{0, 0}, {2.4, 0}};
     const double door = 5 / 2.4;
-    CHECK(caughtAfter(hunter, quarry, door, [](const Agent& a, const Seen& q) { return pursue(a, q); }) < door);
-    CHECK(caughtAfter(hunter, quarry, door, [](const Agent& a, const Seen& q) { return seek(a, q.position); }) ==
+    CHECK(caughtAfter(hunter, quarry, door, [](const Agent& a, const AgentState& q) { return pursue(a, q); }) < door);
+    CHECK(caughtAfter(hunter, quarry, door, [](const Agent& a, const AgentState& q) { return seek(a, q.position); }) ==
           never);
 }
 
@@ -89,7 +89,7 @@ TEST_CASE("who evades 20,000 stampedes is missed by a metre, who flees is not", 
         const Vec2 from = randomDirection(random);
         // Twice as fast, straight at a place near the agent.
         const Vec2 aim = agent.position + randomVec2(random, 0.1);
-        const Seen threat{aim + 8 * agent.maxSpeed * from, -2 * agent.maxSpeed * from};
+        const AgentState threat{aim + 8 * agent.maxSpeed * from, -2 * agent.maxSpeed * from};
         evaded += nearestPass(agent, threat, true) > 1;
         fled += nearestPass(agent, threat, false) > 1;
     }
@@ -106,7 +106,7 @@ TEST_CASE("who evades a pursuer that heads straight at it runs from it, not into
     for (int i = 0; i < test::cases(20'000); ++i) {
         const Agent agent{.position = randomVec2(random, 50)};
         const Vec2 from = randomDirection(random);
-        const Seen pursuer{agent.position + random.uniform(0.1, 14) * from, -random.uniform(0, 3) * from};
+        const AgentState pursuer{agent.position + random.uniform(0.1, 14) * from, -random.uniform(0, 3) * from};
         towards += evade(agent, pursuer).dot(from) > -5.99;
     }
     CHECK(towards == 0);
@@ -165,11 +165,11 @@ TEST_CASE("looking back in time is refused by name", "[steering][errors]") {
 }
 
 TEST_CASE("who is seen at no place is refused by name", "[steering][errors]") {
-    const Seen nowhere{{std::nan(""), 0}, {1, 0}}, jumping{{1, 0}, {HUGE_VAL, 0}};
-    CHECK_THROWS_WITH(pursue({}, nowhere), "Seen.position: (nan, 0) is not finite");
-    CHECK_THROWS_WITH(evade({}, nowhere), "Seen.position: (nan, 0) is not finite");
-    CHECK_THROWS_WITH(pursue({}, jumping), "Seen.velocity: (inf, 0) is not finite");
-    CHECK_THROWS_WITH(evade({}, jumping), "Seen.velocity: (inf, 0) is not finite");
+    const AgentState nowhere{{std::nan(""), 0}, {1, 0}}, jumping{{1, 0}, {HUGE_VAL, 0}};
+    CHECK_THROWS_WITH(pursue({}, nowhere), "AgentState.position: (nan, 0) is not finite");
+    CHECK_THROWS_WITH(evade({}, nowhere), "AgentState.position: (nan, 0) is not finite");
+    CHECK_THROWS_WITH(pursue({}, jumping), "AgentState.velocity: (inf, 0) is not finite");
+    CHECK_THROWS_WITH(evade({}, jumping), "AgentState.velocity: (inf, 0) is not finite");
     CHECK(pursue({}, {{1e200, 0}, {-1e200, 0}}).allFinite());
     CHECK(evade({}, {{1e200, 0}, {-1e200, 0}}) == Vec2(0, -6));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/integrate/adaptive_walk.h>
+#include <plumb/integrate/adaptive_integrator.h>
 
 #include <plumb/integrate/integrate.h>
 
@@ -10,8 +10,8 @@
 #include "kit/integrate/methods.h"
 #include "kit/integrate/oscillator.h"
 
+using plumb::AdaptiveIntegrator;
 using plumb::AdaptiveSettings;
-using plumb::AdaptiveWalk;
 using plumb::integrate;
 using plumb::Integration;
 using plumb::IntegrationEnd;
@@ -55,7 +55,7 @@ TEST_CASE("a walk backwards in time comes back to where it was", "[integrate]") 
 }
 
 TEST_CASE("no step is longer than asked, and the steps of a walk join up", "[integrate]") {
-    AdaptiveWalk walk(oscillator, 0.0, Vector2(1, 0), 7.0, {.longestStep = 0.1});
+    AdaptiveIntegrator walk(oscillator, 0.0, Vector2(1, 0), 7.0, {.maxStep = 0.1});
     double last = 0;
     int steps = 0;
     while (walk.advance()) {
@@ -91,7 +91,7 @@ TEST_CASE("whatever is integrated ends, and says why", "[integrate]") {
     const auto run = [](auto slope, double start, double endTime, const AdaptiveSettings& settings = {}) {
         const auto ofNumber = [&](double t, const Number& y) -> Number { return Number(slope(t, y[0])); };
         const Integration<Number> found = integrate(ofNumber, 0, Number(start), endTime, settings);
-        CHECK(found.accepted + found.rejected <= settings.mostSteps);
+        CHECK(found.accepted + found.rejected <= settings.maxSteps);
         CHECK(std::isfinite(found.state[0]));
         return found;
     };
@@ -105,8 +105,7 @@ TEST_CASE("whatever is integrated ends, and says why", "[integrate]") {
     const Integration<Number> jump = run([](double t, double) { return t < 0.3 ? 1 : -1; }, 1, 2);
     CHECK(jump.end == IntegrationEnd::Reached);
     CHECK(std::fabs(jump.state[0] + 0.4) < 1e-6);  // the estimate sees a jump, but not all of it
-    CHECK(run([](double, double y) { return -1e9 * y; }, 1, 2, {.mostSteps = 1000}).end ==
-          IntegrationEnd::TooManySteps);
+    CHECK(run([](double, double y) { return -1e9 * y; }, 1, 2, {.maxSteps = 1000}).end == IntegrationEnd::TooManySteps);
     CHECK(run([](double t, double) { return 1e9 * (std::fmod(t * 1e9, 1) - 0.5); }, 1, 2).end ==
           IntegrationEnd::TooManySteps);
     CHECK(run([](double, double) { return INFINITY; }, 1, 2).end == IntegrationEnd::NotFinite);
@@ -121,8 +120,8 @@ TEST_CASE("a start that is no number is refused by name", "[integrate]") {
     CHECK_THROWS_WITH(integrate(oscillator, 0, Vector2(1, 0), INFINITY), "endTime: inf is not finite");
     CHECK_THROWS_WITH(integrate(oscillator, -1e308, Vector2(1, 0), 1e308), "endTime - time: inf is not finite");
     CHECK_THROWS_WITH(integrate(oscillator, 0, Vector2(1, NAN), 1), "state: nan is not finite");
-    CHECK_THROWS_WITH(integrate(oscillator, 0, Vector2(1, 0), 1, {.mostSteps = -3}),
-                      "AdaptiveSettings.mostSteps: -3 is not positive");
+    CHECK_THROWS_WITH(integrate(oscillator, 0, Vector2(1, 0), 1, {.maxSteps = -3}),
+                      "AdaptiveSettings.maxSteps: -3 is not positive");
     const auto longer = [](double, const Eigen::VectorXd&) -> Eigen::VectorXd { return Eigen::Vector3d(1, 2, 3); };
     CHECK_THROWS_WITH(integrate(longer, 0, Eigen::VectorXd(Vector2(1, 0)), 1),
                       "derivative: size 3 is not the state's, 2");
