@@ -59,7 +59,7 @@ const NameSet lowerClasses{"BlockTree", "BoundsRounding", "Bvh",       "Vec2fArr
 
 /// Of the layers beneath, as said above; what they do with numbers that are none is in their headers.
 const NameSet uncheckedFunctions{
-    "aabbOf",          "countFrom", "forEachRound", "goThrough",         "spare",      "arcTangent",
+    "aabbOf",          "countFrom", "forEachImage", "goThrough",         "padded",     "arcTangent",
     "bruteForcePairs", "castRay",   "castShape",    "clipRay",           "contains",   "convexOf",
     "cross",           "distance",  "exponential",  "exponentialMinus1", "logarithm",  "logarithm1Plus",
     "filterKeyOf",     "inflate",   "manifold",     "filtersAllow",      "mayPair",    "merge",
