@@ -179,7 +179,7 @@ void forEachNearShift(const Wrap& wrap, const Aabb& still, const Aabb& box, Visi
     const Vec2 shift = wrap.shiftNear(0.5 * (box.lower + box.upper), middle);
     const int x = wrap.width ? 2 : 0, y = wrap.height ? 2 : 0;
     for (int j = -y; j <= y; ++j)
-        for (int i = -x; i <= x; ++i) visit(Vec2(shift + wrap.lengthOf({i, j})));
+        for (int i = -x; i <= x; ++i) visit(Vec2(shift + wrap.imageOffset({i, j})));
 }
 
 /// Those of one shape.
@@ -190,7 +190,8 @@ std::vector<ProxyId> proxiesOf(const WorldState& world, const ShapeId& id, const
     const std::span<const ProxyId> pieces = piecesOf(world, id.body.index, id.number);
     const bool isSensor = world.space[pieces.front()].def.sensor;
     for (const ProxyId proxy : pieces)
-        if (world.space.gate(proxy).asked && (isSensor || !world.space[proxy].def.sensor)) proxies.push_back(proxy);
+        if (world.space.filterKey(proxy).queried && (isSensor || !world.space[proxy].def.sensor))
+            proxies.push_back(proxy);
     return proxies;
 }
 

@@ -121,7 +121,7 @@ void load(Step& s) {
 
 void findPairs(Step& s) {
     WorldState& w = s.world;
-    const SortedPairs& pairs = w.space.takeNewPairs();
+    const SortedPairs& pairs = w.space.findNewPairs();
     const std::span<const Vec2> shifts = w.space.newPairShifts();
     for (std::size_t i = 0; i < pairs.size(); ++i) addPair(w, {pairs[i], shifts.empty() ? Vec2(0, 0) : shifts[i]});
 }

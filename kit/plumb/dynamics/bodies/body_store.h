@@ -51,9 +51,10 @@ struct alignas(64) BodyRecord {
     bool massGiven = false;  ///< not what its shapes and their densities give
     float rho = 1, inverseRho = 1;
     double stillTime = 0;
-    double extent = 0;                                      ///< farthest point from the centre of mass [m]
-    double reach = 0;                                       ///< and of the cores within what is rounded [m]
-    double core = std::numeric_limits<double>::infinity();  ///< radius of a disc that fits into each of its shapes [m]
+    double boundingRadius = 0;  ///< farthest point from the centre of mass [m]
+    double turningRadius = 0;   ///< and of the cores within what is rounded [m]
+    double inradius =
+        std::numeric_limits<double>::infinity();  ///< radius of a disc that fits into each of its shapes [m]
 
     double inverseMass = 0, inverseInertia = 0;
     Vec2 force{0, 0};   ///< over the next step [N]

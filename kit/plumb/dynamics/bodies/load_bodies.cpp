@@ -33,7 +33,7 @@ void loadBody(BodyStore& bodies, BodyIndex body, double dt) {
     const double angle = (std::fabs(motion.angularVelocity) + std::fabs(a.angular) * dt) * dt;
     place.shiftX = static_cast<float>(shift.x());
     place.shiftY = static_cast<float>(shift.y());
-    place.turn = static_cast<float>(record.reach * std::min(angle, 2.0));
+    place.turn = static_cast<float>(record.turningRadius * std::min(angle, 2.0));
     place.pullX = static_cast<float>(a.linear.x() * (0.5 * dt));
     place.pullY = static_cast<float>(a.linear.y() * (0.5 * dt));
     bodies.place[body] = place;

@@ -8,28 +8,28 @@ namespace plumb {
 
 namespace {
 
-double coreOfOutline(const Circle& circle) {
+double inradiusOfOutline(const Circle& circle) {
     return circle.radius;
 }
 
-double coreOfOutline(const Capsule& capsule) {
+double inradiusOfOutline(const Capsule& capsule) {
     return capsule.radius;
 }
 
-double coreOfOutline(const Segment&) {
+double inradiusOfOutline(const Segment&) {
     return 0;
 }
 
-double coreOfOutline(const Chain&) {
+double inradiusOfOutline(const Chain&) {
     return 0;
 }
 
-double coreOfOutline(const TileMap&) {
+double inradiusOfOutline(const TileMap&) {
     return 0;
 }
 
 /// Of the disc around the mean of the corners.
-double coreOfOutline(const Polygon& polygon) {
+double inradiusOfOutline(const Polygon& polygon) {
     Vec2 middle(0, 0);
     for (const Vec2& v : polygon.vertices) middle += v / static_cast<double>(polygon.vertices.size());
     double core = std::numeric_limits<double>::infinity();
@@ -42,11 +42,11 @@ double coreOfOutline(const Polygon& polygon) {
 
 }  // namespace
 
-double coreOf(const Shape& shape) {
-    return std::visit([](const auto& outline) { return coreOfOutline(outline); }, shape);
+double inradiusOf(const Shape& shape) {
+    return std::visit([](const auto& outline) { return inradiusOfOutline(outline); }, shape);
 }
 
-double reachOf(const Shape& shape, const Vec2& center) {
+double turningRadiusOf(const Shape& shape, const Vec2& center) {
     double reach = 0;
     const auto take = [&](const Vec2& point) { reach = std::max(reach, (point - center).norm()); };
     if (const auto* circle = std::get_if<Circle>(&shape)) take(circle->center);

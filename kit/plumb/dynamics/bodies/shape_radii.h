@@ -7,9 +7,9 @@
 namespace plumb {
 
 /// Radius of a disc that fits into the shape: moved by less, it has not gone through anything [m].
-double coreOf(const Shape& shape);
+double inradiusOf(const Shape& shape);
 
 /// Farthest point that turning about center moves along a normal: of what is rounded, of the core within [m].
-double reachOf(const Shape& shape, const Vec2& center);
+double turningRadiusOf(const Shape& shape, const Vec2& center);
 
 }  // namespace plumb

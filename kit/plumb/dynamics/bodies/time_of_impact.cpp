@@ -61,13 +61,13 @@ ClosingBound approachTo(const FlyingShape& a, const FlyingShape& b, const BodyMo
     const double turn =
         std::fabs(nowB.angularVelocity - nowA.angularVelocity) + (swing + std::fabs(pullB.angular)) * left;
     const double closing = (perp(between) * nowA.angularVelocity - relative).dot(normal);
-    return {closing + turn * reachOf(*b.shape, b.localCenter),
+    return {closing + turn * turningRadiusOf(*b.shape, b.localCenter),
             pull + swing * farthest + spin * (2 * fastest + spin * farthest)};
 }
 
 /// As seen from the larger one.
 ClosingBound approachIn(const FlyingShape& a, const FlyingShape& b, const Encounter& now, double left) {
-    if (a.extent >= b.extent) return approachTo(a, b, now.a, now.b, now.distance.normal, left);
+    if (a.boundingRadius >= b.boundingRadius) return approachTo(a, b, now.a, now.b, now.distance.normal, left);
     return approachTo(b, a, now.b, now.a, -now.distance.normal, left);
 }
 
@@ -106,8 +106,8 @@ Encounter encounterAt(const FlyingShape& a, const FlyingShape& b, double time) {
 }
 
 std::optional<double> timeOfImpact(const FlyingShape& a, const FlyingShape& b, double from, double to) {
-    const double scale = std::max(a.extent, b.extent), whole = to - from, shortest = whole * 1e-12;
-    const double thick = 0.5 * (coreOf(*a.shape) + coreOf(*b.shape));
+    const double scale = std::max(a.boundingRadius, b.boundingRadius), whole = to - from, shortest = whole * 1e-12;
+    const double thick = 0.5 * (inradiusOf(*a.shape) + inradiusOf(*b.shape));
     double time = from;
     Encounter now = encounterAt(a, b, time);
     for (int i = 0; i < 1000; ++i) {

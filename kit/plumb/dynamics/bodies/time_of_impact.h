@@ -11,10 +11,10 @@ namespace plumb {
 /// A shape on a body in free flight.
 struct FlyingShape {
     const Shape* shape = nullptr;
-    Vec2 localCenter{0, 0};  ///< of the body's mass, in its frame [m]
-    double extent = 0;       ///< farthest point of the body from its centre of mass [m]
-    BodyMotion from;         ///< at time
-    double time = 0;         ///< [s]
+    Vec2 localCenter{0, 0};     ///< of the body's mass, in its frame [m]
+    double boundingRadius = 0;  ///< farthest point of the body from its centre of mass [m]
+    BodyMotion from;            ///< at time
+    double time = 0;            ///< [s]
     FlightLaw law;
 };
 

@@ -28,7 +28,7 @@ Aabb tightBox(const Space& space, const BoxOutline& box, ProxyId proxy, const Bo
 
 /// A sensor has no part in the reach of its body.
 double sensorTurn(const Shape& shape, const BodyRecord& record, const BodyMotion& motion, double dt) {
-    return reachOf(shape, record.localCenter) * std::min(std::fabs(motion.angularVelocity) * dt, 2.0);
+    return turningRadiusOf(shape, record.localCenter) * std::min(std::fabs(motion.angularVelocity) * dt, 2.0);
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ bool rulesAdmit(const BodyStore& bodies, const Proxy& a, const Proxy& b, const F
     const std::array<Side, 2> sides = sidesOf(a, b, face);
     return std::all_of(sides.begin(), sides.end(), [&](const Side& side) {
         if (side.own.def.rule == nullptr) return true;
-        ContactQuestion question;
+        ContactCandidate question;
         question.normal = side.normal;
         question.localNormal = bodies.motion[side.own.owner].rotation.inverse() * side.normal;
         question.velocity = side.velocity;

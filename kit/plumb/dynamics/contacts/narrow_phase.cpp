@@ -8,7 +8,7 @@
 #include <plumb/dynamics/contacts/contact_rules.h>
 #include <plumb/dynamics/contacts/initial_impulses.h>
 #include <plumb/dynamics/contacts/predicted_manifold.h>
-#include <plumb/math/vec2f.h>
+#include <plumb/math/vec2.h>
 
 namespace plumb {
 

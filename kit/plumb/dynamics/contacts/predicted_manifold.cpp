@@ -15,7 +15,7 @@ FlyingShape flyingShape(const BodyStore& bodies, BodyIndex body, const Proxy& pr
     FlyingShape shape;
     shape.shape = &proxy.def.shape;
     shape.localCenter = record.localCenter;
-    shape.extent = record.extent;
+    shape.boundingRadius = record.boundingRadius;
     shape.from = bodies.motion[body];
     if (record.awake) shape.law = flightLawOf(bodies, body);
     return shape;

@@ -35,7 +35,7 @@ bool isSurelyWithin(const BodyStore& bodies, BodyIndex body) {
     // By the chord, which is how far a point turns that is 1 m from the centre.
     const double cos = now.rotation.cos - static_cast<double>(then.cos);
     const double sin = now.rotation.sin - static_cast<double>(then.sin);
-    const double turned = std::sqrt(cos * cos + sin * sin) * bodies.record[body].reach;
+    const double turned = std::sqrt(cos * cos + sin * sin) * bodies.record[body].turningRadius;
     const double spare = 0.5 * static_cast<double>(contactMargin);
     return std::max({x, y, 0.0}) + std::max(turned - static_cast<double>(then.turn), 0.0) < 0.99 * spare;
 }

@@ -8,7 +8,7 @@
 #include <plumb/dynamics/edit/joint_edits.h>
 #include <plumb/dynamics/edit/tile_shapes.h>
 #include <plumb/dynamics/sensors/sensors.h>
-#include <plumb/math/vec2f.h>
+#include <plumb/math/vec2.h>
 #include <plumb/shapes/chain.h>
 
 namespace plumb {
@@ -151,7 +151,7 @@ void meetAnew(WorldState& world, BodyIndex body) {
     removeAllPairs(world, body);
     if (!world.bodies.record[body].enabled) return;
     placeBounds(world.space, world.bodies, world.contacts, body, 0);
-    for (const ProxyId proxy : world.bodies.links[body].proxies) world.space.renew(proxy);
+    for (const ProxyId proxy : world.bodies.links[body].proxies) world.space.markNew(proxy);
 }
 
 void fixShapes(WorldState& world, BodyIndex body) {

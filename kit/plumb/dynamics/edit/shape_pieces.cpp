@@ -12,7 +12,7 @@ namespace plumb {
 
 namespace {
 
-double extentOf(const Convex& convex) {
+double boundingRadiusOf(const Convex& convex) {
     float farthest = 0;
     for (int i = 0; i < convex.count; ++i)
         farthest = std::max(farthest, convex.vertices[static_cast<std::size_t>(i)].norm());
@@ -24,9 +24,9 @@ void measure(const WorldState& world, std::span<const ProxyId> added, BodyRecord
     for (const ProxyId id : added) {
         const Proxy& proxy = world.space[id];
         if (proxy.def.sensor || proxy.use == PieceUse::None) continue;
-        record.extent = std::max(record.extent, extentOf(proxy.convex));
-        record.reach = std::max(record.reach, reachOf(proxy.def.shape, record.localCenter));
-        record.core = std::min(record.core, coreOf(proxy.def.shape));
+        record.boundingRadius = std::max(record.boundingRadius, boundingRadiusOf(proxy.convex));
+        record.turningRadius = std::max(record.turningRadius, turningRadiusOf(proxy.def.shape, record.localCenter));
+        record.inradius = std::min(record.inradius, inradiusOf(proxy.def.shape));
     }
 }
 
@@ -63,8 +63,8 @@ std::span<const ProxyId> piecesOf(const WorldState& world, BodyIndex body, std::
 
 void measureAnew(WorldState& world, BodyIndex body) {
     BodyRecord& record = world.bodies.record[body];
-    record.extent = record.reach = 0;
-    record.core = std::numeric_limits<double>::infinity();
+    record.boundingRadius = record.turningRadius = 0;
+    record.inradius = std::numeric_limits<double>::infinity();
     measure(world, world.bodies.links[body].proxies, record);
 }
 
@@ -72,7 +72,7 @@ std::uint32_t wallsOf(const WorldState& world, std::span<const ProxyId> proxies,
     const BodyRecord& owner = world.bodies.record[body];
     if (owner.type == BodyType::Dynamic || !owner.enabled) return 0;
     const auto solid = [&world](ProxyId proxy) {
-        return !world.space[proxy].def.sensor && world.space.gate(proxy).touched;
+        return !world.space[proxy].def.sensor && world.space.filterKey(proxy).collides;
     };
     return static_cast<std::uint32_t>(std::count_if(proxies.begin(), proxies.end(), solid));
 }

@@ -30,7 +30,7 @@ std::vector<PieceDef> partsOf(const ShapeDef& whole, std::vector<TilePiece> piec
     std::vector<PieceDef> parts;
     parts.reserve(pieces.size());
     for (TilePiece& piece : pieces) {
-        if (whole.sensor && piece.use == PieceUse::Touch) continue;
+        if (whole.sensor && piece.use == PieceUse::Contact) continue;
         parts.push_back({common, whole.sensor ? PieceUse::Both : piece.use});
         ShapeDef& part = parts.back().def;
         part.shape = std::move(piece.shape);

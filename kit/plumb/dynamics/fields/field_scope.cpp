@@ -13,10 +13,10 @@ namespace {
 bool letsIn(const FieldRecord& field, const FieldView& view, BodyIndex body) {
     if (!field.choosy) return true;
     const Filter& f = field.def.filter;
-    const Gate gate{f.category, f.mask, 0, f.group, false, false};
+    const FilterKey filterKey{f.category, f.mask, 0, f.group, false, false};
     const std::vector<ProxyId>& proxies = view.bodies.links[body].proxies;
     return std::any_of(proxies.begin(), proxies.end(), [&](ProxyId proxy) {
-        return mayMeet(gate, view.space.gate(proxy)) && view.space[proxy].use != PieceUse::None;
+        return filtersAllow(filterKey, view.space.filterKey(proxy)) && view.space[proxy].use != PieceUse::None;
     });
 }
 
@@ -30,7 +30,7 @@ Vec2 pointOn(const BodyRecord& record, const BodyMotion& motion, const Vec2& loc
 
 /// Does a body come as low as the surface?
 bool dips(const BodyRecord& record, const Vec2& center, const Fluid& fluid) {
-    return fluid.gravity.dot(fluid.surface - center) <= record.extent * fluid.gravity.norm();
+    return fluid.gravity.dot(fluid.surface - center) <= record.boundingRadius * fluid.gravity.norm();
 }
 
 /// May something on its way between two places come as near to a centre?

@@ -2,7 +2,6 @@
 #include <plumb/dynamics/fields/submerged_parts.h>
 
 #include <plumb/dynamics/bodies/placed_outline.h>
-#include <plumb/forces/detail/submerged.h>
 
 namespace plumb {
 

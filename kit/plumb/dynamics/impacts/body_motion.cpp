@@ -26,23 +26,23 @@ Moved movedBy(const BodyStore& bodies, BodyIndex body) {
 
 }  // namespace
 
-Way wayBetween(const BodyMotion& from, const BodyMotion& to, const BodyRecord& record) {
+Sweep sweepBetween(const BodyMotion& from, const BodyMotion& to, const BodyRecord& record) {
     return {from.center, to.center - from.center, from.angle, to.angle - from.angle, record.localCenter};
 }
 
-Way freeWay(const BodyStore& bodies, BodyIndex body, const Past& past) {
+Sweep freeWay(const BodyStore& bodies, BodyIndex body, const Past& past) {
     const BodyRecord& record = bodies.record[body];
     BodyMotion now = bodies.motion[body];
-    if (!record.awake) return wayBetween(now, now, record);
+    if (!record.awake) return sweepBetween(now, now, record);
     const FlightLaw law = flightLawOf(bodies, body);
     if (const std::uint32_t flight = bodies.step[body].flight; flight != none) {  // without what was added at its end
         now.velocity -= bodies.flights[flight].rest.velocity;
         now.angularVelocity -= bodies.flights[flight].rest.spin;
     }
-    return wayBetween(fly(now, law, -past.from), past.to > 0 ? fly(now, law, -past.to) : now, record);
+    return sweepBetween(fly(now, law, -past.from), past.to > 0 ? fly(now, law, -past.to) : now, record);
 }
 
-Way wayOf(const BodyStore& bodies, BodyIndex body, double dt) {
+Sweep wayOf(const BodyStore& bodies, BodyIndex body, double dt) {
     if (!bodies.isMovedBy(body, MovedBy::Solver)) return freeWay(bodies, body, {dt, 0});
     const BodyMotion& now = bodies.motion[body];
     const Moved moved = movedBy(bodies, body);
@@ -50,11 +50,11 @@ Way wayOf(const BodyStore& bodies, BodyIndex body, double dt) {
 }
 
 double travelOf(const Vec2& shift, double turn, const BodyRecord& record) {
-    return shift.norm() + std::fabs(turn) * record.reach;
+    return shift.norm() + std::fabs(turn) * record.turningRadius;
 }
 
 bool isFar(const BodyRecord& record, double travel) {
-    return travel > slow * record.core;
+    return travel > slow * record.inradius;
 }
 
 bool hasComeFar(const BodyStore& bodies, BodyIndex body, double dt) {
@@ -63,7 +63,7 @@ bool hasComeFar(const BodyStore& bodies, BodyIndex body, double dt) {
         const Moved moved = movedBy(bodies, body);
         return isFar(record, travelOf(moved.shift, moved.turn, record));
     }
-    const Way way = freeWay(bodies, body, {dt, 0});
+    const Sweep way = freeWay(bodies, body, {dt, 0});
     return isFar(record, travelOf(way.shift, way.turn, record));
 }
 

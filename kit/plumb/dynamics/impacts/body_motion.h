@@ -11,11 +11,11 @@ struct Past {
     double from = 0, to = 0;
 };
 
-Way wayBetween(const BodyMotion& from, const BodyMotion& to, const BodyRecord& record);
+Sweep sweepBetween(const BodyMotion& from, const BodyMotion& to, const BodyRecord& record);
 /// Of a body that the solver has not moved.
-Way freeWay(const BodyStore& bodies, BodyIndex body, const Past& past);
+Sweep freeWay(const BodyStore& bodies, BodyIndex body, const Past& past);
 /// Of any body, through the whole step of dt [s].
-Way wayOf(const BodyStore& bodies, BodyIndex body, double dt);
+Sweep wayOf(const BodyStore& bodies, BodyIndex body, double dt);
 
 /// No point of the body's outline has moved farther than this [m].
 double travelOf(const Vec2& shift, double turn, const BodyRecord& record);

@@ -10,8 +10,8 @@ namespace plumb {
 namespace {
 
 /// Where a body stays that meets a wall on its way: there, or, if the wall moves on, at the same place of it.
-Way stayAt(const BodyStore& bodies, const Way& way, const WallHit& hit) {
-    Way stay = way;
+Sweep stayAt(const BodyStore& bodies, const Sweep& way, const WallHit& hit) {
+    Sweep stay = way;
     stay.start = way.start + way.shift * hit.time;
     stay.angle = way.angle + way.turn * hit.time;
     const BodyMotion& wall = bodies.motion[hit.wall];
@@ -55,7 +55,7 @@ public:
     /// All of one body.
     void stop(std::span<const Suspect> suspects) {
         const BodyIndex body = suspects.front().body;
-        const Way way = wayOf(bodies_, body, dt_);
+        const Sweep way = wayOf(bodies_, body, dt_);
         WallSearch search(view_, body, way, {dt_, 0});
         for (const Suspect& suspect : suspects) {
             if (suspect.contact != none) {
@@ -74,7 +74,7 @@ public:
         std::vector<BodyIndex> stopped;
         for (const TrajectorySegment& segment : trajectories) {
             const BodyRecord& record = bodies_.record[segment.body];
-            const Way way = wayBetween(segment.from, segment.to, record);
+            const Sweep way = sweepBetween(segment.from, segment.to, record);
             if (!isFar(record, travelOf(way.shift, way.turn, record))) continue;
             if (std::find(stopped.begin(), stopped.end(), segment.body) != stopped.end()) continue;
             const Past past{dt_ - segment.start, dt_ - segment.end};
@@ -97,17 +97,17 @@ private:
             const BodyIndex body = isA ? contact.bodyB : contact.bodyA;
             if (!isMoved(bodies_, body)) return;
             const Shape& face = view_.space[isA ? contact.proxyA : contact.proxyB].def.shape;
-            Way own = wayOf(bodies_, body, dt_);
+            Sweep own = wayOf(bodies_, body, dt_);
             own.start += isA ? contact.shift : Vec2(-contact.shift);
             if (mayCross(wallWay, own, face, bodies_.record[body])) suspects.push_back({body, index});
         });
     }
 
     /// Puts the body to where it met the wall. What moves on carries it along, perhaps into what does not.
-    void stopAt(BodyIndex body, const Way& way, const Past& past, const WallHit& hit) {
-        Way stopped = stayAt(bodies_, way, hit);
+    void stopAt(BodyIndex body, const Sweep& way, const Past& past, const WallHit& hit) {
+        Sweep stopped = stayAt(bodies_, way, hit);
         if (bodies_.record[hit.wall].type == BodyType::Kinematic) {
-            const Way carried = stopped;
+            const Sweep carried = stopped;
             WallSearch search(view_, body, carried, past);
             search.searchStatic();
             if (search.first()) stopped = stayAt(bodies_, carried, *search.first());

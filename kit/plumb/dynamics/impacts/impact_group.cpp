@@ -104,7 +104,7 @@ private:
         GroupBody added;
         added.body = body;
         added.flight.localCenter = store.record[body].localCenter;
-        added.flight.extent = store.record[body].extent;
+        added.flight.boundingRadius = store.record[body].boundingRadius;
         added.flight.from = store.motion[body];
         added.flight.law = flightLawOf(store, body);
         if (const std::uint32_t flight = store.step[body].flight; flight != none)
@@ -177,7 +177,7 @@ private:
         pair.approachSpeed = std::max(pair.approachSpeed, e.closingSpeed);
         const std::vector<Vec2> points =
             touchingPoints(stores_.space[contact.proxyA].convex, e.a, stores_.space[contact.proxyB].convex, e.b,
-                           e.distance, std::max(a.flight.extent, b.flight.extent));
+                           e.distance, std::max(a.flight.boundingRadius, b.flight.boundingRadius));
         ImpactBody parted[] = {impactBody(a, e.a), impactBody(b, e.b)};
         const std::vector<PointImpulse> given =
             solveImpact(points, e.distance.normal, {contact.restitution, contact.friction}, parted[0], parted[1]);

@@ -26,19 +26,20 @@ constexpr double mostRounds = 64;
 
 /// When a shape that goes through a wall, or too deep into it, has met it; empty when it does neither.
 std::optional<double> timeOfCrossing(const SweptShape& wall, const SweptShape& moving) {
-    const double deep = std::min(deepShare * coreOf(*moving.shape), deepest);
-    const double start = distance(*wall.shape, poseOn(wall.way, 0), *moving.shape, poseOn(moving.way, 0)).separation;
+    const double deep = std::min(deepShare * inradiusOf(*moving.shape), deepest);
+    const double start =
+        distance(*wall.shape, poseAt(wall.sweep, 0), *moving.shape, poseAt(moving.sweep, 0)).separation;
     // What is deeper already, as under a heavy load, goes no deeper.
-    const std::optional<double> crossed = timeWithin(wall, moving, std::min(skin - deep, start - noticeable), 0);
-    return crossed && start > skin ? timeWithin(wall, moving, skin, 0) : crossed;
+    const std::optional<double> crossed = timeOfApproach(wall, moving, std::min(skin - deep, start - noticeable), 0);
+    return crossed && start > skin ? timeOfApproach(wall, moving, skin, 0) : crossed;
 }
 
 /// The same of two that are far from each other outside of a part of their ways: the search is as long as that.
 std::optional<double> timeOfCrossingIn(const RayPart& part, SweptShape wall, SweptShape moving) {
     if (part.first <= 0 && part.last >= 1) return timeOfCrossing(wall, moving);
     if (!(part.first <= part.last)) return std::nullopt;
-    wall.way = partOf(wall.way, part.first, part.last);
-    moving.way = partOf(moving.way, part.first, part.last);
+    wall.sweep = partOf(wall.sweep, part.first, part.last);
+    moving.sweep = partOf(moving.sweep, part.first, part.last);
     const std::optional<double> time = timeOfCrossing(wall, moving);
     return time ? std::optional(part.first + (part.last - part.first) * *time) : std::nullopt;
 }
@@ -50,25 +51,27 @@ struct Passage {
     double turn = 0;            ///< [rad]
 
     /// No point of the body's outline has moved farther than this [m].
-    double travel(const BodyRecord& body) const { return (to - from).norm() + bend + std::fabs(turn) * body.reach; }
+    double travel(const BodyRecord& body) const {
+        return (to - from).norm() + bend + std::fabs(turn) * body.turningRadius;
+    }
 };
 
-Passage passageOf(const WallWay& wall, const Way& way) {
-    const Vec2 before = way.start - wall.way.start;
-    const Vec2 after = before + (way.shift - wall.way.shift);
-    const double spin = std::fabs(wall.way.turn);
+Passage passageOf(const WallWay& wall, const Sweep& way) {
+    const Vec2 before = way.start - wall.sweep.start;
+    const Vec2 after = before + (way.shift - wall.sweep.shift);
+    const double spin = std::fabs(wall.sweep.turn);
     const double bend = spin * (2 * (after - before).norm() + spin * std::max(before.norm(), after.norm())) / 8;
-    const Vec2& center = wall.way.localCenter;
-    return {wall.toWallBefore * before + center, wall.toWallAfter * after + center, bend, way.turn - wall.way.turn};
+    const Vec2& center = wall.sweep.localCenter;
+    return {wall.toWallBefore * before + center, wall.toWallAfter * after + center, bend, way.turn - wall.sweep.turn};
 }
 
 }  // namespace
 
-bool mayCross(const WallWay& wall, const Way& way, const Shape& face, const BodyRecord& body) {
+bool mayCross(const WallWay& wall, const Sweep& way, const Shape& face, const BodyRecord& body) {
     const Passage passage = passageOf(wall, way);
     if (!isFar(body, passage.travel(body))) return false;
     const Aabb line{passage.from.cwiseMin(passage.to), passage.from.cwiseMax(passage.to)};
-    return overlap(inflate(line, body.extent + passage.bend), aabbOf(face, {}));
+    return overlap(inflate(line, body.boundingRadius + passage.bend), aabbOf(face, {}));
 }
 
 void WallSearch::searchContact(ContactIndex index) {
@@ -102,7 +105,7 @@ bool WallSearch::isWithinBounds() const {
     };
     const Vec2 predicted = predictedShift(view_.bodies, body_);
     const double aside = std::max({excess(way_.shift.x(), predicted.x()), excess(way_.shift.y(), predicted.y()), 0.0});
-    const double turned = std::fabs(way_.turn) * view_.bodies.record[body_].reach;
+    const double turned = std::fabs(way_.turn) * view_.bodies.record[body_].turningRadius;
     return aside + std::max(turned - static_cast<double>(place.turn), 0.0) < 0.5 * static_cast<double>(contactMargin);
 }
 
@@ -111,12 +114,12 @@ void WallSearch::meet(ProxyId own, ProxyId other, const Vec2& shift, const RayPa
     const Verdict verdict = ruled ? verdictOn(own, other, shift) : Verdict::Solid;
     if (letsPass(verdict)) return;
     const BodyIndex wall = view_.space[other].owner;
-    Way wallWay = freeWay(view_.bodies, wall, past_);
+    Sweep wallWay = freeWay(view_.bodies, wall, past_);
     wallWay.start += shift;
     const Shape& shape = view_.space[own].def.shape;
     const Shape& face = view_.space[other].def.shape;
     if (!mayCross(WallWay(wallWay), way_, face, view_.bodies.record[body_])) return;
-    const SweptShape swept{&shape, way_, reachOf(shape, way_.localCenter)};
+    const SweptShape swept{&shape, way_, turningRadiusOf(shape, way_.localCenter)};
     const std::optional<double> time = timeOfCrossingIn(part, {&face, wallWay, 0}, swept);
     if (!time || (first_ && *time >= first_->time)) return;
     if (verdict == Verdict::Solid || isSolidAt(*time, {&face, wallWay, 0}, swept, own, other))
@@ -137,12 +140,13 @@ Verdict WallSearch::verdictOn(ProxyId own, ProxyId other, const Vec2& shift) con
 /// Asks the rules of what was not seen coming, where it meets the wall.
 bool WallSearch::isSolidAt(double time, const SweptShape& wall, const SweptShape& swept, ProxyId own,
                            ProxyId other) const {
-    const Distance met = distance(*wall.shape, poseOn(wall.way, time), *swept.shape, poseOn(swept.way, time));
+    const Distance met = distance(*wall.shape, poseAt(wall.sweep, time), *swept.shape, poseAt(swept.sweep, time));
     const double duration = std::max(past_.from - past_.to, 1e-9);
-    const auto velocityOf = [&](const Way& way, const Vec2& point) {
+    const auto velocityOf = [&](const Sweep& way, const Vec2& point) {
         return Vec2((way.shift + perp(Vec2(point - way.start - way.shift * time)) * way.turn) / duration);
     };
-    const Face face{met.normal, velocityOf(swept.way, met.pointB) - velocityOf(wall.way, met.pointA), met.separation};
+    const Face face{met.normal, velocityOf(swept.sweep, met.pointB) - velocityOf(wall.sweep, met.pointA),
+                    met.separation};
     const Proxy& a = view_.space[other];
     const Proxy& b = view_.space[own];
     return rulesAdmit(view_.bodies, a, b, face) && comesFromOpenSide(view_.bodies, a, b, face, false);
@@ -152,7 +156,7 @@ void WallSearch::meetNear(FunctionRef<void(const Space&, const Aabb&, Space::Vis
     const Space& space = view_.space;
     const BodyRecord& record = view_.bodies.record[body_];
     const Vec2 end = way_.start + way_.shift;
-    const Aabb box = inflate({way_.start.cwiseMin(end), way_.start.cwiseMax(end)}, record.extent);
+    const Aabb box = inflate({way_.start.cwiseMin(end), way_.start.cwiseMax(end)}, record.boundingRadius);
     query(space, box, [&](ProxyId other, const Vec2& shift) { meetAll(other, shift); });
 }
 
@@ -167,8 +171,8 @@ void WallSearch::meetAll(ProxyId other, const Vec2& shift, const RayPart& part) 
 
 /// The part of the way on which the body may touch a shape's box.
 RayPart WallSearch::partNear(ProxyId other, const Vec2& shift) const {
-    const double extent = view_.bodies.record[body_].extent;
-    const Aabb box = inflate(view_.space.box(other), extent * (1 + 1e-6) + skin);
+    const double boundingRadius = view_.bodies.record[body_].boundingRadius;
+    const Aabb box = inflate(view_.space.box(other), boundingRadius * (1 + 1e-6) + skin);
     return clipRay(way_.start, way_.start + way_.shift, {box.lower + shift, box.upper + shift});
 }
 
@@ -185,8 +189,8 @@ void WallSearch::meetAround(FunctionRef<bool(const Proxy&)> wanted) {
     double part = 1;
     if (wrap.width) part = std::min(part, mostRounds * *wrap.width / std::fabs(way_.shift.x()));
     if (wrap.height) part = std::min(part, mostRounds * *wrap.height / std::fabs(way_.shift.y()));
-    const double extent = view_.bodies.record[body_].extent;
-    view_.space.castBox({extent, extent}, way_.start, way_.start + way_.shift * part,
+    const double boundingRadius = view_.bodies.record[body_].boundingRadius;
+    view_.space.castBox({boundingRadius, boundingRadius}, way_.start, way_.start + way_.shift * part,
                         [&](ProxyId other, const Vec2& shift) {
                             if (wanted(view_.space[other])) meetAll(other, shift, partNear(other, shift));
                             return first_ ? std::min(first_->time / part, 1.0) : 1.0;

@@ -23,14 +23,14 @@ struct WallView {
 struct WallHit {
     double time = 0;  ///< as a share of its way [-]
     BodyIndex wall = noBody;
-    Way wallWay;
+    Sweep wallWay;
     Vec2 shift{0, 0};  ///< of the wall, in a world that wraps [m]
 };
 
 class WallSearch {
 public:
     /// way: must outlive the search.
-    WallSearch(const WallView& view, BodyIndex body, const Way& way, const Past& past)
+    WallSearch(const WallView& view, BodyIndex body, const Sweep& way, const Past& past)
         : view_(view), body_(body), way_(way), past_(past) {}
 
     const std::optional<WallHit>& first() const { return first_; }
@@ -55,23 +55,23 @@ private:
 
     WallView view_;
     BodyIndex body_;
-    const Way& way_;
+    const Sweep& way_;
     Past past_;
     std::optional<WallHit> first_;
 };
 
 /// A wall's way, and how it is turned at both ends.
 struct WallWay {
-    Way way;
+    Sweep sweep;
     Rot toWallBefore, toWallAfter;
 
-    explicit WallWay(const Way& w)
-        : way(w),
+    explicit WallWay(const Sweep& w)
+        : sweep(w),
           toWallBefore(Rot::fromAngle(w.angle).inverse()),
           toWallAfter(w.turn == 0 ? toWallBefore : Rot::fromAngle(w.angle + w.turn).inverse()) {}
 };
 
 /// May a body on a way have gone through a shape of a wall?
-bool mayCross(const WallWay& wall, const Way& way, const Shape& face, const BodyRecord& body);
+bool mayCross(const WallWay& wall, const Sweep& way, const Shape& face, const BodyRecord& body);
 
 }  // namespace plumb

@@ -31,7 +31,7 @@ bool isStill(const SleepStores& stores, const SolverSettings& settings, BodyInde
     const BodyStore& bodies = stores.bodies;
     const BodyRecord& record = bodies.record[body];
     const BodyMotion& motion = bodies.motion[body];
-    const double speed = motion.velocity.norm() + std::fabs(motion.angularVelocity) * record.extent;
+    const double speed = motion.velocity.norm() + std::fabs(motion.angularVelocity) * record.boundingRadius;
     // What nothing holds drifts on however slowly: only a body that is pushed upon may be stopped.
     if (!bodies.isMovedBy(body, MovedBy::Solver)) return speed == 0;
     // What is being pushed or pulled into place has no velocity of its own, but it moves.

@@ -12,13 +12,13 @@ namespace plumb {
 class ShapeQuery {
 public:
     ShapeQuery(const WorldState& world, const Filter& filter, BodyIndex ignored = noBody)
-        : world_(world), gate_{filter.category, filter.mask, 0, filter.group}, ignored_(ignored) {}
+        : world_(world), filterKey_{filter.category, filter.mask, 0, filter.group}, ignored_(ignored) {}
 
     /// From now on also finds outlines that stand for areas elsewhere.
     void seeOutlines() { outlines_ = true; }
     /// Is this a part of an outline, or of an area, that stands for the other?
-    bool isOutline(ProxyId id) const { return world_.space[id].use == PieceUse::Touch; }
-    bool isArea(ProxyId id) const { return world_.space[id].use == PieceUse::Ask; }
+    bool isOutline(ProxyId id) const { return world_.space[id].use == PieceUse::Contact; }
+    bool isArea(ProxyId id) const { return world_.space[id].use == PieceUse::Query; }
 
     const Shape& shape(ProxyId id) const { return world_.space[id].def.shape; }
     /// Where it was found, in a world that wraps.
@@ -48,15 +48,15 @@ public:
 
 private:
     bool sees(ProxyId id) const {
-        const Gate& gate = world_.space.gate(id);
-        return mayMeet(gate_, gate) && (gate.asked || (outlines_ && gate.touched)) && !gate.sensor &&
-               gate.owner != ignored_;
+        const FilterKey& filterKey = world_.space.filterKey(id);
+        return filtersAllow(filterKey_, filterKey) && (filterKey.queried || (outlines_ && filterKey.collides)) &&
+               !filterKey.sensor && filterKey.owner != ignored_;
     }
     /// With each shift by which it may be in a box; without one in a world that does not wrap.
     void forEachStale(const Aabb& where, FunctionRef<void(const StaleBound&, const Vec2&)> visit) const;
 
     const WorldState& world_;
-    Gate gate_;
+    FilterKey filterKey_;
     BodyIndex ignored_;
     bool outlines_ = false;
 };

@@ -41,16 +41,16 @@ SensorBegin visitOf(const BodyStore& bodies, const Space& space, const SensorPai
     return {idOfShape(bodies, space[pair.sensor]), idOfShape(bodies, space[pair.visitor])};
 }
 
-Way shifted(Way way, const Vec2& shift) {
+Sweep shifted(Sweep way, const Vec2& shift) {
     way.start += shift;
     return way;
 }
 
 /// Straight from where a body was loaded at the step's start to where it is now.
-Way chordOf(const BodyStore& bodies, BodyIndex body) {
+Sweep chordOf(const BodyStore& bodies, BodyIndex body) {
     const BodyPlace& place = bodies.place[body];
     const BodyMotion& now = bodies.motion[body];
-    Way way;
+    Sweep way;
     way.localCenter = bodies.record[body].localCenter;
     way.start = {static_cast<double>(place.highX) + static_cast<double>(place.lowX),
                  static_cast<double>(place.highY) + static_cast<double>(place.lowY)};
@@ -63,16 +63,16 @@ Way chordOf(const BodyStore& bodies, BodyIndex body) {
 }
 
 /// Do the two meet on their ways?
-bool meet(const Proxy& sensor, const Way& sensorWay, const Proxy& visitor, const Way& visitorWay) {
+bool meet(const Proxy& sensor, const Sweep& sensorWay, const Proxy& visitor, const Sweep& visitorWay) {
     const Shape& shape = visitor.def.shape;
-    const SweptShape swept{&shape, visitorWay, reachOf(shape, visitorWay.localCenter)};
-    return timeWithin({&sensor.def.shape, sensorWay, 0}, swept, 0, 0).has_value();
+    const SweptShape swept{&shape, visitorWay, turningRadiusOf(shape, visitorWay.localCenter)};
+    return timeOfApproach({&sensor.def.shape, sensorWay, 0}, swept, 0, 0).has_value();
 }
 
 /// No farther than this can the two have been moved against each other [m].
-double travelOf(const Way& sensor, const Way& visitor, const Shape& shape) {
+double travelOf(const Sweep& sensor, const Sweep& visitor, const Shape& shape) {
     const Vec2 apart = visitor.start - sensor.start, shift = visitor.shift - sensor.shift;
-    const double reach = reachOf(shape, visitor.localCenter);
+    const double reach = turningRadiusOf(shape, visitor.localCenter);
     return shift.norm() + std::fabs(visitor.turn) * reach +
            std::fabs(sensor.turn) * (apart.norm() + shift.norm() + reach);
 }
@@ -111,15 +111,15 @@ private:
     bool hasPassed(const SensorPair& pair, double separation) const {
         const Proxy& sensor = space_[pair.sensor];
         const Proxy& visitor = space_[pair.visitor];
-        const Way sensorWay = chordOf(bodies_, sensor.owner);
+        const Sweep sensorWay = chordOf(bodies_, sensor.owner);
         if (!bodies_.isMovedBy(visitor.owner, MovedBy::Impacts)) {
-            const Way way = shifted(chordOf(bodies_, visitor.owner), pair.shift);
+            const Sweep way = shifted(chordOf(bodies_, visitor.owner), pair.shift);
             return travelOf(sensorWay, way, visitor.def.shape) >= separation && meet(sensor, sensorWay, visitor, way);
         }
         return std::any_of(trajectories_.begin(), trajectories_.end(), [&](const TrajectorySegment& segment) {
             if (segment.body != visitor.owner) return false;
-            const Way way{segment.from.center, segment.to.center - segment.from.center, segment.from.angle,
-                          segment.to.angle - segment.from.angle, bodies_.record[visitor.owner].localCenter};
+            const Sweep way{segment.from.center, segment.to.center - segment.from.center, segment.from.angle,
+                            segment.to.angle - segment.from.angle, bodies_.record[visitor.owner].localCenter};
             return meet(sensor, partOf(sensorWay, segment.start / dt_, segment.end / dt_), visitor,
                         shifted(way, pair.shift));
         });
