@@ -7,7 +7,7 @@
 
 #include <plumb/ballistics/detail/gravity_frame.h>
 #include <plumb/ballistics/detail/input.h>
-#include <plumb/kinematics/detail/drag_step.h>
+#include <plumb/kinematics/linear_drag.h>
 #include <plumb/math/logarithm.h>
 
 namespace plumb {
@@ -26,7 +26,7 @@ Vec2 startOf(const LinearDrag& drag) {
 }
 
 PointMotion stateAt(const Vec2& velocity, double time, const LinearDrag& drag) {
-    const DragStep step = detail::uncheckedDragStep(drag.rate, time);
+    const DragStep step = uncheckedDragStep(drag.rate, time);
     const Vec2 a = startOf(drag);
     return {step.gain * velocity + step.reach * a, step.keep * velocity + step.gain * a};
 }
@@ -59,7 +59,7 @@ struct Rise {
     double landingTime(double height) const {
         double time = timeWithoutDrag(std::max(height, 0.0));
         for (int i = 0; i < 200; ++i) {
-            const DragStep at = detail::uncheckedDragStep(rate, time);
+            const DragStep at = uncheckedDragStep(rate, time);
             const double above = at.gain * speed - at.reach * pull + height;
             const double fall = at.gain * pull - at.keep * speed;
             if (!(fall > 0)) break;
@@ -92,7 +92,7 @@ std::optional<PathPoint> linearDragLanding(const Vec2& velocity, double height, 
         return pointAt(velocity, height == 0 ? 0 : rise.landingTime(height), drag);
     }
     if (!(rise.pull > 0)) return std::nullopt;
-    const DragStep top = detail::uncheckedDragStep(drag.rate, rise.apexTime());
+    const DragStep top = uncheckedDragStep(drag.rate, rise.apexTime());
     if (top.gain * rise.speed - top.reach * rise.pull < -height) return std::nullopt;
     return pointAt(velocity, rise.landingTime(height), drag);
 }

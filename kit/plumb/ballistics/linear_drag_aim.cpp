@@ -7,7 +7,7 @@
 
 #include <plumb/ballistics/detail/gravity_frame.h>
 #include <plumb/ballistics/detail/input.h>
-#include <plumb/kinematics/detail/drag_step.h>
+#include <plumb/kinematics/linear_drag.h>
 
 namespace plumb {
 namespace {
@@ -35,7 +35,7 @@ public:
         DragStep step;
     };
     At at(double time) const {
-        const DragStep step = detail::uncheckedDragStep(rate_, time);
+        const DragStep step = uncheckedDragStep(rate_, time);
         const Vec2 away = target_ - step.reach * start_;
         const double distance = detail::lengthOf(away);
         const double radius = speed_ * step.gain;
@@ -76,7 +76,7 @@ public:
     }
 
     Shot shotAt(double time) const {
-        const DragStep step = detail::uncheckedDragStep(rate_, time);
+        const DragStep step = uncheckedDragStep(rate_, time);
         return {detail::withLength(target_ - step.reach * start_, speed_), time};
     }
 
@@ -118,7 +118,7 @@ Shot aimThroughLinearDragInTime(const LinearDragTimeAim& problem) {
     detail::requireSize(problem.target, "LinearDragTimeAim", ".target");
     detail::requirePositiveAmount(problem.time, "LinearDragTimeAim", ".time");
     require(problem.drag);
-    const DragStep step = detail::uncheckedDragStep(problem.drag.rate, problem.time);
+    const DragStep step = uncheckedDragStep(problem.drag.rate, problem.time);
     const Vec2 start = problem.drag.gravity + problem.drag.rate * problem.drag.wind;
     return {(problem.target - step.reach * start) / step.gain, problem.time};
 }

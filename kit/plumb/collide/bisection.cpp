@@ -24,9 +24,9 @@ std::optional<CollisionTime> bisectCollision(const std::function<bool(double)>& 
 std::optional<CollisionTime> bisectCollision(const Shape& a, const Sweep& sweepA, const Shape& b, const Sweep& sweepB,
                                              int probes) {
     requireInRange(a, "bisectCollision.a");
-    requireInRange(sweepA, "bisectCollision.sweepA");
+    validate(sweepA, "bisectCollision.sweepA");
     requireInRange(b, "bisectCollision.b");
-    requireInRange(sweepB, "bisectCollision.sweepB");
+    validate(sweepB, "bisectCollision.sweepB");
     return bisectCollision(
         [&](double time) { return overlap(a, poseAt(sweepA, time), b, poseAt(sweepB, time)).has_value(); }, probes);
 }

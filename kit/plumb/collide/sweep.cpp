@@ -115,6 +115,14 @@ Aabb sweptBox(const Shape& piece, const Sweep& sweep) {
 
 }  // namespace
 
+void validate(const Sweep& sweep, const std::string& name) {
+    requireInRange(sweep.start, name, ".start");
+    requireInRange(sweep.shift, name, ".shift");
+    requireFinite(sweep.angle, name, ".angle");
+    requireWithin(sweep.turn, -maxMagnitude, maxMagnitude, name, ".turn");
+    requireInRange(sweep.localCenter, name, ".localCenter");
+}
+
 Sweep partOf(const Sweep& sweep, double from, double to) {
     return {sweep.start + sweep.shift * from, sweep.shift * (to - from), sweep.angle + sweep.turn * from,
             sweep.turn * (to - from), sweep.localCenter};
@@ -135,9 +143,9 @@ Sweep sweepBetween(const Transform& start, const Transform& end, const Vec2& loc
 std::optional<Touch> firstTouch(const Shape& a, const Sweep& sweepA, const Shape& b, const Sweep& sweepB,
                                 double tolerance) {
     requireInRange(a, "firstTouch.a");
-    requireInRange(sweepA, "firstTouch.sweepA");
+    validate(sweepA, "firstTouch.sweepA");
     requireInRange(b, "firstTouch.b");
-    requireInRange(sweepB, "firstTouch.sweepB");
+    validate(sweepB, "firstTouch.sweepB");
     requirePositive(tolerance, "firstTouch.tolerance");
     if (!hasPieces(a) && !hasPieces(b)) return touchOf(a, sweepA, b, sweepB, tolerance, 1);
     // If several pieces overlap at the start, the deepest.

@@ -2,6 +2,7 @@
 // When do two shapes that move and turn first touch?
 #pragma once
 #include <optional>
+#include <string>
 
 #include <plumb/math/transform.h>
 #include <plumb/shapes/shape.h>
@@ -18,6 +19,9 @@ struct Sweep {
     Vec2 localCenter{0, 0};  ///< of mass, in the body's frame [m]
 };
 Transform poseAt(const Sweep& sweep, double time);
+
+/// Throws std::invalid_argument unless its numbers are finite and small enough for firstTouch.
+void validate(const Sweep& sweep, const std::string& name);
 
 /// The part of a sweep between two shares of its time.
 Sweep partOf(const Sweep& sweep, double from, double to);

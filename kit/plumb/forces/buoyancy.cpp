@@ -5,10 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include <plumb/forces/describe_law.h>
-#include <plumb/forces/detail/unchecked.h>
+#include <plumb/forces/detail/require_numbers.h>
 #include <plumb/math/check.h>
-#include <plumb/math/require_members.h>
 #include <plumb/math/trig.h>
 
 namespace plumb {
@@ -142,7 +140,7 @@ Moments momentsBelow(const Outline& outline) {
 }
 
 void requireSound(const Fluid& fluid) {
-    requireMembers(fluid, {definitionName<Fluid>.type});
+    requireNumbers(fluid);
 }
 
 }  // namespace

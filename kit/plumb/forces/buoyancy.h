@@ -42,4 +42,7 @@ Vec2 buoyancyForce(const Fluid& fluid, const Submerged& part);
 /// 100,000 places each"
 double potentialEnergy(const Fluid& fluid, const Submerged& part);
 
+/// As submergedPart, for input that was checked before.
+Submerged submergedPartOf(std::span<const Vec2> corners, double radius, const Fluid& fluid);
+
 }  // namespace plumb

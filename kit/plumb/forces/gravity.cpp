@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include <plumb/forces/detail/require_numbers.h>
-#include <plumb/forces/detail/unchecked.h>
 #include <plumb/math/check.h>
 
 namespace plumb {
@@ -22,6 +21,14 @@ double softened(const MutualGravity& gravity, double squaredDistance) {
 }
 
 }  // namespace
+
+Vec2 gravityForceOf(const MutualGravity& gravity, const PointMass& a, const PointMass& b) {
+    const Vec2 d = b.position - a.position;
+    const double r = std::sqrt(d.squaredNorm() + gravity.softening * gravity.softening);
+    const double pull = gravity.constant * (a.mass * b.mass) / (r * r * r);  // the same bits for either body
+    if (!std::isfinite(pull)) return {0, 0};                                 // same position, or overflow
+    return -pull * d;
+}
 
 Vec2 gravityForce(const UniformGravity& gravity, double mass) {
     requireNotNegative(mass, "gravityForce: mass");

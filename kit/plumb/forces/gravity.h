@@ -47,4 +47,7 @@ double circularOrbitSpeed(const MutualGravity& gravity, double totalMass, double
 /// without softening. Test: "an ellipse with e = 0.5 closes after Kepler's period"
 double orbitPeriod(const MutualGravity& gravity, double totalMass, double semiMajorAxis);
 
+/// As gravityForce, for input that was checked before.
+Vec2 gravityForceOf(const MutualGravity& gravity, const PointMass& a, const PointMass& b);
+
 }  // namespace plumb

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/kinematics/linear_drag.h>
 
-#include <plumb/kinematics/detail/drag_step.h>
 #include <plumb/math/check.h>
 #include <plumb/math/trig.h>
 
-namespace plumb::detail {
+namespace plumb {
+
 namespace {
 
 // (x - 1 + e^-x) / x^2 by its series 1/2! - x/3! + x^2/4! ..., whose next term is below 1e-17 up to x = 2.
@@ -25,14 +25,10 @@ DragStep uncheckedDragStep(double rate, double time) {
     return {exponential(-x), gain / rate, reachFactor(x) * time * time};
 }
 
-}  // namespace plumb::detail
-
-namespace plumb {
-
 DragStep dragStep(double rate, double time) {
     requireNotNegative(rate, "rate");
     requireNotNegative(time, "time");
-    return detail::uncheckedDragStep(rate, time);
+    return uncheckedDragStep(rate, time);
 }
 
 PointMotion moveWithDrag(const PointMotion& from, const DragLaw& law, double time) {

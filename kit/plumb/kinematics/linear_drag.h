@@ -23,6 +23,8 @@ struct DragStep {
 /// Throws std::invalid_argument when rate k [1/s] or time t [s] is negative or not finite.
 /// Test: "keep, gain and reach are those of long double, for k t from 1e-20 to 1e3"
 DragStep dragStep(double rate, double time);
+/// The same without its checks: a time that is infinite or NaN gives a result that is.
+DragStep uncheckedDragStep(double rate, double time);
 
 /// v = W + (v0 - W) keep + a gain,  x = x0 + W t + (v0 - W) gain + a reach: exact for any time.
 /// x position [m], v velocity [m/s], the rest as in DragLaw and DragStep, t time, >= 0 [s].

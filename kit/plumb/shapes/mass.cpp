@@ -6,9 +6,8 @@
 #include <string>
 
 #include <plumb/math/check.h>
-#include <plumb/math/require_members.h>
 #include <plumb/math/trig.h>
-#include <plumb/shapes/describe_shape.h>
+#include <plumb/shapes/detail/checks.h>
 
 namespace plumb {
 namespace {
@@ -107,8 +106,7 @@ Mass massOf(const Shape& shape, double density) {
 }
 
 Mass combine(std::span<const Mass> parts) {
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        requireMembers(parts[i], {.name = "combine: parts", .index = static_cast<std::ptrdiff_t>(i)});
+    for (std::size_t i = 0; i < parts.size(); ++i) requireMass(parts[i], "combine: parts", i);
     Mass all;
     const Mass* heaviest = nullptr;
     for (const Mass& part : parts) {

@@ -7,8 +7,7 @@
 #include <string>
 
 #include <plumb/math/check.h>
-#include <plumb/math/require_members.h>
-#include <plumb/shapes/describe_shape.h>
+#include <plumb/shapes/detail/checks.h>
 
 namespace plumb {
 
@@ -31,7 +30,7 @@ std::string textOf(Cell cell) {
 }  // namespace
 
 TileMap::TileMap(const TileMapDef& def) : def_(def) {
-    requireMembers(def, {"TileMapDef"});
+    requireNumbers(def);
     const std::int64_t cells = std::int64_t{def.columns} * def.rows;
     if (cells > maxTileCells) refuse("TileMapDef", std::to_string(cells) + " cells are more than 2^24");
     requireFinite(def.size * std::max(def.columns, def.rows), "TileMapDef.size, times columns and rows");

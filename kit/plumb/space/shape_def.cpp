@@ -1,30 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/space/shape_def.h>
 
-#include <type_traits>
 #include <utility>
 
-#include <plumb/math/require_members.h>
 #include <plumb/shapes/decompose.h>
-#include <plumb/space/describe_shape_def.h>
 
 namespace plumb {
-
-namespace {
-
-/// An outline is checked by its own rules.
-struct ShapeCheck {
-    const MemberPath& path;
-    template <class T>
-    [[gnu::always_inline]] void operator()(const Member& member, const T& value) const {
-        if constexpr (std::is_same_v<T, Shape>)
-            validate(value, path.text(member.name));
-        else
-            requireMember(member, value, path);
-    }
-};
-
-}  // namespace
 
 ShapeDef circle(double radius, const Material& material) {
     return {.shape = Circle{.radius = radius}, .material = material};
@@ -72,11 +53,6 @@ std::vector<ShapeDef> outline(std::vector<Vec2> points, const Material& material
     std::vector<ShapeDef> shapes;
     for (Polygon& piece : convexPieces(points)) shapes.push_back({.shape = std::move(piece), .material = material});
     return shapes;
-}
-
-void validate(const ShapeDef& def, const std::string& field) {
-    const MemberPath path{field};
-    describe(def, ShapeCheck{path});
 }
 
 }  // namespace plumb

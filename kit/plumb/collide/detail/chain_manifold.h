@@ -2,7 +2,7 @@
 // Where does a segment of a chain touch, so that bodies slide over its vertices without catching?
 #pragma once
 #include <plumb/collide/detail/core.h>
-#include <plumb/collide/manifold.h>
+#include <plumb/collide/manifold_point.h>
 #include <plumb/math/vec2.h>
 
 namespace plumb {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include <plumb/collide/distance.h>
+#include <plumb/collide/separation.h>
 #include <plumb/math/transform.h>
 #include <plumb/shapes/shape.h>
 

@@ -2,7 +2,7 @@
 // Where do two polygons touch, rounded or not? A segment is a polygon of two edges.
 #pragma once
 #include <plumb/collide/detail/core.h>
-#include <plumb/collide/manifold.h>
+#include <plumb/collide/manifold_point.h>
 
 namespace plumb {
 

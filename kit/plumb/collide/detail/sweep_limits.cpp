@@ -5,14 +5,6 @@
 
 namespace plumb {
 
-void requireInRange(const Sweep& sweep, const std::string& name) {
-    requireInRange(sweep.start, name, ".start");
-    requireInRange(sweep.shift, name, ".shift");
-    requireFinite(sweep.angle, name, ".angle");
-    requireWithin(sweep.turn, -maxMagnitude, maxMagnitude, name, ".turn");
-    requireInRange(sweep.localCenter, name, ".localCenter");
-}
-
 void requireInRange(const Shape& shape, const std::string& name) {
     validate(shape, name);
     const Aabb box = aabbOf(shape, {});

@@ -3,8 +3,8 @@
 #pragma once
 #include <string>
 
-#include <plumb/collide/sweep.h>
 #include <plumb/math/check.h>
+#include <plumb/shapes/shape.h>
 
 namespace plumb {
 
@@ -18,9 +18,6 @@ inline void requireInRange(const Vec2& value, const std::string& field, const st
     requireFinite(value, field, member);
     for (const double part : {value.x(), value.y()}) requireWithin(part, -maxMagnitude, maxMagnitude, field, member);
 }
-
-/// Unless it is finite, and within maxMagnitude except for its angle.
-void requireInRange(const Sweep& sweep, const std::string& name);
 
 /// Unless it is a shape that a body can have, and lies within maxMagnitude.
 void requireInRange(const Shape& shape, const std::string& name);

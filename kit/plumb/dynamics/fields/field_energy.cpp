@@ -5,7 +5,7 @@
 
 #include <plumb/dynamics/fields/field_scope.h>
 #include <plumb/dynamics/fields/submerged_parts.h>
-#include <plumb/forces/detail/unchecked.h>
+#include <plumb/forces/gravity.h>
 
 namespace plumb {
 

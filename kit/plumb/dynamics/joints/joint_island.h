@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Which joints are connected through bodies, and so are solved together?
 #pragma once
+#include <plumb/dynamics/bodies/step_observer.h>
 #include <plumb/dynamics/joints/block_solver.h>
 #include <plumb/dynamics/joints/hinge_sweep.h>
 #include <plumb/dynamics/joints/island_work.h>
 #include <plumb/dynamics/joints/joint_springs.h>
 #include <plumb/dynamics/joints/joint_store.h>
+#include <plumb/dynamics/solver_settings.h>
 
 namespace plumb {
 
@@ -34,6 +36,15 @@ struct JointIslands {
     std::vector<JointIndex> joints;     ///< of all of them, in the order of their slots
     std::vector<JointIndex> breakable;  ///< those of them that may break
     JointSprings springs;
+};
+
+/// What joints read and write.
+struct JointStores {
+    JointStore& joints;
+    JointIslands& islands;
+    BodyStore& bodies;
+    const SolverSettings& settings;
+    StepObserver* observer = nullptr;  ///< if there is one
 };
 
 }  // namespace plumb

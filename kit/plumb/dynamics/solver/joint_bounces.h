@@ -11,7 +11,8 @@
 #pragma once
 #include <vector>
 
-#include <plumb/dynamics/solver/joint_phases.h>
+#include <plumb/dynamics/contacts/contact_graph.h>
+#include <plumb/dynamics/joints/joint_island.h>
 
 namespace plumb {
 

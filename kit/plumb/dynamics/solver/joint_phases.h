@@ -14,15 +14,7 @@ namespace plumb {
 
 struct JointStore;
 struct JointIslands;
-
-/// What joints read and write.
-struct JointStores {
-    JointStore& joints;
-    JointIslands& islands;
-    BodyStore& bodies;
-    const SolverSettings& settings;
-    StepObserver* observer = nullptr;  ///< if there is one
-};
+struct JointStores;
 
 /// One half of a sub-step.
 struct JointHalf {

@@ -8,6 +8,7 @@
 #include <plumb/dynamics/bodies/step_observer.h>
 #include <plumb/dynamics/contacts/contact_graph.h>
 #include <plumb/dynamics/fields/field_store.h>
+#include <plumb/dynamics/joints/joint_island.h>
 #include <plumb/dynamics/solver/joint_phases.h>
 
 namespace plumb {

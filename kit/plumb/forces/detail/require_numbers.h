@@ -1,25 +1,24 @@
 // SPDX-License-Identifier: MIT
-// Are a law's own numbers as its description allows?
+// Are the numbers of a law within what its description allows?
 #pragma once
-#include <type_traits>
-
-#include <plumb/forces/describe_law.h>
-#include <plumb/math/require_members.h>
 
 namespace plumb {
 
-/// Leaves out vectors: a centre may be a body's, and a step never throws.
-struct NumberCheck {
-    const MemberPath& path;
-    template <class T>
-    [[gnu::always_inline]] void operator()(const Member& member, const T& value) const {
-        if constexpr (std::is_arithmetic_v<T>) requireMember(member, value, path);
-    }
-};
+struct Attractor;
+struct Drag;
+struct Fluid;
+struct GroundFriction;
+struct MutualGravity;
+struct UniformGravity;
 
-template <class Law>
-void requireNumbers(const Law& law) {
-    describe(law, NumberCheck{{definitionName<Law>.type}});
-}
+// Each throws std::invalid_argument with the member's name, its value and what is wanted. Vectors are left out, but for
+// a fluid's: a centre may be a body's, and a step never throws.
+
+void requireNumbers(const Attractor& law);
+void requireNumbers(const Drag& law);
+void requireNumbers(const Fluid& fluid);
+void requireNumbers(const GroundFriction& law);
+void requireNumbers(const MutualGravity& law);
+void requireNumbers(const UniformGravity& law);
 
 }  // namespace plumb

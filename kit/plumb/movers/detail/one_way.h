@@ -3,7 +3,7 @@
 #pragma once
 #include <optional>
 
-#include <plumb/movers/move_and_slide.h>
+#include <plumb/movers/slide.h>
 
 namespace plumb::detail {
 

@@ -6,7 +6,7 @@
 
 #include <plumb/movers/detail/face_span.h>
 #include <plumb/movers/detail/one_way.h>
-#include <plumb/movers/move_and_slide.h>
+#include <plumb/movers/slide.h>
 
 namespace plumb::detail {
 
