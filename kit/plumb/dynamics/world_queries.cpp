@@ -81,7 +81,7 @@ using Meet = FunctionRef<std::optional<CastPoint>(ProxyId, const Vec2&)>;
 
 std::optional<CastHit> firstHit(const ShapeQuery& query, const Mover& mover, Meet meet) {
     std::optional<CastHit> first, firstArea;
-    query.lookAlong(mover.halfSize, mover.from, mover.to, [&](ProxyId id, const Vec2& shift) {
+    query.visitAlong(mover.halfSize, mover.from, mover.to, [&](ProxyId id, const Vec2& shift) {
         std::optional<CastHit>& kind = query.isArea(id) ? firstArea : first;
         if (const std::optional<CastPoint> met = meet(id, shift)) {
             const CastHit hit = query.hitOf(id, shift, *met);
@@ -95,7 +95,7 @@ std::optional<CastHit> firstHit(const ShapeQuery& query, const Mover& mover, Mee
 
 std::vector<CastHit> allHits(const ShapeQuery& query, const Mover& mover, Meet meet) {
     std::vector<CastHit> hits, areas;
-    query.lookAlong(mover.halfSize, mover.from, mover.to, [&](ProxyId id, const Vec2& shift) {
+    query.visitAlong(mover.halfSize, mover.from, mover.to, [&](ProxyId id, const Vec2& shift) {
         if (const std::optional<CastPoint> met = meet(id, shift))
             (query.isArea(id) ? areas : hits).push_back(query.hitOf(id, shift, *met));
         return 1.0;
@@ -152,7 +152,7 @@ auto meetShape(const ShapeQuery& query, const Shape& shape, const Transform& pos
 /// Those that overlap or touch a shape.
 std::vector<ShapeId> overlapping(const ShapeQuery& query, const Shape& shape, const Transform& pose) {
     std::vector<ShapeId> found;
-    query.lookInto(aabbOf(shape, pose), [&](ProxyId id, const Vec2& shift) {
+    query.visitIn(aabbOf(shape, pose), [&](ProxyId id, const Vec2& shift) {
         if (plumb::distance(query.shape(id), query.pose(id, shift), shape, pose).separation <= 0)
             found.push_back(query.idOf(id));
     });
@@ -217,7 +217,7 @@ std::optional<CastHit> World::castShape(const Shape& shape, const Transform& pos
                                         const Filter& filter) const {
     requireCast(*state_, shape, pose, shift, "World.castShape");
     ShapeQuery query(*state_, filter);
-    query.seeOutlines();
+    query.includeOutlines();
     return firstHit(query, moverOf(shape, pose, shift), meetShape(query, shape, pose, shift));
 }
 
@@ -225,7 +225,7 @@ std::vector<CastHit> World::castShapeAll(const Shape& shape, const Transform& po
                                          const Filter& filter) const {
     requireCast(*state_, shape, pose, shift, "World.castShapeAll");
     ShapeQuery query(*state_, filter);
-    query.seeOutlines();
+    query.includeOutlines();
     return oneOfEach(allHits(query, moverOf(shape, pose, shift), meetShape(query, shape, pose, shift)));
 }
 
@@ -235,7 +235,7 @@ std::vector<CastHit> World::castShapePieces(const Shape& shape, const Transform&
     const bool all = ignored == BodyId{};
     if (!all) requireBody(*state_, ignored, "World.castShapePieces: ignored");
     ShapeQuery query(*state_, filter, all ? noBody : ignored.index);
-    query.seeOutlines();
+    query.includeOutlines();
     return allHits(query, moverOf(shape, pose, shift), meetShape(query, shape, pose, shift));
 }
 
@@ -264,7 +264,7 @@ std::optional<Nearest> World::nearest(const Vec2& point, double within, const Fi
     if (!(within >= 0)) refuse("World.nearest: within", toText(within) + " is not a distance");
     const ShapeQuery query(*state_, filter);
     std::optional<Nearest> nearest;
-    query.lookAround(point, within, [&](ProxyId id, const Vec2& shift) {
+    query.visitNear(point, within, [&](ProxyId id, const Vec2& shift) {
         const Transform pose = query.pose(id, shift);
         const Distance d = plumb::distance(query.shape(id), pose, Circle{.radius = 0}, {point, {}});
         const Nearest here{query.idOf(id), d.separation, query.place(d.pointA), d.normal};

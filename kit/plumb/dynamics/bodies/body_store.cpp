@@ -105,7 +105,7 @@ void BodyStore::putToSleep(BodyIndex body) {
 }
 
 void BodyStore::rest(BodyIndex body) {
-    place[body] = placeOf(motion[body], record[body].rho);
+    place[body] = placeOf(motion[body], record[body].inverseGyration);
     step[body].movedBy = MovedBy::Nothing;
     velocity[body] = warm[body] = before[body] = {};
     displacement[body] = {};
@@ -154,12 +154,12 @@ void markOutOfRange(BodyStore& bodies, BodyIndex body) {
     bodies.outOfRange.push_back(body);
 }
 
-BodyPlace placeOf(const BodyMotion& motion, float rho) {
+BodyPlace placeOf(const BodyMotion& motion, float inverseGyration) {
     BodyPlace place;
     putCenter(place, motion.center);
     place.cos = static_cast<float>(motion.rotation.cos);
     place.sin = static_cast<float>(motion.rotation.sin);
-    place.rho = rho;
+    place.inverseGyration = inverseGyration;
     return place;
 }
 
@@ -173,20 +173,20 @@ void setMass(BodyRecord& body, const Mass& mass) {
     body.localCenter = mass.center;
     if (body.type != BodyType::Dynamic) {
         body.mass = body.inertia = body.inverseMass = body.inverseInertia = 0;
-        body.rho = body.inverseRho = 1;
+        body.inverseGyration = body.gyration = 1;
         return;
     }
     body.mass = mass.mass;
     body.inertia = mass.inertia;
     body.inverseMass = 1 / mass.mass;
     body.inverseInertia = body.fixedRotation ? 0 : 1 / mass.inertia;
-    setRho(body, body.inverseInertia);
+    setGyration(body, body.inverseInertia);
 }
 
-void setRho(BodyRecord& body, double inverseInertia) {
-    const double rho = std::sqrt(inverseInertia * body.mass);
-    body.rho = static_cast<float>(rho);
-    body.inverseRho = rho > 0 ? static_cast<float>(1 / rho) : 0.0f;
+void setGyration(BodyRecord& body, double inverseInertia) {
+    const double inverseGyration = std::sqrt(inverseInertia * body.mass);
+    body.inverseGyration = static_cast<float>(inverseGyration);
+    body.gyration = inverseGyration > 0 ? static_cast<float>(1 / inverseGyration) : 0.0f;
 }
 
 }  // namespace plumb

@@ -49,7 +49,7 @@ struct alignas(64) BodyRecord {
     bool quarantined = false;
     bool enabled = true;
     bool massGiven = false;  ///< not what its shapes and their densities give
-    float rho = 1, inverseRho = 1;
+    float inverseGyration = 1, gyration = 1;
     double stillTime = 0;
     double boundingRadius = 0;  ///< farthest point from the centre of mass [m]
     double turningRadius = 0;   ///< and of the cores within what is rounded [m]
@@ -176,7 +176,7 @@ inline ShapeId idOfShape(const BodyStore& bodies, const Proxy& proxy) {
 }
 
 /// Where a body is and how it is turned, in the floats of the hot loops; all else zero.
-BodyPlace placeOf(const BodyMotion& motion, float rho);
+BodyPlace placeOf(const BodyMotion& motion, float inverseGyration);
 
 /// Of gravity and of the forces of this step.
 Acceleration accelerationOf(const BodyRecord& body, const Vec2& gravity);
@@ -184,6 +184,6 @@ Acceleration accelerationOf(const BodyRecord& body, const Vec2& gravity);
 /// Sets mass, inertia and all that follows from them.
 void setMass(BodyRecord& body, const Mass& mass);
 /// What the solver takes for a body's inertia; until setMass, or joints, say something else.
-void setRho(BodyRecord& body, double inverseInertia);
+void setGyration(BodyRecord& body, double inverseInertia);
 
 }  // namespace plumb

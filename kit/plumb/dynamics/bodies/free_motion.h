@@ -7,9 +7,9 @@
 // Source: textbook. Exact to rounding for any t.
 // Test: "a thrown ball is where the formula says at every tick"
 #pragma once
+#include <plumb/dynamics/bodies/body_store.h>
 #include <plumb/dynamics/bodies/step_observer.h>
 #include <vector>
-#include <plumb/dynamics/bodies/body_store.h>
 
 namespace plumb {
 

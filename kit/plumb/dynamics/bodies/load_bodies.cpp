@@ -10,8 +10,8 @@ namespace plumb {
 
 namespace {
 
-SolverVelocity rowOf(const Vec2& linear, double angular, float inverseRho, float last) {
-    return {static_cast<float>(linear.x()), static_cast<float>(linear.y()), static_cast<float>(angular) * inverseRho,
+SolverVelocity rowOf(const Vec2& linear, double angular, float gyration, float last) {
+    return {static_cast<float>(linear.x()), static_cast<float>(linear.y()), static_cast<float>(angular) * gyration,
             last};
 }
 
@@ -28,7 +28,7 @@ void loadBody(BodyStore& bodies, BodyIndex body, double dt) {
         return;
     }
     bodies.step[body].movedBy = MovedBy::ClosedForm;
-    BodyPlace place = placeOf(motion, record.rho);
+    BodyPlace place = placeOf(motion, record.inverseGyration);
     const Vec2 shift = motion.velocity * dt + a.linear * (0.5 * dt * dt);
     const double angle = (std::fabs(motion.angularVelocity) + std::fabs(a.angular) * dt) * dt;
     place.shiftX = static_cast<float>(shift.x());
@@ -39,10 +39,10 @@ void loadBody(BodyStore& bodies, BodyIndex body, double dt) {
     bodies.place[body] = place;
 
     const float inverseMass = static_cast<float>(record.inverseMass);
-    bodies.velocity[body] = rowOf(motion.velocity, motion.angularVelocity, record.inverseRho, inverseMass);
+    bodies.velocity[body] = rowOf(motion.velocity, motion.angularVelocity, record.gyration, inverseMass);
     bodies.displacement[body] = {};
     bodies.warm[body] = {};
-    bodies.turn[body] = {0, record.rho, record.inverseRho, 0};
+    bodies.turn[body] = {0, record.inverseGyration, record.gyration, 0};
     if (bodies.step[body].flight != none) {  // the fields do it all, gravity and damping included
         bodies.kick[body] = {};
         return;
@@ -50,7 +50,7 @@ void loadBody(BodyStore& bodies, BodyIndex body, double dt) {
     const double half = 0.5 * dt / bodies.subSteps;
     const Decay linear = decay(law.linearDamping, half);
     const Decay angular = decay(law.angularDamping, half);
-    bodies.kick[body].gain = rowOf(a.linear * linear.gain, a.angular * angular.gain, record.inverseRho, 0);
+    bodies.kick[body].gain = rowOf(a.linear * linear.gain, a.angular * angular.gain, record.gyration, 0);
     bodies.kick[body].keep = {static_cast<float>(linear.keep), static_cast<float>(linear.keep),
                               static_cast<float>(angular.keep), 1};
 }

@@ -23,7 +23,7 @@ struct SolverDisplacement {
 /// The angle turned in this step, and what scales it.
 struct SolverTurn {
     float angle = 0;  ///< [rad]
-    float rho = 1, inverseRho = 1;
+    float inverseGyration = 1, gyration = 1;
     float unused = 0;
 };
 
@@ -48,7 +48,7 @@ struct SolverBodies {
 struct alignas(64) BodyPlace {
     float highX = 0, highY = 0, lowX = 0, lowY = 0;  ///< centre of mass [m]
     float cos = 1, sin = 0;                          ///< of its angle
-    float rho = 1;                                   ///< inverse radius of gyration [1/m]
+    float inverseGyration = 1;                       ///< inverse radius of gyration [1/m]
     float unused = 0;
     float shiftX = 0, shiftY = 0;  ///< of the centre in this step, if nothing is in the way [m]
     float turn = 0;                ///< how far turning takes its outline at most [m]

@@ -26,14 +26,14 @@ struct alignas(64) ContactBatch {
     Lanes<float> normalX, normalY;      ///< from A to B
     Lanes<float> friction;
     PointLanes points[2];
-    Lanes<float> roundA, roundB;      ///< radius around the core, times rho: this much of an anchor does not turn
-    Lanes<float> beltSpeed;           ///< of both surfaces, along the tangent [m/s]
-    Lanes<float> rollReach;           ///< resisting torque over normal force [m]
-    Lanes<float> rollRhoA, rollRhoB;  ///< rho of the bodies
-    Lanes<float> rollMass;            ///< effective inertia [kg m^2]
-    Lanes<float> rollImpulse;         ///< of half a sub-step [N m s]
-    Lanes<std::int32_t> pushed;       ///< not 0: the contact has given an impulse in this step
-    bool bounces, belts, rolls;       ///< some lane may have restitution, a beltSpeed, a rollReach
+    Lanes<float> roundA, roundB;  ///< radius around the core, times rho: this much of an anchor does not turn
+    Lanes<float> surfaceSpeed;    ///< of both surfaces, along the tangent [m/s]
+    Lanes<float> rollReach;       ///< resisting torque over normal force [m]
+    Lanes<float> rollInverseGyrationA, rollInverseGyrationB;  ///< rho of the bodies
+    Lanes<float> rollMass;                                    ///< effective inertia [kg m^2]
+    Lanes<float> rollImpulse;                                 ///< of half a sub-step [N m s]
+    Lanes<std::int32_t> pushed;                               ///< not 0: the contact has given an impulse in this step
+    bool bounces, hasSurfaceSpeed, hasRollingResistance;  ///< some lane may have restitution, a beltSpeed, a rollReach
 };
 
 /// Of 64 bytes, before the flags.

@@ -21,8 +21,8 @@ void copyLane(Colour& to, std::size_t toSlot, const ContactBatch& batch, const M
     ContactBatch& target = to.batches[toSlot / batchLanes];
     copyLane(target, toSlot % batchLanes, batch, lane, batchRows);
     copyLane(to.manifolds[toSlot / batchLanes], toSlot % batchLanes, manifolds, lane, manifoldRows);
-    target.belts = target.belts || batch.beltSpeed[lane] != 0;
-    target.rolls = target.rolls || batch.rollReach[lane] != 0;
+    target.hasSurfaceSpeed = target.hasSurfaceSpeed || batch.surfaceSpeed[lane] != 0;
+    target.hasRollingResistance = target.hasRollingResistance || batch.rollReach[lane] != 0;
     target.bounces = target.bounces || manifolds.restitution[lane] > 0;
 }
 

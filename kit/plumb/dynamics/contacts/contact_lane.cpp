@@ -10,8 +10,8 @@ void fillRolling(ContactBatch& batch, std::size_t lane, const ContactRecord& con
     const BodyRecord& b = bodies.record[contact.bodyB];
     const float inverse = static_cast<float>(a.inverseInertia + b.inverseInertia);
     batch.rollReach[lane] = inverse > 0 ? contact.rollingReach : 0.0f;
-    batch.rollRhoA[lane] = a.rho;
-    batch.rollRhoB[lane] = b.rho;
+    batch.rollInverseGyrationA[lane] = a.inverseGyration;
+    batch.rollInverseGyrationB[lane] = b.inverseGyration;
     batch.rollMass[lane] = inverse > 0 ? 1 / inverse : 0.0f;
     batch.rollImpulse[lane] = contact.rollImpulse;
 }
@@ -23,9 +23,9 @@ void fillLane(ContactBatch& batch, ManifoldLanes& manifolds, std::size_t lane, c
     batch.bodyA[lane] = contact.bodyA;
     batch.bodyB[lane] = contact.bodyB;
     batch.friction[lane] = static_cast<float>(contact.friction);
-    batch.roundA[lane] = bodies.record[contact.bodyA].rho * space[contact.proxyA].convex.radius;
-    batch.roundB[lane] = bodies.record[contact.bodyB].rho * space[contact.proxyB].convex.radius;
-    batch.beltSpeed[lane] = contact.beltSpeed;
+    batch.roundA[lane] = bodies.record[contact.bodyA].inverseGyration * space[contact.proxyA].convex.radius;
+    batch.roundB[lane] = bodies.record[contact.bodyB].inverseGyration * space[contact.proxyB].convex.radius;
+    batch.surfaceSpeed[lane] = contact.surfaceSpeed;
     fillRolling(batch, lane, contact, bodies);
     manifolds.restitution[lane] = static_cast<float>(contact.restitution);
     manifolds.touching[lane] = contact.touching ? 1 : 0;
@@ -54,17 +54,18 @@ void setFresh(FreshLanes& fresh, std::size_t lane, const Manifold& manifold) {
     }
 }
 
-void renewRho(ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies, const Space& space,
-              BodyIndex body) {
-    const float rho = bodies.record[body].rho;
+void renewGyration(ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies, const Space& space,
+                   BodyIndex body) {
+    const float inverseGyration = bodies.record[body].inverseGyration;
     forEachContact(bodies, contacts, body, [&](ContactIndex index) {
         const ContactRecord& contact = contacts[index];
         if (!contact.isSolved()) return;
         ContactBatch& batch = graph.colours[contact.colour].batches[contact.slot / batchLanes];
         const std::size_t lane = contact.slot % batchLanes;
         const bool isA = contact.bodyA == body;
-        (isA ? batch.rollRhoA : batch.rollRhoB)[lane] = rho;
-        (isA ? batch.roundA : batch.roundB)[lane] = rho * space[isA ? contact.proxyA : contact.proxyB].convex.radius;
+        (isA ? batch.rollInverseGyrationA : batch.rollInverseGyrationB)[lane] = inverseGyration;
+        (isA ? batch.roundA : batch.roundB)[lane] =
+            inverseGyration * space[isA ? contact.proxyA : contact.proxyB].convex.radius;
     });
 }
 

@@ -14,7 +14,7 @@ void fillLane(ContactBatch& batch, ManifoldLanes& manifolds, std::size_t lane, c
 void setFresh(FreshLanes& fresh, std::size_t lane, const Manifold& manifold);
 
 /// A body has become as heavy to turn as its joints need: so its contacts' lanes are to have it.
-void renewRho(ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies, const Space& space,
-              BodyIndex body);
+void renewGyration(ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies, const Space& space,
+                   BodyIndex body);
 
 }  // namespace plumb

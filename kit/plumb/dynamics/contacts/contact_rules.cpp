@@ -94,7 +94,7 @@ bool isSolid(ContactStore& contacts, const BodyStore& bodies, const Space& space
     const Proxy& a = space[contact.proxyA];
     const Proxy& b = space[contact.proxyB];
     if (contact.verdict == Verdict::Open) {
-        contacts.judged.push_back(index);
+        contacts.withVerdict.push_back(index);
         if (!rulesAdmit(bodies, a, b, face)) contact.verdict = Verdict::Refused;
     }
     if (contact.verdict == Verdict::Refused) return false;
@@ -107,7 +107,7 @@ bool isSolid(ContactStore& contacts, const BodyStore& bodies, const Space& space
 std::vector<ContactIndex> findLetThrough(ContactStore& contacts, const ContactGraph& graph, const BodyStore& bodies,
                                          const Space& space) {
     std::vector<ContactIndex> through;
-    for (const ContactIndex index : contacts.judged) {
+    for (const ContactIndex index : contacts.withVerdict) {
         const ContactRecord& contact = contacts[index];
         if (!contact.isSolved()) continue;
         const Manifold manifold = graph.manifoldOf(contact);
@@ -118,7 +118,7 @@ std::vector<ContactIndex> findLetThrough(ContactStore& contacts, const ContactGr
 }
 
 void dropVerdicts(ContactStore& contacts, const ContactGraph& graph) {
-    std::erase_if(contacts.judged, [&](ContactIndex index) {
+    std::erase_if(contacts.withVerdict, [&](ContactIndex index) {
         ContactRecord& contact = contacts[index];
         const bool parted =
             contact.isSolved() ? graph.manifoldOf(contact).count == 0 : contact.isNear() && !contact.met;

@@ -53,7 +53,7 @@ ContactIndex ContactStore::add(BodyStore& bodies, const ContactRecord& contact) 
 
 void ContactStore::remove(BodyStore& bodies, ContactIndex contact) {
     removeNear(contact);
-    if (records[contact].verdict != Verdict::Open) std::erase(judged, contact);
+    if (records[contact].verdict != Verdict::Open) std::erase(withVerdict, contact);
     unlink(bodies, *this, contact, 0, records[contact].bodyA);
     unlink(bodies, *this, contact, 1, records[contact].bodyB);
     records[contact].state = ContactState::Free;

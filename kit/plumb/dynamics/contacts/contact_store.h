@@ -57,7 +57,7 @@ struct ContactRecord {
     BodyIndex bodyA = 0, bodyB = 0;
     double friction = 0, restitution = 0;  ///< of the pair
     float rollingReach = 0;                ///< resisting torque over normal force [m]
-    float beltSpeed = 0;                   ///< of both surfaces, along the tangent [m/s]
+    float surfaceSpeed = 0;                ///< of both surfaces, along the tangent [m/s]
     ContactState state = ContactState::Free;
     bool boxes = false;  ///< both shapes are boxes that lie straight in their bodies' frames
     bool touching = false;
@@ -95,8 +95,8 @@ struct ContactStore {
     NearPairs nearOthers;               ///< of other shapes, in their boxes
     std::vector<ContactIndex> watched;  ///< those that were touching or had a manifold, until they have not; and more
 
-    std::vector<ContactIndex> judged;   ///< those with a verdict
-    std::vector<ContactIndex> impacts;  ///< those left to the impacts in the last step that had such
+    std::vector<ContactIndex> withVerdict;  ///< those with a verdict
+    std::vector<ContactIndex> impacts;      ///< those left to the impacts in the last step that had such
 
     ContactRecord& operator[](ContactIndex contact) { return records[contact]; }
     const ContactRecord& operator[](ContactIndex contact) const { return records[contact]; }

@@ -70,7 +70,7 @@ void NarrowPhase::collideSolved() {
     removeParted(contacts_.nearBoxes);
     removeParted(contacts_.nearOthers);
     for (const ContactIndex index : contacts_.watched) contacts_[index].met = false;
-    for (const ContactIndex index : contacts_.judged) contacts_[index].met = false;
+    for (const ContactIndex index : contacts_.withVerdict) contacts_[index].met = false;
 }
 
 bool NarrowPhase::isDone() const {
@@ -105,8 +105,8 @@ void NarrowPhase::finish() {
     for (const ContactIndex index : contacts_.watched)
         if (!contacts_[index].met) contacts_[index].manifold.count = 0;
     dropVerdicts(contacts_, graph_);
-    for (const ContactIndex index : parted_) takeSlot(index);
-    for (Arrivals& some : arrivals_) giveSlots(some);
+    for (const ContactIndex index : parted_) removeFromSolver(index);
+    for (Arrivals& some : arrivals_) addToSolver(some);
 }
 
 void NarrowPhase::collideColour(std::size_t index) {
@@ -127,15 +127,15 @@ void NarrowPhase::collideColour(std::size_t index) {
 }
 
 void NarrowPhase::collideBoxes(const Batch& batch, FreshLanes& fresh) const {
-    seeAround(batch.contacts, batch.count, fresh);
+    setPeriodicOffsets(batch.contacts, batch.count, fresh);
     collider_.collideBoxes(batch.pairs, bodies_.place.data(), fresh);
-    settleUncertain(batch, fresh);
+    resolveUncertain(batch, fresh);
 }
 
 /// Lanes of discs at once, lanes of other shapes by themselves; lanes beyond count get no points.
 void NarrowPhase::collideOthers(const Batch& batch, FreshLanes& fresh) const {
     const std::size_t count = batch.count;
-    seeAround(batch.contacts, count, fresh);
+    setPeriodicOffsets(batch.contacts, count, fresh);
     const auto& isDisc = batch.pairs.discs;
     const auto discs = count - static_cast<std::size_t>(std::count(isDisc, isDisc + count, noDisc));
     FreshLanes round;
@@ -145,7 +145,7 @@ void NarrowPhase::collideOthers(const Batch& batch, FreshLanes& fresh) const {
     for (std::size_t lane = 0; discs > 0 && discs < count && lane < count; ++lane)
         if (isDisc[lane] != noDisc) copyLane(fresh, lane, round, lane, freshRows);
     for (std::size_t lane = count; lane < batchLanes; ++lane) setFresh(fresh, lane, {});
-    settleUncertain(batch, fresh);
+    resolveUncertain(batch, fresh);
 }
 
 /// Those whose boxes cannot come together in this step all at once; the rest one by one.
@@ -159,7 +159,7 @@ void NarrowPhase::collideAny(const Batch& batch, FreshLanes& fresh) const {
 }
 
 /// Takes a closer look at the lanes of which outlines alone do not say whether they meet.
-void NarrowPhase::settleUncertain(const Batch& batch, FreshLanes& fresh) const {
+void NarrowPhase::resolveUncertain(const Batch& batch, FreshLanes& fresh) const {
     if (!isUncertain(fresh)) return;
     for (std::size_t lane = 0; lane < batch.count; ++lane) {
         if (fresh.uncertain[lane] == 0) continue;
@@ -169,7 +169,7 @@ void NarrowPhase::settleUncertain(const Batch& batch, FreshLanes& fresh) const {
 }
 
 /// How far apart bodies are that meet around the world, for the lanes. In any other world nothing.
-void NarrowPhase::seeAround(const ContactIndex* contacts, std::size_t count, FreshLanes& fresh) const {
+void NarrowPhase::setPeriodicOffsets(const ContactIndex* contacts, std::size_t count, FreshLanes& fresh) const {
     fresh.around = false;
     if (!bodies_.wrap.any()) return;
     for (std::size_t lane = 0; lane < count; ++lane)
@@ -258,12 +258,12 @@ void NarrowPhase::noteSleepers(const ShapePair& pair, const FreshLanes& fresh, s
 }
 
 /// Into slots, if anything can come of it; else back into their records.
-void NarrowPhase::giveSlots(Arrivals& arrivals) {
+void NarrowPhase::addToSolver(Arrivals& arrivals) {
     ContactBatch batch{};
     ManifoldLanes manifolds{};
     for (std::size_t lane = 0; lane < arrivals.count; ++lane)
         fillLane(batch, manifolds, lane, contacts_[arrivals.contacts[lane]], bodies_, space_);
-    seeAround(arrivals.contacts, arrivals.count, arrivals.fresh);
+    setPeriodicOffsets(arrivals.contacts, arrivals.count, arrivals.fresh);
     prepare(batch, manifolds, arrivals.fresh);
     guessImpulses(batch, bodies_, lanes_);
     for (std::size_t lane = 0; lane < arrivals.count; ++lane) {
@@ -276,7 +276,7 @@ void NarrowPhase::giveSlots(Arrivals& arrivals) {
 }
 
 /// It has parted.
-void NarrowPhase::takeSlot(ContactIndex index) {
+void NarrowPhase::removeFromSolver(ContactIndex index) {
     ContactRecord& contact = contacts_[index];
     graph_.remove(bodies_, contacts_, index);
     contacts_.addNear(index);

@@ -50,8 +50,8 @@ private:
     void collideBoxes(const Batch& batch, FreshLanes& fresh) const;
     void collideOthers(const Batch& batch, FreshLanes& fresh) const;
     void collideAny(const Batch& batch, FreshLanes& fresh) const;
-    void settleUncertain(const Batch& batch, FreshLanes& fresh) const;
-    void seeAround(const ContactIndex* contacts, std::size_t count, FreshLanes& fresh) const;
+    void resolveUncertain(const Batch& batch, FreshLanes& fresh) const;
+    void setPeriodicOffsets(const ContactIndex* contacts, std::size_t count, FreshLanes& fresh) const;
     void prepare(ContactBatch& batch, ManifoldLanes& manifolds, const FreshLanes& fresh) const;
     ShapePair pairOf(const Batch& batch, std::size_t lane) const;
     Manifold manifoldOf(const ShapePair& pair) const;
@@ -59,8 +59,8 @@ private:
     bool mayArrive(ContactIndex contact, const FreshLanes& fresh, std::size_t lane);
     void addArrival(ContactIndex contact, const FreshLanes& fresh, std::size_t lane);
     void noteSleepers(const ShapePair& pair, const FreshLanes& fresh, std::size_t lane);
-    void giveSlots(Arrivals& arrivals);
-    void takeSlot(ContactIndex contact);
+    void addToSolver(Arrivals& arrivals);
+    void removeFromSolver(ContactIndex contact);
 
     ContactGraph& graph_;
     ContactStore& contacts_;

@@ -123,7 +123,7 @@ void mixMaterials(const Space& space, ContactRecord& contact) {
     contact.restitution = mixed(ma.restitution, mb.restitution, ma.restitutionMix, mb.restitutionMix);
     const double reach = std::max(ma.rollingResistance, mb.rollingResistance) * roundingOf(a, b);
     contact.rollingReach = static_cast<float>(std::min(reach, roughest));
-    contact.beltSpeed = static_cast<float>(ma.surfaceSpeed + mb.surfaceSpeed);
+    contact.surfaceSpeed = static_cast<float>(ma.surfaceSpeed + mb.surfaceSpeed);
 }
 
 }  // namespace plumb

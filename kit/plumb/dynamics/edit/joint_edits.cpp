@@ -72,7 +72,7 @@ void unlink(WorldState& world, JointIndex index) {
         BodyLinks& links = bodies.links[body];
         links.joints.erase(std::find(links.joints.begin(), links.joints.end(), index));
         if (record.acts()) --links.actingJoints;
-        if (bodies.isDynamic(body)) setRho(bodies.record[body], bodies.record[body].inverseInertia);
+        if (bodies.isDynamic(body)) setGyration(bodies.record[body], bodies.record[body].inverseInertia);
     });
     if (record.collideConnected) return;
     keepApartNoMore(bodies, record.bodyA, record.bodyB);

@@ -10,13 +10,13 @@ namespace plumb {
 namespace {
 
 /// Rate and drive at a velocity.
-struct Slowing {
+struct DragTerms {
     double rate = 0;
     Vec2 drive{0, 0};
 };
 
-Slowing slowingAt(const FieldPull& pull, double damping, const Vec2& acceleration, const Vec2& velocity) {
-    Slowing s{damping + pull.linear, acceleration + pull.flow};
+DragTerms dragAt(const FieldPull& pull, double damping, const Vec2& acceleration, const Vec2& velocity) {
+    DragTerms s{damping + pull.linear, acceleration + pull.flow};
     for (const SpeedDrag& drag : pull.quadratic) {
         const double rate = drag.rate * (velocity - drag.flow).norm();
         s.rate += rate;
@@ -25,20 +25,19 @@ Slowing slowingAt(const FieldPull& pull, double damping, const Vec2& acceleratio
     return s;
 }
 
-Vec2 after(const Slowing& slowing, const Vec2& velocity, double time) {
-    const Decay d = decay(slowing.rate, time);
-    return velocity * d.keep + slowing.drive * d.gain;
+Vec2 after(const DragTerms& drag, const Vec2& velocity, double time) {
+    const Decay d = decay(drag.rate, time);
+    return velocity * d.keep + drag.drive * d.gain;
 }
 
-Slowing meanSlowing(const FieldPull& pull, double damping, const Vec2& acceleration, const Vec2& velocity,
-                    double time) {
-    const Slowing first = slowingAt(pull, damping, acceleration, velocity);
+DragTerms meanDrag(const FieldPull& pull, double damping, const Vec2& acceleration, const Vec2& velocity, double time) {
+    const DragTerms first = dragAt(pull, damping, acceleration, velocity);
     if (pull.quadratic.empty()) return first;
-    return slowingAt(pull, damping, acceleration, 0.5 * (velocity + after(first, velocity, time)));
+    return dragAt(pull, damping, acceleration, 0.5 * (velocity + after(first, velocity, time)));
 }
 
 /// What friction takes off, of what would have become of a velocity.
-Vec2 rubbedOff(const Vec2& before, const Vec2& to, double most) {
+Vec2 frictionLoss(const Vec2& before, const Vec2& to, double most) {
     if (most <= 0) return {0, 0};
     if (to.norm() <= most) return -to;
     // What contacts push against each other may be turned round by the rest of the kick: there is no mean way then.
@@ -47,7 +46,7 @@ Vec2 rubbedOff(const Vec2& before, const Vec2& to, double most) {
     return to.dot(Vec2(to + off)) > 0 ? off : Vec2(-to);
 }
 
-double rubbedOff(double to, double most) {
+double frictionLoss(double to, double most) {
     if (most <= 0) return 0;
     return std::fabs(to) <= most ? -to : (to > 0 ? -most : most);
 }
@@ -62,19 +61,19 @@ FieldKick kickOf(const BodyRecord& body, const Acceleration& base, const FieldPu
     kick.kept.spin = (base.angular + pull.acceleration.angular) * time - kick.forced.spin;
 
     const Vec2 acceleration = base.linear + pull.acceleration.linear;
-    const Slowing slowing = meanSlowing(pull, body.linearDamping, acceleration, velocity.velocity, time);
-    const Vec2 to = after(slowing, velocity.velocity, time);
+    const DragTerms drag = meanDrag(pull, body.linearDamping, acceleration, velocity.velocity, time);
+    const Vec2 to = after(drag, velocity.velocity, time);
     // Without drag the difference is rounding.
-    if (slowing.rate > 0) kick.damped.velocity = to - velocity.velocity - acceleration * time;
-    kick.rubbed.velocity = rubbedOff(velocity.velocity, to, pull.friction * time);
+    if (drag.rate > 0) kick.damped.velocity = to - velocity.velocity - acceleration * time;
+    kick.friction.velocity = frictionLoss(velocity.velocity, to, pull.friction * time);
 
-    kick.rate = slowing.rate;
+    kick.rate = drag.rate;
     kick.turningRate = body.angularDamping + pull.turning;
     const Decay turning = decay(kick.turningRate, time);
     const double angular = base.angular + pull.acceleration.angular;
     const double spin = velocity.spin * turning.keep + angular * turning.gain;
     if (kick.turningRate > 0) kick.damped.spin = spin - velocity.spin - angular * time;
-    kick.rubbed.spin = rubbedOff(spin, pull.spinFriction * time);
+    kick.friction.spin = frictionLoss(spin, pull.spinFriction * time);
     return kick;
 }
 

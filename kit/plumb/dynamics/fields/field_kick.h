@@ -19,7 +19,7 @@ inline VelocityChange sumOf(const FieldKick& kick) {
     VelocityChange sum = kick.kept;
     sum += kick.forced;
     sum += kick.damped;
-    sum += kick.rubbed;
+    sum += kick.friction;
     return sum;
 }
 

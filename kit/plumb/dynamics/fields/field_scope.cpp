@@ -10,8 +10,8 @@ namespace plumb {
 
 namespace {
 
-bool letsIn(const FieldRecord& field, const FieldView& view, BodyIndex body) {
-    if (!field.choosy) return true;
+bool passesFilter(const FieldRecord& field, const FieldView& view, BodyIndex body) {
+    if (!field.filters) return true;
     const Filter& f = field.def.filter;
     const FilterKey filterKey{f.category, f.mask, 0, f.group, false, false};
     const std::vector<ProxyId>& proxies = view.bodies.links[body].proxies;
@@ -51,7 +51,7 @@ bool mayInfluence(const FieldView& view, const FieldRecord& field, BodyIndex bod
     const auto* magnet = std::get_if<Magnet>(&field.def.law);
     if (magnet && !isCarried(*magnet, view)) return false;
     if (isCarriedBy(field.def.law, body)) return true;
-    if (!letsIn(field, view, body)) return false;
+    if (!passesFilter(field, view, body)) return false;
     if (!mayReach(view, field, merge({from, from}, {to, to}))) return false;
     if (magnet) {
         const BodyMotion& carrier = view.bodies.motion[magnet->body.index];
@@ -111,7 +111,7 @@ std::optional<Vec2> shiftInto(const FieldRecord& field, const FieldView& view, c
 }
 
 bool actsOn(const FieldRecord& field, const FieldView& view, BodyIndex body, const BodyMotion& there) {
-    return view.bodies.canMove(body) && isInRange(there) && letsIn(field, view, body) &&
+    return view.bodies.canMove(body) && isInRange(there) && passesFilter(field, view, body) &&
            shiftInto(field, view, there.center).has_value();
 }
 
@@ -165,7 +165,7 @@ std::vector<BodyIndex> gatherAttracted(FieldStore& fields, FieldIndex index, con
     field.attracted.clear();
     if (!field.alive || !attractsOthers(field.def)) return {};
     for (BodyIndex body = 1; body < bodies.record.size(); ++body)
-        if (bodies.canMove(body) && letsIn(field, view, body)) field.attracted.push_back(body);
+        if (bodies.canMove(body) && passesFilter(field, view, body)) field.attracted.push_back(body);
     return keepsAwake(view, field.def) ? bodiesInfluencedBy(view, field) : std::vector<BodyIndex>();
 }
 

@@ -21,13 +21,14 @@ BodyMotion solvedMotion(const BodyStore& bodies, BodyIndex body) {
 
 VelocityChange speedsOf(const BodyStore& bodies, BodyIndex body) {
     const SolverVelocity& v = bodies.velocity[body];
-    return {{static_cast<double>(v.x), static_cast<double>(v.y)}, static_cast<double>(v.w * bodies.turn[body].rho)};
+    return {{static_cast<double>(v.x), static_cast<double>(v.y)},
+            static_cast<double>(v.w * bodies.turn[body].inverseGyration)};
 }
 
-void addChange(SolverVelocity& velocity, const VelocityChange& push, float inverseRho) {
+void addChange(SolverVelocity& velocity, const VelocityChange& push, float gyration) {
     velocity.x += static_cast<float>(push.velocity.x());
     velocity.y += static_cast<float>(push.velocity.y());
-    velocity.w += static_cast<float>(push.spin) * inverseRho;
+    velocity.w += static_cast<float>(push.spin) * gyration;
 }
 
 }  // namespace
@@ -67,8 +68,8 @@ void FieldSolving::kick(const std::vector<BodyIndex>& solved) {
         const Acceleration base = accelerationOf(record, bodies_.gravity);
         const FieldKick kick = kickOf(record, base, pulls_[i], speedsOf(bodies_, body), 0.5 * h_);
         const VelocityChange sum = sumOf(kick);
-        addChange(bodies_.velocity[body], sum, bodies_.turn[body].inverseRho);
-        addChange(bodies_.before[body], sum, bodies_.turn[body].inverseRho);
+        addChange(bodies_.velocity[body], sum, bodies_.turn[body].gyration);
+        addChange(bodies_.before[body], sum, bodies_.turn[body].gyration);
         if (observer_ != nullptr) observer_->noteFieldKick(body, kick, base.linear * (0.5 * h_));
     }
 }

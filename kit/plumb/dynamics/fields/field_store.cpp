@@ -10,19 +10,19 @@ void FieldAccount::add(const BodyRecord& body, const FieldKick& kick, const Velo
     };
     forced += workOf(kick.forced);
     damped += workOf(kick.damped);
-    rubbed += workOf(kick.rubbed);
+    friction += workOf(kick.friction);
     fields += body.mass * (kick.kept.velocity - base + kick.forced.velocity);
     dampedMomentum += body.mass * kick.damped.velocity;
-    rubbedMomentum += body.mass * kick.rubbed.velocity;
+    frictionMomentum += body.mass * kick.friction.velocity;
 }
 
 FieldAccount& FieldAccount::operator+=(const FieldAccount& other) {
     forced += other.forced;
     damped += other.damped;
-    rubbed += other.rubbed;
+    friction += other.friction;
     fields += other.fields;
     dampedMomentum += other.dampedMomentum;
-    rubbedMomentum += other.rubbedMomentum;
+    frictionMomentum += other.frictionMomentum;
     return *this;
 }
 

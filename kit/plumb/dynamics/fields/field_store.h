@@ -14,7 +14,7 @@ using FieldIndex = std::uint32_t;
 struct FieldRecord {
     FieldDef def;
     bool alive = false;
-    bool choosy = false;  ///< its filter is not the one that lets all in
+    bool filters = false;  ///< its filter is not the one that lets all in
     std::uint32_t generation = 0;
     Aabb box;                          ///< around its region: beyond it the field does not act [m]
     std::vector<BodyIndex> attracted;  ///< within a step, by mutual gravity or a magnet: all that its filter lets in
@@ -25,14 +25,14 @@ struct FieldKick {
     VelocityChange kept;               ///< by gravity, by forces from outside, and by what has a potential energy
     VelocityChange forced;             ///< by what has none, or ends at a border
     VelocityChange damped;             ///< by drag and damping
-    VelocityChange rubbed;             ///< by friction with the ground
+    VelocityChange friction;           ///< by friction with the ground
     double rate = 0, turningRate = 0;  ///< of drag and damping at the mean velocity [1/s]
 };
 
 /// What fields have done to a body in a step.
 struct FieldAccount {
-    double forced = 0, damped = 0, rubbed = 0;                      ///< energy [J]
-    Vec2 fields{0, 0}, dampedMomentum{0, 0}, rubbedMomentum{0, 0};  ///< [N s]
+    double forced = 0, damped = 0, friction = 0;                      ///< energy [J]
+    Vec2 fields{0, 0}, dampedMomentum{0, 0}, frictionMomentum{0, 0};  ///< [N s]
 
     /// A kick in which the body's velocity was mean; base is what of it was gravity's and forces' [m/s].
     void add(const BodyRecord& body, const FieldKick& kick, const VelocityChange& mean, const Vec2& base);

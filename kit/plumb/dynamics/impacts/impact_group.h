@@ -7,8 +7,8 @@
 #pragma once
 #include <span>
 
-#include <plumb/dynamics/bodies/step_observer.h>
 #include <plumb/dynamics/bodies/free_motion.h>
+#include <plumb/dynamics/bodies/step_observer.h>
 #include <plumb/dynamics/contacts/touch_events.h>
 #include <plumb/dynamics/fields/field_store.h>
 

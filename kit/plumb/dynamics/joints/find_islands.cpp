@@ -46,7 +46,7 @@ void numberNodes(JointIsland& island, const JointStore& joints, const BodyStore&
     for (const JointIndex index : island.joints) {
         JointIsland::EndNodes endNodes;
         const auto ends = endsOf(joints, index);
-        for (std::size_t e = 0; e < mostEnds; ++e) {
+        for (std::size_t e = 0; e < maxEnds; ++e) {
             if (!bodies.canMove(ends[e])) continue;
             endNodes.node[e] = nodeOf[ends[e]];
             endNodes.edge[e] = edges.size();

@@ -19,13 +19,13 @@ double weightOf(const std::vector<Vec3>& masses, std::uint32_t node, const Vec2&
 
 /// For each body, the least by which its neighbours, each free but for it, add to its inertia when it turns:
 /// sum m' r^2 - |sum m' r|^2 / (m + sum m'), m' what a neighbour weighs at the anchor at r, whichever way.
-std::vector<double> companyOf(const JointIsland& island) {
-    struct Company {
+std::vector<double> neighbourInertiaOf(const JointIsland& island) {
+    struct NeighbourMass {
         double mass = 0, squares = 0;
         Vec2 moment{0, 0};
     };
     const std::vector<Vec3>& masses = island.work.masses;
-    std::vector<Company> company(masses.size());
+    std::vector<NeighbourMass> neighbours(masses.size());
     for (std::size_t j = 0; j < island.work.rows.size(); ++j) {
         const JointRows& rows = island.work.rows[j];
         if (!rows.holdsPoint) continue;
@@ -33,7 +33,7 @@ std::vector<double> companyOf(const JointIsland& island) {
         for (std::size_t e = 0; e < 2; ++e) {
             if (nodes[e] == JointIsland::EndNodes::fixed) continue;
             const double weight = weightOf(masses, nodes[1 - e], rows.arm[1 - e], masses[nodes[e]][0]);
-            Company& c = company[nodes[e]];
+            NeighbourMass& c = neighbours[nodes[e]];
             c.mass += weight;
             c.moment += weight * rows.arm[e];
             c.squares += weight * rows.arm[e].squaredNorm();
@@ -41,7 +41,7 @@ std::vector<double> companyOf(const JointIsland& island) {
     }
     std::vector<double> added(masses.size());
     for (std::size_t b = 0; b < added.size(); ++b)
-        added[b] = company[b].squares - company[b].moment.squaredNorm() / (masses[b][0] + company[b].mass);
+        added[b] = neighbours[b].squares - neighbours[b].moment.squaredNorm() / (masses[b][0] + neighbours[b].mass);
     return added;
 }
 
@@ -71,11 +71,11 @@ void slowTurning(const JointIsland& island, BodyStore& bodies, double h) {
     bool tight = false;
     for (std::size_t b = 0; b < island.bodies.size(); ++b)
         tight = tight || needed(b) > bodies.record[island.bodies[b]].inertia;
-    const std::vector<double> company = tight ? companyOf(island) : std::vector<double>();
+    const std::vector<double> neighbours = tight ? neighbourInertiaOf(island) : std::vector<double>();
     for (std::size_t b = 0; b < island.bodies.size(); ++b) {
         BodyRecord& record = bodies.record[island.bodies[b]];
-        const double alone = tight ? needed(b) - company[b] : 0.0;
-        if (record.inverseInertia > 0) setRho(record, 1 / std::max(record.inertia, alone));
+        const double alone = tight ? needed(b) - neighbours[b] : 0.0;
+        if (record.inverseInertia > 0) setGyration(record, 1 / std::max(record.inertia, alone));
     }
 }
 
@@ -85,9 +85,10 @@ void findMasses(JointIsland& island, const BodyStore& bodies, double h) {
     island.work.masses.resize(island.bodies.size());
     for (std::size_t b = 0; b < island.bodies.size(); ++b) {
         const double mass = 1 / static_cast<double>(bodies.velocity[island.bodies[b]].inverseMass);
-        const double rho = static_cast<double>(bodies.turn[island.bodies[b]].rho);
+        const double inverseGyration = static_cast<double>(bodies.turn[island.bodies[b]].inverseGyration);
         const double linear = std::max({mass, island.stiffness[b][0] * (h * h), island.stiffness[b][1] * (h * h)});
-        island.work.masses[b] = {linear, linear, rho > 0 ? mass / (rho * rho) : 0.0};
+        island.work.masses[b] = {linear, linear,
+                                 inverseGyration > 0 ? mass / (inverseGyration * inverseGyration) : 0.0};
     }
 }
 

@@ -9,9 +9,9 @@
 #pragma once
 #include <cstddef>
 
+#include <plumb/dynamics/bodies/batch_lanes.h>
 #include <plumb/dynamics/bodies/softness.h>
 #include <plumb/dynamics/bodies/solver_body.h>
-#include <plumb/dynamics/bodies/batch_lanes.h>
 
 namespace plumb {
 
@@ -20,7 +20,7 @@ struct alignas(64) HingeBatch {
     Lanes<float> localXA, localYA, localXB, localYB;  ///< anchors, in the bodies' frames [m]
     Lanes<float> startXA, startYA, startXB, startYB;  ///< arms at the step's start [m]
     Lanes<float> gapX, gapY;                          ///< from A's anchor to B's, at the step's start [m]
-    Lanes<float> rhoA, rhoB;                          ///< of the bodies (see SolverVelocity)
+    Lanes<float> inverseGyrationA, inverseGyrationB;  ///< of the bodies (see SolverVelocity)
     Lanes<float> impulseX, impulseY;                  ///< of half a sub-step, on B [N s]
     Lanes<float> totalX, totalY;                      ///< over the step so far [N s]
 };

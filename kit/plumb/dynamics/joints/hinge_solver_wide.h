@@ -17,8 +17,8 @@ struct WideHinges {
     struct Arm {
         F x, y, travelX, travelY;
     };
-    [[gnu::always_inline]] static inline Arm armOf(F startX, F startY, F rho, const Rows<W>& d) {
-        const F sin = d.z * rho, cosMinus1 = d.w * rho;
+    [[gnu::always_inline]] static inline Arm armOf(F startX, F startY, F inverseGyration, const Rows<W>& d) {
+        const F sin = d.z * inverseGyration, cosMinus1 = d.w * inverseGyration;
         const F turnX = startX * cosMinus1 - startY * sin, turnY = startY * cosMinus1 + startX * sin;
         return {startX + turnX, startY + turnY, d.x + turnX, d.y + turnY};
     }
@@ -30,10 +30,10 @@ struct WideHinges {
         return 0.5f * angle * angle / step;
     }
 
-    [[gnu::always_inline]] static inline void push(Rows<W>& v, F x, F y, F armX, F armY, F rho) {
+    [[gnu::always_inline]] static inline void push(Rows<W>& v, F x, F y, F armX, F armY, F inverseGyration) {
         v.x += v.w * x;
         v.y += v.w * y;
-        v.z += v.w * rho * (armX * y - armY * x);
+        v.z += v.w * inverseGyration * (armX * y - armY * x);
     }
 
     [[gnu::always_inline]] static inline void prepareLanes(HingeBatch& b, int lane, const BodyPlace* places) {
@@ -50,8 +50,8 @@ struct WideHinges {
         storeLanes(b.startYB + lane, yb);
         storeLanes(b.gapX + lane, r.apartX + (xb - xa));
         storeLanes(b.gapY + lane, r.apartY + (yb - ya));
-        storeLanes(b.rhoA + lane, angleA.z);
-        storeLanes(b.rhoB + lane, angleB.z);
+        storeLanes(b.inverseGyrationA + lane, angleA.z);
+        storeLanes(b.inverseGyrationB + lane, angleB.z);
         storeLanes(b.totalX + lane, F{});
         storeLanes(b.totalY + lane, F{});
     }
@@ -61,12 +61,12 @@ struct WideHinges {
         Rows<W> vb = loadRows<W>(&bodies.velocity->x, b.bodyB + lane);
         const Rows<W> da = loadRows<W>(&bodies.displacement->x, b.bodyA + lane);
         const Rows<W> db = loadRows<W>(&bodies.displacement->x, b.bodyB + lane);
-        const F rhoA = at(b.rhoA + lane), rhoB = at(b.rhoB + lane);
-        const Arm ra = armOf(at(b.startXA + lane), at(b.startYA + lane), rhoA, da);
-        const Arm rb = armOf(at(b.startXB + lane), at(b.startYB + lane), rhoB, db);
+        const F inverseGyrationA = at(b.inverseGyrationA + lane), inverseGyrationB = at(b.inverseGyrationB + lane);
+        const Arm ra = armOf(at(b.startXA + lane), at(b.startYA + lane), inverseGyrationA, da);
+        const Arm rb = armOf(at(b.startXB + lane), at(b.startYB + lane), inverseGyrationB, db);
         const F x = at(b.impulseX + lane), y = at(b.impulseY + lane);
-        push(va, -x, -y, ra.x, ra.y, rhoA);
-        push(vb, x, y, rb.x, rb.y, rhoB);
+        push(va, -x, -y, ra.x, ra.y, inverseGyrationA);
+        push(vb, x, y, rb.x, rb.y, inverseGyrationB);
         storeRows<W>(&bodies.velocity->x, b.bodyA + lane, va);
         storeRows<W>(&bodies.velocity->x, b.bodyB + lane, vb);
     }
@@ -77,10 +77,10 @@ struct WideHinges {
         Rows<W> vb = loadRows<W>(&bodies.velocity->x, b.bodyB + lane);
         const Rows<W> da = loadRows<W>(&bodies.displacement->x, b.bodyA + lane);
         const Rows<W> db = loadRows<W>(&bodies.displacement->x, b.bodyB + lane);
-        const F rhoA = at(b.rhoA + lane), rhoB = at(b.rhoB + lane);
-        const Arm ra = armOf(at(b.startXA + lane), at(b.startYA + lane), rhoA, da);
-        const Arm rb = armOf(at(b.startXB + lane), at(b.startYB + lane), rhoB, db);
-        const F spinA = va.z * rhoA, spinB = vb.z * rhoB;
+        const F inverseGyrationA = at(b.inverseGyrationA + lane), inverseGyrationB = at(b.inverseGyrationB + lane);
+        const Arm ra = armOf(at(b.startXA + lane), at(b.startYA + lane), inverseGyrationA, da);
+        const Arm rb = armOf(at(b.startXB + lane), at(b.startYB + lane), inverseGyrationB, db);
+        const F spinA = va.z * inverseGyrationA, spinB = vb.z * inverseGyrationB;
         F wantedX = (vb.x - rb.y * spinB) - (va.x - ra.y * spinA);
         F wantedY = (vb.y + rb.x * spinB) - (va.y + ra.x * spinA);
         F massScale = all(1), impulseScale = F{};
@@ -96,7 +96,8 @@ struct WideHinges {
             massScale = all(pass.soft.massScale);
             impulseScale = all(pass.soft.impulseScale);
         }
-        const F sxa = ra.x * rhoA, sya = ra.y * rhoA, sxb = rb.x * rhoB, syb = rb.y * rhoB;
+        const F sxa = ra.x * inverseGyrationA, sya = ra.y * inverseGyrationA, sxb = rb.x * inverseGyrationB,
+                syb = rb.y * inverseGyrationB;
         const F k11 = va.w * (1.0f + sya * sya) + vb.w * (1.0f + syb * syb);
         const F k12 = -va.w * sxa * sya - vb.w * sxb * syb;
         const F k22 = va.w * (1.0f + sxa * sxa) + vb.w * (1.0f + sxb * sxb);
@@ -110,8 +111,8 @@ struct WideHinges {
         storeLanes(b.impulseY + lane, oldY + y);
         storeLanes(b.totalX + lane, at(b.totalX + lane) + (oldX + x));
         storeLanes(b.totalY + lane, at(b.totalY + lane) + (oldY + y));
-        push(va, -x, -y, ra.x, ra.y, rhoA);
-        push(vb, x, y, rb.x, rb.y, rhoB);
+        push(va, -x, -y, ra.x, ra.y, inverseGyrationA);
+        push(vb, x, y, rb.x, rb.y, inverseGyrationB);
         storeRows<W>(&bodies.velocity->x, b.bodyA + lane, va);
         storeRows<W>(&bodies.velocity->x, b.bodyB + lane, vb);
     }

@@ -88,7 +88,7 @@ void HingeSweep::solve(const HingeSolver& solver, const SolverBodies& bodies, co
     solver.solve(batches_.data(), batches_.size(), bodies, pass);
 }
 
-void HingeSweep::tellLoads(JointStore& store) const {
+void HingeSweep::addLoads(JointStore& store) const {
     for (std::size_t i = 0; i < jointOf_.size(); ++i) {
         if (jointOf_[i] == none) continue;
         const HingeBatch& batch = batches_[i / batchLanes];

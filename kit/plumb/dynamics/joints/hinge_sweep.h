@@ -20,7 +20,7 @@ public:
     void prepare(const HingeSolver& solver, const BodyStore& bodies);
     void solve(const HingeSolver& solver, const SolverBodies& bodies, const HingePass& pass);
     /// Adds what the step's impulses were to the joints' loads.
-    void tellLoads(JointStore& store) const;
+    void addLoads(JointStore& store) const;
 
     std::size_t bytes() const { return bytesOf(batches_) + bytesOf(jointOf_); }
 

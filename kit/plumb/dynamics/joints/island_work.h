@@ -13,11 +13,11 @@ namespace plumb {
 struct IslandWork {
     // Of the joints
     std::vector<JointRows> rows, rowsBefore;  ///< of this pass and the one before
-    std::vector<std::array<RowState, mostRows>> states;
-    std::vector<std::array<JointWish, mostRows>> wishes;
-    std::vector<Vec3> yields;    ///< what a unit impulse does to a row's speed
-    std::vector<Vec3> impulses;  ///< in this pass
-    std::vector<Vec3> gives;     ///< of the rows in the matrix that was factored last; -1: not in it
+    std::vector<std::array<RowState, maxRows>> states;
+    std::vector<std::array<RowEquation, maxRows>> equations;
+    std::vector<Vec3> inverseMasses;  ///< what a unit impulse does to a row's speed
+    std::vector<Vec3> impulses;       ///< in this pass
+    std::vector<Vec3> compliances;    ///< of the rows in the matrix that was factored last; -1: not in it
 
     // Of the bodies
     std::vector<Vec3> masses;           ///< along x, y, turning; 0: nothing turns it
@@ -28,9 +28,9 @@ struct IslandWork {
     std::vector<Vec3> answer;  ///< of the bodies, then of the joints
 
     std::size_t bytes() const {
-        return bytesOf(rows) + bytesOf(rowsBefore) + bytesOf(states) + bytesOf(wishes) + bytesOf(yields) +
-               bytesOf(impulses) + bytesOf(gives) + bytesOf(masses) + bytesOf(massesBefore) + bytesOf(stiffnessBefore) +
-               bytesOf(before) + bytesOf(after) + bytesOf(answer);
+        return bytesOf(rows) + bytesOf(rowsBefore) + bytesOf(states) + bytesOf(equations) + bytesOf(inverseMasses) +
+               bytesOf(impulses) + bytesOf(compliances) + bytesOf(masses) + bytesOf(massesBefore) +
+               bytesOf(stiffnessBefore) + bytesOf(before) + bytesOf(after) + bytesOf(answer);
     }
 };
 

@@ -8,7 +8,7 @@
 namespace plumb {
 
 /// In the order of its rows' ends: noBody where there is none, and maybe one twice.
-inline std::array<BodyIndex, mostEnds> endsOf(const JointStore& joints, JointIndex index) {
+inline std::array<BodyIndex, maxEnds> endsOf(const JointStore& joints, JointIndex index) {
     const JointRecord& record = joints[index];
     const auto* gear = std::get_if<GearJoint>(&record.joint);
     if (gear == nullptr) return {record.bodyA, record.bodyB, noBody, noBody};
@@ -18,14 +18,14 @@ inline std::array<BodyIndex, mostEnds> endsOf(const JointStore& joints, JointInd
 /// Calls visit(body) for each of them once.
 template <class Visit>
 void forEachBody(const JointStore& joints, JointIndex index, Visit&& visit) {
-    const std::array<BodyIndex, mostEnds> ends = endsOf(joints, index);
+    const std::array<BodyIndex, maxEnds> ends = endsOf(joints, index);
     for (auto end = ends.begin(); end != ends.end(); ++end)
         if (*end != noBody && std::find(ends.begin(), end, *end) == end) visit(*end);
 }
 
 /// Is there something that it could move, and is all of it where a body can be?
 inline bool holdsSomething(const JointStore& joints, const BodyStore& bodies, JointIndex index) {
-    const std::array<BodyIndex, mostEnds> ends = endsOf(joints, index);
+    const std::array<BodyIndex, maxEnds> ends = endsOf(joints, index);
     return std::any_of(ends.begin(), ends.end(), [&](BodyIndex body) { return bodies.canMove(body); }) &&
            std::all_of(ends.begin(), ends.end(), [&](BodyIndex body) { return isInRange(bodies.motion[body]); });
 }

@@ -17,7 +17,7 @@ double slopeOf(const JointRow& row, double w) {
     return row.damper * w > least ? exponentialMinus1(std::min(row.damper * w, most)) / w : 0.0;
 }
 
-void giveNothing(JointRow& row) {
+void dropDrive(JointRow& row) {
     if (row.holds) return;
     row.push = row.damper = row.low = row.high = 0;
     row.bounded = false;
@@ -30,7 +30,7 @@ void dampAhead(JointRow& row, double w, double speed) {
     row.damper = 0;
 }
 
-JointWish wishOf(const JointRow& row, RowState state, double w) {
+RowEquation equationOf(const JointRow& row, RowState state, double w) {
     if (row.holds) return {false, 0, row.target, rowGive * w};
     if (isStop(state)) return {false, 0, state == RowState::AtLowerStop ? row.lowerStop : row.upperStop, rowGive * w};
     const double slope = slopeOf(row, w);
@@ -70,7 +70,7 @@ RowState nextState(const JointRow& row, RowState state, double speed, double tot
     return state;
 }
 
-RowState soundState(const JointRow& row, RowState state) {
+RowState validState(const JointRow& row, RowState state) {
     if (!(row.high < unlimited)) return RowState::AtTarget;  // which its stops bound
     if (state == RowState::AtLowerStop && !(row.lowerStop > -unlimited)) return RowState::AtHigh;
     if (state == RowState::AtUpperStop && !(row.upperStop < unlimited)) return RowState::AtLow;

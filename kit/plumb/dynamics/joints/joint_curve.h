@@ -10,10 +10,10 @@ namespace plumb {
 inline constexpr double rowGive = 1e-5;
 
 /// A row on a part of its curve: v + give L = speed, or, if there is no such thing, L = impulse.
-struct JointWish {
+struct RowEquation {
     bool known = false;
     double impulse = 0;
-    double speed = 0, give = 0;
+    double speed = 0, compliance = 0;
 };
 
 // w is what a unit impulse does to the row's speed.
@@ -21,13 +21,13 @@ bool isStop(RowState state);
 /// d of a damper.
 double slopeOf(const JointRow& row, double w);
 /// All but what it holds, and where it stops.
-void giveNothing(JointRow& row);
+void dropDrive(JointRow& row);
 /// Before a sub-step, a damper goes by the speed there was.
 void dampAhead(JointRow& row, double w, double speed);
-JointWish wishOf(const JointRow& row, RowState state, double w);
+RowEquation equationOf(const JointRow& row, RowState state, double w);
 /// The part of the curve next to the one on which speed and impulse are no answer.
 RowState nextState(const JointRow& row, RowState state, double speed, double total, double w);
 /// A state from another step may name a stop, or a bound of force, that is not there now.
-RowState soundState(const JointRow& row, RowState state);
+RowState validState(const JointRow& row, RowState state);
 
 }  // namespace plumb

@@ -33,15 +33,16 @@ End endNow(const Anchor& anchor, const BodyStore& bodies) {
     BodyMotion motion = bodies.motion[anchor.body];
     const SolverDisplacement& moved = bodies.displacement[anchor.body];
     const SolverVelocity& velocity = bodies.velocity[anchor.body];
-    const double rho = static_cast<double>(bodies.turn[anchor.body].rho);
+    const double inverseGyration = static_cast<double>(bodies.turn[anchor.body].inverseGyration);
     const Rot start = motion.rotation;
-    const double sin = static_cast<double>(moved.sin) * rho, less = static_cast<double>(moved.cosMinus1) * rho;
+    const double sin = static_cast<double>(moved.sin) * inverseGyration,
+                 less = static_cast<double>(moved.cosMinus1) * inverseGyration;
     motion.center += Vec2(static_cast<double>(moved.x), static_cast<double>(moved.y));
     motion.angle += static_cast<double>(bodies.turn[anchor.body].angle);
     motion.rotation.cos = start.cos + (start.cos * less - start.sin * sin);
     motion.rotation.sin = start.sin + (start.sin * less + start.cos * sin);
     motion.velocity = {static_cast<double>(velocity.x), static_cast<double>(velocity.y)};
-    motion.angularVelocity = static_cast<double>(velocity.w) * rho;
+    motion.angularVelocity = static_cast<double>(velocity.w) * inverseGyration;
     return endOf(anchor, motion);
 }
 

@@ -15,8 +15,8 @@ struct JointIsland {
     /// What the island's solver knows a joint's end by: the nodes of bodies come first.
     struct EndNodes {
         static constexpr std::uint32_t fixed = ~std::uint32_t{0};  ///< nothing of the island's
-        std::array<std::uint32_t, mostEnds> node{fixed, fixed, fixed, fixed};
-        std::array<std::size_t, mostEnds> edge{};
+        std::array<std::uint32_t, maxEnds> node{fixed, fixed, fixed, fixed};
+        std::array<std::size_t, maxEnds> edge{};
     };
 
     std::vector<JointIndex> joints;

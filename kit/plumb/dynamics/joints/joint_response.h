@@ -8,8 +8,9 @@ namespace plumb {
 /// What the body answers an impulse of (x, y, turn) with.
 inline Vec3 answerOf(const BodyStore& bodies, BodyIndex body, const Vec3& impulse) {
     const double inverseMass = static_cast<double>(bodies.velocity[body].inverseMass);
-    const double rho = static_cast<double>(bodies.turn[body].rho);
-    return {inverseMass * impulse[0], inverseMass * impulse[1], inverseMass * rho * rho * impulse[2]};
+    const double inverseGyration = static_cast<double>(bodies.turn[body].inverseGyration);
+    return {inverseMass * impulse[0], inverseMass * impulse[1],
+            inverseMass * inverseGyration * inverseGyration * impulse[2]};
 }
 
 inline double dot(const Vec3& a, const Vec3& b) {
@@ -26,7 +27,7 @@ inline void add(Vec3& to, const Vec3& v) {
 
 inline Vec3 velocityOf(const BodyStore& bodies, BodyIndex body) {
     const SolverVelocity& v = bodies.velocity[body];
-    const double spin = static_cast<double>(v.w) * static_cast<double>(bodies.turn[body].rho);
+    const double spin = static_cast<double>(v.w) * static_cast<double>(bodies.turn[body].inverseGyration);
     return {static_cast<double>(v.x), static_cast<double>(v.y), spin};
 }
 
@@ -34,11 +35,11 @@ inline void setVelocity(BodyStore& bodies, BodyIndex body, const Vec3& velocity)
     SolverVelocity& v = bodies.velocity[body];
     v.x = static_cast<float>(velocity[0]);
     v.y = static_cast<float>(velocity[1]);
-    v.w = static_cast<float>(velocity[2] * static_cast<double>(bodies.turn[body].inverseRho));
+    v.w = static_cast<float>(velocity[2] * static_cast<double>(bodies.turn[body].gyration));
 }
 
 /// What a row's own impulse does to its speed.
-inline double yieldOf(const BodyStore& bodies, const JointRows& rows, std::size_t row) {
+inline double effectiveInverseMass(const BodyStore& bodies, const JointRows& rows, std::size_t row) {
     double sum = 0;
     for (std::size_t e = 0; e < rows.ends; ++e)
         sum += dot(rows.at(row, e), answerOf(bodies, rows.body[e], rows.at(row, e)));

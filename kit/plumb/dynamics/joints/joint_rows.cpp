@@ -47,7 +47,7 @@ double speedOf(const JointRows& rows, std::size_t row, const BodyStore& bodies) 
     for (std::size_t e = 0; e < rows.ends; ++e) {
         const Vec3& at = rows.at(row, e);
         const SolverVelocity& v = bodies.velocity[rows.body[e]];
-        const double spin = static_cast<double>(v.w) * static_cast<double>(bodies.turn[rows.body[e]].rho);
+        const double spin = static_cast<double>(v.w) * static_cast<double>(bodies.turn[rows.body[e]].inverseGyration);
         speed += at[0] * static_cast<double>(v.x) + at[1] * static_cast<double>(v.y) + at[2] * spin;
     }
     return speed;
@@ -62,23 +62,24 @@ void start(JointRows& rows, const Ends& ends) {
     rows.holdsPoint = false;
 }
 
-void hold(JointRow& row, const Course& course, double speed, const JointPass& pass) {
+void hold(JointRow& row, const PredictedCoordinate& predicted, double speed, const JointPass& pass) {
     row.target = 0;
     if (!pass.correct) return;
-    const double back = std::clamp(course.now * pass.rate, -pass.fastest, pass.fastest);
-    row.target = speed - (course.later - course.now) / pass.step - back;
+    const double back = std::clamp(predicted.now * pass.rate, -pass.fastest, pass.fastest);
+    row.target = speed - (predicted.later - predicted.now) / pass.step - back;
 }
 
-void keepWithin(JointRow& row, const Limit& limit, const Course& course, double speed, const JointPass& pass) {
+void keepWithin(JointRow& row, const Limit& limit, const PredictedCoordinate& predicted, double speed,
+                const JointPass& pass) {
     release(row);
     // A gap may be closed in the sub-step, all of it; what is beyond the limit is taken back as any error is.
     const auto allowed = [&pass](double room) {
         if (room >= 0) return room / pass.step;
         return pass.correct ? std::max(room * pass.rate, -pass.fastest) : 0.0;
     };
-    const double bend = pass.correct ? speed - (course.later - course.now) / pass.step : 0.0;
-    row.upperStop = bend + allowed(limit.upper - course.now);
-    row.lowerStop = std::min(bend - allowed(course.now - limit.lower), row.upperStop);
+    const double bend = pass.correct ? speed - (predicted.later - predicted.now) / pass.step : 0.0;
+    row.upperStop = bend + allowed(limit.upper - predicted.now);
+    row.lowerStop = std::min(bend - allowed(predicted.now - limit.lower), row.upperStop);
     row.target = std::clamp(row.target, row.lowerStop, row.upperStop);
 }
 
@@ -89,9 +90,10 @@ void drive(JointRow& row, double speed, double force, const JointPass& pass) {
     row.target = speed;
 }
 
-void holdRow(JointRows& rows, const JointRow& row, const Course& course, const Ends& now, const JointPass& pass) {
+void holdRow(JointRows& rows, const JointRow& row, const PredictedCoordinate& predicted, const Ends& now,
+             const JointPass& pass) {
     JointRow& held = rows.add() = row;
-    hold(held, course, speedOf(held, now), pass);
+    hold(held, predicted, speedOf(held, now), pass);
 }
 
 void holdPoint(JointRows& rows, const Ends& now, const Ends& later, const JointPass& pass) {

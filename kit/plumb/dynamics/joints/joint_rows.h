@@ -28,7 +28,7 @@
 
 namespace plumb {
 
-inline constexpr std::size_t mostRows = 3, mostEnds = 4;
+inline constexpr std::size_t maxRows = 3, maxEnds = 4;
 
 struct JointRow {
     std::array<Vec3, 2> at{};                   ///< of two ends: x, y [-], turn [m], for what turns 0, 0, [-]
@@ -47,8 +47,8 @@ enum class RowState : std::uint8_t { AtTarget, AtLow, AtHigh, AtLowerStop, AtUpp
 
 struct JointRows {
     std::size_t count = 0, ends = 2;
-    std::array<BodyIndex, mostEnds> body{};
-    std::array<JointRow, mostRows> row;
+    std::array<BodyIndex, maxEnds> body{};
+    std::array<JointRow, maxRows> row;
     std::array<Vec3, 2> far{};  ///< of the third and fourth end, which only a single row has
     std::array<Vec2, 2> arm{Vec2{0, 0},
                             Vec2{0, 0}};  ///< of the first two ends: to where the force counts as acting [m]
@@ -72,7 +72,7 @@ struct SpringLoad {
         double stretch = 0;    ///< [m or rad]
     };
     std::size_t count = 0;
-    std::array<Row, mostRows> row;
+    std::array<Row, maxRows> row;
     double mostForce = unlimited;  ///< of all of them together [N]
 };
 
@@ -87,7 +87,7 @@ struct JointPass {
 };
 
 /// A coordinate that a row is the rate of: now, and after the coming sub-step as things move now.
-struct Course {
+struct PredictedCoordinate {
     double now = 0, later = 0;  ///< [m or rad]
 };
 
@@ -108,16 +108,18 @@ inline Ends ahead(const Ends& now, const JointPass& pass) {
 
 /// Keeps the coordinate at 0: with the error it has now taken back at the pass's rate, and with all of what it would
 /// otherwise gain in the sub-step, to any order.
-void hold(JointRow& row, const Course& course, double speed, const JointPass& pass);
+void hold(JointRow& row, const PredictedCoordinate& predicted, double speed, const JointPass& pass);
 /// Keeps the coordinate within a limit; what the row held is now only what its motor may do.
-void keepWithin(JointRow& row, const Limit& limit, const Course& course, double speed, const JointPass& pass);
+void keepWithin(JointRow& row, const Limit& limit, const PredictedCoordinate& predicted, double speed,
+                const JointPass& pass);
 /// More force or torque than anything in a world could need is no bound, so that its numbers cannot overflow.
 double boundOf(double force);
 /// Drives it at a speed with no more than a force or torque; 0: not at all.
 void drive(JointRow& row, double speed, double force, const JointPass& pass);
 
 /// Adds a row that is held, or two that hold the anchors together.
-void holdRow(JointRows& rows, const JointRow& row, const Course& course, const Ends& now, const JointPass& pass);
+void holdRow(JointRows& rows, const JointRow& row, const PredictedCoordinate& predicted, const Ends& now,
+             const JointPass& pass);
 void holdPoint(JointRows& rows, const Ends& now, const Ends& later, const JointPass& pass);
 
 /// Adds a spring to a row, stretched by so much, beside what else there is on it.

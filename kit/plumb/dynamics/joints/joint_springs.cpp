@@ -22,7 +22,7 @@ double shareOf(double q) {
 }
 
 /// What a unit impulse along the row does to its rate, as far as one end goes [1/kg].
-double yieldOf(const BodyStore& bodies, BodyIndex body, const Vec3& at) {
+double effectiveInverseMass(const BodyStore& bodies, BodyIndex body, const Vec3& at) {
     const BodyRecord& record = bodies.record[body];
     return record.inverseMass * (at[0] * at[0] + at[1] * at[1]) + record.inverseInertia * at[2] * at[2];
 }
@@ -45,7 +45,7 @@ void JointSprings::share(JointStore& store, const BodyStore& bodies, double h) {
         const std::array<BodyIndex, 2> ends{store[joint].bodyA, store[joint].bodyB};
         for (std::size_t r = 0; r < load.count; ++r)
             for (std::size_t e = 0; e < 2; ++e)
-                load_[ends[e]] += load.row[r].stiffness * yieldOf(bodies, ends[e], load.row[r].at[e]);
+                load_[ends[e]] += load.row[r].stiffness * effectiveInverseMass(bodies, ends[e], load.row[r].at[e]);
     }
     for (const JointIndex joint : joints_)
         store[joint].springShare = shareOf(h * h * (load_[store[joint].bodyA] + load_[store[joint].bodyB]));
@@ -55,7 +55,7 @@ void JointSprings::noteSpeeds(JointStore& store, const BodyStore& bodies, double
     const JointPass pass{h, false, 0, 0};
     JointRows rows;
     for (const JointIndex joint : joints_) {
-        store.ask(joint, bodies, pass, rows);
+        store.addRows(joint, bodies, pass, rows);
         for (std::size_t r = 0; r < rows.count; ++r) store[joint].speeds[r] = speedOf(rows, r, bodies);
     }
 }

@@ -21,7 +21,7 @@ Geared geared(const JointStore& joints, JointIndex index, const BodyStore& bodie
                 result.body = {now.a.body, now.b.body};
                 result.row = joint.coordinateRow(now);
                 result.speed = plumb::speedOf(result.row, now);
-                result.course = {joint.coordinate(now), joint.coordinate(after(now, ahead))};
+                result.predicted = {joint.coordinate(now), joint.coordinate(after(now, ahead))};
             }
         },
         joints[index].joint);
@@ -50,18 +50,18 @@ void JointStore::release(JointIndex joint) {
     free.push_back(joint);
 }
 
-void JointStore::ask(JointIndex index, const BodyStore& bodies, JointPass pass, JointRows& rows) const {
+void JointStore::addRows(JointIndex index, const BodyStore& bodies, JointPass pass, JointRows& rows) const {
     pass.springShare = records[index].springShare;
     std::visit(
         [&]<class Joint>(const Joint& joint) {
             if constexpr (hasEnds<Joint>) {
                 const Ends now = endsNow(joint.anchors, bodies);
                 start(rows, now);
-                joint.ask(rows, now, pass);
+                joint.addRows(rows, now, pass);
             } else if constexpr (std::is_same_v<Joint, GearJoint>) {
                 start(rows, {});
-                joint.ask(rows, geared(*this, joint.jointA, bodies, pass.step, true),
-                          geared(*this, joint.jointB, bodies, pass.step, true), pass);
+                joint.addRows(rows, geared(*this, joint.jointA, bodies, pass.step, true),
+                              geared(*this, joint.jointB, bodies, pass.step, true), pass);
             } else {
                 start(rows, {});
             }
@@ -105,7 +105,7 @@ SpringLoad JointStore::springLoadOf(JointIndex index, const BodyStore& bodies) c
 double JointStore::coordinateOf(JointIndex index, const BodyStore& bodies) const {
     if (const auto* gear = std::get_if<GearJoint>(&records[index].joint))
         return coordinateOf(gear->jointA, bodies) + gear->ratio() * coordinateOf(gear->jointB, bodies);
-    return geared(*this, index, bodies, 0, false).course.now;
+    return geared(*this, index, bodies, 0, false).predicted.now;
 }
 
 double JointStore::speedOf(JointIndex index, const BodyStore& bodies) const {

@@ -49,7 +49,7 @@ struct JointRecord {
     bool collideConnected = false;
     std::uint32_t generation = 0;
     Breaking breaking;
-    std::array<RowState, mostRows> states{};
+    std::array<RowState, maxRows> states{};
     double springShare = 1;  ///< in this step (see joint_springs.h)
     Vec3 speeds{};           ///< of the rows, before the sub-step: what dampers go by [m/s or rad/s]
     Vec3 impulse{};          ///< of half a sub-step, while its island is swept [N s or N m s]
@@ -75,7 +75,7 @@ struct JointStore {
     void release(JointIndex joint);
 
     /// What a joint asks for in this half of a sub-step.
-    void ask(JointIndex joint, const BodyStore& bodies, JointPass pass, JointRows& rows) const;
+    void addRows(JointIndex joint, const BodyStore& bodies, JointPass pass, JointRows& rows) const;
     bool hasSpring(JointIndex joint) const;
     SpringLoad springLoadOf(JointIndex joint, const BodyStore& bodies) const;
     /// Where the last step has left it [m or rad].

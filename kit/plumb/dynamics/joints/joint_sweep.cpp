@@ -23,11 +23,11 @@ void push(const JointRows& rows, std::size_t row, double impulse, BodyStore& bod
 void sweepHolding(JointRecord& record, const JointRows& rows, BodyStore& bodies, const Softness& soft) {
     Mat3 k;
     Vec3 lacking{};
-    for (std::size_t r = 0; r < mostRows; ++r) {
+    for (std::size_t r = 0; r < maxRows; ++r) {
         k[r][r] = 1;
         if (r >= rows.count || !rows.row[r].holds) continue;
         lacking[r] = rows.row[r].target - speedOf(rows, r, bodies);
-        k[r][r] = yieldOf(bodies, rows, r) * (1 + rowGive);
+        k[r][r] = effectiveInverseMass(bodies, rows, r) * (1 + rowGive);
         for (std::size_t c = 0; c < r; ++c) {
             if (!rows.row[c].holds) continue;
             double sum = 0;
@@ -61,7 +61,7 @@ void sweepJoint(JointRecord& record, JointLoad& load, const JointRows& rows, Bod
     for (std::size_t r = 0; r < rows.count; ++r) push(rows, r, record.impulse[r], bodies);
     for (std::size_t r = 0; r < rows.count; ++r) {
         const JointRow& row = rows.row[r];
-        const double w = yieldOf(bodies, rows, r);
+        const double w = effectiveInverseMass(bodies, rows, r);
         if (row.holds || !(w > 0)) continue;
         const double old = record.impulse[r];
         const double now = soughtImpulse(row, speedOf(rows, r, bodies), old, w);

@@ -39,8 +39,8 @@ public:
 
     void run(StepObserver* observer, bool remember) {
         for (int turn = 0; turn < mostTurns; ++turn) {
-            findWishes();
-            giveKnown();
+            findEquations();
+            applyKnownImpulses();
             solve();
             if (!changeStates()) break;
         }
@@ -66,7 +66,7 @@ public:
                     row = free(row, speeds[r], work_.states[j][r]);
             }
         }
-        findWishes();
+        findEquations();
         solve();
         store();
     }
@@ -75,24 +75,24 @@ private:
     void findRows(const JointPass& pass) {
         const std::size_t count = island_.joints.size();
         std::swap(work_.rows, work_.rowsBefore);
-        same_ = work_.rowsBefore.size() == count && work_.gives.size() == count;
+        same_ = work_.rowsBefore.size() == count && work_.compliances.size() == count;
         work_.rows.resize(count);
         work_.states.resize(count);
-        work_.wishes.resize(count);
-        work_.yields.resize(count);
+        work_.equations.resize(count);
+        work_.inverseMasses.resize(count);
         work_.impulses.assign(count, Vec3{});
         for (std::size_t j = 0; j < count; ++j) {
             const JointRecord& record = joints_[island_.joints[j]];
             JointRows& rows = work_.rows[j];
-            joints_.ask(island_.joints[j], bodies_, pass, rows);
+            joints_.addRows(island_.joints[j], bodies_, pass, rows);
             work_.states[j] = record.states;
             for (std::size_t r = 0; r < rows.count; ++r) {
                 JointRow& row = rows.row[r];
-                work_.yields[j][r] = yieldOf(bodies_, rows, r);
+                work_.inverseMasses[j][r] = effectiveInverseMass(bodies_, rows, r);
                 if (row.holds) continue;
-                if (pass.onlyHold) giveNothing(row);
-                if (pass.correct) dampAhead(row, work_.yields[j][r], record.speeds[r]);
-                work_.states[j][r] = soundState(row, work_.states[j][r]);
+                if (pass.onlyHold) dropDrive(row);
+                if (pass.correct) dampAhead(row, work_.inverseMasses[j][r], record.speeds[r]);
+                work_.states[j][r] = validState(row, work_.states[j][r]);
             }
             same_ = same_ && sameWays(rows, work_.rowsBefore[j]);
         }
@@ -120,7 +120,7 @@ private:
         for (std::size_t j = 0; j < work_.rows.size(); ++j) {
             Vec3 slopes{};
             for (std::size_t r = 0; r < work_.rows[j].count; ++r)
-                slopes[r] = slopeOf(work_.rows[j].row[r], work_.yields[j][r]);
+                slopes[r] = slopeOf(work_.rows[j].row[r], work_.inverseMasses[j][r]);
             observer.noteRows(work_.rows[j], work_.impulses[j], speedsOf(j, work_.after), slopes);
         }
     }
@@ -143,35 +143,36 @@ private:
         return speeds;
     }
 
-    void findWishes() {
-        work_.gives.resize(work_.rows.size());
+    void findEquations() {
+        work_.compliances.resize(work_.rows.size());
         for (std::size_t j = 0; j < work_.rows.size(); ++j) {
             const JointRows& rows = work_.rows[j];
             for (std::size_t r = 0; r < rows.count; ++r) {
-                const JointWish& wish = work_.wishes[j][r] =
-                    wishOf(rows.row[r], work_.states[j][r], work_.yields[j][r]);
-                const bool solved = !wish.known && work_.yields[j][r] > 0;  // else there is nothing that it could move
-                const double give = solved ? wish.give : notSolved;
-                same_ = same_ && give == work_.gives[j][r];
-                work_.gives[j][r] = give;
+                const RowEquation& equation = work_.equations[j][r] =
+                    equationOf(rows.row[r], work_.states[j][r], work_.inverseMasses[j][r]);
+                const bool solved =
+                    !equation.known && work_.inverseMasses[j][r] > 0;  // else there is nothing that it could move
+                const double compliance = solved ? equation.compliance : notSolved;
+                same_ = same_ && compliance == work_.compliances[j][r];
+                work_.compliances[j][r] = compliance;
             }
         }
     }
 
     /// To the velocities, what rows give whose impulse is known.
-    void giveKnown() {
+    void applyKnownImpulses() {
         work_.after = work_.before;
         for (std::size_t j = 0; j < work_.rows.size(); ++j) {
             const JointRows& rows = work_.rows[j];
             for (std::size_t r = 0; r < rows.count; ++r) {
-                const JointWish& wish = work_.wishes[j][r];
-                if (!wish.known) continue;
-                work_.impulses[j][r] = wish.impulse;
-                if (wish.impulse == 0) continue;
+                const RowEquation& equation = work_.equations[j][r];
+                if (!equation.known) continue;
+                work_.impulses[j][r] = equation.impulse;
+                if (equation.impulse == 0) continue;
                 for (std::size_t e = 0; e < rows.ends; ++e) {
                     const std::uint32_t node = island_.endNodes[j].node[e];
                     if (node == JointIsland::EndNodes::fixed) continue;
-                    add(work_.after[node], answerOf(node, times(rows.at(r, e), wish.impulse)));
+                    add(work_.after[node], answerOf(node, times(rows.at(r, e), equation.impulse)));
                 }
             }
         }
@@ -186,13 +187,14 @@ private:
         for (std::size_t j = 0; j < work_.rows.size(); ++j) {
             const Vec3 speeds = speedsOf(j, work_.after);
             for (std::size_t r = 0; r < work_.rows[j].count; ++r)
-                if (work_.gives[j][r] != notSolved) work_.answer[bodies + j][r] = speeds[r] - work_.wishes[j][r].speed;
+                if (work_.compliances[j][r] != notSolved)
+                    work_.answer[bodies + j][r] = speeds[r] - work_.equations[j][r].speed;
         }
         island_.solver.solve(work_.answer);
         for (std::size_t b = 0; b < bodies; ++b) add(work_.after[b], work_.answer[b]);
         for (std::size_t j = 0; j < work_.rows.size(); ++j)
             for (std::size_t r = 0; r < work_.rows[j].count; ++r)
-                if (!work_.wishes[j][r].known) work_.impulses[j][r] = work_.answer[bodies + j][r];
+                if (!work_.equations[j][r].known) work_.impulses[j][r] = work_.answer[bodies + j][r];
     }
 
     void factor() {
@@ -209,16 +211,16 @@ private:
     void fillJoint(std::size_t j) {
         const JointRows& rows = work_.rows[j];
         Mat3& diagonal = island_.solver.diagonal(static_cast<std::uint32_t>(island_.bodies.size() + j));
-        for (std::size_t r = 0; r < mostRows; ++r) {
-            const bool solved = r < rows.count && work_.gives[j][r] != notSolved;
-            diagonal[r][r] = solved ? -work_.gives[j][r] : -1;
+        for (std::size_t r = 0; r < maxRows; ++r) {
+            const bool solved = r < rows.count && work_.compliances[j][r] != notSolved;
+            diagonal[r][r] = solved ? -work_.compliances[j][r] : -1;
         }
         for (std::size_t e = 0; e < rows.ends; ++e) {
             const std::uint32_t node = island_.endNodes[j].node[e];
             if (node == JointIsland::EndNodes::fixed) continue;
             Mat3 block;
             for (std::size_t r = 0; r < rows.count; ++r) {
-                if (work_.gives[j][r] == notSolved) continue;
+                if (work_.compliances[j][r] == notSolved) continue;
                 block[r] = times(rows.at(r, e), -1);
                 if (work_.masses[node][2] == 0) block[r][2] = 0;  // nothing turns it
             }
@@ -236,7 +238,7 @@ private:
                 if (rows.row[r].holds) continue;
                 RowState& state = work_.states[j][r];
                 const RowState next =
-                    nextState(rows.row[r], state, speeds[r], work_.impulses[j][r], work_.yields[j][r]);
+                    nextState(rows.row[r], state, speeds[r], work_.impulses[j][r], work_.inverseMasses[j][r]);
                 changed = changed || next != state;
                 state = next;
             }
@@ -268,11 +270,12 @@ void solveIsland(JointIsland& island, JointStore& joints, BodyStore& bodies, con
     island.hinges.solve(*pass.hingeSolver, bodies.solverBodies(), pass.hinges);
     JointRows rows;
     for (const JointIndex index : island.others) {
-        joints.ask(index, bodies, pass.swept, rows);
+        joints.addRows(index, bodies, pass.swept, rows);
         sweepJoint(joints[index], joints.loads[index], rows, bodies, pass.hinges.soft);
         if (pass.observer == nullptr) continue;
         Vec3 slopes{};
-        for (std::size_t r = 0; r < rows.count; ++r) slopes[r] = slopeOf(rows.row[r], yieldOf(bodies, rows, r));
+        for (std::size_t r = 0; r < rows.count; ++r)
+            slopes[r] = slopeOf(rows.row[r], effectiveInverseMass(bodies, rows, r));
         pass.observer->noteRows(rows, joints[index].impulse, speedsOf(rows, bodies), slopes);
     }
 }
@@ -287,7 +290,8 @@ void holdIsland(JointIsland& island, JointStore& joints, BodyStore& bodies, Join
         IslandSolution(island, joints, bodies, pass).run(observer, false);
         bool changed = false;
         for (std::size_t b = 0; b < island.bodies.size(); ++b) {
-            const float turn = (bodies.velocity[island.bodies[b]].w - before[b]) * bodies.turn[island.bodies[b]].rho;
+            const float turn =
+                (bodies.velocity[island.bodies[b]].w - before[b]) * bodies.turn[island.bodies[b]].inverseGyration;
             changed = changed || std::fabs(static_cast<double>(turn)) * pass.step > far;
         }
         if (!changed) return;

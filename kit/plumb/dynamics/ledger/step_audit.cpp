@@ -65,8 +65,8 @@ struct StepAudit::Lane {
     double tangentB(std::size_t p) const {
         return speedAlong(b, -ny(), nx(), static_cast<double>(batch.points[p].anchorNormalB[lane]));
     }
-    double rollA() const { return static_cast<double>(batch.rollRhoA[lane] * a.w); }
-    double rollB() const { return static_cast<double>(batch.rollRhoB[lane] * b.w); }
+    double rollA() const { return static_cast<double>(batch.rollInverseGyrationA[lane] * a.w); }
+    double rollB() const { return static_cast<double>(batch.rollInverseGyrationB[lane] * b.w); }
 };
 
 void StepAudit::noteFlight(BodyIndex body, const BodyMotion& from, const BodyMotion& to, double time) {
@@ -100,16 +100,16 @@ void StepAudit::noteFlight(BodyIndex body, const BodyMotion& from, const BodyMot
 void StepAudit::noteAccount(const FieldAccount& account) {
     account_.note(&EnergyLedger::forces, account.forced);
     account_.note(&EnergyLedger::damping, account.damped);
-    account_.note(&EnergyLedger::friction, account.rubbed);
+    account_.note(&EnergyLedger::friction, account.friction);
     account_.note(&MomentumLedger::fields, account.fields);
     account_.note(&MomentumLedger::damping, account.dampedMomentum);
-    account_.note(&MomentumLedger::ground, account.rubbedMomentum);
+    account_.note(&MomentumLedger::ground, account.frictionMomentum);
 }
 
 void StepAudit::noteFieldFlight(std::uint32_t flight) {
     const FieldAccount& account = view_.fields.accounts[flight].account;
     noteAccount(account);
-    account_.note(&EnergyLedger::solver, -(account.forced + account.damped + account.rubbed));
+    account_.note(&EnergyLedger::solver, -(account.forced + account.damped + account.friction));
 }
 
 void StepAudit::noteImpact(double friction, double drivers, const Vec2& ground) {
@@ -136,11 +136,12 @@ void StepAudit::beginHalf(const std::vector<BodyIndex>& solved) {
         if (bodies_.step[body].flight != none) continue;  // theirs is told by noteFieldKick
         SolverVelocity& v = start_[body];
         const Kick& kick = bodies_.kick[body];
-        const double rho = static_cast<double>(bodies_.turn[body].rho);
-        const double before = kineticEnergyOf(record, linearOf(v), static_cast<double>(v.w) * rho);
+        const double inverseGyration = static_cast<double>(bodies_.turn[body].inverseGyration);
+        const double before = kineticEnergyOf(record, linearOf(v), static_cast<double>(v.w) * inverseGyration);
         const Vec2 start = linearOf(v);
         v = {v.x * kick.keep.x, v.y * kick.keep.y, v.w * kick.keep.w, v.inverseMass};
-        dampedEnergy_[body] += kineticEnergyOf(record, linearOf(v), static_cast<double>(v.w) * rho) - before;
+        dampedEnergy_[body] +=
+            kineticEnergyOf(record, linearOf(v), static_cast<double>(v.w) * inverseGyration) - before;
         dampedMomentum_[body] += record.mass * (linearOf(v) - start);
         const Vec2 gain(static_cast<double>(kick.gain.x), static_cast<double>(kick.gain.y));
         const Vec2 pull = record.mass * record.gravityScale * bodies_.gravity + record.force;
@@ -153,20 +154,21 @@ void StepAudit::noteFieldKick(BodyIndex body, const FieldKick& kick, const Vec2&
     SolverVelocity& v = start_[body];
     v.x += static_cast<float>(kick.kept.velocity.x());
     v.y += static_cast<float>(kick.kept.velocity.y());
-    v.w += static_cast<float>(kick.kept.spin) * bodies_.turn[body].inverseRho;
+    v.w += static_cast<float>(kick.kept.spin) * bodies_.turn[body].gyration;
     fieldsGiven_.push_back({body, kick, base});
 }
 
 void StepAudit::noteGiven(const FieldGiven& given) {
-    const double rho = static_cast<double>(bodies_.turn[given.body].rho);
+    const double inverseGyration = static_cast<double>(bodies_.turn[given.body].inverseGyration);
     const SolverVelocity &then = start_[given.body], &now = bodies_.velocity[given.body];
-    const VelocityChange mean{0.5 * (linearOf(then) + linearOf(now)), 0.5 * rho * static_cast<double>(then.w + now.w)};
+    const VelocityChange mean{0.5 * (linearOf(then) + linearOf(now)),
+                              0.5 * inverseGyration * static_cast<double>(then.w + now.w)};
     fieldAccounts_[given.body].add(bodies_.record[given.body], given.kick, mean, given.base);
 }
 
 void StepAudit::noteContact(const Lane& before, const Lane& after, bool hits) {
     const ContactBatch& batch = after.batch;
-    const double belt = batch.belts ? static_cast<double>(batch.beltSpeed[after.lane]) : 0.0;
+    const double belt = batch.hasSurfaceSpeed ? static_cast<double>(batch.surfaceSpeed[after.lane]) : 0.0;
     const bool pushA = after.a.inverseMass > 0, pushB = after.b.inverseMass > 0;
     double friction = 0, impacts = 0, drivers = 0;
     Vec2 impulse(0, 0);
@@ -184,7 +186,7 @@ void StepAudit::noteContact(const Lane& before, const Lane& after, bool hits) {
         if (!pushB) drivers -= normal * nb + tangent * tb;
         impulse += Vec2(after.nx(), after.ny()) * normal + Vec2(-after.ny(), after.nx()) * tangent;
     }
-    if (batch.rolls) {
+    if (batch.hasRollingResistance) {
         const double roll = after.roll - before.roll;
         const double ra = 0.5 * (before.rollA() + after.rollA()), rb = 0.5 * (before.rollB() + after.rollB());
         friction += roll * (rb - ra);
@@ -225,10 +227,10 @@ void StepAudit::noteRowImpact(const JointRows& rows, double impulse) {
 
 void StepAudit::noteGiven(const Given& given) {
     double mean = 0, driven = 0;
-    for (std::size_t e = 0; e < mostEnds; ++e) {
+    for (std::size_t e = 0; e < maxEnds; ++e) {
         const BodyIndex body = given.body[e];
         const Vec3& at = given.at[e];
-        const double turn = at[2] * static_cast<double>(bodies_.turn[body].rho);
+        const double turn = at[2] * static_cast<double>(bodies_.turn[body].inverseGyration);
         const SolverVelocity& now = bodies_.velocity[body];
         mean += 0.5 * (speedAlong(start_[body], at[0], at[1], turn) + speedAlong(now, at[0], at[1], turn));
         if (now.inverseMass == 0) driven += speedAlong(now, at[0], at[1], turn);

@@ -41,8 +41,8 @@ private:
     struct Lane;
     /// A row's impulses in one pass, by cause.
     struct Given {
-        std::array<Vec3, mostEnds> at{};
-        std::array<BodyIndex, mostEnds> body{};
+        std::array<Vec3, maxEnds> at{};
+        std::array<BodyIndex, maxEnds> body{};
         double all = 0, motor = 0, damper = 0, impact = 0;
     };
 

@@ -5,10 +5,10 @@
 
 namespace plumb {
 
-void ShapeQuery::lookAlong(const Vec2& halfSize, const Vec2& from, const Vec2& to, Space::VisitWhile visit) const {
+void ShapeQuery::visitAlong(const Vec2& halfSize, const Vec2& from, const Vec2& to, Space::VisitWhile visit) const {
     double wanted = 1;
     const auto look = [&](ProxyId id, const Vec2& shift) {
-        if (sees(id)) wanted = visit(id, shift);
+        if (matches(id)) wanted = visit(id, shift);
         return wanted;
     };
     world_.space.castBox(halfSize, from, to, look);
@@ -20,9 +20,9 @@ void ShapeQuery::lookAlong(const Vec2& halfSize, const Vec2& from, const Vec2& t
     });
 }
 
-void ShapeQuery::lookAround(const Vec2& point, double within, Space::VisitWhile visit) const {
+void ShapeQuery::visitNear(const Vec2& point, double within, Space::VisitWhile visit) const {
     const auto look = [&](ProxyId id, const Vec2& shift) {
-        if (sees(id)) within = visit(id, shift);
+        if (matches(id)) within = visit(id, shift);
         return within;
     };
     world_.space.findNear(point, within, look);
@@ -33,11 +33,11 @@ void ShapeQuery::lookAround(const Vec2& point, double within, Space::VisitWhile 
                  [&](const StaleBound& stale, const Vec2& shift) { look(stale.proxy, shift); });
 }
 
-void ShapeQuery::lookInto(const Aabb& tight, Space::Visit visit) const {
+void ShapeQuery::visitIn(const Aabb& tight, Space::Visit visit) const {
     // What just touches is not to be lost to roundings.
     const Aabb box = inflate(tight, 1e-15 * tight.lower.cwiseAbs().cwiseMax(tight.upper.cwiseAbs()).maxCoeff());
     const auto look = [&](ProxyId id, const Vec2& shift) {
-        if (sees(id)) visit(id, shift);
+        if (matches(id)) visit(id, shift);
     };
     world_.space.query(box, look);
     forEachStale(box, [&](const StaleBound& stale, const Vec2& shift) {

@@ -15,7 +15,7 @@ public:
         : world_(world), filterKey_{filter.category, filter.mask, 0, filter.group}, ignored_(ignored) {}
 
     /// From now on also finds outlines that stand for areas elsewhere.
-    void seeOutlines() { outlines_ = true; }
+    void includeOutlines() { outlines_ = true; }
     /// Is this a part of an outline, or of an area, that stands for the other?
     bool isOutline(ProxyId id) const { return world_.space[id].use == PieceUse::Contact; }
     bool isArea(ProxyId id) const { return world_.space[id].use == PieceUse::Query; }
@@ -37,17 +37,17 @@ public:
 
     /// Whatever a box of this half size may meet on its way; visit(id, shift) gives the fraction of it up to which more
     /// is wanted.
-    void lookAlong(const Vec2& halfSize, const Vec2& from, const Vec2& to, Space::VisitWhile visit) const;
+    void visitAlong(const Vec2& halfSize, const Vec2& from, const Vec2& to, Space::VisitWhile visit) const;
 
     /// Whatever may be no farther from a point than within; visit(id, shift) gives the distance up to which more is
     /// wanted.
-    void lookAround(const Vec2& point, double within, Space::VisitWhile visit) const;
+    void visitNear(const Vec2& point, double within, Space::VisitWhile visit) const;
 
     /// Whatever may be in a box.
-    void lookInto(const Aabb& tight, Space::Visit visit) const;
+    void visitIn(const Aabb& tight, Space::Visit visit) const;
 
 private:
-    bool sees(ProxyId id) const {
+    bool matches(ProxyId id) const {
         const FilterKey& filterKey = world_.space.filterKey(id);
         return filtersAllow(filterKey_, filterKey) && (filterKey.queried || (outlines_ && filterKey.collides)) &&
                !filterKey.sensor && filterKey.owner != ignored_;

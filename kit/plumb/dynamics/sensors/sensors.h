@@ -3,9 +3,9 @@
 #pragma once
 #include <plumb/broad/pair.h>
 #include <plumb/dynamics/bodies/free_motion.h>
-#include <vector>
 #include <plumb/dynamics/events.h>
 #include <plumb/space/space.h>
+#include <vector>
 
 namespace plumb {
 
@@ -24,7 +24,6 @@ struct SensorStore {
     std::vector<SensorBegin> begins;
     std::vector<SensorEnd> ends;
 };
-
 
 /// Of two shapes of which one is a sensor, and whose bounds have come to overlap; shift: of the second [m].
 void addSensorPair(SensorStore& sensors, const Space& space, const Pair& pair, const Vec2& shift);

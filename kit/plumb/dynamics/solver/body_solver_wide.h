@@ -22,10 +22,10 @@ struct BodyMover {
         return -a2 * (0.5f - a2 * (1.0f / 24 - a2 * (1.0f / 720 - a2 * (1.0f / 40320))));
     }
 
-    static void correctFar(F angle, Rows<W>& d, F inverseRho) {
+    static void correctFar(F angle, Rows<W>& d, F gyration) {
         Array angles, inverse, sines, cosines;
         storeLanes(angles, angle);
-        storeLanes(inverse, inverseRho);
+        storeLanes(inverse, gyration);
         storeLanes(sines, d.z);
         storeLanes(cosines, d.w);
         for (int i = 0; i < W; ++i) {

@@ -45,14 +45,14 @@ struct Slot {
     Vec3 push(const BodyStore& bodies, BodyIndex body, std::size_t point) const {
         const PointLanes& p = batch.points[point];
         const float anchor = body == batch.bodyA[lane] ? p.anchorTangentA[lane] : p.anchorTangentB[lane];
-        const float rho = bodies.turn[body].rho;
-        return {normal().x(), normal().y(), rho > 0 ? -static_cast<double>(anchor / rho) : 0.0};
+        const float inverseGyration = bodies.turn[body].inverseGyration;
+        return {normal().x(), normal().y(), inverseGyration > 0 ? -static_cast<double>(anchor / inverseGyration) : 0.0};
     }
 };
 
 double speedAlong(const BodyStore& bodies, BodyIndex body, const Vec3& push) {
     const SolverVelocity& v = bodies.velocity[body];
-    const double spin = static_cast<double>(v.w) * static_cast<double>(bodies.turn[body].rho);
+    const double spin = static_cast<double>(v.w) * static_cast<double>(bodies.turn[body].inverseGyration);
     return push[0] * static_cast<double>(v.x) + push[1] * static_cast<double>(v.y) + push[2] * spin;
 }
 
@@ -126,11 +126,11 @@ private:
             return;
         }
         SolverVelocity& v = bodies_.velocity[body];
-        const double rho = static_cast<double>(bodies_.turn[body].rho);
+        const double inverseGyration = static_cast<double>(bodies_.turn[body].inverseGyration);
         const double inverseMass = static_cast<double>(v.inverseMass);
         v.x = static_cast<float>(static_cast<double>(v.x) + inverseMass * given[0]);
         v.y = static_cast<float>(static_cast<double>(v.y) + inverseMass * given[1]);
-        v.w = static_cast<float>(static_cast<double>(v.w) + inverseMass * rho * given[2]);
+        v.w = static_cast<float>(static_cast<double>(v.w) + inverseMass * inverseGyration * given[2]);
     }
 
     JointIsland* islandOf(BodyIndex body) const {

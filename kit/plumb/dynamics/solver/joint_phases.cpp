@@ -129,7 +129,7 @@ void noteSpeeds(const JointStores& stores, double h) {
 }
 
 void addLoads(JointStore& joints, const JointIslands& islands) {
-    for (const JointIsland& island : islands.islands) island.hinges.tellLoads(joints);
+    for (const JointIsland& island : islands.islands) island.hinges.addLoads(joints);
 }
 
 double springEnergyOf(const SpringLoad& load) {

@@ -58,8 +58,9 @@ Rot turnedOn(const BodyMotion& motion, double turn) {
 
 /// What joints have made heavier to turn keeps its momentum: else it would be fed.
 double slowerBy(const BodyStore& bodies, BodyIndex body) {
-    const double rho = static_cast<double>(bodies.record[body].rho), was = static_cast<double>(bodies.turn[body].rho);
-    return rho < was ? rho / was * (rho / was) : 1.0;
+    const double inverseGyration = static_cast<double>(bodies.record[body].inverseGyration),
+                 was = static_cast<double>(bodies.turn[body].inverseGyration);
+    return inverseGyration < was ? inverseGyration / was * (inverseGyration / was) : 1.0;
 }
 
 /// One way of going over all contacts: a function of ContactSolver.
@@ -181,9 +182,10 @@ private:
         const SolverDisplacement& d = bodies_.displacement[body];
         motion.center += Vec2(static_cast<double>(d.x), static_cast<double>(d.y));
         motion.velocity = {static_cast<double>(v.x), static_cast<double>(v.y)};
-        motion.angularVelocity = static_cast<double>(v.w * bodies_.turn[body].rho) * slowerBy(bodies_, body);
-        if (bodies_.record[body].rho != bodies_.turn[body].rho)
-            renewRho(stores_.graph, stores_.contacts, bodies_, stores_.space, body);
+        motion.angularVelocity =
+            static_cast<double>(v.w * bodies_.turn[body].inverseGyration) * slowerBy(bodies_, body);
+        if (bodies_.record[body].inverseGyration != bodies_.turn[body].inverseGyration)
+            renewGyration(stores_.graph, stores_.contacts, bodies_, stores_.space, body);
         const double turn = static_cast<double>(bodies_.turn[body].angle);
         motion.angle += turn;
         motion.rotation = turnedOn(motion, turn);

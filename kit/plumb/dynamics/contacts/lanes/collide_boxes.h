@@ -220,8 +220,8 @@ struct BoxCollider {
 
     /// What cannot come together along the normal in this step will not touch in it. And where the faces stay before
     /// each other for all the step, they meet as they stand now; else it takes a closer look.
-    static void judge(const RelativeLanes<W>& r, const Result& result, F normalX, F normalY, F nearest, I count,
-                      int lane, FreshLanes& fresh) {
+    static void classify(const RelativeLanes<W>& r, const Result& result, F normalX, F normalY, F nearest, I count,
+                         int lane, FreshLanes& fresh) {
         const F worldX = r.cosA * normalX - r.sinA * normalY, worldY = r.sinA * normalX + r.cosA * normalY;
         const F closing = r.turn - (r.shiftX * worldX + r.shiftY * worldY);
         const F sliding = magnitude(r.shiftY * worldX - r.shiftX * worldY);
@@ -261,7 +261,7 @@ struct BoxCollider {
         const F nearest0 = in0 ? result.points[0].n : result.points[1].n;
         const F nearest = in1 ? smaller(nearest0, result.points[1].n) : nearest0;
         const I count0 = in0 ? whole(1) : I{}, count1 = in1 ? whole(1) : I{};
-        judge(r, result, normalX, normalY, nearest, count0 + count1, lane, fresh);
+        classify(r, result, normalX, normalY, nearest, count0 + count1, lane, fresh);
         for (int i = 0; i < 2; ++i) {
             const Point& own = result.points[i];
             const Point& second = result.points[1];

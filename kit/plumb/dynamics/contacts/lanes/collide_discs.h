@@ -65,7 +65,7 @@ struct DiscCollider {
     }
 
     /// As BoxCollider does: what cannot come together in this step will not touch in it; what may takes a closer look.
-    static void judge(const RelativeLanes<W>& r, F normalX, F normalY, F separation, int lane, FreshLanes& fresh) {
+    static void classify(const RelativeLanes<W>& r, F normalX, F normalY, F separation, int lane, FreshLanes& fresh) {
         const F worldX = r.cosA * normalX - r.sinA * normalY, worldY = r.sinA * normalX + r.cosA * normalY;
         const F closing = r.turn - (r.shiftX * worldX + r.shiftY * worldY);
         const F margin = squareRoot<W>(r.shiftX * r.shiftX + r.shiftY * r.shiftY) + r.turn + contactMargin;
@@ -97,7 +97,7 @@ struct DiscCollider {
         const F normalY = boxIsB ? -(r.sin * n.nx + r.cos * n.ny) : n.ny;
         storeLanes(fresh.normalX + lane, normalX);
         storeLanes(fresh.normalY + lane, normalY);
-        judge(r, normalX, normalY, separation, lane, fresh);
+        classify(r, normalX, normalY, separation, lane, fresh);
         FreshPoint& point = fresh.points[0];
         storeLanes(point.x + lane, boxIsB ? turnedX : x);
         storeLanes(point.y + lane, boxIsB ? turnedY : y);

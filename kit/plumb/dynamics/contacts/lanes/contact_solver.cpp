@@ -55,8 +55,8 @@ void pushTangent(Couple& c, const PointLanes& p, std::size_t lane, float impulse
 }
 
 void twist(Couple& c, const ContactBatch& batch, std::size_t lane, float impulse) {
-    c.a.w -= c.a.inverseMass * (batch.rollRhoA[lane] * impulse);
-    c.b.w += c.b.inverseMass * (batch.rollRhoB[lane] * impulse);
+    c.a.w -= c.a.inverseMass * (batch.rollInverseGyrationA[lane] * impulse);
+    c.b.w += c.b.inverseMass * (batch.rollInverseGyrationB[lane] * impulse);
 }
 
 /// s = s0 + n.(dB - dA) + (n.r)(c - 1) - (t.r) sin for B, less the same for A, r to the core: as a disc rolls, its
@@ -90,7 +90,7 @@ void solveFriction(Couple& c, const ContactBatch& batch, PointLanes& p, std::siz
                    float before) {
     const float old = p.tangentImpulse[lane];
     const float limit = batch.friction[lane] * (normalBefore + p.normalImpulse[lane]);
-    const float belt = batch.belts ? batch.beltSpeed[lane] : 0.0f;
+    const float belt = batch.hasSurfaceSpeed ? batch.surfaceSpeed[lane] : 0.0f;
     const float wanted = old - p.tangentMass[lane] * (tangentSpeed(c, p, lane) + belt);
     const float now = larger(smaller(wanted, limit - before), -limit - before);
     p.tangentImpulse[lane] = now;
@@ -103,7 +103,7 @@ void solveRolling(Couple& c, ContactBatch& batch, std::size_t lane, const Given&
     const float normal = (given.normal[0] + batch.points[0].normalImpulse[lane]) +
                          (given.normal[1] + batch.points[1].normalImpulse[lane]);
     const float limit = batch.rollReach[lane] * normal;
-    const float speed = batch.rollRhoB[lane] * c.b.w - batch.rollRhoA[lane] * c.a.w;
+    const float speed = batch.rollInverseGyrationB[lane] * c.b.w - batch.rollInverseGyrationA[lane] * c.a.w;
     const float wanted = old - batch.rollMass[lane] * speed;
     const float now = larger(smaller(wanted, limit - given.roll), -limit - given.roll);
     batch.rollImpulse[lane] = now;
@@ -113,7 +113,7 @@ void solveRolling(Couple& c, ContactBatch& batch, std::size_t lane, const Given&
 /// Friction comes second, so that even a contact's first sub-step has its normal force to go by.
 void solveAlong(Couple& c, ContactBatch& batch, std::size_t lane, const Given& given) {
     for (int i = 0; i < 2; ++i) solveFriction(c, batch, batch.points[i], lane, given.normal[i], given.tangent[i]);
-    if (batch.rolls) solveRolling(c, batch, lane, given);
+    if (batch.hasRollingResistance) solveRolling(c, batch, lane, given);
 }
 
 template <class Visit>
@@ -134,7 +134,7 @@ void gatherWarmStart(const ContactBatch* batches, std::size_t count, const Solve
                 pushNormal(couple, p, lane, p.normalImpulse[lane]);
                 pushTangent(couple, p, lane, p.tangentImpulse[lane]);
             }
-            if (batch.rolls) twist(couple, batch, lane, batch.rollImpulse[lane]);
+            if (batch.hasRollingResistance) twist(couple, batch, lane, batch.rollImpulse[lane]);
             couple.a.inverseMass = couple.b.inverseMass = 0;
             store(batch, lane, couple, bodies.warm);
         }
@@ -164,7 +164,7 @@ void relax(ContactBatch* batches, std::size_t count, const SolverBodies& bodies,
     forEachLane(batches, count, [&](ContactBatch& batch, std::size_t lane) {
         Couple couple = load(batch, lane, bodies.velocity);
         Given given;  // the impulses are still those of the solve, given a second time as a first guess
-        given.roll = batch.rolls ? batch.rollImpulse[lane] : 0.0f;
+        given.roll = batch.hasRollingResistance ? batch.rollImpulse[lane] : 0.0f;
         for (int i = 0; i < 2; ++i) {
             PointLanes& p = batch.points[i];
             given.normal[i] = p.normalImpulse[lane];

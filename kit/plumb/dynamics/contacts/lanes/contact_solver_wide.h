@@ -71,8 +71,8 @@ struct WideContacts {
         c.b.z += jb * r.normalB;
     }
     static void twist(Couple& c, const ContactBatch& batch, int lane, F impulse) {
-        c.a.z -= c.a.w * (at(batch.rollRhoA + lane) * impulse);
-        c.b.z += c.b.w * (at(batch.rollRhoB + lane) * impulse);
+        c.a.z -= c.a.w * (at(batch.rollInverseGyrationA + lane) * impulse);
+        c.b.z += c.b.w * (at(batch.rollInverseGyrationB + lane) * impulse);
     }
 
     [[gnu::always_inline]] static inline F separationNow(const ContactBatch& batch, const PointLanes& p, const Arms& r,
@@ -95,7 +95,7 @@ struct WideContacts {
     [[gnu::always_inline]] static inline void solveAlong(Couple& c, ContactBatch& batch, int lane, const Arms* arms,
                                                          const F* normal, const Given& given, F* tangent) {
         const F friction = at(batch.friction + lane);
-        const F belt = batch.belts ? at(batch.beltSpeed + lane) : F{};
+        const F belt = batch.hasSurfaceSpeed ? at(batch.surfaceSpeed + lane) : F{};
         for (int i = 0; i < 2; ++i) {
             PointLanes& p = batch.points[i];
             const F old = at(p.tangentImpulse + lane);
@@ -105,10 +105,10 @@ struct WideContacts {
             storeLanes(p.tangentImpulse + lane, tangent[i]);
             pushTangent(c, arms[i], tangent[i] - old);
         }
-        if (!batch.rolls) return;
+        if (!batch.hasRollingResistance) return;
         const F old = at(batch.rollImpulse + lane);
         const F limit = at(batch.rollReach + lane) * ((given.normal[0] + normal[0]) + (given.normal[1] + normal[1]));
-        const F speed = at(batch.rollRhoB + lane) * c.b.z - at(batch.rollRhoA + lane) * c.a.z;
+        const F speed = at(batch.rollInverseGyrationB + lane) * c.b.z - at(batch.rollInverseGyrationA + lane) * c.a.z;
         const F now = clamped(old - at(batch.rollMass + lane) * speed, limit, given.roll);
         storeLanes(batch.rollImpulse + lane, now);
         twist(c, batch, lane, now - old);
@@ -125,7 +125,7 @@ struct WideContacts {
                     pushNormal(c, r, at(p.normalImpulse + lane));
                     pushTangent(c, r, at(p.tangentImpulse + lane));
                 }
-                if (batch->rolls) twist(c, *batch, lane, at(batch->rollImpulse + lane));
+                if (batch->hasRollingResistance) twist(c, *batch, lane, at(batch->rollImpulse + lane));
                 c.a.w = c.b.w = F{};
                 store(*batch, lane, c, bodies.warm);
             }
@@ -163,7 +163,7 @@ struct WideContacts {
         const Arms r[2] = {arms(batch.points[0], lane), arms(batch.points[1], lane)};
         F normal[2], tangent[2];
         Given given;
-        given.roll = batch.rolls ? at(batch.rollImpulse + lane) : F{};
+        given.roll = batch.hasRollingResistance ? at(batch.rollImpulse + lane) : F{};
         for (int i = 0; i < 2; ++i) {
             PointLanes& p = batch.points[i];
             given.normal[i] = at(p.normalImpulse + lane);

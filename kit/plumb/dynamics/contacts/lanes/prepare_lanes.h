@@ -92,7 +92,7 @@ struct LanePreparer {
     /// The two bodies and the contact's normal, for the formulas.
     struct Sides {
         Rows<W> velocityA, velocityB;
-        F rhoA, rhoB;
+        F inverseGyrationA, inverseGyrationB;
         F nx, ny;
         F resting;  ///< approach at less than what half a step's acceleration gives is no impact [m/s]
         F press;    ///< approach speed that their accelerations give in a step [m/s]
@@ -104,8 +104,8 @@ struct LanePreparer {
         const float* rows = &places->highX;
         s.velocityA = loadRows<W>(&velocity->x, batch.bodyA + lane);
         s.velocityB = loadRows<W>(&velocity->x, batch.bodyB + lane);
-        s.rhoA = loadRows<W, 16>(rows + 4, batch.bodyA + lane).z;
-        s.rhoB = loadRows<W, 16>(rows + 4, batch.bodyB + lane).z;
+        s.inverseGyrationA = loadRows<W, 16>(rows + 4, batch.bodyA + lane).z;
+        s.inverseGyrationB = loadRows<W, 16>(rows + 4, batch.bodyB + lane).z;
         const Rows<W> pullA = loadRows<W, 16>(rows + 12, batch.bodyA + lane);
         const Rows<W> pullB = loadRows<W, 16>(rows + 12, batch.bodyB + lane);
         s.nx = nx;
@@ -130,8 +130,10 @@ struct LanePreparer {
     /// Fills a point's lanes; gives the speed at which it opens.
     static F preparePoint(PointLanes& p, int lane, const Sides& s, F rax, F ray, F rbx, F rby, F separation,
                           F restitution, M present) {
-        const F normalA = s.rhoA * (s.nx * rax + s.ny * ray), tangentA = s.rhoA * (s.nx * ray - s.ny * rax);
-        const F normalB = s.rhoB * (s.nx * rbx + s.ny * rby), tangentB = s.rhoB * (s.nx * rby - s.ny * rbx);
+        const F normalA = s.inverseGyrationA * (s.nx * rax + s.ny * ray),
+                tangentA = s.inverseGyrationA * (s.nx * ray - s.ny * rax);
+        const F normalB = s.inverseGyrationB * (s.nx * rbx + s.ny * rby),
+                tangentB = s.inverseGyrationB * (s.nx * rby - s.ny * rbx);
         const F ma = s.velocityA.w, mb = s.velocityB.w;
         const F normalInverse = ma * (tangentA * tangentA + 1.0f) + mb * (tangentB * tangentB + 1.0f);
         const F tangentInverse = ma * (normalA * normalA + 1.0f) + mb * (normalB * normalB + 1.0f);

@@ -26,7 +26,7 @@ JointRow DistanceJoint::coordinateRow(const Ends& ends) {
     return row;
 }
 
-void DistanceJoint::ask(JointRows& rows, const Ends& now, const JointPass& pass) const {
+void DistanceJoint::addRows(JointRows& rows, const Ends& now, const JointPass& pass) const {
     const Ends later = ahead(now, pass);
     const double length = coordinate(now), then = coordinate(later);
     rows.length = length;

@@ -15,7 +15,7 @@ public:
 
     const DistanceJointDef& def() const { return def_; }
     void set(const DistanceJointDef& def);
-    void ask(JointRows& rows, const Ends& now, const JointPass& pass) const;
+    void addRows(JointRows& rows, const Ends& now, const JointPass& pass) const;
     SpringLoad springLoad(const Ends& now) const;
     static double coordinate(const Ends& ends) { return ends.apart().norm(); }
     static JointRow coordinateRow(const Ends& ends);

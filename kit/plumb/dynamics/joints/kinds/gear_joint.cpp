@@ -3,7 +3,7 @@
 
 namespace plumb {
 
-void GearJoint::ask(JointRows& rows, const Geared& a, const Geared& b, const JointPass& pass) const {
+void GearJoint::addRows(JointRows& rows, const Geared& a, const Geared& b, const JointPass& pass) const {
     rows.ends = 4;
     // The second end is the one whose force is told: what the second joint moves.
     rows.body = {a.body[1], b.body[1], a.body[0], b.body[0]};
@@ -14,9 +14,9 @@ void GearJoint::ask(JointRows& rows, const Geared& a, const Geared& b, const Joi
         row.at[1][i] = def_.ratio * b.row.at[1][i];
         rows.far[1][i] = def_.ratio * b.row.at[0][i];
     }
-    const Course course{a.course.now + def_.ratio * b.course.now - total_,
-                        a.course.later + def_.ratio * b.course.later - total_};
-    hold(row, course, a.speed + def_.ratio * b.speed, pass);
+    const PredictedCoordinate predicted{a.predicted.now + def_.ratio * b.predicted.now - total_,
+                                        a.predicted.later + def_.ratio * b.predicted.later - total_};
+    hold(row, predicted, a.speed + def_.ratio * b.speed, pass);
 }
 
 }  // namespace plumb

@@ -11,7 +11,7 @@ namespace plumb {
 struct Geared {
     std::array<BodyIndex, 2> body{};
     JointRow row;  ///< of its coordinate
-    Course course;
+    PredictedCoordinate predicted;
     double speed = 0;  ///< [m/s or rad/s]
 };
 
@@ -30,7 +30,7 @@ public:
     }
     double ratio() const { return def_.ratio; }
     double total() const { return total_; }
-    void ask(JointRows& rows, const Geared& a, const Geared& b, const JointPass& pass) const;
+    void addRows(JointRows& rows, const Geared& a, const Geared& b, const JointPass& pass) const;
 
 private:
     GearJointDef def_;

@@ -13,7 +13,7 @@ public:
     LockJoint(BodyIndex body, bool lockX, bool lockY, const BodyStore& bodies)
         : anchors{{bodies.motion[body].center, noBody}, {{0, 0}, body}}, x_(lockX), y_(lockY) {}
 
-    void ask(JointRows& rows, const Ends& now, const JointPass& pass) const {
+    void addRows(JointRows& rows, const Ends& now, const JointPass& pass) const {
         const Vec2 off = now.apart(), later = ahead(now, pass).apart();
         if (x_) holdRow(rows, rowAlong({1, 0}, now), {off.x(), later.x()}, now, pass);
         if (y_) holdRow(rows, rowAlong({0, 1}, now), {off.y(), later.y()}, now, pass);

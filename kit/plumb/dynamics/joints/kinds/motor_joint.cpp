@@ -24,7 +24,7 @@ JointRow MotorJoint::coordinateRow(const Ends& ends) const {
     return rowAlong(off(ends).stableNormalized(), ends);
 }
 
-void MotorJoint::ask(JointRows& rows, const Ends& now, const JointPass& pass) const {
+void MotorJoint::addRows(JointRows& rows, const Ends& now, const JointPass& pass) const {
     const Vec2 wanted = now.a.rotation * def_.velocity - off(now) * def_.rate;
     const Vec2 fromA = now.a.arm + now.apart();
     const Vec2 speed = (now.b.velocity + perp(now.b.arm) * now.b.spin) - (now.a.velocity + perp(fromA) * now.a.spin);

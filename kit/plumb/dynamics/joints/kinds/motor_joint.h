@@ -15,7 +15,7 @@ public:
 
     const MotorJointDef& def() const { return def_; }
     void set(const MotorJointDef& def);
-    void ask(JointRows& rows, const Ends& now, const JointPass& pass) const;
+    void addRows(JointRows& rows, const Ends& now, const JointPass& pass) const;
     double coordinate(const Ends& ends) const { return off(ends).norm(); }
     JointRow coordinateRow(const Ends& ends) const;
     static double error(const Ends&) { return 0; }  ///< it may be off, as far as its force goes

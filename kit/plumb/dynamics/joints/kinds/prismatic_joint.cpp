@@ -12,16 +12,16 @@ PrismaticJoint::PrismaticJoint(const PrismaticJointDef& def, const BodyStore& bo
       localAxis_(bodies.motion[anchors.a.body].rotation.inverse() * Vec2(def.axis.stableNormalized())),
       reference_(bodies.motion[anchors.b.body].angle - bodies.motion[anchors.a.body].angle) {}
 
-void PrismaticJoint::ask(JointRows& rows, const Ends& now, const JointPass& pass) const {
+void PrismaticJoint::addRows(JointRows& rows, const Ends& now, const JointPass& pass) const {
     const Ends later = ahead(now, pass);
     holdRow(rows, rowAlong(perp(axis(now)), now), {aside(now), aside(later)}, now, pass);
     holdRow(rows, rowTurning(), {turned(now), turned(later)}, now, pass);
     if (def_.maxMotorForce == 0 && !def_.limit && !def_.spring) return;
     JointRow& sliding = rows.add() = coordinateRow(now);
     drive(sliding, def_.motorSpeed, def_.maxMotorForce, pass);
-    const Course course{coordinate(now), coordinate(later)};
-    if (def_.limit) keepWithin(sliding, *def_.limit, course, speedOf(sliding, now), pass);
-    if (def_.spring) pull(sliding, *def_.spring, course.now - def_.restShift, pass);
+    const PredictedCoordinate predicted{coordinate(now), coordinate(later)};
+    if (def_.limit) keepWithin(sliding, *def_.limit, predicted, speedOf(sliding, now), pass);
+    if (def_.spring) pull(sliding, *def_.spring, predicted.now - def_.restShift, pass);
 }
 
 SpringLoad PrismaticJoint::springLoad(const Ends& now) const {

@@ -31,7 +31,7 @@ JointRow PulleyJoint::coordinateRow(const Ends& ends) const {
     return row;
 }
 
-void PulleyJoint::ask(JointRows& rows, const Ends& now, const JointPass& pass) const {
+void PulleyJoint::addRows(JointRows& rows, const Ends& now, const JointPass& pass) const {
     const Ends later = ahead(now, pass);
     JointRow& row = rows.add() = coordinateRow(now);
     keepWithin(row, {-unlimited, length_}, {coordinate(now), coordinate(later)}, speedOf(row, now), pass);

@@ -16,7 +16,7 @@ public:
 
     const PulleyJointDef& def() const { return def_; }
     void set(const PulleyJointDef& def);
-    void ask(JointRows& rows, const Ends& now, const JointPass& pass) const;
+    void addRows(JointRows& rows, const Ends& now, const JointPass& pass) const;
     double coordinate(const Ends& ends) const;
     JointRow coordinateRow(const Ends& ends) const;
     double error(const Ends& ends) const;

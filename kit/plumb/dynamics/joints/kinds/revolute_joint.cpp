@@ -10,15 +10,15 @@ RevoluteJoint::RevoluteJoint(const RevoluteJointDef& def, const BodyStore& bodie
       def_(def),
       reference_(bodies.motion[anchors.b.body].angle - bodies.motion[anchors.a.body].angle) {}
 
-void RevoluteJoint::ask(JointRows& rows, const Ends& now, const JointPass& pass) const {
+void RevoluteJoint::addRows(JointRows& rows, const Ends& now, const JointPass& pass) const {
     const Ends later = ahead(now, pass);
     holdPoint(rows, now, later, pass);
     if (isPlain()) return;
     JointRow& turning = rows.add() = rowTurning();
     drive(turning, def_.motorSpeed, def_.maxMotorTorque, pass);
-    const Course course{coordinate(now), coordinate(later)};
-    if (def_.limit) keepWithin(turning, *def_.limit, course, speedOf(turning, now), pass);
-    if (def_.spring) pull(turning, *def_.spring, course.now - def_.restAngle, pass);
+    const PredictedCoordinate predicted{coordinate(now), coordinate(later)};
+    if (def_.limit) keepWithin(turning, *def_.limit, predicted, speedOf(turning, now), pass);
+    if (def_.spring) pull(turning, *def_.spring, predicted.now - def_.restAngle, pass);
 }
 
 SpringLoad RevoluteJoint::springLoad(const Ends& now) const {

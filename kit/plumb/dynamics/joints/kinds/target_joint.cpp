@@ -20,7 +20,7 @@ std::array<Vec2, 2> TargetJoint::axes(const Ends& ends) {
     return {along, perp(along)};
 }
 
-void TargetJoint::ask(JointRows& rows, const Ends& now, const JointPass& pass) const {
+void TargetJoint::addRows(JointRows& rows, const Ends& now, const JointPass& pass) const {
     for (const Vec2& axis : axes(now)) {
         JointRow& row = rows.add() = rowAlong(axis, now);
         pull(row, spring_, axis.dot(now.apart()), pass);

@@ -15,7 +15,7 @@ public:
 
     const TargetJointDef& def() const { return def_; }
     void set(const TargetJointDef& def, const BodyStore& bodies);
-    void ask(JointRows& rows, const Ends& now, const JointPass& pass) const;
+    void addRows(JointRows& rows, const Ends& now, const JointPass& pass) const;
     SpringLoad springLoad(const Ends& now) const;
     static double coordinate(const Ends& ends) { return ends.apart().norm(); }
     static JointRow coordinateRow(const Ends& ends) { return rowAlong(ends.apart().stableNormalized(), ends); }

@@ -8,7 +8,7 @@ WeldJoint::WeldJoint(const WeldJointDef& def, const BodyStore& bodies)
       def_(def),
       reference_(bodies.motion[anchors.b.body].angle - bodies.motion[anchors.a.body].angle) {}
 
-void WeldJoint::ask(JointRows& rows, const Ends& now, const JointPass& pass) const {
+void WeldJoint::addRows(JointRows& rows, const Ends& now, const JointPass& pass) const {
     const Ends later = ahead(now, pass);
     if (!def_.spring) holdPoint(rows, now, later, pass);
     for (const int axis : {0, 1})

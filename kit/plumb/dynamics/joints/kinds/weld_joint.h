@@ -17,7 +17,7 @@ public:
 
     const WeldJointDef& def() const { return def_; }
     void set(const WeldJointDef& def) { def_ = def; }
-    void ask(JointRows& rows, const Ends& now, const JointPass& pass) const;
+    void addRows(JointRows& rows, const Ends& now, const JointPass& pass) const;
     SpringLoad springLoad(const Ends& now) const;
     double coordinate(const Ends& ends) const { return ends.angle() - reference_; }
     static JointRow coordinateRow(const Ends&) { return rowTurning(); }

@@ -11,7 +11,7 @@ WheelJoint::WheelJoint(const WheelJointDef& def, const BodyStore& bodies)
       def_(def),
       localAxis_(bodies.motion[anchors.a.body].rotation.inverse() * Vec2(def.axis.stableNormalized())) {}
 
-void WheelJoint::ask(JointRows& rows, const Ends& now, const JointPass& pass) const {
+void WheelJoint::addRows(JointRows& rows, const Ends& now, const JointPass& pass) const {
     const Ends later = ahead(now, pass);
     holdRow(rows, rowAlong(perp(axis(now)), now), {aside(now), aside(later)}, now, pass);
     if (def_.maxMotorTorque > 0) {
@@ -20,9 +20,9 @@ void WheelJoint::ask(JointRows& rows, const Ends& now, const JointPass& pass) co
     }
     if (!def_.limit && !def_.spring) return;
     JointRow& sliding = rows.add() = coordinateRow(now);
-    const Course course{coordinate(now), coordinate(later)};
-    if (def_.limit) keepWithin(sliding, *def_.limit, course, speedOf(sliding, now), pass);
-    if (def_.spring) pull(sliding, *def_.spring, course.now - def_.restShift, pass);
+    const PredictedCoordinate predicted{coordinate(now), coordinate(later)};
+    if (def_.limit) keepWithin(sliding, *def_.limit, predicted, speedOf(sliding, now), pass);
+    if (def_.spring) pull(sliding, *def_.spring, predicted.now - def_.restShift, pass);
 }
 
 SpringLoad WheelJoint::springLoad(const Ends& now) const {

@@ -16,7 +16,7 @@ public:
 
     const WheelJointDef& def() const { return def_; }
     void set(const WheelJointDef& def) { def_ = def; }
-    void ask(JointRows& rows, const Ends& now, const JointPass& pass) const;
+    void addRows(JointRows& rows, const Ends& now, const JointPass& pass) const;
     SpringLoad springLoad(const Ends& now) const;
     double coordinate(const Ends& ends) const { return axis(ends).dot(ends.apart()); }
     JointRow coordinateRow(const Ends& ends) const { return rowAlong(axis(ends), ends); }
