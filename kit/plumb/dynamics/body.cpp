@@ -231,8 +231,8 @@ void Body::applyImpulse(const Vec2& impulse, const Vec2& at) {
     const Vec2 velocity = motion.velocity + impulse * record.inverseMass;
     const Vec2 arm = world_->bodies.near(at, motion.center) - motion.center;
     const double turn = record.inverseInertia > 0 ? cross(arm, impulse) * record.inverseInertia : 0.0;
-    requireFinite(velocity, "Body.applyImpulse: impulse, for the velocity it would compliance");
-    requireFinite(turn, "Body.applyImpulse: impulse, for the angular velocity it would compliance");
+    requireFinite(velocity, "Body.applyImpulse: impulse, for the velocity it would give");
+    requireFinite(turn, "Body.applyImpulse: impulse, for the angular velocity it would give");
     motion.velocity = velocity;
     motion.angularVelocity += turn;
     wakeIsland(*world_, index_);
@@ -242,7 +242,7 @@ void Body::applyAngularImpulse(double impulse) {
     requireFinite(impulse, "Body.applyAngularImpulse: impulse");
     const double inverse = world_->bodies.record[index_].inverseInertia;
     const double turn = inverse > 0 ? impulse * inverse : 0.0;
-    requireFinite(turn, "Body.applyAngularImpulse: impulse, for the angular velocity it would compliance");
+    requireFinite(turn, "Body.applyAngularImpulse: impulse, for the angular velocity it would give");
     world_->bodies.motion[index_].angularVelocity += turn;
     wakeIsland(*world_, index_);
 }

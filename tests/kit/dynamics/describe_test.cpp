@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Are all definitions described, each with its members, in the units that their headers say?
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <sstream>
 
 #include "catch.h"
+#include "house/arrows.h"
 #include "house/declarations.h"
 #include "kit/dynamics/described_leaves.h"
 
@@ -56,13 +55,10 @@ Descriptions allDescriptions() {
 
 /// But for those of movers, whose definitions are not described.
 std::string allHeaders() {
-    std::ostringstream text;
-    for (const auto& entry :
-         std::filesystem::recursive_directory_iterator(std::filesystem::path(PLUMB_SOURCE_DIR) / "kit/plumb"))
-        if (entry.path().extension() == ".h" && entry.path().parent_path().filename() != "detail" &&
-            entry.path().parent_path().filename() != "movers")
-            text << std::ifstream(entry.path()).rdbuf() << '\n';
-    return text.str();
+    std::string text;
+    for (const SourceFile& source : sourcesUnder(repository / "kit/plumb", repository / "kit"))
+        if (isInstalled(source.path) && moduleOf(source.path) != "movers") text += source.text + '\n';
+    return text;
 }
 
 /// Definitions and members that stand in the headers and are not described, or otherwise.

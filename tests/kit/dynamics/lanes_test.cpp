@@ -237,9 +237,10 @@ Pile randomPile(Random& random) {
         batch.normalY[lane] = static_cast<float>(std::sin(angle));
         batch.friction[lane] = static_cast<float>(random.uniform(0, 1));
         batch.roundA[lane] = batch.roundB[lane] = random.integer(0, 1) == 0 ? 0 : 0.5f;
-        batch.beltSpeed[lane] = number(1);
+        batch.surfaceSpeed[lane] = number(1);
         batch.rollReach[lane] = static_cast<float>(random.uniform(0, 0.2));
-        batch.rollRhoA[lane] = batch.rollRhoB[lane] = static_cast<float>(random.uniform(0.5, 2));
+        batch.rollInverseGyrationA[lane] = batch.rollInverseGyrationB[lane] =
+            static_cast<float>(random.uniform(0.5, 2));
         batch.rollMass[lane] = static_cast<float>(random.uniform(0.1, 1));
         for (PointLanes& p : batch.points) {
             p.anchorNormalA[lane] = number(1);
@@ -255,8 +256,8 @@ Pile randomPile(Random& random) {
         }
     }
     batch.bounces = true;
-    batch.belts = random.integer(0, 1) == 1;
-    batch.rolls = random.integer(0, 1) == 1;
+    batch.hasSurfaceSpeed = random.integer(0, 1) == 1;
+    batch.hasRollingResistance = random.integer(0, 1) == 1;
     return pile;
 }
 

@@ -24,7 +24,7 @@ void validateRegion(const Shape& region) {
     if (std::holds_alternative<Segment>(region) || std::holds_alternative<Chain>(region))
         refuse("FieldDef.region", "a line has no area that a field could fill");
     if (std::holds_alternative<TileMap>(region))
-        refuse("FieldDef.region", "a tile map is not one area: compliance a field to each part of it");
+        refuse("FieldDef.region", "a tile map is not one area: give a field to each part of it");
 }
 
 }  // namespace
