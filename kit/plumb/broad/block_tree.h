@@ -109,17 +109,6 @@ private:
         block.upperX[lane] = bounds.upperX;
         block.upperY[lane] = bounds.upperY;
     }
-    static std::uint32_t notAbove(float a, float b) { return a <= b ? 1 : 0; }
-    // Bit i tells whether the block's box i overlaps. Without branches, so that compilers can vectorise it.
-    static std::uint32_t overlaps(const BoxBlock& block, const Bounds& box) {
-        std::uint32_t lanes = 0;
-        for (std::uint32_t i = 0; i < width; ++i) {
-            lanes |= (notAbove(block.lowerX[i], box.upperX) & notAbove(box.lowerX, block.upperX[i]) &
-                      notAbove(block.lowerY[i], box.upperY) & notAbove(box.lowerY, block.upperY[i]))
-                     << i;
-        }
-        return lanes;
-    }
     Bounds refitBlock(std::size_t level, std::uint32_t block);
     void grow();
 
@@ -146,7 +135,7 @@ void BlockTree::query(const Bounds& box, Visit&& visit) const {
     stack[size++] = {static_cast<std::uint32_t>(levelCount_ - 1), 0};
     while (size > 0) {
         const Node node = stack[--size];
-        for (std::uint32_t lanes = overlaps(levels_[node.level][node.block], box); lanes != 0; lanes &= lanes - 1) {
+        for (std::uint32_t lanes = overlapMask(levels_[node.level][node.block], box); lanes != 0; lanes &= lanes - 1) {
             const std::uint32_t i = node.block * width + static_cast<std::uint32_t>(std::countr_zero(lanes));
             if (node.level == 0)
                 visit(i);

@@ -19,4 +19,17 @@ struct alignas(64) BoxBlock {
     std::array<float, width> lowerX, lowerY, upperX, upperY;
 };
 
+/// Bit i tells whether the block's box i overlaps or touches a box. Without branches, so that compilers can vectorise
+/// it.
+template <class Block, class Box>
+[[gnu::always_inline]] inline std::uint32_t overlapMask(const Block& block, const Box& box) {
+    std::uint32_t mask = 0;
+    for (std::uint32_t i = 0; i < block.lowerX.size(); ++i) {
+        const std::uint32_t x = (block.lowerX[i] <= box.upperX ? 1u : 0u) & (box.lowerX <= block.upperX[i] ? 1u : 0u);
+        const std::uint32_t y = (block.lowerY[i] <= box.upperY ? 1u : 0u) & (box.lowerY <= block.upperY[i] ? 1u : 0u);
+        mask |= (x & y) << i;
+    }
+    return mask;
+}
+
 }  // namespace plumb

@@ -29,14 +29,14 @@ struct BlockPair {
 
 }  // namespace
 
-Bvh::Bounds Bvh::rounded(const Aabb& box) const {
+Bounds Bvh::rounded(const Aabb& box) const {
     const Vec2 lower = box.lower - origin_;
     const Vec2 upper = box.upper - origin_;
     return {inFloat(lower.x()), inFloat(lower.y()), inFloat(upper.x()), inFloat(upper.y())};
 }
 
 // Lanes that hold no box are NaN, and fail every comparison here; so do NaN coordinates.
-Bvh::Bounds Bvh::boundsOf(const Block& block) {
+Bounds Bvh::boundsOf(const Block& block) {
     Bounds all{beyondAll, beyondAll, -beyondAll, -beyondAll};
     for (std::uint32_t i = 0; i < width; ++i) {
         if (block.lowerX[i] < all.lowerX) all.lowerX = block.lowerX[i];
@@ -98,7 +98,7 @@ PairSearch Bvh::countedPairs() const {
         tests += std::uint64_t{width} * width;
         for (std::uint32_t lane = 0; lane < width; ++lane) {
             const std::uint32_t i = at.a * width + lane;
-            std::uint32_t mask = overlaps(b, {a.lowerX[lane], a.lowerY[lane], a.upperX[lane], a.upperY[lane]});
+            std::uint32_t mask = overlapMask(b, Bounds{a.lowerX[lane], a.lowerY[lane], a.upperX[lane], a.upperY[lane]});
             // Within one block every two once; and above the lowest level, each block with itself.
             if (at.a == at.b) mask &= ~std::uint32_t{0} << lane << (at.level == 0 ? 1 : 0);
             for (; mask != 0; mask &= mask - 1) {

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include <plumb/broad/box_block.h>
 #include <plumb/broad/pair.h>
 #include <plumb/shapes/aabb.h>
 
@@ -37,9 +38,6 @@ private:
     static constexpr std::uint32_t width = 8;
     static constexpr std::size_t maxLevels = 11;  // of 8-fold blocks, for 2^32 boxes
 
-    struct Bounds {
-        float lowerX, lowerY, upperX, upperY;
-    };
     struct Block {
         std::array<float, width> lowerX, lowerY, upperX, upperY;
     };
@@ -51,18 +49,6 @@ private:
     static Bounds boundsOf(const Block& block);
     static void put(Block& block, std::uint32_t lane, const Bounds& bounds);
     void buildLevels();
-
-    static std::uint32_t notAbove(float a, float b) { return a <= b ? 1 : 0; }
-    // Bit i tells whether the block's box i overlaps. Without branches, so that compilers can vectorise it.
-    static std::uint32_t overlaps(const Block& block, const Bounds& box) {
-        std::uint32_t mask = 0;
-        for (std::uint32_t i = 0; i < width; ++i) {
-            mask |= (notAbove(block.lowerX[i], box.upperX) & notAbove(box.lowerX, block.upperX[i]) &
-                     notAbove(block.lowerY[i], box.upperY) & notAbove(box.lowerY, block.upperY[i]))
-                    << i;
-        }
-        return mask;
-    }
 
     std::vector<std::uint32_t> order_;  // order_[k]: the index of the k-th box of the hierarchy
     std::vector<Aabb> boxes_;           // in that order
@@ -82,7 +68,7 @@ void Bvh::query(const Aabb& box, Visit&& visit) const {
     stack[size++] = {static_cast<std::uint32_t>(levels_.size() - 1), 0};
     while (size > 0) {
         const Node node = stack[--size];
-        std::uint32_t mask = overlaps(levels_[node.level][node.block], bounds);
+        std::uint32_t mask = overlapMask(levels_[node.level][node.block], bounds);
         if (node.level == 0) {
             for (; mask != 0; mask &= mask - 1) {
                 const std::size_t k =
