@@ -17,7 +17,7 @@ struct Acceleration {
     double angular = 0;
 };
 
-/// The constants of a body's free motion during a step: acceleration and linear damping.
+/// The constants of a body's free motion during a step: acceleration and damping.
 struct FlightLaw {
     Acceleration acceleration;
     double linearDamping = 0, angularDamping = 0;  ///< [1/s]

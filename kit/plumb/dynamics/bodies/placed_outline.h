@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which corners and which radius make a shape?
+// Which corners and which rounding radius describe a shape in the world?
 #pragma once
 #include <vector>
 

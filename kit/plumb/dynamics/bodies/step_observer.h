@@ -26,7 +26,7 @@ public:
 
     // The solver's events, in the order in which they happen.
     virtual void beginSolver() = 0;
-    /// Before the forces of half a sub-step act.
+    /// Called before the forces of half a sub-step act.
     virtual void beginHalf(const std::vector<BodyIndex>& solved) = 0;
     /// After beginHalf: the velocity change of a body by fields; base: its part by gravity and forces [m/s].
     virtual void noteFieldKick(BodyIndex body, const FieldKick& kick, const Vec2& base) = 0;
