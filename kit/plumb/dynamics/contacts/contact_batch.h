@@ -34,8 +34,7 @@ struct alignas(64) ContactBatch {
     Lanes<float> rollMass;                                    ///< effective inertia [kg m^2]
     Lanes<float> rollImpulse;                                 ///< in half a sub-step [N m s]
     Lanes<std::int32_t> pushed;                               ///< not 0: the contact has given an impulse in this step
-    bool bounces, hasSurfaceSpeed,
-        hasRollingResistance;  ///< some lane may have restitution, a surfaceSpeed, a rollReach
+    bool bounces, hasSurfaceSpeed, hasRollingResistance;  ///< some lane may have restitution, surfaceSpeed, rollReach
 };
 
 /// Number of rows of 64 bytes before the flags.
@@ -44,7 +43,7 @@ inline constexpr std::size_t batchRows = offsetof(ContactBatch, bounces) / (size
 /// Where a point is on its shapes. The next step finds the same point again by this.
 struct alignas(64) ManifoldPointLanes {
     Lanes<float> x, y;            ///< in A's frame, from its centre of mass [m]
-    Lanes<std::int32_t> feature;  ///< as in collide/manifold.h
+    Lanes<std::int32_t> feature;  ///< as in collide/manifold_point.h
 };
 
 /// Is one shape of a pair a disc, and the other a disc or a box? Then which one is the disc.

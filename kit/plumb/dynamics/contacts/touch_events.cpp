@@ -71,8 +71,8 @@ public:
     /// Checks a contact that is not in the solver; false if it can have no more events.
     bool searchWatched(ContactIndex index) {
         ContactRecord& contact = contacts_[index];
-        const bool told =
-            contact.state == ContactState::Impact && contact.memory[0].totalNormal > 0;  // reported by impacts
+        // The impacts have reported the contact already.
+        const bool told = contact.state == ContactState::Impact && contact.memory[0].totalNormal > 0;
         if (contact.isNear() && !told) search(contact);
         contact.watched = contact.isNear() && (contact.touching || contact.manifold.count > 0);
         return contact.watched;

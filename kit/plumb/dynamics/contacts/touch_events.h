@@ -11,7 +11,7 @@ namespace plumb {
 struct ShapeTouch {
     ProxyId proxyA = 0, proxyB = 0;
     Vec2 shift{0, 0};          ///< to B's periodic image that touches A, in a world that wraps [m]
-    Vec2 point{0, 0};          ///< near A's own place, not a periodic image of it [m]
+    Vec2 point{0, 0};          ///< on A, in a world that wraps not on a periodic image of A [m]
     Vec2 normal{0, 1};         ///< from A to B
     double approachSpeed = 0;  ///< [m/s]
 };
@@ -28,7 +28,7 @@ struct TouchEvents {
 };
 
 /// A touch begins when two shapes press on each other or overlap. It ends when they do not press and are at least 1 mm
-/// apart. If the approach speed is above hitSpeed [m/s], it is also a hit.
+/// apart. Two shapes that press on each other after an approach faster than hitSpeed [m/s] hit each other.
 TouchEvents findTouchEvents(ContactGraph& graph, ContactStore& contacts, const BodyStore& bodies, double hitSpeed);
 
 }  // namespace plumb

@@ -7,6 +7,7 @@
 //   vt = t.(vB - vA) + rnB wB - rnA wA + belt   speed at which B's surface slides along t
 //   1/kn = mA (1 + rtA^2) + mB (1 + rtB^2)      effective inverse mass (mA, mB inverse masses), kt with rn
 //   s = s0 + n.(dB - dA) + rotation terms       separation after the displacements dA, dB
+// v velocity [m/s], belt surfaceSpeed [m/s], s0 separation at the step's start [m], h sub-step [s], mu friction [-]
 // solve makes vn at least -s/h, so that the points just meet; if they overlap, it pushes them apart at the soft rate.
 // relax removes this push from the velocity again. Friction is limited to mu times the normal impulse, and the torque
 // against rolling to rollReach times the normal impulse.
