@@ -199,8 +199,8 @@ private:
         return {motion, record.inverseMass, record.inverseInertia};
     }
 
-    /// Corrects the velocity at the end of a free motion with varying fields: the law gives the exact place, but only
-    /// nearly the velocity.
+    /// Corrects the velocity at the end of a free motion with varying fields: the law gives the right place, but only
+    /// nearly the right velocity.
     void endFields(GroupBody& body, BodyMotion& at, double time) {
         if (!hasVaryingFields(body)) return;
         const double flown = time - body.flight.time;

@@ -14,7 +14,7 @@
 
 namespace plumb {
 
-/// What impacts read and write.
+/// The stores that impacts read and write.
 struct ImpactStores {
     ContactStore& contacts;
     BodyStore& bodies;

@@ -30,7 +30,7 @@ bool bouncesClear(const ContactGraph& graph, const BodyStore& bodies, const Cont
         const double opening = relative.dot(normal);
         const double fall = std::max(press * static_cast<double>(point.separation), 0.0);
         const double speed = std::sqrt(opening * opening + 2 * fall);
-        const bool overlapping = point.separation < -1e-4f && opening >= 0;  // only the solver pushes apart
+        const bool overlapping = point.separation < -1e-4f && opening >= 0;  // only the solver corrects it
         if (overlapping || 2 * contact.restitution * speed < press * dt) return false;
     }
     return true;

@@ -48,7 +48,7 @@ std::optional<double> timeOfCrossingIn(const RayPart& part, SweptShape wall, Swe
 /// A body's motion relative to a wall.
 struct Passage {
     Vec2 from{0, 0}, to{0, 0};  ///< places of the body's centre, in the wall's frame [m]
-    double bend = 0;            ///< largest distance of its path from the straight line between the two [m]
+    double bend = 0;            ///< upper bound on its path's distance from the straight line between them [m]
     double turn = 0;            ///< relative rotation [rad]
 
     /// An upper bound on how far a point of the body's outline has moved [m].
