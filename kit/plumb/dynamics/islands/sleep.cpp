@@ -67,8 +67,7 @@ std::vector<BodyIndex> islandOf(const SleepStores& stores, BodyIndex seed, std::
 
 void putContactToSleep(const SleepStores& stores, BodyIndex body, ContactIndex index) {
     ContactRecord& contact = stores.contacts[index];
-    if (stores.bodies.record[otherOf(contact, body)]
-            .awake) {  // it is collided while the other body is awake, but not solved
+    if (stores.bodies.record[otherOf(contact, body)].awake) {  // it is collided until that one sleeps, but not solved
         if (contact.isSolved()) renewContact(stores.graph, stores.contacts, stores.bodies, index);
         return;
     }
