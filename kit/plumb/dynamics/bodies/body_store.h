@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where is everything about a body kept? Its state in double, one cache line a body; beside it what the solver works
-// on.
+// Where is the data of bodies stored? The state is in double precision, one cache line per body; beside it are the
+// floats that the solver uses.
 #pragma once
 #include <cstdint>
 #include <limits>
@@ -21,15 +21,15 @@ struct BodyMotion {
     Vec2 velocity{0, 0};
     double angle = 0;
     double angularVelocity = 0;
-    Rot rotation;  ///< of angle
+    Rot rotation;  ///< cosine and sine of angle
 };
 
-/// Of the body's point that is there now [m/s].
+/// The velocity of the body's material point that is now at this point [m/s].
 inline Vec2 velocityAt(const BodyMotion& motion, const Vec2& point) {
     return motion.velocity + perp(Vec2(point - motion.center)) * motion.angularVelocity;
 }
 
-/// A body's periodic image, that far from it.
+/// The periodic image of a body at this offset [m].
 inline BodyMotion shifted(const BodyMotion& motion, const Vec2& shift) {
     BodyMotion image = motion;
     image.center += shift;
@@ -39,7 +39,8 @@ inline Transform shifted(const Transform& pose, const Vec2& shift) {
     return {pose.position + shift, pose.rotation};
 }
 
-/// Properties, and what acts on the body. What every step reads of every body fills the first two cache lines.
+/// A body's properties, and the forces that act on it. The fields that every step reads of every body come first: they
+/// fill two cache lines.
 struct alignas(64) BodyRecord {
     BodyType type = BodyType::Static;
     bool alive = false;
@@ -48,85 +49,85 @@ struct alignas(64) BodyRecord {
     bool fixedRotation = false;
     bool quarantined = false;
     bool enabled = true;
-    bool massGiven = false;  ///< not what its shapes and their densities give
+    bool massGiven = false;  ///< the mass was set directly, not computed from shapes and densities
     float inverseGyration = 1, gyration = 1;
     double stillTime = 0;
-    double boundingRadius = 0;  ///< farthest point from the centre of mass [m]
-    double turningRadius = 0;   ///< and of the cores within what is rounded [m]
+    double boundingRadius = 0;  ///< distance of the farthest point from the centre of mass [m]
+    double turningRadius = 0;   ///< the same without rounding radii, see turningRadiusOf [m]
     double inradius =
         std::numeric_limits<double>::infinity();  ///< radius of a disc that fits into each of its shapes [m]
 
     double inverseMass = 0, inverseInertia = 0;
-    Vec2 force{0, 0};   ///< over the next step [N]
-    double torque = 0;  ///< [N m]
+    Vec2 force{0, 0};   ///< acts during the next step [N]
+    double torque = 0;  ///< acts during the next step [N m]
     double gravityScale = 1;
     double linearDamping = 0, angularDamping = 0;
 
     std::uint32_t generation = 0;
-    std::uint32_t shapesMade = 0;  ///< the next shape's number
+    std::uint32_t shapesMade = 0;  ///< the number that the next shape gets
     std::uint32_t awakeIndex = none;
     double mass = 0, inertia = 0;
     Vec2 localCenter{0, 0};
     std::uint64_t tag = 0;
 };
 
-/// What a body is connected with. One cache line.
+/// The contacts, shapes and joints of a body. One cache line.
 struct alignas(64) BodyLinks {
     std::uint32_t firstContact = none;  ///< head of the list of its contacts
-    std::uint32_t colours = 0;          ///< bit c: a contact of colour c has it
-    std::uint32_t solverContacts = 0;   ///< how many of its contacts the solver has
-    std::uint32_t actingJoints = 0;     ///< how many of its joints the solver has
-    std::vector<ProxyId> proxies;       ///< in the order of their numbers
+    std::uint32_t colours = 0;          ///< bit c is set if one of its contacts has colour c
+    std::uint32_t solverContacts = 0;   ///< number of its contacts that are in the solver
+    std::uint32_t actingJoints = 0;     ///< number of its joints that are in the solver
+    std::vector<ProxyId> proxies;       ///< its shapes, in the order of their numbers
     std::vector<std::uint32_t> joints;  ///< all of its joints
 };
 
-/// Who moves a body in this step?
+/// Which part of the step moves a body?
 enum class MovedBy : std::uint8_t {
-    Nothing,     ///< it is at rest: static, asleep or taken out
-    ClosedForm,  ///< it moves as if nothing touched it
-    Impacts,     ///< its isolated impacts were solved one by one
-    Solver,      ///< contacts or joints gave it an impulse
+    Nothing,     ///< none: the body is static, asleep or in quarantine
+    ClosedForm,  ///< the closed form of free motion
+    Impacts,     ///< the phase that solves isolated impacts one by one
+    Solver,      ///< the solver: contacts or joints gave the body an impulse
 };
 
-/// What is known of a body within a step.
+/// Data of a body that is valid during a step.
 struct BodyStep {
     MovedBy movedBy = MovedBy::Nothing;
-    bool boundsPending = false;   ///< it was woken since its bounds were placed
-    std::uint32_t flight = none;  ///< entry of BodyStore.flights; none when it feels no field
+    bool boundsPending = false;   ///< the body woke up after the step had placed the bounds
+    std::uint32_t flight = none;  ///< entry in BodyStore.flights; none if no field acts on the body
 };
 
-/// Parallel arrays, indexed by a body's slot; slot 0 is nobody's.
+/// Parallel arrays, indexed by a body's slot. Slot 0 belongs to no body (see noBody).
 struct BodyStore {
     // Each body's state, properties and links.
     std::vector<BodyMotion> motion;
     std::vector<BodyRecord> record;
     std::vector<BodyLinks> links;
-    std::vector<std::vector<BodyIndex>> apart;  ///< bodies that its joints keep it from touching; some are named twice
+    std::vector<std::vector<BodyIndex>> apart;  ///< bodies with which its joints forbid contacts; may hold duplicates
 
     // Within a step.
     std::vector<BodyStep> step;
     std::vector<BodyPlace> place;
     std::vector<SolverVelocity> velocity;
     std::vector<SolverDisplacement> displacement;
-    std::vector<SolverVelocity> warm;    ///< what the contacts' impulses, all together, do to the velocity
+    std::vector<SolverVelocity> warm;    ///< velocity change by all warm-start impulses of the body's contacts
     std::vector<SolverVelocity> before;  ///< the velocity before the contacts were solved
     std::vector<SolverTurn> turn;
     std::vector<Kick> kick;
-    std::vector<PredictedFlight> flights;  ///< of the bodies that feel fields
-    std::vector<BodyIndex> outOfRange;     ///< to be put in quarantine
+    std::vector<PredictedFlight> flights;  ///< one for each body on which fields act
+    std::vector<BodyIndex> outOfRange;     ///< bodies that must go into quarantine
 
     // Lists of slots.
-    std::vector<BodyIndex> awake;      ///< dynamic and kinematic bodies that are
-    std::vector<BodyIndex> kinematic;  ///< all that are
-    std::vector<BodyIndex> forced;     ///< with a force or torque for the next step; some may be named twice
-    std::vector<BodyIndex> free;
+    std::vector<BodyIndex> awake;      ///< awake bodies, dynamic and kinematic
+    std::vector<BodyIndex> kinematic;  ///< all kinematic bodies
+    std::vector<BodyIndex> forced;     ///< bodies with a force or torque for the next step; may hold duplicates
+    std::vector<BodyIndex> free;       ///< slots without a body
 
     // What all bodies of a world have in common.
-    Wrap wrap;                ///< a body that goes round the world counts on
+    Wrap wrap;                ///< periods of the world; positions of bodies are not reduced to the first period
     Vec2 gravity{0, -9.81};   ///< [m/s^2]
-    int subSteps = 4;         ///< of the solver
-    double lastStep = 0;      ///< dt of the last step that took time; within a step, its own [s]
-    std::uint32_t world = 0;  ///< as ids have it
+    int subSteps = 4;         ///< number of the solver's sub-steps in a step [-]
+    double lastStep = 0;      ///< dt of the last step with dt > 0; during a step, its own dt [s]
+    std::uint32_t world = 0;  ///< number of the world, as stored in ids
 
     BodyStore();
     void reserve(std::size_t bodies);
@@ -134,26 +135,27 @@ struct BodyStore {
     void release(BodyIndex body);
     void wake(BodyIndex body);
     void putToSleep(BodyIndex body);
-    /// Tells the hot loops where a body is that does not move.
+    /// Sets the data that the narrow phase and the solver read, for a body that does not move.
     void rest(BodyIndex body);
 
     BodyId idOf(BodyIndex body) const { return {body, record[body].generation, world}; }
     bool isDynamic(BodyIndex body) const { return record[body].type == BodyType::Dynamic; }
-    /// Can something push it?
+    /// Can an impulse move the body?
     bool canMove(BodyIndex body) const { return isDynamic(body) && record[body].enabled; }
-    /// Does the solver have it in this step?
+    /// Does the body have contacts or joints in the solver in this step?
     bool isConstrained(BodyIndex body) const {
         return isDynamic(body) && (links[body].solverContacts > 0 || links[body].actingJoints > 0);
     }
     bool isMovedBy(BodyIndex body, MovedBy mover) const { return step[body].movedBy == mover; }
-    /// Do joints keep two bodies from touching each other?
+    /// Do joints forbid contacts between two bodies?
     bool areKeptApart(BodyIndex a, BodyIndex b) const;
-    /// Of a point's periodic images, the one nearest to another point.
+    /// The periodic image of a point that is nearest to another point.
     Vec2 near(const Vec2& point, const Vec2& other) const {
         return wrap.any() ? Vec2(point + wrap.shiftNear(point, other)) : point;
     }
     Vec2 origin(BodyIndex body) const { return motion[body].center - motion[body].rotation * record[body].localCenter; }
-    /// The centre of mass was there all along: also where the last step began.
+    /// Moves the stored place at the start of the last step, too, after the centre of mass has changed by shift in the
+    /// body's frame [m].
     void recenterPlace(BodyIndex body, const Vec2& shift);
     Transform pose(BodyIndex body) const { return {origin(body), motion[body].rotation}; }
     SolverBodies solverBodies() {
@@ -161,12 +163,12 @@ struct BodyStore {
     }
 };
 
-/// Finite, and below 1e15 m and m/s, so that squares still fit the solver's floats.
+/// Are all numbers finite, and below 1e15 m and m/s? Then their squares still fit into the solver's floats.
 bool isInRange(const BodyMotion& motion);
 bool isInRange(const Acceleration& acceleration);
-/// Gives a body a new place and speed; one out of range stays where it is, marked for quarantine.
+/// Sets the state of a body. If the new state is out of range, the body keeps the old one and is marked for quarantine.
 void moveTo(BodyStore& bodies, BodyIndex body, const BodyMotion& motion);
-/// At the end of a step: what acted over it acts no more.
+/// Sets all forces and torques to zero, at the end of a step.
 void clearForces(BodyStore& bodies);
 /// Marks a body for quarantine.
 void markOutOfRange(BodyStore& bodies, BodyIndex body);
@@ -175,15 +177,15 @@ inline ShapeId idOfShape(const BodyStore& bodies, const Proxy& proxy) {
     return {bodies.idOf(proxy.owner), proxy.number};
 }
 
-/// Where a body is and how it is turned, in the floats of the hot loops; all else zero.
+/// A body's position and rotation in floats, for the narrow phase and the solver; all other fields are zero.
 BodyPlace placeOf(const BodyMotion& motion, float inverseGyration);
 
-/// Of gravity and of the forces of this step.
+/// The acceleration by gravity, and by the force and torque of this step.
 Acceleration accelerationOf(const BodyRecord& body, const Vec2& gravity);
 
-/// Sets mass, inertia and all that follows from them.
+/// Sets mass, centre of mass, inertia and all values that follow from them.
 void setMass(BodyRecord& body, const Mass& mass);
-/// What the solver takes for a body's inertia; until setMass, or joints, say something else.
+/// Sets the inertia that the solver uses for a body, until setMass or a stiff joint sets another.
 void setGyration(BodyRecord& body, double inverseInertia);
 
 }  // namespace plumb

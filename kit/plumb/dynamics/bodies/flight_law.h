@@ -8,22 +8,22 @@
 namespace plumb {
 
 using BodyIndex = std::uint32_t;
-inline constexpr BodyIndex noBody = 0;  ///< slot 0 stands for whatever nothing can move
+inline constexpr BodyIndex noBody = 0;  ///< slot 0 stands for everything that cannot be moved
 inline constexpr std::uint32_t none = ~std::uint32_t{0};
 
-/// Of a body's centre of mass and its angle over a step [m/s^2, rad/s^2].
+/// Acceleration of a body's centre of mass, and its angular acceleration, during a step [m/s^2, rad/s^2].
 struct Acceleration {
     Vec2 linear{0, 0};
     double angular = 0;
 };
 
-/// What does not change in a step of free motion.
+/// The constants of a body's free motion during a step: acceleration and damping.
 struct FlightLaw {
     Acceleration acceleration;
     double linearDamping = 0, angularDamping = 0;  ///< [1/s]
 };
 
-/// Of a velocity and an angular velocity.
+/// A change of a body's velocity and angular velocity.
 struct VelocityChange {
     Vec2 velocity{0, 0};  ///< [m/s]
     double spin = 0;      ///< [rad/s]
@@ -34,12 +34,12 @@ struct VelocityChange {
     }
 };
 
-/// How a body that feels fields moves through the step, or what is left of it, unless something touches it.
+/// How a body on which fields act will move through the step, or through the rest of it, if nothing touches it.
 struct PredictedFlight {
     BodyIndex body = noBody;
-    bool steady = false;  ///< what acts on it is the same wherever it is: its law is exact, and nothing is left over
-    FlightLaw law;        ///< a closed form that comes to where it will be
-    VelocityChange rest;  ///< what its velocity will be beyond what that says
+    bool steady = false;  ///< the fields are the same everywhere on its path: the law is exact, and rest is zero
+    FlightLaw law;        ///< a closed form that leads to the body's predicted place
+    VelocityChange rest;  ///< predicted velocity minus the one that the law gives at the end
 };
 
 }  // namespace plumb

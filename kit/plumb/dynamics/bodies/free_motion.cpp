@@ -3,13 +3,13 @@
 
 namespace plumb {
 
-// As kinematics' dragStep, for short steps: every damped body asks in every step, and there is no division in the
-// series.
+// The same as dragStep of kinematics, but fast for short steps: every damped body needs it in every step, so the series
+// has no division by a variable.
 Decay decay(double damping, double time) {
     const double x = damping * time;
-    if (x < 1e-17) return {1, time, 0.5 * time * time};  // no other numbers, and 1 / damping^2 may be too large
+    if (x < 1e-17) return {1, time, 0.5 * time * time};  // equal in double precision, and 1 / damping^2 may overflow
     const double lost = -exponentialMinus1(-x);
-    // (x - lost) / k^2 cancels for small x: below 0.05 by its series, to 1e-17 of it after nine terms
+    // x - lost loses digits for small x (cancellation): below 0.05 by its series, relative error 1e-17 with nine terms
     double rest = x - lost;
     if (x < 0.05) {
         const double small = 1.0 / 720 - x * (1.0 / 5040 - x * (1.0 / 40320 - x * (1.0 / 362880 - x / 3628800)));

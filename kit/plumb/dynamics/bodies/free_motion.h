@@ -3,7 +3,7 @@
 //
 // Without damping: x = x0 + v0 t + a t^2 / 2, v = v0 + a t.
 // With dv/dt = a - k v: v = v0 e^-kt + a E, x = x0 + v0 E + a (t - E) / k, E = (1 - e^-kt) / k.
-// x position [m], v velocity [m/s], a acceleration [m/s^2], k damping [1/s], t time [s]; the angle likewise.
+// x position [m], v velocity [m/s], a acceleration [m/s^2], k damping [1/s], t time [s]; the same for the angle.
 // Source: textbook. Exact to rounding for any t.
 // Test: "a thrown ball is where the formula says at every tick"
 #pragma once
@@ -13,29 +13,30 @@
 
 namespace plumb {
 
-/// With gravity, forces and fields.
+/// The law of a body's free motion in this step, with gravity, forces and fields.
 FlightLaw flightLawOf(const BodyStore& bodies, BodyIndex body);
+/// A body's state after a time of free motion [s]; a negative time goes back.
 BodyMotion fly(const BodyMotion& from, const FlightLaw& law, double time);
 
-/// What a damped velocity keeps after a time, and what of an acceleration it gains: v = v0 keep + a gain.
+/// The factors of damped motion after a time: v = v0 keep + a gain, x = x0 + v0 gain + a reach.
 struct Decay {
     double keep = 1;
     double gain = 0;   ///< [s]
-    double reach = 0;  ///< x = x0 + v0 gain + a reach [s^2]
+    double reach = 0;  ///< [s^2]
 };
 Decay decay(double damping, double time);
 
-/// Moves the bodies on by dt [s] that neither impacts nor the solver move.
+/// Moves all bodies that neither impacts nor the solver move in this step of dt [s].
 void moveFreeBodies(BodyStore& bodies, double dt, StepObserver* observer);
 
-/// From one impact to the next.
+/// A body's free motion from one impact to the next.
 struct TrajectorySegment {
     BodyIndex body = noBody;
     BodyMotion from, to;
-    double start = 0, end = 0;  ///< in the step [s]
+    double start = 0, end = 0;  ///< since the start of the step [s]
 };
 
-/// Each body's segments in the order of time.
+/// The segments of all bodies; those of each body are in the order of time.
 using Trajectories = std::vector<TrajectorySegment>;
 
 }  // namespace plumb

@@ -43,7 +43,7 @@ void loadBody(BodyStore& bodies, BodyIndex body, double dt) {
     bodies.displacement[body] = {};
     bodies.warm[body] = {};
     bodies.turn[body] = {0, record.inverseGyration, record.gyration, 0};
-    if (bodies.step[body].flight != none) {  // the fields do it all, gravity and damping included
+    if (bodies.step[body].flight != none) {  // the fields' kicks include gravity and damping
         bodies.kick[body] = {};
         return;
     }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What do the hot loops need to know of each body for this step?
+// Which data of each body do the narrow phase and the solver need in this step?
 #pragma once
 #include <plumb/dynamics/bodies/body_store.h>
 
 namespace plumb {
 
-/// Puts the state of every awake body into the floats of narrow phase and solver, for a step of dt [s]. A body that is
-/// out of range is marked for quarantine and left at rest.
+/// Converts the state of every awake body to the floats of the narrow phase and the solver, for a step of dt [s]. A
+/// body whose numbers are out of range is marked for quarantine and treated as at rest.
 void loadBodies(BodyStore& bodies, double dt);
-/// The same for one body that woke up within the step.
+/// The same for one body that wakes up during the step.
 void loadBody(BodyStore& bodies, BodyIndex body, double dt);
 
 }  // namespace plumb

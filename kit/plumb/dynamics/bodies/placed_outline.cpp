@@ -23,7 +23,7 @@ PlacedOutline localOutline(const Chain& chain) {
     return {chain.points, 0, false};
 }
 
-/// What its solid tiles fill; a point, where there are none.
+/// The corners of all pieces of its solid tiles; a single point if there are none.
 PlacedOutline localOutline(const TileMap& map) {
     PlacedOutline outline{{}, 0, false};
     for (const Shape& piece : piecesOf(map)) {

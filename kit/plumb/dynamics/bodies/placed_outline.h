@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which corners and which radius make a shape?
+// Which corners and which rounding radius describe a shape in the world?
 #pragma once
 #include <vector>
 
@@ -10,11 +10,11 @@ namespace plumb {
 
 struct PlacedOutline {
     std::vector<Vec2> corners;  ///< in the world [m]
-    double radius = 0;          ///< the outline lies that far outside of them [m]
+    double radius = 0;          ///< rounding radius: the outline lies this far outside the corners [m]
     bool hasArea = false;
 };
 
-/// Of a shape on a body that is there.
+/// The outline of a shape on a body that is in the state `there`.
 PlacedOutline placedOutline(const Shape& shape, const BodyRecord& body, const BodyMotion& there);
 
 }  // namespace plumb

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How do the two bodies of each lane stand to each other?
+// What is the relative position, rotation and motion of the two bodies of each lane?
 #pragma once
 #include <plumb/dynamics/bodies/solver_body.h>
 #include <plumb/math/detail/wide_ops.h>
@@ -11,15 +11,16 @@ template <int W>
 struct RelativeLanes {
     using F = typename Wide<W>::Float;
     F apartX, apartY;  ///< from A's centre of mass to B's, in the world [m]
-    F dx, dy;          ///< the same in A's frame
-    F cos, sin;        ///< of B's angle less A's
-    F cosA, sinA;
-    F shiftX, shiftY;  ///< how far B comes against A in this step, in the world [m]
-    F turn;            ///< and how far turning of both may take a point in addition [m]
+    F dx, dy;          ///< the same in A's frame [m]
+    F cos, sin;        ///< of B's angle minus A's
+    F cosA, sinA;      ///< of A's angle
+    F shiftX, shiftY;  ///< predicted displacement of B relative to A in this step, in the world [m]
+    F turn;            ///< upper bound on how much farther the rotations of both can move a point [m]
 };
 
-/// b - a of numbers in two parts, to the last bit but one: what moves along together stays as far apart, and is not
-/// pushed about by rounding. The error of the high parts' difference is kept.
+/// b - a of two numbers that are each a sum of a high and a low float, exact to the last bit but one. The rounding
+/// error of the high parts' difference is computed and added. So two bodies that move together keep their distance, and
+/// rounding errors do not push them.
 /// Source: Knuth, TAOCP 2, 4.2.2, theorem B.
 template <class F>
 [[gnu::always_inline]] inline F difference(F highB, F lowB, F highA, F lowA) {
@@ -29,7 +30,8 @@ template <class F>
     return d + (error + (lowB - lowA));
 }
 
-/// apartX, apartY: how far apart they are, where that is not what their places say, as around a world that wraps [m].
+/// apartX, apartY: if given, the distance from A to B to use instead of the difference of their places, as for periodic
+/// images in a world that wraps [m].
 template <int W>
 [[gnu::always_inline]] inline RelativeLanes<W> relativeLanes(const std::uint32_t* a, const std::uint32_t* b,
                                                              const BodyPlace* places, const float* apartX = nullptr,

@@ -28,7 +28,7 @@ double inradiusOfOutline(const TileMap&) {
     return 0;
 }
 
-/// Of the disc around the mean of the corners.
+/// The radius of the largest disc inside the rounded polygon whose centre is the mean of the corners.
 double inradiusOfOutline(const Polygon& polygon) {
     Vec2 middle(0, 0);
     for (const Vec2& v : polygon.vertices) middle += v / static_cast<double>(polygon.vertices.size());

@@ -11,26 +11,26 @@ namespace plumb {
 
 namespace {
 
-/// Nearer than this is a touch: a thousand roundings of a metre [m].
+/// Shapes nearer than this touch: about a thousand rounding errors of a length of 1 m [m].
 constexpr double touch = 1e-12;
-/// Already touching at the start, by so much that an impact of the step before may have left [m].
+/// At the start, shapes nearer than this touch already: an impact in the step before may leave such a gap [m].
 constexpr double resting = 1e-9;
-/// The search always goes on by this share of the time in which the two could come half through each other: where they
-/// touch and part, or hardly part but spin, safe steps would be too many. What touches and parts again in that time is
-/// less deep than the same share of its thickness [-].
+/// The smallest step of the search, as a share of the time in which the two could move half-way through each other.
+/// Without it, two shapes that touch and part, or that spin while they are very near, would need too many safe steps. A
+/// touch that begins and ends within one such step is less deep than the same share of the shapes' thickness [-].
 constexpr double always = 1e-2;
-/// From here on Newton's method is quicker than safe steps; as a share of the extents [-].
+/// At separations below this share of the larger bounding radius, Newton's method is faster than safe steps [-].
 constexpr double near = 1e-2;
 
 Transform poseOf(const FlyingShape& s, const BodyMotion& motion) {
     return {motion.center - motion.rotation * s.localCenter, motion.rotation};
 }
 
-/// A bound on how two shapes approach along a normal: by no more than speed * t + bend / 2 * t^2 in a time t [m].
+/// An upper bound on how far two shapes approach along a normal in a time t: speed * t + bend / 2 * t^2 [m].
 struct ClosingBound {
     double speed = 0, bend = 0;  ///< [m/s, m/s^2]
 
-    /// So long they stay apart that are separation apart [s].
+    /// For this long, two shapes at this separation do not touch [s].
     double safeTime(double separation) const {
         const double fast = speed + std::sqrt(std::max(speed * speed + 2 * bend * separation, 0.0));
         return fast > 0 ? 2 * separation / fast : std::numeric_limits<double>::infinity();
@@ -47,8 +47,8 @@ Pull pullOn(const FlyingShape& s, const BodyMotion& now) {
             s.law.acceleration.angular - now.angularVelocity * s.law.angularDamping};
 }
 
-/// Of b towards a, as seen from a, which turns: only then does the spin of a large body count by how near the other is.
-/// What is left of the step is the time for which it holds.
+/// The bound on the approach of b towards a, in the frame of a, which rotates. In that frame the spin of a large body a
+/// counts only by the distance to b. The bound holds for the time left [s].
 ClosingBound approachTo(const FlyingShape& a, const FlyingShape& b, const BodyMotion& nowA, const BodyMotion& nowB,
                         const Vec2& normal, double left) {
     const Pull pullA = pullOn(a, nowA), pullB = pullOn(b, nowB);
@@ -65,14 +65,16 @@ ClosingBound approachTo(const FlyingShape& a, const FlyingShape& b, const BodyMo
             pull + swing * farthest + spin * (2 * fastest + spin * farthest)};
 }
 
-/// As seen from the larger one.
+/// The bound in the frame of the larger body.
 ClosingBound approachIn(const FlyingShape& a, const FlyingShape& b, const Encounter& now, double left) {
     if (a.boundingRadius >= b.boundingRadius) return approachTo(a, b, now.a, now.b, now.distance.normal, left);
     return approachTo(b, a, now.b, now.a, -now.distance.normal, left);
 }
 
-/// Between a time before the touch and one after it: to the last bit that matters, on the near side.
-/// Regula falsi, an end that stays twice being halved in weight; where that makes no way, the middle.
+/// The time of the touch, from a time before it and a time after it. The result is exact to the touch tolerance, and
+/// never after the touch.
+/// Method: regula falsi. If the same end of the bracket stays twice, its weight is halved; in every eighth step, and if
+/// a step would leave the bracket, bisection.
 /// Source: Dowell and Jarratt, "A modified regula falsi method", 1971.
 double bracketed(const FlyingShape& a, const FlyingShape& b, double before, double separationBefore, double after,
                  double separationAfter) {
@@ -115,7 +117,7 @@ std::optional<double> timeOfImpact(const FlyingShape& a, const FlyingShape& b, d
         const bool touches = separation <= (i == 0 ? resting : touch);
         if (touches && now.closingSpeed > 0) return time;
         const bool turns = now.a.angularVelocity != 0 || now.b.angularVelocity != 0;
-        if (touches && i == 0 && !turns) return std::nullopt;  // they part, and nothing brings them together again
+        if (touches && i == 0 && !turns) return std::nullopt;  // they separate and cannot meet again
         const ClosingBound approach = approachIn(a, b, now, left);
         const double safe = touches ? 0.0 : approach.safeTime(separation);
         const double through = thick > 0 ? approach.safeTime(thick) : whole;

@@ -11,7 +11,7 @@ namespace plumb {
 
 namespace {
 
-/// Bounds hold what they need for this step and this much more, so that what hardly moves keeps its bounds [m].
+/// New bounds are larger than this step needs by this margin, so that a slow body keeps its bounds for many steps [m].
 constexpr double boundsMargin = 0.01;
 
 Aabb tightBox(const Space& space, const BoxOutline& box, ProxyId proxy, const BodyMotion& motion,
@@ -26,7 +26,7 @@ Aabb tightBox(const Space& space, const BoxOutline& box, ProxyId proxy, const Bo
     return inflate({center - half, center + half}, static_cast<double>(box.radius));
 }
 
-/// A sensor has no part in the reach of its body.
+/// How far a rotation can move a sensor's points: a body's turningRadius does not include its sensors [m].
 double sensorTurn(const Shape& shape, const BodyRecord& record, const BodyMotion& motion, double dt) {
     return turningRadiusOf(shape, record.localCenter) * std::min(std::fabs(motion.angularVelocity) * dt, 2.0);
 }
@@ -57,7 +57,7 @@ void placeBounds(Space& space, const BodyStore& bodies, const ContactStore& cont
         const Aabb now =
             inflate(tightBox(space, outline, proxy, motion, pose), 0.5 * static_cast<double>(contactMargin) + swing);
         const Aabb ahead{now.lower + shift, now.upper + shift};
-        // It may come back from anywhere, as fast as its restitution lets it.
+        // It may bounce back in any direction, with at most its restitution times its speed.
         const Aabb back = inflate(now, static_cast<double>(outline.restitution) * shift.norm());
         space.place(proxy, merge(ahead, back), boundsMargin);
     }

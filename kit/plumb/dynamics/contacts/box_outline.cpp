@@ -20,7 +20,7 @@ Kind kindOf(const Circle&) {
 Kind kindOf(const Capsule& capsule) {
     return isStraight(capsule.start, capsule.end) ? Kind::Rounded : Kind::Other;
 }
-/// A piece of a chain is more than a line: its neighbours count.
+/// A segment of a chain is Other: its contacts depend on its neighbours, too.
 Kind kindOf(const Segment& segment) {
     const bool alone = !segment.before && !segment.after;
     return alone && isStraight(segment.start, segment.end) ? Kind::Rounded : Kind::Other;
@@ -55,7 +55,7 @@ BoxOutline boxOutlineOf(const ShapeDef& shape, const Vec2& centerOfMass) {
     BoxOutline outline;
     outline.sensor = shape.sensor;
     outline.kind = std::visit([](const auto& s) { return kindOf(s); }, shape.shape);
-    const bool disc = outline.kind == Kind::Disc;  // whose half sizes are no more than rounding
+    const bool disc = outline.kind == Kind::Disc;  // its computed half sizes are only rounding errors
     outline.halfX = disc ? 0.0f : static_cast<float>(half.x());
     outline.halfY = disc ? 0.0f : static_cast<float>(half.y());
     outline.radius = static_cast<float>(radius);

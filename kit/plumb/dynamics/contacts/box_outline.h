@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which shapes can be collided side by side? Boxes that lie straight in their body's frame, and discs. Any other is in
-// a box of that kind, which tells what it cannot touch.
+// Which shapes can be collided several pairs at a time? Boxes that are parallel to the axes of their body's frame, and
+// discs. Any other shape gets a bounding box of that kind, which shows what it cannot touch.
 #pragma once
 #include <cstdint>
 
@@ -8,13 +8,13 @@
 
 namespace plumb {
 
-/// A shape as the lanes see it: inside a box with a radius around it.
+/// A shape as a box with a rounding radius, for the lanes of the narrow phase.
 struct BoxOutline {
     enum class Kind : std::uint8_t {
-        Other,    ///< somewhere in there
-        Rounded,  ///< all of it, and without a radius no area: a rounded box, a capsule or a line that lies straight
-        Box,      ///< all of it, without a radius
-        Disc,     ///< all of it, without a box
+        Other,    ///< the shape is only contained in the box
+        Rounded,  ///< the shape equals the rounded box: a rounded box, or a capsule or line parallel to an axis
+        Box,      ///< the shape equals the box; the radius is 0
+        Disc,     ///< the shape equals the rounding; the half sizes are 0
     };
     Kind kind = Kind::Other;
     bool sensor = false;

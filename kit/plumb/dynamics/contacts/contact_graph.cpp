@@ -26,7 +26,8 @@ void copyLane(Colour& to, std::size_t toSlot, const ContactBatch& batch, const M
     target.bounces = target.bounces || manifolds.restitution[lane] > 0;
 }
 
-/// One more, empty; a quarter in reserve, not the half that a vector would take: batches are what a world is made of.
+/// Appends an empty batch. The capacity grows by a quarter, less than a vector's own growth: batches take most of a
+/// world's memory.
 template <class Batch>
 void append(std::vector<Batch>& batches) {
     if (batches.size() == batches.capacity()) batches.reserve(batches.size() + batches.size() / 4 + 1);
@@ -140,9 +141,9 @@ Vec2 normalOf(const ContactGraph& graph, const BodyStore& bodies, const ContactR
 }
 
 Vec2 pointOf(const ContactGraph& graph, const BodyStore& bodies, const ContactRecord& contact, std::size_t point) {
-    // The manifold is of the step's start, half way between the surfaces; but a point that was predicted from farther
-    // off is where the two were to meet, so on A's surface. That has moved with A, and B's is where the separation
-    // says.
+    // The manifold's points were made at the step's start, half-way between the surfaces. A predicted point is
+    // different: it is where the two would meet, on A's surface. Both have moved with A; the separation gives the place
+    // of B's surface.
     const Manifold m = graph.manifoldOf(contact);
     const ManifoldPoint& p = m.points[point];
     const float nearest = m.count == 2 ? std::min(m.points[0].separation, m.points[1].separation) : p.separation;
@@ -159,7 +160,7 @@ void removeContact(ContactGraph& graph, ContactStore& contacts, BodyStore& bodie
 }
 
 void renewContact(ContactGraph& graph, ContactStore& contacts, BodyStore& bodies, ContactIndex contact) {
-    if (contacts[contact].state == ContactState::Asleep) return;  // it will be renewed when it wakes
+    if (contacts[contact].state == ContactState::Asleep) return;  // it is updated when it wakes
     graph.remove(bodies, contacts, contact);
     contacts.removeNear(contact);
     contacts.addNear(contact);

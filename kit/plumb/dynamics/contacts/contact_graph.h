@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which contacts can be solved at once? Those of one colour: no two of them share a body that can be pushed.
+// Which contacts can be solved at the same time? Those of one colour: no two of them share a dynamic body.
 #pragma once
 #include <array>
 #include <vector>
@@ -9,50 +9,52 @@
 
 namespace plumb {
 
-/// Colours are solved in order. Contacts of two bodies take the lowest colour free at both; those with something fixed
-/// start at fixedColour, so that the ground has the last word; what finds no colour goes to the last one, where
-/// bodies may repeat and lanes are solved one after the other.
+/// Colours are solved in order. A contact of two dynamic bodies gets the lowest colour that is free at both. A contact
+/// with a static or kinematic body gets a colour from fixedColour on, so that it is solved last and holds best. A
+/// contact for which no colour is free gets the last one, in which bodies may repeat and lanes are solved one after the
+/// other.
 inline constexpr int colourCount = 32;
 inline constexpr int fixedColour = 24;
 inline constexpr int overflowColour = colourCount - 1;
 
-/// Contacts of one colour and one kind. A batch is full but for the last.
+/// Contacts of one colour and one kind. All batches but the last are full.
 struct Colour {
     std::vector<ContactBatch> batches;
     std::vector<ManifoldLanes> manifolds;  ///< parallel to batches
-    std::vector<PairLanes> pairs;          ///< likewise
+    std::vector<PairLanes> pairs;          ///< parallel to batches
     std::vector<ContactIndex> contactOf;   ///< slot to contact; slot = batch * batchLanes + lane
 };
 
-/// Contacts keep their slot, and in it their impulses, from step to step.
+/// All contacts that are in the solver. A contact keeps its slot, and in it its impulses, from step to step.
 struct ContactGraph {
-    /// Of each colour, the contacts of two boxes and then all others.
+    /// Two entries for each colour: the contacts of two boxes, then all others.
     std::array<Colour, 2 * colourCount> colours;
 
-    /// With what is known of it in a lane of a batch that is no part of the graph.
+    /// Adds a contact. Its data is copied from a lane of a batch that is not part of the graph.
     void add(BodyStore& bodies, ContactStore& contacts, ContactIndex contact, const ContactBatch& batch,
              const ManifoldLanes& manifolds, std::size_t lane);
-    /// What is known of it goes back to its record. Does nothing to a contact that is not in the graph.
+    /// Removes a contact and copies its data back to its record. Does nothing if the contact is not in the graph.
     void remove(BodyStore& bodies, ContactStore& contacts, ContactIndex contact);
 
-    // From the slot where it has one, else from the contact itself:
+    // These read from the contact's slot if it has one, else from its record.
     std::array<PointMemory, 2> memoryOf(const ContactRecord& contact) const;
-    /// Of the last step's start.
+    /// The manifold at the start of the last step.
     Manifold manifoldOf(const ContactRecord& contact) const;
-    /// Of a point of the manifold, where the bodies are now [m].
+    /// The separation at a point of the manifold, at the bodies' present places [m].
     float separationOf(const ContactRecord& contact, std::size_t point) const;
 
 private:
     const Colour& colourOf(const ContactRecord& contact) const { return colours[contact.colour]; }
 };
 
-/// A contact's normal, and a point half way between the surfaces, in the world, where the bodies are now.
+/// A contact's normal, and a point half-way between the surfaces, in the world, at the bodies' present places.
 Vec2 normalOf(const ContactGraph& graph, const BodyStore& bodies, const ContactRecord& contact);
 Vec2 pointOf(const ContactGraph& graph, const BodyStore& bodies, const ContactRecord& contact, std::size_t point);
 
-/// Takes a contact out of the graph and the store.
+/// Removes a contact from the graph and from the store.
 void removeContact(ContactGraph& graph, ContactStore& contacts, BodyStore& bodies, ContactIndex contact);
-/// Puts a contact that is awake back among the near ones, with its impulses: what it was made from has changed.
+/// Moves an awake contact back to the near contacts, and keeps its impulses. For a contact whose shapes or bodies have
+/// changed.
 void renewContact(ContactGraph& graph, ContactStore& contacts, BodyStore& bodies, ContactIndex contact);
 
 /// The colour of an entry of ContactGraph.colours.

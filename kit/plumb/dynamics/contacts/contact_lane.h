@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does a contact get into a lane?
+// How is a contact written into a lane of a batch?
 #pragma once
 #include <plumb/dynamics/contacts/contact_graph.h>
 #include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
@@ -7,13 +7,13 @@
 
 namespace plumb {
 
-/// Puts what is known of a contact that has no slot into a lane.
+/// Writes the data of a contact that has no slot into a lane.
 void fillLane(ContactBatch& batch, ManifoldLanes& manifolds, std::size_t lane, const ContactRecord& contact,
               const BodyStore& bodies, const Space& space);
-/// Puts a manifold where the kernels find it.
+/// Writes a manifold into a lane of fresh manifolds.
 void setFresh(FreshLanes& fresh, std::size_t lane, const Manifold& manifold);
 
-/// A body has become as heavy to turn as its joints need: so its contacts' lanes are to have it.
+/// Copies a body's inverse radius of gyration into the lanes of its contacts, after its joints have raised its inertia.
 void renewGyration(ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies, const Space& space,
                    BodyIndex body);
 

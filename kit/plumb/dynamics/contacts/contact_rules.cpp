@@ -8,28 +8,29 @@ namespace plumb {
 
 namespace {
 
-/// Cosine of the angle from a one-way direction within which it is solid [-].
+/// Cosine of the largest angle between a contact normal and the one-way direction at which the shape is solid [-].
 constexpr double widest = 0.5;
-/// Cosine of the angle from straight down within which a way leads onto the end of a line, and not past it [-].
+/// Cosine of the largest angle, from the opposite of the one-way direction, at which a body lands on the end of a line
+/// and does not pass it [-].
 constexpr double steep = 0.866;
-/// A contact leans out over an end by more than this: a body at rest trembles less [rad].
+/// A contact is at a line's end if its normal is tilted outwards by more than this; jitter at rest is smaller [rad].
 constexpr double leaning = 0.02;
-/// What overlaps by no more than this has just been let up, or stands at a seam [m].
+/// A body that overlaps by no more than this can still become solid: it has just come through, or is at a seam [m].
 constexpr double slop = 5e-3;
 
-/// A shape, and the other as it comes.
+/// A shape, and how the other shape approaches it.
 struct Side {
     const Proxy& own;
     const Proxy& other;
-    Vec2 normal;    ///< from its own shape to the other
-    Vec2 velocity;  ///< of the other
+    Vec2 normal;    ///< from the own shape to the other
+    Vec2 velocity;  ///< of the other shape, relative to the own one [m/s]
 };
 
 std::array<Side, 2> sidesOf(const Proxy& a, const Proxy& b, const Face& face) {
     return {Side{a, b, face.normal, face.velocity}, Side{b, a, -face.normal, -face.velocity}};
 }
 
-/// Is it at the end of a line that does not go on?
+/// Is the contact at an end of a line segment that has no neighbour there?
 bool isAtEnd(const Side& side, const Rot& rotation) {
     const auto* line = std::get_if<Segment>(&side.own.def.shape);
     if (line == nullptr) return false;
@@ -39,7 +40,8 @@ bool isAtEnd(const Side& side, const Rot& rotation) {
     return !(lean > 0 ? line->after : line->before);
 }
 
-/// Does it come down onto what is open there? What comes from the side, with a part of it below, passes the end.
+/// Does the other shape move against the one-way direction, within 30 degrees? One that comes from the side, partly
+/// below the line, passes the end.
 bool comesDown(const Side& side, const Vec2& open) {
     return -side.velocity.dot(open) >= steep * side.velocity.norm() * open.norm();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which shapes are near each other, and what is known of each pair?
+// Which shapes are near each other, and which data is stored for each pair?
 #pragma once
 #include <array>
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace plumb {
 
 using ContactIndex = std::uint32_t;
 
-/// Copies a lane of a struct that is so many rows of sixteen 4-byte values, whatever their names.
+/// Copies one lane of a struct that consists of this number of rows, each of sixteen 4-byte values.
 template <class Rows>
 void copyLane(Rows& to, std::size_t toLane, const Rows& from, std::size_t fromLane, std::size_t rows) {
     unsigned char* target = reinterpret_cast<unsigned char*>(&to) + 4 * toLane;
@@ -26,29 +26,29 @@ void copyLane(Rows& to, std::size_t toLane, const Rows& from, std::size_t fromLa
 
 /// Impulses of one point [N s].
 struct PointMemory {
-    float normalImpulse = 0, tangentImpulse = 0;  ///< of half a sub-step, for warm starting
-    float totalNormal = 0, totalTangent = 0;      ///< over the whole of the last step it was solved in
+    float normalImpulse = 0, tangentImpulse = 0;  ///< in half a sub-step, for warm starting
+    float totalNormal = 0, totalTangent = 0;      ///< in the whole last step in which it was solved
 };
 
-/// What the shapes' rules have said.
+/// The result of the shapes' rules and one-way sides for a contact.
 enum class Verdict : std::uint8_t {
-    Open,     ///< not asked
-    Solid,    ///< they may touch
-    Through,  ///< not from this side
-    Refused,  ///< a rule has said no
+    Open,     ///< not evaluated yet
+    Solid,    ///< the shapes collide
+    Through,  ///< a one-way side lets the other shape pass
+    Refused,  ///< a rule has forbidden the contact
 };
-/// Is nothing to come of their being near?
+/// Do the shapes pass through each other?
 inline bool letsPass(Verdict verdict) {
     return verdict == Verdict::Through || verdict == Verdict::Refused;
 }
 
-/// Where is a contact kept, and who takes care of it?
+/// Where is a contact stored, and which phase processes it?
 enum class ContactState : std::uint8_t {
     Free,    ///< its record is not in use
-    Asleep,  ///< in its record only
-    Near,    ///< in ContactStore.nearBoxes or nearOthers: collided once a step
-    Impact,  ///< the same, and left to the impacts in this step
-    Solved,  ///< in a slot of the solver: its shapes touch, or may touch within the step
+    Asleep,  ///< only in its record
+    Near,    ///< in ContactStore.nearBoxes or nearOthers: collided once per step
+    Impact,  ///< as Near, and processed as an isolated impact in this step
+    Solved,  ///< in a slot of the solver: its shapes touch, or may touch during the step
 };
 
 /// Two shapes whose bounds overlap.
@@ -57,29 +57,29 @@ struct ContactRecord {
     BodyIndex bodyA = 0, bodyB = 0;
     double friction = 0, restitution = 0;  ///< of the pair
     float rollingReach = 0;                ///< resisting torque over normal force [m]
-    float surfaceSpeed = 0;                ///< of both surfaces, along the tangent [m/s]
+    float surfaceSpeed = 0;                ///< sum of both surfaces' speeds along the tangent [m/s]
     ContactState state = ContactState::Free;
-    bool boxes = false;  ///< both shapes are boxes that lie straight in their bodies' frames
-    bool touching = false;
-    bool ruled = false;  ///< a shape of the two has a rule or is solid one way only
-    bool met = false;    ///< of what is near: had a manifold in this step
-    bool watched = false;
+    bool boxes = false;     ///< both shapes are boxes parallel to the axes of their bodies' frames
+    bool touching = false;  ///< a touch has begun and has not ended
+    bool ruled = false;     ///< one of the shapes has a rule or a one-way side
+    bool met = false;       ///< only if near: it had a manifold in this step
+    bool watched = false;   ///< it is in ContactStore.watched
     Verdict verdict = Verdict::Open;
-    std::uint32_t colour = 0;           ///< of what is solved: entry of ContactGraph.colours
-    std::uint32_t slot = 0;             ///< of what is solved or near: where in its lanes
-    Manifold manifold;                  ///< while it is not with the solver
-    std::array<PointMemory, 2> memory;  ///< likewise
-    float rollImpulse = 0;              ///< likewise
+    std::uint32_t colour = 0;           ///< only if solved: index in ContactGraph.colours
+    std::uint32_t slot = 0;             ///< only if solved or near: batch * batchLanes + lane
+    Manifold manifold;                  ///< valid while it is not in the solver
+    std::array<PointMemory, 2> memory;  ///< valid while it is not in the solver
+    float rollImpulse = 0;              ///< valid while it is not in the solver
     float approachSpeed = 0;            ///< at the last step's start [m/s]
-    double memoryStep = 0;              ///< the step that memory's totals are of [s]
+    double memoryStep = 0;              ///< dt of the step to which memory's totals belong [s]
     std::array<ContactIndex, 2> previous{none, none}, next{none, none};  ///< in the lists of A and B
-    Vec2 shift{0, 0};  ///< so many rounds of the world bring B to A [m]
+    Vec2 shift{0, 0};  ///< whole periods of the world that bring B near A [m]
 
     bool isSolved() const { return state == ContactState::Solved; }
     bool isNear() const { return state == ContactState::Near || state == ContactState::Impact; }
 };
 
-/// Near contacts, in lanes; slot = batch * batchLanes + lane.
+/// Near contacts, in lanes: slot = batch * batchLanes + lane.
 struct NearPairs {
     std::vector<PairLanes> lanes;
     std::vector<ContactIndex> contactOf;
@@ -90,28 +90,29 @@ struct ContactStore {
     std::vector<ContactIndex> free;
     std::vector<BoxOutline> boxes;  ///< of each proxy
 
-    // With a body awake, and not with the solver:
+    // Contacts that have an awake body and are not in the solver:
     NearPairs nearBoxes;
-    NearPairs nearOthers;               ///< of other shapes, in their boxes
-    std::vector<ContactIndex> watched;  ///< those that were touching or had a manifold, until they have not; and more
+    NearPairs nearOthers;               ///< contacts in which a shape is not a box
+    std::vector<ContactIndex> watched;  ///< all that touch or had a manifold, and perhaps others
 
-    std::vector<ContactIndex> withVerdict;  ///< those with a verdict
-    std::vector<ContactIndex> impacts;      ///< those left to the impacts in the last step that had such
+    std::vector<ContactIndex> withVerdict;  ///< contacts whose verdict is not Open
+    std::vector<ContactIndex> impacts;      ///< those with state Impact in the last step
 
     ContactRecord& operator[](ContactIndex contact) { return records[contact]; }
     const ContactRecord& operator[](ContactIndex contact) const { return records[contact]; }
     ContactIndex add(BodyStore& bodies, const ContactRecord& contact);
     void remove(BodyStore& bodies, ContactIndex contact);
-    void addNear(ContactIndex contact);     ///< unless it is near or solved already
-    void removeNear(ContactIndex contact);  ///< if it is
+    void addNear(ContactIndex contact);     ///< does nothing if it is near or solved already
+    void removeNear(ContactIndex contact);  ///< does nothing if it is not near
     NearPairs& nearOf(const ContactRecord& contact) { return contact.boxes ? nearBoxes : nearOthers; }
     int side(ContactIndex contact, BodyIndex body) const { return records[contact].bodyA == body ? 0 : 1; }
 };
 
-/// Puts the boxes of a contact into a lane.
+/// Writes the boxes of a contact's shapes into a lane.
 void fillPair(const ContactStore& store, const ContactRecord& contact, PairLanes& pairs, std::size_t lane);
 
-/// Can anything come of it in this step? Not with a sleeper: what might touch one has woken it.
+/// Can the contact act in this step? Not if one of its bodies sleeps: a body that might touch a sleeper has woken it
+/// before.
 inline bool areBodiesReady(const BodyStore& bodies, const ContactRecord& contact) {
     const auto ready = [&bodies](BodyIndex body) { return bodies.record[body].awake || !bodies.isDynamic(body); };
     return ready(contact.bodyA) && ready(contact.bodyB);
@@ -122,7 +123,7 @@ inline BodyIndex otherOf(const ContactRecord& contact, BodyIndex body) {
     return contact.bodyA == body ? contact.bodyB : contact.bodyA;
 }
 
-/// Calls visit(contact) for each contact of a body; visit may remove the one it gets.
+/// Calls visit(contact) for each contact of a body; visit may remove the contact that it gets.
 template <class Visit>
 void forEachContact(const BodyStore& bodies, const ContactStore& store, BodyIndex body, Visit&& visit) {
     for (ContactIndex contact = bodies.links[body].firstContact; contact != none;) {

@@ -7,10 +7,10 @@ namespace plumb {
 
 namespace {
 
-/// Sweeps over the points of one contact by itself, of which each leaves a quarter of the error [-].
+/// Number of sweeps over the points of a single contact; each sweep leaves a quarter of the error [-].
 constexpr int sweeps = 8;
 
-/// As near as this it bears [m].
+/// Points with a separation up to this carry load [m].
 constexpr float bearing = 1e-4f;
 
 SolverVelocity kickOf(const BodyStore& bodies, BodyIndex body) {
@@ -25,7 +25,7 @@ bool isNew(const ContactBatch& batch, std::size_t lane) {
     return true;
 }
 
-/// Every lane with bodies of its own; points that do not bear have no mass.
+/// A copy of the batch in which no two lanes share a body. Points that carry no load have zero effective mass.
 ContactBatch withBodiesApart(const ContactBatch& batch) {
     ContactBatch own = batch;
     for (std::uint32_t lane = 0; lane < batchLanes; ++lane) {

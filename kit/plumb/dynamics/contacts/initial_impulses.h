@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-// What will new contacts have to bear? The solver warm starts with what they bore in the step before; these have none.
+// Which load will new contacts carry? The solver warm-starts with the impulses of the last step; new contacts have
+// none.
 #pragma once
 #include <plumb/dynamics/bodies/body_store.h>
 #include <plumb/dynamics/contacts/contact_batch.h>
 
 namespace plumb {
 
-/// Gives each lane that touches and has no impulse yet those that hold its two bodies against their accelerations over
-/// half a sub-step, as if they were alone. Without, the first sweeps turn what only just begins to tip.
+/// For each lane that touches and has no impulse yet, sets the impulses that hold its two bodies against their
+/// accelerations during half a sub-step, as if the two were alone. Without this, the first sweeps of the solver turn a
+/// body that only just begins to tip.
 /// Test: "a block that begins to tip turns as its formula says from the first step on"
-/// lanes: of the solver (see SolverSettings).
+/// lanes: as in SolverSettings.
 void guessImpulses(ContactBatch& batch, const BodyStore& bodies, int lanes);
 
 }  // namespace plumb

@@ -14,18 +14,18 @@ namespace plumb {
 
 namespace {
 
-/// What comes nearer than this to a sleeper, or may in the step, wakes it [m].
+/// A body that comes nearer than this to a sleeping body, or may do so in this step, wakes it [m].
 constexpr float trembling = 5e-4f;
 
 float nearestOf(const Manifold& m) {
     return m.count > 1 ? std::min(m.points[0].separation, m.points[1].separation) : m.points[0].separation;
 }
 
-/// How far two bodies may move against each other in the step.
+/// How far two bodies may move relative to each other in the step.
 struct Approach {
-    float margin = 0;   ///< any way, and the contact margin [m]
-    float turn = 0;     ///< part of it, by turning [m]
-    Vec2f shift{0, 0};  ///< of B against A, in A's frame [m]
+    float margin = 0;   ///< in any direction, plus the contact margin [m]
+    float turn = 0;     ///< the part of margin that is due to rotation [m]
+    Vec2f shift{0, 0};  ///< displacement of B relative to A, in A's frame [m]
 };
 
 Approach approachOf(const BodyStore& bodies, const ShapePair& pair) {
@@ -132,7 +132,7 @@ void NarrowPhase::collideBoxes(const Batch& batch, FreshLanes& fresh) const {
     resolveUncertain(batch, fresh);
 }
 
-/// Lanes of discs at once, lanes of other shapes by themselves; lanes beyond count get no points.
+/// Collides lanes with discs all at once, and lanes with other shapes one by one; lanes from count on get no points.
 void NarrowPhase::collideOthers(const Batch& batch, FreshLanes& fresh) const {
     const std::size_t count = batch.count;
     setPeriodicOffsets(batch.contacts, count, fresh);
@@ -148,7 +148,8 @@ void NarrowPhase::collideOthers(const Batch& batch, FreshLanes& fresh) const {
     resolveUncertain(batch, fresh);
 }
 
-/// Those whose boxes cannot come together in this step all at once; the rest one by one.
+/// The bounding boxes of all lanes are collided at once: pairs whose boxes cannot meet in this step are done. The
+/// others are collided one by one.
 void NarrowPhase::collideAny(const Batch& batch, FreshLanes& fresh) const {
     collider_.collideBoxes(batch.pairs, bodies_.place.data(), fresh);
     for (std::size_t lane = 0; lane < batch.count; ++lane) {
@@ -158,7 +159,7 @@ void NarrowPhase::collideAny(const Batch& batch, FreshLanes& fresh) const {
     }
 }
 
-/// Takes a closer look at the lanes of which outlines alone do not say whether they meet.
+/// Computes the predicted manifold for the lanes in which it is uncertain whether and how the shapes meet.
 void NarrowPhase::resolveUncertain(const Batch& batch, FreshLanes& fresh) const {
     if (!isUncertain(fresh)) return;
     for (std::size_t lane = 0; lane < batch.count; ++lane) {
@@ -168,7 +169,8 @@ void NarrowPhase::resolveUncertain(const Batch& batch, FreshLanes& fresh) const 
     }
 }
 
-/// How far apart bodies are that meet around the world, for the lanes. In any other world nothing.
+/// In a world that wraps, sets the distances between bodies whose contact is with a periodic image. Does nothing in
+/// other worlds.
 void NarrowPhase::setPeriodicOffsets(const ContactIndex* contacts, std::size_t count, FreshLanes& fresh) const {
     fresh.around = false;
     if (!bodies_.wrap.any()) return;
@@ -200,7 +202,7 @@ ShapePair NarrowPhase::pairOf(const Batch& batch, std::size_t lane) const {
     return pair;
 }
 
-/// Of any two shapes. Those that cannot come together along their normal in this step will not touch in it.
+/// The manifold of any two shapes. It is empty if they cannot meet along their normal in this step.
 Manifold NarrowPhase::manifoldOf(const ShapePair& pair) const {
     const Approach approach = approachOf(bodies_, pair);
     const BodyMotion b = shifted(bodies_.motion[pair.bodyB], {pair.shiftX, pair.shiftY});
@@ -211,7 +213,7 @@ Manifold NarrowPhase::manifoldOf(const ShapePair& pair) const {
     return nearestOf(m) > closing ? Manifold{} : predictedManifold(bodies_, space_, pair, approach.margin, dt_);
 }
 
-/// Contacts whose bounds have parted are over.
+/// Removes contacts whose bounds do not overlap any more.
 void NarrowPhase::removeParted(NearPairs& near) {
     const bool wraps = bodies_.wrap.any();
     const auto overlap = [&](std::size_t slot) {
@@ -231,7 +233,7 @@ void NarrowPhase::removeParted(NearPairs& near) {
     }
 }
 
-/// Not what is let through.
+/// May a near contact enter the solver? Not if a rule or a one-way side lets its shapes pass through each other.
 bool NarrowPhase::mayArrive(ContactIndex index, const FreshLanes& fresh, std::size_t lane) {
     ContactRecord& contact = contacts_[index];
     contact.met = true;
@@ -257,7 +259,8 @@ void NarrowPhase::noteSleepers(const ShapePair& pair, const FreshLanes& fresh, s
         if (bodies_.isDynamic(body) && !bodies_.record[body].awake) sleepers_.push_back(body);
 }
 
-/// Into slots, if anything can come of it; else back into their records.
+/// Moves new contacts into slots of the solver. Contacts that cannot act in this step go back to the near ones, with
+/// their data in their records.
 void NarrowPhase::addToSolver(Arrivals& arrivals) {
     ContactBatch batch{};
     ManifoldLanes manifolds{};
@@ -275,7 +278,7 @@ void NarrowPhase::addToSolver(Arrivals& arrivals) {
     }
 }
 
-/// It has parted.
+/// Moves a contact that has parted back to the near contacts, and clears its impulses.
 void NarrowPhase::removeFromSolver(ContactIndex index) {
     ContactRecord& contact = contacts_[index];
     graph_.remove(bodies_, contacts_, index);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where do shapes touch that are near each other, and what does the solver need to know of it?
+// Where do shapes that are near each other touch, and which data of that does the solver need?
 #pragma once
 #include <span>
 #include <vector>
@@ -11,35 +11,38 @@
 
 namespace plumb {
 
-/// Makes all manifolds of a step anew: of contacts in the solver's slots batch by batch, where they are prepared for
-/// the step, and of the others near each other. What comes to touch gets a slot, what has parted loses it.
+/// Computes all manifolds of a step: for contacts in the solver's slots batch by batch, which also prepares them for
+/// the step, and for the near contacts. A contact that begins to touch gets a slot; one that has parted loses its slot.
 ///
-/// In this order: collideSolved(); collideNear() until isDone(), each time waking the sleepers that it names, whose
-/// contacts are then near as well; finish().
+/// Call in this order: collideSolved(); then collideNear() until isDone(), and after each call wake the sleeping bodies
+/// that it returns, which makes their contacts near, too; then finish().
 class NarrowPhase {
 public:
-    /// lanes: of the solver (see SolverSettings).
+    /// lanes: as in SolverSettings.
     NarrowPhase(ContactGraph& graph, ContactStore& contacts, BodyStore& bodies, const Space& space, int lanes,
                 double dt);
 
-    /// What the solver has; and takes out near contacts whose bounds have parted.
+    /// Collides the contacts in the solver, and removes near contacts whose bounds do not overlap any more.
     void collideSolved();
+    /// Have all near contacts been collided?
     bool isDone() const;
-    /// The next batch of near contacts. Returns the sleepers that it touches, which are to be woken now.
+    /// Collides the next batch of near contacts. Returns the sleeping bodies that are touched; the caller must wake
+    /// them before the next call.
     std::span<const BodyIndex> collideNear();
+    /// Moves contacts into and out of the solver's slots.
     void finish();
 
-    /// Of contacts that were taken out.
+    /// Touches that ended because their contacts were removed.
     const std::vector<TouchEnd>& ends() const { return ends_; }
 
 private:
-    /// Contacts of a batch's lanes.
+    /// The pairs of a batch and their contacts.
     struct Batch {
         const PairLanes& pairs;
-        const ContactIndex* contacts;  ///< of the first lanes
-        std::size_t count;             ///< of lanes in use
+        const ContactIndex* contacts;  ///< of the lanes in use, which are the first ones
+        std::size_t count;             ///< number of lanes in use
     };
-    /// What has come to touch, and where.
+    /// Contacts that begin to touch, with their manifolds.
     struct Arrivals {
         FreshLanes fresh;
         ContactIndex contacts[batchLanes];
@@ -69,7 +72,7 @@ private:
     const LaneCollider& collider_;
     int lanes_;
     double dt_;
-    std::size_t boxesDone_ = 0, othersDone_ = 0;  ///< of the near contacts
+    std::size_t boxesDone_ = 0, othersDone_ = 0;  ///< number of near contacts that are collided
     std::vector<ContactIndex> parted_;
     std::vector<Arrivals> arrivals_;
     std::vector<BodyIndex> sleepers_;

@@ -11,7 +11,7 @@ namespace plumb {
 
 namespace {
 
-/// More friction than this makes no difference, and might leave the solver's floats [-].
+/// Upper limit of friction: more makes no difference, and might overflow the solver's floats [-].
 constexpr double roughest = 1e6;
 
 double mixed(double a, double b, Mix ruleA, Mix ruleB) {
@@ -25,7 +25,7 @@ double mixed(double a, double b, Mix ruleA, Mix ruleB) {
     return 0;
 }
 
-/// Both radii of rounding: what rolls on what.
+/// The larger rounding radius of the two: that shape rolls on the other.
 double roundingOf(const Proxy& a, const Proxy& b) {
     return static_cast<double>(std::max(a.convex.radius, b.convex.radius));
 }
@@ -59,7 +59,7 @@ bool isPaired(const ContactStore& contacts, const BodyStore& bodies, const Space
     return paired;
 }
 
-/// The one of the lower id first; shift: of b.
+/// The pair with the lower id first; shift belongs to b.
 ShiftedShapes inOrder(ProxyId a, ProxyId b, const Vec2& shift) {
     return a < b ? ShiftedShapes{{a, b}, shift} : ShiftedShapes{{b, a}, -shift};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which shapes have come near each other?
+// Which pairs of shapes become contacts?
 #pragma once
 #include <vector>
 
@@ -8,28 +8,28 @@
 
 namespace plumb {
 
-/// Two shapes whose bounds have come to overlap, b shifted by whole rounds of the world.
+/// Two shapes whose bounds overlap, with b shifted by whole periods of the world.
 struct ShiftedShapes {
     Pair shapes;
     Vec2 shift{0, 0};  ///< [m]
 };
 
-/// What a pair is, and what follows from it.
+/// What kind of pair two shapes are.
 enum class PairKind {
-    Nothing,    ///< kept apart, or neither can be pushed
-    Contact,    ///< has been added to the contacts
-    AtSleeper,  ///< the same, between a sleeper and what nothing pushes: something was put there, and both are to wake
-    AtSensor,   ///< one is a sensor: for whoever watches sensors
+    Nothing,    ///< no contact: joints forbid it, or neither body is dynamic
+    Contact,    ///< a contact was added
+    AtSleeper,  ///< a contact of a sleeping and a non-dynamic body was added: the caller must wake both
+    AtSensor,   ///< no contact: one shape is a sensor, the caller passes the pair to the sensors
 };
 
-/// Makes a contact of a pair, if it is to be one.
+/// Adds a contact for a pair of shapes, if the pair can have one.
 PairKind addPair(ContactStore& contacts, BodyStore& bodies, const Space& space, const ShiftedShapes& pair);
-/// The pairs of two bodies' shapes whose bounds overlapped at the last look for pairs; without sensors.
+/// The pairs of two bodies' shapes whose bounds overlapped in the last search for pairs; without sensors.
 std::vector<ShiftedShapes> pairsOfBodies(const BodyStore& bodies, const Space& space, BodyIndex a, BodyIndex b);
-/// The pairs of one shape, likewise; without those that are contacts.
+/// The pairs of one shape whose bounds overlapped in the last search; without those that are contacts already.
 std::vector<ShiftedShapes> pairsOfShape(const ContactStore& contacts, const BodyStore& bodies, const Space& space,
                                         ProxyId proxy);
-/// Works out what two shapes' materials are together.
+/// Sets the contact's friction, restitution, rolling resistance and surface speed from its two materials.
 void mixMaterials(const Space& space, ContactRecord& contact);
 
 }  // namespace plumb

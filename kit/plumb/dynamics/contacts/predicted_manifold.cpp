@@ -41,7 +41,8 @@ Manifold predictedManifold(const BodyStore& bodies, const Space& space, const Sh
     if (!time) return {};
     const Encounter meeting = encounterAt(a, b, *time);
     Manifold m = manifold(proxyA.convex, proxyB.convex, relativePose(meeting.a, meeting.b), contactMargin);
-    // Back to the step's start: how far each point of B still has to come along the normal. Points stay with A.
+    // Transform back to the step's start. A point's separation there is the distance that it has to close along the
+    // normal. Points keep their places in A's frame.
     const Rot back = meeting.a.rotation * a.from.rotation.inverse();
     const Vec2 normal = meeting.a.rotation * Vec2(m.normal.cast<double>());
     for (ManifoldPoint& point : m.points) {

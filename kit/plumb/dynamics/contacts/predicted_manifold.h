@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where will two shapes touch that are still apart, but may meet within the step?
+// Where will two shapes touch that are still separated, but may meet during the step?
 #pragma once
 #include <plumb/collide/manifold.h>
 #include <plumb/dynamics/bodies/body_store.h>
@@ -7,10 +7,12 @@
 
 namespace plumb {
 
+/// The pose of B in the frame of A, both frames with their origin in the body's centre of mass.
 RelativePose relativePose(const BodyMotion& a, const BodyMotion& b);
 
-/// The manifold of two shapes where and when they meet in this step, seen from the step's start; empty if they
-/// do not meet. What flies past a corner is not to be held up by the face that it has before it from afar.
+/// The manifold of two shapes at the time when they first meet in this step, transformed back to the step's start;
+/// empty if they do not meet. The manifold at the step's start would be wrong for distant shapes: a body that passes a
+/// corner would be stopped by the plane of a face that it never touches. Separations are at most margin [m].
 Manifold predictedManifold(const BodyStore& bodies, const Space& space, const ShapePair& pair, float margin, double dt);
 
 }  // namespace plumb

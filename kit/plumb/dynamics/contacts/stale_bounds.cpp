@@ -19,8 +19,9 @@ void addStale(const Space& space, const BodyStore& bodies, BodyIndex body, std::
     }
 }
 
-/// Is it so near to where it was predicted that its bounds hold it? Costs a look at three cache lines; a no is no
-/// proof. Bounds hold all between the step's start and the prediction, and half a contactMargin more all around.
+/// A cheap test that reads three cache lines: is the body so near to its predicted place that its shapes are surely
+/// within their bounds? False means that this is not known. The bounds contain all places between the step's start and
+/// the prediction, and half a contactMargin more on every side.
 bool isSurelyWithin(const BodyStore& bodies, BodyIndex body) {
     if (bodies.step[body].boundsPending) return false;
     const BodyMotion& now = bodies.motion[body];
@@ -32,7 +33,7 @@ bool isSurelyWithin(const BodyStore& bodies, BodyIndex body) {
     };
     const double x = aside(now.center.x(), then.highX, then.lowX, shift.x());
     const double y = aside(now.center.y(), then.highY, then.lowY, shift.y());
-    // By the chord, which is how far a point turns that is 1 m from the centre.
+    // The rotation is measured by its chord: the displacement of a point 1 m from the centre.
     const double cos = now.rotation.cos - static_cast<double>(then.cos);
     const double sin = now.rotation.sin - static_cast<double>(then.sin);
     const double turned = std::sqrt(cos * cos + sin * sin) * bodies.record[body].turningRadius;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which shapes has the last step moved out of the bounds that the space has for them?
+// Which shapes has the last step moved out of the bounds that are stored in the space?
 #pragma once
 #include <atomic>
 #include <mutex>
@@ -12,19 +12,20 @@
 
 namespace plumb {
 
-/// A shape, and the box that it is in now.
+/// A shape, and its present bounding box.
 struct StaleBound {
     ProxyId proxy = 0;
     Aabb box;
 };
 
-/// Bounds are renewed when a step begins, for where bodies will be if nothing pushes them. Until the next step, a query
-/// of the space has to look here, too. Worked out at the first query after a step; any number of threads may ask. What
-/// was moved or removed since is still named: the space knows better.
+/// Bounds are updated when a step begins, for the places that bodies reach if nothing pushes them. So until the next
+/// step, a query of the space must also search this list. It is computed at the first query after a step; any number of
+/// threads may call of() at the same time. Shapes that were moved or removed since then are still in the list: for them
+/// the space is right.
 class StaleBounds {
 public:
     StaleBounds() = default;
-    StaleBounds(const StaleBounds&) : known_(false) {}  // worked out anew
+    StaleBounds(const StaleBounds&) : known_(false) {}  // computed again
     StaleBounds& operator=(const StaleBounds&) {
         reset();
         return *this;

@@ -8,12 +8,12 @@ namespace plumb {
 
 namespace {
 
-constexpr float apart = 1e-3f;  ///< what trembles this little does not end its touch [m]
+constexpr float apart = 1e-3f;  ///< jitter smaller than this does not end a touch [m]
 
 struct TouchNow {
     bool pressed = false;
     float separation = apart;
-    std::size_t point = 0;  ///< the nearest
+    std::size_t point = 0;  ///< index of the nearest point
 };
 
 TouchNow touchOf(const ContactGraph& graph, const ContactRecord& contact) {
@@ -30,8 +30,8 @@ TouchNow touchOf(const ContactGraph& graph, const ContactRecord& contact) {
     return touch;
 }
 
-/// Not 0 for the lanes in which a touch begins or ends, or is a hit. Without branches, so that compilers can make it
-/// wide.
+/// Sets changed to a value other than 0 in the lanes in which a touch begins or ends, or is a hit. There are no
+/// branches, so that compilers can vectorize the loop.
 void markChanges(const ContactBatch& batch, const ManifoldLanes& manifolds, float hitSpeed,
                  Lanes<std::int32_t>& changed) {
     for (std::size_t lane = 0; lane < batchLanes; ++lane) {
@@ -48,7 +48,7 @@ void markChanges(const ContactBatch& batch, const ManifoldLanes& manifolds, floa
     }
 }
 
-/// Looks at one contact after the other.
+/// Checks the contacts one after the other and collects their events.
 class TouchSearch {
 public:
     TouchSearch(ContactGraph& graph, ContactStore& contacts, const BodyStore& bodies, double hitSpeed)
@@ -68,10 +68,11 @@ public:
         }
     }
 
-    /// One that the solver does not have; false when there will be no more events of it.
+    /// Checks a contact that is not in the solver; false if it can have no more events.
     bool searchWatched(ContactIndex index) {
         ContactRecord& contact = contacts_[index];
-        const bool told = contact.state == ContactState::Impact && contact.memory[0].totalNormal > 0;  // by the impacts
+        // The impacts have reported the contact already.
+        const bool told = contact.state == ContactState::Impact && contact.memory[0].totalNormal > 0;
         if (contact.isNear() && !told) search(contact);
         contact.watched = contact.isNear() && (contact.touching || contact.manifold.count > 0);
         return contact.watched;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which shapes began to touch in this step, and which ceased?
+// Which pairs of shapes began to touch in this step, and which stopped touching?
 #pragma once
 #include <vector>
 
@@ -7,28 +7,28 @@
 
 namespace plumb {
 
-/// Two shapes that came to touch, or hit each other.
+/// Two shapes that began to touch, or that hit each other.
 struct ShapeTouch {
     ProxyId proxyA = 0, proxyB = 0;
-    Vec2 shift{0, 0};          ///< of B, in a world that wraps [m]
-    Vec2 point{0, 0};          ///< as A sees it [m]
+    Vec2 shift{0, 0};          ///< to B's periodic image that touches A, in a world that wraps [m]
+    Vec2 point{0, 0};          ///< on A, in a world that wraps not on a periodic image of A [m]
     Vec2 normal{0, 1};         ///< from A to B
     double approachSpeed = 0;  ///< [m/s]
 };
 
-/// Two shapes that touch no more.
+/// Two shapes that stopped touching.
 struct TouchEnd {
     ProxyId proxyA = 0, proxyB = 0;
 };
 
-/// What a phase of a step has to tell.
+/// The touch events that a phase of a step returns.
 struct TouchEvents {
     std::vector<ShapeTouch> begins, hits;
     std::vector<TouchEnd> ends;
 };
 
-/// Two shapes touch when they press on each other or overlap, until they are a millimetre apart. Together faster than
-/// hitSpeed [m/s] they hit each other.
+/// A touch begins when two shapes press on each other or overlap. It ends when they do not press and are at least 1 mm
+/// apart. Two shapes that press on each other after an approach faster than hitSpeed [m/s] hit each other.
 TouchEvents findTouchEvents(ContactGraph& graph, ContactStore& contacts, const BodyStore& bodies, double hitSpeed);
 
 }  // namespace plumb

@@ -9,10 +9,10 @@ namespace plumb {
 
 namespace {
 
-/// A body that moves by less than this share of its core in a step is still where its contacts see it [-].
+/// A body that moves in a step by less than this share of its inradius cannot have passed its contacts [-].
 constexpr double slow = 0.5;
 
-/// What the solver has moved a body by.
+/// By how much the solver has moved a body.
 struct Moved {
     Vec2 shift{0, 0};
     double turn = 0;
@@ -35,7 +35,7 @@ Sweep freeWay(const BodyStore& bodies, BodyIndex body, const Past& past) {
     BodyMotion now = bodies.motion[body];
     if (!record.awake) return sweepBetween(now, now, record);
     const FlightLaw law = flightLawOf(bodies, body);
-    if (const std::uint32_t flight = bodies.step[body].flight; flight != none) {  // without what was added at its end
+    if (const std::uint32_t flight = bodies.step[body].flight; flight != none) {  // without the correction at its end
         now.velocity -= bodies.flights[flight].rest.velocity;
         now.angularVelocity -= bodies.flights[flight].rest.spin;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How has a body come through a part of this step?
+// How has a body moved during a part of this step?
 #pragma once
 #include <plumb/collide/sweep.h>
 #include <plumb/dynamics/bodies/body_store.h>
@@ -12,16 +12,16 @@ struct Past {
 };
 
 Sweep sweepBetween(const BodyMotion& from, const BodyMotion& to, const BodyRecord& record);
-/// Of a body that the solver has not moved.
+/// The sweep of a body that the solver has not moved, during a part of the step.
 Sweep freeWay(const BodyStore& bodies, BodyIndex body, const Past& past);
-/// Of any body, through the whole step of dt [s].
+/// The sweep of any body, during the whole step of dt [s].
 Sweep wayOf(const BodyStore& bodies, BodyIndex body, double dt);
 
-/// No point of the body's outline has moved farther than this [m].
+/// An upper bound on how far a point of the body's outline has moved [m].
 double travelOf(const Vec2& shift, double turn, const BodyRecord& record);
-/// Is this so far for a body of its size that it may have gone through something?
+/// Is this distance so long for the size of the body that it may have gone through something?
 bool isFar(const BodyRecord& record, double travel);
-/// Has the body come so far in this step? Asked of all that moves, so nothing is worked out that need not be.
+/// Has the body moved so far in this step? This runs for every moving body, so it computes only what it needs.
 bool hasComeFar(const BodyStore& bodies, BodyIndex body, double dt);
 
 }  // namespace plumb

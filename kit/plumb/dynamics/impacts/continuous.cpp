@@ -9,7 +9,8 @@ namespace plumb {
 
 namespace {
 
-/// Where a body stays that meets a wall on its way: there, or, if the wall moves on, at the same place of it.
+/// Where a body stays that meets a wall on its sweep: at the meeting place, and if the wall moves on, at the same place
+/// in the wall's frame.
 Sweep stayAt(const BodyStore& bodies, const Sweep& way, const WallHit& hit) {
     Sweep stay = way;
     stay.start = way.start + way.shift * hit.time;
@@ -21,14 +22,15 @@ Sweep stayAt(const BodyStore& bodies, const Sweep& way, const WallHit& hit) {
     return stay;
 }
 
-/// A dynamic body that was moved by the solver or by nothing.
+/// Is it an awake dynamic body that was not moved by impacts and is not in quarantine?
 bool isMoved(const BodyStore& bodies, BodyIndex body) {
     const BodyRecord& record = bodies.record[body];
     return record.type == BodyType::Dynamic && record.awake && !bodies.isMovedBy(body, MovedBy::Impacts) &&
            !record.quarantined;
 }
 
-/// A body that may have gone through a wall: through what it has this contact with, or, without, anything static.
+/// A body that may have gone through a wall: through the other body of this contact, or, if there is none, through any
+/// static body.
 struct Suspect {
     BodyIndex body = noBody;
     ContactIndex contact = none;
@@ -40,7 +42,7 @@ public:
     WallStop(BodyStore& bodies, const ContactStore& contacts, const Space& space, double dt)
         : bodies_(bodies), contacts_(contacts), view_{bodies, contacts, space}, dt_(dt) {}
 
-    /// In the order of their slots, those that have moved far for their size, or past which a wall has.
+    /// Bodies that have moved far for their size, or past which a wall has moved, in the order of their slots.
     std::vector<Suspect> findSuspects() const {
         std::vector<Suspect> suspects;
         for (const BodyIndex body : bodies_.awake)
@@ -52,7 +54,7 @@ public:
         return suspects;
     }
 
-    /// All of one body.
+    /// Checks one body; suspects: all entries of this body.
     void stop(std::span<const Suspect> suspects) {
         const BodyIndex body = suspects.front().body;
         const Sweep way = wayOf(bodies_, body, dt_);
@@ -63,13 +65,13 @@ public:
                 continue;
             }
             search.searchStatic();
-            // The bounds for which contacts were made hold all else; what is kinematic is looked at from its side.
+            // Within these bounds, each kinematic body near it has a contact with it, and addSwept has checked that.
             if (!search.isWithinBounds()) search.searchKinematic();
         }
         if (search.first()) stopAt(body, way, {dt_, 0}, *search.first());
     }
 
-    /// Segment after segment, and a body that was stopped in one has none after it.
+    /// Checks the segments one after the other; once a body is stopped, its later segments are skipped.
     void stop(const Trajectories& trajectories) {
         std::vector<BodyIndex> stopped;
         for (const TrajectorySegment& segment : trajectories) {
@@ -88,7 +90,7 @@ public:
     }
 
 private:
-    /// Bodies that have come far as seen from something kinematic, and near it.
+    /// Adds bodies near a kinematic body that have moved far relative to it.
     void addSwept(BodyIndex wall, std::vector<Suspect>& suspects) const {
         const WallWay wallWay(freeWay(bodies_, wall, {dt_, 0}));
         forEachContact(bodies_, contacts_, wall, [&](ContactIndex index) {
@@ -103,7 +105,8 @@ private:
         });
     }
 
-    /// Puts the body to where it met the wall. What moves on carries it along, perhaps into what does not.
+    /// Moves the body to where it met the wall. A kinematic wall carries it along, perhaps into a static one, which is
+    /// checked, too.
     void stopAt(BodyIndex body, const Sweep& way, const Past& past, const WallHit& hit) {
         Sweep stopped = stayAt(bodies_, way, hit);
         if (bodies_.record[hit.wall].type == BodyType::Kinematic) {

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Who would have gone through a wall in this step, and where should it have stopped?
+// Which bodies would have gone through a wall in this step, and where should they have stopped?
 //
-// Contacts are made ahead and mostly stop a body at the wall; this is the net behind them, for what came another way
-// than foreseen: deflected, pushed, or spinning. It catches what has gone through something static or kinematic, or so
-// deep into it that the way out is on the wrong side, and puts it to where the two met, as seen from the wall. Its
-// velocity stays: it arrives in the next step, as an impact like any other.
+// Contacts are predicted, and in most cases they stop a body at the wall. This second test is for bodies whose motion
+// differs from the prediction because they were deflected, pushed or spun. It finds bodies that have gone through
+// something static or kinematic, or so deep into it that the way out is on the wrong side, and moves each back to the
+// place, in the wall's frame, where the two met. The velocity is not changed: the body hits the wall in the next step,
+// as an ordinary impact.
 #pragma once
 #include <plumb/dynamics/bodies/free_motion.h>
 #include <plumb/dynamics/impacts/wall_search.h>
 
 namespace plumb {
 
-/// To be called when all bodies have their new places, and their forces are still known.
+/// Call this when all bodies have their new places, and before forces are cleared.
 void stopAtWalls(BodyStore& bodies, const ContactStore& contacts, const Space& space, const Trajectories& trajectories,
                  double dt);
 

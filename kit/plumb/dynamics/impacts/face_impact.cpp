@@ -11,7 +11,7 @@ namespace plumb {
 
 namespace {
 
-/// Over both points, until nothing changes by then.
+/// Number of sweeps over both points: enough for the impulses to converge.
 constexpr int sweeps = 200;
 
 ImpactSide sideOf(const ImpactBody& body, const Vec2& point) {
@@ -19,7 +19,7 @@ ImpactSide sideOf(const ImpactBody& body, const Vec2& point) {
             point - body.motion.center};
 }
 
-/// Two points at once: each parts at its share of its own approach.
+/// Solves two points together: each parts at the restitution times its own approach speed.
 class FaceImpact {
 public:
     FaceImpact(const Vec2& normal, const ImpactLaw& law, ImpactBody& a, ImpactBody& b)
@@ -54,7 +54,7 @@ private:
         impulse.tangent = tangent;
     }
 
-    /// Of B against A.
+    /// The velocity of B relative to A at a point [m/s].
     Vec2 speedAt(const Vec2& point) const { return velocityAt(b_.motion, point) - velocityAt(a_.motion, point); }
 
     void push(const Vec2& point, const Vec2& impulse) {
@@ -86,7 +86,7 @@ std::vector<Vec2> touchingPoints(const Convex& a, const BodyMotion& motionA, con
                                  const Distance& where, double size) {
     const Vec2 middle = 0.5 * (where.pointA + where.pointB);
     if (a.count == 1 || b.count == 1) return {middle};
-    const double faceTolerance = 1e-5 * size;  // float's, of a shape's size
+    const double faceTolerance = 1e-5 * size;  // the manifold is computed in floats
     const Manifold m = manifold(a, b, relativePose(motionA, motionB), static_cast<float>(faceTolerance));
     if (m.count < 2) return {middle};
     std::vector<Vec2> points;

@@ -14,22 +14,22 @@ namespace plumb {
 
 namespace {
 
-/// More impacts than this for each body in one step: a heap, for the solver.
+/// A group with more impacts per body than this in one step is a pile, and is left to the solver.
 constexpr std::size_t impactsPerBody = 16;
 
-/// A larger group is a heap as well: each impact is searched among all of them.
+/// A group with more contacts than this is left to the solver, too: the search for each impact checks all of them.
 constexpr std::size_t largestGroup = 200;
 
-/// What is farther apart than this has not met, and what is deeper than this has met before [m].
+/// Where a pair should meet, a larger gap or a deeper overlap than this shows that the search has failed [m].
 constexpr double lostTouch = 1e-6;
 constexpr double lostWay = 1e-3;
 
-/// A body of the group, from its last impact on.
+/// A body of the group, since its last impact.
 struct GroupBody {
     BodyIndex body = noBody;
-    FlyingShape flight;                 ///< its shape is filled in for each contact
-    std::optional<FieldFlight> fields;  ///< what it feels from there on
-    FieldAccount account;               ///< what fields have done before
+    FlyingShape flight;                 ///< its shape is set for each contact
+    std::optional<FieldFlight> fields;  ///< effect of fields from the last impact on
+    FieldAccount account;               ///< effect of fields before the last impact
 };
 
 /// A contact between two bodies of the group, and when they meet next.
@@ -37,17 +37,17 @@ struct GroupPair {
     ContactIndex contact = 0;
     std::size_t a = 0, b = 0;
     std::optional<double> time;
-    bool through = false;  ///< is let pass, as its rules say
+    bool through = false;  ///< a rule or a one-way side lets it pass
     double approachSpeed = 0, normalImpulse = 0, tangentImpulse = 0;
-    double friction = 0, drivers = 0;  ///< energy that friction and what is not pushed have given [J]
-    Vec2 onA{0, 0};                    ///< impulse [N s]
+    double friction = 0, drivers = 0;  ///< energy from friction, and from bodies that impulses do not move [J]
+    Vec2 onA{0, 0};                    ///< total impulse on A [N s]
     Distance where;
 };
 
-/// Before and after an impact.
+/// The states of the two bodies of a pair, A first.
 using TwoMotions = std::array<BodyMotion, 2>;
 
-/// The two of a contact as they see each other.
+/// The two shapes of a contact, B as the periodic image that meets A.
 struct FlyingPair {
     FlyingShape a, b;
 };
@@ -66,7 +66,7 @@ public:
         for (GroupPair& pair : pairs_) predict(pair);
     }
 
-    /// Impact after impact, to the end of the step; false if that does not work out.
+    /// Solves impact after impact to the end of the step; false if there are too many, or if one cannot be solved.
     bool run() {
         for (std::size_t count = 0; count <= impactsPerBody * bodies_.size(); ++count) {
             GroupPair* next = nullptr;
@@ -135,7 +135,8 @@ private:
         return shapes;
     }
 
-    /// Of what the narrow phase did not predict, the rules are asked where it meets.
+    /// May the two pass through each other? If the narrow phase has not predicted the contact, the rules are evaluated
+    /// here, at the place where the two meet.
     bool isLetThrough(const GroupPair& pair) const {
         const ContactRecord& contact = stores_.contacts[pair.contact];
         if (!contact.ruled || contact.verdict == Verdict::Solid) return false;
@@ -146,7 +147,8 @@ private:
         return !isSolid(stores_.contacts, stores_.bodies, stores_.space, pair.contact, face);
     }
 
-    /// Moves the two to where they meet and parts them. False when that is not found, for they spin too fast.
+    /// Moves the two bodies to where they meet and applies the impact. False if that place was not found because they
+    /// spin too fast.
     bool solve(GroupPair& pair) {
         const std::array<FlyingShape, 2> before{bodies_[pair.a].flight, bodies_[pair.b].flight};
         const std::optional<TwoMotions> met = part(pair);
@@ -161,7 +163,7 @@ private:
         return true;
     }
 
-    /// Returns what they were before they parted.
+    /// Applies the impact to the two bodies. Returns their states before it; empty if they do not meet at pair.time.
     std::optional<TwoMotions> part(GroupPair& pair) {
         const ContactRecord& contact = stores_.contacts[pair.contact];
         const double time = *pair.time;
@@ -185,7 +187,7 @@ private:
         b.flight.from = parted[1].motion;
         TwoMotions met{e.a, e.b};
         addImpulses(pair, given, met, {a.flight.from, b.flight.from});
-        if (!contact.shift.isZero(0)) {  // back to where it is
+        if (!contact.shift.isZero(0)) {  // back from the image to B's own place
             met[1].center -= contact.shift;
             b.flight.from.center -= contact.shift;
         }
@@ -197,7 +199,8 @@ private:
         return {motion, record.inverseMass, record.inverseInertia};
     }
 
-    /// Where fields have it at the end of its flight: the law is right about the place, and nearly about the velocity.
+    /// Corrects the velocity at the end of a free motion with varying fields: the law gives the right place, but only
+    /// nearly the right velocity.
     void endFields(GroupBody& body, BodyMotion& at, double time) {
         if (!hasVaryingFields(body)) return;
         const double flown = time - body.flight.time;
@@ -209,7 +212,7 @@ private:
         body.account += done.account;
     }
 
-    /// From where it is now.
+    /// Predicts the effect of fields again, from the body's present state on.
     void renewFields(GroupBody& body) {
         if (!hasVaryingFields(body)) return;
         body.fields = flightFrom(stores_.fields, stores_.bodies, stores_.space, body.fields->flight, body.flight.from,
@@ -217,7 +220,7 @@ private:
         body.flight.law = body.fields->flight.law;
     }
 
-    /// What the impulses did to the energy, by the speeds before and after them, and to whom.
+    /// Adds the impulses of an impact and their work, computed from the mean of the speeds before and after.
     void addImpulses(GroupPair& pair, const std::vector<PointImpulse>& given, const TwoMotions& before,
                      const TwoMotions& after) const {
         const ContactRecord& contact = stores_.contacts[pair.contact];
@@ -237,7 +240,7 @@ private:
 
     void storeBody(const GroupBody& body) {
         BodyStore& store = stores_.bodies;
-        if (!store.isDynamic(body.body)) return;  // a platform may be in many groups, and moves by itself
+        if (!store.isDynamic(body.body)) return;  // a kinematic body may be in many groups, and moves by itself
         BodyMotion end = fly(body.flight.from, body.flight.law, dt_ - body.flight.time);
         if (hasVaryingFields(body)) {
             end.velocity += body.fields->flight.rest.velocity;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What happens when bodies in free flight hit each other, or a wall, one pair at a time?
+// What happens when bodies in free motion hit each other, or a wall, one pair at a time?
 //
-// Each body moves on its closed form; the earliest time at which a pair meets is found on those, the two are moved
-// there and parted by the closed form of impact, and the search goes on with the rest of the step: as the textbook
-// does it, in double precision.
+// Each body moves by the closed form of free motion. The search finds the earliest time at which a pair meets, moves
+// the two bodies there, applies the closed form of impact, and goes on with the rest of the step. All in double
+// precision, as in a textbook.
 #pragma once
 #include <span>
 
@@ -14,24 +14,24 @@
 
 namespace plumb {
 
-/// What impacts read and write.
+/// The stores that impacts read and write.
 struct ImpactStores {
     ContactStore& contacts;
     BodyStore& bodies;
     FieldStore& fields;
     const ContactGraph& graph;
     const Space& space;
-    StepObserver* observer = nullptr;  ///< if there is one
+    StepObserver* observer = nullptr;  ///< may be null
 };
 
-/// What impacts have done in a step.
+/// The results of all impacts of a step.
 struct Impacts {
     Trajectories trajectories;
     TouchEvents touches;
 };
 
-/// Moves the bodies of these contacts, and no others, through the step. False, and nothing done, when there were so
-/// many impacts that it is rather a heap than a flight. Impacts faster than hitSpeed [m/s] are hits.
+/// Moves the bodies of these contacts, and no others, through the step. If there are too many impacts, as in a pile, it
+/// changes nothing and returns false. Impacts faster than hitSpeed [m/s] are hits.
 bool moveThroughImpacts(const ImpactStores& stores, std::span<const ContactIndex> contacts, double dt, double hitSpeed,
                         Impacts& impacts);
 

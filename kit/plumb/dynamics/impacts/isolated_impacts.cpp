@@ -11,8 +11,8 @@ namespace plumb {
 
 namespace {
 
-/// Is a contact one that, if it comes to an impact in this step, is over before the step is? Its shapes bounce, and
-/// the flight after the bounce takes longer than the step: 2 e v >= a dt.
+/// If this contact has an impact in this step, do the shapes bounce, and is the free motion after the bounce longer
+/// than the step? The condition is 2 e v >= a dt.
 /// e restitution [-], v approach speed at the impact [m/s], a acceleration that presses the two together [m/s^2]
 bool bouncesClear(const ContactGraph& graph, const BodyStore& bodies, const ContactRecord& contact, double dt) {
     if (contact.restitution <= 0) return false;
@@ -30,13 +30,13 @@ bool bouncesClear(const ContactGraph& graph, const BodyStore& bodies, const Cont
         const double opening = relative.dot(normal);
         const double fall = std::max(press * static_cast<double>(point.separation), 0.0);
         const double speed = std::sqrt(opening * opening + 2 * fall);
-        const bool overlapping = point.separation < -1e-4f && opening >= 0;  // only the solver pushes apart
+        const bool overlapping = point.separation < -1e-4f && opening >= 0;  // only the solver corrects it
         if (overlapping || 2 * contact.restitution * speed < press * dt) return false;
     }
     return true;
 }
 
-/// Finds the contacts that are isolated impacts.
+/// Finds the contacts that are isolated impacts, and the contacts that their bodies may also meet.
 class ImpactSearch {
 public:
     ImpactSearch(const ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies, double dt)
@@ -52,7 +52,7 @@ public:
     }
 
 private:
-    /// What would bounce clear of the other if it were alone with it.
+    /// Finds the contacts whose two bodies, if they were alone, would bounce and stay apart for longer than the step.
     void findCandidates() {
         for (const Colour& colour : graph_.colours) {
             for (std::size_t b = 0; b < colour.batches.size(); ++b) {
@@ -68,7 +68,7 @@ private:
         }
     }
 
-    /// Leaves the solver what does not pass; and what touches a body of the solver's is the solver's too.
+    /// Removes the contacts that fail the test, and then, repeatedly, those with a body that the solver moves.
     template <class Test>
     void keepOnly(Test&& test) {
         for (bool changed = true; changed;) {
@@ -83,7 +83,7 @@ private:
         }
     }
 
-    /// What a bouncing body may come to in the rest of the step, after an impact, is watched as well.
+    /// Adds the other contacts of bouncing bodies: after an impact, a body may reach them in the rest of the step.
     void addOthers() {
         std::vector<bool> isFound(contacts_.records.size(), false);
         for (const ContactIndex index : found_) isFound[index] = true;
@@ -104,7 +104,7 @@ private:
         }
     }
 
-    /// Joined bodies and those with a contact that does not bounce clear are the solver's.
+    /// The solver moves bodies with a joint, and bodies with a contact that is not an isolated impact.
     bool isConstrained(BodyIndex body) const {
         const BodyLinks& links = bodies_.links[body];
         return bodies_.isDynamic(body) && (links.actingJoints > 0 || links.solverContacts > candidatesOf_[body]);
@@ -118,10 +118,11 @@ private:
     const BodyStore& bodies_;
     double dt_;
     std::vector<ContactIndex> found_;
-    std::vector<std::uint32_t> candidatesOf_;  ///< of each body: how many of its contacts are found
+    std::vector<std::uint32_t> candidatesOf_;  ///< for each body: how many of its contacts are in found_
 };
 
-/// Splits the contacts into groups that share no body that can be pushed; in the order of their first contact.
+/// Splits the contacts into groups that share no dynamic body; their order follows from the order of the contacts. Some
+/// groups may be empty.
 std::vector<std::vector<ContactIndex>> groupsOf(const ContactStore& contacts, const BodyStore& bodies,
                                                 const std::vector<ContactIndex>& found) {
     std::map<BodyIndex, std::size_t> groupOf;
@@ -143,7 +144,7 @@ std::vector<std::vector<ContactIndex>> groupsOf(const ContactStore& contacts, co
     return groups;
 }
 
-/// The impacts have moved its bodies: the solver has nothing to do with it in this step.
+/// Removes a contact from the solver for this step: the impacts have moved its bodies.
 void leaveToImpacts(ContactGraph& graph, ContactStore& contacts, BodyStore& bodies, ContactIndex index) {
     ContactRecord& contact = contacts[index];
     const std::array<PointMemory, 2> memory = contact.memory;
@@ -155,7 +156,7 @@ void leaveToImpacts(ContactGraph& graph, ContactStore& contacts, BodyStore& bodi
     contacts.impacts.push_back(index);
 }
 
-/// What was left to the impacts in the step before is not any more.
+/// Makes the contacts that were isolated impacts in the last step ordinary near contacts again.
 void endImpacts(ContactStore& contacts) {
     for (const ContactIndex index : contacts.impacts)
         if (contacts[index].state == ContactState::Impact) contacts[index].state = ContactState::Near;

@@ -14,27 +14,28 @@ namespace plumb {
 
 namespace {
 
-/// This share of its core, and no more than this [m], a body may be deep in a wall: the solver pushes it out.
+/// A body may be this deep in a wall, as a share of its inradius [-], and at most this deep [m]: the solver pushes it
+/// out.
 constexpr double deepShare = 0.25;
 constexpr double deepest = 0.02;
-/// A body is stopped this far from the wall [m].
+/// A body is stopped at this distance from the wall [m].
 constexpr double skin = 1e-4;
-/// Less than this makes no difference, and a search ends as near as that [m].
+/// Smaller distances make no difference; the search has about this tolerance [m].
 constexpr double noticeable = 2e-5;
-/// What goes round a world more often in one step is looked at on its first rounds only [-].
+/// If a body moves through more periods of a wrapped world than this in one step, only the first ones are searched [-].
 constexpr double mostRounds = 64;
 
-/// When a shape that goes through a wall, or too deep into it, has met it; empty when it does neither.
+/// The time at which a shape has met a wall that it goes through, or too deep into; empty if it does neither.
 std::optional<double> timeOfCrossing(const SweptShape& wall, const SweptShape& moving) {
     const double deep = std::min(deepShare * inradiusOf(*moving.shape), deepest);
     const double start =
         distance(*wall.shape, poseAt(wall.sweep, 0), *moving.shape, poseAt(moving.sweep, 0)).separation;
-    // What is deeper already, as under a heavy load, goes no deeper.
+    // A body that is deeper already at the start, as under a heavy load, is stopped if it goes deeper.
     const std::optional<double> crossed = timeOfApproach(wall, moving, std::min(skin - deep, start - noticeable), 0);
     return crossed && start > skin ? timeOfApproach(wall, moving, skin, 0) : crossed;
 }
 
-/// The same of two that are far from each other outside of a part of their ways: the search is as long as that.
+/// The same for two shapes that are near each other only in a part of their sweeps: only that part is searched.
 std::optional<double> timeOfCrossingIn(const RayPart& part, SweptShape wall, SweptShape moving) {
     if (part.first <= 0 && part.last >= 1) return timeOfCrossing(wall, moving);
     if (!(part.first <= part.last)) return std::nullopt;
@@ -44,13 +45,13 @@ std::optional<double> timeOfCrossingIn(const RayPart& part, SweptShape wall, Swe
     return time ? std::optional(part.first + (part.last - part.first) * *time) : std::nullopt;
 }
 
-/// A body's way as seen from a wall.
+/// A body's motion relative to a wall.
 struct Passage {
-    Vec2 from{0, 0}, to{0, 0};  ///< of its centre, in the wall's frame [m]
-    double bend = 0;            ///< no farther than this off the straight line between the two [m]
-    double turn = 0;            ///< [rad]
+    Vec2 from{0, 0}, to{0, 0};  ///< places of the body's centre, in the wall's frame [m]
+    double bend = 0;            ///< upper bound on its path's distance from the straight line between them [m]
+    double turn = 0;            ///< relative rotation [rad]
 
-    /// No point of the body's outline has moved farther than this [m].
+    /// An upper bound on how far a point of the body's outline has moved [m].
     double travel(const BodyRecord& body) const {
         return (to - from).norm() + bend + std::fabs(turn) * body.turningRadius;
     }
@@ -137,7 +138,7 @@ Verdict WallSearch::verdictOn(ProxyId own, ProxyId other, const Vec2& shift) con
     return verdict;
 }
 
-/// Asks the rules of what was not seen coming, where it meets the wall.
+/// Evaluates the rules where a shape meets the wall, for a pair without a verdict.
 bool WallSearch::isSolidAt(double time, const SweptShape& wall, const SweptShape& swept, ProxyId own,
                            ProxyId other) const {
     const Distance met = distance(*wall.shape, poseAt(wall.sweep, time), *swept.shape, poseAt(swept.sweep, time));
@@ -169,21 +170,21 @@ void WallSearch::meetAll(ProxyId other, const Vec2& shift, const RayPart& part) 
             meet(own, other, shift, part);
 }
 
-/// The part of the way on which the body may touch a shape's box.
+/// The part of the sweep in which the body may touch the bounds of another shape.
 RayPart WallSearch::partNear(ProxyId other, const Vec2& shift) const {
     const double boundingRadius = view_.bodies.record[body_].boundingRadius;
     const Aabb box = inflate(view_.space.box(other), boundingRadius * (1 + 1e-6) + skin);
     return clipRay(way_.start, way_.start + way_.shift, {box.lower + shift, box.upper + shift});
 }
 
-/// Is the way longer than a world that wraps?
+/// Is the sweep longer than a period of a world that wraps?
 bool WallSearch::goesRound() const {
     const Wrap& wrap = view_.bodies.wrap;
     return (wrap.width && std::fabs(way_.shift.x()) > *wrap.width) ||
            (wrap.height && std::fabs(way_.shift.y()) > *wrap.height);
 }
 
-/// Then what lies on the way is met in its order, and, of more than 64 rounds, on the first 64.
+/// The search for such a sweep: shapes are checked in the order along the path, through at most 64 periods.
 void WallSearch::meetAround(FunctionRef<bool(const Proxy&)> wanted) {
     const Wrap& wrap = view_.bodies.wrap;
     double part = 1;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Which wall has a body gone through first on its way through a part of the step?
+// Which wall has a body gone through first, during a part of the step?
 //
-// A wall is anything static or kinematic. A body has gone through it when it has crossed it, or is so deep in it that
-// the way out is on the wrong side.
+// A wall is any static or kinematic body. A body has gone through it if it has crossed it, or if it is so deep in it
+// that the way out is on the wrong side.
 #pragma once
 #include <optional>
 
@@ -12,7 +12,7 @@
 
 namespace plumb {
 
-/// What the search reads.
+/// The stores that the search reads.
 struct WallView {
     const BodyStore& bodies;
     const ContactStore& contacts;
@@ -21,10 +21,10 @@ struct WallView {
 
 /// Where a body has met a wall.
 struct WallHit {
-    double time = 0;  ///< as a share of its way [-]
+    double time = 0;  ///< as a share of the sweep, 0 to 1 [-]
     BodyIndex wall = noBody;
     Sweep wallWay;
-    Vec2 shift{0, 0};  ///< of the wall, in a world that wraps [m]
+    Vec2 shift{0, 0};  ///< to the wall's periodic image that was met, in a world that wraps [m]
 };
 
 class WallSearch {
@@ -35,12 +35,13 @@ public:
 
     const std::optional<WallHit>& first() const { return first_; }
 
-    /// Each looks at more walls: that of a contact, all that is static, all that is kinematic.
+    /// Each call searches more walls: the wall of a contact, all static bodies, all kinematic bodies.
     void searchContact(ContactIndex contact);
     void searchStatic();
     void searchKinematic();
 
-    /// Is the body still in the bounds for which its contacts were made? Not if it was pushed or deflected.
+    /// Is the body still within the bounds for which its contacts were made? It may not be, if it was pushed or
+    /// deflected.
     bool isWithinBounds() const;
 
 private:
@@ -60,7 +61,7 @@ private:
     std::optional<WallHit> first_;
 };
 
-/// A wall's way, and how it is turned at both ends.
+/// A wall's sweep, and the rotations into its frame at both ends.
 struct WallWay {
     Sweep sweep;
     Rot toWallBefore, toWallAfter;
@@ -71,7 +72,7 @@ struct WallWay {
           toWallAfter(w.turn == 0 ? toWallBefore : Rot::fromAngle(w.angle + w.turn).inverse()) {}
 };
 
-/// May a body on a way have gone through a shape of a wall?
+/// May a body with this sweep have gone through this shape of a wall? A fast test with bounds only.
 bool mayCross(const WallWay& wall, const Sweep& way, const Shape& face, const BodyRecord& body);
 
 }  // namespace plumb

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Which bodies are in one island with a body: connected with it by contacts and joints?
+// Which bodies are connected with a body by a touching contact or a joint, and so are in the same island?
 #pragma once
 #include <plumb/dynamics/contacts/contact_store.h>
 #include <plumb/dynamics/joints/joint_bodies.h>
 
 namespace plumb {
 
-/// Calls visit(other) for each dynamic body that touches or is joined to this one.
+/// Calls visit(other) for each dynamic body that touches this one or is joined to it; possibly more than once.
 template <class Visit>
 void forEachNeighbour(const BodyStore& bodies, const ContactStore& contacts, const JointStore& joints, BodyIndex body,
                       Visit&& visit) {

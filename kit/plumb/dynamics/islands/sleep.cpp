@@ -11,7 +11,7 @@ namespace plumb {
 
 namespace {
 
-/// Does something that moves by itself press or pull on the body?
+/// Does an awake kinematic body touch this body, or is it joined to it?
 bool isDriven(const SleepStores& stores, BodyIndex body) {
     const BodyStore& bodies = stores.bodies;
     const auto drives = [&](BodyIndex other) {
@@ -32,15 +32,15 @@ bool isStill(const SleepStores& stores, const SolverSettings& settings, BodyInde
     const BodyRecord& record = bodies.record[body];
     const BodyMotion& motion = bodies.motion[body];
     const double speed = motion.velocity.norm() + std::fabs(motion.angularVelocity) * record.boundingRadius;
-    // What nothing holds drifts on however slowly: only a body that is pushed upon may be stopped.
+    // A body without contacts or joints drifts on, however slowly; only a body that the solver moves may be stopped.
     if (!bodies.isMovedBy(body, MovedBy::Solver)) return speed == 0;
-    // What is being pushed or pulled into place has no velocity of its own, but it moves.
+    // A body that position correction pushes has no velocity from that, but it moves.
     const SolverDisplacement& moved = bodies.displacement[body];
     const double shift = std::hypot(static_cast<double>(moved.x), static_cast<double>(moved.y));
     return std::max(speed, shift / bodies.lastStep) < settings.sleepSpeed && !isDriven(stores, body);
 }
 
-/// Has any body been still for long enough?
+/// Counts the time that each body has been still. Returns whether any has been still for long enough.
 bool countStillness(const SleepStores& stores, const SolverSettings& settings, double dt) {
     bool anyReady = false;
     for (const BodyIndex body : stores.bodies.awake) {
@@ -67,7 +67,7 @@ std::vector<BodyIndex> islandOf(const SleepStores& stores, BodyIndex seed, std::
 
 void putContactToSleep(const SleepStores& stores, BodyIndex body, ContactIndex index) {
     ContactRecord& contact = stores.contacts[index];
-    if (stores.bodies.record[otherOf(contact, body)].awake) {  // collided as long as that is, but not solved
+    if (stores.bodies.record[otherOf(contact, body)].awake) {  // it is collided until that one sleeps, but not solved
         if (contact.isSolved()) renewContact(stores.graph, stores.contacts, stores.bodies, index);
         return;
     }

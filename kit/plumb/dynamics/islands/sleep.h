@@ -10,7 +10,7 @@
 
 namespace plumb {
 
-/// What putting to sleep reads and writes.
+/// The stores that putting bodies to sleep reads and writes.
 struct SleepStores {
     BodyStore& bodies;
     ContactGraph& graph;
@@ -19,10 +19,11 @@ struct SleepStores {
     Space& space;
 };
 
-/// Puts a body to sleep with all that touches it or is joined to it, and so on; not what something moves that is awake.
+/// Puts a body and its whole island to sleep: all bodies connected with it by contacts and joints. Does nothing if an
+/// awake kinematic body touches the island or is joined to it. A body that is not dynamic is put to sleep alone.
 void sleepIsland(const SleepStores& stores, BodyIndex body);
-/// Counts how long each body has been still, and puts to sleep the islands in which all have been for long enough.
-/// Returns their bodies.
+/// Counts how long each body has been still, and puts those islands to sleep in which all bodies have been still for
+/// long enough. Returns the bodies that fell asleep.
 std::vector<BodyIndex> sleepIslands(const SleepStores& stores, const SolverSettings& settings, double dt);
 
 }  // namespace plumb

@@ -15,7 +15,8 @@ void wakeOne(BodyStore& bodies, ContactStore& contacts, JointStore& joints, Body
     }
     bodies.wake(body);
     loadBody(bodies, body, bodies.lastStep);
-    // Its bounds stay until the next step: a pair whose bounds part within a step, and meet again, would be lost.
+    // Its bounds stay the same until the next step: if the bounds of a pair parted and met again within a step, the
+    // pair would be lost.
     bodies.step[body].boundsPending = true;
     joints.changed = joints.changed || !bodies.links[body].joints.empty();
     forEachContact(bodies, contacts, body, [&](ContactIndex contact) { contacts.addNear(contact); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which bodies wake when one does?
+// Which bodies wake up together with a body?
 #pragma once
 #include <span>
 #include <vector>
@@ -9,11 +9,13 @@
 
 namespace plumb {
 
-/// Wakes a body and all that it touches or is joined to, and so on. Does nothing to what cannot move.
+/// Wakes a body and its whole island: all bodies connected with it by contacts and joints. Does nothing if the body
+/// cannot move.
 void wakeIsland(BodyStore& bodies, ContactStore& contacts, JointStore& joints, BodyIndex body);
-/// The same for the bodies that a phase of the step has named, in their order. Here alone a step wakes bodies.
+/// The same for the bodies that a phase of the step has returned, in their order. During a step, only this function
+/// wakes bodies.
 void wakeIslands(BodyStore& bodies, ContactStore& contacts, JointStore& joints, std::span<const BodyIndex> named);
-/// Wakes whatever touches a body or is joined to it, before it changes or goes.
+/// Wakes all bodies that touch a body or are joined to it. Call this before the body changes or is removed.
 void wakeNeighbours(BodyStore& bodies, ContactStore& contacts, JointStore& joints, BodyIndex body);
 
 }  // namespace plumb

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which code does a step run, of those for 1, 4, 8 and 16 lanes? The widest that the machine can, and that has no more
-// lanes than asked for.
+// Which code does a step run: that for 1, 4, 8 or 16 lanes? The widest that the machine supports and that has no more
+// lanes than requested.
 #include <plumb/dynamics/lanes/lanes_wide.h>
 #include <plumb/math/detail/for_lanes.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which templates over the number of lanes are there?
+// Which templates have the number of lanes as their parameter?
 #pragma once
 #include <plumb/dynamics/contacts/lanes/contact_solver_wide.h>
 #include <plumb/dynamics/contacts/lanes/lane_collider_wide.h>

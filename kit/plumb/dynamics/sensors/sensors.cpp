@@ -46,7 +46,7 @@ Sweep shifted(Sweep way, const Vec2& shift) {
     return way;
 }
 
-/// Straight from where a body was loaded at the step's start to where it is now.
+/// The straight sweep from a body's place at the step's start to its present place.
 Sweep chordOf(const BodyStore& bodies, BodyIndex body) {
     const BodyPlace& place = bodies.place[body];
     const BodyMotion& now = bodies.motion[body];
@@ -62,14 +62,14 @@ Sweep chordOf(const BodyStore& bodies, BodyIndex body) {
     return way;
 }
 
-/// Do the two meet on their ways?
+/// Do the two shapes meet during their sweeps?
 bool meet(const Proxy& sensor, const Sweep& sensorWay, const Proxy& visitor, const Sweep& visitorWay) {
     const Shape& shape = visitor.def.shape;
     const SweptShape swept{&shape, visitorWay, turningRadiusOf(shape, visitorWay.localCenter)};
     return timeOfApproach({&sensor.def.shape, sensorWay, 0}, swept, 0, 0).has_value();
 }
 
-/// No farther than this can the two have been moved against each other [m].
+/// An upper bound on how far the two shapes have moved relative to each other [m].
 double travelOf(const Sweep& sensor, const Sweep& visitor, const Shape& shape) {
     const Vec2 apart = visitor.start - sensor.start, shift = visitor.shift - sensor.shift;
     const double reach = turningRadiusOf(shape, visitor.localCenter);
@@ -77,14 +77,15 @@ double travelOf(const Sweep& sensor, const Sweep& visitor, const Shape& shape) {
            std::fabs(sensor.turn) * (apart.norm() + shift.norm() + reach);
 }
 
-/// Looks at one pair after the other.
+/// Checks the pairs one after the other.
 class SensorSearch {
 public:
     SensorSearch(SensorStore& sensors, const BodyStore& bodies, const Space& space, const Trajectories& trajectories,
                  double dt)
         : sensors_(sensors), bodies_(bodies), space_(space), trajectories_(trajectories), dt_(dt) {}
 
-    /// False for a pair that is to be forgotten. What has only passed through is noted.
+    /// Updates whether the visitor is inside. Adds to passed if it has only passed through. False if the pair is no
+    /// longer near and must be removed.
     bool search(SensorPair& pair) {
         if (!pair.fresh && !isAwake(pair.sensor) && !isAwake(pair.visitor)) return true;
         const bool near = space_.boxesOverlap(pair.sensor, pair.visitor, pair.shift);
@@ -107,7 +108,7 @@ public:
     std::vector<SensorBegin> passed;
 
 private:
-    /// Has what is outside now been inside on its way through the step?
+    /// Has a visitor that is outside now been inside during the step?
     bool hasPassed(const SensorPair& pair, double separation) const {
         const Proxy& sensor = space_[pair.sensor];
         const Proxy& visitor = space_[pair.visitor];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What has come into a sensor in this step, and what has left one?
+// Which shapes have entered a sensor in this step, and which ones have left one?
 #pragma once
 #include <plumb/broad/pair.h>
 #include <plumb/dynamics/bodies/free_motion.h>
@@ -9,27 +9,28 @@
 
 namespace plumb {
 
-/// A sensor, or a piece of one, and a shape whose boxes overlap.
+/// A sensor, or a piece of one, and another shape, the visitor, whose bounds overlap.
 struct SensorPair {
     ProxyId sensor = 0, visitor = 0;
-    Vec2 shift{0, 0};  ///< so many rounds of the world bring the visitor to the sensor [m]
+    Vec2 shift{0, 0};  ///< whole periods of the world that bring the visitor near the sensor [m]
     bool inside = false;
-    bool fresh = true;  ///< never looked at
+    bool fresh = true;  ///< not checked yet
 };
 
 struct SensorStore {
     std::vector<SensorPair> pairs;
-    std::vector<SensorBegin> inside;  ///< sorted, each once, however many pieces overlap
+    std::vector<SensorBegin> inside;  ///< sorted; a visit is in it once, even if several pieces overlap
     bool changed = false;             ///< inside may be out of date
     std::vector<SensorBegin> begins;
     std::vector<SensorEnd> ends;
 };
 
-/// Of two shapes of which one is a sensor, and whose bounds have come to overlap; shift: of the second [m].
+/// Adds a pair of two shapes whose bounds overlap and of which one is a sensor; shift belongs to the second [m].
 void addSensorPair(SensorStore& sensors, const Space& space, const Pair& pair, const Vec2& shift);
-/// Forgets what a shape is near. An end event follows from the next step, unless it is found there again.
+/// Removes all pairs of a shape. The next step makes the end events, unless it finds the pairs again.
 void removeSensorPairs(SensorStore& sensors, ProxyId proxy);
-/// To be called when all bodies have their new places. Looks at pairs of which a body is awake, and at new ones.
+/// Finds the begin and end events of a step. Call this when all bodies have their new places. It checks new pairs, and
+/// pairs with an awake body.
 void watchSensors(SensorStore& sensors, const BodyStore& bodies, const Space& space, const Trajectories& trajectories,
                   double dt);
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Where do two boxes touch, W pairs at a time?
+// Where do two boxes touch, for W pairs at a time?
 //
-// The manifold of collide/manifold.h for boxes without rounding, which it agrees with: the separating axis with the
-// least overlap gives the reference face (A's, where both do equally well), the other's face that looks against it is
-// cut to its length; apart corner to corner, the line between the corners is the normal.
+// The result agrees with the manifold of collide/manifold.h for boxes without rounding. The separating axis with the
+// least overlap gives the reference face (A's face, if both boxes are equally good). The incident face, which is the
+// other box's face that faces it, is clipped to its length. If the nearest features are two corners, the line between
+// them is the normal.
 // Test: "boxes side by side have the manifolds that they have one by one"
 #pragma once
 #include <plumb/dynamics/bodies/relative_lanes.h>
@@ -17,8 +18,8 @@ struct BoxCollider {
     using I = typename Wide<W>::Int;
     using M = typename Wide<W>::Mask;
 
-    static constexpr float favour = 1e-4f;    ///< how much better B's face must be, of the smaller box's size
-    static constexpr float facing = 0.9999f;  ///< cosine within which two faces look at each other
+    static constexpr float favour = 1e-4f;    ///< B's face must be better by this share of the smaller box's size
+    static constexpr float facing = 0.9999f;  ///< faces count as parallel if the cosine of their angle is larger
     static constexpr float rounding = 8 * 1.1920929e-7f;
     static constexpr int edgeBit = 0x80;  ///< features as in collide/detail/feature.h
 
@@ -26,18 +27,19 @@ struct BoxCollider {
     static I whole(int value) { return I{} + value; }
     static F at(const float* lanes) { return loadLanes<W>(lanes); }
 
-    /// Half sizes and relative place, as the reference box sees them.
+    /// Half sizes and relative place in the frame of the reference box.
     struct View {
         M useB;
-        F hx, hy, ihx, ihy;  ///< half sizes of reference and incident box
-        F px, py;            ///< from the reference box's centre to the incident one's
-        F sin;               ///< of the incident box's angle against the reference; the cosine is the same either way
-        M usesX;             ///< the reference face is one across x
-        F separation;        ///< along the best axis of both
-        F noise, slack;      ///< lengths below which all is rounding, and below which nothing makes a difference
+        F hx, hy, ihx, ihy;  ///< half sizes of the reference box and of the incident box [m]
+        F px, py;            ///< from the reference box's centre to the incident box's centre [m]
+        F sin;               ///< of the incident box's angle relative to the reference; the cosine needs no sign change
+        M usesX;             ///< the reference face is perpendicular to x
+        F separation;        ///< along the best axis of both boxes [m]
+        F noise, slack;      ///< lengths below noise are rounding errors; those below slack make no difference [m]
     };
 
-    /// The reference face: normal n, tangent t = perp(n), and the incident edge's ends in that frame, from the face.
+    /// The reference face with normal n and tangent t = perp(n), and the ends of the incident edge in that frame,
+    /// measured from the face.
     struct Faces {
         F nx, ny, hn, ht;
         F lowT, lowN, highT, highN;
@@ -50,11 +52,11 @@ struct BoxCollider {
     };
 
     struct Result {
-        F normalN, normalT;  ///< of the manifold, in the reference face's frame
+        F normalN, normalT;  ///< the manifold's normal, in the reference face's frame
         Point points[2];
-        M two;
-        M corner;
-        F length;  ///< of the stretch that the faces share
+        M two;     ///< there are two points
+        M corner;  ///< the nearest features are two corners
+        F length;  ///< length of the part that the faces share [m]
     };
 
     static View view(const RelativeLanes<W>& r, const PairLanes& m, int lane) {
@@ -95,7 +97,7 @@ struct BoxCollider {
         return v;
     }
 
-    /// Edges and corners are counted as boxPolygon() does: from the lower left corner, against the clock.
+    /// Edges and corners are numbered as in boxPolygon(): counterclockwise from the lower left corner.
     static I edgeIndex(M usesX, M negative) {
         const I acrossX = negative ? whole(3) : whole(1);
         const I acrossY = negative ? whole(0) : whole(2);
@@ -138,7 +140,8 @@ struct BoxCollider {
 
     static F beyond(F t, F end) { return t - larger(smaller(t, end), -end); }
 
-    /// An end that is cut off is named after the corner of the reference face that cuts it.
+    /// The feature of an end of the incident edge. If the reference face clips it, this holds the clipping corner of
+    /// the reference face and the incident edge, else the reference edge and the incident corner.
     static I nameOf(const View& v, const Faces& f, F cut, I referenceCorner, I incidentCorner) {
         const M cuts = cut > v.slack;
         const I edge = f.edge | whole(edgeBit), incidentEdge = f.incidentEdge | whole(edgeBit);
@@ -199,11 +202,12 @@ struct BoxCollider {
         return result;
     }
 
-    /// A's frame, from its centre of mass.
+    /// Transforms directions and points from the reference box's frame to A's frame, with its origin in A's centre of
+    /// mass.
     struct ToA {
         const RelativeLanes<W>& r;
         M useB;
-        F cx, cy;  ///< of the reference box in its body's frame
+        F cx, cy;  ///< centre of the reference box in its body's frame [m]
         void turn(F& x, F& y) const {
             const F tx = r.cos * x - r.sin * y, ty = r.sin * x + r.cos * y;
             x = useB ? tx : x;
@@ -218,8 +222,8 @@ struct BoxCollider {
         }
     };
 
-    /// What cannot come together along the normal in this step will not touch in it. And where the faces stay before
-    /// each other for all the step, they meet as they stand now; else it takes a closer look.
+    /// A pair that cannot meet along the normal in this step gets no points. If the faces stay opposite each other
+    /// during the whole step, their present manifold is right; otherwise a distant pair is marked as uncertain.
     static void classify(const RelativeLanes<W>& r, const Result& result, F normalX, F normalY, F nearest, I count,
                          int lane, FreshLanes& fresh) {
         const F worldX = r.cosA * normalX - r.sinA * normalY, worldY = r.sinA * normalX + r.cosA * normalY;

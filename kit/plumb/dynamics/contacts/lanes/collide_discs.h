@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Where does a disc touch a disc, or a box with or without a radius around it, W pairs at a time?
+// Where does a disc touch a disc, or a box with or without a rounding radius, for W pairs at a time?
 //
-// The manifold of collide/manifold.h, which it agrees with: one point, on the line from the disc's centre to the
-// nearest point of the box; from inside, through the nearest face. A disc is a box without extent. Test: "discs side by
-// side have the manifolds that they have one by one"
+// The result agrees with the manifold of collide/manifold.h: one point, on the line from the disc's centre to the
+// nearest point of the box. If the centre is inside the box, the normal goes through the nearest face. A second disc is
+// a box with half sizes 0 and a rounding radius.
+// Test: "discs side by side have the manifolds that they have one by one"
 #pragma once
 #include <plumb/dynamics/bodies/relative_lanes.h>
 #include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
@@ -19,12 +20,12 @@ struct DiscCollider {
     static F all(float value) { return F{} + value; }
     static F at(const float* lanes) { return loadLanes<W>(lanes); }
 
-    /// The disc's centre as seen from the box's, in the box's frame.
+    /// The disc's centre relative to the box's centre, in the box's frame, and the box's half sizes [m].
     struct View {
         F px, py, hx, hy;
     };
 
-    /// From the box's core to the disc's centre.
+    /// Direction and distance from the box, without its rounding, to the disc's centre; negative inside [m].
     struct Nearest {
         F nx, ny, distance;
     };
@@ -49,7 +50,7 @@ struct DiscCollider {
     }
 
     static Nearest nearest(const View& v) {
-        constexpr float squaresUnderflow = 1e-18f;  // closer than this is inside
+        constexpr float squaresUnderflow = 1e-18f;  // a centre nearer than this counts as inside
         const F dx = v.px - within(v.px, v.hx), dy = v.py - within(v.py, v.hy);
         const F distance = squareRoot<W>(dx * dx + dy * dy);
         const M outside = distance > all(squaresUnderflow);
@@ -64,7 +65,8 @@ struct DiscCollider {
         return n;
     }
 
-    /// As BoxCollider does: what cannot come together in this step will not touch in it; what may takes a closer look.
+    /// As in BoxCollider: a pair that cannot meet along the normal in this step gets no points; a distant pair that may
+    /// meet is marked as uncertain.
     static void classify(const RelativeLanes<W>& r, F normalX, F normalY, F separation, int lane, FreshLanes& fresh) {
         const F worldX = r.cosA * normalX - r.sinA * normalY, worldY = r.sinA * normalX + r.cosA * normalY;
         const F closing = r.turn - (r.shiftX * worldX + r.shiftY * worldY);
@@ -88,7 +90,7 @@ struct DiscCollider {
         const F radiusA = at(m.radiusA + lane), radiusB = at(m.radiusB + lane);
         const F separation = n.distance - radiusA - radiusB;
         const F round = boxIsB ? radiusB : radiusA;
-        const F way = (round + separation * 0.5f) - n.distance;  // from the disc's centre to half way between surfaces
+        const F way = (round + separation * 0.5f) - n.distance;  // from the disc's centre to half-way between surfaces
         const F ownX = v.px + n.nx * way, ownY = v.py + n.ny * way;
         const F x = ownX + (boxIsB ? at(m.centerXB + lane) : at(m.centerXA + lane));
         const F y = ownY + (boxIsB ? at(m.centerYB + lane) : at(m.centerYA + lane));

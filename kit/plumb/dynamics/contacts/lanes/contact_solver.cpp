@@ -7,7 +7,7 @@ namespace plumb {
 
 namespace {
 
-/// One lane's two bodies, on the way between memory and the formulas.
+/// The two bodies of one lane, and the contact's normal.
 struct Couple {
     SolverVelocity a, b;
     float nx, ny;
@@ -59,8 +59,9 @@ void twist(Couple& c, const ContactBatch& batch, std::size_t lane, float impulse
     c.b.w += c.b.inverseMass * (batch.rollInverseGyrationB[lane] * impulse);
 }
 
-/// s = s0 + n.(dB - dA) + (n.r)(c - 1) - (t.r) sin for B, less the same for A, r to the core: as a disc rolls, its
-/// lowest point is ever another one, and only its centre is to be followed.
+/// s = s0 + n.(dB - dA) + (n.r)(c - 1) - (t.r) sin for B, minus the same for A. Here r reaches only to the shape
+/// without its rounding: while a disc rolls, its lowest point is always a different one, so only its centre's motion
+/// counts.
 float separationNow(const ContactBatch& batch, const PointLanes& p, std::size_t lane,
                     const SolverDisplacement* displacement) {
     const SolverDisplacement& a = displacement[batch.bodyA[lane]];
@@ -73,7 +74,7 @@ float separationNow(const ContactBatch& batch, const PointLanes& p, std::size_t 
     return p.startSeparation[lane] + (shift + (turnB - turnA));
 }
 
-/// What has been given in the first half of the sub-step, and the second may take back; 0 in the first half.
+/// The impulses of the first half of the sub-step, which the second half may take back; 0 during the first half.
 struct Given {
     float normal[2] = {0, 0}, tangent[2] = {0, 0};
     float roll = 0;
@@ -85,7 +86,7 @@ void setNormal(Couple& c, PointLanes& p, std::size_t lane, float now) {
     pushNormal(c, p, lane, change);
 }
 
-/// Both halves together stay within the cone: mu times the normal impulse of both.
+/// Friction of both halves together is limited to mu times the normal impulse of both (Coulomb's cone).
 void solveFriction(Couple& c, const ContactBatch& batch, PointLanes& p, std::size_t lane, float normalBefore,
                    float before) {
     const float old = p.tangentImpulse[lane];
@@ -97,7 +98,7 @@ void solveFriction(Couple& c, const ContactBatch& batch, PointLanes& p, std::siz
     pushTangent(c, p, lane, now - old);
 }
 
-/// A torque against rolling on each other, up to its reach times the normal impulse.
+/// A torque against rolling on each other, limited to rollReach times the normal impulse.
 void solveRolling(Couple& c, ContactBatch& batch, std::size_t lane, const Given& given) {
     const float old = batch.rollImpulse[lane];
     const float normal = (given.normal[0] + batch.points[0].normalImpulse[lane]) +
@@ -110,7 +111,7 @@ void solveRolling(Couple& c, ContactBatch& batch, std::size_t lane, const Given&
     twist(c, batch, lane, now - old);
 }
 
-/// Friction comes second, so that even a contact's first sub-step has its normal force to go by.
+/// Friction is solved after the normal impulses, so that their limit is known even in a contact's first sub-step.
 void solveAlong(Couple& c, ContactBatch& batch, std::size_t lane, const Given& given) {
     for (int i = 0; i < 2; ++i) solveFriction(c, batch, batch.points[i], lane, given.normal[i], given.tangent[i]);
     if (batch.hasRollingResistance) solveRolling(c, batch, lane, given);
@@ -163,7 +164,7 @@ void solve(ContactBatch* batches, std::size_t count, const SolverBodies& bodies,
 void relax(ContactBatch* batches, std::size_t count, const SolverBodies& bodies, const ContactPass& pass) {
     forEachLane(batches, count, [&](ContactBatch& batch, std::size_t lane) {
         Couple couple = load(batch, lane, bodies.velocity);
-        Given given;  // the impulses are still those of the solve, given a second time as a first guess
+        Given given;  // the impulses of solve, which are applied a second time as a first guess
         given.roll = batch.hasRollingResistance ? batch.rollImpulse[lane] : 0.0f;
         for (int i = 0; i < 2; ++i) {
             PointLanes& p = batch.points[i];

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// What do contacts do to velocities?
+// How do contacts change the velocities of bodies?
 //
-// A point of contact with normal n (from A to B), tangent t = perp(n), anchors r in the contact's frame times rho:
+// For a contact point with normal n (from A to B), tangent t = perp(n), and anchors r: components along n and t, times
+// rho, the inverse of the body's radius of gyration; w = omega / rho:
 //   vn = n.(vB - vA) - rtB wB + rtA wA          speed at which it opens
 //   vt = t.(vB - vA) + rnB wB - rnA wA + belt   speed at which B's surface slides along t
 //   1/kn = mA (1 + rtA^2) + mB (1 + rtB^2)      effective inverse mass (mA, mB inverse masses), kt with rn
 //   s = s0 + n.(dB - dA) + rotation terms       separation after the displacements dA, dB
-// Solve pushes vn to at least -s/h, so that the points just meet, or, once they overlap, apart at the soft rate; relax
-// takes that push out of the velocity again. Friction is held to mu times the normal impulse, a torque against rolling
-// to its reach times that.
+// v velocity [m/s], belt surfaceSpeed [m/s], s0 separation at the step's start [m], h sub-step [s], mu friction [-]
+// solve makes vn at least -s/h, so that the points just meet; if they overlap, it pushes them apart at the soft rate.
+// relax removes this push from the velocity again. Friction is limited to mu times the normal impulse, and the torque
+// against rolling to rollReach times the normal impulse.
 // Source: Catto, "Iterative dynamics with temporal coherence", GDC 2005, and "Solver2D", 2024.
 #pragma once
 #include <cstddef>
@@ -22,22 +24,22 @@ namespace plumb {
 struct ContactPass {
     float inverseStep = 0;  ///< 1/h [1/s]
     Softness soft;
-    float pushSpeed = 0;  ///< the fastest that overlap is pushed out [m/s]
+    float pushSpeed = 0;  ///< the highest speed at which overlap is pushed out [m/s]
 };
 
-/// The same four functions for each number of lanes, with the same results to the last bit.
+/// Four functions, with results that are equal to the last bit for each number of lanes.
 struct ContactSolver {
-    /// Adds the impulses of the last step to what each body is given at every half sub-step.
+    /// Adds the velocity changes by the last step's impulses to SolverBodies.warm, which every half sub-step applies.
     void (*gatherWarmStart)(const ContactBatch* batches, std::size_t count, const SolverBodies& bodies);
-    /// With the push out of overlap; separations as they stand.
+    /// Solves with the push out of overlap, at the stored separations.
     void (*solve)(ContactBatch* batches, std::size_t count, const SolverBodies& bodies, const ContactPass& pass);
-    /// Without it, at separations computed anew from the displacements.
+    /// Solves without that push, at separations that are computed again from the displacements.
     void (*relax)(ContactBatch* batches, std::size_t count, const SolverBodies& bodies, const ContactPass& pass);
-    /// At the step's end: what came fast enough leaves at its share of the speed.
+    /// At the step's end: makes the points part at their bounceSpeed, if they have given an impulse in this step.
     void (*bounce)(ContactBatch* batches, std::size_t count, const SolverBodies& bodies);
 };
 
-/// One lane after the other: the reference, short enough to teach from.
+/// Solves one lane after the other: the reference, short enough for teaching.
 extern const ContactSolver scalarContactSolver;
 
 template <int W>
@@ -45,7 +47,7 @@ struct WideContactSolver {
     static const ContactSolver code;
 };
 
-/// For at most so many lanes, as the machine can.
+/// The solver for the largest number of lanes that the machine supports, at most `lanes`.
 const ContactSolver& contactSolver(int lanes);
 
 }  // namespace plumb

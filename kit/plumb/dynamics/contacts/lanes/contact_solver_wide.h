@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How are W lanes of contacts solved by one operation each? The scalar solver's text, a float there being W floats
-// here.
+// How are W lanes of contacts solved with vector operations? The formulas are those of the scalar solver
+// (contact_solver.cpp); each float there is a vector of W floats here.
 #pragma once
 #include <plumb/dynamics/contacts/lanes/contact_solver.h>
 #include <plumb/math/detail/wide_ops.h>
@@ -18,7 +18,7 @@ struct WideContacts {
     static const float* rows(const SolverVelocity* v) { return &v->x; }
     static float* rows(SolverVelocity* v) { return &v->x; }
 
-    /// W lanes' two bodies, on the way between memory and the formulas.
+    /// The two bodies of W lanes, and the contacts' normals.
     struct Couple {
         Bodies a, b;
         F nx, ny;
@@ -35,7 +35,7 @@ struct WideContacts {
         storeRows<W>(rows(velocity), batch.bodyB + lane, c.b);
     }
 
-    /// A point's anchors.
+    /// The anchors of a point.
     struct Arms {
         F normalA, tangentA, normalB, tangentB;
     };
@@ -85,7 +85,7 @@ struct WideContacts {
         return at(p.startSeparation + lane) + (shift + (turnB - turnA));
     }
 
-    /// What has been given in the first half of the sub-step, and the second may take back; 0 in the first half.
+    /// The impulses of the first half of the sub-step, which the second half may take back; 0 during the first half.
     struct Given {
         F normal[2], tangent[2], roll;
     };

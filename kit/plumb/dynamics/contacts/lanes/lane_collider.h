@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which code finds and prepares the contacts of a whole batch? The same text for each number of lanes.
+// Which functions collide and prepare the contacts of a whole batch? The same templates for each number of lanes.
 #pragma once
 #include <plumb/dynamics/bodies/solver_body.h>
 #include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
@@ -7,11 +7,11 @@
 namespace plumb {
 
 struct LaneCollider {
-    /// Where boxes touch, taken with their radii as boxes without.
+    /// Finds where boxes touch. A box with a rounding radius is treated as a box that is larger by the radius.
     void (*collideBoxes)(const PairLanes& pairs, const BodyPlace* places, FreshLanes& fresh);
-    /// Where discs touch; lanes without a disc are filled with anything.
+    /// Finds where discs touch discs or boxes. The results in lanes without a disc have no meaning.
     void (*collideDiscs)(const PairLanes& pairs, const BodyPlace* places, FreshLanes& fresh);
-    /// Takes fresh manifolds into the batch.
+    /// Copies new manifolds into the batch and computes what the solver needs for the step.
     void (*prepare)(ContactBatch& batch, ManifoldLanes& manifolds, const BodyPlace* places,
                     const SolverVelocity* velocity, const FreshLanes& fresh, float inverseStep);
 };
@@ -21,7 +21,7 @@ struct WideLaneCollider {
     static const LaneCollider code;
 };
 
-/// For at most so many lanes, as the machine can.
+/// The functions for the largest number of lanes that the machine supports, at most `lanes`.
 const LaneCollider& laneCollider(int lanes);
 
 }  // namespace plumb

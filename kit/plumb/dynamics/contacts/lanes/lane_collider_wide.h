@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does a batch go through W lanes at a time?
+// How is a batch collided and prepared, W lanes at a time?
 #pragma once
 #include <plumb/dynamics/contacts/lanes/collide_boxes.h>
 #include <plumb/dynamics/contacts/lanes/collide_discs.h>

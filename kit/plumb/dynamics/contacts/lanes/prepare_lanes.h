@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What does the solver need to know of fresh manifolds, W lanes at a time? Impulses follow their points into the new
-// manifold; anchors, effective masses and separations are worked out for the step.
+// What does the solver need from new manifolds, for W lanes at a time? Impulses move with their points into the new
+// manifold; anchors, effective masses and separations are computed for the step.
 #pragma once
 #include <plumb/dynamics/bodies/relative_lanes.h>
 #include <plumb/dynamics/bodies/solver_body.h>
@@ -14,16 +14,17 @@ struct LanePreparer {
     using I = typename Wide<W>::Int;
     using M = typename Wide<W>::Mask;
 
-    /// This near counts as just touching: what hits there is stopped hard, as what still has a gap is [m].
+    /// A point that overlaps by less than this counts as just touching: an impact there is solved as a hard contact,
+    /// like one with a gap, and not as a soft one [m].
     static constexpr float justTouching = 1e-5f;
-    /// What overlaps by more than this is no impact any more [m].
+    /// A point that overlaps by more than this and parts does not count as an impact [m].
     static constexpr float deep = 1e-4f;
 
     static F all(float value) { return F{} + value; }
     static I whole(int value) { return I{} + value; }
     static F at(const float* lanes) { return loadLanes<W>(lanes); }
 
-    /// Which point of the manifold before is which of these, found so far.
+    /// Which points of the new manifold continue which points of the old one, as far as found.
     struct Matches {
         M same[2][2];    ///< [p][q]: point p is the successor of the old point q
         M single[2];     ///< p has no predecessor
@@ -38,7 +39,7 @@ struct LanePreparer {
         }
     };
 
-    /// Are there a new point p and an old point q?
+    /// Do both the new point p and the old point q exist?
     static M bothThere(I count, I wasCount, int p, int q) {
         const M there = count > whole(p);
         const M was = wasCount > whole(q);
@@ -51,8 +52,9 @@ struct LanePreparer {
         return x * x + y * y < all(contactMargin * contactMargin);
     }
 
-    /// Those of the same features; and then, as where a box that sits almost flush on its like is cut by now the one's
-    /// corner and now the other's, those that were here and are nobody's yet.
+    /// First matches points with equal features. Then matches the remaining points that are near each other: if a box
+    /// lies almost flush on an equal box, the clipping corner belongs now to the one and now to the other, and the
+    /// features change with it.
     static Matches matches(const FreshLanes& fresh, const ManifoldLanes& was, int lane) {
         const I count = loadLanes<W>(fresh.count + lane), wasCount = loadLanes<W>(was.count + lane);
         const M yes = count == count;
@@ -94,8 +96,8 @@ struct LanePreparer {
         Rows<W> velocityA, velocityB;
         F inverseGyrationA, inverseGyrationB;
         F nx, ny;
-        F resting;  ///< approach at less than what half a step's acceleration gives is no impact [m/s]
-        F press;    ///< approach speed that their accelerations give in a step [m/s]
+        F resting;  ///< a slower approach is no impact: the speed gained by acceleration in half a step [m/s]
+        F press;    ///< approach speed gained by both accelerations in a step [m/s]
     };
 
     static Sides sides(const ContactBatch& batch, int lane, const BodyPlace* places, const SolverVelocity* velocity,
@@ -116,7 +118,8 @@ struct LanePreparer {
         return s;
     }
 
-    /// Would the point's bounce outlast the step, if it were alone? What overlaps and parts is for the solver.
+    /// Would the bounce of this point, if it were alone, last longer than the step? Points that overlap and part are
+    /// left to the solver.
     static M isClear(const Sides& s, F opening, F separation, F restitution, float inverseStep) {
         const F fall = larger(s.press * separation * inverseStep, F{});
         const F squared = opening * opening + 2 * fall;
@@ -127,7 +130,7 @@ struct LanePreparer {
         return pushed ? M{} : high;
     }
 
-    /// Fills a point's lanes; gives the speed at which it opens.
+    /// Fills the lanes of a point; returns the speed at which it opens [m/s].
     static F preparePoint(PointLanes& p, int lane, const Sides& s, F rax, F ray, F rbx, F rby, F separation,
                           F restitution, M present) {
         const F normalA = s.inverseGyrationA * (s.nx * rax + s.ny * ray),
