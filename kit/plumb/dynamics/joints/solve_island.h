@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How are all joints of an island solved at once?
 //
-// Joints that are connected through bodies form an island. One pass finds the change of velocity u and the impulses L
-// of
+// Joints that are connected through bodies form an island. One pass solves for velocity changes u and impulses L:
 //   M u - J^T L = 0,   J u + e L = r
 // M masses, J the rows, r the rows' missing change of speed, e a small compliance that keeps the system solvable when
 // rows are redundant. Each row is on the part of its curve (see joint_rows.h) that contains its solution; the parts are

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much energy and momentum does a world have, and where did the rest go?
+// How much energy and momentum does a world have, and what has changed them?
 #pragma once
 #include <plumb/dynamics/contacts/contact_graph.h>
 #include <plumb/dynamics/fields/field_store.h>
