@@ -27,8 +27,7 @@ public:
     JointDef def() const;  ///< as given or last set
     JointReaction reaction() const;
     JointCoordinate coordinate() const;
-    double error()
-        const;  ///< distance of the anchors from where the joint should hold them; joint_error_max uses it [m]
+    double error() const;  ///< distance of the anchors from where the joint should hold them; see joint_error_max [m]
     double angleError() const;  ///< angle of the bodies beyond what the joint allows [rad]
 
 protected:

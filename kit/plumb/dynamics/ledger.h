@@ -23,7 +23,8 @@ struct EnergyLedger {
     double impacts = 0;   ///< lost in collisions with a restitution below 1, and at joints' limits
     double damping = 0;   ///< of bodies and of joints' springs; drag, and the energy that wind and flow give
     double breaking = 0;  ///< energy of springs that broke
-    double solver = 0;  ///< all changes without a physical cause: overlap pushed out, gaps closed, finite steps, sleep
+    double solver =
+        0;  ///< all changes without a physical cause: overlap pushed out, gaps closed, finite steps, falling asleep
 
     double stored() const { return kinetic + gravitational + spring + fields; }
     double gained() const {

@@ -16,9 +16,8 @@ struct FieldRecord {
     bool alive = false;
     bool filters = false;  ///< its filter does not let in every body
     std::uint32_t generation = 0;
-    Aabb box;  ///< around its region: outside of it the field does not act [m]
-    std::vector<BodyIndex>
-        attracted;  ///< within a step: bodies that mutual gravity or a magnet may attract, by its filter
+    Aabb box;                          ///< around its region: outside of it the field does not act [m]
+    std::vector<BodyIndex> attracted;  ///< within a step: bodies that mutual gravity or a magnet may attract
 };
 
 /// The changes of a body's velocity and angular velocity by fields, by cause.

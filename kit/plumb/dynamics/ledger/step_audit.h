@@ -63,9 +63,8 @@ private:
     Account& account_;
     LedgerView view_;
     const BodyStore& bodies_;
-    std::vector<SolverVelocity>
-        start_;                 ///< velocities before the first impulse of the present half sub-step or of the bounces
-    std::vector<Given> given_;  ///< rows of joints, in this half sub-step
+    std::vector<SolverVelocity> start_;        ///< velocities before the present half sub-step or the bounces
+    std::vector<Given> given_;                 ///< rows of joints, in this half sub-step
     std::vector<FieldGiven> fieldsGiven_;      ///< kicks of fields, in this half sub-step
     std::vector<FieldAccount> fieldAccounts_;  ///< of each body, in this step
     std::vector<float> totals_;                ///< normal impulses of the contacts' points, before the bounces

@@ -143,8 +143,7 @@ double springEnergyOf(const SpringLoad& load) {
     }
     const double stretch = std::sqrt(squares);
     if (stiffness * stretch <= load.mostForce) return energy;
-    return load.mostForce *
-           (stretch - 0.5 * load.mostForce / stiffness);  // a spring whose force is limited to mostForce
+    return load.mostForce * (stretch - 0.5 * load.mostForce / stiffness);  // its force is limited to mostForce
 }
 
 double springEnergy(const JointStore& joints, const BodyStore& bodies) {
