@@ -12,7 +12,8 @@ namespace plumb {
 
 namespace {
 
-/// What a body needs after its velocity was changed from outside: to be awake exactly if it moves or can be moved.
+/// To be called after a body's velocity was changed by an edit: the body must be awake exactly if it moves or can be
+/// moved.
 void velocityChanged(WorldState& world, BodyIndex body) {
     if (world.bodies.isDynamic(body)) {
         wakeIsland(world, body);
@@ -29,7 +30,8 @@ void velocityChanged(WorldState& world, BodyIndex body) {
     wakeNeighbours(world, body);
 }
 
-/// Over the next step; noted once, so that forces at rest in a game that pauses cost nothing more.
+/// Adds a force over the next step. Each body is noted once only, so repeated calls while a game pauses take no more
+/// memory.
 void addForce(WorldState& world, BodyIndex body, const Vec2& force, double torque) {
     BodyRecord& record = world.bodies.record[body];
     if (record.force.isZero(0) && record.torque == 0) world.bodies.forced.push_back(body);
@@ -195,7 +197,8 @@ void Body::setPose(const Vec2& position, double angle) {
     motion.rotation = Rot::fromAngle(angle);
     const Vec2 center = position + motion.rotation * world_->bodies.record[index_].localCenter;
     motion.center = world_->bodies.near(center, motion.center);
-    // It has left whatever it was near; the space is to look anew, also at what sleeps where it has come to.
+    // The body has left its neighbours; the space must find its pairs again, also with sleeping bodies at the new
+    // position.
     world_->bodies.rest(index_);
     meetAnew(*world_, index_);
     if (world_->jointEdits != nullptr) world_->jointEdits->followMove(*world_, index_);

@@ -17,24 +17,24 @@ struct ContactPoint {
     double separation = 0;     ///< negative when the shapes overlap [m]
     double normalForce = 0;    ///< mean over the last step, >= 0 [N]
     double frictionForce = 0;  ///< mean over the last step, along the normal turned a quarter turn left, on B [N]
-    std::optional<Cell> tile = std::nullopt;  ///< of the tile map, if one of the two is one
+    std::optional<Cell> tile = std::nullopt;  ///< the touched cell, if one of the two shapes is a tile map
 };
 
-/// What presses on a body.
+/// A contact of a body with another.
 struct Contact {
     ShapeId shapeA, shapeB;
     Vec2 normal{0, 1};                 ///< from A to B [-]
     std::vector<ContactPoint> points;  ///< one or two
 };
 
-/// A view of one body of a world, which may not change it; valid while the body and its world are, and gets what is
-/// true when it is asked.
+/// A read-only view of one body of a world. Valid as long as the body and its world exist; each call returns the
+/// present value.
 class BodyView {
 public:
     BodyId id() const;
     BodyType type() const;
     Vec2 position() const;                     ///< of the body's origin [m]
-    double angle() const;                      ///< counted on through whole turns [rad]
+    double angle() const;                      ///< counts whole turns too [rad]
     Transform pose() const;                    ///< local to world
     Vec2 centerOfMass() const;                 ///< in the world [m]
     Vec2 velocity() const;                     ///< of the centre of mass [m/s]
@@ -52,7 +52,7 @@ public:
 
     std::vector<ShapeId> shapes() const;  ///< in the order in which they were added
     std::vector<JointId> joints() const;
-    /// What touches the body, with the forces of the last step.
+    /// The contacts of the body, with the forces of the last step.
     std::vector<Contact> contacts() const;
 
 protected:
@@ -62,14 +62,15 @@ protected:
     std::uint32_t index_;
 };
 
-/// The same, and changes it, at any time between steps. Whatever sleeps and is concerned wakes. Each throws
-/// std::invalid_argument, and changes nothing, on a value that is not finite or that the body cannot have.
+/// A view that can also change the body, at any time between steps. Sleeping bodies that a change affects wake. Each
+/// call throws std::invalid_argument, and changes nothing, on a value that is not finite or that the body cannot have.
 class Body : public BodyView {
 public:
     void setVelocity(const Vec2& velocity);            ///< [m/s]
     void setAngularVelocity(double angularVelocity);   ///< [rad/s]
     void setPose(const Vec2& position, double angle);  ///< a jump, no motion in between [m, rad]
-    /// Gives a kinematic body the velocity that takes it there in a step of dt; it goes on so until told otherwise.
+    /// Gives a kinematic body the velocity that moves it there in a step of dt. It keeps this velocity until it gets
+    /// another.
     void moveTo(const Vec2& position, double angle, double dt);  ///< [m, rad, s]
     void applyForce(const Vec2& force);                          ///< at the centre of mass, over the next step [N]
     void applyForce(const Vec2& force, const Vec2& at);          ///< at a point of the world, over the next step [N, m]
@@ -78,7 +79,7 @@ public:
     void applyImpulse(const Vec2& impulse, const Vec2& at);      ///< at a point of the world, now [N s, m]
     void applyAngularImpulse(double impulse);                    ///< now [N m s]
 
-    // What changes its type or its mass stays where it is, and every point of it moves on as it did.
+    // A change of type or mass keeps the body's position and the velocity of each of its points.
     void setType(BodyType type);             ///< a static body loses its velocity; a dynamic one needs a mass
     void setMass(const Mass& mass);          ///< of a dynamic body, instead of what its shapes give
     void setMassFromShapes();                ///< of a dynamic body
@@ -86,11 +87,11 @@ public:
     void setLinearDamping(double damping);   ///< >= 0 [1/s]
     void setAngularDamping(double damping);  ///< >= 0 [1/s]
     void setFixedRotation(bool fixed);
-    void setLocks(bool lockX, bool lockY);  ///< as BodyDef.lockX and lockY: it stays where it is now along them
+    void setLocks(bool lockX, bool lockY);  ///< as BodyDef.lockX and lockY, at its present position
     void setCanSleep(bool canSleep);
     void wake();
-    void sleep();                   ///< with all that touches it or is joined to it, until something wakes it
-    void setEnabled(bool enabled);  ///< false: it stays where it is, and nothing meets it; true: it moves on
+    void sleep();                   ///< with all bodies that touch it or are joined to it, until something wakes them
+    void setEnabled(bool enabled);  ///< false: it stays where it is, and touches nothing; true: it moves on
     void setTag(std::uint64_t tag);
 
 private:

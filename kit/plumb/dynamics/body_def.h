@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What does a body start as?
+// With which state and properties does a body start?
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -14,7 +14,7 @@ namespace plumb {
 
 enum class BodyType {
     Static,     ///< never moves
-    Kinematic,  ///< moves as its velocity says; nothing pushes it
+    Kinematic,  ///< moves at its velocity; nothing pushes it
     Dynamic,    ///< moves by forces and collisions
 };
 
@@ -27,23 +27,23 @@ struct BodyDef {
     double gravityScale = 1;     ///< [-]
     double linearDamping = 0;    ///< v decays as exp(-damping t), >= 0 [1/s]
     double angularDamping = 0;   ///< >= 0 [1/s]
-    bool fixedRotation = false;  ///< nothing turns it
-    Lock lockX = {};             ///< a dynamic body stays where it is along x, whatever pushes it
-    Lock lockY = {};             ///< and along y
+    bool fixedRotation = false;  ///< true: it never turns
+    Lock lockX = {};             ///< a dynamic body does not move along x, whatever pushes it
+    Lock lockY = {};             ///< the same along y
     bool canSleep = true;
     bool awake = true;      ///< false: asleep until something touches it
-    bool enabled = true;    ///< false: it stays where it is, and nothing meets it
-    std::uint64_t tag = 0;  ///< whatever its owner wants to know it by
+    bool enabled = true;    ///< false: it stays where it is, and touches nothing
+    std::uint64_t tag = 0;  ///< any number by which the user recognises the body
     std::optional<Mass> mass =
-        std::nullopt;  ///< instead of what the shapes and their densities give; mass > 0, inertia > 0
+        std::nullopt;  ///< instead of the mass of the shapes and their densities; mass > 0, inertia > 0
     std::vector<ShapeDef> shapes =
         {};  ///< a dynamic body needs a mass: from a shape with area and density, or from mass
 };
 
-/// What the body weighs: def.mass, or else its shapes together.
+/// The mass of the body: def.mass, or else that of its shapes together.
 Mass massOf(const BodyDef& def);
 
-/// Throws std::invalid_argument naming the field, the value and what was wanted; field is the name of the def itself.
+/// Throws std::invalid_argument that names the field, the value and what is allowed. field: the name of the def itself.
 void validate(const BodyDef& def, const std::string& field);
 
 }  // namespace plumb

@@ -13,7 +13,7 @@ namespace plumb {
 
 namespace {
 
-/// The mass of a body that is about to be dynamic; refused if it has none.
+/// The mass of a body that becomes dynamic; throws if it has none.
 Mass massWhenDynamic(const WorldState& world, BodyIndex body) {
     const auto parked = world.parkedMass.find(body);
     if (parked != world.parkedMass.end()) return parked->second;
@@ -23,7 +23,7 @@ Mass massWhenDynamic(const WorldState& world, BodyIndex body) {
     return mass;
 }
 
-/// A given mass is kept for when the body is dynamic again.
+/// Changes the mass of a body. For a body that is not dynamic, a parked mass is kept until it is dynamic again.
 void changeMass(WorldState& world, BodyIndex body, const Mass& mass) {
     const BodyRecord& record = world.bodies.record[body];
     if (record.type == BodyType::Dynamic) world.parkedMass.erase(body);
@@ -35,7 +35,7 @@ void requireDynamic(const WorldState& world, BodyIndex body, const char* what) {
         refuse(what, "the body is not dynamic, but " + nameOf(world.bodies.record[body].type) + ", and has no mass");
 }
 
-/// Awake if it can be moved or moves by itself.
+/// Wakes a body if it can be moved or moves by itself.
 void wakeIfMoving(WorldState& world, BodyIndex body) {
     const BodyMotion& motion = world.bodies.motion[body];
     wakeIsland(world, body);

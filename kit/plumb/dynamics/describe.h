@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is each member of a body's, joint's, field's or world's definition, and what may it hold?
+// What are the members of a body's, joint's, field's or world's definition, and which values may they have?
 #pragma once
 #include <array>
 #include <span>
@@ -14,7 +14,7 @@
 
 namespace plumb {
 
-// What the enumerators are called in a file, in their order.
+// The names of the enumerators in a file, in their order.
 inline constexpr std::array<const char*, 3> bodyTypeTags{"static", "kinematic", "dynamic"};
 constexpr std::span<const char* const> tagsOf(BodyType) {
     return bodyTypeTags;
@@ -42,12 +42,13 @@ void describe(OrConst<BodyDef> auto& def, auto&& visit) {
     visit({"shapes", "", Allowed::any, "its outline"}, def.shapes);
 }
 
-/// Of where a body is to be, or how it is to move: farther or faster, it would be put in quarantine.
+/// For positions and velocities of bodies: beyond this bound a body would be put in quarantine.
 constexpr Allowed withinReach(const Allowed& allowed) {
     return allowed.upTo(1e15, "where no body can be, nor move so fast");
 }
 
-/// What bodies, joints, anchors and axes are to a joint: a change of them makes another joint.
+/// The allowed values of a joint's members. Bodies, joints, anchors and axes can be given only once: changing them
+/// would make another joint.
 struct JointMembers {
     static constexpr Allowed id = Allowed::any.onlyOnce();
     static constexpr Allowed anchor = Allowed::finite.anchorOf(AnchorOf::Both);

@@ -15,11 +15,11 @@ struct ContactBegin {
     Vec2 point{0, 0};                         ///< where, in the world [m]
     Vec2 normal{0, 1};                        ///< from A to B [-]
     double approachSpeed = 0;                 ///< at which the points came together along the normal, >= 0 [m/s]
-    std::optional<Cell> tile = std::nullopt;  ///< of the tile map, if one of the two is one
+    std::optional<Cell> tile = std::nullopt;  ///< the touched cell, if one of the two shapes is a tile map
 };
 
 /// A shape of one body and a shape of another ceased to touch, also because one was removed before the step. An id may
-/// be of what was removed.
+/// belong to a removed shape.
 struct ContactEnd {
     ShapeId shapeA, shapeB;
 };
@@ -30,33 +30,33 @@ struct ContactHit {
     Vec2 point{0, 0};                         ///< where, in the world [m]
     Vec2 normal{0, 1};                        ///< from A to B [-]
     double approachSpeed = 0;                 ///< along the normal [m/s]
-    std::optional<Cell> tile = std::nullopt;  ///< of the tile map, if one of the two is one
+    std::optional<Cell> tile = std::nullopt;  ///< the touched cell, if one of the two shapes is a tile map
 };
 
-/// A shape came into a sensor, or began to overlap it where it stands: seen at the step's end. What passes right
-/// through a sensor within a step begins and ends in it. Neither of two sensors is told of the other, nor is a static
-/// sensor of what is static; filters and groups count as for a touch.
+/// A shape entered a sensor, or a moving sensor began to overlap it. Overlap is checked at the step's end. A shape that
+/// passes through a sensor within one step begins and ends in that step. Sensors do not see other sensors, and a static
+/// sensor does not see static shapes; filters and groups apply as for contacts.
 struct SensorBegin {
     ShapeId sensor, visitor;
 };
 
-/// A shape left a sensor, also because one of the two was removed. An id may be of what was removed.
+/// A shape left a sensor, also because one of the two was removed. An id may belong to a removed shape.
 struct SensorEnd {
     ShapeId sensor, visitor;
 };
 
-/// Where a body is that was awake in the step.
+/// The pose of a body that was awake in the step.
 struct BodyMoved {
     BodyId body;
     Transform pose;           ///< local to world
     bool fellAsleep = false;  ///< at the step's end
 };
 
-/// A joint bore more than its Breaking allows, and was removed, with what hung on it.
+/// The load of a joint exceeded its Breaking. The joint was removed, with the gears that it drove.
 struct JointBroke {
     JointId joint;
     BodyId bodyA, bodyB;
-    Vec2 force{0, 0};   ///< that it bore, on bodyB [N]
+    Vec2 force{0, 0};   ///< load of the joint, on bodyB [N]
     double torque = 0;  ///< [N m]
 };
 

@@ -15,41 +15,41 @@
 
 namespace plumb {
 
-/// An attractor that a body carries, and that pulls on it as it pulls on the others.
+/// An attractor that a body carries. The body gets the reaction of its pull on the others.
 struct Magnet {
     BodyId body = {};     ///< of any type
     Attractor pull = {};  ///< its centre in the body's frame
 };
 
-/// Water: it bears what is in it, and holds it back. Its drag and its flow act on the part below the surface:
-/// dv/dt = -(drag A / m) (v - flow), and turning likewise. A that part's area [m^2], m the body's mass [kg]
+/// Water, with buoyancy and drag. Drag and flow act on the part below the surface: dv/dt = -(drag A / m) (v - flow),
+/// and in the same way on turning. A that part's area [m^2], m the body's mass [kg]
 struct Pool {
     Fluid fluid = {};
     double drag = 0;  ///< >= 0 [kg/(m^2 s)]
     Vec2 flow{0, 0};  ///< [m/s]
 };
 
-/// Each acts on dynamic bodies, at their centres of mass, but for a pool, which bears every shape of theirs that is not
-/// a sensor where it is under water. A GroundFriction with a lever of 0 takes that of a disc of the body's inertia. A
-/// magnet whose carrier is disabled or gone draws nothing. Mutual gravity takes time as the square of the bodies: 50 ms
-/// a step for a thousand.
+/// Each law acts on dynamic bodies, at their centres of mass. Only a pool acts on each of their shapes, except sensors,
+/// at the part that is under water. A GroundFriction with a lever of 0 uses the lever of a disc with the body's moment
+/// of inertia. A magnet whose carrier is disabled or removed attracts nothing. The time of mutual gravity grows as the
+/// square of the number of bodies: 50 ms per step for a thousand.
 using FieldLaw = std::variant<UniformGravity, MutualGravity, Drag, Attractor, Magnet, Pool, GroundFriction>;
 
-/// What acts on bodies wherever they are, for as long as it is there. Where there are several, they add up. What
-/// nothing touches goes by velocity Verlet in double at every sub-step, of second order: an orbit keeps its energy;
-/// drag and friction never turn anything back, and a terminal speed is steady. Uniform gravity and linear drag that
-/// fill the world are closed forms, exact to rounding. What a field does not reach goes as if it were not there, to
-/// the last bit. What mutual gravity, or a magnet that is awake, draws does not fall asleep. A step of less than a
-/// nanosecond feels nothing.
+/// A force that acts on bodies by their position, as long as the field exists. Several fields add up. A body that
+/// nothing touches moves by velocity Verlet in double at every sub-step, which is of second order: an orbit keeps its
+/// energy; drag and friction never reverse a velocity, and a terminal speed is steady. Uniform gravity and linear drag
+/// that fill the world are closed forms, exact to rounding. A body that a field does not reach moves bitwise as if the
+/// field did not exist. Bodies that mutual gravity, or an awake magnet, attracts do not fall asleep. In a step of less
+/// than a nanosecond fields do not act.
 struct FieldDef {
     FieldLaw law = UniformGravity{};
-    /// Only on what has its centre of mass here; in the world, with an area [m]
+    /// acts only on bodies with their centre of mass in this shape; in world coordinates, with an area [m]
     std::optional<Shape> region = std::nullopt;
-    Filter filter = {};  ///< only on what has a shape that collides with a shape of this
+    Filter filter = {};  ///< acts only on bodies with a shape that collides with a shape of this filter
 };
 
-/// Throws std::invalid_argument naming the field, the value and what was wanted, as far as no world is needed to tell:
-/// the body that carries a magnet is not looked at.
+/// Throws std::invalid_argument that names the field, the value and what is allowed. Checks only what does not depend
+/// on a world: not the body that carries a magnet.
 void validate(const FieldDef& def);
 
 }  // namespace plumb

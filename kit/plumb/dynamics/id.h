@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which body, which shape, which joint, which field? An id stays valid until its thing is removed, and is never reused.
+// Which body, which shape, which joint, which field? An id stays valid until its object is removed, and is never
+// reused.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -38,7 +39,7 @@ struct ShapeId {
 
 }  // namespace plumb
 
-/// For whoever keeps what is theirs in a std::unordered_map.
+/// Hash functions, for ids as keys of a std::unordered_map.
 template <>
 struct std::hash<plumb::BodyId> {
     std::size_t operator()(const plumb::BodyId& id) const noexcept {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What does a joint do, and how can it be changed?
+// What are a joint's forces and position, and how can it be changed?
 #pragma once
 #include <plumb/dynamics/joint_def.h>
 
@@ -7,27 +7,28 @@ namespace plumb {
 
 struct WorldState;
 
-/// What a joint does to hold its bodies, as means over the last step.
+/// The force and torque of a joint on its bodies, as means over the last step.
 struct JointReaction {
     Vec2 force{0, 0};   ///< on bodyB, at its anchor [N]
     double torque = 0;  ///< on bodyB [N m]
 };
 
 /// A joint's own coordinate: the angle of a hinge or weld, the shift of a slide or of a wheel's hub, the distance of
-/// two anchors, lengthA + ratio lengthB of a pulley, a + ratio b of a gear, how far a motor joint or a target is off.
+/// two anchors, lengthA + ratio lengthB of a pulley, a + ratio b of a gear, the distance from the target of a motor or
+/// target joint.
 struct JointCoordinate {
     double value = 0;  ///< [m or rad]
     double speed = 0;  ///< [m/s or rad/s]
 };
 
-/// A view of one joint of a world, which may not change it; valid while the joint and its world are.
+/// A read-only view of one joint of a world. Valid as long as the joint and its world exist.
 class JointView {
 public:
-    JointDef def() const;  ///< as it was given, and as it was set since
+    JointDef def() const;  ///< as given or last set
     JointReaction reaction() const;
     JointCoordinate coordinate() const;
-    double error() const;  ///< how far the anchors are from where the joint wants them: what joint_error_max is of [m]
-    double angleError() const;  ///< how far the bodies are turned from what it lets them turn [rad]
+    double error() const;  ///< distance of the anchors from where the joint should hold them; see joint_error_max [m]
+    double angleError() const;  ///< angle of the bodies beyond what the joint allows [rad]
 
 protected:
     friend class World;
@@ -36,15 +37,15 @@ protected:
     std::uint32_t index_;
 };
 
-/// The same, and changes it.
+/// A view that can also change the joint.
 class Joint : public JointView {
 public:
-    /// Motors, limits, springs, targets, ratios, lengths and what it takes to break, and wakes the bodies. Throws
-    /// std::invalid_argument, and changes nothing, unless kind, bodies, anchors and axes are those it has: for others,
-    /// remove it and join anew.
+    /// Changes motors, limits, springs, targets, ratios, lengths and breaking loads, and wakes the bodies. Throws
+    /// std::invalid_argument, and changes nothing, if kind, bodies, anchors or axes differ from the joint's: to change
+    /// those, remove the joint and make another.
     void set(const JointDef& def);
-    /// set() with another motorSpeed: of a hinge or a wheel [rad/s], of a slide or a distance joint [m/s]. Throws
-    /// std::invalid_argument, and changes nothing, for a joint of another kind or a speed that its def may not have.
+    /// Same as set() with another motorSpeed: of a hinge or a wheel [rad/s], of a slide or a distance joint [m/s].
+    /// Throws std::invalid_argument, and changes nothing, for a joint of another kind or a speed that is not allowed.
     void setMotorSpeed(double speed);
 
 private:

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Is a body kept from moving along an axis? A yes or no, whose yes brings the joints into the program.
+// Is a body kept from moving along an axis? A bool whose value true links the code of joints into the program.
 #pragma once
 
 namespace plumb {
 
 struct JointEdits;
 
-/// Used as a bool is. Locks are joints, and a program that locks nothing and joins nothing links no code of joints: so
-/// the yes is where that code is, and only who says yes needs it.
+/// Used like a bool. Locks are joints. The constructor from a bool is defined next to the code of joints, so a program
+/// that uses neither locks nor joints links none of that code.
 class Lock {
 public:
     constexpr Lock() = default;

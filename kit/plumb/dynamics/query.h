@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What lies along a line, or within an outline?
+// Which shapes lie along a line, or near or within an outline?
 #pragma once
 #include <optional>
 
@@ -9,23 +9,23 @@
 
 namespace plumb {
 
-/// Where a ray, or a shape that moves straight on, meets a shape first. A ray of no length, or a shape that is shifted
-/// by nothing, meets what it is in or touches; the normal is then the nearest way out.
+/// Where a ray, or a shape that moves along a straight line, meets a shape first. A ray of zero length, or a shape with
+/// a zero shift, meets the shapes that it is in or touches; the normal is then the nearest way out.
 struct CastHit {
     ShapeId shape;
     Vec2 point{0, 0};     ///< where they meet, in the world [m]
-    Vec2 normal{0, 1};    ///< outward from what was met; where it began inside, against the motion [-]
-    double fraction = 0;  ///< of the way, 0 to 1; 0 where it began inside or touching [-]
-    std::optional<Vec2> oneWay = std::nullopt;  ///< it is solid to what comes from there alone, in the world
-    std::optional<Cell> tile = std::nullopt;    ///< of the map that was met
+    Vec2 normal{0, 1};    ///< outward from the shape that was met; against the motion if it began inside [-]
+    double fraction = 0;  ///< of the way, 0 to 1; 0 if it began inside or touching [-]
+    std::optional<Vec2> oneWay = std::nullopt;  ///< if one-way: the only side, in the world, from which it is solid
+    std::optional<Cell> tile = std::nullopt;    ///< the cell, if a tile map was met
 };
 
 /// The shape nearest to something.
 struct Nearest {
     ShapeId shape;
     double separation = 0;  ///< negative inside it [m]
-    Vec2 point{0, 0};       ///< the nearest of the shape, in the world [m]
-    Vec2 normal{0, 1};      ///< from the shape to what was asked about [-]
+    Vec2 point{0, 0};       ///< the nearest point of the shape, in the world [m]
+    Vec2 normal{0, 1};      ///< from the shape to the point of the query [-]
 };
 
 }  // namespace plumb

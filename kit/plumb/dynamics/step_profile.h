@@ -6,11 +6,11 @@ namespace plumb {
 
 /// Time of the last step, by phase [s].
 struct StepProfile {
-    double pairs = 0;    ///< which shapes have come near each other
-    double collide = 0;  ///< where near shapes touch, and what the solver needs to know of it
-    double impacts = 0;  ///< single bounces, at their time
+    double pairs = 0;    ///< finding shapes that have come near each other
+    double collide = 0;  ///< finding where near shapes touch, and preparing the solver's data
+    double impacts = 0;  ///< single bounces, at their exact times
     double solve = 0;    ///< contacts and joints
-    double finish = 0;   ///< new places, fast bodies, events, sleep
+    double finish = 0;   ///< new positions, fast bodies, events, sleep
     double total = 0;
 };
 

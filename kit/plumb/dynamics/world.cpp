@@ -16,7 +16,7 @@ namespace plumb {
 
 namespace {
 
-/// The one count that worlds share: by it an id of another world is told from one of this.
+/// The only counter that worlds share: it makes the ids of different worlds different.
 std::uint32_t nextWorldId() {
     static std::atomic<std::uint32_t> count{0};
     return ++count;

@@ -14,13 +14,13 @@ namespace plumb {
 
 namespace {
 
-/// What is counted by 32 bits.
+/// Throws if a count does not fit the 32-bit indices.
 void requireCountable(std::size_t count, const char* field) {
     constexpr std::size_t most = ~std::uint32_t{0} - 1;
     if (count > most) refuse(field, std::to_string(count) + " is more than " + std::to_string(most));
 }
 
-/// What is not to be had is refused by name. Room that was made before stays.
+/// Reserves memory; if there is not enough, throws with the name of the field. Memory reserved before stays reserved.
 template <class Reserve>
 void makeRoom(std::size_t count, const char* field, Reserve&& reserve) {
     const std::string complaint = std::to_string(count) + " is more than there is memory for";
@@ -59,7 +59,7 @@ std::size_t bytesOf(const ContactGraph& graph) {
     return bytes;
 }
 
-/// A node of a std::map is a colour and three pointers more than what is in it.
+/// A node of a std::map holds its value, a colour and three pointers.
 std::size_t bytesOf(const std::map<BodyIndex, Mass>& map) {
     return map.size() * (sizeof(std::pair<const BodyIndex, Mass>) + 4 * sizeof(void*));
 }
@@ -96,7 +96,7 @@ void World::reserve(const Capacity& capacity) {
     requireCountable(capacity.joints, "Capacity.joints");
     WorldState& world = *state_;
     makeRoom(capacity.bodies, "Capacity.bodies", [&](std::size_t bodies) {
-        world.bodies.reserve(bodies + 1);  // and nobody
+        world.bodies.reserve(bodies + 1);  // 1 for noBody
         world.events.movers.reserve(bodies);
     });
     makeRoom(capacity.shapes, "Capacity.shapes", [&](std::size_t shapes) {

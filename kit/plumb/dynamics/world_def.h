@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is a world to be like?
+// Which properties does a world have from the start?
 #pragma once
 #include <plumb/dynamics/solver_settings.h>
 #include <plumb/math/vec2.h>
@@ -9,10 +9,10 @@ namespace plumb {
 
 struct WorldDef {
     Vec2 gravity{0, -9.81};  ///< [m/s^2]
-    bool sleeping = true;    ///< may what rests be left out of the step?
-    double hitSpeed = 1;     ///< what comes together faster is a ContactHit, >= 0, may be infinite [m/s]
-    Wrap wrap = {};          ///< how wide and high the world is, if it goes on at its other side
-    bool ledger = false;     ///< is account to be kept of energy and momentum? Steps then take several times as long
+    bool sleeping = true;    ///< may bodies at rest fall asleep, so that steps skip them?
+    double hitSpeed = 1;     ///< a faster approach is a ContactHit, >= 0, may be infinite [m/s]
+    Wrap wrap = {};          ///< width and height of the world, if it wraps around
+    bool ledger = false;     ///< keep account of energy and momentum? Steps then take several times as long
     SolverSettings solver = {};
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which forces fill the world? The part of World that takes them in.
+// Which forces fill the world? The part of World that handles fields.
 #include <algorithm>
 
 #include <plumb/collide/distance.h>
@@ -19,7 +19,7 @@ FieldRecord recordOf(const FieldDef& def, std::uint32_t generation) {
     return {def, true, !(def.filter == Filter{}), generation, boxOf(def), {}};
 }
 
-/// Pushes one body by what its shape catches of an explosion.
+/// Pushes one body by the impulse of an explosion on one of its shapes.
 void blast(WorldState& world, ShapeId id, const Shape& shape, Explosion explosion) {
     const BodyIndex body = id.body.index;
     const BodyRecord& record = world.bodies.record[body];

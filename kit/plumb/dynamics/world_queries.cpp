@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is where, now? The part of World that answers.
+// Which shapes are where, now? The part of World that answers queries.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,7 +18,7 @@ namespace plumb {
 
 namespace {
 
-/// So many times around a world that wraps a question may reach: a way, and what has two sides [-].
+/// The most times that a query may reach around a world that wraps: for the way of a cast, and for a box or shape [-].
 constexpr double mostCastRounds = 1000, mostBoxRounds = 60;
 
 void requireShape(const Shape& shape, const Transform& pose, const std::string& query) {
@@ -44,7 +44,8 @@ std::tuple<std::uint32_t, std::uint32_t> placeOf(const ShapeId& shape) {
     return {shape.body.index, shape.number};
 }
 
-/// Of two pieces of a chain that are met at their joint, one is the first whatever order they were found in.
+/// The order of hits. It is the same whatever the order in which they were found, also for two pieces of a chain that
+/// are met at their common point.
 bool comesFirst(const CastHit& a, const CastHit& b) {
     const auto rank = [](const CastHit& hit) {
         return std::tuple(hit.fraction, placeOf(hit.shape), hit.normal.x(), hit.normal.y());
@@ -59,7 +60,7 @@ bool isNearer(const Nearest& a, const Nearest& b) {
     return rank(a) < rank(b);
 }
 
-/// What moves straight on, as a whole within a box.
+/// A ray or shape that moves along a straight line, as a box around it.
 struct Mover {
     Vec2 halfSize, from, to;
 };
@@ -70,13 +71,13 @@ Mover moverOf(const Shape& shape, const Transform& pose, const Vec2& shift) {
     return {0.5 * (box.upper - box.lower), center, center + shift};
 }
 
-/// Does a hit say nothing that another does not say better? Of a tile map that something begins in, the outline that
-/// it touches has the way out, and the area only where there is none.
+/// Is a hit of a tile map's area made redundant by a hit of its outline? If something begins inside a tile map and
+/// touches the outline, the outline gives the way out; the area counts only if no outline is touched.
 bool isCovered(const CastHit& area, const CastHit& hit) {
     return area.shape == hit.shape && !(area.fraction > 0) && !(hit.fraction > 0);
 }
 
-/// Where a shape is met, if it is.
+/// Returns where a shape is met, if it is.
 using Meet = FunctionRef<std::optional<CastPoint>(ProxyId, const Vec2&)>;
 
 std::optional<CastHit> firstHit(const ShapeQuery& query, const Mover& mover, Meet meet) {
@@ -111,7 +112,7 @@ std::vector<CastHit> allHits(const ShapeQuery& query, const Mover& mover, Meet m
     return hits;
 }
 
-/// Of hits in order, the first of each shape.
+/// Keeps the first hit of each shape, given hits in order.
 std::vector<CastHit> oneOfEach(std::vector<CastHit> hits) {
     std::stable_sort(hits.begin(), hits.end(),
                      [](const CastHit& a, const CastHit& b) { return placeOf(a.shape) < placeOf(b.shape); });
@@ -126,7 +127,7 @@ auto meetRay(const ShapeQuery& query, const Vec2& from, const Vec2& to) {
         [&](ProxyId id, const Vec2& shift) { return plumb::castRay(from, to, query.shape(id), query.pose(id, shift)); };
 }
 
-/// A stretch of a tile map's outline is solid from outside, and has no inner corners.
+/// Treats a segment as part of a tile map's outline: it is solid only from outside, and has no inner corners.
 std::optional<CastPoint> asOutline(const Segment& outline, const Transform& there, const Shape& shape,
                                    const Transform& pose, CastPoint met, bool moves) {
     const bool begins = !(met.fraction > 0);
@@ -137,7 +138,8 @@ std::optional<CastPoint> asOutline(const Segment& outline, const Transform& ther
     return met;
 }
 
-/// Of a tile map the outline; and what it fills only for what begins there.
+/// Returns how a shape meets others. Of a tile map it meets the outline; it meets the filled area only if it begins in
+/// it.
 auto meetShape(const ShapeQuery& query, const Shape& shape, const Transform& pose, const Vec2& shift) {
     return [&](ProxyId id, const Vec2& around) -> std::optional<CastPoint> {
         const Transform there = query.pose(id, around);
@@ -149,7 +151,7 @@ auto meetShape(const ShapeQuery& query, const Shape& shape, const Transform& pos
     };
 }
 
-/// Those that overlap or touch a shape.
+/// The shapes that overlap or touch a shape.
 std::vector<ShapeId> overlapping(const ShapeQuery& query, const Shape& shape, const Transform& pose) {
     std::vector<ShapeId> found;
     query.visitIn(aabbOf(shape, pose), [&](ProxyId id, const Vec2& shift) {
@@ -161,7 +163,7 @@ std::vector<ShapeId> overlapping(const ShapeQuery& query, const Shape& shape, co
     return found;
 }
 
-/// A box may be flat, and then is a line, or a point.
+/// A box as a shape; a flat box becomes a segment or a point.
 Shape shapeOf(const Aabb& box) {
     const Vec2 size = box.upper - box.lower;
     const bool wide = size.x() * size.x() > 0, high = size.y() * size.y() > 0;
@@ -170,9 +172,9 @@ Shape shapeOf(const Aabb& box) {
     return Polygon{{box.lower, {box.upper.x(), box.lower.y()}, box.upper, {box.lower.x(), box.upper.y()}}};
 }
 
-/// Calls visit(shift) for those with which a shape in a box, no larger than the world, may come nearest to one in
-/// another: of the nearest points one is within half a round of the other, and so their boxes' middles within one and a
-/// half.
+/// Calls visit(shift) for all shifts by which a shape in one box may come nearest to a shape in the other; both are no
+/// larger than the world. The nearest points are within half a period of each other, and so the boxes' centres are
+/// within one and a half.
 template <class Visit>
 void forEachNearShift(const Wrap& wrap, const Aabb& still, const Aabb& box, Visit&& visit) {
     const Vec2 middle = 0.5 * (still.lower + still.upper);
@@ -182,11 +184,11 @@ void forEachNearShift(const Wrap& wrap, const Aabb& still, const Aabb& box, Visi
         for (int i = -x; i <= x; ++i) visit(Vec2(shift + wrap.imageOffset({i, j})));
 }
 
-/// Those of one shape.
+/// The pieces of one shape.
 std::vector<ProxyId> proxiesOf(const WorldState& world, const ShapeId& id, const std::string& field) {
     requireShape(world, id, field);
     std::vector<ProxyId> proxies;
-    // A map's sensor tiles are none of what it fills, unless all of it is a sensor.
+    // A map's sensor tiles are not part of its filled area, unless the whole map is a sensor.
     const std::span<const ProxyId> pieces = piecesOf(world, id.body.index, id.number);
     const bool isSensor = world.space[pieces.front()].def.sensor;
     for (const ProxyId proxy : pieces)

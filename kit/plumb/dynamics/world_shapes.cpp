@@ -15,7 +15,7 @@ bool weighsByShapes(const BodyRecord& record) {
     return record.type == BodyType::Dynamic && !record.massGiven;
 }
 
-/// The mass of a body when one of its shapes is this one.
+/// Checks the mass that a body would have with def as one of its shapes.
 void requireMassWith(const WorldState& world, ShapeId id, const ShapeDef& def, const char* field) {
     if (!weighsByShapes(world.bodies.record[id.body.index])) return;
     const std::array<Mass, 2> parts{massOfShapesWithout(world, id.body.index, id.number),

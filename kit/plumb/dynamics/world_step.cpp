@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How does a world move on by one step? The phases in their order; each is a room's, with the stores that it reads and
-// writes. README.md has the map.
+// How does a world move forward by one step? The phases in their order. Each phase belongs to one folder, and takes the
+// stores that it reads and writes. README.md lists them.
 #include <chrono>
 
 #include <plumb/dynamics/bodies/load_bodies.h>
@@ -25,11 +25,11 @@ namespace plumb {
 
 namespace {
 
-/// In less than this nothing that presses or pulls could make a difference, and 1/dt might leave the solver's floats
-/// [s].
+/// The shortest step that is solved [s]. In less time no contact or joint makes a difference, and 1/dt may leave the
+/// range of the solver's floats.
 constexpr double shortestSolved = 1e-9;
 
-/// Runs the phases of one step, times them, and keeps account of what they do.
+/// Runs the phases of one step, measures their times, and keeps account of energy and momentum.
 class Step {
 public:
     Step(WorldState& world, double dt) : world(world), dt(dt), watch_(world.profile) {
@@ -43,7 +43,8 @@ public:
         if (dt > 0) world.profile = {};
     }
 
-    /// time: what it takes is added to; energy: what it does beyond what it notes is entered there.
+    /// time: the entry to which the phase's time is added. energy: the entry for the energy change without a noted
+    /// cause.
     void run(void (*phase)(Step&), double StepProfile::*time, double EnergyLedger::*energy) {
         watch_.start(time);
         phase(*this);
@@ -72,7 +73,7 @@ public:
     double dt;
 
 private:
-    /// Nothing else depends on it.
+    /// Measures the time of the phases. Nothing else depends on it.
     class Stopwatch {
     public:
         explicit Stopwatch(StepProfile& profile) : profile_(profile) {}
@@ -168,7 +169,7 @@ void reportTouches(Step& s) {
     s.report(findTouchEvents(w.graph, w.contacts, w.bodies, w.hitSpeed));
 }
 
-/// What has left the range of numbers.
+/// Puts bodies in quarantine that have left the range of numbers.
 void takeOut(Step& s) {
     quarantine(s.world);
 }

@@ -20,7 +20,7 @@ void removeAllPairs(WorldState& world, BodyIndex body) {
     for (const ProxyId proxy : world.bodies.links[body].proxies) removeSensorPairs(world.sensors, proxy);
 }
 
-/// The body stays where it is; its centre of mass does not.
+/// Moves the centre of mass; the body's origin stays where it is.
 void recenter(WorldState& world, BodyIndex body, const Vec2& localCenter) {
     BodyRecord& record = world.bodies.record[body];
     const Vec2 shift = localCenter - record.localCenter;
@@ -177,7 +177,7 @@ void showShapes(WorldState& world, BodyIndex body) {
 void giveMass(WorldState& world, BodyIndex body, const Mass& mass) {
     recenter(world, body, mass.center);
     setMass(world.bodies.record[body], mass);
-    // What the solver has of a contact is made for the bodies' inertia.
+    // The solver's data of a contact depend on the bodies' inertia.
     forEachContact(world.bodies, world.contacts, body, [&world](ContactIndex c) { renewContact(world, c); });
     if (!world.bodies.record[body].awake) world.bodies.rest(body);
 }

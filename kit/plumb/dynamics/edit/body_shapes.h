@@ -7,33 +7,34 @@
 
 namespace plumb {
 
-/// What was given, rebuilt from its pieces, of which there is one at least.
+/// The definition of a shape as it was given, rebuilt from its pieces. There must be at least one piece.
 ShapeDef shapeOf(const WorldState& world, std::span<const ProxyId> pieces);
-/// What all shapes together weigh, and, of those, all but one number's.
+/// The mass of all shapes together, and of all shapes except the one with this number.
 Mass massOfShapes(const WorldState& world, BodyIndex body);
 Mass massOfShapesWithout(const WorldState& world, BodyIndex body, std::uint32_t number);
 
-/// Puts a shape where the body is now, behind those of lower numbers.
+/// Adds a shape to a body at its present position, after the shapes with lower numbers.
 void addShape(WorldState& world, BodyIndex body, const ShapeDef& def, std::uint32_t number);
-/// Gives a shape another material, filter or tag, and keeps contacts and their impulses where they may stay.
+/// Changes the material, filter or tag of a shape. Contacts that are still allowed stay, with their impulses.
 void alterShape(WorldState& world, BodyIndex body, const ShapeDef& def, std::uint32_t number);
-/// Wakes what touches a shape, before it changes or goes, and its body.
+/// Wakes the shape's body and all bodies that touch the shape. To be called before the shape changes or is removed.
 void wakeTouching(WorldState& world, BodyIndex body, std::uint32_t number);
-/// Takes a shape out of the space, and its contacts with it.
+/// Removes a shape from the space, with its contacts.
 void removeShape(WorldState& world, BodyIndex body, std::uint32_t number);
 void removeShapes(WorldState& world, BodyIndex body);
 
-/// Takes all contacts of a body out of the world, and lets the space find all that its shapes meet anew.
+/// Removes all contacts of a body, and lets the space find the pairs of its shapes again.
 void meetAnew(WorldState& world, BodyIndex body);
-/// Its shapes are fixed or not, as its type says.
+/// Marks the body's shapes in the space as fixed or not, by the type of the body.
 void fixShapes(WorldState& world, BodyIndex body);
-/// Takes its shapes out of the space without forgetting them, and back.
+/// hideShapes disables a body and takes its shapes out of the space without removing them; showShapes reverses this.
 void hideShapes(WorldState& world, BodyIndex body);
 void showShapes(WorldState& world, BodyIndex body);
 
-/// Gives a body another mass; it stays where it is and moves on as it did. Contacts keep their impulses.
+/// Gives a body another mass. Its position and the velocity of each of its points stay the same. Contacts keep their
+/// impulses.
 void giveMass(WorldState& world, BodyIndex body, const Mass& mass);
-/// What it weighs by its shapes, unless it was given a mass. Nothing for one that is not dynamic.
+/// Sets the mass of a dynamic body from its shapes, unless it was given a mass.
 void followShapes(WorldState& world, BodyIndex body);
 
 }  // namespace plumb

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What do edits of a world have in common? Each is what a room below does, with the stores of a world, and what follows
-// from it for the others.
+// Which operations do all edits of a world share? Each calls the function of a folder of lower rank with the stores of
+// a world, and then updates the other stores.
 #pragma once
 #include <span>
 
@@ -14,11 +14,12 @@ void wakeIsland(WorldState& world, BodyIndex body);
 void wakeNeighbours(WorldState& world, BodyIndex body);
 void sleepIsland(WorldState& world, BodyIndex body);
 
-/// Takes a contact out of the world, with an end event if it was touching.
+/// Removes a contact from the world, with an end event if it was touching.
 void removeContact(WorldState& world, ContactIndex contact);
-/// Lets the solver take a contact in anew, with its impulses, as what it was made from has changed.
+/// Makes the solver prepare a contact again, with its impulses, because its shapes or bodies have changed.
 void renewContact(WorldState& world, ContactIndex contact);
-/// Makes a contact or a sensor pair of two shapes that have come near each other, and wakes what that may move.
+/// Makes a contact or a sensor pair of two shapes that have come near each other, and wakes the bodies that this may
+/// move.
 void addPair(WorldState& world, const ShiftedShapes& pair);
 void addPairs(WorldState& world, std::span<const ShiftedShapes> pairs);
 

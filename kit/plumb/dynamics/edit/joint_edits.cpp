@@ -157,7 +157,7 @@ void breakJoints(WorldState& world) {
     for (const JointIndex index : world.jointIslands.breakable) {
         const JointRecord& record = world.joints[index];
         const JointLoad& load = world.joints.loads[index];
-        if (!load.force().allFinite() || !std::isfinite(load.torque())) continue;  // its bodies leave, not the joint
+        if (!load.force().allFinite() || !std::isfinite(load.torque())) continue;  // its bodies go, the joint stays
         if (load.force().norm() <= record.breaking.force && std::abs(load.torque()) <= record.breaking.torque) continue;
         const auto idOrNone = [&](BodyIndex body) { return body == noBody ? BodyId{} : world.bodies.idOf(body); };
         world.events.breaks.push_back({JointId{index, record.generation, world.bodies.world}, idOrNone(record.bodyA),

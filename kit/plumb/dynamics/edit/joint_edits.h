@@ -1,35 +1,38 @@
 // SPDX-License-Identifier: MIT
-// How does a joint come into a world, and how does it leave?
+// How are joints added to a world, changed and removed?
 #pragma once
 #include <plumb/dynamics/state/world_state.h>
 
 namespace plumb {
 
-/// Puts in a joint whose def was validated, and wakes its bodies.
+/// Adds a joint whose def was validated, and wakes its bodies.
 JointIndex addJoint(WorldState& world, const JointDef& def);
-/// Takes out a joint, and the gears that it drives, and wakes its bodies.
+/// Removes a joint, and the gears that it drives, and wakes its bodies.
 void removeJoint(WorldState& world, JointIndex joint);
-/// Gives a joint that is there another def of its kind, which was validated, and wakes its bodies.
+/// Gives an existing joint another def of its kind, which was validated, and wakes its bodies.
 void changeJoint(WorldState& world, JointIndex joint, const JointDef& def);
-/// Takes out all joints of a body, the hidden ones too.
+/// Removes all joints of a body, the hidden ones too.
 void removeJointsOf(WorldState& world, BodyIndex body);
-/// After the solver: takes out what bore too much, with an event.
+/// After the solver: removes the joints whose load exceeds their limits, with an event for each.
 void breakJoints(WorldState& world);
 
-/// Holds a body along x, y, both or neither, where it is now.
+/// Locks a body along x, y, both or neither, at its present position.
 void lockBody(WorldState& world, BodyIndex body, bool lockX, bool lockY);
-/// A body was put elsewhere: its locks go with it.
+/// Moves the locks of a body to its new position, after the body was moved by an edit.
 void moveLocks(WorldState& world, BodyIndex body);
-/// Joins a body that was put elsewhere with the nearest of what its joints hold, in a world that wraps.
+/// In a world that wraps: after a body was moved by an edit, connects its joints to the nearest images of the other
+/// bodies.
 void joinNearest(WorldState& world, BodyIndex body);
-/// A body's centre of mass was shifted, in its own frame; its anchors stay where they are on it.
+/// After a body's centre of mass was shifted, in its own frame: corrects the anchors, so that they stay at the same
+/// points of the body.
 void shiftAnchors(WorldState& world, BodyIndex body, const Vec2& shift);
 
-/// What other edits do to joints. A world calls these through this table, which its first joint puts in (see
+/// The edits of joints that other edits need. A world calls them through this table, which its first joint sets (see
 /// solver/joint_phases.h).
 struct JointEdits {
     void (*lock)(WorldState& world, BodyIndex body, bool lockX, bool lockY);
-    /// A body was put elsewhere: its locks go with it, and in a world that wraps its joints take the nearest images.
+    /// After a body was moved by an edit: moves its locks, and in a world that wraps connects its joints to the nearest
+    /// images.
     void (*followMove)(WorldState& world, BodyIndex body);
     void (*shiftAnchors)(WorldState& world, BodyIndex body, const Vec2& shift);
     void (*removeAllOf)(WorldState& world, BodyIndex body);

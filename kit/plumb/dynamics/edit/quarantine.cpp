@@ -11,7 +11,8 @@ namespace plumb {
 
 namespace {
 
-/// What has begun in this very step and ends in it, from an end on, has not been: ends are told before begins.
+/// Removes, among the ends from an index on, those of touches that began in this same step, together with their begins:
+/// users read ends before begins, so such a pair would be misunderstood.
 void dropEndsOfNewTouches(WorldState& world, std::size_t from) {
     const auto isOfNewTouch = [&world](const ContactEnd& end) {
         const auto begin =
@@ -39,7 +40,7 @@ void quarantine(WorldState& world) {
         }
         world.bodies.putToSleep(body);
         for (const JointIndex joint : world.bodies.links[body].joints) {
-            world.joints.loads[joint] = {};  // what it bore was no number
+            world.joints.loads[joint] = {};  // its load was not a finite number
             world.joints.changed = true;
         }
         world.bodies.motion[body].velocity.setZero();

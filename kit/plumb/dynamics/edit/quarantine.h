@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What becomes of a body that numbers cannot follow any more?
+// What happens to a body whose position or velocity leaves the range of numbers?
 #pragma once
 #include <plumb/dynamics/state/world_state.h>
 
 namespace plumb {
 
-/// Takes out the bodies that were marked as out of range: at rest, disabled, and an event for each.
+/// Puts the bodies that were marked as out of range in quarantine: sets them to rest, disables them, and adds an event
+/// for each.
 void quarantine(WorldState& world);
 
 }  // namespace plumb

@@ -19,7 +19,7 @@ double boundingRadiusOf(const Convex& convex) {
     return static_cast<double>(farthest + convex.radius);
 }
 
-/// Sensors are nowhere in the body's way, and so do not count.
+/// Updates a body's radii with added pieces. Sensors do not count, because they do not touch anything.
 void measure(const WorldState& world, std::span<const ProxyId> added, BodyRecord& record) {
     for (const ProxyId id : added) {
         const Proxy& proxy = world.space[id];
@@ -30,7 +30,7 @@ void measure(const WorldState& world, std::span<const ProxyId> added, BodyRecord
     }
 }
 
-/// A part of a shape comes into the space, where its body is now.
+/// Adds a piece of a shape to the space, at the body's present position.
 ProxyId addPiece(WorldState& world, BodyIndex body, const PieceDef& part, std::uint32_t number, bool severalPieces) {
     const BodyRecord& record = world.bodies.record[body];
     const Aabb box = aabbOf(part.def.shape, world.bodies.pose(body));
@@ -81,7 +81,8 @@ void outlinePiece(WorldState& world, ProxyId proxy, const Vec2& localCenter) {
     std::vector<BoxOutline>& boxes = world.contacts.boxes;
     if (boxes.size() <= proxy) boxes.resize(proxy + std::size_t{1});
     boxes[proxy] = boxOutlineOf(world.space[proxy].def, localCenter);
-    // A stretch of an outline is more than a line, even where it goes on into one-way tops at both ends.
+    // A segment of an outline is one-sided, so it is not a plain line, even where it continues into one-way tops at
+    // both ends.
     if (world.space[proxy].convex.oneSided) boxes[proxy].kind = BoxOutline::Kind::Other;
 }
 

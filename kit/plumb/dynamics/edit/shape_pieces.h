@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Of which pieces is a shape made in the space? One, or, of a chain or a tile map, several.
+// Of which pieces does a shape consist in the space? Of one, or of several for a chain or a tile map.
 #pragma once
 #include <span>
 #include <vector>
@@ -15,18 +15,18 @@ struct PieceDef {
     ShapeDef def;
     PieceUse use = PieceUse::Both;
 };
-/// severalPieces: there may be more of the same shape.
+/// severalPieces: the shape may have more pieces than these.
 std::vector<ProxyId> addPieces(WorldState& world, BodyIndex body, std::uint32_t number, std::span<const PieceDef> parts,
                                bool severalPieces);
 void removePieces(WorldState& world, BodyIndex body, std::span<const ProxyId> pieces);
-/// Wakes what touches one piece.
+/// Wakes the bodies that touch one piece.
 void wakeTouchingPiece(WorldState& world, BodyIndex body, ProxyId piece);
 
-/// Works out a body's radii from its shapes.
+/// Computes a body's radii from its shapes.
 void measureAnew(WorldState& world, BodyIndex body);
-/// Tells the contacts what outline a piece has.
+/// Stores the outline of a piece with the contacts.
 void outlinePiece(WorldState& world, ProxyId proxy, const Vec2& localCenter);
-/// How many of a body's pieces something may have to be stopped at.
+/// The number of pieces that are walls: solid pieces of a body that is enabled and not dynamic.
 std::uint32_t wallsOf(const WorldState& world, std::span<const ProxyId> proxies, BodyIndex body);
 
 }  // namespace plumb

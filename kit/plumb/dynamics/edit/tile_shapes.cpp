@@ -12,7 +12,7 @@ namespace plumb {
 
 namespace {
 
-/// All that a piece has of the whole but its shape: a map may be large.
+/// Copies a definition without its shape, because a map may be large.
 ShapeDef withoutShape(const ShapeDef& whole) {
     ShapeDef part;
     part.material = whole.material;
@@ -40,7 +40,7 @@ std::vector<PieceDef> partsOf(const ShapeDef& whole, std::vector<TilePiece> piec
     return parts;
 }
 
-/// Holds the place of a map that may be empty.
+/// A piece that touches nothing, so that a map has at least one piece even if it is empty.
 PieceDef placeholderOf(const ShapeDef& whole, const TileMap& map) {
     PieceDef part{withoutShape(whole), PieceUse::None};
     part.def.shape = Segment{map.lowerLeft({0, 0}), map.lowerLeft({1, 1})};
@@ -57,8 +57,8 @@ bool isAsLong(const std::optional<double>& round, double length) {
     return round && std::fabs(*round - length) <= 1e-9 * length;
 }
 
-/// It goes on at its other side where it lies straight around a world that does, and is as wide or as high, whatever
-/// was asked: elsewhere it has ends.
+/// The map wraps if it lies unrotated in a world that wraps, and is as wide or as high as the world; otherwise it has
+/// ends. The map's own wrap setting is ignored.
 TileMap asItLies(const TileMap& map, const WorldState& world, BodyIndex body) {
     const Rot& turned = world.bodies.motion[body].rotation;
     const bool straight = turned.cos == 1 && turned.sin == 0;
@@ -71,7 +71,7 @@ void wakeOn(WorldState& world, BodyIndex body, const std::vector<ProxyId>& piece
     for (const ProxyId piece : pieces) wakeTouchingPiece(world, body, piece);
 }
 
-/// A block's pieces become others; those that stay, stay with their contacts.
+/// Replaces a block's pieces. Pieces that do not change stay, with their contacts.
 void renewBlock(WorldState& world, BodyIndex body, std::uint32_t number, Cell block) {
     TileShape& tiles = world.tiles.at({body, number});
     std::vector<ProxyId>& present = tiles.blocks[{block.row, block.column}];

@@ -14,7 +14,8 @@ namespace plumb {
 
 namespace {
 
-/// Farther from its body's origin than this, a shape's corners are too coarse in the solver's floats to touch anything.
+/// Largest distance of a shape's corner from its body's origin [m]: beyond it the solver's floats are too coarse for
+/// contacts.
 constexpr double farthestCorner = 1e5;
 
 std::string textOf(std::uint32_t index, std::uint32_t generation, std::uint32_t world) {
@@ -26,7 +27,7 @@ std::string textOf(FieldId id) {
     return textOf(id.index, id.generation, id.world);
 }
 
-/// Says which way an id is wrong; made is whether its slot has ever been used as often as it says.
+/// Throws with the reason why an id is wrong. made: whether an object with this slot and generation ever existed.
 template <class Id>
 [[noreturn]] void refuseId(const WorldState& world, const Id& id, bool made, std::string_view field,
                            const char* thing) {
@@ -54,7 +55,7 @@ void validate(const WorldDef& def) {
 void requireFit(const WorldState& world, const Shape& shape, const Transform& pose, const std::string& field) {
     const Wrap& wrap = world.bodies.wrap;
     if (!wrap.any()) return;
-    constexpr double nearly = 1 + 1e-9;  // one as wide as the world fits, however it is rounded
+    constexpr double nearly = 1 + 1e-9;  // a shape exactly as wide as the world fits, in spite of rounding
     const Aabb box = aabbOf(shape, pose);
     const Vec2 size = box.upper - box.lower;
     if (wrap.width && size.x() > *wrap.width * nearly)
@@ -102,7 +103,7 @@ void requireMass(const Mass& mass, const std::string& field, const std::string& 
     if (why.empty() && off > farthestCorner)
         refuse(field + ".center",
                toText(mass.center) + " is more than " + toText(farthestCorner) + " m from the body's origin");
-    // The solver's floats hold the squares and products of what is within these.
+    // Within these bounds, squares and products stay in the range of the solver's floats.
     requireWithin(mass.mass, 1e-12, 1e12, field, ".mass");
     requireWithin(std::sqrt(mass.inertia / mass.mass), 1e-6, 1e6, field, ".inertia, its radius of gyration");
 }

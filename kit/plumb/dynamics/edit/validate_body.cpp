@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which bodies may be added, and what do they weigh?
+// Which bodies may be added, and what is their mass?
 #include <type_traits>
 
 #include <plumb/dynamics/describe.h>
@@ -19,7 +19,8 @@ void validateMass(const BodyDef& def, const std::string& field) {
                     "a dynamic body needs a shape with area and density, or BodyDef.mass");
 }
 
-/// Shapes are asked more of on a body than by themselves, and a mass depends on the type.
+/// On a body, shapes have more conditions than on their own, and the check of the mass depends on the type; both are
+/// checked separately.
 struct BodyCheck {
     const MemberPath& path;
     template <class T>
@@ -33,7 +34,7 @@ struct BodyCheck {
     }
 };
 
-/// What its type and its other members leave a body.
+/// Checks the conditions between a body's members.
 void validateTogether(const BodyDef& def, const std::string& field) {
     if (def.fixedRotation && def.angularVelocity != 0)
         refuse(field + ".angularVelocity", toText(def.angularVelocity) + " on a body of fixed rotation, not 0");

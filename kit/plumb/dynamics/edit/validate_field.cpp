@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which fields may come in?
+// Which fields may be added?
 #include <type_traits>
 
 #include <plumb/dynamics/describe.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which joints may come in? What their numbers must be, joint_def.cpp says; what only a world knows is looked at here.
+// Which joints may be added? validate_joint_def.cpp checks their numbers; this file checks what depends on the world.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -15,7 +15,7 @@ namespace plumb {
 
 namespace {
 
-/// Does each id name a thing of the world, and one that a joint can hold?
+/// Does each id name an object of this world to which a joint can be attached?
 struct IdCheck {
     const WorldState& world;
     const MemberPath& path;
@@ -35,7 +35,7 @@ private:
     }
 };
 
-/// Two that differ, of which one can move unless the joint only keeps them from touching.
+/// The two bodies must differ, and one must be dynamic, unless the joint only keeps them from touching.
 template <class Def>
 requires requires(const Def& d) {
     d.bodyA;
@@ -59,7 +59,7 @@ void requireBodies(const WorldState&, const GearJointDef& def, const MemberPath&
         refuse(path.text("jointB"), textOf(def.jointB) + " is the same joint as jointA, two were wanted");
 }
 
-/// Is each anchor near the bodies that it is on? An arm that is longer would be too coarse in the solver's floats.
+/// Is each anchor near its bodies? A longer arm would be too coarse in the solver's floats.
 struct AnchorCheck {
     const WorldState& world;
     const MemberPath& path;
@@ -84,7 +84,7 @@ private:
     }
 };
 
-/// What a joint was given once and for all, in the order in which it is described.
+/// The members of a joint that cannot be changed later, in the order in which they are described.
 struct Given {
     const char* member;
     std::variant<BodyId, JointId, Vec2> value;
@@ -146,7 +146,8 @@ void validateChange(const JointDef& from, const JointDef& to) {
         if (!(before[i].value == after[i].value))
             refuse(name + "." + before[i].member, after[i].text() + " is not " + before[i].text() +
                                                       ", which the joint was made with; remove it and join anew");
-    // Its bodies may have gone far from its anchors since, or be held fast by now: both are as they are.
+    // The world is not checked here: since the joint was made, its bodies may have moved far from its anchors, or may
+    // no longer be dynamic.
     validate(to, name);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which definitions of joints are refused, whatever world they are for?
+// Which definitions of joints are refused in every world?
 #include <type_traits>
 
 #include <plumb/dynamics/describe.h>
@@ -25,7 +25,7 @@ struct JointMemberCheck {
     }
 };
 
-// What holds between the members of a def, if anything does.
+// Conditions between the members of a def, if there are any.
 
 template <class Def>
 void validateTogether(const Def&, const MemberPath&) {}

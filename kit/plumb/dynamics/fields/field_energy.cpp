@@ -11,7 +11,7 @@ namespace plumb {
 
 namespace {
 
-/// At one place, or too near for numbers, there is no force; so no energy is told.
+/// Two bodies at the same place, or too near for a finite number, have no force on each other, and so no energy.
 double finite(double energy) {
     return std::isfinite(energy) ? energy : 0;
 }
@@ -44,7 +44,7 @@ double mutualEnergy(const FieldView& view, const FieldRecord& field, const Mutua
     return sum;
 }
 
-/// Of all that act on each body by itself.
+/// The energy of one body in a field that acts on each body independently of the others.
 double energyIn(const FieldView& view, const FieldRecord& field, BodyIndex body, BodyMotion motion) {
     const FieldLaw& law = field.def.law;
     motion.center += shiftInto(field, view, motion.center).value_or(Vec2(0, 0));

@@ -5,11 +5,11 @@
 
 namespace plumb {
 
-/// Does what it does have a potential energy?
+/// Does the field have a potential energy?
 bool hasEnergy(const FieldDef& field);
-/// Of all bodies in all fields that have one [J].
+/// The potential energy of all bodies in all fields that have one [J].
 double fieldEnergyOf(const FieldView& view);
-/// Of one body, if it were there, and all others where they are.
+/// The potential energy of one body if it were at there, with all other bodies where they are now [J].
 double fieldEnergyOf(const FieldView& view, BodyIndex body, const BodyMotion& there);
 
 }  // namespace plumb

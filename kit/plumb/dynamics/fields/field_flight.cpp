@@ -13,7 +13,8 @@ namespace plumb {
 
 namespace {
 
-/// A body on its way, by velocity Verlet: its place as a shift from its start, so that no rounding of it counts.
+/// Moves one body by velocity Verlet. Its position is kept as a shift from the start, so that rounding of large
+/// coordinates has no effect.
 class VerletFlight {
 public:
     VerletFlight(const BodyStore& bodies, PredictedFlight& flight, FieldAccount& account, const BodyMotion& from,
@@ -52,7 +53,8 @@ public:
         at_->rotation = Rot::fromAngle(at_->angle);
     }
 
-    /// The steady acceleration that, with the mean rate of drag, leads to the same place; and what then is missing.
+    /// Finds the steady acceleration that, with the mean drag rate, leads to the same position, and the velocity
+    /// (flight.rest) that is then missing.
     void conclude(double time) {
         FlightLaw& law = flight_->law;
         const Decay linear = decay(law.linearDamping, time), angular = decay(law.angularDamping, time);
@@ -75,7 +77,7 @@ private:
     double turn_ = 0;
 };
 
-/// All that is awake and does not feel more than is steady, so long after the step's start.
+/// Sets fields.now for all awake bodies on which no varying field acts, at a time after the step's start [s].
 void moveOthers(FieldStore& fields, const BodyStore& bodies, double time) {
     for (const BodyIndex body : bodies.awake) {
         const std::uint32_t flight = bodies.step[body].flight;
@@ -84,7 +86,7 @@ void moveOthers(FieldStore& fields, const BodyStore& bodies, double time) {
     }
 }
 
-/// Moves all that feels fields through the step, together.
+/// Moves all bodies on which varying fields act through the step, together.
 class Flights {
 public:
     Flights(FieldStore& fields, BodyStore& bodies, const Space& space, double dt)
@@ -132,7 +134,7 @@ private:
     std::vector<VerletFlight> verlet_;
 };
 
-/// What acts on it is the same wherever it is.
+/// Sets the law of a flight on which only steady fields act: their force is the same everywhere.
 void setSteadyLaw(FieldStore& fields, const BodyStore& bodies, const Space& space, PredictedFlight& flight,
                   FlightAccount& account) {
     const BodyRecord& record = bodies.record[flight.body];
@@ -184,7 +186,7 @@ FieldFlight flightFrom(FieldStore& fields, const BodyStore& bodies, const Space&
     }
     const double whole = bodies.lastStep / bodies.subSteps;
     const int steps = std::max(1, static_cast<int>(std::ceil(time / whole - 1e-6)));
-    // The others half-way: the error is of the order of Verlet's.
+    // The other bodies are taken at half of the time: the error is of the same order as Verlet's.
     if (looksAround(fields)) {
         fields.now = bodies.motion;
         for (const BodyIndex other : bodies.awake)

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // How does a body move through a step where there are fields?
 //
-// Before the step, all bodies that may feel one are flown through it by velocity Verlet at the sub-step, as if nothing
-// touched them. What comes of it is put as a closed form that leads to the same place, so that all who ask where a body
-// will be, and when it hits what, need to know nothing of fields; the velocity that this leaves over is added at the
-// step's end. What bounces is flown anew from there. Where all that a body feels is steady, its closed form is exact.
+// Before the step, the motion of every body on which a field may act is predicted by velocity Verlet at the sub-step,
+// as if nothing touched the body. The result is stored as a closed form that leads to the same position. So all code
+// that computes where a body will be, and when it hits something, needs to know nothing of fields. The velocity that
+// the closed form misses is added at the step's end. After a bounce, the motion is predicted again from there. If only
+// steady fields act on a body, its closed form is exact.
 // Source: Verlet, Phys. Rev. 159 (1967) 98, as kick, drift, kick.
 // Tests: "two bodies go round each other as Kepler says", "an orbit keeps its energy for 100 rounds", "a puck between
 // walls never speeds up", "linear drag and wind carry a ball as the closed form says"
@@ -13,23 +14,24 @@
 
 namespace plumb {
 
-/// In less than this no field could make a difference that a velocity holds, nor its law be told from rounding [s].
+/// In less time than this, a field's change of velocity is lost in rounding, and so is its law [s].
 inline constexpr double shortestFelt = 1e-9;
 
-/// A predicted flight, and what fields do on it.
+/// A predicted flight, and the energy and momentum that fields give during it.
 struct FieldFlight {
     PredictedFlight flight;
     FieldAccount account;
 };
 
-/// At the start of a step of dt [s]: predicts the flights of all bodies that feel fields.
+/// At the start of a step of dt [s]: predicts the flights of all bodies on which fields act.
 void predictFlights(FieldStore& fields, BodyStore& bodies, const Space& space, double dt);
 
-/// How a body that feels fields moves on for a time, from where it is so long after the step's start [s].
+/// Predicts how a body on which fields act moves on for a time [s]. It is at from, at a time start [s] after the step's
+/// start.
 FieldFlight flightFrom(FieldStore& fields, const BodyStore& bodies, const Space& space, const PredictedFlight& before,
                        const BodyMotion& from, double start, double time);
 
-/// At the end of a step.
+/// At the end of a step: removes all flights and their accounts.
 void clearFlights(FieldStore& fields, BodyStore& bodies);
 
 }  // namespace plumb

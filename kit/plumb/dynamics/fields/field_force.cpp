@@ -14,7 +14,7 @@ namespace plumb {
 
 namespace {
 
-/// What one field adds to the pull on one body.
+/// Adds up the pulls of fields on one body.
 class ForceSum {
 public:
     ForceSum(const FieldView& view, BodyIndex body, const std::vector<BodyMotion>& now, FieldPull& pull)
@@ -33,10 +33,10 @@ public:
     }
 
 private:
-    /// As the field sees it.
+    /// The body's motion, shifted to where the field acts (see shiftInto).
     const BodyMotion& motion() const { return there_; }
 
-    /// Of what the field's filter lets in.
+    /// Is a body that passes the field's filter also in its region?
     bool isWithin(BodyIndex other) const {
         return isInRange(now_[other]) && shiftInto(*field_, view_, now_[other].center).has_value();
     }
@@ -66,7 +66,7 @@ private:
 
     void pull(const Attractor& law) { pushCenter(attraction(law, motion().center)); }
 
-    /// The one that carries it bears what the others feel.
+    /// The body that carries the magnet gets the reaction of its pull on the others.
     void pull(const Magnet& law) {
         Attractor attractor = attractorOf(law, view_, now_);
         attractor.center = nearTo(attractor.center, motion().center);
@@ -116,7 +116,7 @@ private:
 }  // namespace
 
 void pullOn(const FieldView& view, BodyIndex body, const std::vector<BodyMotion>& now, FieldPull& pull) {
-    std::vector<SpeedDrag> quadratic = std::move(pull.quadratic);  // for its room
+    std::vector<SpeedDrag> quadratic = std::move(pull.quadratic);  // to reuse its memory
     quadratic.clear();
     pull = {};
     pull.quadratic = std::move(quadratic);

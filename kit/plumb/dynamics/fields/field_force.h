@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What do the fields do to a body where it is?
+// Which forces do the fields exert on a body at its position?
 #pragma once
 #include <vector>
 
@@ -7,7 +7,8 @@
 
 namespace plumb {
 
-/// now: where each body is, by its slot: this one, and, where fields look around, all.
+/// Sets pull to the sum of all fields' effects on a body. now: the motions of the bodies, by slot. Only this body's is
+/// needed, but all of them if a field depends on other bodies (see looksAround).
 void pullOn(const FieldView& view, BodyIndex body, const std::vector<BodyMotion>& now, FieldPull& pull);
 
 }  // namespace plumb

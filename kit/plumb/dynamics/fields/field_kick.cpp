@@ -9,7 +9,7 @@ namespace plumb {
 
 namespace {
 
-/// Rate and drive at a velocity.
+/// Drag rate [1/s] and driving acceleration [m/s^2] at a velocity.
 struct DragTerms {
     double rate = 0;
     Vec2 drive{0, 0};
@@ -36,11 +36,12 @@ DragTerms meanDrag(const FieldPull& pull, double damping, const Vec2& accelerati
     return dragAt(pull, damping, acceleration, 0.5 * (velocity + after(first, velocity, time)));
 }
 
-/// What friction takes off, of what would have become of a velocity.
+/// The change of velocity by friction, given the velocity to that would result without it.
 Vec2 frictionLoss(const Vec2& before, const Vec2& to, double most) {
     if (most <= 0) return {0, 0};
     if (to.norm() <= most) return -to;
-    // What contacts push against each other may be turned round by the rest of the kick: there is no mean way then.
+    // The rest of the kick may turn round the velocity of bodies that contacts press together: then no mean direction
+    // exists.
     const Vec2 way = before.dot(to) > 0 ? Vec2(before + to) : to;
     const Vec2 off = -way * (most / way.norm());
     return to.dot(Vec2(to + off)) > 0 ? off : Vec2(-to);

@@ -28,17 +28,17 @@ Vec2 pointOn(const BodyRecord& record, const BodyMotion& motion, const Vec2& loc
     return motion.center + motion.rotation * Vec2(local - record.localCenter);
 }
 
-/// Does a body come as low as the surface?
+/// Does a body reach the surface of the fluid from above?
 bool dips(const BodyRecord& record, const Vec2& center, const Fluid& fluid) {
     return fluid.gravity.dot(fluid.surface - center) <= record.boundingRadius * fluid.gravity.norm();
 }
 
-/// May something on its way between two places come as near to a centre?
+/// May something that moves between two places come within range of a centre?
 bool comesNear(const Vec2& center, double range, const Vec2& from, const Vec2& to) {
     return (0.5 * (from + to) - center).norm() <= range + 0.5 * (to - from).norm();
 }
 
-/// May something on its way come into a field's region?
+/// May something that moves within a box come into a field's region?
 bool mayReach(const FieldView& view, const FieldRecord& field, const Aabb& way) {
     if (!field.def.region || !view.bodies.wrap.any()) return overlap(way, field.box);
     bool reaches = false;
@@ -90,7 +90,7 @@ Aabb boxOf(const FieldDef& field) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if (!field.region) return {{-infinity, -infinity}, {infinity, infinity}};
     const Aabb box = aabbOf(*field.region, {});
-    // As far as covers() rounds, and what a number so large rounds to.
+    // The margin covers the tolerance of covers(), and the rounding of large coordinates.
     return inflate(box, 1e-8 + 1e-12 * box.lower.cwiseAbs().cwiseMax(box.upper.cwiseAbs()).maxCoeff());
 }
 

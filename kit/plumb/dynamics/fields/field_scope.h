@@ -8,23 +8,24 @@
 
 namespace plumb {
 
-/// Around a field's region: beyond it the field does not act [m].
+/// The box around a field's region: outside of it the field does not act [m].
 Aabb boxOf(const FieldDef& field);
-/// By how many rounds of the world a point is to be shifted to where a field sees it: into its region, or else near its
-/// centre, or to where a pool without a region has its depth. Empty when the field does not cover it.
+/// The shift, by whole periods of the world, that brings a point to the image on which a field acts: into its region,
+/// or else near its centre, or for a pool without a region into [0, width) and [0, height). Empty when the field does
+/// not cover the point.
 std::optional<Vec2> shiftInto(const FieldRecord& field, const FieldView& view, const Vec2& point);
-/// Does it act on a body that is there?
+/// Does the field act on a body with the motion there?
 bool actsOn(const FieldRecord& field, const FieldView& view, BodyIndex body, const BodyMotion& there);
-/// Is the body there that carries the magnet?
+/// Does the body that carries the magnet exist, and is it enabled?
 bool isCarried(const Magnet& magnet, const FieldView& view);
 bool isCarriedBy(const FieldLaw& law, BodyIndex body);
-/// Where a magnet is when bodies are there.
+/// The magnet as an attractor in the world, when the bodies have the motions now.
 Attractor attractorOf(const Magnet& magnet, const FieldView& view, const std::vector<BodyMotion>& now);
 
-/// Does a field look at where other bodies are than the one that it acts on?
+/// Does any field depend on the positions of other bodies than the one on which it acts?
 bool looksAround(const FieldStore& fields);
 
-/// What fields may do to a body on its way through a step.
+/// The kind of effect that fields may have on a body during a step.
 enum class FieldInfluence {
     None,
     Steady,  ///< the same wherever it is: uniform gravity, wind, and drag in proportion to the speed
@@ -32,7 +33,7 @@ enum class FieldInfluence {
 };
 FieldInfluence influenceOn(const FieldView& view, BodyIndex body, const Vec2& from, const Vec2& to);
 
-/// The bodies that a field acts on, asleep or awake, without the one that carries it.
+/// All bodies on which a field acts, asleep or awake, except the one that carries it.
 std::vector<BodyIndex> bodiesInfluencedBy(const FieldView& view, const FieldRecord& field);
 /// Before a step: notes which bodies mutual gravity and magnets attract. Returns those that may not sleep.
 std::vector<BodyIndex> gatherAttracted(FieldStore& fields, FieldIndex field, const BodyStore& bodies,

@@ -36,7 +36,8 @@ void addChange(SolverVelocity& velocity, const VelocityChange& push, float gyrat
 void FieldSolving::findPulls(const std::vector<BodyIndex>& solved) {
     std::vector<BodyMotion>& now = fields_.now;
     if (looksAround(fields_)) {
-        // What is not solved moves as predicted; what the impacts have moved is at the step's end already.
+        // Bodies that are not solved move as predicted; bodies that the impacts have moved are already at the step's
+        // end.
         now = bodies_.motion;
         for (const BodyIndex body : bodies_.awake)
             if (!bodies_.isConstrained(body) && !bodies_.isMovedBy(body, MovedBy::Impacts) && subSteps_ > 0)

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
-// What do the fields do to what the solver has?
+// How do the fields act on the bodies that the solver moves?
 #pragma once
 #include <plumb/dynamics/bodies/step_observer.h>
 #include <plumb/dynamics/fields/field_store.h>
 
 namespace plumb {
 
-/// In each half of a sub-step, after the bodies' kick and before the joints: where the bodies are by then, at the
-/// velocities that they have by then.
+/// Applies the fields in each half of a sub-step, after the bodies' kick and before the joints, at the positions and
+/// velocities that the bodies have at that moment.
 class FieldSolving {
 public:
-    /// h: the sub-step [s]; observer: if there is one.
+    /// h: the sub-step [s]; observer: may be null.
     FieldSolving(FieldStore& fields, BodyStore& bodies, const Space& space, double h, StepObserver* observer)
         : fields_(fields), bodies_(bodies), space_(space), h_(h), observer_(observer) {}
 
-    /// Of the solved bodies, those that feel fields; noBody fills the list up.
+    /// Changes the velocities of those solved bodies on which fields act. The list may be filled up with noBody.
     void kick(const std::vector<BodyIndex>& solved);
-    /// The bodies have been moved on by a sub-step.
+    /// To be called after the bodies have moved by a sub-step.
     void moved() { known_ = false; }
 
 private:

@@ -7,7 +7,7 @@ namespace plumb {
 
 namespace {
 
-/// A fluid as seen from a body's centre of mass, along its axes.
+/// A fluid in a body's frame, with the origin at its centre of mass.
 Fluid seenFrom(const BodyMotion& motion, const Fluid& fluid) {
     const Rot back = motion.rotation.inverse();
     return {fluid.density, back * Vec2(fluid.surface - motion.center), back * fluid.gravity};
@@ -15,7 +15,8 @@ Fluid seenFrom(const BodyMotion& motion, const Fluid& fluid) {
 
 }  // namespace
 
-// Looked at in the body's frame, where the shapes are as exact as when they were added, however far off it is.
+// Computed in the body's frame: there the shapes are as exact as when they were added, however far the body is from the
+// world's origin.
 std::vector<Submerged> submergedPartsOf(const BodyStore& bodies, const Space& space, BodyIndex body,
                                         const BodyMotion& motion, const Fluid& fluid) {
     const BodyRecord& record = bodies.record[body];

@@ -9,7 +9,7 @@
 
 namespace plumb {
 
-/// The part of each of its shapes that is, if there is one; the body is where motion says.
+/// The submerged part of each of the body's shapes that has one. The body's position is that of motion.
 std::vector<Submerged> submergedPartsOf(const BodyStore& bodies, const Space& space, BodyIndex body,
                                         const BodyMotion& motion, const Fluid& fluid);
 

@@ -16,7 +16,7 @@ Mat3 transposed(const Mat3& m) {
     return result;
 }
 
-/// The graph of what is still to be eliminated; each edge with the block that it has.
+/// The graph of the nodes that are not yet eliminated; each edge has the index of its block.
 struct Graph {
     std::vector<std::map<std::uint32_t, std::uint32_t>> blockTo;  ///< of each node: neighbour to block
     std::set<std::pair<std::size_t, std::uint32_t>> byDegree;
@@ -26,7 +26,7 @@ struct Graph {
         byDegree.erase({before, node});
         byDegree.insert({blockTo[node].size(), node});
     }
-    /// The block between two nodes, made if there was none.
+    /// The block between two nodes; a new one if there was none.
     std::uint32_t connect(std::uint32_t a, std::uint32_t b) {
         const auto [known, isNew] = blockTo[a].try_emplace(b, blocks);
         if (!isNew) return known->second;
@@ -57,7 +57,8 @@ bool BlockSolver::analyse(std::uint32_t nodes, std::span<const Edge> edges, std:
     lowers_.clear();
     updates_.clear();
     std::vector<std::uint32_t> rank(nodes);
-    // The row of a block is the node that is eliminated later: known for fill from its ranks, once all have one.
+    // The row of a block is the node that is eliminated later: for new blocks (fill-in) known once all nodes have a
+    // rank.
     std::vector<Update> found;
     while (!graph.byDegree.empty()) {
         const std::uint32_t node = graph.byDegree.begin()->second;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // How is a sparse symmetric system of 3 by 3 blocks solved at once?
 //
-// A = L D L^T, node after node: A_ij -= A_ik D_k^-1 A_jk^T for what is left of k's neighbours i, j. The order takes the
-// node with the fewest neighbours first, so that a tree, from its leaves on, fills in nothing, and costs in proportion
-// to its size. Positive and negative diagonal blocks may mix as they do in [M -J^T; -J -e], M and e positive: such a
-// matrix has this factorisation in any order.
+// A = L D L^T, eliminating one node k after another: A_ij -= A_ik D_k^-1 A_jk^T for all neighbours i, j of k that are
+// not yet eliminated. The node with the fewest neighbours is taken first. A tree is therefore eliminated from its
+// leaves, without any new blocks (fill-in), at a cost proportional to its size. Positive and negative diagonal blocks
+// may mix as they do in [M -J^T; -J -e], M and e positive: such a matrix has this factorisation in any order.
 // Source: Vanderbei, "Symmetric quasidefinite matrices", SIAM J. Optim. 5 (1995) 100; minimum degree: Tinney, Walker,
 // Proc. IEEE 55 (1967) 1801.
 // Test: "a sparse system of blocks is solved as a dense one is"
@@ -23,14 +23,14 @@ class BlockSolver {
 public:
     using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-    /// Finds the order of a graph of nodes and edges between different ones. False, and nothing else is to be asked of
-    /// it, when the elimination would take more than so many block updates.
+    /// Finds the order of elimination for a graph; each edge joins two different nodes. Returns false when the
+    /// elimination would take more than mostUpdates block updates; no other function may be called then.
     bool analyse(std::uint32_t nodes, std::span<const Edge> edges, std::size_t mostUpdates);
 
-    // Then, for each set of numbers: clear, fill in, factor, solve.
+    // Then, for each matrix of this structure: clear, fill in, factor, solve.
     void clear();
     Mat3& diagonal(std::uint32_t node) { return blocks_[node]; }
-    /// Adds m, as seen from row node a and column node b, to the block of an edge.
+    /// Adds m to the block of the edge (a, b), with a as the row node and b as the column node.
     void add(std::size_t edge, const Mat3& m);
     void factor();
     /// Replaces the right side by the solution.
@@ -43,7 +43,7 @@ public:
 private:
     struct Lower {
         std::uint32_t node = 0;   ///< eliminated later
-        std::uint32_t block = 0;  ///< of (node, this)
+        std::uint32_t block = 0;  ///< index of the block (node, eliminated node)
     };
     struct Place {
         std::uint32_t block = 0;
@@ -58,7 +58,7 @@ private:
     };
 
     std::vector<Mat3> blocks_;   ///< diagonals first; after factor, their inverses
-    std::vector<Place> places_;  ///< of the edges
+    std::vector<Place> places_;  ///< for each edge, where its block is
     std::vector<Step> steps_;    ///< in the order of elimination, and one past the end
     std::vector<Lower> lowers_;
     std::vector<Update> updates_;

@@ -11,7 +11,7 @@ namespace plumb {
 
 namespace {
 
-/// Sets of bodies that hang together, each known by one of them.
+/// Sets of bodies that are connected by joints (union-find); each set is named by one of its bodies.
 class Groups {
 public:
     explicit Groups(std::size_t bodies) : parent_(bodies) { std::iota(parent_.begin(), parent_.end(), BodyIndex{0}); }
@@ -25,7 +25,8 @@ private:
     std::vector<BodyIndex> parent_;
 };
 
-/// A machine whose loops are more than this share of its joints, or that takes more block updates than that, is swept.
+/// An island is swept if it has more than fewLoops loops and more than one per joinsPerLoop joints, or if it needs more
+/// than fewUpdates block updates and more than updatesPerNode per node.
 constexpr std::size_t joinsPerLoop = 8;
 constexpr std::size_t fewLoops = 16;
 constexpr std::size_t updatesPerNode = 8;

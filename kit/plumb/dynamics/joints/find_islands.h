@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which joints are in one island, and how is it to be solved?
+// Which joints form one joint island, and is it solved directly or swept?
 #pragma once
 #include <vector>
 
@@ -7,11 +7,11 @@
 
 namespace plumb {
 
-/// The islands of the joints that act and have a body awake, in the order of their first joints.
-/// atOnce: those of more joints are swept.
+/// The islands of all joints that act and have an awake body, in the order of their first joints. atOnce: an island
+/// with more joints than this is swept instead of solved directly.
 std::vector<JointIsland> findJointIslands(const JointStore& joints, const BodyStore& bodies, int atOnce);
 
-/// Bodies that were in an island before keep their stiffness.
+/// Copies the geometric stiffness of each body that was in one of the islands before.
 void keepStiffness(const std::vector<JointIsland>& before, std::vector<JointIsland>& islands);
 
 }  // namespace plumb

@@ -7,18 +7,20 @@ namespace plumb {
 
 namespace {
 
-/// A line's stiffness is forgotten in so long [s].
+/// Time in which the stiffness of a line that is no longer tight decays [s].
 constexpr double memory = 2;
 
-/// What does not move weighs a million times what hangs on it.
+/// The least effective mass, over all directions, of a neighbour at its anchor. A fixed one counts as a million times
+/// the body's own mass.
 double weightOf(const std::vector<Vec3>& masses, std::uint32_t node, const Vec2& arm, double hanging) {
     if (node == JointIsland::EndNodes::fixed) return 1e6 * hanging;
     const double turning = masses[node][2] > 0 ? arm.squaredNorm() / masses[node][2] : 0.0;
     return 1 / (1 / masses[node][0] + turning);
 }
 
-/// For each body, the least by which its neighbours, each free but for it, add to its inertia when it turns:
-/// sum m' r^2 - |sum m' r|^2 / (m + sum m'), m' what a neighbour weighs at the anchor at r, whichever way.
+/// For each body, the least inertia that its neighbours add when it turns, each neighbour taken as connected to this
+/// body only: sum m' r^2 - |sum m' r|^2 / (m + sum m'), m' the least effective mass, over all directions, of a
+/// neighbour at the anchor at r.
 std::vector<double> neighbourInertiaOf(const JointIsland& island) {
     struct NeighbourMass {
         double mass = 0, squares = 0;
@@ -45,7 +47,7 @@ std::vector<double> neighbourInertiaOf(const JointIsland& island) {
     return added;
 }
 
-/// Of each body, by the forces of this pass alone.
+/// The stiffness of each body from the forces of this pass alone.
 void findFresh(JointIsland& island, double h) {
     const double rate = 2 / h;  // impulses are of half a sub-step
     std::fill(island.stiffness.begin(), island.stiffness.end(), Vec3{});
@@ -93,7 +95,7 @@ void findMasses(JointIsland& island, const BodyStore& bodies, double h) {
 }
 
 void noteStiffness(JointIsland& island, BodyStore& bodies, double h) {
-    // It falls slowly: one that follows the forces' every turn pumps up what swings (tried).
+    // The stiffness falls slowly: one that follows every change of the forces makes oscillations grow (tried).
     island.work.stiffnessBefore = island.stiffness;
     findFresh(island, h);
     const double kept = 1 - std::min(0.5 * h / memory, 1.0);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// How are plain hinges swept, W at a time?
+// How are plain hinges of swept islands solved, W at a time?
 //
-// Lanes of a batch share no body that can be pushed. Of each lane, before the sub-step h (correct)
+// No two lanes of a batch share a body that can be pushed. Each lane solves, before the sub-step h (correct),
 //   K L = -s (vB - vA + b d - h/2 (wB^2 rB - wA^2 rA)) - i L0,   after it   K L = -(vB - vA)
-// and L + L0 is what it is given from then on. v velocities of the anchors [m/s], d the gap between them [m], r arms
-// [m], w angular velocities [rad/s], K what an impulse does to vB - vA [1/kg], L0 the impulse so far [N s], b, s, i
-// bias rate, mass scale and impulse scale (see softness.h).
+// and L + L0 is its impulse from then on. v velocities of the anchors [m/s], d the gap between them [m], r arms [m], w
+// angular velocities [rad/s], K effective inverse mass, from an impulse to vB - vA [1/kg], L0 the impulse so far [N s],
+// b, s, i bias rate, mass scale and impulse scale (see softness.h).
 #pragma once
 #include <cstddef>
 
@@ -27,15 +27,15 @@ struct alignas(64) HingeBatch {
 
 struct HingePass {
     float step = 0;       ///< h [s]
-    bool correct = true;  ///< before the sub-step: with its gap
-    float fastest = 0;    ///< that a gap is closed [m/s]
+    bool correct = true;  ///< before the sub-step: closes the gap too
+    float fastest = 0;    ///< greatest speed at which a gap is closed [m/s]
     Softness soft;
 };
 
-/// The same three functions for each number of lanes, with the same results to the last bit.
+/// The same three functions for each number of lanes, with bitwise equal results.
 struct HingeSolver {
     void (*prepare)(HingeBatch* batches, std::size_t count, const BodyPlace* places);
-    /// The impulses of the half before, as a first guess.
+    /// Applies the impulses of the previous half sub-step as a first guess.
     void (*warmStart)(const HingeBatch* batches, std::size_t count, const SolverBodies& bodies);
     void (*solve)(HingeBatch* batches, std::size_t count, const SolverBodies& bodies, const HingePass& pass);
 };
@@ -45,7 +45,7 @@ struct WideHingeSolver {
     static const HingeSolver code;
 };
 
-/// For at most so many lanes, as the machine can.
+/// The widest solver that this machine supports, with at most this number of lanes.
 const HingeSolver& hingeSolver(int lanes);
 
 }  // namespace plumb

@@ -13,7 +13,7 @@ struct WideHinges {
     static constexpr F all(float value) { return F{} + value; }
     static F at(const float* lanes) { return loadLanes<W>(lanes); }
 
-    /// An end's arm now, and how far its anchor has come in the step.
+    /// An end's arm now, and how far its anchor has moved in this step.
     struct Arm {
         F x, y, travelX, travelY;
     };
@@ -23,8 +23,9 @@ struct WideHinges {
         return {startX + turnX, startY + turnY, d.x + turnX, d.y + turnY};
     }
 
-    /// How far an anchor's way in the coming sub-step bends off its tangent, divided by h. Counted up to a tenth of a
-    /// radian; beyond, in a joint that is breaking up, it would feed what it is to correct.
+    /// How far an anchor's circular path leaves its tangent in the coming sub-step, divided by h. The angle is limited
+    /// to a tenth of a radian: at larger angles, in a joint that is coming apart, the term would add to the error that
+    /// it should correct.
     [[gnu::always_inline]] static inline F bendOf(F spin, F step) {
         const F angle = smaller(magnitude(spin * step), all(0.1f));
         return 0.5f * angle * angle / step;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int colours = 64;
 
-/// The batches of one colour, in the making.
+/// The batches of one colour, while they are filled.
 struct Filling {
     std::vector<HingeBatch> batches;
     std::vector<JointIndex> jointOf;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which plain hinges of a island that is swept go side by side?
+// Which plain hinges of a swept island can be solved in parallel?
 #pragma once
 #include <plumb/dynamics/joints/hinge_solver.h>
 #include <plumb/dynamics/joints/joint_store.h>
@@ -11,15 +11,15 @@ namespace plumb {
 /// pushed.
 class HingeSweep {
 public:
-    /// Takes those of the joints that it can, and their impulses with them; gives the others back, in their order.
+    /// Takes over the plain hinges among the joints, with their impulses. Returns the other joints in their order.
     std::vector<JointIndex> take(const std::vector<JointIndex>& joints, const JointStore& store,
                                  const BodyStore& bodies);
-    /// Gives the impulses back to the joints' records: before it is forgotten.
+    /// Writes the impulses back to the joints' records; to be called before this object is destroyed.
     void release(JointStore& store) const;
 
     void prepare(const HingeSolver& solver, const BodyStore& bodies);
     void solve(const HingeSolver& solver, const SolverBodies& bodies, const HingePass& pass);
-    /// Adds what the step's impulses were to the joints' loads.
+    /// Adds the impulses of the step to the joints' loads.
     void addLoads(JointStore& store) const;
 
     std::size_t bytes() const { return bytesOf(batches_) + bytesOf(jointOf_); }

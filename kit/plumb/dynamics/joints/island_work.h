@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What numbers does a pass over a island work on?
+// What data does a pass over a joint island work on?
 //
-// They are kept from pass to pass for their memory, and because what the passes have in common need not be worked out
-// again: between two moves, directions and masses are the same, and so is the matrix, but for rows that change.
+// The data is kept from pass to pass to reuse its memory, and to avoid computing the same values again: as long as no
+// body moves, directions and masses stay the same, and so does the matrix, except for rows that change.
 #pragma once
 #include <plumb/dynamics/joints/joint_curve.h>
 #include <plumb/dynamics/joints/joint_store.h>
@@ -11,21 +11,21 @@
 namespace plumb {
 
 struct IslandWork {
-    // Of the joints
+    // One entry per joint
     std::vector<JointRows> rows, rowsBefore;  ///< of this pass and the one before
     std::vector<std::array<RowState, maxRows>> states;
     std::vector<std::array<RowEquation, maxRows>> equations;
-    std::vector<Vec3> inverseMasses;  ///< what a unit impulse does to a row's speed
+    std::vector<Vec3> inverseMasses;  ///< effective inverse mass of each row
     std::vector<Vec3> impulses;       ///< in this pass
-    std::vector<Vec3> compliances;    ///< of the rows in the matrix that was factored last; -1: not in it
+    std::vector<Vec3> compliances;    ///< of the rows in the last factored matrix; -1: row is not in it
 
-    // Of the bodies
-    std::vector<Vec3> masses;           ///< along x, y, turning; 0: nothing turns it
-    std::vector<Vec3> massesBefore;     ///< in the matrix that was factored last
+    // One entry per body
+    std::vector<Vec3> masses;           ///< along x, along y, moment of inertia; 0: it cannot turn
+    std::vector<Vec3> massesBefore;     ///< in the last factored matrix
     std::vector<Vec3> stiffnessBefore;  ///< before this pass [N/m, N m/rad]
     std::vector<Vec3> before, after;    ///< velocities
 
-    std::vector<Vec3> answer;  ///< of the bodies, then of the joints
+    std::vector<Vec3> answer;  ///< solution: of the bodies, then of the joints
 
     std::size_t bytes() const {
         return bytesOf(rows) + bytesOf(rowsBefore) + bytesOf(states) + bytesOf(equations) + bytesOf(inverseMasses) +

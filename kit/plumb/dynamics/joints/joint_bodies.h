@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which bodies feel a joint? Two, or, of a gear, up to four.
+// On which bodies does a joint act? On two, or up to four for a gear.
 #pragma once
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 
 namespace plumb {
 
-/// In the order of its rows' ends: noBody where there is none, and maybe one twice.
+/// The bodies in the order of the rows' ends: noBody where there is none; one body may occur twice.
 inline std::array<BodyIndex, maxEnds> endsOf(const JointStore& joints, JointIndex index) {
     const JointRecord& record = joints[index];
     const auto* gear = std::get_if<GearJoint>(&record.joint);
@@ -23,7 +23,7 @@ void forEachBody(const JointStore& joints, JointIndex index, Visit&& visit) {
         if (*end != noBody && std::find(ends.begin(), end, *end) == end) visit(*end);
 }
 
-/// Is there something that it could move, and is all of it where a body can be?
+/// Does the joint have a body that it can move, and are all its bodies in the valid range of positions?
 inline bool holdsSomething(const JointStore& joints, const BodyStore& bodies, JointIndex index) {
     const std::array<BodyIndex, maxEnds> ends = endsOf(joints, index);
     return std::any_of(ends.begin(), ends.end(), [&](BodyIndex body) { return bodies.canMove(body); }) &&

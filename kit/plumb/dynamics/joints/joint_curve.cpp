@@ -12,7 +12,7 @@ bool isStop(RowState state) {
 }
 
 double slopeOf(const JointRow& row, double w) {
-    // More takes all of the speed away, less nothing, and its inverse would be too large a number.
+    // A larger value removes all of the speed; a smaller one removes nothing, and its inverse would be too large.
     constexpr double least = 1e-16, most = 30;
     return row.damper * w > least ? exponentialMinus1(std::min(row.damper * w, most)) / w : 0.0;
 }
@@ -71,7 +71,7 @@ RowState nextState(const JointRow& row, RowState state, double speed, double tot
 }
 
 RowState validState(const JointRow& row, RowState state) {
-    if (!(row.high < unlimited)) return RowState::AtTarget;  // which its stops bound
+    if (!(row.high < unlimited)) return RowState::AtTarget;  // a row that holds without a bound
     if (state == RowState::AtLowerStop && !(row.lowerStop > -unlimited)) return RowState::AtHigh;
     if (state == RowState::AtUpperStop && !(row.upperStop < unlimited)) return RowState::AtLow;
     if (state == RowState::AtTarget && !row.bounded && !(row.high > row.low)) return RowState::AtLow;

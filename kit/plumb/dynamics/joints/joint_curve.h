@@ -1,33 +1,34 @@
 // SPDX-License-Identifier: MIT
-// On which part of its curve is a row (see joint_rows.h), and what does it want there?
+// On which part of its curve is a row (see joint_rows.h), and which equation holds there?
 #pragma once
 #include <plumb/dynamics/joints/joint_rows.h>
 
 namespace plumb {
 
-/// e: give of a row, as a share of what its own impulse does to it [-]. Rows that say the same share their load, and
-/// what their numbers disagree by is not multiplied by more than its inverse.
+/// e: compliance of a row, relative to the row's effective inverse mass [-]. Redundant rows (rows with the same
+/// constraint) then share their load, and a difference between their right sides is amplified by at most 1 / e.
 inline constexpr double rowGive = 1e-5;
 
-/// A row on a part of its curve: v + give L = speed, or, if there is no such thing, L = impulse.
+/// The equation of a row on one part of its curve: v + compliance L = speed, or, where the impulse is known, L =
+/// impulse.
 struct RowEquation {
     bool known = false;
     double impulse = 0;
     double speed = 0, compliance = 0;
 };
 
-// w is what a unit impulse does to the row's speed.
+// In all functions, w is the row's effective inverse mass: the change of its speed by a unit impulse.
 bool isStop(RowState state);
-/// d of a damper.
+/// The slope d of a damper (see joint_rows.h).
 double slopeOf(const JointRow& row, double w);
-/// All but what it holds, and where it stops.
+/// Removes the motor, spring and damper of a row. A row that holds, and the stops, stay.
 void dropDrive(JointRow& row);
-/// Before a sub-step, a damper goes by the speed there was.
+/// Before a sub-step, a damper acts by the speed at the start of that sub-step, as a known impulse.
 void dampAhead(JointRow& row, double w, double speed);
 RowEquation equationOf(const JointRow& row, RowState state, double w);
-/// The part of the curve next to the one on which speed and impulse are no answer.
+/// The next part of the curve, if speed and impulse are not a solution on the present one; else the same.
 RowState nextState(const JointRow& row, RowState state, double speed, double total, double w);
-/// A state from another step may name a stop, or a bound of force, that is not there now.
+/// Replaces a state from an earlier step that names a stop or a bound of force which the row no longer has.
 RowState validState(const JointRow& row, RowState state);
 
 }  // namespace plumb

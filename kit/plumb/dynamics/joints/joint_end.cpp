@@ -7,8 +7,8 @@ namespace plumb {
 
 namespace {
 
-/// Turning is looked ahead no farther than this: beyond, in a joint that breaks up, it would feed what it is to correct
-/// [rad].
+/// Turning is predicted up to this angle only: at larger angles, in a joint that is coming apart, the prediction would
+/// add to the error that it should correct [rad].
 constexpr double farthestTurn = 0.5;
 
 End endOf(const Anchor& anchor, const BodyMotion& motion) {

@@ -9,10 +9,10 @@ namespace plumb {
 struct Anchor {
     Vec2 local{0, 0};  ///< from the centre of mass, in the body's frame [m]
     BodyIndex body = noBody;
-    Vec2 shift{0, 0};  ///< so many rounds of the world bring it to the other end [m]
+    Vec2 shift{0, 0};  ///< by periods of the world, to the image near the other end [m]
 };
 
-/// The anchor on a body at a point of the world, where the body stands now.
+/// The anchor on a body at a point of the world, at the body's present position.
 inline Anchor anchorAt(BodyIndex body, const Vec2& point, const BodyStore& bodies) {
     const BodyMotion& motion = bodies.motion[body];
     const Vec2 there = bodies.near(point, motion.center);
@@ -23,7 +23,7 @@ struct AnchorPair {
     Anchor a, b;
 };
 
-/// An anchor, and how its body moves.
+/// An anchor's position, and the motion of its body.
 struct End {
     BodyIndex body = noBody;
     Vec2 point{0, 0};     ///< the anchor, in the world [m]
@@ -34,11 +34,11 @@ struct End {
     double spin = 0;      ///< [rad/s]
 };
 
-/// Where it was left by the last step.
+/// The end at the state after the last step.
 End endAtRest(const Anchor& anchor, const BodyStore& bodies);
-/// Within a step, where its sub-steps have brought it.
+/// Within a step: the end after the sub-steps done so far.
 End endNow(const Anchor& anchor, const BodyStore& bodies);
-/// After the coming sub-step of h [s], if it goes on as it moves now.
+/// The end after the coming sub-step of h [s], at constant velocities.
 End endAfter(const End& now, double h);
 
 /// Both ends of a joint.

@@ -12,9 +12,9 @@
 namespace plumb {
 
 struct JointIsland {
-    /// What the island's solver knows a joint's end by: the nodes of bodies come first.
+    /// The nodes and edges of a joint's ends in the island's solver. The nodes of the bodies come first.
     struct EndNodes {
-        static constexpr std::uint32_t fixed = ~std::uint32_t{0};  ///< nothing of the island's
+        static constexpr std::uint32_t fixed = ~std::uint32_t{0};  ///< no body of the island
         std::array<std::uint32_t, maxEnds> node{fixed, fixed, fixed, fixed};
         std::array<std::size_t, maxEnds> edge{};
     };
@@ -22,29 +22,29 @@ struct JointIsland {
     std::vector<JointIndex> joints;
     std::vector<EndNodes> endNodes;  ///< of the joints
     std::vector<BodyIndex> bodies;
-    std::vector<Vec3> stiffness;     ///< of the bodies, by the forces of late: along x, y, turning [N/m, N m/rad]
-    bool direct = true;              ///< solved at once, else swept
-    BlockSolver solver;              ///< when solved at once
-    IslandWork work;                 ///< likewise
-    HingeSweep hinges;               ///< when swept: its plain hinges
-    std::vector<JointIndex> others;  ///< and the rest
+    std::vector<Vec3> stiffness;     ///< of the bodies, from recent forces: along x, y, turning [N/m, N m/rad]
+    bool direct = true;              ///< solved directly, all joints at once; else swept
+    BlockSolver solver;              ///< used when solved directly
+    IslandWork work;                 ///< used when solved directly
+    HingeSweep hinges;               ///< used when swept: its plain hinges
+    std::vector<JointIndex> others;  ///< used when swept: all its other joints
 };
 
-/// Of the joints that act and have a body awake.
+/// The islands of all joints that act and have an awake body.
 struct JointIslands {
     std::vector<JointIsland> islands;   ///< in the order of their first joints
-    std::vector<JointIndex> joints;     ///< of all of them, in the order of their slots
-    std::vector<JointIndex> breakable;  ///< those of them that may break
+    std::vector<JointIndex> joints;     ///< of all islands, in the order of their slots
+    std::vector<JointIndex> breakable;  ///< those of the joints that can break
     JointSprings springs;
 };
 
-/// What joints read and write.
+/// The stores that the joint solver reads and writes.
 struct JointStores {
     JointStore& joints;
     JointIslands& islands;
     BodyStore& bodies;
     const SolverSettings& settings;
-    StepObserver* observer = nullptr;  ///< if there is one
+    StepObserver* observer = nullptr;  ///< may be null
 };
 
 }  // namespace plumb

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What does an impulse in a joint do to its bodies?
+// How does an impulse in a joint change the velocities of its bodies?
 #pragma once
 #include <plumb/dynamics/joints/joint_store.h>
 
 namespace plumb {
 
-/// What the body answers an impulse of (x, y, turn) with.
+/// The change of the body's velocity (x, y, turn) by an impulse (x, y, turn).
 inline Vec3 answerOf(const BodyStore& bodies, BodyIndex body, const Vec3& impulse) {
     const double inverseMass = static_cast<double>(bodies.velocity[body].inverseMass);
     const double inverseGyration = static_cast<double>(bodies.turn[body].inverseGyration);
@@ -38,7 +38,7 @@ inline void setVelocity(BodyStore& bodies, BodyIndex body, const Vec3& velocity)
     v.w = static_cast<float>(velocity[2] * static_cast<double>(bodies.turn[body].gyration));
 }
 
-/// What a row's own impulse does to its speed.
+/// The change of a row's speed by a unit of its own impulse.
 inline double effectiveInverseMass(const BodyStore& bodies, const JointRows& rows, std::size_t row) {
     double sum = 0;
     for (std::size_t e = 0; e < rows.ends; ++e)

@@ -7,7 +7,7 @@ namespace plumb {
 
 namespace {
 
-/// A row that was just made holds; one that is to do something else does nothing else before.
+/// A new row holds by default. This turns it into a row that does nothing, before a spring or limit is set.
 void release(JointRow& row) {
     if (row.holds) row.low = row.high = row.target = 0;
     row.holds = false;
@@ -72,7 +72,8 @@ void hold(JointRow& row, const PredictedCoordinate& predicted, double speed, con
 void keepWithin(JointRow& row, const Limit& limit, const PredictedCoordinate& predicted, double speed,
                 const JointPass& pass) {
     release(row);
-    // A gap may be closed in the sub-step, all of it; what is beyond the limit is taken back as any error is.
+    // Room up to the limit may be used up in one sub-step. A coordinate beyond the limit is corrected like any other
+    // error.
     const auto allowed = [&pass](double room) {
         if (room >= 0) return room / pass.step;
         return pass.correct ? std::max(room * pass.rate, -pass.fastest) : 0.0;

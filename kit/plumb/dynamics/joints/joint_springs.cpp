@@ -21,7 +21,7 @@ double shareOf(double q) {
     return s * s / q;
 }
 
-/// What a unit impulse along the row does to its rate, as far as one end goes [1/kg].
+/// The part of one end in the row's effective inverse mass [1/kg].
 double effectiveInverseMass(const BodyStore& bodies, BodyIndex body, const Vec3& at) {
     const BodyRecord& record = bodies.record[body];
     return record.inverseMass * (at[0] * at[0] + at[1] * at[1]) + record.inverseInertia * at[2] * at[2];

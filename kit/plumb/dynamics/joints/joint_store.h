@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which joints are there, and what is kept of each?
+// Which joints does the world have, and which data is kept for each?
 #pragma once
 #include <variant>
 #include <vector>
@@ -33,7 +33,7 @@ private:
 using AnyJoint = std::variant<std::monostate, RevoluteJoint, PrismaticJoint, DistanceJoint, WeldJoint, WheelJoint,
                               PulleyJoint, GearJoint, MotorJoint, TargetJoint, LockJoint, FilterJoint>;
 
-/// Impulses on B in the last step it was solved in, and how long that was.
+/// Impulses on B in the last step in which the joint was solved, and the length of that step.
 struct JointLoad {
     Vec2 impulse{0, 0};  ///< [N s]
     double turning = 0;  ///< about B's anchor [N m s]
@@ -45,17 +45,17 @@ struct JointLoad {
 
 struct JointRecord {
     AnyJoint joint;
-    BodyIndex bodyA = noBody, bodyB = noBody;  ///< noBody: the world; of a gear, what its joints move
+    BodyIndex bodyA = noBody, bodyB = noBody;  ///< noBody: the world; of a gear: the bodies B of its two joints
     bool collideConnected = false;
     std::uint32_t generation = 0;
     Breaking breaking;
     std::array<RowState, maxRows> states{};
     double springShare = 1;  ///< in this step (see joint_springs.h)
-    Vec3 speeds{};           ///< of the rows, before the sub-step: what dampers go by [m/s or rad/s]
-    Vec3 impulse{};          ///< of half a sub-step, while its island is swept [N s or N m s]
+    Vec3 speeds{};           ///< of the rows, before the sub-step, for dampers [m/s or rad/s]
+    Vec3 impulse{};          ///< of half a sub-step, if its island is swept [N s or N m s]
 
     bool isFree() const { return std::holds_alternative<std::monostate>(joint); }
-    JointDef def() const;  ///< of one that is neither free nor hidden
+    JointDef def() const;  ///< of a joint that is neither free nor hidden
     bool isHidden() const { return std::holds_alternative<LockJoint>(joint); }
     bool mayBreak() const { return breaking.force < unlimited || breaking.torque < unlimited; }
     bool acts() const { return !isFree() && !std::holds_alternative<FilterJoint>(joint); }
@@ -63,10 +63,10 @@ struct JointRecord {
 
 struct JointStore {
     std::vector<JointRecord> records;
-    std::vector<JointLoad> loads;  ///< of the records: written every step, so apart from what is not
+    std::vector<JointLoad> loads;  ///< of the records; separate, because they are written every step
     std::vector<JointIndex> free;
-    std::vector<JointIndex> gears;  ///< those that two others drive
-    bool changed = false;           ///< islands that were found before are out of date
+    std::vector<JointIndex> gears;  ///< joints that are gears
+    bool changed = false;           ///< the joint islands must be found again
 
     JointRecord& operator[](JointIndex joint) { return records[joint]; }
     const JointRecord& operator[](JointIndex joint) const { return records[joint]; }
@@ -74,18 +74,18 @@ struct JointStore {
     JointIndex acquire();
     void release(JointIndex joint);
 
-    /// What a joint asks for in this half of a sub-step.
+    /// Sets rows to the joint's rows for this half of a sub-step.
     void addRows(JointIndex joint, const BodyStore& bodies, JointPass pass, JointRows& rows) const;
     bool hasSpring(JointIndex joint) const;
     SpringLoad springLoadOf(JointIndex joint, const BodyStore& bodies) const;
-    /// Where the last step has left it [m or rad].
+    /// The joint's coordinate after the last step [m or rad].
     double coordinateOf(JointIndex joint, const BodyStore& bodies) const;
     double speedOf(JointIndex joint, const BodyStore& bodies) const;       ///< [m/s or rad/s]
     double errorOf(JointIndex joint, const BodyStore& bodies) const;       ///< [m]
     double angleErrorOf(JointIndex joint, const BodyStore& bodies) const;  ///< [rad]
 };
 
-/// The joint that a def describes, where the bodies stand now.
+/// The joint that a def describes, at the bodies' present positions.
 AnyJoint makeJoint(const JointDef& def, const JointStore& joints, const BodyStore& bodies);
 
 }  // namespace plumb

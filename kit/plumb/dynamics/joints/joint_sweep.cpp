@@ -19,7 +19,7 @@ void push(const JointRows& rows, std::size_t row, double impulse, BodyStore& bod
     }
 }
 
-/// The rows that hold, all together.
+/// Solves all rows that hold together.
 void sweepHolding(JointRecord& record, const JointRows& rows, BodyStore& bodies, const Softness& soft) {
     Mat3 k;
     Vec3 lacking{};
@@ -46,7 +46,7 @@ void sweepHolding(JointRecord& record, const JointRows& rows, BodyStore& bodies,
     }
 }
 
-/// Where a row's curve meets v + w (L - old), what it can reach by its own impulse.
+/// The impulse L at which the row's curve meets the line v + w (L - old), the speed that its own impulse gives it.
 double soughtImpulse(const JointRow& row, double v, double old, double w) {
     const double slope = slopeOf(row, w);
     const auto onSlope = [&](double bound) { return (row.push + bound - slope * (v - w * old)) / (1 + slope * w); };

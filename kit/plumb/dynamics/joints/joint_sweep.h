@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// How is one joint of a island solved that is too closely knit to be solved at once?
+// How is one joint solved in an island with too many loops for a direct solution?
 #pragma once
 #include <plumb/dynamics/bodies/softness.h>
 #include <plumb/dynamics/joints/joint_store.h>
 
 namespace plumb {
 
-/// Its impulse of the half before is a first guess; then the rows that are driven or limited, one by one; then those
-/// that hold, together.
+/// Applies the impulse of the previous half sub-step as a first guess. Then solves the driven and limited rows one by
+/// one, and after them all rows that hold together.
 void sweepJoint(JointRecord& record, JointLoad& load, const JointRows& rows, BodyStore& bodies, const Softness& soft);
 
 }  // namespace plumb

@@ -13,10 +13,10 @@ namespace plumb {
 
 namespace {
 
-/// Rows that change their state after this many turns stay as they are until the next pass.
+/// After this number of iterations, rows keep their states until the next pass.
 constexpr int mostTurns = 8;
 
-constexpr double notSolved = -1;  ///< the give of a row that is not in the matrix
+constexpr double notSolved = -1;  ///< the compliance noted for a row that is not in the matrix
 
 bool sameWays(const JointRows& a, const JointRows& b) {
     if (a.count != b.count || a.far != b.far) return false;
@@ -50,7 +50,7 @@ public:
         noteStiffness(island_, bodies_, step_);
     }
 
-    /// Not what the rows want, but that what they hold goes on as it does.
+    /// Solves for an additional impulse: held rows keep their present speeds instead of their targets.
     void push(BodyIndex body, const Vec3& impulse) {
         work_.after = work_.before;
         const auto at = std::find(island_.bodies.begin(), island_.bodies.end(), body);
@@ -108,7 +108,7 @@ private:
             addLoad(joints_.loads[island_.joints[j]], work_.rows[j], work_.impulses[j]);
     }
 
-    /// A row at its stop stays there; another gives nothing more.
+    /// A row at its stop keeps its speed; any other row gives no impulse.
     static JointRow free(JointRow row, double speed, RowState state) {
         row.low = row.high = row.push = row.damper = 0;
         row.bounded = !isStop(state);
@@ -125,13 +125,13 @@ private:
         }
     }
 
-    /// What a body of the island answers an impulse of (x, y, turn) with.
+    /// The change of velocity of a body of the island by an impulse (x, y, turn).
     Vec3 answerOf(std::uint32_t node, const Vec3& impulse) const {
         const Vec3& mass = work_.masses[node];
         return {impulse[0] / mass[0], impulse[1] / mass[1], mass[2] > 0 ? impulse[2] / mass[2] : 0.0};
     }
 
-    /// Of a joint's rows.
+    /// The speeds of a joint's rows.
     Vec3 speedsOf(std::size_t j, const std::vector<Vec3>& velocities) const {
         const JointRows& rows = work_.rows[j];
         Vec3 speeds{};
@@ -151,7 +151,7 @@ private:
                 const RowEquation& equation = work_.equations[j][r] =
                     equationOf(rows.row[r], work_.states[j][r], work_.inverseMasses[j][r]);
                 const bool solved =
-                    !equation.known && work_.inverseMasses[j][r] > 0;  // else there is nothing that it could move
+                    !equation.known && work_.inverseMasses[j][r] > 0;  // else the row cannot move anything
                 const double compliance = solved ? equation.compliance : notSolved;
                 same_ = same_ && compliance == work_.compliances[j][r];
                 work_.compliances[j][r] = compliance;
@@ -159,7 +159,7 @@ private:
         }
     }
 
-    /// To the velocities, what rows give whose impulse is known.
+    /// Adds the known impulses of rows to the velocities.
     void applyKnownImpulses() {
         work_.after = work_.before;
         for (std::size_t j = 0; j < work_.rows.size(); ++j) {
@@ -178,7 +178,7 @@ private:
         }
     }
 
-    /// What takes the velocities after the pass to where the rows want them.
+    /// Finds the impulses and changes of velocity with which the rows fulfil their equations.
     void solve() {
         if (!same_) factor();
         same_ = true;
@@ -222,7 +222,7 @@ private:
             for (std::size_t r = 0; r < rows.count; ++r) {
                 if (work_.compliances[j][r] == notSolved) continue;
                 block[r] = times(rows.at(r, e), -1);
-                if (work_.masses[node][2] == 0) block[r][2] = 0;  // nothing turns it
+                if (work_.masses[node][2] == 0) block[r][2] = 0;  // it cannot turn
             }
             island_.solver.add(island_.endNodes[j].edge[e], block);
         }
@@ -281,7 +281,7 @@ void solveIsland(JointIsland& island, JointStore& joints, BodyStore& bodies, con
 }
 
 void holdIsland(JointIsland& island, JointStore& joints, BodyStore& bodies, JointPass pass, StepObserver* observer) {
-    // Once more, if the first time has changed the turning by so much that what it foresaw is not what will be.
+    // Repeated if a pass has changed an angular velocity so much that its prediction of the ends is no longer valid.
     constexpr double far = 0.02;
     pass.onlyHold = true;
     for (int time = 0; time < 3; ++time) {

@@ -1,38 +1,40 @@
 // SPDX-License-Identifier: MIT
-// How are all joints of a machine solved at once?
+// How are all joints of an island solved at once?
 //
-// Joints that hang together through bodies are a island. One pass finds the change of velocity u and the impulses L of
+// Joints that are connected through bodies form an island. One pass solves for velocity changes u and impulses L:
 //   M u - J^T L = 0,   J u + e L = r
-// M masses, J the rows, r what the rows lack, e a little give that keeps rows apart which say the same; with each row
-// on the part of its curve (see joint_rows.h) on which its answer lies, found by turns. No impulse is remembered: a
-// chain of a thousand links, or one that carries a thousand times its weight, is solved in one pass, as a pendulum is.
+// M masses, J the rows, r the rows' missing change of speed, e a small compliance that keeps the system solvable when
+// rows are redundant. Each row is on the part of its curve (see joint_rows.h) that contains its solution; the parts are
+// found by iteration. No impulse is kept from pass to pass: a chain of a thousand links, or one that carries a thousand
+// times its weight, is solved in one pass, as a pendulum is.
 // Source: Baraff, "Linear-time dynamics using Lagrange multipliers", SIGGRAPH 1996; principal pivoting: Murty 1988.
 // Tests: "a chain of 20 links holds a load of a thousand times their mass"
 //
-// What fills in too much, as a cloth of hinges does, is swept instead, joint by joint, with soft corrections and the
-// impulses of the step before as a first guess.
+// An island whose matrix gets too many new blocks, such as a cloth of hinges, is swept instead: joint by joint, with
+// soft corrections and the previous impulses as a first guess.
 #pragma once
 #include <plumb/dynamics/bodies/step_observer.h>
 #include <plumb/dynamics/joints/joint_island.h>
 
 namespace plumb {
 
-/// What one pass over the joints is told.
+/// The inputs of one pass over the joints.
 struct IslandPass {
     JointPass direct;  ///< for islands that are solved at once
     JointPass swept;
     HingePass hinges;
     const HingeSolver* hingeSolver = nullptr;
-    StepObserver* observer = nullptr;  ///< if there is one
+    StepObserver* observer = nullptr;  ///< may be null
 };
 
-/// Changes velocities to what the joints ask for, and adds to their loads.
+/// Changes the velocities so that they fulfil the joints' rows, and adds the impulses to the joints' loads.
 void solveIsland(JointIsland& island, JointStore& joints, BodyStore& bodies, const IslandPass& pass);
 
-/// Of an island that is solved at once: takes out what contacts have done to what the joints hold.
+/// For an island that is solved directly: removes the errors that contacts have caused in the joints' held rows.
 void holdIsland(JointIsland& island, JointStore& joints, BodyStore& bodies, JointPass pass, StepObserver* observer);
 
-/// Gives a body of an island that is solved at once an impulse (x, y, turning), and the whole island what follows.
+/// For an island that is solved directly: applies an impulse (x, y, turning) to one body, and the joint impulses that
+/// follow from it to the whole island.
 void pushIsland(JointIsland& island, JointStore& joints, BodyStore& bodies, BodyIndex body, const Vec3& impulse,
                 double h);
 

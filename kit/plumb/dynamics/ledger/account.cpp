@@ -34,7 +34,7 @@ void Account::close(const LedgerView& view, Energy energy, Momentum momentum) {
         const BodyRecord& record = bodies.record[body];
         if (!record.alive || record.type != BodyType::Dynamic) continue;
         const BodyMotion& motion = bodies.motion[body];
-        if (!isInRange(motion)) continue;  // it goes into quarantine before it can do anything
+        if (!isInRange(motion)) continue;  // it goes into quarantine before it can act on anything
         e.kinetic += kineticEnergyOf(record, motion.velocity, motion.angularVelocity);
         e.gravitational += gravitationalEnergyOf(record, motion.center, bodies.gravity);
         sum += record.mass * motion.velocity;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much energy and momentum has a world, and where did it go?
+// How much energy and momentum does a world have, and what has changed them?
 #pragma once
 #include <plumb/dynamics/contacts/contact_graph.h>
 #include <plumb/dynamics/fields/field_store.h>
@@ -8,14 +8,14 @@
 
 namespace plumb {
 
-/// What is looked at.
+/// The stores that the account reads.
 struct LedgerView {
     const BodyStore& bodies;
     const FieldStore& fields;
     const ContactGraph& graph;
     const JointStore& joints;
     const Space& space;
-    const JointPhases* jointPhases = nullptr;  ///< if the world has joints
+    const JointPhases* jointPhases = nullptr;  ///< null if the world has no joints
 };
 
 double kineticEnergyOf(const BodyRecord& body, const Vec2& velocity, double spin);              ///< [J]
@@ -28,10 +28,10 @@ public:
 
     const Ledger& ledger() const { return ledger_; }
 
-    /// Part of what the phase now going on does.
+    /// Enters a part of the change that the current phase makes.
     void note(Energy entry, double energy);
     void note(Momentum entry, const Vec2& momentum);
-    /// A phase is over: what it did beyond what was noted goes to these entries.
+    /// Ends a phase: the change that was not noted goes to these entries.
     void close(const LedgerView& view, Energy energy, Momentum momentum);
 
 private:

@@ -10,7 +10,7 @@ namespace plumb {
 
 namespace {
 
-/// The speed of a contact's point on one body along an axis, its arm's part times rho given.
+/// The speed of a contact's point on one body along an axis. turn: the arm's part, divided by the radius of gyration.
 double speedAlong(const SolverVelocity& v, double x, double y, double turn) {
     return x * static_cast<double>(v.x) + y * static_cast<double>(v.y) + turn * static_cast<double>(v.w);
 }
@@ -29,14 +29,14 @@ void forEachLane(const ContactGraph& graph, Visit&& visit) {
 
 }  // namespace
 
-/// One contact: what it has given, and the velocities of its bodies.
+/// One contact: its impulses so far, and the velocities of its bodies.
 struct StepAudit::Lane {
     const ContactBatch& batch;
     std::size_t lane;
     SolverVelocity a, b;
     double normal[2] = {0, 0}, tangent[2] = {0, 0}, roll = 0;
 
-    /// Before it has given anything.
+    /// The contact before its first impulse.
     static Lane before(const ContactBatch& from, std::size_t at, const std::vector<SolverVelocity>& velocities) {
         Lane lane(from, at, velocities);
         lane.normal[0] = lane.normal[1] = lane.tangent[0] = lane.tangent[1] = lane.roll = 0;
@@ -84,7 +84,7 @@ void StepAudit::noteFlight(BodyIndex body, const BodyMotion& from, const BodyMot
     };
     const std::uint32_t flight = bodies_.step[body].flight;
     if (flight != none &&
-        !bodies_.flights[flight].steady) {  // what of it had which cause is told when its flight is over
+        !bodies_.flights[flight].steady) {  // the causes are entered by noteFieldFlight, at the end of the flight
         account_.note(&EnergyLedger::solver, energyAt(to) - energyAt(from) - work);
         return;
     }
@@ -133,7 +133,7 @@ void StepAudit::beginHalf(const std::vector<BodyIndex>& solved) {
     start_ = bodies_.velocity;
     for (const BodyIndex body : solved) {
         const BodyRecord& record = bodies_.record[body];
-        if (bodies_.step[body].flight != none) continue;  // theirs is told by noteFieldKick
+        if (bodies_.step[body].flight != none) continue;  // entered by noteFieldKick
         SolverVelocity& v = start_[body];
         const Kick& kick = bodies_.kick[body];
         const double inverseGyration = static_cast<double>(bodies_.turn[body].inverseGyration);
@@ -181,7 +181,7 @@ void StepAudit::noteContact(const Lane& before, const Lane& after, bool hits) {
         impacts += normal * (nb - na);
         friction += tangent * (tb - ta + belt);
         drivers -= tangent * belt;
-        // What is not pushed works on what is.
+        // A body that cannot be pushed does work on the one that can.
         if (!pushA) drivers += normal * na + tangent * ta;
         if (!pushB) drivers -= normal * nb + tangent * tb;
         impulse += Vec2(after.nx(), after.ny()) * normal + Vec2(-after.ny(), after.nx()) * tangent;
@@ -252,7 +252,7 @@ void StepAudit::endHalf() {
     fieldsGiven_.clear();
 }
 
-/// Faster than gravity makes in two steps what has lain still.
+/// Is the approach faster than what gravity gives a resting body in two steps?
 bool StepAudit::hits(const ManifoldLanes& manifolds, std::size_t lane) const {
     return static_cast<double>(manifolds.approachSpeed[lane]) > 2 * bodies_.gravity.norm() * bodies_.lastStep + 1e-3;
 }
@@ -265,7 +265,7 @@ void StepAudit::beginBounces() {
     });
 }
 
-/// What has been given since then is counted in the totals only.
+/// The bounces' impulses are counted in the totals only.
 void StepAudit::endBounces() {
     std::size_t next = 0;
     forEachLane(view_.graph, [&](const ContactBatch& batch, const ManifoldLanes&, std::size_t lane) {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What does each phase of a step do to the energy and the momentum of a world?
+// How does each phase of a step change the energy and the momentum of a world?
 //
-// After each phase all energy there is is summed up anew. What of the change the phase could name by its law, as it
-// went, is booked there; the rest under the phase's own entry. An impulse P that changes the speed it acts along from v
-// to v' gives P (v + v') / 2, however many act at once: so all impulses of half a sub-step, of contacts and joints, are
-// booked by the speeds before the first of them and after the last. Were each booked by the speeds it met, a solver
-// that goes round would have friction give energy, and joints take what a blow took.
+// After each phase, the whole energy of the world is summed again. The part of the change that has a known cause, such
+// as friction, is entered under that cause; the rest is entered under the phase's own entry. An impulse P along a
+// direction in which the speed changes from v to v' does the work P (v + v') / 2, however many impulses act at once. So
+// all impulses of half a sub-step, of contacts and joints, are entered with the speeds before the first of them and
+// after the last. If each were entered with the speeds at its own moment, then, in an iterative solver, friction would
+// appear to add energy, and joints would appear to take energy that an impact took.
 //
 // Tests: "each entry of the ledger is needed for it to close", "friction, blows and dampers never give, in any scene,
 // and few joules go without a cause"
@@ -18,7 +19,7 @@
 
 namespace plumb {
 
-/// Notes in an account what a step does.
+/// Enters the changes of a step in an account.
 class StepAudit final : public StepObserver {
 public:
     StepAudit(Account& account, const LedgerView& view) : account_(account), view_(view), bodies_(view.bodies) {}
@@ -62,13 +63,13 @@ private:
     Account& account_;
     LedgerView view_;
     const BodyStore& bodies_;
-    std::vector<SolverVelocity> start_;        ///< velocities before the first impulse of what is going on
-    std::vector<Given> given_;                 ///< in this half sub-step
-    std::vector<FieldGiven> fieldsGiven_;      ///< likewise
+    std::vector<SolverVelocity> start_;        ///< velocities before the present half sub-step or the bounces
+    std::vector<Given> given_;                 ///< rows of joints, in this half sub-step
+    std::vector<FieldGiven> fieldsGiven_;      ///< kicks of fields, in this half sub-step
     std::vector<FieldAccount> fieldAccounts_;  ///< of each body, in this step
     std::vector<float> totals_;                ///< normal impulses of the contacts' points, before the bounces
     std::vector<double> dampedEnergy_;         ///< of each body, in this step
-    std::vector<Vec2> dampedMomentum_;         ///< likewise
+    std::vector<Vec2> dampedMomentum_;         ///< of each body, in this step
 };
 
 }  // namespace plumb

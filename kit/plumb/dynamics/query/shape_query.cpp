@@ -34,7 +34,7 @@ void ShapeQuery::visitNear(const Vec2& point, double within, Space::VisitWhile v
 }
 
 void ShapeQuery::visitIn(const Aabb& tight, Space::Visit visit) const {
-    // What just touches is not to be lost to roundings.
+    // Rounding must not lose a shape that only touches.
     const Aabb box = inflate(tight, 1e-15 * tight.lower.cwiseAbs().cwiseMax(tight.upper.cwiseAbs()).maxCoeff());
     const auto look = [&](ProxyId id, const Vec2& shift) {
         if (matches(id)) visit(id, shift);

@@ -7,7 +7,7 @@ namespace plumb {
 
 namespace {
 
-/// A record, field by field, so that compilers can make it one operation.
+/// A record as an array, so that compilers can use one vector operation.
 struct Row {
     float field[4];
 };
@@ -32,7 +32,7 @@ void kickBodies(const std::uint32_t* list, std::size_t count, const SolverBodies
         const Row before = rowOf(first ? bodies.velocity[*body] : bodies.before[*body]);
         const Row gain = rowOf(bodies.kick[*body].gain), keep = rowOf(bodies.kick[*body].keep);
         for (int i = 0; i < 4; ++i) {
-            warm.field[i] += v.field[i] - before.field[i];  // nothing, for the inverse mass
+            warm.field[i] += v.field[i] - before.field[i];  // 0 for the inverse mass
             v.field[i] = v.field[i] * keep.field[i] + gain.field[i] + warm.field[i];
         }
         bodies.warm[*body] = speedOfRow(warm);

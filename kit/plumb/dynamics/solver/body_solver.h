@@ -11,12 +11,12 @@ namespace plumb {
 struct SinCosMinus1 {
     float sin, cosMinus1;
 };
-/// Beyond smallTurn, where the series of the lanes no longer holds.
+/// For angles beyond smallTurn, where the series of the lanes is not exact enough.
 SinCosMinus1 turnedFar(float angle);
 inline constexpr float smallTurn = 0.5f;  ///< [rad]
 
 struct BodySolver {
-    /// Moves bodies on by h [s]. list: their slots, a multiple of batchLanes of them, filled up with slot 0.
+    /// Moves bodies by h [s]. list: their slots; count is a multiple of batchLanes, filled up with slot 0.
     void (*move)(const std::uint32_t* list, std::size_t count, const SolverBodies& bodies, float h);
 };
 
@@ -25,13 +25,13 @@ struct WideBodySolver {
     static const BodySolver code;
 };
 
-/// For at most so many lanes, as the machine can.
+/// The widest solver that this machine supports, with at most this number of lanes.
 const BodySolver& bodySolver(int lanes);
 
-/// What half a sub-step of forces and of the last contact impulses does to velocities. After the first time, what the
-/// contacts have changed since is what they are given from then on.
+/// Changes velocities by the forces of half a sub-step and by the last contact impulses (the warm start). After the
+/// first call in a step, the changes that contacts have made since the last call are added to the warm start.
 void kickBodies(const std::uint32_t* list, std::size_t count, const SolverBodies& bodies, bool first);
-/// Remembers the velocities as they are before the contacts are solved.
+/// Stores the velocities before the contacts are solved.
 void markBodies(const std::uint32_t* list, std::size_t count, const SolverBodies& bodies);
 
 }  // namespace plumb

@@ -12,7 +12,7 @@ struct BodyMover {
     using F = typename Wide<W>::Float;
     using Array = float[static_cast<std::size_t>(W)];
 
-    /// The series are exact to float up to smallTurn.
+    /// The series are exact to float precision up to smallTurn.
     static F sine(F a) {
         const F a2 = a * a;
         return a * (1.0f - a2 * (1.0f / 6 - a2 * (1.0f / 120 - a2 * (1.0f / 5040))));

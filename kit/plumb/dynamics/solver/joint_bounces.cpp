@@ -11,19 +11,19 @@ namespace plumb {
 
 namespace {
 
-/// More impacts than this for each contact in a sub-step: a heap, for the solver.
+/// Most impacts per contact in a sub-step. A group with more is a pile, and is left to the solver.
 constexpr std::size_t impactsPerContact = 16;
-/// More contacts than this at once: likewise. Each impact looks at all of them.
+/// Most contacts at once; more are left to the solver, because each impact examines all of them.
 constexpr std::size_t mostBounces = 64;
 
-/// A point of a contact, as it stands.
+/// A point of a contact, in its present state.
 struct Point {
     ContactIndex contact = 0;
     std::size_t number = 0;
     double approach = 0;  ///< [m/s]
 };
 
-/// Its slot with the solver.
+/// The contact's slot in the solver.
 struct Slot {
     const ContactBatch& batch;
     std::size_t lane;
@@ -31,7 +31,7 @@ struct Slot {
     Slot(const ContactGraph& graph, const ContactRecord& contact)
         : batch(graph.colours[contact.colour].batches[contact.slot / batchLanes]), lane(contact.slot % batchLanes) {}
     Vec2 normal() const { return {static_cast<double>(batch.normalX[lane]), static_cast<double>(batch.normalY[lane])}; }
-    /// Where the bodies are now, as contact_solver.h has it [m].
+    /// The separation at the bodies' present positions, computed as in contact_solver.h [m].
     double separation(const BodyStore& bodies, std::size_t point) const {
         const PointLanes& p = batch.points[point];
         const SolverDisplacement& a = bodies.displacement[batch.bodyA[lane]];
@@ -41,7 +41,7 @@ struct Slot {
         const float turnB = (p.anchorNormalB[lane] + batch.roundB[lane]) * b.cosMinus1 - p.anchorTangentB[lane] * b.sin;
         return static_cast<double>(p.startSeparation[lane] + (shift + (turnB - turnA)));
     }
-    /// What a unit impulse along the normal is to a body: x, y, turning about its centre of mass.
+    /// A unit impulse along the normal, as it acts on a body: x, y, turning about its centre of mass.
     Vec3 push(const BodyStore& bodies, BodyIndex body, std::size_t point) const {
         const PointLanes& p = batch.points[point];
         const float anchor = body == batch.bodyA[lane] ? p.anchorTangentA[lane] : p.anchorTangentB[lane];
@@ -67,7 +67,8 @@ public:
           contacts_(contacts),
           h_(h) {}
 
-    /// The point that comes together fastest, of those that meet in the sub-step faster than gravity lets lie.
+    /// The point with the highest approach speed, among those that meet in the sub-step faster than gravity alone makes
+    /// resting bodies approach.
     std::optional<Point> fastest(const std::vector<ContactIndex>& bounces) const {
         const double resting = bodies_.gravity.norm() * bodies_.lastStep;
         std::optional<Point> first;
@@ -86,7 +87,8 @@ public:
         return first;
     }
 
-    /// Tries how much a small impulse does, and gives what is then known to be needed.
+    /// Applies a trial impulse, measures the change of the approach speed, and applies the rest of the impulse that is
+    /// needed.
     void bounce(const Point& point) {
         const ContactRecord& contact = contacts_[point.contact];
         const Slot slot(graph_, contact);
@@ -117,7 +119,7 @@ private:
         push(contact.bodyB, slot.push(bodies_, contact.bodyB, point), impulse);
     }
 
-    /// Gives one body an impulse, and its island what follows from it.
+    /// Applies an impulse to one body, and the joint impulses that follow from it to its island.
     void push(BodyIndex body, const Vec3& along, double impulse) {
         if (!bodies_.canMove(body)) return;
         const Vec3 given{along[0] * impulse, along[1] * impulse, along[2] * impulse};
@@ -140,7 +142,7 @@ private:
         return nullptr;
     }
 
-    /// How fast the point parts, as a row.
+    /// The rate at which the point separates, as a row.
     JointRows partingRow(const ContactRecord& contact, std::size_t point) const {
         const Slot slot(graph_, contact);
         JointRows rows;

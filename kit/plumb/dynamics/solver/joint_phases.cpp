@@ -13,9 +13,9 @@ namespace plumb {
 
 namespace {
 
-/// Nets of joints that are swept are held this stiffly, as a share of the sub-step rate, so that their give falls with
-/// the step. Those that are solved at once close their whole gaps in one sub-step, which is truer; what one sweep does
-/// not solve blows up on that (tried).
+/// The frequency of the joints of swept islands, as a share of the sub-step rate, so that their compliance falls with
+/// the step. Islands that are solved directly close their whole gaps in one sub-step, which is more exact; a sweep that
+/// leaves errors becomes unstable with that (tried).
 constexpr double jointFrequencyShare = 0.25;
 constexpr double jointDampingRatio = 2;
 
@@ -31,8 +31,8 @@ IslandPass passOf(const SolverSettings& settings, const JointHalf& half) {
             hinges};
 }
 
-/// What sleeps bears what it did; a joint that holds nothing any more bears nothing, and one whose body is out of range
-/// has no first guess.
+/// A sleeping joint keeps its load. A joint that no longer holds anything gets no load, and one whose body is out of
+/// range gets no first guess.
 void resetLoads(JointStore& joints, const BodyStore& bodies) {
     for (JointIndex index = 0; index < joints.records.size(); ++index) {
         JointRecord& record = joints[index];
@@ -82,7 +82,8 @@ Vec2 momentumOf(const BodyStore& bodies, const std::vector<BodyIndex>& some) {
     return sum;
 }
 
-/// Calls change(), and tells the observer what it did to the momentum of some bodies: only what is fixed can.
+/// Calls change(), and reports to the observer how it changed the momentum of some bodies: only fixed bodies can give
+/// them momentum.
 template <class Change>
 void reportGround(const JointStores& stores, const std::vector<BodyIndex>& some, Change&& change) {
     const Vec2 before = stores.observer != nullptr ? momentumOf(stores.bodies, some) : Vec2(0, 0);
@@ -97,8 +98,8 @@ void solveJoints(const JointStores& stores, const JointHalf& half) {
         reportGround(stores, island.bodies, [&] { solveIsland(island, stores.joints, stores.bodies, pass); });
 }
 
-/// The joints have the last word before bodies move: a blow on a plank of a bridge is a blow on the bridge. What they
-/// take out is not what the contacts have done, and so not in their next first guess.
+/// The joints are solved once more before bodies move: an impact on one plank of a bridge then acts on the whole
+/// bridge. This correction is not a contact impulse, so it is kept out of the contacts' next first guess.
 void holdJoints(const JointStores& stores, double h) {
     const JointPass pass{h, true, 1 / h, stores.settings.contactPushSpeed};
     BodyStore& bodies = stores.bodies;
@@ -142,7 +143,7 @@ double springEnergyOf(const SpringLoad& load) {
     }
     const double stretch = std::sqrt(squares);
     if (stiffness * stretch <= load.mostForce) return energy;
-    return load.mostForce * (stretch - 0.5 * load.mostForce / stiffness);  // one that pulls no harder
+    return load.mostForce * (stretch - 0.5 * load.mostForce / stiffness);  // its force is limited to mostForce
 }
 
 double springEnergy(const JointStore& joints, const BodyStore& bodies) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What do joints do in a step?
 //
-// A world calls its joints through this table, which its first joint puts in. So the linker drops all code of joints
-// from a program that makes none.
+// A world calls the code of joints through this table, which its first joint sets. So the linker removes all code of
+// joints from a program without joints.
 #pragma once
 #include <vector>
 
@@ -19,24 +19,24 @@ struct JointStores;
 /// One half of a sub-step.
 struct JointHalf {
     double step = 0;       ///< of the sub-step [s]
-    bool correct = false;  ///< errors of position too: the half before the bodies move
+    bool correct = false;  ///< true in the half before the bodies move: corrects position errors too
 };
 
 struct JointPhases {
-    /// Before the sub-steps of a step of dt [s]: finds the islands anew if they have changed.
+    /// Before the sub-steps of a step of dt [s]: finds the islands again if the joints have changed.
     void (*prepare)(const JointStores& stores, double dt);
-    /// Before any force acts in a sub-step of h [s]: notes how fast springs and dampers go.
+    /// Before any force acts in a sub-step of h [s]: notes the speeds of springs and dampers.
     void (*noteSpeeds)(const JointStores& stores, double h);
     void (*solve)(const JointStores& stores, const JointHalf& half);
-    /// The contacts that bounce and have a jointed body: the solver is not to bounce them again.
+    /// Returns the contacts that bounce and have a jointed body, and keeps the solver from bouncing them again.
     std::vector<ContactIndex> (*takeBounces)(ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies,
                                              const JointIslands& islands);
-    /// Gives those contacts their impulses that meet in the coming sub-step of h [s].
+    /// Applies the impulses of those bounces that meet in the coming sub-step of h [s].
     void (*bounce)(const JointStores& stores, ContactGraph& graph, const ContactStore& contacts,
                    const std::vector<ContactIndex>& bounces, const std::vector<BodyIndex>& solved, double h);
-    /// Takes out what contacts have done to what joints hold.
+    /// Removes the errors that contacts have caused in the joints' held rows.
     void (*hold)(const JointStores& stores, double h);
-    /// Adds what the step's impulses were to the joints' loads.
+    /// Adds the impulses of the step to the joints' loads.
     void (*addLoads)(JointStore& joints, const JointIslands& islands);
     double (*springEnergy)(const JointStore& joints, const BodyStore& bodies);  ///< [J]
 };

@@ -29,8 +29,8 @@ Pass passOf(const SolverSettings& settings, double h) {
     return pass;
 }
 
-/// The bodies that are solved: dynamic ones with a constraint, and kinematic ones, which their contacts must see move.
-/// Filled up with slot 0, which stands still, to a multiple of the lanes.
+/// The bodies that are solved: dynamic bodies with a constraint, and kinematic bodies, whose motion their contacts
+/// need. Filled up to a multiple of the lanes with slot 0, which never moves.
 std::vector<BodyIndex> solvedBodies(const BodyStore& bodies) {
     std::vector<BodyIndex> solved;
     solved.reserve(bodies.awake.size() + batchLanes);
@@ -40,7 +40,7 @@ std::vector<BodyIndex> solvedBodies(const BodyStore& bodies) {
     return solved;
 }
 
-/// A rotation turned on by a small angle: by the series in double, which leaves no more than rounding.
+/// A rotation turned by a small angle, with a series in double that is exact to rounding.
 Rot turnedOn(const BodyMotion& motion, double turn) {
     if (std::fabs(turn) > 0.1) return Rot::fromAngle(motion.angle);
     const double t2 = turn * turn;
@@ -56,14 +56,15 @@ Rot turnedOn(const BodyMotion& motion, double turn) {
     return turned;
 }
 
-/// What joints have made heavier to turn keeps its momentum: else it would be fed.
+/// The factor that keeps a body's angular momentum when joints have increased its moment of inertia: otherwise its
+/// energy would grow.
 double slowerBy(const BodyStore& bodies, BodyIndex body) {
     const double inverseGyration = static_cast<double>(bodies.record[body].inverseGyration),
                  was = static_cast<double>(bodies.turn[body].inverseGyration);
     return inverseGyration < was ? inverseGyration / was * (inverseGyration / was) : 1.0;
 }
 
-/// One way of going over all contacts: a function of ContactSolver.
+/// One kind of pass over all contacts: a function of ContactSolver.
 using ContactWork = void (*ContactSolver::*)(ContactBatch*, std::size_t, const SolverBodies&, const ContactPass&);
 
 class Solver {
@@ -110,7 +111,7 @@ private:
         if (observer_ != nullptr) observer_->endHalf();
     }
 
-    /// Forces and joints.
+    /// Applies forces and solves joints.
     void startHalf(JointHalf half, bool first) {
         if (joints_ != nullptr && half.correct) joints_->noteSpeeds(stores_.joints, half.step);
         if (observer_ != nullptr) observer_->beginHalf(solved_);
@@ -136,8 +137,8 @@ private:
         if (observer_ != nullptr) observer_->endBounces();
     }
 
-    /// What stands on something fixed stands twice as stiffly: the ground does not give. Calls solve(solver, colour,
-    /// pass).
+    /// Calls solve(solver, colour, pass). Contacts with fixed bodies have twice the frequency: the ground does not
+    /// move.
     template <class Solve>
     void forEachColour(Solve&& solve) {
         auto& colours = stores_.graph.colours;
@@ -150,7 +151,7 @@ private:
         }
     }
 
-    /// 1 for each body, by its slot, that a contact or joint gave an impulse.
+    /// For each body, by its slot: 1 if a contact or joint gave it an impulse, else 0.
     std::vector<std::uint8_t> pushedBodies() const {
         std::vector<std::uint8_t> pushed(bodies_.record.size(), 0);
         for (const Colour& colour : stores_.graph.colours) {

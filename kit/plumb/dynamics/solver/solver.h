@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // How are contacts and joints solved together?
 //
-// Each sub-step h: half of gravity and of the last impulses, solve with the position errors, move, the other half,
-// relax without the position errors. In two halves around the move, motion under a steady force or on a joint's circle
-// is right to second order in h, where gravity all at once leaves an error of a t h / 2.
+// Each sub-step h: apply half of gravity and of the last impulses, solve with the position errors, move, apply the
+// other half, relax without the position errors. Because the forces act in two halves around the move, motion under a
+// steady force or on a joint's circle is exact to second order in h. Applying gravity all at once would leave an error
+// of a t h / 2.
 #pragma once
 #include <plumb/dynamics/bodies/step_observer.h>
 #include <plumb/dynamics/contacts/contact_graph.h>
@@ -13,20 +14,21 @@
 
 namespace plumb {
 
-/// What the solver reads and writes.
+/// The stores that the solver reads and writes.
 struct SolverStores {
     ContactGraph& graph;
     const ContactStore& contacts;
     BodyStore& bodies;
     FieldStore& fields;
     const Space& space;
-    const JointPhases* jointPhases = nullptr;  ///< if the world has joints
+    const JointPhases* jointPhases = nullptr;  ///< null if the world has no joints
     JointStores joints;
     const SolverSettings& settings;
-    StepObserver* observer = nullptr;  ///< if there is one
+    StepObserver* observer = nullptr;  ///< may be null
 };
 
-/// Moves the constrained bodies on by dt. A body that got no impulse is left where it was, for its closed form.
+/// Moves the constrained bodies by dt [s]. A body that got no impulse is not moved here; it moves by its closed form
+/// later.
 void solveConstraints(const SolverStores& stores, double dt);
 
 }  // namespace plumb

@@ -10,10 +10,11 @@ namespace plumb {
 
 namespace {
 
-/// Share of a cell by which a point is moved into what was met there: above roundings, below any tile [-].
+/// Share of a cell by which a point is moved into the shape it lies on: more than rounding, less than any tile [-].
 constexpr double inward = 1e-6;
 
-/// A stretch of an outline has what is filled on its left, wherever it was met; a one-way tile is met at its top alone.
+/// The outward direction of a piece. A segment of an outline has the filled side on its left, on whichever side it was
+/// met; a one-way tile is met only at its top.
 Vec2 outwardOf(const Proxy& piece, const Vec2& normal) {
     if (piece.def.oneWay) return *piece.def.oneWay;
     const auto* stretch = std::get_if<Segment>(&piece.def.shape);
@@ -22,7 +23,8 @@ Vec2 outwardOf(const Proxy& piece, const Vec2& normal) {
     return {along.y(), -along.x()};
 }
 
-/// Contacts are told halfway between the surfaces, so a little off the map's: on a slope that may be in the next row.
+/// A contact point lies halfway between the two surfaces, so slightly off the map's surface: on a slope it may lie in
+/// the next row. This moves it onto the surface.
 Vec2 ontoSurface(const Proxy& piece, const Vec2& point) {
     const auto* stretch = std::get_if<Segment>(&piece.def.shape);
     if (stretch == nullptr) return point;

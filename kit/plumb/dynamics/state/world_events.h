@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What has happened to a world, and who has not been told yet?
+// What has happened to a world, and which of it has not been reported yet?
 #pragma once
 #include <vector>
 
@@ -10,19 +10,19 @@
 
 namespace plumb {
 
-/// Of the last step.
+/// The events of the last step.
 struct WorldEvents {
     std::vector<ContactBegin> begins;
     std::vector<ContactEnd> ends;
-    std::size_t reportedEnds = 0;  ///< of ends: those of the last step; what was removed since comes after them
+    std::size_t reportedEnds = 0;  ///< number of ends of the last step; ends by later removals come after them
     std::vector<ContactHit> hits;
     std::vector<JointBroke> breaks;
     std::vector<Quarantined> quarantines;
     std::vector<BodyIndex> movers;    ///< bodies that were awake
-    std::vector<BodyIndex> sleepers;  ///< of those: they fell asleep at its end
-    std::vector<BodyIndex> gone;      ///< slots of bodies that were removed since
+    std::vector<BodyIndex> sleepers;  ///< those of the movers that fell asleep at the step's end
+    std::vector<BodyIndex> gone;      ///< slots of bodies that were removed since the step
 
-    /// At the start of a step: forgets all but the ends since the last one.
+    /// At the start of a step: removes all events except the ends since the last step.
     void clear();
     void add(const TouchEvents& touches, const BodyStore& bodies, const Space& space, const TileStore& tiles);
     void addEnds(const std::vector<TouchEnd>& touchEnds, const BodyStore& bodies, const Space& space);

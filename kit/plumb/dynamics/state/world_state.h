@@ -26,7 +26,7 @@ struct WorldState {
 
     BodyStore bodies;  ///< with gravity and wrap
     Space space;
-    std::uint32_t walls = 0;  ///< shapes that nothing pushes: those of static and kinematic bodies, but for sensors
+    std::uint32_t walls = 0;  ///< number of shapes of static and kinematic bodies, without sensors
     ContactStore contacts;
     ContactGraph graph;
     JointStore joints;
@@ -35,14 +35,14 @@ struct WorldState {
     SensorStore sensors;
     TileStore tiles;
     Trajectories trajectories;             ///< of the last step
-    std::map<BodyIndex, Mass> parkedMass;  ///< given to bodies that are not dynamic now
+    std::map<BodyIndex, Mass> parkedMass;  ///< masses given to bodies that are not dynamic now
 
-    const JointPhases* jointPhases = nullptr;  ///< none before the first joint
-    const JointEdits* jointEdits = nullptr;    ///< likewise
+    const JointPhases* jointPhases = nullptr;  ///< null before the first joint
+    const JointEdits* jointEdits = nullptr;    ///< null before the first joint
 
     WorldEvents events;
     StaleBounds staleBounds;
-    std::optional<Account> account;  ///< if WorldDef.ledger asks for one
+    std::optional<Account> account;  ///< if WorldDef.ledger is set
     StepProfile profile;
 
     ShapeId idOfShape(ProxyId proxy) const { return plumb::idOfShape(bodies, space[proxy]); }

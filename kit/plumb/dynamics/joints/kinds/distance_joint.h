@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How are two points kept at a distance, or pulled back to it?
+// How are two points kept at a distance, by a rod or by a spring?
 //
-// One row, along the line from anchor to anchor: held, of a rod; within limits, and driven, of a spring.
+// One row, along the line from anchor to anchor. For a rod it is held; for a spring it has limits and a motor.
 #pragma once
 #include <plumb/dynamics/joints/joint_rows.h>
 
@@ -23,7 +23,7 @@ public:
 
 private:
     DistanceJointDef def_;
-    double apart_ = 1;  ///< how far the anchors were when it was made [m]
+    double apart_ = 1;  ///< distance of the anchors when the joint was made [m]
     double length_ = 1;
 };
 

@@ -5,7 +5,7 @@ namespace plumb {
 
 void GearJoint::addRows(JointRows& rows, const Geared& a, const Geared& b, const JointPass& pass) const {
     rows.ends = 4;
-    // The second end is the one whose force is told: what the second joint moves.
+    // The second end is the one whose force is reported: body B of the second joint.
     rows.body = {a.body[1], b.body[1], a.body[0], b.body[0]};
     JointRow& row = rows.add();
     row.at[0] = a.row.at[1];

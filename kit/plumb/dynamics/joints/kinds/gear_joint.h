@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // How does one joint drive another?
 //
-// One row: the rate of a + ratio b, a and b the coordinates of two joints, so up to four bodies feel it.
+// One row: the rate of a + ratio b, a and b the coordinates of two joints, so it acts on up to four bodies.
 #pragma once
 #include <plumb/dynamics/joints/joint_rows.h>
 
 namespace plumb {
 
-/// One of the two joints, as it stands.
+/// The present state of one of the two joints.
 struct Geared {
     std::array<BodyIndex, 2> body{};
     JointRow row;  ///< of its coordinate
@@ -17,7 +17,7 @@ struct Geared {
 
 class GearJoint {
 public:
-    /// at: the joints' slots and their coordinates now.
+    /// a, b: the present coordinates of the two joints [m or rad].
     GearJoint(const GearJointDef& def, double a, double b)
         : jointA(def.jointA.index), jointB(def.jointB.index), def_(def), total_(a + def.ratio * b) {}
 
@@ -34,7 +34,7 @@ public:
 
 private:
     GearJointDef def_;
-    double total_ = 0;  ///< what a + ratio b is to stay [m or rad]
+    double total_ = 0;  ///< the constant value of a + ratio b [m or rad]
 };
 
 }  // namespace plumb

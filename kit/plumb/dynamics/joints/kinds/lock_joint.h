@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How is a body kept from moving along x or y? By a slide to the world.
+// How is a body kept from moving along x or y? By a sliding joint to the world.
 #pragma once
 #include <plumb/dynamics/joints/joint_rows.h>
 

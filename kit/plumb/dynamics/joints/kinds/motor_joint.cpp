@@ -29,7 +29,7 @@ void MotorJoint::addRows(JointRows& rows, const Ends& now, const JointPass& pass
     const Vec2 fromA = now.a.arm + now.apart();
     const Vec2 speed = (now.b.velocity + perp(now.b.arm) * now.b.spin) - (now.a.velocity + perp(fromA) * now.a.spin);
     if (def_.maxForce > 0) {
-        // Along what is missing first, so that the force is no larger askew than it is along an axis.
+        // The first row lies along the missing velocity, so that the bound of the force is the same in every direction.
         const Vec2 missing = wanted - speed;
         const Vec2 way = missing.squaredNorm() > 0 ? Vec2(missing.stableNormalized()) : Vec2(1, 0);
         for (const Vec2& axis : {way, perp(way)}) {

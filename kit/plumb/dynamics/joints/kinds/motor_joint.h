@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How is a body moved against another with bounded force?
+// How is a body moved relative to another with bounded force?
 //
-// Three rows, each driven: along the way that B is to go, across it, and turning.
+// Three driven rows: along the missing velocity of B, across it, and turning.
 #pragma once
 #include <plumb/dynamics/joints/joint_rows.h>
 
@@ -18,7 +18,7 @@ public:
     void addRows(JointRows& rows, const Ends& now, const JointPass& pass) const;
     double coordinate(const Ends& ends) const { return off(ends).norm(); }
     JointRow coordinateRow(const Ends& ends) const;
-    static double error(const Ends&) { return 0; }  ///< it may be off, as far as its force goes
+    static double error(const Ends&) { return 0; }  ///< no error: its force is bounded, so B may stay off its target
 
 private:
     Vec2 off(const Ends& ends) const { return ends.b.point - (ends.a.point + ends.a.rotation * offset_); }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How does a body slide along an axis of another, without turning against it?
+// How does a body slide along an axis of another, without turning relative to it?
 //
-// Three rows: B's anchor is to stay on the axis, and its angle as it was; the third shifts it along the axis, for a
-// motor and a limit.
+// Three rows: one keeps B's anchor on the axis, one keeps B's angle; the third acts along the axis, for a motor, a
+// limit and a spring.
 #pragma once
 #include <cmath>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How do two bodies hang on one rope over two fixed wheels?
 //
-// One row, the rate of lengthA + ratio lengthB, that may not grow beyond what the rope is long; it pulls and never
-// pushes.
+// One row: the rate of lengthA + ratio lengthB. This sum may not exceed the length of the rope; the joint pulls and
+// never pushes.
 #pragma once
 #include <plumb/dynamics/joints/joint_rows.h>
 

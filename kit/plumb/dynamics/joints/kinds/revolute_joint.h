@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How do two bodies share a point and turn about it?
 //
-// Three rows: the gap between the anchors along x and y is to be 0; the third turns B against A, for a motor and a
-// limit.
+// Three rows: two keep the gap between the anchors along x and y at 0; the third turns B relative to A, for a motor, a
+// limit and a spring.
 #pragma once
 #include <plumb/dynamics/joints/joint_rows.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How is a point of a body dragged to a point of the world?
 //
-// Two rows, along the pull and across it: a spring from the one to the other, of bounded force.
+// Two rows, along the line to the target and across it: a spring of bounded force between the two points.
 #pragma once
 #include <plumb/dynamics/joints/joint_rows.h>
 
@@ -22,7 +22,7 @@ public:
     static double error(const Ends&) { return 0; }
 
 private:
-    /// Along the way to the target, and across it.
+    /// Unit vectors along the line to the target, and across it.
     static std::array<Vec2, 2> axes(const Ends& ends);
 
     TargetJointDef def_;

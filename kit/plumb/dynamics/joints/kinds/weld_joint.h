@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How are two bodies held together as one?
 //
-// Rows for the gap along x and y and for the angle; what is to give has a spring instead.
+// Three rows, for the gap along x and y and for the angle. A row with a spring is elastic instead of held.
 #pragma once
 #include <cmath>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How does a wheel turn at a car, and go up and down on its suspension?
+// How does a wheel turn on a car, and move up and down on its suspension?
 //
-// Three rows: the hub is to stay on the axis; the second turns the wheel, for a motor; the third shifts the hub along
-// the axis, for a limit.
+// Three rows: the first keeps the hub on the axis; the second turns the wheel, for a motor; the third acts along the
+// axis, for a limit and the suspension's spring.
 #pragma once
 #include <plumb/dynamics/joints/joint_rows.h>
 
