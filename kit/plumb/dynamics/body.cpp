@@ -200,7 +200,7 @@ void Body::setPose(const Vec2& position, double angle) {
     // The body has left its neighbours; the space must find its pairs again, also with sleeping bodies at the new
     // position.
     world_->bodies.rest(index_);
-    meetAnew(*world_, index_);
+    findPairsAgain(*world_, index_);
     if (world_->jointEdits != nullptr) world_->jointEdits->followMove(*world_, index_);
     world_->joints.changed = world_->joints.changed || isInRange(motion) != inRange;
     wakeIsland(*world_, index_);

@@ -38,7 +38,7 @@ void describe(OrConst<BodyDef> auto& def, auto&& visit) {
     visit({"awake", "", Allowed::any, "false: asleep until something touches it"}, def.awake);
     visit({"enabled", "", Allowed::any, "false: it stays where it is, and nothing meets it"}, def.enabled);
     visit({"tag", "", Allowed::any, "whatever its owner wants to know it by"}, def.tag);
-    visit({"mass", "", Allowed::any, "instead of what the shapes and their densities compliance"}, def.mass);
+    visit({"mass", "", Allowed::any, "instead of what the shapes and their densities give"}, def.mass);
     visit({"shapes", "", Allowed::any, "its outline"}, def.shapes);
 }
 
@@ -138,8 +138,8 @@ void describe(OrConst<WeldJointDef> auto& def, auto&& visit) {
     visit({"bodyA", "", JointMembers::id, "one body"}, def.bodyA);
     visit({"bodyB", "", JointMembers::id, "the other body"}, def.bodyB);
     visit({"anchor", "m", JointMembers::anchor, "where the force acts on both"}, def.anchor);
-    visit({"spring", "", Allowed::any, "of the anchor; without it, it does not compliance"}, def.spring);
-    visit({"bending", "", Allowed::any, "of the angle; without it, it does not compliance"}, def.bending);
+    visit({"spring", "", Allowed::any, "of the anchor; without it, it is held rigidly"}, def.spring);
+    visit({"bending", "", Allowed::any, "of the angle; without it, it is held rigidly"}, def.bending);
     visit({"collideConnected", "", Allowed::any, "may the two bodies touch each other?"}, def.collideConnected);
     visit({"breaking", "", Allowed::any, "when it breaks"}, def.breaking);
 }

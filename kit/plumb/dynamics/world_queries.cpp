@@ -19,7 +19,7 @@ namespace plumb {
 namespace {
 
 /// The most times that a query may reach around a world that wraps: for the way of a cast, and for a box or shape [-].
-constexpr double mostCastRounds = 1000, mostBoxRounds = 60;
+constexpr double mostCastPeriods = 1000, mostBoxPeriods = 60;
 
 void requireShape(const Shape& shape, const Transform& pose, const std::string& query) {
     validate(shape, query + ": shape");
@@ -35,9 +35,9 @@ void requireCast(const WorldState& world, const Shape& shape, const Transform& p
                  const std::string& query) {
     requireShape(shape, pose, query);
     requireFinite(shift, query, ": shift");
-    requireFewRounds(world, {shift.cwiseMin(Vec2(0, 0)), shift.cwiseMax(Vec2(0, 0))}, mostCastRounds,
-                     query + ": shift");
-    requireFewRounds(world, aabbOf(shape, pose), mostBoxRounds, query + ": shape");
+    requireFewPeriods(world, {shift.cwiseMin(Vec2(0, 0)), shift.cwiseMax(Vec2(0, 0))}, mostCastPeriods,
+                      query + ": shift");
+    requireFewPeriods(world, aabbOf(shape, pose), mostBoxPeriods, query + ": shape");
 }
 
 std::tuple<std::uint32_t, std::uint32_t> placeOf(const ShapeId& shape) {
@@ -202,7 +202,7 @@ std::vector<ProxyId> proxiesOf(const WorldState& world, const ShapeId& id, const
 std::optional<CastHit> World::castRay(const Vec2& from, const Vec2& to, const Filter& filter) const {
     requireFinite(from, "World.castRay: from");
     requireFinite(to, "World.castRay: to");
-    requireFewRounds(*state_, {from.cwiseMin(to), from.cwiseMax(to)}, mostCastRounds, "World.castRay: to");
+    requireFewPeriods(*state_, {from.cwiseMin(to), from.cwiseMax(to)}, mostCastPeriods, "World.castRay: to");
     const ShapeQuery query(*state_, filter);
     return firstHit(query, {{0, 0}, from, to}, meetRay(query, from, to));
 }
@@ -210,7 +210,7 @@ std::optional<CastHit> World::castRay(const Vec2& from, const Vec2& to, const Fi
 std::vector<CastHit> World::castRayAll(const Vec2& from, const Vec2& to, const Filter& filter) const {
     requireFinite(from, "World.castRayAll: from");
     requireFinite(to, "World.castRayAll: to");
-    requireFewRounds(*state_, {from.cwiseMin(to), from.cwiseMax(to)}, mostCastRounds, "World.castRayAll: to");
+    requireFewPeriods(*state_, {from.cwiseMin(to), from.cwiseMax(to)}, mostCastPeriods, "World.castRayAll: to");
     const ShapeQuery query(*state_, filter);
     return oneOfEach(allHits(query, {{0, 0}, from, to}, meetRay(query, from, to)));
 }
@@ -246,13 +246,13 @@ std::vector<ShapeId> World::overlapBox(const Aabb& box, const Filter& filter) co
     requireFinite(box.upper, "World.overlapBox: box.upper");
     if (!(box.lower.x() <= box.upper.x() && box.lower.y() <= box.upper.y()))
         refuse("World.overlapBox: box.upper", toText(box.upper) + " is below box.lower " + toText(box.lower));
-    requireFewRounds(*state_, box, mostBoxRounds, "World.overlapBox: box");
+    requireFewPeriods(*state_, box, mostBoxPeriods, "World.overlapBox: box");
     return overlapping({*state_, filter}, shapeOf(box), {});
 }
 
 std::vector<ShapeId> World::overlapShape(const Shape& shape, const Transform& pose, const Filter& filter) const {
     requireShape(shape, pose, "World.overlapShape");
-    requireFewRounds(*state_, aabbOf(shape, pose), mostBoxRounds, "World.overlapShape: shape");
+    requireFewPeriods(*state_, aabbOf(shape, pose), mostBoxPeriods, "World.overlapShape: shape");
     return overlapping({*state_, filter}, shape, pose);
 }
 

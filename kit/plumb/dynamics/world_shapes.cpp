@@ -43,7 +43,7 @@ ShapeId World::add(BodyId id, const ShapeDef& shape) {
     requireMassWith(*state_, added, shape, "ShapeDef");
     ++state_->bodies.record[id.index].shapesMade;
     addShape(*state_, id.index, shape, added.number);
-    followShapes(*state_, id.index);
+    updateMassFromShapes(*state_, id.index);
     if (!shape.sensor) wakeTouching(*state_, id.index, added.number);
     return added;
 }
@@ -56,7 +56,7 @@ void World::remove(ShapeId id) {
                     "a dynamic body needs a shape with area and density, or a mass of its own");
     if (!state_->space[piecesOf(*state_, body, id.number).front()].def.sensor) wakeTouching(*state_, body, id.number);
     removeShape(*state_, body, id.number);
-    followShapes(*state_, body);
+    updateMassFromShapes(*state_, body);
 }
 
 bool World::contains(ShapeId id) const {
@@ -83,7 +83,7 @@ void World::set(ShapeId id, const ShapeDef& def) {
         removeShape(*state_, body, id.number);
         addShape(*state_, body, def, id.number);
     }
-    followShapes(*state_, body);
+    updateMassFromShapes(*state_, body);
 }
 
 const TileMap& World::tiles(ShapeId id) const {

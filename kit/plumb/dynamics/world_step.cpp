@@ -106,7 +106,7 @@ private:
 
 void predict(Step& s) {
     WorldState& w = s.world;
-    if (w.fields.empty() || s.dt < shortestFelt) return;
+    if (w.fields.empty() || s.dt < shortestFieldStep) return;
     for (FieldIndex field = 0; field < w.fields.records.size(); ++field)
         s.wake(gatherAttracted(w.fields, field, w.bodies, w.space));
     predictFlights(w.fields, w.bodies, w.space, s.dt);

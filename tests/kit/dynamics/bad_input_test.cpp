@@ -48,39 +48,12 @@ const NameSet lowerClasses{"BlockTree", "BoundsRounding", "Bvh",       "Vec2fArr
                            "Lock",      "MortonSort",     "RadixSort", "Random",     "Space"};
 
 /// Of the layers beneath, as said above; what they do with numbers that are none is in their headers.
-const NameSet uncheckedFunctions{"aabbOf",
-                                 "countFrom",
-                                 "forEachImage",
-                                 "partOf",
-                                 "padded",
-                                 "arcTangent",
-                                 "bruteForcePairs",
-                                 "castRay",
-                                 "castShape",
-                                 "clipRay",
-                                 "contains",
-                                 "convexOf",
-                                 "cross",
-                                 "distance",
-                                 "exponential",
-                                 "exponentialMinus1",
-                                 "logarithm",
-                                 "logarithm1Plus",
-                                 "filterKeyOf",
-                                 "inflate",
-                                 "manifold",
-                                 "filtersAllow",
-                                 "mayPair",
-                                 "merge",
-                                 "mortonOrder",
-                                 "overlap",
-                                 "perp",
-                                 "piecesOf",
-                                 "pointProbe",
-                                 "probeLimit",
-                                 "rayProbe",
-                                 "sinCos",
-                                 "stateHash"};
+const NameSet uncheckedFunctions{
+    "aabbOf",          "countFrom",    "forEachImage",      "partOf",    "overlapMask",    "padded",      "arcTangent",
+    "bruteForcePairs", "castRay",      "castShape",         "clipRay",   "contains",       "convexOf",    "cross",
+    "distance",        "exponential",  "exponentialMinus1", "logarithm", "logarithm1Plus", "filterKeyOf", "inflate",
+    "manifold",        "filtersAllow", "mayPair",           "merge",     "mortonOrder",    "overlap",     "perp",
+    "piecesOf",        "pointProbe",   "probeLimit",        "rayProbe",  "sinCos",         "stateHash"};
 /// Refused as their own tests show, or, of the layers beneath, taken as they are.
 const NameSet sweepAndBounds{
     "BoundingCircle",     "CollisionTime",  "GridSettings", "MovingCircle", "OrientedBox",     "Overlap",

@@ -238,7 +238,7 @@ Pile randomPile(Random& random) {
         batch.friction[lane] = static_cast<float>(random.uniform(0, 1));
         batch.roundA[lane] = batch.roundB[lane] = random.integer(0, 1) == 0 ? 0 : 0.5f;
         batch.surfaceSpeed[lane] = number(1);
-        batch.rollReach[lane] = static_cast<float>(random.uniform(0, 0.2));
+        batch.rollingArm[lane] = static_cast<float>(random.uniform(0, 0.2));
         batch.rollInverseGyrationA[lane] = batch.rollInverseGyrationB[lane] =
             static_cast<float>(random.uniform(0.5, 2));
         batch.rollMass[lane] = static_cast<float>(random.uniform(0.1, 1));

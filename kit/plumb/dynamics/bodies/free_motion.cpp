@@ -25,7 +25,7 @@ FlightLaw flightLawOf(const BodyStore& bodies, BodyIndex body) {
     return {accelerationOf(record, bodies.gravity), record.linearDamping, record.angularDamping};
 }
 
-BodyMotion fly(const BodyMotion& from, const FlightLaw& law, double time) {
+BodyMotion moveFreely(const BodyMotion& from, const FlightLaw& law, double time) {
     const Decay linear = decay(law.linearDamping, time);
     const Decay angular = decay(law.angularDamping, time);
     const Acceleration& a = law.acceleration;
@@ -42,7 +42,7 @@ void moveFreeBodies(BodyStore& bodies, double dt, StepObserver* observer) {
     for (const BodyIndex body : bodies.awake) {
         if (!bodies.isMovedBy(body, MovedBy::ClosedForm)) continue;
         const BodyMotion from = bodies.motion[body];
-        moveTo(bodies, body, fly(from, flightLawOf(bodies, body), dt));
+        moveTo(bodies, body, moveFreely(from, flightLawOf(bodies, body), dt));
         if (observer != nullptr) observer->noteFlight(body, from, bodies.motion[body], dt);
         const std::uint32_t flight = bodies.step[body].flight;
         if (flight == none || bodies.flights[flight].steady) continue;

@@ -16,7 +16,7 @@ namespace plumb {
 /// The law of a body's free motion in this step, with gravity, forces and fields.
 FlightLaw flightLawOf(const BodyStore& bodies, BodyIndex body);
 /// A body's state after a time of free motion [s]; a negative time goes back.
-BodyMotion fly(const BodyMotion& from, const FlightLaw& law, double time);
+BodyMotion moveFreely(const BodyMotion& from, const FlightLaw& law, double time);
 
 /// The factors of damped motion after a time: v = v0 keep + a gain, x = x0 + v0 gain + a reach.
 struct Decay {

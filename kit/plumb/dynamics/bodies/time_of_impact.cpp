@@ -22,7 +22,7 @@ constexpr double always = 1e-2;
 /// At separations below this share of the larger bounding radius, Newton's method is faster than safe steps [-].
 constexpr double near = 1e-2;
 
-Transform poseOf(const FlyingShape& s, const BodyMotion& motion) {
+Transform poseOf(const MovingShape& s, const BodyMotion& motion) {
     return {motion.center - motion.rotation * s.localCenter, motion.rotation};
 }
 
@@ -42,14 +42,14 @@ struct Pull {
     double angular = 0;
 };
 
-Pull pullOn(const FlyingShape& s, const BodyMotion& now) {
+Pull pullOn(const MovingShape& s, const BodyMotion& now) {
     return {s.law.acceleration.linear - now.velocity * s.law.linearDamping,
             s.law.acceleration.angular - now.angularVelocity * s.law.angularDamping};
 }
 
 /// The bound on the approach of b towards a, in the frame of a, which rotates. In that frame the spin of a large body a
 /// counts only by the distance to b. The bound holds for the time left [s].
-ClosingBound approachTo(const FlyingShape& a, const FlyingShape& b, const BodyMotion& nowA, const BodyMotion& nowB,
+ClosingBound approachTo(const MovingShape& a, const MovingShape& b, const BodyMotion& nowA, const BodyMotion& nowB,
                         const Vec2& normal, double left) {
     const Pull pullA = pullOn(a, nowA), pullB = pullOn(b, nowB);
     const Vec2 between = nowB.center - nowA.center, relative = nowB.velocity - nowA.velocity;
@@ -66,7 +66,7 @@ ClosingBound approachTo(const FlyingShape& a, const FlyingShape& b, const BodyMo
 }
 
 /// The bound in the frame of the larger body.
-ClosingBound approachIn(const FlyingShape& a, const FlyingShape& b, const Encounter& now, double left) {
+ClosingBound approachIn(const MovingShape& a, const MovingShape& b, const Encounter& now, double left) {
     if (a.boundingRadius >= b.boundingRadius) return approachTo(a, b, now.a, now.b, now.distance.normal, left);
     return approachTo(b, a, now.b, now.a, -now.distance.normal, left);
 }
@@ -76,7 +76,7 @@ ClosingBound approachIn(const FlyingShape& a, const FlyingShape& b, const Encoun
 /// Method: regula falsi. If the same end of the bracket stays twice, its weight is halved; in every eighth step, and if
 /// a step would leave the bracket, bisection.
 /// Source: Dowell and Jarratt, "A modified regula falsi method", 1971.
-double bracketed(const FlyingShape& a, const FlyingShape& b, double before, double separationBefore, double after,
+double bracketed(const MovingShape& a, const MovingShape& b, double before, double separationBefore, double after,
                  double separationAfter) {
     double outside = separationBefore, inside = separationAfter;
     int side = 0;
@@ -97,17 +97,17 @@ double bracketed(const FlyingShape& a, const FlyingShape& b, double before, doub
 
 }  // namespace
 
-Encounter encounterAt(const FlyingShape& a, const FlyingShape& b, double time) {
+Encounter encounterAt(const MovingShape& a, const MovingShape& b, double time) {
     Encounter e;
-    e.a = fly(a.from, a.law, time - a.time);
-    e.b = fly(b.from, b.law, time - b.time);
+    e.a = moveFreely(a.from, a.law, time - a.time);
+    e.b = moveFreely(b.from, b.law, time - b.time);
     e.distance = distance(*a.shape, poseOf(a, e.a), *b.shape, poseOf(b, e.b));
     const Vec2 relative = velocityAt(e.b, e.distance.pointB) - velocityAt(e.a, e.distance.pointA);
     e.closingSpeed = -relative.dot(e.distance.normal);
     return e;
 }
 
-std::optional<double> timeOfImpact(const FlyingShape& a, const FlyingShape& b, double from, double to) {
+std::optional<double> timeOfImpact(const MovingShape& a, const MovingShape& b, double from, double to) {
     const double scale = std::max(a.boundingRadius, b.boundingRadius), whole = to - from, shortest = whole * 1e-12;
     const double thick = 0.5 * (inradiusOf(*a.shape) + inradiusOf(*b.shape));
     double time = from;

@@ -9,7 +9,7 @@
 namespace plumb {
 
 /// A shape on a body in free motion.
-struct FlyingShape {
+struct MovingShape {
     const Shape* shape = nullptr;
     Vec2 localCenter{0, 0};     ///< the body's centre of mass, in its frame [m]
     double boundingRadius = 0;  ///< distance of the body's farthest point from its centre of mass [m]
@@ -24,7 +24,7 @@ struct Encounter {
     BodyMotion a, b;
     double closingSpeed = 0;  ///< of the nearest points along the normal, positive if they approach [m/s]
 };
-Encounter encounterAt(const FlyingShape& a, const FlyingShape& b, double time);
+Encounter encounterAt(const MovingShape& a, const MovingShape& b, double time);
 
 /// The first time in [from, to] at which the shapes touch while they approach, exact to rounding; empty if there is
 /// none. The search may miss a touch that is less deep than a hundredth of the shapes' thickness before they part. If
@@ -32,6 +32,6 @@ Encounter encounterAt(const FlyingShape& a, const FlyingShape& b, double time);
 /// Method: conservative advancement in the frame of the larger body, with the bound of collide/sweep.h, extended by the
 /// accelerations; near a contact, Newton's method, kept in a bracket.
 /// Source: Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996, section 2.3.
-std::optional<double> timeOfImpact(const FlyingShape& a, const FlyingShape& b, double from, double to);
+std::optional<double> timeOfImpact(const MovingShape& a, const MovingShape& b, double from, double to);
 
 }  // namespace plumb

@@ -29,12 +29,12 @@ struct alignas(64) ContactBatch {
     PointLanes points[2];
     Lanes<float> roundA, roundB;  ///< rounding radius times rho: this part of an anchor does not rotate with the body
     Lanes<float> surfaceSpeed;    ///< sum of both surfaces' speeds along the tangent [m/s]
-    Lanes<float> rollReach;       ///< resisting torque over normal force [m]
+    Lanes<float> rollingArm;      ///< resisting torque over normal force [m]
     Lanes<float> rollInverseGyrationA, rollInverseGyrationB;  ///< rho of the bodies [1/m]
     Lanes<float> rollMass;                                    ///< effective inertia [kg m^2]
     Lanes<float> rollImpulse;                                 ///< in half a sub-step [N m s]
     Lanes<std::int32_t> pushed;                               ///< not 0: the contact has given an impulse in this step
-    bool bounces, hasSurfaceSpeed, hasRollingResistance;  ///< some lane may have restitution, surfaceSpeed, rollReach
+    bool bounces, hasSurfaceSpeed, hasRollingResistance;  ///< some lane may have restitution, surfaceSpeed, rollingArm
 };
 
 /// Number of rows of 64 bytes before the flags.

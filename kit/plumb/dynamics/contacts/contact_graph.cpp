@@ -22,7 +22,7 @@ void copyLane(Colour& to, std::size_t toSlot, const ContactBatch& batch, const M
     copyLane(target, toSlot % batchLanes, batch, lane, batchRows);
     copyLane(to.manifolds[toSlot / batchLanes], toSlot % batchLanes, manifolds, lane, manifoldRows);
     target.hasSurfaceSpeed = target.hasSurfaceSpeed || batch.surfaceSpeed[lane] != 0;
-    target.hasRollingResistance = target.hasRollingResistance || batch.rollReach[lane] != 0;
+    target.hasRollingResistance = target.hasRollingResistance || batch.rollingArm[lane] != 0;
     target.bounces = target.bounces || manifolds.restitution[lane] > 0;
 }
 

@@ -9,7 +9,7 @@ void fillRolling(ContactBatch& batch, std::size_t lane, const ContactRecord& con
     const BodyRecord& a = bodies.record[contact.bodyA];
     const BodyRecord& b = bodies.record[contact.bodyB];
     const float inverse = static_cast<float>(a.inverseInertia + b.inverseInertia);
-    batch.rollReach[lane] = inverse > 0 ? contact.rollingReach : 0.0f;
+    batch.rollingArm[lane] = inverse > 0 ? contact.rollingArm : 0.0f;
     batch.rollInverseGyrationA[lane] = a.inverseGyration;
     batch.rollInverseGyrationB[lane] = b.inverseGyration;
     batch.rollMass[lane] = inverse > 0 ? 1 / inverse : 0.0f;

@@ -9,10 +9,10 @@ namespace plumb {
 namespace {
 
 /// Cosine of the largest angle between a contact normal and the one-way direction at which the shape is solid [-].
-constexpr double widest = 0.5;
+constexpr double minCosineSolid = 0.5;
 /// Cosine of the largest angle, from the opposite of the one-way direction, at which a body lands on the end of a line
 /// and does not pass it [-].
-constexpr double steep = 0.866;
+constexpr double minCosineLanding = 0.866;
 /// A contact is at a line's end if its normal is tilted outwards by more than this; jitter at rest is smaller [rad].
 constexpr double leaning = 0.02;
 /// A body that overlaps by no more than this can still become solid: it has just come through, or is at a seam [m].
@@ -43,7 +43,7 @@ bool isAtEnd(const Side& side, const Rot& rotation) {
 /// Does the other shape move against the one-way direction, within 30 degrees? One that comes from the side, partly
 /// below the line, passes the end.
 bool comesDown(const Side& side, const Vec2& open) {
-    return -side.velocity.dot(open) >= steep * side.velocity.norm() * open.norm();
+    return -side.velocity.dot(open) >= minCosineLanding * side.velocity.norm() * open.norm();
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ bool comesFromOpenSide(const BodyStore& bodies, const Proxy& a, const Proxy& b, 
         if (!side.own.def.oneWay) return true;
         const Rot& rotation = bodies.motion[side.own.owner].rotation;
         const Vec2 open = rotation * *side.own.def.oneWay;
-        const bool above = side.normal.dot(open) >= widest * open.norm();
+        const bool above = side.normal.dot(open) >= minCosineSolid * open.norm();
         if (!above || wasSolid) return above;
         return face.separation >= -slop && (!isAtEnd(side, rotation) || comesDown(side, open));
     });

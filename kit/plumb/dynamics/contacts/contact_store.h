@@ -56,7 +56,7 @@ struct ContactRecord {
     ProxyId proxyA = 0, proxyB = 0;
     BodyIndex bodyA = 0, bodyB = 0;
     double friction = 0, restitution = 0;  ///< of the pair
-    float rollingReach = 0;                ///< resisting torque over normal force [m]
+    float rollingArm = 0;                  ///< resisting torque over normal force [m]
     float surfaceSpeed = 0;                ///< sum of both surfaces' speeds along the tangent [m/s]
     ContactState state = ContactState::Free;
     bool boxes = false;     ///< both shapes are boxes parallel to the axes of their bodies' frames

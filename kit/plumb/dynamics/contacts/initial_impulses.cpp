@@ -11,7 +11,7 @@ namespace {
 constexpr int sweeps = 8;
 
 /// Points with a separation up to this carry load [m].
-constexpr float bearing = 1e-4f;
+constexpr float loadedSeparation = 1e-4f;
 
 SolverVelocity kickOf(const BodyStore& bodies, BodyIndex body) {
     const BodyPlace& place = bodies.place[body];
@@ -32,7 +32,7 @@ ContactBatch withBodiesApart(const ContactBatch& batch) {
         own.bodyA[lane] = 2 * lane;
         own.bodyB[lane] = 2 * lane + 1;
         for (PointLanes& p : own.points) {
-            if (p.separation[lane] > bearing) p.normalMass[lane] = p.tangentMass[lane] = 0;
+            if (p.separation[lane] > loadedSeparation) p.normalMass[lane] = p.tangentMass[lane] = 0;
             p.separation[lane] = 0;
         }
     }

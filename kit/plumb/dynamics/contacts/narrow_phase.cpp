@@ -15,7 +15,7 @@ namespace plumb {
 namespace {
 
 /// A body that comes nearer than this to a sleeping body, or may do so in this step, wakes it [m].
-constexpr float trembling = 5e-4f;
+constexpr float wakeDistance = 5e-4f;
 
 float nearestOf(const Manifold& m) {
     return m.count > 1 ? std::min(m.points[0].separation, m.points[1].separation) : m.points[0].separation;
@@ -254,7 +254,7 @@ void NarrowPhase::addArrival(ContactIndex index, const FreshLanes& fresh, std::s
 void NarrowPhase::noteSleepers(const ShapePair& pair, const FreshLanes& fresh, std::size_t lane) {
     float nearest = fresh.points[0].separation[lane];
     if (fresh.count[lane] > 1) nearest = std::min(nearest, fresh.points[1].separation[lane]);
-    if (nearest > approachOf(bodies_, pair).margin - (contactMargin - trembling)) return;
+    if (nearest > approachOf(bodies_, pair).margin - (contactMargin - wakeDistance)) return;
     for (const BodyIndex body : {pair.bodyA, pair.bodyB})
         if (bodies_.isDynamic(body) && !bodies_.record[body].awake) sleepers_.push_back(body);
 }

@@ -122,7 +122,7 @@ void mixMaterials(const Space& space, ContactRecord& contact) {
     contact.friction = std::min(mixed(ma.friction, mb.friction, ma.frictionMix, mb.frictionMix), roughest);
     contact.restitution = mixed(ma.restitution, mb.restitution, ma.restitutionMix, mb.restitutionMix);
     const double reach = std::max(ma.rollingResistance, mb.rollingResistance) * roundingOf(a, b);
-    contact.rollingReach = static_cast<float>(std::min(reach, roughest));
+    contact.rollingArm = static_cast<float>(std::min(reach, roughest));
     contact.surfaceSpeed = static_cast<float>(ma.surfaceSpeed + mb.surfaceSpeed);
 }
 

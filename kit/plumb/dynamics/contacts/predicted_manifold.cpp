@@ -10,9 +10,9 @@ namespace plumb {
 
 namespace {
 
-FlyingShape flyingShape(const BodyStore& bodies, BodyIndex body, const Proxy& proxy) {
+MovingShape movingShape(const BodyStore& bodies, BodyIndex body, const Proxy& proxy) {
     const BodyRecord& record = bodies.record[body];
-    FlyingShape shape;
+    MovingShape shape;
     shape.shape = &proxy.def.shape;
     shape.localCenter = record.localCenter;
     shape.boundingRadius = record.boundingRadius;
@@ -34,8 +34,8 @@ Manifold predictedManifold(const BodyStore& bodies, const Space& space, const Sh
                            double dt) {
     const Proxy& proxyA = space[pair.proxyA];
     const Proxy& proxyB = space[pair.proxyB];
-    const FlyingShape a = flyingShape(bodies, pair.bodyA, proxyA);
-    FlyingShape b = flyingShape(bodies, pair.bodyB, proxyB);
+    const MovingShape a = movingShape(bodies, pair.bodyA, proxyA);
+    MovingShape b = movingShape(bodies, pair.bodyB, proxyB);
     b.from.center += Vec2(pair.shiftX, pair.shiftY);
     const std::optional<double> time = timeOfImpact(a, b, 0, dt);
     if (!time) return {};

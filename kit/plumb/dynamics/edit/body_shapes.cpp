@@ -147,7 +147,7 @@ void removeShapes(WorldState& world, BodyIndex body) {
     world.tiles.erase(world.tiles.lower_bound({body, 0}), world.tiles.upper_bound({body, none}));
 }
 
-void meetAnew(WorldState& world, BodyIndex body) {
+void findPairsAgain(WorldState& world, BodyIndex body) {
     removeAllPairs(world, body);
     if (!world.bodies.record[body].enabled) return;
     placeBounds(world.space, world.bodies, world.contacts, body, 0);
@@ -171,7 +171,7 @@ void hideShapes(WorldState& world, BodyIndex body) {
 void showShapes(WorldState& world, BodyIndex body) {
     world.bodies.record[body].enabled = true;
     world.walls += wallsOf(world, world.bodies.links[body].proxies, body);
-    meetAnew(world, body);
+    findPairsAgain(world, body);
 }
 
 void giveMass(WorldState& world, BodyIndex body, const Mass& mass) {
@@ -182,7 +182,7 @@ void giveMass(WorldState& world, BodyIndex body, const Mass& mass) {
     if (!world.bodies.record[body].awake) world.bodies.rest(body);
 }
 
-void followShapes(WorldState& world, BodyIndex body) {
+void updateMassFromShapes(WorldState& world, BodyIndex body) {
     const BodyRecord& record = world.bodies.record[body];
     if (record.type != BodyType::Dynamic || record.massGiven) return;
     const Mass mass = massOfShapes(world, body);

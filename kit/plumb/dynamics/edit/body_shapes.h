@@ -24,7 +24,7 @@ void removeShape(WorldState& world, BodyIndex body, std::uint32_t number);
 void removeShapes(WorldState& world, BodyIndex body);
 
 /// Removes all contacts of a body, and lets the space find the pairs of its shapes again.
-void meetAnew(WorldState& world, BodyIndex body);
+void findPairsAgain(WorldState& world, BodyIndex body);
 /// Marks the body's shapes in the space as fixed or not, by the type of the body.
 void fixShapes(WorldState& world, BodyIndex body);
 /// hideShapes disables a body and takes its shapes out of the space without removing them; showShapes reverses this.
@@ -35,6 +35,6 @@ void showShapes(WorldState& world, BodyIndex body);
 /// impulses.
 void giveMass(WorldState& world, BodyIndex body, const Mass& mass);
 /// Sets the mass of a dynamic body from its shapes, unless it was given a mass.
-void followShapes(WorldState& world, BodyIndex body);
+void updateMassFromShapes(WorldState& world, BodyIndex body);
 
 }  // namespace plumb

@@ -183,7 +183,7 @@ void moveLocks(WorldState& world, BodyIndex body) {
     forEachLock(world, body, [&](JointIndex, LockJoint& lock) { lock.moveTo(world.bodies.motion[body].center); });
 }
 
-void joinNearest(WorldState& world, BodyIndex body) {
+void takeNearestImages(WorldState& world, BodyIndex body) {
     const BodyStore& bodies = world.bodies;
     if (!bodies.wrap.any()) return;
     const auto bring = [&](Anchor& anchor, const Vec2& to) {
@@ -224,7 +224,7 @@ namespace {
 
 void followMove(WorldState& world, BodyIndex body) {
     moveLocks(world, body);
-    joinNearest(world, body);
+    takeNearestImages(world, body);
 }
 
 }  // namespace

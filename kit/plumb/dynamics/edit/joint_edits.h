@@ -22,7 +22,7 @@ void lockBody(WorldState& world, BodyIndex body, bool lockX, bool lockY);
 void moveLocks(WorldState& world, BodyIndex body);
 /// In a world that wraps: after a body was moved by an edit, connects its joints to the nearest images of the other
 /// bodies.
-void joinNearest(WorldState& world, BodyIndex body);
+void takeNearestImages(WorldState& world, BodyIndex body);
 /// After a body's centre of mass was shifted, in its own frame: corrects the anchors, so that they stay at the same
 /// points of the body.
 void shiftAnchors(WorldState& world, BodyIndex body, const Vec2& shift);

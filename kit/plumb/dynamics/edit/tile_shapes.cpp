@@ -53,18 +53,18 @@ bool isSame(const WorldState& world, ProxyId proxy, const PieceDef& part) {
            there.def.shape == part.def.shape;
 }
 
-bool isAsLong(const std::optional<double>& round, double length) {
+bool hasLength(const std::optional<double>& round, double length) {
     return round && std::fabs(*round - length) <= 1e-9 * length;
 }
 
 /// The map wraps if it lies unrotated in a world that wraps, and is as wide or as high as the world; otherwise it has
 /// ends. The map's own wrap setting is ignored.
-TileMap asItLies(const TileMap& map, const WorldState& world, BodyIndex body) {
+TileMap withWrapOfWorld(const TileMap& map, const WorldState& world, BodyIndex body) {
     const Rot& turned = world.bodies.motion[body].rotation;
     const bool straight = turned.cos == 1 && turned.sin == 0;
     const Wrap& wrap = world.bodies.wrap;
-    return map.wrapping(straight && isAsLong(wrap.width, map.columns() * map.size()),
-                        straight && isAsLong(wrap.height, map.rows() * map.size()));
+    return map.wrapping(straight && hasLength(wrap.width, map.columns() * map.size()),
+                        straight && hasLength(wrap.height, map.rows() * map.size()));
 }
 
 void wakeOn(WorldState& world, BodyIndex body, const std::vector<ProxyId>& pieces) {
@@ -95,7 +95,7 @@ void renewBlock(WorldState& world, BodyIndex body, std::uint32_t number, Cell bl
 void addTiles(WorldState& world, BodyIndex body, const ShapeDef& def, std::uint32_t number) {
     TileShape& tiles = world.tiles[{body, number}];
     tiles = {def, {}};
-    tiles.def.shape = asItLies(std::get<TileMap>(def.shape), world, body);
+    tiles.def.shape = withWrapOfWorld(std::get<TileMap>(def.shape), world, body);
     addPieces(world, body, number, std::vector{placeholderOf(def, tiles.map())}, true);
     const Cell blocks = tileBlocksOf(tiles.map());
     for (int row = 0; row < blocks.row; ++row)

@@ -71,7 +71,7 @@ void requireFit(const WorldState& world, const BodyDef& def) {
         requireFit(world, def.shapes[i].shape, pose, "BodyDef.shapes[" + std::to_string(i) + "]");
 }
 
-void requireFewRounds(const WorldState& world, const Aabb& box, double most, const std::string& field) {
+void requireFewPeriods(const WorldState& world, const Aabb& box, double most, const std::string& field) {
     const Wrap& wrap = world.bodies.wrap;
     if (!wrap.any()) return;
     const Vec2 size = box.upper - box.lower;

@@ -32,7 +32,7 @@ void requireShape(const ShapeDef& def, const std::string& field);
 void requireFit(const WorldState& world, const Shape& shape, const Transform& pose, const std::string& field);
 void requireFit(const WorldState& world, const BodyDef& def);
 /// Checks that a query does not reach around the world more than most times.
-void requireFewRounds(const WorldState& world, const Aabb& box, double most, const std::string& field);
+void requireFewPeriods(const WorldState& world, const Aabb& box, double most, const std::string& field);
 void validate(const WorldState& world, const JointDef& def);
 /// Checks a new def for an existing joint: kind, bodies, anchors and axes must be the same as before.
 void validateChange(const JointDef& from, const JointDef& to);

@@ -82,7 +82,7 @@ void moveOthers(FieldStore& fields, const BodyStore& bodies, double time) {
     for (const BodyIndex body : bodies.awake) {
         const std::uint32_t flight = bodies.step[body].flight;
         if (flight != none && !bodies.flights[flight].steady) continue;
-        fields.now[body] = fly(bodies.motion[body], flightLawOf(bodies, body), time);
+        fields.now[body] = moveFreely(bodies.motion[body], flightLawOf(bodies, body), time);
     }
 }
 
@@ -91,7 +91,7 @@ class Flights {
 public:
     Flights(FieldStore& fields, BodyStore& bodies, const Space& space, double dt)
         : fields_(fields), bodies_(bodies), space_(space), steps_(bodies.subSteps), h_(dt / steps_) {
-        around_ = looksAround(fields);
+        around_ = dependsOnOtherBodies(fields);
         if (around_) fields.now = bodies.motion;
         for (std::size_t i = 0; i < bodies.flights.size(); ++i) {
             PredictedFlight& flight = bodies.flights[i];
@@ -152,7 +152,7 @@ void gatherFlights(FieldStore& fields, BodyStore& bodies, const Space& space, do
     for (const BodyIndex body : bodies.awake) {
         if (!bodies.canMove(body)) continue;
         const BodyMotion& from = bodies.motion[body];
-        const Vec2 to = fly(from, flightLawOf(bodies, body), dt).center;
+        const Vec2 to = moveFreely(from, flightLawOf(bodies, body), dt).center;
         const FieldInfluence influence = influenceOn({fields, bodies, space}, body, from.center, to);
         if (influence == FieldInfluence::None) continue;
         PredictedFlight& flight = bodies.flights.emplace_back();
@@ -168,7 +168,7 @@ void gatherFlights(FieldStore& fields, BodyStore& bodies, const Space& space, do
 }  // namespace
 
 void predictFlights(FieldStore& fields, BodyStore& bodies, const Space& space, double dt) {
-    if (fields.empty() || dt < shortestFelt) return;
+    if (fields.empty() || dt < shortestFieldStep) return;
     gatherFlights(fields, bodies, space, dt);
     Flights(fields, bodies, space, dt).run(dt);
 }
@@ -179,7 +179,7 @@ FieldFlight flightFrom(FieldStore& fields, const BodyStore& bodies, const Space&
     PredictedFlight& flight = result.flight;
     if (flight.steady) return result;
     flight.rest = {};
-    if (time < shortestFelt) {
+    if (time < shortestFieldStep) {
         const BodyRecord& record = bodies.record[flight.body];
         flight.law = {accelerationOf(record, bodies.gravity), record.linearDamping, record.angularDamping};
         return result;
@@ -187,11 +187,11 @@ FieldFlight flightFrom(FieldStore& fields, const BodyStore& bodies, const Space&
     const double whole = bodies.lastStep / bodies.subSteps;
     const int steps = std::max(1, static_cast<int>(std::ceil(time / whole - 1e-6)));
     // The other bodies are taken at half of the time: the error is of the same order as Verlet's.
-    if (looksAround(fields)) {
+    if (dependsOnOtherBodies(fields)) {
         fields.now = bodies.motion;
         for (const BodyIndex other : bodies.awake)
             if (!bodies.isMovedBy(other, MovedBy::Impacts))
-                fields.now[other] = fly(fields.now[other], flightLawOf(bodies, other), start + 0.5 * time);
+                fields.now[other] = moveFreely(fields.now[other], flightLawOf(bodies, other), start + 0.5 * time);
     }
     VerletFlight verlet(bodies, flight, result.account, from, fields.now[flight.body], steps);
     FieldPull& pull = fields.pulls.front();

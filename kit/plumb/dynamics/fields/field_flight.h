@@ -15,7 +15,7 @@
 namespace plumb {
 
 /// In less time than this, a field's change of velocity is lost in rounding, and so is its law [s].
-inline constexpr double shortestFelt = 1e-9;
+inline constexpr double shortestFieldStep = 1e-9;
 
 /// A predicted flight, and the energy and momentum that fields give during it.
 struct FieldFlight {

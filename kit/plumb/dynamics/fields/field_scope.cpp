@@ -132,7 +132,7 @@ bool isCarriedBy(const FieldLaw& law, BodyIndex body) {
     return magnet && magnet->body.index == body;
 }
 
-bool looksAround(const FieldStore& fields) {
+bool dependsOnOtherBodies(const FieldStore& fields) {
     return std::any_of(fields.records.begin(), fields.records.end(),
                        [](const FieldRecord& field) { return field.alive && attractsOthers(field.def); });
 }

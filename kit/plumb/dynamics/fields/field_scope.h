@@ -23,7 +23,7 @@ bool isCarriedBy(const FieldLaw& law, BodyIndex body);
 Attractor attractorOf(const Magnet& magnet, const FieldView& view, const std::vector<BodyMotion>& now);
 
 /// Does any field depend on the positions of other bodies than the one on which it acts?
-bool looksAround(const FieldStore& fields);
+bool dependsOnOtherBodies(const FieldStore& fields);
 
 /// The kind of effect that fields may have on a body during a step.
 enum class FieldInfluence {

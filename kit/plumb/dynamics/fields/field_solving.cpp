@@ -35,19 +35,19 @@ void addChange(SolverVelocity& velocity, const VelocityChange& push, float gyrat
 
 void FieldSolving::findPulls(const std::vector<BodyIndex>& solved) {
     std::vector<BodyMotion>& now = fields_.now;
-    if (looksAround(fields_)) {
+    if (dependsOnOtherBodies(fields_)) {
         // Bodies that are not solved move as predicted; bodies that the impacts have moved are already at the step's
         // end.
         now = bodies_.motion;
         for (const BodyIndex body : bodies_.awake)
             if (!bodies_.isConstrained(body) && !bodies_.isMovedBy(body, MovedBy::Impacts) && subSteps_ > 0)
-                now[body] = fly(now[body], flightLawOf(bodies_, body), subSteps_ * h_);
+                now[body] = moveFreely(now[body], flightLawOf(bodies_, body), subSteps_ * h_);
         for (const BodyIndex body : solved)
             if (body != noBody) now[body] = solvedMotion(bodies_, body);
     }
     pulls_.resize(solved.size());
     for (std::size_t i = 0; i < solved.size(); ++i) {
-        if (!feels(solved[i])) continue;
+        if (!isInfluenced(solved[i])) continue;
         now[solved[i]] = solvedMotion(bodies_, solved[i]);
         pullOn({fields_, bodies_, space_}, solved[i], now, pulls_[i]);
     }
@@ -55,7 +55,7 @@ void FieldSolving::findPulls(const std::vector<BodyIndex>& solved) {
     ++subSteps_;
 }
 
-bool FieldSolving::feels(BodyIndex body) const {
+bool FieldSolving::isInfluenced(BodyIndex body) const {
     return body != noBody && bodies_.step[body].flight != none;
 }
 
@@ -64,7 +64,7 @@ void FieldSolving::kick(const std::vector<BodyIndex>& solved) {
     if (!known_) findPulls(solved);
     for (std::size_t i = 0; i < solved.size(); ++i) {
         const BodyIndex body = solved[i];
-        if (!feels(body)) continue;
+        if (!isInfluenced(body)) continue;
         const BodyRecord& record = bodies_.record[body];
         const Acceleration base = accelerationOf(record, bodies_.gravity);
         const FieldKick kick = kickOf(record, base, pulls_[i], speedsOf(bodies_, body), 0.5 * h_);

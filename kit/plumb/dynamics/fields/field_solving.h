@@ -21,7 +21,7 @@ public:
 
 private:
     void findPulls(const std::vector<BodyIndex>& solved);
-    bool feels(BodyIndex body) const;
+    bool isInfluenced(BodyIndex body) const;
 
     FieldStore& fields_;
     BodyStore& bodies_;

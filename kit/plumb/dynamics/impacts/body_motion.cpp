@@ -30,7 +30,7 @@ Sweep sweepBetween(const BodyMotion& from, const BodyMotion& to, const BodyRecor
     return {from.center, to.center - from.center, from.angle, to.angle - from.angle, record.localCenter};
 }
 
-Sweep freeWay(const BodyStore& bodies, BodyIndex body, const Past& past) {
+Sweep freeSweep(const BodyStore& bodies, BodyIndex body, const Past& past) {
     const BodyRecord& record = bodies.record[body];
     BodyMotion now = bodies.motion[body];
     if (!record.awake) return sweepBetween(now, now, record);
@@ -39,11 +39,11 @@ Sweep freeWay(const BodyStore& bodies, BodyIndex body, const Past& past) {
         now.velocity -= bodies.flights[flight].rest.velocity;
         now.angularVelocity -= bodies.flights[flight].rest.spin;
     }
-    return sweepBetween(fly(now, law, -past.from), past.to > 0 ? fly(now, law, -past.to) : now, record);
+    return sweepBetween(moveFreely(now, law, -past.from), past.to > 0 ? moveFreely(now, law, -past.to) : now, record);
 }
 
-Sweep wayOf(const BodyStore& bodies, BodyIndex body, double dt) {
-    if (!bodies.isMovedBy(body, MovedBy::Solver)) return freeWay(bodies, body, {dt, 0});
+Sweep sweepOf(const BodyStore& bodies, BodyIndex body, double dt) {
+    if (!bodies.isMovedBy(body, MovedBy::Solver)) return freeSweep(bodies, body, {dt, 0});
     const BodyMotion& now = bodies.motion[body];
     const Moved moved = movedBy(bodies, body);
     return {now.center - moved.shift, moved.shift, now.angle - moved.turn, moved.turn, bodies.record[body].localCenter};
@@ -57,13 +57,13 @@ bool isFar(const BodyRecord& record, double travel) {
     return travel > slow * record.inradius;
 }
 
-bool hasComeFar(const BodyStore& bodies, BodyIndex body, double dt) {
+bool hasMovedFar(const BodyStore& bodies, BodyIndex body, double dt) {
     const BodyRecord& record = bodies.record[body];
     if (bodies.isMovedBy(body, MovedBy::Solver)) {
         const Moved moved = movedBy(bodies, body);
         return isFar(record, travelOf(moved.shift, moved.turn, record));
     }
-    const Sweep way = freeWay(bodies, body, {dt, 0});
+    const Sweep way = freeSweep(bodies, body, {dt, 0});
     return isFar(record, travelOf(way.shift, way.turn, record));
 }
 

@@ -16,8 +16,8 @@ Sweep stayAt(const BodyStore& bodies, const Sweep& way, const WallHit& hit) {
     stay.start = way.start + way.shift * hit.time;
     stay.angle = way.angle + way.turn * hit.time;
     const BodyMotion& wall = bodies.motion[hit.wall];
-    const Vec2 wallThen = hit.wallWay.start + hit.wallWay.shift * hit.time;
-    stay.turn = wall.angle - (hit.wallWay.angle + hit.wallWay.turn * hit.time);
+    const Vec2 wallThen = hit.wallSweep.start + hit.wallSweep.shift * hit.time;
+    stay.turn = wall.angle - (hit.wallSweep.angle + hit.wallSweep.turn * hit.time);
     stay.shift = (wall.center + hit.shift - stay.start) + Rot::fromAngle(stay.turn) * Vec2(stay.start - wallThen);
     return stay;
 }
@@ -46,7 +46,7 @@ public:
     std::vector<Suspect> findSuspects() const {
         std::vector<Suspect> suspects;
         for (const BodyIndex body : bodies_.awake)
-            if (isMoved(bodies_, body) && hasComeFar(bodies_, body, dt_)) suspects.push_back({body, none});
+            if (isMoved(bodies_, body) && hasMovedFar(bodies_, body, dt_)) suspects.push_back({body, none});
         for (const BodyIndex wall : bodies_.kinematic) addSwept(wall, suspects);
         std::sort(suspects.begin(), suspects.end(), [](const Suspect& a, const Suspect& b) {
             return a.body != b.body ? a.body < b.body : a.contact < b.contact;
@@ -57,7 +57,7 @@ public:
     /// Checks one body; suspects: all entries of this body.
     void stop(std::span<const Suspect> suspects) {
         const BodyIndex body = suspects.front().body;
-        const Sweep way = wayOf(bodies_, body, dt_);
+        const Sweep way = sweepOf(bodies_, body, dt_);
         WallSearch search(view_, body, way, {dt_, 0});
         for (const Suspect& suspect : suspects) {
             if (suspect.contact != none) {
@@ -92,16 +92,16 @@ public:
 private:
     /// Adds bodies near a kinematic body that have moved far relative to it.
     void addSwept(BodyIndex wall, std::vector<Suspect>& suspects) const {
-        const WallWay wallWay(freeWay(bodies_, wall, {dt_, 0}));
+        const WallSweep wallSweep(freeSweep(bodies_, wall, {dt_, 0}));
         forEachContact(bodies_, contacts_, wall, [&](ContactIndex index) {
             const ContactRecord& contact = contacts_[index];
             const bool isA = contact.bodyA == wall;
             const BodyIndex body = isA ? contact.bodyB : contact.bodyA;
             if (!isMoved(bodies_, body)) return;
             const Shape& face = view_.space[isA ? contact.proxyA : contact.proxyB].def.shape;
-            Sweep own = wayOf(bodies_, body, dt_);
+            Sweep own = sweepOf(bodies_, body, dt_);
             own.start += isA ? contact.shift : Vec2(-contact.shift);
-            if (mayCross(wallWay, own, face, bodies_.record[body])) suspects.push_back({body, index});
+            if (mayCross(wallSweep, own, face, bodies_.record[body])) suspects.push_back({body, index});
         });
     }
 

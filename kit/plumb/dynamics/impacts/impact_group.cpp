@@ -21,13 +21,13 @@ constexpr std::size_t impactsPerBody = 16;
 constexpr std::size_t largestGroup = 200;
 
 /// Where a pair should meet, a larger gap or a deeper overlap than this shows that the search has failed [m].
-constexpr double lostTouch = 1e-6;
-constexpr double lostWay = 1e-3;
+constexpr double widestTouch = 1e-6;
+constexpr double deepestTouch = 1e-3;
 
 /// A body of the group, since its last impact.
 struct GroupBody {
     BodyIndex body = noBody;
-    FlyingShape flight;                 ///< its shape is set for each contact
+    MovingShape flight;                 ///< its shape is set for each contact
     std::optional<FieldFlight> fields;  ///< effect of fields from the last impact on
     FieldAccount account;               ///< effect of fields before the last impact
 };
@@ -48,8 +48,8 @@ struct GroupPair {
 using TwoMotions = std::array<BodyMotion, 2>;
 
 /// The two shapes of a contact, B as the periodic image that meets A.
-struct FlyingPair {
-    FlyingShape a, b;
+struct MovingPair {
+    MovingShape a, b;
 };
 
 class ImpactGroup {
@@ -122,13 +122,13 @@ private:
     void predict(GroupPair& pair) const {
         pair.time.reset();
         if (pair.through) return;
-        const FlyingPair shapes = shapesOf(pair);
+        const MovingPair shapes = shapesOf(pair);
         pair.time = timeOfImpact(shapes.a, shapes.b, std::max(shapes.a.time, shapes.b.time), dt_);
     }
 
-    FlyingPair shapesOf(const GroupPair& pair) const {
+    MovingPair shapesOf(const GroupPair& pair) const {
         const ContactRecord& contact = stores_.contacts[pair.contact];
-        FlyingPair shapes{bodies_[pair.a].flight, bodies_[pair.b].flight};
+        MovingPair shapes{bodies_[pair.a].flight, bodies_[pair.b].flight};
         shapes.a.shape = &stores_.space[contact.proxyA].def.shape;
         shapes.b.shape = &stores_.space[contact.proxyB].def.shape;
         shapes.b.from.center += contact.shift;
@@ -140,7 +140,7 @@ private:
     bool isLetThrough(const GroupPair& pair) const {
         const ContactRecord& contact = stores_.contacts[pair.contact];
         if (!contact.ruled || contact.verdict == Verdict::Solid) return false;
-        const FlyingPair shapes = shapesOf(pair);
+        const MovingPair shapes = shapesOf(pair);
         const Encounter e = encounterAt(shapes.a, shapes.b, *pair.time);
         const Vec2 velocity = velocityAt(e.b, e.distance.pointB) - velocityAt(e.a, e.distance.pointA);
         const Face face{e.distance.normal, velocity, e.distance.separation};
@@ -150,7 +150,7 @@ private:
     /// Moves the two bodies to where they meet and applies the impact. False if that place was not found because they
     /// spin too fast.
     bool solve(GroupPair& pair) {
-        const std::array<FlyingShape, 2> before{bodies_[pair.a].flight, bodies_[pair.b].flight};
+        const std::array<MovingShape, 2> before{bodies_[pair.a].flight, bodies_[pair.b].flight};
         const std::optional<TwoMotions> met = part(pair);
         if (!met) return false;
         for (std::size_t i = 0; i < 2; ++i) {
@@ -167,9 +167,9 @@ private:
     std::optional<TwoMotions> part(GroupPair& pair) {
         const ContactRecord& contact = stores_.contacts[pair.contact];
         const double time = *pair.time;
-        const FlyingPair shapes = shapesOf(pair);
+        const MovingPair shapes = shapesOf(pair);
         Encounter e = encounterAt(shapes.a, shapes.b, time);
-        if (e.distance.separation > lostTouch || e.distance.separation < -lostWay) return std::nullopt;
+        if (e.distance.separation > widestTouch || e.distance.separation < -deepestTouch) return std::nullopt;
         GroupBody& a = bodies_[pair.a];
         GroupBody& b = bodies_[pair.b];
         endFields(a, e.a, time);
@@ -206,7 +206,7 @@ private:
         const double flown = time - body.flight.time;
         const FieldFlight done = flightFrom(stores_.fields, stores_.bodies, stores_.space, body.fields->flight,
                                             body.flight.from, body.flight.time, flown);
-        const BodyMotion end = fly(body.flight.from, done.flight.law, flown);
+        const BodyMotion end = moveFreely(body.flight.from, done.flight.law, flown);
         at.velocity = end.velocity + done.flight.rest.velocity;
         at.angularVelocity = end.angularVelocity + done.flight.rest.spin;
         body.account += done.account;
@@ -241,7 +241,7 @@ private:
     void storeBody(const GroupBody& body) {
         BodyStore& store = stores_.bodies;
         if (!store.isDynamic(body.body)) return;  // a kinematic body may be in many groups, and moves by itself
-        BodyMotion end = fly(body.flight.from, body.flight.law, dt_ - body.flight.time);
+        BodyMotion end = moveFreely(body.flight.from, body.flight.law, dt_ - body.flight.time);
         if (hasVaryingFields(body)) {
             end.velocity += body.fields->flight.rest.velocity;
             end.angularVelocity += body.fields->flight.rest.spin;

@@ -23,7 +23,7 @@ constexpr double skin = 1e-4;
 /// Smaller distances make no difference; the search has about this tolerance [m].
 constexpr double noticeable = 2e-5;
 /// If a body moves through more periods of a wrapped world than this in one step, only the first ones are searched [-].
-constexpr double mostRounds = 64;
+constexpr double mostPeriods = 64;
 
 /// The time at which a shape has met a wall that it goes through, or too deep into; empty if it does neither.
 std::optional<double> timeOfCrossing(const SweptShape& wall, const SweptShape& moving) {
@@ -57,7 +57,7 @@ struct Passage {
     }
 };
 
-Passage passageOf(const WallWay& wall, const Sweep& way) {
+Passage passageOf(const WallSweep& wall, const Sweep& way) {
     const Vec2 before = way.start - wall.sweep.start;
     const Vec2 after = before + (way.shift - wall.sweep.shift);
     const double spin = std::fabs(wall.sweep.turn);
@@ -68,7 +68,7 @@ Passage passageOf(const WallWay& wall, const Sweep& way) {
 
 }  // namespace
 
-bool mayCross(const WallWay& wall, const Sweep& way, const Shape& face, const BodyRecord& body) {
+bool mayCross(const WallSweep& wall, const Sweep& way, const Shape& face, const BodyRecord& body) {
     const Passage passage = passageOf(wall, way);
     if (!isFar(body, passage.travel(body))) return false;
     const Aabb line{passage.from.cwiseMin(passage.to), passage.from.cwiseMax(passage.to)};
@@ -85,13 +85,13 @@ void WallSearch::searchContact(ContactIndex index) {
 }
 
 void WallSearch::searchStatic() {
-    if (goesRound()) return meetAround([](const Proxy& other) { return other.fixed; });
+    if (exceedsPeriod()) return meetAlongPeriods([](const Proxy& other) { return other.fixed; });
     meetNear([](const Space& space, const Aabb& box, Space::Visit visit) { space.queryFixed(box, visit); });
 }
 
 void WallSearch::searchKinematic() {
     if (view_.bodies.kinematic.empty()) return;
-    if (goesRound()) return meetAround([](const Proxy& other) { return !other.fixed; });
+    if (exceedsPeriod()) return meetAlongPeriods([](const Proxy& other) { return !other.fixed; });
     meetNear([](const Space& space, const Aabb& box, Space::Visit visit) {
         space.query(box, [&](ProxyId other, const Vec2& shift) {
             if (!space[other].fixed) visit(other, shift);
@@ -115,16 +115,16 @@ void WallSearch::meet(ProxyId own, ProxyId other, const Vec2& shift, const RayPa
     const Verdict verdict = ruled ? verdictOn(own, other, shift) : Verdict::Solid;
     if (letsPass(verdict)) return;
     const BodyIndex wall = view_.space[other].owner;
-    Sweep wallWay = freeWay(view_.bodies, wall, past_);
-    wallWay.start += shift;
+    Sweep wallSweep = freeSweep(view_.bodies, wall, past_);
+    wallSweep.start += shift;
     const Shape& shape = view_.space[own].def.shape;
     const Shape& face = view_.space[other].def.shape;
-    if (!mayCross(WallWay(wallWay), way_, face, view_.bodies.record[body_])) return;
+    if (!mayCross(WallSweep(wallSweep), way_, face, view_.bodies.record[body_])) return;
     const SweptShape swept{&shape, way_, turningRadiusOf(shape, way_.localCenter)};
-    const std::optional<double> time = timeOfCrossingIn(part, {&face, wallWay, 0}, swept);
+    const std::optional<double> time = timeOfCrossingIn(part, {&face, wallSweep, 0}, swept);
     if (!time || (first_ && *time >= first_->time)) return;
-    if (verdict == Verdict::Solid || isSolidAt(*time, {&face, wallWay, 0}, swept, own, other))
-        first_ = WallHit{*time, wall, wallWay, shift};
+    if (verdict == Verdict::Solid || isSolidAt(*time, {&face, wallSweep, 0}, swept, own, other))
+        first_ = WallHit{*time, wall, wallSweep, shift};
 }
 
 Verdict WallSearch::verdictOn(ProxyId own, ProxyId other, const Vec2& shift) const {
@@ -178,18 +178,18 @@ RayPart WallSearch::partNear(ProxyId other, const Vec2& shift) const {
 }
 
 /// Is the sweep longer than a period of a world that wraps?
-bool WallSearch::goesRound() const {
+bool WallSearch::exceedsPeriod() const {
     const Wrap& wrap = view_.bodies.wrap;
     return (wrap.width && std::fabs(way_.shift.x()) > *wrap.width) ||
            (wrap.height && std::fabs(way_.shift.y()) > *wrap.height);
 }
 
 /// The search for such a sweep: shapes are checked in the order along the path, through at most 64 periods.
-void WallSearch::meetAround(FunctionRef<bool(const Proxy&)> wanted) {
+void WallSearch::meetAlongPeriods(FunctionRef<bool(const Proxy&)> wanted) {
     const Wrap& wrap = view_.bodies.wrap;
     double part = 1;
-    if (wrap.width) part = std::min(part, mostRounds * *wrap.width / std::fabs(way_.shift.x()));
-    if (wrap.height) part = std::min(part, mostRounds * *wrap.height / std::fabs(way_.shift.y()));
+    if (wrap.width) part = std::min(part, mostPeriods * *wrap.width / std::fabs(way_.shift.x()));
+    if (wrap.height) part = std::min(part, mostPeriods * *wrap.height / std::fabs(way_.shift.y()));
     const double boundingRadius = view_.bodies.record[body_].boundingRadius;
     view_.space.castBox({boundingRadius, boundingRadius}, way_.start, way_.start + way_.shift * part,
                         [&](ProxyId other, const Vec2& shift) {

@@ -23,7 +23,7 @@ struct WallView {
 struct WallHit {
     double time = 0;  ///< as a share of the sweep, 0 to 1 [-]
     BodyIndex wall = noBody;
-    Sweep wallWay;
+    Sweep wallSweep;
     Vec2 shift{0, 0};  ///< to the wall's periodic image that was met, in a world that wraps [m]
 };
 
@@ -48,11 +48,11 @@ private:
     void meet(ProxyId own, ProxyId other, const Vec2& shift, const RayPart& part = {});
     void meetAll(ProxyId other, const Vec2& shift, const RayPart& part = {});
     void meetNear(FunctionRef<void(const Space&, const Aabb&, Space::Visit)> query);
-    void meetAround(FunctionRef<bool(const Proxy&)> wanted);
+    void meetAlongPeriods(FunctionRef<bool(const Proxy&)> wanted);
     Verdict verdictOn(ProxyId own, ProxyId other, const Vec2& shift) const;
     bool isSolidAt(double time, const SweptShape& wall, const SweptShape& swept, ProxyId own, ProxyId other) const;
     RayPart partNear(ProxyId other, const Vec2& shift) const;
-    bool goesRound() const;
+    bool exceedsPeriod() const;
 
     WallView view_;
     BodyIndex body_;
@@ -62,17 +62,17 @@ private:
 };
 
 /// A wall's sweep, and the rotations into its frame at both ends.
-struct WallWay {
+struct WallSweep {
     Sweep sweep;
     Rot toWallBefore, toWallAfter;
 
-    explicit WallWay(const Sweep& w)
+    explicit WallSweep(const Sweep& w)
         : sweep(w),
           toWallBefore(Rot::fromAngle(w.angle).inverse()),
           toWallAfter(w.turn == 0 ? toWallBefore : Rot::fromAngle(w.angle + w.turn).inverse()) {}
 };
 
 /// May a body with this sweep have gone through this shape of a wall? A fast test with bounds only.
-bool mayCross(const WallWay& wall, const Sweep& way, const Shape& face, const BodyRecord& body);
+bool mayCross(const WallSweep& wall, const Sweep& way, const Shape& face, const BodyRecord& body);
 
 }  // namespace plumb

@@ -25,9 +25,9 @@ private:
     std::vector<BodyIndex> parent_;
 };
 
-/// An island is swept if it has more than fewLoops loops and more than one per joinsPerLoop joints, or if it needs more
-/// than fewUpdates block updates and more than updatesPerNode per node.
-constexpr std::size_t joinsPerLoop = 8;
+/// An island is swept if it has more than fewLoops loops and more than one per jointsPerLoop joints, or if it needs
+/// more than fewUpdates block updates and more than updatesPerNode per node.
+constexpr std::size_t jointsPerLoop = 8;
 constexpr std::size_t fewLoops = 16;
 constexpr std::size_t updatesPerNode = 8;
 constexpr std::size_t fewUpdates = 4000;
@@ -60,7 +60,7 @@ void numberNodes(JointIsland& island, const JointStore& joints, const BodyStore&
     const std::size_t loops = edges.size() + 1 - std::min<std::size_t>(edges.size(), node);
     const std::size_t most = std::max(fewUpdates, updatesPerNode * node);
     island.direct = island.joints.size() <= static_cast<std::size_t>(atOnce) &&
-                    loops <= std::max(fewLoops, island.joints.size() / joinsPerLoop) &&
+                    loops <= std::max(fewLoops, island.joints.size() / jointsPerLoop) &&
                     island.solver.analyse(node, edges, most);
     if (!island.direct) island.others = island.hinges.take(island.joints, joints, bodies);
 }

@@ -12,7 +12,7 @@ constexpr double memory = 2;
 
 /// The least effective mass, over all directions, of a neighbour at its anchor. A fixed one counts as a million times
 /// the body's own mass.
-double weightOf(const std::vector<Vec3>& masses, std::uint32_t node, const Vec2& arm, double hanging) {
+double leastEffectiveMass(const std::vector<Vec3>& masses, std::uint32_t node, const Vec2& arm, double hanging) {
     if (node == JointIsland::EndNodes::fixed) return 1e6 * hanging;
     const double turning = masses[node][2] > 0 ? arm.squaredNorm() / masses[node][2] : 0.0;
     return 1 / (1 / masses[node][0] + turning);
@@ -34,7 +34,7 @@ std::vector<double> neighbourInertiaOf(const JointIsland& island) {
         const auto& nodes = island.endNodes[j].node;
         for (std::size_t e = 0; e < 2; ++e) {
             if (nodes[e] == JointIsland::EndNodes::fixed) continue;
-            const double weight = weightOf(masses, nodes[1 - e], rows.arm[1 - e], masses[nodes[e]][0]);
+            const double weight = leastEffectiveMass(masses, nodes[1 - e], rows.arm[1 - e], masses[nodes[e]][0]);
             NeighbourMass& c = neighbours[nodes[e]];
             c.mass += weight;
             c.moment += weight * rows.arm[e];

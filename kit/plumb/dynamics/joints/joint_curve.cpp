@@ -31,8 +31,9 @@ void dampAhead(JointRow& row, double w, double speed) {
 }
 
 RowEquation equationOf(const JointRow& row, RowState state, double w) {
-    if (row.holds) return {false, 0, row.target, rowGive * w};
-    if (isStop(state)) return {false, 0, state == RowState::AtLowerStop ? row.lowerStop : row.upperStop, rowGive * w};
+    if (row.holds) return {false, 0, row.target, relativeCompliance * w};
+    if (isStop(state))
+        return {false, 0, state == RowState::AtLowerStop ? row.lowerStop : row.upperStop, relativeCompliance * w};
     const double slope = slopeOf(row, w);
     if (row.bounded) {
         if (state == RowState::AtTarget && slope > 0) return {false, 0, row.push / slope, 1 / slope};
@@ -40,7 +41,7 @@ RowEquation equationOf(const JointRow& row, RowState state, double w) {
                       : state == RowState::AtHigh ? row.high
                                                   : row.low};
     }
-    if (state == RowState::AtTarget) return {false, 0, row.target, rowGive * w};
+    if (state == RowState::AtTarget) return {false, 0, row.target, relativeCompliance * w};
     const double impulse = row.push + (state == RowState::AtHigh ? row.high : row.low);
     if (slope > 0) return {false, 0, impulse / slope, 1 / slope};
     return {true, impulse};

@@ -6,7 +6,7 @@
 namespace plumb {
 
 /// The change of the body's velocity (x, y, turn) by an impulse (x, y, turn).
-inline Vec3 answerOf(const BodyStore& bodies, BodyIndex body, const Vec3& impulse) {
+inline Vec3 velocityChangeBy(const BodyStore& bodies, BodyIndex body, const Vec3& impulse) {
     const double inverseMass = static_cast<double>(bodies.velocity[body].inverseMass);
     const double inverseGyration = static_cast<double>(bodies.turn[body].inverseGyration);
     return {inverseMass * impulse[0], inverseMass * impulse[1],
@@ -42,7 +42,7 @@ inline void setVelocity(BodyStore& bodies, BodyIndex body, const Vec3& velocity)
 inline double effectiveInverseMass(const BodyStore& bodies, const JointRows& rows, std::size_t row) {
     double sum = 0;
     for (std::size_t e = 0; e < rows.ends; ++e)
-        sum += dot(rows.at(row, e), answerOf(bodies, rows.body[e], rows.at(row, e)));
+        sum += dot(rows.at(row, e), velocityChangeBy(bodies, rows.body[e], rows.at(row, e)));
     return sum;
 }
 

@@ -14,7 +14,7 @@ void push(const JointRows& rows, std::size_t row, double impulse, BodyStore& bod
     for (std::size_t e = 0; e < rows.ends; ++e) {
         if (bodies.velocity[rows.body[e]].inverseMass == 0) continue;
         Vec3 v = velocityOf(bodies, rows.body[e]);
-        add(v, answerOf(bodies, rows.body[e], times(rows.at(row, e), impulse)));
+        add(v, velocityChangeBy(bodies, rows.body[e], times(rows.at(row, e), impulse)));
         setVelocity(bodies, rows.body[e], v);
     }
 }
@@ -22,21 +22,21 @@ void push(const JointRows& rows, std::size_t row, double impulse, BodyStore& bod
 /// Solves all rows that hold together.
 void sweepHolding(JointRecord& record, const JointRows& rows, BodyStore& bodies, const Softness& soft) {
     Mat3 k;
-    Vec3 lacking{};
+    Vec3 missingSpeed{};
     for (std::size_t r = 0; r < maxRows; ++r) {
         k[r][r] = 1;
         if (r >= rows.count || !rows.row[r].holds) continue;
-        lacking[r] = rows.row[r].target - speedOf(rows, r, bodies);
-        k[r][r] = effectiveInverseMass(bodies, rows, r) * (1 + rowGive);
+        missingSpeed[r] = rows.row[r].target - speedOf(rows, r, bodies);
+        k[r][r] = effectiveInverseMass(bodies, rows, r) * (1 + relativeCompliance);
         for (std::size_t c = 0; c < r; ++c) {
             if (!rows.row[c].holds) continue;
             double sum = 0;
             for (std::size_t e = 0; e < rows.ends; ++e)
-                sum += dot(rows.at(c, e), answerOf(bodies, rows.body[e], rows.at(r, e)));
+                sum += dot(rows.at(c, e), velocityChangeBy(bodies, rows.body[e], rows.at(r, e)));
             k[r][c] = k[c][r] = sum;
         }
     }
-    const Vec3 change = symmetricInverse(k) * lacking;
+    const Vec3 change = symmetricInverse(k) * missingSpeed;
     for (std::size_t r = 0; r < rows.count; ++r) {
         if (!rows.row[r].holds) continue;
         const double added = change[r] * static_cast<double>(soft.massScale) -
@@ -47,7 +47,7 @@ void sweepHolding(JointRecord& record, const JointRows& rows, BodyStore& bodies,
 }
 
 /// The impulse L at which the row's curve meets the line v + w (L - old), the speed that its own impulse gives it.
-double soughtImpulse(const JointRow& row, double v, double old, double w) {
+double impulseOnCurve(const JointRow& row, double v, double old, double w) {
     const double slope = slopeOf(row, w);
     const auto onSlope = [&](double bound) { return (row.push + bound - slope * (v - w * old)) / (1 + slope * w); };
     if (row.bounded) return std::clamp(onSlope(0), row.low, row.high);
@@ -64,7 +64,7 @@ void sweepJoint(JointRecord& record, JointLoad& load, const JointRows& rows, Bod
         const double w = effectiveInverseMass(bodies, rows, r);
         if (row.holds || !(w > 0)) continue;
         const double old = record.impulse[r];
-        const double now = soughtImpulse(row, speedOf(rows, r, bodies), old, w);
+        const double now = impulseOnCurve(row, speedOf(rows, r, bodies), old, w);
         record.impulse[r] = now;
         push(rows, r, now - old, bodies);
     }

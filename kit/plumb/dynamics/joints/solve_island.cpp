@@ -18,7 +18,7 @@ constexpr int mostTurns = 8;
 
 constexpr double notSolved = -1;  ///< the compliance noted for a row that is not in the matrix
 
-bool sameWays(const JointRows& a, const JointRows& b) {
+bool sameDirections(const JointRows& a, const JointRows& b) {
     if (a.count != b.count || a.far != b.far) return false;
     for (std::size_t r = 0; r < a.count; ++r)
         if (a.row[r].at != b.row[r].at) return false;
@@ -55,7 +55,7 @@ public:
         work_.after = work_.before;
         const auto at = std::find(island_.bodies.begin(), island_.bodies.end(), body);
         const auto node = static_cast<std::uint32_t>(at - island_.bodies.begin());
-        add(work_.after[node], answerOf(node, impulse));
+        add(work_.after[node], velocityChangeBy(node, impulse));
         for (std::size_t j = 0; j < work_.rows.size(); ++j) {
             const Vec3 speeds = speedsOf(j, work_.before);
             for (std::size_t r = 0; r < work_.rows[j].count; ++r) {
@@ -94,7 +94,7 @@ private:
                 if (pass.correct) dampAhead(row, work_.inverseMasses[j][r], record.speeds[r]);
                 work_.states[j][r] = validState(row, work_.states[j][r]);
             }
-            same_ = same_ && sameWays(rows, work_.rowsBefore[j]);
+            same_ = same_ && sameDirections(rows, work_.rowsBefore[j]);
         }
     }
 
@@ -126,7 +126,7 @@ private:
     }
 
     /// The change of velocity of a body of the island by an impulse (x, y, turn).
-    Vec3 answerOf(std::uint32_t node, const Vec3& impulse) const {
+    Vec3 velocityChangeBy(std::uint32_t node, const Vec3& impulse) const {
         const Vec3& mass = work_.masses[node];
         return {impulse[0] / mass[0], impulse[1] / mass[1], mass[2] > 0 ? impulse[2] / mass[2] : 0.0};
     }
@@ -172,7 +172,7 @@ private:
                 for (std::size_t e = 0; e < rows.ends; ++e) {
                     const std::uint32_t node = island_.endNodes[j].node[e];
                     if (node == JointIsland::EndNodes::fixed) continue;
-                    add(work_.after[node], answerOf(node, times(rows.at(r, e), equation.impulse)));
+                    add(work_.after[node], velocityChangeBy(node, times(rows.at(r, e), equation.impulse)));
                 }
             }
         }

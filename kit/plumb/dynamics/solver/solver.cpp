@@ -58,7 +58,7 @@ Rot turnedOn(const BodyMotion& motion, double turn) {
 
 /// The factor that keeps a body's angular momentum when joints have increased its moment of inertia: otherwise its
 /// energy would grow.
-double slowerBy(const BodyStore& bodies, BodyIndex body) {
+double spinFactor(const BodyStore& bodies, BodyIndex body) {
     const double inverseGyration = static_cast<double>(bodies.record[body].inverseGyration),
                  was = static_cast<double>(bodies.turn[body].inverseGyration);
     return inverseGyration < was ? inverseGyration / was * (inverseGyration / was) : 1.0;
@@ -184,7 +184,7 @@ private:
         motion.center += Vec2(static_cast<double>(d.x), static_cast<double>(d.y));
         motion.velocity = {static_cast<double>(v.x), static_cast<double>(v.y)};
         motion.angularVelocity =
-            static_cast<double>(v.w * bodies_.turn[body].inverseGyration) * slowerBy(bodies_, body);
+            static_cast<double>(v.w * bodies_.turn[body].inverseGyration) * spinFactor(bodies_, body);
         if (bodies_.record[body].inverseGyration != bodies_.turn[body].inverseGyration)
             renewGyration(stores_.graph, stores_.contacts, bodies_, stores_.space, body);
         const double turn = static_cast<double>(bodies_.turn[body].angle);

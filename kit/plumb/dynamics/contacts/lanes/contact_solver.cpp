@@ -8,31 +8,31 @@ namespace plumb {
 namespace {
 
 /// The two bodies of one lane, and the contact's normal.
-struct Couple {
+struct BodyPair {
     SolverVelocity a, b;
     float nx, ny;
 };
 
-Couple load(const ContactBatch& batch, std::size_t lane, const SolverVelocity* velocity) {
+BodyPair load(const ContactBatch& batch, std::size_t lane, const SolverVelocity* velocity) {
     return {velocity[batch.bodyA[lane]], velocity[batch.bodyB[lane]], batch.normalX[lane], batch.normalY[lane]};
 }
 
-void store(const ContactBatch& batch, std::size_t lane, const Couple& c, SolverVelocity* velocity) {
+void store(const ContactBatch& batch, std::size_t lane, const BodyPair& c, SolverVelocity* velocity) {
     velocity[batch.bodyA[lane]] = c.a;
     velocity[batch.bodyB[lane]] = c.b;
 }
 
-float normalSpeed(const Couple& c, const PointLanes& p, std::size_t lane) {
+float normalSpeed(const BodyPair& c, const PointLanes& p, std::size_t lane) {
     return (c.nx * (c.b.x - c.a.x) + c.ny * (c.b.y - c.a.y)) +
            (p.anchorTangentA[lane] * c.a.w - p.anchorTangentB[lane] * c.b.w);
 }
 
-float tangentSpeed(const Couple& c, const PointLanes& p, std::size_t lane) {
+float tangentSpeed(const BodyPair& c, const PointLanes& p, std::size_t lane) {
     return (c.nx * (c.b.y - c.a.y) - c.ny * (c.b.x - c.a.x)) +
            (p.anchorNormalB[lane] * c.b.w - p.anchorNormalA[lane] * c.a.w);
 }
 
-void pushNormal(Couple& c, const PointLanes& p, std::size_t lane, float impulse) {
+void pushNormal(BodyPair& c, const PointLanes& p, std::size_t lane, float impulse) {
     const float ja = c.a.inverseMass * impulse;
     const float jb = c.b.inverseMass * impulse;
     c.a.x -= ja * c.nx;
@@ -43,7 +43,7 @@ void pushNormal(Couple& c, const PointLanes& p, std::size_t lane, float impulse)
     c.b.w -= jb * p.anchorTangentB[lane];
 }
 
-void pushTangent(Couple& c, const PointLanes& p, std::size_t lane, float impulse) {
+void pushTangent(BodyPair& c, const PointLanes& p, std::size_t lane, float impulse) {
     const float ja = c.a.inverseMass * impulse;
     const float jb = c.b.inverseMass * impulse;
     c.a.x += ja * c.ny;
@@ -54,7 +54,7 @@ void pushTangent(Couple& c, const PointLanes& p, std::size_t lane, float impulse
     c.b.w += jb * p.anchorNormalB[lane];
 }
 
-void twist(Couple& c, const ContactBatch& batch, std::size_t lane, float impulse) {
+void twist(BodyPair& c, const ContactBatch& batch, std::size_t lane, float impulse) {
     c.a.w -= c.a.inverseMass * (batch.rollInverseGyrationA[lane] * impulse);
     c.b.w += c.b.inverseMass * (batch.rollInverseGyrationB[lane] * impulse);
 }
@@ -67,10 +67,10 @@ float separationNow(const ContactBatch& batch, const PointLanes& p, std::size_t 
     const SolverDisplacement& a = displacement[batch.bodyA[lane]];
     const SolverDisplacement& b = displacement[batch.bodyB[lane]];
     const float shift = batch.normalX[lane] * (b.x - a.x) + batch.normalY[lane] * (b.y - a.y);
-    const float coreA = p.anchorNormalA[lane] - batch.roundA[lane];
-    const float coreB = p.anchorNormalB[lane] + batch.roundB[lane];
-    const float turnA = coreA * a.cosMinus1 - p.anchorTangentA[lane] * a.sin;
-    const float turnB = coreB * b.cosMinus1 - p.anchorTangentB[lane] * b.sin;
+    const float innerA = p.anchorNormalA[lane] - batch.roundA[lane];
+    const float innerB = p.anchorNormalB[lane] + batch.roundB[lane];
+    const float turnA = innerA * a.cosMinus1 - p.anchorTangentA[lane] * a.sin;
+    const float turnB = innerB * b.cosMinus1 - p.anchorTangentB[lane] * b.sin;
     return p.startSeparation[lane] + (shift + (turnB - turnA));
 }
 
@@ -80,14 +80,14 @@ struct Given {
     float roll = 0;
 };
 
-void setNormal(Couple& c, PointLanes& p, std::size_t lane, float now) {
+void setNormal(BodyPair& c, PointLanes& p, std::size_t lane, float now) {
     const float change = now - p.normalImpulse[lane];
     p.normalImpulse[lane] = now;
     pushNormal(c, p, lane, change);
 }
 
 /// Friction of both halves together is limited to mu times the normal impulse of both (Coulomb's cone).
-void solveFriction(Couple& c, const ContactBatch& batch, PointLanes& p, std::size_t lane, float normalBefore,
+void solveFriction(BodyPair& c, const ContactBatch& batch, PointLanes& p, std::size_t lane, float normalBefore,
                    float before) {
     const float old = p.tangentImpulse[lane];
     const float limit = batch.friction[lane] * (normalBefore + p.normalImpulse[lane]);
@@ -98,12 +98,12 @@ void solveFriction(Couple& c, const ContactBatch& batch, PointLanes& p, std::siz
     pushTangent(c, p, lane, now - old);
 }
 
-/// A torque against rolling on each other, limited to rollReach times the normal impulse.
-void solveRolling(Couple& c, ContactBatch& batch, std::size_t lane, const Given& given) {
+/// A torque against rolling on each other, limited to rollingArm times the normal impulse.
+void solveRolling(BodyPair& c, ContactBatch& batch, std::size_t lane, const Given& given) {
     const float old = batch.rollImpulse[lane];
     const float normal = (given.normal[0] + batch.points[0].normalImpulse[lane]) +
                          (given.normal[1] + batch.points[1].normalImpulse[lane]);
-    const float limit = batch.rollReach[lane] * normal;
+    const float limit = batch.rollingArm[lane] * normal;
     const float speed = batch.rollInverseGyrationB[lane] * c.b.w - batch.rollInverseGyrationA[lane] * c.a.w;
     const float wanted = old - batch.rollMass[lane] * speed;
     const float now = larger(smaller(wanted, limit - given.roll), -limit - given.roll);
@@ -112,7 +112,7 @@ void solveRolling(Couple& c, ContactBatch& batch, std::size_t lane, const Given&
 }
 
 /// Friction is solved after the normal impulses, so that their limit is known even in a contact's first sub-step.
-void solveAlong(Couple& c, ContactBatch& batch, std::size_t lane, const Given& given) {
+void solveAlong(BodyPair& c, ContactBatch& batch, std::size_t lane, const Given& given) {
     for (int i = 0; i < 2; ++i) solveFriction(c, batch, batch.points[i], lane, given.normal[i], given.tangent[i]);
     if (batch.hasRollingResistance) solveRolling(c, batch, lane, given);
 }
@@ -128,7 +128,7 @@ void gatherWarmStart(const ContactBatch* batches, std::size_t count, const Solve
     for (std::size_t i = 0; i < count; ++i) {
         const ContactBatch& batch = batches[i];
         for (std::size_t lane = 0; lane < batchLanes; ++lane) {
-            Couple couple = load(batch, lane, bodies.warm);
+            BodyPair couple = load(batch, lane, bodies.warm);
             couple.a.inverseMass = bodies.velocity[batch.bodyA[lane]].inverseMass;
             couple.b.inverseMass = bodies.velocity[batch.bodyB[lane]].inverseMass;
             for (const PointLanes& p : batch.points) {
@@ -144,7 +144,7 @@ void gatherWarmStart(const ContactBatch* batches, std::size_t count, const Solve
 
 void solve(ContactBatch* batches, std::size_t count, const SolverBodies& bodies, const ContactPass& pass) {
     forEachLane(batches, count, [&](ContactBatch& batch, std::size_t lane) {
-        Couple couple = load(batch, lane, bodies.velocity);
+        BodyPair couple = load(batch, lane, bodies.velocity);
         for (PointLanes& p : batch.points) {
             const float s = p.separation[lane];
             const bool apart = s > 0;
@@ -163,7 +163,7 @@ void solve(ContactBatch* batches, std::size_t count, const SolverBodies& bodies,
 
 void relax(ContactBatch* batches, std::size_t count, const SolverBodies& bodies, const ContactPass& pass) {
     forEachLane(batches, count, [&](ContactBatch& batch, std::size_t lane) {
-        Couple couple = load(batch, lane, bodies.velocity);
+        BodyPair couple = load(batch, lane, bodies.velocity);
         Given given;  // the impulses of solve, which are applied a second time as a first guess
         given.roll = batch.hasRollingResistance ? batch.rollImpulse[lane] : 0.0f;
         for (int i = 0; i < 2; ++i) {
@@ -189,7 +189,7 @@ void relax(ContactBatch* batches, std::size_t count, const SolverBodies& bodies,
 void bounce(ContactBatch* batches, std::size_t count, const SolverBodies& bodies) {
     forEachLane(batches, count, [&](ContactBatch& batch, std::size_t lane) {
         if (!batch.bounces) return;
-        Couple couple = load(batch, lane, bodies.velocity);
+        BodyPair couple = load(batch, lane, bodies.velocity);
         for (PointLanes& p : batch.points) {
             const float old = p.totalNormal[lane];
             const bool bounces = p.bounceSpeed[lane] > 0 && old > 0;

@@ -10,7 +10,7 @@
 // v velocity [m/s], belt surfaceSpeed [m/s], s0 separation at the step's start [m], h sub-step [s], mu friction [-]
 // solve makes vn at least -s/h, so that the points just meet; if they overlap, it pushes them apart at the soft rate.
 // relax removes this push from the velocity again. Friction is limited to mu times the normal impulse, and the torque
-// against rolling to rollReach times the normal impulse.
+// against rolling to rollingArm times the normal impulse.
 // Source: Catto, "Iterative dynamics with temporal coherence", GDC 2005, and "Solver2D", 2024.
 #pragma once
 #include <cstddef>

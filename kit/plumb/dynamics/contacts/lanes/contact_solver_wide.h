@@ -19,17 +19,17 @@ struct WideContacts {
     static float* rows(SolverVelocity* v) { return &v->x; }
 
     /// The two bodies of W lanes, and the contacts' normals.
-    struct Couple {
+    struct BodyPair {
         Bodies a, b;
         F nx, ny;
     };
 
-    [[gnu::always_inline]] static inline Couple load(const ContactBatch& batch, int lane,
-                                                     const SolverVelocity* velocity) {
+    [[gnu::always_inline]] static inline BodyPair load(const ContactBatch& batch, int lane,
+                                                       const SolverVelocity* velocity) {
         return {loadRows<W>(rows(velocity), batch.bodyA + lane), loadRows<W>(rows(velocity), batch.bodyB + lane),
                 at(batch.normalX + lane), at(batch.normalY + lane)};
     }
-    [[gnu::always_inline]] static inline void store(const ContactBatch& batch, int lane, const Couple& c,
+    [[gnu::always_inline]] static inline void store(const ContactBatch& batch, int lane, const BodyPair& c,
                                                     SolverVelocity* velocity) {
         storeRows<W>(rows(velocity), batch.bodyA + lane, c.a);
         storeRows<W>(rows(velocity), batch.bodyB + lane, c.b);
@@ -44,13 +44,13 @@ struct WideContacts {
                 at(p.anchorTangentB + lane)};
     }
 
-    [[gnu::always_inline]] static inline F normalSpeed(const Couple& c, const Arms& r) {
+    [[gnu::always_inline]] static inline F normalSpeed(const BodyPair& c, const Arms& r) {
         return (c.nx * (c.b.x - c.a.x) + c.ny * (c.b.y - c.a.y)) + (r.tangentA * c.a.z - r.tangentB * c.b.z);
     }
-    [[gnu::always_inline]] static inline F tangentSpeed(const Couple& c, const Arms& r) {
+    [[gnu::always_inline]] static inline F tangentSpeed(const BodyPair& c, const Arms& r) {
         return (c.nx * (c.b.y - c.a.y) - c.ny * (c.b.x - c.a.x)) + (r.normalB * c.b.z - r.normalA * c.a.z);
     }
-    [[gnu::always_inline]] static inline void pushNormal(Couple& c, const Arms& r, F impulse) {
+    [[gnu::always_inline]] static inline void pushNormal(BodyPair& c, const Arms& r, F impulse) {
         const F ja = c.a.w * impulse;
         const F jb = c.b.w * impulse;
         c.a.x -= ja * c.nx;
@@ -60,7 +60,7 @@ struct WideContacts {
         c.b.y += jb * c.ny;
         c.b.z -= jb * r.tangentB;
     }
-    [[gnu::always_inline]] static inline void pushTangent(Couple& c, const Arms& r, F impulse) {
+    [[gnu::always_inline]] static inline void pushTangent(BodyPair& c, const Arms& r, F impulse) {
         const F ja = c.a.w * impulse;
         const F jb = c.b.w * impulse;
         c.a.x += ja * c.ny;
@@ -70,18 +70,19 @@ struct WideContacts {
         c.b.y += jb * c.nx;
         c.b.z += jb * r.normalB;
     }
-    static void twist(Couple& c, const ContactBatch& batch, int lane, F impulse) {
+    static void twist(BodyPair& c, const ContactBatch& batch, int lane, F impulse) {
         c.a.z -= c.a.w * (at(batch.rollInverseGyrationA + lane) * impulse);
         c.b.z += c.b.w * (at(batch.rollInverseGyrationB + lane) * impulse);
     }
 
     [[gnu::always_inline]] static inline F separationNow(const ContactBatch& batch, const PointLanes& p, const Arms& r,
-                                                         int lane, const Couple& c, const Bodies& a, const Bodies& b) {
+                                                         int lane, const BodyPair& c, const Bodies& a,
+                                                         const Bodies& b) {
         const F shift = c.nx * (b.x - a.x) + c.ny * (b.y - a.y);
-        const F coreA = r.normalA - at(batch.roundA + lane);
-        const F coreB = r.normalB + at(batch.roundB + lane);
-        const F turnA = coreA * a.w - r.tangentA * a.z;
-        const F turnB = coreB * b.w - r.tangentB * b.z;
+        const F innerA = r.normalA - at(batch.roundA + lane);
+        const F innerB = r.normalB + at(batch.roundB + lane);
+        const F turnA = innerA * a.w - r.tangentA * a.z;
+        const F turnB = innerB * b.w - r.tangentB * b.z;
         return at(p.startSeparation + lane) + (shift + (turnB - turnA));
     }
 
@@ -92,7 +93,7 @@ struct WideContacts {
 
     static F clamped(F wanted, F limit, F before) { return larger(smaller(wanted, limit - before), -limit - before); }
 
-    [[gnu::always_inline]] static inline void solveAlong(Couple& c, ContactBatch& batch, int lane, const Arms* arms,
+    [[gnu::always_inline]] static inline void solveAlong(BodyPair& c, ContactBatch& batch, int lane, const Arms* arms,
                                                          const F* normal, const Given& given, F* tangent) {
         const F friction = at(batch.friction + lane);
         const F belt = batch.hasSurfaceSpeed ? at(batch.surfaceSpeed + lane) : F{};
@@ -107,7 +108,7 @@ struct WideContacts {
         }
         if (!batch.hasRollingResistance) return;
         const F old = at(batch.rollImpulse + lane);
-        const F limit = at(batch.rollReach + lane) * ((given.normal[0] + normal[0]) + (given.normal[1] + normal[1]));
+        const F limit = at(batch.rollingArm + lane) * ((given.normal[0] + normal[0]) + (given.normal[1] + normal[1]));
         const F speed = at(batch.rollInverseGyrationB + lane) * c.b.z - at(batch.rollInverseGyrationA + lane) * c.a.z;
         const F now = clamped(old - at(batch.rollMass + lane) * speed, limit, given.roll);
         storeLanes(batch.rollImpulse + lane, now);
@@ -117,7 +118,7 @@ struct WideContacts {
     static void gatherWarmStart(const ContactBatch* batches, std::size_t count, const SolverBodies& bodies) {
         for (const ContactBatch* batch = batches; batch != batches + count; ++batch) {
             for (int lane = 0; lane < batchLanes; lane += W) {
-                Couple c = load(*batch, lane, bodies.warm);
+                BodyPair c = load(*batch, lane, bodies.warm);
                 c.a.w = loadRows<W>(rows(bodies.velocity), batch->bodyA + lane).w;
                 c.b.w = loadRows<W>(rows(bodies.velocity), batch->bodyB + lane).w;
                 for (const PointLanes& p : batch->points) {
@@ -134,7 +135,7 @@ struct WideContacts {
 
     [[gnu::always_inline]] static inline void solveLanes(ContactBatch& batch, int lane, const SolverBodies& bodies,
                                                          const ContactPass& pass) {
-        Couple c = load(batch, lane, bodies.velocity);
+        BodyPair c = load(batch, lane, bodies.velocity);
         const Arms r[2] = {arms(batch.points[0], lane), arms(batch.points[1], lane)};
         F normal[2], tangent[2];
         for (int i = 0; i < 2; ++i) {
@@ -157,7 +158,7 @@ struct WideContacts {
 
     [[gnu::always_inline]] static inline void relaxLanes(ContactBatch& batch, int lane, const SolverBodies& bodies,
                                                          const ContactPass& pass) {
-        Couple c = load(batch, lane, bodies.velocity);
+        BodyPair c = load(batch, lane, bodies.velocity);
         const Bodies da = loadRows<W>(&bodies.displacement->x, batch.bodyA + lane);
         const Bodies db = loadRows<W>(&bodies.displacement->x, batch.bodyB + lane);
         const Arms r[2] = {arms(batch.points[0], lane), arms(batch.points[1], lane)};
@@ -188,7 +189,7 @@ struct WideContacts {
     }
 
     static void bounceLanes(ContactBatch& batch, int lane, const SolverBodies& bodies) {
-        Couple c = load(batch, lane, bodies.velocity);
+        BodyPair c = load(batch, lane, bodies.velocity);
         for (PointLanes& p : batch.points) {
             const Arms r = arms(p, lane);
             const F old = at(p.totalNormal + lane);
