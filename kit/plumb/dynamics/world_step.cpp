@@ -117,7 +117,6 @@ void load(Step& s) {
     w.staleBounds.reset();
     loadBodies(w.bodies, s.dt);
     placeAwakeBounds(w.space, w.bodies, w.contacts, s.dt);
-    quarantine(w);
 }
 
 void findPairs(Step& s) {
@@ -193,6 +192,7 @@ void World::step(double dt) {
     const bool moves = dt > 0, solves = dt >= shortestSolved;
     if (moves) step.run(predict, &StepProfile::pairs, &EnergyLedger::solver);
     if (moves) step.run(load, &StepProfile::pairs, &EnergyLedger::solver);
+    if (moves) step.run(takeOut, &StepProfile::pairs, &EnergyLedger::solver);
     if (solves) step.run(findPairs, &StepProfile::pairs, &EnergyLedger::solver);
     if (solves) step.run(collide, &StepProfile::collide, &EnergyLedger::solver);
     if (solves) step.run(solveImpacts, &StepProfile::impacts, &EnergyLedger::impacts);

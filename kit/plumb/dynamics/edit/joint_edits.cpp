@@ -79,25 +79,6 @@ void unlink(WorldState& world, JointIndex index) {
     addPairs(world, pairsOfBodies(bodies, world.space, record.bodyA, record.bodyB));
 }
 
-/// Gives a joint a def of its own kind.
-struct Setter {
-    const WorldState& world;
-    AnyJoint& joint;
-    void operator()(const RevoluteJointDef& d) const { std::get<RevoluteJoint>(joint).set(d); }
-    void operator()(const PrismaticJointDef& d) const { std::get<PrismaticJoint>(joint).set(d); }
-    void operator()(const DistanceJointDef& d) const { std::get<DistanceJoint>(joint).set(d); }
-    void operator()(const WeldJointDef& d) const { std::get<WeldJoint>(joint).set(d); }
-    void operator()(const WheelJointDef& d) const { std::get<WheelJoint>(joint).set(d); }
-    void operator()(const PulleyJointDef& d) const { std::get<PulleyJoint>(joint).set(d); }
-    void operator()(const GearJointDef& d) const {
-        std::get<GearJoint>(joint).set(d, world.joints.coordinateOf(d.jointA.index, world.bodies),
-                                       world.joints.coordinateOf(d.jointB.index, world.bodies));
-    }
-    void operator()(const MotorJointDef& d) const { std::get<MotorJoint>(joint).set(d); }
-    void operator()(const TargetJointDef& d) const { std::get<TargetJoint>(joint).set(d, world.bodies); }
-    void operator()(const FilterJointDef& d) const { joint = FilterJoint(d); }
-};
-
 template <class Visit>
 void forEachLock(WorldState& world, BodyIndex body, Visit&& visit) {
     const std::vector<JointIndex> joints = world.bodies.links[body].joints;
@@ -144,7 +125,7 @@ void changeJoint(WorldState& world, JointIndex index, const JointDef& def) {
     }
     record.breaking = bodies.breaking;
     world.joints.changed = true;
-    std::visit(Setter{world, record.joint}, def);
+    changeJoint(record.joint, def, world.joints, world.bodies);
     forEachBody(world.joints, index, [&](BodyIndex body) { wakeIsland(world, body); });
 }
 

@@ -1,5 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Which bodies may sleep? Those of an island in which all have been still for long enough.
+// Which bodies may sleep? The bodies of an island in which all have been still for long enough.
+//
+// A body stays awake as long as one of these holds:
+//   WorldDef.sleeping or its own canSleep is false,
+//   it moves faster than SolverSettings.sleepSpeed, or was shifted by more than that in the step,
+//   nothing touches or holds it, and its velocity is not exactly 0: a body that floats or drifts never sleeps,
+//   it touches, or is joined to, a kinematic body that is awake,
+//   another body of its island has not been still for SolverSettings.sleepTime,
+//   mutual gravity or a magnet that is awake acts on it,
+//   the program pushes it, moves it, or changes it or its joints between steps, if only by a force of 0.
 #pragma once
 #include <vector>
 

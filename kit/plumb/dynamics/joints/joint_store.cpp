@@ -139,24 +139,32 @@ double JointStore::angleErrorOf(JointIndex index, const BodyStore& bodies) const
 }
 
 AnyJoint makeJoint(const JointDef& def, const JointStore& joints, const BodyStore& bodies) {
-    struct Maker {
-        const JointStore& joints;
-        const BodyStore& bodies;
-        AnyJoint operator()(const RevoluteJointDef& d) const { return RevoluteJoint(d, bodies); }
-        AnyJoint operator()(const PrismaticJointDef& d) const { return PrismaticJoint(d, bodies); }
-        AnyJoint operator()(const DistanceJointDef& d) const { return DistanceJoint(d, bodies); }
-        AnyJoint operator()(const WeldJointDef& d) const { return WeldJoint(d, bodies); }
-        AnyJoint operator()(const WheelJointDef& d) const { return WheelJoint(d, bodies); }
-        AnyJoint operator()(const PulleyJointDef& d) const { return PulleyJoint(d, bodies); }
-        AnyJoint operator()(const GearJointDef& d) const {
-            return GearJoint(d, joints.coordinateOf(d.jointA.index, bodies),
-                             joints.coordinateOf(d.jointB.index, bodies));
-        }
-        AnyJoint operator()(const MotorJointDef& d) const { return MotorJoint(d, bodies); }
-        AnyJoint operator()(const TargetJointDef& d) const { return TargetJoint(d, bodies); }
-        AnyJoint operator()(const FilterJointDef& d) const { return FilterJoint(d); }
-    };
-    return std::visit(Maker{joints, bodies}, def);
+    return std::visit(
+        [&]<class Def>(const Def& d) -> AnyJoint {
+            using Kind = typename KindOf<Def>::type;
+            if constexpr (std::is_same_v<Kind, GearJoint>)
+                return Kind(d, joints.coordinateOf(d.jointA.index, bodies),
+                            joints.coordinateOf(d.jointB.index, bodies));
+            else if constexpr (std::is_constructible_v<Kind, const Def&, const BodyStore&>)
+                return Kind(d, bodies);
+            else
+                return Kind(d);
+        },
+        def);
+}
+
+void changeJoint(AnyJoint& joint, const JointDef& def, const JointStore& joints, const BodyStore& bodies) {
+    std::visit(
+        [&]<class Def>(const Def& d) {
+            auto& kind = std::get<typename KindOf<Def>::type>(joint);
+            if constexpr (std::is_same_v<Def, GearJointDef>)
+                kind.set(d, joints.coordinateOf(d.jointA.index, bodies), joints.coordinateOf(d.jointB.index, bodies));
+            else if constexpr (requires { kind.set(d, bodies); })
+                kind.set(d, bodies);
+            else
+                kind.set(d);
+        },
+        def);
 }
 
 }  // namespace plumb

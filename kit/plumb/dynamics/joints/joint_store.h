@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Which joints does the world have, and which data is kept for each?
 #pragma once
+#include <concepts>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
 #include <plumb/dynamics/joints/kinds/distance_joint.h>
+#include <plumb/dynamics/joints/kinds/filter_joint.h>
 #include <plumb/dynamics/joints/kinds/gear_joint.h>
 #include <plumb/dynamics/joints/kinds/lock_joint.h>
 #include <plumb/dynamics/joints/kinds/motor_joint.h>
@@ -19,19 +22,28 @@ namespace plumb {
 
 using JointIndex = std::uint32_t;
 
-/// Only keeps its bodies from touching.
-class FilterJoint {
-public:
-    explicit FilterJoint(const FilterJointDef& def) : def_(def) {}
-    const FilterJointDef& def() const { return def_; }
-
-private:
-    FilterJointDef def_;
-};
-
 /// monostate: a free slot.
 using AnyJoint = std::variant<std::monostate, RevoluteJoint, PrismaticJoint, DistanceJoint, WeldJoint, WheelJoint,
                               PulleyJoint, GearJoint, MotorJoint, TargetJoint, LockJoint, FilterJoint>;
+
+/// The kind of joint that a definition describes: the one of AnyJoint whose def() returns it.
+template <class Def, class Any = AnyJoint>
+struct KindOf;
+template <class Def, class... Joints>
+struct KindOf<Def, std::variant<Joints...>> {
+    template <class Joint>
+    static constexpr bool isIt = requires(const Joint& joint) {
+        { joint.def() } -> std::same_as<const Def&>;
+    };
+    template <class First, class... Rest>
+    static auto find() {
+        if constexpr (isIt<First>)
+            return std::type_identity<First>{};
+        else
+            return find<Rest...>();
+    }
+    using type = typename decltype(find<Joints...>())::type;
+};
 
 /// Impulses on B in the last step in which the joint was solved, and the length of that step.
 struct JointLoad {
@@ -87,5 +99,7 @@ struct JointStore {
 
 /// The joint that a def describes, at the bodies' present positions.
 AnyJoint makeJoint(const JointDef& def, const JointStore& joints, const BodyStore& bodies);
+/// Gives a joint another definition of its kind.
+void changeJoint(AnyJoint& joint, const JointDef& def, const JointStore& joints, const BodyStore& bodies);
 
 }  // namespace plumb
