@@ -3,7 +3,6 @@
 // stores that it reads and writes. README.md lists them.
 #include <chrono>
 
-#include <plumb/dynamics/bodies/load_bodies.h>
 #include <plumb/dynamics/contacts/bounds.h>
 #include <plumb/dynamics/contacts/narrow_phase.h>
 #include <plumb/dynamics/edit/edits.h>
@@ -115,8 +114,7 @@ void predict(Step& s) {
 void load(Step& s) {
     WorldState& w = s.world;
     w.staleBounds.reset();
-    loadBodies(w.bodies, s.dt);
-    placeAwakeBounds(w.space, w.bodies, w.contacts, s.dt);
+    loadBodies(w.bodies, w.space, w.contacts, s.dt);
 }
 
 void findPairs(Step& s) {

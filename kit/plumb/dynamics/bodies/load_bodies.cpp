@@ -55,8 +55,4 @@ void loadBody(BodyStore& bodies, BodyIndex body, double dt) {
                               static_cast<float>(angular.keep), 1};
 }
 
-void loadBodies(BodyStore& bodies, double dt) {
-    for (const BodyIndex body : bodies.awake) loadBody(bodies, body, dt);
-}
-
 }  // namespace plumb

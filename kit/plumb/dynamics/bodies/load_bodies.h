@@ -5,10 +5,9 @@
 
 namespace plumb {
 
-/// Converts the state of every awake body to the floats of the narrow phase and the solver, for a step of dt [s]. A
-/// body whose numbers are out of range is marked for quarantine and treated as at rest.
-void loadBodies(BodyStore& bodies, double dt);
-/// The same for one body that wakes up during the step.
+/// Converts the state of a body to the floats of the narrow phase and the solver, for a step of dt [s]: at the start of
+/// the step if it is awake, or as it wakes up. A body whose numbers are out of range is marked for quarantine and
+/// treated as at rest.
 void loadBody(BodyStore& bodies, BodyIndex body, double dt);
 
 }  // namespace plumb

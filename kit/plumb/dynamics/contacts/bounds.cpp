@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <plumb/dynamics/bodies/load_bodies.h>
 #include <plumb/dynamics/bodies/shape_radii.h>
 #include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
 
@@ -63,8 +64,9 @@ void placeBounds(Space& space, const BodyStore& bodies, const ContactStore& cont
     }
 }
 
-void placeAwakeBounds(Space& space, BodyStore& bodies, const ContactStore& contacts, double dt) {
+void loadBodies(BodyStore& bodies, Space& space, const ContactStore& contacts, double dt) {
     for (const BodyIndex body : bodies.awake) {
+        loadBody(bodies, body, dt);
         if (bodies.record[body].quarantined) continue;
         placeBounds(space, bodies, contacts, body, dt);
         bodies.step[body].boundsPending = false;

@@ -12,8 +12,9 @@ namespace plumb {
 Vec2 predictedShift(const BodyStore& bodies, BodyIndex body);
 /// Updates the bounds of one body's shapes for a step of dt [s].
 void placeBounds(Space& space, const BodyStore& bodies, const ContactStore& contacts, BodyIndex body, double dt);
-/// The same for all bodies that are awake and in range.
-void placeAwakeBounds(Space& space, BodyStore& bodies, const ContactStore& contacts, double dt);
+/// Loads all bodies that are awake (see load_bodies.h), and updates the bounds of those that are in range: body by
+/// body, while its data is in the cache.
+void loadBodies(BodyStore& bodies, Space& space, const ContactStore& contacts, double dt);
 /// Has a shape of the body moved out of its bounds?
 bool hasLeftItsBounds(const Space& space, const BodyStore& bodies, BodyIndex body);
 
