@@ -72,8 +72,8 @@ public:
     bool searchWatched(ContactIndex index) {
         ContactRecord& contact = contacts_[index];
         // The impacts have reported the contact already.
-        const bool told = contact.state == ContactState::Impact && contact.memory[0].totalNormal > 0;
-        if (contact.isNear() && !told) search(contact);
+        const bool reported = contact.state == ContactState::Impact && contact.memory[0].totalNormal > 0;
+        if (contact.isNear() && !reported) search(contact);
         contact.watched = contact.isNear() && (contact.touching || contact.manifold.count > 0);
         return contact.watched;
     }

@@ -34,9 +34,9 @@ void quarantine(WorldState& world) {
     for (const BodyIndex body : leaving) {
         wakeNeighbours(world, body);
         if (world.bodies.record[body].enabled) {
-            const std::size_t told = world.events.ends.size();
+            const std::size_t firstNewEnd = world.events.ends.size();
             hideShapes(world, body);
-            dropEndsOfNewTouches(world, told);
+            dropEndsOfNewTouches(world, firstNewEnd);
         }
         world.bodies.putToSleep(body);
         for (const JointIndex joint : world.bodies.links[body].joints) {

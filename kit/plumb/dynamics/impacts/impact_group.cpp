@@ -203,10 +203,10 @@ private:
     /// nearly the right velocity.
     void endFields(GroupBody& body, BodyMotion& at, double time) {
         if (!hasVaryingFields(body)) return;
-        const double flown = time - body.flight.time;
+        const double duration = time - body.flight.time;
         const FieldFlight done = flightFrom(stores_.fields, stores_.bodies, stores_.space, body.fields->flight,
-                                            body.flight.from, body.flight.time, flown);
-        const BodyMotion end = moveFreely(body.flight.from, done.flight.law, flown);
+                                            body.flight.from, body.flight.time, duration);
+        const BodyMotion end = moveFreely(body.flight.from, done.flight.law, duration);
         at.velocity = end.velocity + done.flight.rest.velocity;
         at.angularVelocity = end.angularVelocity + done.flight.rest.spin;
         body.account += done.account;

@@ -12,8 +12,8 @@ constexpr double memory = 2;
 
 /// The least effective mass, over all directions, of a neighbour at its anchor. A fixed one counts as a million times
 /// the body's own mass.
-double leastEffectiveMass(const std::vector<Vec3>& masses, std::uint32_t node, const Vec2& arm, double hanging) {
-    if (node == JointIsland::EndNodes::fixed) return 1e6 * hanging;
+double leastEffectiveMass(const std::vector<Vec3>& masses, std::uint32_t node, const Vec2& arm, double ownMass) {
+    if (node == JointIsland::EndNodes::fixed) return 1e6 * ownMass;
     const double turning = masses[node][2] > 0 ? arm.squaredNorm() / masses[node][2] : 0.0;
     return 1 / (1 / masses[node][0] + turning);
 }
