@@ -62,12 +62,12 @@ struct alignas(64) BodyRecord {
     double torque = 0;  ///< acts during the next step [N m]
     double gravityScale = 1;
     double linearDamping = 0, angularDamping = 0;
+    Vec2 localCenter{0, 0};
 
     std::uint32_t generation = 0;
     std::uint32_t shapesMade = 0;  ///< the number that the next shape gets
     std::uint32_t awakeIndex = none;
     double mass = 0, inertia = 0;
-    Vec2 localCenter{0, 0};
     std::uint64_t tag = 0;
 };
 
