@@ -135,7 +135,7 @@ void collide(Step& s) {
 
 void solveImpacts(Step& s) {
     WorldState& w = s.world;
-    const ImpactStores stores{w.contacts, w.bodies, w.fields, w.graph, w.space, s.observer()};
+    const ImpactStores stores{w.contacts, w.bodies, w.fields, w.space, s.observer()};
     Impacts impacts = solveIsolatedImpacts(w.graph, stores, s.dt, w.hitSpeed);
     w.trajectories = std::move(impacts.trajectories);
     s.report(impacts.touches);

@@ -44,6 +44,15 @@ Vec2 predictedShift(const BodyStore& bodies, BodyIndex body) {
     return round ? Vec2(0, 0) : shift;
 }
 
+double excessOfPrediction(const BodyStore& bodies, BodyIndex body, const Vec2& moved, double turned) {
+    const auto excess = [](double actual, double predicted) {
+        return std::max(std::min(predicted, 0.0) - actual, actual - std::max(predicted, 0.0));
+    };
+    const Vec2 predicted = predictedShift(bodies, body);
+    const double aside = std::max({excess(moved.x(), predicted.x()), excess(moved.y(), predicted.y()), 0.0});
+    return aside + std::max(turned - static_cast<double>(bodies.place[body].turn), 0.0);
+}
+
 void placeBounds(Space& space, const BodyStore& bodies, const ContactStore& contacts, BodyIndex body, double dt) {
     const BodyRecord& record = bodies.record[body];
     const BodyMotion& motion = bodies.motion[body];

@@ -10,6 +10,10 @@ namespace plumb {
 /// body that moves farther than a period of a world that wraps: such a body is still stopped at walls on its path, but
 /// meets other bodies only at the places where its steps begin.
 Vec2 predictedShift(const BodyStore& bodies, BodyIndex body);
+/// How far a body has come outside of the path for which its bounds were made: its centre beside the path from the
+/// step's start to the predicted place, and its outline by a larger turn [m]. moved: the centre's displacement [m];
+/// turned: how far the turn has moved its outline at most [m].
+double excessOfPrediction(const BodyStore& bodies, BodyIndex body, const Vec2& moved, double turned);
 /// Updates the bounds of one body's shapes for a step of dt [s].
 void placeBounds(Space& space, const BodyStore& bodies, const ContactStore& contacts, BodyIndex body, double dt);
 /// Loads all bodies that are awake (see load_bodies.h), and updates the bounds of those that are in range: body by

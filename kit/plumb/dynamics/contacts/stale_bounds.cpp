@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/contacts/stale_bounds.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include <plumb/dynamics/contacts/bounds.h>
@@ -26,19 +25,14 @@ bool isSurelyWithin(const BodyStore& bodies, BodyIndex body) {
     if (bodies.step[body].boundsPending) return false;
     const BodyMotion& now = bodies.motion[body];
     const BodyPlace& then = bodies.place[body];
-    const Vec2 shift = predictedShift(bodies, body);
-    const auto aside = [](double at, float high, float low, double predicted) {
-        const double moved = at - static_cast<double>(high) - static_cast<double>(low);
-        return std::max(std::min(predicted, 0.0) - moved, moved - std::max(predicted, 0.0));
-    };
-    const double x = aside(now.center.x(), then.highX, then.lowX, shift.x());
-    const double y = aside(now.center.y(), then.highY, then.lowY, shift.y());
+    const Vec2 moved(now.center.x() - static_cast<double>(then.highX) - static_cast<double>(then.lowX),
+                     now.center.y() - static_cast<double>(then.highY) - static_cast<double>(then.lowY));
     // The rotation is measured by its chord: the displacement of a point 1 m from the centre.
     const double cos = now.rotation.cos - static_cast<double>(then.cos);
     const double sin = now.rotation.sin - static_cast<double>(then.sin);
     const double turned = std::sqrt(cos * cos + sin * sin) * bodies.record[body].turningRadius;
     const double spare = 0.5 * static_cast<double>(contactMargin);
-    return std::max({x, y, 0.0}) + std::max(turned - static_cast<double>(then.turn), 0.0) < 0.99 * spare;
+    return excessOfPrediction(bodies, body, moved, turned) < 0.99 * spare;
 }
 
 }  // namespace

@@ -115,7 +115,7 @@ void wakeTouchingPiece(WorldState& world, BodyIndex body, ProxyId piece) {
     forEachContact(world.bodies, world.contacts, body, [&](ContactIndex index) {
         const ContactRecord& contact = world.contacts[index];
         if (!contact.touching || (contact.proxyA != piece && contact.proxyB != piece)) return;
-        others.push_back(contact.bodyA == body ? contact.bodyB : contact.bodyA);
+        others.push_back(otherOf(contact, body));
     });
     for (const BodyIndex other : others) wakeIsland(world, other);
 }

@@ -19,7 +19,6 @@ struct ImpactStores {
     ContactStore& contacts;
     BodyStore& bodies;
     FieldStore& fields;
-    const ContactGraph& graph;
     const Space& space;
     StepObserver* observer = nullptr;  ///< may be null
 };

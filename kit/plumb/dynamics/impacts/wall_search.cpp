@@ -100,14 +100,9 @@ void WallSearch::searchKinematic() {
 }
 
 bool WallSearch::isWithinBounds() const {
-    const BodyPlace& place = view_.bodies.place[body_];
-    const auto excess = [](double moved, double predicted) {
-        return std::max(std::min(predicted, 0.0) - moved, moved - std::max(predicted, 0.0));
-    };
-    const Vec2 predicted = predictedShift(view_.bodies, body_);
-    const double aside = std::max({excess(way_.shift.x(), predicted.x()), excess(way_.shift.y(), predicted.y()), 0.0});
-    const double turned = std::fabs(way_.turn) * view_.bodies.record[body_].turningRadius;
-    return aside + std::max(turned - static_cast<double>(place.turn), 0.0) < 0.5 * static_cast<double>(contactMargin);
+    const double turned = std::fabs(sweep_.turn) * view_.bodies.record[body_].turningRadius;
+    const double spare = 0.5 * static_cast<double>(contactMargin);
+    return excessOfPrediction(view_.bodies, body_, sweep_.shift, turned) < spare;
 }
 
 void WallSearch::meet(ProxyId own, ProxyId other, const Vec2& shift, const RayPart& part) {
@@ -119,8 +114,8 @@ void WallSearch::meet(ProxyId own, ProxyId other, const Vec2& shift, const RayPa
     wallSweep.start += shift;
     const Shape& shape = view_.space[own].def.shape;
     const Shape& face = view_.space[other].def.shape;
-    if (!mayCross(WallSweep(wallSweep), way_, face, view_.bodies.record[body_])) return;
-    const SweptShape swept{&shape, way_, turningRadiusOf(shape, way_.localCenter)};
+    if (!mayCross(WallSweep(wallSweep), sweep_, face, view_.bodies.record[body_])) return;
+    const SweptShape swept{&shape, sweep_, turningRadiusOf(shape, sweep_.localCenter)};
     const std::optional<double> time = timeOfCrossingIn(part, {&face, wallSweep, 0}, swept);
     if (!time || (first_ && *time >= first_->time)) return;
     if (verdict == Verdict::Solid || isSolidAt(*time, {&face, wallSweep, 0}, swept, own, other))
@@ -156,8 +151,8 @@ bool WallSearch::isSolidAt(double time, const SweptShape& wall, const SweptShape
 void WallSearch::meetNear(FunctionRef<void(const Space&, const Aabb&, Space::Visit)> query) {
     const Space& space = view_.space;
     const BodyRecord& record = view_.bodies.record[body_];
-    const Vec2 end = way_.start + way_.shift;
-    const Aabb box = inflate({way_.start.cwiseMin(end), way_.start.cwiseMax(end)}, record.boundingRadius);
+    const Vec2 end = sweep_.start + sweep_.shift;
+    const Aabb box = inflate({sweep_.start.cwiseMin(end), sweep_.start.cwiseMax(end)}, record.boundingRadius);
     query(space, box, [&](ProxyId other, const Vec2& shift) { meetAll(other, shift); });
 }
 
@@ -174,24 +169,24 @@ void WallSearch::meetAll(ProxyId other, const Vec2& shift, const RayPart& part) 
 RayPart WallSearch::partNear(ProxyId other, const Vec2& shift) const {
     const double boundingRadius = view_.bodies.record[body_].boundingRadius;
     const Aabb box = inflate(view_.space.box(other), boundingRadius * (1 + 1e-6) + skin);
-    return clipRay(way_.start, way_.start + way_.shift, {box.lower + shift, box.upper + shift});
+    return clipRay(sweep_.start, sweep_.start + sweep_.shift, {box.lower + shift, box.upper + shift});
 }
 
 /// Is the sweep longer than a period of a world that wraps?
 bool WallSearch::exceedsPeriod() const {
     const Wrap& wrap = view_.bodies.wrap;
-    return (wrap.width && std::fabs(way_.shift.x()) > *wrap.width) ||
-           (wrap.height && std::fabs(way_.shift.y()) > *wrap.height);
+    return (wrap.width && std::fabs(sweep_.shift.x()) > *wrap.width) ||
+           (wrap.height && std::fabs(sweep_.shift.y()) > *wrap.height);
 }
 
 /// The search for such a sweep: shapes are checked in the order along the path, through at most 64 periods.
 void WallSearch::meetAlongPeriods(FunctionRef<bool(const Proxy&)> wanted) {
     const Wrap& wrap = view_.bodies.wrap;
     double part = 1;
-    if (wrap.width) part = std::min(part, mostPeriods * *wrap.width / std::fabs(way_.shift.x()));
-    if (wrap.height) part = std::min(part, mostPeriods * *wrap.height / std::fabs(way_.shift.y()));
+    if (wrap.width) part = std::min(part, mostPeriods * *wrap.width / std::fabs(sweep_.shift.x()));
+    if (wrap.height) part = std::min(part, mostPeriods * *wrap.height / std::fabs(sweep_.shift.y()));
     const double boundingRadius = view_.bodies.record[body_].boundingRadius;
-    view_.space.castBox({boundingRadius, boundingRadius}, way_.start, way_.start + way_.shift * part,
+    view_.space.castBox({boundingRadius, boundingRadius}, sweep_.start, sweep_.start + sweep_.shift * part,
                         [&](ProxyId other, const Vec2& shift) {
                             if (wanted(view_.space[other])) meetAll(other, shift, partNear(other, shift));
                             return first_ ? std::min(first_->time / part, 1.0) : 1.0;

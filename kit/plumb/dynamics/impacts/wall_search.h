@@ -31,7 +31,7 @@ class WallSearch {
 public:
     /// way: must outlive the search.
     WallSearch(const WallView& view, BodyIndex body, const Sweep& way, const Past& past)
-        : view_(view), body_(body), way_(way), past_(past) {}
+        : view_(view), body_(body), sweep_(way), past_(past) {}
 
     const std::optional<WallHit>& first() const { return first_; }
 
@@ -56,7 +56,7 @@ private:
 
     WallView view_;
     BodyIndex body_;
-    const Sweep& way_;
+    const Sweep& sweep_;
     Past past_;
     std::optional<WallHit> first_;
 };

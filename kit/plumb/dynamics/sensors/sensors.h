@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Which shapes have entered a sensor in this step, and which ones have left one?
 #pragma once
+#include <vector>
+
 #include <plumb/broad/pair.h>
 #include <plumb/dynamics/bodies/free_motion.h>
 #include <plumb/dynamics/events.h>
 #include <plumb/space/space.h>
-#include <vector>
 
 namespace plumb {
 
