@@ -12,6 +12,10 @@ Json spreadJson(const Spread& spread) {
     return {{"min", spread.min}, {"median", spread.median}, {"max", spread.max}};
 }
 
+Json stepsJson(const StepTimes& times) {
+    return {{"median", times.median}, {"p99", times.p99}, {"worst", times.worst}};
+}
+
 Json phasesJson(const std::vector<Phase>& phases) {
     Json json = Json::object();
     for (const Phase& phase : phases) json[phase.name] = phase.seconds * 1000;
@@ -21,10 +25,11 @@ Json phasesJson(const std::vector<Phase>& phases) {
 Json runJson(const SceneBench& scene, const EngineBench& bench) {
     Json json{{"scene", scene.scene}, {"engine", bench.engine}, {"threads", 1}, {"bodies", scene.bodies}};
     if (!bench.supported()) {
-        json.update({{"unsupported", bench.runs.front().unsupported}, {"ms_per_step", nullptr}, {"peak_kb", nullptr}});
+        json.update({{"unsupported", bench.runs.front().unsupported}, {"ms_per_step", nullptr}, {"step_ms", nullptr}, {"peak_kb", nullptr}});
         return json;
     }
     json.update({{"ms_per_step", spreadJson(bench.msPerStep())},
+                 {"step_ms", stepsJson(bench.stepMs())},
                  {"peak_kb", bench.peakKb()},
                  {"steps", scene.steps},
                  {"repeats", bench.runs.size()},

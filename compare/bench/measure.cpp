@@ -63,16 +63,21 @@ Json run(const std::function<Scene()>& source, const Engine& engine, std::option
     trimMemory();
     std::vector<Phase> phases;
     double taken = 0;  // [s]
+    std::vector<double> stepMs;
+    stepMs.reserve(static_cast<std::size_t>(started.steps));
     const Clock::time_point begin = Clock::now();
     const double processorBegin = processorSeconds();
     for (int i = 0; i < started.steps; ++i) {
         const Clock::time_point stepBegin = Clock::now();
         started.simulation->step(started.dt);
-        taken += secondsSince(stepBegin);
+        const double step = secondsSince(stepBegin);
+        taken += step;
+        stepMs.push_back(step * 1000);
         add(phases, started.simulation->phases());
     }
     const double busy = (processorSeconds() - processorBegin) / secondsSince(begin);
     Json report{{"bodies", started.bodies}, {"steps", started.steps}, {"seconds", taken}, {"busy", busy}};
+    report["step_ms"] = stepMs;
     report["phases"] = Json::array();
     for (const Phase& phase : phases) report["phases"].push_back({phase.name, phase.seconds / started.steps});
     return report;
@@ -160,6 +165,7 @@ BenchRun measureRun(const std::function<Scene()>& scene, const Engine& engine, s
     result.bodies = report["bodies"];
     result.steps = report["steps"];
     result.msPerStep = report["seconds"].get<double>() * 1000 / result.steps;
+    result.stepMs = report["step_ms"].get<std::vector<double>>();
     result.busy = report["busy"];
     result.peakKb = ended.peakKb;
     for (const Json& phase : report["phases"]) result.phases.push_back({phase[0], phase[1]});

@@ -64,6 +64,19 @@ Spread spreadOf(std::vector<double> values) {
     return {values.front(), median, values.back()};
 }
 
+StepTimes stepTimesOf(std::vector<double> milliseconds) {
+    std::ranges::sort(milliseconds);
+    const auto rank = [&](std::size_t percent) { return (milliseconds.size() * percent + 99) / 100 - 1; };
+    return {milliseconds[rank(50)], milliseconds[rank(99)], milliseconds.back()};
+}
+
+StepTimes EngineBench::stepMs() const {
+    std::vector<double> least = runs.front().stepMs;
+    for (const BenchRun& run : runs)
+        for (std::size_t i = 0; i < least.size(); ++i) least[i] = std::min(least[i], run.stepMs[i]);
+    return stepTimesOf(std::move(least));
+}
+
 Spread EngineBench::msPerStep() const {
     std::vector<double> values;
     for (const BenchRun& run : runs) values.push_back(run.msPerStep);

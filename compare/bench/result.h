@@ -17,6 +17,14 @@ struct Spread {
 /// Of at least one value; the median of an even number is the mean of the two in the middle.
 Spread spreadOf(std::vector<double> values);
 
+/// Of the steps of a run: the middle one, the one below which 99 % are, and the longest.
+struct StepTimes {
+    double median = 0, p99 = 0, worst = 0;
+};
+
+/// Of at least one step; by nearest rank.
+StepTimes stepTimesOf(std::vector<double> milliseconds);
+
 /// One engine in one scene.
 struct EngineBench {
     std::string engine{};
@@ -25,6 +33,7 @@ struct EngineBench {
 
     bool supported() const { return !runs.empty() && runs.front().unsupported.empty(); }
     Spread msPerStep() const;           ///< over the repeats
+    StepTimes stepMs() const;           ///< a step's time being its least over the repeats
     long peakKb() const;                ///< the largest of the repeats
     double busy() const;                ///< the smallest of the repeats
     std::vector<Phase> phases() const;  ///< mean of the repeats [s]

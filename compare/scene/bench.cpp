@@ -37,6 +37,8 @@ std::vector<BenchScene> all() {
     };
     addSizes(list, "pile", pile);
     addSizes(list, "pyramids", pyramids);
+    for (const int n : {200, 2000, 5000}) list.push_back({"pit_" + std::to_string(n), "pit", [=] { return pit(n); }, {}});
+    list.push_back({"gas_2000", "gas", [] { return gas(2000); }, {}});
     return list;
 }
 
@@ -50,9 +52,13 @@ const std::vector<BenchScene>& benchScenes() {
 std::vector<BenchScene> findBenchScenes(const std::string& name) {
     const std::vector<BenchScene>& list = benchScenes();
     if (name == "six") return {list.begin(), list.begin() + six};
-    if (name == "scaling") return {list.begin() + six + 3, list.end()};
+    const auto isIn = [&](const BenchScene& s) {
+        if (name == "scaling") return s.family == "pile" || s.family == "pyramids";
+        if (name == "crowds") return s.family == "pit" || s.family == "gas";
+        return s.name == name;
+    };
     std::vector<BenchScene> found;
-    std::ranges::copy_if(list, std::back_inserter(found), [&](const BenchScene& s) { return s.name == name; });
+    std::ranges::copy_if(list, std::back_inserter(found), isIn);
     return found;
 }
 

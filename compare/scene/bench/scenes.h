@@ -30,6 +30,12 @@ Scene small50();  ///< what a small game has on its screen: 50 bodies
 // pile.cpp
 Scene pile(int n);  ///< n boxes and discs in a heap of 40 layers
 
+// pit.cpp
+Scene pit(int n);  ///< n bodies fall into a pit 18 m wide: half discs that bounce, half boxes that do not
+
+// gas.cpp
+Scene gas(int n);  ///< n elastic discs that fill 40 % of a world that wraps, without gravity
+
 // movers.cpp: of 1,000 movers a step's milliseconds are a mover's microseconds.
 Scene gridMovers();
 Scene platformMovers();

@@ -69,6 +69,7 @@ Impulses solve(const Response& k, double approach, double slip, const ImpactLaw&
 ImpactResult impact(const ImpactSide& a, const ImpactSide& b, const Vec2& normal, const ImpactLaw& law) {
     requireWithin(law.restitution, 0, 1, "ImpactLaw", ".restitution");
     if (!(law.friction >= 0)) requireNotNegative(law.friction, "ImpactLaw", ".friction");
+    requireFinite(law.surfaceSpeed, "ImpactLaw", ".surfaceSpeed");
     if (std::fabs(normal.squaredNorm() - 1) > 1e-5) refuse("impact: normal", toText(normal) + " is not a unit vector");
     requireSide(a, "ImpactSide a");
     requireSide(b, "ImpactSide b");
@@ -82,7 +83,7 @@ ImpactResult impact(const ImpactSide& a, const ImpactSide& b, const Vec2& normal
     const Response k = responseOf(a, b, normal);
     if (!(approach > 0) || !std::isfinite(approach) || !(k.normal > 0)) return result;
 
-    const Impulses j = solve(k, approach, relative.dot(perp(normal)), law);
+    const Impulses j = solve(k, approach, relative.dot(perp(normal)) + law.surfaceSpeed, law);
     requireFinite(j.normal, "impact: normalImpulse");
     requireFinite(j.tangent, "impact: tangentImpulse");
     const Vec2 impulse = j.normal * normal + j.tangent * perp(normal);

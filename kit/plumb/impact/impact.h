@@ -18,6 +18,8 @@ struct ImpactSide {
 struct ImpactLaw {
     double restitution = 1;  ///< 0 to 1 [-]
     double friction = 0;     ///< Coulomb coefficient, >= 0 [-]
+    /// Sum of both surfaces' speeds, as of conveyor belts: friction acts against the slip plus this speed [m/s].
+    double surfaceSpeed = 0;
 };
 
 struct ImpactResult {

@@ -21,11 +21,13 @@ TEST_CASE("JSON of schema 1 has runs and ratios, and null where an engine could 
     CHECK(plumb["threads"] == 1);
     CHECK(plumb["bodies"] == 10);
     CHECK(plumb["ms_per_step"] == nlohmann::json::parse(R"({"min": 1.0, "median": 2.0, "max": 4.0})"));
+    CHECK(plumb["step_ms"] == nlohmann::json::parse(R"({"median": 3.0, "p99": 5.0, "worst": 5.0})"));
     CHECK(plumb["peak_kb"] == 4096);
     CHECK(plumb["repeats"] == 3);
     CHECK(plumb["phases"].contains("solve"));
     CHECK(json["runs"][2]["unsupported"] == "it has no such thing");
     CHECK(json["runs"][2]["ms_per_step"].is_null());
+    CHECK(json["runs"][2]["step_ms"].is_null());
     CHECK(json["runs"][2]["peak_kb"].is_null());
     REQUIRE(json["ratios"].size() == 1);
     CHECK(json["ratios"][0] == nlohmann::json::parse(R"({"scene": "s", "engine": "plumb", "against": "box2d-2.4",

@@ -19,6 +19,23 @@ TEST_CASE("of 3, 1, 2 the median is 2, of 4, 1, 2, 3 it is 2.5", "[compare][benc
     CHECK(spreadOf({7}).median == 7);
 }
 
+TEST_CASE("of 200 steps of 1 to 200 ms the middle one is 100, 99 % are up to 198, the worst is 200",
+          "[compare][bench]") {
+    std::vector<double> steps;
+    for (int i = 200; i > 0; --i) steps.push_back(i);
+    const StepTimes times = stepTimesOf(steps);
+    CHECK(times.median == 100);
+    CHECK(times.p99 == 198);
+    CHECK(times.worst == 200);
+}
+
+TEST_CASE("a step's time is its least over the repeats", "[compare][bench]") {
+    EngineBench bench;
+    bench.runs = {{.stepMs = {1, 9, 3}}, {.stepMs = {5, 2, 4}}};
+    CHECK(bench.stepMs().worst == 3);
+    CHECK(bench.stepMs().median == 2);
+}
+
 TEST_CASE("ratios go run by run, so a slow machine in one repeat does not show", "[compare][bench]") {
     // the second repeat took everybody ten times as long
     const std::vector<SceneBench> results{

@@ -95,7 +95,49 @@ double bracketed(const MovingShape& a, const MovingShape& b, double before, doub
     return before;
 }
 
+/// Two discs that fall alike move in a straight line relative to each other: their time of impact is the root of a
+/// quadratic equation, |d + v t| = r.
+bool fallAlike(const MovingShape& a, const MovingShape& b) {
+    return a.law.linearDamping == 0 && b.law.linearDamping == 0 &&
+           a.law.acceleration.linear == b.law.acceleration.linear;
+}
+
+std::optional<double> timeOfImpactOfDiscs(const MovingShape& a, const MovingShape& b, double radius, double from,
+                                          double to) {
+    const double timeA = from - a.time, timeB = from - b.time;
+    const Vec2& pull = a.law.acceleration.linear;
+    const Vec2 startA = a.from.center + (a.from.velocity + pull * (0.5 * timeA)) * timeA;
+    const Vec2 startB = b.from.center + (b.from.velocity + pull * (0.5 * timeB)) * timeB;
+    const Vec2 d = startB - startA, v = (b.from.velocity - a.from.velocity) + pull * (timeB - timeA);
+    const double closing = -d.dot(v);
+    if (!(closing > 0)) return std::nullopt;
+    const double gap = d.norm() - radius;
+    if (gap <= resting) return from;
+    const double outside = gap * (gap + 2 * radius), root = closing * closing - v.squaredNorm() * outside;
+    if (root < 0) return std::nullopt;
+    const double time = from + outside / (closing + std::sqrt(root));
+    return time <= to ? std::optional(time) : std::nullopt;
+}
+
+/// A fast test: may the discs around both bodies touch in this time? Damping only makes a body slower, unless a force
+/// or wind drives it, and that counts as acceleration.
+bool mayTouch(const MovingShape& a, const MovingShape& b, double from, double to) {
+    const double left = to - from;
+    const BodyMotion nowA = moveFreely(a.from, a.law, from - a.time), nowB = moveFreely(b.from, b.law, from - b.time);
+    const bool damped = a.law.linearDamping != 0 || b.law.linearDamping != 0;
+    const Vec2 &pullA = a.law.acceleration.linear, &pullB = b.law.acceleration.linear;
+    const double speed = damped ? nowA.velocity.norm() + nowB.velocity.norm() : (nowB.velocity - nowA.velocity).norm();
+    const double pull = damped ? pullA.norm() + pullB.norm() : (pullB - pullA).norm();
+    const double reach = a.boundingRadius + b.boundingRadius + (speed + 0.5 * pull * left) * left;
+    return (nowB.center - nowA.center).squaredNorm() <= reach * reach * (1 + 1e-9);
+}
+
 }  // namespace
+
+const Circle* discOf(const MovingShape& s) {
+    const Circle* circle = std::get_if<Circle>(s.shape);
+    return circle != nullptr && circle->center == s.localCenter ? circle : nullptr;
+}
 
 Encounter encounterAt(const MovingShape& a, const MovingShape& b, double time) {
     Encounter e;
@@ -108,6 +150,10 @@ Encounter encounterAt(const MovingShape& a, const MovingShape& b, double time) {
 }
 
 std::optional<double> timeOfImpact(const MovingShape& a, const MovingShape& b, double from, double to) {
+    const Circle *discA = discOf(a), *discB = discOf(b);
+    if (discA != nullptr && discB != nullptr && fallAlike(a, b))
+        return timeOfImpactOfDiscs(a, b, discA->radius + discB->radius, from, to);
+    if (!mayTouch(a, b, from, to)) return std::nullopt;
     const double scale = std::max(a.boundingRadius, b.boundingRadius), whole = to - from, shortest = whole * 1e-12;
     const double thick = 0.5 * (inradiusOf(*a.shape) + inradiusOf(*b.shape));
     double time = from;

@@ -18,6 +18,9 @@ struct MovingShape {
     FlightLaw law;
 };
 
+/// The disc of a shape whose centre is the body's centre of mass; null for other shapes.
+const Circle* discOf(const MovingShape& s);
+
 /// Two moving shapes at one time: their distance, their states and how fast they approach.
 struct Encounter {
     Distance distance;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/contacts/contact_store.h>
 
+#include <utility>
+
 namespace plumb {
 
 namespace {
@@ -63,10 +65,7 @@ void ContactStore::remove(BodyStore& bodies, ContactIndex contact) {
 void ContactStore::addNear(ContactIndex contact) {
     ContactRecord& c = records[contact];
     if (c.state != ContactState::Asleep) return;
-    if (!c.watched && (c.touching || c.manifold.count > 0)) {
-        c.watched = true;
-        watched.push_back(contact);
-    }
+    if (c.touching || c.manifold.count > 0) watch(contact);
     c.met = false;
     NearPairs& near = nearOf(c);
     const std::size_t slot = near.contactOf.size();
@@ -75,6 +74,10 @@ void ContactStore::addNear(ContactIndex contact) {
     near.contactOf.push_back(contact);
     if (slot % batchLanes == 0) near.lanes.push_back(PairLanes{});
     fillPair(*this, c, near.lanes.back(), slot % batchLanes);
+}
+
+void ContactStore::watch(ContactIndex contact) {
+    if (!std::exchange(records[contact].watched, true)) watched.push_back(contact);
 }
 
 void ContactStore::removeNear(ContactIndex contact) {

@@ -97,6 +97,7 @@ struct ContactStore {
 
     std::vector<ContactIndex> withVerdict;  ///< contacts whose verdict is not Open
     std::vector<ContactIndex> impacts;      ///< those with state Impact in the last step
+    std::vector<ContactIndex> early;        ///< contacts that impacts have made since the last search for pairs
 
     ContactRecord& operator[](ContactIndex contact) { return records[contact]; }
     const ContactRecord& operator[](ContactIndex contact) const { return records[contact]; }
@@ -104,6 +105,7 @@ struct ContactStore {
     void remove(BodyStore& bodies, ContactIndex contact);
     void addNear(ContactIndex contact);     ///< does nothing if it is near or solved already
     void removeNear(ContactIndex contact);  ///< does nothing if it is not near
+    void watch(ContactIndex contact);       ///< adds it to watched if it is not there
     NearPairs& nearOf(const ContactRecord& contact) { return contact.boxes ? nearBoxes : nearOthers; }
     int side(ContactIndex contact, BodyIndex body) const { return records[contact].bodyA == body ? 0 : 1; }
 };

@@ -46,38 +46,49 @@ ContactRecord contactOf(const ContactStore& contacts, const Space& space, const 
     return contact;
 }
 
-bool isPaired(const ContactStore& contacts, const BodyStore& bodies, const Space& space, ProxyId a, ProxyId b,
-              const Vec2& shift) {
+}  // namespace
+
+ShiftedShapes inOrder(ProxyId a, ProxyId b, const Vec2& shift) {
+    return a < b ? ShiftedShapes{{a, b}, shift} : ShiftedShapes{{b, a}, -shift};
+}
+
+bool mayTouch(const BodyStore& bodies, const Space& space, const ShiftedShapes& pair) {
+    const Proxy& first = space[pair.shapes.a];
+    const Proxy& second = space[pair.shapes.b];
+    if (first.def.sensor || second.def.sensor) return false;
+    const BodyIndex a = first.owner, b = second.owner;
+    return (bodies.isDynamic(a) || bodies.isDynamic(b)) && !bodies.areKeptApart(a, b);
+}
+
+bool arePaired(const ContactStore& contacts, const BodyStore& bodies, const Space& space, const ShiftedShapes& pair) {
+    const auto [a, b] = pair.shapes;
     const BodyIndex owner = space[a].owner;
     const BodyIndex body = bodies.isDynamic(owner) ? owner : space[b].owner;
     bool paired = false;
     forEachContact(bodies, contacts, body, [&](ContactIndex index) {
         const ContactRecord& contact = contacts[index];
-        paired = paired || (contact.proxyA == a && contact.proxyB == b && contact.shift == shift) ||
-                 (contact.proxyA == b && contact.proxyB == a && contact.shift == -shift);
+        paired = paired || (contact.proxyA == a && contact.proxyB == b && contact.shift == pair.shift) ||
+                 (contact.proxyA == b && contact.proxyB == a && contact.shift == -pair.shift);
     });
     return paired;
 }
 
-/// The pair with the lower id first; shift belongs to b.
-ShiftedShapes inOrder(ProxyId a, ProxyId b, const Vec2& shift) {
-    return a < b ? ShiftedShapes{{a, b}, shift} : ShiftedShapes{{b, a}, -shift};
+ContactIndex addContact(ContactStore& contacts, BodyStore& bodies, const Space& space, const ShiftedShapes& pair) {
+    const ContactIndex index = contacts.add(bodies, contactOf(contacts, space, pair));
+    const BodyIndex a = space[pair.shapes.a].owner, b = space[pair.shapes.b].owner;
+    if (bodies.record[a].awake || bodies.record[b].awake) contacts.addNear(index);
+    return index;
 }
-
-}  // namespace
 
 PairKind addPair(ContactStore& contacts, BodyStore& bodies, const Space& space, const ShiftedShapes& pair) {
     const Proxy& first = space[pair.shapes.a];
     const Proxy& second = space[pair.shapes.b];
     if (first.def.sensor || second.def.sensor) return PairKind::AtSensor;
+    if (!mayTouch(bodies, space, pair)) return PairKind::Nothing;
+    addContact(contacts, bodies, space, pair);
     const BodyIndex a = first.owner, b = second.owner;
-    if (!bodies.isDynamic(a) && !bodies.isDynamic(b)) return PairKind::Nothing;
-    if (bodies.areKeptApart(a, b)) return PairKind::Nothing;
-    const ContactIndex index = contacts.add(bodies, contactOf(contacts, space, pair));
-    if (!bodies.record[a].awake && !bodies.record[b].awake)
-        return bodies.isDynamic(a) && bodies.isDynamic(b) ? PairKind::Contact : PairKind::AtSleeper;
-    contacts.addNear(index);
-    return PairKind::Contact;
+    const bool asleep = !bodies.record[a].awake && !bodies.record[b].awake;
+    return asleep && !(bodies.isDynamic(a) && bodies.isDynamic(b)) ? PairKind::AtSleeper : PairKind::Contact;
 }
 
 std::vector<ShiftedShapes> pairsOfBodies(const BodyStore& bodies, const Space& space, BodyIndex a, BodyIndex b) {
@@ -108,9 +119,10 @@ std::vector<ShiftedShapes> pairsOfShape(const ContactStore& contacts, const Body
     const auto same = [](const Other& a, const Other& b) { return a.proxy == b.proxy && a.shift == b.shift; };
     others.erase(std::unique(others.begin(), others.end(), same), others.end());
     std::vector<ShiftedShapes> pairs;
-    for (const Other& other : others)
-        if (!isPaired(contacts, bodies, space, proxy, other.proxy, other.shift))
-            pairs.push_back(inOrder(proxy, other.proxy, other.shift));
+    for (const Other& other : others) {
+        const ShiftedShapes pair = inOrder(proxy, other.proxy, other.shift);
+        if (!arePaired(contacts, bodies, space, pair)) pairs.push_back(pair);
+    }
     return pairs;
 }
 

@@ -11,7 +11,7 @@ namespace plumb {
 
 namespace {
 
-/// Number of sweeps over both points: enough for the impulses to converge.
+/// The most sweeps over both points: enough for the impulses to converge.
 constexpr int sweeps = 200;
 
 ImpactSide sideOf(const ImpactBody& body, const Vec2& point) {
@@ -29,8 +29,11 @@ public:
         std::array<Impulse, 2> impulses;
         for (std::size_t i = 0; i < 2; ++i)
             impulses[i].wanted = -law_.restitution * std::min(speedAt(points[i]).dot(normal_), 0.0);
-        for (int sweep = 0; sweep < sweeps; ++sweep)
+        for (int sweep = 0; sweep < sweeps; ++sweep) {
+            const std::array<Impulse, 2> before = impulses;
             for (std::size_t i = 0; i < 2; ++i) solvePoint(points[i], impulses[i]);
+            if (impulses == before) break;
+        }
         std::vector<PointImpulse> given;
         for (std::size_t i = 0; i < 2; ++i) given.push_back({points[i], impulses[i].normal, impulses[i].tangent});
         return given;
@@ -39,6 +42,7 @@ public:
 private:
     struct Impulse {
         double wanted = 0, normal = 0, tangent = 0;
+        bool operator==(const Impulse&) const = default;
     };
 
     void solvePoint(const Vec2& point, Impulse& impulse) {
@@ -48,7 +52,7 @@ private:
         impulse.normal = normal;
         const Vec2 t = perp(normal_);
         const double limit = law_.friction * impulse.normal;
-        const double slow = speedAt(point).dot(t) / inverseMass(point, t);
+        const double slow = (speedAt(point).dot(t) + law_.surfaceSpeed) / inverseMass(point, t);
         const double tangent = std::clamp(impulse.tangent - slow, -limit, limit);
         push(point, t * (tangent - impulse.tangent));
         impulse.tangent = tangent;

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <compare/scene/bench/parts.h>
+#include <compare/scene/bench/scenes.h>
+#include <numbers>
+#include <plumb/math/random.h>
+
+namespace plumb::compare {
+
+Scene gas(int n) {
+    constexpr double radius = 0.1, filled = 0.4;  // [m, -]
+    Scene scene = benchScene("gas_" + std::to_string(n), "What does a step take of a gas of elastic discs?", 300);
+    scene.sleeping = false;
+    scene.gravity = {0, 0};
+    const double pi = std::numbers::pi, width = std::sqrt(n * pi * radius * radius / filled);
+    scene.wrap = {.width = width, .height = width};
+    const int columns = static_cast<int>(std::ceil(std::sqrt(n)));
+    Random random(1);
+    const ShapeDef disc = circle(radius, {.friction = 0, .restitution = 1});
+    for (int i = 0; i < n; ++i) {
+        const Vec2 place(i % columns + 0.5, i / columns + 0.5);
+        const double direction = random.uniform(0, 2 * pi);
+        addBody(scene, disc, place * (width / columns)).def.velocity = {std::cos(direction), std::sin(direction)};
+    }
+    return scene;
+}
+
+}  // namespace plumb::compare

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/impacts/impact_candidates.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <plumb/dynamics/bodies/free_motion.h>
+
+namespace plumb {
+
+namespace {
+
+/// If this contact has an impact in this step, do the shapes bounce, and is the free motion after the bounce longer
+/// than the step? The condition is 2 e v >= a dt.
+/// e restitution [-], v approach speed at the impact [m/s], a acceleration that presses the two together [m/s^2]
+bool bouncesClear(const ContactGraph& graph, const BodyStore& bodies, const ContactRecord& contact, double dt) {
+    if (contact.restitution <= 0) return false;
+    const BodyMotion& a = bodies.motion[contact.bodyA];
+    const BodyMotion b = shifted(bodies.motion[contact.bodyB], contact.shift);
+    const Manifold manifold = graph.manifoldOf(contact);
+    const Vec2 normal = a.rotation * Vec2(manifold.normal.cast<double>());
+    const Vec2 pull =
+        flightLawOf(bodies, contact.bodyA).acceleration.linear - flightLawOf(bodies, contact.bodyB).acceleration.linear;
+    const double press = pull.dot(normal);
+    for (int p = 0; p < manifold.count; ++p) {
+        const ManifoldPoint& point = manifold.points[static_cast<std::size_t>(p)];
+        const Vec2 at = a.center + a.rotation * Vec2(point.position.cast<double>());
+        const Vec2 relative = velocityAt(b, at) - velocityAt(a, at);
+        const double opening = relative.dot(normal);
+        const double fall = std::max(press * static_cast<double>(point.separation), 0.0);
+        const double speed = std::sqrt(opening * opening + 2 * fall);
+        const bool overlapping = point.separation < -1e-4f && opening >= 0;  // only the solver corrects it
+        if (overlapping || 2 * contact.restitution * speed < press * dt) return false;
+    }
+    return true;
+}
+
+/// Begins with the contacts whose two bodies, if they were alone, would bounce and stay apart for longer than the step.
+/// Then removes, one after the other, those with a body that the solver moves.
+class CandidateSearch {
+public:
+    CandidateSearch(const ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies)
+        : graph_(graph), contacts_(contacts), bodies_(bodies) {}
+
+    ImpactCandidates find(double dt) {
+        collect();
+        if (found_.contacts.empty()) return std::move(found_);
+        isCandidate_.assign(contacts_.records.size(), false);
+        found_.countOf.assign(bodies_.record.size(), 0);
+        for (const ContactIndex index : found_.contacts) {
+            isCandidate_[index] = true;
+            ++found_.countOf[contacts_[index].bodyA];
+            ++found_.countOf[contacts_[index].bodyB];
+        }
+        for (const ContactIndex index : found_.contacts) {
+            const ContactRecord& contact = contacts_[index];
+            for (const BodyIndex body : {contact.bodyA, contact.bodyB})
+                if (found_.isConstrained(bodies_, body)) constrained_.push_back(body);
+        }
+        removeConstrained();
+        for (const ContactIndex index : found_.contacts) {
+            if (!isCandidate_[index] || bouncesClear(graph_, bodies_, contacts_[index], dt)) continue;
+            remove(index);
+            removeConstrained();
+        }
+        std::erase_if(found_.contacts, [this](ContactIndex index) { return !isCandidate_[index]; });
+        return std::move(found_);
+    }
+
+private:
+    void collect() {
+        for (const Colour& colour : graph_.colours)
+            for (std::size_t b = 0; b < colour.batches.size(); ++b) {
+                if (!colour.batches[b].bounces) continue;
+                for (std::size_t lane = 0; lane < batchLanes; ++lane)
+                    if (colour.manifolds[b].clear[lane] != 0)
+                        found_.contacts.push_back(colour.contactOf[b * batchLanes + lane]);
+            }
+    }
+
+    void remove(ContactIndex index) {
+        isCandidate_[index] = false;
+        for (const BodyIndex body : {contacts_[index].bodyA, contacts_[index].bodyB}) {
+            --found_.countOf[body];
+            if (bodies_.isDynamic(body)) constrained_.push_back(body);
+        }
+    }
+
+    /// Removes the candidates of constrained bodies. That may constrain their other bodies.
+    void removeConstrained() {
+        while (!constrained_.empty()) {
+            const BodyIndex body = constrained_.back();
+            constrained_.pop_back();
+            if (found_.countOf[body] == 0) continue;
+            forEachContact(bodies_, contacts_, body, [this](ContactIndex index) {
+                if (isCandidate_[index]) remove(index);
+            });
+        }
+    }
+
+    const ContactGraph& graph_;
+    const ContactStore& contacts_;
+    const BodyStore& bodies_;
+    ImpactCandidates found_;
+    std::vector<bool> isCandidate_;
+    std::vector<BodyIndex> constrained_;  ///< bodies whose candidates are to be removed
+};
+
+}  // namespace
+
+ImpactCandidates findImpactCandidates(const ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies,
+                                      double dt) {
+    return CandidateSearch(graph, contacts, bodies).find(dt);
+}
+
+}  // namespace plumb

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/impacts/reach.h>
+
+#include <cmath>
+
+#include <plumb/dynamics/bodies/shape_radii.h>
+#include <plumb/dynamics/contacts/pairs.h>
+
+namespace plumb {
+
+void Reach::extend(const FlyingBody& body, std::vector<ContactIndex>& added) {
+    const Space& space = stores_.space;
+    for (const ProxyId proxy : stores_.bodies.links[body.body].proxies) {
+        const Aabb way = wayOf(body, proxy);
+        if (contains(space.box(proxy), way)) continue;
+        std::vector<std::pair<ProxyId, Vec2>> found;
+        space.query(way, [&](ProxyId other, const Vec2& shift) { found.emplace_back(other, shift); });
+        for (const Stray& stray : strays_) {
+            const Vec2 shift = stores_.bodies.wrap.shiftNear(stray.box.lower, way.lower);
+            if (overlap(way, {stray.box.lower + shift, stray.box.upper + shift})) found.emplace_back(stray.proxy, shift);
+        }
+        for (const auto& [other, shift] : found) meet(proxy, other, shift, added);
+        strays_.push_back({proxy, way});
+    }
+}
+
+/// The bounds of a shape from its body's last impact to the end of the step. A point's path differs from the straight
+/// line between its ends by at most a t^2 / 8, and by r turn^2 / 8 because of rotation.
+Aabb Reach::wayOf(const FlyingBody& body, ProxyId proxy) const {
+    const Shape& shape = stores_.space[proxy].def.shape;
+    const MovingShape& flight = body.flight;
+    const double left = dt_ - flight.time;
+    const BodyMotion end = moveFreely(flight.from, flight.law, left);
+    const auto boxAt = [&](const BodyMotion& motion) {
+        return aabbOf(shape, {motion.center - motion.rotation * flight.localCenter, motion.rotation});
+    };
+    const double turn = std::fabs(end.angle - flight.from.angle);
+    const double pull =
+        flight.law.acceleration.linear.norm() + flight.law.linearDamping * flight.from.velocity.norm();
+    const double swing = turningRadiusOf(shape, flight.localCenter) * std::min(0.125 * turn * turn, 2.0);
+    return inflate(merge(boxAt(flight.from), boxAt(end)), 0.125 * pull * left * left + swing);
+}
+
+void Reach::meet(ProxyId own, ProxyId other, const Vec2& shift, std::vector<ContactIndex>& added) {
+    const ShiftedShapes pair = inOrder(own, other, shift);
+    if (!mayPair(stores_.space[own], stores_.space[other]) || !mayTouch(stores_.bodies, stores_.space, pair) ||
+        arePaired(stores_.contacts, stores_.bodies, stores_.space, pair))
+        return;
+    added.push_back(addContact(stores_.contacts, stores_.bodies, stores_.space, pair));
+    stores_.contacts.early.push_back(added.back());
+}
+
+}  // namespace plumb
