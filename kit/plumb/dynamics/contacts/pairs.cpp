@@ -61,7 +61,7 @@ bool mayTouch(const BodyStore& bodies, const Space& space, const ShiftedShapes& 
 }
 
 bool arePaired(const ContactStore& contacts, const BodyStore& bodies, const Space& space, const ShiftedShapes& pair) {
-    const auto [a, b] = pair.shapes;
+    const ProxyId a = pair.shapes.a, b = pair.shapes.b;
     const BodyIndex owner = space[a].owner;
     const BodyIndex body = bodies.isDynamic(owner) ? owner : space[b].owner;
     bool paired = false;
