@@ -8,20 +8,37 @@
 
 namespace plumb {
 
+namespace {
+
+/// If more shapes than this lie along the rest of a flight, it is so long that no contacts are made for them. The tests
+/// of whole paths, which follow the impacts, stop the body at walls and at other bodies.
+constexpr std::size_t mostShapes = 200;
+
+}  // namespace
+
 void Reach::extend(const FlyingBody& body, std::vector<ContactIndex>& added) {
     const Space& space = stores_.space;
     for (const ProxyId proxy : stores_.bodies.links[body.body].proxies) {
         const Aabb way = wayOf(body, proxy);
         if (contains(space.box(proxy), way)) continue;
+        if (exceedsPeriod(way)) continue;
         std::vector<std::pair<ProxyId, Vec2>> found;
         space.query(way, [&](ProxyId other, const Vec2& shift) { found.emplace_back(other, shift); });
         for (const Stray& stray : strays_) {
             const Vec2 shift = stores_.bodies.wrap.shiftNear(stray.box.lower, way.lower);
             if (overlap(way, {stray.box.lower + shift, stray.box.upper + shift})) found.emplace_back(stray.proxy, shift);
         }
+        if (found.size() > mostShapes) continue;
         for (const auto& [other, shift] : found) meet(proxy, other, shift, added);
         strays_.push_back({proxy, way});
     }
+}
+
+/// Bodies that go around a world that wraps meet others only at the places where steps begin, see predictedShift.
+bool Reach::exceedsPeriod(const Aabb& way) const {
+    const Wrap& wrap = stores_.bodies.wrap;
+    const Vec2 size = way.upper - way.lower;
+    return (wrap.width && size.x() > *wrap.width) || (wrap.height && size.y() > *wrap.height);
 }
 
 /// The bounds of a shape from its body's last impact to the end of the step. A point's path differs from the straight

@@ -24,6 +24,7 @@ private:
         Aabb box;
     };
 
+    bool exceedsPeriod(const Aabb& way) const;
     Aabb wayOf(const FlyingBody& body, ProxyId proxy) const;
     void meet(ProxyId own, ProxyId other, const Vec2& shift, std::vector<ContactIndex>& added);
 
