@@ -25,7 +25,10 @@ Json phasesJson(const std::vector<Phase>& phases) {
 Json runJson(const SceneBench& scene, const EngineBench& bench) {
     Json json{{"scene", scene.scene}, {"engine", bench.engine}, {"threads", 1}, {"bodies", scene.bodies}};
     if (!bench.supported()) {
-        json.update({{"unsupported", bench.runs.front().unsupported}, {"ms_per_step", nullptr}, {"step_ms", nullptr}, {"peak_kb", nullptr}});
+        json.update({{"unsupported", bench.runs.front().unsupported},
+                     {"ms_per_step", nullptr},
+                     {"step_ms", nullptr},
+                     {"peak_kb", nullptr}});
         return json;
     }
     json.update({{"ms_per_step", spreadJson(bench.msPerStep())},

@@ -102,7 +102,8 @@ CLI::App* describeBench(CLI::App& app, Raw& raw) {
     for (const BenchScene& scene : benchScenes()) names.push_back(scene.name);
     bench->footer(fmt::format(
         "Engines run in turn, each run in a process of its own; a ratio above 1 means that Plumb is faster.\nScenes: "
-        "six (the first six, which is what runs without a name), scaling (a heap and pyramids of {} sizes), crowds (bodies that bounce), {};\nany other scene, or "
+        "six (the first six, which is what runs without a name), scaling (a heap and pyramids of {} sizes), crowds "
+        "(bodies that bounce), {};\nany other scene, or "
         "FILE.json.",
         findBenchScenes("scaling").size(), fmt::join(names, ", ")));
     bench->add_option("SCENE", raw.scenes, "names of scenes or groups of them, or files");

@@ -37,7 +37,8 @@ std::vector<BenchScene> all() {
     };
     addSizes(list, "pile", pile);
     addSizes(list, "pyramids", pyramids);
-    for (const int n : {200, 2000, 5000}) list.push_back({"pit_" + std::to_string(n), "pit", [=] { return pit(n); }, {}});
+    for (const int n : {200, 2000, 5000})
+        list.push_back({"pit_" + std::to_string(n), "pit", [=] { return pit(n); }, {}});
     list.push_back({"gas_2000", "gas", [] { return gas(2000); }, {}});
     return list;
 }

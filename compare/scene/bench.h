@@ -27,7 +27,8 @@ struct BenchScene {
 /// All of them, in the order in which they are listed.
 const std::vector<BenchScene>& benchScenes();
 
-/// The scenes that a name stands for: one scene, or a group, "six", "scaling" or "crowds". Empty when there is none of that name.
+/// The scenes that a name stands for: one scene, or a group, "six", "scaling" or "crowds". Empty when there is none of
+/// that name.
 std::vector<BenchScene> findBenchScenes(const std::string& name);
 
 }  // namespace plumb::compare

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
 #include <compare/scene/bench/parts.h>
 #include <compare/scene/bench/scenes.h>
-#include <numbers>
 #include <plumb/math/random.h>
+#include <cmath>
+#include <numbers>
 
 namespace plumb::compare {
 

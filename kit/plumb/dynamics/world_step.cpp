@@ -121,13 +121,12 @@ void findPairs(Step& s) {
     WorldState& w = s.world;
     const SortedPairs& pairs = w.space.findNewPairs();
     const std::span<const Vec2> shifts = w.space.newPairShifts();
-    const bool mayBePaired = !w.contacts.early.empty();
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const ShiftedShapes pair{pairs[i], shifts.empty() ? Vec2(0, 0) : shifts[i]};
-        if (mayBePaired && arePaired(w.contacts, w.bodies, w.space, pair)) continue;
+        if (w.contacts.hasEarly && arePaired(w.contacts, w.bodies, w.space, pair)) continue;
         addPair(w, pair);
     }
-    w.contacts.early.clear();
+    w.contacts.hasEarly = false;
 }
 
 void collide(Step& s) {

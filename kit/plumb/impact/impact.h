@@ -32,17 +32,18 @@ struct ImpactResult {
 
 /// Newton's law of impact with Coulomb friction; normal is a unit vector from A to B. With u the velocity of B's point
 /// relative to A's, n along the normal and t along perp(normal):
-///   u' = u + K (jn, jt),  u'_n = -e u_n,  u'_t = 0 if |jt| <= f jn there, else |jt| = f jn against the slip
-/// u, u' before and after [m/s], jn, jt impulses [N s], e restitution [-], f friction [-], K inverse mass matrix at the
-/// point [1/kg]: its coupling K_nt is not 0 when an arm is not along the normal. The two laws together could then
-/// increase the energy (Kane's paradox); in that case jt is reduced until the energy does not increase, and is less
-/// than either law says.
+///   u' = u + K (jn, jt),  u'_n = -e u_n,  u'_t = -s if |jt| <= f jn there, else |jt| = f jn against the slip
+/// u, u' before and after, s surface speed [m/s], jn, jt impulses [N s], e restitution [-], f friction [-], K inverse
+/// mass matrix at the point [1/kg]: its coupling K_nt is not 0 when an arm is not along the normal. The two laws
+/// together could then increase the energy, as seen from the surface that moves (Kane's paradox); in that case jt is
+/// reduced until the energy does not increase, and is less than either law says.
 /// When the points do not approach each other, or a velocity is not finite or the normal NaN, nothing changes.
 /// Throws std::invalid_argument on restitution outside 0 to 1, on negative or NaN friction (infinite friction never
-/// slips), on an inverse mass or inertia that is negative or not finite, on an arm that is not finite, on a normal
-/// whose length is not 1 to 1e-5, and where masses and speeds give an impulse that is not finite. Source: Routh,
-/// "Dynamics of a System of Rigid Bodies", part 1, 1905, ch. 5; Kane and Levinson, "Dynamics", 1985, 5.9. Exact to
-/// rounding. Test: "100,000 random impacts obey momentum, restitution and friction, and gain no energy"
+/// slips), on a surface speed that is not finite, on an inverse mass or inertia that is negative or not finite, on an
+/// arm that is not finite, on a normal whose length is not 1 to 1e-5, and where masses and speeds give an impulse that
+/// is not finite. Source: Routh, "Dynamics of a System of Rigid Bodies", part 1, 1905, ch. 5; Kane and Levinson,
+/// "Dynamics", 1985, 5.9. Exact to rounding. Tests: "100,000 random impacts obey momentum, restitution and friction,
+/// and gain no energy", "10,000 impacts on a belt are those on a wall that moves as the belt's surface does"
 ImpactResult impact(const ImpactSide& a, const ImpactSide& b, const Vec2& normal, const ImpactLaw& law);
 
 }  // namespace plumb

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where is a point in a world that wraps around?
 #pragma once
+#include <cmath>
 #include <optional>
 
 #include <plumb/math/vec2.h>
@@ -14,6 +15,10 @@ struct Wrap {
     std::optional<double> height = std::nullopt;  ///< the period in y, > 0; none: y does not wrap [m]
 
     bool any() const { return width || height; }
+    /// Is a box of this size, or a displacement, longer than a period along an axis that wraps?
+    bool isExceededBy(const Vec2& size) const {
+        return (width && std::fabs(size.x()) > *width) || (height && std::fabs(size.y()) > *height);
+    }
     /// The image of a point in [0, width) x [0, height); a coordinate that does not wrap stays as it is.
     Vec2 place(const Vec2& point) const { return any() ? placed(point) : point; }
     /// The shortest displacement from one point to another (minimum image): at most half a period along each axis.

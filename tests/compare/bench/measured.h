@@ -14,8 +14,12 @@ inline EngineBench measuredEngine(const std::string& engine, const std::vector<d
                                   long peakKb = 2048) {
     EngineBench bench{.engine = engine, .version = engine == plumbName ? "0.1.0" : "2.4.1"};
     for (const double ms : milliseconds)
-        bench.runs.push_back(
-            {.bodies = 10, .steps = 5, .msPerStep = ms, .stepMs = {1 * ms, 2 * ms, 3 * ms, 4 * ms, 5 * ms}, .peakKb = peakKb, .phases = {{"solve", ms / 2000}}});
+        bench.runs.push_back({.bodies = 10,
+                              .steps = 5,
+                              .msPerStep = ms,
+                              .stepMs = {1 * ms, 2 * ms, 3 * ms, 4 * ms, 5 * ms},
+                              .peakKb = peakKb,
+                              .phases = {{"solve", ms / 2000}}});
     return bench;
 }
 

@@ -151,6 +151,41 @@ TEST_CASE("tumbler turns four walls of 50 kg/m^2 at 25 degrees a second around (
     CHECK(motor.maxMotorTorque == 1e8);
 }
 
+TEST_CASE("the crowds are three pits, half discs of e = 0.3 and half boxes of e = 0, and a gas that fills 40 %",
+          "[compare][scene][bench]") {
+    const std::vector<BenchScene> crowds = findBenchScenes("crowds");
+    REQUIRE(crowds.size() == 4);
+    for (const std::size_t bodies : {200U, 2000U, 5000U}) {
+        const Scene scene = sceneOf("pit_" + std::to_string(bodies));
+        REQUIRE(scene.bodies.size() == bodies + 1);
+        CHECK(stepCount(scene) == 300);
+        CHECK_FALSE(scene.sleeping);
+        CHECK_NOTHROW(validate(scene));
+        std::size_t discs = 0;
+        for (std::size_t i = 1; i <= bodies; ++i) {
+            const ShapeDef& def = scene.bodies[i].def.shapes[0];
+            const bool isDisc = std::holds_alternative<Circle>(def.shape);
+            discs += isDisc ? 1 : 0;
+            CHECK(def.material.restitution == (isDisc ? 0.3 : 0));
+            CHECK(def.material.friction == 0.4);
+            CHECK(std::fabs(positionOf(scene, i).x()) < 9 - 0.25);
+            if (!isDisc) CHECK(halfSizeOf(def.shape) == Vec2(0.25, 0.25));
+        }
+        CHECK(discs == bodies / 2);
+    }
+    const Scene gas = sceneOf("gas_2000");
+    REQUIRE(gas.bodies.size() == 2000);
+    REQUIRE((gas.wrap.width && gas.wrap.height));
+    double area = 0;
+    for (const SceneBody& body : gas.bodies) {
+        area += 3.141592653589793 * std::pow(std::get<Circle>(body.def.shapes[0].shape).radius, 2);
+        CHECK(body.def.shapes[0].material.restitution == 1);
+        CHECK_THAT(body.def.velocity.norm(), WithinAbs(1, 1e-12));
+    }
+    CHECK_THAT(area / (*gas.wrap.width * *gas.wrap.height), WithinAbs(0.4, 1e-12));
+    CHECK_NOTHROW(validate(gas));
+}
+
 TEST_CASE("spinner stirs 6,076 capsules, discs and squares in a ring of 360 points", "[compare][scene][bench]") {
     const Scene scene = sceneOf("spinner");
     const auto& ring = std::get<Chain>(shapeOf(scene, 0));

@@ -20,7 +20,8 @@ void addTally(RandomEditor::Tally& sum, const RandomEditor::Tally& part) {
 TEST_CASE("a world that is edited and asked in 100,000 random ways tells the truth about itself",
           "[dynamics][editing][law]") {
     RandomEditor::Tally sum;
-    const std::uint64_t seeds = static_cast<std::uint64_t>(plumb::test::cases(500));
+    // Every third one is wild: fewer than ten worlds may have too few bodies that leave the range of numbers.
+    const std::uint64_t seeds = static_cast<std::uint64_t>(std::max(plumb::test::cases(500), 10));
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         INFO("seed " << seed);
         RandomEditor editor(seed, {.wild = seed % 3 == 0,
@@ -34,7 +35,7 @@ TEST_CASE("a world that is edited and asked in 100,000 random ways tells the tru
     CHECK(sum.begins > 100 * share);
     CHECK(sum.hits > 20 * share);
     CHECK(sum.visits > 20 * share);
-    CHECK(sum.quarantines > share / (plumb::test::shareOfCases == 10 ? 5 : 10));  // few seeds may have few by chance
+    CHECK(sum.quarantines > share / 5);
     CHECK(sum.joints > 100 * share);
     CHECK(sum.breaks > 10 * share);
     CHECK(sum.gears > share);

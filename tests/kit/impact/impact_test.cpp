@@ -15,6 +15,8 @@
 using plumb::ImpactLaw;
 using plumb::ImpactResult;
 using plumb::ImpactSide;
+using plumb::Random;
+using plumb::Rot;
 using plumb::Vec2;
 using plumb::test::infinity;
 
@@ -279,12 +281,34 @@ TEST_CASE("infinite friction never slips", "[impact]") {
     CHECK(near(r.velocityB, {800.0 / 3, 1.5}, 1e-12));
 }
 
+// A belt is a wall whose surface moves: for what hits it, the same as a wall that moves as a whole.
+TEST_CASE("10,000 impacts on a belt are those on a wall that moves as the belt's surface does", "[impact][law]") {
+    Random random(12);
+    for (int run = 0; run < 10000; ++run) {
+        const Vec2 normal = Rot::fromAngle(random.uniform(-3, 3)) * Vec2(1, 0);
+        const ImpactSide body{.velocity = {random.uniform(-5, 5), random.uniform(-5, 5)},
+                              .angularVelocity = random.uniform(-9, 9),
+                              .inverseMass = random.uniform(0.1, 3),
+                              .inverseInertia = random.uniform(0, 9),
+                              .arm = {random.uniform(-1, 1), random.uniform(-1, 1)}};
+        const double speed = random.uniform(-8, 8);
+        ImpactLaw law{.restitution = random.uniform(0, 1), .friction = random.uniform(0, 1)};
+        const ImpactResult moving = plumb::impact({.velocity = -speed * plumb::perp(normal)}, body, normal, law);
+        law.surfaceSpeed = speed;
+        const ImpactResult belt = plumb::impact({}, body, normal, law);
+        CHECK(near(belt.velocityB, moving.velocityB, 1e-12));
+        CHECK(near(belt.angularVelocityB, moving.angularVelocityB, 1e-11));
+        CHECK(belt.velocityA == Vec2(0, 0));
+    }
+}
+
 TEST_CASE("laws and masses that nothing has are refused by name", "[impact][errors]") {
     const ImpactSide disc = discOnFloor({0, -1});
     const auto hit = [&disc](const ImpactLaw& law) { plumb::impact(floorSide, disc, {0, 1}, law); };
     CHECK_THROWS_AS(hit({.restitution = 2}), std::invalid_argument);
     CHECK_THROWS_WITH(hit({.restitution = 2}), "ImpactLaw.restitution: 2 is not within 0 to 1");
     CHECK_THROWS_WITH(hit({.restitution = notANumber}), "ImpactLaw.restitution: nan is not finite");
+    CHECK_THROWS_WITH(hit({.surfaceSpeed = notANumber}), "ImpactLaw.surfaceSpeed: nan is not finite");
     CHECK_THROWS_WITH(hit({.restitution = 1, .friction = -0.5}), "ImpactLaw.friction: -0.5 is negative");
     CHECK_THROWS_WITH(plumb::impact({.inverseMass = -1}, disc, {0, 1}, {}), "ImpactSide a.inverseMass: -1 is negative");
     CHECK_THROWS_WITH(plumb::impact(disc, {.inverseInertia = notANumber}, {0, 1}, {}),

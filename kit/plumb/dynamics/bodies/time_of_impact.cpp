@@ -121,7 +121,7 @@ std::optional<double> timeOfImpactOfDiscs(const MovingShape& a, const MovingShap
 
 /// A fast test: may the discs around both bodies touch in this time? Damping only makes a body slower, unless a force
 /// or wind drives it, and that counts as acceleration.
-bool mayTouch(const MovingShape& a, const MovingShape& b, double from, double to) {
+bool mayMeet(const MovingShape& a, const MovingShape& b, double from, double to) {
     const double left = to - from;
     const BodyMotion nowA = moveFreely(a.from, a.law, from - a.time), nowB = moveFreely(b.from, b.law, from - b.time);
     const bool damped = a.law.linearDamping != 0 || b.law.linearDamping != 0;
@@ -153,7 +153,7 @@ std::optional<double> timeOfImpact(const MovingShape& a, const MovingShape& b, d
     const Circle *discA = discOf(a), *discB = discOf(b);
     if (discA != nullptr && discB != nullptr && fallAlike(a, b))
         return timeOfImpactOfDiscs(a, b, discA->radius + discB->radius, from, to);
-    if (!mayTouch(a, b, from, to)) return std::nullopt;
+    if (!mayMeet(a, b, from, to)) return std::nullopt;
     const double scale = std::max(a.boundingRadius, b.boundingRadius), whole = to - from, shortest = whole * 1e-12;
     const double thick = 0.5 * (inradiusOf(*a.shape) + inradiusOf(*b.shape));
     double time = from;

@@ -32,9 +32,9 @@ Encounter encounterAt(const MovingShape& a, const MovingShape& b, double time);
 /// The first time in [from, to] at which the shapes touch while they approach, exact to rounding; empty if there is
 /// none. The search may miss a touch that is less deep than a hundredth of the shapes' thickness before they part. If
 /// the shapes spin so fast that the search needs too many steps, the result is a time before which they do not meet.
-/// Method: conservative advancement in the frame of the larger body, with the bound of collide/sweep.h, extended by the
-/// accelerations; near a contact, Newton's method, kept in a bracket.
-/// Source: Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996, section 2.3.
+/// Method: for two discs that fall alike, a quadratic equation; else conservative advancement in the frame of the
+/// larger body, with the bound of collide/sweep.h, extended by the accelerations; near a contact, Newton's method, kept
+/// in a bracket. Source: Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996, section 2.3.
 std::optional<double> timeOfImpact(const MovingShape& a, const MovingShape& b, double from, double to);
 
 }  // namespace plumb

@@ -37,11 +37,7 @@ double sensorTurn(const Shape& shape, const BodyRecord& record, const BodyMotion
 Vec2 predictedShift(const BodyStore& bodies, BodyIndex body) {
     const BodyPlace& place = bodies.place[body];
     const Vec2 shift(static_cast<double>(place.shiftX), static_cast<double>(place.shiftY));
-    const Wrap& wrap = bodies.wrap;
-    if (!wrap.any()) return shift;
-    const bool round =
-        (wrap.width && std::fabs(shift.x()) > *wrap.width) || (wrap.height && std::fabs(shift.y()) > *wrap.height);
-    return round ? Vec2(0, 0) : shift;
+    return bodies.wrap.isExceededBy(shift) ? Vec2(0, 0) : shift;
 }
 
 double excessOfPrediction(const BodyStore& bodies, BodyIndex body, const Vec2& moved, double turned) {

@@ -97,7 +97,7 @@ struct ContactStore {
 
     std::vector<ContactIndex> withVerdict;  ///< contacts whose verdict is not Open
     std::vector<ContactIndex> impacts;      ///< those with state Impact in the last step
-    std::vector<ContactIndex> early;        ///< contacts that impacts have made since the last search for pairs
+    bool hasEarly = false;                  ///< impacts have made contacts for pairs that the next search may find
 
     ContactRecord& operator[](ContactIndex contact) { return records[contact]; }
     const ContactRecord& operator[](ContactIndex contact) const { return records[contact]; }

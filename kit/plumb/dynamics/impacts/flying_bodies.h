@@ -88,7 +88,7 @@ private:
     std::vector<FlyingBody> bodies_;
     std::vector<FlyingFields> fields_;
     std::vector<std::pair<FlyingIndex, BodyMotion>> waiting_;  ///< the states of bodies that were stopped
-    std::vector<FlyingIndex> numberOf_;  ///< of each body, none if it does not take part
+    std::vector<FlyingIndex> numberOf_;                        ///< of each body, none if it does not take part
     Trajectories segments_;
 };
 

@@ -138,9 +138,9 @@ void ImpactEvents::stop(FlyingIndex body, double time) {
 
 bool ImpactEvents::isSpent(const ImpactPair& pair) const {
     const double e = stores_.contacts[pair.contact].restitution;
-    const double most = e > 0 && e < 1 ? std::log(lostSpeed) / std::log(e) : e * mostImpacts;
-    return pair.impacts >= std::clamp(most, fewestImpacts, mostImpacts) ||
-           predictions_ > predictionsPerPair * pairs_.size() + freePredictions;
+    double most = e < 1 ? fewestImpacts : mostImpacts;
+    if (e > 0 && e < 1) most = std::clamp(std::log(lostSpeed) / std::log(e), fewestImpacts, mostImpacts);
+    return pair.impacts >= most || predictions_ > predictionsPerPair * pairs_.size() + freePredictions;
 }
 
 }  // namespace plumb

@@ -114,7 +114,7 @@ void storeOutcome(const ImpactStores& stores, ContactIndex index, const ImpactOu
     contact.memory[0].totalTangent = static_cast<float>(outcome.tangentImpulse);
     contact.memoryStep = dt;
     if (contact.touching) touches.ends.push_back({contact.proxyA, contact.proxyB});
-    const ShapeTouch touch{contact.proxyA,    contact.proxyB,    contact.shift,
+    const ShapeTouch touch{contact.proxyA,       contact.proxyB,       contact.shift,
                            outcome.where.pointA, outcome.where.normal, outcome.approachSpeed};
     touches.begins.push_back(touch);
     if (outcome.approachSpeed > hitSpeed) touches.hits.push_back(touch);

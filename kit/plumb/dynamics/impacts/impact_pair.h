@@ -34,8 +34,8 @@ struct ImpactOutcome {
 /// The time of the pair's next impact; empty if there is none before the end of the step at dt [s].
 std::optional<double> nextImpact(const ImpactStores& stores, const FlyingBodies& bodies, const ImpactPair& pair,
                                  double dt);
-/// May the two pass through each other? If the narrow phase has not predicted the contact, the rules are evaluated here,
-/// at the place where the two meet.
+/// May the two pass through each other? If the narrow phase has not predicted the contact, the rules are evaluated
+/// here, at the place where the two meet.
 bool isLetThrough(const ImpactStores& stores, const FlyingBodies& bodies, const ImpactPair& pair, double time);
 /// Moves the two bodies to where they meet and applies the impact. False if they do not meet at that time, because they
 /// spin too fast for the search, or overlap deeply; then nothing has changed.

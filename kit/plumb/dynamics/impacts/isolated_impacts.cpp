@@ -46,8 +46,7 @@ Impacts solveIsolatedImpacts(ContactGraph& graph, const ImpactStores& stores, do
         const ContactRecord& contact = stores.contacts[pair.contact];
         const bool happened = pair.impacts > 0 && !events.isLeft(contact.bodyA) && !events.isLeft(contact.bodyB);
         if (happened || (contact.isSolved() && !isKept(events, contact))) takeFromSolver(graph, stores, pair.contact);
-        if (happened)
-            storeOutcome(stores, pair.contact, events.outcomeOf(pair), dt, hitSpeed, impacts.touches);
+        if (happened) storeOutcome(stores, pair.contact, events.outcomeOf(pair), dt, hitSpeed, impacts.touches);
     }
     return impacts;
 }

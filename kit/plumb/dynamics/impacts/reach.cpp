@@ -10,8 +10,8 @@ namespace plumb {
 
 namespace {
 
-/// If more shapes than this lie along the rest of a flight, it is so long that no contacts are made for them. The tests
-/// of whole paths, which follow the impacts, stop the body at walls and at other bodies.
+/// If more shapes than this lie along the rest of a flight, it is so long that no contacts are made for them. The body
+/// is still stopped at walls, by the test of whole paths that follows the impacts; other bodies it may pass.
 constexpr std::size_t mostShapes = 200;
 
 }  // namespace
@@ -21,24 +21,19 @@ void Reach::extend(const FlyingBody& body, std::vector<ContactIndex>& added) {
     for (const ProxyId proxy : stores_.bodies.links[body.body].proxies) {
         const Aabb way = wayOf(body, proxy);
         if (contains(space.box(proxy), way)) continue;
-        if (exceedsPeriod(way)) continue;
+        // What goes around a world that wraps meets others only at the places where steps begin, see predictedShift.
+        if (stores_.bodies.wrap.isExceededBy(way.upper - way.lower)) continue;
         std::vector<std::pair<ProxyId, Vec2>> found;
         space.query(way, [&](ProxyId other, const Vec2& shift) { found.emplace_back(other, shift); });
         for (const Stray& stray : strays_) {
             const Vec2 shift = stores_.bodies.wrap.shiftNear(stray.box.lower, way.lower);
-            if (overlap(way, {stray.box.lower + shift, stray.box.upper + shift})) found.emplace_back(stray.proxy, shift);
+            if (overlap(way, {stray.box.lower + shift, stray.box.upper + shift}))
+                found.emplace_back(stray.proxy, shift);
         }
         if (found.size() > mostShapes) continue;
         for (const auto& [other, shift] : found) meet(proxy, other, shift, added);
         strays_.push_back({proxy, way});
     }
-}
-
-/// Bodies that go around a world that wraps meet others only at the places where steps begin, see predictedShift.
-bool Reach::exceedsPeriod(const Aabb& way) const {
-    const Wrap& wrap = stores_.bodies.wrap;
-    const Vec2 size = way.upper - way.lower;
-    return (wrap.width && size.x() > *wrap.width) || (wrap.height && size.y() > *wrap.height);
 }
 
 /// The bounds of a shape from its body's last impact to the end of the step. A point's path differs from the straight
@@ -52,8 +47,7 @@ Aabb Reach::wayOf(const FlyingBody& body, ProxyId proxy) const {
         return aabbOf(shape, {motion.center - motion.rotation * flight.localCenter, motion.rotation});
     };
     const double turn = std::fabs(end.angle - flight.from.angle);
-    const double pull =
-        flight.law.acceleration.linear.norm() + flight.law.linearDamping * flight.from.velocity.norm();
+    const double pull = flight.law.acceleration.linear.norm() + flight.law.linearDamping * flight.from.velocity.norm();
     const double swing = turningRadiusOf(shape, flight.localCenter) * std::min(0.125 * turn * turn, 2.0);
     return inflate(merge(boxAt(flight.from), boxAt(end)), 0.125 * pull * left * left + swing);
 }
@@ -64,7 +58,7 @@ void Reach::meet(ProxyId own, ProxyId other, const Vec2& shift, std::vector<Cont
         arePaired(stores_.contacts, stores_.bodies, stores_.space, pair))
         return;
     added.push_back(addContact(stores_.contacts, stores_.bodies, stores_.space, pair));
-    stores_.contacts.early.push_back(added.back());
+    stores_.contacts.hasEarly = true;
 }
 
 }  // namespace plumb

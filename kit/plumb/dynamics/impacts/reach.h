@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Which shapes may a body meet after an impact, though its bounds did not overlap with theirs?
 //
-// A shape's bounds contain its predicted path in this step, and bounces of its own. A body that another one makes faster
-// may leave them.
+// A shape's bounds contain its predicted path in this step, and bounces of its own. A body that another one makes
+// faster may leave them.
 #pragma once
 #include <vector>
 
@@ -24,7 +24,6 @@ private:
         Aabb box;
     };
 
-    bool exceedsPeriod(const Aabb& way) const;
     Aabb wayOf(const FlyingBody& body, ProxyId proxy) const;
     void meet(ProxyId own, ProxyId other, const Vec2& shift, std::vector<ContactIndex>& added);
 

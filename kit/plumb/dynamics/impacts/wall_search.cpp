@@ -85,13 +85,15 @@ void WallSearch::searchContact(ContactIndex index) {
 }
 
 void WallSearch::searchStatic() {
-    if (exceedsPeriod()) return meetAlongPeriods([](const Proxy& other) { return other.fixed; });
+    if (view_.bodies.wrap.isExceededBy(sweep_.shift))
+        return meetAlongPeriods([](const Proxy& other) { return other.fixed; });
     meetNear([](const Space& space, const Aabb& box, Space::Visit visit) { space.queryFixed(box, visit); });
 }
 
 void WallSearch::searchKinematic() {
     if (view_.bodies.kinematic.empty()) return;
-    if (exceedsPeriod()) return meetAlongPeriods([](const Proxy& other) { return !other.fixed; });
+    if (view_.bodies.wrap.isExceededBy(sweep_.shift))
+        return meetAlongPeriods([](const Proxy& other) { return !other.fixed; });
     meetNear([](const Space& space, const Aabb& box, Space::Visit visit) {
         space.query(box, [&](ProxyId other, const Vec2& shift) {
             if (!space[other].fixed) visit(other, shift);
@@ -172,14 +174,8 @@ RayPart WallSearch::partNear(ProxyId other, const Vec2& shift) const {
     return clipRay(sweep_.start, sweep_.start + sweep_.shift, {box.lower + shift, box.upper + shift});
 }
 
-/// Is the sweep longer than a period of a world that wraps?
-bool WallSearch::exceedsPeriod() const {
-    const Wrap& wrap = view_.bodies.wrap;
-    return (wrap.width && std::fabs(sweep_.shift.x()) > *wrap.width) ||
-           (wrap.height && std::fabs(sweep_.shift.y()) > *wrap.height);
-}
-
-/// The search for such a sweep: shapes are checked in the order along the path, through at most 64 periods.
+/// The search for a sweep that is longer than a period of a world that wraps: shapes are checked in the order along the
+/// path, through at most 64 periods.
 void WallSearch::meetAlongPeriods(FunctionRef<bool(const Proxy&)> wanted) {
     const Wrap& wrap = view_.bodies.wrap;
     double part = 1;

@@ -52,7 +52,6 @@ private:
     Verdict verdictOn(ProxyId own, ProxyId other, const Vec2& shift) const;
     bool isSolidAt(double time, const SweptShape& wall, const SweptShape& swept, ProxyId own, ProxyId other) const;
     RayPart partNear(ProxyId other, const Vec2& shift) const;
-    bool exceedsPeriod() const;
 
     WallView view_;
     BodyIndex body_;
