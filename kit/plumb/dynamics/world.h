@@ -18,6 +18,7 @@
 #include <plumb/dynamics/query.h>
 #include <plumb/dynamics/step_profile.h>
 #include <plumb/dynamics/world_def.h>
+#include <plumb/math/detail/empty_braces.h>
 #include <plumb/shapes/aabb.h>
 
 namespace plumb {
@@ -30,6 +31,7 @@ namespace plumb {
 class World {
 public:
     explicit World(const WorldDef& def = {});
+    explicit World(detail::EmptyBraces) : World() {}
     World(const World& other);
     World(World&&) noexcept;
     World& operator=(const World& other);

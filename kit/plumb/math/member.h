@@ -30,10 +30,11 @@ struct Allowed {
     double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
     double most = std::numeric_limits<double>::infinity();  ///< no farther than this from 0
     const char* beyond = nullptr;                           ///< why not
-    const char* zero = nullptr;                             ///< why it may not be 0; nullptr: it may
-    std::span<const int> oneOf = {};                        ///< one of these; none: any
-    bool once = false;                                      ///< is given when a thing is made, and never changes
-    AnchorOf anchor = AnchorOf::None;                       ///< a point that must be near these bodies
+    const char* instead = nullptr;    ///< of a range: what to do for more than its upper end; nullptr: nothing is known
+    const char* zero = nullptr;       ///< why it may not be 0; nullptr: it may
+    std::span<const int> oneOf = {};  ///< one of these; none: any
+    bool once = false;                ///< is given when a thing is made, and never changes
+    AnchorOf anchor = AnchorOf::None;  ///< a point that must be near these bodies
 
     static const Allowed any, finite, notNegative, positive;
     static constexpr Allowed within(double low, double high);
@@ -42,6 +43,7 @@ struct Allowed {
     constexpr Allowed orInfinite() const;
     constexpr Allowed orMinusInfinite() const;
     constexpr Allowed upTo(double furthest, const char* why) const;
+    constexpr Allowed insteadOfMore(const char* way) const;
     constexpr Allowed butNotZero(const char* why) const;
     constexpr Allowed onlyOnce() const;
     constexpr Allowed anchorOf(AnchorOf bodies) const;
@@ -74,6 +76,11 @@ constexpr Allowed Allowed::upTo(double furthest, const char* why) const {
     Allowed changed = *this;
     changed.most = furthest;
     changed.beyond = why;
+    return changed;
+}
+constexpr Allowed Allowed::insteadOfMore(const char* way) const {
+    Allowed changed = *this;
+    changed.instead = way;
     return changed;
 }
 constexpr Allowed Allowed::butNotZero(const char* why) const {

@@ -58,6 +58,14 @@ void requireWithin(double value, double low, double high, const MemberPath& path
     if (!(value >= low && value <= high)) requireWithin(value, low, high, path.text(member));
 }
 
+void requireWithin(double value, double low, double high, const char* instead, const MemberPath& path,
+                   const char* member) {
+    if (std::isfinite(value) && value > high)
+        refuse(path.text(member),
+               toText(value) + " is not within " + toText(low) + " to " + toText(high) + "; " + instead);
+    requireWithin(value, low, high, path, member);
+}
+
 void requireOneOf(double value, std::span<const int> choices, const MemberPath& path, const char* member) {
     if (std::find(choices.begin(), choices.end(), value) != choices.end()) return;
     const auto choiceAt = [&](std::size_t i) { return std::to_string(choices[i]); };

@@ -33,6 +33,9 @@ void requireFinite(std::span<const Vec2> values, const MemberPath& path, const c
 void requireNotNegative(double value, const MemberPath& path, const char* member);
 void requirePositive(double value, const MemberPath& path, const char* member);
 void requireWithin(double value, double low, double high, const MemberPath& path, const char* member);
+/// instead: what to do for more than high.
+void requireWithin(double value, double low, double high, const char* instead, const MemberPath& path,
+                   const char* member);
 void requireOneOf(double value, std::span<const int> choices, const MemberPath& path, const char* member);
 /// number: of an enumerator; tags: of all that there are. An empty member: it is the path's own value.
 void requireEnumerator(int number, std::span<const char* const> tags, const MemberPath& path, const char* member);
@@ -48,7 +51,9 @@ void requireUpTo(const Vec2& value, double most, const char* why, const MemberPa
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if (allowed.anything || (allowed.infinite && value == infinity)) return;
     if (allowed.minusInfinite && value == -infinity) return;
-    if (allowed.isRange())
+    if (allowed.isRange() && allowed.instead != nullptr)
+        requireWithin(value, allowed.low, allowed.high, allowed.instead, path, member.name);
+    else if (allowed.isRange())
         requireWithin(value, allowed.low, allowed.high, path, member.name);
     else if (!allowed.oneOf.empty())
         requireOneOf(value, allowed.oneOf, path, member.name);

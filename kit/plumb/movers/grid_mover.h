@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include <plumb/math/detail/empty_braces.h>
 #include <plumb/movers/grid_pass.h>
 #include <plumb/movers/grid_pattern.h>
 
@@ -62,6 +63,7 @@ class GridMover {
 public:
     /// Throws std::invalid_argument naming the field.
     explicit GridMover(const GridMoverDef& def = {});
+    explicit GridMover(detail::EmptyBraces) : GridMover() {}
 
     /// Turn in this direction as soon as possible; the last call counts, until the turn is made. Ends a halt.
     void want(Direction direction);

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include <plumb/math/detail/empty_braces.h>
 #include <plumb/shapes/tile.h>
 
 namespace plumb {
@@ -30,6 +31,7 @@ class TileMap {
 public:
     /// An empty map. Throws std::invalid_argument naming the field.
     explicit TileMap(const TileMapDef& def = {});
+    explicit TileMap(detail::EmptyBraces) : TileMap() {}
 
     const TileMapDef& def() const { return def_; }
     int columns() const { return def_.columns; }

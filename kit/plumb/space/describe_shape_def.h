@@ -22,7 +22,11 @@ inline constexpr DefinitionName definitionName<Material>{"Material"};
 void describe(OrConst<Material> auto& def, auto&& visit) {
     visit({"density", "kg/m^2", Allowed::notNegative, "mass per area"}, def.density);
     visit({"friction", "-", Allowed::notNegative, "Coulomb's coefficient"}, def.friction);
-    visit({"restitution", "-", Allowed::within(0, 1), "the share of its speed with which it bounces"}, def.restitution);
+    constexpr const char* bumper =
+        "for a bumper, which adds speed, apply an impulse at each ContactBegin: see dynamics/events.md, Bumpers";
+    visit({"restitution", "-", Allowed::within(0, 1).insteadOfMore(bumper),
+           "the share of its speed with which it bounces"},
+          def.restitution);
     visit({"rollingResistance", "-", Allowed::notNegative, "torque over the radius times the normal force"},
           def.rollingResistance);
     visit({"surfaceSpeed", "m/s", Allowed::finite, "of a belt, clockwise around the outline"}, def.surfaceSpeed);

@@ -23,7 +23,7 @@ enum class Mix {
 struct Material {
     double density = 1;                    ///< >= 0 [kg/m^2]
     double friction = 0.6;                 ///< Coulomb coefficient, >= 0 [-]
-    double restitution = 0;                ///< 0 to 1 [-]
+    double restitution = 0;                ///< 0 to 1; for bumpers see dynamics/events.md [-]
     double rollingResistance = 0;          ///< torque / (radius normal force), >= 0; a pair has the larger [-]
     double surfaceSpeed = 0;               ///< of a belt: clockwise around the outline, so the top runs to +x [m/s]
     Mix frictionMix = Mix::GeometricMean;  ///< how a pair's friction comes from both

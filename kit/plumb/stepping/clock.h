@@ -3,6 +3,8 @@
 #pragma once
 #include <cstdint>
 
+#include <plumb/math/detail/empty_braces.h>
+
 namespace plumb {
 
 struct ClockSettings {
@@ -30,6 +32,7 @@ class FixedClock {
 public:
     /// Throws std::invalid_argument that names the field; more than a million ticks at once are refused as well.
     explicit FixedClock(const ClockSettings& settings = {});
+    explicit FixedClock(detail::EmptyBraces) : FixedClock() {}
 
     /// Adds the real time since the last call [s]. Throws std::invalid_argument, and changes nothing, when it is
     /// negative or not finite.

@@ -68,6 +68,11 @@ TEST_CASE("a def with an impossible number is refused by a text that names field
     CHECK(add([](BodyDef& d) { d.shapes[0].material.friction = -0.1; }).find("friction: -0.1") != std::string::npos);
     CHECK(add([](BodyDef& d) { d.shapes[0].material.restitution = 1.5; }).find("restitution: 1.5") !=
           std::string::npos);
+    CHECK(add([](BodyDef& d) { d.shapes[0].material.restitution = 1.5; }) ==
+          "BodyDef.shapes[0].material.restitution: 1.5 is not within 0 to 1; for a bumper, which adds speed, apply an "
+          "impulse at each ContactBegin: see dynamics/events.md, Bumpers");
+    CHECK(add([](BodyDef& d) { d.shapes[0].material.restitution = -0.5; }) ==
+          "BodyDef.shapes[0].material.restitution: -0.5 is not within 0 to 1");
     CHECK(add([](BodyDef& d) { d.shapes[0].material.density = notANumber; }).find("density: nan") != std::string::npos);
     CHECK(add([](BodyDef& d) { d.shapes[0] = plumb::circle(0); }).find("radius: 0 is not positive") !=
           std::string::npos);

@@ -80,9 +80,11 @@ void addShape(WorldState& world, BodyIndex body, const ShapeDef& def, std::uint3
         addTiles(world, body, def, number);
         return;
     }
+    // The whole shape is not copied with each piece: a chain may have very many.
+    const ShapeDef common = withoutShape(def);
     std::vector<PieceDef> parts;
     for (Shape& piece : piecesOf(def.shape)) {
-        parts.push_back({def, PieceUse::Both});
+        parts.push_back({common, PieceUse::Both});
         parts.back().def.shape = std::move(piece);
     }
     addPieces(world, body, number, parts, std::holds_alternative<Chain>(def.shape));

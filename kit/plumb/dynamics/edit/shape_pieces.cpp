@@ -52,6 +52,17 @@ void removePairs(WorldState& world, BodyIndex body, ProxyId proxy) {
 
 }  // namespace
 
+ShapeDef withoutShape(const ShapeDef& whole) {
+    ShapeDef part;
+    part.material = whole.material;
+    part.filter = whole.filter;
+    part.sensor = whole.sensor;
+    part.oneWay = whole.oneWay;
+    part.rule = whole.rule;
+    part.tag = whole.tag;
+    return part;
+}
+
 std::span<const ProxyId> piecesOf(const WorldState& world, BodyIndex body, std::uint32_t number) {
     const std::vector<ProxyId>& proxies = world.bodies.links[body].proxies;
     const auto isBelow = [&world](ProxyId proxy, std::uint32_t n) { return world.space[proxy].number < n; };

@@ -10,6 +10,8 @@ namespace plumb {
 
 /// The pieces of one shape; none when the body has no shape of that number.
 std::span<const ProxyId> piecesOf(const WorldState& world, BodyIndex body, std::uint32_t number);
+/// Copies a definition without its shape, because a chain or a map may be large.
+ShapeDef withoutShape(const ShapeDef& whole);
 /// One of the pieces that a shape has in the space.
 struct PieceDef {
     ShapeDef def;

@@ -12,21 +12,15 @@ namespace plumb {
 
 namespace {
 
-/// Copies a definition without its shape, because a map may be large.
-ShapeDef withoutShape(const ShapeDef& whole) {
-    ShapeDef part;
-    part.material = whole.material;
+/// Also without its density, because a map has no mass.
+ShapeDef weightless(const ShapeDef& whole) {
+    ShapeDef part = withoutShape(whole);
     part.material.density = 0;
-    part.filter = whole.filter;
-    part.sensor = whole.sensor;
-    part.oneWay = whole.oneWay;
-    part.rule = whole.rule;
-    part.tag = whole.tag;
     return part;
 }
 
 std::vector<PieceDef> partsOf(const ShapeDef& whole, std::vector<TilePiece> pieces) {
-    const ShapeDef common = withoutShape(whole);
+    const ShapeDef common = weightless(whole);
     std::vector<PieceDef> parts;
     parts.reserve(pieces.size());
     for (TilePiece& piece : pieces) {
@@ -42,7 +36,7 @@ std::vector<PieceDef> partsOf(const ShapeDef& whole, std::vector<TilePiece> piec
 
 /// A piece that touches nothing, so that a map has at least one piece even if it is empty.
 PieceDef placeholderOf(const ShapeDef& whole, const TileMap& map) {
-    PieceDef part{withoutShape(whole), PieceUse::None};
+    PieceDef part{weightless(whole), PieceUse::None};
     part.def.shape = Segment{map.lowerLeft({0, 0}), map.lowerLeft({1, 1})};
     return part;
 }
@@ -114,9 +108,8 @@ void editTile(WorldState& world, BodyIndex body, std::uint32_t number, Cell cell
 
 ShapeDef pieceOf(const ShapeDef& whole, const Proxy& piece) {
     const bool isMap = std::holds_alternative<TileMap>(whole.shape);
-    ShapeDef part = withoutShape(whole);
+    ShapeDef part = isMap ? weightless(whole) : withoutShape(whole);
     part.shape = piece.def.shape;
-    if (!isMap) part.material.density = whole.material.density;
     if (isMap) part.sensor = piece.def.sensor;
     if (isMap) part.oneWay = piece.def.oneWay;
     return part;
