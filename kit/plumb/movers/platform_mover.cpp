@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/movers/platform_mover.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -90,8 +91,10 @@ detail::TickMotion PlatformMover::horizontalPart(const PlatformInput& input, dou
 detail::TickMotion PlatformMover::verticalPart(const PlatformInput& input, double speed, double dt) {
     if (rising_ && (!input.jump && risen_ >= profile_.vertical.leastRise * (1 - 1e-12))) rising_ = false;
     if (!(speed > 0)) rising_ = launched_ = false;
-    const detail::VerticalTick tick{speed, band(input), rising_ || launched_, input.jump && !launched_};
+    if (!rising_) holdLeft_ = 0;
+    const detail::VerticalTick tick{speed, band(input), rising_ || launched_, input.jump && !launched_, holdLeft_};
     const detail::TickMotion motion = detail::verticalTick(profile_, tick, dt);
+    holdLeft_ = std::max(0.0, holdLeft_ - dt);
     risen_ += motion.shift;
     return motion;
 }
@@ -116,6 +119,7 @@ const Slide& PlatformMover::step(World& world, const PlatformInput& input, doubl
         rising_ = true;
         launched_ = false;
         risen_ = 0;
+        holdLeft_ = band(input).holdTime;
         sincePress_ = never;
     }
     if (jumps || drops || thrown) mayStillJump_ = false;

@@ -63,6 +63,7 @@ private:
     bool thrown_ = false;                                          ///< by setVelocity or launch, since the last tick
     bool mayStillJump_ = false;                                    ///< it left the floor without a jump
     double risen_ = 0;                                             ///< in this jump [m]
+    double holdLeft_ = 0;                                          ///< of the hold phase of this jump [s]
     double sinceFloor_ = 0;                                        ///< [s]
     double sincePress_ = std::numeric_limits<double>::infinity();  ///< for a jump that was not made yet [s]
     double sinceRun_ = std::numeric_limits<double>::infinity();    ///< [s]

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/movers/platform_profile.h>
 
+#include <algorithm>
+
 #include <plumb/math/check.h>
 
 namespace plumb {
@@ -23,7 +25,11 @@ double gravityOf(int parts) {
 }
 
 JumpBand bandOf1985(int fromSpeed, int pixels, int rise, int fall) {
-    return {speedOf(fromSpeed), speedOf(16 * pixels), gravityOf(rise), gravityOf(fall), gravityOf(fall)};
+    return {.fromSpeed = speedOf(fromSpeed),
+            .takeOffSpeed = speedOf(16 * pixels),
+            .riseGravity = gravityOf(rise),
+            .releaseGravity = gravityOf(fall),
+            .fallGravity = gravityOf(fall)};
 }
 
 void validate(const HorizontalMotion& horizontal, const std::string& field) {
@@ -49,6 +55,8 @@ void validate(const JumpBand& band, const std::string& field) {
     requireNotNegative(band.riseGravity, field, ".riseGravity");
     requireNotNegative(band.releaseGravity, field, ".releaseGravity");
     requireNotNegative(band.fallGravity, field, ".fallGravity");
+    requireNotNegative(band.holdTime, field, ".holdTime");
+    requireFinite(band.holdAcceleration, field, ".holdAcceleration");
 }
 
 void validate(const VerticalMotion& vertical, const std::string& field) {
@@ -78,16 +86,37 @@ void require(const JumpFeel& feel) {
     requirePositive(feel.releaseFactor, "JumpFeel", ".releaseFactor");
     requireWithin(feel.hangSpeedPart, 0, 1, "JumpFeel", ".hangSpeedPart");
     requirePositive(feel.hangShare, "JumpFeel", ".hangShare");
+    requireNotNegative(feel.holdTime, "JumpFeel", ".holdTime");
+    if (!(feel.holdTime < feel.timeToApex))
+        refuse("JumpFeel.holdTime", toText(feel.holdTime) + " is not less than timeToApex, " + toText(feel.timeToApex));
 }
 
 }  // namespace
 
+double jumpHeight(const JumpBand& band, double held) {
+    validate(band, "JumpBand");
+    if (!(held >= 0)) refuse("jumpHeight: held", toText(held) + " is not 0 or more");
+    const double v = band.takeOffSpeed, a = band.holdAcceleration, hold = std::min(held, band.holdTime);
+    if (v + a * hold <= 0) return v > 0 ? -0.5 * v * v / a : 0;
+    const double speed = v + a * hold, rise = (v + 0.5 * a * hold) * hold;
+    const auto risen = [](double lost, double mean, double gravity) { return lost > 0 ? mean * lost / gravity : 0; };
+    // What is left of the speed when jump is released after the hold phase.
+    const double left = std::max(0.0, speed - (held > hold ? band.riseGravity * (held - hold) : 0));
+    return rise + risen(speed - left, 0.5 * (speed + left), band.riseGravity) +
+           risen(left, 0.5 * left, band.releaseGravity);
+}
+
 PlatformProfile modernProfile(const JumpFeel& feel) {
     require(feel);
-    const double a = feel.hangSpeedPart, k = 1 / feel.hangShare - 1, T = feel.timeToApex;
-    const double v = 2 * feel.height / T * (1 + a * k) / (1 + a * a * k), g = v / T * (1 + a * k);
+    const double a = feel.hangSpeedPart, k = 1 / feel.hangShare - 1, T = feel.timeToApex - feel.holdTime;
+    const double hold = 2 * feel.holdTime * (1 + a * k) / (1 + a * a * k);
+    const double v = 2 * feel.height / (T + hold) * (1 + a * k) / (1 + a * a * k), g = v / T * (1 + a * k);
     PlatformProfile profile;
-    profile.vertical.jumps = {{0, v, g, feel.releaseFactor * g, feel.fallFactor * g}};
+    profile.vertical.jumps = {{.takeOffSpeed = v,
+                               .riseGravity = g,
+                               .releaseGravity = feel.releaseFactor * g,
+                               .fallGravity = feel.fallFactor * g,
+                               .holdTime = feel.holdTime}};
     profile.vertical.hangSpeed = a * v;
     profile.vertical.hangShare = feel.hangShare;
     profile.vertical.coyoteTime = 0.1;
@@ -124,7 +153,11 @@ PlatformProfile profile1985() {
     profile.vertical.terminalSpeed = speedOf(16 * 4);
     profile.vertical.terminalUnit = speedOf(16);
     profile.vertical.order = TickOrder::PositionFirst;
-    profile.swim = SwimMotion{speedOf(0x10), {0, speedOf(16 + 8), gravityOf(0x0D), gravityOf(0x0A), gravityOf(0x0A)}};
+    profile.swim = SwimMotion{speedOf(0x10),
+                              {.takeOffSpeed = speedOf(16 + 8),
+                               .riseGravity = gravityOf(0x0D),
+                               .releaseGravity = gravityOf(0x0A),
+                               .fallGravity = gravityOf(0x0A)}};
     profile.dropThrough = false;
     profile.grain = pixel / 4096;
     return profile;

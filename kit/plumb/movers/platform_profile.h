@@ -16,7 +16,21 @@ struct JumpBand {
     double riseGravity = 25;     ///< while rising with jump held, >= 0 [m/s^2]
     double releaseGravity = 50;  ///< while rising with jump released, >= 0 [m/s^2]
     double fallGravity = 50;     ///< while falling, >= 0 [m/s^2]
+    /// The hold phase: for this time from the take-off, while jump is held, there is no gravity, but ... >= 0 [s]
+    double holdTime = 0;
+    double holdAcceleration = 0;  ///< ... this, upward; 0 keeps the take-off speed [m/s^2]
 };
+
+/// The height of a jump whose jump key is held for a time t [s], or longer than any jump with infinity.
+///   h = v s + a s^2 / 2 + w^2 / (2 g),  s = min(t, T),  w = v + a s, with jump held up to the apex
+/// and with jump released at t <= T
+///   h = v s + a s^2 / 2 + w^2 / (2 g')
+/// h height [m], v takeOffSpeed [m/s], a holdAcceleration [m/s^2], T holdTime [s], w speed at the end of the hold phase
+/// [m/s], g riseGravity, g' releaseGravity [m/s^2]; released later, between the two, with g first and then g'. A
+/// negative a may end the rise within the phase, at h = -v^2 / (2 a). Infinite without gravity.
+/// Holds: TickOrder::Exact, no hangSpeed, no leastRise. Throws std::invalid_argument on a band out of range, and unless
+/// held >= 0. Test: "a jump with a hold phase rises by its closed form, whenever jump is let go"
+double jumpHeight(const JumpBand& band, double held);
 
 /// How a tick changes position and speed.
 enum class TickOrder {
@@ -88,13 +102,15 @@ struct JumpFeel {
     double releaseFactor = 3;    ///< of gravity while rising with jump released, > 0 [-]
     double hangSpeedPart = 0.1;  ///< of the take-off speed, below which gravity is reduced, 0 to 1 [-]
     double hangShare = 0.5;      ///< of gravity near the apex, > 0 [-]
+    double holdTime = 0;         ///< at the take-off speed, while jump is held, from 0 to below timeToApex [s]
 };
 
 /// Speed and gravity from height and time to the apex, with the usual tolerances for players (coyote time, jump
 /// buffer).
-///   v = 2 h / T (1 + a k) / (1 + a^2 k),  g = v / T (1 + a k),  k = 1 / s - 1
-/// h height [m], T time to apex [s], a hangSpeedPart [-], s hangShare [-], v take-off speed [m/s], g gravity [m/s^2]
-/// Source: v = g t and h = g t^2 / 2 over the two parts, with gravity g and s g.
+///   v = 2 h / (T + 2 H b) b,  b = (1 + a k) / (1 + a^2 k),  g = v / T (1 + a k),  k = 1 / s - 1
+/// h height [m], H holdTime [s], T time to apex less H [s], a hangSpeedPart [-], s hangShare [-], v take-off speed
+/// [m/s], g gravity [m/s^2]
+/// Source: h = v H + the sum of g t^2 / 2 over the two parts, with gravity g and s g, in which v is lost.
 /// Test: "a jump is 2.5 m high at 30, 60, 120 and 240 Hz"
 PlatformProfile modernProfile(const JumpFeel& feel = {});
 

@@ -93,9 +93,20 @@ double gravityOf(const VerticalMotion& vertical, const VerticalTick& tick, doubl
     return hangs ? own * vertical.hangShare : own;
 }
 
-/// The parabola, piece by piece: gravity changes at the hang speed, at the apex, and at the terminal speed.
+/// The part of a tick in the hold phase, which ends at the apex at the latest.
+MotionPart holdPhase(const VerticalTick& tick, double dt) {
+    const double most = std::min(tick.holdLeft, dt), gain = tick.band.holdAcceleration;
+    if (!(most > 0) || !(tick.speed > 0)) return {0, tick.speed, dt};
+    const double time = tick.speed + gain * most > 0 ? most : -tick.speed / gain;
+    const double after = time < most ? 0 : tick.speed + gain * time;
+    return {0.5 * (tick.speed + after) * time, after, dt - time};
+}
+
+/// The hold phase, then the parabola, piece by piece: gravity changes at the hang speed, at the apex, and at the
+/// terminal speed.
 TickMotion fallExactly(const VerticalMotion& vertical, const VerticalTick& tick, double dt) {
-    double speed = std::max(tick.speed, -vertical.terminalSpeed), left = dt, shift = 0;
+    const MotionPart held = holdPhase(tick, dt);
+    double speed = std::max(held.speed, -vertical.terminalSpeed), left = held.left, shift = held.shift;
     for (const double next : {vertical.hangSpeed, 0.0, -vertical.hangSpeed, -vertical.terminalSpeed}) {
         const double end = std::max(next, -vertical.terminalSpeed);
         if (!(speed > end) || !(left > 0)) continue;
@@ -118,7 +129,9 @@ TickMotion verticalTick(const PlatformProfile& profile, const VerticalTick& tick
     if (vertical.order == TickOrder::Exact) return fallExactly(vertical, tick, dt);
     const TickUnits ticks(profile.grain, dt);
     const double speed = ticks.speed(tick.speed);
-    double after = speed - ticks.acceleration(gravityOf(vertical, tick, tick.speed, speed <= 0));
+    const bool holds = tick.holdLeft > 0.5 * dt && speed > 0;
+    double after = speed + (holds ? ticks.acceleration(tick.band.holdAcceleration)
+                                  : -ticks.acceleration(gravityOf(vertical, tick, tick.speed, speed <= 0)));
     const double terminal = ticks.speed(vertical.terminalSpeed), unit = ticks.speed(vertical.terminalUnit);
     const double beyond = unit > 0 ? -after - std::floor(-after / unit) * unit : 0;
     const bool swings = unit > 0 && beyond < 0.5 * unit;

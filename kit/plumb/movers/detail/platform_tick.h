@@ -23,8 +23,9 @@ TickMotion horizontalTick(const PlatformProfile& profile, const HorizontalTick& 
 struct VerticalTick {
     double speed = 0;  ///< before the tick, upward [m/s]
     JumpBand band;
-    bool rises = false;  ///< with jump held; otherwise as after releasing it
-    bool held = false;   ///< jump is held
+    bool rises = false;   ///< with jump held; otherwise as after releasing it
+    bool held = false;    ///< jump is held
+    double holdLeft = 0;  ///< of the hold phase [s]
 };
 TickMotion verticalTick(const PlatformProfile& profile, const VerticalTick& tick, double dt);
 
