@@ -23,6 +23,12 @@ Mass massWhenDynamic(const WorldState& world, BodyIndex body) {
     return mass;
 }
 
+void requireThicknessWhenDynamic(const WorldState& world, BodyIndex body) {
+    std::vector<ShapeDef> shapes;
+    for (const ProxyId proxy : world.bodies.links[body].proxies) shapes.push_back(world.space[proxy].def);
+    requireThickness(shapes, "Body.setType: Dynamic, for the shapes");
+}
+
 /// Changes the mass of a body. For a body that is not dynamic, a parked mass is kept until it is dynamic again.
 void changeMass(WorldState& world, BodyIndex body, const Mass& mass) {
     const BodyRecord& record = world.bodies.record[body];
@@ -49,6 +55,7 @@ void Body::setType(BodyType type) {
     WorldState& world = *world_;
     BodyRecord& record = world.bodies.record[index_];
     if (type == record.type) return;
+    if (type == BodyType::Dynamic) requireThicknessWhenDynamic(world, index_);
     const Mass mass = type == BodyType::Dynamic ? massWhenDynamic(world, index_) : Mass{};
     if (world.bodies.isDynamic(index_) && record.massGiven)
         world.parkedMass[index_] = {record.mass, record.localCenter, record.inertia};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 
+#include <plumb/dynamics/bodies/shape_radii.h>
 #include <plumb/dynamics/edit/body_shapes.h>
 #include <plumb/dynamics/edit/tile_shapes.h>
 #include <plumb/dynamics/edit/validate.h>
@@ -24,6 +26,16 @@ void requireMassWith(const WorldState& world, ShapeId id, const ShapeDef& def, c
                 "a dynamic body needs a shape with area and density, or a mass of its own");
 }
 
+/// Checks the thickness that a dynamic body would have with def as one of its shapes.
+void requireThicknessWith(const WorldState& world, ShapeId id, const ShapeDef& def, const char* field) {
+    if (!world.bodies.isDynamic(id.body.index)) return;
+    const bool thick = std::ranges::any_of(world.bodies.links[id.body.index].proxies, [&](ProxyId proxy) {
+        const Proxy& other = world.space[proxy];
+        return other.number != id.number && !other.def.sensor && inradiusOf(other.def.shape) >= leastHalfThickness;
+    });
+    if (!thick) requireThickness(std::span(&def, 1), std::string(field) + ".shape");
+}
+
 bool meetsAlike(const ShapeDef& a, const ShapeDef& b) {
     return a.shape == b.shape && a.sensor == b.sensor && a.oneWay == b.oneWay && a.rule == b.rule;
 }
@@ -40,6 +52,7 @@ ShapeId World::add(BodyId id, const ShapeDef& shape) {
     requireShape(shape, "ShapeDef");
     requireFit(*state_, shape.shape, state_->bodies.pose(id.index), "ShapeDef.shape");
     const ShapeId added{id, state_->bodies.record[id.index].shapesMade};
+    requireThicknessWith(*state_, added, shape, "ShapeDef");
     requireMassWith(*state_, added, shape, "ShapeDef");
     ++state_->bodies.record[id.index].shapesMade;
     addShape(*state_, id.index, shape, added.number);
@@ -72,6 +85,7 @@ void World::set(ShapeId id, const ShapeDef& def) {
     const ShapeDef before = shape(id);
     requireShape(def, "ShapeDef");
     requireFit(*state_, def.shape, state_->bodies.pose(id.body.index), "ShapeDef.shape");
+    requireThicknessWith(*state_, id, def, "ShapeDef");
     requireMassWith(*state_, id, def, "ShapeDef");
     const BodyIndex body = id.body.index;
     const bool alike = meetsAlike(before, def);

@@ -46,6 +46,17 @@ double inradiusOf(const Shape& shape) {
     return std::visit([](const auto& outline) { return inradiusOfOutline(outline); }, shape);
 }
 
+double halfThicknessOf(std::span<const ShapeDef> shapes) {
+    const auto isLine = [](const Shape& shape) {
+        return std::holds_alternative<Segment>(shape) || std::holds_alternative<Chain>(shape) ||
+               std::holds_alternative<TileMap>(shape);
+    };
+    double thickest = -1;
+    for (const ShapeDef& def : shapes)
+        if (!def.sensor && !isLine(def.shape)) thickest = std::max(thickest, inradiusOf(def.shape));
+    return thickest < 0 ? std::numeric_limits<double>::infinity() : thickest;
+}
+
 double turningRadiusOf(const Shape& shape, const Vec2& center) {
     double reach = 0;
     const auto take = [&](const Vec2& point) { reach = std::max(reach, (point - center).norm()); };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which values may users give to a world?
 #pragma once
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -26,6 +27,8 @@ std::string nameOf(const JointDef& def);  ///< "WeldJointDef"
 void requireType(BodyType type, const std::string& field);
 /// Checks the mass of a dynamic body. why: a hint for the message about what else could have been given.
 void requireMass(const Mass& mass, const std::string& field, const std::string& why = {});
+/// Checks that one of the shapes of a dynamic body is thick enough for contacts, unless they are lines or sensors.
+void requireThickness(std::span<const ShapeDef> shapes, const std::string& field);
 /// Checks that a body can have this shape.
 void requireShape(const ShapeDef& def, const std::string& field);
 /// Checks that a shape in its pose is not wider or higher than a world that wraps.

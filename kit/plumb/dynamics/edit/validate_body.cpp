@@ -2,6 +2,7 @@
 // Which bodies may be added, and what is their mass?
 #include <type_traits>
 
+#include <plumb/dynamics/bodies/shape_radii.h>
 #include <plumb/dynamics/describe.h>
 #include <plumb/dynamics/edit/validate.h>
 #include <plumb/math/check.h>
@@ -40,6 +41,7 @@ void validateTogether(const BodyDef& def, const std::string& field) {
         refuse(field + ".angularVelocity", toText(def.angularVelocity) + " on a body of fixed rotation, not 0");
     if (def.mass && def.type != BodyType::Dynamic)
         refuse(field + ".mass", toText(def.mass->mass) + " kg given to a body that is not dynamic");
+    if (def.type == BodyType::Dynamic) requireThickness(def.shapes, field + ".shapes");
     if (def.type == BodyType::Dynamic) validateMass(def, field);
     if (def.type != BodyType::Static) return;
     if (!def.velocity.isZero(0)) refuse(field + ".velocity", toText(def.velocity) + " on a static body, not (0, 0)");
@@ -54,6 +56,15 @@ Mass massOf(const BodyDef& def) {
     std::vector<Mass> parts;
     for (const ShapeDef& shape : def.shapes) parts.push_back(massOf(shape.shape, shape.material.density));
     return combine(parts);
+}
+
+void requireThickness(std::span<const ShapeDef> shapes, const std::string& field) {
+    const double radius = halfThicknessOf(shapes);
+    if (radius < leastHalfThickness * (1 - 1e-9))
+        refuse(field, toText(radius) + " m is the radius of the largest disc that fits into one, and less than " +
+                          toText(leastHalfThickness) +
+                          " m, the smallest for a dynamic body: use a smaller unit of length, as "
+                          "millimetres, and multiply all lengths and WorldDef.gravity");
 }
 
 void validate(const BodyDef& def, const std::string& field) {
