@@ -241,7 +241,11 @@ Manifold redirectedSeparated(const SegmentContact& m) {
         const float gap = gapAlong(m.side.normal, corner, m.other);
         if (gap >= 0) return redirected(m.side.normal, gap, corner, m.other, m.found);
     }
-    if (m.separation <= touching) return {};
+    if (m.separation <= touching) {
+        // The neighbour has the nearest point. What lies above this segment may turn down onto it within the step.
+        if (m.endVertex.isConvex || m.other.count == 1) return {};
+        return ownManifold(m.segment, m.side, m.other, m.magnitude, m.margin);
+    }
     return redirected(convexHere ? m.endVertex.next : m.side.normal, m.separation, corner, m.other, m.found);
 }
 
