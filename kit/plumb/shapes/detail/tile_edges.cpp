@@ -21,10 +21,13 @@ bool isUpright(const HalfEdge& edge) {
     return edge.start.x == edge.end.x || edge.start.y == edge.end.y;
 }
 
-/// The edges of a tile; edges on the cell's sides are split in halves.
-std::vector<HalfEdge> edgesAround(const Tile& tile, Cell cell) {
+using HalfEdges = ShortList<HalfEdge, mostTileEdges>;
+
+/// The edges of a tile in the cell (0, 0); edges on the cell's sides are split in halves.
+HalfEdges edgesOfTile(const Tile& tile) {
+    constexpr Cell cell{0, 0};
     const std::vector<Vec2> corners = cornersOf(tile);
-    std::vector<HalfEdge> edges;
+    HalfEdges edges;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const HalfPoint a = halfPointAt(cell, corners[i]), b = halfPointAt(cell, corners[(i + 1) % corners.size()]);
         const HalfPoint middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
@@ -37,6 +40,24 @@ std::vector<HalfEdge> edgesAround(const Tile& tile, Cell cell) {
         edges.push_back({middle, b});
     }
     return edges;
+}
+
+/// The same, worked out once for each form.
+const HalfEdges& edgesAround(const Tile& tile) {
+    constexpr std::size_t forms = 8;
+    static const auto ofForms = [] {
+        std::array<std::array<HalfEdges, forms>, 2> edges;
+        for (std::size_t form = 0; form < forms; ++form)
+            for (const bool upsideDown : {false, true})
+                edges[upsideDown][form] = edgesOfTile({.form = static_cast<TileForm>(form), .upsideDown = upsideDown});
+        return edges;
+    }();
+    return ofForms[tile.upsideDown][static_cast<std::size_t>(tile.form)];
+}
+
+HalfEdge placedAt(Cell cell, const HalfEdge& edge) {
+    const int x = 2 * cell.column, y = 2 * cell.row;
+    return {{edge.start.x + x, edge.start.y + y}, {edge.end.x + x, edge.end.y + y}};
 }
 
 /// The cell on the other side of an edge that lies on a side of this cell.
@@ -57,8 +78,9 @@ bool isCovered(const TileMap& map, const HalfEdge& edge, Cell cell) {
     const Tile tile = map.at(beyond);
     if (!isSolid(tile)) return false;
     if (tile.form == TileForm::Full) return true;
-    const std::vector<HalfEdge> there = edgesAround(tile, beyond);
-    return std::find(there.begin(), there.end(), HalfEdge{edge.end, edge.start}) != there.end();
+    const HalfEdges& there = edgesAround(tile);
+    const HalfEdge back{edge.end, edge.start};
+    return std::any_of(there.begin(), there.end(), [&](const HalfEdge& e) { return placedAt(beyond, e) == back; });
 }
 
 int crossOf(const TileEdge& a, const TileEdge& b) {
@@ -76,25 +98,41 @@ double turnBetween(const TileEdge& from, const TileEdge& to) {
     return s < 0 || (s == 0 && c < 0) ? (cosine - 1) / 2 : (1 - cosine) / 2;
 }
 
+/// The open edges of a cell's tile for which fits is true, which is asked first, because it costs less.
+template <class Fits, class Visit>
+void forEachOpenEdge(const TileMap& map, Cell cell, Fits&& fits, Visit&& visit) {
+    const Tile tile = map.at(cell);
+    if (isEmpty(tile) || tile.kind == TileKind::Sensor) return;
+    for (const HalfEdge& local : edgesAround(tile)) {
+        const HalfEdge edge = placedAt(cell, local);
+        const bool top = edge.end.x < edge.start.x;
+        if (tile.kind == TileKind::OneWay && !top) continue;
+        const TileEdge found{edge.start, edge.end, tile.kind, cell};
+        if (fits(found) && !isCovered(map, edge, cell)) visit(found);
+    }
+}
+
+/// Edges at a point: of four cells, each of which has one edge that ends there, and one that starts there.
+using EdgesAtPoint = ShortList<TileEdge, 4 * 2>;
+
 /// All edges near a point for which fits is true.
 template <class Fits>
-std::vector<TileEdge> edgesAt(const TileMap& map, HalfPoint point, Fits&& fits) {
+EdgesAtPoint edgesAt(const TileMap& map, HalfPoint point, Fits&& fits) {
     const auto floored = [](int half) { return half >= 0 ? half / 2 : -((1 - half) / 2); };
-    std::vector<TileEdge> found;
+    EdgesAtPoint found;
     for (int row = floored(point.y - 1); row <= floored(point.y); ++row)
         for (int column = floored(point.x - 1); column <= floored(point.x); ++column)
-            for (const TileEdge& edge : openEdges(map, {column, row}))
-                if (fits(edge)) found.push_back(edge);
+            forEachOpenEdge(map, {column, row}, fits, [&](const TileEdge& edge) { found.push_back(edge); });
     return found;
 }
 
-std::optional<TileEdge> firstOf(const std::vector<TileEdge>& edges) {
+std::optional<TileEdge> firstOf(const EdgesAtPoint& edges) {
     return edges.empty() ? std::nullopt : std::optional(edges.front());
 }
 
 /// turn(edge) is the turn of the outline between the given edge and the candidate.
 template <class Turn>
-std::optional<TileEdge> chosen(const std::vector<TileEdge>& candidates, TileKind kind, Turn&& turn) {
+std::optional<TileEdge> chosen(const EdgesAtPoint& candidates, TileKind kind, Turn&& turn) {
     std::optional<TileEdge> best;
     const auto take = [&](const TileEdge& edge) {
         if (!best || turn(edge) < turn(*best)) best = edge;
@@ -109,15 +147,10 @@ std::optional<TileEdge> chosen(const std::vector<TileEdge>& candidates, TileKind
 
 }  // namespace
 
-std::vector<TileEdge> openEdges(const TileMap& map, Cell cell) {
-    const Tile tile = map.at(cell);
-    std::vector<TileEdge> open;
-    if (isEmpty(tile) || tile.kind == TileKind::Sensor) return open;
-    for (const HalfEdge& edge : edgesAround(tile, cell)) {
-        const bool top = edge.end.x < edge.start.x;
-        if (tile.kind == TileKind::OneWay && !top) continue;
-        if (!isCovered(map, edge, cell)) open.push_back({edge.start, edge.end, tile.kind, cell});
-    }
+TileEdges openEdges(const TileMap& map, Cell cell) {
+    TileEdges open;
+    forEachOpenEdge(
+        map, cell, [](const TileEdge&) { return true; }, [&](const TileEdge& edge) { open.push_back(edge); });
     return open;
 }
 
