@@ -27,7 +27,9 @@ public:
     JointDef def() const;  ///< as given or last set
     JointReaction reaction() const;
     JointCoordinate coordinate() const;
-    double error() const;  ///< distance of the anchors from where the joint should hold them; see joint_error_max [m]
+    /// Distance of the anchors from where the joint should hold them; see joint_error_max. Always finite: the greatest
+    /// double for a body so far out of range that its distance is not known [m].
+    double error() const;
     double angleError() const;  ///< angle of the bodies beyond what the joint allows [rad]
 
 protected:

@@ -111,3 +111,19 @@ TEST_CASE("a ball falls freely while what it hangs on is 1e99 m away, and hangs 
         CHECK(std::fabs((world.body(ball).position() - world.body(hook).position()).norm() - 1) < 1e-3);
     }
 }
+
+TEST_CASE("the error of a joint is finite while one of its bodies is 1e300 m away", "[dynamics][joints]") {
+    World world;
+    const BodyId near = world.add({.shapes = {plumb::circle(0.5)}});
+    const BodyId far = world.add({.position = {3, 0}, .shapes = {plumb::circle(0.5)}});
+    const JointId hinge = world.join(
+        plumb::RevoluteJointDef{.bodyA = near, .bodyB = far, .anchor = {1, 0}, .limit = plumb::Limit{-1, 1}});
+    for (const double x : {1e16, 1e100, 1e160, 1e300}) {
+        world.body(far).setPose({x, -x}, 2);
+        world.step(dt);
+        CAPTURE(x);
+        CHECK(std::isfinite(world.joint(hinge).error()));
+        CHECK(world.joint(hinge).error() > x);
+        CHECK(std::isfinite(world.joint(hinge).angleError()));
+    }
+}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/joints/joint_store.h>
 
+#include <limits>
 #include <type_traits>
 
 namespace plumb {
@@ -115,7 +116,7 @@ double JointStore::speedOf(JointIndex index, const BodyStore& bodies) const {
 }
 
 double JointStore::errorOf(JointIndex index, const BodyStore& bodies) const {
-    return std::visit(
+    const double error = std::visit(
         [&]<class Joint>(const Joint& joint) -> double {
             if constexpr (hasEnds<Joint>)
                 return joint.error(endsAtRest(joint.anchors, bodies));
@@ -125,6 +126,9 @@ double JointStore::errorOf(JointIndex index, const BodyStore& bodies) const {
                 return 0;
         },
         records[index].joint);
+    // Of a body that is out of range, the square of the distance may be too large for a double.
+    constexpr double most = std::numeric_limits<double>::max();
+    return error < most ? error : most;
 }
 
 double JointStore::angleErrorOf(JointIndex index, const BodyStore& bodies) const {
