@@ -142,12 +142,15 @@ void Effects::drawLabels(Canvas& canvas) const {
     for (const Label& label : labels_) drawLabel(canvas, label, std::max(0.0, label.age + ahead));
 }
 
-/// The harm done, outlined, so that it can be read before any sky; it jumps up and floats away.
+/// The harm done, outlined, so that it can be read before any sky; it jumps up and floats away. Of gunners outside the
+/// picture, it shows at the picture's edge.
 void Effects::drawLabel(Canvas& canvas, const Label& label, double age) const {
     const double alpha = std::min(1.0, 3 * (labelSeconds - age));
     const double jump = 1 + 0.5 * std::max(0.0, 1 - 6 * age);
-    const Vec2 at = label.at + Vec2(0, 2.3 + 1.4 * age);
-    TextStyle style{.size = 1.7 * jump, .color = ink.faded(alpha), .align = Align::Center, .weight = Weight::Heavy};
+    const double size = 1.7 * jump;
+    const Aabb seen = inflate(canvas.visible(), -size);
+    const Vec2 at = (label.at + Vec2(0, 2.3 + 1.4 * age)).cwiseMax(seen.lower).cwiseMin(seen.upper);
+    TextStyle style{.size = size, .color = ink.faded(alpha), .align = Align::Center, .weight = Weight::Heavy};
     const std::string text = "-" + std::to_string(label.amount);
     for (const Vec2& edge : {Vec2(0.1, -0.14), Vec2(-0.1, -0.1), Vec2(0.1, 0.1), Vec2(-0.1, 0.1)})
         canvas.text(at + edge, text, style);

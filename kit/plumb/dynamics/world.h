@@ -18,7 +18,7 @@
 #include <plumb/dynamics/query.h>
 #include <plumb/dynamics/step_profile.h>
 #include <plumb/dynamics/world_def.h>
-#include <plumb/math/detail/empty_braces.h>
+#include <plumb/math/empty_braces.h>
 #include <plumb/shapes/aabb.h>
 
 namespace plumb {

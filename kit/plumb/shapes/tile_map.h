@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include <plumb/math/detail/empty_braces.h>
+#include <plumb/math/empty_braces.h>
 #include <plumb/shapes/tile.h>
 
 namespace plumb {

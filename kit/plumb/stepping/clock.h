@@ -3,7 +3,7 @@
 #pragma once
 #include <cstdint>
 
-#include <plumb/math/detail/empty_braces.h>
+#include <plumb/math/empty_braces.h>
 
 namespace plumb {
 

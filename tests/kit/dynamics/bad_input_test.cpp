@@ -115,6 +115,7 @@ const std::set<std::pair<std::string, std::string>> otherwise{{"Body.setCanSleep
                                                               {"World.explode", "explosion"},
                                                               {"World.explode", "filter"},
                                                               {"World.World", "other"},
+                                                              {"World.World", "EmptyBraces"},
                                                               {"forecast", "world"},
                                                               {"forecast", "body"},
                                                               {"forecast", "shot"},

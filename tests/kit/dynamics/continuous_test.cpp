@@ -37,12 +37,12 @@ struct Bullet {
 };
 
 Bullet randomBullet(Random& random, const plumb::Material& material) {
-    const double size = spread(random, 1e-3, 0.5);
+    const double radius = spread(random, 1e-3, 0.5), size = std::max(radius, 4e-3);  // the thinnest is 2 mm thick
     const double thin = spread(random, 5e-3, 0.05);
     const double wide = size * random.uniform(0.3, 1);
     const std::vector<Vec2> triangle{{-size, -0.4 * size}, {0.8 * size, -0.5 * size}, {0.2 * size, 0.9 * size}};
     switch (random.integer(0, 6)) {
-        case 0: return {plumb::circle(size, material), size};
+        case 0: return {plumb::circle(radius, material), radius};
         case 1: return {plumb::capsule({-size, 0}, {size, 0}, wide, material), size + wide};
         case 2: return {plumb::box({size, wide}, material), size + wide};
         case 3: return {plumb::box({5, thin}, material), 5.1};

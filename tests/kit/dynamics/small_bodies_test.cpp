@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // From which size on does a body behave?
 #include <cmath>
-#include <functional>
 
 #include <plumb/plumb.h>
 
 #include "catch.h"
+#include "kit/dynamics/bad_input.h"
 
 namespace plumb::test {
 
@@ -34,13 +34,13 @@ Vec2 placeOf(const ShapeDef& ground, double half) {
     return {0, 0};
 }
 
-struct Rest {
+struct Lying {
     double off = 0;  ///< the distance of its lowest point from the ground [m]
     double speed = 0;
     bool awake = true;
 };
 
-Rest restOf(const ShapeDef& shape, const ShapeDef& ground, double half, double drop) {
+Lying lyingOf(const ShapeDef& shape, const ShapeDef& ground, double half, double drop) {
     World world;
     world.add({.type = BodyType::Static, .position = placeOf(ground, half), .shapes = {ground}});
     const double height = -aabbOf(shape.shape, {}).lower.y();
@@ -48,15 +48,6 @@ Rest restOf(const ShapeDef& shape, const ShapeDef& ground, double half, double d
     for (int i = 0; i < 60 * 8 && (world.body(body).awake() || i < 60); ++i) world.step(1.0 / 60);
     const auto now = world.body(body);
     return {aabbOf(shape.shape, now.pose()).lower.y(), now.velocity().norm(), now.awake()};
-}
-
-std::string refusal(const std::function<void()>& call) {
-    try {
-        call();
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return {};
 }
 
 }  // namespace
@@ -69,11 +60,11 @@ TEST_CASE("whatever is as thick as 2 mm rests where it was put, or falls, on any
             for (const ShapeDef& shape : bodiesOf(s)) {
                 for (const double drop : {0.0, 0.01, 1.0}) {
                     CAPTURE(s, ground.shape.index(), shape.shape.index(), drop);
-                    const Rest rest = restOf(shape, ground, half, drop);
+                    const Lying lying = lyingOf(shape, ground, half, drop);
                     // The solver's floats have places of 6e-8 of the ground's size.
-                    CHECK(std::fabs(rest.off) < 1e-4 + 1e-7 * half);
-                    CHECK(rest.speed == 0);
-                    CHECK_FALSE(rest.awake);
+                    CHECK(std::fabs(lying.off) < 1e-4 + 1e-7 * half);
+                    CHECK(lying.speed == 0);
+                    CHECK_FALSE(lying.awake);
                 }
             }
         }
@@ -83,7 +74,7 @@ TEST_CASE("whatever is as thick as 2 mm rests where it was put, or falls, on any
 TEST_CASE("a box of 10 um on a floor, which went 9.6 m/s, is refused, with the smallest size and what to do",
           "[dynamics][symptom][errors]") {
     World world;
-    const auto add = [&](const ShapeDef& shape) { return refusal([&] { world.add({.shapes = {shape}}); }); };
+    const auto add = [&](const ShapeDef& shape) { return refusalOf([&] { world.add({.shapes = {shape}}); }); };
     CHECK(add(box({1e-5, 1e-5})) ==
           "BodyDef.shapes: 1e-05 m is the radius of the largest disc that fits into one, and less than 0.001 m, the "
           "smallest for a dynamic body: use a smaller unit of length, as millimetres, and multiply all lengths and "
@@ -101,16 +92,17 @@ TEST_CASE("thin parts of a thick body, thin sensors and small static bodies are 
     ShapeDef sensor = circle(1e-5);
     sensor.sensor = true;
     const BodyId thick = world.add({.shapes = {circle(0.1), sliver, sensor}});
-    CHECK(refusal([&] { world.add(thick, sliver); }) == "");
-    CHECK(refusal([&] { world.add({.type = BodyType::Static, .shapes = {circle(1e-5)}}); }) == "");
-    CHECK(refusal([&] { world.add({.mass = Mass{1, {0, 0}, 1}, .shapes = {segment({0, 0}, {1, 0})}}); }) == "");
+    CHECK(refusalOf([&] { world.add(thick, sliver); }) == "");
+    CHECK(refusalOf([&] { world.add({.type = BodyType::Static, .shapes = {circle(1e-5)}}); }) == "");
+    CHECK(refusalOf([&] { world.add({.mass = Mass{1, {0, 0}, 1}, .shapes = {segment({0, 0}, {1, 0})}}); }) == "");
     const BodyId moved = world.add({.type = BodyType::Kinematic, .shapes = {sliver}});
-    CHECK(refusal([&] { world.body(moved).setType(BodyType::Dynamic); }).starts_with("Body.setType: Dynamic, for the"));
+    CHECK(
+        refusalOf([&] { world.body(moved).setType(BodyType::Dynamic); }).starts_with("Body.setType: Dynamic, for the"));
     CHECK(world.body(moved).type() == BodyType::Kinematic);
     const BodyId bare = world.add({.mass = Mass{1, {0, 0}, 1}});
-    CHECK(refusal([&] { world.add(bare, sliver); }).starts_with("ShapeDef.shape: 0.0001 m is the radius"));
+    CHECK(refusalOf([&] { world.add(bare, sliver); }).starts_with("ShapeDef.shape: 0.0001 m is the radius"));
     const ShapeId shape = world.body(world.add({.shapes = {circle(1)}})).shapes()[0];
-    CHECK(refusal([&] { world.set(shape, circle(1e-4)); }).starts_with("ShapeDef.shape: 0.0001 m is the radius"));
+    CHECK(refusalOf([&] { world.set(shape, circle(1e-4)); }).starts_with("ShapeDef.shape: 0.0001 m is the radius"));
 }
 
 }  // namespace plumb::test

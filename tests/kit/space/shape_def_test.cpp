@@ -70,7 +70,10 @@ TEST_CASE("materials that no matter has are refused by name", "[space][errors]")
     CHECK_THROWS_WITH(check({.density = infinity}), prefix + "density: inf is not finite");
     CHECK_THROWS_WITH(check({.friction = -0.1}), prefix + "friction: -0.1 is negative");
     CHECK_THROWS_WITH(check({.friction = notANumber}), prefix + "friction: nan is not finite");
-    CHECK_THROWS_WITH(check({.restitution = 1.01}), prefix + "restitution: 1.01 is not within 0 to 1");
+    CHECK_THROWS_WITH(check({.restitution = 1.01}),
+                      prefix +
+                          "restitution: 1.01 is not within 0 to 1; for a bumper, which adds speed, apply an "
+                          "impulse at each ContactBegin: see dynamics/events.md, Bumpers");
     CHECK_THROWS_WITH(check({.restitution = -0.5}), prefix + "restitution: -0.5 is not within 0 to 1");
     CHECK_THROWS_WITH(check({.restitution = notANumber}), prefix + "restitution: nan is not finite");
     CHECK_NOTHROW(check({.rollingResistance = 0.5, .surfaceSpeed = -3}));

@@ -145,8 +145,9 @@ struct PlacedManifold {
     Rot rotation;
 };
 
-/// The manifold's points were made at the step's start, half-way between the surfaces, and have moved with A since then.
-/// Predicted points are different: they are where the two would meet, on A's surface, in the frame of the step's start.
+/// The manifold's points were made at the step's start, half-way between the surfaces, and have moved with A since
+/// then. Predicted points are different: they are where the two would meet, on A's surface, in the frame of the step's
+/// start.
 PlacedManifold placedManifoldOf(const ContactGraph& graph, const BodyStore& bodies, const ContactRecord& contact) {
     PlacedManifold placed{graph.manifoldOf(contact), false, bodies.motion[contact.bodyA].rotation};
     const Manifold& m = placed.manifold;
@@ -169,8 +170,7 @@ Vec2 normalOf(const ContactGraph& graph, const BodyStore& bodies, const ContactR
 Vec2 pointOf(const ContactGraph& graph, const BodyStore& bodies, const ContactRecord& contact, std::size_t point) {
     const PlacedManifold placed = placedManifoldOf(graph, bodies, contact);
     const ManifoldPoint& p = placed.manifold.points[point];
-    const Vec2 there =
-        bodies.motion[contact.bodyA].center + placed.rotation * Vec2(p.position.cast<double>());
+    const Vec2 there = bodies.motion[contact.bodyA].center + placed.rotation * Vec2(p.position.cast<double>());
     // The separation gives the place of B's surface.
     const double begun = placed.predicted ? 0 : static_cast<double>(p.separation);
     const double closed = static_cast<double>(graph.separationOf(contact, point)) - begun;

@@ -17,9 +17,10 @@ struct FoundManifold {
     Vec2 apart{0, 0};  ///< if predicted: from A's centre of mass to B's where they meet [m]
 };
 
-/// The manifold of two shapes at the time when they first meet in this step, as seen from A's frame at its start; empty if they do not meet. The manifold at the step's start would be wrong for distant shapes: a body that passes a
-/// corner would be stopped by the plane of a face that it never touches, and an impulse at a point to which the body
-/// has yet to come would turn it. Separations are at most margin [m].
+/// The manifold of two shapes at the time when they first meet in this step, as seen from A's frame at its start; empty
+/// if they do not meet. The manifold at the step's start would be wrong for distant shapes: a body that passes a corner
+/// would be stopped by the plane of a face that it never touches, and an impulse at a point to which the body has yet
+/// to come would turn it. Separations are at most margin [m].
 FoundManifold predictedManifold(const BodyStore& bodies, const Space& space, const ShapePair& pair, float margin,
                                 double dt);
 
