@@ -141,47 +141,6 @@ TEST_CASE("frictionless discs do not begin to spin when several impacts fall int
     }
 }
 
-TEST_CASE("what is thrown at a frictionless floor, and does not bounce, does not begin to spin", "[dynamics][law]") {
-    const Material slippery{.friction = 0};
-    for (const double speed : {1.0, 5.0, 30.0, 200.0}) {
-        World world({.gravity = {0, 0}});
-        world.add({.type = BodyType::Static, .position = {0, -1}, .shapes = {plumb::box({100, 1}, slippery)}});
-        const BodyId disc =
-            world.add({.position = {0, 1.237}, .velocity = {speed, -speed}, .shapes = {plumb::circle(0.25, slippery)}});
-        const BodyId box = world.add(
-            {.position = {-20, 1.237}, .velocity = {speed, -speed}, .shapes = {plumb::box({0.25, 0.25}, slippery)}});
-        plumb::test::run(world, 0.1 + 1.5 / speed);
-        CAPTURE(speed);
-        CHECK(std::fabs(world.body(disc).angularVelocity()) < 1e-6 * speed);
-        CHECK(std::fabs(world.body(disc).velocity().y()) < 1e-5 * speed);
-        CHECK(std::fabs(world.body(box).angularVelocity()) < 2e-3 * speed);
-    }
-}
-
-// The closed form of two frictionless discs that do not bounce: the part of the relative velocity along the line
-// between the centres is lost, and no spin begins.
-TEST_CASE("two frictionless discs that meet askew, and do not bounce, do not begin to spin", "[dynamics][law]") {
-    Random random(5);
-    const Material slippery{.friction = 0};
-    for (int run = plumb::test::allCases(300); run > 0; --run) {
-        const double speed = random.uniform(1, 100);
-        World world({.gravity = {0, 0}});
-        const BodyId a =
-            world.add({.position = {0, 10}, .velocity = {speed, -speed}, .shapes = {plumb::circle(0.25, slippery)}});
-        const BodyId b = world.add({.position = {random.uniform(-0.2, 0.2), 9},
-                                    .velocity = {speed, speed},
-                                    .shapes = {plumb::circle(0.25, slippery)}});
-        const Vec2 offset = world.body(b).position() - world.body(a).position();
-        const Vec2 normal(offset.x() / 0.5, -std::sqrt(1 - offset.x() * offset.x() / 0.25));
-        const double lost = (world.body(b).velocity() - world.body(a).velocity()).dot(normal);
-        plumb::test::run(world, 0.1 + 1.5 / speed);
-        CAPTURE(speed, offset.x());
-        for (const BodyId disc : {a, b}) CHECK(std::fabs(world.body(disc).angularVelocity()) < 1e-4 * speed);
-        const Vec2 expected = Vec2(speed, -speed) + 0.5 * lost * normal;
-        CHECK((world.body(a).velocity() - expected).norm() < 1e-2 * speed);
-    }
-}
-
 TEST_CASE("what bounces on a conveyor belt is carried by it", "[dynamics][law]") {
     for (const double restitution : {0.0, 0.5}) {
         World world({.gravity = {0, -10}});

@@ -136,45 +136,22 @@ void ContactGraph::remove(BodyStore& bodies, ContactStore& contacts, ContactInde
     contact.state = ContactState::Asleep;
 }
 
-namespace {
-
-/// A manifold, and the rotation of the frame in which it is given.
-struct PlacedManifold {
-    Manifold manifold;
-    bool predicted = false;
-    Rot rotation;
-};
-
-/// The manifold's points were made at the step's start, half-way between the surfaces, and have moved with A since
-/// then. Predicted points are different: they are where the two would meet, on A's surface, in the frame of the step's
-/// start.
-PlacedManifold placedManifoldOf(const ContactGraph& graph, const BodyStore& bodies, const ContactRecord& contact) {
-    PlacedManifold placed{graph.manifoldOf(contact), false, bodies.motion[contact.bodyA].rotation};
-    const Manifold& m = placed.manifold;
-    const float first = m.points[0].separation;
-    placed.predicted = (m.count == 2 ? std::min(first, m.points[1].separation) : first) > contactMargin;
-    if (!placed.predicted) return placed;
-    const BodyPlace& start = bodies.place[contact.bodyA];
-    placed.rotation.cos = static_cast<double>(start.cos);
-    placed.rotation.sin = static_cast<double>(start.sin);
-    return placed;
-}
-
-}  // namespace
-
 Vec2 normalOf(const ContactGraph& graph, const BodyStore& bodies, const ContactRecord& contact) {
-    const PlacedManifold placed = placedManifoldOf(graph, bodies, contact);
-    return placed.rotation * Vec2(placed.manifold.normal.cast<double>());
+    return bodies.motion[contact.bodyA].rotation * Vec2(graph.manifoldOf(contact).normal.cast<double>());
 }
 
 Vec2 pointOf(const ContactGraph& graph, const BodyStore& bodies, const ContactRecord& contact, std::size_t point) {
-    const PlacedManifold placed = placedManifoldOf(graph, bodies, contact);
-    const ManifoldPoint& p = placed.manifold.points[point];
-    const Vec2 there = bodies.motion[contact.bodyA].center + placed.rotation * Vec2(p.position.cast<double>());
-    // The separation gives the place of B's surface.
-    const double begun = placed.predicted ? 0 : static_cast<double>(p.separation);
+    // The manifold's points were made at the step's start, half-way between the surfaces. A predicted point is
+    // different: it is where the two would meet, on A's surface. Both have moved with A; the separation gives the place
+    // of B's surface.
+    const Manifold m = graph.manifoldOf(contact);
+    const ManifoldPoint& p = m.points[point];
+    const float nearest = m.count == 2 ? std::min(m.points[0].separation, m.points[1].separation) : p.separation;
+    const double begun = nearest > contactMargin ? 0 : static_cast<double>(p.separation);
+    const BodyMotion& a = bodies.motion[contact.bodyA];
+    const Vec2 there = a.center + a.rotation * Vec2(p.position.cast<double>());
     const double closed = static_cast<double>(graph.separationOf(contact, point)) - begun;
-    return there + placed.rotation * Vec2(placed.manifold.normal.cast<double>()) * (0.5 * closed);
+    return there + normalOf(graph, bodies, contact) * (0.5 * closed);
 }
 
 void removeContact(ContactGraph& graph, ContactStore& contacts, BodyStore& bodies, ContactIndex contact) {

@@ -7,6 +7,7 @@
 #include <plumb/dynamics/contacts/contact_lane.h>
 #include <plumb/dynamics/contacts/contact_rules.h>
 #include <plumb/dynamics/contacts/initial_impulses.h>
+#include <plumb/dynamics/contacts/predicted_manifold.h>
 #include <plumb/math/vec2.h>
 
 namespace plumb {
@@ -126,8 +127,7 @@ void NarrowPhase::collideColour(std::size_t index) {
 }
 
 void NarrowPhase::collideBoxes(const Batch& batch, FreshLanes& fresh) const {
-    std::fill(std::begin(fresh.predicted), std::end(fresh.predicted), 0);
-    setApart(batch.contacts, batch.count, fresh);
+    setPeriodicOffsets(batch.contacts, batch.count, fresh);
     collider_.collideBoxes(batch.pairs, bodies_.place.data(), fresh);
     resolveUncertain(batch, fresh);
 }
@@ -135,16 +135,15 @@ void NarrowPhase::collideBoxes(const Batch& batch, FreshLanes& fresh) const {
 /// Collides lanes with discs all at once, and lanes with other shapes one by one; lanes from count on get no points.
 void NarrowPhase::collideOthers(const Batch& batch, FreshLanes& fresh) const {
     const std::size_t count = batch.count;
-    std::fill(std::begin(fresh.predicted), std::end(fresh.predicted), 0);
-    setApart(batch.contacts, count, fresh);
+    setPeriodicOffsets(batch.contacts, count, fresh);
     const auto& isDisc = batch.pairs.discs;
     const auto discs = count - static_cast<std::size_t>(std::count(isDisc, isDisc + count, noDisc));
     FreshLanes round;
-    if (fresh.hasApart) round = fresh;
+    if (fresh.around) round = fresh;
     if (discs > 0) collider_.collideDiscs(batch.pairs, bodies_.place.data(), discs == count ? fresh : round);
     if (discs < count) collideAny(batch, fresh);
     for (std::size_t lane = 0; discs > 0 && discs < count && lane < count; ++lane)
-        if (isDisc[lane] != noDisc) copyLane(fresh, lane, round, lane, collidedRows);
+        if (isDisc[lane] != noDisc) copyLane(fresh, lane, round, lane, freshRows);
     for (std::size_t lane = count; lane < batchLanes; ++lane) setFresh(fresh, lane, {});
     resolveUncertain(batch, fresh);
 }
@@ -156,7 +155,7 @@ void NarrowPhase::collideAny(const Batch& batch, FreshLanes& fresh) const {
     for (std::size_t lane = 0; lane < batch.count; ++lane) {
         fresh.uncertain[lane] = 0;
         if (batch.pairs.discs[lane] == noDisc && fresh.count[lane] > 0)
-            setFound(batch, fresh, lane, manifoldOf(pairOf(batch, lane)));
+            setFresh(fresh, lane, manifoldOf(pairOf(batch, lane)));
     }
 }
 
@@ -166,35 +165,19 @@ void NarrowPhase::resolveUncertain(const Batch& batch, FreshLanes& fresh) const 
     for (std::size_t lane = 0; lane < batch.count; ++lane) {
         if (fresh.uncertain[lane] == 0) continue;
         const ShapePair pair = pairOf(batch, lane);
-        const float margin = approachOf(bodies_, pair).margin;
-        setFound(batch, fresh, lane, predictedManifold(bodies_, space_, pair, margin, dt_));
+        setFresh(fresh, lane, predictedManifold(bodies_, space_, pair, approachOf(bodies_, pair).margin, dt_));
     }
 }
 
-void NarrowPhase::setFound(const Batch& batch, FreshLanes& fresh, std::size_t lane, const FoundManifold& found) const {
-    setFresh(fresh, lane, found.manifold);
-    if (!found.predicted) return;
-    if (!fresh.hasApart) setOffsets(batch.contacts, batch.count, fresh);
-    fresh.predicted[lane] = 1;
-    fresh.apartX[lane] = static_cast<float>(found.apart.x());
-    fresh.apartY[lane] = static_cast<float>(found.apart.y());
-}
-
-/// Sets the distances between the bodies if there are lanes in which they differ from those between the bodies' places:
-/// in a world that wraps where A touches a periodic image of B, and in predicted lanes.
-void NarrowPhase::setApart(const ContactIndex* contacts, std::size_t count, FreshLanes& fresh) const {
-    const auto isImage = [this](ContactIndex index) { return !contacts_[index].shift.isZero(0); };
-    const auto isSet = [](std::int32_t predicted) { return predicted != 0; };
-    fresh.hasApart = std::any_of(fresh.predicted, fresh.predicted + count, isSet) ||
-                     (bodies_.wrap.any() && std::any_of(contacts, contacts + count, isImage));
-    if (fresh.hasApart) setOffsets(contacts, count, fresh);
-}
-
-/// Sets the distances between the bodies of all lanes, but not those that are predicted.
-void NarrowPhase::setOffsets(const ContactIndex* contacts, std::size_t count, FreshLanes& fresh) const {
-    fresh.hasApart = true;
+/// In a world that wraps, sets the distances between bodies whose contact is with a periodic image. Does nothing in
+/// other worlds.
+void NarrowPhase::setPeriodicOffsets(const ContactIndex* contacts, std::size_t count, FreshLanes& fresh) const {
+    fresh.around = false;
+    if (!bodies_.wrap.any()) return;
+    for (std::size_t lane = 0; lane < count; ++lane)
+        fresh.around = fresh.around || !contacts_[contacts[lane]].shift.isZero(0);
+    if (!fresh.around) return;
     for (std::size_t lane = 0; lane < batchLanes; ++lane) {
-        if (fresh.predicted[lane] != 0) continue;
         Vec2 apart(0, 0);
         if (lane < count) {
             const ContactRecord& contact = contacts_[contacts[lane]];
@@ -220,14 +203,14 @@ ShapePair NarrowPhase::pairOf(const Batch& batch, std::size_t lane) const {
 }
 
 /// The manifold of any two shapes. It is empty if they cannot meet along their normal in this step.
-FoundManifold NarrowPhase::manifoldOf(const ShapePair& pair) const {
+Manifold NarrowPhase::manifoldOf(const ShapePair& pair) const {
     const Approach approach = approachOf(bodies_, pair);
     const BodyMotion b = shifted(bodies_.motion[pair.bodyB], {pair.shiftX, pair.shiftY});
     const RelativePose pose = relativePose(bodies_.motion[pair.bodyA], b);
     const Manifold m = manifold(space_[pair.proxyA].convex, space_[pair.proxyB].convex, pose, approach.margin);
-    if (m.count == 0 || nearestOf(m) <= contactMargin) return {m};
+    if (m.count == 0 || nearestOf(m) <= contactMargin) return m;
     const float closing = approach.turn - approach.shift.dot(m.normal);
-    return nearestOf(m) > closing ? FoundManifold{} : predictedManifold(bodies_, space_, pair, approach.margin, dt_);
+    return nearestOf(m) > closing ? Manifold{} : predictedManifold(bodies_, space_, pair, approach.margin, dt_);
 }
 
 /// Removes contacts whose bounds do not overlap any more.
@@ -283,7 +266,7 @@ void NarrowPhase::addToSolver(Arrivals& arrivals) {
     ManifoldLanes manifolds{};
     for (std::size_t lane = 0; lane < arrivals.count; ++lane)
         fillLane(batch, manifolds, lane, contacts_[arrivals.contacts[lane]], bodies_, space_);
-    setApart(arrivals.contacts, arrivals.count, arrivals.fresh);
+    setPeriodicOffsets(arrivals.contacts, arrivals.count, arrivals.fresh);
     prepare(batch, manifolds, arrivals.fresh);
     guessImpulses(batch, bodies_, lanes_);
     for (std::size_t lane = 0; lane < arrivals.count; ++lane) {

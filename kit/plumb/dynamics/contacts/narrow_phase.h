@@ -6,7 +6,6 @@
 
 #include <plumb/dynamics/contacts/contact_graph.h>
 #include <plumb/dynamics/contacts/lanes/lane_collider.h>
-#include <plumb/dynamics/contacts/predicted_manifold.h>
 #include <plumb/dynamics/contacts/touch_events.h>
 #include <plumb/space/space.h>
 
@@ -55,12 +54,10 @@ private:
     void collideOthers(const Batch& batch, FreshLanes& fresh) const;
     void collideAny(const Batch& batch, FreshLanes& fresh) const;
     void resolveUncertain(const Batch& batch, FreshLanes& fresh) const;
-    void setApart(const ContactIndex* contacts, std::size_t count, FreshLanes& fresh) const;
-    void setOffsets(const ContactIndex* contacts, std::size_t count, FreshLanes& fresh) const;
-    void setFound(const Batch& batch, FreshLanes& fresh, std::size_t lane, const FoundManifold& found) const;
+    void setPeriodicOffsets(const ContactIndex* contacts, std::size_t count, FreshLanes& fresh) const;
     void prepare(ContactBatch& batch, ManifoldLanes& manifolds, const FreshLanes& fresh) const;
     ShapePair pairOf(const Batch& batch, std::size_t lane) const;
-    FoundManifold manifoldOf(const ShapePair& pair) const;
+    Manifold manifoldOf(const ShapePair& pair) const;
     void removeParted(NearPairs& near);
     bool mayArrive(ContactIndex contact, const FreshLanes& fresh, std::size_t lane);
     void addArrival(ContactIndex contact, const FreshLanes& fresh, std::size_t lane);

@@ -30,8 +30,8 @@ RelativePose relativePose(const BodyMotion& a, const BodyMotion& b) {
     return {shift.cast<float>(), static_cast<float>(turn.cos), static_cast<float>(turn.sin)};
 }
 
-FoundManifold predictedManifold(const BodyStore& bodies, const Space& space, const ShapePair& pair, float margin,
-                                double dt) {
+Manifold predictedManifold(const BodyStore& bodies, const Space& space, const ShapePair& pair, float margin,
+                           double dt) {
     const Proxy& proxyA = space[pair.proxyA];
     const Proxy& proxyB = space[pair.proxyB];
     const MovingShape a = movingShape(bodies, pair.bodyA, proxyA);
@@ -41,23 +41,21 @@ FoundManifold predictedManifold(const BodyStore& bodies, const Space& space, con
     if (!time) return {};
     const Encounter meeting = encounterAt(a, b, *time);
     Manifold m = manifold(proxyA.convex, proxyB.convex, relativePose(meeting.a, meeting.b), contactMargin);
-    // The normal, and the arms from both centres of mass, are those of the meeting, in the world; so impulses act there
-    // as they do when the two meet. They are stored in the frame that A has at the step's start. A point's separation
-    // is what the solver's formula has to begin with, so that the gap is closed at the meeting.
-    const Rot turnA = meeting.a.rotation * a.from.rotation.inverse();
-    const Rot turnB = meeting.b.rotation * b.from.rotation.inverse();
-    const Vec2 apart = meeting.b.center - meeting.a.center;
+    // Transform back to the step's start. A point's separation there is the distance that it has to close along the
+    // normal. Points keep their places in A's frame.
+    const Rot back = meeting.a.rotation * a.from.rotation.inverse();
     const Vec2 normal = meeting.a.rotation * Vec2(m.normal.cast<double>());
     for (ManifoldPoint& point : m.points) {
-        const Vec2 armA = meeting.a.rotation * Vec2(point.position.cast<double>()), armB = armA - apart;
-        const Vec2 startA = a.from.center + 2 * armA - turnA * armA;
-        const Vec2 startB = b.from.center + 2 * armB - turnB * armB;
+        const Vec2 local = point.position.cast<double>();
+        const Vec2 at = meeting.a.center + meeting.a.rotation * local;
+        const Vec2 armB = (meeting.b.rotation.inverse() * b.from.rotation) * Vec2(at - meeting.b.center);
+        const Vec2 startA = a.from.center + back.inverse() * Vec2(at - meeting.a.center);
+        const Vec2 startB = b.from.center + armB;
         point.separation += static_cast<float>((startB - startA).dot(normal));
         point.separation = std::min(point.separation, margin);
-        point.position = Vec2(a.from.rotation.inverse() * armA).cast<float>();
     }
-    m.normal = Vec2(a.from.rotation.inverse() * normal).cast<float>();
-    return {m, true, apart};
+    m.normal = Vec2(back * Vec2(m.normal.cast<double>())).cast<float>();
+    return m;
 }
 
 }  // namespace plumb

@@ -10,18 +10,9 @@ namespace plumb {
 /// The pose of B in the frame of A, both frames with their origin in the body's centre of mass.
 RelativePose relativePose(const BodyMotion& a, const BodyMotion& b);
 
-/// The manifold of two shapes, now or where they are predicted to meet.
-struct FoundManifold {
-    Manifold manifold;
-    bool predicted = false;
-    Vec2 apart{0, 0};  ///< if predicted: from A's centre of mass to B's where they meet [m]
-};
-
-/// The manifold of two shapes at the time when they first meet in this step, as seen from A's frame at its start; empty
-/// if they do not meet. The manifold at the step's start would be wrong for distant shapes: a body that passes a corner
-/// would be stopped by the plane of a face that it never touches, and an impulse at a point to which the body has yet
-/// to come would turn it. Separations are at most margin [m].
-FoundManifold predictedManifold(const BodyStore& bodies, const Space& space, const ShapePair& pair, float margin,
-                                double dt);
+/// The manifold of two shapes at the time when they first meet in this step, transformed back to the step's start;
+/// empty if they do not meet. The manifold at the step's start would be wrong for distant shapes: a body that passes a
+/// corner would be stopped by the plane of a face that it never touches. Separations are at most margin [m].
+Manifold predictedManifold(const BodyStore& bodies, const Space& space, const ShapePair& pair, float margin, double dt);
 
 }  // namespace plumb

@@ -20,18 +20,14 @@ struct alignas(64) FreshLanes {
     Lanes<std::int32_t> count;      ///< number of points, 0 to 2
     Lanes<std::int32_t> uncertain;  ///< not 0: whether and how the two meet in this step must be computed exactly
 
-    Lanes<std::int32_t> predicted;  ///< not 0: normal and points are those of the predicted meeting, and so is apart
-    /// If hasApart: from A's centre of mass to that of B's periodic image; if predicted, where they will meet [m].
-    Lanes<float> apartX, apartY;
-    bool hasApart = false;  ///< in some lane, apart differs from the distance between the bodies' places
+    Lanes<float> apartX, apartY;  ///< if around: from A's centre of mass to that of B's periodic image [m]
+    bool around = false;          ///< in some lane, A touches a periodic image of B
 
-    [[gnu::always_inline]] const float* apartXFrom(int lane) const { return hasApart ? apartX + lane : nullptr; }
-    [[gnu::always_inline]] const float* apartYFrom(int lane) const { return hasApart ? apartY + lane : nullptr; }
+    [[gnu::always_inline]] const float* apartXFrom(int lane) const { return around ? apartX + lane : nullptr; }
+    [[gnu::always_inline]] const float* apartYFrom(int lane) const { return around ? apartY + lane : nullptr; }
 };
 
-/// Number of rows that colliding fills: all before predicted.
-inline constexpr std::size_t collidedRows = offsetof(FreshLanes, predicted) / (sizeof(float) * batchLanes);
-/// Number of all rows.
-inline constexpr std::size_t freshRows = offsetof(FreshLanes, hasApart) / (sizeof(float) * batchLanes);
+/// Number of rows of results, before the input apartX.
+inline constexpr std::size_t freshRows = offsetof(FreshLanes, apartX) / (sizeof(float) * batchLanes);
 
 }  // namespace plumb
