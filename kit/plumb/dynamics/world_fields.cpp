@@ -7,6 +7,7 @@
 #include <plumb/dynamics/edit/edits.h>
 #include <plumb/dynamics/edit/field_edits.h>
 #include <plumb/dynamics/edit/validate.h>
+#include <plumb/dynamics/fields/field_phases.h>
 #include <plumb/dynamics/fields/field_scope.h>
 #include <plumb/dynamics/world.h>
 #include <plumb/math/check.h>
@@ -42,6 +43,7 @@ void blast(WorldState& world, ShapeId id, const Shape& shape, Explosion explosio
 
 FieldId World::addField(const FieldDef& def) {
     validate(*state_, def);
+    state_->fields.phases = &fieldPhases;
     const FieldIndex field = state_->fields.acquire();
     FieldRecord& record = state_->fields.records[field];
     record = recordOf(def, record.generation);

@@ -8,8 +8,7 @@
 #include <plumb/dynamics/edit/edits.h>
 #include <plumb/dynamics/edit/joint_edits.h>
 #include <plumb/dynamics/edit/quarantine.h>
-#include <plumb/dynamics/fields/field_flight.h>
-#include <plumb/dynamics/fields/field_scope.h>
+#include <plumb/dynamics/fields/field_phases.h>
 #include <plumb/dynamics/impacts/continuous.h>
 #include <plumb/dynamics/impacts/isolated_impacts.h>
 #include <plumb/dynamics/islands/sleep.h>
@@ -107,8 +106,8 @@ void predict(Step& s) {
     WorldState& w = s.world;
     if (w.fields.empty() || s.dt < shortestFieldStep) return;
     for (FieldIndex field = 0; field < w.fields.records.size(); ++field)
-        s.wake(gatherAttracted(w.fields, field, w.bodies, w.space));
-    predictFlights(w.fields, w.bodies, w.space, s.dt);
+        s.wake(w.fields.phases->gatherAttracted(w.fields, field, w.bodies, w.space));
+    w.fields.phases->predictFlights(w.fields, w.bodies, w.space, s.dt);
 }
 
 void load(Step& s) {

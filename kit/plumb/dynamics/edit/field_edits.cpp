@@ -2,13 +2,14 @@
 #include <plumb/dynamics/edit/field_edits.h>
 
 #include <plumb/dynamics/edit/edits.h>
+#include <plumb/dynamics/fields/field_phases.h>
 #include <plumb/dynamics/fields/field_scope.h>
 
 namespace plumb {
 
 void wakeInfluenced(WorldState& world, const FieldRecord& field) {
     const FieldView view{world.fields, world.bodies, world.space};
-    std::vector<BodyIndex> influenced = bodiesInfluencedBy(view, field);
+    std::vector<BodyIndex> influenced = view.fields.phases->bodiesInfluencedBy(view, field);
     if (const auto* magnet = std::get_if<Magnet>(&field.def.law))
         if (isCarried(*magnet, view)) influenced.push_back(magnet->body.index);
     for (const BodyIndex body : influenced) wakeIsland(world, body);

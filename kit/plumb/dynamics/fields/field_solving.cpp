@@ -60,7 +60,6 @@ bool FieldSolving::isInfluenced(BodyIndex body) const {
 }
 
 void FieldSolving::kick(const std::vector<BodyIndex>& solved) {
-    if (bodies_.flights.empty()) return;
     if (!known_) findPulls(solved);
     for (std::size_t i = 0; i < solved.size(); ++i) {
         const BodyIndex body = solved[i];

@@ -63,7 +63,10 @@ struct FlightAccount {
     FieldAccount account;   ///< of varying fields
 };
 
+struct FieldPhases;
+
 struct FieldStore {
+    const FieldPhases* phases = nullptr;  ///< null before the first field
     std::vector<FieldRecord> records;
     std::vector<FieldIndex> free;
 

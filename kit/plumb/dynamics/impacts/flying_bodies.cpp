@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <plumb/dynamics/fields/field_phases.h>
+
 namespace plumb {
 
 FlyingBodies::FlyingBodies(const ImpactStores& stores, double dt)
@@ -40,8 +42,9 @@ void FlyingBodies::addFieldsAt(FlyingIndex number, BodyMotion& motion, double ti
     FlyingFields* fields = fieldsOf(body);
     if (fields == nullptr) return;
     const double duration = time - body.flight.time;
-    const FieldFlight done = flightFrom(stores_.fields, stores_.bodies, stores_.space, fields->flight.flight,
-                                        body.flight.from, body.flight.time, duration);
+    const FieldFlight done =
+        stores_.fields.phases->flightFrom(stores_.fields, stores_.bodies, stores_.space, fields->flight.flight,
+                                          body.flight.from, body.flight.time, duration);
     const BodyMotion end = moveFreely(body.flight.from, done.flight.law, duration);
     motion.velocity = end.velocity + done.flight.rest.velocity;
     motion.angularVelocity = end.angularVelocity + done.flight.rest.spin;
@@ -62,8 +65,9 @@ void FlyingBodies::depart(FlyingIndex number, const BodyMotion& arrived, const B
 void FlyingBodies::renewFields(FlyingBody& body) {
     FlyingFields* fields = fieldsOf(body);
     if (fields == nullptr) return;
-    fields->flight = flightFrom(stores_.fields, stores_.bodies, stores_.space, fields->flight.flight, body.flight.from,
-                                body.flight.time, dt_ - body.flight.time);
+    fields->flight =
+        stores_.fields.phases->flightFrom(stores_.fields, stores_.bodies, stores_.space, fields->flight.flight,
+                                          body.flight.from, body.flight.time, dt_ - body.flight.time);
     body.flight.law = fields->flight.flight.law;
 }
 

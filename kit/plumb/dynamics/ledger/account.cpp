@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/ledger/account.h>
 
-#include <plumb/dynamics/fields/field_energy.h>
+#include <plumb/dynamics/fields/field_phases.h>
 
 namespace plumb {
 
@@ -28,7 +28,7 @@ void Account::close(const LedgerView& view, Energy energy, Momentum momentum) {
     EnergyLedger& e = ledger_.energy;
     const BodyStore& bodies = view.bodies;
     e.kinetic = e.gravitational = e.spring = 0;
-    e.fields = fieldEnergyOf({view.fields, bodies, view.space});
+    e.fields = view.fields.empty() ? 0 : view.fields.phases->energy({view.fields, bodies, view.space});
     Vec2 sum(0, 0);
     for (BodyIndex body = 1; body < bodies.record.size(); ++body) {
         const BodyRecord& record = bodies.record[body];

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include <plumb/dynamics/bodies/free_motion.h>
-#include <plumb/dynamics/fields/field_energy.h>
+#include <plumb/dynamics/fields/field_phases.h>
 
 namespace plumb {
 
@@ -80,7 +80,8 @@ void StepAudit::noteFlight(BodyIndex body, const BodyMotion& from, const BodyMot
     const auto energyAt = [&](const BodyMotion& m) {
         return kineticEnergyOf(record, m.velocity, m.angularVelocity) +
                gravitationalEnergyOf(record, m.center, bodies_.gravity) +
-               fieldEnergyOf({view_.fields, bodies_, view_.space}, body, m);
+               (view_.fields.empty() ? 0
+                                     : view_.fields.phases->energyOf({view_.fields, bodies_, view_.space}, body, m));
     };
     const std::uint32_t flight = bodies_.step[body].flight;
     if (flight != none &&

@@ -6,7 +6,7 @@
 
 #include <plumb/dynamics/contacts/contact_lane.h>
 #include <plumb/dynamics/contacts/lanes/contact_solver.h>
-#include <plumb/dynamics/fields/field_solving.h>
+#include <plumb/dynamics/fields/field_phases.h>
 #include <plumb/dynamics/joints/joint_island.h>
 #include <plumb/dynamics/solver/body_solver.h>
 
@@ -116,7 +116,7 @@ private:
         if (joints_ != nullptr && half.correct) joints_->noteSpeeds(stores_.joints, half.step);
         if (observer_ != nullptr) observer_->beginHalf(solved_);
         kickBodies(solved_.data(), solved_.size(), solverBodies_, first);
-        fields_.kick(solved_);
+        if (!bodies_.flights.empty()) (fields_.*stores_.fields.phases->kick)(solved_);
         if (joints_ == nullptr || stores_.joints.islands.joints.empty()) return;
         joints_->solve(stores_.joints, half);
         joints_->bounce(stores_.joints, stores_.graph, stores_.contacts, bounces_, solved_, half.step);
