@@ -11,6 +11,13 @@
 
 namespace plumb {
 
+/// The first solution of half a sub-step, before the island's contacts are known.
+struct IslandTrial {
+    bool wanted = false;       ///< contacts are solved together with this island
+    std::vector<Vec3> before;  ///< the bodies' velocities without the joints' impulses
+    std::vector<Vec3> after;   ///< with them
+};
+
 struct JointIsland {
     /// The nodes and edges of a joint's ends in the island's solver. The nodes of the bodies come first.
     struct EndNodes {
@@ -26,6 +33,7 @@ struct JointIsland {
     bool direct = true;              ///< solved directly, all joints at once; else swept
     BlockSolver solver;              ///< used when solved directly
     IslandWork work;                 ///< used when solved directly
+    IslandTrial trial;               ///< used when solved together with its contacts
     HingeSweep hinges;               ///< used when swept: its plain hinges
     std::vector<JointIndex> others;  ///< used when swept: all its other joints
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How does an impulse in a joint change the velocities of its bodies?
 #pragma once
-#include <plumb/dynamics/joints/joint_store.h>
+#include <plumb/dynamics/joints/joint_island.h>
 
 namespace plumb {
 
@@ -36,6 +36,12 @@ inline void setVelocity(BodyStore& bodies, BodyIndex body, const Vec3& velocity)
     v.x = static_cast<float>(velocity[0]);
     v.y = static_cast<float>(velocity[1]);
     v.w = static_cast<float>(velocity[2] * static_cast<double>(bodies.turn[body].gyration));
+}
+
+inline std::vector<Vec3> velocitiesOf(const JointIsland& island, const BodyStore& bodies) {
+    std::vector<Vec3> velocities;
+    for (const BodyIndex body : island.bodies) velocities.push_back(velocityOf(bodies, body));
+    return velocities;
 }
 
 /// The change of a row's speed by a unit of its own impulse.

@@ -29,24 +29,36 @@ bool sameDirections(const JointRows& a, const JointRows& b) {
 class IslandSolution {
 public:
     IslandSolution(JointIsland& island, JointStore& joints, BodyStore& bodies, const JointPass& pass)
-        : island_(island), work_(island.work), joints_(joints), bodies_(bodies), step_(pass.step) {
+        : IslandSolution(island, joints, bodies, pass.step) {
         findRows(pass);
         work_.before.resize(island.bodies.size());
         for (std::size_t b = 0; b < island.bodies.size(); ++b) work_.before[b] = velocityOf(bodies, island.bodies[b]);
         findMasses(island, bodies, step_);
         same_ = same_ && work_.masses == work_.massesBefore;
     }
+    /// The last solution again, to accept it.
+    IslandSolution(JointIsland& island, JointStore& joints, BodyStore& bodies, double step)
+        : island_(island), work_(island.work), joints_(joints), bodies_(bodies), step_(step) {}
 
     void run(StepObserver* observer, bool remember) {
-        for (int turn = 0; turn < mostTurns; ++turn) {
-            findEquations();
-            applyKnownImpulses();
-            solve();
-            if (!changeStates()) break;
-        }
-        if (observer != nullptr) report(*observer);
+        findImpulses();
         if (remember) noteStates();
-        store();
+        storeVelocities();
+        accept(observer);
+    }
+
+    /// Returns true if a row came to another part of its curve.
+    bool tryFrom(const std::vector<Vec3>& before) {
+        work_.before = before;
+        const bool changed = findImpulses();
+        noteStates();
+        storeVelocities();
+        return changed;
+    }
+
+    void accept(StepObserver* observer) {
+        if (observer != nullptr) report(*observer);
+        storeLoads();
         noteStiffness(island_, bodies_, step_);
     }
 
@@ -68,10 +80,23 @@ public:
         }
         findEquations();
         solve();
-        store();
+        storeVelocities();
+        storeLoads();
     }
 
 private:
+    bool findImpulses() {
+        bool changed = false;
+        for (int turn = 0; turn < mostTurns; ++turn) {
+            findEquations();
+            applyKnownImpulses();
+            solve();
+            if (!changeStates()) break;
+            changed = true;
+        }
+        return changed;
+    }
+
     void findRows(const JointPass& pass) {
         const std::size_t count = island_.joints.size();
         std::swap(work_.rows, work_.rowsBefore);
@@ -102,8 +127,11 @@ private:
         for (std::size_t j = 0; j < work_.states.size(); ++j) joints_[island_.joints[j]].states = work_.states[j];
     }
 
-    void store() {
+    void storeVelocities() {
         for (std::size_t b = 0; b < island_.bodies.size(); ++b) setVelocity(bodies_, island_.bodies[b], work_.after[b]);
+    }
+
+    void storeLoads() {
         for (std::size_t j = 0; j < work_.rows.size(); ++j)
             addLoad(joints_.loads[island_.joints[j]], work_.rows[j], work_.impulses[j]);
     }
@@ -296,6 +324,32 @@ void holdIsland(JointIsland& island, JointStore& joints, BodyStore& bodies, Join
         }
         if (!changed) return;
     }
+}
+
+bool tryIsland(JointIsland& island, JointStore& joints, BodyStore& bodies, const std::vector<Vec3>& before,
+               const JointPass& pass) {
+    return IslandSolution(island, joints, bodies, pass).tryFrom(before);
+}
+
+void acceptIsland(JointIsland& island, JointStore& joints, BodyStore& bodies, double h, StepObserver* observer) {
+    IslandSolution(island, joints, bodies, h).accept(observer);
+}
+
+void followJoints(const JointIsland& island, std::span<Vec3> changes) {
+    const IslandWork& work = island.work;
+    const std::size_t bodies = island.bodies.size();
+    std::vector<Vec3> answer(bodies + work.rows.size(), Vec3{});
+    for (std::size_t j = 0; j < work.rows.size(); ++j) {
+        const JointRows& rows = work.rows[j];
+        for (std::size_t e = 0; e < rows.ends; ++e) {
+            const std::uint32_t node = island.endNodes[j].node[e];
+            if (node == JointIsland::EndNodes::fixed || changes[node] == Vec3{}) continue;
+            for (std::size_t r = 0; r < rows.count; ++r)
+                if (work.compliances[j][r] != notSolved) answer[bodies + j][r] += dot(rows.at(r, e), changes[node]);
+        }
+    }
+    island.solver.solve(answer);
+    for (std::size_t b = 0; b < bodies; ++b) add(changes[b], answer[b]);
 }
 
 void pushIsland(JointIsland& island, JointStore& joints, BodyStore& bodies, BodyIndex body, const Vec3& impulse,

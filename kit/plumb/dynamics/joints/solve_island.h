@@ -13,6 +13,8 @@
 // An island whose matrix gets too many new blocks, such as a cloth of hinges, is swept instead: joint by joint, with
 // soft corrections and the previous impulses as a first guess.
 #pragma once
+#include <span>
+
 #include <plumb/dynamics/bodies/step_observer.h>
 #include <plumb/dynamics/joints/joint_island.h>
 
@@ -29,6 +31,16 @@ struct IslandPass {
 
 /// Changes the velocities so that they fulfil the joints' rows, and adds the impulses to the joints' loads.
 void solveIsland(JointIsland& island, JointStore& joints, BodyStore& bodies, const IslandPass& pass);
+
+// For an island that is solved together with its contacts (see solver/machine_contacts.h):
+/// Finds velocities that fulfil the joints' rows, from velocities without the joints' impulses. The rows are predicted
+/// from the bodies' present velocities. Returns true if a row came to another part of its curve.
+bool tryIsland(JointIsland& island, JointStore& joints, BodyStore& bodies, const std::vector<Vec3>& before,
+               const JointPass& pass);
+/// Adds the impulses of the last try to the joints' loads.
+void acceptIsland(JointIsland& island, JointStore& joints, BodyStore& bodies, double h, StepObserver* observer);
+/// Adds to changes of velocity, of all bodies of the island, those by the joint impulses that follow from them.
+void followJoints(const JointIsland& island, std::span<Vec3> changes);
 
 /// For an island that is solved directly: removes the errors that contacts have caused in the joints' held rows.
 void holdIsland(JointIsland& island, JointStore& joints, BodyStore& bodies, JointPass pass, StepObserver* observer);

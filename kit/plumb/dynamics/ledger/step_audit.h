@@ -58,7 +58,7 @@ private:
     void noteGiven(const FieldGiven& given);
     void noteAccount(const FieldAccount& account);
     void noteContact(const Lane& before, const Lane& after, bool hits);
-    bool hits(const ManifoldLanes& manifolds, std::size_t lane) const;
+    bool hits(double approach) const;
 
     Account& account_;
     LedgerView view_;

@@ -6,8 +6,10 @@
 
 #include <plumb/dynamics/joints/find_islands.h>
 #include <plumb/dynamics/joints/joint_bodies.h>
+#include <plumb/dynamics/joints/joint_response.h>
 #include <plumb/dynamics/joints/solve_island.h>
 #include <plumb/dynamics/solver/joint_bounces.h>
+#include <plumb/dynamics/solver/machine_sweep.h>
 
 namespace plumb {
 
@@ -23,12 +25,10 @@ IslandPass passOf(const SolverSettings& settings, const JointHalf& half) {
     const double h = half.step, pull = settings.contactPushSpeed;
     const float step = static_cast<float>(h), fastest = static_cast<float>(pull);
     const HingeSolver* hinges = &hingeSolver(settings.lanes);
-    if (!half.correct) return {{h, false, 0, pull}, {h, false, 0, pull}, {step, false, fastest, {}}, hinges};
+    const JointPass direct = directPass(settings, half);
+    if (!half.correct) return {direct, {h, false, 0, pull}, {step, false, fastest, {}}, hinges};
     const Softness soft = softness(jointFrequencyShare / h, jointDampingRatio, h);
-    return {{h, true, 1 / h, pull},
-            {h, true, static_cast<double>(soft.biasRate), pull},
-            {step, true, fastest, soft},
-            hinges};
+    return {direct, {h, true, static_cast<double>(soft.biasRate), pull}, {step, true, fastest, soft}, hinges};
 }
 
 /// A sleeping joint keeps its load. A joint that no longer holds anything gets no load, and one whose body is out of
@@ -91,21 +91,36 @@ void reportGround(const JointStores& stores, const std::vector<BodyIndex>& some,
     if (stores.observer != nullptr) stores.observer->noteGround(momentumOf(stores.bodies, some) - before);
 }
 
+/// An island that is solved together with its contacts. What it gives is reported when the contacts are known.
+void firstTry(JointIsland& island, const JointStores& stores, const JointPass& pass) {
+    island.trial.before = velocitiesOf(island, stores.bodies);
+    if (pass.correct)
+        for (std::size_t b = 0; b < island.bodies.size(); ++b)
+            setVelocity(stores.bodies, island.bodies[b], island.trial.after[b]);
+    tryIsland(island, stores.joints, stores.bodies, island.trial.before, pass);
+    island.trial.after = velocitiesOf(island, stores.bodies);
+}
+
 void solveJoints(const JointStores& stores, const JointHalf& half) {
     IslandPass pass = passOf(stores.settings, half);
     pass.observer = stores.observer;
-    for (JointIsland& island : stores.islands.islands)
-        reportGround(stores, island.bodies, [&] { solveIsland(island, stores.joints, stores.bodies, pass); });
+    for (JointIsland& island : stores.islands.islands) {
+        if (island.trial.wanted)
+            firstTry(island, stores, pass.direct);
+        else
+            reportGround(stores, island.bodies, [&] { solveIsland(island, stores.joints, stores.bodies, pass); });
+    }
 }
 
 /// The joints are solved once more before bodies move: an impact on one plank of a bridge then acts on the whole
 /// bridge. This correction is not a contact impulse, so it is kept out of the contacts' next first guess.
 void holdJoints(const JointStores& stores, double h) {
-    const JointPass pass{h, true, 1 / h, stores.settings.contactPushSpeed};
+    const JointPass pass = directPass(stores.settings, {h, true});
     BodyStore& bodies = stores.bodies;
     for (JointIsland& island : stores.islands.islands) {
         const auto touched = [&](BodyIndex body) { return bodies.links[body].solverContacts > 0; };
-        if (!island.direct || std::none_of(island.bodies.begin(), island.bodies.end(), touched)) continue;
+        if (!island.direct || island.trial.wanted || std::none_of(island.bodies.begin(), island.bodies.end(), touched))
+            continue;
         std::vector<SolverVelocity> was;
         for (const BodyIndex body : island.bodies) was.push_back(bodies.velocity[body]);
         reportGround(stores, island.bodies, [&] { holdIsland(island, stores.joints, bodies, pass, stores.observer); });
@@ -126,6 +141,8 @@ void bounceJointed(const JointStores& stores, ContactGraph& graph, const Contact
 }
 
 void noteSpeeds(const JointStores& stores, double h) {
+    for (JointIsland& island : stores.islands.islands)
+        if (island.trial.wanted) island.trial.after = velocitiesOf(island, stores.bodies);
     stores.islands.springs.noteSpeeds(stores.joints, stores.bodies, h);
 }
 
@@ -162,6 +179,9 @@ const JointPhases jointPhases{.prepare = prepareJoints,
                               .solve = solveJoints,
                               .takeBounces = takeJointedBounces,
                               .bounce = bounceJointed,
+                              .takeMachines = takeMachineContacts,
+                              .hideMachines = hideMachineContacts,
+                              .solveMachines = solveMachineContacts,
                               .hold = holdJoints,
                               .addLoads = addLoads,
                               .springEnergy = springEnergy};

@@ -8,6 +8,7 @@
 
 #include <plumb/dynamics/bodies/step_observer.h>
 #include <plumb/dynamics/contacts/contact_graph.h>
+#include <plumb/dynamics/solver/machine_contacts.h>
 #include <plumb/dynamics/solver_settings.h>
 
 namespace plumb {
@@ -15,12 +16,6 @@ namespace plumb {
 struct JointStore;
 struct JointIslands;
 struct JointStores;
-
-/// One half of a sub-step.
-struct JointHalf {
-    double step = 0;       ///< of the sub-step [s]
-    bool correct = false;  ///< true in the half before the bodies move: corrects position errors too
-};
 
 struct JointPhases {
     /// Before the sub-steps of a step of dt [s]: finds the islands again if the joints have changed.
@@ -34,6 +29,14 @@ struct JointPhases {
     /// Applies the impulses of those bounces that meet in the coming sub-step of h [s].
     void (*bounce)(const JointStores& stores, ContactGraph& graph, const ContactStore& contacts,
                    const std::vector<ContactIndex>& bounces, const std::vector<BodyIndex>& solved, double h);
+    /// Returns the contacts of this step that are solved together with the joints of their bodies.
+    MachineContacts (*takeMachines)(const ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies,
+                                    JointIslands& islands);
+    /// Before all other contacts are solved: keeps them from solving these.
+    void (*hideMachines)(ContactGraph& graph, const ContactStore& contacts, MachineContacts& machines);
+    /// After all other contacts are solved.
+    void (*solveMachines)(const JointStores& stores, ContactGraph& graph, const ContactStore& contacts,
+                          MachineContacts& machines, const MachinePass& pass);
     /// Removes the errors that contacts have caused in the joints' held rows.
     void (*hold)(const JointStores& stores, double h);
     /// Adds the impulses of the step to the joints' loads.

@@ -87,6 +87,8 @@ public:
         if (solved_.empty()) return;
         if (joints_ != nullptr)
             bounces_ = joints_->takeBounces(stores_.graph, stores_.contacts, bodies_, stores_.joints.islands);
+        if (joints_ != nullptr)
+            machines_ = joints_->takeMachines(stores_.graph, stores_.contacts, bodies_, stores_.joints.islands);
         if (observer_ != nullptr) observer_->beginSolver();
         forEachColour([this](const ContactSolver& solver, const Colour& colour, const ContactPass&) {
             solver.gatherWarmStart(colour.batches.data(), colour.batches.size(), solverBodies_);
@@ -101,13 +103,13 @@ public:
 private:
     void subStep(bool first) {
         startHalf({h_, true}, first);
-        solveContacts(&ContactSolver::solve);
+        solveContacts(&ContactSolver::solve, {h_, true});
         if (joints_ != nullptr) joints_->hold(stores_.joints, h_);
         if (observer_ != nullptr) observer_->endHalf();
         bodySolver_.move(solved_.data(), solved_.size(), solverBodies_, static_cast<float>(h_));
         fields_.moved();
         startHalf({h_, false}, false);
-        solveContacts(&ContactSolver::relax);
+        solveContacts(&ContactSolver::relax, {h_, false});
         if (observer_ != nullptr) observer_->endHalf();
     }
 
@@ -123,10 +125,15 @@ private:
         markBodies(solved_.data(), solved_.size(), solverBodies_);
     }
 
-    void solveContacts(ContactWork work) {
+    void solveContacts(ContactWork work, JointHalf half) {
+        const bool machines = !machines_.contacts.empty();
+        if (machines) joints_->hideMachines(stores_.graph, stores_.contacts, machines_);
         forEachColour([&](const ContactSolver& solver, Colour& colour, const ContactPass& pass) {
             (solver.*work)(colour.batches.data(), colour.batches.size(), solverBodies_, pass);
         });
+        if (machines)
+            joints_->solveMachines(stores_.joints, stores_.graph, stores_.contacts, machines_,
+                                   {half, pass_.contacts, pass_.groundContacts});
     }
 
     void bounceContacts() {
@@ -205,6 +212,7 @@ private:
     Pass pass_;
     FieldSolving fields_;
     std::vector<ContactIndex> bounces_;  ///< of jointed bodies
+    MachineContacts machines_;
 };
 
 }  // namespace
