@@ -59,6 +59,7 @@ struct StepAudit::Lane {
     double normalB(std::size_t p) const {
         return speedAlong(b, nx(), ny(), -static_cast<double>(batch.points[p].anchorTangentB[lane]));
     }
+    double approach() const { return std::max(normalA(0) - normalB(0), normalA(1) - normalB(1)); }
     double tangentA(std::size_t p) const {
         return speedAlong(a, -ny(), nx(), static_cast<double>(batch.points[p].anchorNormalA[lane]));
     }
@@ -131,7 +132,7 @@ void StepAudit::beginSolver() {
 
 void StepAudit::beginHalf(const std::vector<BodyIndex>& solved) {
     const double half = 0.5 * bodies_.lastStep / bodies_.subSteps;
-    start_ = bodies_.velocity;
+    start_ = unforced_ = bodies_.velocity;
     for (const BodyIndex body : solved) {
         const BodyRecord& record = bodies_.record[body];
         if (bodies_.step[body].flight != none) continue;  // entered by noteFieldKick
@@ -245,8 +246,9 @@ void StepAudit::noteGiven(const Given& given) {
 void StepAudit::endHalf() {
     forEachLane(view_.graph, [&](const ContactBatch& batch, const ManifoldLanes& manifolds, std::size_t lane) {
         const Lane before = Lane::before(batch, lane, start_), after(batch, lane, bodies_.velocity);
-        const double approach = std::max(before.normalA(0) - before.normalB(0), before.normalA(1) - before.normalB(1));
-        noteContact(before, after, hits(static_cast<double>(manifolds.approachSpeed[lane])) || hits(approach));
+        const Lane unforced = Lane::before(batch, lane, unforced_);
+        noteContact(before, after,
+                    hits(static_cast<double>(manifolds.approachSpeed[lane])) || hits(unforced.approach()));
     });
     for (const Given& given : given_) noteGiven(given);
     given_.clear();

@@ -64,6 +64,7 @@ private:
     LedgerView view_;
     const BodyStore& bodies_;
     std::vector<SolverVelocity> start_;        ///< velocities before the present half sub-step or the bounces
+    std::vector<SolverVelocity> unforced_;     ///< the same, before forces act
     std::vector<Given> given_;                 ///< rows of joints, in this half sub-step
     std::vector<FieldGiven> fieldsGiven_;      ///< kicks of fields, in this half sub-step
     std::vector<FieldAccount> fieldAccounts_;  ///< of each body, in this step

@@ -6,7 +6,7 @@
 #include <map>
 
 #include <plumb/dynamics/contacts/contact_graph.h>
-#include <plumb/dynamics/solver/machine_sweep.h>
+#include <plumb/dynamics/joints/joint_island.h>
 
 namespace plumb {
 
@@ -129,21 +129,6 @@ void hideMachineContacts(ContactGraph& graph, const ContactStore& contacts, Mach
         hide(hidden.roll, batch.rollImpulse);
         hide(hidden.rollMass, batch.rollMass);
     }
-}
-
-void solveMachineContacts(const JointStores& stores, ContactGraph& graph, const ContactStore& contacts,
-                          MachineContacts& machines, const MachinePass& pass) {
-    for (const MachineContact& hidden : machines.contacts) {
-        const ContactRecord& contact = contacts[hidden.contact];
-        ContactBatch& batch = batchOf(graph, contact);
-        const std::size_t lane = contact.slot % batchLanes;
-        for (std::size_t p = 0; p < 2; ++p) {
-            batch.points[p].normalMass[lane] = hidden.normalMass[p];
-            batch.points[p].tangentMass[lane] = hidden.tangentMass[p];
-        }
-        batch.rollMass[lane] = hidden.rollMass;
-    }
-    MachineSweep(stores, graph, contacts, machines, pass).run();
 }
 
 }  // namespace plumb

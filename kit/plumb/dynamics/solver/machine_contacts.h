@@ -23,7 +23,6 @@ namespace plumb {
 struct ContactGraph;
 struct JointIsland;
 struct JointIslands;
-struct JointStores;
 
 /// One half of a sub-step.
 struct JointHalf {
@@ -61,10 +60,10 @@ struct MachinePass {
     ContactPass contacts, groundContacts;
 };
 
+/// Finds the contacts of this step that are solved together with the joints of their bodies.
 MachineContacts takeMachineContacts(const ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies,
                                     JointIslands& islands);
+/// Keeps them from being solved with all other contacts: moves their impulses and masses out of their lanes.
 void hideMachineContacts(ContactGraph& graph, const ContactStore& contacts, MachineContacts& machines);
-void solveMachineContacts(const JointStores& stores, ContactGraph& graph, const ContactStore& contacts,
-                          MachineContacts& machines, const MachinePass& pass);
 
 }  // namespace plumb

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <plumb/dynamics/contacts/contact_graph.h>
 #include <plumb/dynamics/joints/joint_response.h>
 #include <plumb/dynamics/joints/solve_island.h>
 
@@ -17,8 +16,14 @@ namespace {
 constexpr double softShare = 0.1;
 /// Most sweeps over the contacts in a round, and most rounds of contacts and joints.
 constexpr int mostSweeps = 40, mostRounds = 4;
-/// A sweep, or a round, that changes speeds by less than this is the last one [m/s].
+/// Compliance of a row, relative to the effective inverse mass of its bodies alone. It is larger than that of joints: a
+/// contact that only the joints' compliance lets move would get impulses without bounds [-].
+constexpr double rowCompliance = 2e-5;
+/// In the first sweeps of a round, friction follows the normal impulses; then its limits stay. If it always followed,
+/// both could grow without end where bodies are jammed.
+constexpr int limitedSweeps = 4;
 constexpr std::size_t notFound = ~std::size_t{0};
+/// A sweep, or a round, that changes speeds by less than this is the last one [m/s].
 constexpr double still = 1e-6, stillInRound = 1e-4;
 
 Vec2 momentumOf(const JointIsland& island, const BodyStore& bodies, const std::vector<Vec3>& velocities) {
@@ -40,58 +45,20 @@ MachineSweep::MachineSweep(const JointStores& stores, ContactGraph& graph, const
       joints_(directPass(stores.settings, pass.half)) {}
 
 void MachineSweep::run() {
-    for (const MachineContact& machine : machines_.contacts) addRows(machine);
+    for (const MachineContact& machine : machines_.contacts)
+        rows_.push_back(rowsOf(machine, graph_, contacts_[machine.contact], stores_.bodies, pass_.half));
     noteBounces();
+    load();
+    tried_ = velocities_;
     for (int round = 0; round < mostRounds; ++round) {
-        load();
         findAnswers();
         sweep();
         if (!solveJoints()) break;
     }
+    if (!(energyOf(velocities_) <= allowedEnergy())) drop();
     accept();
-    storeImpulses();
-}
-
-void MachineSweep::addRows(const MachineContact& machine) {
-    const ContactRecord& contact = contacts_[machine.contact];
-    const ContactBatch& batch = graph_.colours[contact.colour].batches[contact.slot / batchLanes];
-    const std::size_t lane = contact.slot % batchLanes;
-    const int colour = colourAt(contact.colour);
-    const double nx = static_cast<double>(batch.normalX[lane]), ny = static_cast<double>(batch.normalY[lane]);
-    const auto armOf = [&](BodyIndex body, float anchor) {
-        const float inverseGyration = stores_.bodies.turn[body].inverseGyration;
-        return inverseGyration > 0 ? static_cast<double>(anchor / inverseGyration) : 0.0;
-    };
-    Rows& rows = rows_.emplace_back();
-    rows.friction = static_cast<double>(batch.friction[lane]);
-    rows.rollingArm = static_cast<double>(batch.rollingArm[lane]);
-    rows.ground = colour >= fixedColour && colour != overflowColour;
-    const BodyIndex a = contact.bodyA, b = contact.bodyB;
-    for (std::size_t p = 0; p < 2; ++p) {
-        const PointLanes& point = batch.points[p];
-        if (!(machine.normalMass[p] > 0)) continue;
-        rows.separation[p] = static_cast<double>(point.separation[lane]);
-        rows.row[p] = rowOf(machine, contact, {-nx, -ny, armOf(a, point.anchorTangentA[lane])},
-                            {nx, ny, -armOf(b, point.anchorTangentB[lane])}, machine.normal[p]);
-        rows.row[2 + p] = rowOf(machine, contact, {ny, -nx, -armOf(a, point.anchorNormalA[lane])},
-                                {-ny, nx, armOf(b, point.anchorNormalB[lane])}, machine.tangent[p]);
-        if (batch.hasSurfaceSpeed) rows.row[2 + p].fixedSpeed += static_cast<double>(batch.surfaceSpeed[lane]);
-    }
-    if (rows.rollingArm > 0 && machine.rollMass > 0)
-        rows.row[4] = rowOf(machine, contact, {0, 0, -1}, {0, 0, 1}, machine.roll);
-}
-
-MachineSweep::Row MachineSweep::rowOf(const MachineContact& machine, const ContactRecord& contact, const Vec3& pushA,
-                                      const Vec3& pushB, float start) const {
-    Row row;
-    row.a = {machine.a.part, machine.a.node, contact.bodyA, pushA, 0};
-    row.b = {machine.b.part, machine.b.node, contact.bodyB, pushB, 0};
-    for (const End* end : {&row.a, &row.b})
-        if (end->part == none) row.fixedSpeed += dot(end->push, velocityOf(stores_.bodies, end->body));
-    row.inverseMass = 1;
-    row.start = row.impulse = static_cast<double>(start);
-    row.given = pass_.half.correct ? 0.0 : row.start;
-    return row;
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+        storeRows(machines_.contacts[i], rows_[i], graph_, contacts_[machines_.contacts[i].contact], pass_.half);
 }
 
 /// Velocities without the impulses of joints. Since the first try, bounces may have changed velocities; the joints are
@@ -99,7 +66,10 @@ MachineSweep::Row MachineSweep::rowOf(const MachineContact& machine, const Conta
 void MachineSweep::noteBounces() {
     for (const MachinePart& part : machines_.parts) {
         before_.emplace_back();
-        if (part.island == nullptr) continue;
+        if (part.island == nullptr) {
+            before_.back() = {velocityOf(stores_.bodies, part.body)};
+            continue;
+        }
         JointIsland& island = *part.island;
         std::vector<Vec3>& before = before_.back() = island.trial.before;
         const std::vector<Vec3> now = velocitiesOf(island, stores_.bodies);
@@ -126,9 +96,13 @@ void MachineSweep::findAnswers() {
     units_.clear();
     unitsAt_.clear();
     for (const std::vector<Vec3>& velocities : velocities_) unitsAt_.emplace_back(velocities.size(), notFound);
-    for (Rows& rows : rows_) {
-        rows.mass = softMass(rows.row[0]);
-        for (Row& row : rows.row) {
+    for (MachineRows& rows : rows_) {
+        const double own = std::max(rows.row[0].ownInverseMass, rows.row[1].ownInverseMass);
+        double mass = 0;
+        for (const MachineEnd* end : {&rows.row[0].a, &rows.row[0].b})
+            if (end->part != none) mass += massOf(machines_.parts[end->part]);
+        rows.softMass = std::max(1 / own, softShare * mass);
+        for (MachineRow& row : rows.row) {
             if (row.inverseMass == 0) continue;
             row.inverseMass = 0;
             findAnswer(row, row.a, row.b);
@@ -138,7 +112,7 @@ void MachineSweep::findAnswers() {
 }
 
 /// The answer of the part to which an end belongs; if the other end belongs to it, too, then to both.
-void MachineSweep::findAnswer(Row& row, End& end, const End& other) {
+void MachineSweep::findAnswer(MachineRow& row, MachineEnd& end, const MachineEnd& other) {
     if (end.part == none) return;
     const bool both = other.part == end.part;
     end.answer = answers_.size();
@@ -151,11 +125,20 @@ void MachineSweep::findAnswer(Row& row, End& end, const End& other) {
     row.inverseMass = std::max(row.inverseMass, 0.0);
 }
 
-void MachineSweep::addAnswer(std::span<Vec3> answer, const End& end) {
+void MachineSweep::addAnswer(std::span<Vec3> answer, const MachineEnd& end) {
     const std::span<const Vec3> units = unitAnswers(end.part, end.node, end.body);
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t b = 0; b < answer.size(); ++b)
             add(answer[b], times(units[i * answer.size() + b], end.push[i]));
+}
+
+/// The change of a body's velocity by an impulse, without the joints'. A machine's bodies may have more mass than their
+/// own (see geometric_stiffness.h); contacts must act on the same masses as joints, or they would add energy.
+Vec3 MachineSweep::changeBy(std::uint32_t part, std::uint32_t node, BodyIndex body, const Vec3& push) const {
+    const JointIsland* island = machines_.parts[part].island;
+    if (island == nullptr) return velocityChangeBy(stores_.bodies, body, push);
+    const Vec3& mass = island->work.masses[node];
+    return {push[0] / mass[0], push[1] / mass[1], mass[2] > 0 ? push[2] / mass[2] : 0.0};
 }
 
 /// The answers of a part to unit impulses on one of its bodies, one after the other.
@@ -169,79 +152,72 @@ std::span<const Vec3> MachineSweep::unitAnswers(std::uint32_t part, std::uint32_
         const std::span<Vec3> unit(units_.data() + at + i * count, count);
         Vec3 push{};
         push[i] = 1;
-        unit[node] = velocityChangeBy(stores_.bodies, body, push);
+        unit[node] = changeBy(part, node, body, push);
         if (machines_.parts[part].island != nullptr) followJoints(*machines_.parts[part].island, unit);
     }
     return {units_.data() + at, 3 * count};
 }
 
-double MachineSweep::softMass(const Row& row) const {
+double MachineSweep::massOf(const MachinePart& part) const {
+    if (part.island == nullptr) return stores_.bodies.record[part.body].mass;
     double mass = 0;
-    for (const End* end : {&row.a, &row.b}) {
-        if (end->part == none) continue;
-        const MachinePart& part = machines_.parts[end->part];
-        if (part.island == nullptr) {
-            mass += stores_.bodies.record[part.body].mass;
-            continue;
-        }
-        for (const BodyIndex body : part.island->bodies) mass += stores_.bodies.record[body].mass;
-    }
-    return mass * softShare;
+    for (const BodyIndex body : part.island->bodies) mass += stores_.bodies.record[body].mass;
+    return mass;
 }
 
 void MachineSweep::sweep() {
     for (int turn = 0; turn < mostSweeps; ++turn) {
         double most = 0;
-        for (Rows& rows : rows_) most = std::max(most, solveContact(rows));
+        for (MachineRows& rows : rows_) most = std::max(most, solveContact(rows, turn < limitedSweeps));
         if (most < still) return;
     }
 }
 
 /// Returns the greatest change of a speed [m/s].
-double MachineSweep::solveContact(Rows& rows) {
+double MachineSweep::solveContact(MachineRows& rows, bool findLimits) {
     double most = 0, normal = 0;
     for (std::size_t p = 0; p < 2; ++p) {
         const double old = rows.row[p].impulse;
         solveNormal(rows, p);
         most = std::max(most, std::fabs(rows.row[p].impulse - old) * rows.row[p].inverseMass);
         normal += rows.row[p].given + rows.row[p].impulse;
+        if (findLimits) rows.row[2 + p].limit = rows.friction * (rows.row[p].given + rows.row[p].impulse);
     }
-    for (std::size_t p = 0; p < 2; ++p)
-        solveWithin(rows.row[2 + p], rows.friction * (rows.row[p].given + rows.row[p].impulse), most);
-    solveWithin(rows.row[4], rows.rollingArm * normal, most);
+    if (findLimits) rows.row[4].limit = rows.rollingArm * normal;
+    for (std::size_t r = 2; r < rows.row.size(); ++r) solveWithin(rows.row[r], most);
     return most;
 }
 
 /// As in contacts/lanes/contact_solver.cpp, with the effective mass of the whole machine.
-void MachineSweep::solveNormal(Rows& rows, std::size_t point) {
-    Row& row = rows.row[point];
-    if (!(row.inverseMass > 0)) return;
-    const double s = rows.separation[point], mass = 1 / row.inverseMass;
+void MachineSweep::solveNormal(MachineRows& rows, std::size_t point) {
+    MachineRow& row = rows.row[point];
+    const double s = rows.separation[point];
     const ContactPass& pass = rows.ground ? pass_.groundContacts : pass_.contacts;
-    const double inverseStep = static_cast<double>(pass.inverseStep);
-    if (!pass_.half.correct || s > 0) {
-        const double change = -mass * (speedOf(row) + std::max(s, 0.0) * inverseStep);
-        setImpulse(row, std::max(row.impulse + change, -row.given));
-        return;
+    const bool soft = pass_.half.correct && s <= 0;
+    double bias = std::max(s, 0.0) * static_cast<double>(pass.inverseStep), give = 0;
+    if (soft) {
+        bias = std::max(static_cast<double>(pass.soft.biasRate) * s, -static_cast<double>(pass.pushSpeed));
+        give = static_cast<double>(pass.soft.impulseScale / pass.soft.massScale) *
+               std::max(row.inverseMass, 1 / rows.softMass);
     }
-    const double bias = std::max(static_cast<double>(pass.soft.biasRate) * s, -static_cast<double>(pass.pushSpeed));
-    // v + bias + give L = 0
-    const double give =
-        static_cast<double>(pass.soft.impulseScale / pass.soft.massScale) * std::max(row.inverseMass, 1 / rows.mass);
-    const double change = -(speedOf(row) + bias + give * row.impulse) / (row.inverseMass + give);
-    setImpulse(row, std::max(row.impulse + change, 0.0));
+    setImpulse(row, std::max(wantedImpulse(row, bias, give), -row.given));
 }
 
 /// Stops the row, if an impulse within the limit can.
-void MachineSweep::solveWithin(Row& row, double limit, double& most) {
-    if (!(row.inverseMass > 0)) return;
-    const double old = row.impulse;
-    const double wanted = old - speedOf(row) / row.inverseMass;
-    setImpulse(row, std::max(std::min(wanted, limit - row.given), -limit - row.given));
+void MachineSweep::solveWithin(MachineRow& row, double& most) {
+    const double old = row.impulse, wanted = wantedImpulse(row, 0, 0);
+    setImpulse(row, std::max(std::min(wanted, row.limit - row.given), -row.limit - row.given));
     most = std::max(most, std::fabs(row.impulse - old) * row.inverseMass);
 }
 
-void MachineSweep::setImpulse(Row& row, double impulse) {
+/// The impulse L with which the speed is v = -bias - give L.
+double MachineSweep::wantedImpulse(const MachineRow& row, double bias, double give) const {
+    if (!(row.inverseMass > 0)) return 0;
+    give = std::max(give, rowCompliance * row.ownInverseMass);
+    return row.impulse - (speedOf(row) + bias + give * row.impulse) / (row.inverseMass + give);
+}
+
+void MachineSweep::setImpulse(MachineRow& row, double impulse) {
     const double change = impulse - row.impulse;
     row.impulse = impulse;
     if (change == 0) return;
@@ -249,7 +225,7 @@ void MachineSweep::setImpulse(Row& row, double impulse) {
     if (row.b.part != row.a.part) apply(row.b, change);
 }
 
-void MachineSweep::apply(const End& end, double impulse) {
+void MachineSweep::apply(const MachineEnd& end, double impulse) {
     if (end.part == none) return;
     std::vector<Vec3>& velocities = velocities_[end.part];
     const Vec3* answer = answers_.data() + end.answer;
@@ -257,23 +233,34 @@ void MachineSweep::apply(const End& end, double impulse) {
         for (std::size_t i = 0; i < 3; ++i) velocities[b][i] += answer[b][i] * impulse;
 }
 
-double MachineSweep::speedOf(const Row& row) const {
+double MachineSweep::speedOf(const MachineRow& row) const {
     double speed = row.fixedSpeed;
-    for (const End* end : {&row.a, &row.b})
+    for (const MachineEnd* end : {&row.a, &row.b})
         if (end->part != none) speed += dot(end->push, velocities_[end->part][end->node]);
     return speed;
 }
 
-/// For each machine: velocities with these contacts' impulses, and without the joints'.
+/// The changes of the contacts' impulses on each body, x, y, turning.
+std::vector<std::vector<Vec3>> MachineSweep::pushes() const {
+    std::vector<std::vector<Vec3>> pushes;
+    for (const std::vector<Vec3>& before : before_) pushes.emplace_back(before.size(), Vec3{});
+    for (const MachineRows& rows : rows_)
+        for (const MachineRow& row : rows.row)
+            for (const MachineEnd* end : {&row.a, &row.b})
+                if (end->part != none) add(pushes[end->part][end->node], times(end->push, row.impulse - row.start));
+    return pushes;
+}
+
+/// Velocities with these contacts' impulses, and without the joints'.
 std::vector<std::vector<Vec3>> MachineSweep::withoutJoints() const {
     std::vector<std::vector<Vec3>> velocities = before_;
-    for (const Rows& rows : rows_) {
-        for (const Row& row : rows.row) {
-            for (const End* end : {&row.a, &row.b}) {
-                if (end->part == none || velocities[end->part].empty()) continue;
-                add(velocities[end->part][end->node],
-                    times(velocityChangeBy(stores_.bodies, end->body, end->push), row.impulse - row.start));
-            }
+    const std::vector<std::vector<Vec3>> pushed = pushes();
+    for (std::size_t p = 0; p < machines_.parts.size(); ++p) {
+        const MachinePart& part = machines_.parts[p];
+        for (std::size_t b = 0; b < velocities[p].size(); ++b) {
+            const BodyIndex body = part.island != nullptr ? part.island->bodies[b] : part.body;
+            add(velocities[p][b],
+                changeBy(static_cast<std::uint32_t>(p), static_cast<std::uint32_t>(b), body, pushed[p][b]));
         }
     }
     return velocities;
@@ -295,57 +282,76 @@ bool MachineSweep::solveJoints() {
     }
     sameStates_ = !changed;
     std::vector<double> speeds;
-    for (const Rows& rows : rows_)
-        for (const Row& row : rows.row) speeds.push_back(speedOf(row));
+    for (const MachineRows& rows : rows_)
+        for (const MachineRow& row : rows.row) speeds.push_back(speedOf(row));
     load();
     auto speed = speeds.begin();
-    for (const Rows& rows : rows_)
-        for (const Row& row : rows.row) changed = changed || std::fabs(speedOf(row) - *speed++) > stillInRound;
+    for (const MachineRows& rows : rows_)
+        for (const MachineRow& row : rows.row) changed = changed || std::fabs(speedOf(row) - *speed++) > stillInRound;
     return changed;
+}
+
+/// Kinetic energy [J].
+double MachineSweep::energyOf(const std::vector<std::vector<Vec3>>& velocities) const {
+    double energy = 0;
+    for (std::size_t p = 0; p < machines_.parts.size(); ++p) {
+        const MachinePart& part = machines_.parts[p];
+        for (std::size_t b = 0; b < velocities[p].size(); ++b) {
+            const BodyRecord& body = stores_.bodies.record[part.island != nullptr ? part.island->bodies[b] : part.body];
+            const Vec3& v = velocities[p][b];
+            energy += 0.5 * (body.mass * (v[0] * v[0] + v[1] * v[1]) + body.inertia * v[2] * v[2]);
+        }
+    }
+    return energy;
+}
+
+/// Contacts take energy. They give it where they push out overlap, or where a body that cannot be pushed drives them.
+double MachineSweep::allowedEnergy() const {
+    double mass = 0, fastest = 0;
+    for (const MachineRows& rows : rows_)
+        for (const MachineRow& row : rows.row) fastest = std::max(fastest, std::fabs(row.fixedSpeed));
+    for (const MachinePart& part : machines_.parts) mass += massOf(part);
+    const double given = 10 * static_cast<double>(pass_.contacts.pushSpeed) + 2 * fastest;
+    return 1.01 * energyOf(tried_) + 0.5 * mass * given * given;
+}
+
+/// Takes back all impulses of the contacts: at speeds without measure, or in joints that contradict each other, their
+/// solution may not be one.
+void MachineSweep::drop() {
+    for (MachineRows& rows : rows_)
+        for (MachineRow& row : rows.row) row.impulse = 0;
+    const std::vector<std::vector<Vec3>> free = withoutJoints();
+    velocities_ = tried_;
+    for (std::size_t p = 0; p < machines_.parts.size(); ++p)
+        if (machines_.parts[p].island == nullptr) velocities_[p] = free[p];
+    solveJoints();
 }
 
 /// Reports the joints' impulses. They are no contact impulses, so they are kept out of the contacts' next first guess.
 void MachineSweep::accept() {
-    const std::vector<std::vector<Vec3>> before = withoutJoints();
+    const std::vector<std::vector<Vec3>> before = withoutJoints(), pushed = pushes();
     BodyStore& bodies = stores_.bodies;
     for (std::size_t p = 0; p < machines_.parts.size(); ++p) {
-        const MachinePart& part = machines_.parts[p];
-        if (part.island == nullptr) continue;
-        JointIsland& island = *part.island;
+        if (machines_.parts[p].island == nullptr) continue;
+        JointIsland& island = *machines_.parts[p].island;
         const std::vector<Vec3> now = velocitiesOf(island, bodies);
         if (stores_.observer != nullptr)
             stores_.observer->noteGround(momentumOf(island, bodies, now) - momentumOf(island, bodies, before[p]));
         acceptIsland(island, stores_.joints, bodies, pass_.half.step, stores_.observer);
         for (std::size_t b = 0; b < island.bodies.size(); ++b) {
             const BodyIndex body = island.bodies[b];
+            const Vec3 change = velocityChangeBy(bodies, body, pushed[p][b]);
             SolverVelocity& mark = bodies.before[body];
-            Vec3 unpushed = now[b];
-            for (std::size_t i = 0; i < 3; ++i) unpushed[i] -= before[p][b][i] - before_[p][b][i];
-            mark.x = static_cast<float>(unpushed[0]);
-            mark.y = static_cast<float>(unpushed[1]);
-            mark.w = static_cast<float>(unpushed[2] * static_cast<double>(bodies.turn[body].gyration));
+            mark.x = static_cast<float>(now[b][0] - change[0]);
+            mark.y = static_cast<float>(now[b][1] - change[1]);
+            mark.w = static_cast<float>((now[b][2] - change[2]) * static_cast<double>(bodies.turn[body].gyration));
         }
     }
 }
 
-void MachineSweep::storeImpulses() const {
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-        const Rows& rows = rows_[i];
-        const ContactRecord& contact = contacts_[machines_.contacts[i].contact];
-        ContactBatch& batch = graph_.colours[contact.colour].batches[contact.slot / batchLanes];
-        const std::size_t lane = contact.slot % batchLanes;
-        for (std::size_t p = 0; p < 2; ++p) {
-            PointLanes& point = batch.points[p];
-            const Row &normal = rows.row[p], &tangent = rows.row[2 + p];
-            point.normalImpulse[lane] = static_cast<float>(normal.impulse);
-            point.tangentImpulse[lane] = static_cast<float>(tangent.impulse);
-            if (pass_.half.correct) continue;
-            point.totalNormal[lane] += static_cast<float>(normal.given + normal.impulse);
-            point.totalTangent[lane] += static_cast<float>(tangent.given + tangent.impulse);
-            if (normal.given > 0 || normal.impulse > 0) batch.pushed[lane] = -1;
-        }
-        batch.rollImpulse[lane] = static_cast<float>(rows.row[4].impulse);
-    }
+void solveMachineContacts(const JointStores& stores, ContactGraph& graph, const ContactStore& contacts,
+                          MachineContacts& machines, const MachinePass& pass) {
+    MachineSweep(stores, graph, contacts, machines, pass).run();
 }
 
 }  // namespace plumb

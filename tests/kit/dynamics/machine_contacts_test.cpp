@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// Machines of joints that lie, fall and are driven on what they touch.
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <plumb/plumb.h>
+#include "catch.h"
+#include "kit/usual_world.h"
+#include "numbers.h"
+
+using plumb::BodyId;
+using plumb::BodyType;
+using plumb::JointId;
+using plumb::RevoluteJointDef;
+using plumb::Vec2;
+using plumb::World;
+using plumb::test::dt;
+using plumb::test::g;
+
+namespace {
+
+/// A machine over a floor, and what it has been given.
+struct JointMachine {
+    World world{{.ledger = true}};
+    std::vector<BodyId> bodies;
+    std::vector<JointId> joints;
+
+    explicit JointMachine(double friction = 0.6) {
+        world.add(
+            {.type = BodyType::Static, .position = {0, -1}, .shapes = {plumb::box({1000, 1}, {.friction = friction})}});
+    }
+    void hinge(const BodyId& a, const BodyId& b, const Vec2& anchor) {
+        joints.push_back(world.join(RevoluteJointDef{.bodyA = a, .bodyB = b, .anchor = anchor}));
+    }
+    double fastest() const {
+        double speed = 0;
+        for (const BodyId body : bodies) speed = std::max(speed, world.body(body).velocity().norm());
+        return speed;
+    }
+    double worstError() const {
+        double error = 0;
+        for (const JointId joint : joints) error = std::max(error, world.joint(joint).error());
+        return error;
+    }
+};
+
+/// A box of a ton on two hinged wheels.
+void makeCart(JointMachine& machine, double wheelMass, double drop) {
+    const double y = 0.25 + drop;
+    World& world = machine.world;
+    const BodyId chassis =
+        world.add({.position = {0, y},
+                   .shapes = {{.shape = plumb::boxPolygon({1, 0.25}, {0, 0.25}), .material = {.density = 1000}}}});
+    machine.bodies.push_back(chassis);
+    for (const double x : {-0.9, 0.9}) {
+        const double density = wheelMass / (plumb::test::pi * 0.01);
+        const BodyId wheel =
+            world.add({.position = {x, y - 0.15}, .shapes = {plumb::circle(0.1, {.density = density})}});
+        machine.bodies.push_back(wheel);
+        machine.hinge(chassis, wheel, {x, y - 0.15});
+    }
+}
+
+/// A hanging chain with a heavy box on its upper end, let fall onto the floor.
+void makeHeap(JointMachine& machine, int links, double length, double load, double friction) {
+    World& world = machine.world;
+    const double top = links * length + 1;
+    BodyId last = world.add({.position = {0, top + 0.5},
+                             .shapes = {plumb::box({0.4, 0.4}, {.density = load / 0.64, .friction = friction})}});
+    machine.bodies.push_back(last);
+    for (int i = 0; i < links; ++i) {
+        const double x = 0.01 * i, y = top - length * i;
+        const BodyId link = world.add(
+            {.position = {x, y - 0.5 * length},
+             .shapes = {plumb::box({0.04, 0.5 * length}, {.density = 1 / (0.08 * length), .friction = friction})}});
+        machine.bodies.push_back(link);
+        machine.hinge(last, link, {x, y});
+        last = link;
+    }
+}
+
+}  // namespace
+
+TEST_CASE("a cart of a ton on wheels of a kilogram comes to rest", "[dynamics][joints][machines]") {
+    for (const double wheel : {0.5, 1.57, 15.0}) {
+        for (const double drop : {0.0, 0.5, 1.75}) {
+            INFO("wheels of " << wheel << " kg, dropped by " << drop << " m");
+            JointMachine machine;
+            makeCart(machine, wheel, drop);
+            const double start = machine.world.ledger().energy.stored();
+            double error = 0;
+            for (int tick = 0; tick < 180; ++tick) {
+                machine.world.step(dt);
+                error = std::max(error, machine.worstError());
+            }
+            CHECK(machine.fastest() < 2e-3);
+            CHECK(std::fabs(machine.world.body(machine.bodies[0]).position().y() - 0.25) < 1e-3);
+            CHECK(error < 1e-3);
+            // The floor stops it somewhere in a sub-step, whose gravity then does other work than it would in flight.
+            const double speed = std::sqrt(2 * g * drop), bound = 0.5 * 1000 * g * speed * dt / 4;
+            CHECK(std::fabs(machine.world.ledger().energy.solver) < bound + 1e-3 * start);
+            for (int tick = 0; tick < 120; ++tick) machine.world.step(dt);
+            CHECK_FALSE(machine.world.body(machine.bodies[0]).awake());
+        }
+    }
+}
+
+TEST_CASE("a chain that falls in a heap under a heavy box gains no energy and comes to rest",
+          "[dynamics][joints][machines]") {
+    constexpr int runs = 12;
+    double gains = 0;
+    int restless = 0;
+    for (int run = 0; run < runs; ++run) {
+        std::mt19937 random(static_cast<unsigned>(run));
+        std::uniform_real_distribution<double> share(0, 1);
+        const double friction = 0.2 + 0.8 * share(random), load = std::pow(10, 2.5 * share(random));
+        JointMachine machine(friction);
+        makeHeap(machine, 5 + static_cast<int>(25 * share(random)), 0.1 + 0.3 * share(random), load, friction);
+        const double start = machine.world.ledger().energy.stored();
+        double least = start;
+        for (int tick = 0; tick < 600; ++tick) {
+            machine.world.step(dt);
+            const double stored = machine.world.ledger().energy.stored();
+            gains = std::max(gains, (stored - least) / start);
+            least = std::min(least, stored);
+        }
+        INFO("run " << run << ": " << machine.bodies.size() - 1 << " links under " << load << " kg");
+        CHECK(machine.world.ledger().energy.stored() < 0.5 * start);
+        restless += machine.fastest() > 0.05;
+    }
+    CHECK(gains < 0.02);
+    CHECK(restless <= 2);
+}
+
+TEST_CASE("a motor with too little torque does not drive a cart up a wall, and one with enough drives it on",
+          "[dynamics][joints][machines]") {
+    for (const double torque : {50.0, 1e4}) {
+        INFO("torque " << torque);
+        World world;
+        world.add({.type = BodyType::Static, .position = {0, -1}, .shapes = {plumb::box({1000, 1}, {.friction = 1})}});
+        const BodyId chassis = world.add({.position = {0, 0.4}, .shapes = {plumb::box({1, 0.2}, {.density = 250})}});
+        for (const double x : {-0.8, 0.8}) {
+            const BodyId wheel =
+                world.add({.position = {x, 0.2},
+                           .shapes = {plumb::circle(0.2, {.density = 10 / (plumb::test::pi * 0.04), .friction = 1})}});
+            world.join(RevoluteJointDef{
+                .bodyA = chassis, .bodyB = wheel, .anchor = {x, 0.2}, .motorSpeed = -50, .maxMotorTorque = torque});
+        }
+        double mass = 0;
+        for (const BodyId id : world.bodies())
+            mass += world.body(id).type() == BodyType::Dynamic ? world.body(id).mass() : 0;
+        for (int tick = 0; tick < 60; ++tick) world.step(dt);
+        const double speed = world.body(chassis).velocity().x();
+        // Both wheels pull with torque / radius, at most with friction's mu m g; the wheels' own spin takes a part.
+        const double wheels = 1 + 2 * 0.5 * 10 / mass;
+        const double pull = std::min(2 * torque / 0.2 / mass / wheels, g);
+        CHECK(speed <= std::min(pull * 1.02, 10.05));
+        CHECK(speed >= std::min(0.9 * pull, 9.0) - 0.1);
+    }
+}
