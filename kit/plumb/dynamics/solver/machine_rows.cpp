@@ -17,8 +17,8 @@ MachineRow rowOf(const MachineContact& machine, const ContactRecord& contact, co
         row.ownInverseMass += dot(end->push, velocityChangeBy(bodies, end->body, end->push));
     }
     row.inverseMass = row.ownInverseMass;
-    row.start = row.impulse = static_cast<double>(start);
-    row.given = half.correct ? 0.0 : row.start;
+    row.impulse = static_cast<double>(start);
+    row.given = half.correct ? 0.0 : row.impulse;
     return row;
 }
 

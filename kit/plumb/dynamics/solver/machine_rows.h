@@ -21,8 +21,7 @@ struct MachineRow {
     double inverseMass = 0;     ///< change of the row's speed by a unit of its impulse; 0: there is no such row
     double ownInverseMass = 0;  ///< the same, if its bodies had no joints
     double fixedSpeed = 0;      ///< of bodies that cannot be pushed, and of the surfaces [m/s]
-    double start = 0;           ///< impulse at the start of this half [N s, N m s]
-    double given = 0;           ///< of the half before, which this half may take back
+    double given = 0;           ///< impulse of the half before, which this half may take back [N s, N m s]
     double impulse = 0;         ///< now
     double limit = 0;           ///< of friction and rolling, of both halves together
 };

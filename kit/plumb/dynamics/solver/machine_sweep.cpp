@@ -47,7 +47,8 @@ MachineSweep::MachineSweep(const JointStores& stores, ContactGraph& graph, const
 void MachineSweep::run() {
     for (const MachineContact& machine : machines_.contacts)
         rows_.push_back(rowsOf(machine, graph_, contacts_[machine.contact], stores_.bodies, pass_.half));
-    noteBounces();
+    guess_ = impulses();
+    findBefore();
     load();
     tried_ = velocities_;
     for (int round = 0; round < mostRounds; ++round) {
@@ -55,28 +56,38 @@ void MachineSweep::run() {
         sweep();
         if (!solveJoints()) break;
     }
-    if (!(energyOf(velocities_) <= allowedEnergy())) drop();
+    dropIfUseless();
     accept();
     for (std::size_t i = 0; i < rows_.size(); ++i)
         storeRows(machines_.contacts[i], rows_[i], graph_, contacts_[machines_.contacts[i].contact], pass_.half);
 }
 
-/// Velocities without the impulses of joints. Since the first try, bounces may have changed velocities; the joints are
-/// then tried again.
-void MachineSweep::noteBounces() {
+/// Finds the velocities without the impulses of joints. They have changed since the first try where there were bounces,
+/// and where the first guess of the contacts' impulses has acted on other masses than it does here: then the joints are
+/// tried again.
+void MachineSweep::findBefore() {
     for (const MachinePart& part : machines_.parts) {
-        before_.emplace_back();
-        if (part.island == nullptr) {
-            before_.back() = {velocityOf(stores_.bodies, part.body)};
-            continue;
-        }
-        JointIsland& island = *part.island;
-        std::vector<Vec3>& before = before_.back() = island.trial.before;
+        if (part.island != nullptr)
+            before_.push_back(part.island->trial.before);
+        else
+            before_.push_back({velocityOf(stores_.bodies, part.body)});
+    }
+    for (std::size_t p = 0; p < machines_.parts.size(); ++p) {
+        if (machines_.parts[p].island == nullptr) continue;
+        JointIsland& island = *machines_.parts[p].island;
         const std::vector<Vec3> now = velocitiesOf(island, stores_.bodies);
-        if (now == island.trial.after) continue;
-        for (std::size_t b = 0; b < now.size(); ++b)
-            for (std::size_t i = 0; i < 3; ++i) before[b][i] += now[b][i] - island.trial.after[b][i];
-        tryIsland(island, stores_.joints, stores_.bodies, before, joints_);
+        bool changed = false;
+        for (std::size_t b = 0; b < now.size(); ++b) {
+            const Vec3 acted = velocityChangeBy(stores_.bodies, island.bodies[b], guess_[p][b]);
+            Vec3 other = changeBy(p, b, guess_[p][b]), bounced = now[b];
+            subtract(other, acted);
+            subtract(bounced, island.trial.after[b]);
+            if (dot(other, other) < 1e-10 * dot(acted, acted)) other = {};
+            changed = changed || other != Vec3{} || bounced != Vec3{};
+            add(before_[p][b], other);
+            add(before_[p][b], bounced);
+        }
+        if (changed) tryIsland(island, stores_.joints, stores_.bodies, before_[p], joints_);
     }
 }
 
@@ -126,7 +137,7 @@ void MachineSweep::findAnswer(MachineRow& row, MachineEnd& end, const MachineEnd
 }
 
 void MachineSweep::addAnswer(std::span<Vec3> answer, const MachineEnd& end) {
-    const std::span<const Vec3> units = unitAnswers(end.part, end.node, end.body);
+    const std::span<const Vec3> units = unitAnswers(end.part, end.node);
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t b = 0; b < answer.size(); ++b)
             add(answer[b], times(units[i * answer.size() + b], end.push[i]));
@@ -134,15 +145,15 @@ void MachineSweep::addAnswer(std::span<Vec3> answer, const MachineEnd& end) {
 
 /// The change of a body's velocity by an impulse, without the joints'. A machine's bodies may have more mass than their
 /// own (see geometric_stiffness.h); contacts must act on the same masses as joints, or they would add energy.
-Vec3 MachineSweep::changeBy(std::uint32_t part, std::uint32_t node, BodyIndex body, const Vec3& push) const {
+Vec3 MachineSweep::changeBy(std::size_t part, std::size_t node, const Vec3& push) const {
     const JointIsland* island = machines_.parts[part].island;
-    if (island == nullptr) return velocityChangeBy(stores_.bodies, body, push);
+    if (island == nullptr) return velocityChangeBy(stores_.bodies, machines_.parts[part].body, push);
     const Vec3& mass = island->work.masses[node];
     return {push[0] / mass[0], push[1] / mass[1], mass[2] > 0 ? push[2] / mass[2] : 0.0};
 }
 
 /// The answers of a part to unit impulses on one of its bodies, one after the other.
-std::span<const Vec3> MachineSweep::unitAnswers(std::uint32_t part, std::uint32_t node, BodyIndex body) {
+std::span<const Vec3> MachineSweep::unitAnswers(std::uint32_t part, std::uint32_t node) {
     const std::size_t count = velocities_[part].size();
     std::size_t& at = unitsAt_[part][node];
     if (at != notFound) return {units_.data() + at, 3 * count};
@@ -152,7 +163,7 @@ std::span<const Vec3> MachineSweep::unitAnswers(std::uint32_t part, std::uint32_
         const std::span<Vec3> unit(units_.data() + at + i * count, count);
         Vec3 push{};
         push[i] = 1;
-        unit[node] = changeBy(part, node, body, push);
+        unit[node] = changeBy(part, node, push);
         if (machines_.parts[part].island != nullptr) followJoints(*machines_.parts[part].island, unit);
     }
     return {units_.data() + at, 3 * count};
@@ -240,14 +251,23 @@ double MachineSweep::speedOf(const MachineRow& row) const {
     return speed;
 }
 
-/// The changes of the contacts' impulses on each body, x, y, turning.
-std::vector<std::vector<Vec3>> MachineSweep::pushes() const {
-    std::vector<std::vector<Vec3>> pushes;
-    for (const std::vector<Vec3>& before : before_) pushes.emplace_back(before.size(), Vec3{});
+/// The contacts' impulses on each body: x, y, turning.
+std::vector<std::vector<Vec3>> MachineSweep::impulses() const {
+    std::vector<std::vector<Vec3>> impulses;
+    for (const MachinePart& part : machines_.parts)
+        impulses.emplace_back(part.island != nullptr ? part.island->bodies.size() : 1, Vec3{});
     for (const MachineRows& rows : rows_)
         for (const MachineRow& row : rows.row)
             for (const MachineEnd* end : {&row.a, &row.b})
-                if (end->part != none) add(pushes[end->part][end->node], times(end->push, row.impulse - row.start));
+                if (end->part != none) add(impulses[end->part][end->node], times(end->push, row.impulse));
+    return impulses;
+}
+
+/// The same, less those of the first guess, which have acted already.
+std::vector<std::vector<Vec3>> MachineSweep::pushes() const {
+    std::vector<std::vector<Vec3>> pushes = impulses();
+    for (std::size_t p = 0; p < pushes.size(); ++p)
+        for (std::size_t b = 0; b < pushes[p].size(); ++b) subtract(pushes[p][b], guess_[p][b]);
     return pushes;
 }
 
@@ -256,12 +276,7 @@ std::vector<std::vector<Vec3>> MachineSweep::withoutJoints() const {
     std::vector<std::vector<Vec3>> velocities = before_;
     const std::vector<std::vector<Vec3>> pushed = pushes();
     for (std::size_t p = 0; p < machines_.parts.size(); ++p) {
-        const MachinePart& part = machines_.parts[p];
-        for (std::size_t b = 0; b < velocities[p].size(); ++b) {
-            const BodyIndex body = part.island != nullptr ? part.island->bodies[b] : part.body;
-            add(velocities[p][b],
-                changeBy(static_cast<std::uint32_t>(p), static_cast<std::uint32_t>(b), body, pushed[p][b]));
-        }
+        for (std::size_t b = 0; b < velocities[p].size(); ++b) add(velocities[p][b], changeBy(p, b, pushed[p][b]));
     }
     return velocities;
 }
@@ -305,25 +320,37 @@ double MachineSweep::energyOf(const std::vector<std::vector<Vec3>>& velocities) 
     return energy;
 }
 
-/// Contacts take energy. They give it where they push out overlap, or where a body that cannot be pushed drives them.
-double MachineSweep::allowedEnergy() const {
+/// The energy that contacts may give, where they push out overlap, or where a body that cannot be pushed drives them.
+double MachineSweep::givenEnergy() const {
     double mass = 0, fastest = 0;
     for (const MachineRows& rows : rows_)
         for (const MachineRow& row : rows.row) fastest = std::max(fastest, std::fabs(row.fixedSpeed));
     for (const MachinePart& part : machines_.parts) mass += massOf(part);
     const double given = 10 * static_cast<double>(pass_.contacts.pushSpeed) + 2 * fastest;
-    return 1.01 * energyOf(tried_) + 0.5 * mass * given * given;
+    return 0.5 * mass * given * given;
 }
 
-/// Takes back all impulses of the contacts: at speeds without measure, or in joints that contradict each other, their
-/// solution may not be one.
-void MachineSweep::drop() {
+/// Apart from that, contacts take energy. At speeds without measure, or in joints that contradict each other, a
+/// solution may not be one, and give it: then the contacts give no impulses, and the joints have the last word. What
+/// joints give without contacts, as motors do, is allowed.
+void MachineSweep::dropIfUseless() {
+    const double energy = energyOf(velocities_), given = givenEnergy();
+    const std::vector<MachineRows> solved = rows_;
     for (MachineRows& rows : rows_)
         for (MachineRow& row : rows.row) row.impulse = 0;
     const std::vector<std::vector<Vec3>> free = withoutJoints();
+    if (energy <= 1.01 * energyOf(free) + given) {
+        rows_ = solved;
+        return;
+    }
+    const std::vector<std::vector<Vec3>> velocities = velocities_;
     velocities_ = tried_;
     for (std::size_t p = 0; p < machines_.parts.size(); ++p)
         if (machines_.parts[p].island == nullptr) velocities_[p] = free[p];
+    solveJoints();
+    if (!(energy <= 1.5 * energyOf(velocities_) + given)) return;
+    rows_ = solved;
+    velocities_ = velocities;
     solveJoints();
 }
 

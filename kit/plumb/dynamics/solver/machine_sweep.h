@@ -22,17 +22,17 @@ public:
     void run();
 
 private:
-    void noteBounces();
+    void findBefore();
     void load();
     void findAnswers();
     void findAnswer(MachineRow& row, MachineEnd& end, const MachineEnd& other);
-    std::span<const Vec3> unitAnswers(std::uint32_t part, std::uint32_t node, BodyIndex body);
-    Vec3 changeBy(std::uint32_t part, std::uint32_t node, BodyIndex body, const Vec3& push) const;
+    std::span<const Vec3> unitAnswers(std::uint32_t part, std::uint32_t node);
+    Vec3 changeBy(std::size_t part, std::size_t node, const Vec3& push) const;
     void addAnswer(std::span<Vec3> answer, const MachineEnd& end);
     double massOf(const MachinePart& part) const;
     double energyOf(const std::vector<std::vector<Vec3>>& velocities) const;
-    double allowedEnergy() const;
-    void drop();
+    double givenEnergy() const;
+    void dropIfUseless();
     void sweep();
     double solveContact(MachineRows& rows, bool findLimits);
     void solveNormal(MachineRows& rows, std::size_t point);
@@ -42,6 +42,7 @@ private:
     void apply(const MachineEnd& end, double impulse);
     double speedOf(const MachineRow& row) const;
     bool solveJoints();
+    std::vector<std::vector<Vec3>> impulses() const;
     std::vector<std::vector<Vec3>> pushes() const;
     std::vector<std::vector<Vec3>> withoutJoints() const;
     void accept();
@@ -54,6 +55,7 @@ private:
     JointPass joints_;
     std::vector<MachineRows> rows_;                  ///< of the contacts
     std::vector<std::vector<Vec3>> velocities_;      ///< of the bodies of each part
+    std::vector<std::vector<Vec3>> guess_;           ///< the contacts' impulses at the start, on each body
     std::vector<std::vector<Vec3>> tried_;           ///< the same, before these contacts are solved
     std::vector<std::vector<Vec3>> before_;          ///< the same, without the joints' and these contacts' impulses
     std::vector<Vec3> answers_;                      ///< of the rows' ends
