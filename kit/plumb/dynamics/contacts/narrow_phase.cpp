@@ -6,6 +6,7 @@
 
 #include <plumb/dynamics/contacts/contact_lane.h>
 #include <plumb/dynamics/contacts/contact_rules.h>
+#include <plumb/dynamics/contacts/flush_faces.h>
 #include <plumb/dynamics/contacts/initial_impulses.h>
 #include <plumb/dynamics/contacts/predicted_manifold.h>
 #include <plumb/math/vec2.h>
@@ -94,7 +95,7 @@ std::span<const BodyIndex> NarrowPhase::collideNear() {
     for (std::size_t lane = start - first; lane < count; ++lane) {
         if (fresh.count[lane] == 0) continue;
         const ContactIndex index = batch.contacts[lane];
-        if (!mayArrive(index, fresh, lane)) continue;
+        if (!mayArrive(index, batch.pairs, fresh, lane)) continue;
         addArrival(index, fresh, lane);
         noteSleepers(pairAt(batch.pairs, lane), fresh, lane);
     }
@@ -120,10 +121,20 @@ void NarrowPhase::collideColour(std::size_t index) {
             collideBoxes(batch, fresh);
         else
             collideOthers(batch, fresh);
+        dropCovered(batch, fresh);
         prepare(colour.batches[b], colour.manifolds[b], fresh);
         for (std::size_t lane = 0; lane < count; ++lane)
             if (fresh.count[lane] == 0) parted_.push_back(batch.contacts[lane]);
     }
+}
+
+/// Takes away the points of contacts that have come to a joint of a floor of several shapes.
+void NarrowPhase::dropCovered(const Batch& batch, FreshLanes& fresh) const {
+    if (!someAtCorner(fresh)) return;
+    for (std::size_t lane = 0; lane < batch.count; ++lane)
+        if (isAtCorner(fresh, lane) && isAtCoveredFace(contacts_, bodies_, space_, batch.contacts[lane],
+                                                       pairAt(batch.pairs, lane), fresh, lane, dt_))
+            fresh.count[lane] = 0;
 }
 
 void NarrowPhase::collideBoxes(const Batch& batch, FreshLanes& fresh) const {
@@ -233,12 +244,16 @@ void NarrowPhase::removeParted(NearPairs& near) {
     }
 }
 
-/// May a near contact enter the solver? Not if a rule or a one-way side lets its shapes pass through each other.
-bool NarrowPhase::mayArrive(ContactIndex index, const FreshLanes& fresh, std::size_t lane) {
+/// May a near contact enter the solver? Not if it is at a joint of a floor of several shapes, or if a rule or a one-way
+/// side lets its shapes pass through each other.
+bool NarrowPhase::mayArrive(ContactIndex index, const PairLanes& pairs, const FreshLanes& fresh, std::size_t lane) {
     ContactRecord& contact = contacts_[index];
     contact.met = true;
-    if (!contact.ruled) return true;
-    if (isSolid(contacts_, bodies_, space_, index, faceOf(bodies_, contact, manifoldAt(fresh, lane)))) return true;
+    const bool covered = isAtCorner(fresh, lane) &&
+                         isAtCoveredFace(contacts_, bodies_, space_, index, pairAt(pairs, lane), fresh, lane, dt_);
+    if (!covered && !contact.ruled) return true;
+    if (!covered && isSolid(contacts_, bodies_, space_, index, faceOf(bodies_, contact, manifoldAt(fresh, lane))))
+        return true;
     contact.manifold.count = 0;
     return false;
 }

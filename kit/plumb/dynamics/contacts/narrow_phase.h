@@ -50,6 +50,7 @@ private:
     };
 
     void collideColour(std::size_t index);
+    void dropCovered(const Batch& batch, FreshLanes& fresh) const;
     void collideBoxes(const Batch& batch, FreshLanes& fresh) const;
     void collideOthers(const Batch& batch, FreshLanes& fresh) const;
     void collideAny(const Batch& batch, FreshLanes& fresh) const;
@@ -59,7 +60,7 @@ private:
     ShapePair pairOf(const Batch& batch, std::size_t lane) const;
     Manifold manifoldOf(const ShapePair& pair) const;
     void removeParted(NearPairs& near);
-    bool mayArrive(ContactIndex contact, const FreshLanes& fresh, std::size_t lane);
+    bool mayArrive(ContactIndex contact, const PairLanes& pairs, const FreshLanes& fresh, std::size_t lane);
     void addArrival(ContactIndex contact, const FreshLanes& fresh, std::size_t lane);
     void noteSleepers(const ShapePair& pair, const FreshLanes& fresh, std::size_t lane);
     void addToSolver(Arrivals& arrivals);

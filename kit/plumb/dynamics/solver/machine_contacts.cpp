@@ -16,6 +16,9 @@ namespace {
 /// are solved in turn with their contacts.
 constexpr std::size_t mostAnswers = 300000;
 constexpr std::size_t rowsPerContact = 4;
+/// A machine with more contacts than this is rather a vessel or a stirrer than something that stands on them; its
+/// contacts are solved with all others, which takes less time.
+constexpr std::size_t mostContacts = 16, contactsPerBody = 6;
 
 ContactBatch& batchOf(ContactGraph& graph, const ContactRecord& contact) {
     return graph.colours[contact.colour].batches[contact.slot / batchLanes];
@@ -56,7 +59,11 @@ public:
 
 private:
     bool isAffordable(const JointIsland& island) {
+        const std::size_t most = mostContacts + contactsPerBody * island.bodies.size();
         std::size_t touches = 0;
+        for (const BodyIndex body : island.bodies) touches += bodies_.links[body].solverContacts;
+        if (touches == 0 || touches > most) return false;
+        touches = 0;
         forEachTouch(graph_, contacts_, bodies_, island, [&](ContactIndex, BodyIndex) { ++touches; });
         const std::size_t answers = touches * rowsPerContact * island.bodies.size();
         if (touches == 0 || answers_ + answers > mostAnswers) return false;

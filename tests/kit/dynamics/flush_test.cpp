@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// Floors of several shapes that are laid flush, each a body of its own.
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <plumb/plumb.h>
+#include "cases.h"
+#include "catch.h"
+#include "kit/usual_world.h"
+#include "numbers.h"
+
+using plumb::BodyId;
+using plumb::BodyType;
+using plumb::Material;
+using plumb::Rot;
+using plumb::Vec2;
+using plumb::World;
+using plumb::test::dt;
+using plumb::test::g;
+
+namespace {
+
+/// What slides, on which floor, drawn from a seed.
+struct Slide {
+    double angle, size, radius, friction, restitution, speed, start, gap;  ///< size: half of a box of the floor
+    int kind;
+
+    explicit Slide(unsigned seed) {
+        std::mt19937 random(seed);
+        const auto share = [&] { return std::uniform_real_distribution<double>(0, 1)(random); };
+        angle = 2 * plumb::test::pi * share();
+        size = 0.1 + 0.9 * share();
+        radius = 0.1 + 0.9 * share();
+        kind = static_cast<int>(6 * share());
+        friction = seed % 2 == 0 ? 0 : 0.5 * share();
+        restitution = seed % 3 == 0 ? 0.5 * share() : 0;
+        speed = 0.5 * std::pow(60, share());
+        start = 3 * size * share();
+        gap = seed % 5 == 0 ? 1e-4 * share() : 0;
+    }
+    double height() const { return kind == 2 ? 0.5 * radius : kind == 3 ? 0.7 * radius : radius; }
+    plumb::ShapeDef shape() const {
+        const Material material{.friction = friction, .restitution = restitution};
+        const double r = radius, inner = 0.8 * radius;
+        switch (kind) {
+            case 0: return plumb::box({r, r}, material);
+            case 1: return plumb::circle(r, material);
+            case 2: return plumb::capsule({-r, 0}, {r, 0}, 0.5 * r, material);
+            case 3: return plumb::box({r, 0.7 * r}, material);
+            case 4: return plumb::polygon({{-r, -r}, {r, -r}, {0.5 * r, r}}, material);
+            default:
+                return {.shape = plumb::Polygon{{{-inner, -inner}, {inner, -inner}, {inner, inner}, {-inner, inner}},
+                                                0.2 * r},
+                        .material = material};
+        }
+    }
+};
+
+enum class Floor { Whole, Fixed, Loose };
+struct Ride {
+    double way = 0, hop = 0;  ///< along the floor, and the most up or down [m]
+};
+
+constexpr int boxesOfFloor = 40;
+
+void lay(World& world, const Slide& slide, Floor floor) {
+    const Rot turned = Rot::fromAngle(slide.angle);
+    const auto place = [&](double x, double y) { return Vec2(turned * Vec2(x, y)); };
+    const Material top{.density = 20, .friction = std::max(slide.friction, 0.3), .restitution = slide.restitution};
+    const double middle = slide.size * (boxesOfFloor - 1), half = slide.size * boxesOfFloor;
+    if (floor == Floor::Whole) {
+        world.add({.type = BodyType::Static,
+                   .position = place(middle, -slide.size),
+                   .angle = slide.angle,
+                   .shapes = {plumb::box({half, slide.size}, top)}});
+        return;
+    }
+    if (floor == Floor::Loose)
+        world.add({.type = BodyType::Static,
+                   .position = place(middle, -3 * slide.size),
+                   .angle = slide.angle,
+                   .shapes = {plumb::box({half + 10, slide.size}, {.friction = 1})}});
+    for (int i = 0; i < boxesOfFloor; ++i)
+        world.add({.type = floor == Floor::Loose ? BodyType::Dynamic : BodyType::Static,
+                   .position = place((2 * slide.size + slide.gap) * i, -slide.size),
+                   .angle = slide.angle,
+                   .shapes = {plumb::box({slide.size, slide.size}, top)}});
+}
+
+Ride rideOver(const Slide& slide, Floor floor) {
+    const Rot turned = Rot::fromAngle(slide.angle);
+    World world({.gravity = turned * Vec2(0, -g)});
+    lay(world, slide, floor);
+    const BodyId body = world.add({.position = turned * Vec2(slide.start, slide.height()),
+                                   .angle = slide.angle,
+                                   .velocity = turned * Vec2(slide.speed, 0),
+                                   .shapes = {slide.shape()}});
+    Ride ride;
+    for (int tick = 0; tick < 400; ++tick) {
+        world.step(dt);
+        const Vec2 at = turned.inverse() * world.body(body).position();
+        if (at.x() > 2 * slide.size * (boxesOfFloor - 3) - 2 * slide.radius) break;
+        ride.way = at.x() - slide.start;
+        ride.hop = std::max(ride.hop, std::fabs(at.y() - slide.height()));
+    }
+    return ride;
+}
+
+}  // namespace
+
+TEST_CASE("what slides over boxes laid flush goes on as over one box", "[dynamics][flush]") {
+    for (const Floor floor : {Floor::Fixed, Floor::Loose}) {
+        double worstWay = 0, worstHop = 0;
+        for (int seed = 0; seed < plumb::test::allCases(150); ++seed) {
+            const Slide slide(static_cast<unsigned>(seed));
+            const Ride ride = rideOver(slide, floor), whole = rideOver(slide, Floor::Whole);
+            INFO((floor == Floor::Loose ? "loose, " : "fixed, ") << "seed " << seed << ", kind " << slide.kind);
+            CHECK(std::fabs(ride.way - whole.way) < 0.01 * whole.way + 0.01);
+            CHECK(ride.hop < whole.hop + 0.01);
+            worstWay = std::max(worstWay, std::fabs(ride.way - whole.way) / (whole.way + 0.01));
+            worstHop = std::max(worstHop, ride.hop - whole.hop);
+        }
+        CHECK(worstWay < 0.01);
+        CHECK(worstHop < 0.01);
+    }
+}
+
+TEST_CASE("a step in a floor of boxes stops what slides against it", "[dynamics][flush]") {
+    for (const double step : {0.02, 0.1, 0.5}) {
+        INFO("a step of " << step << " m");
+        World world;
+        for (int i = 0; i < 20; ++i)
+            world.add({.type = BodyType::Static,
+                       .position = {2.0 * i, i < 8 ? -1 : -1 + step},
+                       .shapes = {plumb::box({1, 1}, {.friction = 0})}});
+        const BodyId body =
+            world.add({.position = {1, 0.4}, .velocity = {3, 0}, .shapes = {plumb::box({0.4, 0.4}, {.friction = 0})}});
+        for (int tick = 0; tick < 400; ++tick) world.step(dt);
+        CHECK(world.body(body).position().x() < 15.01);
+    }
+}
