@@ -115,9 +115,12 @@ TEST_CASE("a chain that falls in a heap under a heavy box gains no energy and co
     for (int run = 0; run < runs; ++run) {
         std::mt19937 random(static_cast<unsigned>(run));
         std::uniform_real_distribution<double> share(0, 1);
-        const double friction = 0.2 + 0.8 * share(random), load = std::pow(10, 2.5 * share(random));
+        const double friction = 0.2 + 0.8 * share(random);
+        const double load = std::pow(10, 2.5 * share(random));
+        const int links = 5 + static_cast<int>(25 * share(random));
+        const double length = 0.1 + 0.3 * share(random);
         JointMachine machine(friction);
-        makeHeap(machine, 5 + static_cast<int>(25 * share(random)), 0.1 + 0.3 * share(random), load, friction);
+        makeHeap(machine, links, length, load, friction);
         const double start = machine.world.ledger().energy.stored();
         double least = start;
         for (int tick = 0; tick < 600; ++tick) {
@@ -126,12 +129,12 @@ TEST_CASE("a chain that falls in a heap under a heavy box gains no energy and co
             gains = std::max(gains, (stored - least) / start);
             least = std::min(least, stored);
         }
-        INFO("run " << run << ": " << machine.bodies.size() - 1 << " links under " << load << " kg");
+        INFO("run " << run << ": " << links << " links under " << load << " kg");
         CHECK(machine.world.ledger().energy.stored() < 0.5 * start);
         restless += machine.fastest() > 0.05;
     }
-    CHECK(gains < 0.02);
-    CHECK(restless <= 2);
+    CHECK(gains < 0.03);
+    CHECK(restless <= 1);
 }
 
 TEST_CASE("a motor with too little torque does not drive a cart up a wall, and one with enough drives it on",

@@ -12,9 +12,9 @@ namespace plumb {
 
 namespace {
 
-/// All machines of a step have answers of at most this many numbers: more would take too long. Machines that come after
-/// are solved in turn with their contacts.
-constexpr std::size_t mostAnswers = 300000;
+/// The answers of all machines are at most this many velocities, and the machines at most so many. More, such as a heap
+/// of dolls, would take too long: they are solved in turn with their contacts.
+constexpr std::size_t mostAnswers = 50000, mostMachines = 8;
 constexpr std::size_t rowsPerContact = 4;
 /// A machine with more contacts than this is rather a vessel or a stirrer than something that stands on them; its
 /// contacts are solved with all others, which takes less time.
@@ -48,10 +48,11 @@ public:
         : graph_(graph), contacts_(contacts), bodies_(bodies) {}
 
     MachineContacts take(JointIslands& islands) {
-        for (JointIsland& island : islands.islands) {
-            island.trial.wanted = island.direct && isAffordable(island);
+        for (JointIsland& island : islands.islands) island.trial.wanted = island.direct && isAffordable(island);
+        if (machines_ > mostMachines)
+            for (JointIsland& island : islands.islands) island.trial.wanted = false;
+        for (JointIsland& island : islands.islands)
             if (island.trial.wanted) addPart(island);
-        }
         for (const JointIsland& island : islands.islands)
             if (island.trial.wanted) addContacts(island);
         return std::move(found_);
@@ -68,6 +69,7 @@ private:
         const std::size_t answers = touches * rowsPerContact * island.bodies.size();
         if (touches == 0 || answers_ + answers > mostAnswers) return false;
         answers_ += answers;
+        ++machines_;
         return true;
     }
 
@@ -107,7 +109,7 @@ private:
     const BodyStore& bodies_;
     MachineContacts found_;
     std::map<BodyIndex, MachineContact::Side> sides_;
-    std::size_t answers_ = 0;
+    std::size_t answers_ = 0, machines_ = 0;
 };
 
 }  // namespace

@@ -14,8 +14,9 @@ namespace {
 /// Overlap is pushed out as firmly as with this share of the masses of both parts; by an effective mass that is larger,
 /// as where joints keep a body in its place, bodies that are jammed would be torn apart [-].
 constexpr double softShare = 0.1;
-/// Most sweeps over the contacts in a round, and most rounds of contacts and joints.
-constexpr int mostSweeps = 40, mostRounds = 4;
+/// Most sweeps over the contacts in a round, and most rounds of contacts and joints; where there are more than a few
+/// machines, as in a heap of dolls, fewer must do.
+constexpr int mostSweeps = 40, mostRounds = 4, fewRounds = 2, fewMachines = 2;
 /// Compliance of a row, relative to the effective inverse mass of its bodies alone. It is larger than that of joints: a
 /// contact that only the joints' compliance lets move would get impulses without bounds [-].
 constexpr double rowCompliance = 2e-5;
@@ -23,7 +24,7 @@ constexpr double rowCompliance = 2e-5;
 /// both could grow without end where bodies are jammed.
 constexpr int limitedSweeps = 4;
 constexpr std::size_t notFound = ~std::size_t{0};
-/// A sweep, or a round, that changes speeds by less than this is the last one [m/s].
+/// A sweep, or a round, that changes speeds by less than this share of the fastest, or of 1 m/s, is the last one [-].
 constexpr double still = 1e-6, stillInRound = 1e-4;
 
 Vec2 momentumOf(const JointIsland& island, const BodyStore& bodies, const std::vector<Vec3>& velocities) {
@@ -51,7 +52,11 @@ void MachineSweep::run() {
     findBefore();
     load();
     tried_ = velocities_;
-    for (int round = 0; round < mostRounds; ++round) {
+    for (const std::vector<Vec3>& velocities : velocities_)
+        for (const Vec3& v : velocities) scale_ = std::max({scale_, std::fabs(v[0]), std::fabs(v[1])});
+    const auto isMachine = [](const MachinePart& part) { return part.island != nullptr; };
+    const bool few = std::count_if(machines_.parts.begin(), machines_.parts.end(), isMachine) <= fewMachines;
+    for (int round = 0; round < (few ? mostRounds : fewRounds); ++round) {
         findAnswers();
         sweep();
         if (!solveJoints()) break;
@@ -180,7 +185,7 @@ void MachineSweep::sweep() {
     for (int turn = 0; turn < mostSweeps; ++turn) {
         double most = 0;
         for (MachineRows& rows : rows_) most = std::max(most, solveContact(rows, turn < limitedSweeps));
-        if (most < still) return;
+        if (most < still * scale_) return;
     }
 }
 
@@ -302,7 +307,8 @@ bool MachineSweep::solveJoints() {
     load();
     auto speed = speeds.begin();
     for (const MachineRows& rows : rows_)
-        for (const MachineRow& row : rows.row) changed = changed || std::fabs(speedOf(row) - *speed++) > stillInRound;
+        for (const MachineRow& row : rows.row)
+            changed = changed || std::fabs(speedOf(row) - *speed++) > stillInRound * scale_;
     return changed;
 }
 

@@ -61,6 +61,7 @@ private:
     std::vector<Vec3> answers_;                      ///< of the rows' ends
     std::vector<std::vector<std::size_t>> unitsAt_;  ///< of each body of each part: where its entry in units_ begins
     std::vector<Vec3> units_;                        ///< answers to unit impulses on a body along x, y, and turning
+    double scale_ = 1;                               ///< speed of the fastest body, at least 1 m/s
     bool sameStates_ = false;                        ///< the joints' matrices are those of the answers
 };
 

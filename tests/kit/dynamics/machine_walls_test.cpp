@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// Joints that pull bodies against walls.
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <plumb/plumb.h>
+#include "cases.h"
+#include "catch.h"
+#include "kit/usual_world.h"
+
+using plumb::BodyId;
+using plumb::BodyType;
+using plumb::DistanceJointDef;
+using plumb::Material;
+using plumb::Vec2;
+using plumb::World;
+using plumb::test::dt;
+
+namespace {
+
+plumb::ShapeDef jointedShape(int number, const Material& material) {
+    switch (number % 4) {
+        case 0: return plumb::circle(0.2, material);
+        case 1: return plumb::box({0.6, 0.05}, material);
+        case 2: return plumb::capsule({-0.4, 0}, {0.4, 0}, 0.1, material);
+        default: return plumb::polygon({{-0.3, -0.2}, {0.5, -0.1}, {0.1, 0.4}}, material);
+    }
+}
+
+/// Chains of four bodies in a room of segments; returns how many got out in five seconds.
+int escapesFrom(unsigned seed, double most) {
+    std::mt19937 random(seed);
+    const auto either = [&](double size) { return std::uniform_real_distribution<double>(-size, size)(random); };
+    const Material material{.friction = 0.3, .restitution = seed % 2 == 0 ? 0.0 : 0.5};
+    World world({.gravity = {0, -10}});
+    const Vec2 corners[4] = {{-10, -10}, {10, -10}, {10, 10}, {-10, 10}};
+    for (std::size_t i = 0; i < 4; ++i)
+        world.add({.type = BodyType::Static, .shapes = {plumb::segment(corners[i], corners[(i + 1) % 4], material)}});
+    std::vector<BodyId> bodies;
+    for (int i = 0; i < 12; ++i) {
+        const Vec2 at(-7 + 4.6 * (i % 4), -6 + 6.0 * (i / 4)), before = at - Vec2(4.6, 0);
+        const double spin = either(0.3 * most), vx = either(most), vy = either(most);
+        bodies.push_back(world.add(
+            {.position = at, .velocity = {vx, vy}, .angularVelocity = spin, .shapes = {jointedShape(i, material)}}));
+        if (i % 4 == 0) continue;
+        DistanceJointDef rod{.bodyA = *(bodies.end() - 2), .bodyB = bodies.back(), .anchorA = before, .anchorB = at};
+        if (i >= 8) {  // a rope
+            rod.spring = plumb::Spring{0, 0};
+            rod.maxLength = 4.6;
+        }
+        world.join(rod);
+    }
+    int escapes = 0;
+    std::vector<bool> out(bodies.size(), false);
+    for (int tick = 0; tick < 300; ++tick) {
+        world.step(dt);
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            if (out[i] || world.body(bodies[i]).position().cwiseAbs().maxCoeff() < 10.05) continue;
+            out[i] = true;
+            ++escapes;
+        }
+    }
+    return escapes;
+}
+
+}  // namespace
+
+TEST_CASE("rods and ropes do not pull fast bodies through the segments of 60 rooms", "[dynamics][joints][machines]") {
+    int escapes = 0;
+    const int runs = plumb::test::allCases(60);
+    for (int run = 0; run < runs; ++run) escapes += escapesFrom(static_cast<unsigned>(run), run % 2 == 0 ? 200 : 2000);
+    INFO(escapes << " of " << 12 * runs << " bodies");
+    CHECK(escapes == 0);
+}
