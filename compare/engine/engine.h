@@ -27,6 +27,7 @@ struct BodyState {
     double angle = 0;            ///< counted on through whole turns [rad]
     Vec2 velocity{0, 0};         ///< of the centre of mass [m/s]
     double angularVelocity = 0;  ///< [rad/s]
+    bool present = true;         ///< false before it appears; then the rest says where it will
 };
 
 /// By place in the scene, whether a joint has broken; one that is not in the list has not.

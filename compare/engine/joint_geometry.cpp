@@ -92,6 +92,17 @@ Breaking breakingOf(const JointDef& def) {
     return std::visit(its, def);
 }
 
+std::vector<std::size_t> bodiesOf(const std::vector<JointGeometry>& joints, std::size_t joint) {
+    const JointGeometry& held = joints[joint];
+    if (std::holds_alternative<GearJointDef>(held.def)) {
+        std::vector<std::size_t> bodies = bodiesOf(joints, held.jointA);
+        for (const std::size_t body : bodiesOf(joints, held.jointB)) bodies.push_back(body);
+        return bodies;
+    }
+    if (held.bodyA == noBody) return {held.bodyB};
+    return {held.bodyA, held.bodyB};
+}
+
 std::vector<JointGeometry> jointGeometries(const Scene& scene) {
     const NameIndex index(scene.bodies);
     const auto find = [&](const std::string& name) {

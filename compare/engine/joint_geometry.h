@@ -29,6 +29,9 @@ struct JointGeometry {
 /// In the scene's order. Throws std::invalid_argument for a joint to a body or joint that is not there.
 std::vector<JointGeometry> jointGeometries(const Scene& scene);
 
+/// The places of the bodies that a joint holds; of a gear, those of the two joints that it couples.
+std::vector<std::size_t> bodiesOf(const std::vector<JointGeometry>& joints, std::size_t joint);
+
 /// The spring of a target: its own, or 5 Hz of the body's mass at a damping ratio of 0.7.
 Spring springOf(const TargetJointDef& def, const BodyDef& body);
 

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include <compare/engine/joint_geometry.h>
+#include <compare/engine/arrivals.h>
 #include <compare/engine/plumb_world.h>
 #include <compare/mover/plumb_movers.h>
 #include <plumb/record/state_hash.h>
@@ -17,7 +17,7 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 class PlumbSimulation : public Simulation {
 public:
-    explicit PlumbSimulation(const Scene& scene) : made_(plumbWorld(scene)), movers_(scene, made_) {
+    explicit PlumbSimulation(const Scene& scene) : made_(plumbWorld(scene)), movers_(scene, made_), arrivals_(scene) {
         for (const Probe& probe : scene.probes) {
             if (const auto* count = std::get_if<SensorCountProbe>(&probe.quantity))
                 gates_.push_back({made_.bodies[bodyIndex(scene, count->body)], values_.size()});
@@ -30,6 +30,7 @@ public:
     }
 
     void step(double dt) override {
+        for (const Arrivals::Due& due : arrivals_.dueBefore(tick_++)) arrive(due);
         movers_.step(made_.world, dt);
         made_.world.step(dt);
         stepped_ = true;
@@ -41,7 +42,12 @@ public:
     std::vector<BodyState> states() const override {
         std::vector<BodyState> result;
         result.reserve(made_.bodies.size());
-        for (const BodyId& id : made_.bodies) {
+        for (std::size_t i = 0; i < made_.bodies.size(); ++i) {
+            const BodyId id = made_.bodies[i];
+            if (!made_.world.contains(id)) {
+                result.push_back(arrivals_.awaited(i));
+                continue;
+            }
             const BodyView body = made_.world.body(id);
             result.push_back({body.position(), body.angle(), body.velocity(), body.angularVelocity()});
         }
@@ -82,6 +88,14 @@ private:
         int visits = 0;
     };
 
+    void arrive(const Arrivals::Due& due) {
+        for (const std::size_t body : due.arrival.bodies) {
+            if (due.again) made_.world.remove(made_.bodies[body]);
+            putBody(made_, arrivals_.scene(), body);
+        }
+        for (const std::size_t joint : due.arrival.joints) putJoint(made_, arrivals_.joints()[joint], joint);
+    }
+
     std::function<double()> reader(const Scene& scene, const Probe& probe) const {
         if (const auto* force = std::get_if<NormalForceProbe>(&probe.quantity)) {
             const BodyId a = made_.bodies[bodyIndex(scene, force->bodyA)];
@@ -109,6 +123,8 @@ private:
 
     PlumbWorld made_;
     PlumbMovers movers_;
+    Arrivals arrivals_;
+    int tick_ = 0;
     std::vector<std::function<double()>> values_;
     std::vector<Gate> gates_;
     bool stepped_ = false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <compare/engine/plumb_world.h>
 
-#include <compare/engine/joint_geometry.h>
+#include <compare/engine/arrivals.h>
 #include <plumb/shapes/chain.h>
 
 namespace plumb::compare {
@@ -33,15 +33,28 @@ Capacity capacityFor(const Scene& scene) {
 
 }  // namespace
 
+void putBody(PlumbWorld& made, const Scene& scene, std::size_t body) {
+    made.bodies[body] = made.world.add(scene.bodies[body].def);
+}
+
+void putJoint(PlumbWorld& made, const JointGeometry& geometry, std::size_t joint) {
+    made.joints[joint] = made.world.join(withIds(geometry, made));
+}
+
 PlumbWorld plumbWorld(const Scene& scene, WorldDef def) {
     def.gravity = scene.gravity;
     def.sleeping = scene.sleeping;
     def.wrap = scene.wrap;
     PlumbWorld made{World(def), {}, {}};
     made.world.reserve(capacityFor(scene));
-    for (const SceneBody& body : scene.bodies) made.bodies.push_back(made.world.add(body.def));
-    for (const JointGeometry& joint : jointGeometries(scene))
-        made.joints.push_back(made.world.join(withIds(joint, made)));
+    made.bodies.resize(scene.bodies.size());
+    made.joints.resize(scene.joints.size());
+    const Arrivals arrivals(scene);
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+        if (arrivals.bodyIsThereAtStart(i)) putBody(made, scene, i);
+    const std::vector<JointGeometry> joints = jointGeometries(scene);
+    for (std::size_t i = 0; i < joints.size(); ++i)
+        if (arrivals.jointIsThereAtStart(i)) putJoint(made, joints[i], i);
     for (const SceneField& field : scene.fields) {
         FieldDef law = field.def;
         if (auto* magnet = std::get_if<Magnet>(&law.law)) magnet->body = made.bodies[bodyIndex(scene, field.body)];

@@ -62,14 +62,19 @@ std::optional<double> Geometry::penetration(std::span<const BodyState> states) c
     if (!std::all_of(states.begin(), states.end(), isFinite)) return {};
     std::vector<Transform> poses;
     for (const BodyState& state : states) poses.push_back(poseOf(state));
+    std::vector<const Placed*> present;
     std::vector<Aabb> boxes;
-    for (const Placed& placed : shapes_) boxes.push_back(aabbOf(placed.shape.shape, poses[placed.body]));
+    for (const Placed& placed : shapes_) {
+        if (!states[placed.body].present) continue;
+        present.push_back(&placed);
+        boxes.push_back(aabbOf(placed.shape.shape, poses[placed.body]));
+    }
     Bvh tree;
     tree.build(boxes);
     double deepest = 0;
     const auto look = [&](const Pair& pair, const Vec2& shift) {
-        const Placed& a = shapes_[pair.a];
-        const Placed& b = shapes_[pair.b];
+        const Placed& a = *present[pair.a];
+        const Placed& b = *present[pair.b];
         if (!mayTouch(a, b)) return;
         const Transform there{poses[b.body].position + shift, poses[b.body].rotation};
         deepest = std::max(deepest, -distance(a.shape.shape, poses[a.body], b.shape.shape, there).separation);
@@ -97,6 +102,7 @@ std::optional<double> Geometry::jointError(std::span<const BodyState> states, co
     double worst = 0;
     for (std::size_t joint = 0; joint < joints_.joints().size(); ++joint) {
         if (joint < broken.size() && broken[joint]) continue;
+        if (!joints_.isPresent(joint, states)) continue;
         if (!joints_.isKnown(joint, states)) return {};
         worst = std::max(worst, joints_.gap(joint, states));
     }

@@ -23,10 +23,11 @@ public:
     bool anyMayTouch() const { return anyMayTouch_; }
     bool anyJoint() const { return !joints_.joints().empty(); }
 
-    /// The deepest overlap of two shapes that may touch, 0 when none do [m]. Empty when a state is not finite.
+    /// The deepest overlap of two shapes that may touch and are present, 0 when none do [m]. Empty when a state is not
+    /// finite.
     std::optional<double> penetration(std::span<const BodyState> states) const;
 
-    /// The farthest that a joint is from what it holds, but for those that have broken [m]. Empty when a state of a
+    /// The farthest that a joint is from what it holds, but for those that have broken or are not there yet [m]. Empty when a state of a
     /// joined body is not finite. Bodies that it kept apart are still taken to be, when it has broken.
     std::optional<double> jointError(std::span<const BodyState> states, const Broken& broken = {}) const;
 

@@ -38,11 +38,12 @@ JointStates::JointStates(const Scene& scene) : joints_(jointGeometries(scene)) {
     }
 }
 
+bool JointStates::isPresent(std::size_t index, std::span<const BodyState> states) const {
+    return std::ranges::all_of(bodiesOf(joints_, index), [&](std::size_t body) { return states[body].present; });
+}
+
 bool JointStates::isKnown(std::size_t index, std::span<const BodyState> states) const {
-    const JointGeometry& joint = joints_[index];
-    if (std::holds_alternative<GearJointDef>(joint.def))
-        return isKnown(joint.jointA, states) && isKnown(joint.jointB, states);
-    return isFinite(states[joint.bodyB]) && (joint.bodyA == noBody || isFinite(states[joint.bodyA]));
+    return std::ranges::all_of(bodiesOf(joints_, index), [&](std::size_t body) { return isFinite(states[body]); });
 }
 
 JointStates::Sides JointStates::sidesOf(const JointGeometry& joint, std::span<const BodyState> states) const {

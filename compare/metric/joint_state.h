@@ -17,6 +17,9 @@ public:
 
     const std::vector<JointGeometry>& joints() const { return joints_; }
 
+    /// The joint's bodies are there.
+    bool isPresent(std::size_t joint, std::span<const BodyState> states) const;
+
     /// The states of the joint's bodies are numbers.
     bool isKnown(std::size_t joint, std::span<const BodyState> states) const;
 

@@ -72,6 +72,7 @@ std::optional<Mechanics> MassModel::at(std::span<const BodyState> states, const 
     Mechanics sum;
     for (const Moving& moving : moving_) {
         const BodyState& state = states[moving.body];
+        if (!state.present) continue;
         if (!isFinite(state)) return {};
         const double m = moving.mass.mass;
         const double spin = moving.mass.inertia * state.angularVelocity;
@@ -87,7 +88,7 @@ std::optional<Mechanics> MassModel::at(std::span<const BodyState> states, const 
         sum.angularMomentumSize += m * arm.norm() * state.velocity.norm() + std::abs(spin);
     }
     for (std::size_t joint = 0; joint < joints_.joints().size(); ++joint) {
-        if (joint < broken.size() && broken[joint]) continue;
+        if ((joint < broken.size() && broken[joint]) || !joints_.isPresent(joint, states)) continue;
         if (joints_.isKnown(joint, states)) sum.elastic += joints_.springEnergy(joint, states);
     }
     if (!fields_.empty()) sum.field = fields_.energyAt(states);
@@ -98,6 +99,7 @@ std::optional<double> MassModel::fastestPoint(std::span<const BodyState> states)
     double fastest = 0;
     for (const Moving& moving : moving_) {
         const BodyState& state = states[moving.body];
+        if (!state.present) continue;
         if (!isFinite(state)) return {};
         fastest = std::max(fastest, state.velocity.norm() + std::abs(state.angularVelocity) * moving.reach);
     }

@@ -12,7 +12,7 @@
 
 namespace plumb::compare {
 
-/// Sums over the dynamic bodies.
+/// Sums over the dynamic bodies that are there.
 struct Mechanics {
     double kinetic = 0;          ///< sum of m v^2 / 2 + I w^2 / 2 [J]
     double potential = 0;        ///< sum of -m s g.c, zero at the world's origin; s the body's gravity scale [J]

@@ -80,7 +80,7 @@ struct Drifts {
     }
 };
 
-void measureMechanics(const MassModel& masses, const Observation& run, Measured& measured) {
+void measureMechanics(const Scene& scene, const MassModel& masses, const Observation& run, Measured& measured) {
     if (!masses.anyDynamic()) return;
     std::optional<Mechanics> start;
     Drifts drifts;
@@ -96,6 +96,7 @@ void measureMechanics(const MassModel& masses, const Observation& run, Measured&
         measured.series.energy.clear();
         return;
     }
+    if (!std::ranges::all_of(scene.bodies, isAlwaysThere)) return;  // what comes brings energy
     const double energy = std::max(drifts.kinetic, drifts.highest - drifts.lowest);
     measured.metrics["energy_drift"] = drifts.relative(drifts.energy, energy);
     measured.metrics["momentum_drift"] = drifts.relative(drifts.momentum, drifts.momentumSize);
@@ -152,7 +153,7 @@ Measured measure(const Scene& scene, const Observation& run, const Observation* 
         metrics["divergence_max"] = largest(measured.series.divergence);
         metrics["divergence_time"] = firstTimeOver(measured.series.divergence, divergenceLimit, run.dt);
     }
-    measureMechanics(masses, run, measured);
+    measureMechanics(scene, masses, run, measured);
     if (!run.partial) {
         measureGeometry(scene, run, metrics);
         if (masses.anyDynamic()) metrics["settle_time"] = settleTime(masses, run);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <compare/engine/joint_geometry.h>
+#include <plumb/math/trig.h>
 
 namespace plumb::compare {
 namespace {
@@ -28,6 +29,10 @@ PathMover pathMoverOf(const PathMotion& motion) {
 
 Vec2 placeOn(const PathMover& path, double delay, int step, double dt) {
     return path.at(std::max(0.0, step * dt - delay)).position;
+}
+
+Vec2 placeOn(const SwingMotion& swing, const Vec2& start, int step, double dt) {
+    return start + swing.amplitude * sinCos(swing.rate * step * dt).sin;
 }
 
 GridMover gridMoverOf(const GridMotion& motion) {

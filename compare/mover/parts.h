@@ -15,6 +15,8 @@ namespace plumb::compare {
 PathMover pathMoverOf(const PathMotion& motion);
 /// Where it is after a step, the so-manieth from 1 on.
 Vec2 placeOn(const PathMover& path, double delay, int step, double dt);
+/// The same of what swings about a place.
+Vec2 placeOn(const SwingMotion& swing, const Vec2& start, int step, double dt);
 GridMover gridMoverOf(const GridMotion& motion);
 PlatformProfile profileOf(const PlatformMotion& motion);
 

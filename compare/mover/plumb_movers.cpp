@@ -12,6 +12,10 @@ PlumbMovers::PlumbMovers(const Scene& scene, const PlumbWorld& made) {
         const BodyId body = made.bodies[index];
         if (const auto* path = std::get_if<PathMotion>(&mover.motion))
             movers_.push_back(OnPath{pathMoverOf(*path), path->delay, body, scene.bodies[index].def.angle});
+        if (const auto* swing = std::get_if<SwingMotion>(&mover.motion)) {
+            const BodyDef& def = scene.bodies[index].def;
+            movers_.push_back(Swinging{*swing, def.position, body, def.angle});
+        }
         if (const auto* sliding = std::get_if<SlidingMotion>(&mover.motion)) movers_.push_back(Sliding{*sliding, body});
         if (const auto* grid = std::get_if<GridMotion>(&mover.motion))
             movers_.push_back(OnGrid{*grid, gridMoverOf(*grid), TurnList(*grid), maps.of(scene, *grid), body});
@@ -27,6 +31,10 @@ void PlumbMovers::step(World& world, double dt) {
 
 void PlumbMovers::step(World& world, OnPath& mover, double dt) const {
     world.body(mover.body).moveTo(placeOn(mover.mover, mover.delay, tick_ + 1, dt), mover.angle, dt);
+}
+
+void PlumbMovers::step(World& world, Swinging& mover, double dt) const {
+    world.body(mover.body).moveTo(placeOn(mover.motion, mover.start, tick_ + 1, dt), mover.angle, dt);
 }
 
 void PlumbMovers::step(World& world, Sliding& mover, double dt) const {

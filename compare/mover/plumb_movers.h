@@ -24,6 +24,12 @@ private:
         BodyId body;
         double angle;
     };
+    struct Swinging {
+        SwingMotion motion;
+        Vec2 start;
+        BodyId body;
+        double angle;
+    };
     struct Sliding {
         SlidingMotion motion;
         BodyId body;
@@ -42,11 +48,12 @@ private:
     };
 
     void step(World& world, OnPath& mover, double dt) const;
+    void step(World& world, Swinging& mover, double dt) const;
     void step(World& world, Sliding& mover, double dt) const;
     void step(World& world, OnGrid& mover, double dt) const;
     void step(World& world, OnPlatforms& mover, double dt) const;
 
-    std::vector<std::variant<OnPath, Sliding, OnGrid, OnPlatforms>> movers_;
+    std::vector<std::variant<OnPath, Swinging, Sliding, OnGrid, OnPlatforms>> movers_;
     int tick_ = 0;
 };
 

@@ -45,6 +45,8 @@ SceneMovers::SceneMovers(const Scene& scene, Characters characters) : gravity_(-
         const std::size_t body = bodyIndex(scene, mover.body);
         if (const auto* path = std::get_if<PathMotion>(&mover.motion))
             movers_.push_back({body, OnPath{pathMoverOf(*path), path->delay}});
+        if (const auto* swing = std::get_if<SwingMotion>(&mover.motion))
+            movers_.push_back({body, Swinging{*swing, scene.bodies[body].def.position}});
         if (const auto* sliding = std::get_if<SlidingMotion>(&mover.motion))
             movers_.push_back({body, Straight{sliding->velocity, isCharacter(scene, scene.bodies[body], characters)}});
         if (const auto* grid = std::get_if<GridMotion>(&mover.motion))
@@ -67,6 +69,10 @@ std::vector<MoverCommand> SceneMovers::commands(std::span<const BodyState> state
 
 MoverCommand SceneMovers::command(OnPath& mover, const BodyState& now, double dt) const {
     return {.velocity = velocityTo(placeOn(mover.mover, mover.delay, tick_ + 1, dt), now, dt)};
+}
+
+MoverCommand SceneMovers::command(Swinging& mover, const BodyState& now, double dt) const {
+    return {.velocity = velocityTo(placeOn(mover.motion, mover.start, tick_ + 1, dt), now, dt)};
 }
 
 MoverCommand SceneMovers::command(Straight& mover, const BodyState&, double) const {

@@ -35,6 +35,10 @@ private:
         PathMover mover;
         double delay;
     };
+    struct Swinging {
+        SwingMotion motion;
+        Vec2 start;
+    };
     struct Straight {
         Vec2 velocity;
         bool isCharacter;
@@ -54,10 +58,11 @@ private:
     };
     struct Mover {
         std::size_t body;
-        std::variant<OnPath, Straight, OnGrid, OnPlatforms> kind;
+        std::variant<OnPath, Swinging, Straight, OnGrid, OnPlatforms> kind;
     };
 
     MoverCommand command(OnPath& mover, const BodyState& now, double dt) const;
+    MoverCommand command(Swinging& mover, const BodyState& now, double dt) const;
     MoverCommand command(Straight& mover, const BodyState& now, double dt) const;
     MoverCommand command(OnGrid& mover, const BodyState& now, double dt) const;
     MoverCommand command(OnPlatforms& mover, const BodyState& now, double dt) const;

@@ -49,7 +49,7 @@ constexpr std::span<const char* const> tagsOf(Watch) {
 }
 
 inline constexpr std::array motionTags{"piecewise", "damped", "pendulum", "oscillator", "dragFall", "kepler"};
-inline constexpr std::array moverTags{"path", "slide", "grid", "platform"};
+inline constexpr std::array moverTags{"path", "slide", "grid", "platform", "swing"};
 inline constexpr std::array probeTags{"angle", "normalForce", "jointForce",  "position", "velocity",
                                       "limit", "jointBroken", "sensorCount", "snags",    "apart"};
 inline constexpr std::array checkTags{"exact", "agree", "invariant", "order"};
@@ -122,6 +122,8 @@ void fields(auto& visit, OrConst<TilesFields> auto& x) {
 }
 void fields(auto& visit, OrConst<SceneBody> auto& x) {
     visit("name", x.name);
+    visit("appears", x.appears);
+    visit("renewed", x.renewed);
     fields(visit, x.def);
 }
 void fields(auto& visit, OrConst<SceneJoint> auto& x) {
@@ -172,6 +174,10 @@ void fields(auto& visit, OrConst<PlatformCue> auto& x) {
 void fields(auto& visit, OrConst<PlatformMotion> auto& x) {
     visit("profile", x.profile);
     visit("cues", x.cues);
+}
+void fields(auto& visit, OrConst<SwingMotion> auto& x) {
+    visit("amplitude", x.amplitude);
+    visit("rate", x.rate);
 }
 void fields(auto& visit, OrConst<SceneMover> auto& x) {
     visit("name", x.name);

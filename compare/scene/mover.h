@@ -64,7 +64,13 @@ struct PlatformMotion {
     std::vector<PlatformCue> cues{};  ///< in the order of their times
 };
 
-using MoverMotion = std::variant<PathMotion, SlidingMotion, GridMotion, PlatformMotion>;
+/// To and fro about where it starts: by amplitude times sin(rate t).
+struct SwingMotion {
+    Vec2 amplitude{1, 0};  ///< [m]
+    double rate = 1;       ///< > 0 [rad/s]
+};
+
+using MoverMotion = std::variant<PathMotion, SlidingMotion, GridMotion, PlatformMotion, SwingMotion>;
 
 struct SceneMover {
     std::string name{};  ///< unique in the scene

@@ -19,6 +19,8 @@ namespace plumb::compare {
 struct SceneBody {
     std::string name{};  ///< unique in the scene
     BodyDef def{};
+    double appears = 0;  ///< not there before this, as its joints are not; >= 0 [s]
+    double renewed = 0;  ///< taken out and made anew each time so long after it appeared; 0: never [s]
 };
 
 struct SceneJoint {
@@ -120,6 +122,11 @@ struct Scene {
     std::vector<Probe> probes{};
     std::vector<Check> checks{};
 };
+
+/// It is there from the start of the scene to its end.
+inline bool isAlwaysThere(const SceneBody& body) {
+    return body.appears == 0 && body.renewed == 0;
+}
 
 /// A shape bounces: Box2D is then run with a restitution threshold of 0.
 bool bounces(const Scene& scene);

@@ -9,6 +9,7 @@
 #include <compare/scene/name_index.h>
 #include <compare/scene/named.h>
 #include <compare/scene/scene.h>
+#include <compare/scene/validate_arrivals.h>
 #include <compare/scene/validate_joint.h>
 #include <compare/scene/validate_mover.h>
 #include <plumb/math/check.h>
@@ -245,6 +246,7 @@ void validate(const Scene& scene) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) validateBody(scene.bodies[i], at("bodies", i));
     const NameIndex index(scene.bodies);
     for (std::size_t i = 0; i < scene.joints.size(); ++i) validateJoint(scene, i, index);
+    validateArrivals(scene, index);
     for (std::size_t i = 0; i < scene.fields.size(); ++i) validateField(scene, i);
     for (std::size_t i = 0; i < scene.movers.size(); ++i) validateMover(scene, i);
     for (std::size_t i = 0; i < scene.probes.size(); ++i) validateProbe(scene.probes[i], scene, at("probes", i));

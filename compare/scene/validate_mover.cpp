@@ -47,6 +47,11 @@ void validateMotion(const Scene&, const PlatformMotion& motion, const std::strin
     }
 }
 
+void validateMotion(const Scene&, const SwingMotion& motion, const std::string& field) {
+    requireFinite(motion.amplitude, field, ".amplitude");
+    requirePositive(motion.rate, field, ".rate");
+}
+
 }  // namespace
 
 void validateMover(const Scene& scene, std::size_t index) {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include <compare/engine/arrivals.h>
 #include <compare/engine/box2d24/box2d24_body.h>
 #include <compare/engine/box2d24/box2d24_joint.h>
 #include <compare/engine/joint_geometry.h>
@@ -76,11 +77,12 @@ public:
           fields_(scene),
           movers_(scene),
           wrap_(scene.wrap),
-          probes_(scene.probes.size()) {
-        const float threshold = restitutionThreshold24(scene);
+          probes_(scene.probes.size()),
+          arrivals_(scene),
+          threshold_(restitutionThreshold24(scene)) {
         world_.SetAllowSleeping(scene.sleeping);
-        for (const SceneBody& body : scene.bodies)
-            bodies_.push_back(addBody24(world_, asMoved(scene, body), threshold, surfaces_));
+        for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+            bodies_.push_back(arrivals_.bodyIsThereAtStart(i) ? made(scene, i) : nullptr);
         join(scene);
         for (std::size_t i = 0; i < scene.probes.size(); ++i) watch(scene, scene.probes[i], probes_[i]);
         // Told of every contact in every step, a listener costs time: only where there is something to listen to.
@@ -89,6 +91,7 @@ public:
     }
 
     void step(double dt) override {
+        for (const Arrivals::Due& due : arrivals_.dueBefore(tick_++)) arrive(due);
         if (!fields_.empty()) applyFields(dt);
         if (!movers_.empty()) move(dt);
         world_.Step(static_cast<float>(dt), velocityIterations, positionIterations);
@@ -101,7 +104,8 @@ public:
     std::vector<BodyState> states() const override {
         std::vector<BodyState> result;
         result.reserve(bodies_.size());
-        for (const b2Body* body : bodies_) result.push_back(stateOf24(*body));
+        for (std::size_t i = 0; i < bodies_.size(); ++i)
+            result.push_back(bodies_[i] != nullptr ? stateOf24(*bodies_[i]) : arrivals_.awaited(i));
         return result;
     }
 
@@ -139,6 +143,22 @@ private:
         std::optional<std::size_t> joint;
         std::optional<std::size_t> gate;  // index of a body whose sensors count
     };
+
+    b2Body* made(const Scene& scene, std::size_t index) {
+        return addBody24(world_, asMoved(scene, scene.bodies[index]), threshold_, surfaces_);
+    }
+
+    /// A body's joints leave with it.
+    void arrive(const Arrivals::Due& due) {
+        const Scene& scene = arrivals_.scene();
+        for (const std::size_t body : due.arrival.bodies) {
+            if (due.again) world_.DestroyBody(bodies_[body]);
+            bodies_[body] = made(scene, body);
+        }
+        for (const std::size_t joint : due.arrival.joints)
+            joints_[joint] =
+                addJoint24({world_, scene, bodies_, joints_}, arrivals_.joints()[joint], scene.joints[joint].name);
+    }
 
     /// Box2D has no movers: its user sets velocities before each step.
     void move(double dt) {
@@ -191,7 +211,9 @@ private:
     void join(const Scene& scene) {
         const std::vector<JointGeometry> joints = jointGeometries(scene);
         for (std::size_t i = 0; i < joints.size(); ++i) {
-            joints_.push_back(addJoint24({world_, scene, bodies_, joints_}, joints[i], scene.joints[i].name));
+            joints_.push_back(arrivals_.jointIsThereAtStart(i)
+                                  ? addJoint24({world_, scene, bodies_, joints_}, joints[i], scene.joints[i].name)
+                                  : nullptr);
             const Breaking breaking = breakingOf(joints[i].def);
             if (breaking.force < unlimited || breaking.torque < unlimited) breakable_.emplace_back(i, breaking);
             if (std::holds_alternative<GearJointDef>(joints[i].def))
@@ -232,6 +254,9 @@ private:
     std::vector<std::pair<std::size_t, Breaking>> breakable_;
     std::vector<std::pair<std::size_t, std::pair<std::size_t, std::size_t>>> gears_;  // and the joints they couple
     std::vector<Watched> probes_;
+    Arrivals arrivals_;
+    float threshold_;  // of restitution [m/s]
+    int tick_ = 0;
     std::optional<double> lastDt_;  // [s]
 };
 

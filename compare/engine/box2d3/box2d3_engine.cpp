@@ -10,6 +10,7 @@
 #include <limits>
 #include <numbers>
 
+#include <compare/engine/arrivals.h>
 #include <compare/engine/box2d3/box2d3_body.h>
 #include <compare/engine/box2d3/box2d3_joint.h>
 #include <compare/engine/box2d3/box2d3_mover.h>
@@ -79,18 +80,19 @@ public:
           fields_(scene),
           movers_(scene, Characters::Capsules),
           wrap_(scene.wrap),
-          probes_(scene.probes.size()) {
+          probes_(scene.probes.size()),
+          arrivals_(scene) {
         senses_ = hasSensors(scene);
-        for (const SceneBody& body : scene.bodies) {
-            bodies_.push_back(addBody3(world_.id(), asMoved(scene, body, Characters::Capsules), senses_));
-            if (isCharacter(scene, body, Characters::Capsules)) makeCharacter3(bodies_.back());
-            angles_.push_back(body.def.angle);
+        for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+            bodies_.push_back(arrivals_.bodyIsThereAtStart(i) ? made(scene, i) : b2_nullBodyId);
+            angles_.push_back(scene.bodies[i].def.angle);
         }
         join(scene);
         for (std::size_t i = 0; i < scene.probes.size(); ++i) probes_[i] = watch(scene, scene.probes[i]);
     }
 
     void step(double dt) override {
+        for (const Arrivals::Due& due : arrivals_.dueBefore(tick_++)) arrive(due);
         if (!fields_.empty()) applyFields(dt);
         if (!movers_.empty()) move(dt);
         b2World_Step(world_.id(), static_cast<float>(dt), subSteps);
@@ -104,6 +106,10 @@ public:
         std::vector<BodyState> result;
         result.reserve(bodies_.size());
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
+            if (B2_IS_NULL(bodies_[i])) {
+                result.push_back(arrivals_.awaited(i));
+                continue;
+            }
             result.push_back(stateOf3(bodies_[i]));
             // Count on through whole turns: in one step Box2D 3 turns a body by less than a half.
             angles_[i] += std::remainder(result.back().angle - angles_[i], 2 * std::numbers::pi);
@@ -155,6 +161,26 @@ private:
         int visits = 0;
     };
 
+    b2BodyId made(const Scene& scene, std::size_t index) const {
+        const SceneBody& body = scene.bodies[index];
+        const b2BodyId id = addBody3(world_.id(), asMoved(scene, body, Characters::Capsules), senses_);
+        if (isCharacter(scene, body, Characters::Capsules)) makeCharacter3(id);
+        return id;
+    }
+
+    /// A body's joints leave with it.
+    void arrive(const Arrivals::Due& due) {
+        const Scene& scene = arrivals_.scene();
+        for (const std::size_t body : due.arrival.bodies) {
+            if (due.again) b2DestroyBody(bodies_[body]);
+            bodies_[body] = made(scene, body);
+            angles_[body] = scene.bodies[body].def.angle;
+        }
+        for (const std::size_t joint : due.arrival.joints)
+            joints_[joint] =
+                addJoint3({world_.id(), scene, bodies_, scene.dt / subSteps}, arrivals_.joints()[joint], joint);
+    }
+
     /// Box2D's world moves nothing by itself: its user sets velocities before each step, a character's by its queries.
     void move(double dt) {
         for (const MoverCommand& command : movers_.commands(states(), dt)) {
@@ -187,7 +213,9 @@ private:
     void join(const Scene& scene) {
         const std::vector<JointGeometry> joints = jointGeometries(scene);
         for (std::size_t i = 0; i < joints.size(); ++i) {
-            joints_.push_back(addJoint3({world_.id(), scene, bodies_, scene.dt / subSteps}, joints[i], i));
+            joints_.push_back(arrivals_.jointIsThereAtStart(i)
+                                  ? addJoint3({world_.id(), scene, bodies_, scene.dt / subSteps}, joints[i], i)
+                                  : b2_nullJointId);
             const Breaking breaking = breakingOf(joints[i].def);
             if (breaking.force < unlimited || breaking.torque < unlimited) breaks_ = true;
         }
@@ -259,6 +287,8 @@ private:
     std::vector<b2JointId> joints_;       // null where one has broken
     bool breaks_ = false, senses_ = false;
     std::vector<Watched> probes_;
+    Arrivals arrivals_;
+    int tick_ = 0;
     std::optional<double> lastDt_;  // [s]
 };
 
