@@ -35,6 +35,17 @@ std::vector<BenchScene> all() {
         {"small_50", "small", small50},          {"grid_movers", "", gridMovers},
         {"platform_movers", "", platformMovers},
     };
+    list.push_back({"small_20", "small", small20, {}});
+    list.push_back({"small_200", "small", small200, {}});
+    list.push_back({"junkyard", "", junkyard, {}});
+    list.push_back({"compounds", "", compounds, {}});
+    list.push_back({"washer", "", washer, {}});
+    list.push_back({"rain", "", rain, {}});
+    list.push_back({"dolls_100", "dolls", dolls100, {}});
+    for (const int n : {8, 9})
+        list.push_back({"dolls_" + std::to_string(n), "dolls", [=] { return dolls(n); }, {}});
+    list.push_back({"rope_60", "", rope60, {}});
+    list.push_back({"bridge_20", "", bridge20, {}});
     addSizes(list, "pile", pile);
     addSizes(list, "pyramids", pyramids);
     for (const int n : {200, 2000, 5000})

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is each scene that measures speed?
-// The six large ones are Box2D 3.2's own benchmarks (Erin Catto, MIT licence), by their numbers: sizes, places,
+// The six large ones, junkyard, compounds, washer and rain are Box2D 3.2's own benchmarks (Erin Catto, MIT licence), by their numbers: sizes, places,
 // materials and steps; none of its code.
 #pragma once
 #include <compare/scene/scene.h>
@@ -24,8 +24,24 @@ Scene tumblerOf2025();  ///< a turning box with 2,025 small ones inside: 2,027 b
 // spinner.cpp
 Scene spinner();  ///< a paddle in a ring full of capsules, discs and boxes: 6,078 bodies
 
-// small.cpp
-Scene small50();  ///< what a small game has on its screen: 50 bodies
+// small.cpp: what a small game has on its screen, so many bodies.
+Scene small20();
+Scene small50();
+Scene small200();
+
+// heaps.cpp
+Scene junkyard();   ///< 8,000 pentagons that a kinematic box pushes to and fro: 8,002 bodies
+Scene compounds();  ///< 3,000 bodies of two triangles each fall into a shaft: 3,001 bodies
+Scene washer();     ///< a turning kinematic drum with 8,100 small boxes: 8,101 bodies
+
+// rain.cpp
+Scene rain();  ///< 1,000 dolls of eleven bones fall on five floors and are made anew in turn: 11,001 bodies
+
+// dolls.cpp
+Scene dolls100();    ///< 100 of the scene ragdoll's dolls in a pit: 1,001 bodies, 900 hinges
+Scene dolls(int n);  ///< n of them fall 2.5 m, side by side
+Scene rope60();      ///< 60 boxes hinged end to end fall in a heap
+Scene bridge20();    ///< the scene bridge_under_load, in which nothing may sleep
 
 // pile.cpp
 Scene pile(int n);  ///< n boxes and discs in a heap of 40 layers

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include <numbers>
+
+#include <compare/scene/bench/parts.h>
+#include <compare/scene/bench/scenes.h>
+#include <compare/scene/builtin/doll.h>
+#include <compare/scene/builtin/links.h>
+#include <compare/scene/builtin/scenes.h>
+#include <plumb/math/random.h>
+#include <plumb/math/rot.h>
+
+namespace plumb::compare {
+namespace {
+
+constexpr double toes = 1.4, reach = 0.92;  // below the neck; from the middle to the farthest point, of a doll [m]
+const Vec2 middle(0, -0.52);                // from the neck of a doll that stands [m]
+const Material rough{.friction = 0.4};
+
+std::string dollName(int number) {
+    return "doll_" + std::to_string(number) + "_";
+}
+
+}  // namespace
+
+Scene dolls100() {
+    constexpr int side = 10;
+    constexpr double apart = 2, halfWidth = 11, height = 20;  // [m]
+    Scene scene = benchScene("dolls_100", "What does a step of a heap of 100 dolls of nine joints take?", 600);
+    scene.sleeping = false;
+    scene.bodies.push_back(fixedBody("pit", {ShapeDef{boxPolygon({halfWidth + 2, 1}, {0, -1}), rough},
+                                             ShapeDef{boxPolygon({1, height}, {-halfWidth - 1, height}), rough},
+                                             ShapeDef{boxPolygon({1, height}, {halfWidth + 1, height}), rough}}));
+    Random random(1);
+    for (int i = 0; i < side * side; ++i) {
+        const double angle = random.uniform(-std::numbers::pi, std::numbers::pi);
+        const Vec2 place(apart * (i % side - (side - 1) / 2.0), 1 + reach + apart * (i / side));
+        const Vec2 neck = place - Rot::fromAngle(angle) * middle;
+        addDoll(scene, {.name = dollName(i + 1), .neck = neck, .angle = angle, .group = i + 1});
+    }
+    return scene;
+}
+
+Scene dolls(int n) {
+    constexpr double apart = 3, fall = 2.5;  // [m]
+    Scene scene = benchScene("dolls_" + std::to_string(n), "What does a step of some dolls on the ground take?", 600);
+    scene.sleeping = false;
+    scene.bodies.push_back(fixedBody("ground", {box({apart * n, 1}, rough)}, {0, -1}));
+    for (int i = 0; i < n; ++i)
+        addDoll(scene, {.name = dollName(i + 1), .neck = {apart * (i - (n - 1) / 2.0), fall + toes}, .group = i + 1});
+    return scene;
+}
+
+Scene rope60() {
+    constexpr int links = 60;
+    const Vec2 half(0.04, 0.1), lean(0.01, 2 * half.y());  // [m]
+    Scene scene = benchScene("rope_60", "What does a step take when a rope of 60 links falls in a heap?", 400);
+    scene.sleeping = false;
+    scene.bodies.push_back(fixedBody("ground", {box({20, 1})}, {0, -1}));
+    for (int i = 0; i < links; ++i) {
+        addBody(scene, box(half), Vec2(0, 1 + half.y()) + i * lean).name = "link_" + std::to_string(i + 1);
+        if (i == 0) continue;
+        const Vec2 between = Vec2(0, 1 + half.y()) + (i - 0.5) * lean;
+        hinge(scene, "hinge_" + std::to_string(i), "link_" + std::to_string(i), "link_" + std::to_string(i + 1),
+              between);
+    }
+    return scene;
+}
+
+Scene bridge20() {
+    Scene scene = bridgeUnderLoad();
+    scene.name = "bridge_20";
+    scene.question = "What does a step of a bridge of twenty planks under three boxes take?";
+    scene.checks.clear();
+    scene.sleeping = false;
+    return scene;
+}
+
+}  // namespace plumb::compare
