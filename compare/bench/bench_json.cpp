@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <compare/bench/integrity_json.h>
+
 namespace plumb::compare {
 namespace {
 
@@ -27,12 +29,16 @@ Json runJson(const SceneBench& scene, const EngineBench& bench) {
     if (!bench.supported()) {
         json.update({{"unsupported", bench.runs.front().unsupported},
                      {"ms_per_step", nullptr},
+                     {"least_ms", nullptr},
                      {"step_ms", nullptr},
+                     {"integrity", nullptr},
                      {"peak_kb", nullptr}});
         return json;
     }
     json.update({{"ms_per_step", spreadJson(bench.msPerStep())},
+                 {"least_ms", bench.leastMs()},
                  {"step_ms", stepsJson(bench.stepMs())},
+                 {"integrity", integrityJson(bench.integrity())},
                  {"peak_kb", bench.peakKb()},
                  {"steps", scene.steps},
                  {"repeats", bench.runs.size()},
@@ -52,10 +58,14 @@ std::string benchJson(std::span<const SceneBench> results) {
         json["ratios"].push_back({{"scene", ratio.scene},
                                   {"engine", plumbName},
                                   {"against", ratio.against},
-                                  {"ratio", spreadJson(ratio.ratio)}});
+                                  {"ratio", spreadJson(ratio.ratio)},
+                                  {"least", ratio.least}});
     for (const MeanRatio& mean : meanRatiosOf(results))
-        json["mean_ratios"].push_back(
-            {{"engine", plumbName}, {"against", mean.against}, {"ratio", mean.ratio}, {"scenes", mean.scenes}});
+        json["mean_ratios"].push_back({{"group", mean.group},
+                                       {"engine", plumbName},
+                                       {"against", mean.against},
+                                       {"ratio", mean.ratio},
+                                       {"scenes", mean.scenes}});
     for (const Growth& growth : growthsOf(results))
         json["growth"].push_back({{"family", growth.family},
                                   {"engine", growth.engine},

@@ -7,33 +7,24 @@
 #include <algorithm>
 #include <ostream>
 
+#include <compare/metric/length_text.h>
+
 namespace plumb::compare {
 namespace {
 
-constexpr int timeWidth = 11, ratioWidth = 22, memoryWidth = 8;
 constexpr double disturbed = 0.9;  // of the time a run had the processor to itself: below, times are of little use [-]
+constexpr const char* layout =
+    "{:{}}  {:>6}  {:>5}  {:10}  {:>8}  {:>8}  {:>8}  {:>8}  {:>20}  {:>6}  {:>9}  {:>8}  {:>8}  {:>6}\n";
 
-const EngineBench* find(const SceneBench& scene, const std::string& engine) {
-    for (const EngineBench& bench : scene.engines)
-        if (bench.engine == engine) return &bench;
-    return nullptr;
+std::string ratioCell(const SceneBench& scene, const EngineBench& bench) {
+    for (const Ratio& ratio : ratiosOf({&scene, 1}))
+        if (ratio.against == bench.engine)
+            return fmt::format("{:.3g} ({:.3g} to {:.3g})", ratio.least, ratio.ratio.min, ratio.ratio.max);
+    return "";
 }
 
-std::string timeCell(const EngineBench* bench) {
-    if (!bench) return "-";
-    return bench->supported() ? timeText(bench->msPerStep().median) : "unsupported";
-}
-
-std::string memoryCell(const EngineBench* bench) {
-    if (!bench || !bench->supported()) return "-";
-    return fmt::format("{:.1f}", static_cast<double>(bench->peakKb()) / 1024);
-}
-
-std::string ratioCell(const std::vector<Ratio>& ratios, const std::string& against) {
-    for (const Ratio& ratio : ratios)
-        if (ratio.against == against)
-            return fmt::format("{:.2f} ({:.2f} to {:.2f})", ratio.ratio.median, ratio.ratio.min, ratio.ratio.max);
-    return "-";
+std::string lengthCell(const std::optional<double>& length) {
+    return length ? lengthText(*length) : "-";
 }
 
 void printPhases(std::ostream& out, std::span<const SceneBench> results) {
@@ -56,41 +47,40 @@ std::string timeText(double milliseconds) {
     return fmt::format("{:.3g} ms", milliseconds);
 }
 
-BenchTable::BenchTable(std::ostream& out, std::vector<std::string> engines, std::size_t nameWidth)
-    : out_(out), engines_(std::move(engines)), nameWidth_(std::max<std::size_t>(nameWidth, 5)) {}
-
-bool BenchTable::comparesWithPlumb() const {
-    return std::ranges::find(engines_, plumbName) != engines_.end();
-}
+BenchTable::BenchTable(std::ostream& out, std::size_t nameWidth)
+    : out_(out), nameWidth_(std::max<std::size_t>(nameWidth, 5)) {}
 
 void BenchTable::head() const {
-    fmt::print(out_,
-               "median of a step; how many times longer than Plumb another takes (least to most); peak memory [MB]\n");
-    fmt::print(out_, "{:{}}  {:>6}  {:>5}", "scene", nameWidth_, "bodies", "steps");
-    for (const std::string& engine : engines_) fmt::print(out_, "  {:>{}}", engine, timeWidth);
-    for (const std::string& engine : engines_)
-        if (comparesWithPlumb() && engine != plumbName) fmt::print(out_, "  {:>{}}", engine + " / plumb", ratioWidth);
-    for (const std::string& engine : engines_) fmt::print(out_, "  {:>{}}", engine + " MB", memoryWidth);
-    fmt::print(out_, "\n");
+    fmt::print(
+        out_,
+        "Processor time of a step, each step at its least over the repeats; over Plumb: how many times as long "
+        "(repeat by repeat);\nthen the highest body at the end, the deepest overlap, the largest gap of a joint, "
+        "and what passed a wall\n");
+    fmt::print(out_, layout, "scene", nameWidth_, "bodies", "steps", "engine", "mean", "median", "p99", "worst",
+               "over Plumb", "MB", "highest", "overlap", "gap", "passed");
     out_.flush();
 }
 
-void BenchTable::row(const SceneBench& scene) const {
-    const std::vector<Ratio> ratios = ratiosOf({&scene, 1});
-    fmt::print(out_, "{:{}}  {:>6}  {:>5}", scene.scene, nameWidth_, scene.bodies, scene.steps);
-    for (const std::string& engine : engines_) fmt::print(out_, "  {:>{}}", timeCell(find(scene, engine)), timeWidth);
-    for (const std::string& engine : engines_)
-        if (comparesWithPlumb() && engine != plumbName)
-            fmt::print(out_, "  {:>{}}", ratioCell(ratios, engine), ratioWidth);
-    for (const std::string& engine : engines_)
-        fmt::print(out_, "  {:>{}}", memoryCell(find(scene, engine)),
-                   std::max(memoryWidth, static_cast<int>(engine.size()) + 3));
-    fmt::print(out_, "\n");
+void BenchTable::row(const SceneBench& scene, const EngineBench& bench) const {
+    const StepTimes steps = bench.stepMs();
+    const Integrity seen = bench.integrity();
+    fmt::print(out_, layout, scene.scene, nameWidth_, scene.bodies, scene.steps, bench.engine,
+               timeText(bench.leastMs()), timeText(steps.median), timeText(steps.p99), timeText(steps.worst),
+               ratioCell(scene, bench), fmt::format("{:.1f}", static_cast<double>(bench.peakKb()) / 1024),
+               lengthCell(seen.highest), lengthCell(seen.overlap), lengthCell(seen.jointGap),
+               seen.passedWalls ? std::to_string(*seen.passedWalls) : "-");
+    if (bench.busy() < disturbed)
+        fmt::print(out_, "    {} had the processor for {:.0f} % of a run only: others were at work\n", bench.engine,
+                   bench.busy() * 100);
+}
+
+void BenchTable::rows(const SceneBench& scene) const {
     for (const EngineBench& bench : scene.engines) {
-        if (!bench.supported()) fmt::print(out_, "    {}: {}\n", bench.engine, bench.runs.front().unsupported);
-        if (bench.supported() && bench.busy() < disturbed)
-            fmt::print(out_, "    {} had the processor for {:.0f} % of a run only: others were at work\n", bench.engine,
-                       bench.busy() * 100);
+        if (bench.supported())
+            row(scene, bench);
+        else
+            fmt::print(out_, "{:{}}  unsupported by {}: {}\n", scene.scene, nameWidth_, bench.engine,
+                       bench.runs.front().unsupported);
     }
     out_.flush();
 }
@@ -99,7 +89,8 @@ void BenchTable::summary(std::span<const SceneBench> results) const {
     const std::vector<MeanRatio> means = meanRatiosOf(results);
     if (!means.empty()) fmt::print(out_, "\n");
     for (const MeanRatio& mean : means)
-        fmt::print(out_, "{} / plumb, geometric mean of {}: {:.2f}\n", mean.against, mean.scenes, mean.ratio);
+        fmt::print(out_, "{} over Plumb, geometric mean of {} of {}: {:.2f}\n", mean.against, mean.scenes, mean.group,
+                   mean.ratio);
     const std::vector<Growth> growths = growthsOf(results);
     if (!growths.empty()) fmt::print(out_, "\n");
     for (const Growth& growth : growths)

@@ -4,7 +4,6 @@
 #include <iosfwd>
 #include <span>
 #include <string>
-#include <vector>
 
 #include <compare/bench/result.h>
 
@@ -13,20 +12,20 @@ namespace plumb::compare {
 /// "1.23 ms", or "12.3 us" below 0.1 ms; three digits that count.
 std::string timeText(double milliseconds);
 
-/// A row a scene, as soon as it is measured; at the end the means, how times grow, and where a step goes.
+/// A row for each engine in each scene, as soon as the scene is measured; at the end the means, how times grow, and
+/// where a step goes.
 class BenchTable {
 public:
-    /// engines: the names of the columns. nameWidth: of the longest scene.
-    BenchTable(std::ostream& out, std::vector<std::string> engines, std::size_t nameWidth);
+    /// nameWidth: of the longest scene.
+    BenchTable(std::ostream& out, std::size_t nameWidth);
     void head() const;
-    void row(const SceneBench& scene) const;
+    void rows(const SceneBench& scene) const;
     void summary(std::span<const SceneBench> results) const;
 
 private:
-    bool comparesWithPlumb() const;
+    void row(const SceneBench& scene, const EngineBench& bench) const;
 
     std::ostream& out_;
-    std::vector<std::string> engines_;
     std::size_t nameWidth_;
 };
 

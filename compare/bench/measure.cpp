@@ -4,17 +4,19 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
-#include <unistd.h>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
 
-#include <array>
-#include <cerrno>
 #include <chrono>
+#include <cstdint>
 #include <ctime>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+
+#include <compare/bench/apart.h>
+#include <compare/bench/integrity_json.h>
+#include <compare/bench/look_file.h>
 
 namespace plumb::compare {
 namespace {
@@ -26,8 +28,22 @@ double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// Of this process.
 double processorSeconds() {
-    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// The most memory that this process has had.
+long peakKbSoFar() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+#ifdef __APPLE__
+    return usage.ru_maxrss / 1024;  // macOS counts bytes
+#else
+    return usage.ru_maxrss;
+#endif
 }
 
 /// Lets go of what was freed, so that it does not count as memory of what comes now.
@@ -58,36 +74,71 @@ Started start(const std::function<Scene()>& source, const Engine& engine, std::o
     return {engine.build(scene), scene.dt, steps.value_or(stepCount(scene)), scene.bodies.size()};
 }
 
-Json run(const std::function<Scene()>& source, const Engine& engine, std::optional<int> steps) {
-    const Started started = start(source, engine, steps);
-    trimMemory();
-    std::vector<Phase> phases;
-    double taken = 0;  // [s]
+/// After which of so many steps there is a look: spread evenly, the last one included.
+bool isLook(int step, int steps) {
+    constexpr std::int64_t looks = 32;
+    const auto before = [&](int done) { return done * looks / steps; };
+    return before(step + 1) > before(step);
+}
+
+struct Timed {
     std::vector<double> stepMs;
-    stepMs.reserve(static_cast<std::size_t>(started.steps));
-    const Clock::time_point begin = Clock::now();
-    const double processorBegin = processorSeconds();
+    std::vector<Phase> phases;       // sums over the steps [s]
+    double processor = 0, wall = 0;  // of all steps [s]
+    long peakKb = 0;
+};
+
+Timed timeSteps(const Started& started, LookFile* looks) {
+    Timed timed;
+    timed.stepMs.reserve(static_cast<std::size_t>(started.steps));
     for (int i = 0; i < started.steps; ++i) {
-        const Clock::time_point stepBegin = Clock::now();
+        const Clock::time_point begin = Clock::now();
+        const double processorBegin = processorSeconds();
         started.simulation->step(started.dt);
-        const double step = secondsSince(stepBegin);
-        taken += step;
-        stepMs.push_back(step * 1000);
-        add(phases, started.simulation->phases());
+        const double processor = processorSeconds() - processorBegin;
+        timed.wall += secondsSince(begin);
+        timed.processor += processor;
+        timed.stepMs.push_back(processor * 1000);
+        add(timed.phases, started.simulation->phases());
+        if (looks != nullptr && isLook(i, started.steps))
+            looks->write(started.simulation->states(), started.simulation->brokenJoints());
     }
-    const double busy = (processorSeconds() - processorBegin) / secondsSince(begin);
-    Json report{{"bodies", started.bodies}, {"steps", started.steps}, {"seconds", taken}, {"busy", busy}};
-    report["step_ms"] = stepMs;
+    timed.peakKb = peakKbSoFar();
+    return timed;
+}
+
+Integrity integrityOf(const Scene& scene, LookFile& looks) {
+    IntegrityWatch watch(scene);
+    std::vector<BodyState> states;
+    Broken broken;
+    while (looks.read(states, broken)) watch.look(states, broken);
+    return watch.seen();
+}
+
+Json run(const std::function<Scene()>& source, const Engine& engine, const MeasureOptions& options) {
+    Started started = start(source, engine, options.steps);
+    trimMemory();
+    std::optional<LookFile> looks;
+    if (options.look) looks.emplace();
+    const Timed timed = timeSteps(started, looks ? &*looks : nullptr);
+    started.simulation.reset();
+    Json report{{"bodies", started.bodies},
+                {"steps", started.steps},
+                {"seconds", timed.processor},
+                {"busy", timed.processor / timed.wall},
+                {"peak_kb", timed.peakKb}};
+    report["step_ms"] = timed.stepMs;
     report["phases"] = Json::array();
-    for (const Phase& phase : phases) report["phases"].push_back({phase.name, phase.seconds / started.steps});
+    for (const Phase& phase : timed.phases) report["phases"].push_back({phase.name, phase.seconds / started.steps});
+    if (looks) report["integrity"] = integrityJson(integrityOf(source(), *looks));
     return report;
 }
 
 /// In the process of its own: never throws.
-std::string reportOf(const std::function<Scene()>& source, const Engine& engine, std::optional<int> steps) {
+std::string reportOf(const std::function<Scene()>& source, const Engine& engine, const MeasureOptions& options) {
     Json report;
     try {
-        report = run(source, engine, steps);
+        report = run(source, engine, options);
     } catch (const Unsupported& reason) {
         report["unsupported"] = reason.what();
     } catch (const std::exception& error) {
@@ -96,61 +147,11 @@ std::string reportOf(const std::function<Scene()>& source, const Engine& engine,
     return report.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-void writeAll(int file, const std::string& text) {
-    for (std::size_t sent = 0; sent < text.size();) {
-        const ssize_t count = write(file, text.data() + sent, text.size() - sent);
-        if (count < 0 && errno != EINTR) return;
-        if (count > 0) sent += static_cast<std::size_t>(count);
-    }
-}
-
-std::string readAll(int file) {
-    std::string text;
-    std::array<char, 4096> buffer;
-    for (;;) {
-        const ssize_t count = read(file, buffer.data(), buffer.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) return text;
-        text.append(buffer.data(), static_cast<std::size_t>(count));
-    }
-}
-
-struct Ended {
-    std::string text;
-    int status = 0;
-    long peakKb = 0;
-};
-
-/// What a process of its own says, and how it ended.
-Ended runApart(const std::function<std::string()>& speak) {
-    std::array<int, 2> ends{};
-    if (pipe(ends.data()) != 0) throw std::runtime_error("bench: the system gives no pipe");
-    const pid_t child = fork();
-    if (child == 0) {
-        close(ends[0]);
-        writeAll(ends[1], speak());
-        _exit(0);
-    }
-    close(ends[1]);
-    Ended ended;
-    if (child > 0) ended.text = readAll(ends[0]);
-    close(ends[0]);
-    if (child < 0) throw std::runtime_error("bench: the system gives no process");
-    rusage usage{};
-    while (wait4(child, &ended.status, 0, &usage) < 0 && errno == EINTR) {
-    }
-    ended.peakKb = usage.ru_maxrss;
-#ifdef __APPLE__
-    ended.peakKb /= 1024;  // macOS counts bytes
-#endif
-    return ended;
-}
-
 }  // namespace
 
-BenchRun measureRun(const std::function<Scene()>& scene, const Engine& engine, std::optional<int> steps) {
+BenchRun measureRun(const std::function<Scene()>& scene, const Engine& engine, const MeasureOptions& options) {
     trimMemory();  // a process begins with what the one it comes from has
-    const Ended ended = runApart([&] { return reportOf(scene, engine, steps); });
+    const SpokenApart ended = runApart([&] { return reportOf(scene, engine, options); });
     if (WIFSIGNALED(ended.status))
         throw std::runtime_error(fmt::format("{} ended by signal {}", engine.name, WTERMSIG(ended.status)));
     const Json report = Json::parse(ended.text, nullptr, false);
@@ -167,7 +168,8 @@ BenchRun measureRun(const std::function<Scene()>& scene, const Engine& engine, s
     result.msPerStep = report["seconds"].get<double>() * 1000 / result.steps;
     result.stepMs = report["step_ms"].get<std::vector<double>>();
     result.busy = report["busy"];
-    result.peakKb = ended.peakKb;
+    result.peakKb = report["peak_kb"];
+    if (report.contains("integrity")) result.integrity = integrityFrom(report["integrity"]);
     for (const Json& phase : report["phases"]) result.phases.push_back({phase[0], phase[1]});
     return result;
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 
 namespace plumb::compare {
 namespace {
@@ -21,6 +23,14 @@ public:
     }
     std::vector<std::string> list;
 };
+
+/// [ms]
+std::vector<double> leastSteps(const EngineBench& bench) {
+    std::vector<double> least = bench.runs.front().stepMs;
+    for (const BenchRun& run : bench.runs)
+        for (std::size_t i = 0; i < least.size(); ++i) least[i] = std::min(least[i], run.stepMs[i]);
+    return least;
+}
 
 struct Point {
     double x, y;
@@ -46,7 +56,7 @@ std::optional<Growth> growthOf(std::span<const SceneBench> results, const std::s
     for (const SceneBench& scene : results) {
         const EngineBench* bench = scene.family == family ? find(scene, engine) : nullptr;
         if (!bench) continue;
-        points.push_back({std::log(static_cast<double>(scene.bodies)), std::log(bench->msPerStep().median)});
+        points.push_back({std::log(static_cast<double>(scene.bodies)), std::log(bench->leastMs())});
         growth.from = points.size() == 1 ? scene.bodies : std::min(growth.from, scene.bodies);
         growth.to = std::max(growth.to, scene.bodies);
     }
@@ -71,10 +81,18 @@ StepTimes stepTimesOf(std::vector<double> milliseconds) {
 }
 
 StepTimes EngineBench::stepMs() const {
-    std::vector<double> least = runs.front().stepMs;
+    return stepTimesOf(leastSteps(*this));
+}
+
+double EngineBench::leastMs() const {
+    const std::vector<double> least = leastSteps(*this);
+    return std::accumulate(least.begin(), least.end(), 0.0) / static_cast<double>(least.size());
+}
+
+Integrity EngineBench::integrity() const {
     for (const BenchRun& run : runs)
-        for (std::size_t i = 0; i < least.size(); ++i) least[i] = std::min(least[i], run.stepMs[i]);
-    return stepTimesOf(std::move(least));
+        if (run.integrity) return *run.integrity;
+    return {};
 }
 
 Spread EngineBench::msPerStep() const {
@@ -84,7 +102,7 @@ Spread EngineBench::msPerStep() const {
 }
 
 long EngineBench::peakKb() const {
-    return std::ranges::max(runs, {}, &BenchRun::peakKb).peakKb;
+    return std::ranges::min(runs, {}, &BenchRun::peakKb).peakKb;
 }
 
 double EngineBench::busy() const {
@@ -109,30 +127,34 @@ std::vector<Ratio> ratiosOf(std::span<const SceneBench> results) {
         for (const EngineBench& other : scene.engines) {
             if (&other == plumb || !other.supported()) continue;
             std::vector<double> pairwise;
-            for (std::size_t i = 0; i < plumb->runs.size(); ++i)
+            for (std::size_t i = 0; i < std::min(plumb->runs.size(), other.runs.size()); ++i)
                 pairwise.push_back(other.runs[i].msPerStep / plumb->runs[i].msPerStep);
-            ratios.push_back({scene.scene, other.engine, spreadOf(std::move(pairwise))});
+            ratios.push_back(
+                {scene.scene, other.engine, spreadOf(std::move(pairwise)), other.leastMs() / plumb->leastMs()});
         }
     }
     return ratios;
 }
 
 std::vector<MeanRatio> meanRatiosOf(std::span<const SceneBench> results) {
-    std::vector<SceneBench> alone;
-    std::ranges::copy_if(results, std::back_inserter(alone), [](const SceneBench& s) { return s.family.empty(); });
-    const std::vector<Ratio> ratios = ratiosOf(alone);
-    Names rivals;
-    for (const Ratio& ratio : ratios) rivals.add(ratio.against);
     std::vector<MeanRatio> means;
-    for (const std::string& against : rivals.list) {
-        double logs = 0;
-        std::size_t count = 0;
-        for (const Ratio& ratio : ratios) {
-            if (ratio.against != against) continue;
-            logs += std::log(ratio.ratio.median);
-            ++count;
+    for (const char* group : {"six", "random"}) {
+        std::vector<SceneBench> members;
+        std::ranges::copy_if(results, std::back_inserter(members),
+                             [&](const SceneBench& s) { return s.group == group; });
+        const std::vector<Ratio> ratios = ratiosOf(members);
+        Names rivals;
+        for (const Ratio& ratio : ratios) rivals.add(ratio.against);
+        for (const std::string& against : rivals.list) {
+            double logs = 0;
+            std::size_t count = 0;
+            for (const Ratio& ratio : ratios) {
+                if (ratio.against != against) continue;
+                logs += std::log(ratio.least);
+                ++count;
+            }
+            means.push_back({group, against, std::exp(logs / static_cast<double>(count)), count});
         }
-        means.push_back({against, std::exp(logs / static_cast<double>(count)), count});
     }
     return means;
 }

@@ -33,36 +33,42 @@ struct EngineBench {
 
     bool supported() const { return !runs.empty() && runs.front().unsupported.empty(); }
     Spread msPerStep() const;           ///< over the repeats
-    StepTimes stepMs() const;           ///< a step's time being its least over the repeats
-    long peakKb() const;                ///< the largest of the repeats
+    double leastMs() const;             ///< mean of the steps, a step's time being its least over the repeats
+    StepTimes stepMs() const;           ///< of the steps, likewise
+    Integrity integrity() const;        ///< of the first repeat that was looked at; empty when none was
+    long peakKb() const;                ///< the smallest of the repeats: a look takes some
     double busy() const;                ///< the smallest of the repeats
     std::vector<Phase> phases() const;  ///< mean of the repeats [s]
 };
 
 struct SceneBench {
     std::string scene{};
-    std::string family{};  ///< as in BenchScene
+    std::string group{};   ///< as in BenchScene
+    std::string family{};  ///< likewise
     std::size_t bodies = 0;
     int steps = 0;
     std::vector<EngineBench> engines{};
 };
 
-/// How many times longer another engine takes than Plumb, repeat by repeat: above 1 Plumb is faster.
+/// How many times longer another engine takes than Plumb: above 1 Plumb is faster.
 struct Ratio {
     std::string scene{};
     std::string against{};
-    Spread ratio{};
+    Spread ratio{};    ///< repeat by repeat, as far as both were run
+    double least = 0;  ///< of the times that leastMs gives
 };
 
 /// Of all scenes in which both were run; none when Plumb was not.
 std::vector<Ratio> ratiosOf(std::span<const SceneBench> results);
 
-/// The geometric mean of the median ratios against an engine, over the scenes that are no member of a family.
+/// The geometric mean of Ratio::least against an engine, over the scenes of a group.
 struct MeanRatio {
+    std::string group{};
     std::string against{};
     double ratio = 0;
     std::size_t scenes = 0;
 };
+/// Of "six" and "random", where scenes of them were run.
 std::vector<MeanRatio> meanRatiosOf(std::span<const SceneBench> results);
 
 /// The time of a step grows as bodies^exponent: the slope of the least-squares line through log time over log bodies.

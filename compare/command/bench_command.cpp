@@ -27,20 +27,27 @@ std::vector<Engine> chosenEngines(const BenchOptions& options, const std::vector
     return chosen;
 }
 
-BenchRun measureOnce(const BenchScene& scene, const Engine& engine, std::optional<int> steps) {
+BenchRun measureOnce(const BenchScene& scene, const Engine& engine, const MeasureOptions& options) {
     if (scene.leftOut && scene.leftOut->engine == engine.name) return {.unsupported = scene.leftOut->reason};
-    return measureRun(scene.build, engine, steps);
+    return measureRun(scene.build, engine, options);
+}
+
+/// A run that takes longer than this is not repeated: over so many steps, what disturbs one is lost in the mean [s].
+constexpr double longRun = 20;
+
+bool isRunAgain(const EngineBench& bench) {
+    return bench.supported() && bench.runs.front().seconds() <= longRun;
 }
 
 /// In turn, A B A B: what slows the machine for a while slows all of them.
 SceneBench measureScene(const BenchScene& scene, const BenchOptions& options, const std::vector<Engine>& engines) {
-    SceneBench result{.scene = scene.name, .family = scene.family};
+    SceneBench result{.scene = scene.name, .group = scene.group, .family = scene.family};
     for (const Engine& engine : engines) result.engines.push_back({engine.name, engine.version, {}});
     for (int repeat = 0; repeat < options.repeat; ++repeat) {
         for (std::size_t i = 0; i < engines.size(); ++i) {
             EngineBench& bench = result.engines[i];
-            if (repeat > 0 && !bench.supported()) continue;
-            bench.runs.push_back(measureOnce(scene, engines[i], options.steps));
+            if (repeat > 0 && !isRunAgain(bench)) continue;
+            bench.runs.push_back(measureOnce(scene, engines[i], {.steps = options.steps, .look = repeat == 0}));
             if (!bench.supported()) continue;
             result.bodies = bench.runs.back().bodies;
             result.steps = bench.runs.back().steps;
@@ -57,9 +64,7 @@ void runBench(const Arguments& arguments, const std::vector<Engine>& engines, st
     std::optional<OutputFile> json;
     if (arguments.json) json.emplace("--json", *arguments.json);
     if (arguments.bench.readme) (void)readReadme(*arguments.bench.readme);  // a wrong file is known at once
-    std::vector<std::string> columns;
-    for (const Engine& engine : chosen) columns.push_back(engine.name);
-    const BenchTable table(out, columns,
+    const BenchTable table(out,
                            std::ranges::max(scenes, {}, [](const BenchScene& s) { return s.name.size(); }).name.size());
     table.head();
     std::vector<SceneBench> results;
@@ -69,7 +74,7 @@ void runBench(const Arguments& arguments, const std::vector<Engine>& engines, st
         } catch (const std::exception& error) {
             throw std::runtime_error(fmt::format("scene {}: {}", scene.name, error.what()));
         }
-        table.row(results.back());
+        table.rows(results.back());
     }
     table.summary(results);
     if (json) json->write(benchJson(results));

@@ -39,7 +39,7 @@ std::vector<BenchScene> chooseBench(const std::string& given) {
     std::vector<BenchScene> found = findBenchScenes(given);
     if (!found.empty()) return found;
     // Made again for each run, so that it takes no room in the process that waits.
-    return {{choose(given).name, "", [given] { return choose(given); }}};
+    return {{choose(given).name, "", "", [given] { return choose(given); }}};
 }
 
 /// Refuses a second thing of the same name.

@@ -6,7 +6,6 @@
 
 #include <compare/metric/observation.h>
 #include <plumb/collide/distance.h>
-#include <plumb/shapes/tile_pieces.h>
 
 namespace plumb::compare {
 namespace {
@@ -15,45 +14,16 @@ Transform poseOf(const BodyState& state) {
     return {state.position, Rot::fromAngle(state.angle)};
 }
 
-bool accepts(const Filter& a, const Filter& b) {
-    if (a.group == b.group && a.group != 0) return a.group > 0;
-    return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
-}
-
-/// From all sides: what passes a one-way shape overlaps it rightly.
-bool isSolid(const ShapeDef& shape) {
-    return !shape.sensor && !shape.oneWay;
-}
-
-/// A map is long and what touches it is small: each part of what its solid tiles fill by itself.
-std::vector<ShapeDef> solidParts(const ShapeDef& shape) {
-    const auto* map = std::get_if<TileMap>(&shape.shape);
-    if (map == nullptr) return {shape};
-    std::vector<ShapeDef> parts;
-    for (TilePiece& piece : tilePiecesOf(*map)) {
-        if (piece.use != PieceUse::Query) continue;
-        parts.push_back({.shape = std::move(piece.shape), .filter = shape.filter});
-    }
-    return parts;
-}
-
 }  // namespace
 
-Geometry::Geometry(const Scene& scene) : wrap_(scene.wrap), joints_(scene) {
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        const BodyDef& def = scene.bodies[i].def;
-        for (const ShapeDef& shape : def.shapes)
-            if (isSolid(shape) && def.enabled)
-                for (ShapeDef& part : solidParts(shape))
-                    shapes_.push_back({i, std::move(part), def.type == BodyType::Dynamic});
-    }
+Geometry::Geometry(const Scene& scene) : wrap_(scene.wrap), shapes_(solidShapes(scene)), joints_(scene) {
     for (const JointGeometry& joint : joints_.joints())
         if (!joint.collideConnected && joint.bodyA != noBody) keptApart_.insert(std::minmax(joint.bodyA, joint.bodyB));
     for (std::size_t i = 0; i < shapes_.size() && !anyMayTouch_; ++i)
         for (std::size_t j = 0; j < i && !anyMayTouch_; ++j) anyMayTouch_ = mayTouch(shapes_[i], shapes_[j]);
 }
 
-bool Geometry::mayTouch(const Placed& a, const Placed& b) const {
+bool Geometry::mayTouch(const SolidShape& a, const SolidShape& b) const {
     return a.body != b.body && (a.dynamic || b.dynamic) && accepts(a.shape.filter, b.shape.filter) &&
            !keptApart_.contains(std::minmax(a.body, b.body));
 }
@@ -62,9 +32,9 @@ std::optional<double> Geometry::penetration(std::span<const BodyState> states) c
     if (!std::all_of(states.begin(), states.end(), isFinite)) return {};
     std::vector<Transform> poses;
     for (const BodyState& state : states) poses.push_back(poseOf(state));
-    std::vector<const Placed*> present;
+    std::vector<const SolidShape*> present;
     std::vector<Aabb> boxes;
-    for (const Placed& placed : shapes_) {
+    for (const SolidShape& placed : shapes_) {
         if (!states[placed.body].present) continue;
         present.push_back(&placed);
         boxes.push_back(aabbOf(placed.shape.shape, poses[placed.body]));
@@ -73,8 +43,8 @@ std::optional<double> Geometry::penetration(std::span<const BodyState> states) c
     tree.build(boxes);
     double deepest = 0;
     const auto look = [&](const Pair& pair, const Vec2& shift) {
-        const Placed& a = *present[pair.a];
-        const Placed& b = *present[pair.b];
+        const SolidShape& a = *present[pair.a];
+        const SolidShape& b = *present[pair.b];
         if (!mayTouch(a, b)) return;
         const Transform there{poses[b.body].position + shift, poses[b.body].rotation};
         deepest = std::max(deepest, -distance(a.shape.shape, poses[a.body], b.shape.shape, there).separation);

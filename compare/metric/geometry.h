@@ -9,6 +9,7 @@
 
 #include <compare/engine/engine.h>
 #include <compare/metric/joint_state.h>
+#include <compare/metric/solid_shapes.h>
 #include <plumb/broad/bvh.h>
 
 namespace plumb::compare {
@@ -27,22 +28,18 @@ public:
     /// finite.
     std::optional<double> penetration(std::span<const BodyState> states) const;
 
-    /// The farthest that a joint is from what it holds, but for those that have broken or are not there yet [m]. Empty when a state of a
-    /// joined body is not finite. Bodies that it kept apart are still taken to be, when it has broken.
+    /// The farthest that a joint is from what it holds, but for those that have broken or are not there yet [m]. Empty
+    /// when a state of a joined body is not finite. Bodies that it kept apart are still taken to be, when it has
+    /// broken.
     std::optional<double> jointError(std::span<const BodyState> states, const Broken& broken = {}) const;
 
 private:
-    struct Placed {
-        std::size_t body;
-        ShapeDef shape;
-        bool dynamic;
-    };
-    bool mayTouch(const Placed& a, const Placed& b) const;
+    bool mayTouch(const SolidShape& a, const SolidShape& b) const;
     template <class Look>
     void forEachAround(const std::vector<Aabb>& boxes, Look&& look) const;
 
     Wrap wrap_;
-    std::vector<Placed> shapes_;
+    std::vector<SolidShape> shapes_;
     JointStates joints_;
     std::set<std::pair<std::size_t, std::size_t>> keptApart_;
     bool anyMayTouch_ = false;

@@ -29,7 +29,8 @@ namespace plumb::compare {
 ///   ms_per_step              median wall time of a step [ms]
 ///   probe.<name>             the largest distance of a watched quantity, or of the value that the probe says counts,
 ///                            from what is expected, in the quantity's unit
-/// A drift of nothing relative to nothing is 0. Where bodies come while the scene runs there are no drifts. Without a dynamic body there are no drifts and no settle_time.
+/// A drift of nothing relative to nothing is 0. Where bodies come while the scene runs there are no drifts. Without a
+/// dynamic body there are no drifts and no settle_time.
 using Metrics = std::map<std::string, std::optional<double>>;
 
 /// What is plotted over time; each has one value a tick, or is empty where it does not exist. NaN at a tick of which

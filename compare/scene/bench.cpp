@@ -9,7 +9,6 @@
 namespace plumb::compare {
 namespace {
 
-constexpr std::ptrdiff_t six = 6;  // scenes at the head of the list
 constexpr int sizes[] = {1000, 2000, 4000, 8000, 16000, 32000, 64000};
 
 /// Measured: the first step takes 0.2 s, the twelfth 8 s.
@@ -23,34 +22,38 @@ const LeftOut tooLongForBox2d24{"box2d-2.4", "a step takes seconds"};
 void addSizes(std::vector<BenchScene>& list, const std::string& family, Scene (*scene)(int)) {
     for (const int n : sizes) {
         const auto leftOut = n > 16000 ? std::optional(tooLongForBox2d24) : std::nullopt;
-        list.push_back({family + "_" + std::to_string(n), family, [=] { return scene(n); }, leftOut});
+        list.push_back({family + "_" + std::to_string(n), "scaling", family, [=] { return scene(n); }, leftOut});
     }
 }
 
 std::vector<BenchScene> all() {
     std::vector<BenchScene> list{
-        {"large_pyramid", "", largePyramid},     {"many_pyramids", "", manyPyramids},
-        {"joint_grid", "", jointGrid},           {"smash", "", smash},
-        {"tumbler", "", tumblerOf2025},          {"spinner", "", spinner, noPlaceForBox2d24},
-        {"small_50", "small", small50},          {"grid_movers", "", gridMovers},
-        {"platform_movers", "", platformMovers},
+        {"large_pyramid", "six", "", largePyramid},
+        {"many_pyramids", "six", "", manyPyramids},
+        {"joint_grid", "six", "", jointGrid},
+        {"smash", "six", "", smash},
+        {"tumbler", "six", "", tumblerOf2025},
+        {"spinner", "six", "", spinner, noPlaceForBox2d24},
+        {"small_20", "", "small", small20},
+        {"small_50", "", "small", small50},
+        {"small_200", "", "small", small200},
+        {"junkyard", "", "", junkyard},
+        {"compounds", "", "", compounds},
+        {"washer", "", "", washer},
+        {"rain", "", "", rain},
+        {"dolls_100", "", "", dolls100},
+        {"dolls_8", "", "", [] { return dolls(8); }},
+        {"dolls_9", "", "", [] { return dolls(9); }},
+        {"rope_60", "", "", rope60},
+        {"bridge_20", "", "", bridge20},
+        {"grid_movers", "", "", gridMovers},
+        {"platform_movers", "", "", platformMovers},
     };
-    list.push_back({"small_20", "small", small20, {}});
-    list.push_back({"small_200", "small", small200, {}});
-    list.push_back({"junkyard", "", junkyard, {}});
-    list.push_back({"compounds", "", compounds, {}});
-    list.push_back({"washer", "", washer, {}});
-    list.push_back({"rain", "", rain, {}});
-    list.push_back({"dolls_100", "dolls", dolls100, {}});
-    for (const int n : {8, 9})
-        list.push_back({"dolls_" + std::to_string(n), "dolls", [=] { return dolls(n); }, {}});
-    list.push_back({"rope_60", "", rope60, {}});
-    list.push_back({"bridge_20", "", bridge20, {}});
     addSizes(list, "pile", pile);
     addSizes(list, "pyramids", pyramids);
     for (const int n : {200, 2000, 5000})
-        list.push_back({"pit_" + std::to_string(n), "pit", [=] { return pit(n); }, {}});
-    list.push_back({"gas_2000", "gas", [] { return gas(2000); }, {}});
+        list.push_back({"pit_" + std::to_string(n), "crowds", "pit", [=] { return pit(n); }, {}});
+    list.push_back({"gas_2000", "crowds", "", [] { return gas(2000); }, {}});
     return list;
 }
 
@@ -63,12 +66,7 @@ const std::vector<BenchScene>& benchScenes() {
 
 std::vector<BenchScene> findBenchScenes(const std::string& name) {
     const std::vector<BenchScene>& list = benchScenes();
-    if (name == "six") return {list.begin(), list.begin() + six};
-    const auto isIn = [&](const BenchScene& s) {
-        if (name == "scaling") return s.family == "pile" || s.family == "pyramids";
-        if (name == "crowds") return s.family == "pit" || s.family == "gas";
-        return s.name == name;
-    };
+    const auto isIn = [&](const BenchScene& s) { return s.name == name || (!s.group.empty() && s.group == name); };
     std::vector<BenchScene> found;
     std::ranges::copy_if(list, std::back_inserter(found), isIn);
     return found;

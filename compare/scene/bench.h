@@ -19,7 +19,8 @@ struct LeftOut {
 /// A scene that is large to hold: made when it is run.
 struct BenchScene {
     std::string name{};
-    std::string family{};            ///< scenes alike in all but size, over which growth is measured; none: a large one
+    std::string group{};             ///< a name that stands for several: "six", "scaling", "crowds", "random", or none
+    std::string family{};            ///< scenes alike in all but size, over which growth is measured, or none
     std::function<Scene()> build{};  ///< the scene; its name is name
     std::optional<LeftOut> leftOut{};
 };

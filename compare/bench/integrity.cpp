@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include <compare/bench/integrity.h>
+
+#include <algorithm>
+#include <limits>
+
+#include <compare/metric/missing.h>
+#include <compare/metric/observation.h>
+
+namespace plumb::compare {
+
+IntegrityWatch::IntegrityWatch(const Scene& scene) : geometry_(scene), walls_(scene) {
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+        if (scene.bodies[i].def.type == BodyType::Dynamic) dynamic_.push_back(i);
+}
+
+void IntegrityWatch::look(std::span<const BodyState> states, const Broken& broken) {
+    seen_.highest.reset();
+    for (const std::size_t body : dynamic_) {
+        if (!states[body].present) continue;
+        const double height = isFinite(states[body]) ? states[body].position.y() : unbounded;
+        seen_.highest = std::max(seen_.highest.value_or(height), height);
+    }
+    const auto larger = [](std::optional<double>& most, const std::optional<double>& now) {
+        most = std::max(most.value_or(0), now.value_or(unbounded));
+    };
+    if (geometry_.anyMayTouch()) larger(seen_.overlap, geometry_.penetration(states));
+    if (geometry_.anyJoint()) larger(seen_.jointGap, geometry_.jointError(states, broken));
+    seen_.passedWalls = walls_.count(states);
+}
+
+}  // namespace plumb::compare

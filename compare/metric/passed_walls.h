@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// How many bodies are where a wall should have kept them from going?
+#pragma once
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <compare/engine/engine.h>
+#include <compare/metric/solid_shapes.h>
+#include <plumb/shapes/mass.h>
+
+namespace plumb::compare {
+
+/// Told from where bodies are, without asking any engine. A wall is what is static or kinematic, and solid to the body.
+class PassedWalls {
+public:
+    explicit PassedWalls(const Scene& scene);
+
+    /// Of the dynamic bodies that are there, those whose centre of mass lies inside of a wall that has an inside, or
+    /// left of, right of or below all walls; without gravity, above them too. Over them a body may have been thrown. A
+    /// state that is not a number counts as passed. Empty in a scene without walls, and in one that goes on at its
+    /// other side.
+    std::optional<std::size_t> count(std::span<const BodyState> states) const;
+
+private:
+    struct Moving {
+        std::size_t body;
+        Vec2 localCenter;  ///< of mass [m]
+        std::vector<Filter> filters;
+    };
+    bool mayTouch(const Moving& moving, const SolidShape& wall) const;
+
+    std::vector<SolidShape> walls_;
+    std::vector<Moving> moving_;
+    bool openAbove_;
+};
+
+}  // namespace plumb::compare
