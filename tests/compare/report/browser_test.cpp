@@ -124,6 +124,28 @@ TEST_CASE("opened without a scene the report lists the verdicts and says what fa
                test::containsText("Plumb: largest distance to the closed form 1.20&nbsp;mm, not ≤&nbsp;1&nbsp;mm"));
 }
 
+TEST_CASE("a scene and a lab without checks are shown in grey as not judged, and counted apart",
+          "[compare][report][build]") {
+    if (noBrowser()) return;
+    const BrowserFolder folder;
+    std::vector<SceneResult> scenes = results();
+    Scene unchecked = oneDisc();
+    unchecked.name = "unchecked";
+    scenes.push_back(runScene(unchecked, {}, {standing("plumb", 0)}));
+    Lab lab = exampleLab(2);
+    lab.checks.clear();
+    writeReport(scenes, folder.path, {runLab(lab, {}, {})});
+    const Opened opened = open(folder, "index.html", "scene=unchecked");
+    CHECK(opened.messages == "");
+    CHECK_THAT(opened.page, test::containsText("0 of 2 scenes hold, 1 not judged"));
+    CHECK_THAT(opened.page, test::containsText("0 of 1 labs hold, 1 not judged"));
+    CHECK_THAT(opened.page, test::containsText("<span class=\"verdict unjudged\">– not judged</span>"
+                                               "<span>this scene has no checks</span>"));
+    CHECK_THAT(opened.page, !test::containsText("✓ holds"));
+    const std::string page = open(folder, "index.html", "lab=example_lab").page;
+    CHECK_THAT(page, test::containsText("<span>this lab has no checks</span>"));
+}
+
 TEST_CASE("a link to a lab shows what was seen, its graphs drawn, and its checks", "[compare][report][build]") {
     if (noBrowser()) return;
     const BrowserFolder folder;
