@@ -19,17 +19,17 @@ function sums(report) {
         return typeof plumb === "number" && plumb <= 1e-3;
     });
     const passing = (list) => list.filter(({pass}) => pass);
-    const judgedSum = (list, what) => sum(passing(list), list, what, unjudgedText(list));
     const sum = (some, all, what, unjudged = "") => {
         const count = element("span", {class: "sum"}, element("b", {}, String(some.length)), ` of ${all.length}`);
         return element("li", {}, count, what, unjudged);
     };
+    const judgedSum = (list, what) => sum(passing(list), list, what, unjudgedText(list));
     // They stand below all scenes, and are soon found from here.
     const labsLink = report.labs.length > 0 ? element("a", {href: labAddress(report.labs[0])}, "labs hold") : null;
     return [
         ...(report.scenes.length > 0 ? [judgedSum(report.scenes, "scenes hold")] : []),
         ...(report.labs.length > 0 ? [judgedSum(report.labs, labsLink)] : []),
-        sum(passing(outcomes), outcomes, "checks hold"),
+        ...(outcomes.length > 0 ? [sum(passing(outcomes), outcomes, "checks hold")] : []),
         ...(exact.length > 0 ? [sum(close, exact, "closed forms that Plumb follows to within 1 mm")] : []),
     ];
 }
