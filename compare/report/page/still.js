@@ -19,26 +19,32 @@ function hatching(theme) {
 const LEFT = 1;
 const RIGHT = -1;
 
-/// Short strokes on one side of a segment's direction, as a textbook draws a floor.
-function hatchSegment(context, camera, side, [x0, y0], [x1, y1]) {
+/// Short strokes on one side of a segment's direction, as a textbook draws a floor. bare is the length of the pieces
+/// before it that were too short for a stroke [px]: they share one with it. Returns bare for the next segment.
+function hatchSegment(context, camera, side, bare, [x0, y0], [x1, y1]) {
     const from = [camera.x(x0), camera.y(y0)];
     const along = [camera.x(x1) - from[0], camera.y(y1) - from[1]];
     const length = Math.hypot(...along);
     const [ux, uy] = [along[0] / length, along[1] / length];
     // From 8 on, for a stroke slants back by 7 and stays beside its segment.
-    for (let at = 8; at < length; at += 11) {
+    const first = Math.max(0, 8 - bare);
+    for (let at = first; at < length; at += 11) {
         const [x, y] = [from[0] + at * ux, from[1] + at * uy];
         if (x < 0 || x > camera.width || y < 0 || y > camera.height) continue;
         context.moveTo(x, y);
         // The canvas has y downwards: (uy, -ux) points to the left.
         context.lineTo(x - 7 * ux + 9 * side * uy, y - 7 * uy - 9 * side * ux);
     }
+    return first < length ? 0 : bare + length;
 }
 
 /// The same side all along: of a staircase every step and every riser.
 function hatchLine(context, camera, theme, points, side) {
     context.beginPath();
-    for (let i = 0; i + 1 < points.length; ++i) hatchSegment(context, camera, side, points[i], points[i + 1]);
+    let bare = 0;
+    for (let i = 0; i + 1 < points.length; ++i) {
+        bare = hatchSegment(context, camera, side, bare, points[i], points[i + 1]);
+    }
     context.strokeStyle = theme.hatch;
     context.lineWidth = 1.5;
     context.stroke();

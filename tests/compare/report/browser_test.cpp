@@ -107,6 +107,8 @@ say("to the left", [{chain: up}], ["plumb", "box2d-3"]);
 say("to the right", [{chain: down}], ["plumb", "box2d-3"]);
 say("to the right in Plumb alone", [{chain: down}], ["plumb"]);
 say("of segments", segments, ["plumb", "box2d-3"]);
+const pieces = Array.from({length: 101}, (_, i) => [6 - i / 20, 1]).flat();
+say("of 100 pieces", [{chain: pieces}], ["plumb", "box2d-3"]);
 </script>)";
 
 double clockOf(const std::string& page) {
@@ -215,6 +217,8 @@ TEST_CASE("stairs are hatched on one side all along: the left of a chain where B
     CHECK_THAT(opened.page, test::containsText("to the right: 0 of 63 below"));
     CHECK_THAT(opened.page, test::containsText("to the right in Plumb alone: 63 of 63 below"));
     CHECK_THAT(opened.page, test::containsText("of segments: 63 of 63 below"));
+    // Pieces of 5 pixels: every second one gets a stroke.
+    CHECK_THAT(opened.page, test::containsText("of 100 pieces: 50 of 50 below"));
 }
 
 // What the tests above rest on: a page that may load nothing says so when it tries.
