@@ -194,7 +194,7 @@ TEST_CASE("a scene without checks is not judged: null, grey, exit status 0", "[c
     std::ostringstream out, err;
     CHECK(runCommand(alone, out, err, true) == 0);
     CHECK(out.str().find("\x1b[90m----\x1b[0m  free_fall") != std::string::npos);
-    CHECK(out.str().find("this scene has no checks\n") != std::string::npos);
+    CHECK(out.str().find("\x1b[90mthis scene has no checks\x1b[0m\n") != std::string::npos);
     const nlohmann::json json = nlohmann::json::parse(textOf(folder / "out.json"));
     CHECK(json["scenes"][0]["pass"].is_null());
     CHECK(json["pass"].is_null());

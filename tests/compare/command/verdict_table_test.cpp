@@ -49,7 +49,7 @@ TEST_CASE("a scene of which nothing was judged is not called a pass", "[compare]
     result.outcomes.clear();
     result.verdict = Verdict::NotJudged;
     CHECK(shownVerdicts({result, judged("good", 0, 1)}, false) ==
-          "              largest distance to the closed form\n"
+          "             largest distance to the closed form\n"
           "      scene        plumb      box2d-3  checks that hold\n"
           "----  idle           0 m  unsupported  this scene has no checks\n"
           "PASS  good           0 m  unsupported  1 of 1\n"
