@@ -58,7 +58,7 @@ SceneResult runScene(const Scene& scene, const RunOptions& options, const std::v
         run.measured = measure(result.scene, run.observation, &truth, reference);
     }
     result.outcomes = judge(result, engines);
-    result.pass = std::all_of(result.outcomes.begin(), result.outcomes.end(), [](const Outcome& o) { return o.pass; });
+    result.verdict = verdictOf(result.outcomes);
     return result;
 }
 

@@ -1,13 +1,41 @@
 // SPDX-License-Identifier: MIT
 // Does what must hold hold?
 #pragma once
+#include <algorithm>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <vector>
 
 #include <compare/metric/metrics.h>
 
 namespace plumb::compare {
+
+/// Rising, so that the verdict on several scenes or labs is their largest: it fails if one fails, and holds if one was
+/// judged and none fails.
+enum class Verdict { NotJudged, Holds, Fails };
+
+/// As JSON has it: true, false, or null for what was not judged. The JSON library calls it by this name.
+template <class Json>
+void to_json(Json& json, Verdict verdict) {
+    json = verdict == Verdict::NotJudged ? Json(nullptr) : Json(verdict == Verdict::Holds);
+}
+
+/// What outcomes, each with a pass, come to: without any nothing was judged.
+template <class Outcomes>
+Verdict verdictOf(const Outcomes& outcomes) {
+    if (std::ranges::empty(outcomes)) return Verdict::NotJudged;
+    const bool pass = std::ranges::all_of(outcomes, [](const auto& outcome) { return outcome.pass; });
+    return pass ? Verdict::Holds : Verdict::Fails;
+}
+
+/// The largest verdict of scenes or of labs; without any nothing was judged.
+template <class Results>
+Verdict overallVerdict(const Results& results) {
+    Verdict verdict = Verdict::NotJudged;
+    for (const auto& result : results) verdict = std::max(verdict, result.verdict);
+    return verdict;
+}
 
 /// One check on one engine.
 struct Outcome {
@@ -28,8 +56,8 @@ struct EngineResult {
 struct SceneResult {
     Scene scene;                        ///< as it was run: dt and duration are those of the options where these say so
     std::vector<EngineResult> engines;  ///< in the order of engines()
-    std::vector<Outcome> outcomes;      ///< empty: nothing was judged, and pass says nothing
-    bool pass = false;                  ///< every outcome does
+    std::vector<Outcome> outcomes;      ///< empty where no check binds an engine that was run
+    Verdict verdict = Verdict::NotJudged;
 };
 
 struct RunOptions {

@@ -79,10 +79,10 @@ struct Commands {
 CLI::App* describeCheck(CLI::App& app, Raw& raw) {
     CLI::App* check = app.add_subcommand("check", "run scenes and labs, and judge them");
     check->footer(
-        "A check that looks at what a shortened run does not reach fails. A scene none of whose checks binds the\n"
-        "engines asked for is shown, and not judged: it does not change the exit status. A lab varies one\n"
-        "quantity and draws curves over it, with steps of its own: --steps and --dt are for scenes. A lab\n"
-        "compares those of its engines that are asked for.");
+        "A check that looks at what a shortened run does not reach fails. A scene without checks, or\n"
+        "none of whose checks binds the engines asked for, is shown and not judged: it does not change the exit\n"
+        "status. A lab varies one quantity and draws curves over it, with steps of its own: --steps and --dt are\n"
+        "for scenes. A lab compares those of its engines that are asked for.");
     check->add_option("SCENE", raw.scenes,
                       "names of scenes and labs, or files: FILE.json; without any, all built-in ones");
     check->add_option("--engines", raw.engines, "the engines to run, instead of all")->type_name("A,B");
@@ -122,7 +122,7 @@ Commands describe(CLI::App& app, Raw& raw) {
     app.require_subcommand(0, 1);
     app.footer(
         "Without a command: every scene in every engine, every lab, and the report in build/report/index.html.\n"
-        "Exit status: 0 all checks hold, 1 a check fails, 2 bad usage or input.");
+        "Exit status: 0 no check fails, 1 a check fails, 2 bad usage or input.");
     CLI::App* list = app.add_subcommand("list", "scenes and labs: name, question, engines, checks");
     CLI::App* check = describeCheck(app, raw);
     CLI::App* bench = describeBench(app, raw);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// In which colours does the terminal say what holds and what fails?
+// In which colours does the terminal say what holds, what fails, and what was not judged?
 #pragma once
 
 namespace plumb::compare {
@@ -7,6 +7,6 @@ namespace plumb::compare {
 // ECMA-48, "select graphic rendition".
 inline constexpr const char* red = "31";
 inline constexpr const char* green = "32";
-inline constexpr const char* yellow = "33";
+inline constexpr const char* grey = "90";  // "bright black" of most terminals, beyond the standard
 
 }  // namespace plumb::compare

@@ -7,7 +7,7 @@
 
 namespace plumb::compare {
 
-inline constexpr int allHold = 0;     ///< exit status: every check holds
+inline constexpr int noneFails = 0;   ///< exit status: every check that was judged holds
 inline constexpr int checkFails = 1;  ///< exit status: a check fails
 inline constexpr int badInput = 2;    ///< exit status: bad usage or input; one line on err says what and where
 

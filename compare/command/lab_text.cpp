@@ -8,13 +8,10 @@
 #include <ostream>
 
 #include <compare/command/colours.h>
+#include <compare/command/verdict_words.h>
 
 namespace plumb::compare {
 namespace {
-
-std::string painted(const std::string& text, const char* code, bool colour) {
-    return colour ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : text;
-}
 
 std::string withUnit(double value, const std::string& unit) {
     return fmt::format("{:.4g}{}{}", value, unit.empty() ? "" : " ", unit);
@@ -41,8 +38,9 @@ void listLabs(std::span<const Lab> labs, std::ostream& out) {
 }
 
 void printLab(const LabResult& result, std::ostream& out, bool colour) {
-    const std::string verdict = result.pass ? painted("PASS", green, colour) : painted("FAIL", red, colour);
-    fmt::print(out, "{}  {}\n", verdict, result.lab.name);
+    fmt::print(out, "{}  {}\n", verdictWord(result.verdict, colour), result.lab.name);
+    if (result.verdict == Verdict::NotJudged)
+        fmt::print(out, "      {}\n", painted(notJudgedText("lab", result.lab.checks.size()), grey, colour));
     const std::size_t width = widestCheck(result);
     for (const LabOutcome& outcome : result.outcomes) {
         const LabCheck& check = outcome.check;
@@ -58,12 +56,9 @@ void printLab(const LabResult& result, std::ostream& out, bool colour) {
 }
 
 void printLabSummary(std::span<const LabResult> results, std::ostream& out, bool colour) {
-    const auto held = std::ranges::count_if(results, [](const LabResult& result) { return result.pass; });
-    const auto failed = std::ssize(results) - held;
-    const std::string hold = fmt::format("{} lab{}", held, held == 1 ? " holds" : "s hold");
-    const std::string fail = fmt::format("{} {}", failed, failed == 1 ? "fails" : "fail");
-    fmt::print(out, "{}, {}.\n", painted(hold, held ? green : yellow, colour),
-               painted(fail, failed ? red : green, colour));
+    std::vector<Verdict> verdicts;
+    for (const LabResult& result : results) verdicts.push_back(result.verdict);
+    fmt::print(out, "{}\n", countText("lab", verdicts, colour));
 }
 
 }  // namespace plumb::compare

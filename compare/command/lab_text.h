@@ -16,7 +16,7 @@ void listLabs(std::span<const Lab> labs, std::ostream& out);
 /// should hold.
 void printLab(const LabResult& result, std::ostream& out, bool colour);
 
-/// How many labs hold, and how many fail.
+/// How many labs hold, fail, and were not judged.
 void printLabSummary(std::span<const LabResult> results, std::ostream& out, bool colour);
 
 /// "at most 0.1 m".

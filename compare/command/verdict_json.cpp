@@ -37,7 +37,7 @@ Json sceneJson(const SceneResult& result) {
     for (const EngineResult& run : result.engines) json["engines"][run.observation.engine] = engineJson(run);
     json["checks"] = Json::array();
     for (const Outcome& outcome : result.outcomes) json["checks"].push_back(outcomeJson(outcome));
-    json["pass"] = result.pass;
+    json["pass"] = result.verdict;
     return json;
 }
 
@@ -48,7 +48,7 @@ Json labJson(const LabResult& result) {
                                   {"value", numberOrNull(outcome.value)},
                                   {"limit", outcome.check.limit},
                                   {"pass", outcome.pass}});
-    json["pass"] = result.pass;
+    json["pass"] = result.verdict;
     return json;
 }
 
@@ -58,8 +58,7 @@ std::string verdictJson(std::span<const SceneResult> results, std::span<const La
     Json json{{"schema", 1}, {"scenes", Json::array()}, {"labs", Json::array()}};
     for (const SceneResult& result : results) json["scenes"].push_back(sceneJson(result));
     for (const LabResult& result : labs) json["labs"].push_back(labJson(result));
-    const auto passes = [](const auto& result) { return result.pass; };
-    json["pass"] = std::ranges::all_of(results, passes) && std::ranges::all_of(labs, passes);
+    json["pass"] = std::max(overallVerdict(results), overallVerdict(labs));
     return json.dump(1) + "\n";
 }
 

@@ -8,6 +8,7 @@
 #include <ostream>
 
 #include <compare/command/colours.h>
+#include <compare/command/verdict_words.h>
 #include <compare/metric/length_text.h>
 
 namespace plumb::compare {
@@ -24,10 +25,6 @@ std::string cell(const SceneResult& result, const std::string& engine) {
         return lengthText(*error->second);
     }
     return "-";
-}
-
-std::string plural(std::size_t count, const std::string& what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -51,10 +48,6 @@ VerdictTable::VerdictTable(std::ostream& out, std::vector<std::string> engines, 
     for (const Scene& scene : scenes) nameWidth_ = std::max(nameWidth_, scene.name.size());
 }
 
-std::string VerdictTable::paint(const std::string& text, const char* code) const {
-    return colour_ ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : text;
-}
-
 void VerdictTable::head() const {
     fmt::print(out_, "{:6}{:{}}  largest distance to the closed form\n", "", "", nameWidth_);
     fmt::print(out_, "{:6}{:{}}", "", "scene", nameWidth_);
@@ -66,28 +59,21 @@ void VerdictTable::head() const {
 void VerdictTable::row(const SceneResult& result) const {
     const auto held = static_cast<std::size_t>(
         std::count_if(result.outcomes.begin(), result.outcomes.end(), [](const Outcome& o) { return o.pass; }));
-    const bool judged = !result.outcomes.empty();
-    const std::string verdict = !judged       ? paint("----", yellow)
-                                : result.pass ? paint("PASS", green)
-                                              : paint("FAIL", red);
-    fmt::print(out_, "{}  {:{}}", verdict, result.scene.name, nameWidth_);
+    fmt::print(out_, "{}  {:{}}", verdictWord(result.verdict, colour_), result.scene.name, nameWidth_);
     for (const std::string& engine : engines_) fmt::print(out_, "  {:>{}}", cell(result, engine), engineWidth);
-    if (judged)
-        fmt::print(out_, "  {} of {}\n", held, result.outcomes.size());
+    if (result.verdict == Verdict::NotJudged)
+        fmt::print(out_, "  {}\n", painted(notJudgedText("scene", result.scene.checks.size()), grey, colour_));
     else
-        fmt::print(out_, "  none binds these engines\n");
+        fmt::print(out_, "  {} of {}\n", held, result.outcomes.size());
     for (const Outcome& outcome : result.outcomes)
-        if (!outcome.pass) fmt::print(out_, "      {}\n", paint(failureText(result.scene, outcome), red));
+        if (!outcome.pass) fmt::print(out_, "      {}\n", painted(failureText(result.scene, outcome), red, colour_));
     out_.flush();
 }
 
 void VerdictTable::summary(std::span<const SceneResult> results) const {
-    std::size_t passed = 0, failed = 0, unjudged = 0;
-    for (const SceneResult& result : results) ++(result.outcomes.empty() ? unjudged : result.pass ? passed : failed);
-    const std::string hold = plural(passed, "scene") + (passed == 1 ? " holds" : " hold");
-    const std::string fail = fmt::format("{} {}", failed, failed == 1 ? "fails" : "fail");
-    fmt::print(out_, "\n{}, {}.\n", paint(hold, passed ? green : yellow), paint(fail, failed ? red : green));
-    if (unjudged) fmt::print(out_, "{} not judged.\n", paint(plural(unjudged, "scene"), yellow));
+    std::vector<Verdict> verdicts;
+    for (const SceneResult& result : results) verdicts.push_back(result.verdict);
+    fmt::print(out_, "\n{}\n", countText("scene", verdicts, colour_));
     out_.flush();
 }
 

@@ -19,12 +19,10 @@ public:
 
     void head() const;
     void row(const SceneResult& result) const;
-    /// How many scenes hold, fail, and have nothing that could be judged.
+    /// How many scenes hold, fail, and were not judged.
     void summary(std::span<const SceneResult> results) const;
 
 private:
-    std::string paint(const std::string& text, const char* code) const;
-
     std::ostream& out_;
     std::vector<std::string> engines_;
     std::size_t nameWidth_;

@@ -34,7 +34,7 @@ LabResult runLab(const Lab& lab, const std::vector<std::string>& asked, const st
         if (!check.engine.empty() && std::ranges::none_of(running, isIts)) continue;
         result.outcomes.push_back(outcomeOf(check, result.run));
     }
-    result.pass = std::ranges::all_of(result.outcomes, [](const LabOutcome& outcome) { return outcome.pass; });
+    result.verdict = verdictOf(result.outcomes);
     return result;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <compare/check/verdict.h>
 #include <compare/engine/engine.h>
 #include <compare/lab/graph.h>
 
@@ -48,8 +49,8 @@ struct LabOutcome {
 struct LabResult {
     Lab lab{};
     LabRun run{};
-    std::vector<LabOutcome> outcomes{};
-    bool pass = false;  ///< every outcome does
+    std::vector<LabOutcome> outcomes{};  ///< empty where no check binds an engine that was run
+    Verdict verdict = Verdict::NotJudged;
 };
 
 /// Runs a lab and judges its checks: one whose value is missing or no number does not hold.

@@ -205,7 +205,8 @@ json sceneData(const SceneResult& result, const PlaybackFormat& format, const Re
     const std::size_t stride = curveStride(ticks, settings.curvePoints);
     json data = {{"name", scene.name},
                  {"question", scene.question},
-                 {"pass", result.pass},
+                 {"pass", result.verdict},
+                 {"checks", scene.checks.size()},
                  {"dt", dt},
                  {"steps", ticks - 1},
                  {"gravity", pair(scene.gravity)},

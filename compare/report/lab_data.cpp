@@ -42,9 +42,9 @@ json outcomeData(const LabOutcome& outcome) {
 }
 
 json labData(const LabResult& result) {
-    json data = {{"name", result.lab.name},  {"question", result.lab.question}, {"varied", result.lab.varied},
-                 {"pass", result.pass},      {"seen", result.run.seen},         {"graphs", json::array()},
-                 {"outcomes", json::array()}};
+    json data = {{"name", result.lab.name}, {"question", result.lab.question},    {"varied", result.lab.varied},
+                 {"pass", result.verdict},  {"checks", result.lab.checks.size()}, {"seen", result.run.seen},
+                 {"graphs", json::array()}, {"outcomes", json::array()}};
     for (const Graph& graph : result.run.graphs) data["graphs"].push_back(graphData(graph));
     for (const LabOutcome& outcome : result.outcomes) data["outcomes"].push_back(outcomeData(outcome));
     return data;

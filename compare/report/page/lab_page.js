@@ -15,6 +15,7 @@ function labFailureText(outcome) {
 }
 
 function labChecksTable(lab) {
+    if (lab.pass === null) return [element("caption", {}, notJudgedText("lab", lab))];
     const heads = [columnHead(""), columnHead("Check"), columnHead("Value", true), columnHead("Limit", true),
         columnHead("Why this limit")];
     const rows = lab.outcomes.map((outcome) => element("tr", {class: outcome.pass ? null : "failing"},
@@ -54,7 +55,8 @@ class LabPage {
         byId("lab-question").textContent = lab.question;
         byId("lab-varied").textContent = `Varied: ${lab.varied}.`;
         const failed = failures(lab);
-        const verdict = failed.length === 1 ? labFailureText(failed[0])
+        const verdict = lab.pass === null ? notJudgedText("lab", lab)
+            : failed.length === 1 ? labFailureText(failed[0])
             : `${lab.outcomes.length - failed.length} of ${lab.outcomes.length} checks`;
         byId("lab-verdict").replaceChildren(verdictMark(lab.pass), element("span", {}, verdict));
         byId("lab-seen").replaceChildren(...lab.seen.map((sentence) => element("li", {}, sentence)));

@@ -44,8 +44,32 @@ function failureText(scene, outcome) {
     return `${lookOf(outcome.engine).label}: ${metric} ${value}, not ${limitText(scene, outcome)}`;
 }
 
+/// pass: true, false, or null for what was not judged.
+function verdictSign(pass) {
+    return pass === null ? {kind: "unjudged", sign: NONE, word: "not judged"}
+        : pass ? {kind: "holds", sign: "✓", word: "holds"} : {kind: "fails", sign: "✗", word: "fails"};
+}
+
 function verdictMark(pass) {
-    return element("span", {class: pass ? "verdict holds" : "verdict fails"}, pass ? "✓ holds" : "✗ fails");
+    const {kind, sign, word} = verdictSign(pass);
+    return element("span", {class: `verdict ${kind}`}, `${sign} ${word}`);
+}
+
+/// Why nothing was judged; what: "scene" or "lab".
+function notJudgedText(what, {checks}) {
+    return checks === 0 ? `this ${what} has no checks` : "no check binds these engines";
+}
+
+/// "5 of 6 scenes hold", and how many of the others were not judged.
+function countText(list, what) {
+    const unjudged = unjudgedText(list);
+    return `${list.filter(({pass}) => pass).length} of ${list.length} ${what} hold${unjudged}`;
+}
+
+/// ", 1 not judged", or nothing.
+function unjudgedText(list) {
+    const count = list.filter(({pass}) => pass === null).length;
+    return count > 0 ? `, ${count} not judged` : "";
 }
 
 /// Those within a twentieth of the least are equally good; where all are, none is set apart.
@@ -78,6 +102,7 @@ function numbersTable(scene) {
 }
 
 function checksTable(scene) {
+    if (scene.pass === null) return [element("caption", {}, notJudgedText("scene", scene))];
     const heads = [columnHead(""), columnHead("Check"), columnHead("Engine"), columnHead("Metric"),
         columnHead("Value", true), columnHead("Limit", true), columnHead("Why this limit")];
     const rows = scene.outcomes.map((outcome) => element("tr", {class: outcome.pass ? null : "failing"},

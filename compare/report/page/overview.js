@@ -19,16 +19,17 @@ function sums(report) {
         return typeof plumb === "number" && plumb <= 1e-3;
     });
     const passing = (list) => list.filter(({pass}) => pass);
-    const sum = (some, all, what) => {
+    const sum = (some, all, what, unjudged = "") => {
         const count = element("span", {class: "sum"}, element("b", {}, String(some.length)), ` of ${all.length}`);
-        return element("li", {}, count, what);
+        return element("li", {}, count, what, unjudged);
     };
+    const judgedSum = (list, what) => sum(passing(list), list, what, unjudgedText(list));
     // They stand below all scenes, and are soon found from here.
     const labsLink = report.labs.length > 0 ? element("a", {href: labAddress(report.labs[0])}, "labs hold") : null;
     return [
-        ...(report.scenes.length > 0 ? [sum(passing(report.scenes), report.scenes, "scenes hold")] : []),
-        ...(report.labs.length > 0 ? [sum(passing(report.labs), report.labs, labsLink)] : []),
-        sum(passing(outcomes), outcomes, "checks hold"),
+        ...(report.scenes.length > 0 ? [judgedSum(report.scenes, "scenes hold")] : []),
+        ...(report.labs.length > 0 ? [judgedSum(report.labs, labsLink)] : []),
+        ...(outcomes.length > 0 ? [sum(passing(outcomes), outcomes, "checks hold")] : []),
         ...(exact.length > 0 ? [sum(close, exact, "closed forms that Plumb follows to within 1 mm")] : []),
     ];
 }
@@ -49,26 +50,33 @@ function sceneAddress(scene) {
     return `#scene=${encodeURIComponent(scene.name)}`;
 }
 
+/// How many checks hold, or none.
+function checksCell(what, judged) {
+    if (judged.pass === null) return element("td", {class: "number none", title: notJudgedText(what, judged)}, "none");
+    const all = judged.outcomes.length;
+    return element("td", {class: "number"}, `${all - failures(judged).length}/${all}`);
+}
+
 function verdictRow(scene, engines) {
     const failed = failures(scene);
-    return element("tr", {class: scene.pass ? null : "failing"},
+    return element("tr", {class: scene.pass === false ? "failing" : null},
         element("td", {}, verdictMark(scene.pass)),
         element("th", {scope: "row"}, element("a", {href: sceneAddress(scene)}, titleText(scene.name)),
             element("p", {class: "question"}, scene.question),
             ...failed.slice(0, 3).map((outcome) => element("p", {class: "failure"}, failureText(scene, outcome))),
             failed.length > 3 ? element("p", {class: "failure"}, `and ${failed.length - 3} more`) : null),
-        element("td", {class: "number"}, `${scene.outcomes.length - failed.length}/${scene.outcomes.length}`),
+        checksCell("scene", scene),
         ...engines.map((name) => errorCell(scene, name)));
 }
 
 function labRow(lab) {
     const failed = failures(lab);
-    return element("tr", {class: lab.pass ? null : "failing"},
+    return element("tr", {class: lab.pass === false ? "failing" : null},
         element("td", {}, verdictMark(lab.pass)),
         element("th", {scope: "row"}, element("a", {href: labAddress(lab)}, titleText(lab.name)),
             element("p", {class: "question"}, lab.question),
             ...failed.map((outcome) => element("p", {class: "failure"}, labFailureText(outcome)))),
-        element("td", {class: "number"}, `${lab.outcomes.length - failed.length}/${lab.outcomes.length}`),
+        checksCell("lab", lab),
         element("td", {class: "question"}, lab.seen[0] ?? ""));
 }
 
@@ -92,8 +100,7 @@ function fillOverview(report) {
 
 /// The list at the side of a scene: the same verdicts, short.
 function fillSceneList(report) {
-    const held = report.scenes.filter((scene) => scene.pass).length;
-    byId("scene-list-sum").textContent = `${held} of ${report.scenes.length} scenes hold`;
+    byId("scene-list-sum").textContent = countText(report.scenes, "scenes");
     byId("scene-list-sum").hidden = report.scenes.length === 0;
     for (const scene of report.scenes) {
         const figures = element("span", {class: "figures"});
@@ -111,16 +118,15 @@ function fillSceneList(report) {
 
 /// failure: what it says, where something fails; figures: below, or null.
 function listItem(judged, address, failure, figures) {
-    const [sign, word] = judged.pass ? ["✓", "holds"] : ["✗", "fails"];
+    const {kind, sign, word} = verdictSign(judged.pass);
     return element("li", {}, element("a", {href: address, title: judged.question},
-        element("span", {class: `verdict ${word}`, "aria-label": word}, sign),
+        element("span", {class: `verdict ${kind}`, "aria-label": word}, sign),
         element("span", {class: "scene-name"}, titleText(judged.name)),
         failure ? element("span", {class: "failure"}, failure) : null, figures));
 }
 
 function fillLabList(report) {
-    const held = report.labs.filter((lab) => lab.pass).length;
-    byId("lab-list-sum").textContent = `${held} of ${report.labs.length} labs hold`;
+    byId("lab-list-sum").textContent = countText(report.labs, "labs");
     byId("lab-list-sum").hidden = report.labs.length === 0;
     for (const lab of report.labs) {
         const [failed] = failures(lab);

@@ -36,3 +36,10 @@ function inWorld(pose, x, y) {
     const s = Math.sin(pose.angle);
     return [pose.x + c * x - s * y, pose.y + s * x + c * y];
 }
+
+/// The numbers x, y, x, y, ... of a shape, as points of the world.
+function pointsInWorld(pose, flat) {
+    const points = [];
+    for (let i = 0; i + 1 < flat.length; i += 2) points.push(inWorld(pose, flat[i], flat[i + 1]));
+    return points;
+}

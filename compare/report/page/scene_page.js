@@ -95,7 +95,8 @@ class ScenePage {
         byId("scene-title").textContent = titleText(scene.name);
         byId("scene-question").textContent = scene.question;
         const all = scene.outcomes.length;
-        const verdict = failed.length === 1 ? failureText(scene, failed[0])
+        const verdict = scene.pass === null ? notJudgedText("scene", scene)
+            : failed.length === 1 ? failureText(scene, failed[0])
             : failed.length > 1 ? `${failed.length} of ${all} checks fail` : `${all} of ${all} checks`;
         byId("scene-verdict").replaceChildren(verdictMark(scene.pass), element("span", {}, verdict));
         const missing = scene.engines.filter((engine) => engine.unsupported);

@@ -19,9 +19,7 @@ function traceShape(context, camera, shape, pose) {
         context.arc(camera.x(x), camera.y(y), radius, 0, 2 * Math.PI);
         return;
     }
-    const flat = pointsOf(shape);
-    const points = [];
-    for (let i = 0; i < flat.length; i += 2) points.push(inWorld(pose, flat[i], flat[i + 1]));
+    const points = pointsInWorld(pose, pointsOf(shape));
     if (shape.radius > 0) {
         traceRounded(context, camera, points, shape.radius);
         return;

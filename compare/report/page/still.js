@@ -16,32 +16,65 @@ function hatching(theme) {
     return context.createPattern(tile, "repeat");
 }
 
-/// Short strokes on the side away from a point, as a textbook draws a floor.
-function hatchSegment(context, camera, away, [x0, y0], [x1, y1]) {
+const LEFT = 1;
+const RIGHT = -1;
+
+/// Short strokes on one side of a segment's direction, as a textbook draws a floor. bare is the length of the pieces
+/// before it that were too short for a stroke [px]: they share one with it. Returns bare for the next segment.
+function hatchSegment(context, camera, side, bare, [x0, y0], [x1, y1]) {
     const from = [camera.x(x0), camera.y(y0)];
     const along = [camera.x(x1) - from[0], camera.y(y1) - from[1]];
     const length = Math.hypot(...along);
     const [ux, uy] = [along[0] / length, along[1] / length];
-    const other = [camera.x(away[0]) - from[0], camera.y(away[1]) - from[1]];
-    const side = ux * other[1] - uy * other[0] > 0 ? -1 : 1;
-    for (let at = 6; at < length; at += 11) {
+    // From 8 on, for a stroke slants back by 7 and stays beside its segment.
+    const first = Math.max(0, 8 - bare);
+    for (let at = first; at < length; at += 11) {
         const [x, y] = [from[0] + at * ux, from[1] + at * uy];
         if (x < 0 || x > camera.width || y < 0 || y > camera.height) continue;
         context.moveTo(x, y);
-        context.lineTo(x - 7 * ux - 9 * side * uy, y - 7 * uy + 9 * side * ux);
+        // The canvas has y downwards: (uy, -ux) points to the left.
+        context.lineTo(x - 7 * ux + 9 * side * uy, y - 7 * uy - 9 * side * ux);
     }
+    return first < length ? 0 : bare + length;
 }
 
-/// awayOf(from, to) is a point on the side that is not hatched.
-function hatchLine(context, camera, theme, line, pose, awayOf) {
+/// The same side all along: of a staircase every step and every riser.
+function hatchLine(context, camera, theme, points, side) {
     context.beginPath();
-    for (let i = 0; i + 3 < line.length; i += 2) {
-        const [from, to] = [inWorld(pose, line[i], line[i + 1]), inWorld(pose, line[i + 2], line[i + 3])];
-        hatchSegment(context, camera, awayOf(from, to), from, to);
+    let bare = 0;
+    for (let i = 0; i + 1 < points.length; ++i) {
+        bare = hatchSegment(context, camera, side, bare, points[i], points[i + 1]);
     }
     context.strokeStyle = theme.hatch;
     context.lineWidth = 1.5;
     context.stroke();
+}
+
+/// Away from where things move. To the Box2Ds a chain is solid for what comes from its right. Any other line is solid
+/// from both sides: then things move where the middle of the view is. area is twice what a ray from the middle sweeps
+/// along the line, and positive where the middle is on its left.
+function hatchedSide(points, middle, isOneSided) {
+    if (isOneSided) return LEFT;
+    let area = 0;
+    for (let i = 0; i + 1 < points.length; ++i) {
+        const [[x0, y0], [x1, y1]] = [points[i], points[i + 1]];
+        area += (x1 - x0) * (middle[1] - y0) - (y1 - y0) * (middle[0] - x0);
+    }
+    return area > 0 ? RIGHT : LEFT;
+}
+
+/// A body's lines, each hatched as one: a chain, or segments of which each starts where the one before it ends.
+function linesOf(shapes) {
+    const lines = [];
+    for (const {segment, chain, tiles} of shapes) {
+        if (tiles || !(segment || chain)) continue;
+        const last = lines.at(-1);
+        const goesOn = segment && last && !last.isChain &&
+            last.flat.at(-2) === segment[0] && last.flat.at(-1) === segment[1];
+        if (goesOn) last.flat.push(segment[2], segment[3]);
+        else lines.push({flat: [...(segment ?? chain)], isChain: Boolean(chain)});
+    }
+    return lines;
 }
 
 /// A piece of a tile map, an area or a stretch of the outline, which has what is filled on its left. Areas have no
@@ -62,32 +95,35 @@ function drawTiles(context, camera, theme, shape, pose) {
     context.lineWidth = oneWay ? 3 : hazard ? 2.5 : 1.5;
     context.stroke();
     context.setLineDash([]);
-    const onRight = ([x0, y0], [x1, y1]) => [x0 + y1 - y0, y0 + x0 - x1];
-    if (oneWay) hatchLine(context, camera, theme, shape.segment, pose, onRight);
+    if (oneWay) hatchLine(context, camera, theme, pointsInWorld(pose, shape.segment), LEFT);
 }
 
-function drawStillShape(context, camera, theme, shape, pose, middle) {
+function drawStillShape(context, camera, theme, shape, pose) {
     context.beginPath();
     traceShape(context, camera, shape, pose);
-    const line = shape.segment ?? shape.chain;
+    const line = shape.segment || shape.chain;
     context.fillStyle = theme.hatching;
     if (!line) context.fill();
     context.strokeStyle = theme.ink;
     context.lineWidth = line ? 3 : 1.5;
     context.stroke();
-    if (line) hatchLine(context, camera, theme, line, pose, () => middle);
 }
 
 function drawStill(context, camera, theme, scene, box) {
     context.setLineDash([]);
     context.lineJoin = "round";
     const middle = [(box.left + box.right) / 2, (box.bottom + box.top) / 2];
+    const hasOneSided = scene.running.some(({name}) => name.startsWith("box2d"));
     for (const {type, start, shapes} of scene.bodies) {
         if (type !== "static") continue;
         const pose = {x: start[0], y: start[1], angle: start[2]};
         const tiles = shapes.filter((shape) => shape.tiles);
         for (const area of tiles.filter(({polygon}) => polygon)) drawTiles(context, camera, theme, area, pose);
         for (const edge of tiles.filter(({segment}) => segment)) drawTiles(context, camera, theme, edge, pose);
-        for (const shape of shapes) if (!shape.tiles) drawStillShape(context, camera, theme, shape, pose, middle);
+        for (const shape of shapes) if (!shape.tiles) drawStillShape(context, camera, theme, shape, pose);
+        for (const {flat, isChain} of linesOf(shapes)) {
+            const points = pointsInWorld(pose, flat);
+            hatchLine(context, camera, theme, points, hatchedSide(points, middle, isChain && hasOneSided));
+        }
     }
 }

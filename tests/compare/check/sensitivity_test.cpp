@@ -50,8 +50,8 @@ void checkTurnsRed(const std::vector<std::string>& scenes, const Break& breakSce
         INFO(name);
         const std::optional<Scene> scene = findScene(name);
         REQUIRE(scene);
-        CHECK(runScene(*scene, alone, engines()).pass);
-        CHECK_FALSE(runScene(*scene, alone, withBrokenPlumb(breakScene)).pass);
+        CHECK(runScene(*scene, alone, engines()).verdict == Verdict::Holds);
+        CHECK(runScene(*scene, alone, withBrokenPlumb(breakScene)).verdict == Verdict::Fails);
     }
 }
 

@@ -62,11 +62,11 @@ TEST_CASE("exact holds 2 mm off a limit of 2.5 mm, and fails off one of 1.5 mm",
     CHECK(held.outcomes[0].limit == 2.5e-3);
     CHECK(held.outcomes[0].reason == "so it was derived");
     CHECK(held.outcomes[0].pass);
-    CHECK(held.pass);
+    CHECK(held.verdict == Verdict::Holds);
 
     const SceneResult failed = run(resting({exact(1.5e-3)}), engines);
     CHECK_FALSE(failed.outcomes[0].pass);
-    CHECK_FALSE(failed.pass);
+    CHECK(failed.verdict == Verdict::Fails);
 }
 
 TEST_CASE("Plumb may be as far off as the better Box2D, or 1 mm", "[compare][check]") {
@@ -74,16 +74,16 @@ TEST_CASE("Plumb may be as far off as the better Box2D, or 1 mm", "[compare][che
     const SceneResult better = run(scene, standingAt(0.02, 0.05, 0.03));
     REQUIRE(better.outcomes.size() == 2);
     CHECK_THAT(better.outcomes[1].limit, WithinAbs(0.03, rounding));
-    CHECK(better.pass);
+    CHECK(better.verdict == Verdict::Holds);
 
     const SceneResult between = run(scene, standingAt(0.04, 0.05, 0.03));
     CHECK(between.outcomes[0].pass);
     CHECK_FALSE(between.outcomes[1].pass);
-    CHECK_FALSE(between.pass);
+    CHECK(between.verdict == Verdict::Fails);
 
     const SceneResult invisible = run(scene, standingAt(0.9e-3, 1e-5, 1e-6));
     CHECK(invisible.outcomes[1].limit == 1e-3);
-    CHECK(invisible.pass);
+    CHECK(invisible.verdict == Verdict::Holds);
 }
 
 TEST_CASE("a Box2D that loses its body sets no standard", "[compare][check]") {
@@ -118,8 +118,8 @@ TEST_CASE("Plumb and each Box2D agree to 5 cm or do not, engine by engine", "[co
 TEST_CASE("engines that part at 1 m/s agree to 0.35 m until 0.3 s, and no longer until 0.4 s", "[compare][check]") {
     const Engine parting = scripted("box2d-3", {[](double t) { return std::vector<BodyState>{at(t, 0)}; }});
     const std::vector<Engine> engines{standing("plumb", 0), parting};
-    CHECK(run(resting({AgreeCheck{0.35, 0.3, ""}}), engines).pass);
-    CHECK_FALSE(run(resting({AgreeCheck{0.35, 0.4, ""}}), engines).pass);
+    CHECK(run(resting({AgreeCheck{0.35, 0.3, ""}}), engines).verdict == Verdict::Holds);
+    CHECK(run(resting({AgreeCheck{0.35, 0.4, ""}}), engines).verdict == Verdict::Fails);
 }
 
 TEST_CASE("an invariant binds the engines it names, on both sides of its limit", "[compare][check]") {
@@ -143,7 +143,7 @@ TEST_CASE("an invariant whose metric has no value fails", "[compare][check]") {
     const SceneResult result = run(resting({InvariantCheck{"settle_time", 99, {"plumb"}, ""}}), {restless});
     REQUIRE(result.outcomes.size() == 1);
     CHECK_FALSE(result.outcomes[0].value);
-    CHECK_FALSE(result.pass);
+    CHECK(result.verdict == Verdict::Fails);
 }
 
 TEST_CASE("an error of 0.3 dt^2 has order 2: at least 1.9, not at least 2.1", "[compare][check]") {
@@ -153,9 +153,10 @@ TEST_CASE("an error of 0.3 dt^2 has order 2: at least 1.9, not at least 2.1", "[
     CHECK(held.outcomes[0].check == "order");
     CHECK(held.outcomes[0].metric == "order");
     CHECK_THAT(*held.outcomes[0].value, WithinAbs(2, 1e-9));  // the error is 2e-4 m, rounded to 1e-16 m
-    CHECK(held.pass);
-    CHECK_FALSE(run(resting({OrderCheck{2.1, {"plumb"}, ""}}), engines).pass);
-    CHECK_FALSE(run(resting({OrderCheck{1.9, {"plumb"}, ""}}), withTruth(converging("plumb", 0.3, 1))).pass);
+    CHECK(held.verdict == Verdict::Holds);
+    CHECK(run(resting({OrderCheck{2.1, {"plumb"}, ""}}), engines).verdict == Verdict::Fails);
+    CHECK(run(resting({OrderCheck{1.9, {"plumb"}, ""}}), withTruth(converging("plumb", 0.3, 1))).verdict ==
+          Verdict::Fails);
 }
 
 TEST_CASE("an error that stays as it is has order 0; one that is only rounding has none, and holds",
@@ -163,10 +164,10 @@ TEST_CASE("an error that stays as it is has order 0; one that is only rounding h
     const Scene scene = resting({OrderCheck{1, {"plumb"}, ""}});
     const SceneResult stuck = run(scene, withTruth(standing("plumb", 1e-6)));
     CHECK_THAT(*stuck.outcomes[0].value, WithinAbs(0, rounding));
-    CHECK_FALSE(stuck.pass);
+    CHECK(stuck.verdict == Verdict::Fails);
     const SceneResult exactly = run(scene, withTruth(standing("plumb", 1e-13)));
     CHECK_FALSE(exactly.outcomes[0].value);
-    CHECK(exactly.pass);
+    CHECK(exactly.verdict == Verdict::Holds);
 }
 
 TEST_CASE("engines that were not asked for are neither run nor judged, and the closed form still measures",
@@ -188,11 +189,11 @@ TEST_CASE("a Box2D without a counterpart is not judged; a Plumb without one fail
     const std::vector<Engine> engines{standing("plumb", 0), unsupporting("box2d-3"), standing("closed-form", 0)};
     const SceneResult result = run(scene, engines);
     CHECK(result.outcomes.size() == 1);
-    CHECK(result.pass);
+    CHECK(result.verdict == Verdict::Holds);
     CHECK(result.engines[1].observation.unsupported == "it has no such thing");
 
     const SceneResult without = run(scene, {unsupporting("plumb"), standing("closed-form", 0)});
-    CHECK_FALSE(without.pass);
+    CHECK(without.verdict == Verdict::Fails);
 }
 
 TEST_CASE("25 steps of 0.02 s run half a second", "[compare][check]") {
@@ -204,6 +205,27 @@ TEST_CASE("25 steps of 0.02 s run half a second", "[compare][check]") {
     CHECK(result.outcomes.empty());
 }
 
+TEST_CASE("a scene is not judged without checks, nor where none of them binds an engine that was run",
+          "[compare][check]") {
+    const std::vector<Engine> engines = standingAt(0, 0.1, 0.2);
+    CHECK(run(resting({}), engines).verdict == Verdict::NotJudged);
+    CHECK(run(resting({exact(1)}), engines, {"box2d-3"}).verdict == Verdict::NotJudged);
+    CHECK(run(resting({exact(1)}), engines).verdict == Verdict::Holds);
+}
+
+TEST_CASE("of several scenes one that fails decides, then one that holds; of none nothing was judged",
+          "[compare][check]") {
+    const std::vector<Engine> engines = standingAt(0.1, 0.1, 0.2);
+    const SceneResult unjudged = run(resting({}), engines);
+    const SceneResult held = run(resting({exact(1)}), engines);
+    const SceneResult failed = run(resting({exact(0.01)}), engines);
+    const auto overall = [](const std::vector<SceneResult>& results) { return overallVerdict(results); };
+    CHECK(overall({}) == Verdict::NotJudged);
+    CHECK(overall({unjudged, unjudged}) == Verdict::NotJudged);
+    CHECK(overall({unjudged, held}) == Verdict::Holds);
+    CHECK(overall({failed, held, unjudged}) == Verdict::Fails);
+}
+
 TEST_CASE("a probe watched from later than a shortened run lasts does not hold", "[compare][check]") {
     Scene scene = resting({InvariantCheck{"probe.turn", 1, {"plumb"}, ""}});
     Probe probe;
@@ -212,8 +234,8 @@ TEST_CASE("a probe watched from later than a shortened run lasts does not hold",
     probe.from = 0.5;
     probe.unit = "rad";
     scene.probes = {probe};
-    CHECK(runScene(scene, {}, {standing("plumb", 0)}).pass);
-    CHECK_FALSE(runScene(scene, {{}, 3, {}}, {standing("plumb", 0)}).pass);
+    CHECK(runScene(scene, {}, {standing("plumb", 0)}).verdict == Verdict::Holds);
+    CHECK(runScene(scene, {{}, 3, {}}, {standing("plumb", 0)}).verdict == Verdict::Fails);
 }
 
 TEST_CASE("options that cannot be are refused with the field, the value and what was wanted", "[compare][check]") {

@@ -184,11 +184,36 @@ TEST_CASE("a scene whose check fails gives status 1 and says which check, by how
     CHECK(nlohmann::json::parse(textOf(folder / "out.json"))["pass"] == false);
 }
 
+TEST_CASE("a scene without checks is not judged: null, grey, exit status 0", "[compare][command]") {
+    const Folder folder("plumb_command_test");
+    nlohmann::json scene = nlohmann::json::parse(call({"export", "free_fall"}).out);
+    scene["checks"] = nlohmann::json::array();
+    write(folder / "unchecked.json", scene.dump());
+    const std::vector<std::string> alone{"check",  folder / "unchecked.json", "--steps", "2",
+                                         "--json", folder / "out.json"};
+    std::ostringstream out, err;
+    CHECK(runCommand(alone, out, err, true) == 0);
+    CHECK(out.str().find("\x1b[90m----\x1b[0m  free_fall") != std::string::npos);
+    CHECK(out.str().find("\x1b[90mthis scene has no checks\x1b[0m\n") != std::string::npos);
+    const nlohmann::json json = nlohmann::json::parse(textOf(folder / "out.json"));
+    CHECK(json["scenes"][0]["pass"].is_null());
+    CHECK(json["pass"].is_null());
+
+    const Called beside = call({"check", folder / "unchecked.json", "projectile", "--json", folder / "out.json"});
+    CHECK(beside.status == 0);
+    CHECK(beside.out.find("1 scene holds, 0 fail, 1 not judged.\n") != std::string::npos);
+    const nlohmann::json both = nlohmann::json::parse(textOf(folder / "out.json"));
+    CHECK(both["scenes"][0]["pass"].is_null());
+    CHECK(both["scenes"][1]["pass"] == true);
+    CHECK(both["pass"] == true);
+}
+
 TEST_CASE("engines whose results no check looks at are shown but not judged, with status 0", "[compare][command]") {
     const Called called = call({"check", "free_fall", "--engines", "box2d-2.4", "--steps", "5"});
     CHECK(called.status == 0);
     CHECK(called.out.find("----  free_fall") != std::string::npos);
-    CHECK(called.out.find("1 scene not judged.") != std::string::npos);
+    CHECK(called.out.find("no check binds these engines\n") != std::string::npos);
+    CHECK(called.out.find("0 scenes hold, 0 fail, 1 not judged.") != std::string::npos);
 }
 
 TEST_CASE("check writes a CSV a scene and the report", "[compare][command]") {

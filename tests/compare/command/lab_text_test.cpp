@@ -35,6 +35,20 @@ TEST_CASE("a value that was not measured is said not to exist", "[compare][comma
           std::string::npos);
 }
 
+TEST_CASE("a lab of which nothing was judged is not called a pass", "[compare][command]") {
+    Lab lab = exampleLab(2);
+    lab.checks.front().engine = "box2d-3";
+    const LabResult unbound = runLab(lab, {}, {});
+    lab.checks.clear();
+    CHECK(shownLabs({unbound, runLab(lab, {}, {})}, false) ==
+          "----  example_lab\n"
+          "      no check binds these engines\n"
+          "----  example_lab\n"
+          "      this lab has no checks\n"
+          "0 labs hold, 0 fail, 2 not judged.\n");
+    CHECK(shownLabs({unbound}, true).find("\x1b[90m----\x1b[0m") != std::string::npos);
+}
+
 TEST_CASE("only a terminal gets a lab in colours", "[compare][command]") {
     CHECK(shownLabs({exampleResult(2)}, false).find('\x1b') == std::string::npos);
     CHECK(shownLabs({exampleResult(2)}, true).find("\x1b[32mPASS\x1b[0m") != std::string::npos);

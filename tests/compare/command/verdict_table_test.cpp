@@ -45,17 +45,24 @@ TEST_CASE("the table says of each scene whether it holds, by how much, and spell
 
 TEST_CASE("a scene of which nothing was judged is not called a pass", "[compare][command]") {
     SceneResult result = judged("idle", 0, 1);
+    result.scene.checks.clear();
     result.outcomes.clear();
-    const std::string text = shownVerdicts({result}, false);
-    CHECK(text.find("PASS") == std::string::npos);
-    CHECK(text.find("----  idle") != std::string::npos);
-    CHECK(text.find("1 scene not judged.") != std::string::npos);
+    result.verdict = Verdict::NotJudged;
+    CHECK(shownVerdicts({result, judged("good", 0, 1)}, false) ==
+          "             largest distance to the closed form\n"
+          "      scene        plumb      box2d-3  checks that hold\n"
+          "----  idle           0 m  unsupported  this scene has no checks\n"
+          "PASS  good           0 m  unsupported  1 of 1\n"
+          "\n"
+          "1 scene holds, 0 fail, 1 not judged.\n");
 }
 
 TEST_CASE("only a terminal gets colours", "[compare][command]") {
     const std::vector<SceneResult> results{judged("good", 0, 1)};
     CHECK(shownVerdicts(results, false).find('\x1b') == std::string::npos);
     CHECK(shownVerdicts(results, true).find("\x1b[32mPASS\x1b[0m") != std::string::npos);
+    CHECK(shownVerdicts(results, true).find("\x1b[32m1 scene holds\x1b[0m, \x1b[32m0 fail\x1b[0m.") !=
+          std::string::npos);
 }
 
 TEST_CASE("a failed check is told with its value, its bound and its reason", "[compare][command]") {

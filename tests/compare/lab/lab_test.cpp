@@ -20,21 +20,21 @@ const std::vector<Engine> three{standing("plumb", 0), standing("box2d-3", 0), st
 }  // namespace
 
 TEST_CASE("a value at its limit holds, and one beyond it fails the lab, from above and from below", "[compare][lab]") {
-    CHECK(exampleResult(2.5).pass);
-    CHECK_FALSE(exampleResult(2.6).pass);
+    CHECK(exampleResult(2.5).verdict == Verdict::Holds);
+    CHECK(exampleResult(2.6).verdict == Verdict::Fails);
     const LabCheck atLeast{.name = "engines", .bound = Bound::AtLeast, .limit = 2};
-    CHECK(runLab(counting(atLeast), {}, three).pass);
-    CHECK_FALSE(runLab(counting(atLeast), {"plumb"}, three).pass);
+    CHECK(runLab(counting(atLeast), {}, three).verdict == Verdict::Holds);
+    CHECK(runLab(counting(atLeast), {"plumb"}, three).verdict == Verdict::Fails);
 }
 
 TEST_CASE("what was not measured, or is no number, does not hold", "[compare][lab]") {
     const LabResult missing = runLab(counting({.name = "another", .limit = 10}), {}, three);
-    CHECK_FALSE(missing.pass);
+    CHECK(missing.verdict == Verdict::Fails);
     CHECK_FALSE(missing.outcomes.at(0).value);
     for (const Bound bound : {Bound::AtMost, Bound::AtLeast}) {
         Lab lab = exampleLab(nan);
         lab.checks.front().bound = bound;
-        CHECK_FALSE(runLab(lab, {}, {}).pass);
+        CHECK(runLab(lab, {}, {}).verdict == Verdict::Fails);
     }
 }
 
@@ -46,7 +46,9 @@ TEST_CASE("a lab is given the engines that were asked for, without the closed fo
 
 TEST_CASE("a check on an engine that is not run is not judged", "[compare][lab]") {
     const LabCheck check{.name = "another", .engine = "box2d-3"};
-    CHECK(runLab(counting(check), {"plumb"}, three).outcomes.empty());
+    const LabResult without = runLab(counting(check), {"plumb"}, three);
+    CHECK(without.outcomes.empty());
+    CHECK(without.verdict == Verdict::NotJudged);
     CHECK(runLab(counting(check), {}, three).outcomes.size() == 1);
 }
 

@@ -79,6 +79,38 @@ std::vector<SceneResult> results() {
         {beside("plumb", 0.0012), beside("box2d-2.4", 3e-13), unsupporting("box2d-3"), beside("closed-form", 0)})};
 }
 
+/// Draws stairs with the report's own scripts, and says of each row how many of the strokes that hatch it end below the
+/// stairs. The middle of the view is at (3.5, 5): it sees one riser from its right and one from its left.
+constexpr const char* stairsPage = R"(<p id="said"></p><script>
+let drawn = [];
+let ends = [];
+const context = {
+    beginPath: () => { drawn = []; },
+    moveTo: () => {},
+    lineTo: (x, y) => { drawn.push([x / 100, 10 - y / 100]); },
+    stroke() { if (this.strokeStyle === "hatch") ends.push(...drawn); },
+    setLineDash: () => {},
+};
+const camera = {x: (x) => 100 * x, y: (y) => 1000 - 100 * y, width: 1000, height: 1000};
+const down = [1, 3, 3, 3, 3, 2, 4, 2, 4, 1, 6, 1];
+const up = [6, 1, 4, 1, 4, 2, 3, 2, 3, 3, 1, 3];
+const segments = [0, 2, 4, 6, 8].map((i) => ({segment: down.slice(i, i + 4)}));
+const floorAt = (x) => (x > 4 ? 1 : x > 3 ? 2 : 3);
+function say(what, shapes, engines) {
+    ends = [];
+    const scene = {bodies: [{type: "static", start: [0, 0, 0], shapes}], running: engines.map((name) => ({name}))};
+    drawStill(context, camera, {ink: "ink", hatch: "hatch"}, scene, {left: 0, right: 7, bottom: 0, top: 10});
+    const under = ends.filter(([x, y]) => y < floorAt(x)).length;
+    document.getElementById("said").append(`${what}: ${under} of ${ends.length} below; `);
+}
+say("to the left", [{chain: up}], ["plumb", "box2d-3"]);
+say("to the right", [{chain: down}], ["plumb", "box2d-3"]);
+say("to the right in Plumb alone", [{chain: down}], ["plumb"]);
+say("of segments", segments, ["plumb", "box2d-3"]);
+const pieces = Array.from({length: 101}, (_, i) => [6 - i / 20, 1]).flat();
+say("of 100 pieces", [{chain: pieces}], ["plumb", "box2d-3"]);
+</script>)";
+
 double clockOf(const std::string& page) {
     std::smatch found;
     REQUIRE(std::regex_search(page, found, std::regex("<output id=\"clock\"[^>]*>([0-9.]+)&nbsp;s</output>")));
@@ -124,6 +156,28 @@ TEST_CASE("opened without a scene the report lists the verdicts and says what fa
                test::containsText("Plumb: largest distance to the closed form 1.20&nbsp;mm, not ≤&nbsp;1&nbsp;mm"));
 }
 
+TEST_CASE("a scene and a lab without checks are shown in grey as not judged, and counted apart",
+          "[compare][report][build]") {
+    if (noBrowser()) return;
+    const BrowserFolder folder;
+    std::vector<SceneResult> scenes = results();
+    Scene unchecked = oneDisc();
+    unchecked.name = "unchecked";
+    scenes.push_back(runScene(unchecked, {}, {standing("plumb", 0)}));
+    Lab lab = exampleLab(2);
+    lab.checks.clear();
+    writeReport(scenes, folder.path, {runLab(lab, {}, {})});
+    const Opened opened = open(folder, "index.html", "scene=unchecked");
+    CHECK(opened.messages == "");
+    CHECK_THAT(opened.page, test::containsText("0 of 2 scenes hold, 1 not judged"));
+    CHECK_THAT(opened.page, test::containsText("0 of 1 labs hold, 1 not judged"));
+    CHECK_THAT(opened.page, test::containsText("<span class=\"verdict unjudged\">– not judged</span>"
+                                               "<span>this scene has no checks</span>"));
+    CHECK_THAT(opened.page, !test::containsText("✓ holds"));
+    const std::string page = open(folder, "index.html", "lab=example_lab").page;
+    CHECK_THAT(page, test::containsText("<span>this lab has no checks</span>"));
+}
+
 TEST_CASE("a link to a lab shows what was seen, its graphs drawn, and its checks", "[compare][report][build]") {
     if (noBrowser()) return;
     const BrowserFolder folder;
@@ -146,6 +200,25 @@ TEST_CASE("opened without a scene the report lists the labs, with or without sce
     CHECK(opened.messages == "");
     CHECK_THAT(opened.page, test::containsText("#lab=example_lab"));
     CHECK_THAT(opened.page, test::containsText("1 of 1 labs hold"));
+}
+
+// A stroke every 11 pixels, from 8 on: 18 on each of the two treads of 200 pixels, 9 on each of the three other pieces.
+TEST_CASE("stairs are hatched on one side all along: the left of a chain where Box2D runs, else away from the middle",
+          "[compare][report][build]") {
+    if (noBrowser()) return;
+    const BrowserFolder folder;
+    std::ofstream page(folder.path / "stairs.html");
+    for (const char* script : {"pose.js", "data.js", "stage.js", "still.js"})
+        page << "<script src='file://" PLUMB_SOURCE_DIR "/compare/report/page/" << script << "'></script>";
+    page << stairsPage << std::flush;
+    const Opened opened = open(folder, "stairs.html", "");
+    CHECK(opened.messages == "");
+    CHECK_THAT(opened.page, test::containsText("to the left: 63 of 63 below"));
+    CHECK_THAT(opened.page, test::containsText("to the right: 0 of 63 below"));
+    CHECK_THAT(opened.page, test::containsText("to the right in Plumb alone: 63 of 63 below"));
+    CHECK_THAT(opened.page, test::containsText("of segments: 63 of 63 below"));
+    // Pieces of 5 pixels: every second one gets a stroke.
+    CHECK_THAT(opened.page, test::containsText("of 100 pieces: 50 of 50 below"));
 }
 
 // What the tests above rest on: a page that may load nothing says so when it tries.

@@ -35,6 +35,7 @@ TEST_CASE("the page knows the scene, its limits, each engine's states and curves
     CHECK(scene.at("limits") == json({{"error", 0.001}, {"divergence", 0.02}, {"agreeUntil", 0.5}}));
     CHECK(scene.at("bodies").at(0).at("shapes") == json::parse(R"([{"circle": [0, 0, 0.5]}])"));
     CHECK(scene.at("pass") == false);
+    CHECK(scene.at("checks") == 2);
     CHECK(scene.at("outcomes").at(0).at("value") == 0.25);
 
     const json& plumb = scene.at("engines").at(0);
@@ -49,6 +50,12 @@ TEST_CASE("the page knows the scene, its limits, each engine's states and curves
     const json& box2d = scene.at("engines").at(1);
     CHECK(box2d.at("unsupported") == "it has no such thing");
     CHECK_FALSE(box2d.contains("states"));
+}
+
+TEST_CASE("the page knows of a scene without checks that it was not judged", "[compare][report]") {
+    const json scene = onlyScene(runScene(oneDisc(), {}, {standing("plumb", 0)}));
+    CHECK(scene.at("pass").is_null());
+    CHECK(scene.at("checks") == 0);
 }
 
 TEST_CASE("each shape comes to the page by its points, and its radius where it has one", "[compare][report]") {

@@ -32,6 +32,14 @@ TEST_CASE("the page knows a lab's graphs, its curves' points, what was seen and 
     CHECK(unpackedDoubles(curve.at("ys")) == std::vector<double>{2, 4, 8});
 }
 
+TEST_CASE("the page knows of a lab without checks that it was not judged", "[compare][report]") {
+    Lab lab = exampleLab(2);
+    lab.checks.clear();
+    const json data = labsData({runLab(lab, {}, {})}).at(0);
+    CHECK(data.at("pass").is_null());
+    CHECK(data.at("checks") == 0);
+}
+
 TEST_CASE("a value that was not measured comes to the page as null", "[compare][report]") {
     Lab lab = exampleLab(2);
     lab.checks.front().name = "another";
