@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include <compare/scene/random/style.h>
+
+#include <algorithm>
+
+#include <plumb/math/logarithm.h>
+#include <plumb/math/trig.h>
+
+namespace plumb::compare {
+namespace {
+
+constexpr Form allForms[] = {Form::Disc,      Form::Capsule, Form::Box,     Form::Regular,
+                             Form::Irregular, Form::Rounded, Form::Compound};
+constexpr double largestRadius = 4;  // [m]
+
+double drawRatio(Draw& draw) {
+    const double kind = draw.uniform(0, 1);
+    if (kind < 0.4) return draw.uniform(1, 1.5);
+    if (kind < 0.75) return draw.logUniform(1.5, 5);
+    return draw.logUniform(5, 30);
+}
+
+std::vector<Form> drawForms(Draw& draw) {
+    const double kind = draw.uniform(0, 1);
+    if (kind < 0.35) return {std::begin(allForms), std::end(allForms)};
+    const int count = kind < 0.6 ? 1 : draw.integer(2, 3);
+    std::vector<Form> forms;
+    for (int i = 0; i < count; ++i) forms.push_back(draw.of(allForms));
+    return forms;
+}
+
+Range drawFriction(Draw& draw) {
+    const double kind = draw.uniform(0, 1);
+    if (kind < 0.15) return {0, 0.1};
+    if (kind < 0.75) return {0.3, 0.8};
+    return {0, 1.2};
+}
+
+Range drawRestitution(Draw& draw) {
+    const double kind = draw.uniform(0, 1);
+    if (kind < 0.5) return {0, 0};
+    if (kind < 0.8) return {0, 0.4};
+    return {0.2, 0.9};
+}
+
+Range drawDensity(Draw& draw) {
+    constexpr double densities[] = {1, 10, 100, 1000};
+    const double density = draw.of(densities);
+    if (!draw.chance(0.3)) return {density, density};
+    return {density, density * draw.uniform(2, 10)};
+}
+
+}  // namespace
+
+Style drawStyle(Draw& draw) {
+    Style style;
+    style.radius.low = draw.logUniform(0.1, 0.5);
+    const double ratio = drawRatio(draw);
+    style.radius.high = std::min(style.radius.low * ratio, largestRadius);
+    style.mostlySmall = ratio > 3;
+    style.forms = drawForms(draw);
+    style.friction = drawFriction(draw);
+    style.restitution = drawRestitution(draw);
+    style.density = drawDensity(draw);
+    style.upright = draw.chance(0.25);
+    if (draw.chance(0.25)) style.speed = draw.uniform(0, 5);
+    if (draw.chance(0.25)) style.spin = draw.uniform(0, 3);
+    return style;
+}
+
+double drawRadius(Draw& draw, const Style& style) {
+    double share = draw.uniform(0, 1);
+    if (style.mostlySmall) share = share * share * share;
+    const auto& [low, high] = style.radius;
+    return std::clamp(low * exponential(share * logarithm(high / low)), low, high);
+}
+
+Material drawMaterial(Draw& draw, const Style& style) {
+    Material material;
+    material.density = draw.uniform(style.density.low, style.density.high);
+    material.friction = draw.uniform(style.friction.low, style.friction.high);
+    material.restitution = draw.uniform(style.restitution.low, style.restitution.high);
+    return material;
+}
+
+}  // namespace plumb::compare
