@@ -127,13 +127,19 @@ int checkEverything(Arguments arguments, std::ostream& out, bool colour) {
     return check(arguments, out, colour);
 }
 
+Scene onlyScene(const std::vector<std::string>& given) {
+    std::vector<Scene> scenes = chooseScenes(given);
+    if (scenes.size() != 1)
+        throw std::invalid_argument(
+            fmt::format("export: {} is {} scenes, wanted one", fmt::join(given, " "), scenes.size()));
+    return std::move(scenes.front());
+}
+
 int run(const Arguments& arguments, std::ostream& out, bool colour) {
     switch (arguments.action) {
         case Action::Help: fmt::print(out, "{}", arguments.help); return allHold;
         case Action::ListScenes: list(out); return allHold;
-        case Action::ExportScene:
-            fmt::print(out, "{}\n", toJson(chooseScenes(arguments.scenes).front()));
-            return allHold;
+        case Action::ExportScene: fmt::print(out, "{}\n", toJson(onlyScene(arguments.scenes))); return allHold;
         case Action::Bench: runBench(arguments, engines(), out); return allHold;
         case Action::CheckScenes: return check(arguments, out, colour);
         case Action::Everything: break;

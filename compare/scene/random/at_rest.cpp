@@ -110,7 +110,7 @@ std::string layAtRest(Scene& scene, Draw& draw, const Style& style, int count) {
     std::vector<ShapeDef> shapes = wallsAround(extent, 0, std::max(highest, mason.top()) + headroom, ground);
     shapes.push_back(floorAt(extent, 0, ground));
     setWorld(scene, shapes);
-    return std::string(asleep ? "asleep" : "at rest") + ", but for a few shot at them";
+    return std::string(asleep ? "asleep" : "at rest") + " but for a few shot at them";
 }
 
 }  // namespace plumb::compare

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <compare/scene/random/worlds.h>
 
@@ -10,15 +9,15 @@ namespace {
 
 /// Between a paddle's tip and what is fixed: several of the largest fit side by side, so that nothing is pinched.
 double playAround(const Filling& filling) {
-    return 3.5 * widestOf(filling.items);
+    return 3.5 * std::max(2 * filling.style.radius.high, 1.0);
 }
 
 /// A bar that turns below the heap. Returns how high it reaches.
 double addPaddle(Scene& scene, Draw& draw, const Filling& filling, double halfWidth) {
-    const double play = playAround(filling), most = halfWidth - play;
-    const double reach = most * draw.uniform(0.4, 1), speed = draw.sign() * draw.uniform(0.5, 4);
+    const double play = playAround(filling), most = std::min(halfWidth - play, halfWidth / 2);
+    const double reach = most * draw.uniform(0.5, 1), speed = draw.sign() * draw.uniform(0.5, 4);
     SceneBody paddle{"paddle", {.type = BodyType::Kinematic, .position = {0, play + reach}}};
-    paddle.def.angle = draw.uniform(-std::numbers::pi, std::numbers::pi);
+    paddle.def.angle = draw.uniform(-fullTurn / 2, fullTurn / 2);
     paddle.def.angularVelocity = speed / reach;
     const double half = std::max(0.05, 0.05 * reach), length = std::sqrt(reach * reach - half * half);
     paddle.def.shapes = {box({length, half}, {.friction = 0.2})};
@@ -39,8 +38,8 @@ double addPusher(Scene& scene, Draw& draw, double halfWidth) {
 /// Half of a bin's width: a shaft, or wide.
 double drawHalfWidth(Draw& draw, const Filling& filling, bool hasPaddle) {
     const double width = std::sqrt(areaOf(filling.items) * draw.logUniform(0.5, 3));
-    const double least = hasPaddle ? 10 * widestOf(filling.items) : 2 * widestOf(filling.items) + 2;
-    return std::max(width, least) / 2;
+    const double least = 2 * widestOf(filling.items) + 2, withPaddle = hasPaddle ? 3 * playAround(filling) : 0;
+    return std::max({width, least, withPaddle}) / 2;
 }
 
 }  // namespace

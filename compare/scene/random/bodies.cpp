@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <compare/scene/random/bodies.h>
 
-#include <numbers>
-
 #include <plumb/math/trig.h>
 
 namespace plumb::compare {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 /// As many corners as keep each of them 1.2 cm above the line through its neighbours, whatever is drawn: Box2D 3 takes
 /// those within 1 cm to be in line.
@@ -21,7 +17,7 @@ int mostCorners(double radius) {
 std::vector<Vec2> regular(int corners, double radius) {
     std::vector<Vec2> points;
     for (int i = 0; i < corners; ++i) {
-        const SinCos at = sinCos(2 * pi * i / corners);
+        const SinCos at = sinCos(fullTurn * i / corners);
         points.push_back(radius * Vec2(at.cos, at.sin));
     }
     return points;
@@ -33,7 +29,7 @@ std::vector<Vec2> irregular(Draw& draw, int corners, double radius) {
     std::vector<Vec2> points;
     for (int i = 0; i < corners; ++i) {
         const double shift = draw.uniform(-0.2, 0.2);
-        const SinCos at = sinCos(2 * pi * (i + shift) / corners);
+        const SinCos at = sinCos(fullTurn * (i + shift) / corners);
         points.push_back(radius * Vec2(at.cos, flat * at.sin));
     }
     return points;
@@ -53,7 +49,7 @@ ShapeDef drawShape(Draw& draw, Form form, double radius, const Material& materia
             return capsule({-half, 0}, {half, 0}, thickness, material);
         }
         case Form::Box: {
-            const SinCos corner = sinCos(draw.uniform(0.2, pi / 4));
+            const SinCos corner = sinCos(draw.uniform(0.2, fullTurn / 8));
             return box(radius * Vec2(corner.cos, corner.sin), material);
         }
         case Form::Regular: {
@@ -82,7 +78,7 @@ Item drawBody(Draw& draw, const Style& style) {
     const int form = draw.integer(0, static_cast<int>(style.forms.size()) - 1);
     BodyDef def;
     def.shapes = drawShapes(draw, style.forms[static_cast<std::size_t>(form)], radius, material);
-    if (!style.upright) def.angle = draw.uniform(-pi, pi);
+    if (!style.upright) def.angle = draw.uniform(-fullTurn / 2, fullTurn / 2);
     if (style.speed > 0) {
         const double speed = draw.uniform(0, style.speed);
         def.velocity = speed * draw.direction();

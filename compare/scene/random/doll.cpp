@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <compare/scene/random/machines.h>
 
-#include <numbers>
-
 namespace plumb::compare {
 namespace {
 
 /// A limb from one point down to another, on a hinge at the first, free to turn so far either way.
-struct Limb {
+struct DollLimb {
     std::string name, from;
     Vec2 top, end;
     double radius;
@@ -25,7 +23,7 @@ public:
         shape.filter.group = group_;
         item.bodies.push_back({name, {.position = middle, .shapes = {shape}}});
     }
-    void addLimb(const Limb& limb) {
+    void addLimb(const DollLimb& limb) {
         addPart(limb.name, limb.top, limb.end, limb.radius);
         const RevoluteJointDef hinge{.anchor = size_ * limb.top, .limit = limb.limit};
         item.joints.push_back({limb.name + "_joint", limb.from, limb.name, hinge});
@@ -55,7 +53,7 @@ Item drawDoll(Draw& draw, double density, int group) {
         doll.addLimb({side + "shin", side + "thigh", hip + thigh, hip + thigh + shin, 0.05, {-2.2, 0}});
     }
     doll.item.half = Vec2::Constant(0.95 * size);
-    return turned(doll.item, draw.uniform(-std::numbers::pi, std::numbers::pi));
+    return turned(doll.item, draw.uniform(-fullTurn / 2, fullTurn / 2));
 }
 
 }  // namespace plumb::compare

@@ -2,7 +2,6 @@
 #include <compare/scene/random/draw.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include <plumb/math/logarithm.h>
 #include <plumb/math/trig.h>
@@ -15,7 +14,7 @@ double Draw::logUniform(double low, double high) {
 }
 
 Vec2 Draw::direction() {
-    const SinCos turned = sinCos(uniform(0, 2 * std::numbers::pi));
+    const SinCos turned = sinCos(uniform(0, fullTurn));
     return {turned.cos, turned.sin};
 }
 

@@ -2,12 +2,14 @@
 // How are the numbers of a random scene drawn?
 #pragma once
 #include <cstdint>
-#include <span>
+#include <numbers>
 
 #include <plumb/math/random.h>
 #include <plumb/math/vec2.h>
 
 namespace plumb::compare {
+
+inline constexpr double fullTurn = 2 * std::numbers::pi;  ///< [rad]
 
 /// Draws with the same bits on every machine. Each draw stands in a statement of its own: in which order a function's
 /// arguments are evaluated is left to the compiler.

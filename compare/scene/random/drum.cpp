@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <compare/scene/random/worlds.h>
 #include <plumb/math/trig.h>
@@ -9,15 +8,13 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 /// Walls around a circle of this radius, each as wide as its neighbours let it be.
 std::vector<ShapeDef> ringOfWalls(double radius, double thickness, int count, const Material& material) {
-    const SinCos halfTurn = sinCos(pi / count);
+    const SinCos halfTurn = sinCos(fullTurn / (2 * count));
     const double inner = radius / halfTurn.cos, outer = (radius + thickness) / halfTurn.cos;
     std::vector<ShapeDef> walls;
     for (int i = 0; i < count; ++i) {
-        const SinCos from = sinCos(2 * pi * i / count), to = sinCos(2 * pi * (i + 1) / count);
+        const SinCos from = sinCos(fullTurn * i / count), to = sinCos(fullTurn * (i + 1) / count);
         const Vec2 first(from.cos, from.sin), second(to.cos, to.sin);
         walls.push_back(polygon({inner * first, outer * first, outer * second, inner * second}, material));
     }
@@ -38,7 +35,7 @@ Rows rowsInCircle(double radius) {
 std::string fillDrum(Scene& scene, Draw& draw, const Filling& filling) {
     const double filled = draw.uniform(0.3, 0.6);
     const std::uint64_t seed = draw.seed();
-    double radius = std::max(2.0, std::sqrt(areaOf(filling.items) / (pi * filled)));
+    double radius = std::max(2.0, std::sqrt(areaOf(filling.items) / (fullTurn / 2 * filled)));
     std::optional<std::vector<Vec2>> origins;
     for (; !origins; radius *= 1.05) origins = placeInRows(filling.items, rowsInCircle(radius), Draw(seed));
     addItems(scene, filling.items, *origins);

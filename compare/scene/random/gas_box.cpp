@@ -30,10 +30,10 @@ std::string fillGasBox(Scene& scene, Draw& draw, const Filling& filling) {
     const double half = std::max(width, 2 * (1 + gap) * widestOf(items)) / 2;
     const double top = addItems(scene, items, placeOver(items, {-half, half}, 0, draw, gap));
     const Material smooth{.friction = 0, .restitution = restitution};
-    std::vector<ShapeDef> shapes = wallsAround({-half, half}, 0, top + headroom, smooth);
+    std::vector<ShapeDef> shapes = wallsAround({-half, half}, 0, top + 0.1, smooth);
     shapes.push_back(floorAt({-half, half}, 0, smooth));
     setWorld(scene, shapes);
-    return manySleep ? "in a box without weight, most of them asleep," : "as a thin gas in a box";
+    return manySleep ? "without weight in a box, most of them asleep" : "as a thin gas in a box";
 }
 
 }  // namespace plumb::compare

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <compare/scene/random/worlds.h>
 #include <plumb/math/trig.h>
 
 namespace plumb::compare {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 struct Wave {
     double length, height, phase;  ///< [m, m, rad]
@@ -19,7 +16,7 @@ std::vector<Wave> drawWaves(Draw& draw) {
     std::vector<Wave> waves;
     for (int i = 0; i < 3; ++i) {
         const double length = draw.logUniform(4, 30), height = length * draw.uniform(0.01, 0.06);
-        const double phase = draw.uniform(0, 2 * pi);
+        const double phase = draw.uniform(0, fullTurn);
         waves.push_back({length, height, phase});
     }
     return waves;
@@ -27,7 +24,7 @@ std::vector<Wave> drawWaves(Draw& draw) {
 
 double heightAt(const std::vector<Wave>& waves, double x) {
     double height = 0;
-    for (const Wave& wave : waves) height += wave.height * sinCos(2 * pi * x / wave.length + wave.phase).sin;
+    for (const Wave& wave : waves) height += wave.height * sinCos(fullTurn * x / wave.length + wave.phase).sin;
     return height;
 }
 

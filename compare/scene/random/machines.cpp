@@ -2,14 +2,11 @@
 #include <compare/scene/random/machines.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include <plumb/math/trig.h>
 
 namespace plumb::compare {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 SceneJoint hingeAt(const std::string& name, const std::string& a, const std::string& b, const Vec2& anchor) {
     return {name, a, b, RevoluteJointDef{.anchor = anchor}};
@@ -49,7 +46,7 @@ Item drawBridge(Draw& draw, int planks, double density, int group) {
 Item drawRope(Draw& draw, int links, double density, int group) {
     const bool hangs = draw.chance(0.5);
     const double half = draw.uniform(0.12, 0.3), radius = half * draw.uniform(0.2, 0.5);  // of a link [m]
-    const double angle = hangs ? draw.uniform(-1, 1) - pi / 2 : draw.uniform(-pi, pi);
+    const double angle = hangs ? draw.uniform(-1, 1) - fullTurn / 4 : draw.uniform(-fullTurn / 2, fullTurn / 2);
     const double start = -links * half;
     Item item{.half = Vec2::Constant(links * half + radius)};
     for (int i = 0; i < links; ++i) {

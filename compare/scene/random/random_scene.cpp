@@ -25,24 +25,21 @@ double drawGravity(Draw& draw) {
 
 /// Nothing: blocks at rest, which are laid otherwise.
 Fill drawFill(Draw& draw, bool isJointed) {
-    const double kind = isJointed ? draw.uniform(0, 0.65) : draw.uniform(0, 1);
-    if (kind < 0.33) return fillBin;
-    if (kind < 0.5) return fillHills;
-    if (kind < 0.65) return fillTiles;
-    if (kind < 0.75) return fillDrum;
-    if (kind < 0.83) return fillGasBox;
+    const double kind = isJointed ? draw.uniform(0, 0.56) : draw.uniform(0, 1);
+    if (kind < 0.28) return fillBin;
+    if (kind < 0.42) return fillHills;
+    if (kind < 0.56) return fillTiles;
+    if (kind < 0.68) return fillDrum;
+    if (kind < 0.8) return fillGasBox;
     return nullptr;
 }
 
-/// By size, run by run, so that rows hold what is alike, and heaps still mix.
+/// The largest first, run by run, so that rows hold what is alike, and heaps still mix.
 void sortInRuns(std::vector<Item>& items, Draw& draw) {
     const int run = draw.integer(20, 200);
-    const bool largeFirst = draw.chance(0.5);
     for (auto first = items.begin(); first != items.end();) {
         const auto last = first + std::min<std::ptrdiff_t>(run, items.end() - first);
-        std::stable_sort(first, last, [&](const Item& a, const Item& b) {
-            return largeFirst ? b.half.y() < a.half.y() : a.half.y() < b.half.y();
-        });
+        std::stable_sort(first, last, [](const Item& a, const Item& b) { return b.half.y() < a.half.y(); });
         first = last;
     }
 }
@@ -67,7 +64,7 @@ std::string questionOf(const Scene& scene, const Style& style, int count, const 
     const std::string sizes = ratio < 2 ? "of about one size" : fmt::format("of sizes up to 1 : {}", ratio);
     const std::string joints =
         scene.joints.empty() ? "" : fmt::format(", with machines of {} joints", scene.joints.size());
-    return fmt::format("What does a step take of {} bodies {} {}{}?", count, sizes, place, joints);
+    return fmt::format("What does a step of {} bodies {} take, {}{}?", count, sizes, place, joints);
 }
 
 }  // namespace
@@ -82,7 +79,7 @@ Scene randomScene(std::uint64_t seed) {
     const int count = static_cast<int>(draw.logUniform(leastBodies, mostBodies));
     const bool isJointed = draw.chance(0.2);
     const Fill fill = drawFill(draw, isJointed);
-    const Style style = drawStyle(draw);
+    const Style style = drawStyle(draw, count);
     std::string place;
     if (fill == nullptr)
         place = layAtRest(scene, draw, style, count);

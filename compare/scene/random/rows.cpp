@@ -8,37 +8,56 @@
 namespace plumb::compare {
 namespace {
 
-/// Items one beside the other, first to last - 1.
+/// The place of an item, larger than it by the gap.
+struct Cell {
+    Vec2 lower{0, 0}, size{0, 0};  ///< lower is counted from the row's lower left corner [m]
+    std::size_t column = 0;
+};
+
+/// Columns of items side by side: small ones stand on each other in one as wide as its lowest.
 struct Row {
-    std::size_t first = 0, last = 0;
+    std::vector<Cell> cells{};
     double width = 0, height = 0;  ///< [m]
     Extent extent{};
 };
 
+/// On the last cell if there is room, or else in a column of its own.
+Cell nextCell(const Row& row, const Vec2& size) {
+    if (row.cells.empty()) return {.size = size};
+    const Cell& last = row.cells.back();
+    const double above = last.lower.y() + last.size.y();
+    if (size.x() <= last.size.x() && above + size.y() <= row.height)
+        return {{last.lower.x(), above}, size, last.column};
+    return {{row.width, 0}, size, last.column + 1};
+}
+
 /// As many as there is room for; none if it is not enough for one.
 Row longestRow(const std::vector<Item>& items, std::size_t first, double low, const Rows& rows) {
-    Row row{first, first};
+    Row row;
     for (std::size_t i = first; i < items.size(); ++i) {
-        const Vec2 size = 2 * (1 + rows.gap) * items[i].half;
-        const double width = row.width + size.x(), height = std::max(row.height, size.y());
+        const Cell cell = nextCell(row, 2 * (1 + rows.gap) * items[i].half);
+        const double width = std::max(row.width, cell.lower.x() + cell.size.x());
+        const double height = std::max(row.height, cell.size.y());
         const std::optional<Extent> extent = rows.extent(low, low + height);
         if (!extent || low + height > rows.top || width > extent->right - extent->left) break;
-        row = {first, i + 1, width, height, *extent};
+        row.cells.push_back(cell);
+        row.width = width;
+        row.height = height;
+        row.extent = *extent;
     }
     return row;
 }
 
-/// What is left of the width is shared out by chance, and each item hangs somewhere between floor and ceiling.
-std::vector<Vec2> placeRow(const std::vector<Item>& items, const Row& row, double low, const Rows& rows, Draw& draw) {
+/// What is left of the width is shared out between the columns; each item lies by chance in its cell.
+std::vector<Vec2> originsIn(const Row& row, double low, double gap, Draw& draw) {
+    const double columns = static_cast<double>(row.cells.back().column + 1);
+    const double spare = (row.extent.right - row.extent.left - row.width) / columns;
     std::vector<Vec2> origins;
-    const double spare = (row.extent.right - row.extent.left - row.width) / static_cast<double>(row.last - row.first);
-    double x = row.extent.left;
-    for (std::size_t i = row.first; i < row.last; ++i) {
-        const Vec2 half = (1 + rows.gap) * items[i].half;
-        const double shift = draw.uniform(0, spare);
-        const double lift = draw.uniform(0, row.height - 2 * half.y());
-        origins.push_back({x + shift + half.x(), low + lift + half.y()});
-        x += spare + 2 * half.x();
+    for (const Cell& cell : row.cells) {
+        const Vec2 play = 0.45 * gap / (1 + gap) * cell.size;
+        const double x = draw.uniform(-play.x(), play.x() + spare), y = draw.uniform(-play.y(), play.y());
+        const Vec2 corner(row.extent.left + spare * static_cast<double>(cell.column), low);
+        origins.push_back(corner + cell.lower + cell.size / 2 + Vec2(x, y));
     }
     return origins;
 }
@@ -57,8 +76,8 @@ std::optional<std::vector<Vec2>> placeInRows(const std::vector<Item>& items, con
     double low = rows.bottom;
     while (origins.size() < items.size()) {
         const Row row = longestRow(items, origins.size(), low, rows);
-        if (row.last > row.first) {
-            const std::vector<Vec2> placed = placeRow(items, row, low, rows, draw);
+        if (!row.cells.empty()) {
+            const std::vector<Vec2> placed = originsIn(row, low, rows.gap, draw);
             origins.insert(origins.end(), placed.begin(), placed.end());
             low += row.height;
             continue;

@@ -2,6 +2,7 @@
 #include <compare/scene/random/style.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <plumb/math/logarithm.h>
 #include <plumb/math/trig.h>
@@ -11,7 +12,12 @@ namespace {
 
 constexpr Form allForms[] = {Form::Disc,      Form::Capsule, Form::Box,     Form::Regular,
                              Form::Irregular, Form::Rounded, Form::Compound};
-constexpr double largestRadius = 4;  // [m]
+constexpr double smallestRadius = 0.1;  // that bodies.h asks for [m]
+
+/// So large that a crowd still fills no more than some 60 m by 60 m: from higher up it would not land in 5 s.
+double largestRadius(int count) {
+    return std::min(4.0, 100 / std::sqrt(count));
+}
 
 double drawRatio(Draw& draw) {
     const double kind = draw.uniform(0, 1);
@@ -52,11 +58,11 @@ Range drawDensity(Draw& draw) {
 
 }  // namespace
 
-Style drawStyle(Draw& draw) {
+Style drawStyle(Draw& draw, int count) {
     Style style;
-    style.radius.low = draw.logUniform(0.1, 0.5);
-    const double ratio = drawRatio(draw);
-    style.radius.high = std::min(style.radius.low * ratio, largestRadius);
+    const double low = draw.logUniform(smallestRadius, 0.5), ratio = drawRatio(draw);
+    style.radius.high = std::min(low * ratio, largestRadius(count));
+    style.radius.low = std::max(smallestRadius, style.radius.high / ratio);
     style.mostlySmall = ratio > 3;
     style.forms = drawForms(draw);
     style.friction = drawFriction(draw);

@@ -25,8 +25,8 @@ struct Style {
     double spin = 0;       ///< likewise [rad/s]
 };
 
-/// Sizes of 1 : 1 to 1 : 30, one form to all seven, smooth to rough, dead to lively.
-Style drawStyle(Draw& draw);
+/// Sizes of 1 : 1 to 1 : 30, one form to all seven, smooth to rough, dead to lively; for so many bodies.
+Style drawStyle(Draw& draw, int count);
 
 /// The radius of a body of this style [m].
 double drawRadius(Draw& draw, const Style& style);

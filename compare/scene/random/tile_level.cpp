@@ -81,8 +81,8 @@ private:
 std::string fillTiles(Scene& scene, Draw& draw, const Filling& filling) {
     const double wanted = std::sqrt(areaOf(filling.items) * draw.logUniform(1.5, 5));
     const double width = std::max(wanted, 2 * widestOf(filling.items) + 4);
-    const double size = std::clamp(width / draw.integer(20, 50), 0.5, 3.0);
-    const int columns = static_cast<int>(width / size) + 3, storeys = draw.integer(1, 4);
+    const double size = std::clamp(width / draw.integer(20, 50), 0.5, 2.0);
+    const int columns = static_cast<int>(width / size) + 3, storeys = draw.integer(1, 3);
     const double half = (columns - 2) * size / 2;
     const double bottom = size * (highestGround + 3 * storeys + 1);
     const std::vector<Vec2> origins = placeOver(filling.items, {-half, half}, bottom, draw);
