@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <exception>
 #include <ostream>
+#include <stdexcept>
+#include <utility>
 
 #include <compare/command/arguments.h>
 #include <compare/command/bench_command.h>

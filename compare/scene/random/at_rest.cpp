@@ -96,7 +96,7 @@ std::vector<Item> drawShots(Draw& draw, const Style& style, int count, bool from
 std::string layAtRest(Scene& scene, Draw& draw, const Style& style, int count) {
     const double share = draw.uniform(0.01, 0.05);
     const int shots = std::max(1, static_cast<int>(share * count));
-    const bool asleep = scene.sleeping && draw.chance(0.5), fromAbove = draw.chance(0.3);
+    const bool asleep = scene.sleeping && draw.chance(0.75), fromAbove = draw.chance(0.3);
     Mason mason(scene, draw, style, !asleep);
     for (int left = count - shots; left > 0;) left -= mason.build(left);
     const std::vector<Item> items = drawShots(draw, style, shots, fromAbove);

@@ -15,7 +15,7 @@ double playAround(const Filling& filling) {
 /// A bar that turns below the heap. Returns how high it reaches.
 double addPaddle(Scene& scene, Draw& draw, const Filling& filling, double halfWidth) {
     const double play = playAround(filling), most = std::min(halfWidth - play, halfWidth / 2);
-    const double reach = most * draw.uniform(0.5, 1), speed = draw.sign() * draw.uniform(0.5, 4);
+    const double reach = most * draw.uniform(0.5, 1), speed = draw.eitherWay(0.5, 4);
     SceneBody paddle{"paddle", {.type = BodyType::Kinematic, .position = {0, play + reach}}};
     paddle.def.angle = draw.uniform(-fullTurn / 2, fullTurn / 2);
     paddle.def.angularVelocity = speed / reach;
@@ -58,7 +58,7 @@ std::string fillBin(Scene& scene, Draw& draw, const Filling& filling) {
     Material ground{.friction = 0.6};
     std::vector<ShapeDef> shapes = wallsAround({-half, half}, 0, top + headroom, ground);
     if (hasBelt) {
-        ground.surfaceSpeed = draw.sign() * draw.uniform(0.5, 4);
+        ground.surfaceSpeed = draw.eitherWay(0.5, 4);
         ground.friction = 0.8;
     }
     shapes.push_back(floorAt({-half, half}, 0, ground));

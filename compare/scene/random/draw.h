@@ -20,7 +20,11 @@ public:
     double uniform(double low, double high) { return random_.uniform(low, high); }
     int integer(int low, int high) { return random_.integer(low, high); }
     bool chance(double share) { return random_.uniform(0, 1) < share; }
-    double sign() { return chance(0.5) ? 1 : -1; }
+    /// Of a size from low to high, positive or negative.
+    double eitherWay(double low, double high) {
+        const double size = uniform(low, high);
+        return chance(0.5) ? size : -size;
+    }
     /// Its logarithm is uniformly distributed; 0 < low <= high.
     double logUniform(double low, double high);
     /// A unit vector.

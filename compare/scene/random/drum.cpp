@@ -39,9 +39,9 @@ std::string fillDrum(Scene& scene, Draw& draw, const Filling& filling) {
     std::optional<std::vector<Vec2>> origins;
     for (; !origins; radius *= 1.05) origins = placeInRows(filling.items, rowsInCircle(radius), Draw(seed));
     addItems(scene, filling.items, *origins);
-    const double turn = std::min(draw.uniform(0.2, 1.2), 5 / radius);
+    const double fastest = 5 / radius, turn = std::clamp(draw.eitherWay(0.2, 1.2), -fastest, fastest);
     const int walls = draw.integer(12, 40);
-    scene.bodies.front() = {worldName, {.type = BodyType::Kinematic, .angularVelocity = draw.sign() * turn}};
+    scene.bodies.front() = {worldName, {.type = BodyType::Kinematic, .angularVelocity = turn}};
     scene.bodies.front().def.shapes = ringOfWalls(radius, 1 + 0.05 * radius, walls, {.friction = 0.8});
     return "in a drum that turns";
 }

@@ -61,7 +61,7 @@ Item drawRope(Draw& draw, int links, double density, int group) {
 }
 
 Item drawCar(Draw& draw, double density) {
-    const double size = draw.uniform(0.5, 1.5), speed = draw.sign() * draw.uniform(3, 15);
+    const double size = draw.uniform(0.5, 1.5), speed = draw.eitherWay(3, 15);
     const double wheel = size * draw.uniform(0.3, 0.45), mass = density * 1.2 * size * size;
     Item item{.bodies = {{"chassis", {.position = {0, 0.2 * size}, .shapes = {}}}}, .half = {1.3 * size, 0.9 * size}};
     item.bodies[0].def.shapes = {box(size * Vec2(1.2, 0.25), {.density = density})};
