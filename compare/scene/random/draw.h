@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How are the numbers of a random scene drawn?
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <numbers>
 
