@@ -84,7 +84,8 @@ CLI::App* describeCheck(CLI::App& app, Raw& raw) {
         "status. A lab varies one quantity and draws curves over it, with steps of its own: --steps and --dt are\n"
         "for scenes. A lab compares those of its engines that are asked for.");
     check->add_option("SCENE", raw.scenes,
-                      "names of scenes and labs, or files: FILE.json; without any, all built-in ones");
+                      "names of scenes and labs, files: FILE.json, or random:SEED, random:A..B; without any, all "
+                      "built-in ones");
     check->add_option("--engines", raw.engines, "the engines to run, instead of all")->type_name("A,B");
     check->add_option("--steps", raw.steps, "how many steps to run, instead of the scene's")->type_name("N");
     check->add_option("--dt", raw.dt, "length of a step, instead of the scene's [s]")->type_name("S");
@@ -103,8 +104,8 @@ CLI::App* describeBench(CLI::App& app, Raw& raw) {
     bench->footer(fmt::format(
         "Engines run in turn, each run in a process of its own; a ratio above 1 means that Plumb is faster.\nScenes: "
         "six (the first six, which is what runs without a name), scaling (a heap and pyramids of {} sizes), crowds "
-        "(bodies that bounce), {};\nany other scene, or "
-        "FILE.json.",
+        "(bodies that bounce), {};\nrandom:SEED or random:A..B "
+        "(a random scene a seed, the same on every machine); any other scene, or FILE.json.",
         findBenchScenes("scaling").size(), fmt::join(names, ", ")));
     bench->add_option("SCENE", raw.scenes, "names of scenes or groups of them, or files");
     bench->add_option("--repeat", raw.repeat, "runs of each engine in each scene, instead of 5")->type_name("N");
@@ -127,7 +128,7 @@ Commands describe(CLI::App& app, Raw& raw) {
     CLI::App* check = describeCheck(app, raw);
     CLI::App* bench = describeBench(app, raw);
     CLI::App* exportScene = app.add_subcommand("export", "print a scene as JSON");
-    exportScene->add_option("SCENE", raw.scenes, "name of a scene, or FILE.json")->required()->expected(1);
+    exportScene->add_option("SCENE", raw.scenes, "name of a scene, random:SEED, or FILE.json")->required()->expected(1);
     exportScene->footer("");
     list->footer("");
     return {list, check, bench, exportScene};

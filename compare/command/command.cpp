@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <exception>
 #include <ostream>
+#include <stdexcept>
+#include <utility>
 
 #include <compare/command/arguments.h>
 #include <compare/command/bench_command.h>
@@ -126,13 +129,19 @@ int checkEverything(Arguments arguments, std::ostream& out, bool colour) {
     return check(arguments, out, colour);
 }
 
+Scene onlyScene(const std::vector<std::string>& given) {
+    std::vector<Scene> scenes = chooseScenes(given);
+    if (scenes.size() != 1)
+        throw std::invalid_argument(
+            fmt::format("export: {} is {} scenes, wanted one", fmt::join(given, " "), scenes.size()));
+    return std::move(scenes.front());
+}
+
 int run(const Arguments& arguments, std::ostream& out, bool colour) {
     switch (arguments.action) {
         case Action::Help: fmt::print(out, "{}", arguments.help); return noneFails;
         case Action::ListScenes: list(out); return noneFails;
-        case Action::ExportScene:
-            fmt::print(out, "{}\n", toJson(chooseScenes(arguments.scenes).front()));
-            return noneFails;
+        case Action::ExportScene: fmt::print(out, "{}\n", toJson(onlyScene(arguments.scenes))); return noneFails;
         case Action::Bench: runBench(arguments, engines(), out); return noneFails;
         case Action::CheckScenes: return check(arguments, out, colour);
         case Action::Everything: break;

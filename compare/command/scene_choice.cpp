@@ -10,6 +10,8 @@
 #include <compare/scene/builtin.h>
 #include <compare/scene/json.h>
 #include <compare/scene/nearest.h>
+#include <compare/scene/random/random_scene.h>
+#include <compare/scene/random/seed_range.h>
 
 namespace plumb::compare {
 namespace {
@@ -27,19 +29,40 @@ namespace {
                     given, nearest(given, names)));
 }
 
-Scene choose(const std::string& given) {
-    if (given.ends_with(".json")) return readScene(given);
-    if (std::optional<Scene> scene = findScene(given)) return *std::move(scene);
+/// What "random:SEED" and "random:A..B" stand for; empty for any other name.
+std::vector<BenchScene> randomScenes(const std::string& given) {
+    const LeftOut notMeant{"box2d-2.4", "random scenes are measured in Plumb and Box2D 3"};
+    std::vector<BenchScene> found;
+    const std::optional<SeedRange> seeds = seedRangeOf(given);
+    if (!seeds) return found;
+    for (std::uint64_t i = 0; i <= seeds->last - seeds->first; ++i) {
+        const std::uint64_t seed = seeds->first + i;
+        found.push_back({fmt::format("random_{}", seed), "random", "", [seed] { return randomScene(seed); }, notMeant});
+    }
+    return found;
+}
+
+/// One scene, or those of a range of seeds.
+std::vector<Scene> choose(const std::string& given) {
+    if (given.ends_with(".json")) return {readScene(given)};
+    if (std::optional<Scene> scene = findScene(given)) return {*std::move(scene)};
+    const std::vector<BenchScene> seeded = randomScenes(given);
+    if (!seeded.empty()) {
+        std::vector<Scene> scenes;
+        for (const BenchScene& scene : seeded) scenes.push_back(scene.build());
+        return scenes;
+    }
     const std::vector<BenchScene> found = findBenchScenes(given);
     if (found.size() != 1) refuseName(given);
-    return found.front().build();
+    return {found.front().build()};
 }
 
 std::vector<BenchScene> chooseBench(const std::string& given) {
     std::vector<BenchScene> found = findBenchScenes(given);
+    if (found.empty()) found = randomScenes(given);
     if (!found.empty()) return found;
     // Made again for each run, so that it takes no room in the process that waits.
-    return {{choose(given).name, "", "", [given] { return choose(given); }}};
+    return {{choose(given).front().name, "", "", [given] { return choose(given).front(); }}};
 }
 
 /// Refuses a second thing of the same name.
@@ -63,8 +86,10 @@ std::vector<Scene> chooseScenes(std::span<const std::string> given) {
     std::vector<Scene> scenes;
     Once once;
     for (const std::string& what : given) {
-        scenes.push_back(choose(what));
-        once.add(scenes.back().name, what);
+        for (Scene& scene : choose(what)) {
+            once.add(scene.name, what);
+            scenes.push_back(std::move(scene));
+        }
     }
     return scenes;
 }
@@ -79,8 +104,10 @@ Choice chooseScenesAndLabs(std::span<const std::string> given) {
             choice.labs.push_back(*std::move(lab));
             continue;
         }
-        choice.scenes.push_back(choose(what));
-        once.add(choice.scenes.back().name, what);
+        for (Scene& scene : choose(what)) {
+            once.add(scene.name, what);
+            choice.scenes.push_back(std::move(scene));
+        }
     }
     return choice;
 }

@@ -12,9 +12,9 @@
 namespace plumb::compare {
 
 /// The scenes in the order given; all built-in ones when nothing is given. What ends in ".json" is read as a file; what
-/// is no name of a built-in scene may be one of a scene that measures speed.
-/// Throws std::invalid_argument for a name that is not known, naming the nearest, for two scenes of the same name, and
-/// as readScene does.
+/// is no name of a built-in scene may be one of a scene that measures speed. "random:SEED" is the random scene of a
+/// seed, and "random:A..B" those of seeds A to B. Throws std::invalid_argument for a name that is not known, naming the
+/// nearest, for two scenes of the same name, and as readScene does.
 std::vector<Scene> chooseScenes(std::span<const std::string> given);
 
 struct Choice {
