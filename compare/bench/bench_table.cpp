@@ -23,7 +23,11 @@ std::string ratioCell(const SceneBench& scene, const EngineBench& bench) {
     return "";
 }
 
-std::string lengthCell(const std::optional<double>& length) {
+std::string heightText(const std::optional<double>& height) {
+    return height ? fmt::format("{:.3g} m", *height) : "-";
+}
+
+std::string gapText(const std::optional<double>& length) {
     return length ? lengthText(*length) : "-";
 }
 
@@ -67,7 +71,7 @@ void BenchTable::row(const SceneBench& scene, const EngineBench& bench) const {
     fmt::print(out_, layout, scene.scene, nameWidth_, scene.bodies, scene.steps, bench.engine,
                timeText(bench.leastMs()), timeText(steps.median), timeText(steps.p99), timeText(steps.worst),
                ratioCell(scene, bench), fmt::format("{:.1f}", static_cast<double>(bench.peakKb()) / 1024),
-               lengthCell(seen.highest), lengthCell(seen.overlap), lengthCell(seen.jointGap),
+               heightText(seen.highest), gapText(seen.overlap), gapText(seen.jointGap),
                seen.passedWalls ? std::to_string(*seen.passedWalls) : "-");
     if (bench.busy() < disturbed)
         fmt::print(out_, "    {} had the processor for {:.0f} % of a run only: others were at work\n", bench.engine,

@@ -65,13 +65,15 @@ struct Started {
     std::unique_ptr<Simulation> simulation;
     double dt = 0;
     int steps = 0;
-    std::size_t bodies = 0;
+    std::string question;
+    std::size_t bodies = 0, joints = 0;
 };
 
 /// The scene is gone when this returns: its memory is not the engine's.
 Started start(const std::function<Scene()>& source, const Engine& engine, std::optional<int> steps) {
     const Scene scene = source();
-    return {engine.build(scene), scene.dt, steps.value_or(stepCount(scene)), scene.bodies.size()};
+    return {engine.build(scene), scene.dt,           steps.value_or(stepCount(scene)), scene.question,
+            scene.bodies.size(), scene.joints.size()};
 }
 
 /// After which of so many steps there is a look: spread evenly, the last one included.
@@ -122,10 +124,8 @@ Json run(const std::function<Scene()>& source, const Engine& engine, const Measu
     if (options.look) looks.emplace();
     const Timed timed = timeSteps(started, looks ? &*looks : nullptr);
     started.simulation.reset();
-    Json report{{"bodies", started.bodies},
-                {"steps", started.steps},
-                {"seconds", timed.processor},
-                {"busy", timed.processor / timed.wall},
+    Json report{{"question", started.question}, {"bodies", started.bodies},   {"joints", started.joints},
+                {"steps", started.steps},       {"seconds", timed.processor}, {"busy", timed.processor / timed.wall},
                 {"peak_kb", timed.peakKb}};
     report["step_ms"] = timed.stepMs;
     report["phases"] = Json::array();
@@ -163,7 +163,9 @@ BenchRun measureRun(const std::function<Scene()>& scene, const Engine& engine, c
         result.unsupported = report["unsupported"];
         return result;
     }
+    result.question = report["question"];
     result.bodies = report["bodies"];
+    result.joints = report["joints"];
     result.steps = report["steps"];
     result.msPerStep = report["seconds"].get<double>() * 1000 / result.steps;
     result.stepMs = report["step_ms"].get<std::vector<double>>();

@@ -14,7 +14,9 @@ namespace plumb::compare {
 /// One run of one scene in one engine.
 struct BenchRun {
     std::string unsupported{};     ///< why the engine could not build the scene; empty when it could
+    std::string question{};        ///< the scene's
     std::size_t bodies = 0;        ///< of the scene
+    std::size_t joints = 0;        ///< likewise
     int steps = 0;                 ///< taken
     double msPerStep = 0;          ///< processor time of all steps over their number, building not counted [ms]
     std::vector<double> stepMs{};  ///< processor time of each step [ms]

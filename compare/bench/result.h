@@ -45,7 +45,8 @@ struct SceneBench {
     std::string scene{};
     std::string group{};   ///< as in BenchScene
     std::string family{};  ///< likewise
-    std::size_t bodies = 0;
+    std::string question{};
+    std::size_t bodies = 0, joints = 0;
     int steps = 0;
     std::vector<EngineBench> engines{};
 };

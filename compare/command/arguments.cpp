@@ -18,7 +18,8 @@ namespace {
 /// Option values as they stand on the command line.
 struct Raw {
     std::vector<std::string> scenes;
-    std::string engines, steps, dt, json, csv, report, repeat, threads, readme;
+    std::string engines, steps, dt, json, csv, report, repeat, threads;
+    std::vector<std::string> readme, verify;
 };
 
 /// All of the text as a number, or nothing.
@@ -94,6 +95,16 @@ CLI::App* describeCheck(CLI::App& app, Raw& raw) {
         ->add_option("--csv", raw.csv, "write states tick by tick, and curves, into this folder, a file a scene or lab")
         ->type_name("DIR");
     check->add_option("--report", raw.report, "write the report into this folder: index.html")->type_name("DIR");
+    check->add_option("--readme", raw.readme, "write the tables of accuracy into this page; may be given again")
+        ->type_name("FILE")
+        ->allow_extra_args(false);
+    check
+        ->add_option(
+            "--verify", raw.verify,
+            "compare the tables of this page with what is measured: Plumb's to the digit, Box2D 2.4's within a "
+            "factor of two; may be given again")
+        ->type_name("FILE")
+        ->allow_extra_args(false);
     return check;
 }
 
@@ -113,9 +124,9 @@ CLI::App* describeBench(CLI::App& app, Raw& raw) {
     bench->add_option("--engines", raw.engines, "the engines to run, instead of all")->type_name("A,B");
     bench->add_option("--steps", raw.steps, "how many steps to run, instead of the scene's")->type_name("N");
     bench->add_option("--json", raw.json, "write all numbers to this file")->type_name("FILE");
-    bench
-        ->add_option("--readme", raw.readme, "replace the table in this file, between its lines of bench begin and end")
-        ->type_name("FILE");
+    bench->add_option("--readme", raw.readme, "write the tables of speed into this page; may be given again")
+        ->type_name("FILE")
+        ->allow_extra_args(false);
     return bench;
 }
 
@@ -143,6 +154,8 @@ void takeCheck(const CLI::App& check, const Raw& raw, const std::vector<Engine>&
     if (given("--json")) result.json = pathFrom("--json", raw.json);
     if (given("--csv")) result.csv = pathFrom("--csv", raw.csv);
     if (given("--report")) result.report = pathFrom("--report", raw.report);
+    for (const std::string& page : raw.readme) result.pages.written.push_back(pathFrom("--readme", page));
+    for (const std::string& page : raw.verify) result.pages.verified.push_back(pathFrom("--verify", page));
 }
 
 void takeBench(const CLI::App& bench, const Raw& raw, const std::vector<Engine>& known, Arguments& result) {
@@ -155,7 +168,7 @@ void takeBench(const CLI::App& bench, const Raw& raw, const std::vector<Engine>&
     if (given("--threads")) requireOneThread(raw.threads);
     if (given("--steps")) result.bench.steps = countFrom("--steps", raw.steps);
     if (given("--json")) result.json = pathFrom("--json", raw.json);
-    if (given("--readme")) result.bench.readme = pathFrom("--readme", raw.readme);
+    for (const std::string& page : raw.readme) result.pages.written.push_back(pathFrom("--readme", page));
 }
 
 }  // namespace

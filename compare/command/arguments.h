@@ -22,10 +22,15 @@ enum class Action {
 
 /// How to measure speed.
 struct BenchOptions {
-    std::vector<std::string> engines;             ///< names; empty: all that simulate
-    int repeat = 5;                               ///< runs of each engine in each scene
-    std::optional<int> steps;                     ///< instead of the scene's
-    std::optional<std::filesystem::path> readme;  ///< whose table is to be replaced
+    std::vector<std::string> engines;  ///< names; empty: all that simulate
+    int repeat = 5;                    ///< runs of each engine in each scene
+    std::optional<int> steps;          ///< instead of the scene's
+};
+
+/// Pages with tables of what is measured.
+struct PageOptions {
+    std::vector<std::filesystem::path> written;   ///< whose tables are to be replaced
+    std::vector<std::filesystem::path> verified;  ///< whose tables are to be compared with what is measured now
 };
 
 struct Arguments {
@@ -33,6 +38,7 @@ struct Arguments {
     std::vector<std::string> scenes;  ///< names, of labs as well, and files, as given
     RunOptions options;
     BenchOptions bench;
+    PageOptions pages;
     std::optional<std::filesystem::path> json, csv, report;
     std::string help;  ///< to be printed for Help
 };

@@ -10,9 +10,10 @@
 
 #include <compare/bench/bench_json.h>
 #include <compare/bench/bench_table.h>
-#include <compare/bench/readme.h>
 #include <compare/command/output_file.h>
+#include <compare/command/page_files.h>
 #include <compare/command/scene_choice.h>
+#include <compare/page/speed_tables.h>
 
 namespace plumb::compare {
 namespace {
@@ -49,8 +50,11 @@ SceneBench measureScene(const BenchScene& scene, const BenchOptions& options, co
             if (repeat > 0 && !isRunAgain(bench)) continue;
             bench.runs.push_back(measureOnce(scene, engines[i], {.steps = options.steps, .look = repeat == 0}));
             if (!bench.supported()) continue;
-            result.bodies = bench.runs.back().bodies;
-            result.steps = bench.runs.back().steps;
+            const BenchRun& run = bench.runs.back();
+            result.question = run.question;
+            result.bodies = run.bodies;
+            result.joints = run.joints;
+            result.steps = run.steps;
         }
     }
     return result;
@@ -63,7 +67,7 @@ void runBench(const Arguments& arguments, const std::vector<Engine>& engines, st
     const std::vector<Engine> chosen = chosenEngines(arguments.bench, engines);
     std::optional<OutputFile> json;
     if (arguments.json) json.emplace("--json", *arguments.json);
-    if (arguments.bench.readme) (void)readReadme(*arguments.bench.readme);  // a wrong file is known at once
+    const PageFiles pages(arguments.pages.written, "bench");  // a wrong file is known at once
     const BenchTable table(out,
                            std::ranges::max(scenes, {}, [](const BenchScene& s) { return s.name.size(); }).name.size());
     table.head();
@@ -78,11 +82,7 @@ void runBench(const Arguments& arguments, const std::vector<Engine>& engines, st
     }
     table.summary(results);
     if (json) json->write(benchJson(results));
-    if (arguments.bench.readme) {
-        const std::filesystem::path& readme = *arguments.bench.readme;
-        const std::string text = withBench(readReadme(readme), benchMarkdown(results));
-        OutputFile("--readme", readme).write(text);
-    }
+    if (!pages.empty()) pages.write(speedBlocks(results), out);
 }
 
 }  // namespace plumb::compare

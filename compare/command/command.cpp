@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include <compare/command/accuracy_pages.h>
 #include <compare/command/arguments.h>
 #include <compare/command/bench_command.h>
 #include <compare/command/lab_text.h>
@@ -97,6 +98,7 @@ int check(const Arguments& arguments, std::ostream& out, bool colour) {
     if (arguments.json) json.emplace("--json", *arguments.json);
     if (arguments.csv) makeFolder("--csv", *arguments.csv);
     if (arguments.report) makeFolder("--report", *arguments.report);
+    const AccuracyPages pages(arguments, engines());
     const std::vector<SceneResult> scenes = runScenes(choice.scenes, arguments.options, out, colour);
     if (!choice.scenes.empty() && !choice.labs.empty()) fmt::print(out, "\n");
     const std::vector<LabResult> labs = runLabs(choice.labs, arguments.options, out, colour);
@@ -109,7 +111,9 @@ int check(const Arguments& arguments, std::ostream& out, bool colour) {
         writeReport(scenes, *arguments.report, labs);
         fmt::print(out, "Report: {}\n", (*arguments.report / "index.html").string());
     }
-    return std::max(overallVerdict(scenes), overallVerdict(labs)) == Verdict::Fails ? checkFails : noneFails;
+    const bool pagesHold = pages.hold(scenes, out);
+    const bool fails = std::max(overallVerdict(scenes), overallVerdict(labs)) == Verdict::Fails;
+    return fails || !pagesHold ? checkFails : noneFails;
 }
 
 void list(std::ostream& out) {

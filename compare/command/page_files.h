@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Which pages are written?
+#pragma once
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include <compare/page/blocks.h>
+
+namespace plumb::compare {
+
+class PageFiles {
+public:
+    /// Throws std::invalid_argument as readPage does.
+    PageFiles(std::vector<std::filesystem::path> files, std::string command);
+
+    bool empty() const { return files_.empty(); }
+    /// Writes into each page the blocks that it has, and tells of those of the command that were not measured and stay
+    /// as they are. Throws std::runtime_error when a file cannot be written.
+    void write(const std::vector<Block>& blocks, std::ostream& out) const;
+
+private:
+    std::vector<std::filesystem::path> files_;
+    std::string command_;
+};
+
+}  // namespace plumb::compare

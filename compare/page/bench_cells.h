@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// How does what was measured of speed stand in a cell of a page?
+#pragma once
+#include <functional>
+#include <string>
+
+#include <compare/bench/result.h>
+
+namespace plumb::compare {
+
+inline constexpr const char* box2d3Name = "box2d-3";
+
+/// Null when the engine was not run in the scene, or could not.
+const EngineBench* runOf(const SceneBench& scene, std::string_view engine);
+
+/// "Plumb", "Box2D 3.2.0".
+std::string displayName(const EngineBench& bench);
+
+/// "1.23 ms", or "12.3 µs" below 0.1 ms.
+std::string milliseconds(double ms);
+
+/// A cell for each engine of the scene, in its order; "–" where it was not run or could not.
+std::vector<std::string> cells(const SceneBench& scene, const std::function<std::string(const EngineBench&)>& cell);
+/// The same in one cell, with " / " between.
+std::string joinedCells(const SceneBench& scene, const std::function<std::string(const EngineBench&)>& cell);
+
+/// "3.5 m", "infinite", "–".
+std::string heightCell(const std::optional<double>& height);
+/// As lengthText, with µm.
+std::string lengthCell(const std::optional<double>& length);
+
+/// Of Box2D 3 over Plumb; empty where one of them is missing.
+std::optional<Ratio> ratioToBox2d3(const SceneBench& scene);
+
+/// Two digits that count: "1.8", "0.0021".
+std::string ratioText(double ratio);
+
+}  // namespace plumb::compare

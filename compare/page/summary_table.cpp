@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include <compare/page/summary_table.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include <compare/page/bench_cells.h>
+#include <compare/page/page_table.h>
+
+namespace plumb::compare {
+namespace {
+
+struct Kind {
+    const char* scene;
+    const char* label;
+};
+
+constexpr Kind kinds[] = {
+    {"small_50", "50 boxes and balls of a small game"},
+    {"large_pyramid", "A pyramid of 5,050 boxes"},
+    {"washer", "8,100 boxes in a turning drum"},
+    {"pit_2000", "2,000 boxes and balls fall into a pit"},
+    {"spinner", "6,076 bodies stirred in a ring"},
+    {"junkyard", "8,000 pentagons pushed about"},
+    {"compounds", "3,000 bodies of two triangles each"},
+    {"joint_grid", "A net of 10,000 discs and 19,794 hinges"},
+    {"dolls_100", "100 dolls in a heap"},
+    {"rain", "1,000 dolls that rain"},
+    {"bridge_20", "A bridge of twenty planks"},
+    {"rope_60", "A rope of 60 links that falls in a heap"},
+};
+
+/// "1.8 times as fast" or "140 times as slow".
+std::string verdictOf(double ratio) {
+    if (ratio >= 1) return fmt::format("{} times as fast", ratioText(ratio));
+    return fmt::format("{} times as slow", ratioText(1 / ratio));
+}
+
+}  // namespace
+
+Block summaryBlock(std::span<const SceneBench> results) {
+    Block block{"bench", "summary", "", ""};
+    PageTable table{{"a step of", "Plumb", "Box2D 3", "Plumb is"}, {}};
+    for (const Kind& kind : kinds) {
+        const auto scene = std::ranges::find(results, kind.scene, &SceneBench::scene);
+        if (scene == results.end()) return block;
+        const EngineBench *plumb = runOf(*scene, plumbName), *box2d = runOf(*scene, box2d3Name);
+        if (plumb == nullptr || box2d == nullptr) return block;
+        table.head[2] = displayName(*box2d);
+        table.rows.push_back({kind.label, milliseconds(plumb->leastMs()), milliseconds(box2d->leastMs()),
+                              verdictOf(ratioToBox2d3(*scene)->least)});
+    }
+    block.body = markdown(table);
+    return block;
+}
+
+}  // namespace plumb::compare
