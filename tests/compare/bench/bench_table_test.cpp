@@ -14,30 +14,28 @@ TEST_CASE("times read as 1.23 ms, 12.3 us and 123 ms", "[compare][bench]") {
     CHECK(timeText(123.4) == "123 ms");
 }
 
-TEST_CASE("a table has times, ratios with their spread, memory, means, growth and phases", "[compare][bench]") {
+TEST_CASE("a table has times, ratios with their spread, memory, what was seen, means, growth and phases",
+          "[compare][bench]") {
     std::vector<SceneBench> results{
-        measuredScene("s", {measuredEngine("plumb", {1, 2, 4}), measuredEngine("box2d-2.4", {8, 8, 8})}),
+        memberOf("six",
+                 measuredScene("s", {measuredEngine("plumb", {1, 2, 4}), measuredEngine("box2d-2.4", {8, 8, 8})})),
         measuredScene("t", {measuredEngine("plumb", {1, 1, 1}), unableEngine("box2d-2.4")}),
         measuredScene("p_10", {measuredEngine("plumb", {1}), unableEngine("box2d-2.4")}, "p", 10),
         measuredScene("p_20", {measuredEngine("plumb", {2}), unableEngine("box2d-2.4")}, "p", 20)};
+    results[0].engines[0].runs[0].integrity =
+        Integrity{.highest = -0.25, .overlap = 0.004, .jointGap = 0.03, .passedWalls = 7};
     results[0].engines[0].runs[1].busy = 0.5;
     std::ostringstream out;
-    const BenchTable table(out, {"plumb", "box2d-2.4"}, 8);
+    const BenchTable table(out, 8);
     table.head();
-    for (const SceneBench& scene : results) table.row(scene);
+    for (const SceneBench& scene : results) table.rows(scene);
     table.summary(results);
     const std::string text = out.str();
     INFO(text);
-    for (const char* part :
-         {"box2d-2.4 / plumb", "2 ms", "8 ms", "4.00 (2.00 to 8.00)", "2.0", "unsupported", "it has no such thing",
-          "geometric mean of 1: 4.00", "grows as bodies^1.000 from 10 to 20", "solve 1", "for 50 % of a run only"})
+    for (const char* part : {"over Plumb", "3 ms", "24 ms", "8 (2 to 8)", "2.0", "-0.25 m", "4 mm", "30 mm", " 7\n",
+                             "unsupported by", "it has no such thing", "geometric mean of 1 of six: 8.00",
+                             "grows as bodies^1.000 from 10 to 20", "solve 1", "for 50 % of a run only"})
         CHECK(text.find(part) != std::string::npos);
-}
-
-TEST_CASE("without Plumb a table has no column of ratios", "[compare][bench]") {
-    std::ostringstream out;
-    BenchTable(out, {"box2d-2.4", "box2d-3"}, 8).head();
-    CHECK(out.str().find("/ plumb") == std::string::npos);
 }
 
 }  // namespace plumb::compare

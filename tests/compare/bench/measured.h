@@ -32,4 +32,10 @@ inline SceneBench measuredScene(const std::string& name, std::vector<EngineBench
     return {.scene = name, .family = family, .bodies = bodies, .steps = 5, .engines = std::move(engines)};
 }
 
+/// One that a group stands for.
+inline SceneBench memberOf(const std::string& group, SceneBench scene) {
+    scene.group = group;
+    return scene;
+}
+
 }  // namespace plumb::compare

@@ -34,6 +34,7 @@ TEST_CASE("a step's time is its least over the repeats", "[compare][bench]") {
     bench.runs = {{.stepMs = {1, 9, 3}}, {.stepMs = {5, 2, 4}}};
     CHECK(bench.stepMs().worst == 3);
     CHECK(bench.stepMs().median == 2);
+    CHECK(bench.leastMs() == 2);  // of 1, 2 and 3
 }
 
 TEST_CASE("ratios go run by run, so a slow machine in one repeat does not show", "[compare][bench]") {
@@ -49,6 +50,22 @@ TEST_CASE("ratios go run by run, so a slow machine in one repeat does not show",
     CHECK(ratios[0].ratio.max == 4);
 }
 
+TEST_CASE("a run that is not repeated has a ratio to the first run of the other", "[compare][bench]") {
+    const std::vector<Ratio> ratios = ratiosOf(
+        std::vector<SceneBench>{measuredScene("s", {measuredEngine("plumb", {1, 2}), measuredEngine("b", {6})})});
+    REQUIRE(ratios.size() == 1);
+    CHECK(ratios[0].ratio.min == 6);
+    CHECK(ratios[0].ratio.max == 6);
+    CHECK(ratios[0].least == 6);
+}
+
+TEST_CASE("what the first look found stands for the engine", "[compare][bench]") {
+    EngineBench bench;
+    bench.runs = {{.integrity = Integrity{.highest = 3}}, {}};
+    CHECK(bench.integrity().highest == 3.0);
+    CHECK_FALSE(EngineBench{}.integrity().highest);
+}
+
 TEST_CASE("an engine that cannot build a scene has no ratio, and without Plumb there is none", "[compare][bench]") {
     CHECK(
         ratiosOf(std::vector<SceneBench>{measuredScene("s", {measuredEngine("plumb", {1}), unableEngine("box2d-2.4")})})
@@ -56,14 +73,22 @@ TEST_CASE("an engine that cannot build a scene has no ratio, and without Plumb t
     CHECK(ratiosOf(std::vector<SceneBench>{measuredScene("s", {measuredEngine("box2d-2.4", {1})})}).empty());
 }
 
-TEST_CASE("the geometric mean of ratios 2 and 8 is 4, scenes of a family not counted", "[compare][bench]") {
+TEST_CASE("the geometric mean of ratios 2 and 8 is 4, of each group by itself", "[compare][bench]") {
+    const auto pair = [](const std::string& name, double ratio) {
+        return measuredScene(name, {measuredEngine("plumb", {1}), measuredEngine("box2d-3", {ratio})});
+    };
     const std::vector<SceneBench> results{
-        measuredScene("a", {measuredEngine("plumb", {1}), measuredEngine("box2d-3", {2})}),
-        measuredScene("b", {measuredEngine("plumb", {1}), measuredEngine("box2d-3", {8})}),
-        measuredScene("c", {measuredEngine("plumb", {1}), unableEngine("box2d-3")}),
-        measuredScene("p_10", {measuredEngine("plumb", {1}), measuredEngine("box2d-3", {1000})}, "p")};
+        memberOf("six", pair("a", 2)),
+        memberOf("six", pair("b", 8)),
+        memberOf("six", measuredScene("c", {measuredEngine("plumb", {1}), unableEngine("box2d-3")})),
+        memberOf("random", pair("d", 0.5)),
+        memberOf("scaling", pair("e", 1000)),
+        pair("f", 1000)};
     const std::vector<MeanRatio> means = meanRatiosOf(results);
-    REQUIRE(means.size() == 1);
+    REQUIRE(means.size() == 2);
+    CHECK(means[0].group == "six");
+    CHECK(means[1].group == "random");
+    CHECK_THAT(means[1].ratio, WithinAbs(0.5, 1e-12));
     CHECK(means[0].against == "box2d-3");
     CHECK(means[0].scenes == 2);
     CHECK_THAT(means[0].ratio, WithinAbs(4, 1e-12));

@@ -3,10 +3,12 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <set>
 
 #include <compare/engine/engine.h>
+#include <compare/metric/geometry.h>
 
 #include "catch.h"
 
@@ -232,9 +234,109 @@ TEST_CASE("scaling scenes have 1,000 to 64,000 bodies within 6 %, in two familie
         CHECK_THAT(static_cast<double>(scene.bodies.size()), WithinAbs(wanted, 0.06 * wanted));
         CHECK_NOTHROW(validate(scene));
     }
-    CHECK(sceneOf("small_50").bodies.size() == 50);
+    for (const std::size_t n : {20, 50, 200}) CHECK(sceneOf("small_" + std::to_string(n)).bodies.size() == n);
     CHECK(findBenchScenes("spinner").front().leftOut.value().engine == "box2d-2.4");
     CHECK(findBenchScenes("no_such_scene").empty());
+}
+
+TEST_CASE("junkyard, compounds, washer and rain have the peers' numbers, and sleep where those do",
+          "[compare][scene][bench]") {
+    struct Numbers {
+        const char* name;
+        std::size_t bodies, shapes, joints;
+        int steps;
+    };
+    // ground blocks: 161 + 2 * 50; 81 + 2 * 100 and a segment; 36 wedges and 4 paddles; 5 * 501, and a doll has 13
+    // shapes
+    const Numbers numbers[] = {{"junkyard", 8002, 8262, 0, 800},
+                               {"compounds", 3001, 6282, 0, 500},
+                               {"washer", 8101, 8140, 0, 500},
+                               {"rain", 11001, 15505, 10000, 1000}};
+    for (const Numbers& wanted : numbers) {
+        const Scene scene = sceneOf(wanted.name);
+        INFO(scene.name);
+        CHECK(scene.bodies.size() == wanted.bodies);
+        CHECK(shapeCount(scene) == wanted.shapes);
+        CHECK(scene.joints.size() == wanted.joints);
+        CHECK(stepCount(scene) == wanted.steps);
+        CHECK(scene.sleeping);
+        CHECK(scene.gravity == Vec2(0, -10));
+        CHECK_NOTHROW(validate(scene));
+    }
+}
+
+TEST_CASE("junkyard pushes 200 columns of 40 pentagons by 60 m sin(0.2 t) to and fro", "[compare][scene][bench]") {
+    const Scene scene = sceneOf("junkyard");
+    CHECK((positionOf(scene, 1) - Vec2(-75.1, 15)).norm() < 1e-12);    // 1.5 * -200 * 0.25 - 0.1
+    CHECK((positionOf(scene, 2) - Vec2(-74.9, 16)).norm() < 1e-12);    // to the other side, a metre up
+    CHECK((positionOf(scene, 41) - Vec2(-74.35, 15)).norm() < 1e-12);  // 0.75 m on
+    const auto& pentagon = std::get<Polygon>(shapeOf(scene, 1));
+    REQUIRE(pentagon.vertices.size() == 5);
+    for (const Vec2& corner : pentagon.vertices) CHECK_THAT(corner.norm(), WithinAbs(0.25, 1e-12));
+    CHECK(scene.bodies.back().def.type == BodyType::Kinematic);
+    const auto& swing = std::get<SwingMotion>(scene.movers.at(0).motion);
+    CHECK(swing.amplitude == Vec2(60, 0));
+    CHECK(swing.rate == 0.2);
+}
+
+TEST_CASE("compounds has two triangles of 1.25 m^2 a body, washer a drum that turns 25 degrees a second",
+          "[compare][scene][bench]") {
+    const Scene compounds = sceneOf("compounds");
+    CHECK_THAT(massOf(compounds.bodies[1].def).mass, WithinAbs(2 * 1.25 / 2, 1e-12));
+    CHECK((positionOf(compounds, 1) - Vec2(-18.75, 5.575)).norm() < 1e-12);
+    CHECK((positionOf(compounds, 2) - Vec2(-19.25, 7.825)).norm() < 1e-12);
+    const Scene washer = sceneOf("washer");
+    const BodyDef& drum = washer.bodies[0].def;
+    CHECK_THAT(drum.angularVelocity, WithinAbs(0.4363323129985824, 1e-15));
+    CHECK(drum.shapes.size() == 40);
+    CHECK((positionOf(washer, 1) - Vec2(-9.9, 0.1)).norm() < 1e-12);
+    CHECK((positionOf(washer, 8100) - Vec2(-9.9 + 89 * 0.21, 0.1 + 89 * 0.21)).norm() < 1e-9);
+}
+
+TEST_CASE("rain sends 25 dolls every eighth step, and those of 320 steps ago anew", "[compare][scene][bench]") {
+    const Scene scene = sceneOf("rain");
+    std::map<long, int> comings;
+    for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
+        ++comings[std::lround(scene.bodies[i].appears / scene.dt)];
+        REQUIRE(std::lround(scene.bodies[i].renewed / scene.dt) == 320);
+    }
+    REQUIRE(comings.size() == 40);
+    for (const auto& [step, bodies] : comings) {
+        CHECK(step % 8 == 0);
+        CHECK(bodies == 25 * 11);
+    }
+    const auto& elbow = std::get<RevoluteJointDef>(scene.joints.at(7).def);  // of doll_1_left_hand
+    CHECK(scene.joints[7].bodyB == "doll_1_left_hand");
+    CHECK_THAT(elbow.limit->upper - elbow.limit->lower, WithinAbs(0.5 * std::numbers::pi, 1e-12));
+    CHECK_THAT(elbow.maxMotorTorque, WithinAbs(0.005, 1e-15));
+    CHECK((elbow.anchor - (positionOf(scene, 1) + Vec2(0, 1.1 - 0.95))).norm() < 1e-12);
+}
+
+TEST_CASE("dolls, rope and bridge start without overlap and with closed joints, awake for ever",
+          "[compare][scene][bench]") {
+    struct Numbers {
+        const char* name;
+        std::size_t bodies, joints;
+        int steps;
+    };
+    for (const Numbers& wanted :
+         {Numbers{"dolls_100", 1001, 900, 600}, Numbers{"dolls_8", 81, 72, 600}, Numbers{"dolls_9", 91, 81, 600},
+          Numbers{"rope_60", 61, 59, 400}, Numbers{"bridge_20", 24, 21, 600}}) {
+        const Scene scene = sceneOf(wanted.name);
+        INFO(scene.name);
+        CHECK(scene.bodies.size() == wanted.bodies);
+        CHECK(scene.joints.size() == wanted.joints);
+        CHECK(stepCount(scene) == wanted.steps);
+        CHECK_FALSE(scene.sleeping);
+        CHECK(scene.checks.empty());
+        CHECK_NOTHROW(validate(scene));
+        std::vector<BodyState> start;
+        for (const SceneBody& body : scene.bodies) start.push_back({body.def.position, body.def.angle});
+        const Geometry geometry(scene);
+        CHECK(geometry.penetration(start).value() < 1e-9);
+        CHECK(geometry.jointError(start).value() < 1e-9);
+    }
+    CHECK(sceneOf("rope_60").bodies[60].def.position == Vec2(0.59, 1.1 + 59 * 0.2));
 }
 
 TEST_CASE("every engine builds every one of the six and small_50, and steps each twice to finite states",

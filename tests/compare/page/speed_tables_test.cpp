@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include <compare/page/speed_tables.h>
+
+#include <algorithm>
+
+#include <compare/page/bench_cells.h>
+
+#include "catch.h"
+#include "compare/bench/measured.h"
+
+namespace plumb::compare {
+namespace {
+
+SceneBench pairOf(const std::string& name, double plumb, double box2d) {
+    SceneBench scene = measuredScene(name, {measuredEngine("plumb", {plumb}), measuredEngine("box2d-3", {box2d})});
+    scene.engines[1].version = "3.2.0";
+    for (EngineBench& engine : scene.engines)
+        engine.runs[0].integrity = Integrity{.highest = 2, .overlap = 1e-3, .passedWalls = 1};
+    return scene;
+}
+
+std::string bodyOf(const std::vector<Block>& blocks, const std::string& name) {
+    const auto block = std::ranges::find(blocks, name, &Block::name);
+    return block == blocks.end() ? "" : block->body;
+}
+
+}  // namespace
+
+TEST_CASE("the page has a row a scene: times, ratio, 99 % of the steps, the worst, memory, what was seen",
+          "[compare][page]") {
+    // steps of 1 to 5 ms times what is given: 3 in the mean
+    const std::vector<Block> blocks = speedBlocks(
+        std::vector<SceneBench>{memberOf("six", pairOf("s", 1, 4)), memberOf("six", pairOf("t", 0.01, 0.01)),
+                                measuredScene("u", {measuredEngine("plumb", {1}), unableEngine("box2d-3")})});
+    const std::string speed = bodyOf(blocks, "speed");
+    INFO(speed);
+    CHECK(speed.starts_with("| scene | bodies | Plumb | Box2D 3.2.0 | Box2D 3.2.0 over Plumb |"));
+    CHECK(speed.find("| s | 10 | 3 ms | 12 ms | 4 (4–4) | 5 ms / 20 ms | 5 ms / 20 ms | 2 / 2 |\n") !=
+          std::string::npos);
+    CHECK(speed.find("| t | 10 | 30 µs | 30 µs | 1 (1–1) |") != std::string::npos);
+    CHECK(speed.find("| u | 10 | 3 ms | – | – |") != std::string::npos);
+    CHECK(speed.find("geometric mean of 2 of the six: 2.00.") != std::string::npos);
+    CHECK(bodyOf(blocks, "integrity").find("| s | 2 m / 2 m | 1 mm / 1 mm | – / – | 1 / 1 |") != std::string::npos);
+    CHECK(bodyOf(blocks, "phases").starts_with("- s: solve 100 %\n"));
+    CHECK(bodyOf(blocks, "random").empty());
+    CHECK(bodyOf(blocks, "summary").empty());  // its scenes were not run
+}
+
+TEST_CASE("random scenes stand in sums, with joints and without, and the slowest and the fastest by themselves",
+          "[compare][page]") {
+    std::vector<SceneBench> results;
+    for (int i = 0; i < 12; ++i) {
+        results.push_back(memberOf("random", pairOf("random_" + std::to_string(i), 1, i < 6 ? 0.25 : 4)));
+        results.back().joints = i < 6 ? 3 : 0;
+    }
+    const std::vector<Block> blocks = speedBlocks(results);
+    CHECK(bodyOf(blocks, "speed").empty());
+    const std::string random = bodyOf(blocks, "random");
+    INFO(random);
+    CHECK(random.find("| all | 12 | 1 | 0.25 to 4 | 6 | 0 | 12 / 12 |") != std::string::npos);
+    CHECK(random.find("| without joints | 6 | 4 | 4 to 4 | 6 |") != std::string::npos);
+    CHECK(random.find("| with joints | 6 | 0.25 |") != std::string::npos);
+    CHECK(random.find("| random_3 |") != std::string::npos);
+    CHECK(random.find("| random_5 |") == std::string::npos);
+    CHECK(random.find("| random_8 |") != std::string::npos);
+}
+
+TEST_CASE("times read as 1.23 ms and 12.3 µs, ratios as 140, 1.8 and 0.0021", "[compare][page]") {
+    CHECK(milliseconds(1.234) == "1.23 ms");
+    CHECK(milliseconds(0.01234) == "12.3 µs");
+    CHECK(ratioText(140.4) == "140");
+    CHECK(ratioText(1.84) == "1.8");
+    CHECK(ratioText(0.00212) == "0.0021");
+}
+
+TEST_CASE("tables of speed without Plumb or without Box2D 3 are refused", "[compare][page]") {
+    CHECK_THROWS_AS(speedBlocks(std::vector<SceneBench>{measuredScene("s", {measuredEngine("plumb", {1})})}),
+                    std::invalid_argument);
+    CHECK_THROWS_AS(speedBlocks(std::vector<SceneBench>{measuredScene("s", {measuredEngine("box2d-3", {1})})}),
+                    std::invalid_argument);
+}
+
+}  // namespace plumb::compare
