@@ -2,7 +2,7 @@
 // What do fields do in a step?
 //
 // A world calls the code of fields through this table, which its first field sets. So the linker removes all code of
-// fields from a program without fields.
+// fields from a program without fields. That is the table's only use: a page in a browser loads what is left.
 #pragma once
 #include <vector>
 
