@@ -279,10 +279,10 @@ TEST_CASE("junkyard pushes 200 columns of 40 pentagons by 60 m sin(0.2 t) to and
     CHECK(swing.rate == 0.2);
 }
 
-TEST_CASE("compounds has two triangles of 1.25 m^2 a body, washer a drum that turns 25 degrees a second",
+TEST_CASE("compounds has two triangles of 1 m^2 a body, washer a drum that turns 25 degrees a second",
           "[compare][scene][bench]") {
     const Scene compounds = sceneOf("compounds");
-    CHECK_THAT(massOf(compounds.bodies[1].def).mass, WithinAbs(2 * 1.25 / 2, 1e-12));
+    CHECK_THAT(massOf(compounds.bodies[1].def).mass, WithinAbs(2 * 1, 1e-12));
     CHECK((positionOf(compounds, 1) - Vec2(-18.75, 5.575)).norm() < 1e-12);
     CHECK((positionOf(compounds, 2) - Vec2(-19.25, 7.825)).norm() < 1e-12);
     const Scene washer = sceneOf("washer");
