@@ -34,7 +34,7 @@ BenchRun measureOnce(const BenchScene& scene, const Engine& engine, const Measur
 }
 
 /// A run that takes longer than this is not repeated: over so many steps, what disturbs one is lost in the mean [s].
-constexpr double longRun = 20;
+constexpr double longRun = 10;
 
 bool isRunAgain(const EngineBench& bench) {
     return bench.supported() && bench.runs.front().seconds() <= longRun;

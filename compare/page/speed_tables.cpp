@@ -46,7 +46,7 @@ std::string howMeasured(std::span<const SceneBench> results) {
     return fmt::format(
         "Processor time of a step on one thread{}: the mean of the run's steps, each step at its least of {} runs; a "
         "run "
-        "of more than 20 s is made once. How many times as long as Plumb's a step of {} takes: of these times, and run "
+        "of more than 10 s is made once. How many times as long as Plumb's a step of {} takes: of these times, and run "
         "by run. Above 1, Plumb is faster.\n",
         processor(), repeats, nameOf(results, box2d3Name));
 }

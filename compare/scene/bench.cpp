@@ -19,6 +19,9 @@ const LeftOut noPlaceForBox2d24{"box2d-2.4",
 /// Measured: 0.2 s a step at 16,000 bodies, 2.7 s at 64,000.
 const LeftOut tooLongForBox2d24{"box2d-2.4", "a step takes seconds"};
 
+/// Measured: 0.6 s a step of junkyard, as much of washer.
+const LeftOut minutesForBox2d24{"box2d-2.4", "a run takes minutes"};
+
 void addSizes(std::vector<BenchScene>& list, const std::string& family, Scene (*scene)(int)) {
     for (const int n : sizes) {
         const auto leftOut = n > 16000 ? std::optional(tooLongForBox2d24) : std::nullopt;
@@ -37,9 +40,9 @@ std::vector<BenchScene> all() {
         {"small_20", "", "small", small20},
         {"small_50", "", "small", small50},
         {"small_200", "", "small", small200},
-        {"junkyard", "", "", junkyard},
+        {"junkyard", "", "", junkyard, minutesForBox2d24},
         {"compounds", "", "", compounds},
-        {"washer", "", "", washer},
+        {"washer", "", "", washer, minutesForBox2d24},
         {"rain", "", "", rain},
         {"dolls_100", "", "", dolls100},
         {"dolls_8", "", "", [] { return dolls(8); }},
