@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include <compare/page/bench_cells.h>
 #include <compare/page/page_table.h>
@@ -37,19 +38,27 @@ std::string verdictOf(double ratio) {
     return fmt::format("{} times as slow", ratioText(1 / ratio));
 }
 
+/// The larger of the deepest overlap and the largest gap: what is fast and wrong is not fast.
+std::optional<double> faultOf(const Integrity& seen) {
+    return std::max(seen.overlap, seen.jointGap);
+}
+
 }  // namespace
 
 Block summaryBlock(std::span<const SceneBench> results) {
     Block block{"bench", "summary", "", ""};
-    PageTable table{{"a step of", "Plumb", "Box2D 3", "Plumb is"}, {}};
+    PageTable table{
+        {"a step of", "Plumb", "Box2D 3", "Plumb is", "bodies overlap, or a joint gapes, by up to: Plumb / Box2D"}, {}};
     for (const Kind& kind : kinds) {
         const auto scene = std::ranges::find(results, kind.scene, &SceneBench::scene);
         if (scene == results.end()) return block;
         const EngineBench *plumb = runOf(*scene, plumbName), *box2d = runOf(*scene, box2d3Name);
         if (plumb == nullptr || box2d == nullptr) return block;
         table.head[2] = displayName(*box2d);
-        table.rows.push_back({kind.label, milliseconds(plumb->leastMs()), milliseconds(box2d->leastMs()),
-                              verdictOf(ratioToBox2d3(*scene)->least)});
+        table.rows.push_back(
+            {kind.label, milliseconds(plumb->leastMs()), milliseconds(box2d->leastMs()),
+             verdictOf(ratioToBox2d3(*scene)->least),
+             lengthCell(faultOf(plumb->integrity())) + " / " + lengthCell(faultOf(box2d->integrity()))});
     }
     block.body = markdown(table);
     return block;
