@@ -33,11 +33,17 @@ BenchRun measureOnce(const BenchScene& scene, const Engine& engine, const Measur
     return measureRun(scene.build, engine, options);
 }
 
-/// A run that takes longer than this is not repeated: over so many steps, what disturbs one is lost in the mean [s].
-constexpr double longRun = 10;
+/// An engine that is so slow is not waited for again: a run of it takes longer than this [s], and so many times as long
+/// as that of the fastest engine, which is beyond what disturbs a machine.
+constexpr double longRun = 10, manyTimes = 8;
 
-bool isRunAgain(const EngineBench& bench) {
-    return bench.supported() && bench.runs.front().seconds() <= longRun;
+bool isRunAgain(const EngineBench& bench, const SceneBench& scene) {
+    if (!bench.supported()) return false;
+    double fastest = bench.runs.front().seconds();
+    for (const EngineBench& other : scene.engines)
+        if (other.supported()) fastest = std::min(fastest, other.runs.front().seconds());
+    const double own = bench.runs.front().seconds();
+    return own <= longRun || own <= manyTimes * fastest;
 }
 
 /// In turn, A B A B: what slows the machine for a while slows all of them.
@@ -47,7 +53,7 @@ SceneBench measureScene(const BenchScene& scene, const BenchOptions& options, co
     for (int repeat = 0; repeat < options.repeat; ++repeat) {
         for (std::size_t i = 0; i < engines.size(); ++i) {
             EngineBench& bench = result.engines[i];
-            if (repeat > 0 && !isRunAgain(bench)) continue;
+            if (repeat > 0 && !isRunAgain(bench, result)) continue;
             bench.runs.push_back(measureOnce(scene, engines[i], {.steps = options.steps, .look = repeat == 0}));
             if (!bench.supported()) continue;
             const BenchRun& run = bench.runs.back();

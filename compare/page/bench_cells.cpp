@@ -22,6 +22,7 @@ std::string displayName(const EngineBench& bench) {
 }
 
 std::string milliseconds(double ms) {
+    if (ms >= 1000) return fmt::format("{:.3g} s", ms / 1000);
     return ms < 0.1 ? fmt::format("{:.3g} µs", ms * 1000) : fmt::format("{:.3g} ms", ms);
 }
 
@@ -54,7 +55,7 @@ std::optional<Ratio> ratioToBox2d3(const SceneBench& scene) {
 }
 
 std::string ratioText(double ratio) {
-    return ratio >= 10 ? fmt::format("{:.0f}", ratio) : fmt::format("{:.2g}", ratio);
+    return ratio >= 10 ? fmt::format("{:.0f}", ratio) : fmt::format("{:#.2g}", ratio);
 }
 
 }  // namespace plumb::compare

@@ -16,7 +16,7 @@ const EngineBench* runOf(const SceneBench& scene, std::string_view engine);
 /// "Plumb", "Box2D 3.2.0".
 std::string displayName(const EngineBench& bench);
 
-/// "1.23 ms", or "12.3 µs" below 0.1 ms.
+/// "1.23 ms", "12.3 µs" below 0.1 ms, "1.23 s" from a second on.
 std::string milliseconds(double ms);
 
 /// A cell for each engine of the scene, in its order; "–" where it was not run or could not.

@@ -44,10 +44,10 @@ std::string howMeasured(std::span<const SceneBench> results) {
     for (const SceneBench& scene : results)
         for (const EngineBench& bench : scene.engines) repeats = std::max(repeats, bench.runs.size());
     return fmt::format(
-        "Processor time of a step on one thread{}: the mean of the run's steps, each step at its least of {} runs; a "
-        "run "
-        "of more than 10 s is made once. How many times as long as Plumb's a step of {} takes: of these times, and run "
-        "by run. Above 1, Plumb is faster.\n",
+        "Processor time of a step on one thread{}: the mean of the run's steps, each step at its least of {} runs. An "
+        "engine is run once where a run takes more than 10 s, and eight times as long as the fastest. How many times "
+        "as "
+        "long as Plumb's a step of {} takes: of these times, and run by run. Above 1, Plumb is faster.\n",
         processor(), repeats, nameOf(results, box2d3Name));
 }
 

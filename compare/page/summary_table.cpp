@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include <compare/page/bench_cells.h>
@@ -34,6 +35,7 @@ constexpr Kind kinds[] = {
 
 /// "1.8 times as fast" or "140 times as slow".
 std::string verdictOf(double ratio) {
+    if (std::abs(ratio - 1) < 0.05) return "as fast";
     if (ratio >= 1) return fmt::format("{} times as fast", ratioText(ratio));
     return fmt::format("{} times as slow", ratioText(1 / ratio));
 }
