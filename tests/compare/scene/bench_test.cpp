@@ -234,7 +234,7 @@ TEST_CASE("scaling scenes have 1,000 to 64,000 bodies within 6 %, in two familie
         CHECK_THAT(static_cast<double>(scene.bodies.size()), WithinAbs(wanted, 0.06 * wanted));
         CHECK_NOTHROW(validate(scene));
     }
-    for (const std::size_t n : {20, 50, 200}) CHECK(sceneOf("small_" + std::to_string(n)).bodies.size() == n);
+    for (const std::size_t n : {20U, 50U, 200U}) CHECK(sceneOf("small_" + std::to_string(n)).bodies.size() == n);
     CHECK(findBenchScenes("spinner").front().leftOut.value().engine == "box2d-2.4");
     CHECK(findBenchScenes("no_such_scene").empty());
 }
