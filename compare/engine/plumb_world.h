@@ -19,7 +19,8 @@ struct PlumbWorld {
 void putBody(PlumbWorld& made, const Scene& scene, std::size_t body);
 void putJoint(PlumbWorld& made, const JointGeometry& geometry, std::size_t joint);
 
-/// With what is there at the start of the scene; of the rest the ids are empty. The scene says which gravity there is, and whether what rests may sleep; the rest is as given.
+/// With what is there at the start of the scene; of the rest the ids are empty. The scene says which gravity there is,
+/// and whether what rests may sleep; the rest is as given.
 PlumbWorld plumbWorld(const Scene& scene, WorldDef def = {});
 
 }  // namespace plumb::compare

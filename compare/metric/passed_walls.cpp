@@ -64,7 +64,8 @@ std::optional<std::size_t> PassedWalls::count(std::span<const BodyState> states)
         tree.query({center, center}, [&](std::uint32_t index) {
             const SolidShape& wall = walls_[index];
             if (isIn || !mayTouch(moving, wall)) return;
-            const Distance apart = distance(wall.shape.shape, placeOf(states[wall.body]), Circle{.radius = point, .center = center}, {});
+            const Distance apart =
+                distance(wall.shape.shape, placeOf(states[wall.body]), Circle{.radius = point, .center = center}, {});
             isIn = apart.separation < -inside;
         });
         if (isIn || isOutside(center, all, openAbove_)) ++passed;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is each scene that measures speed?
-// The six large ones, junkyard, compounds, washer and rain are Box2D 3.2's own benchmarks (Erin Catto, MIT licence), by their numbers: sizes, places,
-// materials and steps; none of its code.
+// The six large ones, junkyard, compounds, washer and rain are Box2D 3.2's own benchmarks (Erin Catto, MIT licence), by
+// their numbers: sizes, places, materials and steps; none of its code.
 #pragma once
 #include <compare/scene/scene.h>
 
