@@ -15,12 +15,19 @@ int stepsIn(double time, double dt) {
 
 }  // namespace
 
+bool bodyIsThereAtStart(const Scene& scene, std::size_t body) {
+    return stepsIn(scene.bodies[body].appears, scene.dt) == 0;
+}
+
+bool jointIsThereAtStart(const Scene& scene, const std::vector<JointGeometry>& joints, std::size_t joint) {
+    return std::ranges::all_of(bodiesOf(joints, joint),
+                               [&](std::size_t body) { return bodyIsThereAtStart(scene, body); });
+}
+
 Arrivals::Arrivals(const Scene& scene) {
     if (std::ranges::all_of(scene.bodies, isAlwaysThere)) return;
     scene_ = std::make_shared<const Scene>(scene);
     joints_ = jointGeometries(scene);
-    lateBodies_.resize(scene.bodies.size());
-    lateJoints_.resize(scene.joints.size());
     std::map<std::pair<int, int>, std::size_t> places;
     std::vector<std::size_t> arrivalOf(scene.bodies.size(), noBody);
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -31,24 +38,14 @@ Arrivals::Arrivals(const Scene& scene) {
         if (isNew) arrivals_.push_back(arrival);
         arrivalOf[i] = place->second;
         arrivals_[place->second].bodies.push_back(i);
-        lateBodies_[i] = arrival.first > 0;
     }
     for (std::size_t i = 0; i < scene.joints.size(); ++i) {
         for (const std::size_t body : bodiesOf(joints_, i)) {
             if (arrivalOf[body] == noBody) continue;
             arrivals_[arrivalOf[body]].joints.push_back(i);
-            lateJoints_[i] = lateBodies_[body];
             break;
         }
     }
-}
-
-bool Arrivals::bodyIsThereAtStart(std::size_t body) const {
-    return lateBodies_.empty() || !lateBodies_[body];
-}
-
-bool Arrivals::jointIsThereAtStart(std::size_t joint) const {
-    return lateJoints_.empty() || !lateJoints_[joint];
 }
 
 BodyState Arrivals::awaited(std::size_t body) const {

@@ -17,14 +17,15 @@ struct Arrival {
     std::vector<std::size_t> bodies, joints;
 };
 
+/// Before the first step.
+bool bodyIsThereAtStart(const Scene& scene, std::size_t body);
+/// Its bodies are. joints: the scene's.
+bool jointIsThereAtStart(const Scene& scene, const std::vector<JointGeometry>& joints, std::size_t joint);
+
 /// Keeps what it needs of the scene; nothing, of a scene whose bodies are all there from its start to its end.
 class Arrivals {
 public:
     explicit Arrivals(const Scene& scene);
-
-    /// There before the first step.
-    bool bodyIsThereAtStart(std::size_t body) const;
-    bool jointIsThereAtStart(std::size_t joint) const;
 
     /// The state of a body that has not appeared yet.
     BodyState awaited(std::size_t body) const;
@@ -43,7 +44,6 @@ private:
     std::shared_ptr<const Scene> scene_;
     std::vector<JointGeometry> joints_;
     std::vector<Arrival> arrivals_;
-    std::vector<bool> lateBodies_, lateJoints_;
 };
 
 }  // namespace plumb::compare

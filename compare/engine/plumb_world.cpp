@@ -49,12 +49,11 @@ PlumbWorld plumbWorld(const Scene& scene, WorldDef def) {
     made.world.reserve(capacityFor(scene));
     made.bodies.resize(scene.bodies.size());
     made.joints.resize(scene.joints.size());
-    const Arrivals arrivals(scene);
     for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-        if (arrivals.bodyIsThereAtStart(i)) putBody(made, scene, i);
+        if (bodyIsThereAtStart(scene, i)) putBody(made, scene, i);
     const std::vector<JointGeometry> joints = jointGeometries(scene);
     for (std::size_t i = 0; i < joints.size(); ++i)
-        if (arrivals.jointIsThereAtStart(i)) putJoint(made, joints[i], i);
+        if (jointIsThereAtStart(scene, joints, i)) putJoint(made, joints[i], i);
     for (const SceneField& field : scene.fields) {
         FieldDef law = field.def;
         if (auto* magnet = std::get_if<Magnet>(&law.law)) magnet->body = made.bodies[bodyIndex(scene, field.body)];

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <optional>
 
-#include <compare/metric/length_text.h>
+#include <compare/page/cells.h>
 
 namespace plumb::compare {
 namespace {
@@ -73,9 +73,7 @@ const SceneResult* find(std::span<const SceneResult> results, const std::string&
 std::string numberText(double value, Unit unit) {
     if (unit == Unit::Count) return fmt::format("{:.0f}", value);
     if (unit == Unit::Percent) return fmt::format("{:.3g} %", 100 * value);
-    std::string text = lengthText(value);
-    if (const std::size_t at = text.find(" um"); at != std::string::npos) text.replace(at, 3, " µm");
-    return text;
+    return lengthCell(value);
 }
 
 std::string cellOf(const SceneResult& result, const std::string& engine, const Row& row) {

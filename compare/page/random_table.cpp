@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <compare/page/bench_cells.h>
+#include <compare/page/cells.h>
 #include <compare/page/page_table.h>
 
 namespace plumb::compare {

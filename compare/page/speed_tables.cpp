@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include <compare/page/bench_cells.h>
+#include <compare/page/cells.h>
 #include <compare/page/page_table.h>
 #include <compare/page/random_table.h>
 #include <compare/page/summary_table.h>

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include <compare/page/bench_cells.h>
+#include <compare/page/cells.h>
 #include <compare/page/page_table.h>
 
 namespace plumb::compare {

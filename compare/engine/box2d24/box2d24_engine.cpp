@@ -82,7 +82,7 @@ public:
           threshold_(restitutionThreshold24(scene)) {
         world_.SetAllowSleeping(scene.sleeping);
         for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-            bodies_.push_back(arrivals_.bodyIsThereAtStart(i) ? made(scene, i) : nullptr);
+            bodies_.push_back(bodyIsThereAtStart(scene, i) ? made(scene, i) : nullptr);
         join(scene);
         for (std::size_t i = 0; i < scene.probes.size(); ++i) watch(scene, scene.probes[i], probes_[i]);
         // Told of every contact in every step, a listener costs time: only where there is something to listen to.
@@ -211,7 +211,7 @@ private:
     void join(const Scene& scene) {
         const std::vector<JointGeometry> joints = jointGeometries(scene);
         for (std::size_t i = 0; i < joints.size(); ++i) {
-            joints_.push_back(arrivals_.jointIsThereAtStart(i)
+            joints_.push_back(jointIsThereAtStart(scene, joints, i)
                                   ? addJoint24({world_, scene, bodies_, joints_}, joints[i], scene.joints[i].name)
                                   : nullptr);
             const Breaking breaking = breakingOf(joints[i].def);

@@ -84,7 +84,7 @@ public:
           arrivals_(scene) {
         senses_ = hasSensors(scene);
         for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-            bodies_.push_back(arrivals_.bodyIsThereAtStart(i) ? made(scene, i) : b2_nullBodyId);
+            bodies_.push_back(bodyIsThereAtStart(scene, i) ? made(scene, i) : b2_nullBodyId);
             angles_.push_back(scene.bodies[i].def.angle);
         }
         join(scene);
@@ -213,7 +213,7 @@ private:
     void join(const Scene& scene) {
         const std::vector<JointGeometry> joints = jointGeometries(scene);
         for (std::size_t i = 0; i < joints.size(); ++i) {
-            joints_.push_back(arrivals_.jointIsThereAtStart(i)
+            joints_.push_back(jointIsThereAtStart(scene, joints, i)
                                   ? addJoint3({world_.id(), scene, bodies_, scene.dt / subSteps}, joints[i], i)
                                   : b2_nullJointId);
             const Breaking breaking = breakingOf(joints[i].def);

@@ -80,7 +80,11 @@ TEST_CASE("what a run takes of memory shows in its peak, and not in the next run
     const BenchRun large = measureRun(oneDisc, busy(fill), {.steps = 1});
     const BenchRun small = measureRun(oneDisc, busy([] {}), {.steps = 1});
     CHECK(large.peakKb - small.peakKb > 60 << 10);
-    CHECK(large.peakKb - small.peakKb < 74 << 10);  // a sanitizer keeps an eighth of it beside it
+#ifdef __SANITIZE_ADDRESS__
+    CHECK(large.peakKb - small.peakKb < 74 << 10);  // an eighth more: its shadow
+#else
+    CHECK(large.peakKb - small.peakKb < 70 << 10);
+#endif
 }
 
 TEST_CASE("steps may be given, an engine may say no, and one that fails is told of", "[compare][bench]") {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include <compare/page/bench_cells.h>
+#include <compare/page/cells.h>
 
 #include "catch.h"
 #include "compare/bench/measured.h"

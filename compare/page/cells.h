@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does what was measured of speed stand in a cell of a page?
+// How does what was measured stand in a cell of a page?
 #pragma once
 #include <functional>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/page/bench_cells.h>
+#include <compare/page/cells.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
