@@ -9,8 +9,9 @@
 #include <plumb/dynamics/edit/joint_edits.h>
 #include <plumb/dynamics/edit/quarantine.h>
 #include <plumb/dynamics/fields/field_phases.h>
-#include <plumb/dynamics/impacts/continuous.h>
+#include <plumb/dynamics/impacts/flight_stops.h>
 #include <plumb/dynamics/impacts/isolated_impacts.h>
+#include <plumb/dynamics/impacts/wall_touch.h>
 #include <plumb/dynamics/islands/sleep.h>
 #include <plumb/dynamics/islands/wake.h>
 #include <plumb/dynamics/ledger/step_audit.h>
@@ -142,23 +143,23 @@ void solveImpacts(Step& s) {
     const ImpactStores stores{w.contacts, w.bodies, w.fields, w.space, s.observer()};
     Impacts impacts = solveIsolatedImpacts(w.graph, stores, s.dt, w.hitSpeed);
     w.trajectories = std::move(impacts.trajectories);
+    const WallTouchStores touched{w.graph, w.contacts, w.bodies, w.space, s.observer()};
+    if (w.walls > 0)
+        for (const WallImpact& impact : stopFlights(stores, w.trajectories, s.dt))
+            reportWallImpact(touched, impact, s.dt, w.hitSpeed, impacts.touches);
     s.report(impacts.touches);
 }
 
 void solve(Step& s) {
     WorldState& w = s.world;
     const JointStores joints{w.joints, w.jointIslands, w.bodies, w.solver, s.observer()};
-    solveConstraints({w.graph, w.contacts, w.bodies, w.fields, w.space, w.jointPhases, joints, w.solver, s.observer()},
-                     s.dt);
+    s.report(solveConstraints({w.graph, w.contacts, w.bodies, w.fields, w.space, w.jointPhases, joints, w.solver,
+                               s.observer(), w.walls > 0, w.hitSpeed},
+                              s.dt));
 }
 
 void moveFree(Step& s) {
     moveFreeBodies(s.world.bodies, s.dt, s.observer());
-}
-
-void stopAtWalls(Step& s) {
-    WorldState& w = s.world;
-    if (w.walls > 0) stopAtWalls(w.bodies, w.contacts, w.space, w.trajectories, s.dt);
 }
 
 void breakJoints(Step& s) {
@@ -200,7 +201,6 @@ void World::step(double dt) {
     if (solves) step.run(solveImpacts, &StepProfile::impacts, &EnergyLedger::impacts);
     if (solves) step.run(solve, &StepProfile::solve, &EnergyLedger::solver);
     if (moves) step.run(moveFree, &StepProfile::finish, &EnergyLedger::solver);
-    if (moves) step.run(stopAtWalls, &StepProfile::finish, &EnergyLedger::solver);
     if (moves) step.run(breakJoints, &StepProfile::finish, &EnergyLedger::breaking);
     if (moves) step.run(reportTouches, &StepProfile::finish, &EnergyLedger::solver);
     if (moves) step.run(takeOut, &StepProfile::finish, &EnergyLedger::solver);

@@ -15,12 +15,7 @@ void requireSide(const ImpactSide& side, std::string_view field) {
     requireFinite(side.arm, field, ".arm");
 }
 
-/// The relative velocity of the two points after an impulse at them: (n, t)' = (n, t) + K (jn, jt).
-struct Response {
-    double normal, coupling, tangent;  ///< K_nn, K_nt = K_tn, K_tt [1/kg]
-};
-
-Response responseOf(const ImpactSide& a, const ImpactSide& b, const Vec2& normal) {
+ImpactResponse responseOf(const ImpactSide& a, const ImpactSide& b, const Vec2& normal) {
     const double sum = a.inverseMass + b.inverseMass;
     const double an = cross(a.arm, normal), bn = cross(b.arm, normal);
     const double at = cross(a.arm, perp(normal)), bt = cross(b.arm, perp(normal));
@@ -29,16 +24,14 @@ Response responseOf(const ImpactSide& a, const ImpactSide& b, const Vec2& normal
             sum + a.inverseInertia * at * at + b.inverseInertia * bt * bt};
 }
 
-struct Impulses {
-    double normal, tangent;
-    bool sticks;
-};
+}  // namespace
 
 // Every impulse that obeys the law of restitution is on a line, normal = (push - K_nt tangent) / K_nn. On it:
 //   slip after  = slip0 + m tangent,  m = K_tt - K_nt^2 / K_nn >= 0
 //   energy gain = normal (n + n') / 2 + tangent (t + t') / 2,  a parabola in tangent, <= 0 at tangent = 0
 // So the tangential impulse is the one that stops the slip, limited by the friction cone and by the energy.
-Impulses solve(const Response& k, double approach, double slip, const ImpactLaw& law) {
+ImpactImpulses impactImpulses(const ImpactResponse& response, double approach, double slip, const ImpactLaw& law) {
+    const ImpactResponse& k = response;
     const double push = (1 + law.restitution) * approach;
     const double slip0 = slip + k.coupling * push / k.normal;
     const double m = k.tangent - k.coupling * k.coupling / k.normal;
@@ -64,8 +57,6 @@ Impulses solve(const Response& k, double approach, double slip, const ImpactLaw&
     return {(push - k.coupling * tangent) / k.normal, tangent, sticks};
 }
 
-}  // namespace
-
 ImpactResult impact(const ImpactSide& a, const ImpactSide& b, const Vec2& normal, const ImpactLaw& law) {
     requireWithin(law.restitution, 0, 1, "ImpactLaw", ".restitution");
     if (!(law.friction >= 0)) requireNotNegative(law.friction, "ImpactLaw", ".friction");
@@ -80,10 +71,10 @@ ImpactResult impact(const ImpactSide& a, const ImpactSide& b, const Vec2& normal
                         .angularVelocityB = b.angularVelocity};
     const Vec2 relative = b.velocity + b.angularVelocity * perp(b.arm) - a.velocity - a.angularVelocity * perp(a.arm);
     const double approach = -relative.dot(normal);
-    const Response k = responseOf(a, b, normal);
+    const ImpactResponse k = responseOf(a, b, normal);
     if (!(approach > 0) || !std::isfinite(approach) || !(k.normal > 0)) return result;
 
-    const Impulses j = solve(k, approach, relative.dot(perp(normal)) + law.surfaceSpeed, law);
+    const ImpactImpulses j = impactImpulses(k, approach, relative.dot(perp(normal)) + law.surfaceSpeed, law);
     requireFinite(j.normal, "impact: normalImpulse");
     requireFinite(j.tangent, "impact: tangentImpulse");
     const Vec2 impulse = j.normal * normal + j.tangent * perp(normal);

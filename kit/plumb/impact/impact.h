@@ -22,6 +22,18 @@ struct ImpactLaw {
     double surfaceSpeed = 0;
 };
 
+/// How impulses at the point change the relative velocity of the two: (n, t)' = (n, t) + K (jn, jt). It describes
+/// bodies of any kind, such as parts of a mechanism.
+struct ImpactResponse {
+    double normal = 0, coupling = 0, tangent = 0;  ///< K_nn, K_nt = K_tn, K_tt [1/kg]
+};
+
+struct ImpactImpulses {
+    double normal = 0;   ///< on B along the normal, >= 0 [N s]
+    double tangent = 0;  ///< on B along perp(normal) [N s]
+    bool sticks = false;
+};
+
 struct ImpactResult {
     Vec2 velocityA{0, 0}, velocityB{0, 0};              ///< afterwards [m/s]
     double angularVelocityA = 0, angularVelocityB = 0;  ///< afterwards [rad/s]
@@ -45,5 +57,9 @@ struct ImpactResult {
 /// "Dynamics", 1985, 5.9. Exact to rounding. Tests: "100,000 random impacts obey momentum, restitution and friction,
 /// and gain no energy", "10,000 impacts on a belt are those on a wall that moves as the belt's surface does"
 ImpactResult impact(const ImpactSide& a, const ImpactSide& b, const Vec2& normal, const ImpactLaw& law);
+
+/// The same law for two things whose response at the point is known. approach: -u_n, > 0; slip: u_t [m/s]. response:
+/// K_nn > 0. Unlike impact, it does not check its input.
+ImpactImpulses impactImpulses(const ImpactResponse& response, double approach, double slip, const ImpactLaw& law);
 
 }  // namespace plumb

@@ -39,6 +39,9 @@ inline Transform shifted(const Transform& pose, const Vec2& shift) {
     return {pose.position + shift, pose.rotation};
 }
 
+/// A body may have passed something on its way if it has moved by more than this share of its inradius in a step [-].
+inline constexpr double farShare = 0.5;
+
 /// A body's properties, and the forces that act on it. The fields that every step reads of every body come first: they
 /// fill two cache lines.
 struct alignas(64) BodyRecord {

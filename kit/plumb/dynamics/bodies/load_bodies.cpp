@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <plumb/dynamics/bodies/free_motion.h>
 
@@ -13,6 +14,15 @@ namespace {
 SolverVelocity rowOf(const Vec2& linear, double angular, float gyration, float last) {
     return {static_cast<float>(linear.x()), static_cast<float>(linear.y()), static_cast<float>(angular) * gyration,
             last};
+}
+
+/// A point of the outline moves by at most (|v| + |w| r) t in a time t, r the turning radius divided by that of
+/// gyration, and so by at most max(1, r) sqrt(2 (v^2 + w^2)) t.
+float farSpeedSquared(const BodyRecord& body, double dt) {
+    if (body.type != BodyType::Dynamic) return std::numeric_limits<float>::infinity();
+    const double reach = std::max(1.0, body.turningRadius * static_cast<double>(body.inverseGyration));
+    const double speed = farShare * body.inradius / (dt * reach);
+    return static_cast<float>(std::min(0.5 * speed * speed, 1e30));
 }
 
 }  // namespace
@@ -42,7 +52,7 @@ void loadBody(BodyStore& bodies, BodyIndex body, double dt) {
     bodies.velocity[body] = rowOf(motion.velocity, motion.angularVelocity, record.gyration, inverseMass);
     bodies.displacement[body] = {};
     bodies.warm[body] = {};
-    bodies.turn[body] = {0, record.inverseGyration, record.gyration, 0};
+    bodies.turn[body] = {0, record.inverseGyration, record.gyration, farSpeedSquared(record, dt)};
     if (bodies.step[body].flight != none) {  // the fields' kicks include gravity and damping
         bodies.kick[body] = {};
         return;

@@ -2,6 +2,7 @@
 // Which data of a body does the solver use? Records of four floats, so that one vector operation loads a whole record.
 #pragma once
 #include <cstdint>
+#include <limits>
 
 namespace plumb {
 
@@ -23,11 +24,12 @@ struct SolverDisplacement {
     float sin = 0, cosMinus1 = 0;
 };
 
-/// The angle turned in this step, and the radius of gyration that scales it.
+/// The angle turned in this step, the radius of gyration that scales it, and what is fast for the body.
 struct SolverTurn {
     float angle = 0;                          ///< [rad]
     float inverseGyration = 1, gyration = 1;  ///< rho [1/m] and 1/rho [m]
-    float unused = 0;
+    /// A body may move far for its size in a sub-step if x^2 + y^2 + w^2 of its velocity is more than this [m^2/s^2].
+    float farSpeedSquared = std::numeric_limits<float>::infinity();
 };
 
 /// The effect of gravity, forces and damping on a velocity in half a sub-step, for each component: v * keep + gain.

@@ -20,9 +20,9 @@ public:
     virtual void noteFlight(BodyIndex body, const BodyMotion& from, const BodyMotion& to, double time) = 0;
     /// A body on which fields act has reached the end of its free motion; flight: its entry in BodyStore.flights.
     virtual void noteFieldFlight(std::uint32_t flight) = 0;
-    /// An impact: the energy from friction, the energy from bodies that impulses do not move (drivers) [J], and the
-    /// momentum from such bodies (ground) [N s].
-    virtual void noteImpact(double friction, double drivers, const Vec2& ground) = 0;
+    /// An impact: the energy from friction, from bodies that impulses do not move (drivers), and from the impulses
+    /// along the normal (bounce) [J], and the momentum from such bodies (ground) [N s].
+    virtual void noteImpact(double friction, double drivers, double bounce, const Vec2& ground) = 0;
 
     // The solver's events, in the order in which they happen.
     virtual void beginSolver() = 0;

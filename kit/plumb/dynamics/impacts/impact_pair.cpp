@@ -108,7 +108,7 @@ void storeOutcome(const ImpactStores& stores, ContactIndex index, const ImpactOu
         const bool pushA = stores.bodies.isDynamic(contact.bodyA), pushB = stores.bodies.isDynamic(contact.bodyB);
         Vec2 ground(0, 0);
         if (pushA != pushB) ground = pushA ? outcome.onA : Vec2(-outcome.onA);
-        stores.observer->noteImpact(outcome.friction, outcome.drivers, ground);
+        stores.observer->noteImpact(outcome.friction, outcome.drivers, 0, ground);
     }
     contact.memory[0].totalNormal = static_cast<float>(outcome.normalImpulse);
     contact.memory[0].totalTangent = static_cast<float>(outcome.tangentImpulse);

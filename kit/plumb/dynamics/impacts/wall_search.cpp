@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <plumb/collide/distance.h>
 #include <plumb/dynamics/bodies/shape_radii.h>
-#include <plumb/dynamics/contacts/bounds.h>
 #include <plumb/dynamics/contacts/contact_rules.h>
-#include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
+#include <plumb/dynamics/contacts/predicted_manifold.h>
 
 namespace plumb {
 
@@ -20,30 +20,55 @@ constexpr double deepShare = 0.25;
 constexpr double deepest = 0.02;
 /// A body is stopped at this distance from the wall [m].
 constexpr double skin = 1e-4;
+/// A point of a face is there if it is this near to the wall [m].
+constexpr float faceMargin = 3e-4f;
+/// A slower approach is none [m/s].
+constexpr double noApproach = 1e-6;
+/// Most depths at which a crossing is looked at.
+constexpr int mostDepths = 6;
 /// Smaller distances make no difference; the search has about this tolerance [m].
 constexpr double noticeable = 2e-5;
 /// If a body moves through more periods of a wrapped world than this in one step, only the first ones are searched [-].
 constexpr double mostPeriods = 64;
 
-/// The time at which a shape has met a wall that it goes through, or too deep into; empty if it does neither.
-std::optional<double> timeOfCrossing(const SweptShape& wall, const SweptShape& moving) {
-    const double deep = std::min(deepShare * inradiusOf(*moving.shape), deepest);
-    const double start =
-        distance(*wall.shape, poseAt(wall.sweep, 0), *moving.shape, poseAt(moving.sweep, 0)).separation;
-    // A body that is deeper already at the start, as under a heavy load, is stopped if it goes deeper.
-    const std::optional<double> crossed = timeOfApproach(wall, moving, std::min(skin - deep, start - noticeable), 0);
-    return crossed && start > skin ? timeOfApproach(wall, moving, skin, 0) : crossed;
-}
+/// The times at which a shape that goes through a wall, or too deep into it, comes to certain depths: one after the
+/// other, as long as it does. The first is where it touches, if it was apart; then where it is too deep, and deeper.
+class Crossing {
+public:
+    Crossing(const RayPart& part, SweptShape wall, SweptShape moving)
+        : part_(part), wall_(std::move(wall)), moving_(std::move(moving)) {
+        if (part.first > 0 || part.last < 1) {  // the two are near each other only in this part of their sweeps
+            wall_.sweep = partOf(wall_.sweep, part.first, part.last);
+            moving_.sweep = partOf(moving_.sweep, part.first, part.last);
+        }
+        deep_ = std::min(deepShare * inradiusOf(*moving_.shape), deepest);
+        const double start =
+            distance(*wall_.shape, poseAt(wall_.sweep, 0), *moving_.shape, poseAt(moving_.sweep, 0)).separation;
+        // A body that is deeper already at the start, as under a heavy load, is stopped if it goes deeper.
+        limit_ = std::min(skin - deep_, start - noticeable);
+        crosses_ = timeOfApproach(wall_, moving_, limit_, 0);
+        if (crosses_ && start > skin + noticeable) touches_ = timeOfApproach(wall_, moving_, skin, 0);
+    }
 
-/// The same for two shapes that are near each other only in a part of their sweeps: only that part is searched.
-std::optional<double> timeOfCrossingIn(const RayPart& part, SweptShape wall, SweptShape moving) {
-    if (part.first <= 0 && part.last >= 1) return timeOfCrossing(wall, moving);
-    if (!(part.first <= part.last)) return std::nullopt;
-    wall.sweep = partOf(wall.sweep, part.first, part.last);
-    moving.sweep = partOf(moving.sweep, part.first, part.last);
-    const std::optional<double> time = timeOfCrossing(wall, moving);
-    return time ? std::optional(part.first + (part.last - part.first) * *time) : std::nullopt;
-}
+    std::optional<double> next() {
+        const int number = tried_++;
+        if (number == 0 && touches_) return atPart(*touches_);
+        if (number > (touches_ ? 1 : 0) && crosses_) {
+            limit_ -= 0.5 * deep_;
+            crosses_ = timeOfApproach(wall_, moving_, limit_, *crosses_);
+        }
+        return crosses_ && number < mostDepths ? atPart(*crosses_) : std::nullopt;
+    }
+
+private:
+    std::optional<double> atPart(double time) const { return part_.first + (part_.last - part_.first) * time; }
+
+    RayPart part_;
+    SweptShape wall_, moving_;
+    double deep_ = 0, limit_ = 0;
+    std::optional<double> touches_, crosses_;
+    int tried_ = 0;
+};
 
 /// A body's motion relative to a wall.
 struct Passage {
@@ -68,20 +93,21 @@ Passage passageOf(const WallSweep& wall, const Sweep& way) {
 
 }  // namespace
 
-bool mayCross(const WallSweep& wall, const Sweep& way, const Shape& face, const BodyRecord& body) {
-    const Passage passage = passageOf(wall, way);
-    if (!isFar(body, passage.travel(body))) return false;
-    const Aabb line{passage.from.cwiseMin(passage.to), passage.from.cwiseMax(passage.to)};
-    return overlap(inflate(line, body.boundingRadius + passage.bend), aabbOf(face, {}));
+BodyMotion motionAt(const Sweep& sweep, double time, double duration) {
+    BodyMotion motion;
+    motion.center = sweep.start + sweep.shift * time;
+    motion.angle = sweep.angle + sweep.turn * time;
+    motion.rotation = Rot::fromAngle(motion.angle);
+    motion.velocity = sweep.shift / duration;
+    motion.angularVelocity = sweep.turn / duration;
+    return motion;
 }
 
-void WallSearch::searchContact(ContactIndex index) {
-    const ContactRecord& contact = view_.contacts[index];
-    const bool isA = contact.bodyA == body_;
-    if (isA)
-        meet(contact.proxyA, contact.proxyB, contact.shift);
-    else
-        meet(contact.proxyB, contact.proxyA, -contact.shift);
+bool mayCross(const WallSweep& wall, const Sweep& way, const Shape& face, const BodyRecord& body, double far) {
+    const Passage passage = passageOf(wall, way);
+    if (passage.travel(body) <= far) return false;
+    const Aabb line{passage.from.cwiseMin(passage.to), passage.from.cwiseMax(passage.to)};
+    return overlap(inflate(line, body.boundingRadius + passage.bend), aabbOf(face, {}));
 }
 
 void WallSearch::searchStatic() {
@@ -101,27 +127,37 @@ void WallSearch::searchKinematic() {
     });
 }
 
-bool WallSearch::isWithinBounds() const {
-    const double turned = std::fabs(sweep_.turn) * view_.bodies.record[body_].turningRadius;
-    const double spare = 0.5 * static_cast<double>(contactMargin);
-    return excessOfPrediction(view_.bodies, body_, sweep_.shift, turned) < spare;
+void WallSearch::searchTouching() {
+    forEachContact(view_.bodies, view_.contacts, body_, [&](ContactIndex index) {
+        const ContactRecord& contact = view_.contacts[index];
+        if (view_.bodies.record[otherOf(contact, body_)].type != BodyType::Kinematic) return;
+        if (contact.bodyA == body_)
+            meet(contact.proxyA, contact.proxyB, contact.shift);
+        else
+            meet(contact.proxyB, contact.proxyA, -contact.shift);
+    });
 }
 
 void WallSearch::meet(ProxyId own, ProxyId other, const Vec2& shift, const RayPart& part) {
     const bool ruled = hasRule(view_.space[own].def) || hasRule(view_.space[other].def);
     const Verdict verdict = ruled ? verdictOn(own, other, shift) : Verdict::Solid;
     if (letsPass(verdict)) return;
-    const BodyIndex wall = view_.space[other].owner;
-    Sweep wallSweep = freeSweep(view_.bodies, wall, past_);
+    Sweep wallSweep = wallSweepOf(view_.bodies, view_.space[other].owner, part_);
     wallSweep.start += shift;
     const Shape& shape = view_.space[own].def.shape;
     const Shape& face = view_.space[other].def.shape;
-    if (!mayCross(WallSweep(wallSweep), sweep_, face, view_.bodies.record[body_])) return;
+    if (!mayCross(WallSweep(wallSweep), sweep_, face, view_.bodies.record[body_], far_)) return;
     const SweptShape swept{&shape, sweep_, turningRadiusOf(shape, sweep_.localCenter)};
-    const std::optional<double> time = timeOfCrossingIn(part, {&face, wallSweep, 0}, swept);
-    if (!time || (first_ && *time >= first_->time)) return;
-    if (verdict == Verdict::Solid || isSolidAt(*time, {&face, wallSweep, 0}, swept, own, other))
-        first_ = WallHit{*time, wall, wallSweep, shift};
+    if (!(part.first <= part.last)) return;
+    Crossing crossing(part, {&face, wallSweep, 0}, swept);
+    while (const std::optional<double> time = crossing.next()) {
+        if (first_ && *time >= first_->time) return;
+        const WallHit hit{*time, own, other, wallSweep, shift, manifoldAt(*time, wallSweep, own, other)};
+        if (!approaches(hit)) continue;
+        if (verdict != Verdict::Solid && !isSolidAt(*time, {&face, wallSweep, 0}, swept, own, other)) return;
+        first_ = hit;
+        return;
+    }
 }
 
 Verdict WallSearch::verdictOn(ProxyId own, ProxyId other, const Vec2& shift) const {
@@ -135,11 +171,33 @@ Verdict WallSearch::verdictOn(ProxyId own, ProxyId other, const Vec2& shift) con
     return verdict;
 }
 
+/// Empty at a corner that the rest of a chain covers: another of its segments is met there.
+Manifold WallSearch::manifoldAt(double time, const Sweep& wallSweep, ProxyId own, ProxyId other) const {
+    const BodyMotion body = motionAt(sweep_, time, 1), wall = motionAt(wallSweep, time, 1);
+    const ProxyId a = std::min(own, other), b = std::max(own, other);
+    return manifold(view_.space[a].convex, view_.space[b].convex,
+                    a == own ? relativePose(body, wall) : relativePose(wall, body), faceMargin);
+}
+
+/// Does a point of the manifold approach the wall? At a touch that parts, or slides along, nothing is to be stopped.
+bool WallSearch::approaches(const WallHit& hit) const {
+    const double duration = std::max(part_.to - part_.from, 1e-9);
+    const BodyMotion body = motionAt(sweep_, hit.time, duration), wall = motionAt(hit.wallSweep, hit.time, duration);
+    const BodyMotion &a = hit.own < hit.wall ? body : wall, &b = hit.own < hit.wall ? wall : body;
+    const Vec2 normal = a.rotation * Vec2(hit.manifold.normal.cast<double>());
+    for (int p = 0; p < hit.manifold.count; ++p) {
+        const Vec2 local = hit.manifold.points[static_cast<std::size_t>(p)].position.cast<double>();
+        const Vec2 at = a.center + a.rotation * local;
+        if (Vec2(velocityAt(a, at) - velocityAt(b, at)).dot(normal) > noApproach) return true;
+    }
+    return false;
+}
+
 /// Evaluates the rules where a shape meets the wall, for a pair without a verdict.
 bool WallSearch::isSolidAt(double time, const SweptShape& wall, const SweptShape& swept, ProxyId own,
                            ProxyId other) const {
     const Distance met = distance(*wall.shape, poseAt(wall.sweep, time), *swept.shape, poseAt(swept.sweep, time));
-    const double duration = std::max(past_.from - past_.to, 1e-9);
+    const double duration = std::max(part_.to - part_.from, 1e-9);
     const auto velocityOf = [&](const Sweep& way, const Vec2& point) {
         return Vec2((way.shift + perp(Vec2(point - way.start - way.shift * time)) * way.turn) / duration);
     };

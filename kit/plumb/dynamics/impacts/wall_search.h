@@ -21,28 +21,27 @@ struct WallView {
 
 /// Where a body has met a wall.
 struct WallHit {
-    double time = 0;  ///< as a share of the sweep, 0 to 1 [-]
-    BodyIndex wall = noBody;
+    double time = 0;            ///< as a share of the sweep, 0 to 1 [-]
+    ProxyId own = 0, wall = 0;  ///< the two shapes
     Sweep wallSweep;
-    Vec2 shift{0, 0};  ///< to the wall's periodic image that was met, in a world that wraps [m]
+    Vec2 shift{0, 0};   ///< to the wall's periodic image that was met, in a world that wraps [m]
+    Manifold manifold;  ///< where they met, of the shape with the lower number and the other
 };
 
 class WallSearch {
 public:
-    /// way: must outlive the search.
-    WallSearch(const WallView& view, BodyIndex body, const Sweep& way, const Past& past)
-        : view_(view), body_(body), sweep_(way), past_(past) {}
+    /// way: its sweep in this part of the step; must outlive the search. far: what moves by less than this relative to
+    /// a wall is taken not to pass it [m].
+    WallSearch(const WallView& view, BodyIndex body, const Sweep& way, const StepPart& part, double far)
+        : view_(view), body_(body), sweep_(way), part_(part), far_(far) {}
 
     const std::optional<WallHit>& first() const { return first_; }
 
-    /// Each call searches more walls: the wall of a contact, all static bodies, all kinematic bodies.
-    void searchContact(ContactIndex contact);
+    /// Each call searches more walls: all static bodies, the kinematic bodies with which this body has contacts, and
+    /// all kinematic bodies.
     void searchStatic();
+    void searchTouching();
     void searchKinematic();
-
-    /// Is the body still within the bounds for which its contacts were made? It may not be, if it was pushed or
-    /// deflected.
-    bool isWithinBounds() const;
 
 private:
     void meet(ProxyId own, ProxyId other, const Vec2& shift, const RayPart& part = {});
@@ -50,15 +49,21 @@ private:
     void meetNear(FunctionRef<void(const Space&, const Aabb&, Space::Visit)> query);
     void meetAlongPeriods(FunctionRef<bool(const Proxy&)> wanted);
     Verdict verdictOn(ProxyId own, ProxyId other, const Vec2& shift) const;
+    Manifold manifoldAt(double time, const Sweep& wallSweep, ProxyId own, ProxyId other) const;
+    bool approaches(const WallHit& hit) const;
     bool isSolidAt(double time, const SweptShape& wall, const SweptShape& swept, ProxyId own, ProxyId other) const;
     RayPart partNear(ProxyId other, const Vec2& shift) const;
 
     WallView view_;
     BodyIndex body_;
     const Sweep& sweep_;
-    Past past_;
+    StepPart part_;
+    double far_;
     std::optional<WallHit> first_;
 };
+
+/// The state of a body at a share of a sweep of this duration [s].
+BodyMotion motionAt(const Sweep& sweep, double time, double duration);
 
 /// A wall's sweep, and the rotations into its frame at both ends.
 struct WallSweep {
@@ -71,7 +76,7 @@ struct WallSweep {
           toWallAfter(w.turn == 0 ? toWallBefore : Rot::fromAngle(w.angle + w.turn).inverse()) {}
 };
 
-/// May a body with this sweep have gone through this shape of a wall? A fast test with bounds only.
-bool mayCross(const WallSweep& wall, const Sweep& way, const Shape& face, const BodyRecord& body);
+/// May a body with this sweep have gone through this shape of a wall? A fast test with bounds only. far: as above [m].
+bool mayCross(const WallSweep& wall, const Sweep& way, const Shape& face, const BodyRecord& body, double far);
 
 }  // namespace plumb

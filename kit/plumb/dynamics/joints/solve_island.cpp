@@ -62,8 +62,15 @@ public:
         noteStiffness(island_, bodies_, step_);
     }
 
-    /// Solves for an additional impulse: held rows keep their present speeds instead of their targets.
     void push(BodyIndex body, const Vec3& impulse) {
+        answer(body, impulse);
+        storeVelocities();
+        storeLoads();
+    }
+
+    /// Solves for an additional impulse: held rows keep their present speeds instead of their targets. Returns by how
+    /// much the body's velocity changes.
+    Vec3 answer(BodyIndex body, const Vec3& impulse) {
         work_.after = work_.before;
         const auto at = std::find(island_.bodies.begin(), island_.bodies.end(), body);
         const auto node = static_cast<std::uint32_t>(at - island_.bodies.begin());
@@ -80,8 +87,9 @@ public:
         }
         findEquations();
         solve();
-        storeVelocities();
-        storeLoads();
+        Vec3 change = work_.after[node];
+        for (std::size_t i = 0; i < change.size(); ++i) change[i] -= work_.before[node][i];
+        return change;
     }
 
 private:
@@ -355,6 +363,11 @@ void followJoints(const JointIsland& island, std::span<Vec3> changes) {
 void pushIsland(JointIsland& island, JointStore& joints, BodyStore& bodies, BodyIndex body, const Vec3& impulse,
                 double h) {
     IslandSolution(island, joints, bodies, {h, false, 0, 0}).push(body, impulse);
+}
+
+Vec3 answerOfIsland(JointIsland& island, JointStore& joints, BodyStore& bodies, BodyIndex body, const Vec3& impulse,
+                    double h) {
+    return IslandSolution(island, joints, bodies, {h, false, 0, 0}).answer(body, impulse);
 }
 
 }  // namespace plumb

@@ -49,5 +49,8 @@ void holdIsland(JointIsland& island, JointStore& joints, BodyStore& bodies, Join
 /// follow from it to the whole island.
 void pushIsland(JointIsland& island, JointStore& joints, BodyStore& bodies, BodyIndex body, const Vec3& impulse,
                 double h);
+/// By how much that would change the body's velocity.
+Vec3 answerOfIsland(JointIsland& island, JointStore& joints, BodyStore& bodies, BodyIndex body, const Vec3& impulse,
+                    double h);
 
 }  // namespace plumb

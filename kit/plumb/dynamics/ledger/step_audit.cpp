@@ -114,9 +114,10 @@ void StepAudit::noteFieldFlight(std::uint32_t flight) {
     account_.note(&EnergyLedger::solver, -(account.forced + account.damped + account.friction));
 }
 
-void StepAudit::noteImpact(double friction, double drivers, const Vec2& ground) {
+void StepAudit::noteImpact(double friction, double drivers, double bounce, const Vec2& ground) {
     account_.note(&EnergyLedger::friction, friction);
     account_.note(&EnergyLedger::drivers, drivers);
+    account_.note(&EnergyLedger::impacts, bounce);
     account_.note(&MomentumLedger::ground, ground);
 }
 

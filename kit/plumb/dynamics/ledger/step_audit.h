@@ -26,7 +26,7 @@ public:
 
     void noteFlight(BodyIndex body, const BodyMotion& from, const BodyMotion& to, double time) override;
     void noteFieldFlight(std::uint32_t flight) override;
-    void noteImpact(double friction, double drivers, const Vec2& ground) override;
+    void noteImpact(double friction, double drivers, double bounce, const Vec2& ground) override;
     void beginSolver() override;
     void beginHalf(const std::vector<BodyIndex>& solved) override;
     void noteFieldKick(BodyIndex body, const FieldKick& kick, const Vec2& base) override;

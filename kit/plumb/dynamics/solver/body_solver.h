@@ -16,8 +16,10 @@ SinCosMinus1 turnedFar(float angle);
 inline constexpr float smallTurn = 0.5f;  ///< [rad]
 
 struct BodySolver {
-    /// Moves bodies by h [s]. list: their slots; count is a multiple of batchLanes, filled up with slot 0.
-    void (*move)(const std::uint32_t* list, std::size_t count, const SolverBodies& bodies, float h);
+    /// Moves bodies by h [s]. list: their slots; count is a multiple of batchLanes, filled up with slot 0. Writes to
+    /// fast those that may have moved far for their size (see SolverTurn), and returns how many they are.
+    std::size_t (*move)(const std::uint32_t* list, std::size_t count, const SolverBodies& bodies, float h,
+                        std::uint32_t* fast);
 };
 
 template <int W>

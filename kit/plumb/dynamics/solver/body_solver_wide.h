@@ -46,7 +46,22 @@ struct BodyMover {
         return far;
     }
 
-    static void move(const std::uint32_t* list, std::size_t count, const SolverBodies& bodies, float h) {
+    /// Appends the bodies whose speed squared is over the limit.
+    static std::size_t addFast(const std::uint32_t* at, F squared, F limit, std::uint32_t* fast) {
+        Array speeds, limits;
+        storeLanes(speeds, squared);
+        storeLanes(limits, limit);
+        bool some = false;
+        for (int i = 0; i < W; ++i) some |= speeds[i] > limits[i];
+        std::size_t count = 0;
+        for (int i = 0; some && i < W; ++i)
+            if (speeds[i] > limits[i]) fast[count++] = at[i];
+        return count;
+    }
+
+    static std::size_t move(const std::uint32_t* list, std::size_t count, const SolverBodies& bodies, float h,
+                            std::uint32_t* fast) {
+        std::size_t found = 0;
         for (const std::uint32_t* at = list; at != list + count; at += W) {
             const Rows<W> v = loadRows<W>(&bodies.velocity->x, at);
             Rows<W> d = loadRows<W>(&bodies.displacement->x, at);
@@ -59,7 +74,9 @@ struct BodyMover {
             if (anyFar(t.x)) correctFar(t.x, d, t.z);
             storeRows<W>(&bodies.displacement->x, at, d);
             storeRows<W>(&bodies.turn->angle, at, t);
+            found += addFast(at, v.x * v.x + v.y * v.y + v.z * v.z, t.w, fast + found);
         }
+        return found;
     }
 };
 

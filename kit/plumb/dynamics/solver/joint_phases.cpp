@@ -150,6 +150,20 @@ void addLoads(JointStore& joints, const JointIslands& islands) {
     for (const JointIsland& island : islands.islands) island.hinges.addLoads(joints);
 }
 
+void pushJointed(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse, double h) {
+    reportGround(stores, island.bodies, [&] { pushIsland(island, stores.joints, stores.bodies, body, impulse, h); });
+    if (stores.observer != nullptr) stores.observer->noteGround(-Vec2(impulse[0], impulse[1]));
+}
+
+void holdOneIsland(const JointStores& stores, JointIsland& island, double h) {
+    const JointPass pass = directPass(stores.settings, {h, true});
+    reportGround(stores, island.bodies, [&] { holdIsland(island, stores.joints, stores.bodies, pass, nullptr); });
+}
+
+Vec3 answerOfJointed(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse, double h) {
+    return answerOfIsland(island, stores.joints, stores.bodies, body, impulse, h);
+}
+
 double springEnergyOf(const SpringLoad& load) {
     double squares = 0, energy = 0, stiffness = 0;
     for (std::size_t r = 0; r < load.count; ++r) {
@@ -183,6 +197,9 @@ const JointPhases jointPhases{.prepare = prepareJoints,
                               .hideMachines = hideMachineContacts,
                               .solveMachines = solveMachineContacts,
                               .hold = holdJoints,
+                              .push = pushJointed,
+                              .answer = answerOfJointed,
+                              .holdOne = holdOneIsland,
                               .addLoads = addLoads,
                               .springEnergy = springEnergy};
 

@@ -39,6 +39,12 @@ struct JointPhases {
                           MachineContacts& machines, const MachinePass& pass);
     /// Removes the errors that contacts have caused in the joints' held rows.
     void (*hold)(const JointStores& stores, double h);
+    /// For an island that is solved directly: applies an impulse (x, y, turning) to one body, and what its joints
+    /// answer; or tells by how much that would change the body's velocity. h: of the sub-step [s]
+    void (*push)(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse, double h);
+    Vec3 (*answer)(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse, double h);
+    /// After such impulses: removes the errors that they cause in the joints' held rows.
+    void (*holdOne)(const JointStores& stores, JointIsland& island, double h);
     /// Adds the impulses of the step to the joints' loads.
     void (*addLoads)(JointStore& joints, const JointIslands& islands);
     double (*springEnergy)(const JointStore& joints, const BodyStore& bodies);  ///< [J]

@@ -7,8 +7,10 @@
 #include <plumb/dynamics/contacts/contact_lane.h>
 #include <plumb/dynamics/contacts/lanes/contact_solver.h>
 #include <plumb/dynamics/fields/field_phases.h>
+#include <plumb/dynamics/impacts/wall_touch.h>
 #include <plumb/dynamics/joints/joint_island.h>
 #include <plumb/dynamics/solver/body_solver.h>
+#include <plumb/dynamics/solver/wall_stops.h>
 
 namespace plumb {
 
@@ -29,13 +31,22 @@ Pass passOf(const SolverSettings& settings, double h) {
     return pass;
 }
 
-/// The bodies that are solved: dynamic bodies with a constraint, and kinematic bodies, whose motion their contacts
-/// need. Filled up to a multiple of the lanes with slot 0, which never moves.
+/// May the body meet something, and so fast that it could pass?
+bool mayPass(const BodyStore& bodies, BodyIndex body) {
+    const SolverVelocity& v = bodies.velocity[body];
+    return bodies.links[body].firstContact != none &&
+           v.x * v.x + v.y * v.y + v.w * v.w > bodies.turn[body].farSpeedSquared;
+}
+
+/// The bodies that are solved: dynamic bodies with a constraint, or so fast that they could pass a wall that no contact
+/// predicts, and kinematic bodies, whose motion their contacts need. Filled up to a multiple of the lanes with slot 0,
+/// which never moves.
 std::vector<BodyIndex> solvedBodies(const BodyStore& bodies) {
     std::vector<BodyIndex> solved;
     solved.reserve(bodies.awake.size() + batchLanes);
     for (const BodyIndex body : bodies.awake)
-        if (bodies.isConstrained(body) || bodies.record[body].type == BodyType::Kinematic) solved.push_back(body);
+        if (bodies.isConstrained(body) || bodies.record[body].type == BodyType::Kinematic || mayPass(bodies, body))
+            solved.push_back(body);
     while (solved.size() % batchLanes != 0) solved.push_back(noBody);
     return solved;
 }
@@ -80,7 +91,9 @@ public:
           solverBodies_(bodies_.solverBodies()),
           solved_(solvedBodies(bodies_)),
           pass_(passOf(stores.settings, h_)),
-          fields_(stores.fields, bodies_, stores.space, h_, observer_) {}
+          fields_(stores.fields, bodies_, stores.space, h_, observer_),
+          walls_(stores, h_),
+          fast_(solved_.size()) {}
 
     void run(double dt) {
         if (joints_ != nullptr) joints_->prepare(stores_.joints, dt);
@@ -93,20 +106,24 @@ public:
         forEachColour([this](const ContactSolver& solver, const Colour& colour, const ContactPass&) {
             solver.gatherWarmStart(colour.batches.data(), colour.batches.size(), solverBodies_);
         });
-        for (int i = 0; i < stores_.settings.subSteps; ++i) subStep(i == 0);
+        for (int i = 0; i < stores_.settings.subSteps; ++i) subStep(i);
         bounceContacts();
         if (joints_ != nullptr) joints_->addLoads(stores_.joints.joints, stores_.joints.islands);
         storeBodies();
         if (observer_ != nullptr) observer_->endSolver(solved_, dt);
     }
 
+    const std::vector<WallImpact>& wallImpacts() const { return walls_.impacts(); }
+
 private:
-    void subStep(bool first) {
-        startHalf({h_, true}, first);
+    void subStep(int number) {
+        startHalf({h_, true}, number == 0);
         solveContacts(&ContactSolver::solve, {h_, true});
         if (joints_ != nullptr) joints_->hold(stores_.joints, h_);
         if (observer_ != nullptr) observer_->endHalf();
-        bodySolver_.move(solved_.data(), solved_.size(), solverBodies_, static_cast<float>(h_));
+        const float h = static_cast<float>(h_);
+        const std::size_t fast = bodySolver_.move(solved_.data(), solved_.size(), solverBodies_, h, fast_.data());
+        if (stores_.hasWalls) walls_.afterMove({fast_.data(), fast}, number * h_);
         fields_.moved();
         startHalf({h_, false}, false);
         solveContacts(&ContactSolver::relax, {h_, false});
@@ -169,6 +186,7 @@ private:
                 }
             }
         }
+        for (const WallImpact& impact : walls_.impacts()) pushed[stores_.space[impact.hit.own].owner] = 1;
         if (joints_ == nullptr) return pushed;
         for (const JointIsland& island : stores_.joints.islands.islands)
             for (const BodyIndex body : island.bodies) pushed[body] = 1;
@@ -213,13 +231,20 @@ private:
     FieldSolving fields_;
     std::vector<ContactIndex> bounces_;  ///< of jointed bodies
     MachineContacts machines_;
+    WallStops walls_;
+    std::vector<BodyIndex> fast_;
 };
 
 }  // namespace
 
-void solveConstraints(const SolverStores& stores, double dt) {
+TouchEvents solveConstraints(const SolverStores& stores, double dt) {
     stores.bodies.rest(noBody);
-    Solver(stores, dt).run(dt);
+    Solver solver(stores, dt);
+    solver.run(dt);
+    TouchEvents touches;
+    const WallTouchStores found{stores.graph, stores.contacts, stores.bodies, stores.space, stores.observer};
+    for (const WallImpact& impact : solver.wallImpacts()) reportWallImpact(found, impact, dt, stores.hitSpeed, touches);
+    return touches;
 }
 
 }  // namespace plumb

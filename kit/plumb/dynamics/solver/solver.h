@@ -8,6 +8,7 @@
 #pragma once
 #include <plumb/dynamics/bodies/step_observer.h>
 #include <plumb/dynamics/contacts/contact_graph.h>
+#include <plumb/dynamics/contacts/touch_events.h>
 #include <plumb/dynamics/fields/field_store.h>
 #include <plumb/dynamics/joints/joint_island.h>
 #include <plumb/dynamics/solver/joint_phases.h>
@@ -17,7 +18,7 @@ namespace plumb {
 /// The stores that the solver reads and writes.
 struct SolverStores {
     ContactGraph& graph;
-    const ContactStore& contacts;
+    ContactStore& contacts;
     BodyStore& bodies;
     FieldStore& fields;
     const Space& space;
@@ -25,10 +26,12 @@ struct SolverStores {
     JointStores joints;
     const SolverSettings& settings;
     StepObserver* observer = nullptr;  ///< may be null
+    bool hasWalls = true;              ///< there are shapes of static or kinematic bodies
+    double hitSpeed = 0;               ///< faster impacts are hits [m/s]
 };
 
 /// Moves the constrained bodies by dt [s]. A body that got no impulse is not moved here; it moves by its closed form
-/// later.
-void solveConstraints(const SolverStores& stores, double dt);
+/// later. Returns the touches of bodies that were stopped at walls.
+TouchEvents solveConstraints(const SolverStores& stores, double dt);
 
 }  // namespace plumb

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/impacts/flight_stops.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace plumb {
+
+namespace {
+
+/// Most impacts of a body in a step; after that it stays where it is.
+constexpr int mostFlightStops = 8;
+
+/// A body that flies alone.
+class FlyingAlone : public PushedBody {
+public:
+    FlyingAlone(const BodyRecord& record, const BodyMotion& motion) : record_(record), motion_(motion) {}
+    BodyMotion motion() const override { return motion_; }
+    Vec3 answerTo(const Vec3& impulse) override {
+        return {impulse[0] * record_.inverseMass, impulse[1] * record_.inverseMass,
+                impulse[2] * record_.inverseInertia};
+    }
+    void push(const Vec3& impulse) override {
+        const Vec3 change = answerTo(impulse);
+        motion_.velocity += Vec2(change[0], change[1]);
+        motion_.angularVelocity += change[2];
+    }
+
+private:
+    const BodyRecord& record_;
+    BodyMotion motion_;
+};
+
+class FlightStops {
+public:
+    FlightStops(const ImpactStores& stores, double dt)
+        : stores_(stores), view_{stores.bodies, stores.contacts, stores.space}, dt_(dt) {}
+
+    /// Searches a segment. If its body meets a wall, the segment ends there, and others follow to the step's end.
+    bool stop(const TrajectorySegment& segment, Trajectories& path) {
+        path = {segment};
+        for (int impacts = 0; impacts <= mostFlightStops; ++impacts) {
+            TrajectorySegment& last = path.back();
+            WallHit hit;
+            if (!meets(last, hit)) break;
+            const double duration = last.end - last.start, left = (1 - hit.time) * duration;
+            last.end -= left;
+            last.to = moveFreely(last.from, flightLawOf(stores_.bodies, last.body), last.end - last.start);
+            FlyingAlone body(stores_.bodies.record[last.body], last.to);
+            const WallImpact impact = solveWallImpact(view_, hit, duration, body);
+            if (impact.normalImpulse > 0) impacts_.push_back(impact);
+            if (impacts == mostFlightStops) return true;
+            const BodyMotion on = body.motion();
+            const FlightLaw law = flightLawOf(stores_.bodies, last.body);
+            const TrajectorySegment next{last.body, on, moveFreely(on, law, dt_ - last.end), last.end, dt_};
+            path.push_back(next);
+        }
+        return path.size() > 1;
+    }
+
+    std::vector<WallImpact> takeImpacts() { return std::move(impacts_); }
+
+private:
+    bool meets(const TrajectorySegment& segment, WallHit& hit) const {
+        const BodyRecord& record = stores_.bodies.record[segment.body];
+        const Sweep way = sweepBetween(segment.from, segment.to, record);
+        const double far = farShare * record.inradius;
+        if (travelOf(way.shift, way.turn, record) <= far) return false;
+        WallSearch search(view_, segment.body, way, {segment.start, segment.end}, far);
+        search.searchStatic();
+        search.searchKinematic();
+        if (search.first()) hit = *search.first();
+        return search.first().has_value();
+    }
+
+    const ImpactStores& stores_;
+    WallView view_;
+    double dt_;
+    std::vector<WallImpact> impacts_;
+};
+
+}  // namespace
+
+std::vector<WallImpact> stopFlights(const ImpactStores& stores, Trajectories& trajectories, double dt) {
+    FlightStops stops(stores, dt);
+    Trajectories all, path;
+    std::vector<BodyIndex> stopped;
+    for (const TrajectorySegment& segment : trajectories) {
+        if (std::find(stopped.begin(), stopped.end(), segment.body) != stopped.end()) continue;
+        if (stops.stop(segment, path)) {
+            moveTo(stores.bodies, segment.body, path.back().to);
+            stopped.push_back(segment.body);
+        }
+        all.insert(all.end(), path.begin(), path.end());
+    }
+    trajectories = std::move(all);
+    return stops.takeImpacts();
+}
+
+}  // namespace plumb

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/impacts/wall_impact.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <plumb/dynamics/contacts/pairs.h>
+#include <plumb/impact/impact.h>
+
+namespace plumb {
+
+namespace {
+
+/// Most times that each point of a face is solved.
+constexpr int mostTurns = 4;
+/// A slower approach is none any more [m/s].
+constexpr double stopped = 1e-6;
+
+/// Impulses at one point of the wall.
+class WallPoint {
+public:
+    WallPoint(const BodyMotion& wall, PushedBody& body, const Vec2& point, const Vec2& normal)
+        : wall_(wall), body_(body), point_(point), normal_(normal), arm_(point - body.motion().center) {}
+
+    /// Lets this share of the present approach speed be.
+    void keep(double share) { kept_ = share * std::max(approach(), 0.0); }
+
+    Vec2 velocity() const { return velocityAt(body_.motion(), point_); }
+    double approach() const { return Vec2(velocityAt(wall_, point_) - velocity()).dot(normal_); }
+
+    /// Adds what it gives to the impact. False if nothing approaches or can be moved.
+    bool solve(ImpactLaw law, WallImpact& impact) {
+        const double approach = this->approach();
+        const Vec2 t = perp(normal_);
+        if (!(approach > kept_ + stopped)) return false;
+        if (kept_ > 0) law.restitution = -kept_ / approach;
+        const Vec2 byNormal = changeBy(normal_), byTangent = changeBy(t);
+        const ImpactResponse response{byNormal.dot(normal_), byNormal.dot(t), byTangent.dot(t)};
+        if (!(response.normal > 0)) return false;
+        const Vec2 atWall = velocityAt(wall_, point_), before = velocity();
+        const double slip = (before - atWall).dot(t) + law.surfaceSpeed;
+        const ImpactImpulses given = impactImpulses(response, approach, slip, law);
+        const Vec2 impulse = normal_ * given.normal + t * given.tangent;
+        if (!impulse.allFinite()) return false;
+        body_.push(at(impulse));
+        const Vec2 mean = 0.5 * (before + velocity()) - atWall;
+        impact.approachSpeed = std::max(impact.approachSpeed, approach);
+        impact.normalImpulse += given.normal;
+        impact.tangentImpulse += given.tangent;
+        impact.bounce += given.normal * mean.dot(normal_);
+        impact.friction += given.tangent * (mean.dot(t) + law.surfaceSpeed);
+        impact.drivers += impulse.dot(atWall) - given.tangent * law.surfaceSpeed;
+        impact.impulse += impulse;
+        return true;
+    }
+
+private:
+    Vec3 at(const Vec2& impulse) const { return {impulse.x(), impulse.y(), cross(arm_, impulse)}; }
+    /// By how much a unit impulse at the point changes the point's velocity.
+    Vec2 changeBy(const Vec2& unit) const {
+        const Vec3 change = body_.answerTo(at(unit));
+        return Vec2(change[0], change[1]) + perp(arm_) * change[2];
+    }
+
+    const BodyMotion& wall_;
+    PushedBody& body_;
+    Vec2 point_, normal_, arm_;
+    double kept_ = 0;  ///< approach speed that is not stopped [m/s]
+};
+
+/// The law of a pair of shapes. What is no faster than gravity makes a resting body in a step does not bounce.
+ImpactLaw lawOf(const WallView& view, const WallHit& hit, double approach) {
+    ContactRecord contact;
+    contact.proxyA = std::min(hit.own, hit.wall);
+    contact.proxyB = std::max(hit.own, hit.wall);
+    mixMaterials(view.space, contact);
+    const double resting = 0.5 * view.bodies.gravity.norm() * view.bodies.lastStep;
+    const double restitution = contact.restitution * approach > resting ? contact.restitution : 0;
+    return {restitution, contact.friction, static_cast<double>(contact.surfaceSpeed)};
+}
+
+}  // namespace
+
+WallImpact solveWallImpact(const WallView& view, const WallHit& hit, double duration, PushedBody& body, double kept) {
+    const BodyMotion wall = motionAt(hit.wallSweep, hit.time, duration), own = body.motion();
+    const bool bodyFirst = hit.own < hit.wall;
+    const BodyMotion& a = bodyFirst ? own : wall;
+    WallImpact impact;
+    impact.hit = hit;
+    const Vec2 fromA = a.rotation * Vec2(hit.manifold.normal.cast<double>());
+    impact.normal = (bodyFirst ? Vec2(-fromA) : fromA).normalized();
+    std::vector<WallPoint> points;
+    double approach = 0;
+    for (int p = 0; p < hit.manifold.count; ++p) {
+        const Vec2 local = hit.manifold.points[static_cast<std::size_t>(p)].position.cast<double>();
+        const Vec2 at = a.center + a.rotation * local;
+        if (p == 0) impact.point = at;
+        points.emplace_back(wall, body, at, impact.normal);
+        approach = std::max(approach, points.back().approach());
+        points.back().keep(kept);
+    }
+    const ImpactLaw law = lawOf(view, hit, approach);
+    for (int turn = 0; turn < mostTurns; ++turn) {
+        bool pushed = false;
+        for (WallPoint& point : points) pushed = point.solve(law, impact) || pushed;
+        if (!pushed) break;
+    }
+    return impact;
+}
+
+}  // namespace plumb

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// What happens to bodies that go through a wall within a sub-step?
+//
+// Contacts are predicted, and in most cases they stop a body at the wall. This second test is for bodies whose motion
+// differs from the prediction because they were deflected, pushed or spun. After each sub-step the paths of fast bodies
+// are searched for walls that they have crossed, or have gone so deep into that the way out is on the wrong side. What
+// crosses one is moved back to where it met the wall, the impact is solved there, and it moves on for the rest of the
+// sub-step. A body that joints connect to others is moved back with all of them, and they all answer to the impulse.
+// Source: Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996, ch. 2.
+// Tests: "what flies at walls is never left in the air", "joints hold where they fall on corners"
+#pragma once
+#include <vector>
+
+#include <plumb/dynamics/impacts/wall_impact.h>
+#include <plumb/dynamics/solver/joint_phases.h>
+
+namespace plumb {
+
+struct SolverStores;
+
+class WallStops {
+public:
+    /// h: length of a sub-step [s]
+    WallStops(const SolverStores& stores, double h);
+
+    /// Call this after the bodies have moved in a sub-step that began at this time since the step's start [s]. fast:
+    /// bodies that may have moved far.
+    void afterMove(std::span<const BodyIndex> fast, double start);
+    /// The impacts so far, in the order in which they were found.
+    const std::vector<WallImpact>& impacts() const { return impacts_; }
+
+private:
+    /// What moves as one: the bodies of a joint island, or a body alone.
+    struct Group {
+        JointIsland* island = nullptr;
+        std::vector<BodyIndex> bodies;
+    };
+    struct Hit {
+        BodyIndex body = noBody;
+        double time = 0;   ///< share of the sub-step [-]
+        double left = 0;   ///< duration of the sweep in which it was found [s]
+        BodyMotion place;  ///< of the body, without its velocity
+        WallHit at;
+    };
+    class Pushed;
+
+    void findBeside();
+    bool hasMovedFar(BodyIndex body) const;
+    bool hasMovedFarBeside(BodyIndex body) const;
+    void add(BodyIndex body);
+    void stop(const Group& group);
+    void stopIsland(const Group& group);
+    bool firstHit(const Group& group, double done, Hit& first) const;
+    void search(BodyIndex body, double done, Hit& first) const;
+    bool isWithinBounds(BodyIndex body) const;
+    void solve(const Group& group, const Hit& hit, double kept);
+    void moveOn(BodyIndex body, const SolverVelocity& change, double time);
+
+    const SolverStores& stores_;
+    BodyStore& bodies_;
+    WallView view_;
+    double h_, start_ = 0;
+    std::vector<BodyIndex> beside_;        ///< bodies that have a contact with a moving kinematic body
+    std::vector<std::uint32_t> islandOf_;  ///< of each body, none if it is alone; empty until it is needed
+    std::vector<std::uint8_t> isAdded_;    ///< of each body, in this sub-step
+    std::vector<Group> groups_;            ///< in this sub-step
+    std::vector<WallImpact> impacts_;
+};
+
+}  // namespace plumb
