@@ -49,7 +49,7 @@ public:
             FlyingAlone body(stores_.bodies.record[last.body], last.to);
             const WallImpact impact = solveWallImpact(view_, hit, duration, body);
             if (impact.normalImpulse > 0) impacts_.push_back(impact);
-            if (impacts == mostFlightStops) return true;
+            if (impacts == mostFlightStops || hit.manifold.count == 0) return true;
             const BodyMotion on = body.motion();
             const FlightLaw law = flightLawOf(stores_.bodies, last.body);
             const TrajectorySegment next{last.body, on, moveFreely(on, law, dt_ - last.end), last.end, dt_};

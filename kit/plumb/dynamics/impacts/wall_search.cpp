@@ -153,7 +153,7 @@ void WallSearch::meet(ProxyId own, ProxyId other, const Vec2& shift, const RayPa
     while (const std::optional<double> time = crossing.next()) {
         if (first_ && *time >= first_->time) return;
         const WallHit hit{*time, own, other, wallSweep, shift, manifoldAt(*time, wallSweep, own, other)};
-        if (!approaches(hit)) continue;
+        if (!approaches(hit) && !isLost(hit)) continue;
         if (verdict != Verdict::Solid && !isSolidAt(*time, {&face, wallSweep, 0}, swept, own, other)) return;
         first_ = hit;
         return;
@@ -177,6 +177,14 @@ Manifold WallSearch::manifoldAt(double time, const Sweep& wallSweep, ProxyId own
     const ProxyId a = std::min(own, other), b = std::max(own, other);
     return manifold(view_.space[a].convex, view_.space[b].convex,
                     a == own ? relativePose(body, wall) : relativePose(wall, body), faceMargin);
+}
+
+/// Has the search for the time come to an end before the two met, because the body spins too fast?
+bool WallSearch::isLost(const WallHit& hit) const {
+    if (hit.manifold.count > 0) return false;
+    const Distance apart = distance(view_.space[hit.wall].def.shape, poseAt(hit.wallSweep, hit.time),
+                                    view_.space[hit.own].def.shape, poseAt(sweep_, hit.time));
+    return apart.separation > static_cast<double>(faceMargin);
 }
 
 /// Does a point of the manifold approach the wall? At a touch that parts, or slides along, nothing is to be stopped.

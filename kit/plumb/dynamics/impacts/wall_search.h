@@ -25,7 +25,8 @@ struct WallHit {
     ProxyId own = 0, wall = 0;  ///< the two shapes
     Sweep wallSweep;
     Vec2 shift{0, 0};   ///< to the wall's periodic image that was met, in a world that wraps [m]
-    Manifold manifold;  ///< where they met, of the shape with the lower number and the other
+    Manifold manifold;  ///< where they met, of the shape with the lower number and the other; empty if it
+                        ///< spins so fast that the search ended before they met
 };
 
 class WallSearch {
@@ -50,6 +51,7 @@ private:
     void meetAlongPeriods(FunctionRef<bool(const Proxy&)> wanted);
     Verdict verdictOn(ProxyId own, ProxyId other, const Vec2& shift) const;
     Manifold manifoldAt(double time, const Sweep& wallSweep, ProxyId own, ProxyId other) const;
+    bool isLost(const WallHit& hit) const;
     bool approaches(const WallHit& hit) const;
     bool isSolidAt(double time, const SweptShape& wall, const SweptShape& swept, ProxyId own, ProxyId other) const;
     RayPart partNear(ProxyId other, const Vec2& shift) const;

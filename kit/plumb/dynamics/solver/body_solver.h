@@ -15,11 +15,17 @@ struct SinCosMinus1 {
 SinCosMinus1 turnedFar(float angle);
 inline constexpr float smallTurn = 0.5f;  ///< [rad]
 
+/// A body that may have moved far for its size in a sub-step, and its displacement before that.
+struct FastBody {
+    std::uint32_t body = 0;
+    float x = 0, y = 0, angle = 0;
+};
+
 struct BodySolver {
-    /// Moves bodies by h [s]. list: their slots; count is a multiple of batchLanes, filled up with slot 0. Writes to
-    /// fast those that may have moved far for their size (see SolverTurn), and returns how many they are.
+    /// Moves bodies by h [s]. list: their slots; count is a multiple of batchLanes, filled up with slot 0. Writes the
+    /// fast ones (see SolverTurn) to a list that has room for all, and returns how many they are.
     std::size_t (*move)(const std::uint32_t* list, std::size_t count, const SolverBodies& bodies, float h,
-                        std::uint32_t* fast);
+                        FastBody* fast);
 };
 
 template <int W>

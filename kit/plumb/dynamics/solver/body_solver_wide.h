@@ -46,26 +46,36 @@ struct BodyMover {
         return far;
     }
 
-    /// Appends the bodies whose speed squared is over the limit.
-    static std::size_t addFast(const std::uint32_t* at, F squared, F limit, std::uint32_t* fast) {
+    static bool anyFast(F squared, F limit) {
         Array speeds, limits;
         storeLanes(speeds, squared);
         storeLanes(limits, limit);
         bool some = false;
         for (int i = 0; i < W; ++i) some |= speeds[i] > limits[i];
+        return some;
+    }
+
+    /// Appends the fast ones of W bodies, before they move.
+    static std::size_t addFast(const std::uint32_t* at, const SolverBodies& bodies, FastBody* fast) {
         std::size_t count = 0;
-        for (int i = 0; some && i < W; ++i)
-            if (speeds[i] > limits[i]) fast[count++] = at[i];
+        for (int i = 0; i < W; ++i) {
+            const SolverVelocity& v = bodies.velocity[at[i]];
+            const SolverTurn& turn = bodies.turn[at[i]];
+            if (!(v.x * v.x + v.y * v.y + v.w * v.w > turn.farSpeedSquared)) continue;
+            const SolverDisplacement& d = bodies.displacement[at[i]];
+            fast[count++] = {at[i], d.x, d.y, turn.angle};
+        }
         return count;
     }
 
     static std::size_t move(const std::uint32_t* list, std::size_t count, const SolverBodies& bodies, float h,
-                            std::uint32_t* fast) {
+                            FastBody* fast) {
         std::size_t found = 0;
         for (const std::uint32_t* at = list; at != list + count; at += W) {
             const Rows<W> v = loadRows<W>(&bodies.velocity->x, at);
             Rows<W> d = loadRows<W>(&bodies.displacement->x, at);
             Rows<W> t = loadRows<W>(&bodies.turn->angle, at);
+            if (anyFast(v.x * v.x + v.y * v.y + v.z * v.z, t.w)) found += addFast(at, bodies, fast + found);
             d.x += v.x * h;
             d.y += v.y * h;
             t.x += v.z * t.y * h;
@@ -74,7 +84,6 @@ struct BodyMover {
             if (anyFar(t.x)) correctFar(t.x, d, t.z);
             storeRows<W>(&bodies.displacement->x, at, d);
             storeRows<W>(&bodies.turn->angle, at, t);
-            found += addFast(at, v.x * v.x + v.y * v.y + v.z * v.z, t.w, fast + found);
         }
         return found;
     }

@@ -232,7 +232,7 @@ private:
     std::vector<ContactIndex> bounces_;  ///< of jointed bodies
     MachineContacts machines_;
     WallStops walls_;
-    std::vector<BodyIndex> fast_;
+    std::vector<FastBody> fast_;
 };
 
 }  // namespace

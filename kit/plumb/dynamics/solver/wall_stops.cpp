@@ -17,34 +17,15 @@ namespace {
 /// the sub-step ends.
 constexpr int mostImpacts = 8;
 
+/// Joints may give a machine this share of its energy more when it has hit a wall [-].
+constexpr double mostGiven = 1.1;
+
 Vec2 shiftOf(const SolverVelocity& v, double time) {
     return Vec2(static_cast<double>(v.x), static_cast<double>(v.y)) * time;
 }
 
 double turnOf(const BodyStore& bodies, BodyIndex body, const SolverVelocity& v, double time) {
     return static_cast<double>(v.w) * static_cast<double>(bodies.turn[body].inverseGyration) * time;
-}
-
-SolverVelocity difference(const SolverVelocity& a, const SolverVelocity& b) {
-    return {a.x - b.x, a.y - b.y, a.w - b.w, 0};
-}
-
-SolverVelocity opposite(const SolverVelocity& v) {
-    return difference({}, v);
-}
-
-/// The sweep of the last part of a sub-step, of this duration [s].
-Sweep lastPart(const BodyStore& bodies, BodyIndex body, double duration) {
-    const SolverDisplacement& d = bodies.displacement[body];
-    const SolverVelocity& v = bodies.velocity[body];
-    const BodyMotion& start = bodies.motion[body];
-    Sweep way;
-    way.localCenter = bodies.record[body].localCenter;
-    way.shift = shiftOf(v, duration);
-    way.turn = turnOf(bodies, body, v, duration);
-    way.start = start.center + Vec2(static_cast<double>(d.x), static_cast<double>(d.y)) - way.shift;
-    way.angle = start.angle + static_cast<double>(bodies.turn[body].angle) - way.turn;
-    return way;
 }
 
 }  // namespace
@@ -123,63 +104,89 @@ bool WallStops::hasMovedFarBeside(BodyIndex body) const {
     return far;
 }
 
-void WallStops::add(BodyIndex body) {
-    if (isAdded_.empty()) isAdded_.assign(bodies_.record.size(), 0);
-    if (isAdded_[body] != 0 || bodies_.isMovedBy(body, MovedBy::Impacts) || bodies_.record[body].quarantined) return;
-    if (stores_.jointPhases != nullptr && islandOf_.empty()) {
+/// The place from which a slow body has moved; of a fast one, rounding would change it.
+WallStops::Mover WallStops::moverOf(BodyIndex body) const {
+    const SolverDisplacement& d = bodies_.displacement[body];
+    const SolverVelocity& v = bodies_.velocity[body];
+    const BodyMotion& start = bodies_.motion[body];
+    const Vec2 moved = Vec2(static_cast<double>(d.x), static_cast<double>(d.y)) - shiftOf(v, h_);
+    return {body, start.center + moved,
+            start.angle + static_cast<double>(bodies_.turn[body].angle) - turnOf(bodies_, body, v, h_)};
+}
+
+JointIsland* WallStops::islandOf(BodyIndex body) {
+    if (stores_.jointPhases == nullptr) return nullptr;
+    std::vector<JointIsland>& islands = stores_.joints.islands.islands;
+    if (islandOf_.empty()) {
         islandOf_.assign(bodies_.record.size(), none);
-        const std::vector<JointIsland>& islands = stores_.joints.islands.islands;
         for (std::uint32_t i = 0; i < islands.size(); ++i)
             for (const BodyIndex member : islands[i].bodies) islandOf_[member] = i;
     }
-    Group& group = groups_.emplace_back();
-    const std::uint32_t island = islandOf_.empty() ? none : islandOf_[body];
-    if (island != none && stores_.joints.islands.islands[island].direct) {
-        group.island = &stores_.joints.islands.islands[island];
-        group.bodies = group.island->bodies;
-    } else {
-        group.bodies.push_back(body);
-    }
-    for (const BodyIndex member : group.bodies) isAdded_[member] = 1;
+    const std::uint32_t island = islandOf_[body];
+    return island != none && islands[island].direct ? &islands[island] : nullptr;
 }
 
-void WallStops::afterMove(std::span<const BodyIndex> fast, double start) {
+/// Adds a body with its island, or its exact place to an island that is there already.
+void WallStops::add(const Mover& mover) {
+    if (isAdded_.empty()) isAdded_.assign(bodies_.record.size(), 0);
+    if (bodies_.isMovedBy(mover.body, MovedBy::Impacts) || bodies_.record[mover.body].quarantined) return;
+    JointIsland* island = islandOf(mover.body);
+    if (isAdded_[mover.body] == 0) {
+        Group& group = groups_.emplace_back();
+        group.island = island;
+        if (island == nullptr) group.movers.push_back(mover);
+        if (island != nullptr)
+            for (const BodyIndex member : island->bodies) group.movers.push_back(moverOf(member));
+        for (const Mover& each : group.movers) isAdded_[each.body] = 1;
+    }
+    if (island == nullptr) return;
+    for (Group& group : groups_)
+        if (group.island == island)
+            for (Mover& each : group.movers)
+                if (each.body == mover.body) each = mover;
+}
+
+void WallStops::afterMove(std::span<const FastBody> fast, double start) {
     start_ = start;
-    for (const BodyIndex body : fast)
-        if (hasMovedFar(body)) add(body);
+    for (const FastBody& f : fast) {
+        if (!hasMovedFar(f.body)) continue;
+        const BodyMotion& from = bodies_.motion[f.body];
+        const Vec2 moved(static_cast<double>(f.x), static_cast<double>(f.y));
+        add({f.body, from.center + moved, from.angle + static_cast<double>(f.angle)});
+    }
     for (const BodyIndex body : beside_)
-        if (hasMovedFarBeside(body)) add(body);
-    for (const Group& group : groups_) {
+        if ((isAdded_.empty() || isAdded_[body] == 0) && hasMovedFarBeside(body)) add(moverOf(body));
+    for (Group& group : groups_) {
         stop(group);
-        for (const BodyIndex body : group.bodies) isAdded_[body] = 0;
+        for (const Mover& mover : group.movers) isAdded_[mover.body] = 0;
     }
     groups_.clear();
 }
 
 /// A body alone moves on from each impact.
-void WallStops::stop(const Group& group) {
+void WallStops::stop(Group& group) {
     if (group.island != nullptr) return stopIsland(group);
-    const BodyIndex body = group.bodies.front();
+    Mover& mover = group.movers.front();
     Hit hit;
     for (int impacts = 0; firstHit(group, hit.time, hit); ++impacts) {
-        const double left = (1 - hit.time) * h_;
-        if (impacts == mostImpacts) return moveOn(body, opposite(bodies_.velocity[body]), left);
-        const SolverVelocity before = bodies_.velocity[body];
+        mover.center = hit.place.center;
+        mover.angle = hit.place.angle;
+        if (impacts == mostImpacts || hit.at.manifold.count == 0) return moveOn(mover, 0);
         solve(group, hit, 0);
-        moveOn(body, difference(bodies_.velocity[body], before), left);
+        moveOn(mover, (1 - hit.time) * h_);
     }
 }
 
 /// Joints hold only along the straight way of a whole sub-step, so there is no place between its ends to go on from.
 /// The bodies start again, with impulses by which the one that hit a wall comes just to the wall.
-void WallStops::stopIsland(const Group& group) {
+void WallStops::stopIsland(Group& group) {
     Hit hit;
     const auto moveAll = [&](double time) {
-        for (const BodyIndex body : group.bodies) moveOn(body, bodies_.velocity[body], time);
+        for (const Mover& mover : group.movers) moveOn(mover, time);
     };
     for (int impacts = 0; firstHit(group, 0, hit); ++impacts) {
-        moveAll(-h_);
-        if (impacts == mostImpacts) return;
+        moveAll(0);
+        if (impacts == mostImpacts || hit.at.manifold.count == 0) return;
         solve(group, hit, hit.time);
         moveAll(h_);
     }
@@ -187,15 +194,17 @@ void WallStops::stopIsland(const Group& group) {
 
 bool WallStops::firstHit(const Group& group, double done, Hit& first) const {
     first.body = noBody;
-    for (const BodyIndex body : group.bodies) search(body, done, first);
+    for (const Mover& mover : group.movers) search(mover, done, first);
     return first.body != noBody;
 }
 
-void WallStops::search(BodyIndex body, double done, Hit& first) const {
-    const BodyRecord& record = bodies_.record[body];
+void WallStops::search(const Mover& mover, double done, Hit& first) const {
+    const BodyIndex body = mover.body;
     if (!bodies_.isDynamic(body)) return;
+    const BodyRecord& record = bodies_.record[body];
+    const SolverVelocity& v = bodies_.velocity[body];
     const double left = (1 - done) * h_, far = farShare * record.inradius / bodies_.subSteps;
-    const Sweep way = lastPart(bodies_, body, left);
+    const Sweep way{mover.center, shiftOf(v, left), mover.angle, turnOf(bodies_, body, v, left), record.localCenter};
     WallSearch search(view_, body, way, {start_ + done * h_, start_ + h_}, far);
     if (travelOf(way.shift, way.turn, record) > far) search.searchStatic();
     if (!bodies_.kinematic.empty()) {
@@ -218,29 +227,55 @@ bool WallStops::isWithinBounds(BodyIndex body) const {
     return excessOfPrediction(bodies_, body, moved, turned) < 0.5 * static_cast<double>(contactMargin);
 }
 
-void WallStops::solve(const Group& group, const Hit& hit, double kept) {
+void WallStops::solve(Group& group, const Hit& hit, double kept) {
     std::vector<SolverVelocity> before;
-    for (const BodyIndex body : group.bodies) before.push_back(bodies_.velocity[body]);
+    for (const Mover& mover : group.movers) before.push_back(bodies_.velocity[mover.body]);
     Pushed pushed(*this, group, hit);
-    impacts_.push_back(solveWallImpact(view_, hit.at, hit.left, pushed, kept));
-    if (group.island != nullptr) stores_.jointPhases->holdOne(stores_.joints, *group.island, h_);
-    for (std::size_t b = 0; b < group.bodies.size(); ++b) {
-        const SolverVelocity change = difference(bodies_.velocity[group.bodies[b]], before[b]);
-        SolverVelocity& mark = bodies_.before[group.bodies[b]];  // so that no contact takes it for its own impulse
-        mark.x += change.x;
-        mark.y += change.y;
-        mark.w += change.w;
+    const WallImpact impact = solveWallImpact(view_, hit.at, hit.left, pushed, kept);
+    if (impact.normalImpulse == 0) return;
+    impacts_.push_back(impact);
+    if (group.island != nullptr) hold(group);
+    for (std::size_t m = 0; m < group.movers.size(); ++m) {
+        const SolverVelocity& now = bodies_.velocity[group.movers[m].body];
+        SolverVelocity& mark = bodies_.before[group.movers[m].body];  // so that no contact takes it for its own impulse
+        mark.x += now.x - before[m].x;
+        mark.y += now.y - before[m].y;
+        mark.w += now.w - before[m].w;
     }
 }
 
-/// Changes where a body is by a velocity and a time.
-void WallStops::moveOn(BodyIndex body, const SolverVelocity& change, double time) {
-    SolverDisplacement& d = bodies_.displacement[body];
-    SolverTurn& turn = bodies_.turn[body];
-    const Vec2 shift = shiftOf(change, time);
-    d.x += static_cast<float>(shift.x());
-    d.y += static_cast<float>(shift.y());
-    turn.angle += static_cast<float>(turnOf(bodies_, body, change, time));
+/// Removes the errors in the joints that an impact causes. At speeds without measure that may give energy: then it is
+/// left.
+void WallStops::hold(const Group& group) {
+    std::vector<SolverVelocity> before;
+    for (const Mover& mover : group.movers) before.push_back(bodies_.velocity[mover.body]);
+    const double energy = energyOf(group);
+    stores_.jointPhases->holdOne(stores_.joints, *group.island, h_);
+    if (energyOf(group) <= mostGiven * energy) return;
+    for (std::size_t m = 0; m < group.movers.size(); ++m) bodies_.velocity[group.movers[m].body] = before[m];
+}
+
+/// Kinetic energy [J].
+double WallStops::energyOf(const Group& group) const {
+    double energy = 0;
+    for (const Mover& mover : group.movers) {
+        const SolverVelocity& v = bodies_.velocity[mover.body];
+        const auto x = static_cast<double>(v.x), y = static_cast<double>(v.y), w = static_cast<double>(v.w);
+        energy += 0.5 * bodies_.record[mover.body].mass * (x * x + y * y + w * w);
+    }
+    return energy;
+}
+
+/// Moves a body at its velocity from a mover's place, for a time.
+void WallStops::moveOn(const Mover& mover, double time) {
+    const SolverVelocity& v = bodies_.velocity[mover.body];
+    const BodyMotion& start = bodies_.motion[mover.body];
+    SolverDisplacement& d = bodies_.displacement[mover.body];
+    SolverTurn& turn = bodies_.turn[mover.body];
+    const Vec2 moved = mover.center - start.center + shiftOf(v, time);
+    d.x = static_cast<float>(moved.x());
+    d.y = static_cast<float>(moved.y());
+    turn.angle = static_cast<float>(mover.angle - start.angle + turnOf(bodies_, mover.body, v, time));
     const SinCosMinus1 turned = turnedFar(turn.angle);
     d.sin = turned.sin * turn.gyration;
     d.cosMinus1 = turned.cosMinus1 * turn.gyration;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <plumb/dynamics/impacts/wall_impact.h>
+#include <plumb/dynamics/solver/body_solver.h>
 #include <plumb/dynamics/solver/joint_phases.h>
 
 namespace plumb {
@@ -23,17 +24,22 @@ public:
     /// h: length of a sub-step [s]
     WallStops(const SolverStores& stores, double h);
 
-    /// Call this after the bodies have moved in a sub-step that began at this time since the step's start [s]. fast:
-    /// bodies that may have moved far.
-    void afterMove(std::span<const BodyIndex> fast, double start);
+    /// Call this after the bodies have moved in a sub-step that began at this time since the step's start [s].
+    void afterMove(std::span<const FastBody> fast, double start);
     /// The impacts so far, in the order in which they were found.
     const std::vector<WallImpact>& impacts() const { return impacts_; }
 
 private:
+    /// A body, and its place at the time from which it moves on.
+    struct Mover {
+        BodyIndex body = noBody;
+        Vec2 center{0, 0};  ///< [m]
+        double angle = 0;   ///< [rad]
+    };
     /// What moves as one: the bodies of a joint island, or a body alone.
     struct Group {
         JointIsland* island = nullptr;
-        std::vector<BodyIndex> bodies;
+        std::vector<Mover> movers;
     };
     struct Hit {
         BodyIndex body = noBody;
@@ -47,14 +53,18 @@ private:
     void findBeside();
     bool hasMovedFar(BodyIndex body) const;
     bool hasMovedFarBeside(BodyIndex body) const;
-    void add(BodyIndex body);
-    void stop(const Group& group);
-    void stopIsland(const Group& group);
+    Mover moverOf(BodyIndex body) const;
+    void add(const Mover& mover);
+    JointIsland* islandOf(BodyIndex body);
+    void stop(Group& group);
+    void stopIsland(Group& group);
     bool firstHit(const Group& group, double done, Hit& first) const;
-    void search(BodyIndex body, double done, Hit& first) const;
+    void search(const Mover& mover, double done, Hit& first) const;
     bool isWithinBounds(BodyIndex body) const;
-    void solve(const Group& group, const Hit& hit, double kept);
-    void moveOn(BodyIndex body, const SolverVelocity& change, double time);
+    void solve(Group& group, const Hit& hit, double kept);
+    void hold(const Group& group);
+    double energyOf(const Group& group) const;
+    void moveOn(const Mover& mover, double time);
 
     const SolverStores& stores_;
     BodyStore& bodies_;
