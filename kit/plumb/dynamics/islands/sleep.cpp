@@ -67,7 +67,7 @@ void sleepIsland(const SleepStores& stores, BodyIndex body) {
 
 std::vector<BodyIndex> sleepIslands(const SleepStores& stores, const SolverSettings& settings, double dt) {
     std::vector<BodyIndex> sleepers;
-    if (!countStillness(stores.bodies, settings, dt)) return sleepers;
+    if (!countStillness(stores.bodies, stores.contacts, stores.joints, settings, dt)) return sleepers;
     const IslandView view{stores.bodies, stores.contacts, stores.joints, stores.space};
     for (const std::vector<BodyIndex>& island : findStillIslands(view, settings)) {
         putToSleep(stores, island);

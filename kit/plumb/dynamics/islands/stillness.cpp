@@ -3,22 +3,33 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+
+#include <plumb/dynamics/islands/neighbours.h>
 
 namespace plumb {
 
 namespace {
 
 /// The number of parts of a watch, each with its mean speed [-]. More parts are shorter, and jitter shows more.
-constexpr double partsOfWatch = 4;
-double env(const char* n, double d) {
-    const char* s = std::getenv(n);
-    return s ? std::atof(s) : d;
-}
+constexpr double partsOfWatch = 5;
 /// A mean speed that has risen by less than this share of sleepSpeed has not risen [-].
-const double leastGain = env("GAIN", 1e-3);
+constexpr double leastGain = 1e-3;
 /// Of the speed that a body has gained, it must lose all but this share to count as still [-].
-const double shareKept = 0.1;
+constexpr double shareKept = 0.1;
+
+/// Does no body that can move touch the body, and is none joined to it?
+bool isAlone(const BodyStore& bodies, const ContactStore& contacts, const JointStore& joints, BodyIndex body) {
+    bool alone = true;
+    forEachNeighbour(bodies, contacts, joints, body, [&alone](BodyIndex) { alone = false; });
+    return alone;
+}
+
+/// Does the body hang from joints alone, without damping?
+bool swings(const BodyStore& bodies, const ContactStore& contacts, const JointStore& joints, BodyIndex body) {
+    const BodyRecord& record = bodies.record[body];
+    return !bodies.links[body].joints.empty() && bodies.links[body].solverContacts == 0 && record.linearDamping == 0 &&
+           record.angularDamping == 0 && isAlone(bodies, contacts, joints, body);
+}
 
 bool isSlow(const BodyStore& bodies, const SolverSettings& settings, BodyIndex body) {
     const BodyRecord& record = bodies.record[body];
@@ -39,10 +50,10 @@ void startPart(StillWatch& watch, const BodyMotion& motion) {
     watch.time = 0;
 }
 
-/// Goes on with the watch of a slow body. Returns whether it has gained speed that it has not lost again.
+/// Goes on with the watch of a slow body. Returns whether its mean speed has risen, and it has not lost it again.
 bool hasGained(StillWatch& watch, const BodyMotion& motion, double radius, const SolverSettings& settings, double dt) {
     watch.time += dt;
-    if (watch.time < settings.sleepTime / partsOfWatch) return watch.gained > 0;
+    if (watch.time + 0.5 * dt < settings.sleepTime / partsOfWatch) return watch.gained > 0;
     const double turned = std::fabs(motion.angle - watch.angle) * radius;
     const double speed = ((motion.center - watch.center).norm() + turned) / watch.time;
     watch.least = std::min(watch.least, speed);
@@ -57,7 +68,8 @@ bool hasGained(StillWatch& watch, const BodyMotion& motion, double radius, const
 
 }  // namespace
 
-bool countStillness(BodyStore& bodies, const SolverSettings& settings, double dt) {
+bool countStillness(BodyStore& bodies, const ContactStore& contacts, const JointStore& joints,
+                    const SolverSettings& settings, double dt) {
     bool anyReady = false;
     for (const BodyIndex body : bodies.awake) {
         BodyRecord& record = bodies.record[body];
@@ -71,9 +83,11 @@ bool countStillness(BodyStore& bodies, const SolverSettings& settings, double dt
             watch = {};
             startPart(watch, bodies.motion[body]);
             record.stillTime = dt;
+            const double speed = bodies.motion[body].velocity.norm();
+            if (speed > 0.5 * settings.sleepSpeed && swings(bodies, contacts, joints, body)) watch.gained = speed;
         } else {
             const bool gained = hasGained(watch, bodies.motion[body], record.boundingRadius, settings, dt);
-            record.stillTime = gained ? dt : record.stillTime + dt;
+            record.stillTime = gained && isAlone(bodies, contacts, joints, body) ? dt : record.stillTime + dt;
         }
         anyReady = anyReady || record.stillTime >= settings.sleepTime;
     }
