@@ -24,9 +24,11 @@ bool isAlone(const BodyStore& bodies, const ContactStore& contacts, const JointS
     return alone;
 }
 
-/// Does the body hang from joints alone, without damping?
+/// Does the body hang from joints alone, without springs or damping?
 bool swings(const BodyStore& bodies, const ContactStore& contacts, const JointStore& joints, BodyIndex body) {
     const BodyRecord& record = bodies.record[body];
+    for (const JointIndex joint : bodies.links[body].joints)
+        if (joints.hasSpring(joint)) return false;
     return !bodies.links[body].joints.empty() && bodies.links[body].solverContacts == 0 && record.linearDamping == 0 &&
            record.angularDamping == 0 && isAlone(bodies, contacts, joints, body);
 }
