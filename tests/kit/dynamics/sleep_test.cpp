@@ -3,9 +3,8 @@
 #include <numbers>
 
 #include <plumb/plumb.h>
-#include <catch2/catch_test_macros.hpp>
-#include <catch2/matchers/catch_matchers_floating_point.hpp>
 
+#include "catch.h"
 #include "kit/dynamics/worlds.h"
 
 namespace plumb::test {
