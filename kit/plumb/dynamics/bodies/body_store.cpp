@@ -36,6 +36,7 @@ void BodyStore::reserve(std::size_t bodies) {
     record.reserve(bodies);
     links.reserve(bodies);
     apart.reserve(bodies);
+    watch.reserve(bodies);
     step.reserve(bodies);
     velocity.reserve(bodies);
     displacement.reserve(bodies);
@@ -58,6 +59,7 @@ BodyIndex BodyStore::acquire() {
     record.emplace_back();
     links.emplace_back();
     apart.emplace_back();
+    watch.emplace_back();
     step.emplace_back();
     velocity.emplace_back();
     displacement.emplace_back();

@@ -99,6 +99,15 @@ struct BodyStep {
     std::uint32_t flight = none;  ///< entry in BodyStore.flights; none if no field acts on the body
 };
 
+/// What is noted of a slow body, to find whether it gains speed (see islands/stillness.h).
+struct StillWatch {
+    Vec2 center{0, 0};  ///< where the part of the watch began [m]
+    double angle = 0;   ///< there [rad]
+    double time = 0;    ///< since then [s]
+    double least = std::numeric_limits<double>::infinity();  ///< lowest mean speed of a part [m/s]
+    double gained = 0;  ///< highest mean speed after a rise that it has not lost again; 0: none [m/s]
+};
+
 /// Parallel arrays, indexed by a body's slot. Slot 0 belongs to no body (see noBody).
 struct BodyStore {
     // Each body's state, properties and links.
@@ -106,6 +115,8 @@ struct BodyStore {
     std::vector<BodyRecord> record;
     std::vector<BodyLinks> links;
     std::vector<std::vector<BodyIndex>> apart;  ///< bodies with which its joints forbid contacts; may hold duplicates
+
+    std::vector<StillWatch> watch;              ///< valid while record.stillTime > 0
 
     // Within a step.
     std::vector<BodyStep> step;

@@ -15,9 +15,6 @@ namespace plumb {
 
 namespace {
 
-/// A body that comes nearer than this to a sleeping body, or may do so in this step, wakes it [m].
-constexpr float wakeDistance = 5e-4f;
-
 float nearestOf(const Manifold& m) {
     return m.count > 1 ? std::min(m.points[0].separation, m.points[1].separation) : m.points[0].separation;
 }

@@ -11,6 +11,9 @@
 
 namespace plumb {
 
+/// A body that comes nearer than this to a sleeping body, or may do so in this step, wakes it [m].
+inline constexpr float wakeDistance = 5e-4f;
+
 /// Computes all manifolds of a step: for contacts in the solver's slots batch by batch, which also prepares them for
 /// the step, and for the near contacts. A contact that begins to touch gets a slot; one that has parted loses its slot.
 ///

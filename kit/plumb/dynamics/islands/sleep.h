@@ -6,9 +6,14 @@
 //   it moves faster than SolverSettings.sleepSpeed, or was shifted by more than that in the step,
 //   nothing touches or holds it, and its velocity is not exactly 0: a body that floats or drifts never sleeps,
 //   it touches, or is joined to, a kinematic body that is awake,
-//   another body of its island has not been still for SolverSettings.sleepTime,
-//   mutual gravity or a magnet that is awake acts on it,
-//   the program pushes it, moves it, or changes it or its joints between steps, if only by a force of 0.
+//   a belt that it touches moves it, or a joint's motor that has a target speed moves its bodies. A motor or belt that
+//   something stops lets its bodies sleep,
+//   no other movable body touches it or is joined to it, and it gained speed while it was slow: it begins to slide or
+//   roll down a slope, or swings. It may sleep when it has lost nine tenths of that speed (stillness.h),
+//   another body of its island has not been still for SolverSettings.sleepTime. A body that would wake it, if it alone
+//   slept, counts as one of its island here, also if they do not touch: else two islands could wake each other for
+//   ever, mutual gravity or a magnet that is awake acts on it, the program pushes it, moves it, or changes it or its
+//   joints between steps, if only by a force of 0.
 #pragma once
 #include <vector>
 

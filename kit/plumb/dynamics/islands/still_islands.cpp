@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/islands/still_islands.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <plumb/dynamics/contacts/narrow_phase.h>
+#include <plumb/dynamics/contacts/predicted_manifold.h>
+#include <plumb/dynamics/islands/driven.h>
+#include <plumb/dynamics/islands/neighbours.h>
+
+namespace plumb {
+
+namespace {
+
+/// How far a body may come in a step, as the narrow phase sees it [m].
+float reachOf(const BodyStore& bodies, BodyIndex body) {
+    const BodyPlace& place = bodies.place[body];
+    return std::hypot(place.shiftX, place.shiftY) + place.turn;
+}
+
+/// Would one of the two bodies wake the other if that one slept?
+bool wouldWake(const IslandView& view, const ContactRecord& contact) {
+    const BodyStore& bodies = view.bodies;
+    if (letsPass(contact.verdict)) return false;
+    const float distance = wakeDistance + std::max(reachOf(bodies, contact.bodyA), reachOf(bodies, contact.bodyB));
+    const BodyMotion b = shifted(bodies.motion[contact.bodyB], contact.shift);
+    const RelativePose pose = relativePose(bodies.motion[contact.bodyA], b);
+    return manifold(view.space[contact.proxyA].convex, view.space[contact.proxyB].convex, pose, distance).count > 0;
+}
+
+/// A search begins at a body that has been still for long enough. It ends at the first that has not, or whose island is
+/// known to stay awake.
+class IslandSearch {
+public:
+    IslandSearch(const IslandView& view, double sleepTime)
+        : view_(view), sleepTime_(sleepTime), marks_(view.bodies.record.size(), Mark::None) {}
+
+    bool mayBeginAt(BodyIndex body) const { return marks_[body] == Mark::None && isReady(body); }
+
+    /// The island of a body; empty if it stays awake.
+    std::vector<BodyIndex> islandOf(BodyIndex seed) {
+        island_.clear();
+        still_ = true;
+        reach(seed);
+        // First all that touches or is joined, which is cheap to find; only then what is near.
+        for (std::size_t joined = 0, near = 0; still_ && near < island_.size();) {
+            if (joined < island_.size())
+                forEachNeighbour(view_.bodies, view_.contacts, view_.joints, island_[joined++],
+                                 [this](BodyIndex other) { reach(other); });
+            else
+                reachNear(island_[near++]);
+        }
+        if (!still_) {
+            for (const BodyIndex body : island_) marks_[body] = Mark::StaysAwake;
+            island_.clear();
+        }
+        return island_;
+    }
+
+private:
+    enum class Mark : std::uint8_t { None, Found, StaysAwake };
+
+    bool isReady(BodyIndex body) const {
+        return view_.bodies.canMove(body) && view_.bodies.record[body].stillTime >= sleepTime_;
+    }
+
+    void reach(BodyIndex body) {
+        if (!still_ || marks_[body] == Mark::Found) return;
+        still_ = mayBeginAt(body);
+        if (!still_) return;
+        marks_[body] = Mark::Found;
+        island_.push_back(body);
+    }
+
+    void reachNear(BodyIndex body) {
+        forEachContact(view_.bodies, view_.contacts, body, [&](ContactIndex index) {
+            const ContactRecord& contact = view_.contacts[index];
+            const BodyIndex other = otherOf(contact, body);
+            if (!still_ || contact.touching || marks_[other] == Mark::Found) return;
+            if (view_.bodies.canMove(other) && view_.bodies.record[other].awake && wouldWake(view_, contact))
+                reach(other);
+        });
+    }
+
+    IslandView view_;
+    double sleepTime_;
+    std::vector<Mark> marks_;
+    std::vector<BodyIndex> island_;
+    bool still_ = true;
+};
+
+/// Begins to watch the driven bodies of an island again. Returns whether there are any.
+bool watchDriven(const IslandView& view, const SolverSettings& settings, const std::vector<BodyIndex>& island) {
+    bool driven = false;
+    for (const BodyIndex body : island) {
+        if (!isCarried(view.bodies, view.contacts, view.joints, body) &&
+            !isDriven(view.bodies, view.contacts, view.joints, settings, body))
+            continue;
+        view.bodies.record[body].stillTime = 0;
+        driven = true;
+    }
+    return driven;
+}
+
+}  // namespace
+
+std::vector<std::vector<BodyIndex>> findStillIslands(const IslandView& view, const SolverSettings& settings) {
+    std::vector<std::vector<BodyIndex>> islands;
+    IslandSearch search(view, settings.sleepTime);
+    for (const BodyIndex seed : view.bodies.awake) {
+        if (!search.mayBeginAt(seed)) continue;
+        std::vector<BodyIndex> island = search.islandOf(seed);
+        if (!island.empty() && !watchDriven(view, settings, island)) islands.push_back(std::move(island));
+    }
+    return islands;
+}
+
+}  // namespace plumb

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/islands/stillness.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <plumb/dynamics/islands/neighbours.h>
+
+namespace plumb {
+
+namespace {
+
+/// The number of parts of a watch, each with its mean speed [-]. More parts are shorter, and jitter shows more.
+constexpr double partsOfWatch = 5;
+/// A mean speed that has risen by less than this share of sleepSpeed has not risen [-].
+constexpr double leastGain = 1e-3;
+/// Of the speed that a body has gained, it must lose all but this share to count as still [-].
+constexpr double shareKept = 0.1;
+
+/// Does no body that can move touch the body, and is none joined to it?
+bool isAlone(const BodyStore& bodies, const ContactStore& contacts, const JointStore& joints, BodyIndex body) {
+    bool alone = true;
+    forEachNeighbour(bodies, contacts, joints, body, [&alone](BodyIndex) { alone = false; });
+    return alone;
+}
+
+/// Does the body hang from joints alone, without springs or damping?
+bool swings(const BodyStore& bodies, const ContactStore& contacts, const JointStore& joints, BodyIndex body) {
+    const BodyRecord& record = bodies.record[body];
+    for (const JointIndex joint : bodies.links[body].joints)
+        if (joints.hasSpring(joint)) return false;
+    return !bodies.links[body].joints.empty() && bodies.links[body].solverContacts == 0 && record.linearDamping == 0 &&
+           record.angularDamping == 0 && isAlone(bodies, contacts, joints, body);
+}
+
+bool isSlow(const BodyStore& bodies, const SolverSettings& settings, BodyIndex body) {
+    const BodyRecord& record = bodies.record[body];
+    const BodyMotion& motion = bodies.motion[body];
+    const double speed = motion.velocity.norm() + std::fabs(motion.angularVelocity) * record.boundingRadius;
+    // A body without contacts or joints drifts on, however slowly; only a body that the solver moves may be stopped.
+    if (!bodies.isMovedBy(body, MovedBy::Solver)) return speed == 0;
+    // A body that position correction pushes has no velocity from that, but it moves.
+    const SolverDisplacement& moved = bodies.displacement[body];
+    const double shift = std::hypot(static_cast<double>(moved.x), static_cast<double>(moved.y));
+    return std::max(speed, shift / bodies.lastStep) < settings.sleepSpeed;
+}
+
+/// Begins a part of the watch.
+void startPart(StillWatch& watch, const BodyMotion& motion) {
+    watch.center = motion.center;
+    watch.angle = motion.angle;
+    watch.time = 0;
+}
+
+/// Goes on with the watch of a slow body. Returns whether its mean speed has risen, and it has not lost it again.
+bool hasGained(StillWatch& watch, const BodyMotion& motion, double radius, const SolverSettings& settings, double dt) {
+    watch.time += dt;
+    if (watch.time + 0.5 * dt < settings.sleepTime / partsOfWatch) return watch.gained > 0;
+    const double turned = std::fabs(motion.angle - watch.angle) * radius;
+    const double speed = ((motion.center - watch.center).norm() + turned) / watch.time;
+    watch.least = std::min(watch.least, speed);
+    if (speed > watch.least + leastGain * settings.sleepSpeed) watch.gained = std::max(watch.gained, speed);
+    if (speed < shareKept * watch.gained) {
+        watch.gained = 0;
+        watch.least = speed;
+    }
+    startPart(watch, motion);
+    return watch.gained > 0;
+}
+
+}  // namespace
+
+bool countStillness(BodyStore& bodies, const ContactStore& contacts, const JointStore& joints,
+                    const SolverSettings& settings, double dt) {
+    bool anyReady = false;
+    for (const BodyIndex body : bodies.awake) {
+        BodyRecord& record = bodies.record[body];
+        if (record.type != BodyType::Dynamic) continue;
+        if (!record.canSleep || !isSlow(bodies, settings, body)) {
+            record.stillTime = 0;
+            continue;
+        }
+        StillWatch& watch = bodies.watch[body];
+        if (record.stillTime == 0) {
+            watch = {};
+            startPart(watch, bodies.motion[body]);
+            record.stillTime = dt;
+            const double speed = bodies.motion[body].velocity.norm();
+            if (speed > 0.5 * settings.sleepSpeed && swings(bodies, contacts, joints, body)) watch.gained = speed;
+        } else {
+            const bool gained = hasGained(watch, bodies.motion[body], record.boundingRadius, settings, dt);
+            record.stillTime = gained && isAlone(bodies, contacts, joints, body) ? dt : record.stillTime + dt;
+        }
+        anyReady = anyReady || record.stillTime >= settings.sleepTime;
+    }
+    return anyReady;
+}
+
+}  // namespace plumb
