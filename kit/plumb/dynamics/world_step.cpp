@@ -147,6 +147,7 @@ void solveImpacts(Step& s) {
 
 void solve(Step& s) {
     WorldState& w = s.world;
+    w.graph.sortOverflow(w.contacts);
     const JointStores joints{w.joints, w.jointIslands, w.bodies, w.solver, s.observer()};
     solveConstraints({w.graph, w.contacts, w.bodies, w.fields, w.space, w.jointPhases, joints, w.solver, s.observer()},
                      s.dt);

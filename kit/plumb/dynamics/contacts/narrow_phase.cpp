@@ -273,15 +273,16 @@ void NarrowPhase::addArrival(ContactIndex index, const FreshLanes& fresh, std::s
 /// near contacts, which changes with each that goes, also far away, and would change the colours that they get.
 void NarrowPhase::sortArrivals() {
     struct Place {
-        std::tuple<bool, ProxyId, ProxyId, double, double> shapes;
+        bool boxes;
+        std::tuple<ProxyId, ProxyId, double, double> shapes;
         std::size_t batch, lane;
-        bool operator<(const Place& other) const { return shapes < other.shapes; }
+        bool operator<(const Place& other) const { return boxes != other.boxes ? boxes : shapes < other.shapes; }
     };
     std::vector<Place> order;
     for (std::size_t batch = 0; batch < arrivals_.size(); ++batch)
         for (std::size_t lane = 0; lane < arrivals_[batch].count; ++lane) {
             const ContactRecord& c = contacts_[arrivals_[batch].contacts[lane]];
-            order.push_back({{!c.boxes, c.proxyA, c.proxyB, c.shift.x(), c.shift.y()}, batch, lane});
+            order.push_back({c.boxes, shapesOf(c), batch, lane});
         }
     if (std::is_sorted(order.begin(), order.end())) return;
     std::sort(order.begin(), order.end());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include <plumb/dynamics/bodies/free_motion.h>
 
@@ -128,22 +129,11 @@ private:
     /// The order of slots changes with each contact that goes, also far away; of two impacts at the same time, the
     /// first in the list is solved first.
     void sortByShapes() {
-        struct Ranked {
-            ProxyId a, b;
-            ContactIndex contact;
-        };
-        std::vector<Ranked> order;
+        std::vector<std::pair<std::tuple<ProxyId, ProxyId, double, double>, ContactIndex>> order;
         order.reserve(found_.contacts.size());
-        for (const ContactIndex index : found_.contacts)
-            order.push_back({contacts_[index].proxyA, contacts_[index].proxyB, index});
-        const auto shiftOf = [this](const Ranked& r) {
-            return std::tuple(contacts_[r.contact].shift.x(), contacts_[r.contact].shift.y());
-        };
-        std::sort(order.begin(), order.end(), [&shiftOf](const Ranked& one, const Ranked& two) {
-            if (one.a != two.a) return one.a < two.a;
-            return one.b != two.b ? one.b < two.b : shiftOf(one) < shiftOf(two);
-        });
-        for (std::size_t i = 0; i < order.size(); ++i) found_.contacts[i] = order[i].contact;
+        for (const ContactIndex index : found_.contacts) order.emplace_back(shapesOf(contacts_[index]), index);
+        std::sort(order.begin(), order.end());
+        for (std::size_t i = 0; i < order.size(); ++i) found_.contacts[i] = order[i].second;
     }
 
     const ContactGraph& graph_;
