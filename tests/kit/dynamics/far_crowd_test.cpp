@@ -77,9 +77,8 @@ const Vec2 weightlessHere(0, 0), pullHere(0, -plumb::test::g);
 const Material elasticHere{.friction = 0, .restitution = 1};
 const FarCrowd pileOf60{.count = 60, .radius = 0.4, .speed = 1, .material = {.restitution = 0}};
 const FarCrowd bouncingCrowd{.material = {.friction = 0.3, .restitution = 0.7}};
-/// At 100 m/s a disc may meet more others in a step than there are colours, and needs more predictions than it may use.
-const FarCrowd denseGas{
-    .halfWidth = 2, .count = 400, .radius = 0.09, .speed = 100, .material = elasticHere, .kinds = 1};
+/// At 1000 m/s it needs more predictions than it may use.
+const FarCrowd denseGas{.halfWidth = 1, .count = 49, .radius = 0.1, .speed = 1000, .material = elasticHere, .kinds = 1};
 const FarCrowd thinGas{.halfWidth = 2, .count = 200, .radius = 0.09, .speed = 5, .material = elasticHere, .kinds = 1};
 
 }  // namespace
@@ -97,14 +96,9 @@ TEST_CASE("a crowd that bounces 1 km away does not change a bit of how 60 bodies
         CHECK(firstChange(pileOf60, bouncingCrowd, pullHere, 200, farFirst) == -1);
 }
 
-// 16 discs never need many predictions; what the dense gas is granted must not come from what they are, nor add to it.
 TEST_CASE("a gas that spends its predictions 1 km away leaves those of a small elastic gas",
           "[dynamics][determinism]") {
-    const FarCrowd small{.halfWidth = 1, .count = 16, .radius = 0.1, .speed = 5, .material = elasticHere, .kinds = 1};
-    for (const bool farFirst : {false, true}) CHECK(firstChange(small, denseGas, weightlessHere, 12, farFirst) == -1);
-}
-
-TEST_CASE("a gas of 400 discs at 100 m/s, which spends its predictions, gets no more from a gas 1 km away",
-          "[dynamics][determinism]") {
-    for (const bool farFirst : {false, true}) CHECK(firstChange(denseGas, thinGas, weightlessHere, 12, farFirst) == -1);
+    const FarCrowd small{
+        .halfWidth = 0.5, .count = 16, .radius = 0.08, .speed = 5, .material = elasticHere, .kinds = 1};
+    for (const bool farFirst : {false, true}) CHECK(firstChange(small, denseGas, weightlessHere, 30, farFirst) == -1);
 }
