@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Which body, which shape, which joint, which field? An id stays valid until its object is removed, and is never
-// reused.
+// reused. Ids have an order, so that they can be sorted and be keys of a std::set; it is that of the slots.
 #pragma once
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -13,28 +14,28 @@ struct BodyId {
     std::uint32_t index = 0;
     std::uint32_t generation = 0;
     std::uint32_t world = 0;
-    friend bool operator==(const BodyId&, const BodyId&) = default;
+    friend std::strong_ordering operator<=>(const BodyId&, const BodyId&) = default;
 };
 
 struct JointId {
     std::uint32_t index = 0;
     std::uint32_t generation = 0;
     std::uint32_t world = 0;
-    friend bool operator==(const JointId&, const JointId&) = default;
+    friend std::strong_ordering operator<=>(const JointId&, const JointId&) = default;
 };
 
 struct FieldId {
     std::uint32_t index = 0;
     std::uint32_t generation = 0;
     std::uint32_t world = 0;
-    friend bool operator==(const FieldId&, const FieldId&) = default;
+    friend std::strong_ordering operator<=>(const FieldId&, const FieldId&) = default;
 };
 
 /// number: counted from 0 on each body, in the order in which its shapes were added; BodyDef.shapes[i] has number i.
 struct ShapeId {
     BodyId body;
     std::uint32_t number = 0;
-    friend bool operator==(const ShapeId&, const ShapeId&) = default;
+    friend std::strong_ordering operator<=>(const ShapeId&, const ShapeId&) = default;
 };
 
 }  // namespace plumb

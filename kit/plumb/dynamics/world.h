@@ -83,17 +83,20 @@ public:
     void setGravity(const Vec2& gravity);  ///< wakes every body [m/s^2]
 
     // Queries of the present state. Each considers only shapes that collide with a shape of the filter, and no sensors.
+    // Casts leave out the shapes of the ignored body, if given: for example, of the body from whose inside a ray
+    // starts.
     /// The first shape on the way from one point to another.
-    std::optional<CastHit> castRay(const Vec2& from, const Vec2& to, const Filter& filter = {}) const;
+    std::optional<CastHit> castRay(const Vec2& from, const Vec2& to, const Filter& filter = {},
+                                   BodyId ignored = {}) const;
     /// All shapes on the way, in the order in which the ray meets them.
-    std::vector<CastHit> castRayAll(const Vec2& from, const Vec2& to, const Filter& filter = {}) const;
+    std::vector<CastHit> castRayAll(const Vec2& from, const Vec2& to, const Filter& filter = {},
+                                    BodyId ignored = {}) const;
     /// The first shape that a shape meets when it is shifted without turning.
     std::optional<CastHit> castShape(const Shape& shape, const Transform& pose, const Vec2& shift,
-                                     const Filter& filter = {}) const;
+                                     const Filter& filter = {}, BodyId ignored = {}) const;
     std::vector<CastHit> castShapeAll(const Shape& shape, const Transform& pose, const Vec2& shift,
-                                      const Filter& filter = {}) const;
-    /// Same as castShapeAll, but with a hit for each piece of a chain, and without the shapes of the ignored body, if
-    /// given.
+                                      const Filter& filter = {}, BodyId ignored = {}) const;
+    /// Same as castShapeAll, but with a hit for each piece of a chain.
     std::vector<CastHit> castShapePieces(const Shape& shape, const Transform& pose, const Vec2& shift,
                                          const Filter& filter = {}, BodyId ignored = {}) const;
     // Shapes that overlap or touch, in the order of their bodies' slots and their numbers.

@@ -40,6 +40,13 @@ void requireCast(const WorldState& world, const Shape& shape, const Transform& p
     requireFewPeriods(world, aabbOf(shape, pose), mostBoxPeriods, query + ": shape");
 }
 
+/// The slot of the body that a cast leaves out; noBody if it leaves out none.
+BodyIndex slotOfIgnored(const WorldState& world, BodyId ignored, const char* query) {
+    if (ignored == BodyId{}) return noBody;
+    requireBody(world, ignored, std::string(query) + ": ignored");
+    return ignored.index;
+}
+
 std::tuple<std::uint32_t, std::uint32_t> placeOf(const ShapeId& shape) {
     return {shape.body.index, shape.number};
 }
@@ -199,34 +206,34 @@ std::vector<ProxyId> proxiesOf(const WorldState& world, const ShapeId& id, const
 
 }  // namespace
 
-std::optional<CastHit> World::castRay(const Vec2& from, const Vec2& to, const Filter& filter) const {
+std::optional<CastHit> World::castRay(const Vec2& from, const Vec2& to, const Filter& filter, BodyId ignored) const {
     requireFinite(from, "World.castRay: from");
     requireFinite(to, "World.castRay: to");
     requireFewPeriods(*state_, {from.cwiseMin(to), from.cwiseMax(to)}, mostCastPeriods, "World.castRay: to");
-    const ShapeQuery query(*state_, filter);
+    const ShapeQuery query(*state_, filter, slotOfIgnored(*state_, ignored, "World.castRay"));
     return firstHit(query, {{0, 0}, from, to}, meetRay(query, from, to));
 }
 
-std::vector<CastHit> World::castRayAll(const Vec2& from, const Vec2& to, const Filter& filter) const {
+std::vector<CastHit> World::castRayAll(const Vec2& from, const Vec2& to, const Filter& filter, BodyId ignored) const {
     requireFinite(from, "World.castRayAll: from");
     requireFinite(to, "World.castRayAll: to");
     requireFewPeriods(*state_, {from.cwiseMin(to), from.cwiseMax(to)}, mostCastPeriods, "World.castRayAll: to");
-    const ShapeQuery query(*state_, filter);
+    const ShapeQuery query(*state_, filter, slotOfIgnored(*state_, ignored, "World.castRayAll"));
     return oneOfEach(allHits(query, {{0, 0}, from, to}, meetRay(query, from, to)));
 }
 
 std::optional<CastHit> World::castShape(const Shape& shape, const Transform& pose, const Vec2& shift,
-                                        const Filter& filter) const {
+                                        const Filter& filter, BodyId ignored) const {
     requireCast(*state_, shape, pose, shift, "World.castShape");
-    ShapeQuery query(*state_, filter);
+    ShapeQuery query(*state_, filter, slotOfIgnored(*state_, ignored, "World.castShape"));
     query.includeOutlines();
     return firstHit(query, moverOf(shape, pose, shift), meetShape(query, shape, pose, shift));
 }
 
 std::vector<CastHit> World::castShapeAll(const Shape& shape, const Transform& pose, const Vec2& shift,
-                                         const Filter& filter) const {
+                                         const Filter& filter, BodyId ignored) const {
     requireCast(*state_, shape, pose, shift, "World.castShapeAll");
-    ShapeQuery query(*state_, filter);
+    ShapeQuery query(*state_, filter, slotOfIgnored(*state_, ignored, "World.castShapeAll"));
     query.includeOutlines();
     return oneOfEach(allHits(query, moverOf(shape, pose, shift), meetShape(query, shape, pose, shift)));
 }
@@ -234,9 +241,7 @@ std::vector<CastHit> World::castShapeAll(const Shape& shape, const Transform& po
 std::vector<CastHit> World::castShapePieces(const Shape& shape, const Transform& pose, const Vec2& shift,
                                             const Filter& filter, BodyId ignored) const {
     requireCast(*state_, shape, pose, shift, "World.castShapePieces");
-    const bool all = ignored == BodyId{};
-    if (!all) requireBody(*state_, ignored, "World.castShapePieces: ignored");
-    ShapeQuery query(*state_, filter, all ? noBody : ignored.index);
+    ShapeQuery query(*state_, filter, slotOfIgnored(*state_, ignored, "World.castShapePieces"));
     query.includeOutlines();
     return allHits(query, moverOf(shape, pose, shift), meetShape(query, shape, pose, shift));
 }

@@ -152,6 +152,7 @@ void solveImpacts(Step& s) {
 
 void solve(Step& s) {
     WorldState& w = s.world;
+    w.graph.sortOverflow(w.contacts);
     const JointStores joints{w.joints, w.jointIslands, w.bodies, w.solver, s.observer()};
     s.report(solveConstraints({w.graph, w.contacts, w.bodies, w.fields, w.space, w.jointPhases, joints, w.solver,
                                s.observer(), w.walls > 0, w.hitSpeed},

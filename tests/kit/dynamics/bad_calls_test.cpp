@@ -143,6 +143,14 @@ BadCalls worldCalls() {
     return c;
 }
 
+/// Of the body that a cast ignores, one that was never set stands for none.
+template <class Call>
+BadCalls ignoredBodies(const std::string& query, Call call) {
+    BadCalls calls = bodyIds(query, "ignored", query + ": ignored", call);
+    calls.erase(calls.begin());
+    return calls;
+}
+
 BadCalls queryCalls() {
     BadCalls c;
     const Circle disc{.radius = 1};
@@ -165,12 +173,13 @@ BadCalls queryCalls() {
     add(c, shapes(pieces, [](Bench& b, const Shape& s) { b.world.castShapePieces(s, {}, {1, 0}); }));
     add(c, poses(pieces, [=](Bench& b, const Transform& t) { b.world.castShapePieces(disc, t, {1, 0}); }));
     add(c, vectors(pieces, "shift", [=](Bench& b, const Vec2& v) { b.world.castShapePieces(disc, {}, v); }));
-    // One that was never set stands for none.
-    BadCalls ignored = bodyIds(pieces, "ignored", "World.castShapePieces: ignored", [=](Bench& b, BodyId id) {
-        b.world.castShapePieces(disc, {}, {1, 0}, {}, id);
-    });
-    ignored.erase(ignored.begin());
-    add(c, ignored);
+    add(c, ignoredBodies("World.castRay", [](Bench& b, BodyId id) { b.world.castRay({0, 0}, {1, 0}, {}, id); }));
+    add(c, ignoredBodies("World.castRayAll", [](Bench& b, BodyId id) { b.world.castRayAll({0, 0}, {1, 0}, {}, id); }));
+    add(c, ignoredBodies("World.castShape", [=](Bench& b, BodyId id) { b.world.castShape(disc, {}, {1, 0}, {}, id); }));
+    add(c, ignoredBodies("World.castShapeAll", [=](Bench& b, BodyId id) {
+            b.world.castShapeAll(disc, {}, {1, 0}, {}, id);
+        }));
+    add(c, ignoredBodies(pieces, [=](Bench& b, BodyId id) { b.world.castShapePieces(disc, {}, {1, 0}, {}, id); }));
     add(c, shapes("World.overlapShape", [](Bench& b, const Shape& s) { b.world.overlapShape(s, {}); }));
     add(c, poses("World.overlapShape", [=](Bench& b, const Transform& t) { b.world.overlapShape(disc, t); }));
     add(c, vectors("World.overlapPoint", "point", [](Bench& b, const Vec2& v) { b.world.overlapPoint(v); }));

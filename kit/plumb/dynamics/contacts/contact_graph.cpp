@@ -70,6 +70,25 @@ void ContactGraph::add(BodyStore& bodies, ContactStore& contacts, ContactIndex i
     copyLane(colour, slot, batch, manifolds, lane);
 }
 
+void ContactGraph::sortOverflow(ContactStore& contacts) {
+    for (std::size_t kind = 0; kind < 2; ++kind) {
+        Colour& colour = colours[2 * static_cast<std::size_t>(overflowColour) + kind];
+        const auto comesFirst = [&contacts](ContactIndex a, ContactIndex b) {
+            return shapesOf(contacts[a]) < shapesOf(contacts[b]);
+        };
+        if (std::is_sorted(colour.contactOf.begin(), colour.contactOf.end(), comesFirst)) continue;
+        const Colour old = colour;
+        std::sort(colour.contactOf.begin(), colour.contactOf.end(), comesFirst);
+        for (std::size_t slot = 0; slot < colour.contactOf.size(); ++slot) {
+            ContactRecord& contact = contacts[colour.contactOf[slot]];
+            const std::size_t batch = contact.slot / batchLanes, lane = contact.slot % batchLanes;
+            copyLane(colour, slot, old.batches[batch], old.manifolds[batch], lane);
+            copyLane(colour.pairs[slot / batchLanes], slot % batchLanes, old.pairs[batch], lane, pairRows);
+            contact.slot = static_cast<std::uint32_t>(slot);
+        }
+    }
+}
+
 std::array<PointMemory, 2> ContactGraph::memoryOf(const ContactRecord& contact) const {
     if (!contact.isSolved()) return contact.memory;
     const ContactBatch& batch = colourOf(contact).batches[contact.slot / batchLanes];

@@ -36,6 +36,10 @@ struct ContactGraph {
     /// Removes a contact and copies its data back to its record. Does nothing if the contact is not in the graph.
     void remove(BodyStore& bodies, ContactStore& contacts, ContactIndex contact);
 
+    /// Puts the contacts of the overflow colour, which are solved one after the other, in the order of their shapes.
+    /// The order of their slots changes with each contact that goes, also far away.
+    void sortOverflow(ContactStore& contacts);
+
     // These read from the contact's slot if it has one, else from its record.
     std::array<PointMemory, 2> memoryOf(const ContactRecord& contact) const;
     /// The manifold at the start of the last step.

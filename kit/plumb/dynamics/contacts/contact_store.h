@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <tuple>
 #include <vector>
 
 #include <plumb/collide/manifold.h>
@@ -109,6 +110,12 @@ struct ContactStore {
     NearPairs& nearOf(const ContactRecord& contact) { return contact.boxes ? nearBoxes : nearOthers; }
     int side(ContactIndex contact, BodyIndex body) const { return records[contact].bodyA == body ? 0 : 1; }
 };
+
+/// The place of a contact in an order that depends only on the order in which its shapes were made, not on when the
+/// contact was made, nor on what happens elsewhere in the world.
+inline std::tuple<ProxyId, ProxyId, double, double> shapesOf(const ContactRecord& contact) {
+    return {contact.proxyA, contact.proxyB, contact.shift.x(), contact.shift.y()};
+}
 
 /// Writes the boxes of a contact's shapes into a lane.
 void fillPair(const ContactStore& store, const ContactRecord& contact, PairLanes& pairs, std::size_t lane);

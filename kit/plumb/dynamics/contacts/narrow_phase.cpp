@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include <plumb/dynamics/contacts/contact_lane.h>
 #include <plumb/dynamics/contacts/contact_rules.h>
@@ -104,6 +106,7 @@ void NarrowPhase::finish() {
         if (!contacts_[index].met) contacts_[index].manifold.count = 0;
     dropVerdicts(contacts_, graph_);
     for (const ContactIndex index : parted_) removeFromSolver(index);
+    sortArrivals();
     for (Arrivals& some : arrivals_) addToSolver(some);
 }
 
@@ -261,6 +264,30 @@ void NarrowPhase::addArrival(ContactIndex index, const FreshLanes& fresh, std::s
     last.contacts[last.count] = index;
     copyLane(last.fresh, last.count, fresh, lane, freshRows);
     ++last.count;
+}
+
+/// Puts the arrivals in the order of their shapes: boxes first, then by proxies. They were found in the order of the
+/// near contacts, which changes with each that goes, also far away, and would change the colours that they get.
+void NarrowPhase::sortArrivals() {
+    struct Place {
+        bool boxes;
+        std::tuple<ProxyId, ProxyId, double, double> shapes;
+        std::size_t batch, lane;
+        bool operator<(const Place& other) const { return boxes != other.boxes ? boxes : shapes < other.shapes; }
+    };
+    std::vector<Place> order;
+    for (std::size_t batch = 0; batch < arrivals_.size(); ++batch)
+        for (std::size_t lane = 0; lane < arrivals_[batch].count; ++lane) {
+            const ContactRecord& c = contacts_[arrivals_[batch].contacts[lane]];
+            order.push_back({c.boxes, shapesOf(c), batch, lane});
+        }
+    if (std::is_sorted(order.begin(), order.end())) return;
+    std::sort(order.begin(), order.end());
+    const std::vector<Arrivals> found = std::exchange(arrivals_, {});
+    for (const Place& place : order) {
+        const Arrivals& some = found[place.batch];
+        addArrival(some.contacts[place.lane], some.fresh, place.lane);
+    }
 }
 
 void NarrowPhase::noteSleepers(const ShapePair& pair, const FreshLanes& fresh, std::size_t lane) {

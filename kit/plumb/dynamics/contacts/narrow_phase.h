@@ -65,6 +65,7 @@ private:
     void removeParted(NearPairs& near);
     bool mayArrive(ContactIndex contact, const PairLanes& pairs, const FreshLanes& fresh, std::size_t lane);
     void addArrival(ContactIndex contact, const FreshLanes& fresh, std::size_t lane);
+    void sortArrivals();
     void noteSleepers(const ShapePair& pair, const FreshLanes& fresh, std::size_t lane);
     void addToSolver(Arrivals& arrivals);
     void removeFromSolver(ContactIndex contact);

@@ -103,6 +103,10 @@ void FlyingBodies::unite(FlyingIndex a, FlyingIndex b) {
     if (!bodies_[a].isDynamic || !bodies_[b].isDynamic) return;
     const FlyingIndex firstA = first(a), firstB = first(b);
     const FlyingIndex one = std::min(firstA, firstB), other = std::max(firstA, firstB);
+    if (one != other) {
+        bodies_[one].work.pairs += bodies_[other].work.pairs;
+        bodies_[one].work.predictions += bodies_[other].work.predictions;
+    }
     bodies_[other].parent = one;
     bodies_[one].isLeft = bodies_[one].isLeft || bodies_[other].isLeft;
     for (FlyingIndex number : {a, b})  // a short way for the next search

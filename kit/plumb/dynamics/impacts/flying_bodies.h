@@ -2,6 +2,7 @@
 // How does each body that takes part in impacts move from one impact to the next?
 #pragma once
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,12 @@ struct ImpactStores {
 /// The number of a body in FlyingBodies.
 using FlyingIndex = std::uint32_t;
 
+/// The work that a group of bodies has made in this step.
+struct ImpactWork {
+    std::size_t pairs = 0;        ///< of its bodies, each counted once
+    std::size_t predictions = 0;  ///< of their impacts
+};
+
 /// A body since its last impact.
 struct FlyingBody {
     BodyIndex body = noBody;
@@ -31,6 +38,7 @@ struct FlyingBody {
     bool isHit = false;              ///< it had an impact in this step
     bool isStopped = false;          ///< it stays where it is until the step ends, see FlyingBodies::stop
     bool isLeft = false;             ///< only for the first body of a group: it is left to the solver
+    ImpactWork work;                 ///< only for the first body of a group: that of the whole group
     FlyingIndex parent = 0;          ///< leads to the first body of its group
     std::uint32_t firstPair = none;  ///< head of the list of its pairs
     std::uint32_t fields = none;     ///< its entry in the list of bodies on which varying fields act
@@ -71,6 +79,9 @@ public:
     bool canFly(FlyingIndex number) const;
     void unite(FlyingIndex a, FlyingIndex b);
     void leaveGroup(FlyingIndex number) { bodies_[first(number)].isLeft = true; }
+    /// Of the body's group.
+    ImpactWork& workOf(FlyingIndex number) { return bodies_[first(number)].work; }
+    const ImpactWork& workOf(FlyingIndex number) const { return bodies_[first(number)].work; }
     bool isLeft(FlyingIndex number) const { return bodies_[first(number)].isLeft; }
 
     /// Stores the states at the step's end of all bodies that were hit, and adds their trajectories.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include <plumb/dynamics/bodies/free_motion.h>
 
@@ -68,6 +70,7 @@ public:
             removeConstrained();
         }
         std::erase_if(found_.contacts, [this](ContactIndex index) { return !isCandidate_[index]; });
+        sortByShapes();
         return std::move(found_);
     }
 
@@ -121,6 +124,16 @@ private:
                 if (isCandidate_[index]) remove(index);
             });
         }
+    }
+
+    /// The order of slots changes with each contact that goes, also far away; of two impacts at the same time, the
+    /// first in the list is solved first.
+    void sortByShapes() {
+        std::vector<std::pair<std::tuple<ProxyId, ProxyId, double, double>, ContactIndex>> order;
+        order.reserve(found_.contacts.size());
+        for (const ContactIndex index : found_.contacts) order.emplace_back(shapesOf(contacts_[index]), index);
+        std::sort(order.begin(), order.end());
+        for (std::size_t i = 0; i < order.size(); ++i) found_.contacts[i] = order[i].second;
     }
 
     const ContactGraph& graph_;

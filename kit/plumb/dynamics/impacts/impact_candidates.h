@@ -8,7 +8,7 @@
 
 namespace plumb {
 
-/// The contacts of the solver that are isolated impacts, in the order of their slots.
+/// The contacts of the solver that are isolated impacts, in the order of their shapes.
 struct ImpactCandidates {
     std::vector<ContactIndex> contacts;
     std::vector<std::uint32_t> countOf;  ///< for each body: how many of them it has; empty if there are none

@@ -13,7 +13,7 @@ namespace {
 /// A pair has at most this many impacts in a step. Each leaves the share e of the speed, the restitution: after n of
 /// them, with e^n < lostSpeed, the two rest on each other.
 constexpr double lostSpeed = 1e-3, fewestImpacts = 4, mostImpacts = 64;
-/// The most predictions in a step, for each pair, and in addition for a few bodies.
+/// The most predictions in a step of a group of bodies, for each of its pairs, and in addition for a small group.
 constexpr std::size_t predictionsPerPair = 32, freePredictions = 2000;
 
 }  // namespace
@@ -66,6 +66,7 @@ void ImpactEvents::addPair(ContactIndex contact) {
     pair.b = find(stores_.contacts[contact].bodyB);
     pair.next = {bodies_[pair.a].firstPair, bodies_[pair.b].firstPair};
     bodies_[pair.a].firstPair = bodies_[pair.b].firstPair = number;
+    ++bodies_.workOf(payerOf(pair)).pairs;
 }
 
 /// Adds all pairs that a body may meet after an impact.
@@ -81,7 +82,7 @@ void ImpactEvents::addPairsOf(FlyingIndex number) {
 void ImpactEvents::predict(std::uint32_t number) {
     ImpactPair& pair = pairs_[number];
     ++pair.prediction;
-    ++predictions_;
+    ++bodies_.workOf(payerOf(pair)).predictions;
     if (const std::optional<double> time = nextImpact(stores_, bodies_, pair, dt_))
         queue_.push({*time, number, pair.prediction});
 }
@@ -140,7 +141,8 @@ bool ImpactEvents::isSpent(const ImpactPair& pair) const {
     const double e = stores_.contacts[pair.contact].restitution;
     double most = e < 1 ? fewestImpacts : mostImpacts;
     if (e > 0 && e < 1) most = std::clamp(std::log(lostSpeed) / std::log(e), fewestImpacts, mostImpacts);
-    return pair.impacts >= most || predictions_ > predictionsPerPair * pairs_.size() + freePredictions;
+    const ImpactWork& work = bodies_.workOf(payerOf(pair));
+    return pair.impacts >= most || work.predictions > predictionsPerPair * work.pairs + freePredictions;
 }
 
 }  // namespace plumb

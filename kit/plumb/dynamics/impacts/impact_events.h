@@ -7,9 +7,10 @@
 // Source: Alder and Wainwright, "Studies in molecular dynamics", J. Chem. Phys. 31 (1959) 459; Mirtich, "Impulse-based
 // dynamic simulation of rigid body systems", 1996, ch. 2.
 //
-// The work of a step is bounded: by the number of impacts of one pair, and by the number of all predictions. A group of
-// bodies that needs more is left to the solver, from the start of the step: its bodies come to rest on each other, and
-// would bounce infinitely often in a finite time.
+// The work of a step is bounded: by the number of impacts of one pair, and by the number of predictions for the pairs
+// of a group of bodies that have hit each other. A group that needs more is left to the solver, from the start of the
+// step: its bodies come to rest on each other, and would bounce infinitely often in a finite time. Each group has a
+// bound of its own, so that what happens elsewhere in the world does not change its motion.
 #pragma once
 #include <queue>
 
@@ -54,6 +55,8 @@ private:
     void handle(const Event& event);
     bool solve(ImpactPair& pair, double time);
     void stop(FlyingIndex body, double time);
+    /// The body whose group is charged with the work for a pair.
+    FlyingIndex payerOf(const ImpactPair& pair) const { return bodies_[pair.a].isDynamic ? pair.a : pair.b; }
     bool isSpent(const ImpactPair& pair) const;
 
     const ImpactStores& stores_;
@@ -64,7 +67,6 @@ private:
     std::vector<ImpactOutcome> outcomes_;
     std::vector<bool> hasPair_;  ///< for each contact
     std::priority_queue<Event, std::vector<Event>, Later> queue_;
-    std::size_t predictions_ = 0;
     Reach reach_;
 };
 

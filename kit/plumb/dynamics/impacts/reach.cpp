@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/impacts/reach.h>
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include <plumb/dynamics/bodies/shape_radii.h>
 #include <plumb/dynamics/contacts/pairs.h>
@@ -13,6 +15,13 @@ namespace {
 /// If more shapes than this lie along the rest of a flight, it is so long that no contacts are made for them. The body
 /// is still stopped at walls, by the test of whole paths that follows the impacts; other bodies it may pass.
 constexpr std::size_t mostShapes = 200;
+
+bool isMetFirst(const std::pair<ProxyId, Vec2>& a, const std::pair<ProxyId, Vec2>& b) {
+    const auto rank = [](const std::pair<ProxyId, Vec2>& met) {
+        return std::tuple(met.first, met.second.x(), met.second.y());
+    };
+    return rank(a) < rank(b);
+}
 
 }  // namespace
 
@@ -31,6 +40,7 @@ void Reach::extend(const FlyingBody& body, std::vector<ContactIndex>& added) {
                 found.emplace_back(stray.proxy, shift);
         }
         if (found.size() > mostShapes) continue;
+        std::sort(found.begin(), found.end(), isMetFirst);  // the space's order depends on what is far away, too
         for (const auto& [other, shift] : found) meet(proxy, other, shift, added);
         strays_.push_back({proxy, way});
     }

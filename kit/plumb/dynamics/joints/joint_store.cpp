@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/joints/joint_store.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <type_traits>
 
@@ -12,6 +14,13 @@ template <class Joint>
 constexpr bool hasEnds = requires(const Joint& joint) {
     joint.anchors;
 };
+
+/// A body that a call has put out of range keeps its numbers until the next step. What follows from them may be too
+/// large for a double, or a difference of two such numbers.
+double boundedNumber(double value) {
+    constexpr double most = std::numeric_limits<double>::max();
+    return std::isnan(value) ? most : std::clamp(value, -most, most);
+}
 
 Geared geared(const JointStore& joints, JointIndex index, const BodyStore& bodies, double ahead, bool within) {
     Geared result;
@@ -105,14 +114,14 @@ SpringLoad JointStore::springLoadOf(JointIndex index, const BodyStore& bodies) c
 
 double JointStore::coordinateOf(JointIndex index, const BodyStore& bodies) const {
     if (const auto* gear = std::get_if<GearJoint>(&records[index].joint))
-        return coordinateOf(gear->jointA, bodies) + gear->ratio() * coordinateOf(gear->jointB, bodies);
-    return geared(*this, index, bodies, 0, false).predicted.now;
+        return boundedNumber(coordinateOf(gear->jointA, bodies) + gear->ratio() * coordinateOf(gear->jointB, bodies));
+    return boundedNumber(geared(*this, index, bodies, 0, false).predicted.now);
 }
 
 double JointStore::speedOf(JointIndex index, const BodyStore& bodies) const {
     if (const auto* gear = std::get_if<GearJoint>(&records[index].joint))
-        return speedOf(gear->jointA, bodies) + gear->ratio() * speedOf(gear->jointB, bodies);
-    return geared(*this, index, bodies, 0, false).speed;
+        return boundedNumber(speedOf(gear->jointA, bodies) + gear->ratio() * speedOf(gear->jointB, bodies));
+    return boundedNumber(geared(*this, index, bodies, 0, false).speed);
 }
 
 double JointStore::errorOf(JointIndex index, const BodyStore& bodies) const {
@@ -126,13 +135,11 @@ double JointStore::errorOf(JointIndex index, const BodyStore& bodies) const {
                 return 0;
         },
         records[index].joint);
-    // Of a body that is out of range, the square of the distance may be too large for a double.
-    constexpr double most = std::numeric_limits<double>::max();
-    return error < most ? error : most;
+    return boundedNumber(error);
 }
 
 double JointStore::angleErrorOf(JointIndex index, const BodyStore& bodies) const {
-    return std::visit(
+    const double error = std::visit(
         [&]<class Joint>(const Joint& joint) -> double {
             if constexpr (requires(const Ends& ends) { joint.angleError(ends); })
                 return joint.angleError(endsAtRest(joint.anchors, bodies));
@@ -140,6 +147,7 @@ double JointStore::angleErrorOf(JointIndex index, const BodyStore& bodies) const
                 return 0;
         },
         records[index].joint);
+    return boundedNumber(error);
 }
 
 AnyJoint makeJoint(const JointDef& def, const JointStore& joints, const BodyStore& bodies) {
