@@ -42,6 +42,10 @@ inline Transform shifted(const Transform& pose, const Vec2& shift) {
 /// A body may have passed something on its way if it has moved by more than this share of its inradius in a step [-].
 inline constexpr double farShare = 0.5;
 
+/// A body that turns by more than this in a step spins: what is predicted from its pose at the step's start may be far
+/// from where it meets others [rad].
+inline constexpr double spinningTurn = 0.25;
+
 /// A body's properties, and the forces that act on it. The fields that every step reads of every body come first: they
 /// fill two cache lines.
 struct alignas(64) BodyRecord {
@@ -101,9 +105,9 @@ struct BodyStep {
 
 /// What is noted of a slow body, to find whether it gains speed (see islands/stillness.h).
 struct StillWatch {
-    Vec2 center{0, 0};  ///< where the part of the watch began [m]
-    double angle = 0;   ///< there [rad]
-    double time = 0;    ///< since then [s]
+    Vec2 center{0, 0};                                       ///< where the part of the watch began [m]
+    double angle = 0;                                        ///< there [rad]
+    double time = 0;                                         ///< since then [s]
     double least = std::numeric_limits<double>::infinity();  ///< lowest mean speed of a part [m/s]
     double gained = 0;  ///< highest mean speed after a rise that it has not lost again; 0: none [m/s]
 };
@@ -116,7 +120,7 @@ struct BodyStore {
     std::vector<BodyLinks> links;
     std::vector<std::vector<BodyIndex>> apart;  ///< bodies with which its joints forbid contacts; may hold duplicates
 
-    std::vector<StillWatch> watch;              ///< valid while record.stillTime > 0
+    std::vector<StillWatch> watch;  ///< valid while record.stillTime > 0
 
     // Within a step.
     std::vector<BodyStep> step;
@@ -135,6 +139,7 @@ struct BodyStore {
     std::vector<BodyIndex> kinematic;  ///< all kinematic bodies
     std::vector<BodyIndex> forced;     ///< bodies with a force or torque for the next step; may hold duplicates
     std::vector<BodyIndex> free;       ///< slots without a body
+    std::vector<BodyIndex> spinning;   ///< those that turn by more than spinningTurn in this step
 
     // What all bodies of a world have in common.
     Wrap wrap;                ///< periods of the world; positions of bodies are not reduced to the first period

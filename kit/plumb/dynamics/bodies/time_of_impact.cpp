@@ -65,10 +65,26 @@ ClosingBound approachTo(const MovingShape& a, const MovingShape& b, const BodyMo
             pull + swing * farthest + spin * (2 * fastest + spin * farthest)};
 }
 
-/// The bound in the frame of the larger body.
-ClosingBound approachIn(const MovingShape& a, const MovingShape& b, const Encounter& now, double left) {
-    if (a.boundingRadius >= b.boundingRadius) return approachTo(a, b, now.a, now.b, now.distance.normal, left);
-    return approachTo(b, a, now.b, now.a, -now.distance.normal, left);
+/// The bound in the frame of the world, in which the outlines turn. It is the better one if both bodies spin.
+ClosingBound approachOf(const MovingShape& a, const MovingShape& b, const Encounter& now, double left) {
+    const Pull pullA = pullOn(a, now.a), pullB = pullOn(b, now.b);
+    const auto outline = [left](const MovingShape& s, const BodyMotion& motion, const Pull& pull) {
+        return (std::fabs(motion.angularVelocity) + std::fabs(pull.angular) * left) *
+               turningRadiusOf(*s.shape, s.localCenter);
+    };
+    const double uneven = std::fabs(b.law.linearDamping - a.law.linearDamping) * pullA.linear.norm() * left;
+    const Vec2 relative = now.b.velocity - now.a.velocity;
+    return {outline(a, now.a, pullA) + outline(b, now.b, pullB) - relative.dot(now.distance.normal),
+            (pullB.linear - pullA.linear).norm() + uneven};
+}
+
+/// For this long, the two do not come nearer by this distance: by the better of the bounds in the frame of the larger
+/// body and in that of the world [s].
+double safeTime(const MovingShape& a, const MovingShape& b, const Encounter& now, double left, double distance) {
+    const ClosingBound inLarger = a.boundingRadius >= b.boundingRadius
+                                      ? approachTo(a, b, now.a, now.b, now.distance.normal, left)
+                                      : approachTo(b, a, now.b, now.a, -now.distance.normal, left);
+    return std::max(inLarger.safeTime(distance), approachOf(a, b, now, left).safeTime(distance));
 }
 
 /// The time of the touch, from a time before it and a time after it. The result is exact to the touch tolerance, and
@@ -164,9 +180,8 @@ std::optional<double> timeOfImpact(const MovingShape& a, const MovingShape& b, d
         if (touches && now.closingSpeed > 0) return time;
         const bool turns = now.a.angularVelocity != 0 || now.b.angularVelocity != 0;
         if (touches && i == 0 && !turns) return std::nullopt;  // they separate and cannot meet again
-        const ClosingBound approach = approachIn(a, b, now, left);
-        const double safe = touches ? 0.0 : approach.safeTime(separation);
-        const double through = thick > 0 ? approach.safeTime(thick) : whole;
+        const double safe = touches ? 0.0 : safeTime(a, b, now, left, separation);
+        const double through = thick > 0 ? safeTime(a, b, now, left, thick) : whole;
         const double least = std::max(std::min(through, whole) * always, shortest);
         if ((touches ? least : safe) >= left) return std::nullopt;
         const bool newton = separation < near * scale && now.closingSpeed * safe > 0.01 * separation;

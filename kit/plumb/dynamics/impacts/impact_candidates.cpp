@@ -50,6 +50,7 @@ public:
 
     ImpactCandidates find(double dt) {
         collect();
+        collectSpinning();
         if (found_.contacts.empty()) return std::move(found_);
         isCandidate_.assign(contacts_.records.size(), false);
         found_.countOf.assign(bodies_.record.size(), 0);
@@ -66,6 +67,7 @@ public:
         removeConstrained();
         for (const ContactIndex index : found_.contacts) {
             if (!isCandidate_[index] || bouncesClear(graph_, bodies_, contacts_[index], dt)) continue;
+            if (std::binary_search(spinning_.begin(), spinning_.end(), index)) continue;
             remove(index);
             removeConstrained();
         }
@@ -83,6 +85,31 @@ private:
                     if (colour.manifolds[b].clear[lane] != 0)
                         found_.contacts.push_back(colour.contactOf[b * batchLanes + lane]);
             }
+    }
+
+    /// What spins is moved to where it meets other bodies, even if it does not bounce: the solver could let it pass,
+    /// because it predicts contacts from the step's start.
+    void collectSpinning() {
+        for (const BodyIndex body : bodies_.spinning)
+            forEachContact(bodies_, contacts_, body, [&](ContactIndex index) {
+                const ContactRecord& contact = contacts_[index];
+                if (!contact.isSolved() || !bodies_.isDynamic(otherOf(contact, body))) return;
+                if (isApart(contact)) spinning_.push_back(index);
+            });
+        if (spinning_.empty()) return;
+        std::vector<ContactIndex>& all = found_.contacts;
+        all.insert(all.end(), spinning_.begin(), spinning_.end());
+        for (std::vector<ContactIndex>* some : {&spinning_, &all}) {
+            std::sort(some->begin(), some->end());
+            some->erase(std::unique(some->begin(), some->end()), some->end());
+        }
+    }
+
+    bool isApart(const ContactRecord& contact) const {
+        const Manifold manifold = graph_.manifoldOf(contact);
+        for (std::size_t p = 0; p < static_cast<std::size_t>(manifold.count); ++p)
+            if (manifold.points[p].separation <= contactMargin) return false;
+        return true;
     }
 
     void markConstrained() {
@@ -140,6 +167,7 @@ private:
     const ContactStore& contacts_;
     const BodyStore& bodies_;
     ImpactCandidates found_;
+    std::vector<ContactIndex> spinning_;  ///< contacts of spinning bodies that are apart, sorted
     std::vector<bool> isCandidate_;
     std::vector<std::uint8_t> isMarked_;  ///< of each body: 1 if its candidates are to be removed
     std::vector<BodyIndex> constrained_;  ///< bodies whose candidates are to be removed

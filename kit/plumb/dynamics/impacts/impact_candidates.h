@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which contacts are isolated impacts: do their bodies meet in free motion, bounce, and stay apart for longer than the
-// step?
+// step? Or do they spin, so that the solver could let them pass each other?
 #pragma once
 #include <vector>
 

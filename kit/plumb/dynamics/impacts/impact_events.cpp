@@ -109,6 +109,11 @@ void ImpactEvents::handle(const Event& event) {
             if (bodies_.canFly(body)) stop(body, event.time);
         return;
     }
+    if (isSpent(pair) && spins(pair)) {  // the solver might let them pass
+        for (const FlyingIndex body : {a, b})
+            if (bodies_.canFly(body)) stop(body, event.time);
+        return;
+    }
     bodies_.unite(a, b);
     if (isSpent(pair) || !solve(pair, event.time)) {
         for (const FlyingIndex body : {a, b})
@@ -135,6 +140,14 @@ void ImpactEvents::stop(FlyingIndex body, double time) {
     bodies_.stop(body, time);
     addPairsOf(body);
     predictAll(body);
+}
+
+/// Is one of two dynamic bodies spinning?
+bool ImpactEvents::spins(const ImpactPair& pair) const {
+    const auto turns = [this](FlyingIndex body) {
+        return std::fabs(bodies_[body].flight.from.angularVelocity) * dt_ > spinningTurn;
+    };
+    return bodies_[pair.a].isDynamic && bodies_[pair.b].isDynamic && (turns(pair.a) || turns(pair.b));
 }
 
 bool ImpactEvents::isSpent(const ImpactPair& pair) const {

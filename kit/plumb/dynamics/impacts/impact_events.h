@@ -57,6 +57,7 @@ private:
     void stop(FlyingIndex body, double time);
     /// The body whose group is charged with the work for a pair.
     FlyingIndex payerOf(const ImpactPair& pair) const { return bodies_[pair.a].isDynamic ? pair.a : pair.b; }
+    bool spins(const ImpactPair& pair) const;
     bool isSpent(const ImpactPair& pair) const;
 
     const ImpactStores& stores_;
