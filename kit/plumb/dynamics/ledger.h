@@ -42,7 +42,7 @@ struct MomentumLedger {
     Vec2 forces{0, 0};
     Vec2 ground{0, 0};   ///< by contacts and joints with static or kinematic bodies; the ground's friction
     Vec2 damping{0, 0};  ///< with drag
-    Vec2 solver{0, 0};   ///< rounding, sleep, and bodies stopped at walls
+    Vec2 solver{0, 0};   ///< rounding and sleep
 
     Vec2 gained() const { return edits + gravity + fields + forces + ground + damping + solver; }
 };

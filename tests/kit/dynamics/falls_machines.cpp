@@ -29,15 +29,16 @@ struct Builder {
         made.joints.push_back(world.join(RevoluteJointDef{.bodyA = a, .bodyB = b, .anchor = placeOf(at)}));
     }
     void hinge(BodyId a, BodyId b, const Vec2& at, double least, double most) {
-        made.joints.push_back(world.join(
-            RevoluteJointDef{.bodyA = a, .bodyB = b, .anchor = placeOf(at), .limit = Limit{least, most}}));
+        made.joints.push_back(
+            world.join(RevoluteJointDef{.bodyA = a, .bodyB = b, .anchor = placeOf(at), .limit = Limit{least, most}}));
     }
 };
 
 constexpr Material skin{.friction = 0.6};
 
 void addPair(Builder& to) {
-    const BodyId left = to.add({-0.5, 0}, 0, box({0.5, 0.15}, skin)), right = to.add({0.5, 0}, 0, box({0.5, 0.15}, skin));
+    const BodyId left = to.add({-0.5, 0}, 0, box({0.5, 0.15}, skin)),
+                 right = to.add({0.5, 0}, 0, box({0.5, 0.15}, skin));
     to.hinge(left, right, {0, 0});
 }
 

@@ -35,8 +35,8 @@ public:
 
     std::string run() {
         const int ticks = static_cast<int>(std::lround(1.5 / dt_));
-        double energy = energyNow();
-        most_ = energy - floorEnergy();
+        const double first = energyNow();
+        double energy = first;
         int kept = 0;
         for (int tick = 0; tick < ticks; ++tick) {
             const Body body = world_.body(body_);
@@ -52,7 +52,9 @@ public:
             if (!touches && (body.velocity() - velocity - world_.gravity() * dt_).norm() > 1e-3 * (1 + velocity.norm()))
                 return "was pushed without a contact" + when(tick);
             const double now = energyNow();
-            if (now > energy + 0.01 * most_ + 1e-3) return "gained energy" + when(tick) + ": " + std::to_string((now - energy) / most_);
+            if (now > first + 1e-3) return "has more energy than at first" + when(tick);
+            // Contacts are straight in a step: what turns around a corner at 30 Hz gains up to a few per cent.
+            if (now > energy + 0.05 * first + 1e-3) return "gained energy" + when(tick);
             energy = std::min(energy, now);
         }
         return "";
@@ -60,7 +62,6 @@ public:
 
 private:
     std::string when(int tick) const { return " at step " + std::to_string(tick); }
-    double floorEnergy() const { return 0; }
     double energyNow() const {
         const BodyView body = world_.body(body_);
         return 0.5 * body.mass() * body.velocity().squaredNorm() +
@@ -72,7 +73,7 @@ private:
     Random random_;
     Ground ground_;
     BodyId body_;
-    double dt_ = 0, most_ = 0;
+    double dt_ = 0;
 };
 
 }  // namespace

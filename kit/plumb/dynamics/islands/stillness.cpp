@@ -14,6 +14,8 @@ namespace {
 constexpr double partsOfWatch = 5;
 /// A mean speed that has risen by less than this share of sleepSpeed has not risen [-].
 constexpr double leastGain = 1e-3;
+/// Places are exact to this share of a body's size: less is no motion [-].
+constexpr double noise = 5e-6;
 /// Of the speed that a body has gained, it must lose all but this share to count as still [-].
 constexpr double shareKept = 0.1;
 
@@ -59,7 +61,8 @@ bool hasGained(StillWatch& watch, const BodyMotion& motion, double radius, const
     const double turned = std::fabs(motion.angle - watch.angle) * radius;
     const double speed = ((motion.center - watch.center).norm() + turned) / watch.time;
     watch.least = std::min(watch.least, speed);
-    if (speed > watch.least + leastGain * settings.sleepSpeed) watch.gained = std::max(watch.gained, speed);
+    const double gain = leastGain * settings.sleepSpeed + noise * radius / watch.time;
+    if (speed > watch.least + gain) watch.gained = std::max(watch.gained, speed);
     if (speed < shareKept * watch.gained) {
         watch.gained = 0;
         watch.least = speed;

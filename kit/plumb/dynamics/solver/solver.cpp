@@ -31,11 +31,14 @@ Pass passOf(const SolverSettings& settings, double h) {
     return pass;
 }
 
-/// May the body meet something, and so fast that it could pass?
+/// May the body meet something, and so fast that it could pass? What goes around a world that wraps has no contacts
+/// along its way.
 bool mayPass(const BodyStore& bodies, BodyIndex body) {
     const SolverVelocity& v = bodies.velocity[body];
-    return bodies.links[body].firstContact != none &&
-           v.x * v.x + v.y * v.y + v.w * v.w > bodies.turn[body].farSpeedSquared;
+    if (!(v.x * v.x + v.y * v.y + v.w * v.w > bodies.turn[body].farSpeedSquared)) return false;
+    const BodyPlace& place = bodies.place[body];
+    const Vec2 shift(static_cast<double>(place.shiftX), static_cast<double>(place.shiftY));
+    return bodies.links[body].firstContact != none || bodies.wrap.isExceededBy(shift);
 }
 
 /// The bodies that are solved: dynamic bodies with a constraint, or so fast that they could pass a wall that no contact
