@@ -19,6 +19,7 @@ struct SensorPair {
 };
 
 struct SensorStore {
+    std::vector<ProxyId> sensors;  ///< all sensors and pieces of sensors, sorted
     std::vector<SensorPair> pairs;
     std::vector<SensorBegin> inside;  ///< sorted; a visit is in it once, even if several pieces overlap
     bool changed = false;             ///< inside may be out of date
@@ -26,12 +27,16 @@ struct SensorStore {
     std::vector<SensorEnd> ends;
 };
 
+/// Notes a new sensor, or a piece of one.
+void addSensor(SensorStore& sensors, ProxyId sensor);
+/// Forgets a shape that is removed, if it is a sensor.
+void forgetSensor(SensorStore& sensors, ProxyId proxy);
 /// Adds a pair of two shapes whose bounds overlap and of which one is a sensor; shift belongs to the second [m].
 void addSensorPair(SensorStore& sensors, const Space& space, const Pair& pair, const Vec2& shift);
 /// Removes all pairs of a shape. The next step makes the end events, unless it finds the pairs again.
 void removeSensorPairs(SensorStore& sensors, ProxyId proxy);
-/// Finds the begin and end events of a step. Call this when all bodies have their new places. It checks new pairs, and
-/// pairs with an awake body.
+/// Finds the begin and end events of a step. Call this when all bodies have their new places. It checks new pairs,
+/// pairs with an awake body, and what has met outside of the bounds for which pairs were made.
 void watchSensors(SensorStore& sensors, const BodyStore& bodies, const Space& space, const Trajectories& trajectories,
                   double dt);
 
