@@ -44,7 +44,7 @@ struct Scene {
     World world = weightless();
     BodyId driven, other;
     double dt = 0;
-    bool isStruck = false;  ///< the driven body rests, is struck once, and flies
+    bool isStruck = false;  ///< the driven body may rest, be struck once, and fly
     std::string what;
 };
 
@@ -82,6 +82,7 @@ void addPressed(Scene& scene, Random& random, const BodyDef& driven) {
     scene.world.add({.position = {-0.4 * row - 0.6, 0.02},
                      .velocity = {random.uniform(0.6, 2.5) / scene.dt, 0},
                      .shapes = {plumb::box({0.19, 0.19}, {.density = 30, .restitution = random.uniform(0, 1)})}});
+    scene.isStruck = true;
 }
 
 void addPulled(Scene& scene, Random& random, const BodyDef& driven) {
@@ -110,6 +111,7 @@ void addPushed(Scene& scene, Random& random, const BodyDef& driven) {
                      .position = {-random.uniform(0.5, 0.9), random.uniform(-0.1, 0.1)},
                      .velocity = {random.uniform(0.4, 2) / scene.dt, 0},
                      .shapes = {plumb::box({0.2, 0.5}, {.restitution = random.uniform(0, 1)})}});
+    scene.isStruck = true;
 }
 
 Scene sceneOf(Random& random) {
@@ -207,6 +209,13 @@ Least leastDistance(const Scene& scene, const std::array<Place, 2>& driven, cons
     return {std::max(least[0], least[1]), std::min(least[0], least[1])};
 }
 
+/// Has a body that flies made another turn than it would have since a single impact? Then it was struck twice, and
+/// sampling does not know its path.
+bool isStruckTwice(const Place& from, const Place& to) {
+    const double flight = to.velocity.norm() > 0 ? (to.center - from.center).norm() / to.velocity.norm() : 0;
+    return std::fabs(to.angle - from.angle - to.spin * flight) > 0.05;
+}
+
 struct Tally {
     int visits = 0, missed = 0, madeUp = 0;
     std::string first;
@@ -236,12 +245,13 @@ void check(Scene& scene, Tally& tally) {
             0.01 * (moved + std::fabs(driven[1].angle - driven[0].angle) + std::fabs(other[1].angle - other[0].angle));
         const std::string where = scene.what + ", tick " + std::to_string(tick) + ", distance " +
                                   std::to_string(least.surely) + ", moved " + std::to_string(moved);
-        if (!inside && least.surely < -1e-3) {
+        const bool known = !scene.isStruck || !isStruckTwice(driven[0], driven[1]);
+        if (!inside && known && least.surely < -1e-3) {
             ++tally.visits;
             if (!began) ++tally.missed;
             if (!began && tally.first.empty()) tally.first = "missed: " + where;
         }
-        if (began && least.perhaps > sampling + 1e-3) {
+        if (began && known && least.perhaps > sampling + 1e-3) {
             ++tally.madeUp;
             if (tally.first.empty()) tally.first = "made up: " + where;
         }

@@ -86,20 +86,4 @@ bool hasLeftItsBounds(const Space& space, const BodyStore& bodies, BodyIndex bod
     });
 }
 
-/// The bounds contain all places between the step's start and the prediction, and half a contactMargin more on every
-/// side.
-bool isSurelyWithinItsBounds(const BodyStore& bodies, BodyIndex body) {
-    if (bodies.step[body].boundsPending) return false;
-    const BodyMotion& now = bodies.motion[body];
-    const BodyPlace& then = bodies.place[body];
-    const Vec2 moved(now.center.x() - static_cast<double>(then.highX) - static_cast<double>(then.lowX),
-                     now.center.y() - static_cast<double>(then.highY) - static_cast<double>(then.lowY));
-    // The rotation is measured by its chord: the displacement of a point 1 m from the centre.
-    const double cos = now.rotation.cos - static_cast<double>(then.cos);
-    const double sin = now.rotation.sin - static_cast<double>(then.sin);
-    const double turned = std::sqrt(cos * cos + sin * sin) * bodies.record[body].turningRadius;
-    const double spare = 0.5 * static_cast<double>(contactMargin);
-    return excessOfPrediction(bodies, body, moved, turned) < 0.99 * spare;
-}
-
 }  // namespace plumb

@@ -21,8 +21,5 @@ void placeBounds(Space& space, const BodyStore& bodies, const ContactStore& cont
 void loadBodies(BodyStore& bodies, Space& space, const ContactStore& contacts, double dt);
 /// Has a shape of the body moved out of its bounds?
 bool hasLeftItsBounds(const Space& space, const BodyStore& bodies, BodyIndex body);
-/// A cheap test that reads three cache lines: is the body so near to its predicted place that its shapes, other than
-/// sensors, have surely been within their bounds since the step's start? False means that this is not known.
-bool isSurelyWithinItsBounds(const BodyStore& bodies, BodyIndex body);
 
 }  // namespace plumb

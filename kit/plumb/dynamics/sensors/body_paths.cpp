@@ -24,7 +24,7 @@ Aabb boxAlong(const Shape& shape, const Sweep& way) {
 
 std::vector<PathPiece> BodyPaths::of(BodyIndex body) {
     std::vector<PathPiece> path;
-    if (bodies_.isMovedBy(body, MovedBy::Impacts)) {
+    if (!isStraight(body)) {
         sortSegments();
         const auto isBefore = [this](std::uint32_t s, BodyIndex b) { return trajectories_[s].body < b; };
         auto at = std::lower_bound(sorted_.begin(), sorted_.end(), body, isBefore);
@@ -51,16 +51,20 @@ Sweep BodyPaths::chordOf(BodyIndex body) const {
     const Vec2 before(static_cast<double>(place.cos), static_cast<double>(place.sin));
     const Vec2 after(now.rotation.cos, now.rotation.sin);
     way.turn = arcTangent(cross(before, after), before.dot(after));
-    if (bodies_.isMovedBy(body, MovedBy::ClosedForm)) {  // it may have made whole revolutions
-        constexpr double revolution = 2 * std::numbers::pi;
-        way.turn += revolution * std::round((now.angularVelocity * dt_ - way.turn) / revolution);
-    }
+    constexpr double revolution = 2 * std::numbers::pi;
+    way.turn += revolution * std::round((aboutTurnOf(body) - way.turn) / revolution);
     way.angle = now.angle - way.turn;
     return way;
 }
 
+/// The turn in this step, with whole revolutions, but less exact than the rotations [rad].
+double BodyPaths::aboutTurnOf(BodyIndex body) const {
+    if (bodies_.isMovedBy(body, MovedBy::ClosedForm)) return bodies_.motion[body].angularVelocity * dt_;
+    return bodies_.isMovedBy(body, MovedBy::Solver) ? static_cast<double>(bodies_.turn[body].angle) : 0;
+}
+
 Aabb BodyPaths::boxOf(BodyIndex body, const Shape& shape) {
-    if (!bodies_.isMovedBy(body, MovedBy::Impacts)) return boxAlong(shape, chordOf(body));
+    if (isStraight(body)) return boxAlong(shape, chordOf(body));
     const std::vector<PathPiece> path = of(body);
     Aabb box = boxAlong(shape, path.front().way);
     for (const PathPiece& piece : path) box = merge(box, boxAlong(shape, piece.way));

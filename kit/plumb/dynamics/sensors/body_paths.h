@@ -23,6 +23,8 @@ public:
     BodyPaths(const BodyStore& bodies, const Trajectories& trajectories, double dt)
         : bodies_(bodies), trajectories_(trajectories), dt_(dt) {}
 
+    /// Is its path a single straight piece?
+    bool isStraight(BodyIndex body) const { return !bodies_.isMovedBy(body, MovedBy::Impacts); }
     /// In the order of time.
     std::vector<PathPiece> of(BodyIndex body);
     /// The straight piece from the place at the step's start to the present one.
@@ -31,6 +33,7 @@ public:
     Aabb boxOf(BodyIndex body, const Shape& shape);
 
 private:
+    double aboutTurnOf(BodyIndex body) const;
     void sortSegments();
 
     const BodyStore& bodies_;

@@ -2,9 +2,11 @@
 #include <plumb/dynamics/sensors/stray_pairs.h>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include <plumb/dynamics/contacts/bounds.h>
+#include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
 
 namespace plumb {
 
@@ -16,6 +18,21 @@ struct StrayShape {
     Aabb box;
 };
 
+/// May a shape of the body, other than a sensor, have left its bounds? Free flight is as predicted. Bounds contain all
+/// places between the step's start and the prediction, and half a contactMargin more on every side.
+bool mayHaveLeft(const BodyStore& bodies, BodyIndex body) {
+    if (bodies.step[body].boundsPending || bodies.isMovedBy(body, MovedBy::Impacts)) return true;
+    if (!bodies.isMovedBy(body, MovedBy::Solver)) return false;
+    const SolverDisplacement& d = bodies.displacement[body];
+    const Vec2 moved(static_cast<double>(d.x), static_cast<double>(d.y));
+    const double angle = std::min(std::fabs(static_cast<double>(bodies.turn[body].angle)), 2.0);
+    const double turned = angle * bodies.record[body].turningRadius;
+    const double spare = 0.49 * static_cast<double>(contactMargin);
+    // Most bodies move so little that the prediction need not be read.
+    return std::fabs(moved.x()) + std::fabs(moved.y()) + turned >= spare &&
+           excessOfPrediction(bodies, body, moved, turned) >= spare;
+}
+
 class StraySearch {
 public:
     StraySearch(const BodyStore& bodies, const Space& space, BodyPaths& paths)
@@ -24,7 +41,7 @@ public:
     /// Finds the shapes that have left their bounds.
     void gather(const std::vector<ProxyId>& sensors) {
         for (const BodyIndex body : bodies_.awake) {
-            if (isSurelyWithinItsBounds(bodies_, body)) continue;
+            if (!mayHaveLeft(bodies_, body)) continue;
             for (const ProxyId proxy : bodies_.links[body].proxies)
                 if (!space_.filterKey(proxy).sensor && space_.filterKey(proxy).collides) add(proxy, visitors_);
         }
