@@ -2,7 +2,7 @@
 // Have two shapes that are apart at the end of a step met within it?
 #pragma once
 #include <plumb/dynamics/sensors/body_paths.h>
-#include <plumb/dynamics/sensors/sensors.h>
+#include <plumb/dynamics/sensors/sensor_store.h>
 
 namespace plumb {
 

@@ -1,31 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Which shapes have entered a sensor in this step, and which ones have left one?
 #pragma once
-#include <vector>
-
 #include <plumb/broad/pair.h>
 #include <plumb/dynamics/bodies/free_motion.h>
-#include <plumb/dynamics/events.h>
-#include <plumb/space/space.h>
+#include <plumb/dynamics/sensors/sensor_store.h>
 
 namespace plumb {
-
-/// A sensor, or a piece of one, and another shape, the visitor, whose bounds overlap.
-struct SensorPair {
-    ProxyId sensor = 0, visitor = 0;
-    Vec2 shift{0, 0};  ///< whole periods of the world that bring the visitor near the sensor [m]
-    bool inside = false;
-    bool fresh = true;  ///< not checked yet
-};
-
-struct SensorStore {
-    std::vector<ProxyId> sensors;  ///< all sensors and pieces of sensors, sorted
-    std::vector<SensorPair> pairs;
-    std::vector<SensorBegin> inside;  ///< sorted; a visit is in it once, even if several pieces overlap
-    bool changed = false;             ///< inside may be out of date
-    std::vector<SensorBegin> begins;
-    std::vector<SensorEnd> ends;
-};
 
 /// Notes a new sensor, or a piece of one.
 void addSensor(SensorStore& sensors, ProxyId sensor);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <plumb/dynamics/sensors/body_paths.h>
-#include <plumb/dynamics/sensors/sensors.h>
+#include <plumb/dynamics/sensors/sensor_store.h>
 
 namespace plumb {
 
