@@ -83,7 +83,7 @@ std::size_t bytesOf(const WorldEvents& e) {
 std::size_t bytesOf(const WorldState& w) {
     const SensorStore& s = w.sensors;
     return sizeof w + bytesOf(w.bodies) + w.space.bytes() + bytesOf(w.contacts) + bytesOf(w.graph) +
-           bytesOf(w.parkedMass) + sumOf(s.pairs, s.inside, s.begins, s.ends) + bytesOf(w.joints) +
+           bytesOf(w.parkedMass) + sumOf(s.sensors, s.pairs, s.inside, s.begins, s.ends) + bytesOf(w.joints) +
            bytesOf(w.jointIslands) + bytesOf(w.events) + sumOf(w.trajectories);
 }
 

@@ -195,7 +195,7 @@ TEST_CASE("a sensor weighs what its density says and stands in nothing's way", "
     CHECK(std::fabs(world.body(ball).position().y() - 0.5) < 1e-3);
 }
 
-// What the solver has pushed aside may be found a step late: here nothing collides.
+// Here nothing collides; for what is deflected see deflected_visits_test.cpp.
 TEST_CASE("what sensors have told is what overlaps, in 200 steps of 30 worlds of flying shapes",
           "[dynamics][sensor][law]") {
     plumb::Random random(11);

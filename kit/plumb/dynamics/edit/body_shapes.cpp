@@ -144,7 +144,10 @@ void removeShapes(WorldState& world, BodyIndex body) {
     removeAllPairs(world, body);
     std::vector<ProxyId>& proxies = world.bodies.links[body].proxies;
     world.walls -= wallsOf(world, proxies, body);
-    for (const ProxyId proxy : proxies) world.space.remove(proxy);
+    for (const ProxyId proxy : proxies) {
+        forgetSensor(world.sensors, proxy);
+        world.space.remove(proxy);
+    }
     proxies.clear();
     world.tiles.erase(world.tiles.lower_bound({body, 0}), world.tiles.upper_bound({body, none}));
 }

@@ -37,6 +37,7 @@ ProxyId addPiece(WorldState& world, BodyIndex body, const PieceDef& part, std::u
     const bool fixed = record.type == BodyType::Static;
     const ProxyId proxy =
         world.space.add(part.def, body, fixed, record.localCenter, box, number, severalPieces, part.use);
+    if (part.def.sensor) addSensor(world.sensors, proxy);
     if (!record.enabled) world.space.hide(proxy);
     outlinePiece(world, proxy, record.localCenter);
     return proxy;
@@ -115,6 +116,7 @@ void removePieces(WorldState& world, BodyIndex body, std::span<const ProxyId> pi
     world.walls -= wallsOf(world, pieces, body);
     for (const ProxyId proxy : pieces) {
         removePairs(world, body, proxy);
+        forgetSensor(world.sensors, proxy);
         world.space.remove(proxy);
     }
     std::erase_if(world.bodies.links[body].proxies, [&world](ProxyId proxy) { return !world.space[proxy].alive; });

@@ -2,15 +2,14 @@
 #include <plumb/dynamics/sensors/sensors.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <tuple>
 #include <utility>
 
 #include <plumb/collide/distance.h>
-#include <plumb/collide/sweep.h>
-#include <plumb/dynamics/bodies/shape_radii.h>
-#include <plumb/math/trig.h>
+#include <plumb/dynamics/sensors/body_paths.h>
+#include <plumb/dynamics/sensors/meeting.h>
+#include <plumb/dynamics/sensors/stray_pairs.h>
 
 namespace plumb {
 
@@ -41,48 +40,11 @@ SensorBegin visitOf(const BodyStore& bodies, const Space& space, const SensorPai
     return {idOfShape(bodies, space[pair.sensor]), idOfShape(bodies, space[pair.visitor])};
 }
 
-Sweep shifted(Sweep way, const Vec2& shift) {
-    way.start += shift;
-    return way;
-}
-
-/// The straight sweep from a body's place at the step's start to its present place.
-Sweep chordOf(const BodyStore& bodies, BodyIndex body) {
-    const BodyPlace& place = bodies.place[body];
-    const BodyMotion& now = bodies.motion[body];
-    Sweep way;
-    way.localCenter = bodies.record[body].localCenter;
-    way.start = {static_cast<double>(place.highX) + static_cast<double>(place.lowX),
-                 static_cast<double>(place.highY) + static_cast<double>(place.lowY)};
-    way.shift = now.center - way.start;
-    const Vec2 before(static_cast<double>(place.cos), static_cast<double>(place.sin));
-    const Vec2 after(now.rotation.cos, now.rotation.sin);
-    way.turn = arcTangent(cross(before, after), before.dot(after));
-    way.angle = now.angle - way.turn;
-    return way;
-}
-
-/// Do the two shapes meet during their sweeps?
-bool meet(const Proxy& sensor, const Sweep& sensorWay, const Proxy& visitor, const Sweep& visitorWay) {
-    const Shape& shape = visitor.def.shape;
-    const SweptShape swept{&shape, visitorWay, turningRadiusOf(shape, visitorWay.localCenter)};
-    return timeOfApproach({&sensor.def.shape, sensorWay, 0}, swept, 0, 0).has_value();
-}
-
-/// An upper bound on how far the two shapes have moved relative to each other [m].
-double travelOf(const Sweep& sensor, const Sweep& visitor, const Shape& shape) {
-    const Vec2 apart = visitor.start - sensor.start, shift = visitor.shift - sensor.shift;
-    const double reach = turningRadiusOf(shape, visitor.localCenter);
-    return shift.norm() + std::fabs(visitor.turn) * reach +
-           std::fabs(sensor.turn) * (apart.norm() + shift.norm() + reach);
-}
-
 /// Checks the pairs one after the other.
 class SensorSearch {
 public:
-    SensorSearch(SensorStore& sensors, const BodyStore& bodies, const Space& space, const Trajectories& trajectories,
-                 double dt)
-        : sensors_(sensors), bodies_(bodies), space_(space), trajectories_(trajectories), dt_(dt) {}
+    SensorSearch(SensorStore& sensors, const BodyStore& bodies, const Space& space, BodyPaths& paths)
+        : sensors_(sensors), bodies_(bodies), space_(space), paths_(paths) {}
 
     /// Updates whether the visitor is inside. Adds to passed if it has only passed through. False if the pair is no
     /// longer near and must be removed.
@@ -92,38 +54,28 @@ public:
         const bool was = pair.inside;
         pair.inside = false;
         pair.fresh = false;
-        if (near) {
-            const Proxy& sensor = space_[pair.sensor];
-            const Proxy& visitor = space_[pair.visitor];
-            const Distance apart = distance(sensor.def.shape, bodies_.pose(sensor.owner), visitor.def.shape,
-                                            shifted(bodies_.pose(visitor.owner), pair.shift));
-            pair.inside = apart.separation <= 0;
-            if (!pair.inside && !was && hasPassed(pair, apart.separation))
-                passed.push_back(visitOf(bodies_, space_, pair));
-        }
+        if (near) check(pair, was);
         sensors_.changed = sensors_.changed || pair.inside != was;
         return near;
+    }
+
+    /// The same for a pair that is not near.
+    void searchStray(SensorPair& pair) {
+        check(pair, false);
+        sensors_.changed = sensors_.changed || pair.inside;
     }
 
     std::vector<SensorBegin> passed;
 
 private:
-    /// Has a visitor that is outside now been inside during the step?
-    bool hasPassed(const SensorPair& pair, double separation) const {
+    void check(SensorPair& pair, bool was) {
         const Proxy& sensor = space_[pair.sensor];
         const Proxy& visitor = space_[pair.visitor];
-        const Sweep sensorWay = chordOf(bodies_, sensor.owner);
-        if (!bodies_.isMovedBy(visitor.owner, MovedBy::Impacts)) {
-            const Sweep way = shifted(chordOf(bodies_, visitor.owner), pair.shift);
-            return travelOf(sensorWay, way, visitor.def.shape) >= separation && meet(sensor, sensorWay, visitor, way);
-        }
-        return std::any_of(trajectories_.begin(), trajectories_.end(), [&](const TrajectorySegment& segment) {
-            if (segment.body != visitor.owner) return false;
-            const Sweep way{segment.from.center, segment.to.center - segment.from.center, segment.from.angle,
-                            segment.to.angle - segment.from.angle, bodies_.record[visitor.owner].localCenter};
-            return meet(sensor, partOf(sensorWay, segment.start / dt_, segment.end / dt_), visitor,
-                        shifted(way, pair.shift));
-        });
+        const Distance apart = distance(sensor.def.shape, bodies_.pose(sensor.owner), visitor.def.shape,
+                                        shifted(bodies_.pose(visitor.owner), pair.shift));
+        pair.inside = apart.separation <= 0;
+        if (!pair.inside && !was && haveMet(pair, apart.separation, space_, paths_))
+            passed.push_back(visitOf(bodies_, space_, pair));
     }
 
     bool isAwake(ProxyId proxy) const { return bodies_.record[space_[proxy].owner].awake; }
@@ -131,8 +83,7 @@ private:
     SensorStore& sensors_;
     const BodyStore& bodies_;
     const Space& space_;
-    const Trajectories& trajectories_;
-    double dt_;
+    BodyPaths& paths_;
 };
 
 void makeEvents(SensorStore& store, std::vector<SensorBegin> now, std::vector<SensorBegin> passed) {
@@ -151,6 +102,17 @@ void makeEvents(SensorStore& store, std::vector<SensorBegin> now, std::vector<Se
 
 }  // namespace
 
+void addSensor(SensorStore& sensors, ProxyId sensor) {
+    std::vector<ProxyId>& all = sensors.sensors;
+    all.insert(std::lower_bound(all.begin(), all.end(), sensor), sensor);
+}
+
+void forgetSensor(SensorStore& sensors, ProxyId proxy) {
+    std::vector<ProxyId>& all = sensors.sensors;
+    const auto at = std::lower_bound(all.begin(), all.end(), proxy);
+    if (at != all.end() && *at == proxy) all.erase(at);
+}
+
 void addSensorPair(SensorStore& sensors, const Space& space, const Pair& pair, const Vec2& shift) {
     const bool first = space[pair.a].def.sensor;
     sensors.pairs.push_back({first ? pair.a : pair.b, first ? pair.b : pair.a, first ? shift : Vec2(-shift)});
@@ -166,17 +128,25 @@ void removeSensorPairs(SensorStore& sensors, ProxyId proxy) {
 
 void watchSensors(SensorStore& sensors, const BodyStore& bodies, const Space& space, const Trajectories& trajectories,
                   double dt) {
-    SensorSearch search(sensors, bodies, space, trajectories, dt);
+    BodyPaths paths(bodies, trajectories, dt);
+    SensorSearch search(sensors, bodies, space, paths);
     std::size_t kept = 0;
     for (SensorPair& pair : sensors.pairs)
         if (search.search(pair)) sensors.pairs[kept++] = pair;
     sensors.pairs.resize(kept);
+    std::vector<SensorPair> strays = findStrayPairs(sensors, bodies, space, paths);
+    for (SensorPair& pair : strays) search.searchStray(pair);
     if (!sensors.changed && search.passed.empty()) return;
-    sensors.changed = false;
     std::vector<SensorBegin> now;
-    for (const SensorPair& pair : sensors.pairs)
-        if (pair.inside) now.push_back(visitOf(bodies, space, pair));
+    const auto note = [&](const std::vector<SensorPair>& pairs) {
+        for (const SensorPair& pair : pairs)
+            if (pair.inside) now.push_back(visitOf(bodies, space, pair));
+    };
+    note(sensors.pairs);
+    note(strays);
     makeEvents(sensors, std::move(now), std::move(search.passed));
+    // The next step knows the strays that are inside only if it finds them again.
+    sensors.changed = std::any_of(strays.begin(), strays.end(), [](const SensorPair& pair) { return pair.inside; });
 }
 
 }  // namespace plumb

@@ -95,7 +95,7 @@ public:
           solved_(solvedBodies(bodies_)),
           pass_(passOf(stores.settings, h_)),
           fields_(stores.fields, bodies_, stores.space, h_, observer_),
-          walls_(stores, h_),
+          walls_({bodies_, stores.contacts, stores.space, stores.jointPhases, stores.joints}, h_),
           fast_(solved_.size()) {}
 
     void run(double dt) {

@@ -7,7 +7,6 @@
 #include <plumb/dynamics/contacts/bounds.h>
 #include <plumb/dynamics/joints/joint_response.h>
 #include <plumb/dynamics/solver/body_solver.h>
-#include <plumb/dynamics/solver/solver.h>
 
 namespace plumb {
 
@@ -44,11 +43,11 @@ public:
     }
     Vec3 answerTo(const Vec3& impulse) override {
         if (group_.island == nullptr) return velocityChangeBy(stops_.bodies_, body_, impulse);
-        const SolverStores& stores = stops_.stores_;
+        const WallStopStores& stores = stops_.stores_;
         return stores.jointPhases->answer(stores.joints, *group_.island, body_, impulse, stops_.h_);
     }
     void push(const Vec3& impulse) override {
-        const SolverStores& stores = stops_.stores_;
+        const WallStopStores& stores = stops_.stores_;
         if (group_.island != nullptr)
             return stores.jointPhases->push(stores.joints, *group_.island, body_, impulse, stops_.h_);
         Vec3 velocity = velocityOf(stops_.bodies_, body_);
@@ -63,7 +62,7 @@ private:
     BodyMotion place_;
 };
 
-WallStops::WallStops(const SolverStores& stores, double h)
+WallStops::WallStops(const WallStopStores& stores, double h)
     : stores_(stores), bodies_(stores.bodies), view_{stores.bodies, stores.contacts, stores.space}, h_(h) {
     findBeside();
 }

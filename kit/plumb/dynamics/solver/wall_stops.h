@@ -17,12 +17,19 @@
 
 namespace plumb {
 
-struct SolverStores;
+/// The stores that it reads and writes.
+struct WallStopStores {
+    BodyStore& bodies;
+    const ContactStore& contacts;
+    const Space& space;
+    const JointPhases* jointPhases = nullptr;  ///< null if the world has no joints
+    const JointStores& joints;
+};
 
 class WallStops {
 public:
     /// h: length of a sub-step [s]
-    WallStops(const SolverStores& stores, double h);
+    WallStops(const WallStopStores& stores, double h);
 
     /// Call this after the bodies have moved in a sub-step that began at this time since the step's start [s].
     void afterMove(std::span<const FastBody> fast, double start);
@@ -66,7 +73,7 @@ private:
     double energyOf(const Group& group) const;
     void moveOn(const Mover& mover, double time);
 
-    const SolverStores& stores_;
+    WallStopStores stores_;
     BodyStore& bodies_;
     WallView view_;
     double h_, start_ = 0;

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/sensors/stray_pairs.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include <plumb/dynamics/contacts/bounds.h>
+#include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
+
+namespace plumb {
+
+namespace {
+
+/// A shape that has left its bounds, and the box of its path.
+struct StrayShape {
+    ProxyId proxy = 0;
+    Aabb box;
+};
+
+/// May a shape of the body, other than a sensor, have left its bounds? Free flight is as predicted. Bounds contain all
+/// places between the step's start and the prediction, and half a contactMargin more on every side.
+bool mayHaveLeft(const BodyStore& bodies, BodyIndex body) {
+    if (bodies.step[body].boundsPending || bodies.isMovedBy(body, MovedBy::Impacts)) return true;
+    if (!bodies.isMovedBy(body, MovedBy::Solver)) return false;
+    const SolverDisplacement& d = bodies.displacement[body];
+    const Vec2 moved(static_cast<double>(d.x), static_cast<double>(d.y));
+    const double angle = std::min(std::fabs(static_cast<double>(bodies.turn[body].angle)), 2.0);
+    const double turned = angle * bodies.record[body].turningRadius;
+    const double spare = 0.49 * static_cast<double>(contactMargin);
+    // Most bodies move so little that the prediction need not be read.
+    return std::fabs(moved.x()) + std::fabs(moved.y()) + turned >= spare &&
+           excessOfPrediction(bodies, body, moved, turned) >= spare;
+}
+
+class StraySearch {
+public:
+    StraySearch(const BodyStore& bodies, const Space& space, BodyPaths& paths)
+        : bodies_(bodies), space_(space), paths_(paths) {}
+
+    /// Finds the shapes that have left their bounds.
+    void gather(const std::vector<ProxyId>& sensors) {
+        for (const BodyIndex body : bodies_.awake) {
+            if (!mayHaveLeft(bodies_, body)) continue;
+            for (const ProxyId proxy : bodies_.links[body].proxies)
+                if (!space_.filterKey(proxy).sensor && space_.filterKey(proxy).collides) add(proxy, visitors_);
+        }
+        for (const ProxyId proxy : sensors) {  // a body's radii do not include its sensors
+            const BodyRecord& record = bodies_.record[space_[proxy].owner];
+            if (record.awake && record.enabled) add(proxy, sensors_);
+        }
+    }
+
+    std::vector<SensorPair> pairs() {
+        for (const StrayShape& visitor : visitors_)
+            space_.query(visitor.box, [&](ProxyId other, const Vec2& shift) {
+                if (space_.filterKey(other).sensor) meet(other, visitor.proxy, -shift);
+            });
+        for (const StrayShape& sensor : sensors_) {
+            space_.query(sensor.box, [&](ProxyId other, const Vec2& shift) { meet(sensor.proxy, other, shift); });
+            for (const StrayShape& visitor : visitors_) {
+                const Vec2 shift =
+                    bodies_.wrap.any() ? bodies_.wrap.shiftNear(visitor.box.lower, sensor.box.lower) : Vec2(0, 0);
+                if (overlap(sensor.box, {visitor.box.lower + shift, visitor.box.upper + shift}))
+                    meet(sensor.proxy, visitor.proxy, shift);
+            }
+        }
+        keepOnce();
+        return std::move(pairs_);
+    }
+
+private:
+    void add(ProxyId proxy, std::vector<StrayShape>& list) {
+        const Proxy& shape = space_[proxy];
+        const Aabb box = paths_.boxOf(shape.owner, shape.def.shape);
+        if (contains(space_.box(proxy), box) || bodies_.wrap.isExceededBy(box.upper - box.lower)) return;
+        list.push_back({proxy, box});
+    }
+
+    /// shift: of the visitor [m]. If their bounds overlap, the pair is there already.
+    void meet(ProxyId sensor, ProxyId visitor, const Vec2& shift) {
+        if (mayPair(space_.filterKey(sensor), space_.filterKey(visitor)) &&
+            !space_.boxesOverlap(sensor, visitor, shift))
+            pairs_.push_back({sensor, visitor, shift});
+    }
+
+    /// The order in which the space finds shapes depends on what is far away.
+    void keepOnce() {
+        const auto rank = [](const SensorPair& p) { return std::tuple(p.sensor, p.visitor, p.shift.x(), p.shift.y()); };
+        std::sort(pairs_.begin(), pairs_.end(),
+                  [&](const SensorPair& a, const SensorPair& b) { return rank(a) < rank(b); });
+        const auto isSame = [&](const SensorPair& a, const SensorPair& b) { return rank(a) == rank(b); };
+        pairs_.erase(std::unique(pairs_.begin(), pairs_.end(), isSame), pairs_.end());
+    }
+
+    const BodyStore& bodies_;
+    const Space& space_;
+    BodyPaths& paths_;
+    std::vector<StrayShape> visitors_, sensors_;
+    std::vector<SensorPair> pairs_;
+};
+
+}  // namespace
+
+std::vector<SensorPair> findStrayPairs(const SensorStore& sensors, const BodyStore& bodies, const Space& space,
+                                       BodyPaths& paths) {
+    if (sensors.sensors.empty()) return {};
+    StraySearch search(bodies, space, paths);
+    search.gather(sensors.sensors);
+    return search.pairs();
+}
+
+}  // namespace plumb
