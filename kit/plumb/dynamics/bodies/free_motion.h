@@ -36,6 +36,12 @@ struct TrajectorySegment {
     double start = 0, end = 0;  ///< since the start of the step [s]
 };
 
+/// Is it the time in which a stopped body stays where it is? It has its velocity all the same.
+inline bool isStay(const TrajectorySegment& segment) {
+    return segment.from.center == segment.to.center && segment.from.angle == segment.to.angle &&
+           segment.from.velocity == segment.to.velocity;
+}
+
 /// The segments of all bodies; those of each body are in the order of time.
 using Trajectories = std::vector<TrajectorySegment>;
 

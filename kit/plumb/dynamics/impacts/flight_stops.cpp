@@ -45,7 +45,8 @@ public:
             if (!meets(last, hit)) break;
             const double duration = last.end - last.start, left = (1 - hit.time) * duration;
             last.end -= left;
-            last.to = moveFreely(last.from, flightLawOf(stores_.bodies, last.body), last.end - last.start);
+            if (!isStay(last))
+                last.to = moveFreely(last.from, flightLawOf(stores_.bodies, last.body), last.end - last.start);
             FlyingAlone body(stores_.bodies.record[last.body], last.to);
             const WallImpact impact = solveWallImpact(view_, hit, duration, body);
             if (impact.normalImpulse > 0) impacts_.push_back(impact);
@@ -65,9 +66,8 @@ private:
         const BodyRecord& record = stores_.bodies.record[segment.body];
         const Sweep way = sweepBetween(segment.from, segment.to, record);
         const double far = farShare * record.inradius;
-        if (travelOf(way.shift, way.turn, record) <= far) return false;
         WallSearch search(view_, segment.body, way, {segment.start, segment.end}, far);
-        search.searchStatic();
+        if (travelOf(way.shift, way.turn, record) > far) search.searchStatic();
         search.searchKinematic();
         if (search.first()) hit = *search.first();
         return search.first().has_value();

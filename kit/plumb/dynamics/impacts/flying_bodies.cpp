@@ -76,6 +76,7 @@ void FlyingBodies::stop(FlyingIndex number, double time) {
     BodyMotion arrived = moveFreely(body.flight.from, body.flight.law, time - body.flight.time);
     addFieldsAt(number, arrived, time);
     segments_.push_back({body.body, body.flight.from, arrived, body.flight.time, time});
+    if (!stores_.bodies.kinematic.empty()) segments_.push_back({body.body, arrived, arrived, time, dt_});
     if (FlyingFields* fields = fieldsOf(body)) {
         fields->flight.flight.rest = {};
         fields->flight.account = {};
@@ -121,7 +122,7 @@ void FlyingBodies::store(Trajectories& trajectories) {
     std::erase_if(segments_, [this](const TrajectorySegment& s) { return isLeft(numberOf_[s.body]); });
     if (stores_.observer != nullptr)
         for (const TrajectorySegment& s : segments_)
-            stores_.observer->noteFlight(s.body, s.from, s.to, s.end - s.start);
+            if (!isStay(s)) stores_.observer->noteFlight(s.body, s.from, s.to, s.end - s.start);
     trajectories.insert(trajectories.end(), segments_.begin(), segments_.end());
 }
 
