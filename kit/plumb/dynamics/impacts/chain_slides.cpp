@@ -16,8 +16,9 @@ namespace {
 
 /// Slower discs are left to the solver: it loses little there, and many of them are at rest [m/s].
 constexpr double slowSlide = 0.05;
-/// A disc slides if its distance from the chain is in this range [m].
-constexpr double deepest = 2e-3, highest = 1e-5;
+/// A disc slides if its distance from the chain is in this range [m]. The solver may leave it a little above a curve.
+/// What bounces may be there on its way up or down: for that, the range ends at bouncing.
+constexpr double deepest = 2e-3, highest = 1e-3, bouncing = 1e-5;
 /// It is moved all the way to the chain if it is nearer than this, else half of it [m].
 constexpr double nearEnough = 1e-4;
 /// It arrives at the chain with no more than this share of its speed: steeper arrivals are impacts [-].
@@ -154,7 +155,7 @@ private:
             place_.edge = edgeOf(id);
         }
         const double height = nearest - disc_.radius;
-        if (height < -deepest || height > highest) return false;
+        if (height < -deepest || height > (disc_.restitution > 0 ? bouncing : highest)) return false;
         const ChainEdge edge = chainEdge(chain_, place_.edge);
         const Vec2 normal = (from.center - foot) / nearest;
         place_.position = from.center;
