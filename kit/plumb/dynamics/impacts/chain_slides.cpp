@@ -23,7 +23,7 @@ constexpr double deepest = 2e-3, highest = 1e-3, bouncing = 1e-5;
 constexpr double nearEnough = 1e-4;
 /// It arrives at the chain with no more than this share of its speed: steeper arrivals are impacts [-].
 constexpr double steepArrival = 0.25;
-/// It parts from the chain with no more than this share of its speed [-], plus a speed [m/s].
+/// What bounces parts from the chain with no more than this share of its speed [-], plus a speed [m/s].
 constexpr double partingShare = 1e-3, partingSpeed = 1e-4;
 /// It may overlap with other segments at the end by no more than this, plus its depth at the start [m].
 constexpr double overlapAllowed = 2e-5;
@@ -173,7 +173,10 @@ private:
         law_.restitution = disc_.restitution;
         law_.restingSpeed = std::abs(law_.acceleration.dot(normal)) * 0.5 * dt_;
         const double speed = std::abs(place_.speed), parting = bodies_.motion[disc_.body].velocity.dot(normal);
-        if (parting > partingShare * speed + partingSpeed || -parting > steepArrival * speed) return false;
+        // What does not bounce, and falls back within the step, goes on as if it had not parted.
+        const double fall = -law_.acceleration.dot(normal) * 0.5 * dt_, least = partingShare * speed + partingSpeed;
+        const double mostParting = law_.restitution > 0 ? least : std::max(fall, least);
+        if (parting > mostParting || -parting > steepArrival * speed) return false;
         if (-parting * law_.restitution > law_.restingSpeed) return false;
         const double kept = std::abs(height) < nearEnough ? 0 : 0.5 * height;
         chain_.offset = disc_.radius + kept;
