@@ -91,6 +91,20 @@ Kept keptOn(const std::vector<Vec2>& line, double share, double rate) {
     return kept;
 }
 
+/// The share of its energy that a ball has after 10 s if it rolls in a bowl from rest.
+double keptRolling(int segments, double radius, double rate) {
+    World world;
+    world.add({.type = BodyType::Static, .shapes = {plumb::chain(bowlLine(segments, radius), {.friction = 1})}});
+    const double path = radius - 1.01 * ballRadius, angle = -0.5 * std::numbers::pi - 1;
+    const Vec2 from = onCircle(path, angle);
+    const BodyId ball = world.add({.position = from, .shapes = {plumb::circle(ballRadius, Material{.friction = 1})}});
+    for (int t = 0; t < 10 * rate; ++t) world.step(1 / rate);
+    const auto body = world.body(ball);
+    const double spin = body.angularVelocity() * ballRadius;
+    return energyAt(body.position(), body.velocity().squaredNorm() + 0.5 * spin * spin, -path) /
+           energyAt(from, 0, -path);
+}
+
 /// Does a ball that starts at this height over the loop's lowest point, both for its centre, come over the top?
 bool passesLoop(int segments, double radius, double height, double rate) {
     const TrackPath path = plumb::test::pathOver(loopLine(segments, radius), ballRadius);
@@ -141,4 +155,35 @@ TEST_CASE("a ball passes a loop of 1,000 segments from 2.6 radii, and not from 2
             CHECK(passesLoop(1000, radius, 2.6 * (radius - ballRadius), rate));
             CHECK_FALSE(passesLoop(1000, radius, 2.3 * (radius - ballRadius), rate));
         }
+}
+
+TEST_CASE("a ball that rolls in a bowl loses less the finer the bowl, and never gains", "[dynamics][chain][law]") {
+    for (const double radius : {1.0, 5.0})
+        for (const double rate : {30.0, 60.0, 120.0}) {
+            double coarser = 0;
+            for (const int segments : {30, 100, 300, 1000, 3000, 10'000}) {
+                const double kept = keptRolling(segments, radius, rate);
+                CAPTURE(segments, radius, rate, kept, coarser);
+                CHECK(kept > coarser);
+                CHECK(kept < 1);
+                coarser = kept;
+            }
+            CHECK(coarser > 0.99);
+        }
+}
+
+TEST_CASE("a ball rolls down a chain of collinear segments as down one segment", "[dynamics][chain]") {
+    const auto endOn = [](int segments) {
+        std::vector<Vec2> line;
+        for (int i = 0; i <= segments; ++i) line.push_back({20.0 * i / segments, -5.0 * i / segments});
+        World world;
+        world.add({.type = BodyType::Static, .shapes = {plumb::chain(line)}});
+        const Vec2 up = Vec2(5, 20).normalized();
+        const Vec2 from = Vec2(1, -0.25) + ballRadius * up;
+        const BodyId ball = world.add({.position = from, .shapes = {plumb::circle(ballRadius)}});
+        for (int t = 0; t < 60; ++t) world.step(1.0 / 60);
+        return world.body(ball).position();
+    };
+    const Vec2 one = endOn(1);
+    for (const int segments : {2, 10, 100, 1000}) CHECK((endOn(segments) - one).norm() < 1e-3);
 }

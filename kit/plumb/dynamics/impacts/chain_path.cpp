@@ -14,6 +14,8 @@ namespace {
 
 /// Vertices that turn by more are corners [sine of the angle].
 constexpr double cornerSine = 0.25;
+/// Vertices that turn by less are straight: it may be rounding.
+constexpr double straightSine = 1e-9;
 /// The path may turn by this much in a step: the contacts were found for a path that is almost straight [rad].
 constexpr double mostTurn = 1;
 /// A flight from a vertex that is not higher is none: at this distance, the world counts a contact as touching [m].
@@ -82,8 +84,15 @@ double timeTo(double d, double v, double a) {
 class ChainSlide {
 public:
     ChainSlide(const ChainSide& chain, const ChainPlace& from, const ChainLaw& law, double time)
-        : chain_(chain), law_(law), place_(from), left_(time), view_(viewOf(chain, from.edge)) {
+        : chain_(chain),
+          law_(law),
+          place_(from),
+          left_(time),
+          share_(1 / (1 + law.inertia)),
+          view_(viewOf(chain, from.edge)) {
         place_.first = place_.last = from.edge;
+        place_.way = 0;
+        noteCurve();
     }
 
     bool run() {
@@ -98,10 +107,18 @@ public:
 private:
     /// Does the disc stay on the chain? On a curve, its vertices together push as the curve does that they stand for.
     /// Between two vertices under a ceiling it falls, but not far.
+    /// What rolls must also have enough friction.
     bool stays() const {
         const double pull = law_.acceleration.dot(view_.normal), v2 = place_.speed * place_.speed;
-        if (v2 * view_.curvature - pull <= 0) return false;
+        const double press = v2 * view_.curvature - pull;
+        const double needed = law_.inertia * share_ * std::abs(law_.acceleration.dot(view_.edge.along));
+        if (press <= 0 || needed > law_.friction * press) return false;
         return pull <= 0 || pull * view_.length * view_.length <= 8 * lowFlight * v2;
+    }
+
+    void noteCurve() {
+        for (const VertexTurn& turn : {view_.before, view_.after})
+            place_.onCurve = place_.onCurve || std::abs(turn.sine) > straightSine;
     }
 
     /// Moves along the segment to its next vertex, or to the end of the time.
@@ -109,13 +126,15 @@ private:
         if (view_.low >= view_.high || !stays()) return false;
         const Vec2& along = view_.edge.along;
         const Vec2 start = view_.edge.start + view_.normal * chain_.offset;
-        const double a = law_.acceleration.dot(along), v = place_.speed;
+        const double a = share_ * law_.acceleration.dot(along), v = place_.speed;
         const double s = std::clamp((place_.position - start).dot(along), view_.low, view_.high);
         const double up = timeTo(view_.high - s, v, a), down = timeTo(s - view_.low, -v, -a);
         const double time = std::min(up, down);
         place_.direction = along;
         if (time >= left_) {
-            place_.position = start + along * std::clamp(s + (v + 0.5 * a * left_) * left_, view_.low, view_.high);
+            const double at = std::clamp(s + (v + 0.5 * a * left_) * left_, view_.low, view_.high);
+            place_.way += at - s;
+            place_.position = start + along * at;
             place_.speed = v + a * left_;
             left_ = 0;
             return true;
@@ -123,6 +142,7 @@ private:
         left_ -= time;
         const bool forwards = up <= down;
         const double end = forwards ? view_.high : view_.low;
+        place_.way += end - s;
         place_.position = start + along * end;
         place_.speed = (forwards ? 1 : -1) * std::sqrt(std::max(0.0, v * v + 2 * a * (end - s)));
         return passVertex(forwards);
@@ -140,9 +160,11 @@ private:
         place_.last = std::max(place_.last, place_.edge);
         const Vec2 normal = view_.normal;
         view_ = viewOf(chain_, place_.edge);
+        noteCurve();
         if (turn.sine > 0) {
             if (law_.restitution * speed * turn.sine > law_.restingSpeed) return false;
-            place_.speed *= turn.cosine;
+            if (law_.inertia * share_ * turn.sine > law_.friction * (1 + turn.cosine)) return false;
+            place_.speed *= (law_.inertia + turn.cosine) * share_;
             return true;
         }
         if (turn.sine == 0) return true;
@@ -158,11 +180,12 @@ private:
         const double angle = arcTangent(cross(from, view_.normal), from.dot(view_.normal));
         const Vec2 end = corner + view_.normal * chain_.offset;
         const double v = std::abs(place_.speed), way = std::abs(angle) * chain_.offset;
-        const double squared = v * v + 2 * law_.acceleration.dot(end - place_.position);
+        const double squared = v * v + 2 * share_ * law_.acceleration.dot(end - place_.position);
         if (!stays() || squared <= slowest * slowest) return false;
         const double after = std::sqrt(squared), time = 2 * way / (v + after);
         if (time > left_) return stopOnArc(corner, angle, v + (after - v) / time * 0.5 * left_);
         left_ -= time;
+        place_.way += forwards ? way : -way;
         place_.position = end;
         place_.direction = view_.edge.along;
         place_.speed = forwards ? after : -after;
@@ -174,10 +197,12 @@ private:
     bool stopOnArc(const Vec2& corner, double angle, double meanSpeed) {
         const double turned = std::copysign(std::min(meanSpeed * left_ / chain_.offset, std::abs(angle)), angle);
         const Rot turn = Rot::fromAngle(turned);
+        place_.way += std::copysign(std::abs(turned) * chain_.offset, place_.speed);
         const Vec2 before = place_.position;
         place_.direction = turn * place_.direction;
         place_.position = corner + chain_.side * perp(place_.direction) * chain_.offset;
-        const double squared = place_.speed * place_.speed + 2 * law_.acceleration.dot(place_.position - before);
+        const double squared =
+            place_.speed * place_.speed + 2 * share_ * law_.acceleration.dot(place_.position - before);
         if (squared <= 0) return false;
         place_.speed = std::copysign(std::sqrt(squared), place_.speed);
         place_.onArc = true;
@@ -188,7 +213,8 @@ private:
     const ChainSide& chain_;
     const ChainLaw& law_;
     ChainPlace place_;
-    double left_;  ///< [s]
+    double left_;   ///< [s]
+    double share_;  ///< of the acceleration that changes the speed [-]
     EdgeView view_;
     double turned_ = 0;  ///< [rad]
 };

@@ -34,7 +34,7 @@ struct SlidingDisc {
     double radius = 0;
     BodyIndex ground = noBody;
     std::uint32_t number = 0;  ///< of the chain among the ground's shapes
-    double restitution = 0;
+    double restitution = 0, friction = 0;
     std::vector<ProxyId> met;  ///< segments that it may touch in the step
 };
 
@@ -75,11 +75,16 @@ public:
         findChain();
         if (!findPlace()) return std::nullopt;
         const BodyMotion& from = bodies_.motion[body];
+        // Where the chain is straight, the solver is exact.
         const std::optional<ChainPlace> end = slideAlong(chain_, place_, law_, dt_);
-        if (!end || isHindered(*end)) return std::nullopt;
+        if (!end || !end->onCurve || isHindered(*end)) return std::nullopt;
         BodyMotion motion = moveFreely(from, flightLawOf(bodies_, body), dt_);
         motion.center = end->position;
         motion.velocity = end->direction * end->speed;
+        if (law_.inertia == 0) return motion;
+        motion.angularVelocity = -chain_.side * end->speed / disc_.radius;
+        motion.angle = from.angle - chain_.side * end->way / disc_.radius;
+        motion.rotation = Rot::fromAngle(motion.angle);
         return motion;
     }
 
@@ -112,7 +117,7 @@ private:
     bool addContact(const ContactRecord& contact) {
         const BodyIndex ground = otherOf(contact, disc_.body);
         const ProxyId id = contact.bodyA == ground ? contact.proxyA : contact.proxyB;
-        if (contact.friction != 0 || contact.rollingArm != 0 || contact.ruled) return false;
+        if (contact.surfaceSpeed != 0 || contact.rollingArm != 0 || contact.ruled) return false;
         if (bodies_.record[ground].type != BodyType::Static) return false;
         const Proxy& piece = space_[id];
         if (!piece.piece || piece.convex.oneSided || !std::holds_alternative<Segment>(piece.def.shape)) return false;
@@ -120,6 +125,7 @@ private:
         disc_.ground = ground;
         disc_.number = piece.number;
         disc_.restitution = contact.restitution;
+        disc_.friction = contact.friction;
         disc_.met.push_back(id);
         return true;
     }
@@ -164,14 +170,30 @@ private:
         chain_.side = cross(edge.along, normal) > 0 ? 1 : -1;
         if (place_.onArc) place_.direction = perp(normal) * -chain_.side;
         place_.speed = from.velocity.dot(place_.direction);
-        return settle(height, normal);
+        law_ = {};
+        law_.acceleration = flightLawOf(bodies_, disc_.body).acceleration.linear;
+        law_.restitution = disc_.restitution;
+        law_.restingSpeed = std::abs(law_.acceleration.dot(normal)) * 0.5 * dt_;
+        return (disc_.friction == 0 || startRolling()) && settle(height, normal);
+    }
+
+    /// Does the disc roll, up to a slip that friction would end within the step? The angular momentum about its contact
+    /// point stays.
+    bool startRolling() {
+        const BodyRecord& record = bodies_.record[disc_.body];
+        const FlightLaw law = flightLawOf(bodies_, disc_.body);
+        if (record.inverseInertia == 0 || law.angularDamping != 0 || law.acceleration.angular != 0) return false;
+        law_.inertia = record.inertia / (record.mass * disc_.radius * disc_.radius);
+        law_.friction = disc_.friction;
+        const double rolling = -chain_.side * bodies_.motion[disc_.body].angularVelocity * disc_.radius;
+        const double slip = std::abs(place_.speed - rolling);
+        if (slip > disc_.friction * 2 * law_.restingSpeed) return false;
+        place_.speed = (place_.speed + law_.inertia * rolling) / (1 + law_.inertia);
+        return true;
     }
 
     /// Moves the place towards the chain, without a change of energy, and takes the velocity along the normal.
     bool settle(double height, const Vec2& normal) {
-        law_.acceleration = flightLawOf(bodies_, disc_.body).acceleration.linear;
-        law_.restitution = disc_.restitution;
-        law_.restingSpeed = std::abs(law_.acceleration.dot(normal)) * 0.5 * dt_;
         const double speed = std::abs(place_.speed), parting = bodies_.motion[disc_.body].velocity.dot(normal);
         // What does not bounce, and falls back within the step, goes on as if it had not parted.
         const double fall = -law_.acceleration.dot(normal) * 0.5 * dt_, least = partingShare * speed + partingSpeed;
@@ -181,7 +203,7 @@ private:
         const double kept = std::abs(height) < nearEnough ? 0 : 0.5 * height;
         chain_.offset = disc_.radius + kept;
         const Vec2 shift = normal * (kept - height);
-        const double squared = speed * speed + 2 * law_.acceleration.dot(shift);
+        const double squared = speed * speed + 2 * law_.acceleration.dot(shift) / (1 + law_.inertia);
         if (squared <= 0) return false;
         place_.position += shift;
         place_.speed = std::copysign(std::sqrt(squared), place_.speed);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Which discs slide along a chain during the step, and where to?
+// Which discs slide or roll along a chain during the step, and where to?
 //
 // The solver uses the normal of the step's start until its end. On a curve it would turn the velocity of what slides by
-// the wrong angle, and take the share (v dt / R)^2 of its energy in each step. A disc without friction that touches
-// nothing but a chain at rest has a closed form (see chain_path.h). The solver computes its contacts as before, so that
-// they have impulses and events; its place and velocity are those of the closed form.
+// the wrong angle, and take the share (v dt / R)^2 of its energy in each step. A disc that slides without friction
+// or rolls, and touches nothing but a chain at rest, has a closed form (see chain_path.h). The solver computes its
+// contacts as before, so that they have impulses and events; its place and velocity are those of the closed form.
 #pragma once
 #include <vector>
 
