@@ -18,7 +18,7 @@ namespace {
 constexpr double slowSlide = 0.05;
 /// A disc slides if its distance from the chain is in this range [m]. The solver may leave it a little above a curve.
 /// What bounces may be there on its way up or down: for that, the range ends at bouncing.
-constexpr double deepest = 2e-3, highest = 1e-3, bouncing = 1e-5;
+constexpr double deepestSlide = 2e-3, highestSlide = 1e-3, bouncing = 1e-5;
 /// It is moved all the way to the chain if it is nearer than this, else half of it [m].
 constexpr double nearEnough = 1e-4;
 /// It arrives at the chain with no more than this share of its speed: steeper arrivals are impacts [-].
@@ -151,17 +151,20 @@ private:
         const BodyMotion& from = bodies_.motion[disc_.body];
         double nearest = std::numeric_limits<double>::infinity();
         Vec2 foot(0, 0);
+        ProxyId best = 0;
         for (const ProxyId id : disc_.met) {
             const Segment& segment = std::get<Segment>(space_[id].def.shape);
             const Vec2 point = nearestOn(chain_.pose * segment.start, chain_.pose * segment.end, from.center);
             const double distance = (from.center - point).norm();
-            if (distance >= nearest) continue;
+            // Of two that meet at the nearest point, the first of the chain: the order of contacts does not matter.
+            if (distance > nearest || (distance == nearest && id > best)) continue;
             nearest = distance;
+            best = id;
             foot = point;
             place_.edge = edgeOf(id);
         }
         const double height = nearest - disc_.radius;
-        if (height < -deepest || height > (disc_.restitution > 0 ? bouncing : highest)) return false;
+        if (height < -deepestSlide || height > (disc_.restitution > 0 ? bouncing : highestSlide)) return false;
         const ChainEdge edge = chainEdge(chain_, place_.edge);
         const Vec2 normal = (from.center - foot) / nearest;
         place_.position = from.center;
