@@ -159,7 +159,7 @@ void solve(Step& s) {
     s.report(solveConstraints({w.graph, w.contacts, w.bodies, w.fields, w.space, w.jointPhases, joints, w.solver,
                                s.observer(), w.walls > 0, w.hitSpeed},
                               s.dt));
-    moveAlongChains(w.bodies, slides);
+    moveAlongChains(w.bodies, slides, s.dt, s.observer());
 }
 
 void moveFree(Step& s) {

@@ -56,7 +56,7 @@ std::optional<double> freeDiscOf(const BodyStore& bodies, const Space& space, Bo
     const BodyLinks& links = bodies.links[body];
     const BodyRecord& record = bodies.record[body];
     if (links.solverContacts == 0 || links.proxies.size() != 1 || !links.joints.empty()) return std::nullopt;
-    if (!bodies.canMove(body) || record.linearDamping != 0) return std::nullopt;
+    if (!bodies.canMove(body) || record.linearDamping != 0 || record.angularDamping != 0) return std::nullopt;
     if (!bodies.isMovedBy(body, MovedBy::ClosedForm) || bodies.step[body].flight != none) return std::nullopt;
     const Circle* circle = std::get_if<Circle>(&space[links.proxies.front()].def.shape);
     if (circle == nullptr || circle->center != record.localCenter) return std::nullopt;
@@ -185,7 +185,7 @@ private:
     bool startRolling() {
         const BodyRecord& record = bodies_.record[disc_.body];
         const FlightLaw law = flightLawOf(bodies_, disc_.body);
-        if (record.inverseInertia == 0 || law.angularDamping != 0 || law.acceleration.angular != 0) return false;
+        if (record.inverseInertia == 0 || law.acceleration.angular != 0) return false;
         law_.inertia = record.inertia / (record.mass * disc_.radius * disc_.radius);
         law_.friction = disc_.friction;
         const double rolling = -chain_.side * bodies_.motion[disc_.body].angularVelocity * disc_.radius;
@@ -251,20 +251,36 @@ private:
     ChainLaw law_;
 };
 
+/// Enters what the vertices took from the energy, and the ground's push.
+void noteSlide(const BodyStore& bodies, const ChainSlideEnd& slide, double dt, StepObserver& observer) {
+    const BodyMotion &from = bodies.motion[slide.body], &to = slide.motion;
+    const BodyRecord& record = bodies.record[slide.body];
+    const Acceleration acceleration = flightLawOf(bodies, slide.body).acceleration;
+    observer.noteFlight(slide.body, from, to, dt);
+    const double spins = to.angularVelocity * to.angularVelocity - from.angularVelocity * from.angularVelocity;
+    const double kinetic =
+        0.5 * record.mass * (to.velocity.squaredNorm() - from.velocity.squaredNorm()) + 0.5 * record.inertia * spins;
+    const double work = record.mass * acceleration.linear.dot(to.center - from.center) +
+                        record.inertia * acceleration.angular * (to.angle - from.angle);
+    observer.noteImpact(0, 0, kinetic - work, record.mass * (to.velocity - from.velocity - acceleration.linear * dt));
+}
+
 }  // namespace
 
-std::vector<ChainSlideEnd> findChainSlides(const BodyStore& bodies, const ContactStore& contacts, const Space& space,
+std::vector<ChainSlideEnd> findChainSlides(BodyStore& bodies, const ContactStore& contacts, const Space& space,
                                            double dt) {
     std::vector<ChainSlideEnd> slides;
     if (bodies.wrap.any()) return slides;
     SlideSearch search(bodies, contacts, space, dt);
     for (const BodyIndex body : bodies.awake)
         if (const std::optional<BodyMotion> motion = search.slideOf(body)) slides.push_back({body, *motion});
+    for (const ChainSlideEnd& slide : slides) bodies.step[slide.body].movedBy = MovedBy::Impacts;
     return slides;
 }
 
-void moveAlongChains(BodyStore& bodies, const std::vector<ChainSlideEnd>& slides) {
+void moveAlongChains(BodyStore& bodies, const std::vector<ChainSlideEnd>& slides, double dt, StepObserver* observer) {
     for (const ChainSlideEnd& slide : slides) {
+        if (observer != nullptr) noteSlide(bodies, slide, dt, *observer);
         bodies.step[slide.body].movedBy = MovedBy::Solver;
         moveTo(bodies, slide.body, slide.motion);
     }

@@ -8,6 +8,7 @@
 #pragma once
 #include <vector>
 
+#include <plumb/dynamics/bodies/step_observer.h>
 #include <plumb/dynamics/contacts/contact_store.h>
 #include <plumb/space/space.h>
 
@@ -19,11 +20,11 @@ struct ChainSlideEnd {
     BodyMotion motion;
 };
 
-/// Call this before the solver moves the bodies, after the impacts.
-std::vector<ChainSlideEnd> findChainSlides(const BodyStore& bodies, const ContactStore& contacts, const Space& space,
+/// Call this before the solver moves the bodies, after the impacts. The solver will not move the discs that are found.
+std::vector<ChainSlideEnd> findChainSlides(BodyStore& bodies, const ContactStore& contacts, const Space& space,
                                            double dt);
 
-/// Call this after the solver: moves the discs to the ends of their slides.
-void moveAlongChains(BodyStore& bodies, const std::vector<ChainSlideEnd>& slides);
+/// Call this after the solver: moves the discs to the ends of their slides. observer may be null.
+void moveAlongChains(BodyStore& bodies, const std::vector<ChainSlideEnd>& slides, double dt, StepObserver* observer);
 
 }  // namespace plumb
