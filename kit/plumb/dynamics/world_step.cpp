@@ -9,6 +9,7 @@
 #include <plumb/dynamics/edit/joint_edits.h>
 #include <plumb/dynamics/edit/quarantine.h>
 #include <plumb/dynamics/fields/field_phases.h>
+#include <plumb/dynamics/impacts/chain_slides.h>
 #include <plumb/dynamics/impacts/flight_stops.h>
 #include <plumb/dynamics/impacts/isolated_impacts.h>
 #include <plumb/dynamics/impacts/wall_touch.h>
@@ -154,9 +155,11 @@ void solve(Step& s) {
     WorldState& w = s.world;
     w.graph.sortOverflow(w.contacts);
     const JointStores joints{w.joints, w.jointIslands, w.bodies, w.solver, s.observer()};
+    const std::vector<ChainSlideEnd> slides = findChainSlides(w.bodies, w.contacts, w.space, s.dt);
     s.report(solveConstraints({w.graph, w.contacts, w.bodies, w.fields, w.space, w.jointPhases, joints, w.solver,
                                s.observer(), w.walls > 0, w.hitSpeed},
                               s.dt));
+    moveAlongChains(w.bodies, slides, s.dt, s.observer());
 }
 
 void moveFree(Step& s) {

@@ -244,10 +244,17 @@ void StepAudit::noteGiven(const Given& given) {
     account_.note(&EnergyLedger::impacts, given.impact * mean);
 }
 
+/// Is it the contact of a disc that slides along a chain? The solver does not move it.
+bool StepAudit::isAlongChain(const ContactBatch& batch, std::size_t lane) const {
+    return bodies_.isMovedBy(batch.bodyA[lane], MovedBy::Impacts) ||
+           bodies_.isMovedBy(batch.bodyB[lane], MovedBy::Impacts);
+}
+
 void StepAudit::endHalf() {
     forEachLane(view_.graph, [&](const ContactBatch& batch, const ManifoldLanes& manifolds, std::size_t lane) {
         const Lane before = Lane::before(batch, lane, start_), after(batch, lane, bodies_.velocity);
         const Lane unforced = Lane::before(batch, lane, unforced_);
+        if (isAlongChain(batch, lane)) return;
         noteContact(before, after,
                     hits(static_cast<double>(manifolds.approachSpeed[lane])) || hits(unforced.approach()));
     });
@@ -279,7 +286,7 @@ void StepAudit::endBounces() {
         Lane after = Lane::before(batch, lane, bodies_.velocity);
         for (std::size_t p = 0; p < 2; ++p)
             after.normal[p] = static_cast<double>(batch.points[p].totalNormal[lane] - totals_[next++]);
-        noteContact(Lane::before(batch, lane, start_), after, true);
+        if (!isAlongChain(batch, lane)) noteContact(Lane::before(batch, lane, start_), after, true);
     });
 }
 

@@ -59,6 +59,7 @@ private:
     void noteAccount(const FieldAccount& account);
     void noteContact(const Lane& before, const Lane& after, bool hits);
     bool hits(double approach) const;
+    bool isAlongChain(const ContactBatch& batch, std::size_t lane) const;
 
     Account& account_;
     LedgerView view_;

@@ -200,6 +200,7 @@ private:
         const std::vector<std::uint8_t> pushed = pushedBodies();
         for (const BodyIndex body : solved_) {
             if (pushed[body] == 0 || bodies_.velocity[body].inverseMass == 0) continue;
+            if (bodies_.isMovedBy(body, MovedBy::Impacts)) continue;
             bodies_.step[body].movedBy = MovedBy::Solver;
             storeBody(body);
         }
