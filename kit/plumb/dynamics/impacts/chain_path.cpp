@@ -118,7 +118,8 @@ private:
 
     void noteCurve() {
         for (const VertexTurn& turn : {view_.before, view_.after})
-            place_.onCurve = place_.onCurve || std::abs(turn.sine) > straightSine;
+            place_.onCurve =
+                place_.onCurve || (std::abs(turn.sine) > straightSine && std::abs(turn.sine) <= cornerSine);
     }
 
     /// Moves along the segment to its next vertex, or to the end of the time.

@@ -132,16 +132,17 @@ private:
 
     void findChain() {
         const std::vector<ProxyId>& all = bodies_.links[disc_.ground].proxies;
-        const auto isOf = [this](ProxyId id) { return space_[id].number == disc_.number; };
-        auto first = std::find(all.begin(), all.end(), disc_.met.front()), last = first;
-        while (first != all.begin() && isOf(*(first - 1))) --first;
-        while (last != all.end() && isOf(*last)) ++last;
+        const auto isBefore = [this](ProxyId id, std::uint32_t number) { return space_[id].number < number; };
+        const auto first = std::lower_bound(all.begin(), all.end(), disc_.number, isBefore),
+                   last = std::lower_bound(first, all.end(), disc_.number + 1, isBefore);
         chain_.space = &space_;
         chain_.pieces = {first, last};
         chain_.pose = bodies_.pose(disc_.ground);
     }
 
     std::size_t edgeOf(ProxyId id) const {
+        const std::size_t guess = id - chain_.pieces.front();  // they are made one after the other
+        if (guess < chain_.pieces.size() && chain_.pieces[guess] == id) return guess;
         return static_cast<std::size_t>(std::find(chain_.pieces.begin(), chain_.pieces.end(), id) -
                                         chain_.pieces.begin());
     }

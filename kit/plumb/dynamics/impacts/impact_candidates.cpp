@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include <plumb/collide/distance.h>
 #include <plumb/dynamics/bodies/free_motion.h>
 
 namespace plumb {
@@ -45,8 +46,9 @@ constexpr int passesOverAll = 3;
 /// Then removes, one after the other, those with a body that the solver moves.
 class CandidateSearch {
 public:
-    CandidateSearch(const ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies)
-        : graph_(graph), contacts_(contacts), bodies_(bodies) {}
+    CandidateSearch(const ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies,
+                    const Space& space)
+        : graph_(graph), contacts_(contacts), bodies_(bodies), space_(space) {}
 
     ImpactCandidates find(double dt) {
         collect();
@@ -106,10 +108,10 @@ private:
     }
 
     bool isApart(const ContactRecord& contact) const {
-        const Manifold manifold = graph_.manifoldOf(contact);
-        for (std::size_t p = 0; p < static_cast<std::size_t>(manifold.count); ++p)
-            if (manifold.points[p].separation <= contactMargin) return false;
-        return true;
+        const Transform b = shifted(bodies_.pose(contact.bodyB), contact.shift);
+        const Distance apart = distance(space_[contact.proxyA].def.shape, bodies_.pose(contact.bodyA),
+                                        space_[contact.proxyB].def.shape, b);
+        return apart.separation > static_cast<double>(contactMargin);
     }
 
     void markConstrained() {
@@ -166,6 +168,7 @@ private:
     const ContactGraph& graph_;
     const ContactStore& contacts_;
     const BodyStore& bodies_;
+    const Space& space_;
     ImpactCandidates found_;
     std::vector<ContactIndex> spinning_;  ///< contacts of spinning bodies that are apart, sorted
     std::vector<bool> isCandidate_;
@@ -176,8 +179,8 @@ private:
 }  // namespace
 
 ImpactCandidates findImpactCandidates(const ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies,
-                                      double dt) {
-    return CandidateSearch(graph, contacts, bodies).find(dt);
+                                      const Space& space, double dt) {
+    return CandidateSearch(graph, contacts, bodies, space).find(dt);
 }
 
 }  // namespace plumb

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <plumb/dynamics/contacts/contact_graph.h>
+#include <plumb/space/space.h>
 
 namespace plumb {
 
@@ -22,6 +23,6 @@ struct ImpactCandidates {
 
 /// Finds them for a step of dt [s]. The work grows with the number of contacts.
 ImpactCandidates findImpactCandidates(const ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies,
-                                      double dt);
+                                      const Space& space, double dt);
 
 }  // namespace plumb
