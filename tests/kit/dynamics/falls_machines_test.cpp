@@ -8,8 +8,7 @@
 #include "catch.h"
 #include "kit/dynamics/falls_machines.h"
 
-using namespace plumb;
-using namespace plumb::test;
+namespace plumb::test {
 
 namespace {
 
@@ -65,3 +64,5 @@ TEST_CASE("joints hold where they fall on corners", "[dynamics][falls]") {
     // A link that turns by more than half a radian in a sub-step opens its joint, on flat floors as well.
     CHECK(opened <= slow / 20);
 }
+
+}  // namespace plumb::test

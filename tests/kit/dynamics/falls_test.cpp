@@ -8,8 +8,7 @@
 #include "catch.h"
 #include "kit/dynamics/grounds.h"
 
-using namespace plumb;
-using namespace plumb::test;
+namespace plumb::test {
 
 namespace {
 
@@ -84,3 +83,5 @@ TEST_CASE("what flies at walls is never left in the air", "[dynamics][falls]") {
         CHECK(RoughFall(static_cast<unsigned>(seed)).run() == "");
     }
 }
+
+}  // namespace plumb::test

@@ -10,8 +10,7 @@
 #include "catch.h"
 #include "numbers.h"
 
-using namespace plumb;
-using namespace plumb::test;
+namespace plumb::test {
 
 namespace {
 
@@ -81,3 +80,5 @@ TEST_CASE("of 2,000 fast pairs that spin by up to 300 rad/s at most one passes t
     for (int seed = 1; seed <= pairs; ++seed) passed += passes(static_cast<std::uint64_t>(seed)) ? 1 : 0;
     CHECK(passed <= std::max(1, pairs / 2000));
 }
+
+}  // namespace plumb::test
