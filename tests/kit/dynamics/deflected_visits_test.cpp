@@ -40,7 +40,7 @@ ShapeDef someShape(Random& random, double radius, const Material& material) {
 }
 
 /// One body that something moves fast in the step, and one that only passes or waits. One of the two has the sensor.
-struct Scene {
+struct VisitScene {
     World world = weightless();
     BodyId driven, other;
     double dt = 0;
@@ -56,7 +56,7 @@ ShapeDef gateOf(Random& random, bool sensor) {
     return sensor ? sensorOf(shape) : shape;
 }
 
-void addStruck(Scene& scene, Random& random, const BodyDef& driven) {
+void addStruck(VisitScene& scene, Random& random, const BodyDef& driven) {
     const Material material{.friction = random.uniform(0, 0.5), .restitution = random.uniform(0, 1)};
     BodyDef def = driven;
     for (ShapeDef& shape : def.shapes)
@@ -71,7 +71,7 @@ void addStruck(Scene& scene, Random& random, const BodyDef& driven) {
 }
 
 /// It lies on a floor and against a row of others, so the solver moves it.
-void addPressed(Scene& scene, Random& random, const BodyDef& driven) {
+void addPressed(VisitScene& scene, Random& random, const BodyDef& driven) {
     scene.world.setGravity({0, -9.81});
     scene.world.add({.type = BodyType::Static, .shapes = {plumb::segment({-20, -0.2}, {20, -0.2})}});
     BodyDef def = driven;
@@ -85,7 +85,7 @@ void addPressed(Scene& scene, Random& random, const BodyDef& driven) {
     scene.isStruck = true;
 }
 
-void addPulled(Scene& scene, Random& random, const BodyDef& driven) {
+void addPulled(VisitScene& scene, Random& random, const BodyDef& driven) {
     const BodyId ground = scene.world.add({.type = BodyType::Static, .position = {0, -9}});
     scene.driven = scene.world.add(driven);
     const double mass = scene.world.body(scene.driven).mass();
@@ -105,7 +105,7 @@ void addPulled(Scene& scene, Random& random, const BodyDef& driven) {
                                                  .spring = plumb::springOf(0.2 / scene.dt, 0.3, mass)});
 }
 
-void addPushed(Scene& scene, Random& random, const BodyDef& driven) {
+void addPushed(VisitScene& scene, Random& random, const BodyDef& driven) {
     scene.driven = scene.world.add(driven);
     scene.world.add({.type = BodyType::Kinematic,
                      .position = {-random.uniform(0.5, 0.9), random.uniform(-0.1, 0.1)},
@@ -114,8 +114,8 @@ void addPushed(Scene& scene, Random& random, const BodyDef& driven) {
     scene.isStruck = true;
 }
 
-Scene sceneOf(Random& random) {
-    Scene scene;
+VisitScene sceneOf(Random& random) {
+    VisitScene scene;
     scene.dt = std::array{1.0 / 30, 1.0 / 60, 1.0 / 120}[static_cast<std::size_t>(random.integer(0, 2))];
     const bool carries = random.integer(0, 3) == 0;
     BodyDef driven{.position = {0, 0}, .shapes = {someShape(random, 0.2, {})}};
@@ -156,25 +156,25 @@ Scene sceneOf(Random& random) {
     return scene;
 }
 
-struct Place {
+struct SeenPlace {
     Vec2 center{0, 0};
     double angle = 0;
     Vec2 velocity{0, 0};
     double spin = 0;
 };
 
-Place placeOfBody(const World& world, BodyId id) {
+SeenPlace placeOfBody(const World& world, BodyId id) {
     const auto body = world.body(id);
     return {body.position(), body.angle(), body.velocity(), body.angularVelocity()};
 }
 
-plumb::Transform between(const Place& from, const Place& to, double share) {
+plumb::Transform between(const SeenPlace& from, const SeenPlace& to, double share) {
     return {from.center + (to.center - from.center) * share,
             plumb::Rot::fromAngle(from.angle + (to.angle - from.angle) * share)};
 }
 
 /// Where a body was that rested, was struck at some time in the step, and has flown since.
-plumb::Transform sinceStruck(const Place& from, const Place& to, double left) {
+plumb::Transform sinceStruck(const SeenPlace& from, const SeenPlace& to, double left) {
     const double flight = to.velocity.norm() > 0 ? (to.center - from.center).norm() / to.velocity.norm() : 0;
     const double back = std::min(left, flight);
     return {to.center - to.velocity * back, plumb::Rot::fromAngle(to.angle - to.spin * back)};
@@ -186,7 +186,8 @@ struct Least {
     double surely = 0, perhaps = 0;  ///< [m]
 };
 
-Least leastDistance(const Scene& scene, const std::array<Place, 2>& driven, const std::array<Place, 2>& other) {
+Least leastSeparation(const VisitScene& scene, const std::array<SeenPlace, 2>& driven,
+                      const std::array<SeenPlace, 2>& other) {
     const auto shapeOf = [&](BodyId id, bool sensor) {
         const std::vector<plumb::ShapeId> shapes = scene.world.body(id).shapes();
         const bool first = scene.world.shape(shapes.front()).sensor == sensor;
@@ -211,21 +212,21 @@ Least leastDistance(const Scene& scene, const std::array<Place, 2>& driven, cons
 
 /// Has a body that flies made another turn than it would have since a single impact? Then it was struck twice, and
 /// sampling does not know its path.
-bool isStruckTwice(const Place& from, const Place& to) {
+bool isStruckTwice(const SeenPlace& from, const SeenPlace& to) {
     const double flight = to.velocity.norm() > 0 ? (to.center - from.center).norm() / to.velocity.norm() : 0;
     return std::fabs(to.angle - from.angle - to.spin * flight) > 0.05;
 }
 
-struct Tally {
+struct VisitTally {
     int visits = 0, missed = 0, madeUp = 0;
     std::string first;
 };
 
 /// Steps a scene, and compares the begins of its two bodies with what sampling sees.
-void check(Scene& scene, Tally& tally) {
+void check(VisitScene& scene, VisitTally& tally) {
     bool inside = false;
     for (int tick = 0; tick < 6; ++tick) {
-        std::array<Place, 2> driven, other;
+        std::array<SeenPlace, 2> driven, other;
         driven[0] = placeOfBody(scene.world, scene.driven);
         other[0] = placeOfBody(scene.world, scene.other);
         scene.world.step(scene.dt);
@@ -239,7 +240,7 @@ void check(Scene& scene, Tally& tally) {
             began = began || isBoth(e.sensor.body, e.visitor.body);
         for (const plumb::SensorEnd& e : scene.world.sensorEnds())
             ended = ended || isBoth(e.sensor.body, e.visitor.body);
-        const Least least = leastDistance(scene, driven, other);
+        const Least least = leastSeparation(scene, driven, other);
         const double moved = (driven[1].center - driven[0].center).norm() + (other[1].center - other[0].center).norm();
         const double sampling =
             0.01 * (moved + std::fabs(driven[1].angle - driven[0].angle) + std::fabs(other[1].angle - other[0].angle));
@@ -294,9 +295,9 @@ TEST_CASE("what was struck into a sensor ends its visit when the sensor is remov
 TEST_CASE("1,000 bodies that are struck, pushed or pulled begin each visit in the step in which sampling sees it",
           "[dynamics][sensor][law]") {
     Random random(71);
-    Tally tally;
+    VisitTally tally;
     for (int round = 0; round < 1000; ++round) {
-        Scene scene = sceneOf(random);
+        VisitScene scene = sceneOf(random);
         check(scene, tally);
     }
     INFO(tally.first);

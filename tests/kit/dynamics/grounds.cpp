@@ -13,12 +13,12 @@ void addFixed(World& world, const Vec2& at, double angle, ShapeDef shape) {
     world.add({.type = BodyType::Static, .position = at, .angle = angle, .shapes = {std::move(shape)}});
 }
 
-void addFloor(World& world, const Material& material) {
+void addSlab(World& world, const Material& material) {
     addFixed(world, {0, -5}, 0, box({20, 5}, material));
 }
 
 void addBoxes(World& world, Random& random, const Material& material) {
-    addFloor(world, material);
+    addSlab(world, material);
     for (double x = -19; x < 19; x += random.uniform(1, 4)) {
         const double angle = random.integer(0, 1) == 0 ? 0 : random.uniform(-1, 1);
         addFixed(world, {x, 0}, angle, box({random.uniform(0.2, 0.6), random.uniform(0.2, 1.2)}, material));
@@ -41,13 +41,13 @@ std::vector<Vec2> addHills(World& world, Random& random, const Material& materia
 }
 
 void addBoulders(World& world, Random& random, const Material& material) {
-    addFloor(world, material);
+    addSlab(world, material);
     for (double x = -19; x < 19; x += random.uniform(0.5, 2))
         addFixed(world, {x, 0}, 0, circle(random.uniform(0.1, 0.9), material));
 }
 
 void addPosts(World& world, Random& random, const Material& material) {
-    addFloor(world, material);
+    addSlab(world, material);
     for (double x = -19; x < 19; x += random.uniform(0.7, 3)) {
         const Vec2 top(random.uniform(-0.5, 0.5), random.uniform(0.3, 1.3));
         addFixed(world, {x, 0}, 0, capsule({0, 0}, top, random.uniform(0.05, 0.2), material));
@@ -77,7 +77,7 @@ Ground addGround(World& world, GroundKind kind, Random& random, double friction)
     const Material material{.friction = friction};
     Ground ground;
     switch (kind) {
-        case GroundKind::Flat: addFloor(world, material); break;
+        case GroundKind::Flat: addSlab(world, material); break;
         case GroundKind::Boxes: addBoxes(world, random, material); break;
         case GroundKind::Tiles: addTiles(world, random, material); break;
         case GroundKind::Chain: ground.outline = addHills(world, random, material); break;
