@@ -155,7 +155,8 @@ void solve(Step& s) {
     WorldState& w = s.world;
     w.graph.sortOverflow(w.contacts);
     const JointStores joints{w.joints, w.jointIslands, w.bodies, w.solver, s.observer()};
-    const std::vector<ChainSlideEnd> slides = findChainSlides(w.bodies, w.contacts, w.space, s.dt);
+    std::vector<ChainSlideEnd> slides;
+    if (w.chainPieces > 0) slides = findChainSlides(w.bodies, w.contacts, w.space, s.dt);
     s.report(solveConstraints({w.graph, w.contacts, w.bodies, w.fields, w.space, w.jointPhases, joints, w.solver,
                                s.observer(), w.walls > 0, w.hitSpeed},
                               s.dt));

@@ -139,7 +139,6 @@ struct BodyStore {
     std::vector<BodyIndex> kinematic;  ///< all kinematic bodies
     std::vector<BodyIndex> forced;     ///< bodies with a force or torque for the next step; may hold duplicates
     std::vector<BodyIndex> free;       ///< slots without a body
-    std::vector<BodyIndex> spinning;   ///< those that turn by more than spinningTurn in this step
 
     // What all bodies of a world have in common.
     Wrap wrap;                ///< periods of the world; positions of bodies are not reduced to the first period

@@ -41,7 +41,6 @@ void loadBody(BodyStore& bodies, BodyIndex body, double dt) {
     BodyPlace place = placeOf(motion, record.inverseGyration);
     const Vec2 shift = motion.velocity * dt + a.linear * (0.5 * dt * dt);
     const double angle = (std::fabs(motion.angularVelocity) + std::fabs(a.angular) * dt) * dt;
-    if (angle > spinningTurn && record.type == BodyType::Dynamic) bodies.spinning.push_back(body);
     place.shiftX = static_cast<float>(shift.x());
     place.shiftY = static_cast<float>(shift.y());
     place.turn = static_cast<float>(record.turningRadius * std::min(angle, 2.0));

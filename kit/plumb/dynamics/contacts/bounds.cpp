@@ -70,7 +70,6 @@ void placeBounds(Space& space, const BodyStore& bodies, const ContactStore& cont
 }
 
 void loadBodies(BodyStore& bodies, Space& space, const ContactStore& contacts, double dt) {
-    bodies.spinning.clear();
     for (const BodyIndex body : bodies.awake) {
         loadBody(bodies, body, dt);
         if (bodies.record[body].quarantined) continue;

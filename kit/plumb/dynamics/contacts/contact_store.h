@@ -98,6 +98,7 @@ struct ContactStore {
 
     std::vector<ContactIndex> withVerdict;  ///< contacts whose verdict is not Open
     std::vector<ContactIndex> impacts;      ///< those with state Impact in the last step
+    std::vector<ContactIndex> predicted;    ///< in this step, for bodies that spin: where they meet is predicted
     bool hasEarly = false;                  ///< impacts have made contacts for pairs that the next search may find
 
     ContactRecord& operator[](ContactIndex contact) { return records[contact]; }

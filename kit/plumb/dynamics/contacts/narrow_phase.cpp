@@ -64,6 +64,7 @@ NarrowPhase::NarrowPhase(ContactGraph& graph, ContactStore& contacts, BodyStore&
       dt_(dt) {}
 
 void NarrowPhase::collideSolved() {
+    contacts_.predicted.clear();
     for (std::size_t index = 0; index < graph_.colours.size(); ++index) collideColour(index);
     const std::vector<ContactIndex> through = findLetThrough(contacts_, graph_, bodies_, space_);
     parted_.insert(parted_.end(), through.begin(), through.end());
@@ -166,7 +167,7 @@ void NarrowPhase::collideAny(const Batch& batch, FreshLanes& fresh) const {
     for (std::size_t lane = 0; lane < batch.count; ++lane) {
         fresh.uncertain[lane] = 0;
         if (batch.pairs.discs[lane] == noDisc && fresh.count[lane] > 0)
-            setFresh(fresh, lane, manifoldOf(pairOf(batch, lane)));
+            setFresh(fresh, lane, manifoldOf(batch.contacts[lane], pairOf(batch, lane)));
     }
 }
 
@@ -176,7 +177,7 @@ void NarrowPhase::resolveUncertain(const Batch& batch, FreshLanes& fresh) const 
     for (std::size_t lane = 0; lane < batch.count; ++lane) {
         if (fresh.uncertain[lane] == 0) continue;
         const ShapePair pair = pairOf(batch, lane);
-        setFresh(fresh, lane, predictedManifold(bodies_, space_, pair, approachOf(bodies_, pair).margin, dt_));
+        setFresh(fresh, lane, predict(batch.contacts[lane], pair, approachOf(bodies_, pair).margin));
     }
 }
 
@@ -214,14 +215,24 @@ ShapePair NarrowPhase::pairOf(const Batch& batch, std::size_t lane) const {
 }
 
 /// The manifold of any two shapes. It is empty if they cannot meet along their normal in this step.
-Manifold NarrowPhase::manifoldOf(const ShapePair& pair) const {
+Manifold NarrowPhase::manifoldOf(ContactIndex index, const ShapePair& pair) const {
     const Approach approach = approachOf(bodies_, pair);
     const BodyMotion b = shifted(bodies_.motion[pair.bodyB], {pair.shiftX, pair.shiftY});
     const RelativePose pose = relativePose(bodies_.motion[pair.bodyA], b);
     const Manifold m = manifold(space_[pair.proxyA].convex, space_[pair.proxyB].convex, pose, approach.margin);
     if (m.count == 0 || nearestOf(m) <= contactMargin) return m;
     const float closing = approach.turn - approach.shift.dot(m.normal);
-    return nearestOf(m) > closing ? Manifold{} : predictedManifold(bodies_, space_, pair, approach.margin, dt_);
+    return nearestOf(m) > closing ? Manifold{} : predict(index, pair, approach.margin);
+}
+
+/// The predicted manifold. Of bodies that spin, the contact is noted.
+Manifold NarrowPhase::predict(ContactIndex index, const ShapePair& pair, float margin) const {
+    const auto spins = [this](BodyIndex body) {
+        return std::fabs(bodies_.motion[body].angularVelocity) * dt_ > spinningTurn;
+    };
+    const Manifold m = predictedManifold(bodies_, space_, pair, margin, dt_);
+    if (m.count > 0 && (spins(pair.bodyA) || spins(pair.bodyB))) contacts_.predicted.push_back(index);
+    return m;
 }
 
 /// Removes contacts whose bounds do not overlap any more.

@@ -61,7 +61,8 @@ private:
     void setPeriodicOffsets(const ContactIndex* contacts, std::size_t count, FreshLanes& fresh) const;
     void prepare(ContactBatch& batch, ManifoldLanes& manifolds, const FreshLanes& fresh) const;
     ShapePair pairOf(const Batch& batch, std::size_t lane) const;
-    Manifold manifoldOf(const ShapePair& pair) const;
+    Manifold manifoldOf(ContactIndex contact, const ShapePair& pair) const;
+    Manifold predict(ContactIndex contact, const ShapePair& pair, float margin) const;
     void removeParted(NearPairs& near);
     bool mayArrive(ContactIndex contact, const PairLanes& pairs, const FreshLanes& fresh, std::size_t lane);
     void addArrival(ContactIndex contact, const FreshLanes& fresh, std::size_t lane);

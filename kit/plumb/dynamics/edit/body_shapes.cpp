@@ -144,6 +144,7 @@ void removeShapes(WorldState& world, BodyIndex body) {
     removeAllPairs(world, body);
     std::vector<ProxyId>& proxies = world.bodies.links[body].proxies;
     world.walls -= wallsOf(world, proxies, body);
+    world.chainPieces -= chainPiecesOf(world, proxies);
     for (const ProxyId proxy : proxies) {
         forgetSensor(world.sensors, proxy);
         world.space.remove(proxy);

@@ -89,6 +89,13 @@ std::uint32_t wallsOf(const WorldState& world, std::span<const ProxyId> proxies,
     return static_cast<std::uint32_t>(std::count_if(proxies.begin(), proxies.end(), solid));
 }
 
+std::uint32_t chainPiecesOf(const WorldState& world, std::span<const ProxyId> proxies) {
+    const auto isOfChain = [&world](ProxyId proxy) {
+        return world.space[proxy].piece && std::holds_alternative<Segment>(world.space[proxy].def.shape);
+    };
+    return static_cast<std::uint32_t>(std::count_if(proxies.begin(), proxies.end(), isOfChain));
+}
+
 void outlinePiece(WorldState& world, ProxyId proxy, const Vec2& localCenter) {
     std::vector<BoxOutline>& boxes = world.contacts.boxes;
     if (boxes.size() <= proxy) boxes.resize(proxy + std::size_t{1});
@@ -107,6 +114,7 @@ std::vector<ProxyId> addPieces(WorldState& world, BodyIndex body, std::uint32_t 
     const auto at = std::upper_bound(proxies.begin(), proxies.end(), number, isAbove);
     proxies.insert(at, added.begin(), added.end());
     world.walls += wallsOf(world, added, body);
+    world.chainPieces += chainPiecesOf(world, added);
     measure(world, added, world.bodies.record[body]);
     return added;
 }
@@ -114,6 +122,7 @@ std::vector<ProxyId> addPieces(WorldState& world, BodyIndex body, std::uint32_t 
 void removePieces(WorldState& world, BodyIndex body, std::span<const ProxyId> pieces) {
     if (pieces.empty()) return;
     world.walls -= wallsOf(world, pieces, body);
+    world.chainPieces -= chainPiecesOf(world, pieces);
     for (const ProxyId proxy : pieces) {
         removePairs(world, body, proxy);
         forgetSensor(world.sensors, proxy);

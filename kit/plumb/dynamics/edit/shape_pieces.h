@@ -30,5 +30,7 @@ void measureAnew(WorldState& world, BodyIndex body);
 void outlinePiece(WorldState& world, ProxyId proxy, const Vec2& localCenter);
 /// The number of pieces that are walls: solid pieces of a body that is enabled and not dynamic.
 std::uint32_t wallsOf(const WorldState& world, std::span<const ProxyId> proxies, BodyIndex body);
+/// The number of pieces that are segments of chains or of outlines.
+std::uint32_t chainPiecesOf(const WorldState& world, std::span<const ProxyId> proxies);
 
 }  // namespace plumb

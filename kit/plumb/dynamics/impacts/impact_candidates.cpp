@@ -6,7 +6,6 @@
 #include <tuple>
 #include <utility>
 
-#include <plumb/collide/distance.h>
 #include <plumb/dynamics/bodies/free_motion.h>
 
 namespace plumb {
@@ -46,9 +45,8 @@ constexpr int passesOverAll = 3;
 /// Then removes, one after the other, those with a body that the solver moves.
 class CandidateSearch {
 public:
-    CandidateSearch(const ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies,
-                    const Space& space)
-        : graph_(graph), contacts_(contacts), bodies_(bodies), space_(space) {}
+    CandidateSearch(const ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies)
+        : graph_(graph), contacts_(contacts), bodies_(bodies) {}
 
     ImpactCandidates find(double dt) {
         collect();
@@ -92,12 +90,11 @@ private:
     /// What spins is moved to where it meets other bodies, even if it does not bounce: the solver could let it pass,
     /// because it predicts contacts from the step's start.
     void collectSpinning() {
-        for (const BodyIndex body : bodies_.spinning)
-            forEachContact(bodies_, contacts_, body, [&](ContactIndex index) {
-                const ContactRecord& contact = contacts_[index];
-                if (!contact.isSolved() || !bodies_.isDynamic(otherOf(contact, body))) return;
-                if (isApart(contact)) spinning_.push_back(index);
-            });
+        for (const ContactIndex index : contacts_.predicted) {
+            const ContactRecord& contact = contacts_[index];
+            if (contact.isSolved() && bodies_.isDynamic(contact.bodyA) && bodies_.isDynamic(contact.bodyB))
+                spinning_.push_back(index);
+        }
         if (spinning_.empty()) return;
         std::vector<ContactIndex>& all = found_.contacts;
         all.insert(all.end(), spinning_.begin(), spinning_.end());
@@ -105,13 +102,6 @@ private:
             std::sort(some->begin(), some->end());
             some->erase(std::unique(some->begin(), some->end()), some->end());
         }
-    }
-
-    bool isApart(const ContactRecord& contact) const {
-        const Transform b = shifted(bodies_.pose(contact.bodyB), contact.shift);
-        const Distance apart = distance(space_[contact.proxyA].def.shape, bodies_.pose(contact.bodyA),
-                                        space_[contact.proxyB].def.shape, b);
-        return apart.separation > static_cast<double>(contactMargin);
     }
 
     void markConstrained() {
@@ -168,9 +158,8 @@ private:
     const ContactGraph& graph_;
     const ContactStore& contacts_;
     const BodyStore& bodies_;
-    const Space& space_;
     ImpactCandidates found_;
-    std::vector<ContactIndex> spinning_;  ///< contacts of spinning bodies that are apart, sorted
+    std::vector<ContactIndex> spinning_;  ///< contacts of spinning bodies, predicted, sorted
     std::vector<bool> isCandidate_;
     std::vector<std::uint8_t> isMarked_;  ///< of each body: 1 if its candidates are to be removed
     std::vector<BodyIndex> constrained_;  ///< bodies whose candidates are to be removed
@@ -179,8 +168,8 @@ private:
 }  // namespace
 
 ImpactCandidates findImpactCandidates(const ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies,
-                                      const Space& space, double dt) {
-    return CandidateSearch(graph, contacts, bodies, space).find(dt);
+                                      double dt) {
+    return CandidateSearch(graph, contacts, bodies).find(dt);
 }
 
 }  // namespace plumb

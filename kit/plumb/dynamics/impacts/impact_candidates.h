@@ -5,7 +5,6 @@
 #include <vector>
 
 #include <plumb/dynamics/contacts/contact_graph.h>
-#include <plumb/space/space.h>
 
 namespace plumb {
 
@@ -23,6 +22,6 @@ struct ImpactCandidates {
 
 /// Finds them for a step of dt [s]. The work grows with the number of contacts.
 ImpactCandidates findImpactCandidates(const ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies,
-                                      const Space& space, double dt);
+                                      double dt);
 
 }  // namespace plumb

@@ -37,7 +37,7 @@ bool isKept(const ImpactEvents& events, const ContactRecord& contact) {
 Impacts solveIsolatedImpacts(ContactGraph& graph, const ImpactStores& stores, double dt, double hitSpeed) {
     Impacts impacts;
     endImpacts(stores.contacts);
-    const ImpactCandidates candidates = findImpactCandidates(graph, stores.contacts, stores.bodies, stores.space, dt);
+    const ImpactCandidates candidates = findImpactCandidates(graph, stores.contacts, stores.bodies, dt);
     if (candidates.contacts.empty()) return impacts;
     ImpactEvents events(stores, candidates, dt);
     events.run();

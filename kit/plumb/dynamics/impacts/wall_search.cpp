@@ -24,6 +24,8 @@ constexpr double skin = 1e-4;
 constexpr float faceMargin = 3e-4f;
 /// A slower approach is none [m/s].
 constexpr double noApproach = 1e-6;
+/// So few kinematic bodies are looked at one by one.
+constexpr std::size_t fewKinematic = 8;
 /// Most depths at which a crossing is looked at.
 constexpr int mostDepths = 6;
 /// Smaller distances make no difference; the search has about this tolerance [m].
@@ -120,7 +122,13 @@ void WallSearch::searchKinematic() {
     if (view_.bodies.kinematic.empty()) return;
     if (view_.bodies.wrap.isExceededBy(sweep_.shift))
         return meetAlongPeriods([](const Proxy& other) { return !other.fixed; });
-    meetNear([](const Space& space, const Aabb& box, Space::Visit visit) {
+    meetNear([this](const Space& space, const Aabb& box, Space::Visit visit) {
+        if (view_.bodies.kinematic.size() <= fewKinematic && !view_.bodies.wrap.any()) {
+            for (const BodyIndex wall : view_.bodies.kinematic)
+                for (const ProxyId other : view_.bodies.links[wall].proxies)
+                    if (view_.bodies.record[wall].enabled && overlap(box, space.box(other))) visit(other, Vec2(0, 0));
+            return;
+        }
         space.query(box, [&](ProxyId other, const Vec2& shift) {
             if (!space[other].fixed) visit(other, shift);
         });

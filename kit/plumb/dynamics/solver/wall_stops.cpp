@@ -69,7 +69,6 @@ WallStops::WallStops(const WallStopStores& stores, double h)
 
 void WallStops::findBeside() {
     for (const BodyIndex wall : bodies_.kinematic) {
-        if (!bodies_.record[wall].awake) continue;
         forEachContact(bodies_, stores_.contacts, wall, [&](ContactIndex index) {
             const BodyIndex body = otherOf(stores_.contacts[index], wall);
             if (bodies_.isConstrained(body)) beside_.push_back(body);
@@ -125,20 +124,27 @@ JointIsland* WallStops::islandOf(BodyIndex body) {
     return island != none && islands[island].direct ? &islands[island] : nullptr;
 }
 
-/// Adds a body with its island, or its exact place to an island that is there already.
+/// A body alone is stopped at once; of others, the island is added, or the exact place to an island that is there
+/// already.
 void WallStops::add(const Mover& mover) {
     if (isAdded_.empty()) isAdded_.assign(bodies_.record.size(), 0);
     if (bodies_.isMovedBy(mover.body, MovedBy::Impacts) || bodies_.record[mover.body].quarantined) return;
     JointIsland* island = islandOf(mover.body);
+    if (island == nullptr) {
+        if (isAdded_[mover.body] == 0) added_.push_back(mover.body);
+        isAdded_[mover.body] = 1;
+        alone_.movers.assign(1, mover);
+        return stop(alone_);
+    }
     if (isAdded_[mover.body] == 0) {
         Group& group = groups_.emplace_back();
         group.island = island;
-        if (island == nullptr) group.movers.push_back(mover);
-        if (island != nullptr)
-            for (const BodyIndex member : island->bodies) group.movers.push_back(moverOf(member));
-        for (const Mover& each : group.movers) isAdded_[each.body] = 1;
+        for (const BodyIndex member : island->bodies) {
+            group.movers.push_back(moverOf(member));
+            added_.push_back(member);
+            isAdded_[member] = 1;
+        }
     }
-    if (island == nullptr) return;
     for (Group& group : groups_)
         if (group.island == island)
             for (Mover& each : group.movers)
@@ -155,16 +161,14 @@ void WallStops::afterMove(std::span<const FastBody> fast, double start) {
     }
     for (const BodyIndex body : beside_)
         if ((isAdded_.empty() || isAdded_[body] == 0) && hasMovedFarBeside(body)) add(moverOf(body));
-    for (Group& group : groups_) {
-        stop(group);
-        for (const Mover& mover : group.movers) isAdded_[mover.body] = 0;
-    }
+    for (Group& group : groups_) stopIsland(group);
+    for (const BodyIndex body : added_) isAdded_[body] = 0;
+    added_.clear();
     groups_.clear();
 }
 
 /// A body alone moves on from each impact.
 void WallStops::stop(Group& group) {
-    if (group.island != nullptr) return stopIsland(group);
     Mover& mover = group.movers.front();
     Hit hit;
     for (int impacts = 0; firstHit(group, hit.time, hit); ++impacts) {
@@ -205,17 +209,35 @@ void WallStops::search(const Mover& mover, double done, Hit& first) const {
     const double left = (1 - done) * h_, far = farShare * record.inradius / bodies_.subSteps;
     const Sweep way{mover.center, shiftOf(v, left), mover.angle, turnOf(bodies_, body, v, left), record.localCenter};
     WallSearch search(view_, body, way, {start_ + done * h_, start_ + h_}, far);
-    if (travelOf(way.shift, way.turn, record) > far) search.searchStatic();
-    if (!bodies_.kinematic.empty()) {
-        if (isWithinBounds(body))
-            search.searchTouching();
-        else
-            search.searchKinematic();
-    }
+    const bool within = isWithinBounds(body);
+    if (travelOf(way.shift, way.turn, record) > far && !(within && isFarFromWalls(body))) search.searchStatic();
+    if (!within)
+        search.searchKinematic();
+    else if (isBeside(body))
+        search.searchTouching();
     if (!search.first()) return;
     const double time = done + (1 - done) * search.first()->time;
     if (first.body != noBody && time >= first.time) return;
     first = {body, time, left, motionAt(way, search.first()->time, left), *search.first()};
+}
+
+/// Is no static shape within the body's bounds? It is found out once a step, because most fast bodies are in the open.
+bool WallStops::isFarFromWalls(BodyIndex body) const {
+    if (bodies_.wrap.any()) return false;
+    if (nearWalls_.empty()) nearWalls_.assign(bodies_.record.size(), NearWalls::Unknown);
+    NearWalls& near = nearWalls_[body];
+    if (near == NearWalls::Unknown) {
+        near = NearWalls::None;
+        const Vec2 start = bodies_.motion[body].center, end = start + predictedShift(bodies_, body);
+        const double reach = bodies_.record[body].boundingRadius + static_cast<double>(contactMargin);
+        const Aabb box = inflate({start.cwiseMin(end), start.cwiseMax(end)}, reach);
+        stores_.space.queryFixed(box, [&near](ProxyId, const Vec2&) { near = NearWalls::Some; });
+    }
+    return near == NearWalls::None;
+}
+
+bool WallStops::isBeside(BodyIndex body) const {
+    return std::binary_search(beside_.begin(), beside_.end(), body);
 }
 
 /// Is the body still within the bounds for which its contacts were made? It may not be, if it was pushed or deflected.

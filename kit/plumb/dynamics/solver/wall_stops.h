@@ -56,6 +56,8 @@ private:
         WallHit at;
     };
     class Pushed;
+    /// Are there static shapes within a body's bounds?
+    enum class NearWalls : std::uint8_t { Unknown, None, Some };
 
     void findBeside();
     bool hasMovedFar(BodyIndex body) const;
@@ -67,6 +69,8 @@ private:
     void stopIsland(Group& group);
     bool firstHit(const Group& group, double done, Hit& first) const;
     void search(const Mover& mover, double done, Hit& first) const;
+    bool isFarFromWalls(BodyIndex body) const;
+    bool isBeside(BodyIndex body) const;
     bool isWithinBounds(BodyIndex body) const;
     void solve(Group& group, const Hit& hit, double kept);
     void hold(const Group& group);
@@ -77,10 +81,13 @@ private:
     BodyStore& bodies_;
     WallView view_;
     double h_, start_ = 0;
-    std::vector<BodyIndex> beside_;        ///< bodies that have a contact with a moving kinematic body
-    std::vector<std::uint32_t> islandOf_;  ///< of each body, none if it is alone; empty until it is needed
-    std::vector<std::uint8_t> isAdded_;    ///< of each body, in this sub-step
-    std::vector<Group> groups_;            ///< in this sub-step
+    std::vector<BodyIndex> beside_;             ///< bodies that have a contact with a kinematic body, sorted
+    std::vector<std::uint32_t> islandOf_;       ///< of each body, none if it is alone; empty until it is needed
+    std::vector<std::uint8_t> isAdded_;         ///< of each body, in this sub-step
+    std::vector<BodyIndex> added_;              ///< those, in the order in which they were added
+    std::vector<Group> groups_;                 ///< islands, in this sub-step
+    Group alone_;                               ///< its one body changes from call to call
+    mutable std::vector<NearWalls> nearWalls_;  ///< of each body; empty until it is needed
     std::vector<WallImpact> impacts_;
 };
 

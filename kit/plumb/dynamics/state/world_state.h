@@ -26,7 +26,8 @@ struct WorldState {
 
     BodyStore bodies;  ///< with gravity and wrap
     Space space;
-    std::uint32_t walls = 0;  ///< number of shapes of static and kinematic bodies, without sensors
+    std::uint32_t walls = 0;        ///< number of shapes of static and kinematic bodies, without sensors
+    std::uint32_t chainPieces = 0;  ///< number of segments of chains and outlines
     ContactStore contacts;
     ContactGraph graph;
     JointStore joints;
