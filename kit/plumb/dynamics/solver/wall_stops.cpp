@@ -71,7 +71,7 @@ void WallStops::findBeside() {
     for (const BodyIndex wall : bodies_.kinematic) {
         forEachContact(bodies_, stores_.contacts, wall, [&](ContactIndex index) {
             const BodyIndex body = otherOf(stores_.contacts[index], wall);
-            if (bodies_.isConstrained(body)) beside_.push_back(body);
+            if (bodies_.isDynamic(body)) beside_.push_back(body);
         });
     }
     std::sort(beside_.begin(), beside_.end());
@@ -160,7 +160,8 @@ void WallStops::afterMove(std::span<const FastBody> fast, double start) {
         add({f.body, from.center + moved, from.angle + static_cast<double>(f.angle)});
     }
     for (const BodyIndex body : beside_)
-        if ((isAdded_.empty() || isAdded_[body] == 0) && hasMovedFarBeside(body)) add(moverOf(body));
+        if (bodies_.isConstrained(body) && (isAdded_.empty() || isAdded_[body] == 0) && hasMovedFarBeside(body))
+            add(moverOf(body));
     for (Group& group : groups_) stopIsland(group);
     for (const BodyIndex body : added_) isAdded_[body] = 0;
     added_.clear();
