@@ -285,7 +285,7 @@ TEST_CASE("200 discs on a hill of gentle and 45-degree slope tiles go as on a ch
     const TileMap map = plumb::tileMapOf({"....../#34........", "...12#####\\.......", "##################"});
     const std::vector<Vec2> line{{18, 1}, {11, 1}, {10, 2}, {8, 3}, {7, 3}, {6, 2}, {5, 2}, {3, 1}, {0, 1}};
     double worst = 0;
-    int over = 0;
+    int over = 0, same = 0;
     for (int seed = 0; seed < 200; ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         const double friction = random.integer(0, 1) == 0 ? 0 : random.uniform(0.1, 0.9);
@@ -302,10 +302,13 @@ TEST_CASE("200 discs on a hill of gentle and 45-degree slope tiles go as on a ch
             chained.step(dt);
         }
         over += chained.body(b).position().x() > 11 ? 1 : 0;
-        worst = std::max(worst, (tiled.world.body(a).position() - chained.body(b).position()).norm());
+        const double off = (tiled.world.body(a).position() - chained.body(b).position()).norm();
+        same += off < 1e-3 ? 1 : 0;
+        worst = std::max(worst, off);
     }
     CHECK(over > 50);
-    // Where a disc touches two edges at once, it matters a little which of them is solved first.
+    // Where a disc touches two edges at once, it matters a little which of them is solved first: one in 200 does.
+    CHECK(same >= 199);
     CHECK(worst < 0.03);
 }
 
