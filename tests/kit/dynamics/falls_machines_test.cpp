@@ -18,7 +18,6 @@ constexpr double machineRates[] = {30, 60, 120};
 struct Opening {
     double widest = 0, last = 0;
     bool wentThrough = false;
-    bool isSlow = false;  ///< it flew by less than 0.7 m in a step, at 60 Hz or more
 };
 
 Opening fall(unsigned seed, bool flat) {
@@ -33,7 +32,6 @@ Opening fall(unsigned seed, bool flat) {
     const Vec2 velocity(speed * std::cos(angle), speed * std::sin(angle)), at(random.uniform(-3, 3), 5);
     const ThrownMachine thrown = addMachine(world, machine, random, at, velocity);
     Opening opening;
-    opening.isSlow = dt < 0.02 && speed * dt < 0.7;
     for (int tick = 0; tick < static_cast<int>(std::lround(2 / dt)); ++tick) {
         world.step(dt);
         opening.last = thrown.widestGap(world);
@@ -50,19 +48,14 @@ Opening fall(unsigned seed, bool flat) {
 }  // namespace
 
 TEST_CASE("joints hold where they fall on corners", "[dynamics][falls]") {
-    int slow = 0, opened = 0;
     for (int seed = 1; seed <= cases(500); ++seed) {
         INFO("seed " << seed);
         const Opening flat = fall(static_cast<unsigned>(seed), true), rough = fall(static_cast<unsigned>(seed), false);
         CHECK(rough.last <= 0.001);
-        CHECK(!rough.wentThrough);
-        if (!rough.isSlow) continue;
-        ++slow;
-        opened += rough.widest > flat.widest + 0.025 ? 1 : 0;
-        CHECK(rough.widest <= 0.15);
+        CHECK(rough.widest <= flat.widest + 0.005);
+        CHECK(rough.widest <= 0.1);
+        CHECK_FALSE(rough.wentThrough);
     }
-    // A link that turns by more than half a radian in a sub-step opens its joint, on flat floors as well.
-    CHECK(opened <= slow / 20);
 }
 
 }  // namespace plumb::test

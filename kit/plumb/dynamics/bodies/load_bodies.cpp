@@ -16,16 +16,14 @@ SolverVelocity rowOf(const Vec2& linear, double angular, float gyration, float l
             last};
 }
 
-/// A point of the outline moves by at most (|v| + |w| r) t in a time t, r the turning radius divided by that of
-/// gyration, and so by at most max(1, r) sqrt(2 (v^2 + w^2)) t.
+}  // namespace
+
 float farSpeedSquared(const BodyRecord& body, double dt) {
     if (body.type != BodyType::Dynamic) return std::numeric_limits<float>::infinity();
     const double reach = std::max(1.0, body.turningRadius * static_cast<double>(body.inverseGyration));
     const double speed = farShare * body.inradius / (dt * reach);
     return static_cast<float>(std::min(0.5 * speed * speed, 1e30));
 }
-
-}  // namespace
 
 void loadBody(BodyStore& bodies, BodyIndex body, double dt) {
     const BodyRecord& record = bodies.record[body];

@@ -22,18 +22,14 @@ public:
     WallPoint(const BodyMotion& wall, PushedBody& body, const Vec2& point, const Vec2& normal)
         : wall_(wall), body_(body), point_(point), normal_(normal), arm_(point - body.motion().center) {}
 
-    /// Lets this share of the present approach speed be.
-    void keep(double share) { kept_ = share * std::max(approach(), 0.0); }
-
     Vec2 velocity() const { return velocityAt(body_.motion(), point_); }
     double approach() const { return Vec2(velocityAt(wall_, point_) - velocity()).dot(normal_); }
 
     /// Adds what it gives to the impact. False if nothing approaches or can be moved.
-    bool solve(ImpactLaw law, WallImpact& impact) {
+    bool solve(const ImpactLaw& law, WallImpact& impact) {
         const double approach = this->approach();
         const Vec2 t = perp(normal_);
-        if (!(approach > kept_ + stopped)) return false;
-        if (kept_ > 0) law.restitution = -kept_ / approach;
+        if (!(approach > stopped)) return false;
         const Vec2 byNormal = changeBy(normal_), byTangent = changeBy(t);
         const ImpactResponse response{byNormal.dot(normal_), byNormal.dot(t), byTangent.dot(t)};
         if (!(response.normal > 0)) return false;
@@ -65,7 +61,6 @@ private:
     const BodyMotion& wall_;
     PushedBody& body_;
     Vec2 point_, normal_, arm_;
-    double kept_ = 0;  ///< approach speed that is not stopped [m/s]
 };
 
 /// The law of a pair of shapes. What is no faster than gravity makes a resting body in a step does not bounce.
@@ -81,7 +76,7 @@ ImpactLaw lawOf(const WallView& view, const WallHit& hit, double approach) {
 
 }  // namespace
 
-WallImpact solveWallImpact(const WallView& view, const WallHit& hit, double duration, PushedBody& body, double kept) {
+WallImpact solveWallImpact(const WallView& view, const WallHit& hit, double duration, PushedBody& body) {
     const BodyMotion wall = motionAt(hit.wallSweep, hit.time, duration), own = body.motion();
     const bool bodyFirst = hit.own < hit.wall;
     const BodyMotion& a = bodyFirst ? own : wall;
@@ -97,7 +92,6 @@ WallImpact solveWallImpact(const WallView& view, const WallHit& hit, double dura
         if (p == 0) impact.point = at;
         points.emplace_back(wall, body, at, impact.normal);
         approach = std::max(approach, points.back().approach());
-        points.back().keep(kept);
     }
     const ImpactLaw law = lawOf(view, hit, approach);
     for (int turn = 0; turn < mostTurns; ++turn) {

@@ -34,9 +34,7 @@ struct WallImpact {
 };
 
 /// Pushes the body at the place of a hit, until nothing there approaches the wall; duration: of the sweep in which the
-/// hit was found [s]; kept: this share of the approach speed may be left, and nothing bounces if it is more than 0. The
-/// impulses are 0 if nothing approached.
-WallImpact solveWallImpact(const WallView& view, const WallHit& hit, double duration, PushedBody& body,
-                           double kept = 0);
+/// hit was found [s]. The impulses are 0 if nothing approached.
+WallImpact solveWallImpact(const WallView& view, const WallHit& hit, double duration, PushedBody& body);
 
 }  // namespace plumb

@@ -37,15 +37,18 @@ constexpr double mostPeriods = 64;
 /// other, as long as it does. The first is where it touches, if it was apart; then where it is too deep, and deeper.
 class Crossing {
 public:
-    Crossing(const RayPart& part, SweptShape wall, SweptShape moving)
+    /// travel: how far the moving shape's outline moves relative to the wall, at most [m].
+    Crossing(const RayPart& part, SweptShape wall, SweptShape moving, double travel)
         : part_(part), wall_(std::move(wall)), moving_(std::move(moving)) {
         if (part.first > 0 || part.last < 1) {  // the two are near each other only in this part of their sweeps
             wall_.sweep = partOf(wall_.sweep, part.first, part.last);
             moving_.sweep = partOf(moving_.sweep, part.first, part.last);
         }
-        deep_ = std::min(deepShare * inradiusOf(*moving_.shape), deepest);
-        const double start =
-            distance(*wall_.shape, poseAt(wall_.sweep, 0), *moving_.shape, poseAt(moving_.sweep, 0)).separation;
+        const double inradius = inradiusOf(*moving_.shape);
+        deep_ = std::min(deepShare * inradius, deepest);
+        const double start = separationAt(0);
+        // The largest disc in the shape cannot have come to the other side if it moved by less than its radius.
+        if (travel <= inradius && start > -deep_ && separationAt(1) > skin - deep_) return;
         // A body that is deeper already at the start, as under a heavy load, is stopped if it goes deeper.
         limit_ = std::min(skin - deep_, start - noticeable);
         crosses_ = timeOfApproach(wall_, moving_, limit_, 0);
@@ -63,6 +66,10 @@ public:
     }
 
 private:
+    double separationAt(double time) const {
+        return distance(*wall_.shape, poseAt(wall_.sweep, time), *moving_.shape, poseAt(moving_.sweep, time))
+            .separation;
+    }
     std::optional<double> atPart(double time) const { return part_.first + (part_.last - part_.first) * time; }
 
     RayPart part_;
@@ -105,11 +112,24 @@ BodyMotion motionAt(const Sweep& sweep, double time, double duration) {
     return motion;
 }
 
-bool mayCross(const WallSweep& wall, const Sweep& way, const Shape& face, const BodyRecord& body, double far) {
+double travelTowards(const WallSweep& wall, const Sweep& way, const Shape& face, const BodyRecord& body) {
     const Passage passage = passageOf(wall, way);
-    if (passage.travel(body) <= far) return false;
     const Aabb line{passage.from.cwiseMin(passage.to), passage.from.cwiseMax(passage.to)};
-    return overlap(inflate(line, body.boundingRadius + passage.bend), aabbOf(face, {}));
+    const bool near = overlap(inflate(line, body.boundingRadius + passage.bend), aabbOf(face, {}));
+    return near ? passage.travel(body) : 0;
+}
+
+void forEachKinematicNear(const WallView& view, const Aabb& box, Space::Visit visit) {
+    const BodyStore& bodies = view.bodies;
+    if (bodies.kinematic.size() <= fewKinematic && !bodies.wrap.any()) {
+        for (const BodyIndex wall : bodies.kinematic)
+            for (const ProxyId other : bodies.links[wall].proxies)
+                if (bodies.record[wall].enabled && overlap(box, view.space.box(other))) visit(other, Vec2(0, 0));
+        return;
+    }
+    view.space.query(box, [&](ProxyId other, const Vec2& shift) {
+        if (bodies.record[view.space[other].owner].type == BodyType::Kinematic) visit(other, shift);
+    });
 }
 
 void WallSearch::searchStatic() {
@@ -122,28 +142,7 @@ void WallSearch::searchKinematic() {
     if (view_.bodies.kinematic.empty()) return;
     if (view_.bodies.wrap.isExceededBy(sweep_.shift))
         return meetAlongPeriods([](const Proxy& other) { return !other.fixed; });
-    meetNear([this](const Space& space, const Aabb& box, Space::Visit visit) {
-        if (view_.bodies.kinematic.size() <= fewKinematic && !view_.bodies.wrap.any()) {
-            for (const BodyIndex wall : view_.bodies.kinematic)
-                for (const ProxyId other : view_.bodies.links[wall].proxies)
-                    if (view_.bodies.record[wall].enabled && overlap(box, space.box(other))) visit(other, Vec2(0, 0));
-            return;
-        }
-        space.query(box, [&](ProxyId other, const Vec2& shift) {
-            if (!space[other].fixed) visit(other, shift);
-        });
-    });
-}
-
-void WallSearch::searchTouching() {
-    forEachContact(view_.bodies, view_.contacts, body_, [&](ContactIndex index) {
-        const ContactRecord& contact = view_.contacts[index];
-        if (view_.bodies.record[otherOf(contact, body_)].type != BodyType::Kinematic) return;
-        if (contact.bodyA == body_)
-            meet(contact.proxyA, contact.proxyB, contact.shift);
-        else
-            meet(contact.proxyB, contact.proxyA, -contact.shift);
-    });
+    meetNear([this](const Space&, const Aabb& box, Space::Visit visit) { forEachKinematicNear(view_, box, visit); });
 }
 
 void WallSearch::meet(ProxyId own, ProxyId other, const Vec2& shift, const RayPart& part) {
@@ -154,10 +153,11 @@ void WallSearch::meet(ProxyId own, ProxyId other, const Vec2& shift, const RayPa
     wallSweep.start += shift;
     const Shape& shape = view_.space[own].def.shape;
     const Shape& face = view_.space[other].def.shape;
-    if (!mayCross(WallSweep(wallSweep), sweep_, face, view_.bodies.record[body_], far_)) return;
+    const double travel = travelTowards(WallSweep(wallSweep), sweep_, face, view_.bodies.record[body_]);
+    if (travel <= far_) return;
     const SweptShape swept{&shape, sweep_, turningRadiusOf(shape, sweep_.localCenter)};
     if (!(part.first <= part.last)) return;
-    Crossing crossing(part, {&face, wallSweep, 0}, swept);
+    Crossing crossing(part, {&face, wallSweep, 0}, swept, travel);
     while (const std::optional<double> time = crossing.next()) {
         if (first_ && *time >= first_->time) return;
         const WallHit hit{*time, own, other, wallSweep, shift, manifoldAt(*time, wallSweep, own, other)};

@@ -38,10 +38,8 @@ public:
 
     const std::optional<WallHit>& first() const { return first_; }
 
-    /// Each call searches more walls: all static bodies, the kinematic bodies with which this body has contacts, and
-    /// all kinematic bodies.
+    /// Each call searches more walls.
     void searchStatic();
-    void searchTouching();
     void searchKinematic();
 
 private:
@@ -64,6 +62,9 @@ private:
     std::optional<WallHit> first_;
 };
 
+/// Visits the shapes of kinematic bodies whose bounds overlap a box.
+void forEachKinematicNear(const WallView& view, const Aabb& box, Space::Visit visit);
+
 /// The state of a body at a share of a sweep of this duration [s].
 BodyMotion motionAt(const Sweep& sweep, double time, double duration);
 
@@ -78,7 +79,8 @@ struct WallSweep {
           toWallAfter(w.turn == 0 ? toWallBefore : Rot::fromAngle(w.angle + w.turn).inverse()) {}
 };
 
-/// May a body with this sweep have gone through this shape of a wall? A fast test with bounds only. far: as above [m].
-bool mayCross(const WallSweep& wall, const Sweep& way, const Shape& face, const BodyRecord& body, double far);
+/// An upper bound on how far a body moves relative to a wall, if it may touch a shape of it on its way; else 0. A fast
+/// test with bounds only [m].
+double travelTowards(const WallSweep& wall, const Sweep& way, const Shape& face, const BodyRecord& body);
 
 }  // namespace plumb

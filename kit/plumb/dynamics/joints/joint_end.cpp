@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/joints/joint_end.h>
 
-#include <algorithm>
+#include <cmath>
 
 namespace plumb {
 
@@ -46,9 +46,13 @@ End endNow(const Anchor& anchor, const BodyStore& bodies) {
     return endOf(anchor, motion);
 }
 
+double spinAhead(const End& now, double h) {
+    return std::fabs(now.spin) * h <= farthestTurn ? now.spin : std::copysign(farthestTurn / h, now.spin);
+}
+
 End endAfter(const End& now, double h) {
     End end = now;
-    const double turn = std::clamp(now.spin * h, -farthestTurn, farthestTurn);
+    const double turn = spinAhead(now, h) * h;
     const Rot turned{1 - turn * turn / 2 * (1 - turn * turn / 12),
                      turn * (1 - turn * turn / 6 * (1 - turn * turn / 20))};
     end.arm = turned * now.arm;

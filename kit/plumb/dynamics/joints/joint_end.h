@@ -38,6 +38,8 @@ struct End {
 End endAtRest(const Anchor& anchor, const BodyStore& bodies);
 /// Within a step: the end after the sub-steps done so far.
 End endNow(const Anchor& anchor, const BodyStore& bodies);
+/// The spin with which the coming sub-step of h [s] is predicted [rad/s].
+double spinAhead(const End& now, double h);
 /// The end after the coming sub-step of h [s], at constant velocities.
 End endAfter(const End& now, double h);
 

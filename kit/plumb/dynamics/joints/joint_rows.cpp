@@ -42,6 +42,13 @@ double speedOf(const JointRow& row, const Ends& ends) {
     return part(row.at[0], ends.a) + part(row.at[1], ends.b);
 }
 
+double speedAhead(const JointRow& row, const Ends& ends, double h) {
+    Ends slower = ends;
+    slower.a.spin = spinAhead(ends.a, h);
+    slower.b.spin = spinAhead(ends.b, h);
+    return speedOf(row, slower);
+}
+
 double speedOf(const JointRows& rows, std::size_t row, const BodyStore& bodies) {
     double speed = 0;
     for (std::size_t e = 0; e < rows.ends; ++e) {
@@ -94,7 +101,7 @@ void drive(JointRow& row, double speed, double force, const JointPass& pass) {
 void holdRow(JointRows& rows, const JointRow& row, const PredictedCoordinate& predicted, const Ends& now,
              const JointPass& pass) {
     JointRow& held = rows.add() = row;
-    hold(held, predicted, speedOf(held, now), pass);
+    hold(held, predicted, speedAhead(held, now, pass.step), pass);
 }
 
 void holdPoint(JointRows& rows, const Ends& now, const Ends& later, const JointPass& pass) {

@@ -98,6 +98,8 @@ JointRow rowAlong(const Vec2& axis, const Ends& ends);
 JointRow rowTurning();
 /// The speed v of a row with two ends.
 double speedOf(const JointRow& row, const Ends& ends);
+/// The same at the spins with which endAfter predicts: the speed that belongs to a predicted coordinate.
+double speedAhead(const JointRow& row, const Ends& ends, double h);
 /// The speed v of any row, at the bodies' present velocities within a step.
 double speedOf(const JointRows& rows, std::size_t row, const BodyStore& bodies);
 /// Clears the rows and sets two ends.

@@ -30,7 +30,7 @@ Geared geared(const JointStore& joints, JointIndex index, const BodyStore& bodie
                 const Ends now = within ? endsNow(joint.anchors, bodies) : endsAtRest(joint.anchors, bodies);
                 result.body = {now.a.body, now.b.body};
                 result.row = joint.coordinateRow(now);
-                result.speed = plumb::speedOf(result.row, now);
+                result.speed = ahead > 0 ? speedAhead(result.row, now, ahead) : plumb::speedOf(result.row, now);
                 result.predicted = {joint.coordinate(now), joint.coordinate(after(now, ahead))};
             }
         },
@@ -136,6 +136,15 @@ double JointStore::errorOf(JointIndex index, const BodyStore& bodies) const {
         },
         records[index].joint);
     return boundedNumber(error);
+}
+
+double JointStore::errorNow(JointIndex index, const BodyStore& bodies) const {
+    return std::visit(
+        [&]<class Joint>(const Joint& joint) -> double {
+            if constexpr (hasEnds<Joint>) return joint.error(endsNow(joint.anchors, bodies));
+            return 0;
+        },
+        records[index].joint);
 }
 
 double JointStore::angleErrorOf(JointIndex index, const BodyStore& bodies) const {

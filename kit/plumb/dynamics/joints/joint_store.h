@@ -92,8 +92,10 @@ struct JointStore {
     SpringLoad springLoadOf(JointIndex joint, const BodyStore& bodies) const;
     /// The joint's coordinate after the last step [m or rad].
     double coordinateOf(JointIndex joint, const BodyStore& bodies) const;
-    double speedOf(JointIndex joint, const BodyStore& bodies) const;       ///< [m/s or rad/s]
-    double errorOf(JointIndex joint, const BodyStore& bodies) const;       ///< [m]
+    double speedOf(JointIndex joint, const BodyStore& bodies) const;  ///< [m/s or rad/s]
+    double errorOf(JointIndex joint, const BodyStore& bodies) const;  ///< [m]
+    /// Within a step: after the sub-steps done so far; 0 for gears [m].
+    double errorNow(JointIndex joint, const BodyStore& bodies) const;
     double angleErrorOf(JointIndex joint, const BodyStore& bodies) const;  ///< [rad]
 };
 

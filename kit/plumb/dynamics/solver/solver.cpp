@@ -10,6 +10,7 @@
 #include <plumb/dynamics/impacts/wall_touch.h>
 #include <plumb/dynamics/joints/joint_island.h>
 #include <plumb/dynamics/solver/body_solver.h>
+#include <plumb/dynamics/solver/wall_limits.h>
 #include <plumb/dynamics/solver/wall_stops.h>
 
 namespace plumb {
@@ -243,6 +244,7 @@ private:
 
 TouchEvents solveConstraints(const SolverStores& stores, double dt) {
     stores.bodies.rest(noBody);
+    if (stores.hasWalls) limitByWalls(stores.bodies, stores.contacts, stores.space, dt);
     Solver solver(stores, dt);
     solver.run(dt);
     TouchEvents touches;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <plumb/dynamics/contacts/bounds.h>
 #include <plumb/dynamics/joints/joint_response.h>
 #include <plumb/dynamics/solver/body_solver.h>
 
@@ -14,16 +13,25 @@ namespace {
 
 /// Most impacts of a body, or of bodies that joints connect, in a sub-step. After that they stay where they are until
 /// the sub-step ends.
-constexpr int mostImpacts = 8;
+constexpr int mostImpacts = 24;
 
-/// Joints may give a machine this share of its energy more when it has hit a wall [-].
-constexpr double mostGiven = 1.1;
+/// If joints open by more than this in a sub-step [m], their bodies move in pieces in which none turns by more than
+/// pieceTurn [rad]: the joints hold at the end of each piece. A sub-step has at most this many equal pieces.
+constexpr double opensFar = 2e-4, pieceTurn = 0.025, mostPieces = 32;
+/// What turns by more than this in a sub-step stays where it met a wall, because its joints cannot be followed [rad].
+constexpr double farthestFollowed = 8;
+
+/// A shorter rest of a sub-step is none, as a share of it [-].
+constexpr double roundOff = 1e-9;
+
+/// Joints may give a machine this share of its energy more in a sub-step in which it moves in pieces [-].
+constexpr double mostGiven = 1.01;
 
 Vec2 shiftOf(const SolverVelocity& v, double time) {
     return Vec2(static_cast<double>(v.x), static_cast<double>(v.y)) * time;
 }
 
-double turnOf(const BodyStore& bodies, BodyIndex body, const SolverVelocity& v, double time) {
+double turnBy(const BodyStore& bodies, BodyIndex body, const SolverVelocity& v, double time) {
     return static_cast<double>(v.w) * static_cast<double>(bodies.turn[body].inverseGyration) * time;
 }
 
@@ -38,7 +46,7 @@ public:
         BodyMotion motion = place_;
         const SolverVelocity& v = stops_.bodies_.velocity[body_];
         motion.velocity = shiftOf(v, 1);
-        motion.angularVelocity = turnOf(stops_.bodies_, body_, v, 1);
+        motion.angularVelocity = turnBy(stops_.bodies_, body_, v, 1);
         return motion;
     }
     Vec3 answerTo(const Vec3& impulse) override {
@@ -63,43 +71,12 @@ private:
 };
 
 WallStops::WallStops(const WallStopStores& stores, double h)
-    : stores_(stores), bodies_(stores.bodies), view_{stores.bodies, stores.contacts, stores.space}, h_(h) {
-    findBeside();
-}
-
-void WallStops::findBeside() {
-    for (const BodyIndex wall : bodies_.kinematic) {
-        forEachContact(bodies_, stores_.contacts, wall, [&](ContactIndex index) {
-            const BodyIndex body = otherOf(stores_.contacts[index], wall);
-            if (bodies_.isDynamic(body)) beside_.push_back(body);
-        });
-    }
-    std::sort(beside_.begin(), beside_.end());
-    beside_.erase(std::unique(beside_.begin(), beside_.end()), beside_.end());
-}
+    : stores_(stores), bodies_(stores.bodies), view_{stores.bodies, stores.contacts, stores.space}, h_(h) {}
 
 bool WallStops::hasMovedFar(BodyIndex body) const {
     const BodyRecord& record = bodies_.record[body];
     const SolverVelocity& v = bodies_.velocity[body];
-    return travelOf(shiftOf(v, 1), turnOf(bodies_, body, v, 1), record) * bodies_.lastStep > farShare * record.inradius;
-}
-
-/// The same relative to the kinematic bodies that it touches.
-bool WallStops::hasMovedFarBeside(BodyIndex body) const {
-    const BodyRecord& record = bodies_.record[body];
-    const SolverVelocity& v = bodies_.velocity[body];
-    bool far = false;
-    forEachContact(bodies_, stores_.contacts, body, [&](ContactIndex index) {
-        const ContactRecord& contact = stores_.contacts[index];
-        const BodyIndex wall = otherOf(contact, body);
-        if (far || bodies_.record[wall].type != BodyType::Kinematic) return;
-        const Vec2 image = contact.bodyA == wall ? Vec2(-contact.shift) : contact.shift;
-        const BodyMotion there = shifted(bodies_.motion[wall], image);
-        const Vec2 relative = shiftOf(v, 1) - velocityAt(there, bodies_.motion[body].center);
-        const double turn = turnOf(bodies_, body, v, 1) - there.angularVelocity;
-        far = travelOf(relative, turn, record) * bodies_.lastStep > farShare * record.inradius;
-    });
-    return far;
+    return travelOf(shiftOf(v, 1), turnBy(bodies_, body, v, 1), record) * bodies_.lastStep > farShare * record.inradius;
 }
 
 /// The place from which a slow body has moved; of a fast one, rounding would change it.
@@ -109,7 +86,7 @@ WallStops::Mover WallStops::moverOf(BodyIndex body) const {
     const BodyMotion& start = bodies_.motion[body];
     const Vec2 moved = Vec2(static_cast<double>(d.x), static_cast<double>(d.y)) - shiftOf(v, h_);
     return {body, start.center + moved,
-            start.angle + static_cast<double>(bodies_.turn[body].angle) - turnOf(bodies_, body, v, h_)};
+            start.angle + static_cast<double>(bodies_.turn[body].angle) - turnBy(bodies_, body, v, h_)};
 }
 
 JointIsland* WallStops::islandOf(BodyIndex body) {
@@ -134,7 +111,7 @@ void WallStops::add(const Mover& mover) {
         if (isAdded_[mover.body] == 0) added_.push_back(mover.body);
         isAdded_[mover.body] = 1;
         alone_.movers.assign(1, mover);
-        return stop(alone_);
+        return travel(alone_);
     }
     if (isAdded_[mover.body] == 0) {
         Group& group = groups_.emplace_back();
@@ -154,127 +131,123 @@ void WallStops::add(const Mover& mover) {
 void WallStops::afterMove(std::span<const FastBody> fast, double start) {
     start_ = start;
     for (const FastBody& f : fast) {
-        if (!hasMovedFar(f.body)) continue;
+        if (bodies_.kinematic.empty() && !hasMovedFar(f.body)) continue;
         const BodyMotion& from = bodies_.motion[f.body];
         const Vec2 moved(static_cast<double>(f.x), static_cast<double>(f.y));
         add({f.body, from.center + moved, from.angle + static_cast<double>(f.angle)});
     }
-    for (const BodyIndex body : beside_)
-        if (bodies_.isConstrained(body) && (isAdded_.empty() || isAdded_[body] == 0) && hasMovedFarBeside(body))
-            add(moverOf(body));
-    for (Group& group : groups_) stopIsland(group);
+    for (Group& group : groups_) travel(group);
     for (const BodyIndex body : added_) isAdded_[body] = 0;
     added_.clear();
     groups_.clear();
 }
 
-/// A body alone moves on from each impact.
-void WallStops::stop(Group& group) {
-    Mover& mover = group.movers.front();
-    Hit hit;
-    for (int impacts = 0; firstHit(group, hit.time, hit); ++impacts) {
-        mover.center = hit.place.center;
-        mover.angle = hit.place.angle;
-        if (impacts == mostImpacts || hit.at.manifold.count == 0) return moveOn(mover, 0);
-        solve(group, hit, 0);
-        moveOn(mover, (1 - hit.time) * h_);
+/// The bodies have moved to the end of the sub-step already. There they are if they meet nothing and their joints hold.
+void WallStops::travel(Group& group) {
+    double time = 0;
+    int impacts = 0;
+    group.energy = energyOf(group);
+    bool inPieces = group.island != nullptr && turnOf(group, h_) <= farthestFollowed && opens(*group.island);
+    while (time < h_ * (1 - roundOff)) {
+        const double left = h_ - time, piece = inPieces ? pieceOf(group, left) : left;
+        if (inPieces) {
+            moveAll(group, 0);
+            hold(group, piece);
+        }
+        Hit hit;
+        const bool hits = firstHit(group, {start_ + time, start_ + time + piece}, hit);
+        if (!hits && !inPieces && impacts == 0) return;
+        const double done = hits ? hit.time * piece : piece;
+        moveAll(group, done);
+        for (Mover& mover : group.movers) goOn(mover, done);
+        if (hits) {
+            if (++impacts > mostImpacts || hit.at.manifold.count == 0) return;
+            solve(group, hit, piece);
+            inPieces = group.island != nullptr;
+            if (inPieces && turnOf(group, h_) > farthestFollowed) return;
+        }
+        time = piece < left || hits ? time + done : h_;
     }
 }
 
-/// Joints hold only along the straight way of a whole sub-step, so there is no place between its ends to go on from.
-/// The bodies start again, with impulses by which the one that hit a wall comes just to the wall.
-void WallStops::stopIsland(Group& group) {
-    Hit hit;
-    const auto moveAll = [&](double time) {
-        for (const Mover& mover : group.movers) moveOn(mover, time);
-    };
-    for (int impacts = 0; firstHit(group, 0, hit); ++impacts) {
-        moveAll(0);
-        if (impacts == mostImpacts || hit.at.manifold.count == 0) return;
-        solve(group, hit, hit.time);
-        moveAll(h_);
-    }
+/// Have joints opened in this sub-step?
+bool WallStops::opens(const JointIsland& island) const {
+    const JointStore& joints = stores_.joints.joints;
+    return std::any_of(island.joints.begin(), island.joints.end(), [&](JointIndex joint) {
+        return joints.errorNow(joint, bodies_) > joints.errorOf(joint, bodies_) + opensFar;
+    });
 }
 
-bool WallStops::firstHit(const Group& group, double done, Hit& first) const {
+/// How long a piece of the rest of a sub-step may be [s].
+double WallStops::pieceOf(const Group& group, double left) const {
+    const double pieces = std::min(std::ceil(turnOf(group, left) / pieceTurn), std::ceil(mostPieces * left / h_));
+    return pieces > 1 ? left / pieces : left;
+}
+
+/// The largest turn of its bodies in a time [rad].
+double WallStops::turnOf(const Group& group, double time) const {
+    double turn = 0;
+    for (const Mover& mover : group.movers)
+        turn = std::max(turn, std::fabs(turnBy(bodies_, mover.body, bodies_.velocity[mover.body], time)));
+    return turn;
+}
+
+bool WallStops::firstHit(const Group& group, const StepPart& part, Hit& first) const {
     first.body = noBody;
-    for (const Mover& mover : group.movers) search(mover, done, first);
+    for (const Mover& mover : group.movers) search(mover, part, first);
     return first.body != noBody;
 }
 
-void WallStops::search(const Mover& mover, double done, Hit& first) const {
+void WallStops::search(const Mover& mover, const StepPart& part, Hit& first) const {
     const BodyIndex body = mover.body;
     if (!bodies_.isDynamic(body)) return;
     const BodyRecord& record = bodies_.record[body];
     const SolverVelocity& v = bodies_.velocity[body];
-    const double left = (1 - done) * h_, far = farShare * record.inradius / bodies_.subSteps;
-    const Sweep way{mover.center, shiftOf(v, left), mover.angle, turnOf(bodies_, body, v, left), record.localCenter};
-    WallSearch search(view_, body, way, {start_ + done * h_, start_ + h_}, far);
-    const bool within = isWithinBounds(body);
-    if (travelOf(way.shift, way.turn, record) > far && !(within && isFarFromWalls(body))) search.searchStatic();
-    if (!within)
-        search.searchKinematic();
-    else if (isBeside(body))
-        search.searchTouching();
+    const double left = part.to - part.from, far = farShare * record.inradius * left / bodies_.lastStep;
+    const Sweep way{mover.center, shiftOf(v, left), mover.angle, turnBy(bodies_, body, v, left), record.localCenter};
+    WallSearch search(view_, body, way, part, far);
+    if (travelOf(way.shift, way.turn, record) > far) search.searchStatic();
+    search.searchKinematic();
     if (!search.first()) return;
-    const double time = done + (1 - done) * search.first()->time;
+    const double time = search.first()->time;
     if (first.body != noBody && time >= first.time) return;
-    first = {body, time, left, motionAt(way, search.first()->time, left), *search.first()};
+    first = {body, time, motionAt(way, time, left), *search.first()};
 }
 
-/// Is no static shape within the body's bounds? It is found out once a step, because most fast bodies are in the open.
-bool WallStops::isFarFromWalls(BodyIndex body) const {
-    if (bodies_.wrap.any()) return false;
-    if (nearWalls_.empty()) nearWalls_.assign(bodies_.record.size(), NearWalls::Unknown);
-    NearWalls& near = nearWalls_[body];
-    if (near == NearWalls::Unknown) {
-        near = NearWalls::None;
-        const Vec2 start = bodies_.motion[body].center, end = start + predictedShift(bodies_, body);
-        const double reach = bodies_.record[body].boundingRadius + static_cast<double>(contactMargin);
-        const Aabb box = inflate({start.cwiseMin(end), start.cwiseMax(end)}, reach);
-        stores_.space.queryFixed(box, [&near](ProxyId, const Vec2&) { near = NearWalls::Some; });
-    }
-    return near == NearWalls::None;
-}
-
-bool WallStops::isBeside(BodyIndex body) const {
-    return std::binary_search(beside_.begin(), beside_.end(), body);
-}
-
-/// Is the body still within the bounds for which its contacts were made? It may not be, if it was pushed or deflected.
-bool WallStops::isWithinBounds(BodyIndex body) const {
-    const SolverDisplacement& d = bodies_.displacement[body];
-    const double turned = std::fabs(static_cast<double>(bodies_.turn[body].angle)) * bodies_.record[body].turningRadius;
-    const Vec2 moved(static_cast<double>(d.x), static_cast<double>(d.y));
-    return excessOfPrediction(bodies_, body, moved, turned) < 0.5 * static_cast<double>(contactMargin);
-}
-
-void WallStops::solve(Group& group, const Hit& hit, double kept) {
-    std::vector<SolverVelocity> before;
-    for (const Mover& mover : group.movers) before.push_back(bodies_.velocity[mover.body]);
+void WallStops::solve(Group& group, const Hit& hit, double duration) {
+    const std::vector<SolverVelocity> before = velocitiesOf(group);
     Pushed pushed(*this, group, hit);
-    const WallImpact impact = solveWallImpact(view_, hit.at, hit.left, pushed, kept);
+    const WallImpact impact = solveWallImpact(view_, hit.at, duration, pushed);
     if (impact.normalImpulse == 0) return;
     impacts_.push_back(impact);
-    if (group.island != nullptr) hold(group);
+    markChange(group, before);
+}
+
+/// Changes the velocities so that the joints hold after a time. At speeds without measure that may give energy: then it
+/// is left.
+void WallStops::hold(const Group& group, double time) {
+    const std::vector<SolverVelocity> before = velocitiesOf(group);
+    stores_.jointPhases->holdOne(stores_.joints, *group.island, time);
+    if (energyOf(group) > mostGiven * group.energy)
+        for (std::size_t m = 0; m < group.movers.size(); ++m) bodies_.velocity[group.movers[m].body] = before[m];
+    markChange(group, before);
+}
+
+std::vector<SolverVelocity> WallStops::velocitiesOf(const Group& group) const {
+    std::vector<SolverVelocity> velocities;
+    for (const Mover& mover : group.movers) velocities.push_back(bodies_.velocity[mover.body]);
+    return velocities;
+}
+
+/// So that no contact takes a change of velocity for its own impulse.
+void WallStops::markChange(const Group& group, const std::vector<SolverVelocity>& before) {
     for (std::size_t m = 0; m < group.movers.size(); ++m) {
         const SolverVelocity& now = bodies_.velocity[group.movers[m].body];
-        SolverVelocity& mark = bodies_.before[group.movers[m].body];  // so that no contact takes it for its own impulse
+        SolverVelocity& mark = bodies_.before[group.movers[m].body];
         mark.x += now.x - before[m].x;
         mark.y += now.y - before[m].y;
         mark.w += now.w - before[m].w;
     }
-}
-
-/// Removes the errors in the joints that an impact causes. At speeds without measure that may give energy: then it is
-/// left.
-void WallStops::hold(const Group& group) {
-    std::vector<SolverVelocity> before;
-    for (const Mover& mover : group.movers) before.push_back(bodies_.velocity[mover.body]);
-    const double energy = energyOf(group);
-    stores_.jointPhases->holdOne(stores_.joints, *group.island, h_);
-    if (energyOf(group) <= mostGiven * energy) return;
-    for (std::size_t m = 0; m < group.movers.size(); ++m) bodies_.velocity[group.movers[m].body] = before[m];
 }
 
 /// Kinetic energy [J].
@@ -288,7 +261,11 @@ double WallStops::energyOf(const Group& group) const {
     return energy;
 }
 
-/// Moves a body at its velocity from a mover's place, for a time.
+/// Moves the bodies at their velocities from the places of their movers, for a time.
+void WallStops::moveAll(const Group& group, double time) {
+    for (const Mover& mover : group.movers) moveOn(mover, time);
+}
+
 void WallStops::moveOn(const Mover& mover, double time) {
     const SolverVelocity& v = bodies_.velocity[mover.body];
     const BodyMotion& start = bodies_.motion[mover.body];
@@ -297,10 +274,16 @@ void WallStops::moveOn(const Mover& mover, double time) {
     const Vec2 moved = mover.center - start.center + shiftOf(v, time);
     d.x = static_cast<float>(moved.x());
     d.y = static_cast<float>(moved.y());
-    turn.angle = static_cast<float>(mover.angle - start.angle + turnOf(bodies_, mover.body, v, time));
+    turn.angle = static_cast<float>(mover.angle - start.angle + turnBy(bodies_, mover.body, v, time));
     const SinCosMinus1 turned = turnedFar(turn.angle);
     d.sin = turned.sin * turn.gyration;
     d.cosMinus1 = turned.cosMinus1 * turn.gyration;
+}
+
+void WallStops::goOn(Mover& mover, double time) const {
+    const SolverVelocity& v = bodies_.velocity[mover.body];
+    mover.center += shiftOf(v, time);
+    mover.angle += turnBy(bodies_, mover.body, v, time);
 }
 
 }  // namespace plumb

@@ -47,47 +47,44 @@ private:
     struct Group {
         JointIsland* island = nullptr;
         std::vector<Mover> movers;
+        double energy = 0;  ///< kinetic, before it goes on from where it meets a wall [J]
     };
     struct Hit {
         BodyIndex body = noBody;
-        double time = 0;   ///< share of the sub-step [-]
-        double left = 0;   ///< duration of the sweep in which it was found [s]
+        double time = 0;   ///< share of the searched part of the step [-]
         BodyMotion place;  ///< of the body, without its velocity
         WallHit at;
     };
     class Pushed;
-    /// Are there static shapes within a body's bounds?
-    enum class NearWalls : std::uint8_t { Unknown, None, Some };
 
-    void findBeside();
     bool hasMovedFar(BodyIndex body) const;
-    bool hasMovedFarBeside(BodyIndex body) const;
     Mover moverOf(BodyIndex body) const;
     void add(const Mover& mover);
     JointIsland* islandOf(BodyIndex body);
-    void stop(Group& group);
-    void stopIsland(Group& group);
-    bool firstHit(const Group& group, double done, Hit& first) const;
-    void search(const Mover& mover, double done, Hit& first) const;
-    bool isFarFromWalls(BodyIndex body) const;
-    bool isBeside(BodyIndex body) const;
-    bool isWithinBounds(BodyIndex body) const;
-    void solve(Group& group, const Hit& hit, double kept);
-    void hold(const Group& group);
+    void travel(Group& group);
+    bool opens(const JointIsland& island) const;
+    double turnOf(const Group& group, double time) const;
+    double pieceOf(const Group& group, double left) const;
+    bool firstHit(const Group& group, const StepPart& part, Hit& first) const;
+    void search(const Mover& mover, const StepPart& part, Hit& first) const;
+    void solve(Group& group, const Hit& hit, double duration);
+    void hold(const Group& group, double time);
+    std::vector<SolverVelocity> velocitiesOf(const Group& group) const;
+    void markChange(const Group& group, const std::vector<SolverVelocity>& before);
     double energyOf(const Group& group) const;
+    void moveAll(const Group& group, double time);
     void moveOn(const Mover& mover, double time);
+    void goOn(Mover& mover, double time) const;
 
     WallStopStores stores_;
     BodyStore& bodies_;
     WallView view_;
     double h_, start_ = 0;
-    std::vector<BodyIndex> beside_;             ///< bodies that have a contact with a kinematic body, sorted
-    std::vector<std::uint32_t> islandOf_;       ///< of each body, none if it is alone; empty until it is needed
-    std::vector<std::uint8_t> isAdded_;         ///< of each body, in this sub-step
-    std::vector<BodyIndex> added_;              ///< those, in the order in which they were added
-    std::vector<Group> groups_;                 ///< islands, in this sub-step
-    Group alone_;                               ///< its one body changes from call to call
-    mutable std::vector<NearWalls> nearWalls_;  ///< of each body; empty until it is needed
+    std::vector<std::uint32_t> islandOf_;  ///< of each body, none if it is alone; empty until it is needed
+    std::vector<std::uint8_t> isAdded_;    ///< of each body, in this sub-step
+    std::vector<BodyIndex> added_;         ///< those, in the order in which they were added
+    std::vector<Group> groups_;            ///< islands, in this sub-step
+    Group alone_;                          ///< its one body changes from call to call
     std::vector<WallImpact> impacts_;
 };
 

@@ -37,7 +37,8 @@ void DistanceJoint::addRows(JointRows& rows, const Ends& now, const JointPass& p
     JointRow& stretching = rows.add() = coordinateRow(now);
     drive(stretching, def_.motorSpeed, def_.maxMotorForce, pass);
     if (def_.minLength > 0 || def_.maxLength < unlimited)
-        keepWithin(stretching, {def_.minLength, def_.maxLength}, {length, then}, speedOf(stretching, now), pass);
+        keepWithin(stretching, {def_.minLength, def_.maxLength}, {length, then}, speedAhead(stretching, now, pass.step),
+                   pass);
     pull(stretching, *def_.spring, length - length_, pass);
 }
 

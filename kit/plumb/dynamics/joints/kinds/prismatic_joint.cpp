@@ -20,7 +20,7 @@ void PrismaticJoint::addRows(JointRows& rows, const Ends& now, const JointPass& 
     JointRow& sliding = rows.add() = coordinateRow(now);
     drive(sliding, def_.motorSpeed, def_.maxMotorForce, pass);
     const PredictedCoordinate predicted{coordinate(now), coordinate(later)};
-    if (def_.limit) keepWithin(sliding, *def_.limit, predicted, speedOf(sliding, now), pass);
+    if (def_.limit) keepWithin(sliding, *def_.limit, predicted, speedAhead(sliding, now, pass.step), pass);
     if (def_.spring) pull(sliding, *def_.spring, predicted.now - def_.restShift, pass);
 }
 

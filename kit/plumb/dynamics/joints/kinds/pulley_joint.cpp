@@ -34,7 +34,7 @@ JointRow PulleyJoint::coordinateRow(const Ends& ends) const {
 void PulleyJoint::addRows(JointRows& rows, const Ends& now, const JointPass& pass) const {
     const Ends later = ahead(now, pass);
     JointRow& row = rows.add() = coordinateRow(now);
-    keepWithin(row, {-unlimited, length_}, {coordinate(now), coordinate(later)}, speedOf(row, now), pass);
+    keepWithin(row, {-unlimited, length_}, {coordinate(now), coordinate(later)}, speedAhead(row, now, pass.step), pass);
 }
 
 double PulleyJoint::error(const Ends& ends) const {

@@ -17,7 +17,7 @@ void RevoluteJoint::addRows(JointRows& rows, const Ends& now, const JointPass& p
     JointRow& turning = rows.add() = rowTurning();
     drive(turning, def_.motorSpeed, def_.maxMotorTorque, pass);
     const PredictedCoordinate predicted{coordinate(now), coordinate(later)};
-    if (def_.limit) keepWithin(turning, *def_.limit, predicted, speedOf(turning, now), pass);
+    if (def_.limit) keepWithin(turning, *def_.limit, predicted, speedAhead(turning, now, pass.step), pass);
     if (def_.spring) pull(turning, *def_.spring, predicted.now - def_.restAngle, pass);
 }
 

@@ -21,7 +21,7 @@ void WheelJoint::addRows(JointRows& rows, const Ends& now, const JointPass& pass
     if (!def_.limit && !def_.spring) return;
     JointRow& sliding = rows.add() = coordinateRow(now);
     const PredictedCoordinate predicted{coordinate(now), coordinate(later)};
-    if (def_.limit) keepWithin(sliding, *def_.limit, predicted, speedOf(sliding, now), pass);
+    if (def_.limit) keepWithin(sliding, *def_.limit, predicted, speedAhead(sliding, now, pass.step), pass);
     if (def_.spring) pull(sliding, *def_.spring, predicted.now - def_.restShift, pass);
 }
 
