@@ -220,19 +220,34 @@ Manifold NarrowPhase::manifoldOf(ContactIndex index, const ShapePair& pair) cons
     const BodyMotion b = shifted(bodies_.motion[pair.bodyB], {pair.shiftX, pair.shiftY});
     const RelativePose pose = relativePose(bodies_.motion[pair.bodyA], b);
     const Manifold m = manifold(space_[pair.proxyA].convex, space_[pair.proxyB].convex, pose, approach.margin);
-    if (m.count == 0 || nearestOf(m) <= contactMargin) return m;
+    if (m.count == 0) return m;
+    if (nearestOf(m) <= contactMargin) {
+        if (!isApart(index, m) || !spins(pair)) return m;
+        const Manifold met = predict(index, pair, approach.margin);
+        return met.count > 0 ? met : m;
+    }
     const float closing = approach.turn - approach.shift.dot(m.normal);
     return nearestOf(m) > closing ? Manifold{} : predict(index, pair, approach.margin);
 }
 
 /// The predicted manifold. Of bodies that spin, the contact is noted.
 Manifold NarrowPhase::predict(ContactIndex index, const ShapePair& pair, float margin) const {
-    const auto spins = [this](BodyIndex body) {
+    const Manifold m = predictedManifold(bodies_, space_, pair, margin, dt_);
+    if (m.count > 0 && spins(pair)) contacts_.predicted.push_back(index);
+    return m;
+}
+
+bool NarrowPhase::isApart(ContactIndex index, const Manifold& m) const {
+    return !contacts_[index].touching && nearestOf(m) > 0;
+}
+
+/// Two dynamic bodies, one of which spins.
+bool NarrowPhase::spins(const ShapePair& pair) const {
+    const auto turns = [this](BodyIndex body) {
         return std::fabs(bodies_.motion[body].angularVelocity) * dt_ > spinningTurn;
     };
-    const Manifold m = predictedManifold(bodies_, space_, pair, margin, dt_);
-    if (m.count > 0 && (spins(pair.bodyA) || spins(pair.bodyB))) contacts_.predicted.push_back(index);
-    return m;
+    const bool both = bodies_.isDynamic(pair.bodyA) && bodies_.isDynamic(pair.bodyB);
+    return both && (turns(pair.bodyA) || turns(pair.bodyB));
 }
 
 /// Removes contacts whose bounds do not overlap any more.

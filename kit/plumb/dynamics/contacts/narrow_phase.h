@@ -63,6 +63,8 @@ private:
     ShapePair pairOf(const Batch& batch, std::size_t lane) const;
     Manifold manifoldOf(ContactIndex contact, const ShapePair& pair) const;
     Manifold predict(ContactIndex contact, const ShapePair& pair, float margin) const;
+    bool isApart(ContactIndex index, const Manifold& m) const;
+    bool spins(const ShapePair& pair) const;
     void removeParted(NearPairs& near);
     bool mayArrive(ContactIndex contact, const PairLanes& pairs, const FreshLanes& fresh, std::size_t lane);
     void addArrival(ContactIndex contact, const FreshLanes& fresh, std::size_t lane);

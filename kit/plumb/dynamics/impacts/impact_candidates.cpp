@@ -90,11 +90,8 @@ private:
     /// What spins is moved to where it meets other bodies, even if it does not bounce: the solver could let it pass,
     /// because it predicts contacts from the step's start.
     void collectSpinning() {
-        for (const ContactIndex index : contacts_.predicted) {
-            const ContactRecord& contact = contacts_[index];
-            if (contact.isSolved() && bodies_.isDynamic(contact.bodyA) && bodies_.isDynamic(contact.bodyB))
-                spinning_.push_back(index);
-        }
+        for (const ContactIndex index : contacts_.predicted)
+            if (contacts_[index].isSolved()) spinning_.push_back(index);
         if (spinning_.empty()) return;
         std::vector<ContactIndex>& all = found_.contacts;
         all.insert(all.end(), spinning_.begin(), spinning_.end());

@@ -109,15 +109,13 @@ void ImpactEvents::handle(const Event& event) {
             if (bodies_.canFly(body)) stop(body, event.time);
         return;
     }
-    if (isSpent(pair) && spins(pair)) {  // the solver might let them pass
-        for (const FlyingIndex body : {a, b})
-            if (bodies_.canFly(body)) stop(body, event.time);
-        return;
-    }
     bodies_.unite(a, b);
     if (isSpent(pair) || !solve(pair, event.time)) {
-        for (const FlyingIndex body : {a, b})
-            if (bodies_[body].isDynamic) bodies_.leaveGroup(body);
+        const bool stay = pair.impacts > 0 && spins(pair);  // the solver might let them pass
+        for (const FlyingIndex body : {a, b}) {
+            if (stay && bodies_.canFly(body)) stop(body, event.time);
+            if (!stay && bodies_[body].isDynamic) bodies_.leaveGroup(body);
+        }
         return;
     }
     for (const FlyingIndex body : {a, b})
@@ -142,10 +140,12 @@ void ImpactEvents::stop(FlyingIndex body, double time) {
     predictAll(body);
 }
 
-/// Is one of two dynamic bodies spinning?
+/// Is one of two dynamic bodies spinning, or was it when the step began?
 bool ImpactEvents::spins(const ImpactPair& pair) const {
-    const auto turns = [this](FlyingIndex body) {
-        return std::fabs(bodies_[body].flight.from.angularVelocity) * dt_ > spinningTurn;
+    const auto turns = [this](FlyingIndex number) {
+        const FlyingBody& body = bodies_[number];
+        const double before = stores_.bodies.motion[body.body].angularVelocity, now = body.flight.from.angularVelocity;
+        return std::max(std::fabs(before), std::fabs(now)) * dt_ > spinningTurn;
     };
     return bodies_[pair.a].isDynamic && bodies_[pair.b].isDynamic && (turns(pair.a) || turns(pair.b));
 }

@@ -32,6 +32,11 @@ bool isKept(const ImpactEvents& events, const ContactRecord& contact) {
     return !moved && (events.isLeft(contact.bodyA) || events.isLeft(contact.bodyB));
 }
 
+/// Two that only graze each other do not touch.
+bool gaveImpulse(const ImpactOutcome& outcome) {
+    return static_cast<float>(outcome.normalImpulse) > 0;
+}
+
 }  // namespace
 
 Impacts solveIsolatedImpacts(ContactGraph& graph, const ImpactStores& stores, double dt, double hitSpeed) {
@@ -44,7 +49,8 @@ Impacts solveIsolatedImpacts(ContactGraph& graph, const ImpactStores& stores, do
     events.storeBodies(impacts.trajectories);
     for (const ImpactPair& pair : events.pairs()) {
         const ContactRecord& contact = stores.contacts[pair.contact];
-        const bool happened = pair.impacts > 0 && !events.isLeft(contact.bodyA) && !events.isLeft(contact.bodyB);
+        const bool happened = pair.impacts > 0 && gaveImpulse(events.outcomeOf(pair)) &&
+                              !events.isLeft(contact.bodyA) && !events.isLeft(contact.bodyB);
         if (happened || (contact.isSolved() && !isKept(events, contact))) takeFromSolver(graph, stores, pair.contact);
         if (happened) storeOutcome(stores, pair.contact, events.outcomeOf(pair), dt, hitSpeed, impacts.touches);
     }
