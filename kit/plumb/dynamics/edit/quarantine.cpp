@@ -2,6 +2,7 @@
 #include <plumb/dynamics/edit/quarantine.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <plumb/dynamics/edit/body_shapes.h>
@@ -26,6 +27,12 @@ void dropEndsOfNewTouches(WorldState& world, std::size_t from) {
     world.events.ends.erase(std::remove_if(first, world.events.ends.end(), isOfNewTouch), world.events.ends.end());
 }
 
+/// A body whose numbers ran away within the step has no place where it hit.
+void dropHitsOfNoPlace(WorldEvents& events) {
+    std::erase_if(events.hits,
+                  [](const ContactHit& hit) { return !hit.point.allFinite() || !std::isfinite(hit.approachSpeed); });
+}
+
 }  // namespace
 
 void quarantine(WorldState& world) {
@@ -48,6 +55,7 @@ void quarantine(WorldState& world) {
         world.bodies.rest(body);
         world.events.quarantines.push_back({world.bodies.idOf(body)});
     }
+    if (!leaving.empty()) dropHitsOfNoPlace(world.events);
 }
 
 }  // namespace plumb

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/ledger/account.h>
 
+#include <cmath>
+
 #include <plumb/dynamics/fields/field_phases.h>
 
 namespace plumb {
@@ -15,11 +17,13 @@ double gravitationalEnergyOf(const BodyRecord& body, const Vec2& center, const V
 }
 
 void Account::note(Energy entry, double energy) {
+    if (!std::isfinite(energy)) return;  // of a body that goes into quarantine
     ledger_.energy.*entry += energy;
     notedEnergy_ += energy;
 }
 
 void Account::note(Momentum entry, const Vec2& momentum) {
+    if (!momentum.allFinite()) return;
     ledger_.momentum.*entry += momentum;
     notedMomentum_ += momentum;
 }
