@@ -214,7 +214,8 @@ ShapePair NarrowPhase::pairOf(const Batch& batch, std::size_t lane) const {
     return pair;
 }
 
-/// The manifold of any two shapes. It is empty if they cannot meet along their normal in this step.
+/// The manifold of any two shapes. It is empty if they cannot meet along their normal in this step. Two that spin are
+/// predicted even if they are near each other, unless they touch.
 Manifold NarrowPhase::manifoldOf(ContactIndex index, const ShapePair& pair) const {
     const Approach approach = approachOf(bodies_, pair);
     const BodyMotion b = shifted(bodies_.motion[pair.bodyB], {pair.shiftX, pair.shiftY});

@@ -6,6 +6,8 @@
 // are searched for walls that they have crossed, or have gone so deep into that the way out is on the wrong side. What
 // crosses one is moved back to where it met the wall, the impact is solved there, and it moves on for the rest of the
 // sub-step. A body that joints connect to others is moved back with all of them, and they all answer to the impulse.
+// Where joints open, because links turn far, the bodies move in pieces of the sub-step that are short enough for the
+// joints.
 // Source: Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996, ch. 2.
 // Tests: "what flies at walls is never left in the air", "joints hold where they fall on corners"
 #pragma once
