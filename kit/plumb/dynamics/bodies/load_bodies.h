@@ -13,5 +13,9 @@ void loadBody(BodyStore& bodies, BodyIndex body, double dt);
 /// dt [m^2/s^2]: a point of the outline moves by at most (|v| + |w| r) t in a time t, r the turning radius divided by
 /// that of gyration, and so by at most max(1, r) sqrt(2 (v^2 + w^2)) t.
 float farSpeedSquared(const BodyRecord& body, double dt);
+/// What is compared with it.
+inline float speedSquared(const SolverVelocity& v) {
+    return v.x * v.x + v.y * v.y + v.w * v.w;
+}
 
 }  // namespace plumb

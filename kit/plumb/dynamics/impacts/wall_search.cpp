@@ -135,14 +135,14 @@ void forEachKinematicNear(const WallView& view, const Aabb& box, Space::Visit vi
 void WallSearch::searchStatic() {
     if (view_.bodies.wrap.isExceededBy(sweep_.shift))
         return meetAlongPeriods([](const Proxy& other) { return other.fixed; });
-    meetNear([](const Space& space, const Aabb& box, Space::Visit visit) { space.queryFixed(box, visit); });
+    meetNear([this](const Aabb& box, Space::Visit visit) { view_.space.queryFixed(box, visit); });
 }
 
 void WallSearch::searchKinematic() {
     if (view_.bodies.kinematic.empty()) return;
     if (view_.bodies.wrap.isExceededBy(sweep_.shift))
         return meetAlongPeriods([](const Proxy& other) { return !other.fixed; });
-    meetNear([this](const Space&, const Aabb& box, Space::Visit visit) { forEachKinematicNear(view_, box, visit); });
+    meetNear([this](const Aabb& box, Space::Visit visit) { forEachKinematicNear(view_, box, visit); });
 }
 
 void WallSearch::meet(ProxyId own, ProxyId other, const Vec2& shift, const RayPart& part) {
@@ -224,12 +224,11 @@ bool WallSearch::isSolidAt(double time, const SweptShape& wall, const SweptShape
     return rulesAdmit(view_.bodies, a, b, face) && comesFromOpenSide(view_.bodies, a, b, face, false);
 }
 
-void WallSearch::meetNear(FunctionRef<void(const Space&, const Aabb&, Space::Visit)> query) {
-    const Space& space = view_.space;
+void WallSearch::meetNear(FunctionRef<void(const Aabb&, Space::Visit)> query) {
     const BodyRecord& record = view_.bodies.record[body_];
     const Vec2 end = sweep_.start + sweep_.shift;
     const Aabb box = inflate({sweep_.start.cwiseMin(end), sweep_.start.cwiseMax(end)}, record.boundingRadius);
-    query(space, box, [&](ProxyId other, const Vec2& shift) { meetAll(other, shift); });
+    query(box, [&](ProxyId other, const Vec2& shift) { meetAll(other, shift); });
 }
 
 void WallSearch::meetAll(ProxyId other, const Vec2& shift, const RayPart& part) {

@@ -45,7 +45,7 @@ public:
 private:
     void meet(ProxyId own, ProxyId other, const Vec2& shift, const RayPart& part = {});
     void meetAll(ProxyId other, const Vec2& shift, const RayPart& part = {});
-    void meetNear(FunctionRef<void(const Space&, const Aabb&, Space::Visit)> query);
+    void meetNear(FunctionRef<void(const Aabb&, Space::Visit)> query);
     void meetAlongPeriods(FunctionRef<bool(const Proxy&)> wanted);
     Verdict verdictOn(ProxyId own, ProxyId other, const Vec2& shift) const;
     Manifold manifoldAt(double time, const Sweep& wallSweep, ProxyId own, ProxyId other) const;

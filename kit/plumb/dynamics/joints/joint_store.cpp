@@ -22,20 +22,37 @@ double boundedNumber(double value) {
     return std::isnan(value) ? most : std::clamp(value, -most, most);
 }
 
+/// within: within a step, after the sub-steps done so far; else after the last step.
+Ends endsOf(const AnchorPair& anchors, const BodyStore& bodies, bool within) {
+    return within ? endsNow(anchors, bodies) : endsAtRest(anchors, bodies);
+}
+
 Geared geared(const JointStore& joints, JointIndex index, const BodyStore& bodies, double ahead, bool within) {
     Geared result;
     std::visit(
         [&]<class Joint>(const Joint& joint) {
             if constexpr (hasEnds<Joint>) {
-                const Ends now = within ? endsNow(joint.anchors, bodies) : endsAtRest(joint.anchors, bodies);
+                const Ends now = endsOf(joint.anchors, bodies, within);
                 result.body = {now.a.body, now.b.body};
                 result.row = joint.coordinateRow(now);
-                result.speed = ahead > 0 ? speedAhead(result.row, now, ahead) : plumb::speedOf(result.row, now);
+                result.speed = speedAhead(result.row, now, ahead);
                 result.predicted = {joint.coordinate(now), joint.coordinate(after(now, ahead))};
             }
         },
         joints[index].joint);
     return result;
+}
+
+/// The error of a joint with two ends; 0 for others.
+double anchorError(const AnyJoint& any, const BodyStore& bodies, bool within) {
+    return std::visit(
+        [&]<class Joint>(const Joint& joint) -> double {
+            if constexpr (hasEnds<Joint>)
+                return joint.error(endsOf(joint.anchors, bodies, within));
+            else
+                return 0;
+        },
+        any);
 }
 
 }  // namespace
@@ -125,26 +142,13 @@ double JointStore::speedOf(JointIndex index, const BodyStore& bodies) const {
 }
 
 double JointStore::errorOf(JointIndex index, const BodyStore& bodies) const {
-    const double error = std::visit(
-        [&]<class Joint>(const Joint& joint) -> double {
-            if constexpr (hasEnds<Joint>)
-                return joint.error(endsAtRest(joint.anchors, bodies));
-            else if constexpr (std::is_same_v<Joint, GearJoint>)
-                return std::abs(coordinateOf(index, bodies) - joint.total());
-            else
-                return 0;
-        },
-        records[index].joint);
-    return boundedNumber(error);
+    if (const auto* gear = std::get_if<GearJoint>(&records[index].joint))
+        return boundedNumber(std::abs(coordinateOf(index, bodies) - gear->total()));
+    return boundedNumber(anchorError(records[index].joint, bodies, false));
 }
 
 double JointStore::errorNow(JointIndex index, const BodyStore& bodies) const {
-    return std::visit(
-        [&]<class Joint>(const Joint& joint) -> double {
-            if constexpr (hasEnds<Joint>) return joint.error(endsNow(joint.anchors, bodies));
-            return 0;
-        },
-        records[index].joint);
+    return anchorError(records[index].joint, bodies, true);
 }
 
 double JointStore::angleErrorOf(JointIndex index, const BodyStore& bodies) const {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <plumb/dynamics/bodies/load_bodies.h>
 #include <plumb/dynamics/contacts/contact_lane.h>
 #include <plumb/dynamics/contacts/lanes/contact_solver.h>
 #include <plumb/dynamics/fields/field_phases.h>
@@ -35,8 +36,7 @@ Pass passOf(const SolverSettings& settings, double h) {
 /// May the body meet something, and so fast that it could pass? What goes around a world that wraps has no contacts
 /// along its way.
 bool mayPass(const BodyStore& bodies, BodyIndex body) {
-    const SolverVelocity& v = bodies.velocity[body];
-    if (!(v.x * v.x + v.y * v.y + v.w * v.w > bodies.turn[body].farSpeedSquared)) return false;
+    if (!(speedSquared(bodies.velocity[body]) > bodies.turn[body].farSpeedSquared)) return false;
     const BodyPlace& place = bodies.place[body];
     const Vec2 shift(static_cast<double>(place.shiftX), static_cast<double>(place.shiftY));
     return bodies.links[body].firstContact != none || bodies.wrap.isExceededBy(shift);

@@ -13,10 +13,6 @@ namespace {
 /// Walls are looked for as far as a body comes at this many times its speed.
 constexpr double reserve = 2;
 
-float squaredSpeed(const SolverVelocity& v) {
-    return v.x * v.x + v.y * v.y + v.w * v.w;
-}
-
 class WallLimits {
 public:
     WallLimits(BodyStore& bodies, const ContactStore& contacts, const Space& space, double dt)
@@ -26,7 +22,7 @@ public:
         if (bodies_.wrap.any()) return;
         for (const BodyIndex body : bodies_.awake) {
             float& limit = bodies_.turn[body].farSpeedSquared;
-            const float speed = squaredSpeed(bodies_.velocity[body]);
+            const float speed = speedSquared(bodies_.velocity[body]);
             if (!(speed > limit) || bodies_.links[body].firstContact == none) continue;
             const double reached = reserve * std::sqrt(static_cast<double>(speed));
             if (isFarFromWalls(body, reached * dt_)) limit = static_cast<float>(reached * reached);
@@ -38,7 +34,7 @@ public:
             if (isAtRest(wall)) continue;
             forEachContact(bodies_, view_.contacts, wall, [&](ContactIndex index) {
                 const BodyIndex body = otherOf(view_.contacts[index], wall);
-                if (bodies_.isDynamic(body)) lower(body, travelOf(wall, body, view_.contacts[index]));
+                if (bodies_.isDynamic(body)) lower(body, wallTravel(wall, body, view_.contacts[index]));
             });
         }
     }
@@ -59,11 +55,11 @@ private:
     }
 
     /// An upper bound on how far a moving wall moves by the outline of a body that is at rest, in the step [m].
-    double travelOf(BodyIndex wall, BodyIndex body, const ContactRecord& contact) const {
+    double wallTravel(BodyIndex wall, BodyIndex body, const ContactRecord& contact) const {
         const Vec2 image = contact.bodyA == wall ? Vec2(-contact.shift) : contact.shift;
         const BodyMotion there = shifted(bodies_.motion[wall], image);
-        const double spin = std::fabs(there.angularVelocity) * bodies_.record[body].turningRadius;
-        return (velocityAt(there, bodies_.motion[body].center).norm() + spin) * dt_;
+        const Vec2 shift = velocityAt(there, bodies_.motion[body].center) * dt_;
+        return travelOf(shift, there.angularVelocity * dt_, bodies_.record[body]);
     }
 
     void lower(BodyIndex body, double travel) {

@@ -15,13 +15,13 @@ namespace {
 /// the sub-step ends.
 constexpr int mostImpacts = 24;
 
-/// If joints open by more than this in a sub-step [m], their bodies move in pieces in which none turns by more than
+/// If joints have opened by more than this [m], their bodies move in pieces in which none turns by more than
 /// pieceTurn [rad]: the joints hold at the end of each piece. A sub-step has at most this many equal pieces.
 constexpr double opensFar = 2e-4, pieceTurn = 0.025, mostPieces = 32;
 /// What turns by more than this in a sub-step stays where it met a wall, because its joints cannot be followed [rad].
 constexpr double farthestFollowed = 8;
 
-/// A shorter rest of a sub-step is none, as a share of it [-].
+/// If less than this share of a sub-step is left, it is over [-].
 constexpr double roundOff = 1e-9;
 
 /// Joints may give a machine this share of its energy more in a sub-step in which it moves in pieces [-].
@@ -146,7 +146,7 @@ void WallStops::afterMove(std::span<const FastBody> fast, double start) {
 void WallStops::travel(Group& group) {
     double time = 0;
     int impacts = 0;
-    group.energy = energyOf(group);
+    if (group.island != nullptr) group.energy = energyOf(group);
     bool inPieces = group.island != nullptr && turnOf(group, h_) <= farthestFollowed && opens(*group.island);
     while (time < h_ * (1 - roundOff)) {
         const double left = h_ - time, piece = inPieces ? pieceOf(group, left) : left;
@@ -170,7 +170,7 @@ void WallStops::travel(Group& group) {
     }
 }
 
-/// Have joints opened in this sub-step?
+/// Have joints opened since the step began?
 bool WallStops::opens(const JointIsland& island) const {
     const JointStore& joints = stores_.joints.joints;
     return std::any_of(island.joints.begin(), island.joints.end(), [&](JointIndex joint) {
@@ -223,8 +223,8 @@ void WallStops::solve(Group& group, const Hit& hit, double duration) {
     markChange(group, before);
 }
 
-/// Changes the velocities so that the joints hold after a time. At speeds without measure that may give energy: then it
-/// is left.
+/// Changes the velocities so that the joints hold after a time. At very high speeds that may give energy: then the
+/// velocities stay as they are.
 void WallStops::hold(const Group& group, double time) {
     const std::vector<SolverVelocity> before = velocitiesOf(group);
     stores_.jointPhases->holdOne(stores_.joints, *group.island, time);

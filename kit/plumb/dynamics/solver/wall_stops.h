@@ -49,7 +49,7 @@ private:
     struct Group {
         JointIsland* island = nullptr;
         std::vector<Mover> movers;
-        double energy = 0;  ///< kinetic, before it goes on from where it meets a wall [J]
+        double energy = 0;  ///< of an island: kinetic, after the sub-step's move [J]
     };
     struct Hit {
         BodyIndex body = noBody;
