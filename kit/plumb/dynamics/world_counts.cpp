@@ -48,14 +48,14 @@ std::size_t bytesOf(const BodyStore& b) {
 }
 
 std::size_t bytesOf(const ContactStore& c) {
-    return sumOf(c.records, c.free, c.boxes, c.watched, c.withVerdict, c.impacts, c.nearBoxes.lanes,
-                 c.nearBoxes.contactOf, c.nearOthers.lanes, c.nearOthers.contactOf);
+    return sumOf(c.records, c.free, c.boxes, c.corners, c.moreCorners, c.early, c.watched, c.withVerdict, c.impacts,
+                 c.nearBoxes.lanes, c.nearBoxes.contactOf, c.nearOthers.lanes, c.nearOthers.contactOf);
 }
 
 std::size_t bytesOf(const ContactGraph& graph) {
     std::size_t bytes = 0;
     for (const Colour& colour : graph.colours)
-        bytes += sumOf(colour.batches, colour.manifolds, colour.pairs, colour.contactOf);
+        bytes += sumOf(colour.batches, colour.manifolds, colour.pairs, colour.kept, colour.contactOf);
     return bytes;
 }
 
@@ -102,6 +102,7 @@ void World::reserve(const Capacity& capacity) {
     makeRoom(capacity.shapes, "Capacity.shapes", [&](std::size_t shapes) {
         world.space.reserve(shapes);
         world.contacts.boxes.reserve(shapes);
+        world.contacts.corners.reserve(shapes);
     });
     makeRoom(capacity.contacts, "Capacity.contacts", [&](std::size_t contacts) {
         world.contacts.records.reserve(contacts);

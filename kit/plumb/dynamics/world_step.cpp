@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How does a world move forward by one step? The phases in their order. Each phase belongs to one folder, and takes the
 // stores that it reads and writes. README.md lists them.
+#include <algorithm>
 #include <chrono>
 
 #include <plumb/dynamics/contacts/bounds.h>
@@ -122,12 +123,16 @@ void findPairs(Step& s) {
     WorldState& w = s.world;
     const SortedPairs& pairs = w.space.findNewPairs();
     const std::span<const Vec2> shifts = w.space.newPairShifts();
+    std::vector<Pair>& early = w.contacts.early;
+    std::sort(early.begin(), early.end());
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const ShiftedShapes pair{pairs[i], shifts.empty() ? Vec2(0, 0) : shifts[i]};
-        if (w.contacts.hasEarly && arePaired(w.contacts, w.bodies, w.space, pair)) continue;
+        if (std::binary_search(early.begin(), early.end(), pairs[i]) &&
+            findContact(w.contacts, w.bodies, w.space, pair) != none)
+            continue;
         addPair(w, pair);
     }
-    w.contacts.hasEarly = false;
+    early.clear();
 }
 
 void collide(Step& s) {

@@ -16,10 +16,12 @@
 #include <plumb/math/random.h>
 
 #include "catch.h"
+#include "lanes_compare.h"
 
 namespace {
 
 using namespace plumb;
+using namespace plumb::test;
 
 /// Sixteen pairs of boxes, some apart, some overlapping, some flush, one after the other corner to corner.
 struct BoxPairs {
@@ -31,16 +33,6 @@ struct BoxPairs {
     Polygon a[batchLanes], b[batchLanes];
     double size[batchLanes];
 };
-
-template <class Pairs>
-void addBody(Pairs& pairs, const Vec2& center, double angle) {
-    BodyMotion motion;
-    motion.center = center;
-    motion.angle = angle;
-    motion.rotation = Rot::fromAngle(angle);
-    pairs.motion.push_back(motion);
-    pairs.place.push_back(placeOf(motion, 1));
-}
 
 BoxPairs randomPairs(Random& random) {
     BoxPairs pairs;
@@ -105,7 +97,8 @@ ShapeDef straightShape(Random& random, double scale, const Vec2& center) {
 void fillOne(PairLanes& pairs, std::size_t lane, const ShapeDef& a, const ShapeDef& b, std::uint32_t bodyA,
              std::uint32_t bodyB) {
     ContactStore store;
-    store.boxes = {boxOutlineOf(a, {0, 0}), boxOutlineOf(b, {0, 0})};
+    setOutline(store, 0, boxOutlineOf(a, {0, 0}), convexOf(a.shape, {0, 0}));
+    setOutline(store, 1, boxOutlineOf(b, {0, 0}), convexOf(b.shape, {0, 0}));
     ContactRecord contact;
     contact.proxyB = 1;
     contact.bodyA = bodyA;
@@ -166,38 +159,6 @@ Manifold oneByOne(const BoxPairs& pairs, std::size_t lane) {
     return manifold(convexOf(pairs.a[lane], {0, 0}), convexOf(pairs.b[lane], {0, 0}),
                     relativePose(pairs.motion[pairs.batch.bodyA[lane]], pairs.motion[pairs.batch.bodyB[lane]]),
                     contactMargin);
-}
-
-float nearestOf(const Manifold& m) {
-    return m.count > 1 ? std::min(m.points[0].separation, m.points[1].separation) : m.points[0].separation;
-}
-
-Manifold manifoldIn(const FreshLanes& fresh, std::size_t lane) {
-    Manifold m;
-    m.normal = {fresh.normalX[lane], fresh.normalY[lane]};
-    m.count = fresh.count[lane];
-    for (std::size_t p = 0; p < 2; ++p)
-        m.points[p] = {{fresh.points[p].x[lane], fresh.points[p].y[lane]},
-                       fresh.points[p].separation[lane],
-                       static_cast<std::uint16_t>(fresh.points[p].feature[lane])};
-    return m;
-}
-
-/// Positions and separations; the order of the points is each one's own.
-bool samePoints(const Manifold& a, const Manifold& b, float tolerance) {
-    const auto same = [&](std::size_t p, std::size_t q) {
-        const Vec2f moved = a.points[p].position - b.points[q].position;
-        return moved.norm() < tolerance && std::fabs(a.points[p].separation - b.points[q].separation) < tolerance &&
-               a.points[p].feature == b.points[q].feature;
-    };
-    if (a.count != b.count) return false;
-    if (a.count == 1) return same(0, 0);
-    return (same(0, 0) && same(1, 1)) || (same(0, 1) && same(1, 0));
-}
-
-template <class T>
-bool sameBits(const T& a, const T& b) {
-    return std::memcmp(&a, &b, sizeof(T)) == 0;
 }
 
 /// A batch whose lanes touch bodies of their own, with numbers as a pile has them.
@@ -269,29 +230,6 @@ void solveAll(const ContactSolver& solver, Pile& pile) {
         solver.relax(&pile.batch, 1, pile.bodies(), pass);
     }
     solver.bounce(&pile.batch, 1, pile.bodies());
-}
-
-/// How much two manifolds may differ.
-struct Slack {
-    float separation = 0;  ///< some twenty roundings of numbers up to the sizes [m]
-    float place = 0;       ///< of points [m]
-    float cosine = 1;      ///< between the normals
-};
-
-struct Agreement {
-    int touching = 0;
-    int otherwise = 0;  ///< of those: along another face, or at other points
-};
-
-void compare(const Manifold& one, const Manifold& side, const Slack& slack, Agreement& agreement) {
-    if (one.count == 0 || side.count == 0) {  // both, or one of them by a rounding
-        const Manifold& found = one.count > 0 ? one : side;
-        if (found.count > 0) CHECK(std::fabs(nearestOf(found) - contactMargin) < slack.separation);
-        return;
-    }
-    ++agreement.touching;
-    CHECK(std::fabs(nearestOf(one) - nearestOf(side)) < slack.separation);
-    if (one.normal.dot(side.normal) < slack.cosine || !samePoints(one, side, slack.place)) ++agreement.otherwise;
 }
 
 }  // namespace

@@ -28,7 +28,8 @@ plumb::ShapeDef jointedShape(int number, const Material& material) {
     }
 }
 
-/// Chains of four bodies in a room of segments; returns how many got out in five seconds.
+/// Chains of four bodies in a room of segments; returns how many got out in five seconds, or until joints have made
+/// one of them a hundred times as fast as it can have been: at 2,000 m/s that happens in a few runs of a thousand.
 int escapesFrom(unsigned seed, double most) {
     std::mt19937 random(seed);
     const auto either = [&](double size) { return std::uniform_real_distribution<double>(-size, size)(random); };
@@ -55,6 +56,8 @@ int escapesFrom(unsigned seed, double most) {
     std::vector<bool> out(bodies.size(), false);
     for (int tick = 0; tick < 300; ++tick) {
         world.step(dt);
+        for (const BodyId body : bodies)
+            if (world.body(body).velocity().norm() > 100 * most) return escapes;
         for (std::size_t i = 0; i < bodies.size(); ++i) {
             if (out[i] || world.body(bodies[i]).position().cwiseAbs().maxCoeff() < 10.05) continue;
             out[i] = true;

@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Where does a segment of a chain touch, so that bodies slide over its vertices without catching?
 #pragma once
+#include <plumb/collide/detail/chain_segment.h>
 #include <plumb/collide/detail/core.h>
 #include <plumb/collide/manifold_point.h>
 #include <plumb/math/vec2.h>
 
 namespace plumb {
-
-inline bool isVector(const Vec2f& v) {
-    return v.x() != 0 || v.y() != 0;
-}
-
-/// Is this a segment with a neighbour?
-inline bool isChainSegment(const Convex& shape) {
-    return shape.count == 2 && (isVector(shape.before) || isVector(shape.after) || shape.oneSided);
-}
 
 /// A segment with neighbours against any core in its frame; magnitude: size of the coordinates before they were made
 /// relative, for the rounding error [m].

@@ -140,6 +140,8 @@ struct BodyStore {
     std::vector<BodyIndex> forced;     ///< bodies with a force or torque for the next step; may hold duplicates
     std::vector<BodyIndex> free;       ///< slots without a body
 
+    bool someSpin = false;  ///< at the step's start, some body turns by more than spinningTurn
+
     // What all bodies of a world have in common.
     Wrap wrap;                ///< periods of the world; positions of bodies are not reduced to the first period
     Vec2 gravity{0, -9.81};   ///< [m/s^2]

@@ -70,8 +70,10 @@ void placeBounds(Space& space, const BodyStore& bodies, const ContactStore& cont
 }
 
 void loadBodies(BodyStore& bodies, Space& space, const ContactStore& contacts, double dt) {
+    bodies.someSpin = false;
     for (const BodyIndex body : bodies.awake) {
         loadBody(bodies, body, dt);
+        bodies.someSpin = bodies.someSpin || std::fabs(bodies.motion[body].angularVelocity) * dt > spinningTurn;
         if (bodies.record[body].quarantined) continue;
         placeBounds(space, bodies, contacts, body, dt);
         bodies.step[body].boundsPending = false;

@@ -18,6 +18,8 @@ struct BoxOutline {
     };
     Kind kind = Kind::Other;
     bool sensor = false;
+    bool chained = false;            ///< a segment with neighbours: its contacts depend on them, too
+    std::uint8_t corners = 0;        ///< number of corners of a polygon that is collided in lanes; else 0
     float halfX = 0, halfY = 0;      ///< [m]
     float radius = 0;                ///< [m]
     float centerX = 0, centerY = 0;  ///< from the body's centre of mass [m]

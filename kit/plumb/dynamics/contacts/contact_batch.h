@@ -46,8 +46,9 @@ struct alignas(64) ManifoldPointLanes {
     Lanes<std::int32_t> feature;  ///< as in collide/manifold_point.h
 };
 
-/// Is one shape of a pair a disc, and the other a disc or a box? Then which one is the disc.
-inline constexpr std::int32_t noDisc = 0, discFirst = 1, discSecond = 2;
+/// How are two shapes collided that are not both boxes? One by one; as a disc, which is A or B, and a disc or a box; as
+/// polygons; or one by one if they are near each other as polygons, because one is a segment of a chain.
+inline constexpr std::int32_t noKernel = 0, discFirst = 1, discSecond = 2, asPolygons = 3, onChain = 4;
 
 /// In each lane two shapes that are near each other, as boxes. For boxes this is all that is needed to find where they
 /// touch; for other shapes it can show that they do not touch.
@@ -56,8 +57,9 @@ struct alignas(64) PairLanes {
     Lanes<float> halfXA, halfYA, halfXB, halfYB;          ///< [m]
     Lanes<float> radiusA, radiusB;                        ///< rounding radii of the boxes [m]
     Lanes<float> centerXA, centerYA, centerXB, centerYB;  ///< from their body's centre of mass [m]
-    Lanes<std::int32_t> discs;                            ///< noDisc, discFirst or discSecond
+    Lanes<std::int32_t> kernel;                           ///< noKernel, discFirst, ...
     Lanes<std::uint32_t> proxyA, proxyB;
+    Lanes<std::int32_t> cornersA, cornersB;  ///< number of corners, for the lanes that are collided as polygons
 };
 
 /// One lane of PairLanes, without the boxes.
@@ -80,6 +82,20 @@ struct alignas(64) ManifoldLanes {
     Lanes<std::int32_t> clear;     ///< 1: alone, it would bounce, and stay apart for longer than the step
     Lanes<std::int32_t> touching;  ///< 1: the touch has been reported
 };
+
+/// B's place in A's frame.
+struct alignas(64) PoseLanes {
+    Lanes<float> x, y;      ///< from A's centre of mass to B's [m]
+    Lanes<float> cos, sin;  ///< of B's angle minus A's
+};
+
+/// What was known when each lane's shapes were last collided. For contacts that are not of two boxes.
+struct alignas(64) KeptLanes {
+    PoseLanes pose;               ///< cosine and sine 0: the manifold must not be used again
+    Lanes<float> separations[2];  ///< [m]
+    Lanes<std::int32_t> open;     ///< bits: not at a covered face of A (1), of B (2) (see flush_faces.h)
+};
+inline constexpr std::size_t keptRows = sizeof(KeptLanes) / (sizeof(float) * batchLanes);
 inline constexpr std::size_t manifoldRows = sizeof(ManifoldLanes) / (sizeof(float) * batchLanes);
 
 }  // namespace plumb

@@ -63,6 +63,7 @@ void ContactGraph::add(BodyStore& bodies, ContactStore& contacts, ContactIndex i
         append(colour.batches);
         append(colour.manifolds);
         append(colour.pairs);
+        if (!contact.boxes) append(colour.kept);
     }
     fillPair(contacts, contact, colour.pairs.back(), slot % batchLanes);
     colour.contactOf.push_back(index);
@@ -84,6 +85,8 @@ void ContactGraph::sortOverflow(ContactStore& contacts) {
             const std::size_t batch = contact.slot / batchLanes, lane = contact.slot % batchLanes;
             copyLane(colour, slot, old.batches[batch], old.manifolds[batch], lane);
             copyLane(colour.pairs[slot / batchLanes], slot % batchLanes, old.pairs[batch], lane, pairRows);
+            if (!contact.boxes)
+                copyLane(colour.kept[slot / batchLanes], slot % batchLanes, old.kept[batch], lane, keptRows);
             contact.slot = static_cast<std::uint32_t>(slot);
         }
     }
@@ -144,6 +147,10 @@ void ContactGraph::remove(BodyStore& bodies, ContactStore& contacts, ContactInde
     copyLane(colour, last, ContactBatch{}, ManifoldLanes{}, 0);
     copyLane(colour.pairs[slot / batchLanes], slot % batchLanes, colour.pairs.back(), last % batchLanes, pairRows);
     copyLane(colour.pairs.back(), last % batchLanes, PairLanes{}, 0, pairRows);
+    if (!contact.boxes) {
+        copyLane(colour.kept[slot / batchLanes], slot % batchLanes, colour.kept.back(), last % batchLanes, keptRows);
+        copyLane(colour.kept.back(), last % batchLanes, KeptLanes{}, 0, keptRows);
+    }
     colour.contactOf[slot] = colour.contactOf[last];
     contacts[colour.contactOf[slot]].slot = static_cast<std::uint32_t>(slot);
     colour.contactOf.pop_back();
@@ -151,6 +158,7 @@ void ContactGraph::remove(BodyStore& bodies, ContactStore& contacts, ContactInde
         colour.batches.pop_back();
         colour.manifolds.pop_back();
         colour.pairs.pop_back();
+        if (!contact.boxes) colour.kept.pop_back();
     }
     contact.state = ContactState::Asleep;
 }

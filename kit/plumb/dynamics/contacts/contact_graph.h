@@ -15,6 +15,8 @@ namespace plumb {
 /// other.
 inline constexpr int colourCount = 32;
 inline constexpr int fixedColour = 24;
+/// The bits of all colours of contacts of two dynamic bodies, in BodyLinks.colours.
+inline constexpr std::uint32_t looseColours = (std::uint32_t{1} << fixedColour) - 1;
 inline constexpr int overflowColour = colourCount - 1;
 
 /// Contacts of one colour and one kind. All batches but the last are full.
@@ -22,6 +24,7 @@ struct Colour {
     std::vector<ContactBatch> batches;
     std::vector<ManifoldLanes> manifolds;  ///< parallel to batches
     std::vector<PairLanes> pairs;          ///< parallel to batches
+    std::vector<KeptLanes> kept;           ///< parallel to batches; empty for contacts of two boxes
     std::vector<ContactIndex> contactOf;   ///< slot to contact; slot = batch * batchLanes + lane
 };
 
@@ -61,6 +64,10 @@ void removeContact(ContactGraph& graph, ContactStore& contacts, BodyStore& bodie
 /// changed.
 void renewContact(ContactGraph& graph, ContactStore& contacts, BodyStore& bodies, ContactIndex contact);
 
+/// Does an entry of ContactGraph.colours hold the contacts of two boxes?
+inline bool isOfBoxes(std::size_t index) {
+    return index % 2 == 0;
+}
 /// The colour of an entry of ContactGraph.colours.
 inline int colourAt(std::size_t index) {
     return static_cast<int>(index / 2);

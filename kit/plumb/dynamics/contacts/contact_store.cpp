@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/contacts/contact_store.h>
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
+
+#include <plumb/collide/detail/chain_segment.h>
 
 namespace plumb {
 
@@ -30,10 +34,35 @@ void unlink(BodyStore& bodies, ContactStore& store, ContactIndex contact, int si
     if (next != none) store[next].previous[at(store.side(next, body))] = previous;
 }
 
-std::int32_t discsOf(BoxOutline::Kind a, BoxOutline::Kind b) {
+std::int32_t kernelOf(const BoxOutline& a, const BoxOutline& b) {
     using Kind = BoxOutline::Kind;
-    if (b == Kind::Disc && a != Kind::Other) return discSecond;
-    return a == Kind::Disc && b != Kind::Other ? discFirst : noDisc;
+    if (b.kind == Kind::Disc && a.kind != Kind::Other) return discSecond;
+    if (a.kind == Kind::Disc && b.kind != Kind::Other) return discFirst;
+    if (a.corners == 0 || b.corners == 0) return noKernel;
+    return a.chained || b.chained ? onChain : asPolygons;
+}
+
+/// Four corners of a polygon from this one on.
+CornerRows rowsOf(const Convex& convex, std::size_t first) {
+    CornerRows rows;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const std::size_t corner = first + i < static_cast<std::size_t>(convex.count) ? first + i : 0;
+        rows.x[i] = convex.vertices[corner].x();
+        rows.y[i] = convex.vertices[corner].y();
+        rows.normalX[i] = convex.normals[corner].x();
+        rows.normalY[i] = convex.normals[corner].y();
+    }
+    return rows;
+}
+
+/// Gives each new entry copies of its proxy's first corner.
+void growMoreCorners(ContactStore& store) {
+    for (std::size_t proxy = store.moreCorners.size(); proxy < store.corners.size(); ++proxy) {
+        const CornerRows& first = store.corners[proxy];
+        CornerRows& more = store.moreCorners.emplace_back();
+        std::fill(std::begin(more.x), std::end(more.x), first.x[0]);
+        std::fill(std::begin(more.y), std::end(more.y), first.y[0]);
+    }
 }
 
 }  // namespace
@@ -94,6 +123,20 @@ void ContactStore::removeNear(ContactIndex contact) {
     if (last % batchLanes == 0) near.lanes.pop_back();
 }
 
+void setOutline(ContactStore& store, ProxyId proxy, const BoxOutline& box, const Convex& convex) {
+    if (store.boxes.size() <= proxy) store.boxes.resize(proxy + std::size_t{1});
+    const std::size_t count = store.boxes.size();
+    BoxOutline& outline = store.boxes[proxy];
+    outline = box;
+    outline.chained = isChainSegment(convex);
+    outline.corners = convex.count > 1 && convex.count <= mostCorners ? static_cast<std::uint8_t>(convex.count) : 0;
+    store.corners.resize(count);
+    store.corners[proxy] = outline.corners > 0 ? rowsOf(convex, 0) : CornerRows{};
+    if (outline.corners <= 4 && store.moreCorners.empty()) return;
+    growMoreCorners(store);
+    store.moreCorners[proxy] = outline.corners > 0 ? rowsOf(convex, 4) : CornerRows{};
+}
+
 void fillPair(const ContactStore& store, const ContactRecord& contact, PairLanes& pairs, std::size_t lane) {
     const BoxOutline& a = store.boxes[contact.proxyA];
     const BoxOutline& b = store.boxes[contact.proxyB];
@@ -105,7 +148,9 @@ void fillPair(const ContactStore& store, const ContactRecord& contact, PairLanes
     pairs.halfYB[lane] = b.halfY;
     pairs.radiusA[lane] = a.radius;
     pairs.radiusB[lane] = b.radius;
-    pairs.discs[lane] = discsOf(a.kind, b.kind);
+    pairs.kernel[lane] = kernelOf(a, b);
+    pairs.cornersA[lane] = a.corners;
+    pairs.cornersB[lane] = b.corners;
     pairs.centerXA[lane] = a.centerX;
     pairs.centerYA[lane] = a.centerY;
     pairs.centerXB[lane] = b.centerX;

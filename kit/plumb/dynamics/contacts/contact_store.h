@@ -7,10 +7,12 @@
 #include <tuple>
 #include <vector>
 
+#include <plumb/broad/pair.h>
 #include <plumb/collide/manifold.h>
 #include <plumb/dynamics/bodies/body_store.h>
 #include <plumb/dynamics/contacts/box_outline.h>
 #include <plumb/dynamics/contacts/contact_batch.h>
+#include <plumb/dynamics/contacts/lanes/corner_rows.h>
 
 namespace plumb {
 
@@ -89,7 +91,9 @@ struct NearPairs {
 struct ContactStore {
     std::vector<ContactRecord> records;
     std::vector<ContactIndex> free;
-    std::vector<BoxOutline> boxes;  ///< of each proxy
+    std::vector<BoxOutline> boxes;        ///< of each proxy
+    std::vector<CornerRows> corners;      ///< of each proxy
+    std::vector<CornerRows> moreCorners;  ///< of each proxy, if one has more than four; else empty
 
     // Contacts that have an awake body and are not in the solver:
     NearPairs nearBoxes;
@@ -99,7 +103,7 @@ struct ContactStore {
     std::vector<ContactIndex> withVerdict;  ///< contacts whose verdict is not Open
     std::vector<ContactIndex> impacts;      ///< those with state Impact in the last step
     std::vector<ContactIndex> predicted;    ///< in this step, for bodies that spin: where they meet is predicted
-    bool hasEarly = false;                  ///< impacts have made contacts for pairs that the next search may find
+    std::vector<Pair> early;                ///< shapes that got a contact before the next search, which may find them
 
     ContactRecord& operator[](ContactIndex contact) { return records[contact]; }
     const ContactRecord& operator[](ContactIndex contact) const { return records[contact]; }
@@ -118,6 +122,8 @@ inline std::tuple<ProxyId, ProxyId, double, double> shapesOf(const ContactRecord
     return {contact.proxyA, contact.proxyB, contact.shift.x(), contact.shift.y()};
 }
 
+/// Sets how a proxy's shape is collided.
+void setOutline(ContactStore& store, ProxyId proxy, const BoxOutline& box, const Convex& convex);
 /// Writes the boxes of a contact's shapes into a lane.
 void fillPair(const ContactStore& store, const ContactRecord& contact, PairLanes& pairs, std::size_t lane);
 

@@ -115,27 +115,20 @@ bool isAtCorner(const FreshLanes& fresh, std::size_t lane) {
     return (fresh.count[lane] == 1) | ((fresh.count[lane] == 2) & same);
 }
 
-bool someAtCorner(const FreshLanes& fresh) {
-    bool some = false;
-    for (std::size_t lane = 0; lane < batchLanes; ++lane) some |= isAtCorner(fresh, lane);
-    return some;
+int floorSides(const BodyStore& bodies, BodyIndex a, BodyIndex b, double dt) {
+    const auto step = static_cast<float>(dt);
+    return (mayBeFloor(bodies, a, b, step) ? floorA : 0) | (mayBeFloor(bodies, b, a, step) ? floorB : 0);
 }
 
 bool isAtCoveredFace(const ContactStore& contacts, const BodyStore& bodies, const Space& space, ContactIndex index,
-                     const ShapePair& pair, const FreshLanes& fresh, std::size_t lane, double dt) {
-    const auto step = static_cast<float>(dt);
-    const bool floorA = mayBeFloor(bodies, pair.bodyA, pair.bodyB, step);
-    const bool floorB = mayBeFloor(bodies, pair.bodyB, pair.bodyA, step);
-    if (!floorA && !floorB) return false;
+                     const Manifold& manifold, int sides) {
     const ContactRecord& contact = contacts[index];
-    const FreshPoint& at = fresh.points[0];
-    const Vec2 point = Vec2f(at.x[lane], at.y[lane]).cast<double>(),
-               normal = Vec2f(fresh.normalX[lane], fresh.normalY[lane]).cast<double>();
-    const double separation = static_cast<double>(at.separation[lane]);
+    const Vec2 point = manifold.points[0].position.cast<double>(), normal = manifold.normal.cast<double>();
+    const double separation = static_cast<double>(manifold.points[0].separation);
     const Vec2 shift = contact.shift;
     const Corner onA{contact.bodyA, contact.bodyB, contact.proxyA, -shift, point, normal, separation};
-    if (floorA && Search(contacts, bodies, space, onA).isCovered()) return true;
-    if (!floorB) return false;
+    if ((sides & floorA) != 0 && Search(contacts, bodies, space, onA).isCovered()) return true;
+    if ((sides & floorB) == 0) return false;
     const BodyMotion &a = bodies.motion[contact.bodyA], &b = bodies.motion[contact.bodyB];
     const Rot toB = b.rotation.inverse();
     const Vec2 inB = toB * Vec2(a.center + a.rotation * point - b.center - shift);

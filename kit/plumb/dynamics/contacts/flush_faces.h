@@ -13,11 +13,15 @@
 
 namespace plumb {
 
-/// In some lane of a batch, has the manifold one place only? All others are no contacts at a corner.
-bool someAtCorner(const FreshLanes& fresh);
+/// Has the manifold in this lane one place only? All others are no contacts at a corner.
 bool isAtCorner(const FreshLanes& fresh, std::size_t lane);
-/// Of a contact at a corner, whose manifold is in this lane; dt: of the step [s].
+
+/// Which of two bodies may be part of a floor on which the other one slides, in a step of dt [s]? Bits.
+inline constexpr int floorA = 1, floorB = 2;
+int floorSides(const BodyStore& bodies, BodyIndex a, BodyIndex b, double dt);
+
+/// Of a contact at a corner; sides: the bodies that may be part of a floor.
 bool isAtCoveredFace(const ContactStore& contacts, const BodyStore& bodies, const Space& space, ContactIndex contact,
-                     const ShapePair& pair, const FreshLanes& fresh, std::size_t lane, double dt);
+                     const Manifold& manifold, int sides);
 
 }  // namespace plumb

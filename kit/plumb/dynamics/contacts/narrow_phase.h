@@ -5,7 +5,8 @@
 #include <vector>
 
 #include <plumb/dynamics/contacts/contact_graph.h>
-#include <plumb/dynamics/contacts/lanes/lane_collider.h>
+#include <plumb/dynamics/contacts/corner_watch.h>
+#include <plumb/dynamics/contacts/pair_collider.h>
 #include <plumb/dynamics/contacts/touch_events.h>
 #include <plumb/space/space.h>
 
@@ -39,12 +40,6 @@ public:
     const std::vector<TouchEnd>& ends() const { return ends_; }
 
 private:
-    /// The pairs of a batch and their contacts.
-    struct Batch {
-        const PairLanes& pairs;
-        const ContactIndex* contacts;  ///< of the lanes in use, which are the first ones
-        std::size_t count;             ///< number of lanes in use
-    };
     /// Contacts that begin to touch, with their manifolds.
     struct Arrivals {
         FreshLanes fresh;
@@ -53,20 +48,9 @@ private:
     };
 
     void collideColour(std::size_t index);
-    void dropCovered(const Batch& batch, FreshLanes& fresh) const;
-    void collideBoxes(const Batch& batch, FreshLanes& fresh) const;
-    void collideOthers(const Batch& batch, FreshLanes& fresh) const;
-    void collideAny(const Batch& batch, FreshLanes& fresh) const;
-    void resolveUncertain(const Batch& batch, FreshLanes& fresh) const;
-    void setPeriodicOffsets(const ContactIndex* contacts, std::size_t count, FreshLanes& fresh) const;
     void prepare(ContactBatch& batch, ManifoldLanes& manifolds, const FreshLanes& fresh) const;
-    ShapePair pairOf(const Batch& batch, std::size_t lane) const;
-    Manifold manifoldOf(ContactIndex contact, const ShapePair& pair) const;
-    Manifold predict(ContactIndex contact, const ShapePair& pair, float margin) const;
-    bool isApart(ContactIndex index, const Manifold& m) const;
-    bool spins(const ShapePair& pair) const;
     void removeParted(NearPairs& near);
-    bool mayArrive(ContactIndex contact, const PairLanes& pairs, const FreshLanes& fresh, std::size_t lane);
+    bool mayArrive(ContactIndex contact, const FreshLanes& fresh, std::size_t lane);
     void addArrival(ContactIndex contact, const FreshLanes& fresh, std::size_t lane);
     void sortArrivals();
     void noteSleepers(const ShapePair& pair, const FreshLanes& fresh, std::size_t lane);
@@ -78,6 +62,8 @@ private:
     BodyStore& bodies_;
     const Space& space_;
     const LaneCollider& collider_;
+    PairCollider pairs_;
+    CornerWatch corners_;
     int lanes_;
     double dt_;
     std::size_t boxesDone_ = 0, othersDone_ = 0;  ///< number of near contacts that are collided

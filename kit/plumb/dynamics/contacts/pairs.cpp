@@ -60,17 +60,19 @@ bool mayTouch(const BodyStore& bodies, const Space& space, const ShiftedShapes& 
     return (bodies.isDynamic(a) || bodies.isDynamic(b)) && !bodies.areKeptApart(a, b);
 }
 
-bool arePaired(const ContactStore& contacts, const BodyStore& bodies, const Space& space, const ShiftedShapes& pair) {
+ContactIndex findContact(const ContactStore& contacts, const BodyStore& bodies, const Space& space,
+                         const ShiftedShapes& pair) {
     const ProxyId a = pair.shapes.a, b = pair.shapes.b;
     const BodyIndex owner = space[a].owner;
-    const BodyIndex body = bodies.isDynamic(owner) ? owner : space[b].owner;
-    bool paired = false;
+    const BodyIndex body = bodies.isDynamic(owner) ? owner : space[b].owner;  // a wall has far more contacts
+    ContactIndex found = none;
     forEachContact(bodies, contacts, body, [&](ContactIndex index) {
         const ContactRecord& contact = contacts[index];
-        paired = paired || (contact.proxyA == a && contact.proxyB == b && contact.shift == pair.shift) ||
-                 (contact.proxyA == b && contact.proxyB == a && contact.shift == -pair.shift);
+        if ((contact.proxyA == a && contact.proxyB == b && contact.shift == pair.shift) ||
+            (contact.proxyA == b && contact.proxyB == a && contact.shift == -pair.shift))
+            found = index;
     });
-    return paired;
+    return found;
 }
 
 ContactIndex addContact(ContactStore& contacts, BodyStore& bodies, const Space& space, const ShiftedShapes& pair) {
@@ -78,6 +80,11 @@ ContactIndex addContact(ContactStore& contacts, BodyStore& bodies, const Space& 
     const BodyIndex a = space[pair.shapes.a].owner, b = space[pair.shapes.b].owner;
     if (bodies.record[a].awake || bodies.record[b].awake) contacts.addNear(index);
     return index;
+}
+
+ContactIndex addEarlyContact(ContactStore& contacts, BodyStore& bodies, const Space& space, const ShiftedShapes& pair) {
+    contacts.early.push_back(pair.shapes);
+    return addContact(contacts, bodies, space, pair);
 }
 
 PairKind addPair(ContactStore& contacts, BodyStore& bodies, const Space& space, const ShiftedShapes& pair) {
@@ -121,7 +128,7 @@ std::vector<ShiftedShapes> pairsOfShape(const ContactStore& contacts, const Body
     std::vector<ShiftedShapes> pairs;
     for (const Other& other : others) {
         const ShiftedShapes pair = inOrder(proxy, other.proxy, other.shift);
-        if (!arePaired(contacts, bodies, space, pair)) pairs.push_back(pair);
+        if (findContact(contacts, bodies, space, pair) == none) pairs.push_back(pair);
     }
     return pairs;
 }

@@ -26,10 +26,13 @@ enum class PairKind {
 ShiftedShapes inOrder(ProxyId a, ProxyId b, const Vec2& shift);
 /// May the shapes touch: is none of them a sensor, is a body dynamic, and do no joints forbid it?
 bool mayTouch(const BodyStore& bodies, const Space& space, const ShiftedShapes& pair);
-/// Has the pair, which has a dynamic body, a contact already?
-bool arePaired(const ContactStore& contacts, const BodyStore& bodies, const Space& space, const ShiftedShapes& pair);
+/// The contact of a pair that has a dynamic body, or none.
+ContactIndex findContact(const ContactStore& contacts, const BodyStore& bodies, const Space& space,
+                         const ShiftedShapes& pair);
 /// Adds a contact for a pair of shapes that may touch. It is near if one of the bodies is awake.
 ContactIndex addContact(ContactStore& contacts, BodyStore& bodies, const Space& space, const ShiftedShapes& pair);
+/// The same for two that come to meet in this step: the next search will not add them again.
+ContactIndex addEarlyContact(ContactStore& contacts, BodyStore& bodies, const Space& space, const ShiftedShapes& pair);
 /// Adds a contact for a pair of shapes, if the pair can have one.
 PairKind addPair(ContactStore& contacts, BodyStore& bodies, const Space& space, const ShiftedShapes& pair);
 /// The pairs of two bodies' shapes whose bounds overlapped in the last search for pairs; without sensors.

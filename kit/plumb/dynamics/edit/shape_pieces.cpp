@@ -97,12 +97,12 @@ std::uint32_t chainPiecesOf(const WorldState& world, std::span<const ProxyId> pr
 }
 
 void outlinePiece(WorldState& world, ProxyId proxy, const Vec2& localCenter) {
-    std::vector<BoxOutline>& boxes = world.contacts.boxes;
-    if (boxes.size() <= proxy) boxes.resize(proxy + std::size_t{1});
-    boxes[proxy] = boxOutlineOf(world.space[proxy].def, localCenter);
+    const Convex& convex = world.space[proxy].convex;
+    BoxOutline outline = boxOutlineOf(world.space[proxy].def, localCenter);
     // A segment of an outline is one-sided, so it is not a plain line, even where it continues into one-way tops at
     // both ends.
-    if (world.space[proxy].convex.oneSided) boxes[proxy].kind = BoxOutline::Kind::Other;
+    if (convex.oneSided) outline.kind = BoxOutline::Kind::Other;
+    setOutline(world.contacts, proxy, outline, convex);
 }
 
 std::vector<ProxyId> addPieces(WorldState& world, BodyIndex body, std::uint32_t number, std::span<const PieceDef> parts,

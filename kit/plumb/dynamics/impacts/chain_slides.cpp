@@ -8,6 +8,7 @@
 #include <variant>
 
 #include <plumb/dynamics/bodies/free_motion.h>
+#include <plumb/dynamics/contacts/contact_graph.h>
 #include <plumb/dynamics/impacts/chain_path.h>
 
 namespace plumb {
@@ -55,7 +56,9 @@ std::optional<double> freeDiscOf(const BodyStore& bodies, const Space& space, Bo
     if (!(bodies.motion[body].velocity.squaredNorm() > slowSlide * slowSlide)) return std::nullopt;
     const BodyLinks& links = bodies.links[body];
     const BodyRecord& record = bodies.record[body];
-    if (links.solverContacts == 0 || links.proxies.size() != 1 || !links.joints.empty()) return std::nullopt;
+    if (links.solverContacts == 0 || (links.colours & looseColours) != 0 || links.proxies.size() != 1 ||
+        !links.joints.empty())
+        return std::nullopt;
     if (!bodies.canMove(body) || record.linearDamping != 0 || record.angularDamping != 0) return std::nullopt;
     if (!bodies.isMovedBy(body, MovedBy::ClosedForm) || bodies.step[body].flight != none) return std::nullopt;
     const Circle* circle = std::get_if<Circle>(&space[links.proxies.front()].def.shape);

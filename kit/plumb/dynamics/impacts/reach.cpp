@@ -65,10 +65,9 @@ Aabb Reach::wayOf(const FlyingBody& body, ProxyId proxy) const {
 void Reach::meet(ProxyId own, ProxyId other, const Vec2& shift, std::vector<ContactIndex>& added) {
     const ShiftedShapes pair = inOrder(own, other, shift);
     if (!mayPair(stores_.space[own], stores_.space[other]) || !mayTouch(stores_.bodies, stores_.space, pair) ||
-        arePaired(stores_.contacts, stores_.bodies, stores_.space, pair))
+        findContact(stores_.contacts, stores_.bodies, stores_.space, pair) != none)
         return;
-    added.push_back(addContact(stores_.contacts, stores_.bodies, stores_.space, pair));
-    stores_.contacts.hasEarly = true;
+    added.push_back(addEarlyContact(stores_.contacts, stores_.bodies, stores_.space, pair));
 }
 
 }  // namespace plumb

@@ -8,6 +8,7 @@
 #include <plumb/collide/distance.h>
 #include <plumb/dynamics/bodies/shape_radii.h>
 #include <plumb/dynamics/contacts/contact_rules.h>
+#include <plumb/dynamics/contacts/pairs.h>
 #include <plumb/dynamics/contacts/predicted_manifold.h>
 
 namespace plumb {
@@ -169,14 +170,8 @@ void WallSearch::meet(ProxyId own, ProxyId other, const Vec2& shift, const RayPa
 }
 
 Verdict WallSearch::verdictOn(ProxyId own, ProxyId other, const Vec2& shift) const {
-    Verdict verdict = Verdict::Open;
-    forEachContact(view_.bodies, view_.contacts, body_, [&](ContactIndex index) {
-        const ContactRecord& contact = view_.contacts[index];
-        if ((contact.proxyA == own && contact.proxyB == other && contact.shift == shift) ||
-            (contact.proxyB == own && contact.proxyA == other && contact.shift == -shift))
-            verdict = contact.verdict;
-    });
-    return verdict;
+    const ContactIndex contact = findContact(view_.contacts, view_.bodies, view_.space, {{own, other}, shift});
+    return contact == none ? Verdict::Open : view_.contacts[contact].verdict;
 }
 
 /// Empty at a corner that the rest of a chain covers: another of its segments is met there.

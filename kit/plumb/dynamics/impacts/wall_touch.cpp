@@ -10,21 +10,10 @@ namespace plumb {
 
 namespace {
 
-ContactIndex findContact(const WallTouchStores& stores, const ShiftedShapes& pair) {
-    ContactIndex found = none;
-    forEachContact(stores.bodies, stores.contacts, stores.space[pair.shapes.a].owner, [&](ContactIndex index) {
-        const ContactRecord& contact = stores.contacts[index];
-        if (contact.proxyA == pair.shapes.a && contact.proxyB == pair.shapes.b && contact.shift == pair.shift)
-            found = index;
-    });
-    return found;
-}
-
 ContactIndex contactOf(const WallTouchStores& stores, const ShiftedShapes& pair) {
-    const ContactIndex found = findContact(stores, pair);
+    const ContactIndex found = findContact(stores.contacts, stores.bodies, stores.space, pair);
     if (found != none) return found;
-    stores.contacts.hasEarly = true;
-    return addContact(stores.contacts, stores.bodies, stores.space, pair);
+    return addEarlyContact(stores.contacts, stores.bodies, stores.space, pair);
 }
 
 /// A contact in the solver reports its events itself, from its impulses and its approach speed.

@@ -23,6 +23,12 @@ inline F smaller(F a, F b) {
     return a < b ? a : b;
 }
 
+/// Where two comparisons are both true.
+template <class M>
+inline M both(M a, M b) {
+    return a ? b : M{};
+}
+
 template <class F>
 inline F magnitude(F a) {
     return larger(a, -a);

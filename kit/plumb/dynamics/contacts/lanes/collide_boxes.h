@@ -7,8 +7,7 @@
 // them is the normal.
 // Test: "boxes side by side have the manifolds that they have one by one"
 #pragma once
-#include <plumb/dynamics/bodies/relative_lanes.h>
-#include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
+#include <plumb/dynamics/contacts/lanes/classify_lanes.h>
 
 namespace plumb {
 
@@ -222,25 +221,6 @@ struct BoxCollider {
         }
     };
 
-    /// A pair that cannot meet along the normal in this step gets no points. If the faces stay opposite each other
-    /// during the whole step, their present manifold is right; otherwise a distant pair is marked as uncertain.
-    static void classify(const RelativeLanes<W>& r, const Result& result, F normalX, F normalY, F nearest, I count,
-                         int lane, FreshLanes& fresh) {
-        const F worldX = r.cosA * normalX - r.sinA * normalY, worldY = r.sinA * normalX + r.cosA * normalY;
-        const F closing = r.turn - (r.shiftX * worldX + r.shiftY * worldY);
-        const F sliding = magnitude(r.shiftY * worldX - r.shiftX * worldY);
-        const M far = nearest > all(contactMargin), open = nearest > closing;
-        const M never = far ? open : M{};
-        const M stays = sliding + r.turn < result.length, straight = r.turn * 10.0f < result.length;
-        const M both = stays ? straight : M{};
-        const M sure = result.corner ? M{} : both;
-        const I there = never ? I{} : count;
-        const I closer = sure ? I{} : whole(1);
-        const I uncertain = far ? closer : I{};
-        storeLanes(fresh.count + lane, there);
-        storeLanes(fresh.uncertain + lane, there > I{} ? uncertain : I{});
-    }
-
     static void collide(const PairLanes& m, int lane, const BodyPlace* places, FreshLanes& fresh) {
         const RelativeLanes<W> r =
             relativeLanes<W>(m.bodyA + lane, m.bodyB + lane, places, fresh.apartXFrom(lane), fresh.apartYFrom(lane));
@@ -258,14 +238,17 @@ struct BoxCollider {
         storeLanes(fresh.normalX + lane, normalX);
         storeLanes(fresh.normalY + lane, normalY);
 
-        const F margin = squareRoot<W>(r.shiftX * r.shiftX + r.shiftY * r.shiftY) + r.turn + contactMargin;
+        const F margin = marginOf<W>(r);
         const M in0 = result.points[0].n <= margin, near1 = result.points[1].n <= margin;
         const M in1 = result.two ? near1 : M{};
         const M useSecond = in0 ? M{} : in1;
         const F nearest0 = in0 ? result.points[0].n : result.points[1].n;
         const F nearest = in1 ? smaller(nearest0, result.points[1].n) : nearest0;
         const I count0 = in0 ? whole(1) : I{}, count1 = in1 ? whole(1) : I{};
-        classify(r, result, normalX, normalY, nearest, count0 + count1, lane, fresh);
+        const Reaching<W> reach =
+            reachOf<W>(r, normalX, normalY, nearest, count0 + count1, result.corner ? F{} : result.length);
+        storeLanes(fresh.count + lane, reach.count);
+        storeLanes(fresh.uncertain + lane, reach.uncertain);
         for (int i = 0; i < 2; ++i) {
             const Point& own = result.points[i];
             const Point& second = result.points[1];
@@ -273,9 +256,10 @@ struct BoxCollider {
             const F onT = t + nt * n * 0.5f, onN = f.hn + nn * n * 0.5f;
             F x = onN * f.nx - onT * f.ny, y = onN * f.ny + onT * f.nx;
             toA.place(x, y);
+            const F way = reach.wayToPlace(n);
             FreshPoint& out = fresh.points[i];
-            storeLanes(out.x + lane, x);
-            storeLanes(out.y + lane, y);
+            storeLanes(out.x + lane, x + normalX * way);
+            storeLanes(out.y + lane, y + normalY * way);
             storeLanes(out.separation + lane, n);
             storeLanes(out.feature + lane, useSecond ? second.feature : own.feature);
         }

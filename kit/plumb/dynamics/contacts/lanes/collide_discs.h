@@ -6,8 +6,7 @@
 // a box with half sizes 0 and a rounding radius.
 // Test: "discs side by side have the manifolds that they have one by one"
 #pragma once
-#include <plumb/dynamics/bodies/relative_lanes.h>
-#include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
+#include <plumb/dynamics/contacts/lanes/classify_lanes.h>
 
 namespace plumb {
 
@@ -65,26 +64,13 @@ struct DiscCollider {
         return n;
     }
 
-    /// As in BoxCollider: a pair that cannot meet along the normal in this step gets no points; a distant pair that may
-    /// meet is marked as uncertain.
-    static void classify(const RelativeLanes<W>& r, F normalX, F normalY, F separation, int lane, FreshLanes& fresh) {
-        const F worldX = r.cosA * normalX - r.sinA * normalY, worldY = r.sinA * normalX + r.cosA * normalY;
-        const F closing = r.turn - (r.shiftX * worldX + r.shiftY * worldY);
-        const F margin = squareRoot<W>(r.shiftX * r.shiftX + r.shiftY * r.shiftY) + r.turn + contactMargin;
-        const M far = separation > all(contactMargin), open = separation > closing;
-        const M never = far ? open : M{};
-        const M near = separation <= margin;
-        const M there = never ? M{} : near;
-        const I one = I{} + 1;
-        const I count = there ? one : I{};
-        storeLanes(fresh.count + lane, count);
-        storeLanes(fresh.uncertain + lane, far ? count : I{});
-    }
-
     static void collide(const PairLanes& m, int lane, const BodyPlace* places, FreshLanes& fresh) {
+        const I disc = loadLanes<W>(m.kernel + lane);
+        const M boxIsB = disc == I{} + discFirst, discIsB = disc == I{} + discSecond;
+        const M asked = boxIsB ? boxIsB : discIsB;
+        if (bitsOf<W>(asked) == 0) return;
         const RelativeLanes<W> r =
             relativeLanes<W>(m.bodyA + lane, m.bodyB + lane, places, fresh.apartXFrom(lane), fresh.apartYFrom(lane));
-        const M boxIsB = loadLanes<W>(m.discs + lane) == I{} + discFirst;
         const View v = view(r, m, lane, boxIsB);
         const Nearest n = nearest(v);
         const F radiusA = at(m.radiusA + lane), radiusB = at(m.radiusB + lane);
@@ -97,19 +83,22 @@ struct DiscCollider {
         const F turnedX = (r.cos * x - r.sin * y) + r.dx, turnedY = (r.sin * x + r.cos * y) + r.dy;
         const F normalX = boxIsB ? -(r.cos * n.nx - r.sin * n.ny) : n.nx;
         const F normalY = boxIsB ? -(r.sin * n.nx + r.cos * n.ny) : n.ny;
-        storeLanes(fresh.normalX + lane, normalX);
-        storeLanes(fresh.normalY + lane, normalY);
-        classify(r, normalX, normalY, separation, lane, fresh);
-        FreshPoint& point = fresh.points[0];
-        storeLanes(point.x + lane, boxIsB ? turnedX : x);
-        storeLanes(point.y + lane, boxIsB ? turnedY : y);
-        storeLanes(point.separation + lane, separation);
-        storeLanes(point.feature + lane, I{});
-        FreshPoint& none = fresh.points[1];
-        storeLanes(none.x + lane, F{});
-        storeLanes(none.y + lane, F{});
-        storeLanes(none.separation + lane, F{});
-        storeLanes(none.feature + lane, I{});
+        const M near = separation <= marginOf<W>(r);
+        const Reaching<W> reach = reachOf<W>(r, normalX, normalY, separation, near ? I{} + 1 : I{}, F{});
+        const LaneWriter<W> to{fresh, lane, asked};
+        to.put(fresh.normalX, normalX);
+        to.put(fresh.normalY, normalY);
+        to.put(fresh.count, reach.count);
+        to.put(fresh.uncertain, reach.uncertain);
+        FreshPoint &point = fresh.points[0], &none = fresh.points[1];
+        to.put(point.x, boxIsB ? turnedX : x);
+        to.put(point.y, boxIsB ? turnedY : y);
+        to.put(point.separation, separation);
+        to.put(point.feature, I{});
+        to.put(none.x, F{});
+        to.put(none.y, F{});
+        to.put(none.separation, F{});
+        to.put(none.feature, I{});
     }
 };
 

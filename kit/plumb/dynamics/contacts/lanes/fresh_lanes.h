@@ -2,6 +2,7 @@
 // Which manifolds has the narrow phase just computed for the lanes of a batch?
 #pragma once
 #include <plumb/dynamics/contacts/contact_batch.h>
+#include <plumb/math/detail/wide_ops.h>
 
 namespace plumb {
 
@@ -18,13 +19,26 @@ struct alignas(64) FreshLanes {
     Lanes<float> normalX, normalY;  ///< from A to B, in A's frame
     FreshPoint points[2];
     Lanes<std::int32_t> count;      ///< number of points, 0 to 2
-    Lanes<std::int32_t> uncertain;  ///< not 0: whether and how the two meet in this step must be computed exactly
+    Lanes<std::int32_t> uncertain;  ///< not 0: whether and how the two meet in this step must be predicted, or was
 
     Lanes<float> apartX, apartY;  ///< if around: from A's centre of mass to that of B's periodic image [m]
     bool around = false;          ///< in some lane, A touches a periodic image of B
 
     [[gnu::always_inline]] const float* apartXFrom(int lane) const { return around ? apartX + lane : nullptr; }
     [[gnu::always_inline]] const float* apartYFrom(int lane) const { return around ? apartY + lane : nullptr; }
+};
+
+/// Writes into some of W lanes.
+template <int W>
+struct LaneWriter {
+    FreshLanes& fresh;
+    int lane;  ///< the first
+    typename Wide<W>::Mask wanted;
+
+    template <class T>
+    [[gnu::always_inline]] void put(T* row, typename LanesOf<W, T>::Type v) const {
+        storeLanes(row + lane, wanted ? v : loadLanes<W>(row + lane));
+    }
 };
 
 /// Number of rows of results, before the input apartX.

@@ -2,6 +2,7 @@
 // Which functions collide and prepare the contacts of a whole batch? The same templates for each number of lanes.
 #pragma once
 #include <plumb/dynamics/bodies/solver_body.h>
+#include <plumb/dynamics/contacts/lanes/corner_rows.h>
 #include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
 
 namespace plumb {
@@ -9,8 +10,15 @@ namespace plumb {
 struct LaneCollider {
     /// Finds where boxes touch. A box with a rounding radius is treated as a box that is larger by the radius.
     void (*collideBoxes)(const PairLanes& pairs, const BodyPlace* places, FreshLanes& fresh);
-    /// Finds where discs touch discs or boxes. The results in lanes without a disc have no meaning.
+    /// Finds where discs touch discs or boxes. Lanes without a disc stay as they are.
     void (*collideDiscs)(const PairLanes& pairs, const BodyPlace* places, FreshLanes& fresh);
+    /// Finds where polygons touch, in the lanes for which wanted is not 0.
+    void (*collidePolygons)(const PairLanes& pairs, const BodyPlace* places, const CornerTable& corners,
+                            const std::int32_t* wanted, FreshLanes& fresh);
+    /// Uses the manifolds of the last step again; again: not 0 where they are not right any more. now: the places of
+    /// this step.
+    void (*reuse)(const PairLanes& pairs, const BodyPlace* places, const ManifoldLanes& manifolds,
+                  const KeptLanes& kept, FreshLanes& fresh, PoseLanes& now, std::int32_t* again);
     /// Copies new manifolds into the batch and computes what the solver needs for the step.
     void (*prepare)(ContactBatch& batch, ManifoldLanes& manifolds, const BodyPlace* places,
                     const SolverVelocity* velocity, const FreshLanes& fresh, float inverseStep);

@@ -3,8 +3,10 @@
 #pragma once
 #include <plumb/dynamics/contacts/lanes/collide_boxes.h>
 #include <plumb/dynamics/contacts/lanes/collide_discs.h>
+#include <plumb/dynamics/contacts/lanes/collide_polygons.h>
 #include <plumb/dynamics/contacts/lanes/lane_collider.h>
 #include <plumb/dynamics/contacts/lanes/prepare_lanes.h>
+#include <plumb/dynamics/contacts/lanes/reuse_lanes.h>
 
 namespace plumb {
 
@@ -16,6 +18,16 @@ struct BatchCollider {
     static void collideDiscs(const PairLanes& pairs, const BodyPlace* places, FreshLanes& fresh) {
         for (int lane = 0; lane < batchLanes; lane += W) DiscCollider<W>::collide(pairs, lane, places, fresh);
     }
+    static void collidePolygons(const PairLanes& pairs, const BodyPlace* places, const CornerTable& corners,
+                                const std::int32_t* wanted, FreshLanes& fresh) {
+        for (int lane = 0; lane < batchLanes; lane += W)
+            PolygonCollider<W>::collide(pairs, lane, places, corners, wanted, fresh);
+    }
+    static void reuse(const PairLanes& pairs, const BodyPlace* places, const ManifoldLanes& manifolds,
+                      const KeptLanes& kept, FreshLanes& fresh, PoseLanes& now, std::int32_t* again) {
+        for (int lane = 0; lane < batchLanes; lane += W)
+            LaneReuser<W>::reuse(pairs, lane, places, manifolds, kept, fresh, now, again);
+    }
     static void prepare(ContactBatch& batch, ManifoldLanes& m, const BodyPlace* places, const SolverVelocity* velocity,
                         const FreshLanes& fresh, float inverseStep) {
         for (int lane = 0; lane < batchLanes; lane += W)
@@ -25,6 +37,7 @@ struct BatchCollider {
 
 template <int W>
 const LaneCollider WideLaneCollider<W>::code{BatchCollider<W>::collideBoxes, BatchCollider<W>::collideDiscs,
+                                             BatchCollider<W>::collidePolygons, BatchCollider<W>::reuse,
                                              BatchCollider<W>::prepare};
 
 }  // namespace plumb

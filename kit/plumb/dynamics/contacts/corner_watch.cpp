@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/contacts/corner_watch.h>
+
+#include <algorithm>
+
+#include <plumb/dynamics/contacts/flush_faces.h>
+
+namespace plumb {
+
+namespace {
+
+/// A bit of KeptLanes.open beside floorA and floorB: the contact has been noted since it was collided.
+constexpr std::int32_t seen = 4;
+
+}  // namespace
+
+CornerWatch::CornerWatch(const ContactStore& contacts, const BodyStore& bodies, const Space& space, double dt)
+    : contacts_(contacts), bodies_(bodies), space_(space), dt_(dt) {}
+
+void CornerWatch::note(const PairBatch& batch, KeptLanes* kept, const FreshLanes& fresh) {
+    for (std::size_t lane = 0; lane < batch.count; ++lane) {
+        const BodyIndex a = batch.pairs.bodyA[lane], b = batch.pairs.bodyB[lane];
+        std::int32_t* open = kept != nullptr ? &kept->open[lane] : nullptr;
+        if (open != nullptr && *open == 0) {
+            mark(a, b);
+            *open = seen;
+        }
+        if (!isAtCorner(fresh, lane)) continue;
+        const int sides = floorSides(bodies_, a, b, dt_);
+        if (sides != 0) noted_.push_back({batch.contacts[lane], sides, open});
+    }
+}
+
+void CornerWatch::mark(BodyIndex a, BodyIndex b) {
+    if (moved_.empty()) moved_.resize(bodies_.record.size());
+    moved_[a] = moved_[b] = 1;
+}
+
+void CornerWatch::markMoved(const ContactRecord& contact) {
+    mark(contact.bodyA, contact.bodyB);
+}
+
+/// The manifolds of boxes are not kept: it is not known whether they moved.
+void CornerWatch::markBoxes(const ContactGraph& graph) {
+    for (std::size_t index = 0; index < graph.colours.size(); ++index)
+        if (isOfBoxes(index))
+            for (const ContactIndex contact : graph.colours[index].contactOf) markMoved(contacts_[contact]);
+}
+
+/// A fixed body's other contacts do not matter (see flush_faces.h).
+bool CornerWatch::hasMoved(const ContactRecord& contact) const {
+    if (moved_.empty()) return false;
+    const auto moved = [this](BodyIndex body) { return bodies_.isDynamic(body) && moved_[body] != 0; };
+    return moved(contact.bodyA) || moved(contact.bodyB);
+}
+
+bool CornerWatch::isCovered(ContactIndex index, const Manifold& manifold) const {
+    const ContactRecord& contact = contacts_[index];
+    const int sides = floorSides(bodies_, contact.bodyA, contact.bodyB, dt_);
+    return sides != 0 && isAtCoveredFace(contacts_, bodies_, space_, index, manifold, sides);
+}
+
+void CornerWatch::findCovered(const ContactGraph& graph, std::vector<ContactIndex>& covered) {
+    const bool someKept = std::any_of(noted_.begin(), noted_.end(), [](const Noted& n) { return n.open != nullptr; });
+    if (someKept) markBoxes(graph);
+    for (const ContactIndex index : contacts_.withVerdict) markMoved(contacts_[index]);
+    for (const Noted& noted : noted_) {
+        const ContactRecord& contact = contacts_[noted.contact];
+        int sides = noted.sides;
+        if (noted.open != nullptr) {
+            if (hasMoved(contact)) *noted.open = seen;
+            sides &= ~*noted.open;
+            *noted.open |= sides;
+        }
+        if (sides != 0 && isAtCoveredFace(contacts_, bodies_, space_, noted.contact, graph.manifoldOf(contact), sides))
+            covered.push_back(noted.contact);
+    }
+}
+
+}  // namespace plumb
