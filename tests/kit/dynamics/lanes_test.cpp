@@ -224,12 +224,12 @@ Pile randomPile(Random& random) {
 
 void solveAll(const ContactSolver& solver, Pile& pile) {
     const ContactPass pass{240, softness(30, 10, 1.0 / 240), 3};
-    solver.gatherWarmStart(&pile.batch, 1, pile.bodies());
+    solver.gatherWarmStart(&pile.batch, batchLanes, pile.bodies());
     for (int i = 0; i < 4; ++i) {
-        solver.solve(&pile.batch, 1, pile.bodies(), pass);
-        solver.relax(&pile.batch, 1, pile.bodies(), pass);
+        solver.solve(&pile.batch, batchLanes, pile.bodies(), pass);
+        solver.relax(&pile.batch, batchLanes, pile.bodies(), pass);
     }
-    solver.bounce(&pile.batch, 1, pile.bodies());
+    solver.bounce(&pile.batch, batchLanes, pile.bodies());
 }
 
 }  // namespace
@@ -241,7 +241,7 @@ TEST_CASE("boxes side by side have the manifolds that they have one by one, in 1
     for (int round = 0; round < 10'000 / batchLanes; ++round) {
         const BoxPairs pairs = randomPairs(random);
         FreshLanes fresh{};
-        laneCollider(1).collideBoxes(pairs.pairs, pairs.place.data(), fresh);
+        laneCollider(1).collideBoxes(pairs.pairs, pairs.place.data(), fresh, batchLanes);
         for (std::size_t lane = 0; lane < batchLanes; ++lane) {
             INFO("round " << round << ", lane " << lane);
             // along a face a turn of 1e-7 moves a cut by as much again
@@ -261,7 +261,7 @@ TEST_CASE("discs side by side have the manifolds that they have one by one, in 1
     for (int round = 0; round < 10'000 / batchLanes; ++round) {
         const DiscPairs pairs = randomDiscPairs(random);
         FreshLanes fresh{};
-        laneCollider(1).collideDiscs(pairs.pairs, pairs.place.data(), fresh);
+        laneCollider(1).collideDiscs(pairs.pairs, pairs.place.data(), fresh, batchLanes);
         for (std::size_t lane = 0; lane < batchLanes; ++lane) {
             INFO("round " << round << ", lane " << lane);
             const float tolerance = static_cast<float>(4e-6 * pairs.size[lane]);
@@ -269,7 +269,7 @@ TEST_CASE("discs side by side have the manifolds that they have one by one, in 1
         }
         for (const int lanes : {4, 8, 16}) {
             FreshLanes again{};
-            laneCollider(lanes).collideDiscs(pairs.pairs, pairs.place.data(), again);
+            laneCollider(lanes).collideDiscs(pairs.pairs, pairs.place.data(), again, batchLanes);
             CHECK(sameBits(again, fresh));
         }
     }
@@ -299,7 +299,7 @@ TEST_CASE("of 10,000 shapes that meet another in the step none is passed over be
         PairLanes pairs{};
         fillOne(pairs, 0, {.shape = a}, {.shape = b}, 1, 2);
         FreshLanes fresh{};
-        laneCollider(1).collideBoxes(pairs, place.data(), fresh);
+        laneCollider(1).collideBoxes(pairs, place.data(), fresh, batchLanes);
         bool meets = false;
         for (int i = 0; i <= 20; ++i) {
             const Transform pose{moving.center + shift * (i / 20.0), Rot::fromAngle(moving.angle + turn * i / 20.0)};
@@ -328,13 +328,15 @@ TEST_CASE("manifolds and what the solver needs of them are the same bits at 1, 4
         }
         FreshLanes first{};
         BoxPairs prepared = pairs;
-        laneCollider(1).collideBoxes(pairs.pairs, pairs.place.data(), first);
-        laneCollider(1).prepare(prepared.batch, prepared.lanes, pairs.place.data(), velocity.data(), first, 60);
+        laneCollider(1).collideBoxes(pairs.pairs, pairs.place.data(), first, batchLanes);
+        laneCollider(1).prepare(prepared.batch, prepared.lanes, pairs.place.data(), velocity.data(), first, 60,
+                                batchLanes);
         for (const int lanes : {4, 8, 16}) {
             FreshLanes fresh{};
             BoxPairs again = pairs;
-            laneCollider(lanes).collideBoxes(pairs.pairs, pairs.place.data(), fresh);
-            laneCollider(lanes).prepare(again.batch, again.lanes, pairs.place.data(), velocity.data(), fresh, 60);
+            laneCollider(lanes).collideBoxes(pairs.pairs, pairs.place.data(), fresh, batchLanes);
+            laneCollider(lanes).prepare(again.batch, again.lanes, pairs.place.data(), velocity.data(), fresh, 60,
+                                        batchLanes);
             INFO("round " << round << ", " << lanes << " lanes");
             CHECK(sameBits(fresh, first));
             CHECK(std::memcmp(&again.batch, &prepared.batch, offsetof(ContactBatch, bounces)) == 0);

@@ -103,7 +103,7 @@ FreshLanes collide(const PolygonPairs& pairs, int lanes) {
     Lanes<std::int32_t> all;
     std::fill(std::begin(all), std::end(all), 1);
     FreshLanes fresh{};
-    laneCollider(lanes).collidePolygons(pairs.pairs, pairs.place.data(), pairs.corners(), all, fresh);
+    laneCollider(lanes).collidePolygons(pairs.pairs, pairs.place.data(), pairs.corners(), all, fresh, batchLanes);
     return fresh;
 }
 

@@ -27,7 +27,7 @@ struct TouchingEdges {
     Point points[2];
     I count;   ///< of points within the margin
     M corner;  ///< the nearest features are two corners
-    F common;  ///< length of the stretch that both edges have in common [m]
+    F play;    ///< by how far they may slide along each other before the nearest features are others; 0 at corners [m]
 };
 
 /// A reference edge and an incident edge in one frame. They run in opposite directions: the incident edge starts at its
@@ -121,9 +121,11 @@ struct FacingEdges {
         const M upright = highEnd.along - lowEnd.along <= slack;
         const EdgePoint cutLow = choose(upright, lowEnd, clipped(lowEnd, highEnd, -lowEnd.along, start));
         const EdgePoint cutHigh = choose(upright, highEnd, clipped(highEnd, lowEnd, highEnd.along - length, end));
-        touch.common = cutHigh.along - cutLow.along;
-        const M single = touch.common <= slack, isHigh = !(cutLow.above < cutHigh.above);
+        const F common = cutHigh.along - cutLow.along;
+        const M single = common <= slack, isHigh = !(cutLow.above < cutHigh.above);
         const EdgePoint lower = choose(both(single, isHigh), cutHigh, cutLow);
+        const F nearest = isHigh ? cutHigh.along : cutLow.along;
+        touch.play = corner ? F{} : larger(common, smaller(nearest, length - nearest));
         const EdgePoint atCorner{corners.atStart ? F{} : length, F{}, corners.atStart ? start : end, corners.incident};
         const EdgePoint first = choose(corner, atCorner, lower);
 

@@ -109,7 +109,9 @@ struct StillWatch {
     double angle = 0;                                        ///< there [rad]
     double time = 0;                                         ///< since then [s]
     double least = std::numeric_limits<double>::infinity();  ///< lowest mean speed of a part [m/s]
-    double gained = 0;  ///< highest mean speed after a rise that it has not lost again; 0: none [m/s]
+    double gained = 0;           ///< highest mean speed after a rise that it has not lost again; 0: none [m/s]
+    BodyIndex blocker = noBody;  ///< a restless body of its island, when that was searched last
+    double blockedUntil = 0;     ///< after this time at rest, the island is searched again [s]
 };
 
 /// Parallel arrays, indexed by a body's slot. Slot 0 belongs to no body (see noBody).

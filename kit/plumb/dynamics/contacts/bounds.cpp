@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <plumb/dynamics/bodies/load_bodies.h>
 #include <plumb/dynamics/bodies/shape_radii.h>
@@ -15,8 +16,31 @@ namespace {
 /// New bounds are larger than this step needs by this margin, so that a slow body keeps its bounds for many steps [m].
 constexpr double boundsMargin = 0.01;
 
-Aabb tightBox(const Space& space, const BoxOutline& box, ProxyId proxy, const BodyMotion& motion,
+/// The bounds of up to four corners around a body's centre.
+void addCorners(const CornerRows& corners, const BodyMotion& motion, Vec2f& lower, Vec2f& upper) {
+    using Four = Eigen::Array4f;
+    const auto c = static_cast<float>(motion.rotation.cos), s = static_cast<float>(motion.rotation.sin);
+    const Four x = Eigen::Map<const Four>(corners.x), y = Eigen::Map<const Four>(corners.y);
+    const Four turnedX = c * x - s * y, turnedY = s * x + c * y;
+    lower = lower.cwiseMin(Vec2f(turnedX.minCoeff(), turnedY.minCoeff()));
+    upper = upper.cwiseMax(Vec2f(turnedX.maxCoeff(), turnedY.maxCoeff()));
+}
+
+/// In floats from the body's centre: the bounds have a margin far above their rounding.
+Aabb polygonBox(const ContactStore& contacts, ProxyId proxy, const BodyMotion& motion) {
+    const BoxOutline& box = contacts.boxes[proxy];
+    constexpr float infinite = std::numeric_limits<float>::infinity();
+    Vec2f lower(infinite, infinite), upper(-infinite, -infinite);
+    addCorners(contacts.corners[proxy], motion, lower, upper);
+    if (box.corners > 4) addCorners(contacts.moreCorners[proxy], motion, lower, upper);
+    return inflate({motion.center + lower.cast<double>(), motion.center + upper.cast<double>()},
+                   static_cast<double>(box.radius));
+}
+
+Aabb tightBox(const Space& space, const ContactStore& contacts, ProxyId proxy, const BodyMotion& motion,
               const Transform& pose) {
+    const BoxOutline& box = contacts.boxes[proxy];
+    if (box.kind == BoxOutline::Kind::Other && box.corners > 0) return polygonBox(contacts, proxy, motion);
     if (box.kind == BoxOutline::Kind::Other) return aabbOf(space[proxy].def.shape, pose);
     const double c = motion.rotation.cos;
     const double s = motion.rotation.sin;
@@ -61,7 +85,7 @@ void placeBounds(Space& space, const BodyStore& bodies, const ContactStore& cont
         const BoxOutline& outline = contacts.boxes[proxy];
         const double swing = outline.sensor && moves ? sensorTurn(space[proxy].def.shape, record, motion, dt) : turn;
         const Aabb now =
-            inflate(tightBox(space, outline, proxy, motion, pose), 0.5 * static_cast<double>(contactMargin) + swing);
+            inflate(tightBox(space, contacts, proxy, motion, pose), 0.5 * static_cast<double>(contactMargin) + swing);
         const Aabb ahead{now.lower + shift, now.upper + shift};
         // It may bounce back in any direction, with at most its restitution times its speed.
         const Aabb back = inflate(now, static_cast<double>(outline.restitution) * shift.norm());

@@ -61,6 +61,9 @@ struct alignas(64) PairLanes {
     Lanes<std::uint32_t> proxyA, proxyB;
     Lanes<std::int32_t> cornersA, cornersB;  ///< number of corners, for the lanes that are collided as polygons
 };
+inline bool hasDisc(const PairLanes& pairs, std::size_t lane) {
+    return pairs.halfXA[lane] + pairs.halfYA[lane] == 0 || pairs.halfXB[lane] + pairs.halfYB[lane] == 0;
+}
 
 /// One lane of PairLanes, without the boxes.
 struct ShapePair {
@@ -95,6 +98,9 @@ struct alignas(64) KeptLanes {
     Lanes<float> separations[2];  ///< [m]
     Lanes<std::int32_t> open;     ///< bits: not at a covered face of A (1), of B (2) (see flush_faces.h)
 };
+inline bool isKept(const KeptLanes& kept, std::size_t lane) {
+    return kept.pose.cos[lane] != 0 || kept.pose.sin[lane] != 0;
+}
 inline constexpr std::size_t keptRows = sizeof(KeptLanes) / (sizeof(float) * batchLanes);
 inline constexpr std::size_t manifoldRows = sizeof(ManifoldLanes) / (sizeof(float) * batchLanes);
 

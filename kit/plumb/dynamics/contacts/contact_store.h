@@ -149,4 +149,13 @@ void forEachContact(const BodyStore& bodies, const ContactStore& store, BodyInde
     }
 }
 
+/// Is test(contact) true for a contact of a body? Asks no more contacts after that.
+template <class Test>
+bool anyContact(const BodyStore& bodies, const ContactStore& store, BodyIndex body, Test&& test) {
+    for (ContactIndex contact = bodies.links[body].firstContact; contact != none;
+         contact = store[contact].next[static_cast<std::size_t>(store.side(contact, body))])
+        if (test(contact)) return true;
+    return false;
+}
+
 }  // namespace plumb

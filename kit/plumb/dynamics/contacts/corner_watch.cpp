@@ -18,17 +18,26 @@ CornerWatch::CornerWatch(const ContactStore& contacts, const BodyStore& bodies, 
     : contacts_(contacts), bodies_(bodies), space_(space), dt_(dt) {}
 
 void CornerWatch::note(const PairBatch& batch, KeptLanes* kept, const FreshLanes& fresh) {
+    if (kept == nullptr && !someAtCorner(fresh, batch.count)) return;
     for (std::size_t lane = 0; lane < batch.count; ++lane) {
         const BodyIndex a = batch.pairs.bodyA[lane], b = batch.pairs.bodyB[lane];
-        std::int32_t* open = kept != nullptr ? &kept->open[lane] : nullptr;
-        if (open != nullptr && *open == 0) {
-            mark(a, b);
-            *open = seen;
-        }
-        if (!isAtCorner(fresh, lane)) continue;
+        const bool corner = isAtCorner(fresh, lane);
+        std::int32_t* open = kept != nullptr && isKept(*kept, lane) ? &kept->open[lane] : nullptr;
+        const bool moves = kept != nullptr && (open == nullptr || *open == 0);
+        if (moves && !hasDisc(batch.pairs, lane) && mayCover(a, b, corner)) mark(a, b);
+        if (open != nullptr && *open == 0) *open = seen;
+        if (!corner) continue;
         const int sides = floorSides(bodies_, a, b, dt_);
-        if (sides != 0) noted_.push_back({batch.contacts[lane], sides, open});
+        if (sides == 0) continue;
+        // A fixed body's other contacts do not matter (see flush_faces.h).
+        const auto loose = [this](BodyIndex body) { return bodies_.velocity[body].inverseMass > 0 ? body : noBody; };
+        noted_.push_back({batch.contacts[lane], loose(a), loose(b), sides, open});
     }
+}
+
+/// What covers a loose body's face lies along it. What covers a fixed one's touches the body that slides, at any place.
+bool CornerWatch::mayCover(BodyIndex a, BodyIndex b, bool atCorner) const {
+    return !atCorner || bodies_.velocity[a].inverseMass == 0 || bodies_.velocity[b].inverseMass == 0;
 }
 
 void CornerWatch::mark(BodyIndex a, BodyIndex b) {
@@ -47,11 +56,8 @@ void CornerWatch::markBoxes(const ContactGraph& graph) {
             for (const ContactIndex contact : graph.colours[index].contactOf) markMoved(contacts_[contact]);
 }
 
-/// A fixed body's other contacts do not matter (see flush_faces.h).
-bool CornerWatch::hasMoved(const ContactRecord& contact) const {
-    if (moved_.empty()) return false;
-    const auto moved = [this](BodyIndex body) { return bodies_.isDynamic(body) && moved_[body] != 0; };
-    return moved(contact.bodyA) || moved(contact.bodyB);
+bool CornerWatch::hasMoved(const Noted& noted) const {
+    return !moved_.empty() && (moved_[noted.a] != 0 || moved_[noted.b] != 0);
 }
 
 bool CornerWatch::isCovered(ContactIndex index, const Manifold& manifold) const {
@@ -64,15 +70,16 @@ void CornerWatch::findCovered(const ContactGraph& graph, std::vector<ContactInde
     const bool someKept = std::any_of(noted_.begin(), noted_.end(), [](const Noted& n) { return n.open != nullptr; });
     if (someKept) markBoxes(graph);
     for (const ContactIndex index : contacts_.withVerdict) markMoved(contacts_[index]);
+    if (!moved_.empty()) moved_[noBody] = 0;
     for (const Noted& noted : noted_) {
-        const ContactRecord& contact = contacts_[noted.contact];
         int sides = noted.sides;
         if (noted.open != nullptr) {
-            if (hasMoved(contact)) *noted.open = seen;
+            if (hasMoved(noted)) *noted.open = seen;
             sides &= ~*noted.open;
             *noted.open |= sides;
         }
-        if (sides != 0 && isAtCoveredFace(contacts_, bodies_, space_, noted.contact, graph.manifoldOf(contact), sides))
+        if (sides != 0 && isAtCoveredFace(contacts_, bodies_, space_, noted.contact,
+                                          graph.manifoldOf(contacts_[noted.contact]), sides))
             covered.push_back(noted.contact);
     }
 }

@@ -30,13 +30,15 @@ public:
 private:
     struct Noted {
         ContactIndex contact = none;
-        int sides = 0;                 ///< the bodies that may be part of a floor
-        std::int32_t* open = nullptr;  ///< in KeptLanes
+        BodyIndex a = noBody, b = noBody;  ///< its loose bodies
+        int sides = 0;                     ///< the bodies that may be part of a floor
+        std::int32_t* open = nullptr;      ///< in KeptLanes
     };
 
+    bool mayCover(BodyIndex a, BodyIndex b, bool atCorner) const;
     void mark(BodyIndex a, BodyIndex b);
     void markBoxes(const ContactGraph& graph);
-    bool hasMoved(const ContactRecord& contact) const;
+    bool hasMoved(const Noted& noted) const;
 
     const ContactStore& contacts_;
     const BodyStore& bodies_;

@@ -15,6 +15,7 @@ namespace plumb {
 
 /// Has the manifold in this lane one place only? All others are no contacts at a corner.
 bool isAtCorner(const FreshLanes& fresh, std::size_t lane);
+bool someAtCorner(const FreshLanes& fresh, std::size_t count);  ///< in some of the first lanes
 
 /// Which of two bodies may be part of a floor on which the other one slides, in a step of dt [s]? Bits.
 inline constexpr int floorA = 1, floorB = 2;

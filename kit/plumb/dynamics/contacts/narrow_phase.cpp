@@ -8,6 +8,7 @@
 #include <plumb/dynamics/contacts/contact_lane.h>
 #include <plumb/dynamics/contacts/contact_rules.h>
 #include <plumb/dynamics/contacts/initial_impulses.h>
+#include <plumb/math/detail/for_lanes.h>
 
 namespace plumb {
 
@@ -32,8 +33,7 @@ NarrowPhase::NarrowPhase(ContactGraph& graph, ContactStore& contacts, BodyStore&
       contacts_(contacts),
       bodies_(bodies),
       space_(space),
-      collider_(laneCollider(lanes)),
-      pairs_(contacts, bodies, space, collider_, dt),
+      pairs_(contacts, bodies, space, lanes, dt),
       corners_(contacts, bodies, space, dt),
       lanes_(lanes),
       dt_(dt) {}
@@ -99,15 +99,17 @@ void NarrowPhase::collideColour(std::size_t index) {
         else
             pairs_.collideSolved(batch, colour.manifolds[b], colour.kept[b], fresh);
         corners_.note(batch, isOfBoxes(index) ? nullptr : &colour.kept[b], fresh);
-        prepare(colour.batches[b], colour.manifolds[b], fresh);
+        prepare(colour.batches[b], colour.manifolds[b], fresh, count);
         for (std::size_t lane = 0; lane < count; ++lane)
             if (fresh.count[lane] == 0) parted_.push_back(batch.contacts[lane]);
     }
 }
 
-void NarrowPhase::prepare(ContactBatch& batch, ManifoldLanes& manifolds, const FreshLanes& fresh) const {
-    collider_.prepare(batch, manifolds, bodies_.place.data(), bodies_.velocity.data(), fresh,
-                      static_cast<float>(1 / dt_));
+void NarrowPhase::prepare(ContactBatch& batch, ManifoldLanes& manifolds, const FreshLanes& fresh,
+                          std::size_t used) const {
+    laneCollider(lanesFor(used, lanes_))
+        .prepare(batch, manifolds, bodies_.place.data(), bodies_.velocity.data(), fresh, static_cast<float>(1 / dt_),
+                 used);
 }
 
 /// Removes contacts whose bounds do not overlap any more.
@@ -192,7 +194,7 @@ void NarrowPhase::addToSolver(Arrivals& arrivals) {
     for (std::size_t lane = 0; lane < arrivals.count; ++lane)
         fillLane(batch, manifolds, lane, contacts_[arrivals.contacts[lane]], bodies_, space_);
     pairs_.setPeriodicOffsets(arrivals.contacts, arrivals.count, arrivals.fresh);
-    prepare(batch, manifolds, arrivals.fresh);
+    prepare(batch, manifolds, arrivals.fresh, arrivals.count);
     guessImpulses(batch, bodies_, lanes_);
     for (std::size_t lane = 0; lane < arrivals.count; ++lane) {
         const ContactIndex index = arrivals.contacts[lane];

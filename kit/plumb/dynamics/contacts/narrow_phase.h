@@ -48,7 +48,7 @@ private:
     };
 
     void collideColour(std::size_t index);
-    void prepare(ContactBatch& batch, ManifoldLanes& manifolds, const FreshLanes& fresh) const;
+    void prepare(ContactBatch& batch, ManifoldLanes& manifolds, const FreshLanes& fresh, std::size_t used) const;
     void removeParted(NearPairs& near);
     bool mayArrive(ContactIndex contact, const FreshLanes& fresh, std::size_t lane);
     void addArrival(ContactIndex contact, const FreshLanes& fresh, std::size_t lane);
@@ -61,7 +61,6 @@ private:
     ContactStore& contacts_;
     BodyStore& bodies_;
     const Space& space_;
-    const LaneCollider& collider_;
     PairCollider pairs_;
     CornerWatch corners_;
     int lanes_;

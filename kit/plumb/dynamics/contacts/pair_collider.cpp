@@ -6,6 +6,7 @@
 
 #include <plumb/dynamics/contacts/contact_lane.h>
 #include <plumb/dynamics/contacts/predicted_manifold.h>
+#include <plumb/math/detail/for_lanes.h>
 #include <plumb/math/vec2.h>
 
 namespace plumb {
@@ -36,8 +37,8 @@ Approach approachOf(const BodyStore& bodies, const ShapePair& pair) {
     return {std::sqrt(x * x + y * y) + turn + contactMargin, turn, {a.cos * x + a.sin * y, a.cos * y - a.sin * x}};
 }
 
-bool isAny(const Lanes<std::int32_t>& lanes) {
-    return std::any_of(std::begin(lanes), std::end(lanes), [](std::int32_t lane) { return lane != 0; });
+bool isAny(const Lanes<std::int32_t>& lanes, std::size_t count) {
+    return std::any_of(lanes, lanes + count, [](std::int32_t lane) { return lane != 0; });
 }
 
 bool isPolygons(std::int32_t kernel) {
@@ -50,25 +51,38 @@ bool isDisc(std::int32_t kernel) {
 
 }  // namespace
 
-PairCollider::PairCollider(ContactStore& contacts, const BodyStore& bodies, const Space& space,
-                           const LaneCollider& collider, double dt)
+PairCollider::PairCollider(ContactStore& contacts, const BodyStore& bodies, const Space& space, int lanes, double dt)
     : contacts_(contacts),
       bodies_(bodies),
       space_(space),
-      collider_(collider),
+      lanes_(lanes),
       dt_(dt),
       corners_{contacts.corners.data(), contacts.moreCorners.data()} {}
 
+const LaneCollider& PairCollider::colliderFor(const PairBatch& batch) const {
+    return laneCollider(lanesFor(batch.count, lanes_));
+}
+
 void PairCollider::collideBoxes(const PairBatch& batch, FreshLanes& fresh) const {
     setPeriodicOffsets(batch.contacts, batch.count, fresh);
-    collider_.collideBoxes(batch.pairs, bodies_.place.data(), fresh);
+    colliderFor(batch).collideBoxes(batch.pairs, bodies_.place.data(), fresh, batch.count);
     resolveUncertain(batch, fresh);
+}
+
+/// Collides the batch if there is a disc in each lane, and returns whether that is so.
+bool PairCollider::collideDiscsOnly(const PairBatch& batch, FreshLanes& fresh) const {
+    const auto& kernel = batch.pairs.kernel;
+    if (!std::all_of(kernel, kernel + batch.count, isDisc)) return false;
+    colliderFor(batch).collideDiscs(batch.pairs, bodies_.place.data(), fresh, batch.count);
+    resolveUncertain(batch, fresh);
+    return true;
 }
 
 /// The bounding boxes of all lanes are collided first: pairs whose boxes cannot meet in this step are done.
 void PairCollider::collideNear(const PairBatch& batch, FreshLanes& fresh) const {
     setPeriodicOffsets(batch.contacts, batch.count, fresh);
-    collider_.collideBoxes(batch.pairs, bodies_.place.data(), fresh);
+    if (collideDiscsOnly(batch, fresh)) return;
+    colliderFor(batch).collideBoxes(batch.pairs, bodies_.place.data(), fresh, batch.count);
     Wanted wanted;
     for (std::size_t lane = 0; lane < batchLanes; ++lane) {
         const bool used = lane < batch.count;
@@ -82,15 +96,17 @@ void PairCollider::collideNear(const PairBatch& batch, FreshLanes& fresh) const 
 void PairCollider::collideSolved(const PairBatch& batch, const ManifoldLanes& manifolds, KeptLanes& kept,
                                  FreshLanes& fresh) const {
     setPeriodicOffsets(batch.contacts, batch.count, fresh);
+    if (collideDiscsOnly(batch, fresh)) return;
     PoseLanes now;
     Wanted again;
-    collider_.reuse(batch.pairs, bodies_.place.data(), manifolds, kept, fresh, now, again);
+    colliderFor(batch).reuse(batch.pairs, bodies_.place.data(), manifolds, kept, fresh, now, again, batch.count);
     for (std::size_t lane = batch.count; lane < batchLanes; ++lane) again[lane] = fresh.count[lane] = 0;
     collideLanes(batch, again, fresh);
     for (std::size_t lane = 0; lane < batch.count; ++lane) {
         if (again[lane] == 0) continue;
         const bool touches = fresh.count[lane] > 0 && nearestOf(fresh, lane) <= contactMargin;
-        const bool stays = touches && fresh.uncertain[lane] == 0 && !isDisc(batch.pairs.kernel[lane]);
+        // A disc rolls: its point of contact does not keep its place.
+        const bool stays = touches && fresh.uncertain[lane] == 0 && !hasDisc(batch.pairs, lane);
         kept.pose.x[lane] = now.x[lane];
         kept.pose.y[lane] = now.y[lane];
         kept.pose.cos[lane] = stays ? now.cos[lane] : 0;
@@ -110,8 +126,9 @@ void PairCollider::collideLanes(const PairBatch& batch, const Wanted& wanted, Fr
         some = some || polygons[lane] != 0;
         discs = discs || (isDisc(kernel[lane]) && lane < batch.count);
     }
-    if (discs) collider_.collideDiscs(batch.pairs, bodies_.place.data(), fresh);
-    if (some) collider_.collidePolygons(batch.pairs, bodies_.place.data(), corners_, polygons, fresh);
+    if (discs) colliderFor(batch).collideDiscs(batch.pairs, bodies_.place.data(), fresh, batch.count);
+    if (some)
+        colliderFor(batch).collidePolygons(batch.pairs, bodies_.place.data(), corners_, polygons, fresh, batch.count);
     for (std::size_t lane = 0; lane < batch.count; ++lane) {
         const bool near = kernel[lane] == noKernel || (kernel[lane] == onChain && fresh.count[lane] > 0);
         if (wanted[lane] != 0 && near) collideOne(batch, lane, fresh);
@@ -122,7 +139,7 @@ void PairCollider::collideLanes(const PairBatch& batch, const Wanted& wanted, Fr
 /// Computes the predicted manifold for the lanes in which it is uncertain whether and how the shapes meet, and for
 /// those that spin, unless they touch.
 void PairCollider::resolveUncertain(const PairBatch& batch, FreshLanes& fresh) const {
-    if (!bodies_.someSpin && !isAny(fresh.uncertain)) return;
+    if (!bodies_.someSpin && !isAny(fresh.uncertain, batch.count)) return;
     for (std::size_t lane = 0; lane < batch.count; ++lane) {
         const bool uncertain = fresh.uncertain[lane] != 0;
         if (!uncertain && !(bodies_.someSpin && mayMeetSpinning(batch, lane, fresh))) continue;

@@ -18,8 +18,8 @@ struct PairBatch {
 /// manifold that they are predicted to have then.
 class PairCollider {
 public:
-    PairCollider(ContactStore& contacts, const BodyStore& bodies, const Space& space, const LaneCollider& collider,
-                 double dt);
+    /// lanes: as in SolverSettings.
+    PairCollider(ContactStore& contacts, const BodyStore& bodies, const Space& space, int lanes, double dt);
 
     void collideBoxes(const PairBatch& batch, FreshLanes& fresh) const;
     /// Pairs that are not in the solver, of which most are apart.
@@ -37,6 +37,8 @@ public:
 private:
     using Wanted = Lanes<std::int32_t>;  ///< not 0: the lane is to be collided
 
+    const LaneCollider& colliderFor(const PairBatch& batch) const;
+    bool collideDiscsOnly(const PairBatch& batch, FreshLanes& fresh) const;
     void collideLanes(const PairBatch& batch, const Wanted& wanted, FreshLanes& fresh) const;
     void resolveUncertain(const PairBatch& batch, FreshLanes& fresh) const;
     void collideOne(const PairBatch& batch, std::size_t lane, FreshLanes& fresh) const;
@@ -48,7 +50,7 @@ private:
     ContactStore& contacts_;
     const BodyStore& bodies_;
     const Space& space_;
-    const LaneCollider& collider_;
+    int lanes_;
     double dt_;
     CornerTable corners_;
 };

@@ -96,25 +96,22 @@ private:
     bool findGround(BodyIndex body) {
         disc_ = {};
         disc_.body = body;
-        for (ContactIndex index = bodies_.links[body].firstContact; index != none;) {
-            const ContactRecord& contact = contacts_[index];
-            index = contact.next[static_cast<std::size_t>(contacts_.side(index, body))];
-            if (contact.isSolved() && !addContact(contact)) return false;
-        }
-        if (disc_.met.empty()) return false;
+        const bool hindered = anyContact(bodies_, contacts_, body, [&](ContactIndex index) {
+            return contacts_[index].isSolved() && !addContact(contacts_[index]);
+        });
+        if (hindered || disc_.met.empty()) return false;
         addNear();
         return true;
     }
 
     /// Adds the segments of the chain that are near and have no contact in the solver.
     void addNear() {
-        for (ContactIndex index = bodies_.links[disc_.body].firstContact; index != none;) {
+        forEachContact(bodies_, contacts_, disc_.body, [&](ContactIndex index) {
             const ContactRecord& contact = contacts_[index];
-            index = contact.next[static_cast<std::size_t>(contacts_.side(index, disc_.body))];
             const ProxyId id = contact.bodyA == disc_.ground ? contact.proxyA : contact.proxyB;
             if (!contact.isSolved() && space_[id].owner == disc_.ground && space_[id].number == disc_.number)
                 disc_.met.push_back(id);
-        }
+        });
     }
 
     bool addContact(const ContactRecord& contact) {

@@ -20,10 +20,9 @@ bool isCarried(const BodyStore& bodies, const ContactStore& contacts, const Join
     const auto carries = [&bodies](BodyIndex other) {
         return bodies.record[other].type == BodyType::Kinematic && bodies.record[other].awake;
     };
-    bool carried = false;
-    forEachContact(bodies, contacts, body, [&](ContactIndex index) {
+    bool carried = anyContact(bodies, contacts, body, [&](ContactIndex index) {
         const ContactRecord& contact = contacts[index];
-        carried = carried || (contact.touching && carries(otherOf(contact, body)));
+        return contact.touching && carries(otherOf(contact, body));
     });
     for (const JointIndex joint : bodies.links[body].joints)
         forEachBody(joints, joint, [&](BodyIndex end) { carried = carried || carries(end); });
@@ -36,11 +35,10 @@ bool isDriven(const BodyStore& bodies, const ContactStore& contacts, const Joint
     const BodyMotion& motion = bodies.motion[body];
     const double speed =
         motion.velocity.norm() + std::fabs(motion.angularVelocity) * bodies.record[body].boundingRadius;
-    bool driven = false;
-    forEachContact(bodies, contacts, body, [&](ContactIndex index) {
+    bool driven = anyContact(bodies, contacts, body, [&](ContactIndex index) {
         const ContactRecord& contact = contacts[index];
         const bool belt = contact.touching && contact.friction > 0;
-        driven = driven || (belt && follows(speed, std::fabs(static_cast<double>(contact.surfaceSpeed)), enough));
+        return belt && follows(speed, std::fabs(static_cast<double>(contact.surfaceSpeed)), enough);
     });
     for (const JointIndex joint : bodies.links[body].joints)
         driven = driven || isMotorRunning(joints, bodies, joint, enough);

@@ -6,20 +6,33 @@
 
 namespace plumb {
 
-/// Calls visit(other) for each dynamic body that touches this one or is joined to it; possibly more than once.
+/// Is test(other) true for a dynamic body that touches this one or is joined to it? Asks no more of them after that;
+/// may ask some more than once.
+template <class Test>
+bool anyNeighbour(const BodyStore& bodies, const ContactStore& contacts, const JointStore& joints, BodyIndex body,
+                  Test&& test) {
+    const bool touched = anyContact(bodies, contacts, body, [&](ContactIndex index) {
+        const BodyIndex other = otherOf(contacts[index], body);
+        return contacts[index].touching && bodies.canMove(other) && test(other);
+    });
+    if (touched) return true;
+    bool found = false;
+    for (const JointIndex joint : bodies.links[body].joints)
+        if (joints[joint].acts())
+            forEachBody(joints, joint, [&](BodyIndex other) {
+                found = found || (other != body && bodies.canMove(other) && test(other));
+            });
+    return found;
+}
+
+/// Calls visit(other) for each of them.
 template <class Visit>
 void forEachNeighbour(const BodyStore& bodies, const ContactStore& contacts, const JointStore& joints, BodyIndex body,
                       Visit&& visit) {
-    forEachContact(bodies, contacts, body, [&](ContactIndex index) {
-        const BodyIndex other = otherOf(contacts[index], body);
-        if (contacts[index].touching && bodies.canMove(other)) visit(other);
+    anyNeighbour(bodies, contacts, joints, body, [&](BodyIndex other) {
+        visit(other);
+        return false;
     });
-    for (const JointIndex joint : bodies.links[body].joints) {
-        if (!joints[joint].acts()) continue;
-        forEachBody(joints, joint, [&](BodyIndex other) {
-            if (other != body && bodies.canMove(other)) visit(other);
-        });
-    }
 }
 
 }  // namespace plumb

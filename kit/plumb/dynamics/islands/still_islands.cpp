@@ -36,7 +36,7 @@ public:
     IslandSearch(const IslandView& view, double sleepTime)
         : view_(view), sleepTime_(sleepTime), marks_(view.bodies.record.size(), Mark::None) {}
 
-    bool mayBeginAt(BodyIndex body) const { return marks_[body] == Mark::None && isReady(body); }
+    bool mayBeginAt(BodyIndex body) const { return marks_[body] == Mark::None && isReady(body) && !isBlocked(body); }
 
     /// The island of a body; empty if it stays awake.
     std::vector<BodyIndex> islandOf(BodyIndex seed) {
@@ -46,13 +46,13 @@ public:
         // First all that touches or is joined, which is cheap to find; only then what is near.
         for (std::size_t joined = 0, near = 0; still_ && near < island_.size();) {
             if (joined < island_.size())
-                forEachNeighbour(view_.bodies, view_.contacts, view_.joints, island_[joined++],
-                                 [this](BodyIndex other) { reach(other); });
+                anyNeighbour(view_.bodies, view_.contacts, view_.joints, island_[joined++],
+                             [this](BodyIndex other) { return !reach(other); });
             else
                 reachNear(island_[near++]);
         }
         if (!still_) {
-            for (const BodyIndex body : island_) marks_[body] = Mark::StaysAwake;
+            for (const BodyIndex body : island_) block(body);
             island_.clear();
         }
         return island_;
@@ -65,21 +65,45 @@ private:
         return view_.bodies.canMove(body) && view_.bodies.record[body].stillTime >= sleepTime_;
     }
 
-    void reach(BodyIndex body) {
-        if (!still_ || marks_[body] == Mark::Found) return;
-        still_ = mayBeginAt(body);
-        if (!still_) return;
-        marks_[body] = Mark::Found;
-        island_.push_back(body);
+    /// Is a body that kept the island awake not long ago still restless? To find that out again for the whole island in
+    /// each step would take long.
+    bool isBlocked(BodyIndex body) const {
+        const StillWatch& watch = view_.bodies.watch[body];
+        return watch.blocker != noBody && view_.bodies.record[body].stillTime < watch.blockedUntil &&
+               !isReady(watch.blocker);
+    }
+
+    void block(BodyIndex body) {
+        marks_[body] = Mark::StaysAwake;
+        StillWatch& watch = view_.bodies.watch[body];
+        watch.blocker = blocker_;
+        watch.blockedUntil = view_.bodies.record[body].stillTime + blockedFor_;
+    }
+
+    /// Returns whether the island may still sleep.
+    bool reach(BodyIndex body) {
+        if (marks_[body] == Mark::Found) return true;
+        const bool ready = isReady(body);
+        still_ = ready && marks_[body] == Mark::None && !isBlocked(body);
+        if (still_) {
+            marks_[body] = Mark::Found;
+            island_.push_back(body);
+            return true;
+        }
+        const StillWatch& watch = view_.bodies.watch[body];
+        blocker_ = ready ? watch.blocker : body;
+        blockedFor_ = ready ? watch.blockedUntil - view_.bodies.record[body].stillTime : sleepTime_;
+        return false;
     }
 
     void reachNear(BodyIndex body) {
-        forEachContact(view_.bodies, view_.contacts, body, [&](ContactIndex index) {
+        anyContact(view_.bodies, view_.contacts, body, [&](ContactIndex index) {
             const ContactRecord& contact = view_.contacts[index];
             const BodyIndex other = otherOf(contact, body);
-            if (!still_ || contact.touching || marks_[other] == Mark::Found) return;
-            if (view_.bodies.canMove(other) && view_.bodies.record[other].awake && wouldWake(view_, contact))
-                reach(other);
+            if (contact.touching || marks_[other] == Mark::Found) return false;
+            const bool wakes =
+                view_.bodies.canMove(other) && view_.bodies.record[other].awake && wouldWake(view_, contact);
+            return wakes && !reach(other);
         });
     }
 
@@ -87,6 +111,8 @@ private:
     double sleepTime_;
     std::vector<Mark> marks_;
     std::vector<BodyIndex> island_;
+    BodyIndex blocker_ = noBody;  ///< the body that keeps the island awake
+    double blockedFor_ = 0;       ///< for how long its bodies are not searched from [s]
     bool still_ = true;
 };
 

@@ -21,9 +21,7 @@ constexpr double shareKept = 0.1;
 
 /// Does no body that can move touch the body, and is none joined to it?
 bool isAlone(const BodyStore& bodies, const ContactStore& contacts, const JointStore& joints, BodyIndex body) {
-    bool alone = true;
-    forEachNeighbour(bodies, contacts, joints, body, [&alone](BodyIndex) { alone = false; });
-    return alone;
+    return !anyNeighbour(bodies, contacts, joints, body, [](BodyIndex) { return true; });
 }
 
 /// Does the body hang from joints alone, without springs or damping?

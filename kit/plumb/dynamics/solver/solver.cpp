@@ -13,6 +13,7 @@
 #include <plumb/dynamics/solver/body_solver.h>
 #include <plumb/dynamics/solver/wall_limits.h>
 #include <plumb/dynamics/solver/wall_stops.h>
+#include <plumb/math/detail/for_lanes.h>
 
 namespace plumb {
 
@@ -90,10 +91,10 @@ public:
           observer_(stores.observer),
           joints_(stores.jointPhases),
           h_(dt / stores.settings.subSteps),
-          contactSolver_(contactSolver(stores.settings.lanes)),
           bodySolver_(bodySolver(stores.settings.lanes)),
           solverBodies_(bodies_.solverBodies()),
           solved_(solvedBodies(bodies_)),
+          moving_(static_cast<std::size_t>(std::find(solved_.begin(), solved_.end(), noBody) - solved_.begin())),
           pass_(passOf(stores.settings, h_)),
           fields_(stores.fields, bodies_, stores.space, h_, observer_),
           walls_({bodies_, stores.contacts, stores.space, stores.jointPhases, stores.joints}, h_),
@@ -107,9 +108,8 @@ public:
         if (joints_ != nullptr)
             machines_ = joints_->takeMachines(stores_.graph, stores_.contacts, bodies_, stores_.joints.islands);
         if (observer_ != nullptr) observer_->beginSolver();
-        forEachColour([this](const ContactSolver& solver, const Colour& colour, const ContactPass&) {
-            solver.gatherWarmStart(colour.batches.data(), colour.batches.size(), solverBodies_);
-        });
+        forEachColour([this](const ContactSolver& solver, ContactBatch* batches, std::size_t contacts,
+                             const ContactPass&) { solver.gatherWarmStart(batches, contacts, solverBodies_); });
         for (int i = 0; i < stores_.settings.subSteps; ++i) subStep(i);
         bounceContacts();
         if (joints_ != nullptr) joints_->addLoads(stores_.joints.joints, stores_.joints.islands);
@@ -138,20 +138,19 @@ private:
     void startHalf(JointHalf half, bool first) {
         if (joints_ != nullptr && half.correct) joints_->noteSpeeds(stores_.joints, half.step);
         if (observer_ != nullptr) observer_->beginHalf(solved_);
-        kickBodies(solved_.data(), solved_.size(), solverBodies_, first);
+        kickBodies(solved_.data(), moving_, solverBodies_, first);
         if (!bodies_.flights.empty()) (fields_.*stores_.fields.phases->kick)(solved_);
         if (joints_ == nullptr || stores_.joints.islands.joints.empty()) return;
         joints_->solve(stores_.joints, half);
         joints_->bounce(stores_.joints, stores_.graph, stores_.contacts, bounces_, solved_, half.step);
-        markBodies(solved_.data(), solved_.size(), solverBodies_);
+        markBodies(solved_.data(), moving_, solverBodies_);
     }
 
     void solveContacts(ContactWork work, JointHalf half) {
         const bool machines = !machines_.contacts.empty();
         if (machines) joints_->hideMachines(stores_.graph, stores_.contacts, machines_);
-        forEachColour([&](const ContactSolver& solver, Colour& colour, const ContactPass& pass) {
-            (solver.*work)(colour.batches.data(), colour.batches.size(), solverBodies_, pass);
-        });
+        forEachColour([&](const ContactSolver& solver, ContactBatch* batches, std::size_t contacts,
+                          const ContactPass& pass) { (solver.*work)(batches, contacts, solverBodies_, pass); });
         if (machines)
             joints_->solveMachines(stores_.joints, stores_.graph, stores_.contacts, machines_,
                                    {half, pass_.contacts, pass_.groundContacts});
@@ -159,23 +158,27 @@ private:
 
     void bounceContacts() {
         if (observer_ != nullptr) observer_->beginBounces();
-        forEachColour([this](const ContactSolver& solver, Colour& colour, const ContactPass&) {
-            solver.bounce(colour.batches.data(), colour.batches.size(), solverBodies_);
-        });
+        forEachColour([this](const ContactSolver& solver, ContactBatch* batches, std::size_t contacts,
+                             const ContactPass&) { solver.bounce(batches, contacts, solverBodies_); });
         if (observer_ != nullptr) observer_->endBounces();
     }
 
-    /// Calls solve(solver, colour, pass). Contacts with fixed bodies have twice the frequency: the ground does not
-    /// move.
+    /// Calls solve(solver, batches, contacts, pass). Contacts with fixed bodies have twice the frequency: the ground
+    /// does not move. A colour's last batch is solved with fewer lanes if it is not full.
     template <class Solve>
     void forEachColour(Solve&& solve) {
         auto& colours = stores_.graph.colours;
         for (std::size_t index = 0; index < colours.size(); ++index) {
-            if (colours[index].batches.empty()) continue;
+            const std::size_t contacts = colours[index].contactOf.size(), rest = contacts % batchLanes;
+            if (contacts == 0) continue;
             const int colour = colourAt(index);
             const bool ground = colour >= fixedColour && colour != overflowColour;
-            const ContactSolver& solver = colour == overflowColour ? scalarContactSolver : contactSolver_;
-            solve(solver, colours[index], ground ? pass_.groundContacts : pass_.contacts);
+            const ContactPass& pass = ground ? pass_.groundContacts : pass_.contacts;
+            ContactBatch* batches = colours[index].batches.data();
+            const int most = colour == overflowColour ? 1 : stores_.settings.lanes;
+            if (contacts > rest) solve(contactSolver(most), batches, contacts - rest, pass);
+            if (rest == 0) continue;
+            solve(contactSolver(lanesFor(rest, most)), batches + contacts / batchLanes, rest, pass);
         }
     }
 
@@ -228,10 +231,11 @@ private:
     StepObserver* observer_;
     const JointPhases* joints_;
     double h_;  ///< of the sub-step [s]
-    const ContactSolver& contactSolver_;
     const BodySolver& bodySolver_;
     SolverBodies solverBodies_;
     std::vector<BodyIndex> solved_;
+    std::size_t
+        moving_;  ///< number of those before the padding, whose records all are one: each would wait for the last
     Pass pass_;
     FieldSolving fields_;
     std::vector<ContactIndex> bounces_;  ///< of jointed bodies

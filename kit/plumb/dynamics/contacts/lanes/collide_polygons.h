@@ -222,7 +222,7 @@ struct PolygonCollider {
         const F nearest = touch.count > whole(1) ? smaller(first, second) : first;
         const I count = near ? touch.count : I{};
         Reaching<W> reach = reachOf<W>(r, useB ? -touch.normalX : touch.normalX, useB ? -touch.normalY : touch.normalY,
-                                       nearest, count, touch.corner ? F{} : touch.common);
+                                       nearest, count, touch.play);
         const M chain = loadLanes<W>(m.kernel + lane) == whole(onChain);  // it may meet in another direction
         reach.count = chain ? count : reach.count;
         store(touch, useB, reach, {fresh, lane, asked});

@@ -117,33 +117,28 @@ void solveAlong(BodyPair& c, ContactBatch& batch, std::size_t lane, const Given&
     if (batch.hasRollingResistance) solveRolling(c, batch, lane, given);
 }
 
-template <class Visit>
-void forEachLane(ContactBatch* batches, std::size_t count, Visit&& visit) {
-    for (std::size_t i = 0; i < count; ++i) {
-        for (std::size_t lane = 0; lane < batchLanes; ++lane) visit(batches[i], lane);
-    }
+template <class Batch, class Visit>
+void forEachLane(Batch* batches, std::size_t contacts, Visit&& visit) {
+    for (std::size_t i = 0; i < contacts; ++i) visit(batches[i / batchLanes], i % batchLanes);
 }
 
-void gatherWarmStart(const ContactBatch* batches, std::size_t count, const SolverBodies& bodies) {
-    for (std::size_t i = 0; i < count; ++i) {
-        const ContactBatch& batch = batches[i];
-        for (std::size_t lane = 0; lane < batchLanes; ++lane) {
-            BodyPair couple = load(batch, lane, bodies.warm);
-            couple.a.inverseMass = bodies.velocity[batch.bodyA[lane]].inverseMass;
-            couple.b.inverseMass = bodies.velocity[batch.bodyB[lane]].inverseMass;
-            for (const PointLanes& p : batch.points) {
-                pushNormal(couple, p, lane, p.normalImpulse[lane]);
-                pushTangent(couple, p, lane, p.tangentImpulse[lane]);
-            }
-            if (batch.hasRollingResistance) twist(couple, batch, lane, batch.rollImpulse[lane]);
-            couple.a.inverseMass = couple.b.inverseMass = 0;
-            store(batch, lane, couple, bodies.warm);
+void gatherWarmStart(const ContactBatch* batches, std::size_t contacts, const SolverBodies& bodies) {
+    forEachLane(batches, contacts, [&](const ContactBatch& batch, std::size_t lane) {
+        BodyPair couple = load(batch, lane, bodies.warm);
+        couple.a.inverseMass = bodies.velocity[batch.bodyA[lane]].inverseMass;
+        couple.b.inverseMass = bodies.velocity[batch.bodyB[lane]].inverseMass;
+        for (const PointLanes& p : batch.points) {
+            pushNormal(couple, p, lane, p.normalImpulse[lane]);
+            pushTangent(couple, p, lane, p.tangentImpulse[lane]);
         }
-    }
+        if (batch.hasRollingResistance) twist(couple, batch, lane, batch.rollImpulse[lane]);
+        couple.a.inverseMass = couple.b.inverseMass = 0;
+        store(batch, lane, couple, bodies.warm);
+    });
 }
 
-void solve(ContactBatch* batches, std::size_t count, const SolverBodies& bodies, const ContactPass& pass) {
-    forEachLane(batches, count, [&](ContactBatch& batch, std::size_t lane) {
+void solve(ContactBatch* batches, std::size_t contacts, const SolverBodies& bodies, const ContactPass& pass) {
+    forEachLane(batches, contacts, [&](ContactBatch& batch, std::size_t lane) {
         BodyPair couple = load(batch, lane, bodies.velocity);
         for (PointLanes& p : batch.points) {
             const float s = p.separation[lane];
@@ -161,8 +156,8 @@ void solve(ContactBatch* batches, std::size_t count, const SolverBodies& bodies,
     });
 }
 
-void relax(ContactBatch* batches, std::size_t count, const SolverBodies& bodies, const ContactPass& pass) {
-    forEachLane(batches, count, [&](ContactBatch& batch, std::size_t lane) {
+void relax(ContactBatch* batches, std::size_t contacts, const SolverBodies& bodies, const ContactPass& pass) {
+    forEachLane(batches, contacts, [&](ContactBatch& batch, std::size_t lane) {
         BodyPair couple = load(batch, lane, bodies.velocity);
         Given given;  // the impulses of solve, which are applied a second time as a first guess
         given.roll = batch.hasRollingResistance ? batch.rollImpulse[lane] : 0.0f;
@@ -186,8 +181,8 @@ void relax(ContactBatch* batches, std::size_t count, const SolverBodies& bodies,
     });
 }
 
-void bounce(ContactBatch* batches, std::size_t count, const SolverBodies& bodies) {
-    forEachLane(batches, count, [&](ContactBatch& batch, std::size_t lane) {
+void bounce(ContactBatch* batches, std::size_t contacts, const SolverBodies& bodies) {
+    forEachLane(batches, contacts, [&](ContactBatch& batch, std::size_t lane) {
         if (!batch.bounces) return;
         BodyPair couple = load(batch, lane, bodies.velocity);
         for (PointLanes& p : batch.points) {

@@ -27,16 +27,17 @@ struct ContactPass {
     float pushSpeed = 0;  ///< the highest speed at which overlap is pushed out [m/s]
 };
 
-/// Four functions, with results that are equal to the last bit for each number of lanes.
+/// Four functions for the first `contacts` lanes of consecutive batches, with results that are equal to the last bit
+/// for each number of lanes.
 struct ContactSolver {
     /// Adds the velocity changes by the last step's impulses to SolverBodies.warm, which every half sub-step applies.
-    void (*gatherWarmStart)(const ContactBatch* batches, std::size_t count, const SolverBodies& bodies);
+    void (*gatherWarmStart)(const ContactBatch* batches, std::size_t contacts, const SolverBodies& bodies);
     /// Solves with the push out of overlap, at the stored separations.
-    void (*solve)(ContactBatch* batches, std::size_t count, const SolverBodies& bodies, const ContactPass& pass);
+    void (*solve)(ContactBatch* batches, std::size_t contacts, const SolverBodies& bodies, const ContactPass& pass);
     /// Solves without that push, at separations that are computed again from the displacements.
-    void (*relax)(ContactBatch* batches, std::size_t count, const SolverBodies& bodies, const ContactPass& pass);
+    void (*relax)(ContactBatch* batches, std::size_t contacts, const SolverBodies& bodies, const ContactPass& pass);
     /// At the step's end: makes the points part at their bounceSpeed, if they have given an impulse in this step.
-    void (*bounce)(ContactBatch* batches, std::size_t count, const SolverBodies& bodies);
+    void (*bounce)(ContactBatch* batches, std::size_t contacts, const SolverBodies& bodies);
 };
 
 /// Solves one lane after the other: the reference, short enough for teaching.

@@ -115,22 +115,18 @@ struct WideContacts {
         twist(c, batch, lane, now - old);
     }
 
-    static void gatherWarmStart(const ContactBatch* batches, std::size_t count, const SolverBodies& bodies) {
-        for (const ContactBatch* batch = batches; batch != batches + count; ++batch) {
-            for (int lane = 0; lane < batchLanes; lane += W) {
-                BodyPair c = load(*batch, lane, bodies.warm);
-                c.a.w = loadRows<W>(rows(bodies.velocity), batch->bodyA + lane).w;
-                c.b.w = loadRows<W>(rows(bodies.velocity), batch->bodyB + lane).w;
-                for (const PointLanes& p : batch->points) {
-                    const Arms r = arms(p, lane);
-                    pushNormal(c, r, at(p.normalImpulse + lane));
-                    pushTangent(c, r, at(p.tangentImpulse + lane));
-                }
-                if (batch->hasRollingResistance) twist(c, *batch, lane, at(batch->rollImpulse + lane));
-                c.a.w = c.b.w = F{};
-                store(*batch, lane, c, bodies.warm);
-            }
+    static void gatherLanes(const ContactBatch& batch, int lane, const SolverBodies& bodies) {
+        BodyPair c = load(batch, lane, bodies.warm);
+        c.a.w = loadRows<W>(rows(bodies.velocity), batch.bodyA + lane).w;
+        c.b.w = loadRows<W>(rows(bodies.velocity), batch.bodyB + lane).w;
+        for (const PointLanes& p : batch.points) {
+            const Arms r = arms(p, lane);
+            pushNormal(c, r, at(p.normalImpulse + lane));
+            pushTangent(c, r, at(p.tangentImpulse + lane));
         }
+        if (batch.hasRollingResistance) twist(c, batch, lane, at(batch.rollImpulse + lane));
+        c.a.w = c.b.w = F{};
+        store(batch, lane, c, bodies.warm);
     }
 
     [[gnu::always_inline]] static inline void solveLanes(ContactBatch& batch, int lane, const SolverBodies& bodies,
@@ -203,17 +199,27 @@ struct WideContacts {
         store(batch, lane, c, bodies.velocity);
     }
 
-    static void solve(ContactBatch* batches, std::size_t count, const SolverBodies& bodies, const ContactPass& pass) {
-        for (ContactBatch* batch = batches; batch != batches + count; ++batch)
-            for (int lane = 0; lane < batchLanes; lane += W) solveLanes(*batch, lane, bodies, pass);
+    /// Calls visit(batch, lane) for each W lanes of which some are in use.
+    template <class Batch, class Visit>
+    [[gnu::always_inline]] static inline void forEach(Batch* batches, std::size_t contacts, Visit&& visit) {
+        for (std::size_t i = 0; i < contacts; i += static_cast<std::size_t>(W))
+            visit(batches[i / batchLanes], static_cast<int>(i % batchLanes));
     }
-    static void relax(ContactBatch* batches, std::size_t count, const SolverBodies& bodies, const ContactPass& pass) {
-        for (ContactBatch* batch = batches; batch != batches + count; ++batch)
-            for (int lane = 0; lane < batchLanes; lane += W) relaxLanes(*batch, lane, bodies, pass);
+    static void gatherWarmStart(const ContactBatch* batches, std::size_t contacts, const SolverBodies& bodies) {
+        forEach(batches, contacts, [&](const ContactBatch& batch, int lane) { gatherLanes(batch, lane, bodies); });
     }
-    static void bounce(ContactBatch* batches, std::size_t count, const SolverBodies& bodies) {
-        for (ContactBatch* batch = batches; batch != batches + count; ++batch)
-            for (int lane = 0; batch->bounces && lane < batchLanes; lane += W) bounceLanes(*batch, lane, bodies);
+    static void solve(ContactBatch* batches, std::size_t contacts, const SolverBodies& bodies,
+                      const ContactPass& pass) {
+        forEach(batches, contacts, [&](ContactBatch& batch, int lane) { solveLanes(batch, lane, bodies, pass); });
+    }
+    static void relax(ContactBatch* batches, std::size_t contacts, const SolverBodies& bodies,
+                      const ContactPass& pass) {
+        forEach(batches, contacts, [&](ContactBatch& batch, int lane) { relaxLanes(batch, lane, bodies, pass); });
+    }
+    static void bounce(ContactBatch* batches, std::size_t contacts, const SolverBodies& bodies) {
+        forEach(batches, contacts, [&](ContactBatch& batch, int lane) {
+            if (batch.bounces) bounceLanes(batch, lane, bodies);
+        });
     }
 };
 

@@ -12,25 +12,27 @@ namespace plumb {
 
 template <int W>
 struct BatchCollider {
-    static void collideBoxes(const PairLanes& pairs, const BodyPlace* places, FreshLanes& fresh) {
-        for (int lane = 0; lane < batchLanes; lane += W) BoxCollider<W>::collide(pairs, lane, places, fresh);
+    static void collideBoxes(const PairLanes& pairs, const BodyPlace* places, FreshLanes& fresh, std::size_t used) {
+        for (int lane = 0; lane < static_cast<int>(used); lane += W)
+            BoxCollider<W>::collide(pairs, lane, places, fresh);
     }
-    static void collideDiscs(const PairLanes& pairs, const BodyPlace* places, FreshLanes& fresh) {
-        for (int lane = 0; lane < batchLanes; lane += W) DiscCollider<W>::collide(pairs, lane, places, fresh);
+    static void collideDiscs(const PairLanes& pairs, const BodyPlace* places, FreshLanes& fresh, std::size_t used) {
+        for (int lane = 0; lane < static_cast<int>(used); lane += W)
+            DiscCollider<W>::collide(pairs, lane, places, fresh);
     }
     static void collidePolygons(const PairLanes& pairs, const BodyPlace* places, const CornerTable& corners,
-                                const std::int32_t* wanted, FreshLanes& fresh) {
-        for (int lane = 0; lane < batchLanes; lane += W)
+                                const std::int32_t* wanted, FreshLanes& fresh, std::size_t used) {
+        for (int lane = 0; lane < static_cast<int>(used); lane += W)
             PolygonCollider<W>::collide(pairs, lane, places, corners, wanted, fresh);
     }
     static void reuse(const PairLanes& pairs, const BodyPlace* places, const ManifoldLanes& manifolds,
-                      const KeptLanes& kept, FreshLanes& fresh, PoseLanes& now, std::int32_t* again) {
-        for (int lane = 0; lane < batchLanes; lane += W)
+                      const KeptLanes& kept, FreshLanes& fresh, PoseLanes& now, std::int32_t* again, std::size_t used) {
+        for (int lane = 0; lane < static_cast<int>(used); lane += W)
             LaneReuser<W>::reuse(pairs, lane, places, manifolds, kept, fresh, now, again);
     }
     static void prepare(ContactBatch& batch, ManifoldLanes& m, const BodyPlace* places, const SolverVelocity* velocity,
-                        const FreshLanes& fresh, float inverseStep) {
-        for (int lane = 0; lane < batchLanes; lane += W)
+                        const FreshLanes& fresh, float inverseStep, std::size_t used) {
+        for (int lane = 0; lane < static_cast<int>(used); lane += W)
             LanePreparer<W>::prepare(batch, m, lane, places, velocity, fresh, inverseStep);
     }
 };
