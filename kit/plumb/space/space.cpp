@@ -16,6 +16,13 @@ Aabb nowhere() {
     return {{notANumber, notANumber}, {notANumber, notANumber}};
 }
 
+/// Of no shape.
+FilterKey noKey() {
+    FilterKey key;
+    key.fixed = true;
+    return key;
+}
+
 }  // namespace
 
 ProxyId Space::acquire() {
@@ -28,16 +35,16 @@ ProxyId Space::acquire() {
     boxes_.emplace_back();
     previousBoxes_.emplace_back();
     entries_.emplace_back();
-    filterKeys_.emplace_back();
+    filterKeys_.push_back(noKey());
     return static_cast<ProxyId>(proxies_.size() - 1);
 }
 
 ProxyId Space::add(const ShapeDef& def, std::uint32_t owner, bool fixed, const Vec2& localCenter, const Aabb& tight,
                    std::uint32_t number, bool piece, PieceUse use) {
     const ProxyId id = acquire();
-    proxies_[id] = {def, convexOf(def.shape, localCenter), owner, number, piece, use, fixed, true};
+    proxies_[id] = {def, convexOf(def.shape, localCenter), owner, number, piece, use, fixed, false, true};
     proxies_[id].convex.oneSided = use == PieceUse::Contact;
-    filterKeys_[id] = filterKeyOf(proxies_[id]);
+    setFilterKey(id);
     entries_[id].fixed = fixed;
     boxes_[id].box = tight;
     if (wrap_.any()) {
@@ -51,6 +58,7 @@ ProxyId Space::add(const ShapeDef& def, std::uint32_t owner, bool fixed, const V
 void Space::remove(ProxyId id) {
     hide(id);
     proxies_[id].alive = false;
+    setFilterKey(id);
     free_.push_back(id);
 }
 
@@ -62,15 +70,29 @@ void Space::hide(ProxyId id) {
 
 void Space::change(ProxyId id, const ShapeDef& def) {
     proxies_[id].def = def;
-    filterKeys_[id] = filterKeyOf(proxies_[id]);
+    setFilterKey(id);
 }
 
 void Space::change(ProxyId id, bool fixed, const Vec2& localCenter) {
     proxies_[id].convex = convexOf(proxies_[id].def.shape, localCenter);
     proxies_[id].convex.oneSided = proxies_[id].use == PieceUse::Contact;
     proxies_[id].fixed = fixed;
-    filterKeys_[id] = filterKeyOf(proxies_[id]);
+    setFilterKey(id);
     entries_[id].fixed = fixed;
+}
+
+void Space::setDriven(ProxyId id, bool driven) {
+    proxies_[id].driven = driven;
+    setFilterKey(id);
+}
+
+/// The key of a shape that is not there does not pair.
+void Space::setFilterKey(ProxyId id) {
+    FilterKey& key = filterKeys_[id];
+    if (key.pairsWithAll()) --pairable_;
+    key = filterKeyOf(proxies_[id]);
+    if (!proxies_[id].alive) key = noKey();
+    if (key.pairsWithAll()) ++pairable_;
 }
 
 void Space::markMoved(ProxyId id) {

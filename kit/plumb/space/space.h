@@ -31,7 +31,8 @@ struct Proxy {
     std::uint32_t number = 0;  ///< which of the owner's shapes it is, or is a piece of
     bool piece = false;        ///< it is a piece of a chain or a tile map
     PieceUse use = PieceUse::Both;
-    bool fixed = false;  ///< does not move by itself, and does not pair with another fixed shape
+    bool fixed = false;   ///< does not move by itself, and does not pair with another fixed shape
+    bool driven = false;  ///< nothing pushes it: pairs only with what is neither fixed nor driven, and with sensors
     bool alive = false;
 };
 
@@ -41,9 +42,13 @@ struct FilterKey {
     std::uint32_t owner = 0;
     int group = 0;
     bool fixed = false;
+    bool driven = false;
     bool sensor = false;
     bool collides = true;  ///< takes part in collisions, and is not only there for queries
     bool queried = true;   ///< is found by queries
+
+    /// Can it pair with any other shape, also with one that nothing pushes?
+    bool pairsWithAll() const { return sensor || !(fixed || driven); }
 };
 
 /// Do the two filters allow a collision?
@@ -54,14 +59,15 @@ inline bool filtersAllow(const FilterKey& a, const FilterKey& b) {
 
 inline bool mayPair(const FilterKey& a, const FilterKey& b) {
     return a.owner != b.owner && !(a.fixed && b.fixed) && !(a.sensor && b.sensor) && a.collides && b.collides &&
-           filtersAllow(a, b);
+           (a.pairsWithAll() || b.pairsWithAll()) && filtersAllow(a, b);
 }
 
 inline FilterKey filterKeyOf(const Proxy& proxy) {
     const Filter& filter = proxy.def.filter;
     const bool collides = proxy.use == PieceUse::Both || proxy.use == PieceUse::Contact;
     const bool queried = proxy.use == PieceUse::Both || proxy.use == PieceUse::Query;
-    return {filter.category, filter.mask, proxy.owner, filter.group, proxy.fixed, proxy.def.sensor, collides, queried};
+    return {filter.category, filter.mask,      proxy.owner, filter.group, proxy.fixed,
+            proxy.driven,    proxy.def.sensor, collides,    queried};
 }
 
 /// May these two collide, as far as owner, kind and filter decide?
@@ -106,6 +112,9 @@ public:
     void change(ProxyId proxy, const ShapeDef& def);
     /// Makes a shape fixed or movable, and sets another centre of mass. Call markNew if fixed has changed.
     void change(ProxyId proxy, bool fixed, const Vec2& localCenter);
+
+    /// Makes a shape one that nothing pushes, or not. Call markNew if it is placed already.
+    void setDriven(ProxyId proxy, bool driven);
 
     /// Sets where a shape is and will be. A box that no longer contains it, or is far too large, is replaced by one
     /// with this margin [m].
@@ -225,6 +234,7 @@ private:
 
     static Aabb shifted(const Aabb& box, const Vec2& shift) { return {box.lower + shift, box.upper + shift}; }
     ProxyId acquire();
+    void setFilterKey(ProxyId proxy);
     /// The box that is stored in the trees.
     Aabb treeBox(ProxyId id) const { return wrap_.any() ? imageBox(id) : boxes_[id].box; }
     Aabb imageBox(ProxyId id) const;
@@ -275,6 +285,7 @@ private:
     std::vector<AlignedBox> previousBoxes_;  ///< of those that moved: the box at the last update
     std::vector<TreeEntry> entries_;
     std::vector<FilterKey> filterKeys_;
+    std::uint32_t pairable_ = 0;  ///< number of shapes that pair with all others; without any, there are no pairs
     std::vector<ProxyId> free_;
     std::vector<ProxyId> moved_;
     std::array<Partition, partitionCount> partitions_;

@@ -35,7 +35,7 @@ ShapeDef shapeOf(const Filter& filter) {
 
 /// What a twin knows of a shape; the rule is worked out from this for each two.
 struct Known {
-    bool alive = false, fixed = false, old = false;
+    bool alive = false, fixed = false, driven = false, sensor = false, old = false;
     std::uint32_t owner = 0;
     Filter filter;
     Vec2 center{0, 0};
@@ -45,7 +45,9 @@ struct Known {
 
 bool accepted(const Known& a, const Known& b) {
     if (a.owner == b.owner) return false;
-    if (a.fixed && b.fixed) return false;
+    if ((a.fixed && b.fixed) || (a.sensor && b.sensor)) return false;
+    const bool bothUnpushed = (a.fixed || a.driven) && (b.fixed || b.driven);
+    if (bothUnpushed && !a.sensor && !b.sensor) return false;
     if (a.filter.group == b.filter.group && a.filter.group > 0) return true;
     if (a.filter.group == b.filter.group && a.filter.group < 0) return false;
     return (a.filter.mask & b.filter.category) && (b.filter.mask & a.filter.category);
@@ -97,6 +99,8 @@ public:
         Known known;
         known.alive = true;
         known.fixed = random_.integer(0, 4) == 0;
+        known.driven = random_.integer(0, 3) == 0;
+        known.sensor = random_.integer(0, 9) == 0;
         known.owner = static_cast<std::uint32_t>(random_.integer(0, 300));
         known.filter.group = random_.integer(-6, 2) / 2;
         known.filter.category = std::uint64_t{1} << random_.integer(0, 2);
@@ -104,9 +108,13 @@ public:
         known.center = kind_.place(random_);
         known.half = kind_.half(random_);
         const Aabb tight = around(known.center, known.half);
+        ShapeDef shape = shapeOf(known.filter);
+        shape.sensor = known.sensor;
         ProxyId id = 0;
-        for (const auto& space : spaces_)
-            id = space->add(shapeOf(known.filter), known.owner, known.fixed, {0, 0}, tight);
+        for (const auto& space : spaces_) {
+            id = space->add(shape, known.owner, known.fixed, {0, 0}, tight);
+            space->setDriven(id, known.driven);
+        }
         if (id >= known_.size()) known_.resize(id + 1);
         REQUIRE_FALSE(known_[id].alive);
         known_[id] = known;
@@ -394,6 +402,24 @@ TEST_CASE("a hidden shape is met by nothing until it is placed and marked as new
     space.remove(b);
     CHECK(space.add(shapeOf({}), 3, false, {0, 0}, around({1, 0}, 1)) == b);
     CHECK(space.findNewPairs() == SortedPairs{{a, b}});
+}
+
+TEST_CASE("shapes that nothing pushes pair with nothing until one comes that is free, or a sensor", "[space]") {
+    for (const bool sensor : {false, true}) {
+        Space space;
+        const ProxyId wall = space.add(shapeOf({}), 1, true, {0, 0}, around({0, 0}, 1));
+        const ProxyId lift = space.add(shapeOf({}), 2, false, {0, 0}, around({1, 0}, 1));
+        space.setDriven(lift, true);
+        CHECK(space.findNewPairs().empty());
+        ShapeDef shape = shapeOf({});
+        shape.sensor = sensor;
+        const ProxyId ball = space.add(shape, 3, false, {0, 0}, around({1, 1}, 1));
+        space.setDriven(ball, sensor);
+        CHECK(space.findNewPairs() == plumb::SortedPairs{{wall, ball}, {lift, ball}});
+        space.remove(ball);
+        space.markNew(lift);
+        CHECK(space.findNewPairs().empty());
+    }
 }
 
 TEST_CASE("a shape that is fixed from now on pairs with what moves, and no more with what is fixed", "[space]") {

@@ -2,6 +2,7 @@
 #include <plumb/dynamics/contacts/narrow_phase.h>
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -89,7 +90,7 @@ void NarrowPhase::finish() {
 
 void NarrowPhase::collideColour(std::size_t index) {
     Colour& colour = graph_.colours[index];
-    FreshLanes fresh;
+    FreshLanes fresh{};  // lanes that are not in use are prepared, too: they must be finite
     for (std::size_t b = 0; b < colour.batches.size(); ++b) {
         const std::size_t first = b * batchLanes;
         const std::size_t count = std::min<std::size_t>(batchLanes, colour.contactOf.size() - first);
@@ -98,6 +99,7 @@ void NarrowPhase::collideColour(std::size_t index) {
             pairs_.collideBoxes(batch, fresh);
         else
             pairs_.collideSolved(batch, colour.manifolds[b], colour.kept[b], fresh);
+        std::fill(fresh.count + count, std::end(fresh.count), 0);
         corners_.note(batch, isOfBoxes(index) ? nullptr : &colour.kept[b], fresh);
         prepare(colour.batches[b], colour.manifolds[b], fresh, count);
         for (std::size_t lane = 0; lane < count; ++lane)

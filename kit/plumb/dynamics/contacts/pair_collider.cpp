@@ -100,7 +100,7 @@ void PairCollider::collideSolved(const PairBatch& batch, const ManifoldLanes& ma
     PoseLanes now;
     Wanted again;
     colliderFor(batch).reuse(batch.pairs, bodies_.place.data(), manifolds, kept, fresh, now, again, batch.count);
-    for (std::size_t lane = batch.count; lane < batchLanes; ++lane) again[lane] = fresh.count[lane] = 0;
+    for (std::size_t lane = batch.count; lane < batchLanes; ++lane) again[lane] = 0;
     collideLanes(batch, again, fresh);
     for (std::size_t lane = 0; lane < batch.count; ++lane) {
         if (again[lane] == 0) continue;

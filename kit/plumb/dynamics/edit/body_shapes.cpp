@@ -162,8 +162,10 @@ void findPairsAgain(WorldState& world, BodyIndex body) {
 
 void fixShapes(WorldState& world, BodyIndex body) {
     const BodyRecord& record = world.bodies.record[body];
-    for (const ProxyId proxy : world.bodies.links[body].proxies)
+    for (const ProxyId proxy : world.bodies.links[body].proxies) {
         world.space.change(proxy, record.type == BodyType::Static, record.localCenter);
+        world.space.setDriven(proxy, record.type == BodyType::Kinematic);
+    }
 }
 
 void hideShapes(WorldState& world, BodyIndex body) {

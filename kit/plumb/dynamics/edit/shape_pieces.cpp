@@ -37,6 +37,7 @@ ProxyId addPiece(WorldState& world, BodyIndex body, const PieceDef& part, std::u
     const bool fixed = record.type == BodyType::Static;
     const ProxyId proxy =
         world.space.add(part.def, body, fixed, record.localCenter, box, number, severalPieces, part.use);
+    world.space.setDriven(proxy, record.type == BodyType::Kinematic);
     if (part.def.sensor) addSensor(world.sensors, proxy);
     if (!record.enabled) world.space.hide(proxy);
     outlinePiece(world, proxy, record.localCenter);

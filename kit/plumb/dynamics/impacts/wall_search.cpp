@@ -47,9 +47,9 @@ public:
         }
         const double inradius = inradiusOf(*moving_.shape);
         deep_ = std::min(deepShare * inradius, deepest);
-        const double start = separationAt(0);
         // The largest disc in the shape cannot have come to the other side if it moved by less than its radius.
-        if (travel <= inradius && start > -deep_ && separationAt(1) > skin - deep_) return;
+        if (travel <= inradius && separationAt(1) > skin - deep_) return;
+        const double start = separationAt(0);
         // A body that is deeper already at the start, as under a heavy load, is stopped if it goes deeper.
         limit_ = std::min(skin - deep_, start - noticeable);
         crosses_ = timeOfApproach(wall_, moving_, limit_, 0);

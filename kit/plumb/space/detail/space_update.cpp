@@ -187,6 +187,7 @@ void Space::searchPairs(const Partition& from, const Partition& in, bool otherSe
 }
 
 void Space::searchAllPairs() {
+    if (pairable_ == 0) return;
     const Partition& moving = partitionOf(PartitionId::Moving);
     const Partition& resting = partitionOf(PartitionId::Resting);
     const Partition& fixed = partitionOf(PartitionId::Fixed);
