@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include <plumb/dynamics/contacts/bounds.h>
+#include <plumb/dynamics/contacts/crowd.h>
 #include <plumb/dynamics/contacts/narrow_phase.h>
 #include <plumb/dynamics/edit/edits.h>
 #include <plumb/dynamics/edit/joint_edits.h>
@@ -123,6 +124,8 @@ void findPairs(Step& s) {
     WorldState& w = s.world;
     const SortedPairs& pairs = w.space.findNewPairs();
     const std::span<const Vec2> shifts = w.space.newPairShifts();
+    Crowd crowd(w.contacts, w.bodies, w.space);
+    if (!w.contacts.leftOut.empty()) crowd.takeBack([&w](const ShiftedShapes& pair) { addPair(w, pair); });
     std::vector<Pair>& early = w.contacts.early;
     std::sort(early.begin(), early.end());
     for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -130,7 +133,7 @@ void findPairs(Step& s) {
         if (std::binary_search(early.begin(), early.end(), pairs[i]) &&
             findContact(w.contacts, w.bodies, w.space, pair) != none)
             continue;
-        addPair(w, pair);
+        if (!crowd.leavesOut(pair)) addPair(w, pair);
     }
     early.clear();
 }

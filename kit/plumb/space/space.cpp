@@ -20,6 +20,7 @@ Aabb nowhere() {
 FilterKey noKey() {
     FilterKey key;
     key.fixed = true;
+    key.collides = false;
     return key;
 }
 

@@ -82,6 +82,12 @@ struct ContactRecord {
     bool isNear() const { return state == ContactState::Near || state == ContactState::Impact; }
 };
 
+/// Two shapes whose bounds overlap, with b shifted by whole periods of the world.
+struct ShiftedShapes {
+    Pair shapes;
+    Vec2 shift{0, 0};  ///< [m]
+};
+
 /// Near contacts, in lanes: slot = batch * batchLanes + lane.
 struct NearPairs {
     std::vector<PairLanes> lanes;
@@ -103,6 +109,7 @@ struct ContactStore {
     std::vector<ContactIndex> withVerdict;  ///< contacts whose verdict is not Open
     std::vector<ContactIndex> impacts;      ///< those with state Impact in the last step
     std::vector<ContactIndex> predicted;    ///< in this step, for bodies that spin: where they meet is predicted
+    std::vector<Pair> leftOut;              ///< pairs of crowds without a contact, also of shapes that are gone
     std::vector<Pair> early;                ///< shapes that got a contact before the next search, which may find them
 
     ContactRecord& operator[](ContactIndex contact) { return records[contact]; }

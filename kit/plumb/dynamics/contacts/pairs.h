@@ -8,12 +8,6 @@
 
 namespace plumb {
 
-/// Two shapes whose bounds overlap, with b shifted by whole periods of the world.
-struct ShiftedShapes {
-    Pair shapes;
-    Vec2 shift{0, 0};  ///< [m]
-};
-
 /// What kind of pair two shapes are.
 enum class PairKind {
     Nothing,    ///< no contact: joints forbid it, or neither body is dynamic

@@ -52,6 +52,14 @@ void removePairs(WorldState& world, BodyIndex body, ProxyId proxy) {
     removeSensorPairs(world.sensors, proxy);
 }
 
+/// Reads nothing but the list: it may be long.
+void eraseFrom(std::vector<ProxyId>& proxies, std::span<const ProxyId> gone) {
+    const auto [least, most] = std::minmax_element(gone.begin(), gone.end());
+    std::erase_if(proxies, [gone, first = *least, last = *most](ProxyId proxy) {
+        return proxy >= first && proxy <= last && std::find(gone.begin(), gone.end(), proxy) != gone.end();
+    });
+}
+
 }  // namespace
 
 ShapeDef withoutShape(const ShapeDef& whole) {
@@ -129,8 +137,9 @@ void removePieces(WorldState& world, BodyIndex body, std::span<const ProxyId> pi
         forgetSensor(world.sensors, proxy);
         world.space.remove(proxy);
     }
-    std::erase_if(world.bodies.links[body].proxies, [&world](ProxyId proxy) { return !world.space[proxy].alive; });
-    measureAnew(world, body);
+    eraseFrom(world.bodies.links[body].proxies, pieces);
+    // The radii of a body that is not pushed are bounds; a map may have millions of pieces, and loses them one by one.
+    if (world.bodies.isDynamic(body) || world.bodies.links[body].proxies.empty()) measureAnew(world, body);
 }
 
 void wakeTouchingPiece(WorldState& world, BodyIndex body, ProxyId piece) {

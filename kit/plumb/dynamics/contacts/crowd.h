@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Which pairs get no contact, because far too many bodies are in one place?
+//
+// Of n bodies that are made at one point, n^2 / 2 pairs overlap: more than memory holds, for a few thousand. A few
+// contacts for each body drive them apart as well. So a pair is left out while both of its bodies overlap deeply with
+// many others, which is possible only in such a crowd: in a heap, however dense, no body does with more than one or
+// two. Test: "four hundred bodies that are made at one point get few contacts, and come apart"
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include <plumb/dynamics/contacts/pairs.h>
+#include <plumb/math/function_ref.h>
+
+namespace plumb {
+
+class Crowd {
+public:
+    Crowd(ContactStore& contacts, const BodyStore& bodies, const Space& space);
+
+    /// Is the pair to be left out? Then it is noted in ContactStore.leftOut.
+    bool leavesOut(const ShiftedShapes& pair);
+    /// Calls add for each pair of ContactStore.leftOut that must have a contact now. The others stay there, or are
+    /// forgotten because they are apart.
+    void takeBack(FunctionRef<void(const ShiftedShapes&)> add);
+
+private:
+    bool isInside(const ShiftedShapes& pair);
+    bool isCrowded(BodyIndex body);
+    template <class Visit>
+    void forEachOverlap(const Pair& shapes, Visit&& visit) const;
+    void countLeftOut();
+    std::uint32_t overlapsInContact(BodyIndex body) const;
+    bool overlap(BodyIndex a, BodyIndex b, const Vec2& shift) const;
+
+    ContactStore& contacts_;
+    const BodyStore& bodies_;
+    const Space& space_;
+    std::vector<std::uint32_t> overlaps_;  ///< of each body, as far as known; empty: none
+};
+
+}  // namespace plumb

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Do far too many bodies in one place get on?
+#include <algorithm>
+#include <vector>
+
+#include <plumb/math/random.h>
+#include <plumb/plumb.h>
+#include "catch.h"
+#include "kit/usual_world.h"
+
+using plumb::BodyId;
+using plumb::ShapeDef;
+using plumb::ShapeId;
+using plumb::World;
+using plumb::test::dt;
+
+namespace {
+
+constexpr double size = 0.25;
+
+std::vector<ShapeDef> pointShapes() {
+    return {plumb::circle(size), plumb::box({size, size}), plumb::capsule({-0.2, 0}, {0.2, 0}, 0.1),
+            plumb::polygon({{0.3, 0}, {0.1, 0.28}, {-0.24, 0.18}, {-0.24, -0.18}, {0.1, -0.28}})};
+}
+
+std::vector<BodyId> addAtOnePoint(World& world, int count, const ShapeDef& shape) {
+    std::vector<BodyId> bodies;
+    plumb::Random random(1);  // exactly at one point, discs would line up
+    for (int i = 0; i < count; ++i) {
+        const double x = random.uniform(-1e-3, 1e-3);
+        bodies.push_back(world.add({.position = {x, random.uniform(-1e-3, 1e-3)}, .shapes = {shape}}));
+    }
+    return bodies;
+}
+
+double deepestOverlap(const World& world, const std::vector<BodyId>& bodies) {
+    double deepest = 0;
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const plumb::Vec2 apart = world.body(bodies[i]).position() - world.body(bodies[j]).position();
+            if (apart.norm() > 4 * size) continue;
+            deepest = std::max(deepest, -world.distance({bodies[i], 0}, {bodies[j], 0}).separation);
+        }
+    return deepest;
+}
+
+}  // namespace
+
+TEST_CASE("four hundred bodies that are made at one point get few contacts, and come apart", "[dynamics][crowd]") {
+    for (const bool wraps : {false, true}) {
+        for (const ShapeDef& shape : pointShapes()) {
+            plumb::WorldDef def{.gravity = {0, 0}, .sleeping = false};
+            if (wraps) def.wrap = {.width = 50, .height = 50};
+            World world(def);
+            const std::vector<BodyId> bodies = addAtOnePoint(world, 400, shape);
+            std::size_t most = 0;
+            for (int step = 0; step < 900; ++step) {
+                world.step(dt);
+                most = std::max(most, step < 60 ? world.counts().contacts : 0);
+            }
+            INFO("shape " << shape.shape.index() << (wraps ? ", wraps" : ""));
+            CHECK(most < 20'000);  // of 79,800
+            CHECK(deepestOverlap(world, bodies) < 0.02);
+        }
+    }
+}
+
+TEST_CASE("bodies of a crowd can be removed and added while it spreads", "[dynamics][crowd]") {
+    World world({.gravity = {0, 0}, .sleeping = false});
+    std::vector<BodyId> bodies = addAtOnePoint(world, 300, plumb::circle(size));
+    for (int step = 0; step < 900; ++step) {
+        world.step(dt);
+        if (step % 7 != 0 || step > 200) continue;
+        world.remove(bodies[static_cast<std::size_t>(step)]);
+        bodies[static_cast<std::size_t>(step)] = world.add({.shapes = {plumb::box({size, size})}});
+    }
+    CHECK(deepestOverlap(world, bodies) < 0.02);
+}
