@@ -81,7 +81,6 @@ struct alignas(64) BodyRecord {
 /// The contacts, shapes and joints of a body. One cache line.
 struct alignas(64) BodyLinks {
     std::uint32_t firstContact = none;  ///< head of the list of its contacts
-    std::uint32_t contacts = 0;         ///< number of its contacts
     std::uint32_t colours = 0;          ///< bit c is set if one of its contacts has colour c
     std::uint32_t solverContacts = 0;   ///< number of its contacts that are in the solver
     std::uint32_t actingJoints = 0;     ///< number of its joints that are in the solver

@@ -22,7 +22,6 @@ void link(BodyStore& bodies, ContactStore& store, ContactIndex contact, int side
     c.next[at(side)] = head;
     if (head != none) store[head].previous[at(store.side(head, body))] = contact;
     bodies.links[body].firstContact = contact;
-    ++bodies.links[body].contacts;
 }
 
 void unlink(BodyStore& bodies, ContactStore& store, ContactIndex contact, int side, BodyIndex body) {
@@ -33,7 +32,6 @@ void unlink(BodyStore& bodies, ContactStore& store, ContactIndex contact, int si
     else
         bodies.links[body].firstContact = next;
     if (next != none) store[next].previous[at(store.side(next, body))] = previous;
-    --bodies.links[body].contacts;
 }
 
 std::int32_t kernelOf(const BoxOutline& a, const BoxOutline& b) {

@@ -21,19 +21,27 @@ Crowd::Crowd(ContactStore& contacts, const BodyStore& bodies, const Space& space
 }
 
 bool Crowd::leavesOut(const ShiftedShapes& pair) {
-    if (!isInside(pair)) return false;
-    contacts_.leftOut.push_back(pair.shapes);
-    return true;
+    const bool inside = isInside(pair);
+    if (inside)
+        contacts_.leftOut.push_back(pair.shapes);
+    else
+        noteAdded(pair);
+    return inside;
+}
+
+void Crowd::noteAdded(const ShiftedShapes& pair) {
+    for (const ProxyId proxy : {pair.shapes.a, pair.shapes.b}) ++overlaps_[space_.filterKey(proxy).owner].added;
 }
 
 void Crowd::takeBack(FunctionRef<void(const ShiftedShapes&)> add) {
     const auto staysOut = [&](const Pair& shapes) {
         bool stays = false;
         forEachOverlap(shapes, [&](const ShiftedShapes& pair) {
-            if (isInside(pair))
-                stays = true;
-            else if (findContact(contacts_, bodies_, space_, pair) == none)
-                add(pair);
+            const bool inside = isInside(pair);
+            stays = stays || inside;
+            if (inside || findContact(contacts_, bodies_, space_, pair) != none) return;
+            noteAdded(pair);
+            add(pair);
         });
         return stays;
     };
@@ -44,6 +52,25 @@ void Crowd::takeBack(FunctionRef<void(const ShiftedShapes&)> add) {
         if (staysOut(pair)) pairs[kept++] = pair;
     }
     pairs.resize(kept);
+}
+
+/// Are both of its bodies deep in a crowd?
+bool Crowd::isInside(const ShiftedShapes& pair) {
+    if (overlaps_.empty()) overlaps_.resize(bodies_.record.size());
+    return isCrowded(space_.filterKey(pair.shapes.a).owner) && isCrowded(space_.filterKey(pair.shapes.b).owner);
+}
+
+/// A contact of shapes that overlap is in the solver, or is new. Each new one adds one overlap at the most.
+bool Crowd::isCrowded(BodyIndex body) {
+    Overlaps& o = overlaps_[body];
+    if (o.leftOut + o.inContact >= most) return true;
+    const std::uint32_t possible =
+        o.isCounted ? o.inContact + (o.added - o.counted) : bodies_.links[body].solverContacts + o.added;
+    if (o.leftOut + possible < most || !isOne(body)) return false;
+    o.inContact = overlapsInContact(body);
+    o.counted = o.added;
+    o.isCounted = true;
+    return o.leftOut + o.inContact >= most;
 }
 
 /// Visits a pair if its bounds overlap still; in a world that wraps, with each shift with which they do.
@@ -58,29 +85,14 @@ void Crowd::forEachOverlap(const Pair& shapes, Visit&& visit) const {
         visit(ShiftedShapes{shapes});
 }
 
-/// Are both of its bodies deep in a crowd?
-bool Crowd::isInside(const ShiftedShapes& pair) {
-    const BodyIndex a = space_.filterKey(pair.shapes.a).owner, b = space_.filterKey(pair.shapes.b).owner;
-    if (bodies_.links[a].contacts < most || bodies_.links[b].contacts < most) return false;
-    return isCrowded(a) && isCrowded(b);
-}
-
-/// Within a step a body's overlaps grow only.
-bool Crowd::isCrowded(BodyIndex body) {
-    if (overlaps_.empty()) overlaps_.assign(bodies_.record.size(), 0);
-    std::uint32_t& overlaps = overlaps_[body];
-    if (overlaps < most && overlaps + overlapsInContact(body) >= most) overlaps = most;
-    return overlaps >= most;
-}
-
 void Crowd::countLeftOut() {
-    overlaps_.assign(bodies_.record.size(), 0);
+    overlaps_.resize(bodies_.record.size());
     for (const Pair& shapes : contacts_.leftOut)
         forEachOverlap(shapes, [&](const ShiftedShapes& pair) {
             const BodyIndex a = space_.filterKey(shapes.a).owner, b = space_.filterKey(shapes.b).owner;
             if (!overlap(a, b, pair.shift)) return;
-            ++overlaps_[a];
-            ++overlaps_[b];
+            ++overlaps_[a].leftOut;
+            ++overlaps_[b].leftOut;
         });
 }
 
@@ -95,10 +107,11 @@ std::uint32_t Crowd::overlapsInContact(BodyIndex body) const {
 }
 
 /// Bodies of several shapes may have their centre outside of them.
+bool Crowd::isOne(BodyIndex body) const {
+    return bodies_.isDynamic(body) && bodies_.links[body].proxies.size() == 1;
+}
+
 bool Crowd::overlap(BodyIndex a, BodyIndex b, const Vec2& shift) const {
-    const auto isOne = [this](BodyIndex body) {
-        return bodies_.isDynamic(body) && bodies_.links[body].proxies.size() == 1;
-    };
     if (!isOne(a) || !isOne(b)) return false;
     const double deep = deepShare * (bodies_.record[a].inradius + bodies_.record[b].inradius);
     return (bodies_.motion[b].center + shift - bodies_.motion[a].center).squaredNorm() < deep * deep;

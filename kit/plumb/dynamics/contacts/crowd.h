@@ -25,8 +25,19 @@ public:
     void takeBack(FunctionRef<void(const ShiftedShapes&)> add);
 
 private:
+    /// With how many others does a body overlap deeply?
+    struct Overlaps {
+        std::uint32_t leftOut = 0;    ///< of the pairs that were left out before this step
+        std::uint32_t inContact = 0;  ///< of its contacts, when they were counted
+        std::uint32_t added = 0;      ///< number of its contacts that are new in this step
+        std::uint32_t counted = 0;    ///< added, at that time
+        bool isCounted = false;
+    };
+
+    void noteAdded(const ShiftedShapes& pair);
     bool isInside(const ShiftedShapes& pair);
     bool isCrowded(BodyIndex body);
+    bool isOne(BodyIndex body) const;
     template <class Visit>
     void forEachOverlap(const Pair& shapes, Visit&& visit) const;
     void countLeftOut();
@@ -36,7 +47,7 @@ private:
     ContactStore& contacts_;
     const BodyStore& bodies_;
     const Space& space_;
-    std::vector<std::uint32_t> overlaps_;  ///< of each body, as far as known; empty: none
+    std::vector<Overlaps> overlaps_;  ///< of each body, as far as known; empty: none
 };
 
 }  // namespace plumb
