@@ -96,7 +96,7 @@ struct alignas(64) PoseLanes {
 struct alignas(64) KeptLanes {
     PoseLanes pose;               ///< cosine and sine 0: the manifold must not be used again
     Lanes<float> separations[2];  ///< [m]
-    Lanes<std::int32_t> open;     ///< bits: not at a covered face of A (1), of B (2) (see flush_faces.h)
+    Lanes<std::int32_t> open;     ///< bits: not at a covered face of A (1), of B (2) (see floors/flush_faces.h)
 };
 inline bool isKept(const KeptLanes& kept, std::size_t lane) {
     return kept.pose.cos[lane] != 0 || kept.pose.sin[lane] != 0;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <plumb/dynamics/contacts/contact_graph.h>
-#include <plumb/dynamics/contacts/corner_watch.h>
+#include <plumb/dynamics/contacts/floors/corner_watch.h>
 #include <plumb/dynamics/contacts/pair_collider.h>
 #include <plumb/dynamics/contacts/touch_events.h>
 #include <plumb/space/space.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/contacts/flush_faces.h>
+#include <plumb/dynamics/contacts/floors/flush_faces.h>
 
 #include <algorithm>
 #include <cmath>

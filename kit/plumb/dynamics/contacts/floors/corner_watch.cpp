@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/contacts/corner_watch.h>
+#include <plumb/dynamics/contacts/floors/corner_watch.h>
 
 #include <algorithm>
 
-#include <plumb/dynamics/contacts/flush_faces.h>
+#include <plumb/dynamics/contacts/floors/flush_faces.h>
 
 namespace plumb {
 
