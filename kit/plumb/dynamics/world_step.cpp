@@ -125,7 +125,11 @@ void findPairs(Step& s) {
     const SortedPairs& pairs = w.space.findNewPairs();
     const std::span<const Vec2> shifts = w.space.newPairShifts();
     Crowd crowd(w.contacts, w.bodies, w.space);
-    if (!w.contacts.leftOut.empty()) crowd.takeBack([&w](const ShiftedShapes& pair) { addPair(w, pair); });
+    if (!w.contacts.leftOut.empty())
+        crowd.takeBack([&w](const ShiftedShapes& pair) {
+            w.contacts.early.push_back(pair.shapes);  // shapes that were edited meanwhile are found again below
+            addPair(w, pair);
+        });
     std::vector<Pair>& early = w.contacts.early;
     std::sort(early.begin(), early.end());
     for (std::size_t i = 0; i < pairs.size(); ++i) {

@@ -28,9 +28,18 @@ plumb::ShapeDef jointedShape(int number, const Material& material) {
     }
 }
 
-/// Chains of four bodies in a room of segments; returns how many got out in five seconds, or until joints have made
-/// one of them a hundred times as fast as it can have been: at 2,000 m/s that happens in a few runs of a thousand.
-int escapesFrom(unsigned seed, double most) {
+/// How a room of jointed bodies ended.
+struct Ending {
+    int escapes = 0;
+    bool ranAway = false;  ///< joints had made a body spin faster than fastestSpin
+};
+
+/// At 2,000 m/s joints give energy without end, and most rooms come to this. A point of a manifold is a float, exact to
+/// 1e-8 m: of a body that spins so fast it moves by 1 km/s more or less, and no impact can be told from none [rad/s].
+constexpr double fastestSpin = 1e11;
+
+/// Chains of four bodies in a room of segments, for five seconds, or until they run away.
+Ending endingOf(unsigned seed, double most) {
     std::mt19937 random(seed);
     const auto either = [&](double size) { return std::uniform_real_distribution<double>(-size, size)(random); };
     const Material material{.friction = 0.3, .restitution = seed % 2 == 0 ? 0.0 : 0.5};
@@ -52,27 +61,34 @@ int escapesFrom(unsigned seed, double most) {
         }
         world.join(rod);
     }
-    int escapes = 0;
+    Ending ending;
     std::vector<bool> out(bodies.size(), false);
     for (int tick = 0; tick < 300; ++tick) {
         world.step(dt);
-        for (const BodyId body : bodies)
-            if (world.body(body).velocity().norm() > 100 * most) return escapes;
         for (std::size_t i = 0; i < bodies.size(); ++i) {
             if (out[i] || world.body(bodies[i]).position().cwiseAbs().maxCoeff() < 10.05) continue;
             out[i] = true;
-            ++escapes;
+            ++ending.escapes;
         }
+        for (const BodyId body : bodies)
+            ending.ranAway = ending.ranAway || std::fabs(world.body(body).angularVelocity()) > fastestSpin;
+        if (ending.ranAway) break;
     }
-    return escapes;
+    return ending;
 }
 
 }  // namespace
 
 TEST_CASE("rods and ropes do not pull fast bodies through the segments of 60 rooms", "[dynamics][joints][machines]") {
-    int escapes = 0;
+    int escapes = 0, slowRunaways = 0;
     const int runs = plumb::test::allCases(60);
-    for (int run = 0; run < runs; ++run) escapes += escapesFrom(static_cast<unsigned>(run), run % 2 == 0 ? 200 : 2000);
+    for (int run = 0; run < runs; ++run) {
+        const double most = run % 2 == 0 ? 200 : 2000;
+        const Ending ending = endingOf(static_cast<unsigned>(run), most);
+        escapes += ending.escapes;
+        slowRunaways += most < 1000 && ending.ranAway ? 1 : 0;
+    }
     INFO(escapes << " of " << 12 * runs << " bodies");
     CHECK(escapes == 0);
+    CHECK(slowRunaways == 0);
 }

@@ -22,6 +22,26 @@ TEST_CASE("a crate on a belt of 0.001 to 0.05 m/s is carried on for 10 s", "[dyn
     }
 }
 
+TEST_CASE("crates sleep soon after the one that kept them awake has gone, though it stays restless",
+          "[dynamics][sleep]") {
+    World world;
+    world.add({.type = BodyType::Static, .shapes = {box({50, 0.5})}});
+    std::vector<BodyId> row;
+    for (int i = 0; i < 12; ++i) row.push_back(world.add({.position = {1.0 * i, 1}, .shapes = {box({0.5, 0.5})}}));
+    const BodyId restless = world.add({.position = {6, 2}, .shapes = {box({0.5, 0.5})}});
+    const auto shake = [&](double time) {
+        for (int tick = 0; tick < time / dt; ++tick) {
+            world.body(restless).setVelocity({tick % 2 == 0 ? 0.2 : -0.2, world.body(restless).velocity().y()});
+            world.step(dt);
+        }
+    };
+    shake(3);
+    for (const BodyId crate : row) CHECK(world.body(crate).awake());
+    world.body(restless).setPose({30, 1}, 0);
+    shake(1.5);  // the time to fall asleep, and as long again until the row is looked at
+    for (const BodyId crate : row) CHECK_FALSE(world.body(crate).awake());
+}
+
 TEST_CASE("a crate that a slow belt presses against a wall sleeps", "[dynamics][sleep]") {
     World world;
     world.add({.type = BodyType::Static, .shapes = {box({50, 0.5}, {.friction = 0.5, .surfaceSpeed = 0.04})}});

@@ -85,6 +85,7 @@ struct alignas(64) ManifoldLanes {
     Lanes<std::int32_t> clear;     ///< 1: alone, it would bounce, and stay apart for longer than the step
     Lanes<std::int32_t> touching;  ///< 1: the touch has been reported
 };
+inline constexpr std::size_t manifoldRows = sizeof(ManifoldLanes) / (sizeof(float) * batchLanes);
 
 /// B's place in A's frame.
 struct alignas(64) PoseLanes {
@@ -96,12 +97,13 @@ struct alignas(64) PoseLanes {
 struct alignas(64) KeptLanes {
     PoseLanes pose;               ///< cosine and sine 0: the manifold must not be used again
     Lanes<float> separations[2];  ///< [m]
-    Lanes<std::int32_t> open;     ///< bits: not at a covered face of A (1), of B (2) (see floors/flush_faces.h)
+    /// Bits, 0 when just collided: since then not at a covered face of A (1), of B (2), and noted (4). See
+    /// floors/corner_watch.h.
+    Lanes<std::int32_t> open;
 };
 inline bool isKept(const KeptLanes& kept, std::size_t lane) {
     return kept.pose.cos[lane] != 0 || kept.pose.sin[lane] != 0;
 }
 inline constexpr std::size_t keptRows = sizeof(KeptLanes) / (sizeof(float) * batchLanes);
-inline constexpr std::size_t manifoldRows = sizeof(ManifoldLanes) / (sizeof(float) * batchLanes);
 
 }  // namespace plumb

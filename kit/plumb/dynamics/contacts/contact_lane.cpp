@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/contacts/contact_lane.h>
 
+#include <algorithm>
+
 namespace plumb {
 
 namespace {
@@ -52,6 +54,11 @@ void setFresh(FreshLanes& fresh, std::size_t lane, const Manifold& manifold) {
         fresh.points[p].separation[lane] = point.separation;
         fresh.points[p].feature[lane] = point.feature;
     }
+}
+
+float nearestOf(const FreshLanes& fresh, std::size_t lane) {
+    const float first = fresh.points[0].separation[lane];
+    return fresh.count[lane] > 1 ? std::min(first, fresh.points[1].separation[lane]) : first;
 }
 
 void renewGyration(ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies, const Space& space,

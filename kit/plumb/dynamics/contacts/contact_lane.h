@@ -13,6 +13,9 @@ void fillLane(ContactBatch& batch, ManifoldLanes& manifolds, std::size_t lane, c
 /// Writes a manifold into a lane of fresh manifolds.
 void setFresh(FreshLanes& fresh, std::size_t lane, const Manifold& manifold);
 
+/// The smaller separation of the points in a lane that has some [m].
+float nearestOf(const FreshLanes& fresh, std::size_t lane);
+
 /// Copies a body's inverse radius of gyration into the lanes of its contacts, after its joints have raised its inertia.
 void renewGyration(ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies, const Space& space,
                    BodyIndex body);

@@ -3,8 +3,8 @@
 //
 // Of n bodies that are made at one point, n^2 / 2 pairs overlap: more than memory holds, for a few thousand. A few
 // contacts for each body drive them apart as well. So a pair is left out while both of its bodies overlap deeply with
-// many others, which is possible only in such a crowd: in a heap, however dense, no body does with more than one or
-// two. Test: "four hundred bodies that are made at one point get few contacts, and come apart"
+// many others, which is possible only in such a crowd: in a heap, however dense, no body does with more than two.
+// Test: "four hundred bodies that are made at one point get few contacts, and come apart"
 #pragma once
 #include <cstdint>
 #include <vector>

@@ -181,9 +181,7 @@ void NarrowPhase::sortArrivals() {
 }
 
 void NarrowPhase::noteSleepers(const ShapePair& pair, const FreshLanes& fresh, std::size_t lane) {
-    float nearest = fresh.points[0].separation[lane];
-    if (fresh.count[lane] > 1) nearest = std::min(nearest, fresh.points[1].separation[lane]);
-    if (nearest > pairs_.marginOf(pair) - (contactMargin - wakeDistance)) return;
+    if (nearestOf(fresh, lane) > pairs_.marginOf(pair) - (contactMargin - wakeDistance)) return;
     for (const BodyIndex body : {pair.bodyA, pair.bodyB})
         if (bodies_.isDynamic(body) && !bodies_.record[body].awake) sleepers_.push_back(body);
 }

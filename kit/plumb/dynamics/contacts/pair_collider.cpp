@@ -17,11 +17,6 @@ float nearestOf(const Manifold& m) {
     return m.count > 1 ? std::min(m.points[0].separation, m.points[1].separation) : m.points[0].separation;
 }
 
-float nearestOf(const FreshLanes& fresh, std::size_t lane) {
-    const float first = fresh.points[0].separation[lane];
-    return fresh.count[lane] > 1 ? std::min(first, fresh.points[1].separation[lane]) : first;
-}
-
 /// How far two bodies may move relative to each other in the step.
 struct Approach {
     float margin = 0;   ///< in any direction, plus the contact margin [m]

@@ -25,8 +25,8 @@ struct Reaching {
 };
 
 /// For pairs with this normal in A's frame, separation and number of points. One that cannot meet along its normal in
-/// this step gets no points. If its faces, which have this length in common, stay opposite each other during the whole
-/// step, its present manifold is right; otherwise a distant pair is uncertain. Give length 0 where no faces meet.
+/// this step gets no points. If it slides and turns in the step by less than this length, within which the same faces
+/// stay opposite each other, its present manifold is right; otherwise a distant pair is uncertain.
 template <int W>
 Reaching<W> reachOf(const RelativeLanes<W>& r, typename Wide<W>::Float normalX, typename Wide<W>::Float normalY,
                     typename Wide<W>::Float separation, typename Wide<W>::Int count, typename Wide<W>::Float length) {
