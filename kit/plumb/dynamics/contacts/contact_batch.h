@@ -46,7 +46,7 @@ struct alignas(64) ManifoldPointLanes {
     Lanes<std::int32_t> feature;  ///< as in collide/manifold_point.h
 };
 
-/// How are two shapes collided that are not both boxes? One by one; as a disc, which is A or B, and a disc or a box; as
+/// How are two shapes collided that are not both boxes? One by one; as a disc, which is A or B, and another shape; as
 /// polygons; or one by one if they are near each other as polygons, because one is a segment of a chain.
 inline constexpr std::int32_t noKernel = 0, discFirst = 1, discSecond = 2, asPolygons = 3, onChain = 4;
 
@@ -93,13 +93,18 @@ struct alignas(64) PoseLanes {
     Lanes<float> cos, sin;  ///< of B's angle minus A's
 };
 
+/// Which faces of A and of B meet at the corner where a contact is, and may be covered by the next part of a floor? See
+/// floors/flush_sides.h.
+struct CornerFaces {
+    std::uint8_t ofA[2], ofB[2];
+};
+
 /// What was known when each lane's shapes were last collided. For contacts that are not of two boxes.
 struct alignas(64) KeptLanes {
     PoseLanes pose;               ///< cosine and sine 0: the manifold must not be used again
     Lanes<float> separations[2];  ///< [m]
-    /// Bits, 0 when just collided: since then not at a covered face of A (1), of B (2), and noted (4). See
-    /// floors/corner_watch.h.
-    Lanes<std::int32_t> open;
+    Lanes<CornerFaces> faces;     ///< unknownFaces when just collided
+    Lanes<std::int32_t> open;     ///< bits, 0 when just collided: not covered since (floorA, floorB); seen
 };
 inline bool isKept(const KeptLanes& kept, std::size_t lane) {
     return kept.pose.cos[lane] != 0 || kept.pose.sin[lane] != 0;

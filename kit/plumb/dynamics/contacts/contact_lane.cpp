@@ -56,6 +56,17 @@ void setFresh(FreshLanes& fresh, std::size_t lane, const Manifold& manifold) {
     }
 }
 
+Manifold manifoldAt(const FreshLanes& fresh, std::size_t lane) {
+    Manifold manifold;
+    manifold.normal = {fresh.normalX[lane], fresh.normalY[lane]};
+    manifold.count = fresh.count[lane];
+    for (std::size_t p = 0; p < 2; ++p) {
+        const FreshPoint& point = fresh.points[p];
+        manifold.points[p] = {{point.x[lane], point.y[lane]}, point.separation[lane], 0};
+    }
+    return manifold;
+}
+
 float nearestOf(const FreshLanes& fresh, std::size_t lane) {
     const float first = fresh.points[0].separation[lane];
     return fresh.count[lane] > 1 ? std::min(first, fresh.points[1].separation[lane]) : first;

@@ -12,6 +12,8 @@ void fillLane(ContactBatch& batch, ManifoldLanes& manifolds, std::size_t lane, c
               const BodyStore& bodies, const Space& space);
 /// Writes a manifold into a lane of fresh manifolds.
 void setFresh(FreshLanes& fresh, std::size_t lane, const Manifold& manifold);
+/// Reads it, without its features.
+Manifold manifoldAt(const FreshLanes& fresh, std::size_t lane);
 
 /// The smaller separation of the points in a lane that has some [m].
 float nearestOf(const FreshLanes& fresh, std::size_t lane);

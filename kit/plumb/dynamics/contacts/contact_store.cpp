@@ -36,8 +36,9 @@ void unlink(BodyStore& bodies, ContactStore& store, ContactIndex contact, int si
 
 std::int32_t kernelOf(const BoxOutline& a, const BoxOutline& b) {
     using Kind = BoxOutline::Kind;
-    if (b.kind == Kind::Disc && a.kind != Kind::Other) return discSecond;
-    if (a.kind == Kind::Disc && b.kind != Kind::Other) return discFirst;
+    const auto isForDiscs = [](const BoxOutline& o) { return o.kind != Kind::Other || (o.corners > 0 && !o.chained); };
+    if (b.kind == Kind::Disc && isForDiscs(a)) return discSecond;
+    if (a.kind == Kind::Disc && isForDiscs(b)) return discFirst;
     if (a.corners == 0 || b.corners == 0) return noKernel;
     return a.chained || b.chained ? onChain : asPolygons;
 }
@@ -149,8 +150,9 @@ void fillPair(const ContactStore& store, const ContactRecord& contact, PairLanes
     pairs.radiusA[lane] = a.radius;
     pairs.radiusB[lane] = b.radius;
     pairs.kernel[lane] = kernelOf(a, b);
-    pairs.cornersA[lane] = a.corners;
-    pairs.cornersB[lane] = b.corners;
+    const bool disc = pairs.kernel[lane] == discFirst || pairs.kernel[lane] == discSecond;
+    pairs.cornersA[lane] = disc && a.kind != BoxOutline::Kind::Other ? 0 : a.corners;
+    pairs.cornersB[lane] = disc && b.kind != BoxOutline::Kind::Other ? 0 : b.corners;
     pairs.centerXA[lane] = a.centerX;
     pairs.centerYA[lane] = a.centerY;
     pairs.centerXB[lane] = b.centerX;

@@ -8,25 +8,11 @@
 
 #include <plumb/dynamics/contacts/contact_lane.h>
 #include <plumb/dynamics/contacts/contact_rules.h>
+#include <plumb/dynamics/contacts/floors/flush_faces.h>
 #include <plumb/dynamics/contacts/initial_impulses.h>
 #include <plumb/math/detail/for_lanes.h>
 
 namespace plumb {
-
-namespace {
-
-Manifold manifoldAt(const FreshLanes& fresh, std::size_t lane) {
-    Manifold manifold;
-    manifold.normal = {fresh.normalX[lane], fresh.normalY[lane]};
-    manifold.count = fresh.count[lane];
-    for (std::size_t p = 0; p < 2; ++p) {
-        const FreshPoint& point = fresh.points[p];
-        manifold.points[p] = {{point.x[lane], point.y[lane]}, point.separation[lane], 0};
-    }
-    return manifold;
-}
-
-}  // namespace
 
 NarrowPhase::NarrowPhase(ContactGraph& graph, ContactStore& contacts, BodyStore& bodies, const Space& space, int lanes,
                          double dt)
@@ -72,6 +58,7 @@ std::span<const BodyIndex> NarrowPhase::collideNear() {
         if (fresh.count[lane] == 0) continue;
         const ContactIndex index = batch.contacts[lane];
         if (!mayArrive(index, fresh, lane)) continue;
+        corners_.noteArrival(index, fresh, lane);
         addArrival(index, fresh, lane);
         noteSleepers(pairAt(batch.pairs, lane), fresh, lane);
     }
@@ -100,8 +87,8 @@ void NarrowPhase::collideColour(std::size_t index) {
         else
             pairs_.collideSolved(batch, colour.manifolds[b], colour.kept[b], fresh);
         std::fill(fresh.count + count, std::end(fresh.count), 0);
-        corners_.note(batch, isOfBoxes(index) ? nullptr : &colour.kept[b], fresh);
         prepare(colour.batches[b], colour.manifolds[b], fresh, count);
+        corners_.note(batch, colour.batches[b], isOfBoxes(index) ? nullptr : &colour.kept[b], fresh);
         for (std::size_t lane = 0; lane < count; ++lane)
             if (fresh.count[lane] == 0) parted_.push_back(batch.contacts[lane]);
     }
@@ -139,7 +126,6 @@ void NarrowPhase::removeParted(NearPairs& near) {
 bool NarrowPhase::mayArrive(ContactIndex index, const FreshLanes& fresh, std::size_t lane) {
     ContactRecord& contact = contacts_[index];
     contact.met = true;
-    corners_.markMoved(contact);
     const bool covered = isAtCorner(fresh, lane) && corners_.isCovered(index, manifoldAt(fresh, lane));
     if (!covered && !contact.ruled) return true;
     if (!covered && isSolid(contacts_, bodies_, space_, index, faceOf(bodies_, contact, manifoldAt(fresh, lane))))

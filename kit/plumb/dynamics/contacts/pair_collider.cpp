@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <plumb/dynamics/contacts/contact_lane.h>
+#include <plumb/dynamics/contacts/floors/flush_sides.h>
 #include <plumb/dynamics/contacts/predicted_manifold.h>
 #include <plumb/math/detail/for_lanes.h>
 #include <plumb/math/vec2.h>
@@ -68,7 +69,7 @@ void PairCollider::collideBoxes(const PairBatch& batch, FreshLanes& fresh) const
 bool PairCollider::collideDiscsOnly(const PairBatch& batch, FreshLanes& fresh) const {
     const auto& kernel = batch.pairs.kernel;
     if (!std::all_of(kernel, kernel + batch.count, isDisc)) return false;
-    colliderFor(batch).collideDiscs(batch.pairs, bodies_.place.data(), fresh, batch.count);
+    colliderFor(batch).collideDiscs(batch.pairs, bodies_.place.data(), corners_, fresh, batch.count);
     resolveUncertain(batch, fresh);
     return true;
 }
@@ -107,6 +108,7 @@ void PairCollider::collideSolved(const PairBatch& batch, const ManifoldLanes& ma
         kept.pose.cos[lane] = stays ? now.cos[lane] : 0;
         kept.pose.sin[lane] = stays ? now.sin[lane] : 0;
         for (std::size_t p = 0; p < 2; ++p) kept.separations[p][lane] = fresh.points[p].separation[lane];
+        kept.faces[lane] = unknownFaces;
         kept.open[lane] = 0;
     }
 }
@@ -119,9 +121,9 @@ void PairCollider::collideLanes(const PairBatch& batch, const Wanted& wanted, Fr
     for (std::size_t lane = 0; lane < batchLanes; ++lane) {
         polygons[lane] = wanted[lane] != 0 && isPolygons(kernel[lane]) ? 1 : 0;
         some = some || polygons[lane] != 0;
-        discs = discs || (isDisc(kernel[lane]) && lane < batch.count);
+        discs = discs || (isDisc(kernel[lane]) && wanted[lane] != 0);
     }
-    if (discs) colliderFor(batch).collideDiscs(batch.pairs, bodies_.place.data(), fresh, batch.count);
+    if (discs) colliderFor(batch).collideDiscs(batch.pairs, bodies_.place.data(), corners_, fresh, batch.count);
     if (some)
         colliderFor(batch).collidePolygons(batch.pairs, bodies_.place.data(), corners_, polygons, fresh, batch.count);
     for (std::size_t lane = 0; lane < batch.count; ++lane) {

@@ -41,7 +41,7 @@ bool isSlow(const BodyStore& bodies, const SolverSettings& settings, BodyIndex b
     if (!bodies.isMovedBy(body, MovedBy::Solver)) return speed == 0;
     // A body that position correction pushes has no velocity from that, but it moves.
     const SolverDisplacement& moved = bodies.displacement[body];
-    const double shift = std::hypot(static_cast<double>(moved.x), static_cast<double>(moved.y));
+    const double shift = static_cast<double>(std::sqrt(moved.x * moved.x + moved.y * moved.y));
     return std::max(speed, shift / bodies.lastStep) < settings.sleepSpeed;
 }
 
@@ -53,7 +53,10 @@ void startPart(StillWatch& watch, const BodyMotion& motion) {
 }
 
 /// Goes on with the watch of a slow body. Returns whether its mean speed has risen, and it has not lost it again.
-bool hasGained(StillWatch& watch, const BodyMotion& motion, double radius, const SolverSettings& settings, double dt) {
+/// alone(): in a heap, bodies push each other about, and none speeds up by itself. Asked at the end of a part.
+template <class Alone>
+bool hasGained(StillWatch& watch, const BodyMotion& motion, double radius, const SolverSettings& settings, double dt,
+               const Alone& alone) {
     watch.time += dt;
     if (watch.time + 0.5 * dt < settings.sleepTime / partsOfWatch) return watch.gained > 0;
     const double turned = std::fabs(motion.angle - watch.angle) * radius;
@@ -61,6 +64,7 @@ bool hasGained(StillWatch& watch, const BodyMotion& motion, double radius, const
     watch.least = std::min(watch.least, speed);
     const double gain = leastGain * settings.sleepSpeed + noise * radius / watch.time;
     if (speed > watch.least + gain) watch.gained = std::max(watch.gained, speed);
+    if (watch.gained > 0 && !alone()) watch.gained = 0;
     if (speed < shareKept * watch.gained) {
         watch.gained = 0;
         watch.least = speed;
@@ -89,8 +93,9 @@ bool countStillness(BodyStore& bodies, const ContactStore& contacts, const Joint
             const double speed = bodies.motion[body].velocity.norm();
             if (speed > 0.5 * settings.sleepSpeed && swings(bodies, contacts, joints, body)) watch.gained = speed;
         } else {
-            const bool gained = hasGained(watch, bodies.motion[body], record.boundingRadius, settings, dt);
-            record.stillTime = gained && isAlone(bodies, contacts, joints, body) ? dt : record.stillTime + dt;
+            const auto alone = [&] { return isAlone(bodies, contacts, joints, body); };
+            const bool gained = hasGained(watch, bodies.motion[body], record.boundingRadius, settings, dt, alone);
+            record.stillTime = gained ? dt : record.stillTime + dt;
         }
         anyReady = anyReady || record.stillTime >= settings.sleepTime;
     }

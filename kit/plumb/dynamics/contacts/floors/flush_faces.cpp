@@ -30,6 +30,12 @@ struct Corner {
     float separation = 0;
 };
 
+/// What counts as no distance there [m].
+double stepOf(const BodyStore& bodies, const Corner& corner) {
+    const double inradius = std::min(bodies.record[corner.owner].inradius, bodies.record[corner.slider].inradius);
+    return std::min(mostStep, stepShare * inradius);
+}
+
 bool isInside(const Convex& convex, const Vec2& point) {
     if (convex.count < 3) return false;
     for (int k = 0; k < convex.count; ++k) {
@@ -49,43 +55,54 @@ bool mayBeFloor(const BodyStore& bodies, BodyIndex body, BodyIndex slider, float
            (place.shiftX * place.shiftX + place.shiftY * place.shiftY <= far * far && place.turn <= far);
 }
 
+bool isPlainPolygon(const Convex& convex) {
+    return convex.count >= 3 && convex.radius == 0;
+}
+
+/// Calls f(corner's index) for the corners of the owner's shape where the contact is, as long as f returns false. The
+/// point may be anywhere between the surfaces, along the normal.
+template <class F>
+bool anyCornerNear(const Convex& convex, const Corner& at, double step, const F& f) {
+    if (!isPlainPolygon(convex)) return false;
+    const auto near = static_cast<float>(step);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(convex.count); ++i) {
+        const float x = at.point.x() - convex.vertices.x()[i], y = at.point.y() - convex.vertices.y()[i];
+        const float aside = std::fabs(x * at.normal.y() - y * at.normal.x()),
+                    along = std::fabs(x * at.normal.x() + y * at.normal.y());
+        if (aside <= near && along <= std::fabs(at.separation) + near && f(i)) return true;
+    }
+    return false;
+}
+
+/// Calls f(face, other face) for each face at a corner of which the other one has not the contact's normal.
+template <class F>
+void forFacesAt(const Convex& convex, std::size_t corner, const Vec2f& normal, const F& f) {
+    const std::size_t before = (corner == 0 ? static_cast<std::size_t>(convex.count) : corner) - 1;
+    for (const auto& [covered, open] : {std::pair(corner, before), std::pair(before, corner)})
+        if (Vec2(normal.template cast<double>()).dot(Vec2(convex.normals[open].template cast<double>())) <= sameNormal)
+            f(covered, open);
+}
+
 class Search {
 public:
     Search(const ContactStore& contacts, const BodyStore& bodies, const Space& space, const Corner& corner)
-        : contacts_(contacts), bodies_(bodies), space_(space), corner_(corner) {
-        const double inradius = std::min(bodies.record[corner.owner].inradius, bodies.record[corner.slider].inradius);
-        step_ = std::min(mostStep, stepShare * inradius);
-    }
+        : contacts_(contacts), bodies_(bodies), space_(space), corner_(corner), step_(stepOf(bodies, corner)) {}
 
     bool isCovered() const {
         const Convex& convex = space_[corner_.proxy].convex;
-        if (convex.count < 3 || convex.radius > 0) return false;
-        const auto count = static_cast<std::size_t>(convex.count);
-        for (std::size_t i = 0; i < count; ++i)
-            if (isNear(convex.vertices.x()[i], convex.vertices.y()[i]) && isCoveredAt(convex, i)) return true;
-        return false;
+        return anyCornerNear(convex, corner_, step_, [&](std::size_t i) { return isCoveredAt(convex, i); });
     }
 
 private:
-    /// The point may be anywhere between the surfaces, along the normal.
-    bool isNear(float x, float y) const {
-        const float awayX = corner_.point.x() - x, awayY = corner_.point.y() - y;
-        const auto step = static_cast<float>(step_);
-        return std::fabs(awayX * corner_.normal.y() - awayY * corner_.normal.x()) <= step &&
-               std::fabs(awayX * corner_.normal.x() + awayY * corner_.normal.y()) <=
-                   std::fabs(corner_.separation) + step;
-    }
-
     /// Is one of the faces at a corner covered, and the normal not that of the other, open one?
     bool isCoveredAt(const Convex& convex, std::size_t corner) const {
-        const auto count = static_cast<std::size_t>(convex.count);
-        const Vec2 vertex = convex.vertices[corner].cast<double>(), normal = corner_.normal.cast<double>();
-        const Vec2 after = convex.normals[corner].cast<double>(),
-                   before = convex.normals[(corner + count - 1) % count].cast<double>();
+        const Vec2 vertex = convex.vertices[corner].cast<double>();
         Vec2 points[2];
         std::size_t asked = 0;
-        for (const auto& [covered, open] : {std::pair(after, before), std::pair(before, after)})
-            if (normal.dot(open) <= sameNormal) points[asked++] = vertex + covered * step_ - open * (2 * step_);
+        forFacesAt(convex, corner, corner_.normal, [&](std::size_t covered, std::size_t open) {
+            const Vec2 out = convex.normals[covered].cast<double>(), up = convex.normals[open].cast<double>();
+            points[asked++] = vertex + out * step_ - up * (2 * step_);
+        });
         return isAnyInside({points, asked});
     }
 
@@ -117,8 +134,43 @@ private:
     const BodyStore& bodies_;
     const Space& space_;
     const Corner& corner_;
-    double step_ = 0;
+    double step_;
 };
+
+Corner seenFromA(const ContactRecord& contact, const Manifold& manifold) {
+    const ManifoldPoint& point = manifold.points[0];
+    return {contact.bodyA,  contact.bodyB,   contact.proxyA,  -contact.shift,
+            point.position, manifold.normal, point.separation};
+}
+
+Corner seenFromB(const BodyStore& bodies, const ContactRecord& contact, const Manifold& manifold) {
+    const ManifoldPoint& point = manifold.points[0];
+    const BodyMotion b = shifted(bodies.motion[contact.bodyB], contact.shift);
+    const RelativePose pose = relativePose(b, bodies.motion[contact.bodyA]);
+    const auto turned = [&pose](const Vec2f& v) {
+        return Vec2f(pose.cos * v.x() - pose.sin * v.y(), pose.sin * v.x() + pose.cos * v.y());
+    };
+    return {contact.bodyB,
+            contact.bodyA,
+            contact.proxyB,
+            contact.shift,
+            turned(point.position) + pose.position,
+            -turned(manifold.normal),
+            point.separation};
+}
+
+/// normal: of the contact, from A to B, in the frame of the corner's owner.
+void findFaces(const BodyStore& bodies, const Space& space, const Corner& corner, const Vec2f& normal,
+               std::uint8_t (&faces)[2]) {
+    const Convex& convex = space[corner.proxy].convex;
+    anyCornerNear(convex, corner, stepOf(bodies, corner), [&](std::size_t i) {
+        std::size_t found = 0;
+        forFacesAt(convex, i, corner.normal, [&](std::size_t covered, std::size_t) {
+            faces[found++] = faceFrom(normal, convex.normals[covered]);
+        });
+        return found > 0;
+    });
+}
 
 }  // namespace
 
@@ -140,28 +192,24 @@ int floorSides(const BodyStore& bodies, BodyIndex a, BodyIndex b, double dt) {
     return (mayBeFloor(bodies, a, b, step) ? floorA : 0) | (mayBeFloor(bodies, b, a, step) ? floorB : 0);
 }
 
+CornerFaces facesAt(const ContactStore& contacts, const BodyStore& bodies, const Space& space, ContactIndex index,
+                    const Manifold& manifold) {
+    const ContactRecord& contact = contacts[index];
+    CornerFaces faces = noFaces;
+    if (isPlainPolygon(space[contact.proxyA].convex))
+        findFaces(bodies, space, seenFromA(contact, manifold), manifold.normal, faces.ofA);
+    if (!isPlainPolygon(space[contact.proxyB].convex)) return faces;
+    const Corner onB = seenFromB(bodies, contact, manifold);
+    findFaces(bodies, space, onB, -onB.normal, faces.ofB);
+    return faces;
+}
+
 bool isAtCoveredFace(const ContactStore& contacts, const BodyStore& bodies, const Space& space, ContactIndex index,
                      const Manifold& manifold, int sides) {
     const ContactRecord& contact = contacts[index];
-    const ManifoldPoint& point = manifold.points[0];
-    const Vec2 shift = contact.shift;
-    const Corner onA{contact.bodyA,  contact.bodyB,   contact.proxyA,  -shift,
-                     point.position, manifold.normal, point.separation};
-    if ((sides & floorA) != 0 && Search(contacts, bodies, space, onA).isCovered()) return true;
-    if ((sides & floorB) == 0) return false;
-    const BodyMotion b = shifted(bodies.motion[contact.bodyB], shift);
-    const RelativePose pose = relativePose(b, bodies.motion[contact.bodyA]);
-    const auto turned = [&pose](const Vec2f& v) {
-        return Vec2f(pose.cos * v.x() - pose.sin * v.y(), pose.sin * v.x() + pose.cos * v.y());
-    };
-    const Corner onB{contact.bodyB,
-                     contact.bodyA,
-                     contact.proxyB,
-                     shift,
-                     turned(point.position) + pose.position,
-                     -turned(manifold.normal),
-                     point.separation};
-    return Search(contacts, bodies, space, onB).isCovered();
+    const auto covered = [&](const Corner& corner) { return Search(contacts, bodies, space, corner).isCovered(); };
+    return ((sides & floorA) != 0 && covered(seenFromA(contact, manifold))) ||
+           ((sides & floorB) != 0 && covered(seenFromB(bodies, contact, manifold)));
 }
 
 }  // namespace plumb

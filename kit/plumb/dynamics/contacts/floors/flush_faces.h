@@ -9,6 +9,7 @@
 // Test: "what slides over boxes laid flush goes on as over one box"
 #pragma once
 #include <plumb/dynamics/contacts/contact_store.h>
+#include <plumb/dynamics/contacts/floors/flush_sides.h>
 #include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
 
 namespace plumb {
@@ -20,6 +21,10 @@ bool someAtCorner(const FreshLanes& fresh, std::size_t count);  ///< in some of 
 /// Which of two bodies may be part of a floor on which the other one slides, in a step of dt [s]? Bits.
 inline constexpr int floorA = 1, floorB = 2;
 int floorSides(const BodyStore& bodies, BodyIndex a, BodyIndex b, double dt);
+
+/// The faces that meet at a contact's place, unless the contact's normal is that of the other face there.
+CornerFaces facesAt(const ContactStore& contacts, const BodyStore& bodies, const Space& space, ContactIndex contact,
+                    const Manifold& manifold);
 
 /// Of a contact at a corner; sides: the bodies that may be part of a floor.
 bool isAtCoveredFace(const ContactStore& contacts, const BodyStore& bodies, const Space& space, ContactIndex contact,

@@ -8,7 +8,7 @@
 #pragma once
 #include <plumb/collide/detail/facing_edges.h>
 #include <plumb/dynamics/contacts/lanes/classify_lanes.h>
-#include <plumb/dynamics/contacts/lanes/corner_rows.h>
+#include <plumb/dynamics/contacts/lanes/polygon_cores.h>
 
 namespace plumb {
 
@@ -18,23 +18,14 @@ struct PolygonCollider {
     using I = typename Wide<W>::Int;
     using M = typename Wide<W>::Mask;
     using Edges = FacingEdges<W>;
+    using Cores = PolygonCores<W>;
 
     static constexpr float parallelCosine = 0.9999f;  ///< as in collide/detail/polygon_manifold.cpp
-    static constexpr float roundings = 4 * 1.1920929e-7f;
 
     static F all(float value) { return F{} + value; }
     static I whole(int value) { return I{} + value; }
     static F at(const float* lanes) { return loadLanes<W>(lanes); }
     static F size(F x, F y) { return magnitude(x) + magnitude(y); }
-
-    /// W polygons. Rows from a polygon's count on are copies of its first corner.
-    struct Cores {
-        F x[mostCorners], y[mostCorners], normalX[mostCorners], normalY[mostCorners];
-        I count;
-        int most;  ///< the largest count
-
-        int after(int corner) const { return corner + 1 < mostCorners ? corner + 1 : 0; }
-    };
 
     /// An edge of each polygon, with a value by which it was chosen.
     struct Edge {
@@ -47,39 +38,6 @@ struct PolygonCollider {
             return next < count ? next : I{};
         }
     };
-
-    static int mostOf(const std::int32_t* counts) {
-        int most = 2;
-        for (int i = 0; i < W; ++i) most = counts[i] > most ? counts[i] : most;
-        return most;
-    }
-
-    static void loadFour(Cores& c, int first, const CornerRows* corners, const std::uint32_t* proxies) {
-        const float* rows = corners->x;
-        const Rows<W> x = loadRows<W, 16>(rows, proxies), y = loadRows<W, 16>(rows + 4, proxies);
-        const Rows<W> nx = loadRows<W, 16>(rows + 8, proxies), ny = loadRows<W, 16>(rows + 12, proxies);
-        const auto put = [first](F* to, const Rows<W>& from) {
-            to[first] = from.x;
-            to[first + 1] = from.y;
-            to[first + 2] = from.z;
-            to[first + 3] = from.w;
-        };
-        put(c.x, x);
-        put(c.y, y);
-        put(c.normalX, nx);
-        put(c.normalY, ny);
-    }
-
-    static void load(Cores& c, const std::int32_t* counts, const std::uint32_t* proxies, const CornerTable& table) {
-        c.count = loadLanes<W>(counts);
-        c.most = mostOf(counts);
-        loadFour(c, 0, table.first, proxies);
-        if (c.most > 4) loadFour(c, 4, table.more, proxies);
-        if (c.most == 4) {
-            c.x[4] = c.x[0];
-            c.y[4] = c.y[0];
-        }
-    }
 
     static void place(Cores& c, const RelativeLanes<W>& r) {
         const int end = c.most < mostCorners ? c.most + 1 : mostCorners;
@@ -150,7 +108,7 @@ struct PolygonCollider {
     static M usesB(const Edge& onA, const Edge& onB, F parted) {
         const F wholeA = size(onA.endX - onA.startX, onA.endY - onA.startY),
                 wholeB = size(onB.endX - onB.startX, onB.endY - onB.startY);
-        const F slack = roundings * (parted + size(onB.startX, onB.startY) + wholeA + wholeB) +
+        const F slack = lengthRoundings * (parted + size(onB.startX, onB.startY) + wholeA + wholeB) +
                         edgePreference * smaller(wholeA, wholeB);
         const M better = onB.value > onA.value, muchBetter = onB.value > onA.value + slack;
         const M parallel = onA.normalX * onB.normalX + onA.normalY * onB.normalY < all(-parallelCosine);
@@ -174,7 +132,7 @@ struct PolygonCollider {
         e.incidentEdge = e.high = incident.index;
         e.low = incident.after(incidentCount);
         const F length = size(e.wayX, e.wayY), incidentLength = size(e.highX - e.lowX, e.highY - e.lowY);
-        e.rounding = roundings * (parted + size(e.startX, e.startY) + length + incidentLength);
+        e.rounding = lengthRoundings * (parted + size(e.startX, e.startY) + length + incidentLength);
         e.slack = e.rounding + edgePreference * smaller(length, incidentLength);
         return e;
     }
@@ -204,8 +162,8 @@ struct PolygonCollider {
         const RelativeLanes<W> r =
             relativeLanes<W>(m.bodyA + lane, m.bodyB + lane, places, fresh.apartXFrom(lane), fresh.apartYFrom(lane));
         Cores a, b;
-        load(a, m.cornersA + lane, m.proxyA + lane, table);
-        load(b, m.cornersB + lane, m.proxyB + lane, table);
+        a.load(m.cornersA + lane, m.proxyA + lane, table);
+        b.load(m.cornersB + lane, m.proxyB + lane, table);
         place(b, r);
         const F radiusA = at(m.radiusA + lane), radiusB = at(m.radiusB + lane), parted = size(r.dx, r.dy);
         const Edge onA = bestAxis(a, b), onB = bestAxis(b, a);

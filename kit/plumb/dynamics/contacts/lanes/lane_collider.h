@@ -11,8 +11,9 @@ namespace plumb {
 struct LaneCollider {
     /// Finds where boxes touch. A box with a rounding radius is treated as a box that is larger by the radius.
     void (*collideBoxes)(const PairLanes& pairs, const BodyPlace* places, FreshLanes& fresh, std::size_t used);
-    /// Finds where discs touch discs or boxes. Lanes without a disc stay as they are.
-    void (*collideDiscs)(const PairLanes& pairs, const BodyPlace* places, FreshLanes& fresh, std::size_t used);
+    /// Finds where discs touch discs, boxes or polygons. Lanes without a disc stay as they are.
+    void (*collideDiscs)(const PairLanes& pairs, const BodyPlace* places, const CornerTable& corners, FreshLanes& fresh,
+                         std::size_t used);
     /// Finds where polygons touch, in the lanes for which wanted is not 0.
     void (*collidePolygons)(const PairLanes& pairs, const BodyPlace* places, const CornerTable& corners,
                             const std::int32_t* wanted, FreshLanes& fresh, std::size_t used);

@@ -16,9 +16,10 @@ struct BatchCollider {
         for (int lane = 0; lane < static_cast<int>(used); lane += W)
             BoxCollider<W>::collide(pairs, lane, places, fresh);
     }
-    static void collideDiscs(const PairLanes& pairs, const BodyPlace* places, FreshLanes& fresh, std::size_t used) {
+    static void collideDiscs(const PairLanes& pairs, const BodyPlace* places, const CornerTable& corners,
+                             FreshLanes& fresh, std::size_t used) {
         for (int lane = 0; lane < static_cast<int>(used); lane += W)
-            DiscCollider<W>::collide(pairs, lane, places, fresh);
+            DiscCollider<W>::collide(pairs, lane, places, corners, fresh);
     }
     static void collidePolygons(const PairLanes& pairs, const BodyPlace* places, const CornerTable& corners,
                                 const std::int32_t* wanted, FreshLanes& fresh, std::size_t used) {
