@@ -109,17 +109,19 @@ Distance coreDistance(const Outline& a, const Outline& b) {
     return nearerB ? exchanged(best.distance) : best.distance;
 }
 
+Distance distance(const Outline& a, const Outline& b, const Vec2& origin) {
+    Distance result = coreDistance(a, b);
+    result.separation -= a.radius + b.radius;
+    result.pointA += result.normal * a.radius + origin;
+    result.pointB += origin - result.normal * b.radius;
+    return result;
+}
+
 namespace {
 
 Distance pieceDistance(const Shape& a, const Transform& poseA, const Shape& b, const Transform& poseB) {
     const Vec2& origin = poseA.position;
-    const Outline outlineA = outlineOf(a, poseA, origin);
-    const Outline outlineB = outlineOf(b, poseB, origin);
-    Distance result = coreDistance(outlineA, outlineB);
-    result.separation -= outlineA.radius + outlineB.radius;
-    result.pointA += result.normal * outlineA.radius + origin;
-    result.pointB += origin - result.normal * outlineB.radius;
-    return result;
+    return distance(outlineOf(a, poseA, origin), outlineOf(b, poseB, origin), origin);
 }
 
 }  // namespace

@@ -59,10 +59,16 @@ Outline outlineOf(const TileMap&) {
 
 Outline outlineOf(const Shape& shape, const Transform& pose, const Vec2& origin) {
     Outline outline = std::visit([](const auto& s) { return outlineOf(s); }, shape);
-    const Vec2 shift = pose.position - origin;
-    for (std::size_t i = 0; i < outline.count; ++i) outline.corners[i] = pose.rotation * outline.corners[i] + shift;
-    for (std::size_t i = 0; i < outline.edges; ++i) outline.normals[i] = pose.rotation * outline.normals[i];
+    place(outline, pose.rotation, pose.position - origin, outline);
     return outline;
+}
+
+void place(const Outline& outline, const Rot& rotation, const Vec2& shift, Outline& placed) {
+    placed.count = outline.count;
+    placed.edges = outline.edges;
+    placed.radius = outline.radius;
+    for (std::size_t i = 0; i < outline.count; ++i) placed.corners[i] = rotation * outline.corners[i] + shift;
+    for (std::size_t i = 0; i < outline.edges; ++i) placed.normals[i] = rotation * outline.normals[i];
 }
 
 }  // namespace plumb

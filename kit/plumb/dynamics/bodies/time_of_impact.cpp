@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include <plumb/collide/detail/outline.h>
 #include <plumb/dynamics/bodies/shape_radii.h>
+#include <plumb/shapes/chain.h>
 
 namespace plumb {
 
@@ -25,6 +27,50 @@ constexpr double near = 1e-2;
 Transform poseOf(const MovingShape& s, const BodyMotion& motion) {
     return {motion.center - motion.rotation * s.localCenter, motion.rotation};
 }
+
+/// A moving shape with what is the same at each time.
+struct Mover {
+    explicit Mover(const MovingShape& shape)
+        : moving(shape),
+          outline(outlineOf(*shape.shape, {}, shape.localCenter)),
+          turningRadius(turningRadiusOf(*shape.shape, shape.localCenter)) {}
+
+    BodyMotion at(double time) const { return moveFreely(moving.from, moving.law, time - moving.time); }
+
+    const MovingShape& moving;
+    Outline outline;  ///< from the centre of mass, not rotated
+    double turningRadius;
+};
+
+/// Two shapes in free motion.
+class MovingPair {
+public:
+    MovingPair(const MovingShape& a, const MovingShape& b)
+        : a(a), b(b), inPieces_(hasPieces(*a.shape) || hasPieces(*b.shape)) {}
+
+    Encounter at(double time) {
+        Encounter e;
+        e.a = a.at(time);
+        e.b = b.at(time);
+        e.distance = distanceAt(e.a, e.b);
+        const Vec2 relative = velocityAt(e.b, e.distance.pointB) - velocityAt(e.a, e.distance.pointA);
+        e.closingSpeed = -relative.dot(e.distance.normal);
+        return e;
+    }
+
+    const Mover a, b;
+
+private:
+    Distance distanceAt(const BodyMotion& atA, const BodyMotion& atB) {
+        if (inPieces_) return distance(*a.moving.shape, poseOf(a.moving, atA), *b.moving.shape, poseOf(b.moving, atB));
+        place(a.outline, atA.rotation, {0, 0}, placedA_);
+        place(b.outline, atB.rotation, atB.center - atA.center, placedB_);
+        return distance(placedA_, placedB_, atA.center);
+    }
+
+    bool inPieces_;
+    Outline placedA_, placedB_;
+};
 
 /// An upper bound on how far two shapes approach along a normal in a time t: speed * t + bend / 2 * t^2 [m].
 struct ClosingBound {
@@ -49,8 +95,9 @@ Pull pullOn(const MovingShape& s, const BodyMotion& now) {
 
 /// The bound on the approach of b towards a, in the frame of a, which rotates. In that frame the spin of a large body a
 /// counts only by the distance to b. The bound holds for the time left [s].
-ClosingBound approachTo(const MovingShape& a, const MovingShape& b, const BodyMotion& nowA, const BodyMotion& nowB,
+ClosingBound approachTo(const Mover& moverA, const Mover& moverB, const BodyMotion& nowA, const BodyMotion& nowB,
                         const Vec2& normal, double left) {
+    const MovingShape &a = moverA.moving, &b = moverB.moving;
     const Pull pullA = pullOn(a, nowA), pullB = pullOn(b, nowB);
     const Vec2 between = nowB.center - nowA.center, relative = nowB.velocity - nowA.velocity;
     const double uneven = std::fabs(b.law.linearDamping - a.law.linearDamping) * pullA.linear.norm() * left;
@@ -61,46 +108,49 @@ ClosingBound approachTo(const MovingShape& a, const MovingShape& b, const BodyMo
     const double turn =
         std::fabs(nowB.angularVelocity - nowA.angularVelocity) + (swing + std::fabs(pullB.angular)) * left;
     const double closing = (perp(between) * nowA.angularVelocity - relative).dot(normal);
-    return {closing + turn * turningRadiusOf(*b.shape, b.localCenter),
-            pull + swing * farthest + spin * (2 * fastest + spin * farthest)};
+    return {closing + turn * moverB.turningRadius, pull + swing * farthest + spin * (2 * fastest + spin * farthest)};
 }
 
 /// The bound in the frame of the world, in which the outlines turn. It is the better one if both bodies spin.
-ClosingBound approachOf(const MovingShape& a, const MovingShape& b, const Encounter& now, double left) {
-    const Pull pullA = pullOn(a, now.a), pullB = pullOn(b, now.b);
-    const auto outline = [left](const MovingShape& s, const BodyMotion& motion, const Pull& pull) {
-        return (std::fabs(motion.angularVelocity) + std::fabs(pull.angular) * left) *
-               turningRadiusOf(*s.shape, s.localCenter);
+ClosingBound approachOf(const Mover& a, const Mover& b, const Encounter& now, double left) {
+    const Pull pullA = pullOn(a.moving, now.a), pullB = pullOn(b.moving, now.b);
+    const auto outline = [left](const Mover& mover, const BodyMotion& motion, const Pull& pull) {
+        return (std::fabs(motion.angularVelocity) + std::fabs(pull.angular) * left) * mover.turningRadius;
     };
-    const double uneven = std::fabs(b.law.linearDamping - a.law.linearDamping) * pullA.linear.norm() * left;
+    const double dampingA = a.moving.law.linearDamping, dampingB = b.moving.law.linearDamping;
+    const double uneven = std::fabs(dampingB - dampingA) * pullA.linear.norm() * left;
     const Vec2 relative = now.b.velocity - now.a.velocity;
     return {outline(a, now.a, pullA) + outline(b, now.b, pullB) - relative.dot(now.distance.normal),
             (pullB.linear - pullA.linear).norm() + uneven};
 }
 
-/// For this long, the two do not come nearer by this distance: by the better of the bounds in the frame of the larger
-/// body and in that of the world [s].
-double safeTime(const MovingShape& a, const MovingShape& b, const Encounter& now, double left, double distance) {
-    const ClosingBound inLarger = a.boundingRadius >= b.boundingRadius
-                                      ? approachTo(a, b, now.a, now.b, now.distance.normal, left)
-                                      : approachTo(b, a, now.b, now.a, -now.distance.normal, left);
-    return std::max(inLarger.safeTime(distance), approachOf(a, b, now, left).safeTime(distance));
-}
+/// Bounds in the frame of the larger body and in that of the world: the better one counts.
+struct ClosingBounds {
+    ClosingBounds(const MovingPair& pair, const Encounter& now, double left)
+        : inLarger(pair.a.moving.boundingRadius >= pair.b.moving.boundingRadius
+                       ? approachTo(pair.a, pair.b, now.a, now.b, now.distance.normal, left)
+                       : approachTo(pair.b, pair.a, now.b, now.a, -now.distance.normal, left)),
+          inWorld(approachOf(pair.a, pair.b, now, left)) {}
+
+    /// For this long, the two do not come nearer by this distance [s].
+    double safeTime(double distance) const { return std::max(inLarger.safeTime(distance), inWorld.safeTime(distance)); }
+
+    ClosingBound inLarger, inWorld;
+};
 
 /// The time of the touch, from a time before it and a time after it. The result is exact to the touch tolerance, and
 /// never after the touch.
 /// Method: regula falsi. If the same end of the bracket stays twice, its weight is halved; in every eighth step, and if
 /// a step would leave the bracket, bisection.
 /// Source: Dowell and Jarratt, "A modified regula falsi method", 1971.
-double bracketed(const MovingShape& a, const MovingShape& b, double before, double separationBefore, double after,
-                 double separationAfter) {
+double bracketed(MovingPair& pair, double before, double separationBefore, double after, double separationAfter) {
     double outside = separationBefore, inside = separationAfter;
     int side = 0;
     for (int i = 0; i < 100; ++i) {
         double middle = before + (after - before) * (outside / (outside - inside));
         if (i % 8 == 7 || !(middle > before && middle < after)) middle = before + 0.5 * (after - before);
         if (middle <= before || middle >= after) break;
-        const double separation = encounterAt(a, b, middle).distance.separation;
+        const double separation = pair.at(middle).distance.separation;
         if (separation >= 0 && separation <= touch) return middle;
         const int now = separation > 0 ? 1 : -1;
         (now > 0 ? before : after) = middle;
@@ -156,13 +206,7 @@ const Circle* discOf(const MovingShape& s) {
 }
 
 Encounter encounterAt(const MovingShape& a, const MovingShape& b, double time) {
-    Encounter e;
-    e.a = moveFreely(a.from, a.law, time - a.time);
-    e.b = moveFreely(b.from, b.law, time - b.time);
-    e.distance = distance(*a.shape, poseOf(a, e.a), *b.shape, poseOf(b, e.b));
-    const Vec2 relative = velocityAt(e.b, e.distance.pointB) - velocityAt(e.a, e.distance.pointA);
-    e.closingSpeed = -relative.dot(e.distance.normal);
-    return e;
+    return MovingPair(a, b).at(time);
 }
 
 std::optional<double> timeOfImpact(const MovingShape& a, const MovingShape& b, double from, double to) {
@@ -170,26 +214,29 @@ std::optional<double> timeOfImpact(const MovingShape& a, const MovingShape& b, d
     if (discA != nullptr && discB != nullptr && fallAlike(a, b))
         return timeOfImpactOfDiscs(a, b, discA->radius + discB->radius, from, to);
     if (!mayMeet(a, b, from, to)) return std::nullopt;
+    MovingPair pair(a, b);
     const double scale = std::max(a.boundingRadius, b.boundingRadius), whole = to - from, shortest = whole * 1e-12;
-    const double thick = 0.5 * (inradiusOf(*a.shape) + inradiusOf(*b.shape));
-    double time = from;
-    Encounter now = encounterAt(a, b, time);
+    double time = from, thick = -1;
+    Encounter now = pair.at(time);
     for (int i = 0; i < 1000; ++i) {
         const double separation = now.distance.separation, left = to - time;
         const bool touches = separation <= (i == 0 ? resting : touch);
         if (touches && now.closingSpeed > 0) return time;
         const bool turns = now.a.angularVelocity != 0 || now.b.angularVelocity != 0;
         if (touches && i == 0 && !turns) return std::nullopt;  // they separate and cannot meet again
-        const double safe = touches ? 0.0 : safeTime(a, b, now, left, separation);
-        const double through = thick > 0 ? safeTime(a, b, now, left, thick) : whole;
+        const ClosingBounds bounds(pair, now, left);
+        const double safe = touches ? 0.0 : bounds.safeTime(separation);
+        if (safe >= left) return std::nullopt;
+        if (thick < 0) thick = 0.5 * (inradiusOf(*a.shape) + inradiusOf(*b.shape));
+        const double through = thick > 0 ? bounds.safeTime(thick) : whole;
         const double least = std::max(std::min(through, whole) * always, shortest);
-        if ((touches ? least : safe) >= left) return std::nullopt;
+        if (touches && least >= left) return std::nullopt;
         const bool newton = separation < near * scale && now.closingSpeed * safe > 0.01 * separation;
         const double step = newton ? std::max(separation / now.closingSpeed, shortest) : std::max(safe, least);
         const double next = std::min(time + step, to);
-        const Encounter ahead = encounterAt(a, b, next);
+        const Encounter ahead = pair.at(next);
         const double rest = ahead.distance.separation;
-        if (rest < 0 && !touches) return bracketed(a, b, time, separation, next, rest);
+        if (rest < 0 && !touches) return bracketed(pair, time, separation, next, rest);
         if (next >= to) return rest <= touch && now.closingSpeed > 0 ? std::optional<double>(to) : std::nullopt;
         time = next;
         now = ahead;

@@ -39,17 +39,17 @@ Manifold predictedManifold(const BodyStore& bodies, const Space& space, const Sh
     b.from.center += Vec2(pair.shiftX, pair.shiftY);
     const std::optional<double> time = timeOfImpact(a, b, 0, dt);
     if (!time) return {};
-    const Encounter meeting = encounterAt(a, b, *time);
-    Manifold m = manifold(proxyA.convex, proxyB.convex, relativePose(meeting.a, meeting.b), contactMargin);
+    const BodyMotion metA = moveFreely(a.from, a.law, *time), metB = moveFreely(b.from, b.law, *time);
+    Manifold m = manifold(proxyA.convex, proxyB.convex, relativePose(metA, metB), contactMargin);
     // Transform back to the step's start. A point's separation there is the distance that it has to close along the
     // normal. Points keep their places in A's frame.
-    const Rot back = meeting.a.rotation * a.from.rotation.inverse();
-    const Vec2 normal = meeting.a.rotation * Vec2(m.normal.cast<double>());
+    const Rot back = metA.rotation * a.from.rotation.inverse();
+    const Vec2 normal = metA.rotation * Vec2(m.normal.cast<double>());
     for (ManifoldPoint& point : m.points) {
         const Vec2 local = point.position.cast<double>();
-        const Vec2 at = meeting.a.center + meeting.a.rotation * local;
-        const Vec2 armB = (meeting.b.rotation.inverse() * b.from.rotation) * Vec2(at - meeting.b.center);
-        const Vec2 startA = a.from.center + back.inverse() * Vec2(at - meeting.a.center);
+        const Vec2 at = metA.center + metA.rotation * local;
+        const Vec2 armB = (metB.rotation.inverse() * b.from.rotation) * Vec2(at - metB.center);
+        const Vec2 startA = a.from.center + back.inverse() * Vec2(at - metA.center);
         const Vec2 startB = b.from.center + armB;
         point.separation += static_cast<float>((startB - startA).dot(normal));
         point.separation = std::min(point.separation, margin);
