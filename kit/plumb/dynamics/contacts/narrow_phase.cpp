@@ -27,7 +27,8 @@ NarrowPhase::NarrowPhase(ContactGraph& graph, ContactStore& contacts, BodyStore&
 
 void NarrowPhase::collideSolved() {
     contacts_.predicted.clear();
-    for (std::size_t index = 0; index < graph_.colours.size(); ++index) collideColour(index);
+    FreshLanes fresh{};  // lanes that are not in use are prepared, too: they must be finite
+    for (std::size_t index = 0; index < graph_.colours.size(); ++index) collideColour(index, fresh);
     const std::vector<ContactIndex> through = findLetThrough(contacts_, graph_, bodies_, space_);
     parted_.insert(parted_.end(), through.begin(), through.end());
     removeParted(contacts_.nearBoxes);
@@ -75,9 +76,9 @@ void NarrowPhase::finish() {
     for (Arrivals& some : arrivals_) addToSolver(some);
 }
 
-void NarrowPhase::collideColour(std::size_t index) {
+/// fresh: scratch.
+void NarrowPhase::collideColour(std::size_t index, FreshLanes& fresh) {
     Colour& colour = graph_.colours[index];
-    FreshLanes fresh{};  // lanes that are not in use are prepared, too: they must be finite
     for (std::size_t b = 0; b < colour.batches.size(); ++b) {
         const std::size_t first = b * batchLanes;
         const std::size_t count = std::min<std::size_t>(batchLanes, colour.contactOf.size() - first);

@@ -47,7 +47,7 @@ private:
         std::size_t count = 0;
     };
 
-    void collideColour(std::size_t index);
+    void collideColour(std::size_t index, FreshLanes& fresh);
     void prepare(ContactBatch& batch, ManifoldLanes& manifolds, const FreshLanes& fresh, std::size_t used) const;
     void removeParted(NearPairs& near);
     bool mayArrive(ContactIndex contact, const FreshLanes& fresh, std::size_t lane);
