@@ -15,45 +15,55 @@ namespace {
 
 /// New bounds are larger than this step needs by this margin, so that a slow body keeps its bounds for many steps [m].
 constexpr double boundsMargin = 0.01;
+/// Of the numbers of which bounds are made [-].
+constexpr float roundings = 5e-7f;
 
-/// The bounds of up to four corners around a body's centre.
-void addCorners(const CornerRows& corners, const BodyMotion& motion, Vec2f& lower, Vec2f& upper) {
+/// Bounds relative to a body's centre [m].
+struct Extent {
+    Vec2f lower, upper;
+};
+
+Extent boxExtent(const BoxOutline& box, float c, float s) {
+    const Vec2f center(c * box.centerX - s * box.centerY, s * box.centerX + c * box.centerY);
+    const float absC = std::fabs(c), absS = std::fabs(s);
+    const Vec2f half(absC * box.halfX + absS * box.halfY + box.radius,
+                     absS * box.halfX + absC * box.halfY + box.radius);
+    return {center - half, center + half};
+}
+
+/// Takes in up to four corners.
+void addCorners(const CornerRows& corners, float c, float s, Extent& extent) {
     using Four = Eigen::Array4f;
-    const auto c = static_cast<float>(motion.rotation.cos), s = static_cast<float>(motion.rotation.sin);
     const Four x = Eigen::Map<const Four>(corners.x), y = Eigen::Map<const Four>(corners.y);
     const Four turnedX = c * x - s * y, turnedY = s * x + c * y;
-    lower = lower.cwiseMin(Vec2f(turnedX.minCoeff(), turnedY.minCoeff()));
-    upper = upper.cwiseMax(Vec2f(turnedX.maxCoeff(), turnedY.maxCoeff()));
+    extent.lower = extent.lower.cwiseMin(Vec2f(turnedX.minCoeff(), turnedY.minCoeff()));
+    extent.upper = extent.upper.cwiseMax(Vec2f(turnedX.maxCoeff(), turnedY.maxCoeff()));
 }
 
-/// In floats from the body's centre: the bounds have a margin far above their rounding.
-Aabb polygonBox(const ContactStore& contacts, ProxyId proxy, const BodyMotion& motion) {
+Extent polygonExtent(const ContactStore& contacts, ProxyId proxy, float c, float s) {
     const BoxOutline& box = contacts.boxes[proxy];
     constexpr float infinite = std::numeric_limits<float>::infinity();
-    Vec2f lower(infinite, infinite), upper(-infinite, -infinite);
-    addCorners(contacts.corners[proxy], motion, lower, upper);
-    if (box.corners > 4) addCorners(contacts.moreCorners[proxy], motion, lower, upper);
-    return inflate({motion.center + lower.cast<double>(), motion.center + upper.cast<double>()},
-                   static_cast<double>(box.radius));
+    Extent extent{Vec2f(infinite, infinite), Vec2f(-infinite, -infinite)};
+    addCorners(contacts.corners[proxy], c, s, extent);
+    if (box.corners > 4) addCorners(contacts.moreCorners[proxy], c, s, extent);
+    return {extent.lower - Vec2f(box.radius, box.radius), extent.upper + Vec2f(box.radius, box.radius)};
 }
 
-Aabb tightBox(const Space& space, const ContactStore& contacts, ProxyId proxy, const BodyMotion& motion,
-              const Transform& pose) {
+Extent extentOf(const Space& space, const BodyStore& bodies, const ContactStore& contacts, BodyIndex body,
+                ProxyId proxy) {
     const BoxOutline& box = contacts.boxes[proxy];
-    if (box.kind == BoxOutline::Kind::Other && box.corners > 0) return polygonBox(contacts, proxy, motion);
-    if (box.kind == BoxOutline::Kind::Other) return aabbOf(space[proxy].def.shape, pose);
-    const double c = motion.rotation.cos;
-    const double s = motion.rotation.sin;
-    const double x = static_cast<double>(box.centerX), y = static_cast<double>(box.centerY);
-    const double hx = static_cast<double>(box.halfX), hy = static_cast<double>(box.halfY);
-    const Vec2 center(motion.center.x() + (c * x - s * y), motion.center.y() + (s * x + c * y));
-    const Vec2 half(std::fabs(c) * hx + std::fabs(s) * hy, std::fabs(s) * hx + std::fabs(c) * hy);
-    return inflate({center - half, center + half}, static_cast<double>(box.radius));
+    const BodyMotion& motion = bodies.motion[body];
+    const auto c = static_cast<float>(motion.rotation.cos), s = static_cast<float>(motion.rotation.sin);
+    if (box.kind != BoxOutline::Kind::Other) return boxExtent(box, c, s);
+    if (box.corners > 0) return polygonExtent(contacts, proxy, c, s);
+    const Aabb tight = aabbOf(space[proxy].def.shape, bodies.pose(body));
+    return {Vec2(tight.lower - motion.center).cast<float>(), Vec2(tight.upper - motion.center).cast<float>()};
 }
 
 /// How far a rotation can move a sensor's points: a body's turningRadius does not include its sensors [m].
-double sensorTurn(const Shape& shape, const BodyRecord& record, const BodyMotion& motion, double dt) {
-    return turningRadiusOf(shape, record.localCenter) * std::min(std::fabs(motion.angularVelocity) * dt, 2.0);
+float sensorTurn(const Shape& shape, const BodyRecord& record, const BodyMotion& motion, double dt) {
+    const double turn = std::min(std::fabs(motion.angularVelocity) * dt, 2.0);
+    return static_cast<float>(turningRadiusOf(shape, record.localCenter) * turn);
 }
 
 }  // namespace
@@ -73,23 +83,26 @@ double excessOfPrediction(const BodyStore& bodies, BodyIndex body, const Vec2& m
     return aside + std::max(turned - static_cast<double>(bodies.place[body].turn), 0.0);
 }
 
+/// The bounds contain the shape now, and where it is at the end of the step if nothing touches it, and where it may be
+/// if it bounces back in any direction, with at most its restitution times its speed.
 void placeBounds(Space& space, const BodyStore& bodies, const ContactStore& contacts, BodyIndex body, double dt) {
     const BodyRecord& record = bodies.record[body];
     const BodyMotion& motion = bodies.motion[body];
-    const BodyPlace& place = bodies.place[body];
     const bool moves = record.awake && dt > 0;
-    const Vec2 shift = moves ? predictedShift(bodies, body) : Vec2(0, 0);
-    const double turn = moves ? static_cast<double>(place.turn) : 0.0;
-    const Transform pose = bodies.pose(body);
+    const Vec2f shift = moves ? Vec2f(predictedShift(bodies, body).cast<float>()) : Vec2f(0, 0);
+    const float turn = moves ? bodies.place[body].turn : 0.0f;
+    const float way = std::sqrt(shift.x() * shift.x() + shift.y() * shift.y());
     for (const ProxyId proxy : bodies.links[body].proxies) {
         const BoxOutline& outline = contacts.boxes[proxy];
-        const double swing = outline.sensor && moves ? sensorTurn(space[proxy].def.shape, record, motion, dt) : turn;
-        const Aabb now =
-            inflate(tightBox(space, contacts, proxy, motion, pose), 0.5 * static_cast<double>(contactMargin) + swing);
-        const Aabb ahead{now.lower + shift, now.upper + shift};
-        // It may bounce back in any direction, with at most its restitution times its speed.
-        const Aabb back = inflate(now, static_cast<double>(outline.restitution) * shift.norm());
-        space.place(proxy, merge(ahead, back), boundsMargin);
+        const Extent now = extentOf(space, bodies, contacts, body, proxy);
+        const bool sensor = outline.sensor && moves;
+        const float swing = sensor ? sensorTurn(space[proxy].def.shape, record, motion, dt) : turn;
+        const float back = outline.restitution * way, spare = 0.5f * contactMargin + swing;
+        const Vec2f below(spare + std::max(back, -shift.x()), spare + std::max(back, -shift.y()));
+        const Vec2f above(spare + std::max(back, shift.x()), spare + std::max(back, shift.y()));
+        const Vec2f lower = now.lower - below - now.lower.cwiseAbs() * roundings;
+        const Vec2f upper = now.upper + above + now.upper.cwiseAbs() * roundings;
+        space.place(proxy, {motion.center + lower.cast<double>(), motion.center + upper.cast<double>()}, boundsMargin);
     }
 }
 
