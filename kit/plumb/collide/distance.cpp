@@ -44,41 +44,51 @@ Distance along(const FarAxis& axis, const Outline& a, const Outline& b) {
     return {axis.separation, normal, pointA, pointA + normal * axis.separation};
 }
 
-/// The nearest pair found so far of a corner and an edge.
+/// A corner of one shape and an edge of the other.
 struct Nearest {
-    double squared = std::numeric_limits<double>::infinity();
-    Distance distance;  ///< from the edge's shape to the corner's
+    double squared = std::numeric_limits<double>::infinity();  ///< of their distance [m^2]
+    std::size_t edge = 0, corner = 0;
 };
 
-/// A corner against edge i of a.
-Nearest cornerAgainstEdge(const Vec2& corner, const Outline& a, std::size_t i) {
-    const Vec2& start = a.corners[i];
-    const Vec2& end = a.corners[a.after(i)];
-    const Vec2 edge = end - start;
-    const Vec2 fromStart = corner - start;
-    const Vec2 fromEnd = corner - end;
-    const bool behindStart = fromStart.dot(edge) > 0;
-    if (behindStart && fromEnd.dot(edge) < 0) {
-        const double separation = a.normals[i].dot(fromStart);
-        return {separation * separation, {separation, a.normals[i], corner - a.normals[i] * separation, corner}};
-    }
-    const Vec2& between = behindStart ? fromEnd : fromStart;
-    const double squared = between.dot(between);
-    const double separation = std::sqrt(squared);
-    return {squared, {separation, between / separation, behindStart ? end : start, corner}};
-}
-
-/// Corners of b against those edges of a that face the direction in which the two are separated.
+/// Corners of b against those edges of a that face the direction in which the two are separated. A corner that is
+/// behind the line of an edge is nearer to another one.
 Nearest nearestOf(const Outline& a, const Outline& b, const Vec2& apart) {
     Nearest best;
     for (std::size_t i = 0; i < a.edges; ++i) {
         if (a.normals[i].dot(apart) <= 0) continue;
+        const Vec2 &start = a.corners[i], &end = a.corners[a.after(i)];
+        const Vec2 edge = end - start;
         for (std::size_t j = 0; j < b.count; ++j) {
-            const Nearest here = cornerAgainstEdge(b.corners[j], a, i);
-            if (here.squared < best.squared) best = here;
+            const Vec2 fromStart = b.corners[j] - start;
+            const double outside = a.normals[i].dot(fromStart);
+            double squared = outside * outside;
+            if (!(outside > 0) || squared >= best.squared) continue;
+            const Vec2 fromEnd = b.corners[j] - end;
+            if (!(fromStart.dot(edge) > 0))
+                squared = fromStart.squaredNorm();
+            else if (!(fromEnd.dot(edge) < 0))
+                squared = fromEnd.squaredNorm();
+            if (squared < best.squared) best = {squared, i, j};
         }
     }
     return best;
+}
+
+/// From the edge's shape to the corner's.
+Distance distanceOf(const Nearest& nearest, const Outline& a, const Outline& b) {
+    const Vec2& start = a.corners[nearest.edge];
+    const Vec2& end = a.corners[a.after(nearest.edge)];
+    const Vec2& corner = b.corners[nearest.corner];
+    const Vec2 edge = end - start, fromStart = corner - start, fromEnd = corner - end;
+    const bool behindStart = fromStart.dot(edge) > 0;
+    if (behindStart && fromEnd.dot(edge) < 0) {
+        const Vec2& normal = a.normals[nearest.edge];
+        const double separation = normal.dot(fromStart);
+        return {separation, normal, corner - normal * separation, corner};
+    }
+    const Vec2& between = behindStart ? fromEnd : fromStart;
+    const double separation = std::sqrt(between.dot(between));
+    return {separation, between / separation, behindStart ? end : start, corner};
 }
 
 Distance exchanged(const Distance& d) {
@@ -106,7 +116,7 @@ Distance coreDistance(const Outline& a, const Outline& b) {
     const Nearest& best = nearerB ? fromB : fromA;
     // So near that squares underflow, or so far that they overflow; or a position is NaN.
     if (!(best.squared > 0 && best.squared < std::numeric_limits<double>::infinity())) return axis;
-    return nearerB ? exchanged(best.distance) : best.distance;
+    return nearerB ? exchanged(distanceOf(best, b, a)) : distanceOf(best, a, b);
 }
 
 Distance distance(const Outline& a, const Outline& b, const Vec2& origin) {

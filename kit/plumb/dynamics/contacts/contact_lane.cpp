@@ -47,6 +47,7 @@ void setFresh(FreshLanes& fresh, std::size_t lane, const Manifold& manifold) {
     fresh.normalY[lane] = manifold.normal.y();
     fresh.count[lane] = manifold.count;
     fresh.uncertain[lane] = 0;
+    fresh.inset[lane] = 0;
     for (std::size_t p = 0; p < 2; ++p) {
         const ManifoldPoint& point = manifold.points[p];
         fresh.points[p].x[lane] = point.position.x();

@@ -178,7 +178,8 @@ bool isAtCorner(const FreshLanes& fresh, std::size_t lane) {
     const float x = fresh.points[1].x[lane] - fresh.points[0].x[lane];
     const float y = fresh.points[1].y[lane] - fresh.points[0].y[lane];
     const bool same = x * x + y * y <= static_cast<float>(mostStep * mostStep);
-    return (fresh.count[lane] == 1) | ((fresh.count[lane] == 2) & same);
+    const bool single = (fresh.count[lane] == 1) & (fresh.inset[lane] <= static_cast<float>(mostStep));
+    return single | ((fresh.count[lane] == 2) & same);
 }
 
 bool someAtCorner(const FreshLanes& fresh, std::size_t count) {

@@ -249,6 +249,7 @@ struct BoxCollider {
             reachOf<W>(r, normalX, normalY, nearest, count0 + count1, result.corner ? F{} : result.length);
         storeLanes(fresh.count + lane, reach.count);
         storeLanes(fresh.uncertain + lane, reach.uncertain);
+        storeLanes(fresh.inset + lane, F{});
         for (int i = 0; i < 2; ++i) {
             const Point& own = result.points[i];
             const Point& second = result.points[1];

@@ -143,6 +143,7 @@ struct DiscCollider {
         to.put(fresh.normalY, normalY);
         to.put(fresh.count, reach.count);
         to.put(fresh.uncertain, reach.uncertain);
+        to.put(fresh.inset, n.play);
         FreshPoint &point = fresh.points[0], &none = fresh.points[1];
         to.put(point.x, (boxIsB ? turnedX : x) + normalX * further);
         to.put(point.y, (boxIsB ? turnedY : y) + normalY * further);

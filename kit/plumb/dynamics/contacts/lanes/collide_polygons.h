@@ -143,6 +143,7 @@ struct PolygonCollider {
         to.put(to.fresh.normalY, normalY);
         to.put(to.fresh.count, reach.count);
         to.put(to.fresh.uncertain, reach.uncertain);
+        to.put(to.fresh.inset, F{});
         for (int p = 0; p < 2; ++p) {
             const auto& point = touch.points[p];
             FreshPoint& out = to.fresh.points[p];

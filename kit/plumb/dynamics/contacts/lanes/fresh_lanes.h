@@ -20,6 +20,7 @@ struct alignas(64) FreshLanes {
     FreshPoint points[2];
     Lanes<std::int32_t> count;      ///< number of points, 0 to 2
     Lanes<std::int32_t> uncertain;  ///< not 0: whether and how the two meet in this step must be predicted, or was
+    Lanes<float> inset;             ///< of a disc at a face: from its point to the ends of the face; of others 0 [m]
 
     Lanes<float> apartX, apartY;  ///< if around: from A's centre of mass to that of B's periodic image [m]
     bool around = false;          ///< in some lane, A touches a periodic image of B

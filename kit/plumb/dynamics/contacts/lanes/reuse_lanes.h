@@ -76,6 +76,7 @@ struct LaneReuser {
         storeLanes(fresh.normalY + lane, ny);
         storeLanes(fresh.count + lane, count);
         storeLanes(fresh.uncertain + lane, I{});
+        storeLanes(fresh.inset + lane, F{});
         storeLanes(again + lane, bad);
     }
 };
