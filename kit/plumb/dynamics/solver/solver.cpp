@@ -98,7 +98,9 @@ public:
           pass_(passOf(stores.settings, h_)),
           fields_(stores.fields, bodies_, stores.space, h_, observer_),
           walls_({bodies_, stores.contacts, stores.space, stores.jointPhases, stores.joints}, h_),
-          fast_(solved_.size()) {}
+          fast_(solved_.size()) {
+        cutSlices();
+    }
 
     void run(double dt) {
         if (joints_ != nullptr) joints_->prepare(stores_.joints, dt);
@@ -108,8 +110,8 @@ public:
         if (joints_ != nullptr)
             machines_ = joints_->takeMachines(stores_.graph, stores_.contacts, bodies_, stores_.joints.islands);
         if (observer_ != nullptr) observer_->beginSolver();
-        forEachColour([this](const ContactSolver& solver, ContactBatch* batches, std::size_t contacts,
-                             const ContactPass&) { solver.gatherWarmStart(batches, contacts, solverBodies_); });
+        forEachSlice([this](const ContactSolver& solver, ContactBatch* batches, std::size_t contacts,
+                            const ContactPass&) { solver.gatherWarmStart(batches, contacts, solverBodies_); });
         for (int i = 0; i < stores_.settings.subSteps; ++i) subStep(i);
         bounceContacts();
         if (joints_ != nullptr) joints_->addLoads(stores_.joints.joints, stores_.joints.islands);
@@ -149,8 +151,8 @@ private:
     void solveContacts(ContactWork work, JointHalf half) {
         const bool machines = !machines_.contacts.empty();
         if (machines) joints_->hideMachines(stores_.graph, stores_.contacts, machines_);
-        forEachColour([&](const ContactSolver& solver, ContactBatch* batches, std::size_t contacts,
-                          const ContactPass& pass) { (solver.*work)(batches, contacts, solverBodies_, pass); });
+        forEachSlice([&](const ContactSolver& solver, ContactBatch* batches, std::size_t contacts,
+                         const ContactPass& pass) { (solver.*work)(batches, contacts, solverBodies_, pass); });
         if (machines)
             joints_->solveMachines(stores_.joints, stores_.graph, stores_.contacts, machines_,
                                    {half, pass_.contacts, pass_.groundContacts});
@@ -158,15 +160,22 @@ private:
 
     void bounceContacts() {
         if (observer_ != nullptr) observer_->beginBounces();
-        forEachColour([this](const ContactSolver& solver, ContactBatch* batches, std::size_t contacts,
-                             const ContactPass&) { solver.bounce(batches, contacts, solverBodies_); });
+        forEachSlice([this](const ContactSolver& solver, ContactBatch* batches, std::size_t contacts,
+                            const ContactPass&) { solver.bounce(batches, contacts, solverBodies_); });
         if (observer_ != nullptr) observer_->endBounces();
     }
 
-    /// Calls solve(solver, batches, contacts, pass). Contacts with fixed bodies have twice the frequency: the ground
-    /// does not move. A colour's last batch is solved with fewer lanes if it is not full.
-    template <class Solve>
-    void forEachColour(Solve&& solve) {
+    /// Contacts that are solved with one number of lanes.
+    struct Slice {
+        const ContactSolver* solver;
+        ContactBatch* batches;
+        std::size_t contacts;
+        const ContactPass* pass;
+    };
+
+    /// Contacts with fixed bodies have twice the frequency: the ground does not move. A colour's last batch is solved
+    /// with fewer lanes if it is not full.
+    void cutSlices() {
         auto& colours = stores_.graph.colours;
         for (std::size_t index = 0; index < colours.size(); ++index) {
             const std::size_t contacts = colours[index].contactOf.size(), rest = contacts % batchLanes;
@@ -176,21 +185,26 @@ private:
             const ContactPass& pass = ground ? pass_.groundContacts : pass_.contacts;
             ContactBatch* batches = colours[index].batches.data();
             const int most = colour == overflowColour ? 1 : stores_.settings.lanes;
-            if (contacts > rest) solve(contactSolver(most), batches, contacts - rest, pass);
+            if (contacts > rest) slices_.push_back({&contactSolver(most), batches, contacts - rest, &pass});
             if (rest == 0) continue;
-            solve(contactSolver(lanesFor(rest, most)), batches + contacts / batchLanes, rest, pass);
+            slices_.push_back({&contactSolver(lanesFor(rest, most)), batches + contacts / batchLanes, rest, &pass});
         }
+    }
+
+    /// Calls solve(solver, batches, contacts, pass).
+    template <class Solve>
+    void forEachSlice(Solve&& solve) {
+        for (const Slice& s : slices_) solve(*s.solver, s.batches, s.contacts, *s.pass);
     }
 
     /// For each body, by its slot: 1 if a contact or joint gave it an impulse, else 0.
     std::vector<std::uint8_t> pushedBodies() const {
         std::vector<std::uint8_t> pushed(bodies_.record.size(), 0);
-        for (const Colour& colour : stores_.graph.colours) {
-            for (const ContactBatch& batch : colour.batches) {
-                for (std::size_t lane = 0; lane < batchLanes; ++lane) {
-                    if (batch.pushed[lane] == 0) continue;
-                    pushed[batch.bodyA[lane]] = pushed[batch.bodyB[lane]] = 1;
-                }
+        for (const Slice& slice : slices_) {
+            for (std::size_t i = 0; i < slice.contacts; ++i) {
+                const ContactBatch& batch = slice.batches[i / batchLanes];
+                const std::size_t lane = i % batchLanes;
+                if (batch.pushed[lane] != 0) pushed[batch.bodyA[lane]] = pushed[batch.bodyB[lane]] = 1;
             }
         }
         for (const WallImpact& impact : walls_.impacts()) pushed[stores_.space[impact.hit.own].owner] = 1;
@@ -237,6 +251,7 @@ private:
     std::size_t
         moving_;  ///< number of those before the padding, whose records all are one: each would wait for the last
     Pass pass_;
+    std::vector<Slice> slices_;
     FieldSolving fields_;
     std::vector<ContactIndex> bounces_;  ///< of jointed bodies
     MachineContacts machines_;
