@@ -54,13 +54,14 @@ enum class ContactState : std::uint8_t {
     Solved,  ///< in a slot of the solver: its shapes touch, or may touch during the step
 };
 
-/// Two shapes whose bounds overlap.
-struct ContactRecord {
+/// Two shapes whose bounds overlap. What those who follow a body's contacts read is in the first cache line.
+struct alignas(64) ContactRecord {
     ProxyId proxyA = 0, proxyB = 0;
     BodyIndex bodyA = 0, bodyB = 0;
-    double friction = 0, restitution = 0;  ///< of the pair
-    float rollingArm = 0;                  ///< resisting torque over normal force [m]
-    float surfaceSpeed = 0;                ///< sum of both surfaces' speeds along the tangent [m/s]
+    std::array<ContactIndex, 2> previous{none, none}, next{none, none};  ///< in the lists of A and B
+    Vec2 shift{0, 0};          ///< whole periods of the world that bring B near A [m]
+    std::uint32_t colour = 0;  ///< only if solved: index in ContactGraph.colours
+    std::uint32_t slot = 0;    ///< only if solved or near: batch * batchLanes + lane
     ContactState state = ContactState::Free;
     bool boxes = false;     ///< both shapes are boxes parallel to the axes of their bodies' frames
     bool touching = false;  ///< a touch has begun and has not ended
@@ -68,19 +69,20 @@ struct ContactRecord {
     bool met = false;       ///< only if near: it had a manifold in this step
     bool watched = false;   ///< it is in ContactStore.watched
     Verdict verdict = Verdict::Open;
-    std::uint32_t colour = 0;           ///< only if solved: index in ContactGraph.colours
-    std::uint32_t slot = 0;             ///< only if solved or near: batch * batchLanes + lane
-    Manifold manifold;                  ///< valid while it is not in the solver
-    std::array<PointMemory, 2> memory;  ///< valid while it is not in the solver
-    float rollImpulse = 0;              ///< valid while it is not in the solver
-    float approachSpeed = 0;            ///< at the last step's start [m/s]
-    double memoryStep = 0;              ///< dt of the step to which memory's totals belong [s]
-    std::array<ContactIndex, 2> previous{none, none}, next{none, none};  ///< in the lists of A and B
-    Vec2 shift{0, 0};  ///< whole periods of the world that bring B near A [m]
+
+    double friction = 0, restitution = 0;  ///< of the pair
+    float rollingArm = 0;                  ///< resisting torque over normal force [m]
+    float surfaceSpeed = 0;                ///< sum of both surfaces' speeds along the tangent [m/s]
+    float approachSpeed = 0;               ///< at the last step's start [m/s]
+    float rollImpulse = 0;                 ///< valid while it is not in the solver
+    double memoryStep = 0;                 ///< dt of the step to which memory's totals belong [s]
+    Manifold manifold;                     ///< valid while it is not in the solver
+    std::array<PointMemory, 2> memory;     ///< valid while it is not in the solver
 
     bool isSolved() const { return state == ContactState::Solved; }
     bool isNear() const { return state == ContactState::Near || state == ContactState::Impact; }
 };
+static_assert(sizeof(ContactRecord) == 192);
 
 /// Two shapes whose bounds overlap, with b shifted by whole periods of the world.
 struct ShiftedShapes {
