@@ -50,8 +50,7 @@ struct Nearest {
     std::size_t edge = 0, corner = 0;
 };
 
-/// Corners of b against those edges of a that face the direction in which the two are separated. A corner that is
-/// behind the line of an edge is nearer to another one.
+/// Corners of b against those edges of a that face the direction in which the two are separated.
 Nearest nearestOf(const Outline& a, const Outline& b, const Vec2& apart) {
     Nearest best;
     for (std::size_t i = 0; i < a.edges; ++i) {
@@ -62,7 +61,7 @@ Nearest nearestOf(const Outline& a, const Outline& b, const Vec2& apart) {
             const Vec2 fromStart = b.corners[j] - start;
             const double outside = a.normals[i].dot(fromStart);
             double squared = outside * outside;
-            if (!(outside > 0) || squared >= best.squared) continue;
+            if (squared >= best.squared) continue;
             const Vec2 fromEnd = b.corners[j] - end;
             if (!(fromStart.dot(edge) > 0))
                 squared = fromStart.squaredNorm();

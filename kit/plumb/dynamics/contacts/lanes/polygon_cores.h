@@ -3,6 +3,7 @@
 #pragma once
 #include <plumb/dynamics/contacts/lanes/corner_rows.h>
 #include <plumb/math/detail/wide_ops.h>
+#include <plumb/math/detail/wide_rows.h>
 
 namespace plumb {
 
