@@ -4,6 +4,8 @@
 // The result agrees with the manifold of collide/manifold.h: one point, on the line from the disc's centre to the
 // nearest point of the other shape. If the centre is inside of it, the normal goes through the nearest face. A second
 // disc is a box with half sizes 0 and a rounding radius.
+// Tried: a disc that stays at the face that it is at counts as sure, and its manifold is not predicted. Scenes were not
+// faster, and of 120 random ones two let a disc out; without it, one of 360.
 // Test: "discs side by side have the manifolds that they have one by one"
 #pragma once
 #include <limits>
@@ -30,7 +32,7 @@ struct DiscCollider {
     /// Direction and distance from the other shape, without its rounding, to the disc's centre; negative inside [m].
     struct Nearest {
         F nx, ny, distance;
-        F play;  ///< how far the disc can slide along the face that it is at before it is at a corner [m]
+        F inset;  ///< how far the disc can slide along the face that it is at before it is at a corner [m]
     };
 
     static View view(const RelativeLanes<W>& r, const PairLanes& m, int lane, M boxIsB) {
@@ -66,7 +68,7 @@ struct DiscCollider {
         n.nx = outside ? dx / distance : insideX;
         n.ny = outside ? dy / distance : insideY;
         n.distance = outside ? distance : -(throughX ? depthX : depthY);
-        n.play = larger(throughX ? depthY : depthX, F{});
+        n.inset = larger(throughX ? depthY : depthX, F{});
         return n;
     }
 
@@ -114,7 +116,7 @@ struct DiscCollider {
         cores.load(counts, proxies, table);
         const Nearest other = nearestOfPolygon(v, cores, magnitude(r.dx) + magnitude(r.dy));
         return {polygon ? other.nx : box.nx, polygon ? other.ny : box.ny, polygon ? other.distance : box.distance,
-                polygon ? other.play : box.play};
+                polygon ? other.inset : box.inset};
     }
 
     static void collide(const PairLanes& m, int lane, const BodyPlace* places, const CornerTable& table,
@@ -136,17 +138,16 @@ struct DiscCollider {
         const F normalX = boxIsB ? -(r.cos * n.nx - r.sin * n.ny) : n.nx;
         const F normalY = boxIsB ? -(r.sin * n.nx + r.cos * n.ny) : n.ny;
         const M near = separation <= marginOf<W>(r);
-        const Reaching<W> reach = reachOf<W>(r, normalX, normalY, separation, near ? I{} + 1 : I{}, n.play);
-        const F further = reach.wayToPlace(separation);
+        const Reaching<W> reach = reachOf<W>(r, normalX, normalY, separation, near ? I{} + 1 : I{}, F{});
         const LaneWriter<W> to{fresh, lane, asked};
         to.put(fresh.normalX, normalX);
         to.put(fresh.normalY, normalY);
         to.put(fresh.count, reach.count);
         to.put(fresh.uncertain, reach.uncertain);
-        to.put(fresh.inset, n.play);
+        to.put(fresh.inset, n.inset);
         FreshPoint &point = fresh.points[0], &none = fresh.points[1];
-        to.put(point.x, (boxIsB ? turnedX : x) + normalX * further);
-        to.put(point.y, (boxIsB ? turnedY : y) + normalY * further);
+        to.put(point.x, boxIsB ? turnedX : x);
+        to.put(point.y, boxIsB ? turnedY : y);
         to.put(point.separation, separation);
         to.put(point.feature, I{});
         to.put(none.x, F{});
