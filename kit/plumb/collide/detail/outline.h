@@ -25,8 +25,7 @@ struct Outline {
 /// chain: convert its pieces. Throws std::invalid_argument on a polygon with too few or too many corners.
 Outline outlineOf(const Shape& shape, const Transform& pose, const Vec2& origin);
 
-/// The outline, rotated about its origin and then shifted. The normals are not computed anew: so a shape that is placed
-/// many times takes a third of the time.
+/// The outline, rotated about its origin and then shifted. Faster than outlineOf, which computes the normals anew.
 void place(const Outline& outline, const Rot& rotation, const Vec2& shift, Outline& placed);
 
 /// The signed distance (see distance.h) of two outlines seen from this origin, with points in the world.

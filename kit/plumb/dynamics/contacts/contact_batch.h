@@ -93,18 +93,23 @@ struct alignas(64) PoseLanes {
     Lanes<float> cos, sin;  ///< of B's angle minus A's
 };
 
-/// Which faces of A and of B meet at the corner where a contact is, and may be covered by the next part of a floor? See
-/// floors/flush_sides.h.
+/// Which faces of A and of B meet at the corner where a contact is, and may be covered by the next part of a floor?
+/// Each is 0 for none, or 1 and the number of sectors from the contact's normal to the face's (see
+/// floors/flush_sides.h). So they stay right while the two bodies turn together.
 struct CornerFaces {
     std::uint8_t ofA[2], ofB[2];
 };
+inline constexpr CornerFaces noFaces{{0, 0}, {0, 0}}, unknownFaces{{255, 255}, {255, 255}};
+inline bool isUnknown(const CornerFaces& faces) {
+    return faces.ofA[0] == unknownFaces.ofA[0];
+}
 
 /// What was known when each lane's shapes were last collided. For contacts that are not of two boxes.
 struct alignas(64) KeptLanes {
     PoseLanes pose;               ///< cosine and sine 0: the manifold must not be used again
     Lanes<float> separations[2];  ///< [m]
     Lanes<CornerFaces> faces;     ///< unknownFaces when just collided
-    Lanes<std::int32_t> open;     ///< bits, 0 when just collided: not covered since (floorA, floorB); seen
+    Lanes<std::int32_t> open;     ///< bits, 0 when just collided: not covered since (floorA, floorB); seenBit
 };
 inline bool isKept(const KeptLanes& kept, std::size_t lane) {
     return kept.pose.cos[lane] != 0 || kept.pose.sin[lane] != 0;

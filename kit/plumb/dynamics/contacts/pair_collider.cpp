@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include <plumb/dynamics/contacts/contact_lane.h>
-#include <plumb/dynamics/contacts/floors/flush_sides.h>
 #include <plumb/dynamics/contacts/predicted_manifold.h>
 #include <plumb/math/detail/for_lanes.h>
 #include <plumb/math/vec2.h>

@@ -16,7 +16,7 @@ void CornerWatch::note(const PairBatch& batch, const ContactBatch& prepared, Kep
         const BodyIndex a = batch.pairs.bodyA[lane], b = batch.pairs.bodyB[lane];
         const int sides = floorSides(bodies_, a, b, dt_);
         const bool stays = kept != nullptr && isKept(*kept, lane);
-        if (stays) kept->open[lane] &= sides | seen;
+        if (stays) kept->open[lane] &= sides | seenBit;
         if (sides == 0) continue;
         const Vec2f normal(prepared.normalX[lane], prepared.normalY[lane]);
         noted_.push_back(

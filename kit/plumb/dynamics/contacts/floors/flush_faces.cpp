@@ -197,8 +197,7 @@ CornerFaces facesAt(const ContactStore& contacts, const BodyStore& bodies, const
                     const Manifold& manifold) {
     const ContactRecord& contact = contacts[index];
     CornerFaces faces = noFaces;
-    if (isPlainPolygon(space[contact.proxyA].convex))
-        findFaces(bodies, space, seenFromA(contact, manifold), manifold.normal, faces.ofA);
+    findFaces(bodies, space, seenFromA(contact, manifold), manifold.normal, faces.ofA);
     if (!isPlainPolygon(space[contact.proxyB].convex)) return faces;
     const Corner onB = seenFromB(bodies, contact, manifold);
     findFaces(bodies, space, onB, -onB.normal, faces.ofB);

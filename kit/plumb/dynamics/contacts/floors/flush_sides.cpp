@@ -29,8 +29,8 @@ std::uint64_t sidesAbout(int sector) {
 }
 
 bool wasSeen(KeptLanes& kept, std::size_t lane) {
-    const bool was = isKept(kept, lane) && (kept.open[lane] & seen) != 0;
-    kept.open[lane] |= seen;
+    const bool was = isKept(kept, lane) && (kept.open[lane] & seenBit) != 0;
+    kept.open[lane] |= seenBit;
     return was;
 }
 

@@ -11,21 +11,15 @@
 
 namespace plumb {
 
-/// A CornerFaces holds directions of faces relative to the contact's normal: 0 for none, or 1 and the number of sectors
-/// from the normal to the face. So they stay right while the two bodies turn together.
-inline constexpr CornerFaces noFaces{{0, 0}, {0, 0}}, unknownFaces{{255, 255}, {255, 255}};
-inline bool isUnknown(const CornerFaces& faces) {
-    return faces.ofA[0] == unknownFaces.ofA[0];
-}
 /// A bit of KeptLanes.open beside floorA and floorB.
-inline constexpr std::int32_t seen = 4;
+inline constexpr std::int32_t seenBit = 4;
 
-/// The value for a face.
+/// The value of CornerFaces for a face.
 std::uint8_t faceFrom(const Vec2f& normal, const Vec2f& face);
 
 class FlushSides {
 public:
-    /// Takes the contacts of two points that are in the solver. Sets seen in their KeptLanes.
+    /// Takes the contacts of two points that are in the solver. Sets seenBit in their KeptLanes.
     void gather(ContactGraph& graph, const BodyStore& bodies);
     /// Takes one more contact; normal: in the world, from A to B; moved: since it was last seen.
     void add(BodyIndex a, BodyIndex b, const Vec2f& normal, bool moved);

@@ -5,7 +5,7 @@
 // nearest point of the other shape. If the centre is inside of it, the normal goes through the nearest face. A second
 // disc is a box with half sizes 0 and a rounding radius.
 // Tried: a disc that stays at the face that it is at counts as sure, and its manifold is not predicted. Scenes were not
-// faster, and of 120 random ones two let a disc out; without it, one of 360.
+// faster, and of 120 random ones two let a body out; without it, one of 360.
 // Test: "discs side by side have the manifolds that they have one by one"
 #pragma once
 #include <limits>
