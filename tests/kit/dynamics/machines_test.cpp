@@ -308,3 +308,30 @@ TEST_CASE("of five hanging discs one swung sends one out, and two send two", "[d
         CHECK(std::fabs(energyOf(world) - start) < 0.01 * lift);
     }
 }
+
+TEST_CASE("thirty cradles side by side pass an impact on as one does", "[dynamics][joints][law]") {
+    const double out = 0.5, length = 2, radius = 0.1;
+    World world({.sleeping = false});
+    const BodyId beam = world.add({.type = BodyType::Static});
+    std::vector<BodyId> discs;
+    for (int i = 0; i < 150; ++i) {
+        const Vec2 pivot(2 * radius * (i % 5) + 10 * (i / 5), 0);
+        const double angle = i % 5 == 0 ? -out : 0;
+        discs.push_back(world.add({.position = pivot + length * Vec2(std::sin(angle), -std::cos(angle)),
+                                   .shapes = {plumb::circle(radius, {.friction = 0, .restitution = 1})}}));
+        world.join(plumb::RevoluteJointDef{.bodyA = beam, .bodyB = discs.back(), .anchor = pivot});
+    }
+    std::vector<double> farthest(discs.size(), 0.0);
+    for (int tick = 0; tick < 100; ++tick) {  // 1.67 s: the last discs go out and turn back
+        world.step(dt);
+        for (std::size_t i = 0; i < discs.size(); ++i) {
+            const double x = world.body(discs[i]).position().x() - 0.2 * static_cast<double>(i % 5) -
+                             10 * static_cast<double>(i / 5);
+            if (tick > 55) farthest[i] = std::max(farthest[i], std::fabs(x) / length);
+        }
+    }
+    for (std::size_t i = 0; i < discs.size(); ++i) {
+        INFO("disc " << i % 5 + 1 << " of cradle " << i / 5 + 1);
+        CHECK(std::fabs(farthest[i] - (i % 5 == 4 ? std::sin(out) : 0.0)) < 0.02);
+    }
+}

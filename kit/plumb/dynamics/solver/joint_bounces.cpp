@@ -2,7 +2,10 @@
 #include <plumb/dynamics/solver/joint_bounces.h>
 
 #include <algorithm>
+#include <map>
+#include <numeric>
 #include <optional>
+#include <utility>
 
 #include <plumb/dynamics/joints/joint_response.h>
 #include <plumb/dynamics/joints/solve_island.h>
@@ -13,7 +16,7 @@ namespace {
 
 /// Most impacts per contact in a sub-step. A group with more is a pile, and is left to the solver.
 constexpr std::size_t impactsPerContact = 16;
-/// Most contacts at once; more are left to the solver, because each impact examines all of them.
+/// Most contacts of a group; a larger group is left to the solver, because each impact examines all of its contacts.
 constexpr std::size_t mostBounces = 64;
 
 /// A point of a contact, in its present state.
@@ -65,11 +68,16 @@ public:
           observer_(stores.observer),
           graph_(graph),
           contacts_(contacts),
-          h_(h) {}
+          h_(h),
+          islandOf_(bodies_.record.size(), none) {
+        for (std::uint32_t i = 0; i < islands_.islands.size(); ++i)
+            if (islands_.islands[i].direct)
+                for (const BodyIndex body : islands_.islands[i].bodies) islandOf_[body] = i;
+    }
 
     /// The point with the highest approach speed, among those that meet in the sub-step faster than gravity alone makes
     /// resting bodies approach.
-    std::optional<Point> fastest(const std::vector<ContactIndex>& bounces) const {
+    std::optional<Point> fastest(const BounceGroup& bounces) const {
         const double resting = bodies_.gravity.norm() * bodies_.lastStep;
         std::optional<Point> first;
         for (const ContactIndex index : bounces) {
@@ -123,8 +131,8 @@ private:
     void push(BodyIndex body, const Vec3& along, double impulse) {
         if (!bodies_.canMove(body)) return;
         const Vec3 given{along[0] * impulse, along[1] * impulse, along[2] * impulse};
-        if (JointIsland* island = islandOf(body)) {
-            pushIsland(*island, joints_, bodies_, body, given, h_);
+        if (islandOf_[body] != none) {
+            pushIsland(islands_.islands[islandOf_[body]], joints_, bodies_, body, given, h_);
             return;
         }
         SolverVelocity& v = bodies_.velocity[body];
@@ -133,13 +141,6 @@ private:
         v.x = static_cast<float>(static_cast<double>(v.x) + inverseMass * given[0]);
         v.y = static_cast<float>(static_cast<double>(v.y) + inverseMass * given[1]);
         v.w = static_cast<float>(static_cast<double>(v.w) + inverseMass * inverseGyration * given[2]);
-    }
-
-    JointIsland* islandOf(BodyIndex body) const {
-        for (JointIsland& island : islands_.islands)
-            if (island.direct && std::find(island.bodies.begin(), island.bodies.end(), body) != island.bodies.end())
-                return &island;
-        return nullptr;
     }
 
     /// The rate at which the point separates, as a row.
@@ -158,44 +159,94 @@ private:
     ContactGraph& graph_;
     const ContactStore& contacts_;
     double h_;
+    std::vector<std::uint32_t> islandOf_;  ///< of each body; none if it is in no island that is solved directly
 };
+
+/// Which contacts can pass an impact on to each other? Those that meet at a body, or at bodies of one island. Fixed
+/// bodies pass nothing on.
+class BounceGroups {
+public:
+    BounceGroups(const BodyStore& bodies, const JointIslands& islands) : bodies_(bodies), first_(bodies.record.size()) {
+        std::iota(first_.begin(), first_.end(), BodyIndex{0});
+        for (const JointIsland& island : islands.islands)
+            for (const BodyIndex body : island.bodies) unite(body, island.bodies.front());
+    }
+
+    void add(ContactIndex index, const ContactRecord& contact) {
+        const bool movesA = bodies_.canMove(contact.bodyA);
+        if (movesA && bodies_.canMove(contact.bodyB)) unite(contact.bodyA, contact.bodyB);
+        found_.push_back({movesA ? contact.bodyA : contact.bodyB, index});
+    }
+
+    std::vector<BounceGroup> groups() {
+        std::map<BodyIndex, BounceGroup> groupOf;
+        for (const auto& [body, index] : found_) groupOf[setOf(body)].push_back(index);
+        std::vector<BounceGroup> groups;
+        for (auto& [body, group] : groupOf) {
+            std::sort(group.begin(), group.end());
+            if (group.size() <= mostBounces) groups.push_back(std::move(group));
+        }
+        return groups;
+    }
+
+private:
+    BodyIndex setOf(BodyIndex body) {
+        while (first_[body] != body) body = first_[body] = first_[first_[body]];
+        return body;
+    }
+    void unite(BodyIndex a, BodyIndex b) { first_[std::max(setOf(a), setOf(b))] = std::min(setOf(a), setOf(b)); }
+
+    const BodyStore& bodies_;
+    std::vector<BodyIndex> first_;  ///< of each body: another one of its set, or itself (union-find)
+    std::vector<std::pair<BodyIndex, ContactIndex>> found_;
+};
+
+/// Calls visit(contact) for all contacts that bounce and have a jointed body.
+template <class Visit>
+void forEachJointedBounce(const ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies,
+                          Visit&& visit) {
+    const auto isJointed = [&](BodyIndex body) { return bodies.links[body].actingJoints > 0; };
+    for (const Colour& colour : graph.colours) {
+        for (std::size_t i = 0; i < colour.contactOf.size(); ++i) {
+            if (!colour.batches[i / batchLanes].bounces) continue;
+            const ContactRecord& contact = contacts[colour.contactOf[i]];
+            if (contact.restitution > 0 && (isJointed(contact.bodyA) || isJointed(contact.bodyB)))
+                visit(colour.contactOf[i]);
+        }
+    }
+}
+
+/// Keeps the solver from bouncing the contact.
+void take(ContactGraph& graph, const ContactRecord& contact) {
+    for (PointLanes& point : graph.colours[contact.colour].batches[contact.slot / batchLanes].points)
+        point.bounceSpeed[contact.slot % batchLanes] = 0;
+}
 
 }  // namespace
 
-std::vector<ContactIndex> takeJointedBounces(ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies,
-                                             const JointIslands& islands) {
+std::vector<BounceGroup> takeJointedBounces(ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies,
+                                            const JointIslands& islands) {
+    if (islands.islands.empty()) return {};
     std::vector<ContactIndex> found;
-    if (islands.islands.empty()) return found;
-    const auto isJointed = [&](BodyIndex body) { return bodies.links[body].actingJoints > 0; };
-    for (const Colour& colour : graph.colours) {
-        for (std::size_t b = 0; b < colour.batches.size(); ++b) {
-            if (!colour.batches[b].bounces) continue;
-            const std::size_t count = std::min<std::size_t>(batchLanes, colour.contactOf.size() - b * batchLanes);
-            for (std::size_t lane = 0; lane < count; ++lane) {
-                const ContactIndex index = colour.contactOf[b * batchLanes + lane];
-                const ContactRecord& contact = contacts[index];
-                if (contact.restitution <= 0 || !(isJointed(contact.bodyA) || isJointed(contact.bodyB))) continue;
-                found.push_back(index);
-            }
-        }
-    }
-    if (found.size() > mostBounces) return {};
-    for (const ContactIndex index : found) {
-        const ContactRecord& contact = contacts[index];
-        for (PointLanes& point : graph.colours[contact.colour].batches[contact.slot / batchLanes].points)
-            point.bounceSpeed[contact.slot % batchLanes] = 0;
-    }
-    std::sort(found.begin(), found.end());
-    return found;
+    forEachJointedBounce(graph, contacts, bodies, [&](ContactIndex index) { found.push_back(index); });
+    if (found.empty()) return {};
+    BounceGroups search(bodies, islands);
+    for (const ContactIndex index : found) search.add(index, contacts[index]);
+    std::vector<BounceGroup> groups = search.groups();
+    for (const BounceGroup& group : groups)
+        for (const ContactIndex index : group) take(graph, contacts[index]);
+    return groups;
 }
 
 void bounceJointedBodies(const JointStores& stores, ContactGraph& graph, const ContactStore& contacts,
-                         const std::vector<ContactIndex>& bounces, double h) {
+                         const std::vector<BounceGroup>& groups, double h) {
     JointBounces search(stores, graph, contacts, h);
-    for (std::size_t count = 0; count < impactsPerContact * bounces.size(); ++count) {
-        const std::optional<Point> next = search.fastest(bounces);
-        if (!next) return;
-        search.bounce(*next);
+    for (const BounceGroup& group : groups) {
+        for (std::size_t count = 0; count < impactsPerContact * group.size(); ++count) {
+            const std::optional<Point> next = search.fastest(group);
+            if (!next) break;
+            search.bounce(*next);
+        }
     }
 }
 

@@ -18,13 +18,15 @@
 
 namespace plumb {
 
+using BounceGroup = std::vector<ContactIndex>;
+
 /// Returns the contacts of this step that bounce and have a jointed body, and keeps the solver from bouncing them
-/// again.
-std::vector<ContactIndex> takeJointedBounces(ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies,
-                                             const JointIslands& islands);
+/// again. Contacts through which an impact may pass from one to the next are in one group.
+std::vector<BounceGroup> takeJointedBounces(ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies,
+                                            const JointIslands& islands);
 /// Before contacts are solved, in either half of a sub-step of h [s]: applies the impulses of those bounces that would
 /// meet in this sub-step.
 void bounceJointedBodies(const JointStores& stores, ContactGraph& graph, const ContactStore& contacts,
-                         const std::vector<ContactIndex>& bounces, double h);
+                         const std::vector<BounceGroup>& groups, double h);
 
 }  // namespace plumb

@@ -135,7 +135,7 @@ void holdJoints(const JointStores& stores, double h) {
 }
 
 void bounceJointed(const JointStores& stores, ContactGraph& graph, const ContactStore& contacts,
-                   const std::vector<ContactIndex>& bounces, const std::vector<BodyIndex>& solved, double h) {
+                   const std::vector<BounceGroup>& bounces, const std::vector<BodyIndex>& solved, double h) {
     if (bounces.empty()) return;
     reportGround(stores, solved, [&] { bounceJointedBodies(stores, graph, contacts, bounces, h); });
 }

@@ -8,6 +8,7 @@
 
 #include <plumb/dynamics/bodies/step_observer.h>
 #include <plumb/dynamics/contacts/contact_graph.h>
+#include <plumb/dynamics/solver/joint_bounces.h>
 #include <plumb/dynamics/solver/machine_contacts.h>
 #include <plumb/dynamics/solver_settings.h>
 
@@ -24,11 +25,11 @@ struct JointPhases {
     void (*noteSpeeds)(const JointStores& stores, double h);
     void (*solve)(const JointStores& stores, const JointHalf& half);
     /// Returns the contacts that bounce and have a jointed body, and keeps the solver from bouncing them again.
-    std::vector<ContactIndex> (*takeBounces)(ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies,
-                                             const JointIslands& islands);
+    std::vector<BounceGroup> (*takeBounces)(ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies,
+                                            const JointIslands& islands);
     /// Applies the impulses of those bounces that meet in the coming sub-step of h [s].
     void (*bounce)(const JointStores& stores, ContactGraph& graph, const ContactStore& contacts,
-                   const std::vector<ContactIndex>& bounces, const std::vector<BodyIndex>& solved, double h);
+                   const std::vector<BounceGroup>& bounces, const std::vector<BodyIndex>& solved, double h);
     /// Returns the contacts of this step that are solved together with the joints of their bodies.
     MachineContacts (*takeMachines)(const ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies,
                                     JointIslands& islands);

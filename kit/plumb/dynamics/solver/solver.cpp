@@ -253,7 +253,7 @@ private:
     Pass pass_;
     std::vector<Slice> slices_;
     FieldSolving fields_;
-    std::vector<ContactIndex> bounces_;  ///< of jointed bodies
+    std::vector<BounceGroup> bounces_;  ///< of jointed bodies
     MachineContacts machines_;
     WallStops walls_;
     std::vector<FastBody> fast_;
