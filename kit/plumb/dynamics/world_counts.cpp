@@ -69,7 +69,8 @@ std::size_t bytesOf(const JointStore& j) {
 }
 
 std::size_t bytesOf(const JointIslands& j) {
-    std::size_t bytes = sumOf(j.joints, j.breakable) + j.springs.bytes() + j.islands.capacity() * sizeof(JointIsland);
+    std::size_t bytes =
+        sumOf(j.joints, j.breakable) + j.springs.bytes() + j.plans.bytes() + j.islands.capacity() * sizeof(JointIsland);
     for (const JointIsland& island : j.islands)
         bytes += sumOf(island.joints, island.endNodes, island.bodies, island.stiffness, island.others) +
                  island.solver.bytes() + island.work.bytes() + island.hinges.bytes();

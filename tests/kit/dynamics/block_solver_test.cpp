@@ -7,6 +7,7 @@
 #include <plumb/math/random.h>
 #include "catch.h"
 
+using plumb::BlockPlan;
 using plumb::BlockSolver;
 using plumb::Mat3;
 using plumb::Vec3;
@@ -16,7 +17,7 @@ namespace {
 /// Bodies and joints as a machine has them: some nodes positive, the others, which link two of them, negative.
 struct Machine {
     std::uint32_t bodies = 0, joints = 0;
-    std::vector<BlockSolver::Edge> edges;
+    std::vector<BlockPlan::Edge> edges;
 
     Machine(plumb::Random& random, int size, int loops) : bodies(static_cast<std::uint32_t>(size)) {
         for (int body = 1; body < size; ++body) link(body, random.integer(0, body - 1));
@@ -46,8 +47,7 @@ TEST_CASE("a sparse system of blocks is solved as a dense one is", "[dynamics][p
     for (int round = 0; round < 300; ++round) {
         Machine machine(random, random.integer(2, 20), random.integer(0, 6));
         const std::uint32_t nodes = machine.bodies + machine.joints;
-        BlockSolver solver;
-        REQUIRE(solver.analyse(nodes, machine.edges, 100000));
+        BlockSolver solver(plumb::planBlocks(nodes, machine.edges, 100000));
         Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(3 * nodes, 3 * nodes);
         Eigen::VectorXd right(3 * nodes);
         solver.clear();
@@ -83,13 +83,27 @@ TEST_CASE("a sparse system of blocks is solved as a dense one is", "[dynamics][p
 TEST_CASE("a tree of 10,000 nodes takes at most three block updates a node", "[dynamics]") {
     plumb::Random random(2);
     const Machine machine(random, 5000, 0);
-    BlockSolver solver;
-    CHECK(solver.analyse(machine.bodies + machine.joints, machine.edges, 3 * (machine.bodies + machine.joints)));
+    const std::uint32_t nodes = machine.bodies + machine.joints;
+    CHECK(plumb::planBlocks(nodes, machine.edges, 3 * nodes) != nullptr);
 }
 
 TEST_CASE("a net that fills in more than it may is refused", "[dynamics]") {
     plumb::Random random(3);
     const Machine machine(random, 200, 2000);
-    BlockSolver solver;
-    CHECK_FALSE(solver.analyse(machine.bodies + machine.joints, machine.edges, 10000));
+    CHECK(plumb::planBlocks(machine.bodies + machine.joints, machine.edges, 10000) == nullptr);
+}
+
+TEST_CASE("equal machines share one order of elimination, until none is left", "[dynamics]") {
+    plumb::Random random(4);
+    const Machine doll(random, 11, 0), other(random, 12, 1);
+    const auto nodesOf = [](const Machine& machine) { return machine.bodies + machine.joints; };
+    plumb::BlockPlans plans;
+    const auto plan = plans.find(nodesOf(doll), doll.edges, 1000);
+    CHECK(plans.find(nodesOf(doll), doll.edges, 1000) == plan);
+    CHECK(plans.find(nodesOf(other), other.edges, 1000) != plan);
+    plans.renew();
+    CHECK(plans.find(nodesOf(doll), doll.edges, 1000) == plan);
+    plans.renew();
+    plans.renew();
+    CHECK(plan.use_count() == 1);
 }

@@ -32,7 +32,7 @@ constexpr std::size_t fewLoops = 16;
 constexpr std::size_t updatesPerNode = 8;
 constexpr std::size_t fewUpdates = 4000;
 
-void numberNodes(JointIsland& island, const JointStore& joints, const BodyStore& bodies, int atOnce,
+void numberNodes(JointIsland& island, const JointStore& joints, const BodyStore& bodies, int atOnce, BlockPlans& plans,
                  std::vector<std::uint32_t>& nodeOf) {
     for (const JointIndex index : island.joints) {
         for (const BodyIndex body : endsOf(joints, index)) {
@@ -42,7 +42,7 @@ void numberNodes(JointIsland& island, const JointStore& joints, const BodyStore&
         }
     }
     island.stiffness.resize(island.bodies.size());
-    std::vector<BlockSolver::Edge> edges;
+    std::vector<BlockPlan::Edge> edges;
     std::uint32_t node = static_cast<std::uint32_t>(island.bodies.size());
     for (const JointIndex index : island.joints) {
         JointIsland::EndNodes endNodes;
@@ -59,15 +59,19 @@ void numberNodes(JointIsland& island, const JointStore& joints, const BodyStore&
     for (const BodyIndex body : island.bodies) nodeOf[body] = JointIsland::EndNodes::fixed;
     const std::size_t loops = edges.size() + 1 - std::min<std::size_t>(edges.size(), node);
     const std::size_t most = std::max(fewUpdates, updatesPerNode * node);
-    island.direct = island.joints.size() <= static_cast<std::size_t>(atOnce) &&
-                    loops <= std::max(fewLoops, island.joints.size() / jointsPerLoop) &&
-                    island.solver.analyse(node, edges, most);
+    const bool mayBeDirect = island.joints.size() <= static_cast<std::size_t>(atOnce) &&
+                             loops <= std::max(fewLoops, island.joints.size() / jointsPerLoop);
+    const std::shared_ptr<const BlockPlan> plan = mayBeDirect ? plans.find(node, edges, most) : nullptr;
+    island.direct = plan != nullptr;
+    if (island.direct) island.solver = BlockSolver(plan);
     if (!island.direct) island.others = island.hinges.take(island.joints, joints, bodies);
 }
 
 }  // namespace
 
-std::vector<JointIsland> findJointIslands(const JointStore& joints, const BodyStore& bodies, int atOnce) {
+std::vector<JointIsland> findJointIslands(const JointStore& joints, const BodyStore& bodies, int atOnce,
+                                          BlockPlans& plans) {
+    plans.renew();
     Groups groups(bodies.record.size());
     std::vector<JointIndex> awake;
     for (JointIndex index = 0; index < joints.records.size(); ++index) {
@@ -94,7 +98,7 @@ std::vector<JointIsland> findJointIslands(const JointStore& joints, const BodySt
         islands[island].joints.push_back(index);
     }
     std::vector<std::uint32_t> nodeOf(bodies.record.size(), JointIsland::EndNodes::fixed);
-    for (JointIsland& island : islands) numberNodes(island, joints, bodies, atOnce, nodeOf);
+    for (JointIsland& island : islands) numberNodes(island, joints, bodies, atOnce, plans, nodeOf);
     return islands;
 }
 

@@ -44,6 +44,7 @@ struct JointIslands {
     std::vector<JointIndex> joints;     ///< of all islands, in the order of their slots
     std::vector<JointIndex> breakable;  ///< those of the joints that can break
     JointSprings springs;
+    BlockPlans plans;  ///< of the islands that are solved directly
 };
 
 /// The stores that the joint solver reads and writes.

@@ -50,7 +50,7 @@ void findAwakeIslands(const JointStores& stores) {
     const std::vector<JointIsland> before = std::move(found.islands);
     for (const JointIsland& island : before) island.hinges.release(joints);
     resetLoads(joints, stores.bodies);
-    found.islands = findJointIslands(joints, stores.bodies, stores.settings.jointsAtOnce);
+    found.islands = findJointIslands(joints, stores.bodies, stores.settings.jointsAtOnce, found.plans);
     keepStiffness(before, found.islands);
     found.joints.clear();
     for (const JointIsland& island : found.islands)

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/joints/block_plan.h>
+
+#include <set>
+
+namespace plumb {
+
+namespace {
+
+/// The graph of the nodes that are not yet eliminated; each edge has the index of its block.
+struct Graph {
+    std::vector<std::map<std::uint32_t, std::uint32_t>> blockTo;  ///< of each node: neighbour to block
+    std::set<std::pair<std::size_t, std::uint32_t>> byDegree;
+    std::uint32_t blocks = 0;
+
+    void setDegree(std::uint32_t node, std::size_t before) {
+        byDegree.erase({before, node});
+        byDegree.insert({blockTo[node].size(), node});
+    }
+    /// The block between two nodes; a new one if there was none.
+    std::uint32_t connect(std::uint32_t a, std::uint32_t b) {
+        const auto [known, isNew] = blockTo[a].try_emplace(b, blocks);
+        if (!isNew) return known->second;
+        blockTo[b].emplace(a, blocks);
+        setDegree(a, blockTo[a].size() - 1);
+        setDegree(b, blockTo[b].size() - 1);
+        return blocks++;
+    }
+    void remove(std::uint32_t node) {
+        byDegree.erase({blockTo[node].size(), node});
+        for (const auto& [other, block] : blockTo[node]) {
+            blockTo[other].erase(node);
+            setDegree(other, blockTo[other].size() + 1);
+        }
+    }
+};
+
+}  // namespace
+
+std::shared_ptr<const BlockPlan> planBlocks(std::uint32_t nodes, std::span<const BlockPlan::Edge> edges,
+                                            std::size_t mostUpdates) {
+    auto plan = std::make_shared<BlockPlan>();
+    Graph graph;
+    graph.blockTo.resize(nodes);
+    graph.blocks = nodes;
+    for (std::uint32_t node = 0; node < nodes; ++node) graph.byDegree.insert({0, node});
+    for (const BlockPlan::Edge& edge : edges) plan->places.push_back({graph.connect(edge.first, edge.second), false});
+    std::vector<std::uint32_t> rank(nodes);
+    // The row of a block is the node that is eliminated later: for new blocks (fill-in) known once all nodes have a
+    // rank.
+    while (!graph.byDegree.empty()) {
+        const std::uint32_t node = graph.byDegree.begin()->second;
+        rank[node] = static_cast<std::uint32_t>(plan->steps.size());
+        plan->steps.push_back(
+            {node, static_cast<std::uint32_t>(plan->lowers.size()), static_cast<std::uint32_t>(plan->updates.size())});
+        const std::map<std::uint32_t, std::uint32_t> around = graph.blockTo[node];
+        graph.remove(node);
+        for (const auto& [i, left] : around) {
+            plan->lowers.push_back({i, left});
+            for (const auto& [j, right] : around) {
+                if (j > i) break;
+                plan->updates.push_back({i == j ? i : graph.connect(i, j), left, right});
+            }
+        }
+        if (plan->updates.size() > mostUpdates) return nullptr;
+    }
+    plan->steps.push_back(
+        {0, static_cast<std::uint32_t>(plan->lowers.size()), static_cast<std::uint32_t>(plan->updates.size())});
+    // A block's row is the later of its two nodes. Updates were noted as (i, j), i above j by number.
+    for (std::size_t k = 0; k + 1 < plan->steps.size(); ++k) {
+        std::size_t update = plan->steps[k].firstUpdate;
+        for (std::size_t a = plan->steps[k].firstLower; a < plan->steps[k + 1].firstLower; ++a) {
+            for (std::size_t b = plan->steps[k].firstLower; b <= a; ++b, ++update)
+                if (rank[plan->lowers[a].node] < rank[plan->lowers[b].node])
+                    std::swap(plan->updates[update].left, plan->updates[update].right);
+        }
+    }
+    for (std::size_t e = 0; e < edges.size(); ++e)
+        plan->places[e].transposed = rank[edges[e].first] < rank[edges[e].second];
+    plan->blocks = graph.blocks;
+    return plan;
+}
+
+void BlockPlans::renew() {
+    before_ = std::move(now_);
+    now_.clear();
+}
+
+std::shared_ptr<const BlockPlan> BlockPlans::find(std::uint32_t nodes, const std::vector<BlockPlan::Edge>& edges,
+                                                  std::size_t mostUpdates) {
+    const auto known = now_.find(edges);
+    if (known != now_.end()) return known->second;
+    const auto older = before_.find(edges);
+    const std::shared_ptr<const BlockPlan> plan =
+        older != before_.end() ? older->second : planBlocks(nodes, edges, mostUpdates);
+    now_.emplace(edges, plan);
+    return plan;
+}
+
+std::size_t BlockPlans::bytes() const {
+    std::size_t bytes = 0;
+    for (const Known* plans : {&now_, &before_})
+        for (const auto& [edges, plan] : *plans) bytes += bytesOf(edges) + (plan != nullptr ? plan->bytes() : 0);
+    return bytes;
+}
+
+}  // namespace plumb
