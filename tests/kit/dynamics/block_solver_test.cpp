@@ -47,7 +47,9 @@ TEST_CASE("a sparse system of blocks is solved as a dense one is", "[dynamics][p
     for (int round = 0; round < 300; ++round) {
         Machine machine(random, random.integer(2, 20), random.integer(0, 6));
         const std::uint32_t nodes = machine.bodies + machine.joints;
-        BlockSolver solver(plumb::planBlocks(nodes, machine.edges, 100000));
+        const auto plan = plumb::planBlocks(nodes, machine.edges, 100000);
+        REQUIRE(plan != nullptr);
+        BlockSolver solver(plan);
         Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(3 * nodes, 3 * nodes);
         Eigen::VectorXd right(3 * nodes);
         solver.clear();

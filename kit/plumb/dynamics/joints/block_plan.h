@@ -56,7 +56,8 @@ class BlockPlans {
 public:
     /// Forgets what was not asked for since the last call.
     void renew();
-    /// The plan of planBlocks, from memory if the same edges were asked for before. Each node must have an edge.
+    /// The plan of planBlocks, from memory if the same edges were asked for before. Each node must have an edge, and
+    /// mostUpdates must follow from the graph.
     std::shared_ptr<const BlockPlan> find(std::uint32_t nodes, const std::vector<BlockPlan::Edge>& edges,
                                           std::size_t mostUpdates);
     std::size_t bytes() const;

@@ -21,7 +21,7 @@ namespace plumb {
 class BlockSolver {
 public:
     BlockSolver() = default;
-    /// For matrices of a plan's structure.
+    /// For matrices of the structure of a plan, which is not null.
     explicit BlockSolver(std::shared_ptr<const BlockPlan> plan) : plan_(std::move(plan)), blocks_(plan_->blocks) {}
 
     // For each matrix: clear, fill in, factor, solve.

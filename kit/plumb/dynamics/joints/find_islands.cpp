@@ -3,27 +3,13 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
+#include <plumb/dynamics/bodies/body_groups.h>
 #include <plumb/dynamics/joints/joint_bodies.h>
 
 namespace plumb {
 
 namespace {
-
-/// Sets of bodies that are connected by joints (union-find); each set is named by one of its bodies.
-class Groups {
-public:
-    explicit Groups(std::size_t bodies) : parent_(bodies) { std::iota(parent_.begin(), parent_.end(), BodyIndex{0}); }
-    BodyIndex of(BodyIndex body) {
-        while (parent_[body] != body) body = parent_[body] = parent_[parent_[body]];
-        return body;
-    }
-    void unite(BodyIndex a, BodyIndex b) { parent_[std::max(of(a), of(b))] = std::min(of(a), of(b)); }
-
-private:
-    std::vector<BodyIndex> parent_;
-};
 
 /// An island is swept if it has more than fewLoops loops and more than one per jointsPerLoop joints, or if it needs
 /// more than fewUpdates block updates and more than updatesPerNode per node.
@@ -72,7 +58,7 @@ void numberNodes(JointIsland& island, const JointStore& joints, const BodyStore&
 std::vector<JointIsland> findJointIslands(const JointStore& joints, const BodyStore& bodies, int atOnce,
                                           BlockPlans& plans) {
     plans.renew();
-    Groups groups(bodies.record.size());
+    BodyGroups groups(bodies.record.size());
     std::vector<JointIndex> awake;
     for (JointIndex index = 0; index < joints.records.size(); ++index) {
         if (!joints[index].acts() || !holdsSomething(joints, bodies, index)) continue;

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <utility>
 
+#include <plumb/dynamics/bodies/body_groups.h>
 #include <plumb/dynamics/joints/joint_response.h>
 #include <plumb/dynamics/joints/solve_island.h>
 
@@ -166,21 +166,21 @@ private:
 /// bodies pass nothing on.
 class BounceGroups {
 public:
-    BounceGroups(const BodyStore& bodies, const JointIslands& islands) : bodies_(bodies), first_(bodies.record.size()) {
-        std::iota(first_.begin(), first_.end(), BodyIndex{0});
+    BounceGroups(const BodyStore& bodies, const JointIslands& islands)
+        : bodies_(bodies), connected_(bodies.record.size()) {
         for (const JointIsland& island : islands.islands)
-            for (const BodyIndex body : island.bodies) unite(body, island.bodies.front());
+            for (const BodyIndex body : island.bodies) connected_.unite(body, island.bodies.front());
     }
 
     void add(ContactIndex index, const ContactRecord& contact) {
         const bool movesA = bodies_.canMove(contact.bodyA);
-        if (movesA && bodies_.canMove(contact.bodyB)) unite(contact.bodyA, contact.bodyB);
+        if (movesA && bodies_.canMove(contact.bodyB)) connected_.unite(contact.bodyA, contact.bodyB);
         found_.push_back({movesA ? contact.bodyA : contact.bodyB, index});
     }
 
     std::vector<BounceGroup> groups() {
         std::map<BodyIndex, BounceGroup> groupOf;
-        for (const auto& [body, index] : found_) groupOf[setOf(body)].push_back(index);
+        for (const auto& [body, index] : found_) groupOf[connected_.of(body)].push_back(index);
         std::vector<BounceGroup> groups;
         for (auto& [body, group] : groupOf) {
             std::sort(group.begin(), group.end());
@@ -190,30 +190,25 @@ public:
     }
 
 private:
-    BodyIndex setOf(BodyIndex body) {
-        while (first_[body] != body) body = first_[body] = first_[first_[body]];
-        return body;
-    }
-    void unite(BodyIndex a, BodyIndex b) { first_[std::max(setOf(a), setOf(b))] = std::min(setOf(a), setOf(b)); }
-
     const BodyStore& bodies_;
-    std::vector<BodyIndex> first_;  ///< of each body: another one of its set, or itself (union-find)
+    BodyGroups connected_;
     std::vector<std::pair<BodyIndex, ContactIndex>> found_;
 };
 
-/// Calls visit(contact) for all contacts that bounce and have a jointed body.
-template <class Visit>
-void forEachJointedBounce(const ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies,
-                          Visit&& visit) {
+/// The contacts that bounce and have a jointed body.
+std::vector<ContactIndex> jointedBounces(const ContactGraph& graph, const ContactStore& contacts,
+                                         const BodyStore& bodies) {
+    std::vector<ContactIndex> found;
     const auto isJointed = [&](BodyIndex body) { return bodies.links[body].actingJoints > 0; };
     for (const Colour& colour : graph.colours) {
         for (std::size_t i = 0; i < colour.contactOf.size(); ++i) {
             if (!colour.batches[i / batchLanes].bounces) continue;
             const ContactRecord& contact = contacts[colour.contactOf[i]];
             if (contact.restitution > 0 && (isJointed(contact.bodyA) || isJointed(contact.bodyB)))
-                visit(colour.contactOf[i]);
+                found.push_back(colour.contactOf[i]);
         }
     }
+    return found;
 }
 
 /// Keeps the solver from bouncing the contact.
@@ -227,8 +222,7 @@ void take(ContactGraph& graph, const ContactRecord& contact) {
 std::vector<BounceGroup> takeJointedBounces(ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies,
                                             const JointIslands& islands) {
     if (islands.islands.empty()) return {};
-    std::vector<ContactIndex> found;
-    forEachJointedBounce(graph, contacts, bodies, [&](ContactIndex index) { found.push_back(index); });
+    const std::vector<ContactIndex> found = jointedBounces(graph, contacts, bodies);
     if (found.empty()) return {};
     BounceGroups search(bodies, islands);
     for (const ContactIndex index : found) search.add(index, contacts[index]);
