@@ -69,11 +69,13 @@ std::size_t bytesOf(const JointStore& j) {
 }
 
 std::size_t bytesOf(const JointIslands& j) {
-    std::size_t bytes =
-        sumOf(j.joints, j.breakable) + j.springs.bytes() + j.plans.bytes() + j.islands.capacity() * sizeof(JointIsland);
+    std::size_t bytes = sumOf(j.joints, j.breakable, j.alike) + j.springs.bytes() + j.layouts.bytes() +
+                        j.islands.capacity() * sizeof(JointIsland);
     for (const JointIsland& island : j.islands)
-        bytes += sumOf(island.joints, island.endNodes, island.bodies, island.stiffness, island.others) +
-                 island.solver.bytes() + island.work.bytes() + island.hinges.bytes();
+        bytes +=
+            sumOf(island.joints, island.held, island.bodies, island.stiffness, island.others) + island.hinges.bytes();
+    for (const std::vector<std::uint32_t>& group : j.alike) bytes += sumOf(group);
+    for (const JointBatch& batch : j.batches) bytes += sizeof(JointBatch) + batch.bytes();
     return bytes;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/joints/block_plan.h>
 
+#include <map>
 #include <set>
 
 namespace plumb {
@@ -79,29 +80,6 @@ std::shared_ptr<const BlockPlan> planBlocks(std::uint32_t nodes, std::span<const
         plan->places[e].transposed = rank[edges[e].first] < rank[edges[e].second];
     plan->blocks = graph.blocks;
     return plan;
-}
-
-void BlockPlans::renew() {
-    before_ = std::move(now_);
-    now_.clear();
-}
-
-std::shared_ptr<const BlockPlan> BlockPlans::find(std::uint32_t nodes, const std::vector<BlockPlan::Edge>& edges,
-                                                  std::size_t mostUpdates) {
-    const auto known = now_.find(edges);
-    if (known != now_.end()) return known->second;
-    const auto older = before_.find(edges);
-    const std::shared_ptr<const BlockPlan> plan =
-        older != before_.end() ? older->second : planBlocks(nodes, edges, mostUpdates);
-    now_.emplace(edges, plan);
-    return plan;
-}
-
-std::size_t BlockPlans::bytes() const {
-    std::size_t bytes = 0;
-    for (const Known* plans : {&now_, &before_})
-        for (const auto& [edges, plan] : *plans) bytes += bytesOf(edges) + (plan != nullptr ? plan->bytes() : 0);
-    return bytes;
 }
 
 }  // namespace plumb

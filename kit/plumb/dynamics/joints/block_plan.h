@@ -9,7 +9,6 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <span>
 #include <utility>
@@ -50,21 +49,5 @@ struct BlockPlan {
 /// The plan for a graph; null if the elimination would take more than mostUpdates block updates.
 std::shared_ptr<const BlockPlan> planBlocks(std::uint32_t nodes, std::span<const BlockPlan::Edge> edges,
                                             std::size_t mostUpdates);
-
-/// The plans of all graphs that were asked for since the last renewal or the one before it.
-class BlockPlans {
-public:
-    /// Forgets what was not asked for since the last call.
-    void renew();
-    /// The plan of planBlocks, from memory if the same edges were asked for before. Each node must have an edge, and
-    /// mostUpdates must follow from the graph.
-    std::shared_ptr<const BlockPlan> find(std::uint32_t nodes, const std::vector<BlockPlan::Edge>& edges,
-                                          std::size_t mostUpdates);
-    std::size_t bytes() const;
-
-private:
-    using Known = std::map<std::vector<BlockPlan::Edge>, std::shared_ptr<const BlockPlan>>;
-    Known now_, before_;
-};
 
 }  // namespace plumb

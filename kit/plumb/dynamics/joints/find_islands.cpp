@@ -11,53 +11,62 @@ namespace plumb {
 
 namespace {
 
-/// An island is swept if it has more than fewLoops loops and more than one per jointsPerLoop joints, or if it needs
-/// more than fewUpdates block updates and more than updatesPerNode per node.
-constexpr std::size_t jointsPerLoop = 8;
-constexpr std::size_t fewLoops = 16;
-constexpr std::size_t updatesPerNode = 8;
-constexpr std::size_t fewUpdates = 4000;
+/// Numbers the bodies of an island, and finds its layout.
+class Numbering {
+public:
+    Numbering(const JointStore& joints, const BodyStore& bodies)
+        : joints_(joints), bodies_(bodies), nodeOf_(bodies.record.size(), none) {}
 
-void numberNodes(JointIsland& island, const JointStore& joints, const BodyStore& bodies, int atOnce, BlockPlans& plans,
-                 std::vector<std::uint32_t>& nodeOf) {
-    for (const JointIndex index : island.joints) {
-        for (const BodyIndex body : endsOf(joints, index)) {
-            if (!bodies.canMove(body) || nodeOf[body] != JointIsland::EndNodes::fixed) continue;
-            nodeOf[body] = static_cast<std::uint32_t>(island.bodies.size());
-            island.bodies.push_back(body);
+    void number(JointIsland& island, IslandLayouts& layouts) {
+        for (const JointIndex index : island.joints)
+            for (const BodyIndex body : endsOf(joints_, index))
+                if (bodies_.canMove(body)) add(island.bodies, body, 0);
+        island.stiffness.resize(island.bodies.size());
+        std::vector<LaidJoint> laid;
+        for (const JointIndex index : island.joints) {
+            LaidJoint& joint = laid.emplace_back(LaidJoint{joints_.formOf(index), {}});
+            for (std::size_t k = 0; k < joint.form.links; ++k)
+                joint.link[k] = {nodeOf(island, joint.form.link[k].a.body), nodeOf(island, joint.form.link[k].b.body)};
         }
+        const std::size_t all = island.bodies.size() + island.held.size();
+        island.layout =
+            layouts.find(static_cast<std::uint32_t>(island.bodies.size()), static_cast<std::uint32_t>(all), laid);
+        for (const std::vector<BodyIndex>* some : {&island.bodies, &island.held})
+            for (const BodyIndex body : *some) nodeOf_[body] = none;
     }
-    island.stiffness.resize(island.bodies.size());
-    std::vector<BlockPlan::Edge> edges;
-    std::uint32_t node = static_cast<std::uint32_t>(island.bodies.size());
-    for (const JointIndex index : island.joints) {
-        JointIsland::EndNodes endNodes;
-        const auto ends = endsOf(joints, index);
-        for (std::size_t e = 0; e < maxEnds; ++e) {
-            if (!bodies.canMove(ends[e])) continue;
-            endNodes.node[e] = nodeOf[ends[e]];
-            endNodes.edge[e] = edges.size();
-            edges.push_back({node, endNodes.node[e]});
-        }
-        island.endNodes.push_back(endNodes);
-        ++node;
+
+private:
+    void add(std::vector<BodyIndex>& to, BodyIndex body, std::size_t first) {
+        if (nodeOf_[body] != none) return;
+        nodeOf_[body] = static_cast<std::uint32_t>(first + to.size());
+        to.push_back(body);
     }
-    for (const BodyIndex body : island.bodies) nodeOf[body] = JointIsland::EndNodes::fixed;
-    const std::size_t loops = edges.size() + 1 - std::min<std::size_t>(edges.size(), node);
-    const std::size_t most = std::max(fewUpdates, updatesPerNode * node);
-    const bool mayBeDirect = island.joints.size() <= static_cast<std::size_t>(atOnce) &&
-                             loops <= std::max(fewLoops, island.joints.size() / jointsPerLoop);
-    const std::shared_ptr<const BlockPlan> plan = mayBeDirect ? plans.find(node, edges, most) : nullptr;
-    island.direct = plan != nullptr;
-    if (island.direct) island.solver = BlockSolver(plan);
-    if (!island.direct) island.others = island.hinges.take(island.joints, joints, bodies);
+    std::uint32_t nodeOf(JointIsland& island, BodyIndex body) {
+        if (!bodies_.canMove(body)) add(island.held, body, island.bodies.size());
+        return nodeOf_[body];
+    }
+
+    const JointStore& joints_;
+    const BodyStore& bodies_;
+    std::vector<std::uint32_t> nodeOf_;
+};
+
+void groupAlike(JointIslands& found) {
+    found.alike.clear();
+    std::map<const IslandLayout*, std::size_t> groupOf;
+    for (std::uint32_t i = 0; i < found.islands.size(); ++i) {
+        JointIsland& island = found.islands[i];
+        if (island.isSwept()) continue;
+        const auto [group, isNew] = groupOf.try_emplace(island.layout.get(), found.alike.size());
+        if (isNew) found.alike.emplace_back();
+        found.alike[group->second].push_back(i);
+    }
 }
 
 }  // namespace
 
-std::vector<JointIsland> findJointIslands(const JointStore& joints, const BodyStore& bodies, int atOnce,
-                                          BlockPlans& plans) {
-    plans.renew();
+void findJointIslands(JointIslands& found, const JointStore& joints, const BodyStore& bodies) {
+    found.layouts.renew();
     BodyGroups groups(bodies.record.size());
     std::vector<JointIndex> awake;
     for (JointIndex index = 0; index < joints.records.size(); ++index) {
@@ -71,7 +80,8 @@ std::vector<JointIsland> findJointIslands(const JointStore& joints, const BodySt
         for (const BodyIndex body : ends)
             if (bodies.canMove(body)) groups.unite(*first, body);
     }
-    std::vector<JointIsland> islands;
+    std::vector<JointIsland>& islands = found.islands;
+    islands.clear();
     std::vector<std::uint32_t> islandOf(bodies.record.size(), none);
     for (const JointIndex index : awake) {
         const auto ends = endsOf(joints, index);
@@ -83,13 +93,16 @@ std::vector<JointIsland> findJointIslands(const JointStore& joints, const BodySt
         }
         islands[island].joints.push_back(index);
     }
-    std::vector<std::uint32_t> nodeOf(bodies.record.size(), JointIsland::EndNodes::fixed);
-    for (JointIsland& island : islands) numberNodes(island, joints, bodies, atOnce, plans, nodeOf);
-    return islands;
+    Numbering numbering(joints, bodies);
+    for (JointIsland& island : islands) {
+        numbering.number(island, found.layouts);
+        if (island.isSwept()) island.others = island.hinges.take(island.joints, joints, bodies);
+    }
+    groupAlike(found);
 }
 
 void keepStiffness(const std::vector<JointIsland>& before, std::vector<JointIsland>& islands) {
-    std::map<BodyIndex, Vec3> known;
+    std::map<BodyIndex, JointIsland::Stiffness> known;
     for (const JointIsland& island : before)
         for (std::size_t b = 0; b < island.bodies.size(); ++b) known.emplace(island.bodies[b], island.stiffness[b]);
     for (JointIsland& island : islands) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which joints form one joint island, and is it solved directly or swept?
+// Which joints form one joint island, and is it solved at once or swept?
 #pragma once
 #include <vector>
 
@@ -7,10 +7,8 @@
 
 namespace plumb {
 
-/// The islands of all joints that act and have an awake body, in the order of their first joints. atOnce: an island
-/// with more joints than this is swept instead of solved directly.
-std::vector<JointIsland> findJointIslands(const JointStore& joints, const BodyStore& bodies, int atOnce,
-                                          BlockPlans& plans);
+/// Finds the islands of all joints that act and have an awake body, in the order of their first joints.
+void findJointIslands(JointIslands& found, const JointStore& joints, const BodyStore& bodies);
 
 /// Copies the geometric stiffness of each body that was in one of the islands before.
 void keepStiffness(const std::vector<JointIsland>& before, std::vector<JointIsland>& islands);

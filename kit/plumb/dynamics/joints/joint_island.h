@@ -2,11 +2,9 @@
 // Which joints are connected through bodies, and so are solved together?
 #pragma once
 #include <plumb/dynamics/bodies/step_observer.h>
-#include <plumb/dynamics/joints/block_solver.h>
 #include <plumb/dynamics/joints/hinge_sweep.h>
-#include <plumb/dynamics/joints/island_work.h>
+#include <plumb/dynamics/joints/joint_batch.h>
 #include <plumb/dynamics/joints/joint_springs.h>
-#include <plumb/dynamics/joints/joint_store.h>
 #include <plumb/dynamics/solver_settings.h>
 
 namespace plumb {
@@ -19,32 +17,41 @@ struct IslandTrial {
 };
 
 struct JointIsland {
-    /// The nodes and edges of a joint's ends in the island's solver. The nodes of the bodies come first.
-    struct EndNodes {
-        static constexpr std::uint32_t fixed = ~std::uint32_t{0};  ///< no body of the island
-        std::array<std::uint32_t, maxEnds> node{fixed, fixed, fixed, fixed};
-        std::array<std::size_t, maxEnds> edge{};
+    /// Of a body, from recent forces.
+    struct Stiffness {
+        double along = 0, turning = 0;  ///< [N/m, N m/rad]
     };
 
     std::vector<JointIndex> joints;
-    std::vector<EndNodes> endNodes;  ///< of the joints
-    std::vector<BodyIndex> bodies;
-    std::vector<Vec3> stiffness;     ///< of the bodies, from recent forces: along x, y, turning [N/m, N m/rad]
-    bool direct = true;              ///< solved directly, all joints at once; else swept
-    BlockSolver solver;              ///< used when solved directly
-    IslandWork work;                 ///< used when solved directly
+    std::vector<BodyIndex> bodies;               ///< that impulses move
+    std::vector<BodyIndex> held;                 ///< that they do not move
+    std::vector<Stiffness> stiffness;            ///< of the bodies that move
+    std::shared_ptr<const IslandLayout> layout;  ///< null: the island is swept
+    JointBatch* batch = nullptr;                 ///< in this step, if it is not swept
+    std::size_t lane = 0;
     IslandTrial trial;               ///< used when solved together with its contacts
     HingeSweep hinges;               ///< used when swept: its plain hinges
     std::vector<JointIndex> others;  ///< used when swept: all its other joints
+
+    bool isSwept() const { return layout == nullptr; }
+    BodyIndex bodyAt(std::size_t node) const {
+        return node < bodies.size() ? bodies[node] : held[node - bodies.size()];
+    }
+    std::size_t nodeOf(BodyIndex body) const {
+        return static_cast<std::size_t>(std::find(bodies.begin(), bodies.end(), body) - bodies.begin());
+    }
 };
 
 /// The islands of all joints that act and have an awake body.
 struct JointIslands {
-    std::vector<JointIsland> islands;   ///< in the order of their first joints
-    std::vector<JointIndex> joints;     ///< of all islands, in the order of their slots
-    std::vector<JointIndex> breakable;  ///< those of the joints that can break
+    std::vector<JointIsland> islands;               ///< in the order of their first joints
+    std::vector<std::vector<std::uint32_t>> alike;  ///< numbers of those that are not swept, for each layout
+    std::vector<JointBatch> batches;                ///< in this step; its islands keep pointers to them
+    std::size_t batchCount = 0;                     ///< those in use
+    std::vector<JointIndex> joints;                 ///< of all islands, in the order of their slots
+    std::vector<JointIndex> breakable;              ///< those of the joints that can break
     JointSprings springs;
-    BlockPlans plans;  ///< of the islands that are solved directly
+    IslandLayouts layouts;
 };
 
 /// The stores that the joint solver reads and writes.

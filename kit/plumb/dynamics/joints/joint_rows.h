@@ -24,12 +24,10 @@
 #include <limits>
 
 #include <plumb/dynamics/joint_def.h>
-#include <plumb/dynamics/joints/joint_end.h>
+#include <plumb/dynamics/joints/joint_form.h>
 #include <plumb/math/detail/mat3.h>
 
 namespace plumb {
-
-inline constexpr std::size_t maxRows = 3, maxEnds = 4;
 
 struct JointRow {
     std::array<Vec3, 2> at{};                   ///< of two ends: x, y [-], turn [m]; for a turning row 0, 0, [-]

@@ -51,13 +51,4 @@ void JointSprings::share(JointStore& store, const BodyStore& bodies, double h) {
         store[joint].springShare = shareOf(h * h * (load_[store[joint].bodyA] + load_[store[joint].bodyB]));
 }
 
-void JointSprings::noteSpeeds(JointStore& store, const BodyStore& bodies, double h) const {
-    const JointPass pass{h, false, 0, 0};
-    JointRows rows;
-    for (const JointIndex joint : joints_) {
-        store.addRows(joint, bodies, pass, rows);
-        for (std::size_t r = 0; r < rows.count; ++r) store[joint].speeds[r] = speedOf(rows, r, bodies);
-    }
-}
-
 }  // namespace plumb

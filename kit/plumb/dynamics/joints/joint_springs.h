@@ -26,8 +26,6 @@ public:
     void find(const std::vector<JointIndex>& joints, const JointStore& store);
     /// At the start of a step, for sub-steps of h [s]: finds the share F(q) / q of the springs' stiffness.
     void share(JointStore& store, const BodyStore& bodies, double h);
-    /// Before each sub-step, before any force: notes the speeds of the springs' rows, for their dampers.
-    void noteSpeeds(JointStore& store, const BodyStore& bodies, double h) const;
 
     std::size_t bytes() const { return bytesOf(joints_) + bytesOf(load_); }
 

@@ -96,6 +96,24 @@ void JointStore::addRows(JointIndex index, const BodyStore& bodies, JointPass pa
         records[index].joint);
 }
 
+JointForm JointStore::formOf(JointIndex index) const {
+    return std::visit(
+        [&]<class Joint>(const Joint& joint) {
+            if constexpr (std::is_same_v<Joint, GearJoint>)
+                return joint.form(coordinateFormOf(joint.jointA), coordinateFormOf(joint.jointB));
+            else if constexpr (requires { joint.form(); })
+                return joint.form();
+            else
+                return JointForm(AnchorPair{});
+        },
+        records[index].joint);
+}
+
+JointForm JointStore::coordinateFormOf(JointIndex index) const {
+    if (const auto* slide = std::get_if<PrismaticJoint>(&records[index].joint)) return slide->coordinateForm();
+    return std::get<RevoluteJoint>(records[index].joint).coordinateForm();
+}
+
 JointDef JointRecord::def() const {
     return std::visit(
         []<class Joint>(const Joint& any) -> JointDef {

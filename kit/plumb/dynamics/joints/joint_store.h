@@ -88,6 +88,7 @@ struct JointStore {
 
     /// Sets rows to the joint's rows for this half of a sub-step.
     void addRows(JointIndex joint, const BodyStore& bodies, JointPass pass, JointRows& rows) const;
+    JointForm formOf(JointIndex joint) const;
     bool hasSpring(JointIndex joint) const;
     SpringLoad springLoadOf(JointIndex joint, const BodyStore& bodies) const;
     /// The joint's coordinate after the last step [m or rad].
@@ -97,6 +98,10 @@ struct JointStore {
     /// Within a step: after the sub-steps done so far; 0 for gears [m].
     double errorNow(JointIndex joint, const BodyStore& bodies) const;
     double angleErrorOf(JointIndex joint, const BodyStore& bodies) const;  ///< [rad]
+
+private:
+    /// A single row: the coordinate that a gear connects.
+    JointForm coordinateFormOf(JointIndex joint) const;
 };
 
 /// The joint that a def describes, at the bodies' present positions.

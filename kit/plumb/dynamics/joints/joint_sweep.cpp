@@ -55,8 +55,8 @@ double impulseOnCurve(const JointRow& row, double v, double old, double w) {
     return std::min(std::max(at, old - (v - row.lowerStop) / w), old - (v - row.upperStop) / w);
 }
 
-}  // namespace
-
+/// Applies the impulse of the previous half sub-step as a first guess. Then solves the driven and limited rows one by
+/// one, and after them all rows that hold together.
 void sweepJoint(JointRecord& record, JointLoad& load, const JointRows& rows, BodyStore& bodies, const Softness& soft) {
     for (std::size_t r = 0; r < rows.count; ++r) push(rows, r, record.impulse[r], bodies);
     for (std::size_t r = 0; r < rows.count; ++r) {
@@ -70,6 +70,28 @@ void sweepJoint(JointRecord& record, JointLoad& load, const JointRows& rows, Bod
     }
     sweepHolding(record, rows, bodies, soft);
     addLoad(load, rows, record.impulse);
+}
+
+Vec3 speedsOf(const JointRows& rows, const BodyStore& bodies) {
+    Vec3 speeds{};
+    for (std::size_t r = 0; r < rows.count; ++r) speeds[r] = speedOf(rows, r, bodies);
+    return speeds;
+}
+
+}  // namespace
+
+void sweepIsland(JointIsland& island, JointStore& joints, BodyStore& bodies, const SweepPass& pass) {
+    island.hinges.solve(*pass.hingeSolver, bodies.solverBodies(), pass.hinges);
+    JointRows rows;
+    for (const JointIndex index : island.others) {
+        joints.addRows(index, bodies, pass.joints, rows);
+        sweepJoint(joints[index], joints.loads[index], rows, bodies, pass.hinges.soft);
+        if (pass.observer == nullptr) continue;
+        Vec3 slopes{};
+        for (std::size_t r = 0; r < rows.count; ++r)
+            slopes[r] = slopeOf(rows.row[r], effectiveInverseMass(bodies, rows, r));
+        pass.observer->noteRows(rows, joints[index].impulse, speedsOf(rows, bodies), slopes);
+    }
 }
 
 }  // namespace plumb

@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: MIT
-// How is one joint solved in an island with too many loops for a direct solution?
+// How is an island with too many loops for a direct solution solved? Joint by joint, with soft corrections and the
+// previous impulses as a first guess.
 #pragma once
 #include <plumb/dynamics/bodies/softness.h>
-#include <plumb/dynamics/joints/joint_store.h>
+#include <plumb/dynamics/joints/joint_island.h>
 
 namespace plumb {
 
-/// Applies the impulse of the previous half sub-step as a first guess. Then solves the driven and limited rows one by
-/// one, and after them all rows that hold together.
-void sweepJoint(JointRecord& record, JointLoad& load, const JointRows& rows, BodyStore& bodies, const Softness& soft);
+/// The inputs of one pass over swept islands.
+struct SweepPass {
+    JointPass joints;
+    HingePass hinges;
+    const HingeSolver* hingeSolver = nullptr;
+    StepObserver* observer = nullptr;  ///< may be null
+};
+
+/// Changes the velocities towards those that the joints want, and adds the impulses to the joints' loads.
+void sweepIsland(JointIsland& island, JointStore& joints, BodyStore& bodies, const SweepPass& pass);
 
 }  // namespace plumb

@@ -9,6 +9,7 @@ namespace plumb {
 template struct WideLaneCollider<1>;
 template struct WideHingeSolver<1>;
 template struct WideBodySolver<1>;
+template struct WideIslandKernel<1>;
 #if defined(__GNUC__)
 extern template struct WideContactSolver<4>;
 extern template struct WideContactSolver<8>;
@@ -22,6 +23,9 @@ extern template struct WideHingeSolver<16>;
 extern template struct WideBodySolver<4>;
 extern template struct WideBodySolver<8>;
 extern template struct WideBodySolver<16>;
+extern template struct WideIslandKernel<2>;
+extern template struct WideIslandKernel<4>;
+extern template struct WideIslandKernel<8>;
 #endif
 
 namespace {
@@ -47,6 +51,19 @@ const LaneCollider& laneCollider(int lanes) {
 
 const HingeSolver& hingeSolver(int lanes) {
     return codeFor<WideHingeSolver>(lanes, WideHingeSolver<1>::code);
+}
+
+int islandLanes(int lanes) {
+    return std::max(1, std::min(lanes, machineLanes()) / 2);
+}
+
+const IslandKernel& islandKernel([[maybe_unused]] int islands) {
+#if defined(__GNUC__)
+    if (islands == 8) return WideIslandKernel<8>::code;
+    if (islands == 4) return WideIslandKernel<4>::code;
+    if (islands == 2) return WideIslandKernel<2>::code;
+#endif
+    return WideIslandKernel<1>::code;
 }
 
 const BodySolver& bodySolver(int lanes) {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include <plumb/dynamics/bodies/body_groups.h>
+#include <plumb/dynamics/joints/joint_island.h>
 #include <plumb/dynamics/joints/joint_response.h>
-#include <plumb/dynamics/joints/solve_island.h>
 
 namespace plumb {
 
@@ -62,8 +62,7 @@ double speedAlong(const BodyStore& bodies, BodyIndex body, const Vec3& push) {
 class JointBounces {
 public:
     JointBounces(const JointStores& stores, ContactGraph& graph, const ContactStore& contacts, double h)
-        : joints_(stores.joints),
-          islands_(stores.islands),
+        : islands_(stores.islands),
           bodies_(stores.bodies),
           observer_(stores.observer),
           graph_(graph),
@@ -71,7 +70,7 @@ public:
           h_(h),
           islandOf_(bodies_.record.size(), none) {
         for (std::uint32_t i = 0; i < islands_.islands.size(); ++i)
-            if (islands_.islands[i].direct)
+            if (!islands_.islands[i].isSwept())
                 for (const BodyIndex body : islands_.islands[i].bodies) islandOf_[body] = i;
     }
 
@@ -132,7 +131,9 @@ private:
         if (!bodies_.canMove(body)) return;
         const Vec3 given{along[0] * impulse, along[1] * impulse, along[2] * impulse};
         if (islandOf_[body] != none) {
-            pushIsland(islands_.islands[islandOf_[body]], joints_, bodies_, body, given, h_);
+            const JointIsland& island = islands_.islands[islandOf_[body]];
+            island.batch->pull(bodies_);
+            island.batch->push(bodies_, island.lane, island.nodeOf(body), given);
             return;
         }
         SolverVelocity& v = bodies_.velocity[body];
@@ -152,14 +153,13 @@ private:
         return rows;
     }
 
-    JointStore& joints_;
     JointIslands& islands_;
     BodyStore& bodies_;
     StepObserver* observer_;
     ContactGraph& graph_;
     const ContactStore& contacts_;
     double h_;
-    std::vector<std::uint32_t> islandOf_;  ///< of each body; none if it is in no island that is solved directly
+    std::vector<std::uint32_t> islandOf_;  ///< of each body; none if it is in no island, or in a swept one
 };
 
 /// Which contacts can pass an impact on to each other? Those that meet at a body, or at bodies of one island. Fixed

@@ -7,7 +7,7 @@
 #include <plumb/dynamics/joints/find_islands.h>
 #include <plumb/dynamics/joints/joint_bodies.h>
 #include <plumb/dynamics/joints/joint_response.h>
-#include <plumb/dynamics/joints/solve_island.h>
+#include <plumb/dynamics/joints/joint_sweep.h>
 #include <plumb/dynamics/solver/joint_bounces.h>
 #include <plumb/dynamics/solver/machine_sweep.h>
 
@@ -21,14 +21,17 @@ namespace {
 constexpr double jointFrequencyShare = 0.25;
 constexpr double jointDampingRatio = 2;
 
-IslandPass passOf(const SolverSettings& settings, const JointHalf& half) {
-    const double h = half.step, pull = settings.contactPushSpeed;
+SweepPass passOf(const JointStores& stores, const JointHalf& half) {
+    const double h = half.step, pull = stores.settings.contactPushSpeed;
     const float step = static_cast<float>(h), fastest = static_cast<float>(pull);
-    const HingeSolver* hinges = &hingeSolver(settings.lanes);
-    const JointPass direct = directPass(settings, half);
-    if (!half.correct) return {direct, {h, false, 0, pull}, {step, false, fastest, {}}, hinges};
+    const HingeSolver* hinges = &hingeSolver(stores.settings.lanes);
+    if (!half.correct) return {{h, false, 0, pull}, {step, false, fastest, {}}, hinges, stores.observer};
     const Softness soft = softness(jointFrequencyShare / h, jointDampingRatio, h);
-    return {direct, {h, true, static_cast<double>(soft.biasRate), pull}, {step, true, fastest, soft}, hinges};
+    return {{h, true, static_cast<double>(soft.biasRate), pull}, {step, true, fastest, soft}, hinges, stores.observer};
+}
+
+IslandTurn turnOf(const JointStores& stores, const JointHalf& half) {
+    return {half.step, half.correct, false, stores.settings.contactPushSpeed};
 }
 
 /// A sleeping joint keeps its load. A joint that no longer holds anything gets no load, and one whose body is out of
@@ -50,7 +53,7 @@ void findAwakeIslands(const JointStores& stores) {
     const std::vector<JointIsland> before = std::move(found.islands);
     for (const JointIsland& island : before) island.hinges.release(joints);
     resetLoads(joints, stores.bodies);
-    found.islands = findJointIslands(joints, stores.bodies, stores.settings.jointsAtOnce, found.plans);
+    findJointIslands(found, joints, stores.bodies);
     keepStiffness(before, found.islands);
     found.joints.clear();
     for (const JointIsland& island : found.islands)
@@ -91,45 +94,122 @@ void reportGround(const JointStores& stores, const std::vector<BodyIndex>& some,
     if (stores.observer != nullptr) stores.observer->noteGround(momentumOf(stores.bodies, some) - before);
 }
 
+std::span<JointBatch> batchesOf(const JointStores& stores) {
+    return {stores.islands.batches.data(), stores.islands.batchCount};
+}
+
+/// Equal islands share a batch, as many as there are lanes. An island that is solved together with its contacts has a
+/// batch of its own.
+void loadBatches(const JointStores& stores, double dt) {
+    JointIslands& found = stores.islands;
+    const double h = dt / stores.settings.subSteps;
+    const auto most = static_cast<std::size_t>(islandLanes(stores.settings.lanes));
+    if (found.batches.size() < found.islands.size()) found.batches.resize(found.islands.size());
+    found.batchCount = 0;
+    const auto load = [&](std::span<JointIsland* const> some) {
+        found.batches[found.batchCount++].load(some, stores.joints, stores.bodies, h);
+    };
+    std::vector<JointIsland*> some;
+    for (const std::vector<std::uint32_t>& group : found.alike) {
+        some.clear();
+        for (const std::uint32_t i : group) {
+            JointIsland* island = &found.islands[i];
+            if (island->trial.wanted)
+                load({&island, 1});
+            else
+                some.push_back(island);
+        }
+        std::size_t width = most;
+        for (std::span<JointIsland*> left = some; !left.empty(); left = left.subspan(width)) {
+            while (width > left.size()) width /= 2;
+            load(left.first(width));
+        }
+    }
+}
+
+void beginHalf(const JointStores& stores, const JointHalf& half) {
+    for (JointBatch& batch : batchesOf(stores)) {
+        batch.pull(stores.bodies);
+        if (half.correct) batch.noteSpeeds();
+        for (JointIsland* island : batch.islands())
+            if (half.correct && island->trial.wanted) island->trial.after = velocitiesOf(*island, stores.bodies);
+    }
+}
+
+void kickBatches(const JointStores& stores) {
+    for (JointBatch& batch : batchesOf(stores)) batch.kick(stores.bodies);
+}
+
+void moveBatches(const JointStores& stores, double h) {
+    for (JointBatch& batch : batchesOf(stores)) batch.move(stores.bodies, h);
+}
+
 /// An island that is solved together with its contacts. What it gives is reported when the contacts are known.
-void firstTry(JointIsland& island, const JointStores& stores, const JointPass& pass) {
+void firstTry(JointIsland& island, const JointStores& stores, const IslandTurn& turn) {
     island.trial.before = velocitiesOf(island, stores.bodies);
-    if (pass.correct)
+    if (turn.correct)
         for (std::size_t b = 0; b < island.bodies.size(); ++b)
             setVelocity(stores.bodies, island.bodies[b], island.trial.after[b]);
-    tryIsland(island, stores.joints, stores.bodies, island.trial.before, pass);
+    island.batch->tryFrom(stores.bodies, island.trial.before, turn);
     island.trial.after = velocitiesOf(island, stores.bodies);
 }
 
+std::vector<BodyIndex> bodiesOf(const JointBatch& batch) {
+    std::vector<BodyIndex> bodies;
+    for (const JointIsland* island : batch.islands())
+        bodies.insert(bodies.end(), island->bodies.begin(), island->bodies.end());
+    return bodies;
+}
+
+/// Calls change(), and reports what it changed in the momentum of the batch's bodies.
+template <class Change>
+void reportGround(const JointStores& stores, const JointBatch& batch, Change&& change) {
+    reportGround(stores, stores.observer != nullptr ? bodiesOf(batch) : std::vector<BodyIndex>(),
+                 std::forward<Change>(change));
+}
+
 void solveJoints(const JointStores& stores, const JointHalf& half) {
-    IslandPass pass = passOf(stores.settings, half);
-    pass.observer = stores.observer;
-    for (JointIsland& island : stores.islands.islands) {
-        if (island.trial.wanted)
-            firstTry(island, stores, pass.direct);
+    const IslandTurn turn = turnOf(stores, half);
+    for (JointBatch& batch : batchesOf(stores)) {
+        if (batch.islands().front()->trial.wanted)
+            firstTry(*batch.islands().front(), stores, turn);
         else
-            reportGround(stores, island.bodies, [&] { solveIsland(island, stores.joints, stores.bodies, pass); });
+            reportGround(stores, batch, [&] { batch.solve(stores.bodies, turn, stores.observer); });
     }
+    const SweepPass pass = passOf(stores, half);
+    for (JointIsland& island : stores.islands.islands)
+        if (island.isSwept())
+            reportGround(stores, island.bodies, [&] { sweepIsland(island, stores.joints, stores.bodies, pass); });
 }
 
 /// The joints are solved once more before bodies move: an impact on one plank of a bridge then acts on the whole
 /// bridge. This correction is not a contact impulse, so it is kept out of the contacts' next first guess.
 void holdJoints(const JointStores& stores, double h) {
-    const JointPass pass = directPass(stores.settings, {h, true});
     BodyStore& bodies = stores.bodies;
-    for (JointIsland& island : stores.islands.islands) {
-        const auto touched = [&](BodyIndex body) { return bodies.links[body].solverContacts > 0; };
-        if (!island.direct || island.trial.wanted || std::none_of(island.bodies.begin(), island.bodies.end(), touched))
-            continue;
-        std::vector<SolverVelocity> was;
-        for (const BodyIndex body : island.bodies) was.push_back(bodies.velocity[body]);
-        reportGround(stores, island.bodies, [&] { holdIsland(island, stores.joints, bodies, pass, stores.observer); });
-        for (std::size_t i = 0; i < island.bodies.size(); ++i) {
-            const SolverVelocity& now = bodies.velocity[island.bodies[i]];
-            SolverVelocity& before = bodies.before[island.bodies[i]];
-            before.x += now.x - was[i].x;
-            before.y += now.y - was[i].y;
-            before.w += now.w - was[i].w;
+    const auto touched = [&](BodyIndex body) { return bodies.links[body].solverContacts > 0; };
+    std::vector<SolverVelocity> was;
+    for (JointBatch& batch : batchesOf(stores)) {
+        std::array<bool, 8> active{};
+        const std::vector<JointIsland*>& islands = batch.islands();
+        for (std::size_t i = 0; i < islands.size(); ++i)
+            active[i] =
+                !islands[i]->trial.wanted && std::any_of(islands[i]->bodies.begin(), islands[i]->bodies.end(), touched);
+        if (std::none_of(active.begin(), active.end(), [](bool is) { return is; })) continue;
+        was.clear();
+        for (const JointIsland* island : islands)
+            for (const BodyIndex body : island->bodies) was.push_back(bodies.velocity[body]);
+        reportGround(stores, batch,
+                     [&] { batch.hold(bodies, h, stores.settings.contactPushSpeed, active, stores.observer); });
+        auto old = was.begin();
+        for (const JointIsland* island : islands) {
+            for (const BodyIndex body : island->bodies) {
+                const SolverVelocity& now = bodies.velocity[body];
+                SolverVelocity& before = bodies.before[body];
+                before.x += now.x - old->x;
+                before.y += now.y - old->y;
+                before.w += now.w - old->w;
+                ++old;
+            }
         }
     }
 }
@@ -140,28 +220,37 @@ void bounceJointed(const JointStores& stores, ContactGraph& graph, const Contact
     reportGround(stores, solved, [&] { bounceJointedBodies(stores, graph, contacts, bounces, h); });
 }
 
-void noteSpeeds(const JointStores& stores, double h) {
-    for (JointIsland& island : stores.islands.islands)
-        if (island.trial.wanted) island.trial.after = velocitiesOf(island, stores.bodies);
-    stores.islands.springs.noteSpeeds(stores.joints, stores.bodies, h);
+void storeBatches(const JointStores& stores, std::vector<std::pair<BodyIndex, BodyMove>>& moves) {
+    for (JointBatch& batch : batchesOf(stores)) {
+        batch.pull(stores.bodies);
+        batch.store(stores.joints, stores.bodies);
+        for (std::size_t lane = 0; lane < batch.islands().size(); ++lane) {
+            const std::vector<BodyIndex>& bodies = batch.islands()[lane]->bodies;
+            for (std::size_t node = 0; node < bodies.size(); ++node)
+                moves.emplace_back(bodies[node], batch.moveOf(lane, node));
+        }
+    }
+    for (const JointIsland& island : stores.islands.islands) island.hinges.addLoads(stores.joints);
 }
 
-void addLoads(JointStore& joints, const JointIslands& islands) {
-    for (const JointIsland& island : islands.islands) island.hinges.addLoads(joints);
-}
-
-void pushJointed(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse, double h) {
-    reportGround(stores, island.bodies, [&] { pushIsland(island, stores.joints, stores.bodies, body, impulse, h); });
+void pushJointed(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse) {
+    reportGround(stores, island.bodies, [&] {
+        island.batch->pull(stores.bodies);
+        island.batch->push(stores.bodies, island.lane, island.nodeOf(body), impulse);
+    });
     if (stores.observer != nullptr) stores.observer->noteGround(-Vec2(impulse[0], impulse[1]));
 }
 
 void holdOneIsland(const JointStores& stores, JointIsland& island, double h) {
-    const JointPass pass = directPass(stores.settings, {h, true});
-    reportGround(stores, island.bodies, [&] { holdIsland(island, stores.joints, stores.bodies, pass, nullptr); });
+    std::array<bool, 8> active{};
+    active[island.lane] = true;
+    reportGround(stores, island.bodies,
+                 [&] { island.batch->hold(stores.bodies, h, stores.settings.contactPushSpeed, active, nullptr); });
 }
 
-Vec3 answerOfJointed(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse, double h) {
-    return answerOfIsland(island, stores.joints, stores.bodies, body, impulse, h);
+Vec3 answerOfJointed(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse) {
+    island.batch->pull(stores.bodies);
+    return island.batch->answer(island.lane, island.nodeOf(body), impulse);
 }
 
 double springEnergyOf(const SpringLoad& load) {
@@ -189,7 +278,10 @@ double springEnergy(const JointStore& joints, const BodyStore& bodies) {
 }  // namespace
 
 const JointPhases jointPhases{.prepare = prepareJoints,
-                              .noteSpeeds = noteSpeeds,
+                              .load = loadBatches,
+                              .begin = beginHalf,
+                              .kick = kickBatches,
+                              .move = moveBatches,
                               .solve = solveJoints,
                               .takeBounces = takeJointedBounces,
                               .bounce = bounceJointed,
@@ -200,7 +292,7 @@ const JointPhases jointPhases{.prepare = prepareJoints,
                               .push = pushJointed,
                               .answer = answerOfJointed,
                               .holdOne = holdOneIsland,
-                              .addLoads = addLoads,
+                              .store = storeBatches,
                               .springEnergy = springEnergy};
 
 }  // namespace plumb

@@ -4,6 +4,7 @@
 // A world calls the code of joints through this table, which its first joint sets. So the linker removes all code of
 // joints from a program without joints. That is the table's only use: a page in a browser loads what is left.
 #pragma once
+#include <utility>
 #include <vector>
 
 #include <plumb/dynamics/bodies/step_observer.h>
@@ -17,12 +18,19 @@ namespace plumb {
 struct JointStore;
 struct JointIslands;
 struct JointStores;
+struct BodyMove;
 
 struct JointPhases {
     /// Before the sub-steps of a step of dt [s]: finds the islands again if the joints have changed.
     void (*prepare)(const JointStores& stores, double dt);
-    /// Before any force acts in a sub-step of h [s]: notes the speeds of springs and dampers.
-    void (*noteSpeeds)(const JointStores& stores, double h);
+    /// Takes the islands into their lanes.
+    void (*load)(const JointStores& stores, double dt);
+    /// Before any force acts in half a sub-step: takes in what others have done to the bodies.
+    void (*begin)(const JointStores& stores, const JointHalf& half);
+    /// After the forces have acted on all bodies: lets them act on the bodies in lanes.
+    void (*kick)(const JointStores& stores);
+    /// After all bodies have moved: moves the bodies in lanes.
+    void (*move)(const JointStores& stores, double h);
     void (*solve)(const JointStores& stores, const JointHalf& half);
     /// Returns the contacts that bounce and have a jointed body, and keeps the solver from bouncing them again.
     std::vector<BounceGroup> (*takeBounces)(ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies,
@@ -40,14 +48,14 @@ struct JointPhases {
                           MachineContacts& machines, const MachinePass& pass);
     /// Removes the errors that contacts have caused in the joints' held rows.
     void (*hold)(const JointStores& stores, double h);
-    /// For an island that is solved directly: applies an impulse (x, y, turning) to one body, and what its joints
-    /// answer; or tells by how much that would change the body's velocity. h: of the sub-step [s]
-    void (*push)(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse, double h);
-    Vec3 (*answer)(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse, double h);
+    /// For an island that is not swept: applies an impulse (x, y, turning) to one body, and what its joints
+    /// answer; or tells by how much that would change the body's velocity.
+    void (*push)(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse);
+    Vec3 (*answer)(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse);
     /// After such impulses: removes the errors that they cause in the joints' held rows.
     void (*holdOne)(const JointStores& stores, JointIsland& island, double h);
-    /// Adds the impulses of the step to the joints' loads.
-    void (*addLoads)(JointStore& joints, const JointIslands& islands);
+    /// At the end of the step: stores the loads of the joints, and adds the moves of all bodies in lanes.
+    void (*store)(const JointStores& stores, std::vector<std::pair<BodyIndex, BodyMove>>& moves);
     double (*springEnergy)(const JointStore& joints, const BodyStore& bodies);  ///< [J]
 };
 

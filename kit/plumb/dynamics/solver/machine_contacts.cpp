@@ -48,7 +48,7 @@ public:
         : graph_(graph), contacts_(contacts), bodies_(bodies) {}
 
     MachineContacts take(JointIslands& islands) {
-        for (JointIsland& island : islands.islands) island.trial.wanted = island.direct && isAffordable(island);
+        for (JointIsland& island : islands.islands) island.trial.wanted = !island.isSwept() && isAffordable(island);
         if (machines_ > mostMachines)
             for (JointIsland& island : islands.islands) island.trial.wanted = false;
         for (JointIsland& island : islands.islands)

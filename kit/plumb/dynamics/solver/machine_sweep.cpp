@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include <plumb/dynamics/joints/joint_response.h>
-#include <plumb/dynamics/joints/solve_island.h>
 
 namespace plumb {
 
@@ -43,7 +42,7 @@ MachineSweep::MachineSweep(const JointStores& stores, ContactGraph& graph, const
       contacts_(contacts),
       machines_(machines),
       pass_(pass),
-      joints_(directPass(stores.settings, pass.half)) {}
+      joints_{pass.half.step, pass.half.correct, false, stores.settings.contactPushSpeed} {}
 
 void MachineSweep::run() {
     for (const MachineContact& machine : machines_.contacts)
@@ -92,7 +91,7 @@ void MachineSweep::findBefore() {
             add(before_[p][b], other);
             add(before_[p][b], bounced);
         }
-        if (changed) tryIsland(island, stores_.joints, stores_.bodies, before_[p], joints_);
+        if (changed) island.batch->tryFrom(stores_.bodies, before_[p], joints_);
     }
 }
 
@@ -149,12 +148,11 @@ void MachineSweep::addAnswer(std::span<Vec3> answer, const MachineEnd& end) {
 }
 
 /// The change of a body's velocity by an impulse, without the joints'. A machine's bodies may have more mass than their
-/// own (see geometric_stiffness.h); contacts must act on the same masses as joints, or they would add energy.
+/// own (see joints/island_stiffness_wide.h); contacts must act on the same masses as joints, or they would add energy.
 Vec3 MachineSweep::changeBy(std::size_t part, std::size_t node, const Vec3& push) const {
     const JointIsland* island = machines_.parts[part].island;
     if (island == nullptr) return velocityChangeBy(stores_.bodies, machines_.parts[part].body, push);
-    const Vec3& mass = island->work.masses[node];
-    return {push[0] / mass[0], push[1] / mass[1], mass[2] > 0 ? push[2] / mass[2] : 0.0};
+    return island->batch->changeBy(island->lane, node, push);
 }
 
 /// The answers of a part to unit impulses on one of its bodies, one after the other.
@@ -169,7 +167,7 @@ std::span<const Vec3> MachineSweep::unitAnswers(std::uint32_t part, std::uint32_
         Vec3 push{};
         push[i] = 1;
         unit[node] = changeBy(part, node, push);
-        if (machines_.parts[part].island != nullptr) followJoints(*machines_.parts[part].island, unit);
+        if (machines_.parts[part].island != nullptr) machines_.parts[part].island->batch->follow(unit);
     }
     return {units_.data() + at, 3 * count};
 }
@@ -298,7 +296,7 @@ bool MachineSweep::solveJoints() {
         }
         for (std::size_t b = 0; b < part.island->bodies.size(); ++b)
             setVelocity(stores_.bodies, part.island->bodies[b], velocities_[p][b]);
-        changed = tryIsland(*part.island, stores_.joints, stores_.bodies, before[p], joints_) || changed;
+        changed = part.island->batch->tryFrom(stores_.bodies, before[p], joints_) || changed;
     }
     sameStates_ = !changed;
     std::vector<double> speeds;
@@ -370,7 +368,7 @@ void MachineSweep::accept() {
         const std::vector<Vec3> now = velocitiesOf(island, bodies);
         if (stores_.observer != nullptr)
             stores_.observer->noteGround(momentumOf(island, bodies, now) - momentumOf(island, bodies, before[p]));
-        acceptIsland(island, stores_.joints, bodies, pass_.half.step, stores_.observer);
+        island.batch->acceptTry(stores_.observer);
         for (std::size_t b = 0; b < island.bodies.size(); ++b) {
             const BodyIndex body = island.bodies[b];
             const Vec3 change = velocityChangeBy(bodies, body, pushed[p][b]);

@@ -9,11 +9,6 @@
 
 namespace plumb {
 
-/// The inputs for islands that are solved directly: their whole gaps are closed in one sub-step.
-inline JointPass directPass(const SolverSettings& settings, const JointHalf& half) {
-    return {half.step, half.correct, half.correct ? 1 / half.step : 0.0, settings.contactPushSpeed};
-}
-
 /// One pass over the contacts of all machines.
 class MachineSweep {
 public:
@@ -52,7 +47,7 @@ private:
     const ContactStore& contacts_;
     const MachineContacts& machines_;
     const MachinePass& pass_;
-    JointPass joints_;
+    IslandTurn joints_;
     std::vector<MachineRows> rows_;                  ///< of the contacts
     std::vector<std::vector<Vec3>> velocities_;      ///< of the bodies of each part
     std::vector<std::vector<Vec3>> guess_;           ///< the contacts' impulses at the start, on each body

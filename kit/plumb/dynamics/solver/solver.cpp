@@ -109,12 +109,12 @@ public:
             bounces_ = joints_->takeBounces(stores_.graph, stores_.contacts, bodies_, stores_.joints.islands);
         if (joints_ != nullptr)
             machines_ = joints_->takeMachines(stores_.graph, stores_.contacts, bodies_, stores_.joints.islands);
+        if (joints_ != nullptr) joints_->load(stores_.joints, dt);
         if (observer_ != nullptr) observer_->beginSolver();
         forEachSlice([this](const ContactSolver& solver, ContactBatch* batches, std::size_t contacts,
                             const ContactPass&) { solver.gatherWarmStart(batches, contacts, solverBodies_); });
         for (int i = 0; i < stores_.settings.subSteps; ++i) subStep(i);
         bounceContacts();
-        if (joints_ != nullptr) joints_->addLoads(stores_.joints.joints, stores_.joints.islands);
         storeBodies();
         if (observer_ != nullptr) observer_->endSolver(solved_, dt);
     }
@@ -129,6 +129,7 @@ private:
         if (observer_ != nullptr) observer_->endHalf();
         const float h = static_cast<float>(h_);
         const std::size_t fast = bodySolver_.move(solved_.data(), solved_.size(), solverBodies_, h, fast_.data());
+        if (joints_ != nullptr) joints_->move(stores_.joints, h_);
         if (stores_.hasWalls) walls_.afterMove({fast_.data(), fast}, number * h_);
         fields_.moved();
         startHalf({h_, false}, false);
@@ -138,9 +139,10 @@ private:
 
     /// Applies forces and solves joints.
     void startHalf(JointHalf half, bool first) {
-        if (joints_ != nullptr && half.correct) joints_->noteSpeeds(stores_.joints, half.step);
+        if (joints_ != nullptr) joints_->begin(stores_.joints, half);
         if (observer_ != nullptr) observer_->beginHalf(solved_);
         kickBodies(solved_.data(), moving_, solverBodies_, first);
+        if (joints_ != nullptr) joints_->kick(stores_.joints);
         if (!bodies_.flights.empty()) (fields_.*stores_.fields.phases->kick)(solved_);
         if (joints_ == nullptr || stores_.joints.islands.joints.empty()) return;
         joints_->solve(stores_.joints, half);
@@ -210,33 +212,41 @@ private:
         for (const WallImpact& impact : walls_.impacts()) pushed[stores_.space[impact.hit.own].owner] = 1;
         if (joints_ == nullptr) return pushed;
         for (const JointIsland& island : stores_.joints.islands.islands)
-            for (const BodyIndex body : island.bodies) pushed[body] = 1;
+            for (const BodyIndex body : island.bodies) pushed[body] = island.isSwept() ? 1 : 0;
         return pushed;
     }
 
     void storeBodies() {
         const std::vector<std::uint8_t> pushed = pushedBodies();
         for (const BodyIndex body : solved_) {
-            if (pushed[body] == 0 || bodies_.velocity[body].inverseMass == 0) continue;
-            if (bodies_.isMovedBy(body, MovedBy::Impacts)) continue;
-            bodies_.step[body].movedBy = MovedBy::Solver;
-            storeBody(body);
+            if (pushed[body] != 0 && bodies_.velocity[body].inverseMass > 0) storeBody(body, moveOf(body));
         }
+        if (joints_ == nullptr) return;
+        std::vector<std::pair<BodyIndex, BodyMove>> moves;
+        joints_->store(stores_.joints, moves);
+        for (const auto& [body, move] : moves) storeBody(body, move);
     }
 
-    void storeBody(BodyIndex body) {
+    BodyMove moveOf(BodyIndex body) const {
         const SolverVelocity& v = bodies_.velocity[body];
-        BodyMotion motion = bodies_.motion[body];
         const SolverDisplacement& d = bodies_.displacement[body];
-        motion.center += Vec2(static_cast<double>(d.x), static_cast<double>(d.y));
-        motion.velocity = {static_cast<double>(v.x), static_cast<double>(v.y)};
-        motion.angularVelocity =
-            static_cast<double>(v.w * bodies_.turn[body].inverseGyration) * spinFactor(bodies_, body);
+        const SolverTurn& turn = bodies_.turn[body];
+        return {Vec2(static_cast<double>(d.x), static_cast<double>(d.y)), static_cast<double>(turn.angle),
+                Vec2(static_cast<double>(v.x), static_cast<double>(v.y)),
+                static_cast<double>(v.w * turn.inverseGyration)};
+    }
+
+    void storeBody(BodyIndex body, const BodyMove& move) {
+        if (bodies_.isMovedBy(body, MovedBy::Impacts)) return;
+        bodies_.step[body].movedBy = MovedBy::Solver;
+        BodyMotion motion = bodies_.motion[body];
+        motion.center += move.shift;
+        motion.velocity = move.velocity;
+        motion.angularVelocity = move.spin * spinFactor(bodies_, body);
         if (bodies_.record[body].inverseGyration != bodies_.turn[body].inverseGyration)
             renewGyration(stores_.graph, stores_.contacts, bodies_, stores_.space, body);
-        const double turn = static_cast<double>(bodies_.turn[body].angle);
-        motion.angle += turn;
-        motion.rotation = turnedOn(motion, turn);
+        motion.angle += move.turn;
+        motion.rotation = turnedOn(motion, move.turn);
         moveTo(bodies_, body, motion);
     }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <plumb/dynamics/joints/joint_response.h>
 #include <plumb/dynamics/solver/body_solver.h>
@@ -52,12 +53,11 @@ public:
     Vec3 answerTo(const Vec3& impulse) override {
         if (group_.island == nullptr) return velocityChangeBy(stops_.bodies_, body_, impulse);
         const WallStopStores& stores = stops_.stores_;
-        return stores.jointPhases->answer(stores.joints, *group_.island, body_, impulse, stops_.h_);
+        return stores.jointPhases->answer(stores.joints, *group_.island, body_, impulse);
     }
     void push(const Vec3& impulse) override {
         const WallStopStores& stores = stops_.stores_;
-        if (group_.island != nullptr)
-            return stores.jointPhases->push(stores.joints, *group_.island, body_, impulse, stops_.h_);
+        if (group_.island != nullptr) return stores.jointPhases->push(stores.joints, *group_.island, body_, impulse);
         Vec3 velocity = velocityOf(stops_.bodies_, body_);
         plumb::add(velocity, velocityChangeBy(stops_.bodies_, body_, impulse));
         setVelocity(stops_.bodies_, body_, velocity);
@@ -98,34 +98,34 @@ JointIsland* WallStops::islandOf(BodyIndex body) {
             for (const BodyIndex member : islands[i].bodies) islandOf_[member] = i;
     }
     const std::uint32_t island = islandOf_[body];
-    return island != none && islands[island].direct ? &islands[island] : nullptr;
+    return island != none && !islands[island].isSwept() ? &islands[island] : nullptr;
 }
 
 /// A body alone is stopped at once; of others, the island is added, or the exact place to an island that is there
 /// already.
 void WallStops::add(const Mover& mover) {
-    if (isAdded_.empty()) isAdded_.assign(bodies_.record.size(), 0);
+    if (groupOf_.empty()) groupOf_.assign(bodies_.record.size(), none);
     if (bodies_.isMovedBy(mover.body, MovedBy::Impacts) || bodies_.record[mover.body].quarantined) return;
     JointIsland* island = islandOf(mover.body);
     if (island == nullptr) {
-        if (isAdded_[mover.body] == 0) added_.push_back(mover.body);
-        isAdded_[mover.body] = 1;
+        if (groupOf_[mover.body] == none) added_.push_back(mover.body);
+        groupOf_[mover.body] = 0;
         alone_.movers.assign(1, mover);
         return travel(alone_);
     }
-    if (isAdded_[mover.body] == 0) {
+    std::uint32_t& number = groupOf_[mover.body];
+    if (number == none) {
+        const auto added = static_cast<std::uint32_t>(groups_.size());
         Group& group = groups_.emplace_back();
         group.island = island;
         for (const BodyIndex member : island->bodies) {
             group.movers.push_back(moverOf(member));
             added_.push_back(member);
-            isAdded_[member] = 1;
+            groupOf_[member] = added;
         }
     }
-    for (Group& group : groups_)
-        if (group.island == island)
-            for (Mover& each : group.movers)
-                if (each.body == mover.body) each = mover;
+    for (Mover& each : groups_[number].movers)
+        if (each.body == mover.body) each = mover;
 }
 
 void WallStops::afterMove(std::span<const FastBody> fast, double start) {
@@ -137,7 +137,7 @@ void WallStops::afterMove(std::span<const FastBody> fast, double start) {
         add({f.body, from.center + moved, from.angle + static_cast<double>(f.angle)});
     }
     for (Group& group : groups_) travel(group);
-    for (const BodyIndex body : added_) isAdded_[body] = 0;
+    for (const BodyIndex body : added_) groupOf_[body] = none;
     added_.clear();
     groups_.clear();
 }
@@ -146,8 +146,10 @@ void WallStops::afterMove(std::span<const FastBody> fast, double start) {
 void WallStops::travel(Group& group) {
     double time = 0;
     int impacts = 0;
+    const double turn = group.island != nullptr ? turnOf(group, h_) : 0.0;
+    bool inPieces = turn > pieceTurn && turn <= farthestFollowed && opens(*group.island);
+    if (!inPieces && !isNearWalls(group)) return;
     if (group.island != nullptr) group.energy = energyOf(group);
-    bool inPieces = group.island != nullptr && turnOf(group, h_) <= farthestFollowed && opens(*group.island);
     while (time < h_ * (1 - roundOff)) {
         const double left = h_ - time, piece = inPieces ? pieceOf(group, left) : left;
         if (inPieces) {
@@ -168,6 +170,22 @@ void WallStops::travel(Group& group) {
         }
         time = piece < left || hits ? time + done : h_;
     }
+}
+
+/// Is there anything that one of several bodies could meet? One question for all of them.
+bool WallStops::isNearWalls(const Group& group) const {
+    if (group.movers.size() < 2 || !bodies_.kinematic.empty() || bodies_.wrap.any()) return true;
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    Aabb box{Vec2(infinite, infinite), Vec2(-infinite, -infinite)};
+    for (const Mover& mover : group.movers) {
+        const Vec2 end = mover.center + shiftOf(bodies_.velocity[mover.body], h_);
+        const double radius = bodies_.record[mover.body].boundingRadius;
+        const Aabb way = inflate({mover.center.cwiseMin(end), mover.center.cwiseMax(end)}, radius);
+        box = {box.lower.cwiseMin(way.lower), box.upper.cwiseMax(way.upper)};
+    }
+    bool near = false;
+    view_.space.queryFixed(box, [&near](ProxyId, const Vec2&) { near = true; });
+    return near;
 }
 
 /// Have joints opened since the step began?

@@ -64,6 +64,7 @@ private:
     void add(const Mover& mover);
     JointIsland* islandOf(BodyIndex body);
     void travel(Group& group);
+    bool isNearWalls(const Group& group) const;
     bool opens(const JointIsland& island) const;
     double turnOf(const Group& group, double time) const;
     double pieceOf(const Group& group, double left) const;
@@ -83,7 +84,7 @@ private:
     WallView view_;
     double h_, start_ = 0;
     std::vector<std::uint32_t> islandOf_;  ///< of each body, none if it is alone; empty until it is needed
-    std::vector<std::uint8_t> isAdded_;    ///< of each body, in this sub-step
+    std::vector<std::uint32_t> groupOf_;   ///< of each body, in this sub-step; none if it is not added
     std::vector<BodyIndex> added_;         ///< those, in the order in which they were added
     std::vector<Group> groups_;            ///< islands, in this sub-step
     Group alone_;                          ///< its one body changes from call to call

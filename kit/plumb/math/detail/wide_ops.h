@@ -29,6 +29,12 @@ inline M both(M a, M b) {
     return a ? b : M{};
 }
 
+/// Where one of two comparisons is true.
+template <class M>
+inline M either(M a, M b) {
+    return a ? a : b;
+}
+
 template <class F>
 inline F magnitude(F a) {
     return larger(a, -a);
@@ -43,6 +49,11 @@ struct LanesOf<W, float> {
 template <int W>
 struct LanesOf<W, std::int32_t> {
     using Type = typename Wide<W>::Int;
+};
+
+template <int W>
+struct LanesOf<W, double> {
+    using Type = typename Wide<W>::Double;
 };
 
 /// W consecutive values.
@@ -75,6 +86,37 @@ inline typename Wide<W>::Float squareRoot(typename Wide<W>::Float v) {
 #else
     return std::sqrt(v);  // there is one lane only
 #endif
+}
+
+template <int W>
+inline typename Wide<W>::Double squareRoot(typename Wide<W>::Double v) {
+#if defined(__x86_64__)
+    if constexpr (W == 2) return _mm_sqrt_pd(v);
+    if constexpr (W == 4) return _mm256_sqrt_pd(v);
+    if constexpr (W == 8) return _mm512_maskz_sqrt_pd(0xFF, v);
+#endif
+#if defined(__GNUC__)
+    constexpr std::size_t count = W;
+    double lanes[count];
+    std::memcpy(lanes, &v, sizeof v);
+    for (double& lane : lanes) lane = __builtin_sqrt(lane);
+    std::memcpy(&v, lanes, sizeof v);
+    return v;
+#else
+    return std::sqrt(v);  // there is one lane only
+#endif
+}
+
+/// Is a comparison of doubles true in some lane?
+template <int W, class M>
+[[gnu::always_inline]] inline bool anyOf(const M& mask) {
+    if constexpr (W == 1) {
+        return mask;
+    } else {
+        bool some = false;
+        for (int i = 0; i < W; ++i) some |= mask[i] != 0;
+        return some;
+    }
 }
 
 /// Bit i tells whether the comparison is true in lane i.

@@ -54,4 +54,19 @@ double DistanceJoint::error(const Ends& ends) const {
     return std::max({0.0, def_.minLength - length, length - def_.maxLength});
 }
 
+JointForm DistanceJoint::form() const {
+    JointForm form(anchors);
+    if (!def_.spring) {
+        form.add(RowAxis::Along).origin = length_;
+        return form;
+    }
+    RowForm& stretching = form.addFree(RowAxis::Along);
+    stretching.speed = def_.motorSpeed;
+    stretching.maxForce = def_.maxMotorForce;
+    if (def_.minLength > 0 || def_.maxLength < unlimited) stretching.limit = {def_.minLength, def_.maxLength};
+    stretching.spring = *def_.spring;
+    stretching.springRest = length_;
+    return form;
+}
+
 }  // namespace plumb

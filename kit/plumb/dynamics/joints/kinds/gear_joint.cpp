@@ -19,4 +19,16 @@ void GearJoint::addRows(JointRows& rows, const Geared& a, const Geared& b, const
     hold(row, predicted, a.speed + def_.ratio * b.speed, pass);
 }
 
+JointForm GearJoint::form(const JointForm& a, const JointForm& b) const {
+    JointForm form = a;
+    form.links = 2;
+    form.link[1] = b.link[0];
+    form.secondAxis = b.row[0].axis;
+    form.secondDirection = b.row[0].direction;
+    form.ratio = def_.ratio;
+    form.row[0].origin = a.row[0].origin + def_.ratio * b.row[0].origin + total_;
+    form.turnsOnly = true;
+    return form;
+}
+
 }  // namespace plumb

@@ -3,6 +3,7 @@
 //
 // One row: the rate of a + ratio b, a and b the coordinates of two joints, so it acts on up to four bodies.
 #pragma once
+#include <plumb/dynamics/joints/joint_form.h>
 #include <plumb/dynamics/joints/joint_rows.h>
 
 namespace plumb {
@@ -31,6 +32,8 @@ public:
     double ratio() const { return def_.ratio; }
     double total() const { return total_; }
     void addRows(JointRows& rows, const Geared& a, const Geared& b, const JointPass& pass) const;
+    /// a, b: the coordinates that it connects.
+    JointForm form(const JointForm& a, const JointForm& b) const;
 
 private:
     GearJointDef def_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How is a body kept from moving along x or y? By a sliding joint to the world.
 #pragma once
+#include <plumb/dynamics/joints/joint_form.h>
 #include <plumb/dynamics/joints/joint_rows.h>
 
 namespace plumb {
@@ -17,6 +18,12 @@ public:
         const Vec2 off = now.apart(), later = ahead(now, pass).apart();
         if (x_) holdRow(rows, rowAlong({1, 0}, now), {off.x(), later.x()}, now, pass);
         if (y_) holdRow(rows, rowAlong({0, 1}, now), {off.y(), later.y()}, now, pass);
+    }
+    JointForm form() const {
+        JointForm form(anchors);
+        if (x_) form.add(RowAxis::World, Vec2(1, 0));
+        if (y_) form.add(RowAxis::World, Vec2(0, 1));
+        return form;
     }
     static double coordinate(const Ends&) { return 0; }
     static JointRow coordinateRow(const Ends&) { return {}; }

@@ -43,4 +43,26 @@ void MotorJoint::addRows(JointRows& rows, const Ends& now, const JointPass& pass
     }
 }
 
+JointForm MotorJoint::form() const {
+    AnchorPair ends = anchors;
+    ends.a.local += offset_;
+    JointForm form(ends);
+    if (def_.maxForce > 0) {
+        // The first row lies along the missing velocity, so that the bound of the force is the same in every direction.
+        for (const RowAxis axis : {RowAxis::Missing, RowAxis::Beside}) {
+            RowForm& row = form.addFree(axis, def_.velocity);
+            row.maxForce = def_.maxForce;
+            row.rate = def_.rate;
+        }
+    }
+    if (def_.maxTorque > 0) {
+        RowForm& turning = form.addFree(RowAxis::Turning);
+        turning.origin = angle_;
+        turning.speed = def_.angularVelocity;
+        turning.maxForce = def_.maxTorque;
+        turning.rate = def_.rate;
+    }
+    return form;
+}
+
 }  // namespace plumb

@@ -3,6 +3,7 @@
 //
 // Three driven rows: along the missing velocity of B, across it, and turning.
 #pragma once
+#include <plumb/dynamics/joints/joint_form.h>
 #include <plumb/dynamics/joints/joint_rows.h>
 
 namespace plumb {
@@ -16,6 +17,7 @@ public:
     const MotorJointDef& def() const { return def_; }
     void set(const MotorJointDef& def);
     void addRows(JointRows& rows, const Ends& now, const JointPass& pass) const;
+    JointForm form() const;
     double coordinate(const Ends& ends) const { return off(ends).norm(); }
     JointRow coordinateRow(const Ends& ends) const;
     static double error(const Ends&) { return 0; }  ///< no error: its force is bounded, so B may stay off its target

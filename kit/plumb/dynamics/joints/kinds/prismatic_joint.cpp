@@ -36,4 +36,24 @@ double PrismaticJoint::error(const Ends& ends) const {
     return std::max(std::fabs(aside(ends)), beyond);
 }
 
+JointForm PrismaticJoint::form() const {
+    JointForm form(anchors);
+    form.add(RowAxis::OnA, perp(localAxis_));
+    form.add(RowAxis::Turning).origin = reference_;
+    if (def_.maxMotorForce == 0 && !def_.limit && !def_.spring) return form;
+    RowForm& sliding = form.addFree(RowAxis::OnA, localAxis_);
+    sliding.speed = def_.motorSpeed;
+    sliding.maxForce = def_.maxMotorForce;
+    if (def_.limit) sliding.limit = *def_.limit;
+    if (def_.spring) sliding.spring = *def_.spring;
+    sliding.springRest = def_.restShift;
+    return form;
+}
+
+JointForm PrismaticJoint::coordinateForm() const {
+    JointForm form(anchors);
+    form.add(RowAxis::OnA, localAxis_);
+    return form;
+}
+
 }  // namespace plumb

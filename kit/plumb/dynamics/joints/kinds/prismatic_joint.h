@@ -6,6 +6,7 @@
 #pragma once
 #include <cmath>
 
+#include <plumb/dynamics/joints/joint_form.h>
 #include <plumb/dynamics/joints/joint_rows.h>
 
 namespace plumb {
@@ -19,6 +20,9 @@ public:
     const PrismaticJointDef& def() const { return def_; }
     void set(const PrismaticJointDef& def) { def_ = def; }
     void addRows(JointRows& rows, const Ends& now, const JointPass& pass) const;
+    JointForm form() const;
+    /// A single row: the coordinate that a gear connects.
+    JointForm coordinateForm() const;
     SpringLoad springLoad(const Ends& now) const;
     double coordinate(const Ends& ends) const { return axis(ends).dot(ends.apart()); }
     JointRow coordinateRow(const Ends& ends) const { return rowAlong(axis(ends), ends); }

@@ -41,4 +41,14 @@ double PulleyJoint::error(const Ends& ends) const {
     return std::max(coordinate(ends) - length_, 0.0);
 }
 
+JointForm PulleyJoint::form() const {
+    JointForm form({{def_.groundA, noBody, {0, 0}}, anchors.a});
+    form.links = 2;
+    form.link[1] = {{def_.groundB, noBody, {0, 0}}, anchors.b};
+    form.secondAxis = RowAxis::Along;
+    form.ratio = def_.ratio;
+    form.addFree(RowAxis::Along).limit.upper = length_;
+    return form;
+}
+
 }  // namespace plumb

@@ -4,6 +4,7 @@
 // One row: the rate of lengthA + ratio lengthB. This sum may not exceed the length of the rope; the joint pulls and
 // never pushes.
 #pragma once
+#include <plumb/dynamics/joints/joint_form.h>
 #include <plumb/dynamics/joints/joint_rows.h>
 
 namespace plumb {
@@ -17,6 +18,7 @@ public:
     const PulleyJointDef& def() const { return def_; }
     void set(const PulleyJointDef& def);
     void addRows(JointRows& rows, const Ends& now, const JointPass& pass) const;
+    JointForm form() const;
     double coordinate(const Ends& ends) const;
     JointRow coordinateRow(const Ends& ends) const;
     double error(const Ends& ends) const;

@@ -36,4 +36,24 @@ double RevoluteJoint::angleError(const Ends& ends) const {
     return def_.limit ? std::max({0.0, def_.limit->lower - turned, turned - def_.limit->upper}) : 0.0;
 }
 
+JointForm RevoluteJoint::form() const {
+    JointForm form(anchors);
+    form.holdPoint();
+    if (isPlain()) return form;
+    RowForm& turning = form.addFree(RowAxis::Turning);
+    turning.origin = reference_;
+    turning.speed = def_.motorSpeed;
+    turning.maxForce = def_.maxMotorTorque;
+    if (def_.limit) turning.limit = *def_.limit;
+    if (def_.spring) turning.spring = *def_.spring;
+    turning.springRest = def_.restAngle;
+    return form;
+}
+
+JointForm RevoluteJoint::coordinateForm() const {
+    JointForm form(anchors);
+    form.add(RowAxis::Turning).origin = reference_;
+    return form;
+}
+
 }  // namespace plumb

@@ -4,6 +4,7 @@
 // Three rows: two keep the gap between the anchors along x and y at 0; the third turns B relative to A, for a motor, a
 // limit and a spring.
 #pragma once
+#include <plumb/dynamics/joints/joint_form.h>
 #include <plumb/dynamics/joints/joint_rows.h>
 
 namespace plumb {
@@ -17,6 +18,9 @@ public:
     const RevoluteJointDef& def() const { return def_; }
     void set(const RevoluteJointDef& def) { def_ = def; }
     void addRows(JointRows& rows, const Ends& now, const JointPass& pass) const;
+    JointForm form() const;
+    /// A single row: the coordinate that a gear connects.
+    JointForm coordinateForm() const;
     SpringLoad springLoad(const Ends& now) const;
     double coordinate(const Ends& ends) const { return ends.angle() - reference_; }
     static JointRow coordinateRow(const Ends&) { return rowTurning(); }

@@ -37,4 +37,15 @@ SpringLoad TargetJoint::springLoad(const Ends& now) const {
     return load;
 }
 
+JointForm TargetJoint::form() const {
+    JointForm form(anchors);
+    for (const RowAxis axis : {RowAxis::Towards, RowAxis::Across}) {
+        RowForm& row = form.addFree(axis);
+        row.spring = spring_;
+        row.bounded = boundOf(def_.maxForce) < unlimited;
+        if (row.bounded) row.maxForce = def_.maxForce;
+    }
+    return form;
+}
+
 }  // namespace plumb

@@ -3,6 +3,7 @@
 //
 // Two rows, along the line to the target and across it: a spring of bounded force between the two points.
 #pragma once
+#include <plumb/dynamics/joints/joint_form.h>
 #include <plumb/dynamics/joints/joint_rows.h>
 
 namespace plumb {
@@ -16,6 +17,7 @@ public:
     const TargetJointDef& def() const { return def_; }
     void set(const TargetJointDef& def, const BodyStore& bodies);
     void addRows(JointRows& rows, const Ends& now, const JointPass& pass) const;
+    JointForm form() const;
     SpringLoad springLoad(const Ends& now) const;
     static double coordinate(const Ends& ends) { return ends.apart().norm(); }
     static JointRow coordinateRow(const Ends& ends) { return rowAlong(ends.apart().stableNormalized(), ends); }

@@ -27,4 +27,19 @@ SpringLoad WeldJoint::springLoad(const Ends& now) const {
     return load;
 }
 
+JointForm WeldJoint::form() const {
+    JointForm form(anchors);
+    if (!def_.spring) form.holdPoint();
+    for (const int axis : {0, 1})
+        if (def_.spring) form.addFree(RowAxis::World, Vec2::Unit(axis)).spring = *def_.spring;
+    if (def_.bending) {
+        RowForm& turning = form.addFree(RowAxis::Turning);
+        turning.origin = reference_;
+        turning.spring = *def_.bending;
+    } else {
+        form.add(RowAxis::Turning).origin = reference_;
+    }
+    return form;
+}
+
 }  // namespace plumb

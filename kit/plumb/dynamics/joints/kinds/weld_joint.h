@@ -5,6 +5,7 @@
 #pragma once
 #include <cmath>
 
+#include <plumb/dynamics/joints/joint_form.h>
 #include <plumb/dynamics/joints/joint_rows.h>
 
 namespace plumb {
@@ -18,6 +19,7 @@ public:
     const WeldJointDef& def() const { return def_; }
     void set(const WeldJointDef& def) { def_ = def; }
     void addRows(JointRows& rows, const Ends& now, const JointPass& pass) const;
+    JointForm form() const;
     SpringLoad springLoad(const Ends& now) const;
     double coordinate(const Ends& ends) const { return ends.angle() - reference_; }
     static JointRow coordinateRow(const Ends&) { return rowTurning(); }

@@ -37,4 +37,20 @@ double WheelJoint::error(const Ends& ends) const {
     return std::max(std::fabs(aside(ends)), beyond);
 }
 
+JointForm WheelJoint::form() const {
+    JointForm form(anchors);
+    form.add(RowAxis::OnA, perp(localAxis_));
+    if (def_.maxMotorTorque > 0) {
+        RowForm& turning = form.addFree(RowAxis::Turning);
+        turning.speed = def_.motorSpeed;
+        turning.maxForce = def_.maxMotorTorque;
+    }
+    if (!def_.limit && !def_.spring) return form;
+    RowForm& sliding = form.addFree(RowAxis::OnA, localAxis_);
+    if (def_.limit) sliding.limit = *def_.limit;
+    if (def_.spring) sliding.spring = *def_.spring;
+    sliding.springRest = def_.restShift;
+    return form;
+}
+
 }  // namespace plumb

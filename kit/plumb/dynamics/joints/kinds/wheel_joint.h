@@ -4,6 +4,7 @@
 // Three rows: the first keeps the hub on the axis; the second turns the wheel, for a motor; the third acts along the
 // axis, for a limit and the suspension's spring.
 #pragma once
+#include <plumb/dynamics/joints/joint_form.h>
 #include <plumb/dynamics/joints/joint_rows.h>
 
 namespace plumb {
@@ -17,6 +18,7 @@ public:
     const WheelJointDef& def() const { return def_; }
     void set(const WheelJointDef& def) { def_ = def; }
     void addRows(JointRows& rows, const Ends& now, const JointPass& pass) const;
+    JointForm form() const;
     SpringLoad springLoad(const Ends& now) const;
     double coordinate(const Ends& ends) const { return axis(ends).dot(ends.apart()); }
     JointRow coordinateRow(const Ends& ends) const { return rowAlong(axis(ends), ends); }

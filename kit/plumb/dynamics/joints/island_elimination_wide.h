@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: MIT
+// How are all joints of W islands solved at once?
+//
+// For velocity changes u and impulses L:  M u - J^T L = 0,  J u + e L = r.  M masses, J the rows, e their compliance, r
+// the change of speed that a row lacks. Such a matrix of positive M and e has a factorisation L D L^T in any order of
+// its nodes; here in that of the layout, where a tree goes from its leaves: A_ij -= A_ik D_k^-1 A_jk^T for the
+// neighbours i, j of a node k. Source: Baraff, "Linear-time dynamics using Lagrange multipliers", SIGGRAPH 1996;
+// Vanderbei, "Symmetric quasidefinite matrices", SIAM J. Optim. 5 (1995) 100.
+#pragma once
+#include <plumb/dynamics/joints/island_kernel.h>
+#include <plumb/math/detail/wide_ops.h>
+
+namespace plumb {
+
+/// The fields of one item.
+template <int W>
+struct Slots {
+    using D = typename Wide<W>::Double;
+
+    double* data;
+    D operator[](int field) const { return loadLanes<W>(static_cast<const double*>(data + field * W)); }
+    void set(int field, D value) const { storeLanes(data + field * W, value); }
+};
+
+template <int W>
+struct Elimination {
+    using D = typename Wide<W>::Double;
+    using S = Slots<W>;
+    using B = BodyField;
+    using R = RowField;
+
+    static constexpr D all(double value) { return D{} + value; }
+
+    static S bodyOf(const IslandLanes& v, std::uint32_t i) { return {v.body + i * std::size_t{B::count} * W}; }
+    static S rowOf(const IslandLanes& v, std::uint32_t i) { return {v.row + i * std::size_t{R::count} * W}; }
+    static S blockOf(const IslandLanes& v, std::uint32_t i) { return {v.block + i * std::size_t{9} * W}; }
+    static S answerOf(const IslandLanes& v, std::uint32_t node) { return {v.answer + node * std::size_t{3} * W}; }
+
+    /// A row's speed at the velocities whose first fields are these.
+    static D speedOf(const IslandLanes& v, std::uint32_t i, int linear, int spin) {
+        const IslandShape::Row& shape = v.rows[i];
+        const S row = rowOf(v, i);
+        D speed = partSpeed(v, shape.link, row, R::AxisX, linear, spin);
+        if (shape.parts > 1) speed += partSpeed(v, shape.link + 1, row, R::SecondAxisX, linear, spin);
+        return speed;
+    }
+    static D partSpeed(const IslandLanes& v, std::uint32_t link, const S& row, int axis, int linear, int spin) {
+        const S a = bodyOf(v, v.links[link].a), b = bodyOf(v, v.links[link].b);
+        return row[axis] * (b[linear] - a[linear]) + row[axis + 1] * (b[linear + 1] - a[linear + 1]) +
+               (row[axis + 2] * a[spin] + row[axis + 3] * b[spin]);
+    }
+
+    /// U = V.
+    static void start(const IslandLanes& v) {
+        for (std::uint32_t i = 0; i < v.bodies; ++i) {
+            const S b = bodyOf(v, i);
+            b.set(B::Ux, b[B::Vx]);
+            b.set(B::Uy, b[B::Vy]);
+            b.set(B::Uspin, b[B::Spin]);
+        }
+    }
+
+    static void applyKnown(const IslandLanes& v) {
+        if (!v.someFree) return;
+        for (std::uint32_t j = 0; j < v.jointCount; ++j)
+            for (std::uint32_t i = v.joints[j].firstRow; i < v.joints[j + 1].firstRow; ++i)
+                if (!v.rows[i].holds && anyOf<W>(rowOf(v, i)[R::Known] != D{})) applyKnown(v, j, i);
+    }
+    static void applyKnown(const IslandLanes& v, std::uint32_t j, std::uint32_t i) {
+        const D known = rowOf(v, i)[R::Known];
+        for (std::uint32_t e = v.joints[j].firstEnd; e < v.joints[j + 1].firstEnd; ++e) {
+            const S b = bodyOf(v, v.ends[e].node);
+            D at[3];
+            rowAt(v, i, v.ends[e], at);
+            b.set(B::Ux, b[B::Ux] + at[0] * known / b[B::Mass]);
+            b.set(B::Uy, b[B::Uy] + at[1] * known / b[B::Mass]);
+            const auto turns = b[B::Inertia] > D{};
+            const D inertia = turns ? b[B::Inertia] : all(1);
+            b.set(B::Uspin, b[B::Uspin] + (turns ? at[2] * known / inertia : D{}));
+        }
+    }
+
+    /// A unit impulse of a row, as it acts on an end.
+    static void rowAt(const IslandLanes& v, std::uint32_t i, const IslandShape::End& end, D (&at)[3]) {
+        const S row = rowOf(v, i);
+        const int axis = end.part == 0 ? R::AxisX : R::SecondAxisX;
+        const double sign = end.isB ? 1 : -1;
+        at[0] = row[axis] * sign;
+        at[1] = row[axis + 1] * sign;
+        at[2] = row[end.isB ? axis + 3 : axis + 2];
+    }
+
+    static void solve(IslandLanes& v) {
+        if (!v.factored) {
+            fill(v);
+            factor(v);
+            v.factored = true;
+        }
+        findRightSide(v, true);
+        substitute(v);
+        for (std::uint32_t j = 0; j < v.jointCount; ++j) {
+            const S x = answerOf(v, v.moved + j);
+            const std::uint32_t first = v.joints[j].firstRow;
+            for (std::uint32_t i = first; i < v.joints[j + 1].firstRow; ++i)
+                rowOf(v, i).set(R::Impulse, rowOf(v, i)[R::Known] + x[static_cast<int>(i - first)]);
+        }
+    }
+
+    /// With the factors of the last pass.
+    static void follow(IslandLanes& v) {
+        findRightSide(v, false);
+        substitute(v);
+    }
+
+    static void substitute(const IslandLanes& v) {
+        for (std::uint32_t k = 0; k < v.stepCount; ++k) forward(v, k);
+        for (std::uint32_t k = v.stepCount; k-- > 0;) backward(v, k);
+        for (std::uint32_t i = 0; i < v.moved; ++i) {
+            const S b = bodyOf(v, i), x = answerOf(v, i);
+            b.set(B::Ux, b[B::Ux] + x[0]);
+            b.set(B::Uy, b[B::Uy] + x[1]);
+            b.set(B::Uspin, b[B::Uspin] + x[2]);
+        }
+    }
+
+    /// By how much rows miss the speeds that they want, or else 0.
+    static void findRightSide(const IslandLanes& v, bool wantSpeeds) {
+        for (std::uint32_t i = 0; i < v.moved; ++i)
+            for (int c = 0; c < 3; ++c) answerOf(v, i).set(c, D{});
+        for (std::uint32_t j = 0; j < v.jointCount; ++j) {
+            const std::uint32_t first = v.joints[j].firstRow;
+            for (std::uint32_t i = first; i < v.joints[j + 1].firstRow; ++i) {
+                const S row = rowOf(v, i);
+                const D wanted = wantSpeeds ? row[R::Speed] : D{}, lacks = speedOf(v, i, B::Ux, B::Uspin) - wanted;
+                answerOf(v, v.moved + j).set(static_cast<int>(i - first), row[R::Compliance] < D{} ? D{} : lacks);
+            }
+        }
+    }
+
+    static void fill(const IslandLanes& v) {
+        for (std::uint32_t i = v.firstFill; i < v.blocks; ++i)
+            for (int c = 0; c < 9; ++c) blockOf(v, i).set(c, D{});
+        for (std::uint32_t i = 0; i < v.moved; ++i) {
+            const S m = blockOf(v, i), b = bodyOf(v, i);
+            for (int c = 0; c < 9; ++c) m.set(c, D{});
+            m.set(0, b[B::Mass]);
+            m.set(4, b[B::Mass]);
+            m.set(8, b[B::Inertia] > D{} ? b[B::Inertia] : all(1));
+        }
+        for (std::uint32_t j = 0; j < v.jointCount; ++j) fillJoint(v, j);
+    }
+
+    static void fillJoint(const IslandLanes& v, std::uint32_t j) {
+        const std::uint32_t first = v.joints[j].firstRow;
+        const int rows = static_cast<int>(v.joints[j + 1].firstRow - first);
+        const S diagonal = blockOf(v, v.moved + j);
+        for (int r = 0; r < rows; ++r) {
+            const D compliance = rowOf(v, first + static_cast<std::uint32_t>(r))[R::Compliance];
+            for (int c = 0; c < rows; ++c) diagonal.set(3 * r + c, D{});
+            diagonal.set(4 * r, compliance < D{} ? all(-1) : -compliance);
+        }
+        for (std::uint32_t e = v.joints[j].firstEnd; e < v.joints[j + 1].firstEnd; ++e)
+            for (int r = 0; r < rows; ++r) fillEnd(v, v.ends[e], first + static_cast<std::uint32_t>(r), r);
+    }
+
+    static void fillEnd(const IslandLanes& v, const IslandShape::End& end, std::uint32_t i, int r) {
+        const S block = blockOf(v, end.block);
+        const auto solved = rowOf(v, i)[R::Compliance] >= D{};
+        D at[3];
+        rowAt(v, i, end, at);
+        at[2] = bodyOf(v, end.node)[B::Inertia] > D{} ? at[2] : D{};
+        for (int c = 0; c < 3; ++c) {
+            const int place = end.transposed ? 3 * c + r : 3 * r + c;
+            const D value = solved ? -at[c] : D{};
+            block.set(place, end.isFirst ? value : block[place] + value);
+        }
+    }
+
+    static void factor(const IslandLanes& v) {
+        for (std::uint32_t k = 0; k < v.stepCount; ++k) {
+            switch (v.steps[k].size) {
+                case 0: break;
+                case 1: eliminate<1>(v, k); break;
+                case 2: eliminate<2>(v, k); break;
+                default: eliminate<3>(v, k);
+            }
+        }
+    }
+
+    /// Of a symmetric matrix; zero where it has none.
+    template <int E>
+    static void invert(const S& m) {
+        if constexpr (E == 1) {
+            m.set(0, reciprocal(m[0]));
+        } else if constexpr (E == 2) {
+            const D a = m[0], b = m[1], c = m[4];
+            const D d = reciprocal(a * c - b * b);
+            m.set(0, c * d);
+            m.set(1, -b * d);
+            m.set(3, -b * d);
+            m.set(4, a * d);
+        } else {
+            const D a = m[4] * m[8] - m[5] * m[5], b = m[2] * m[5] - m[1] * m[8], c = m[1] * m[5] - m[2] * m[4];
+            const D d = reciprocal(m[0] * a + m[1] * b + m[2] * c);
+            const D e = m[0] * m[8] - m[2] * m[2], f = m[1] * m[2] - m[0] * m[5], g = m[0] * m[4] - m[1] * m[1];
+            const D inverse[9] = {a * d, b * d, c * d, b * d, e * d, f * d, c * d, f * d, g * d};
+            for (int i = 0; i < 9; ++i) m.set(i, inverse[i]);
+        }
+    }
+    static D reciprocal(D v) {
+        const auto some = v != D{};
+        return some ? 1.0 / (some ? v : all(1)) : D{};
+    }
+
+    template <int E>
+    static void eliminate(const IslandLanes& v, std::uint32_t k) {
+        const S inverse = blockOf(v, v.steps[k].node);
+        invert<E>(inverse);
+        std::uint32_t last = ~std::uint32_t{0};
+        D scaled[3][3];
+        for (std::uint32_t u = v.steps[k].firstUpdate; u < v.steps[k + 1].firstUpdate; ++u) {
+            const IslandShape::Update& update = v.updates[u];
+            if (update.left != last) scale<E>(blockOf(v, update.left), inverse, update.leftSize, scaled);
+            last = update.left;
+            const S right = blockOf(v, update.right), target = blockOf(v, update.target);
+            for (int j = 0; j < update.rightSize; ++j) {
+                D row[3];
+                for (int c = 0; c < E; ++c) row[c] = right[3 * j + c];
+                for (int i = 0; i < update.leftSize; ++i) {
+                    D sum = scaled[i][0] * row[0];
+                    for (int c = 1; c < E; ++c) sum += scaled[i][c] * row[c];
+                    target.set(3 * i + j, target[3 * i + j] - sum);
+                }
+            }
+        }
+    }
+    template <int E>
+    static void scale(const S& left, const S& inverse, int size, D (&scaled)[3][3]) {
+        for (int i = 0; i < size; ++i) {
+            for (int j = 0; j < E; ++j) {
+                D sum = left[3 * i] * inverse[j];
+                for (int c = 1; c < E; ++c) sum += left[3 * i + c] * inverse[3 * c + j];
+                scaled[i][j] = sum;
+            }
+        }
+    }
+
+    static void forward(const IslandLanes& v, std::uint32_t k) {
+        switch (v.steps[k].size) {
+            case 0: break;
+            case 1: forwardSized<1>(v, k); break;
+            case 2: forwardSized<2>(v, k); break;
+            default: forwardSized<3>(v, k);
+        }
+    }
+    template <int E>
+    static void forwardSized(const IslandLanes& v, std::uint32_t k) {
+        const IslandShape::Step& step = v.steps[k];
+        const S inverse = blockOf(v, step.node), x = answerOf(v, step.node);
+        D scaled[3];
+        for (int i = 0; i < E; ++i) {
+            scaled[i] = inverse[3 * i] * x[0];
+            for (int c = 1; c < E; ++c) scaled[i] += inverse[3 * i + c] * x[c];
+        }
+        for (std::uint32_t l = step.firstLower; l < v.steps[k + 1].firstLower; ++l) {
+            const S block = blockOf(v, v.lowers[l].block), y = answerOf(v, v.lowers[l].node);
+            for (int i = 0; i < static_cast<int>(v.lowers[l].size); ++i) {
+                D sum = block[3 * i] * scaled[0];
+                for (int c = 1; c < E; ++c) sum += block[3 * i + c] * scaled[c];
+                y.set(i, y[i] - sum);
+            }
+        }
+    }
+
+    static void backward(const IslandLanes& v, std::uint32_t k) {
+        switch (v.steps[k].size) {
+            case 0: break;
+            case 1: backwardSized<1>(v, k); break;
+            case 2: backwardSized<2>(v, k); break;
+            default: backwardSized<3>(v, k);
+        }
+    }
+    /// D^-1 (b - sum D L^T x): the sum holds A_ik^T x_i as it stands.
+    template <int E>
+    static void backwardSized(const IslandLanes& v, std::uint32_t k) {
+        const IslandShape::Step& step = v.steps[k];
+        const S inverse = blockOf(v, step.node), x = answerOf(v, step.node);
+        D right[3];
+        for (int c = 0; c < E; ++c) right[c] = x[c];
+        for (std::uint32_t l = step.firstLower; l < v.steps[k + 1].firstLower; ++l) {
+            const S block = blockOf(v, v.lowers[l].block), y = answerOf(v, v.lowers[l].node);
+            for (int i = 0; i < static_cast<int>(v.lowers[l].size); ++i)
+                for (int c = 0; c < E; ++c) right[c] -= block[3 * i + c] * y[i];
+        }
+        for (int i = 0; i < E; ++i) {
+            D sum = inverse[3 * i] * right[0];
+            for (int c = 1; c < E; ++c) sum += inverse[3 * i + c] * right[c];
+            x.set(i, sum);
+        }
+    }
+};
+
+}  // namespace plumb

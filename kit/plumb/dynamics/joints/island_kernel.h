@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// On which numbers does the solver of joint islands work?
+//
+// An item (body, link, row, joint, block) has some fields; each field holds W doubles, one for each of W islands of the
+// same layout. So number f of item i in island l is at (i * count + f) * W + l.
+#pragma once
+#include <cstddef>
+
+#include <plumb/dynamics/joints/island_shape.h>
+
+namespace plumb {
+
+struct BodyField {
+    enum : int {
+        X,
+        Y,
+        Turn,  ///< displacement in this step [m], and angle turned [rad]
+        Cos,
+        Sin,  ///< of Turn
+        Vx,
+        Vy,
+        Spin,  ///< velocity [m/s], [rad/s]
+        InverseMass,
+        InverseInertia,
+        OwnMass,
+        OwnInertia,
+        Mass,
+        Inertia,  ///< as they are solved for (see island_stiffness_wide.h); 0: it cannot turn
+        StiffAlong,
+        StiffTurning,  ///< from recent forces [N/m, N m/rad]
+        FreshAlong,
+        FreshTurning,  ///< from the present ones
+        NearMass,
+        NearX,
+        NearY,
+        NearSquares,  ///< sums over neighbours: m, m r, m r^2
+        Ux,
+        Uy,
+        Uspin,  ///< velocity that is solved for
+        LaterX,
+        LaterY,
+        LaterCos,
+        LaterSin,
+        AheadSpin,  ///< after the coming sub-step
+        KeepLinear,
+        KeepAngular,
+        GainX,
+        GainY,
+        GainSpin,  ///< by forces in half a sub-step (see Kick)
+        count
+    };
+};
+
+struct LinkField {
+    enum : int {
+        StartArmAx,
+        StartArmAy,
+        StartArmBx,
+        StartArmBy,  ///< at the step's start [m]
+        StartApartX,
+        StartApartY,
+        StartAngle,  ///< from A's anchor to B's [m], B's angle less A's [rad]
+        ArmAx,
+        ArmAy,
+        ArmBx,
+        ArmBy,
+        ApartX,
+        ApartY,
+        Angle,  ///< now
+        LaterApartX,
+        LaterApartY,
+        LaterAngle,  ///< after the coming sub-step
+        count
+    };
+};
+
+struct RowField {
+    enum : int {
+        // Of each part: A gets -axis and TurnA, B gets axis and TurnB of an impulse
+        AxisX,
+        AxisY,
+        TurnA,
+        TurnB,
+        SecondAxisX,
+        SecondAxisY,
+        SecondTurnA,
+        SecondTurnB,
+        InverseMass,  ///< change of its speed by a unit impulse
+        Coordinate,   ///< q [m or rad]
+        Speed,        ///< that is wanted, where the row is solved for
+        Compliance,   ///< -1: the row is not solved for, and gives Known
+        Known,        ///< [N s or N m s]
+        Impulse,      ///< of this pass
+        Origin,
+        // Only of rows that do not hold:
+        State,     ///< RowState, kept from pass to pass
+        NowState,  ///< in this pass
+        Target,
+        Low,
+        High,
+        LowerStop,
+        UpperStop,
+        Push,
+        DampPush,
+        Slope,       ///< see JointRow
+        Growth,      ///< exp(DampedAt) - 1
+        DampedAt,    ///< damping, half a sub-step and inverse mass, multiplied
+        NotedSpeed,  ///< before the sub-step
+        DriveSpeed,
+        DriveRate,
+        MostImpulse,
+        LimitLower,
+        LimitUpper,
+        HalfStiffness,
+        HalfDamping,
+        SpringRest,
+        // Of rows whose axis needs them:
+        DirectionX,
+        DirectionY,
+        SecondDirectionX,
+        SecondDirectionY,  ///< at the step's start
+        Ratio,
+        count
+    };
+};
+
+struct JointField {
+    enum : int { LoadX, LoadY, LoadTurn, count };  ///< sums over the step
+};
+
+/// What the code for W lanes sees of W islands.
+struct IslandLanes {
+    const IslandShape::Link* links = nullptr;
+    const IslandShape::Row* rows = nullptr;
+    const IslandShape::End* ends = nullptr;
+    const IslandShape::Joint* joints = nullptr;
+    const IslandShape::Step* steps = nullptr;
+    const IslandShape::Lower* lowers = nullptr;
+    const IslandShape::Update* updates = nullptr;
+    std::uint32_t moved = 0, bodies = 0, linkCount = 0, rowCount = 0, jointCount = 0, stepCount = 0;
+    std::uint32_t blocks = 0, firstFill = 0;
+    bool someFree = false;
+
+    double* body = nullptr;
+    double* link = nullptr;
+    double* row = nullptr;
+    double* joint = nullptr;
+    double* block = nullptr;   ///< 9 fields each
+    double* answer = nullptr;  ///< of the nodes, 3 fields each
+    double* active = nullptr;  ///< 1: the lane takes part in this pass
+    bool factored = false;     ///< the blocks hold the factors of the present matrix
+};
+
+struct IslandTurn {
+    double h = 0;           ///< of the sub-step [s]
+    bool correct = false;   ///< before the bodies move: closes gaps, too
+    bool onlyHold = false;  ///< motors and springs do nothing; their stops stay
+    double fastest = 0;     ///< speed at which an error is removed at most [m/s]
+};
+
+/// The same functions for each number of lanes, with bitwise equal results.
+struct IslandKernel {
+    /// Moves the bodies by h [s] at their velocities.
+    void (*move)(const IslandLanes& view, double h);
+    /// Finds arms, axes and masses of rows, after bodies have moved.
+    void (*place)(IslandLanes& view);
+    void (*noteSpeeds)(const IslandLanes& view);
+    /// Finds the conditions of the rows at the present velocities.
+    void (*prepare)(IslandLanes& view, const IslandTurn& turn);
+    /// Solves for U and the impulses, from the velocities V. Returns true if a row came to another part of its curve.
+    bool (*solve)(IslandLanes& view);
+    /// Solves for U, which is V and the change by a push: rows that hold, or are at a stop, keep their speeds.
+    void (*answer)(IslandLanes& view);
+    /// Adds to U, changes of velocity, those by the joints' impulses that follow from them.
+    void (*follow)(IslandLanes& view);
+    /// Where a lane is active: sets V to U; adds the impulses to the loads.
+    void (*accept)(const IslandLanes& view);
+    void (*addLoads)(const IslandLanes& view);
+    /// Notes the stiffness by the forces of this pass.
+    void (*noteForces)(const IslandLanes& view, double h);
+    /// Finds the masses to solve for in the next sub-step of h [s].
+    void (*setMasses)(IslandLanes& view, double h);
+    /// Finds the moments of inertia for the next step.
+    void (*findInertias)(const IslandLanes& view, double h);
+};
+
+template <int W>
+struct WideIslandKernel {
+    static const IslandKernel code;
+};
+
+/// How many islands at a time, with at most this number of floats in a vector?
+int islandLanes(int lanes);
+/// The code for 1, 2, 4 or 8 islands at a time.
+const IslandKernel& islandKernel(int islands);
+
+}  // namespace plumb

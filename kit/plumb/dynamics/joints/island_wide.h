@@ -1,0 +1,496 @@
+// SPDX-License-Identifier: MIT
+// Which conditions do the rows of W islands set? See joint_rows.h.
+#pragma once
+#include <plumb/dynamics/joints/island_elimination_wide.h>
+#include <plumb/dynamics/joints/island_stiffness_wide.h>
+#include <plumb/math/trig.h>
+
+namespace plumb {
+
+/// sin and cos of an angle that a body has turned in a step, with a series that is exact to rounding up to farthest.
+template <int W>
+struct WideTurn {
+    using D = typename Wide<W>::Double;
+    static constexpr double farthest = 0.7;  ///< [rad]
+
+    static D sine(D t) {
+        const D t2 = t * t;
+        const D tail = 1.0 - t2 * (1.0 / 110) * (1.0 - t2 * (1.0 / 156) * (1.0 - t2 * (1.0 / 210)));
+        return t * (1.0 - t2 * (1.0 / 6) *
+                              (1.0 - t2 * (1.0 / 20) * (1.0 - t2 * (1.0 / 42) * (1.0 - t2 * (1.0 / 72) * tail))));
+    }
+    static D cosine(D t) {
+        const D t2 = t * t;
+        const D tail = 1.0 - t2 * (1.0 / 90) * (1.0 - t2 * (1.0 / 132) * (1.0 - t2 * (1.0 / 182)));
+        return 1.0 - t2 * 0.5 * (1.0 - t2 * (1.0 / 12) * (1.0 - t2 * (1.0 / 30) * (1.0 - t2 * (1.0 / 56) * tail)));
+    }
+    static void far(double* cosines, double* sines, const double* turns) {
+        for (int l = 0; l < W; ++l) {
+            if (turns[l] <= farthest && turns[l] >= -farthest) continue;
+            const SinCos t = sinCos(turns[l]);
+            cosines[l] = t.cos;
+            sines[l] = t.sin;
+        }
+    }
+};
+
+template <int W>
+struct WideIslands {
+    using D = typename Wide<W>::Double;
+    using S = Slots<W>;
+    using B = BodyField;
+    using L = LinkField;
+    using R = RowField;
+
+    static constexpr D all(double value) { return D{} + value; }
+    static constexpr double unlimited = __builtin_inf();
+
+    /// A direction, and its levers about both bodies.
+    struct Axis {
+        D x, y, turnA, turnB;
+    };
+    struct Pair {
+        D x, y;
+    };
+
+    static S bodyOf(const IslandLanes& v, std::uint32_t i) { return {v.body + i * std::size_t{B::count} * W}; }
+    static S linkOf(const IslandLanes& v, std::uint32_t i) { return {v.link + i * std::size_t{L::count} * W}; }
+    static S rowOf(const IslandLanes& v, std::uint32_t i) { return {v.row + i * std::size_t{R::count} * W}; }
+    static Pair turned(D cos, D sin, D x, D y) { return {cos * x - sin * y, sin * x + cos * y}; }
+
+    static void move(const IslandLanes& v, double h) {
+        for (std::uint32_t i = 0; i < v.bodies; ++i) {
+            const S b = bodyOf(v, i);
+            b.set(B::X, b[B::X] + b[B::Vx] * h);
+            b.set(B::Y, b[B::Y] + b[B::Vy] * h);
+            b.set(B::Turn, b[B::Turn] + b[B::Spin] * h);
+        }
+        turn(v);
+    }
+
+    static void turn(const IslandLanes& v) {
+        for (std::uint32_t i = 0; i < v.bodies; ++i) {
+            const S b = bodyOf(v, i);
+            const D t = b[B::Turn];
+            b.set(B::Cos, WideTurn<W>::cosine(t));
+            b.set(B::Sin, WideTurn<W>::sine(t));
+            if (anyOf<W>(magnitude(t) > all(WideTurn<W>::farthest)))
+                WideTurn<W>::far(b.data + B::Cos * W, b.data + B::Sin * W, b.data + B::Turn * W);
+        }
+    }
+
+    static void place(IslandLanes& v) {
+        v.factored = false;
+        turn(v);
+        for (std::uint32_t i = 0; i < v.linkCount; ++i) placeLink(v, i);
+        for (std::uint32_t i = 0; i < v.rowCount; ++i) placeRow(v, i);
+    }
+
+    static void placeLink(const IslandLanes& v, std::uint32_t i) {
+        const S l = linkOf(v, i), a = bodyOf(v, v.links[i].a), b = bodyOf(v, v.links[i].b);
+        const D ax = l[L::StartArmAx], ay = l[L::StartArmAy], bx = l[L::StartArmBx], by = l[L::StartArmBy];
+        const Pair armA = turned(a[B::Cos], a[B::Sin], ax, ay), armB = turned(b[B::Cos], b[B::Sin], bx, by);
+        l.set(L::ArmAx, armA.x);
+        l.set(L::ArmAy, armA.y);
+        l.set(L::ArmBx, armB.x);
+        l.set(L::ArmBy, armB.y);
+        l.set(L::ApartX, l[L::StartApartX] + ((b[B::X] - a[B::X]) + ((armB.x - bx) - (armA.x - ax))));
+        l.set(L::ApartY, l[L::StartApartY] + ((b[B::Y] - a[B::Y]) + ((armB.y - by) - (armA.y - ay))));
+        l.set(L::Angle, l[L::StartAngle] + (b[B::Turn] - a[B::Turn]));
+    }
+
+    /// The length of a vector, also of one whose square is too large or too small for a double.
+    static D lengthOf(D x, D y) {
+        const D most = larger(magnitude(x), magnitude(y));
+        const D scale = most > D{} ? most : all(1);
+        const D u = x / scale, w = y / scale;
+        return scale * squareRoot<W>(u * u + w * w);
+    }
+
+    static Pair unit(D x, D y, D otherwise) {
+        const D length = lengthOf(x, y);
+        const auto some = length > D{};
+        const D divisor = some ? length : all(1);
+        return {some ? x / divisor : otherwise, some ? y / divisor : D{}};
+    }
+
+    /// B's wanted velocity relative to A, less its present one.
+    static Pair missingVelocity(const S& row, const S& l, const S& a, const S& b) {
+        const D fromX = l[L::ArmAx] + l[L::ApartX], fromY = l[L::ArmAy] + l[L::ApartY];
+        const D speedX = (b[B::Vx] - l[L::ArmBy] * b[B::Spin]) - (a[B::Vx] - fromY * a[B::Spin]);
+        const D speedY = (b[B::Vy] + l[L::ArmBx] * b[B::Spin]) - (a[B::Vy] + fromX * a[B::Spin]);
+        const Pair wanted = wantedVelocity(row, l, a);
+        return {wanted.x - speedX, wanted.y - speedY};
+    }
+    static Pair wantedVelocity(const S& row, const S& l, const S& a) {
+        const Pair given = turned(a[B::Cos], a[B::Sin], row[R::DirectionX], row[R::DirectionY]);
+        return {given.x - l[L::ApartX] * row[R::DriveRate], given.y - l[L::ApartY] * row[R::DriveRate]};
+    }
+
+    static Pair directionOf(RowAxis axis, const S& row, int direction, const S& l, const S& a, const S& b) {
+        const D x = row[direction], y = row[direction + 1];
+        switch (axis) {
+            case RowAxis::World: return {x, y};
+            case RowAxis::OnA: return turned(a[B::Cos], a[B::Sin], x, y);
+            case RowAxis::Along: return unit(l[L::ApartX], l[L::ApartY], D{});
+            case RowAxis::Towards: return unit(l[L::ApartX], l[L::ApartY], all(1));
+            case RowAxis::Across: {
+                const Pair towards = unit(l[L::ApartX], l[L::ApartY], all(1));
+                return {-towards.y, towards.x};
+            }
+            case RowAxis::Missing:
+            case RowAxis::Beside: {
+                const Pair lacked = missingVelocity(row, l, a, b);
+                const Pair along = unit(lacked.x, lacked.y, all(1));
+                if (axis == RowAxis::Missing) return along;
+                return {-along.y, along.x};
+            }
+            case RowAxis::Turning: break;
+        }
+        return {D{}, D{}};
+    }
+
+    static Axis axisOf(const IslandLanes& v, std::uint32_t link, RowAxis axis, const S& row, int direction) {
+        if (axis == RowAxis::Turning) return {D{}, D{}, all(-1), all(1)};
+        const S l = linkOf(v, link), a = bodyOf(v, v.links[link].a), b = bodyOf(v, v.links[link].b);
+        const Pair u = directionOf(axis, row, direction, l, a, b);
+        const D fromX = l[L::ArmAx] + l[L::ApartX], fromY = l[L::ArmAy] + l[L::ApartY];
+        return {u.x, u.y, fromY * u.x - fromX * u.y, l[L::ArmBx] * u.y - l[L::ArmBy] * u.x};
+    }
+
+    /// A part of the coordinate; later: after the coming sub-step.
+    static D coordinateOf(const IslandLanes& v, std::uint32_t link, RowAxis axis, const S& row, int direction,
+                          bool later) {
+        const S l = linkOf(v, link);
+        if (axis == RowAxis::Turning) return l[later ? L::LaterAngle : L::Angle];
+        const D x = l[later ? L::LaterApartX : L::ApartX], y = l[later ? L::LaterApartY : L::ApartY];
+        if (axis == RowAxis::Along || axis == RowAxis::Towards) return lengthOf(x, y);
+        Pair u{row[direction], row[direction + 1]};
+        if (axis == RowAxis::OnA) {
+            const S a = bodyOf(v, v.links[link].a);
+            u = turned(a[later ? B::LaterCos : B::Cos], a[later ? B::LaterSin : B::Sin], u.x, u.y);
+        }
+        return axis == RowAxis::World || axis == RowAxis::OnA ? u.x * x + u.y * y : D{};
+    }
+
+    static D coordinateOf(const IslandLanes& v, const IslandShape::Row& shape, const S& row, bool later) {
+        D q = coordinateOf(v, shape.link, shape.axis[0], row, R::DirectionX, later);
+        if (shape.parts > 1)
+            q += row[R::Ratio] * coordinateOf(v, shape.link + 1, shape.axis[1], row, R::SecondDirectionX, later);
+        return q - row[R::Origin];
+    }
+
+    static D inverseMassOf(const IslandLanes& v, std::uint32_t link, const Axis& axis) {
+        const S a = bodyOf(v, v.links[link].a), b = bodyOf(v, v.links[link].b);
+        return (axis.x * axis.x + axis.y * axis.y) * (a[B::InverseMass] + b[B::InverseMass]) +
+               (axis.turnA * axis.turnA * a[B::InverseInertia] + axis.turnB * axis.turnB * b[B::InverseInertia]);
+    }
+
+    static void setAxis(const S& row, int field, const Axis& axis) {
+        row.set(field, axis.x);
+        row.set(field + 1, axis.y);
+        row.set(field + 2, axis.turnA);
+        row.set(field + 3, axis.turnB);
+    }
+
+    static void placeRow(const IslandLanes& v, std::uint32_t i) {
+        const IslandShape::Row& shape = v.rows[i];
+        const S row = rowOf(v, i);
+        const Axis axis = axisOf(v, shape.link, shape.axis[0], row, R::DirectionX);
+        setAxis(row, R::AxisX, axis);
+        D w = inverseMassOf(v, shape.link, axis);
+        if (shape.parts > 1) {
+            const D ratio = row[R::Ratio];
+            Axis second = axisOf(v, shape.link + 1, shape.axis[1], row, R::SecondDirectionX);
+            second = {second.x * ratio, second.y * ratio, second.turnA * ratio, second.turnB * ratio};
+            setAxis(row, R::SecondAxisX, second);
+            w += inverseMassOf(v, shape.link + 1, second);
+        }
+        row.set(R::InverseMass, w);
+        row.set(R::Coordinate, coordinateOf(v, shape, row, false));
+        if (!shape.holds) findGrowth(row, w);
+    }
+
+    /// exp(c w h / 2) - 1, found anew only where it has changed.
+    static void findGrowth(const S& row, D w) {
+        const D damped = row[R::HalfDamping] * w;
+        if (!anyOf<W>(damped != row[R::DampedAt])) return;
+        constexpr double least = 1e-16, most = 30;  // see slopeOf
+        row.set(R::DampedAt, damped);
+        for (int l = 0; l < W; ++l) {
+            const double at = row.data[R::DampedAt * W + l];
+            row.data[R::Growth * W + l] = at > least ? exponentialMinus1(at < most ? at : most) : 0;
+        }
+    }
+
+    static void noteSpeeds(const IslandLanes& v) {
+        for (std::uint32_t i = 0; i < v.rowCount; ++i)
+            if (!v.rows[i].holds) rowOf(v, i).set(R::NotedSpeed, Elimination<W>::speedOf(v, i, B::Vx, B::Spin));
+    }
+
+    /// Where bodies will be after the coming sub-step at constant velocities. Turning is predicted up to half a radian
+    /// only: at larger angles, in a joint that is coming apart, the prediction would add to the error.
+    static void predict(const IslandLanes& v, double h) {
+        const D most = all(0.5 / h);
+        for (std::uint32_t i = 0; i < v.bodies; ++i) {
+            const S b = bodyOf(v, i);
+            const D spin = smaller(larger(b[B::Spin], -most), most), t = spin * h;
+            const D cos = WideTurn<W>::cosine(t), sin = WideTurn<W>::sine(t);
+            const Pair r = turned(cos, sin, b[B::Cos], b[B::Sin]);
+            b.set(B::AheadSpin, spin);
+            b.set(B::LaterCos, r.x);
+            b.set(B::LaterSin, r.y);
+            b.set(B::LaterX, b[B::X] + b[B::Vx] * h);
+            b.set(B::LaterY, b[B::Y] + b[B::Vy] * h);
+        }
+        for (std::uint32_t i = 0; i < v.linkCount; ++i) predictLink(v, i, h);
+    }
+
+    static void predictLink(const IslandLanes& v, std::uint32_t i, double h) {
+        const S l = linkOf(v, i), a = bodyOf(v, v.links[i].a), b = bodyOf(v, v.links[i].b);
+        const D ax = l[L::StartArmAx], ay = l[L::StartArmAy], bx = l[L::StartArmBx], by = l[L::StartArmBy];
+        const Pair armA = turned(a[B::LaterCos], a[B::LaterSin], ax, ay);
+        const Pair armB = turned(b[B::LaterCos], b[B::LaterSin], bx, by);
+        l.set(L::LaterApartX, l[L::StartApartX] + ((b[B::LaterX] - a[B::LaterX]) + ((armB.x - bx) - (armA.x - ax))));
+        l.set(L::LaterApartY, l[L::StartApartY] + ((b[B::LaterY] - a[B::LaterY]) + ((armB.y - by) - (armA.y - ay))));
+        l.set(L::LaterAngle, l[L::Angle] + (b[B::AheadSpin] - a[B::AheadSpin]) * h);
+    }
+
+    static void prepare(IslandLanes& v, const IslandTurn& turn) {
+        if (turn.correct) predict(v, turn.h);
+        for (std::uint32_t i = 0; i < v.rowCount; ++i) {
+            const IslandShape::Row& shape = v.rows[i];
+            if (shape.axis[0] == RowAxis::Missing || shape.axis[0] == RowAxis::Beside) {
+                v.factored = false;
+                placeRow(v, i);
+            }
+            const S row = rowOf(v, i);
+            D bend{};
+            if (turn.correct)
+                bend = Elimination<W>::speedOf(v, i, B::Vx, B::AheadSpin) -
+                       (coordinateOf(v, shape, row, true) - row[R::Coordinate]) / turn.h;
+            if (shape.holds)
+                holdRow(row, bend, turn);
+            else
+                driveRow(v, shape, row, bend, turn);
+        }
+    }
+
+    /// Removes the present error, and the whole error that the sub-step would add, to any order.
+    static void holdRow(const S& row, D bend, const IslandTurn& turn) {
+        if (!turn.correct) return row.set(R::Speed, D{});
+        const D back = row[R::Coordinate] / turn.h;
+        row.set(R::Speed, bend - smaller(larger(back, all(-turn.fastest)), all(turn.fastest)));
+    }
+
+    static void driveRow(const IslandLanes& v, const IslandShape::Row& shape, const S& row, D bend,
+                         const IslandTurn& turn) {
+        const D q = row[R::Coordinate], w = row[R::InverseMass];
+        const D high = turn.onlyHold ? D{} : row[R::MostImpulse];
+        row.set(R::High, high);
+        row.set(R::Low, -high);
+        D target = row[R::DriveSpeed] - row[R::DriveRate] * q;
+        if (shape.axis[0] == RowAxis::Missing || shape.axis[0] == RowAxis::Beside) {
+            const S l = linkOf(v, shape.link), a = bodyOf(v, v.links[shape.link].a);
+            const Pair wanted = wantedVelocity(row, l, a);
+            target = row[R::AxisX] * wanted.x + row[R::AxisY] * wanted.y;
+        }
+        const D upper = bend + roomSpeed(row[R::LimitUpper] - q, turn);
+        const D lower = smaller(bend - roomSpeed(q - row[R::LimitLower], turn), upper);
+        row.set(R::UpperStop, upper);
+        row.set(R::LowerStop, lower);
+        row.set(R::Target, smaller(larger(target, lower), upper));
+        D push = turn.onlyHold ? D{} : -row[R::HalfStiffness] * (q - row[R::SpringRest]);
+        D slope{}, dampPush{};
+        if (!turn.onlyHold) {
+            const auto movable = w > D{};
+            const D divisor = movable ? w : all(1), growth = row[R::Growth];
+            if (turn.correct && !shape.bounded)
+                dampPush = movable ? -growth / (1.0 + growth) / divisor * row[R::NotedSpeed] : D{};
+            else
+                slope = movable ? growth / divisor : D{};
+        }
+        row.set(R::DampPush, dampPush);
+        row.set(R::Push, push + dampPush);
+        row.set(R::Slope, slope);
+        row.set(R::NowState, validState(row, shape.bounded));
+    }
+
+    /// The speed towards a limit that is this far away. Room up to the limit may be used up in one sub-step; a
+    /// coordinate beyond it is corrected like any other error.
+    static D roomSpeed(D room, const IslandTurn& turn) {
+        const D speed = room / turn.h;
+        const D back = turn.correct ? larger(speed, all(-turn.fastest)) : D{};
+        return room >= D{} ? speed : back;
+    }
+
+    static constexpr double atTarget = 0, atLow = 1, atHigh = 2, atLowerStop = 3, atUpperStop = 4;
+
+    /// Replaces a state from an earlier step that names a stop or a bound of force which the row no longer has.
+    static D validState(const S& row, bool bounded) {
+        const D state = row[R::State], high = row[R::High];
+        D valid = state;
+        if (bounded) {
+            valid = state > all(atHigh) ? all(atTarget) : state;
+        } else {
+            valid = both(state == all(atLowerStop), row[R::LowerStop] == all(-unlimited)) ? all(atHigh) : valid;
+            valid = both(state == all(atUpperStop), row[R::UpperStop] == all(unlimited)) ? all(atLow) : valid;
+            valid = both(state == all(atTarget), high <= row[R::Low]) ? all(atLow) : valid;
+        }
+        return high < all(unlimited) ? valid : all(atTarget);
+    }
+
+    /// The part of the curve that has the solution, if the present one has not.
+    static D nextState(const S& row, bool bounded) {
+        const D state = row[R::NowState], high = row[R::High], low = row[R::Low], speed = row[R::Speed];
+        const D aside = row[R::Push] - row[R::Slope] * speed;
+        if (bounded) {
+            const D below = aside < low ? all(atLow) : all(atTarget);
+            return aside > high ? all(atHigh) : below;
+        }
+        const D impulse = row[R::Impulse] - aside, target = row[R::Target];
+        const D fallen = impulse < low ? all(atLow) : state;
+        const D fromTarget = impulse > high ? all(atHigh) : fallen;
+        const auto isAbove = speed > target, isBelow = speed < target;
+        const auto meets = both(high > low, state == all(atHigh) ? isAbove : isBelow);
+        const D met = meets ? all(atTarget) : state;
+        const D stopped = speed > row[R::UpperStop] ? all(atUpperStop) : met;
+        const D fromBound = speed < row[R::LowerStop] ? all(atLowerStop) : stopped;
+        const D fromLower = impulse < high ? all(atHigh) : state;
+        const D fromUpper = impulse > low ? all(atLow) : state;
+        const D atStop = state == all(atLowerStop) ? fromLower : fromUpper;
+        const D moved = state < all(atLowerStop) ? fromBound : atStop;
+        return state == all(atTarget) ? fromTarget : moved;
+    }
+
+    /// Returns true if some row came to another part of its curve.
+    static bool changeStates(const IslandLanes& v) {
+        bool changed = false;
+        for (std::uint32_t i = 0; i < v.rowCount; ++i) {
+            if (v.rows[i].holds) continue;
+            const S row = rowOf(v, i);
+            row.set(R::Speed, Elimination<W>::speedOf(v, i, B::Ux, B::Uspin));
+            const D next = nextState(row, v.rows[i].bounded);
+            changed = changed || anyOf<W>(next != row[R::NowState]);
+            row.set(R::NowState, next);
+        }
+        return changed;
+    }
+
+    /// The equation v + compliance L = speed of a row, or its known impulse.
+    struct Equation {
+        D speed, compliance, known;
+    };
+    static constexpr double relativeCompliance = 1e-5, notSolved = -1;  // see joint_curve.h
+
+    static Equation curveEquation(const S& row, bool bounded) {
+        const D state = row[R::NowState], push = row[R::Push], slope = row[R::Slope], w = row[R::InverseMass];
+        const D rigid = relativeCompliance * w, low = row[R::Low], high = row[R::High];
+        const auto isSoft = slope > D{};
+        const D divisor = isSoft ? slope : all(1), give = 1.0 / divisor;
+        const D bound = state == all(atHigh) ? high : low;
+        if (bounded) {
+            const D clamped = state == all(atTarget) ? smaller(larger(push, low), high) : bound;
+            const auto solved = both(state == all(atTarget), isSoft);
+            return {push / divisor, solved ? give : all(notSolved), solved ? D{} : clamped};
+        }
+        const D pushed = push + bound;
+        Equation e{pushed / divisor, isSoft ? give : all(notSolved), isSoft ? D{} : pushed};
+        const auto isRigid = either(state == all(atTarget), state > all(atHigh));
+        const D stop = state == all(atLowerStop) ? row[R::LowerStop] : row[R::UpperStop];
+        e.speed = isRigid ? (state == all(atTarget) ? row[R::Target] : stop) : e.speed;
+        e.compliance = isRigid ? rigid : e.compliance;
+        e.known = isRigid ? D{} : e.known;
+        return e;
+    }
+
+    static void setEquation(IslandLanes& v, const S& row, D speed, D compliance, D known) {
+        compliance = row[R::InverseMass] > D{} ? compliance : all(notSolved);  // else the row cannot move anything
+        v.factored = v.factored && !anyOf<W>(compliance != row[R::Compliance]);
+        row.set(R::Compliance, compliance);
+        row.set(R::Speed, speed);
+        row.set(R::Known, known);
+    }
+
+    static void findEquations(IslandLanes& v) {
+        for (std::uint32_t i = 0; i < v.rowCount; ++i) {
+            const S row = rowOf(v, i);
+            if (v.rows[i].holds) {
+                setEquation(v, row, row[R::Speed], relativeCompliance * row[R::InverseMass], D{});
+            } else {
+                const Equation e = curveEquation(row, v.rows[i].bounded);
+                setEquation(v, row, e.speed, e.compliance, e.known);
+            }
+        }
+    }
+
+    static bool solve(IslandLanes& v) {
+        constexpr int mostTurns = 8;  // after these, rows keep their states until the next pass
+        bool changed = false;
+        for (int turn = 0; turn < mostTurns; ++turn) {
+            findEquations(v);
+            Elimination<W>::start(v);
+            Elimination<W>::applyKnown(v);
+            Elimination<W>::solve(v);
+            if (!v.someFree || !changeStates(v)) break;
+            changed = true;
+        }
+        return changed;
+    }
+
+    /// Rows keep their present speeds: J U = J V. Rows that do not hold and are not at a stop give nothing.
+    static void answer(IslandLanes& v) {
+        for (std::uint32_t i = 0; i < v.rowCount; ++i) {
+            const S row = rowOf(v, i);
+            const D speed = Elimination<W>::speedOf(v, i, B::Vx, B::Spin),
+                    rigid = relativeCompliance * row[R::InverseMass];
+            D compliance = rigid;
+            if (!v.rows[i].holds) compliance = row[R::NowState] > all(atHigh) ? rigid : all(notSolved);
+            setEquation(v, row, speed, compliance, D{});
+        }
+        Elimination<W>::solve(v);
+    }
+
+    static void accept(const IslandLanes& v) {
+        const auto active = loadLanes<W>(static_cast<const double*>(v.active)) > D{};
+        for (std::uint32_t i = 0; i < v.moved; ++i) {
+            const S b = bodyOf(v, i);
+            b.set(B::Vx, active ? b[B::Ux] : b[B::Vx]);
+            b.set(B::Vy, active ? b[B::Uy] : b[B::Vy]);
+            b.set(B::Spin, active ? b[B::Uspin] : b[B::Spin]);
+        }
+    }
+
+    static void addLoads(const IslandLanes& v) {
+        const auto active = loadLanes<W>(static_cast<const double*>(v.active)) > D{};
+        for (std::uint32_t j = 0; j < v.jointCount; ++j) {
+            const S joint{v.joint + j * std::size_t{JointField::count} * W};
+            for (std::uint32_t i = v.joints[j].firstRow; i < v.joints[j + 1].firstRow; ++i)
+                addLoad(v, joint, i, v.joints[j].turnsOnly, active);
+        }
+    }
+
+    template <class M>
+    static void addLoad(const IslandLanes& v, const S& joint, std::uint32_t i, bool turnsOnly, const M& active) {
+        const S row = rowOf(v, i);
+        const int axis = v.rows[i].parts > 1 ? R::SecondAxisX : R::AxisX;
+        const D impulse = active ? row[R::Impulse] : D{}, x = row[axis] * impulse, y = row[axis + 1] * impulse;
+        D lever = row[axis + 3] * impulse;
+        if (!turnsOnly) {
+            const S l = linkOf(v, v.rows[i].link + (v.rows[i].parts - 1));
+            lever -= l[L::ArmBx] * y - l[L::ArmBy] * x;
+        }
+        joint.set(JointField::LoadX, joint[JointField::LoadX] + x);
+        joint.set(JointField::LoadY, joint[JointField::LoadY] + y);
+        joint.set(JointField::LoadTurn, joint[JointField::LoadTurn] + lever);
+    }
+};
+
+template <int W>
+const IslandKernel WideIslandKernel<W>::code{
+    WideIslands<W>::move,         WideIslands<W>::place,       WideIslands<W>::noteSpeeds,
+    WideIslands<W>::prepare,      WideIslands<W>::solve,       WideIslands<W>::answer,
+    Elimination<W>::follow,       WideIslands<W>::accept,      WideIslands<W>::addLoads,
+    WideStiffness<W>::noteForces, WideStiffness<W>::setMasses, WideStiffness<W>::findInertias};
+
+}  // namespace plumb
