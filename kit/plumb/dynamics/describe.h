@@ -256,8 +256,6 @@ void describe(OrConst<SolverSettings> auto& def, auto&& visit) {
     visit({"sleepSpeed", "m/s", Allowed::notNegative, "slower than this everywhere on it, a body counts as still"},
           def.sleepSpeed);
     visit({"sleepTime", "s", Allowed::notNegative, "still for as long as this, an island falls asleep"}, def.sleepTime);
-    visit({"jointsAtOnce", "-", Allowed::notNegative, "machines of up to so many joints are solved exactly"},
-          def.jointsAtOnce);
     visit({"lanes", "-", Allowed::among(laneCounts), "at most so many contacts are solved side by side"}, def.lanes);
 }
 

@@ -12,11 +12,6 @@ struct SolverSettings {
     double contactPushSpeed = 3;      ///< greatest speed at which overlap is pushed out [m/s]
     double sleepSpeed = 0.05;         ///< a body counts as still if all its points are slower than this [m/s]
     double sleepTime = 0.5;           ///< an island falls asleep when it has been still for this time [s]
-    /// Joint islands of up to this number of joints are solved at once: exactly, at some 2 to 6 us per joint and step.
-    /// Larger islands, and those with many loops such as cloth, are swept joint by joint: chains of plain hinges in a
-    /// seventh of the time, chains of hinges with limits in 0.64 of it, but their joints open under heavy loads. 0: all
-    /// are swept [-]
-    int jointsAtOnce = 1000000;
     int lanes = 16;  ///< most contacts solved in parallel, if the processor can: 1, 4, 8 or 16; all give bitwise equal
                      ///< results [-]
 };

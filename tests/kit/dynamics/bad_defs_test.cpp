@@ -23,8 +23,6 @@ const Fields<SolverSettings> solverFields{
     number("contactPushSpeed", &SolverSettings::contactPushSpeed, notPositive),
     number("sleepSpeed", &SolverSettings::sleepSpeed, negative),
     number("sleepTime", &SolverSettings::sleepTime, negative),
-    with(Field<SolverSettings>{"jointsAtOnce"},
-         {{[](SolverSettings& s) { s.jointsAtOnce = -1; }, "", "-1 is negative"}}),
     with(Field<SolverSettings>{"lanes"}, {{[](SolverSettings& s) { s.lanes = 0; }, "", "0 is not 1, 4, 8 or 16"},
                                           {[](SolverSettings& s) { s.lanes = 5; }, "", "5 is not 1, 4, 8 or 16"},
                                           {[](SolverSettings& s) { s.lanes = -1; }, "", "-1 is not 1, 4, 8 or 16"}}),

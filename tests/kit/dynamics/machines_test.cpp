@@ -37,8 +37,7 @@ struct LoadedChain {
     BodyId load;
     double linkMass = 0;
 
-    LoadedChain(double loadRatio, const Vec2& along, const plumb::SolverSettings& solver = {})
-        : world({.sleeping = false, .solver = solver}) {
+    LoadedChain(double loadRatio, const Vec2& along) : world({.sleeping = false}) {
         const double angle = std::atan2(along.y(), along.x());
         BodyId last = world.add({.type = BodyType::Static});
         for (int i = 0; i < 20; ++i) {
@@ -120,70 +119,6 @@ TEST_CASE("a hundred balls on a hung plate, more than can bounce one by one, bou
     }
     // Fallen by h = 1.2 m, back up by e^2 h; half a step of falling may go astray.
     CHECK(std::fabs(highest - (0.8 + 0.64 * 1.2)) < 0.05);
-}
-
-TEST_CASE("machines of more joints than jointsAtOnce are swept: fast, and they give", "[dynamics][joints]") {
-    const auto errorOf = [](double ratio, int jointsAtOnce) {
-        LoadedChain chain(ratio, {0, -1}, {.jointsAtOnce = jointsAtOnce});
-        for (int tick = 0; tick < 300; ++tick) chain.world.step(dt);
-        return chain.worstError();
-    };
-    CHECK(errorOf(100, 21) < 1e-6);
-    CHECK(errorOf(100, 20) > 1e-3);
-    CHECK(errorOf(1, 0) < 2e-3);  // its own weight it bears
-}
-
-TEST_CASE("swept machines of every joint come to no harm, and to the same bits for 1 and 16 lanes",
-          "[dynamics][joints]") {
-    std::vector<std::uint64_t> hashes;
-    for (const int lanes : {1, 16}) {
-        World world({.solver = {.jointsAtOnce = 0, .lanes = lanes}});
-        const BodyId ground =
-            world.add({.type = BodyType::Static, .shapes = {plumb::segment({-9, 0}, {9, 0}, {.friction = 0.5})}});
-        std::vector<BodyId> parts;
-        for (int i = 0; i < 12; ++i)
-            parts.push_back(world.add({.position = {-6 + 1.0 * i, 3}, .shapes = {plumb::box({0.45, 0.1})}}));
-        const auto between = [&](int i) { return Vec2(-5.5 + i, 3); };
-        const auto a = [&](int i) { return parts[static_cast<std::size_t>(i)]; };
-        const plumb::Spring spring = plumb::springOf(4, 0.3, 0.2);
-        std::vector<JointId> joints{
-            world.join(plumb::RevoluteJointDef{.bodyA = a(0),
-                                               .bodyB = a(1),
-                                               .anchor = between(0),
-                                               .motorSpeed = 2,
-                                               .maxMotorTorque = 0.1,
-                                               .limit = plumb::Limit{-0.3, 0.3}}),
-            world.join(plumb::WeldJointDef{.bodyA = a(1), .bodyB = a(2), .anchor = between(1)}),
-            world.join(plumb::PrismaticJointDef{.bodyA = a(2),
-                                                .bodyB = a(3),
-                                                .anchor = between(2),
-                                                .axis = {1, 0},
-                                                .limit = plumb::Limit{-0.2, 0.2},
-                                                .spring = spring}),
-            world.join(plumb::RevoluteJointDef{.bodyA = a(3), .bodyB = a(4), .anchor = between(3)}),
-            world.join(plumb::DistanceJointDef{
-                .bodyA = a(4), .bodyB = a(5), .anchorA = between(4) - Vec2(0.2, 0), .anchorB = between(4)}),
-            world.join(plumb::WheelJointDef{.bodyA = a(6), .bodyB = a(7), .anchor = between(6), .spring = spring}),
-            world.join(plumb::WeldJointDef{.bodyA = a(7), .bodyB = a(8), .anchor = between(7), .bending = spring}),
-            world.join(plumb::MotorJointDef{.bodyA = a(8), .bodyB = a(9), .maxForce = 5, .maxTorque = 1}),
-            world.join(plumb::PulleyJointDef{.bodyA = a(10),
-                                             .bodyB = a(11),
-                                             .groundA = {4, 6},
-                                             .groundB = {5, 6},
-                                             .anchorA = {4, 3},
-                                             .anchorB = {5, 3}}),
-            world.join(plumb::TargetJointDef{.body = a(0), .anchor = {-6, 3}, .target = {-6, 4}, .maxForce = 50})};
-        double worst = 0;
-        for (int tick = 0; tick < 600; ++tick) {
-            world.step(dt);
-            for (const JointId joint : joints) worst = std::max(worst, world.joint(joint).error());
-        }
-        CHECK(world.contains(ground));
-        CHECK(worst < 0.05);
-        for (const BodyId part : parts) CHECK(world.body(part).velocity().norm() < 1);
-        hashes.push_back(plumb::stateHash(world));
-    }
-    CHECK(hashes[0] == hashes[1]);
 }
 
 TEST_CASE("a bridge of 30 planks between two banks bears a heavy box at its middle", "[dynamics][joints]") {

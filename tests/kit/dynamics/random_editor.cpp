@@ -165,10 +165,7 @@ void passMoreTime(RandomEditor& e) {
 
 RandomEditor::RandomEditor(std::uint64_t seed, const Manner& how)
     : manner(how),
-      world({.hitSpeed = 0.5,
-             .wrap = how.wrap,
-             .ledger = how.ledger,
-             .solver = {.jointsAtOnce = how.jointsAtOnce, .lanes = how.lanes}}),
+      world({.hitSpeed = 0.5, .wrap = how.wrap, .ledger = how.ledger, .solver = {.lanes = how.lanes}}),
       random(seed),
       asker(~seed) {
     BodyDef ground{.type = BodyType::Static, .shapes = {segment({-12, 0}, {12, 0}), chain({{-12, 8}, {-12, 0}})}};
@@ -303,16 +300,12 @@ std::vector<RandomEditor::Action> together(std::initializer_list<Family> familie
 
 }  // namespace
 
-std::vector<RandomEditor::Action> solidActions() {
-    return together({bodyActions, jointActions, queryActions, refusedActions, worldActions});
-}
-
 std::vector<RandomEditor::Action> wrappedActions() {
     return together({bodyActions, jointActions, refusedActions, worldActions, fieldActions, copyActions});
 }
 
 std::vector<RandomEditor::Action> allActions() {
-    return together({solidActions, fieldActions, copyActions});
+    return together({bodyActions, jointActions, queryActions, refusedActions, worldActions, fieldActions, copyActions});
 }
 
 }  // namespace plumb::test

@@ -22,9 +22,8 @@ struct Manner {
     int lanes = 16;
     bool wild = false;    ///< now and then, numbers of joints that nobody in his right mind would give
     bool ledger = false;  ///< does the world keep account?
-    int jointsAtOnce = SolverSettings{}.jointsAtOnce;
-    bool asks = true;  ///< does it ask what it draws to ask, or only draws?
-    Wrap wrap = {};    ///< how wide and high the world is, if it goes on at its other side
+    bool asks = true;     ///< does it ask what it draws to ask, or only draws?
+    Wrap wrap = {};       ///< how wide and high the world is, if it goes on at its other side
 };
 
 /// Does random things to a world. A list of actions says what: each family of them has a file of its own.
@@ -157,8 +156,6 @@ std::vector<RandomEditor::Action> refusedActions();
 std::vector<RandomEditor::Action> worldActions();
 std::vector<RandomEditor::Action> fieldActions();
 std::vector<RandomEditor::Action> copyActions();
-/// All but fields and copies: what the seeds of tests that are named after a symptom count on.
-std::vector<RandomEditor::Action> solidActions();
 std::vector<RandomEditor::Action> allActions();
 /// All but queries, of which the truth is that of a world that does not wrap.
 std::vector<RandomEditor::Action> wrappedActions();

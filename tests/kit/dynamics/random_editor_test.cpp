@@ -24,9 +24,7 @@ TEST_CASE("a world that is edited and asked in 100,000 random ways tells the tru
     const std::uint64_t seeds = static_cast<std::uint64_t>(std::max(plumb::test::cases(500), 10));
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         INFO("seed " << seed);
-        RandomEditor editor(seed, {.wild = seed % 3 == 0,
-                                   .ledger = seed % 5 == 0,
-                                   .jointsAtOnce = seed % 4 == 1 ? 2 : plumb::SolverSettings{}.jointsAtOnce});
+        RandomEditor editor(seed, {.wild = seed % 3 == 0, .ledger = seed % 5 == 0});
         editor.run(plumb::test::allActions(), 2000);
         editor.check();
         addTally(sum, editor.tally);
@@ -71,22 +69,12 @@ TEST_CASE("a world of 30 m x 24 m that wraps tells the truth about itself after 
     CHECK(sum.copies > share / 2);
 }
 
-TEST_CASE(
-    "a swept joint whose bodies leave the range of numbers bears nothing, and does not break of what is no number",
-    "[dynamics][editing]") {
-    RandomEditor editor(69, {.wild = true, .jointsAtOnce = 2});
-    editor.run(plumb::test::solidActions(), 2000);
-    editor.check();
-}
-
 TEST_CASE("a world that is edited in 3,000 random ways has the same bits for 1, 4, 8 and 16 lanes",
           "[dynamics][editing][law]") {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         std::vector<std::uint64_t> states, heard;
         for (const int lanes : {1, 4, 8, 16}) {
-            RandomEditor editor(seed, {.lanes = lanes,
-                                       .wild = seed % 3 == 0,
-                                       .jointsAtOnce = seed % 2 == 0 ? 0 : plumb::SolverSettings{}.jointsAtOnce});
+            RandomEditor editor(seed, {.lanes = lanes, .wild = seed % 3 == 0});
             editor.run(plumb::test::allActions(), plumb::test::allCases(3000));
             states.push_back(plumb::stateHash(editor.world));
             heard.push_back(editor.heard);

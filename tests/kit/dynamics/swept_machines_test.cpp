@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// Machines of so many loops that they are swept, joint by joint: see joints.md.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <plumb/plumb.h>
+#include <plumb/record/state_hash.h>
+#include "catch.h"
+#include "kit/usual_world.h"
+
+using plumb::BodyId;
+using plumb::BodyType;
+using plumb::JointId;
+using plumb::Vec2;
+using plumb::World;
+using plumb::test::dt;
+
+namespace {
+
+/// Discs in a grid that touch nothing. Each is hinged to the one at its right and to the one below it.
+struct Net {
+    std::vector<BodyId> discs;
+    std::vector<JointId> hinges;
+    int columns = 0;
+
+    Net(World& world, const Vec2& corner, int columnCount, int rows, const plumb::Breaking& breaking = {})
+        : columns(columnCount) {
+        for (int i = 0; i < columns * rows; ++i) {
+            const Vec2 at = corner + Vec2(i % columns, -(i / columns));
+            discs.push_back(world.add(
+                {.position = at,
+                 .shapes = {{.shape = plumb::Circle{0.3}, .material = {.density = 0.3}, .filter = {.mask = 0}}}}));
+            const auto hinge = [&](int to, const Vec2& aside) {
+                hinges.push_back(world.join(plumb::RevoluteJointDef{.bodyA = discs[static_cast<std::size_t>(to)],
+                                                                    .bodyB = discs.back(),
+                                                                    .anchor = at + aside,
+                                                                    .breaking = breaking}));
+            };
+            if (i % columns > 0) hinge(i - 1, {-0.5, 0});
+            if (i >= columns) hinge(i - columns, {0, 0.5});
+        }
+    }
+    BodyId disc(int column, int row) const { return discs[static_cast<std::size_t>(row * columns + column)]; }
+};
+
+/// Joints of every kind between 12 planks, which lie in three groups at y = 3.
+std::vector<JointId> joinPlanks(World& world, const std::vector<BodyId>& planks) {
+    const auto between = [](int i) { return Vec2(-5.5 + i, 3); };
+    const auto a = [&](int i) { return planks[static_cast<std::size_t>(i)]; };
+    const plumb::Spring spring = plumb::springOf(4, 0.3, 0.2);
+    return {world.join(plumb::RevoluteJointDef{.bodyA = a(0),
+                                               .bodyB = a(1),
+                                               .anchor = between(0),
+                                               .motorSpeed = 2,
+                                               .maxMotorTorque = 0.1,
+                                               .limit = plumb::Limit{-0.3, 0.3}}),
+            world.join(plumb::WeldJointDef{.bodyA = a(1), .bodyB = a(2), .anchor = between(1)}),
+            world.join(plumb::PrismaticJointDef{.bodyA = a(2),
+                                                .bodyB = a(3),
+                                                .anchor = between(2),
+                                                .axis = {1, 0},
+                                                .limit = plumb::Limit{-0.2, 0.2},
+                                                .spring = spring}),
+            world.join(plumb::RevoluteJointDef{.bodyA = a(3), .bodyB = a(4), .anchor = between(3)}),
+            world.join(plumb::DistanceJointDef{
+                .bodyA = a(4), .bodyB = a(5), .anchorA = between(4) - Vec2(0.2, 0), .anchorB = between(4)}),
+            world.join(plumb::WheelJointDef{.bodyA = a(6), .bodyB = a(7), .anchor = between(6), .spring = spring}),
+            world.join(plumb::WeldJointDef{.bodyA = a(7), .bodyB = a(8), .anchor = between(7), .bending = spring}),
+            world.join(plumb::MotorJointDef{.bodyA = a(8), .bodyB = a(9), .maxForce = 5, .maxTorque = 1}),
+            world.join(plumb::PulleyJointDef{.bodyA = a(10),
+                                             .bodyB = a(11),
+                                             .groundA = {4, 6},
+                                             .groundB = {5, 6},
+                                             .anchorA = {4, 3},
+                                             .anchorB = {5, 3}}),
+            world.join(plumb::TargetJointDef{.body = a(0), .anchor = {-6, 3}, .target = {-6, 4}, .maxForce = 50})};
+}
+
+}  // namespace
+
+TEST_CASE("a net is swept: a load at its corner opens its hinges, though not those of a chain", "[dynamics][joints]") {
+    for (const int columns : {1, 6}) {
+        World world({.sleeping = false});
+        Net net(world, {0, 0}, columns, 6);
+        const BodyId beam = world.add({.type = BodyType::Static});
+        net.hinges.push_back(
+            world.join(plumb::RevoluteJointDef{.bodyA = beam, .bodyB = net.disc(0, 0), .anchor = {0, 0.5}}));
+        const BodyId load = world.add({.position = {0, -6}, .mass = plumb::Mass{100, {0, 0}, 10}});
+        net.hinges.push_back(
+            world.join(plumb::RevoluteJointDef{.bodyA = net.disc(0, 5), .bodyB = load, .anchor = {0, -5.5}}));
+        for (int tick = 0; tick < 120; ++tick) world.step(dt);
+        double worst = 0;
+        for (const JointId hinge : net.hinges) worst = std::max(worst, world.joint(hinge).error());
+        INFO(columns << " columns: " << worst << " m");
+        CHECK((columns == 1 ? worst < 1e-5 : worst > 1e-3));
+    }
+}
+
+TEST_CASE("swept machines of every joint come to no harm, and to the same bits for 1 and 16 lanes",
+          "[dynamics][joints]") {
+    std::vector<std::uint64_t> hashes;
+    for (const int lanes : {1, 16}) {
+        World world({.solver = {.lanes = lanes}});
+        const BodyId ground =
+            world.add({.type = BodyType::Static, .shapes = {plumb::segment({-9, 0}, {9, 0}, {.friction = 0.5})}});
+        std::vector<BodyId> planks;
+        for (int i = 0; i < 12; ++i)
+            planks.push_back(world.add({.position = {-6 + 1.0 * i, 3}, .shapes = {plumb::box({0.45, 0.1})}}));
+        std::vector<JointId> joints = joinPlanks(world, planks);
+        // A net without weight makes one machine of them all, of 33 loops.
+        const Net net(world, {-6, 7}, 12, 4);
+        for (const BodyId disc : net.discs) world.body(disc).setGravityScale(0);
+        joints.insert(joints.end(), net.hinges.begin(), net.hinges.end());
+        for (const int i : {0, 6, 10})
+            joints.push_back(world.join(plumb::RevoluteJointDef{
+                .bodyA = net.disc(i, 3), .bodyB = planks[static_cast<std::size_t>(i)], .anchor = {-6.0 + i, 3.5}}));
+        double worst = 0;
+        for (int tick = 0; tick < 600; ++tick) {
+            world.step(dt);
+            for (const JointId joint : joints) worst = std::max(worst, world.joint(joint).error());
+        }
+        CHECK(world.contains(ground));
+        CHECK(worst < 0.05);
+        for (const BodyId plank : planks) CHECK(world.body(plank).velocity().norm() < 1);
+        hashes.push_back(plumb::stateHash(world));
+    }
+    CHECK(hashes[0] == hashes[1]);
+}
+
+TEST_CASE("the hinges of a net bear nothing of a disc that leaves the range of numbers, and do not break of it",
+          "[dynamics][joints]") {
+    for (const bool isForce : {false, true}) {
+        for (const double size : {1e15, 1e20, 1e40, 1e300}) {
+            INFO((isForce ? "a force of " : "a speed of ") << size);
+            World world({.gravity = {0, 0}});
+            const Net net(world, {0, 0}, 6, 6, {.force = 1000, .torque = 1000});
+            const BodyId wild = net.disc(2, 3);
+            world.step(dt);
+            if (isForce)
+                world.body(wild).applyForce({size, -size});
+            else
+                world.body(wild).setVelocity({size, -size});
+            for (int tick = 0; tick < 30; ++tick) world.step(dt);
+            for (const BodyId disc : net.discs) {
+                CHECK(world.body(disc).quarantined() == (disc == wild));
+                CHECK(world.body(disc).velocity().norm() < 1e-9);
+            }
+            for (const JointId hinge : net.hinges) {
+                REQUIRE(world.contains(hinge));
+                CHECK(world.joint(hinge).reaction().force.norm() < 1e-9);
+            }
+        }
+    }
+}
