@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+// Random machines, as the solver of joint islands takes them, and as matrices.
+#pragma once
+#include <Eigen/Dense>
+#include <cstring>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <plumb/dynamics/joints/island_kernel.h>
+#include <plumb/dynamics/joints/island_layout.h>
+#include <plumb/math/random.h>
+
+namespace plumb::test {
+
+/// A gear, or a joint of one to three rows.
+inline JointForm randomForm(Random& random, bool mayGear, bool someFree) {
+    JointForm form(AnchorPair{});
+    const int kind = random.integer(mayGear ? 0 : 1, 9);
+    if (kind == 0) form.links = 2;
+    if (kind > 4) form.holdPoint();
+    if (kind < 8) form.add(kind == 1 ? RowAxis::OnA : RowAxis::Turning);
+    if (kind == 3 || kind == 4) form.add(RowAxis::Across);
+    if (!someFree) return form;
+    for (std::size_t r = 0; r < form.rows; ++r) {
+        if (form.row[r].axis == RowAxis::World) continue;
+        form.row[r].holds = random.integer(0, 3) == 0;
+        form.row[r].bounded = !form.row[r].holds && random.integer(0, 2) == 0;
+    }
+    return form;
+}
+
+/// What a random machine may have.
+struct Parts {
+    int loops = 6, held = 3, gears = 3;
+    bool someFree = false;
+};
+
+/// A tree of bodies and joints, with some loops, and joints to bodies that are held.
+struct Machine {
+    std::uint32_t moved = 0, held = 0;
+    std::vector<LaidJoint> joints;
+
+    Machine(Random& random, int size, const Parts& parts) : moved(static_cast<std::uint32_t>(size)), left_(parts) {
+        for (int body = 1; body < size; ++body) link(random, body, random.integer(0, body - 1));
+        for (int loop = 0; loop < parts.loops; ++loop) {
+            const int a = random.integer(0, size - 1);
+            link(random, a, (a + random.integer(1, size - 1)) % size);
+        }
+        for (int body = 0; body < parts.held; ++body, ++held) link(random, random.integer(0, size - 1), size + body);
+    }
+    std::shared_ptr<const IslandLayout> layout(IslandLayouts& layouts) const {
+        return layouts.find(moved, moved + held, joints);
+    }
+
+private:
+    void link(Random& random, int a, int b) {
+        if (random.integer(0, 1) == 0) std::swap(a, b);
+        LaidJoint& joint = joints.emplace_back(LaidJoint{randomForm(random, left_.gears > 0, left_.someFree), {}});
+        joint.link[0] = {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)};
+        if (joint.form.links == 1) return;
+        // The other link of a gear may share bodies with the first one.
+        joint.link[1] = random.integer(0, 1) == 0 ? joint.link[0] : joints.front().link[0];
+        --left_.gears;
+    }
+
+    Parts left_;
+};
+
+inline Machine randomMachine(Random& random, const Parts& most) {
+    const int size = random.integer(2, 20);
+    Parts parts = most;
+    parts.loops = random.integer(0, most.loops);
+    parts.held = random.integer(0, most.held);
+    return Machine(random, size, parts);
+}
+
+/// The numbers of W islands of one layout, as the kernel takes them.
+class Lanes {
+public:
+    Lanes(std::shared_ptr<const IslandLayout> layout, std::size_t width) : layout_(std::move(layout)), width_(width) {
+        const IslandLayout& l = *layout_;
+        const std::size_t sizes[] = {l.bodies * std::size_t{BodyField::count},
+                                     l.links.size() * LinkField::count,
+                                     l.rows.size() * RowField::count,
+                                     l.jointCount() * std::size_t{JointField::count},
+                                     l.blocks * std::size_t{9},
+                                     (l.moved + l.jointCount()) * std::size_t{3}};
+        std::size_t total = 0;
+        for (const std::size_t size : sizes) total += size * width;
+        numbers_.assign(total, 0.0);
+        double** const arrays[] = {&view.body, &view.link, &view.row, &view.joint, &view.block, &view.answer};
+        double* at = numbers_.data();
+        for (std::size_t i = 0; i < std::size(sizes); at += sizes[i] * width, ++i) *arrays[i] = at;
+        setShape(l);
+    }
+    Lanes(const Lanes&) = delete;
+    Lanes& operator=(const Lanes&) = delete;
+
+    const IslandLayout& layout() const { return *layout_; }
+    double& body(std::size_t i, int field) { return view.body[(i * BodyField::count + at(field)) * width_]; }
+    double& row(std::size_t i, int field) { return view.row[(i * RowField::count + at(field)) * width_]; }
+
+    /// Of one lane; the others have only one.
+    void take(const Lanes& single, std::size_t lane) {
+        for (std::size_t k = 0; k < single.numbers_.size(); ++k) numbers_[k * width_ + lane] = single.numbers_[k];
+    }
+    bool hasBitsOf(const Lanes& single, std::size_t lane) const {
+        for (std::size_t k = 0; k < single.numbers_.size(); ++k)
+            if (std::memcmp(&numbers_[k * width_ + lane], &single.numbers_[k], sizeof(double)) != 0) return false;
+        return true;
+    }
+
+    IslandLanes view;
+
+private:
+    static std::size_t at(int field) { return static_cast<std::size_t>(field); }
+    void setShape(const IslandLayout& l) {
+        view.links = l.links.data();
+        view.rows = l.rows.data();
+        view.ends = l.ends.data();
+        view.joints = l.joints.data();
+        view.steps = l.steps.data();
+        view.lowers = l.lowers.data();
+        view.updates = l.updates.data();
+        view.moved = l.moved;
+        view.bodies = l.bodies;
+        view.linkCount = static_cast<std::uint32_t>(l.links.size());
+        view.rowCount = static_cast<std::uint32_t>(l.rows.size());
+        view.jointCount = l.jointCount();
+        view.stepCount = static_cast<std::uint32_t>(l.steps.size() - 1);
+        view.blocks = l.blocks;
+        view.firstFill = l.firstFill;
+        view.someFree = l.someFree;
+    }
+
+    std::shared_ptr<const IslandLayout> layout_;
+    std::size_t width_;
+    std::vector<double> numbers_;
+};
+
+/// The rows of a machine as a matrix, over the velocities of all bodies. Turning of a body that cannot turn has no
+/// column of its own in solving: its mass counts as infinite.
+struct Dense {
+    Eigen::MatrixXd rows;
+    Eigen::VectorXd inverseMass, before;
+
+    explicit Dense(Lanes& lanes) {
+        const IslandLayout& layout = lanes.layout();
+        const auto size = 3 * static_cast<Eigen::Index>(layout.bodies);
+        rows = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(layout.rows.size()), size);
+        inverseMass = before = Eigen::VectorXd::Zero(size);
+        for (std::size_t i = 0; i < layout.rows.size(); ++i)
+            for (std::uint32_t part = 0; part < layout.rows[i].parts; ++part) addPart(lanes, i, part);
+        for (std::uint32_t b = 0; b < layout.bodies; ++b) {
+            before.segment<3>(3 * b) << lanes.body(b, BodyField::Vx), lanes.body(b, BodyField::Vy),
+                lanes.body(b, BodyField::Spin);
+            if (b >= layout.moved) continue;
+            const double inertia = lanes.body(b, BodyField::Inertia);
+            inverseMass[3 * b] = inverseMass[3 * b + 1] = 1 / lanes.body(b, BodyField::Mass);
+            inverseMass[3 * b + 2] = inertia > 0 ? 1 / inertia : 0;
+        }
+    }
+    Eigen::VectorXd after(Lanes& lanes) const {
+        Eigen::VectorXd u(before.size());
+        for (Eigen::Index i = 0; i < u.size(); ++i)
+            u[i] = lanes.body(static_cast<std::size_t>(i / 3), BodyField::Ux + static_cast<int>(i % 3));
+        return u;
+    }
+    double speedAfter(Lanes& lanes, std::size_t row) const {
+        return rows.row(static_cast<Eigen::Index>(row)).dot(after(lanes));
+    }
+    /// Of u = M^-1 J^T L, as a share of the largest.
+    double velocityError(Lanes& lanes) const {
+        Eigen::VectorXd impulses(rows.rows());
+        for (Eigen::Index r = 0; r < rows.rows(); ++r)
+            impulses[r] = lanes.row(static_cast<std::size_t>(r), RowField::Impulse);
+        const Eigen::VectorXd changes = inverseMass.cwiseProduct(rows.transpose() * impulses);
+        return (after(lanes) - before - changes).cwiseAbs().maxCoeff() / (1 + impulses.cwiseAbs().maxCoeff());
+    }
+    double inverseMassOf(Eigen::Index row) const { return rows.row(row).cwiseAbs2().dot(inverseMass.transpose()); }
+
+private:
+    void addPart(Lanes& lanes, std::size_t i, std::uint32_t part) {
+        const IslandLayout::Link& link = lanes.layout().links[lanes.layout().rows[i].link + part];
+        const int axis = part == 0 ? RowField::AxisX : RowField::SecondAxisX;
+        const auto r = static_cast<Eigen::Index>(i);
+        const double x = lanes.row(i, axis), y = lanes.row(i, axis + 1);
+        const Eigen::RowVector3d a(-x, -y, lanes.row(i, axis + 2)), b(x, y, lanes.row(i, axis + 3));
+        rows.block<1, 3>(r, 3 * link.a) += a;
+        rows.block<1, 3>(r, 3 * link.b) += b;
+    }
+};
+
+}  // namespace plumb::test
