@@ -19,16 +19,16 @@ using plumb::JointRow;
 using plumb::Random;
 using plumb::RowField;
 using plumb::RowState;
-using plumb::test::Dense;
-using plumb::test::Lanes;
-using plumb::test::Machine;
-using plumb::test::Parts;
+using plumb::test::DenseRows;
+using plumb::test::IslandNumbers;
+using plumb::test::MachineParts;
+using plumb::test::RandomMachine;
 using plumb::test::randomMachine;
 
 namespace {
 
 /// Motor, spring and limits of a row that does not hold, each of which may be missing; and a state that is valid.
-void drawCurve(Random& random, Lanes& lanes, std::size_t i) {
+void drawCurve(Random& random, IslandNumbers& lanes, std::size_t i) {
     const auto chance = [&] { return random.integer(0, 1) == 0; };
     JointRow row;
     row.bounded = lanes.layout().rows[i].bounded;
@@ -56,7 +56,7 @@ void drawCurve(Random& random, Lanes& lanes, std::size_t i) {
         lanes.row(i, RowField::NowState + static_cast<int>(f)) = fields[f];
 }
 
-void drawNumbers(Random& random, Lanes& lanes) {
+void drawNumbers(Random& random, IslandNumbers& lanes) {
     const IslandLayout& layout = lanes.layout();
     for (std::uint32_t b = 0; b < layout.bodies; ++b) {
         for (int c = 0; c < 3; ++c) lanes.body(b, BodyField::Vx + c) = random.uniform(-3, 3);
@@ -74,15 +74,15 @@ void drawNumbers(Random& random, Lanes& lanes) {
         lanes.row(i, RowField::Speed) = random.uniform(-1, 1);
         if (!layout.rows[i].holds) drawCurve(random, lanes, i);
     }
-    const Dense dense(lanes);
+    const DenseRows dense(lanes);
     for (std::size_t i = 0; i < layout.rows.size(); ++i)
         lanes.row(i, RowField::InverseMass) = dense.inverseMassOf(static_cast<Eigen::Index>(i));
 }
 
 /// By how much velocities and impulses differ from M u - J^T L = 0, J u + e L = what rows lack; as a share of the
 /// largest.
-double differenceFromDense(Lanes& lanes, const std::vector<double>& wanted) {
-    const Dense dense(lanes);
+double differenceFromDense(IslandNumbers& lanes, const std::vector<double>& wanted) {
+    const DenseRows dense(lanes);
     const Eigen::Index rows = dense.rows.rows(), moved = 3 * static_cast<Eigen::Index>(lanes.layout().moved);
     using Matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
     Matrix matrix = Matrix::Zero(moved + rows, moved + rows);
@@ -110,7 +110,7 @@ double differenceFromDense(Lanes& lanes, const std::vector<double>& wanted) {
 }
 
 /// Of the first link of each joint.
-std::vector<BlockPlan::Edge> edgesOf(const Machine& machine) {
+std::vector<BlockPlan::Edge> edgesOf(const RandomMachine& machine) {
     std::vector<BlockPlan::Edge> edges;
     for (std::uint32_t j = 0; j < machine.joints.size(); ++j) {
         const IslandLayout::Link& link = machine.joints[j].link[0];
@@ -121,7 +121,7 @@ std::vector<BlockPlan::Edge> edgesOf(const Machine& machine) {
 }
 
 /// Is the row at a point of the curve in joint_rows.h? Up to rounding, and up to the compliance of its stiff parts.
-bool isOnCurve(Lanes& lanes, std::size_t i, double speed) {
+bool isOnCurve(IslandNumbers& lanes, std::size_t i, double speed) {
     const auto field = [&](int f) { return lanes.row(i, f); };
     const double impulse = field(RowField::Impulse), push = field(RowField::Push), slope = field(RowField::Slope);
     const double low = field(RowField::Low), high = field(RowField::High), target = field(RowField::Target);
@@ -138,7 +138,7 @@ bool isOnCurve(Lanes& lanes, std::size_t i, double speed) {
     return !(isBelow && driven < high - t) && !(isAbove && driven > low + t);
 }
 
-std::vector<double> wantedSpeeds(Lanes& lanes) {
+std::vector<double> wantedSpeeds(IslandNumbers& lanes) {
     std::vector<double> wanted;
     for (std::size_t i = 0; i < lanes.layout().rows.size(); ++i) wanted.push_back(lanes.row(i, RowField::Speed));
     return wanted;
@@ -156,7 +156,7 @@ std::vector<std::size_t> widths() {
 
 TEST_CASE("joints of random trees and loops get the impulses of a dense solution", "[dynamics][joints][property]") {
     struct Kind {
-        Parts most;
+        MachineParts most;
         double error;
     };
     // Rounding, times a condition of some 1e5. A joint that is eliminated before a body makes it 1 / e = 1e5 times as
@@ -169,7 +169,7 @@ TEST_CASE("joints of random trees and loops get the impulses of a dense solution
         for (int round = 0; round < 200; ++round) {
             const auto layout = randomMachine(random, kind.most).layout(layouts);
             REQUIRE(layout != nullptr);
-            Lanes lanes(layout, 1);
+            IslandNumbers lanes(layout, 1);
             drawNumbers(random, lanes);
             const std::vector<double> wanted = wantedSpeeds(lanes);
             CHECK_FALSE(plumb::islandKernel(1).solve(lanes.view));
@@ -188,13 +188,13 @@ TEST_CASE("rows with motors, springs and limits come to rest on their curves", "
         INFO("round " << round);
         const auto layout = randomMachine(random, {.loops = 2, .gears = 1, .someFree = true}).layout(layouts);
         REQUIRE(layout != nullptr);
-        Lanes lanes(layout, 1);
+        IslandNumbers lanes(layout, 1);
         drawNumbers(random, lanes);
         bool changes = true;
         for (int turn = 0; turn < 10 && changes; ++turn) changes = plumb::islandKernel(1).solve(lanes.view);
         if (changes) continue;
         ++settled;
-        const Dense dense(lanes);
+        const DenseRows dense(lanes);
         for (std::size_t i = 0; i < layout->rows.size(); ++i) {
             INFO("row " << i);
             if (!layout->rows[i].holds) CHECK(isOnCurve(lanes, i, dense.speedAfter(lanes, i)));
@@ -210,11 +210,12 @@ TEST_CASE("joint islands that are solved side by side get the bits that each get
     for (int round = 0; round < 60; ++round) {
         const auto layout = randomMachine(random, {.someFree = round % 2 == 1}).layout(layouts);
         REQUIRE(layout != nullptr);
-        std::vector<std::unique_ptr<Lanes>> singles;
-        for (int i = 0; i < 8; ++i) drawNumbers(random, *singles.emplace_back(std::make_unique<Lanes>(layout, 1)));
-        std::vector<std::unique_ptr<Lanes>> wide;
+        std::vector<std::unique_ptr<IslandNumbers>> singles;
+        for (int i = 0; i < 8; ++i)
+            drawNumbers(random, *singles.emplace_back(std::make_unique<IslandNumbers>(layout, 1)));
+        std::vector<std::unique_ptr<IslandNumbers>> wide;
         for (const std::size_t width : widths()) {
-            Lanes& lanes = *wide.emplace_back(std::make_unique<Lanes>(layout, width));
+            IslandNumbers& lanes = *wide.emplace_back(std::make_unique<IslandNumbers>(layout, width));
             for (std::size_t lane = 0; lane < width; ++lane) lanes.take(*singles[lane], lane);
             plumb::islandKernel(static_cast<int>(width)).solve(lanes.view);
         }
@@ -226,7 +227,7 @@ TEST_CASE("joint islands that are solved side by side get the bits that each get
 
 TEST_CASE("a tree of 10,000 nodes takes at most three block updates a node", "[dynamics]") {
     Random random(3);
-    const Machine machine(random, 5000, {.loops = 0, .held = 0, .gears = 0});
+    const RandomMachine machine(random, 5000, {.loops = 0, .held = 0, .gears = 0});
     const std::vector<BlockPlan::Edge> edges = edgesOf(machine);
     const std::uint32_t nodes = machine.moved + static_cast<std::uint32_t>(machine.joints.size());
     CHECK(plumb::planBlocks(nodes, edges, 3 * nodes) != nullptr);
@@ -234,7 +235,7 @@ TEST_CASE("a tree of 10,000 nodes takes at most three block updates a node", "[d
 
 TEST_CASE("a net that fills in more than it may is refused", "[dynamics]") {
     Random random(4);
-    const Machine machine(random, 200, {.loops = 2000, .held = 0, .gears = 0});
+    const RandomMachine machine(random, 200, {.loops = 2000, .held = 0, .gears = 0});
     const std::vector<BlockPlan::Edge> edges = edgesOf(machine);
     const std::uint32_t nodes = machine.moved + static_cast<std::uint32_t>(machine.joints.size());
     CHECK(plumb::planBlocks(nodes, edges, 10000) == nullptr);
@@ -244,7 +245,7 @@ TEST_CASE("a net that fills in more than it may is refused", "[dynamics]") {
 
 TEST_CASE("equal machines share one layout, until none is left", "[dynamics]") {
     Random random(5);
-    const Machine doll(random, 11, {.loops = 0}), other(random, 12, {.loops = 1});
+    const RandomMachine doll(random, 11, {.loops = 0}), other(random, 12, {.loops = 1});
     IslandLayouts layouts;
     const auto layout = doll.layout(layouts);
     REQUIRE(layout != nullptr);

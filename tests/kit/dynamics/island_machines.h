@@ -31,17 +31,18 @@ inline JointForm randomForm(Random& random, bool mayGear, bool someFree) {
 }
 
 /// What a random machine may have.
-struct Parts {
+struct MachineParts {
     int loops = 6, held = 3, gears = 3;
     bool someFree = false;
 };
 
 /// A tree of bodies and joints, with some loops, and joints to bodies that are held.
-struct Machine {
+struct RandomMachine {
     std::uint32_t moved = 0, held = 0;
     std::vector<LaidJoint> joints;
 
-    Machine(Random& random, int size, const Parts& parts) : moved(static_cast<std::uint32_t>(size)), left_(parts) {
+    RandomMachine(Random& random, int size, const MachineParts& parts)
+        : moved(static_cast<std::uint32_t>(size)), left_(parts) {
         for (int body = 1; body < size; ++body) link(random, body, random.integer(0, body - 1));
         for (int loop = 0; loop < parts.loops; ++loop) {
             const int a = random.integer(0, size - 1);
@@ -64,21 +65,22 @@ private:
         --left_.gears;
     }
 
-    Parts left_;
+    MachineParts left_;
 };
 
-inline Machine randomMachine(Random& random, const Parts& most) {
+inline RandomMachine randomMachine(Random& random, const MachineParts& most) {
     const int size = random.integer(2, 20);
-    Parts parts = most;
+    MachineParts parts = most;
     parts.loops = random.integer(0, most.loops);
     parts.held = random.integer(0, most.held);
-    return Machine(random, size, parts);
+    return RandomMachine(random, size, parts);
 }
 
 /// The numbers of W islands of one layout, as the kernel takes them.
-class Lanes {
+class IslandNumbers {
 public:
-    Lanes(std::shared_ptr<const IslandLayout> layout, std::size_t width) : layout_(std::move(layout)), width_(width) {
+    IslandNumbers(std::shared_ptr<const IslandLayout> layout, std::size_t width)
+        : layout_(std::move(layout)), width_(width) {
         const IslandLayout& l = *layout_;
         const std::size_t sizes[] = {l.bodies * std::size_t{BodyField::count},
                                      l.links.size() * LinkField::count,
@@ -94,18 +96,18 @@ public:
         for (std::size_t i = 0; i < std::size(sizes); at += sizes[i] * width, ++i) *arrays[i] = at;
         setShape(l);
     }
-    Lanes(const Lanes&) = delete;
-    Lanes& operator=(const Lanes&) = delete;
+    IslandNumbers(const IslandNumbers&) = delete;
+    IslandNumbers& operator=(const IslandNumbers&) = delete;
 
     const IslandLayout& layout() const { return *layout_; }
     double& body(std::size_t i, int field) { return view.body[(i * BodyField::count + at(field)) * width_]; }
     double& row(std::size_t i, int field) { return view.row[(i * RowField::count + at(field)) * width_]; }
 
     /// Of one lane; the others have only one.
-    void take(const Lanes& single, std::size_t lane) {
+    void take(const IslandNumbers& single, std::size_t lane) {
         for (std::size_t k = 0; k < single.numbers_.size(); ++k) numbers_[k * width_ + lane] = single.numbers_[k];
     }
-    bool hasBitsOf(const Lanes& single, std::size_t lane) const {
+    bool hasBitsOf(const IslandNumbers& single, std::size_t lane) const {
         for (std::size_t k = 0; k < single.numbers_.size(); ++k)
             if (std::memcmp(&numbers_[k * width_ + lane], &single.numbers_[k], sizeof(double)) != 0) return false;
         return true;
@@ -141,11 +143,11 @@ private:
 
 /// The rows of a machine as a matrix, over the velocities of all bodies. Turning of a body that cannot turn has no
 /// column of its own in solving: its mass counts as infinite.
-struct Dense {
+struct DenseRows {
     Eigen::MatrixXd rows;
     Eigen::VectorXd inverseMass, before;
 
-    explicit Dense(Lanes& lanes) {
+    explicit DenseRows(IslandNumbers& lanes) {
         const IslandLayout& layout = lanes.layout();
         const auto size = 3 * static_cast<Eigen::Index>(layout.bodies);
         rows = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(layout.rows.size()), size);
@@ -161,17 +163,17 @@ struct Dense {
             inverseMass[3 * b + 2] = inertia > 0 ? 1 / inertia : 0;
         }
     }
-    Eigen::VectorXd after(Lanes& lanes) const {
+    Eigen::VectorXd after(IslandNumbers& lanes) const {
         Eigen::VectorXd u(before.size());
         for (Eigen::Index i = 0; i < u.size(); ++i)
             u[i] = lanes.body(static_cast<std::size_t>(i / 3), BodyField::Ux + static_cast<int>(i % 3));
         return u;
     }
-    double speedAfter(Lanes& lanes, std::size_t row) const {
+    double speedAfter(IslandNumbers& lanes, std::size_t row) const {
         return rows.row(static_cast<Eigen::Index>(row)).dot(after(lanes));
     }
     /// Of u = M^-1 J^T L, as a share of the largest.
-    double velocityError(Lanes& lanes) const {
+    double velocityError(IslandNumbers& lanes) const {
         Eigen::VectorXd impulses(rows.rows());
         for (Eigen::Index r = 0; r < rows.rows(); ++r)
             impulses[r] = lanes.row(static_cast<std::size_t>(r), RowField::Impulse);
@@ -181,7 +183,7 @@ struct Dense {
     double inverseMassOf(Eigen::Index row) const { return rows.row(row).cwiseAbs2().dot(inverseMass.transpose()); }
 
 private:
-    void addPart(Lanes& lanes, std::size_t i, std::uint32_t part) {
+    void addPart(IslandNumbers& lanes, std::size_t i, std::uint32_t part) {
         const IslandLayout::Link& link = lanes.layout().links[lanes.layout().rows[i].link + part];
         const int axis = part == 0 ? RowField::AxisX : RowField::SecondAxisX;
         const auto r = static_cast<Eigen::Index>(i);
