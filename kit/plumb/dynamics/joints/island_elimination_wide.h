@@ -187,7 +187,8 @@ struct Elimination {
         }
     }
 
-    /// Of a symmetric matrix; zero where it has none.
+    /// Of a symmetric matrix; zero where it has none. By L D L^T: of a body that a joint has made stiff along one
+    /// direction, the determinant would lose the other directions.
     template <int E>
     static void invert(const S& m) {
         if constexpr (E == 1) {
@@ -200,10 +201,11 @@ struct Elimination {
             m.set(3, -b * d);
             m.set(4, a * d);
         } else {
-            const D a = m[4] * m[8] - m[5] * m[5], b = m[2] * m[5] - m[1] * m[8], c = m[1] * m[5] - m[2] * m[4];
-            const D d = reciprocal(m[0] * a + m[1] * b + m[2] * c);
-            const D e = m[0] * m[8] - m[2] * m[2], f = m[1] * m[2] - m[0] * m[5], g = m[0] * m[4] - m[1] * m[1];
-            const D inverse[9] = {a * d, b * d, c * d, b * d, e * d, f * d, c * d, f * d, g * d};
+            const D i0 = reciprocal(m[0]), l1 = m[1] * i0, l2 = m[2] * i0;
+            const D i1 = reciprocal(m[4] - l1 * m[1]), e = m[5] - l1 * m[2], l3 = e * i1;
+            const D i2 = reciprocal(m[8] - l2 * m[2] - l3 * e), p = l1 * l3 - l2;
+            const D xy = -l1 * i1 - p * l3 * i2, xz = p * i2, yz = -l3 * i2;
+            const D inverse[9] = {i0 + l1 * l1 * i1 + p * p * i2, xy, xz, xy, i1 + l3 * l3 * i2, yz, xz, yz, i2};
             for (int i = 0; i < 9; ++i) m.set(i, inverse[i]);
         }
     }
