@@ -93,8 +93,8 @@ struct RowField {
         Impulse,      ///< of this pass
         Origin,
         // Only of rows that do not hold:
-        State,     ///< RowState, kept from pass to pass
-        NowState,  ///< in this pass
+        LastState,  ///< RowState in the last pass that was not only to hold
+        State,      ///< in this pass
         Target,
         Low,
         High,
@@ -156,6 +156,7 @@ struct IslandTurn {
     bool correct = false;   ///< before the bodies move: closes gaps, too
     bool onlyHold = false;  ///< motors and springs do nothing; their stops stay
     double fastest = 0;     ///< speed at which an error is removed at most [m/s]
+    double rate = 1 / h;    ///< [1/s]
 };
 
 /// The same functions for each number of lanes, with bitwise equal results.

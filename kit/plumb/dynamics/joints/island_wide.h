@@ -268,7 +268,7 @@ struct WideIslands {
             D bend{};
             if (turn.correct)
                 bend = Elimination<W>::speedOf(v, i, B::Vx, B::AheadSpin) -
-                       (coordinateOf(v, shape, row, true) - row[R::Coordinate]) / turn.h;
+                       (coordinateOf(v, shape, row, true) - row[R::Coordinate]) * turn.rate;
             if (shape.holds)
                 holdRow(row, bend, turn);
             else
@@ -279,7 +279,7 @@ struct WideIslands {
     /// Removes the present error, and the whole error that the sub-step would add, to any order.
     static void holdRow(const S& row, D bend, const IslandTurn& turn) {
         if (!turn.correct) return row.set(R::Speed, D{});
-        const D back = row[R::Coordinate] / turn.h;
+        const D back = row[R::Coordinate] * turn.rate;
         row.set(R::Speed, bend - smaller(larger(back, all(-turn.fastest)), all(turn.fastest)));
     }
 
@@ -300,11 +300,11 @@ struct WideIslands {
         row.set(R::UpperStop, upper);
         row.set(R::LowerStop, lower);
         row.set(R::Target, smaller(larger(target, lower), upper));
-        D push = turn.onlyHold ? D{} : -row[R::HalfStiffness] * (q - row[R::SpringRest]);
+        const D push = turn.onlyHold ? D{} : -row[R::HalfStiffness] * (q - row[R::SpringRest]), growth = row[R::Growth];
         D slope{}, dampPush{};
-        if (!turn.onlyHold) {
+        if (!turn.onlyHold && anyOf<W>(growth > D{})) {
             const auto movable = w > D{};
-            const D divisor = movable ? w : all(1), growth = row[R::Growth];
+            const D divisor = movable ? w : all(1);
             if (turn.correct && !shape.bounded)
                 dampPush = movable ? -growth / (1.0 + growth) / divisor * row[R::NotedSpeed] : D{};
             else
@@ -313,13 +313,13 @@ struct WideIslands {
         row.set(R::DampPush, dampPush);
         row.set(R::Push, push + dampPush);
         row.set(R::Slope, slope);
-        row.set(R::NowState, validState(row, shape.bounded));
+        row.set(R::State, validState(row, shape.bounded));
     }
 
     /// The speed towards a limit that is this far away. Room up to the limit may be used up in one sub-step; a
     /// coordinate beyond it is corrected like any other error.
     static D roomSpeed(D room, const IslandTurn& turn) {
-        const D speed = room / turn.h;
+        const D speed = room * turn.rate;
         const D back = turn.correct ? larger(speed, all(-turn.fastest)) : D{};
         return room >= D{} ? speed : back;
     }
@@ -328,7 +328,7 @@ struct WideIslands {
 
     /// Replaces a state from an earlier step that names a stop or a bound of force which the row no longer has.
     static D validState(const S& row, bool bounded) {
-        const D state = row[R::State], high = row[R::High];
+        const D state = row[R::LastState], high = row[R::High];
         D valid = state;
         if (bounded) {
             valid = state > all(atHigh) ? all(atTarget) : state;
@@ -342,7 +342,7 @@ struct WideIslands {
 
     /// The part of the curve that has the solution, if the present one has not.
     static D nextState(const S& row, bool bounded) {
-        const D state = row[R::NowState], high = row[R::High], low = row[R::Low], speed = row[R::Speed];
+        const D state = row[R::State], high = row[R::High], low = row[R::Low], speed = row[R::Speed];
         const D aside = row[R::Push] - row[R::Slope] * speed;
         if (bounded) {
             const D below = aside < low ? all(atLow) : all(atTarget);
@@ -371,8 +371,8 @@ struct WideIslands {
             const S row = rowOf(v, i);
             row.set(R::Speed, Elimination<W>::speedOf(v, i, B::Ux, B::Uspin));
             const D next = nextState(row, v.rows[i].bounded);
-            changed = changed || anyOf<W>(next != row[R::NowState]);
-            row.set(R::NowState, next);
+            changed = changed || anyOf<W>(next != row[R::State]);
+            row.set(R::State, next);
         }
         return changed;
     }
@@ -384,18 +384,18 @@ struct WideIslands {
     static constexpr double relativeCompliance = 1e-5, notSolved = -1;  // see joint_curve.h
 
     static Equation curveEquation(const S& row, bool bounded) {
-        const D state = row[R::NowState], push = row[R::Push], slope = row[R::Slope], w = row[R::InverseMass];
+        const D state = row[R::State], push = row[R::Push], slope = row[R::Slope], w = row[R::InverseMass];
         const D rigid = relativeCompliance * w, low = row[R::Low], high = row[R::High];
         const auto isSoft = slope > D{};
-        const D divisor = isSoft ? slope : all(1), give = 1.0 / divisor;
+        const D give = anyOf<W>(isSoft) ? 1.0 / (isSoft ? slope : all(1)) : D{};
         const D bound = state == all(atHigh) ? high : low;
         if (bounded) {
             const D clamped = state == all(atTarget) ? smaller(larger(push, low), high) : bound;
             const auto solved = both(state == all(atTarget), isSoft);
-            return {push / divisor, solved ? give : all(notSolved), solved ? D{} : clamped};
+            return {push * give, solved ? give : all(notSolved), solved ? D{} : clamped};
         }
         const D pushed = push + bound;
-        Equation e{pushed / divisor, isSoft ? give : all(notSolved), isSoft ? D{} : pushed};
+        Equation e{pushed * give, isSoft ? give : all(notSolved), isSoft ? D{} : pushed};
         const auto isRigid = either(state == all(atTarget), state > all(atHigh));
         const D stop = state == all(atLowerStop) ? row[R::LowerStop] : row[R::UpperStop];
         e.speed = isRigid ? (state == all(atTarget) ? row[R::Target] : stop) : e.speed;
@@ -445,7 +445,7 @@ struct WideIslands {
             const D speed = Elimination<W>::speedOf(v, i, B::Vx, B::Spin),
                     rigid = relativeCompliance * row[R::InverseMass];
             D compliance = rigid;
-            if (!v.rows[i].holds) compliance = row[R::NowState] > all(atHigh) ? rigid : all(notSolved);
+            if (!v.rows[i].holds) compliance = row[R::State] > all(atHigh) ? rigid : all(notSolved);
             setEquation(v, row, speed, compliance, D{});
         }
         Elimination<W>::solve(v);

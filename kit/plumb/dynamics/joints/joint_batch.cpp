@@ -15,11 +15,9 @@ float rounded(double value) {
 }
 
 /// Adds to value what others have added to its rounded record.
-bool pullChange(double& value, float record, double scale) {
+void pullChange(double& value, float record, double scale) {
     const float known = rounded(value * scale);
-    if (record == known) return false;
-    value += (static_cast<double>(record) - static_cast<double>(known)) / scale;
-    return true;
+    if (record != known) value += (static_cast<double>(record) - static_cast<double>(known)) / scale;
 }
 
 /// The moment of inertia that the solver uses: that of the body, or a larger one in a tight chain (see
@@ -143,7 +141,7 @@ void JointBatch::loadJoint(const JointForm& form, const JointStore& joints, Join
     }
     for (std::size_t r = 0; r < form.rows; ++r) {
         loadRow(form.row[r], rotation[0], joints[index].springShare, firstRow + r, lane, h);
-        row(firstRow + r, RowField::State, lane) = static_cast<double>(joints[index].states[r]);
+        row(firstRow + r, RowField::LastState, lane) = static_cast<double>(joints[index].states[r]);
         if (form.links == 1) continue;
         const Vec2 second = rotation[1] * form.secondDirection;
         row(firstRow + r, RowField::SecondDirectionX, lane) = second.x();
@@ -190,7 +188,7 @@ void JointBatch::store(JointStore& joints, BodyStore& bodies) {
             for (std::size_t i = first; i < layout_->joints[j + 1].firstRow; ++i)
                 if (!layout_->rows[i].holds)
                     joints[island.joints[j]].states[i - first] =
-                        static_cast<RowState>(static_cast<int>(row(i, RowField::State, lane)));
+                        static_cast<RowState>(static_cast<int>(row(i, RowField::LastState, lane)));
         }
     }
 }
@@ -202,11 +200,11 @@ void JointBatch::pullVelocity(const BodyStore& bodies, BodyIndex index, std::siz
     pullChange(body(node, BodyField::Spin, lane), v.w, static_cast<double>(bodies.turn[index].gyration));
 }
 
-bool JointBatch::pullPlace(const BodyStore& bodies, BodyIndex index, std::size_t node, std::size_t lane) {
+void JointBatch::pullPlace(const BodyStore& bodies, BodyIndex index, std::size_t node, std::size_t lane) {
     const SolverDisplacement& d = bodies.displacement[index];
-    const bool x = pullChange(body(node, BodyField::X, lane), d.x, 1);
-    const bool y = pullChange(body(node, BodyField::Y, lane), d.y, 1);
-    return pullChange(body(node, BodyField::Turn, lane), bodies.turn[index].angle, 1) || x || y;
+    pullChange(body(node, BodyField::X, lane), d.x, 1);
+    pullChange(body(node, BodyField::Y, lane), d.y, 1);
+    pullChange(body(node, BodyField::Turn, lane), bodies.turn[index].angle, 1);
 }
 
 void JointBatch::pull(const BodyStore& bodies) {
@@ -214,7 +212,7 @@ void JointBatch::pull(const BodyStore& bodies) {
         for (std::size_t lane = 0; lane < width_; ++lane) {
             const BodyIndex index = islands_[lane]->bodies[n];
             pullVelocity(bodies, index, n, lane);
-            moved_ = pullPlace(bodies, index, n, lane) || moved_;
+            if (moved_) pullPlace(bodies, index, n, lane);
         }
     }
     if (!moved_) return;
@@ -280,11 +278,11 @@ void JointBatch::noteStates() {
     for (std::size_t i = 0; i < layout_->rows.size(); ++i)
         if (!layout_->rows[i].holds)
             for (std::size_t lane = 0; lane < width_; ++lane)
-                row(i, RowField::State, lane) = row(i, RowField::NowState, lane);
+                row(i, RowField::LastState, lane) = row(i, RowField::State, lane);
 }
 
 void JointBatch::solve(BodyStore& bodies, const IslandTurn& turn, StepObserver* observer) {
-    pull(bodies);
+    if (!bodies.flights.empty()) pull(bodies);  // fields have changed velocities
     kernel_->prepare(view_, turn);
     kernel_->solve(view_);
     noteStates();

@@ -42,6 +42,8 @@ public:
 
     /// Adds what others have changed.
     void pull(const BodyStore& bodies);
+    /// Others have moved bodies: the next pull takes that in.
+    void noteMoves() { moved_ = true; }
     /// After the step's forces and the contacts' first guess have acted on the records.
     void kick(BodyStore& bodies);
     void move(BodyStore& bodies, double h);
@@ -87,7 +89,7 @@ private:
     void loadRow(const RowForm& form, const Rot& rotationA, double springShare, std::size_t i, std::size_t lane,
                  double h);
     void pullVelocity(const BodyStore& bodies, BodyIndex index, std::size_t node, std::size_t lane);
-    bool pullPlace(const BodyStore& bodies, BodyIndex index, std::size_t node, std::size_t lane);
+    void pullPlace(const BodyStore& bodies, BodyIndex index, std::size_t node, std::size_t lane);
     void writeVelocities(BodyStore& bodies) const;
     void writePlaces(BodyStore& bodies) const;
     void noteStates();
@@ -103,7 +105,7 @@ private:
     IslandLanes view_;
     std::vector<double> numbers_;
     std::array<double, 8> active_{};
-    bool moved_ = true;  ///< bodies have moved since rows were placed
+    bool moved_ = true;  ///< bodies may have moved since rows were placed
 };
 
 }  // namespace plumb

@@ -235,6 +235,7 @@ void storeBatches(const JointStores& stores, std::vector<std::pair<BodyIndex, Bo
 
 void pushJointed(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse) {
     reportGround(stores, island.bodies, [&] {
+        island.batch->noteMoves();
         island.batch->pull(stores.bodies);
         island.batch->push(stores.bodies, island.lane, island.nodeOf(body), impulse);
     });
@@ -244,11 +245,13 @@ void pushJointed(const JointStores& stores, JointIsland& island, BodyIndex body,
 void holdOneIsland(const JointStores& stores, JointIsland& island, double h) {
     std::array<bool, 8> active{};
     active[island.lane] = true;
+    island.batch->noteMoves();
     reportGround(stores, island.bodies,
                  [&] { island.batch->hold(stores.bodies, h, stores.settings.contactPushSpeed, active, nullptr); });
 }
 
 Vec3 answerOfJointed(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse) {
+    island.batch->noteMoves();
     island.batch->pull(stores.bodies);
     return island.batch->answer(island.lane, island.nodeOf(body), impulse);
 }

@@ -131,6 +131,8 @@ void WallStops::add(const Mover& mover) {
 void WallStops::afterMove(std::span<const FastBody> fast, double start) {
     start_ = start;
     for (const FastBody& f : fast) {
+        JointIsland* island = islandOf(f.body);
+        if (island != nullptr && isClear(*island)) continue;
         if (bodies_.kinematic.empty() && !hasMovedFar(f.body)) continue;
         const BodyMotion& from = bodies_.motion[f.body];
         const Vec2 moved(static_cast<double>(f.x), static_cast<double>(f.y));
@@ -139,6 +141,7 @@ void WallStops::afterMove(std::span<const FastBody> fast, double start) {
     for (Group& group : groups_) travel(group);
     for (const BodyIndex body : added_) groupOf_[body] = none;
     added_.clear();
+    care_.clear();
     groups_.clear();
 }
 
@@ -148,7 +151,6 @@ void WallStops::travel(Group& group) {
     int impacts = 0;
     const double turn = group.island != nullptr ? turnOf(group, h_) : 0.0;
     bool inPieces = turn > pieceTurn && turn <= farthestFollowed && opens(*group.island);
-    if (!inPieces && !isNearWalls(group)) return;
     if (group.island != nullptr) group.energy = energyOf(group);
     while (time < h_ * (1 - roundOff)) {
         const double left = h_ - time, piece = inPieces ? pieceOf(group, left) : left;
@@ -172,20 +174,42 @@ void WallStops::travel(Group& group) {
     }
 }
 
-/// Is there anything that one of several bodies could meet? One question for all of them.
-bool WallStops::isNearWalls(const Group& group) const {
-    if (group.movers.size() < 2 || !bodies_.kinematic.empty() || bodies_.wrap.any()) return true;
+/// Can the island stay where it has moved, because it is far from walls and its joints hold?
+bool WallStops::isClear(JointIsland& island) {
+    std::vector<JointIsland>& islands = stores_.joints.islands.islands;
+    if (care_.empty()) care_.assign(islands.size(), Care::Unknown);
+    Care& care = care_[static_cast<std::size_t>(&island - islands.data())];
+    if (care == Care::Unknown) {
+        const double turn = turnOf(island);
+        const bool followed = turn > pieceTurn && turn <= farthestFollowed;
+        care = isNearWalls(island) || (followed && opens(island)) ? Care::Needed : Care::None;
+    }
+    return care == Care::None;
+}
+
+/// Is there anything that one of its bodies could have met? One question for all of them.
+bool WallStops::isNearWalls(const JointIsland& island) const {
+    if (!bodies_.kinematic.empty() || bodies_.wrap.any()) return true;
     constexpr double infinite = std::numeric_limits<double>::infinity();
     Aabb box{Vec2(infinite, infinite), Vec2(-infinite, -infinite)};
-    for (const Mover& mover : group.movers) {
-        const Vec2 end = mover.center + shiftOf(bodies_.velocity[mover.body], h_);
-        const double radius = bodies_.record[mover.body].boundingRadius;
-        const Aabb way = inflate({mover.center.cwiseMin(end), mover.center.cwiseMax(end)}, radius);
+    for (const BodyIndex body : island.bodies) {
+        const SolverDisplacement& d = bodies_.displacement[body];
+        const Vec2 to = bodies_.motion[body].center + Vec2(static_cast<double>(d.x), static_cast<double>(d.y));
+        const Vec2 from = to - shiftOf(bodies_.velocity[body], h_);
+        const Aabb way = inflate({from.cwiseMin(to), from.cwiseMax(to)}, bodies_.record[body].boundingRadius);
         box = {box.lower.cwiseMin(way.lower), box.upper.cwiseMax(way.upper)};
     }
     bool near = false;
     view_.space.queryFixed(box, [&near](ProxyId, const Vec2&) { near = true; });
     return near;
+}
+
+/// The largest turn of its bodies in a sub-step [rad].
+double WallStops::turnOf(const JointIsland& island) const {
+    double turn = 0;
+    for (const BodyIndex body : island.bodies)
+        turn = std::max(turn, std::fabs(turnBy(bodies_, body, bodies_.velocity[body], h_)));
+    return turn;
 }
 
 /// Have joints opened since the step began?

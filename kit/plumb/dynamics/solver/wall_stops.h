@@ -64,7 +64,9 @@ private:
     void add(const Mover& mover);
     JointIsland* islandOf(BodyIndex body);
     void travel(Group& group);
-    bool isNearWalls(const Group& group) const;
+    bool isClear(JointIsland& island);
+    bool isNearWalls(const JointIsland& island) const;
+    double turnOf(const JointIsland& island) const;
     bool opens(const JointIsland& island) const;
     double turnOf(const Group& group, double time) const;
     double pieceOf(const Group& group, double left) const;
@@ -84,6 +86,8 @@ private:
     WallView view_;
     double h_, start_ = 0;
     std::vector<std::uint32_t> islandOf_;  ///< of each body, none if it is alone; empty until it is needed
+    enum class Care : std::uint8_t { Unknown, None, Needed };
+    std::vector<Care> care_;               ///< of each island, in this sub-step
     std::vector<std::uint32_t> groupOf_;   ///< of each body, in this sub-step; none if it is not added
     std::vector<BodyIndex> added_;         ///< those, in the order in which they were added
     std::vector<Group> groups_;            ///< islands, in this sub-step
