@@ -176,15 +176,24 @@ struct Elimination {
         }
     }
 
-    static void factor(const IslandLanes& v) {
-        for (std::uint32_t k = 0; k < v.stepCount; ++k) {
-            switch (v.steps[k].size) {
-                case 0: break;
-                case 1: eliminate<1>(v, k); break;
-                case 2: eliminate<2>(v, k); break;
-                default: eliminate<3>(v, k);
-            }
+    /// Calls work with a size as a constant, so that loops over it are unrolled.
+    template <class Work>
+    [[gnu::always_inline]] static inline void sized(std::uint32_t size, Work&& work) {
+        switch (size) {
+            case 0: return;
+            case 1: return work(Size<1>{});
+            case 2: return work(Size<2>{});
+            default: return work(Size<3>{});
         }
+    }
+    template <int N>
+    struct Size {
+        static constexpr int value = N;
+    };
+
+    static void factor(const IslandLanes& v) {
+        for (std::uint32_t k = 0; k < v.stepCount; ++k)
+            sized(v.steps[k].size, [&](auto size) { eliminate<decltype(size)::value>(v, k); });
     }
 
     /// Of a symmetric matrix; zero where it has none. By L D L^T: of a body that a joint has made stiff along one
@@ -222,23 +231,21 @@ struct Elimination {
         D scaled[3][3];
         for (std::uint32_t u = v.steps[k].firstUpdate; u < v.steps[k + 1].firstUpdate; ++u) {
             const IslandShape::Update& update = v.updates[u];
-            if (update.left != last) scale<E>(blockOf(v, update.left), inverse, update.leftSize, scaled);
-            last = update.left;
             const S right = blockOf(v, update.right), target = blockOf(v, update.target);
-            for (int j = 0; j < update.rightSize; ++j) {
-                D row[3];
-                for (int c = 0; c < E; ++c) row[c] = right[3 * j + c];
-                for (int i = 0; i < update.leftSize; ++i) {
-                    D sum = scaled[i][0] * row[0];
-                    for (int c = 1; c < E; ++c) sum += scaled[i][c] * row[c];
-                    target.set(3 * i + j, target[3 * i + j] - sum);
-                }
-            }
+            sized(update.leftSize, [&](auto rows) {
+                constexpr int m = decltype(rows)::value;
+                if (update.left != last) scale<E, m>(blockOf(v, update.left), inverse, scaled);
+                sized(update.rightSize, [&](auto columns) {
+                    subtract<E, m, decltype(columns)::value>(target, scaled, right);
+                });
+            });
+            last = update.left;
         }
     }
-    template <int E>
-    static void scale(const S& left, const S& inverse, int size, D (&scaled)[3][3]) {
-        for (int i = 0; i < size; ++i) {
+    /// scaled = left times inverse.
+    template <int E, int M>
+    static void scale(const S& left, const S& inverse, D (&scaled)[3][3]) {
+        for (int i = 0; i < M; ++i) {
             for (int j = 0; j < E; ++j) {
                 D sum = left[3 * i] * inverse[j];
                 for (int c = 1; c < E; ++c) sum += left[3 * i + c] * inverse[3 * c + j];
@@ -246,14 +253,20 @@ struct Elimination {
             }
         }
     }
+    /// target -= scaled times right^T.
+    template <int E, int M, int N>
+    static void subtract(const S& target, const D (&scaled)[3][3], const S& right) {
+        for (int j = 0; j < N; ++j) {
+            for (int i = 0; i < M; ++i) {
+                D sum = scaled[i][0] * right[3 * j];
+                for (int c = 1; c < E; ++c) sum += scaled[i][c] * right[3 * j + c];
+                target.set(3 * i + j, target[3 * i + j] - sum);
+            }
+        }
+    }
 
     static void forward(const IslandLanes& v, std::uint32_t k) {
-        switch (v.steps[k].size) {
-            case 0: break;
-            case 1: forwardSized<1>(v, k); break;
-            case 2: forwardSized<2>(v, k); break;
-            default: forwardSized<3>(v, k);
-        }
+        sized(v.steps[k].size, [&](auto size) { forwardSized<decltype(size)::value>(v, k); });
     }
     template <int E>
     static void forwardSized(const IslandLanes& v, std::uint32_t k) {
@@ -266,21 +279,18 @@ struct Elimination {
         }
         for (std::uint32_t l = step.firstLower; l < v.steps[k + 1].firstLower; ++l) {
             const S block = blockOf(v, v.lowers[l].block), y = answerOf(v, v.lowers[l].node);
-            for (int i = 0; i < static_cast<int>(v.lowers[l].size); ++i) {
-                D sum = block[3 * i] * scaled[0];
-                for (int c = 1; c < E; ++c) sum += block[3 * i + c] * scaled[c];
-                y.set(i, y[i] - sum);
-            }
+            sized(v.lowers[l].size, [&](auto rows) {
+                for (int i = 0; i < decltype(rows)::value; ++i) {
+                    D sum = block[3 * i] * scaled[0];
+                    for (int c = 1; c < E; ++c) sum += block[3 * i + c] * scaled[c];
+                    y.set(i, y[i] - sum);
+                }
+            });
         }
     }
 
     static void backward(const IslandLanes& v, std::uint32_t k) {
-        switch (v.steps[k].size) {
-            case 0: break;
-            case 1: backwardSized<1>(v, k); break;
-            case 2: backwardSized<2>(v, k); break;
-            default: backwardSized<3>(v, k);
-        }
+        sized(v.steps[k].size, [&](auto size) { backwardSized<decltype(size)::value>(v, k); });
     }
     /// D^-1 (b - sum D L^T x): the sum holds A_ik^T x_i as it stands.
     template <int E>
@@ -291,8 +301,10 @@ struct Elimination {
         for (int c = 0; c < E; ++c) right[c] = x[c];
         for (std::uint32_t l = step.firstLower; l < v.steps[k + 1].firstLower; ++l) {
             const S block = blockOf(v, v.lowers[l].block), y = answerOf(v, v.lowers[l].node);
-            for (int i = 0; i < static_cast<int>(v.lowers[l].size); ++i)
-                for (int c = 0; c < E; ++c) right[c] -= block[3 * i + c] * y[i];
+            sized(v.lowers[l].size, [&](auto rows) {
+                for (int i = 0; i < decltype(rows)::value; ++i)
+                    for (int c = 0; c < E; ++c) right[c] -= block[3 * i + c] * y[i];
+            });
         }
         for (int i = 0; i < E; ++i) {
             D sum = inverse[3 * i] * right[0];
