@@ -53,7 +53,7 @@ void drawCurve(Random& random, IslandNumbers& lanes, std::size_t i) {
                              0,
                              slope};
     for (std::size_t f = 0; f < std::size(fields); ++f)
-        lanes.row(i, RowField::NowState + static_cast<int>(f)) = fields[f];
+        lanes.row(i, RowField::State + static_cast<int>(f)) = fields[f];
 }
 
 void drawNumbers(Random& random, IslandNumbers& lanes) {
@@ -229,16 +229,16 @@ TEST_CASE("a tree of 10,000 nodes takes at most three block updates a node", "[d
     Random random(3);
     const RandomMachine machine(random, 5000, {.loops = 0, .held = 0, .gears = 0});
     const std::vector<BlockPlan::Edge> edges = edgesOf(machine);
-    const std::uint32_t nodes = machine.moved + static_cast<std::uint32_t>(machine.joints.size());
-    CHECK(plumb::planBlocks(nodes, edges, 3 * nodes) != nullptr);
+    const auto joints = static_cast<std::uint32_t>(machine.joints.size());
+    CHECK(plumb::planBlocks(machine.moved, joints, edges, 3 * (machine.moved + joints)) != nullptr);
 }
 
 TEST_CASE("a net that fills in more than it may is refused", "[dynamics]") {
     Random random(4);
     const RandomMachine machine(random, 200, {.loops = 2000, .held = 0, .gears = 0});
     const std::vector<BlockPlan::Edge> edges = edgesOf(machine);
-    const std::uint32_t nodes = machine.moved + static_cast<std::uint32_t>(machine.joints.size());
-    CHECK(plumb::planBlocks(nodes, edges, 10000) == nullptr);
+    const auto joints = static_cast<std::uint32_t>(machine.joints.size());
+    CHECK(plumb::planBlocks(machine.moved, joints, edges, 10000) == nullptr);
     IslandLayouts layouts;
     CHECK(machine.layout(layouts) == nullptr);
 }

@@ -11,11 +11,18 @@ namespace {
 /// The graph of the nodes that are not yet eliminated; each edge has the index of its block.
 struct Graph {
     std::vector<std::map<std::uint32_t, std::uint32_t>> blockTo;  ///< of each node: neighbour to block
-    std::set<std::pair<std::size_t, std::uint32_t>> byDegree;
+    std::vector<bool> mayGo;  ///< of each node: it may be eliminated next
+    std::set<std::pair<std::size_t, std::uint32_t>> byDegree;  ///< of those that may
     std::uint32_t blocks = 0;
 
     void setDegree(std::uint32_t node, std::size_t before) {
+        if (!mayGo[node]) return;
         byDegree.erase({before, node});
+        byDegree.insert({blockTo[node].size(), node});
+    }
+    void release(std::uint32_t node) {
+        if (mayGo[node]) return;
+        mayGo[node] = true;
         byDegree.insert({blockTo[node].size(), node});
     }
     /// The block between two nodes; a new one if there was none.
@@ -38,13 +45,15 @@ struct Graph {
 
 }  // namespace
 
-std::shared_ptr<const BlockPlan> planBlocks(std::uint32_t nodes, std::span<const BlockPlan::Edge> edges,
-                                            std::size_t mostUpdates) {
+std::shared_ptr<const BlockPlan> planBlocks(std::uint32_t bodies, std::uint32_t joints,
+                                            std::span<const BlockPlan::Edge> edges, std::size_t mostUpdates) {
+    const std::uint32_t nodes = bodies + joints;
     auto plan = std::make_shared<BlockPlan>();
     Graph graph;
     graph.blockTo.resize(nodes);
     graph.blocks = nodes;
-    for (std::uint32_t node = 0; node < nodes; ++node) graph.byDegree.insert({0, node});
+    graph.mayGo.resize(nodes);
+    for (std::uint32_t node = 0; node < bodies; ++node) graph.release(node);
     for (const BlockPlan::Edge& edge : edges) plan->places.push_back({graph.connect(edge.first, edge.second), false});
     std::vector<std::uint32_t> rank(nodes);
     // The row of a block is the node that is eliminated later: for new blocks (fill-in) known once all nodes have a
@@ -56,6 +65,7 @@ std::shared_ptr<const BlockPlan> planBlocks(std::uint32_t nodes, std::span<const
             {node, static_cast<std::uint32_t>(plan->lowers.size()), static_cast<std::uint32_t>(plan->updates.size())});
         const std::map<std::uint32_t, std::uint32_t> around = graph.blockTo[node];
         graph.remove(node);
+        for (const auto& [i, left] : around) graph.release(i);
         for (const auto& [i, left] : around) {
             plan->lowers.push_back({i, left});
             for (const auto& [j, right] : around) {

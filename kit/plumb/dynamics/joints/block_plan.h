@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // In which order are the blocks of a sparse symmetric system eliminated?
 //
-// The node with the fewest neighbours is taken first. A tree is therefore eliminated from its leaves, without any new
+// The node with the fewest neighbours is taken first, and a joint only after one of its bodies: alone, its block is
+// almost zero, and dividing by it would lose digits. A tree is therefore eliminated from its leaves, without any new
 // blocks (fill-in), at a cost proportional to its size. The order depends on the graph alone, so equal systems, such as
 // those of a hundred dolls, share one plan.
 // Source: minimum degree: Tinney, Walker, Proc. IEEE 55 (1967) 1801.
@@ -46,8 +47,9 @@ struct BlockPlan {
     std::size_t bytes() const { return bytesOf(places) + bytesOf(steps) + bytesOf(lowers) + bytesOf(updates); }
 };
 
-/// The plan for a graph; null if the elimination would take more than mostUpdates block updates.
-std::shared_ptr<const BlockPlan> planBlocks(std::uint32_t nodes, std::span<const BlockPlan::Edge> edges,
-                                            std::size_t mostUpdates);
+/// The plan for a graph, in which the first nodes are bodies and the others joints; null if the elimination would take
+/// more than mostUpdates block updates.
+std::shared_ptr<const BlockPlan> planBlocks(std::uint32_t bodies, std::uint32_t joints,
+                                            std::span<const BlockPlan::Edge> edges, std::size_t mostUpdates);
 
 }  // namespace plumb

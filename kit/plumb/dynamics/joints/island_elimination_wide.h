@@ -90,28 +90,49 @@ struct Elimination {
         at[2] = row[end.isB ? axis + 3 : axis + 2];
     }
 
+    /// For U, from the velocities that it holds. Rows give their known impulses in addition.
     static void solve(IslandLanes& v) {
         if (!v.factored) {
             fill(v);
             factor(v);
             v.factored = true;
         }
-        findRightSide(v, true);
-        substitute(v);
+        substitute(v, [](const S& row, D speed) { return row[R::Compliance] < D{} ? D{} : speed - row[R::Speed]; });
+        forEachRow(v, [](const S& row, const S& x, int r) { row.set(R::Impulse, row[R::Known] + x[r]); });
+    }
+
+    /// e, relative to a row's effective inverse mass [-]. Redundant rows (rows that say the same) then share their load,
+    /// and a difference between what they want is amplified by at most 1 / e.
+    static constexpr double relativeCompliance = 1e-7;
+
+    /// Adds to U, a change of velocities, what the joints add to it. With the factors of the last pass.
+    static void follow(IslandLanes& v) {
+        substitute(v, [](const S& row, D speed) { return row[R::Compliance] < D{} ? D{} : speed; });
+    }
+
+    /// Calls work(row, answer of its joint, number of the row in the joint).
+    template <class Work>
+    [[gnu::always_inline]] static inline void forEachRow(const IslandLanes& v, Work&& work) {
         for (std::uint32_t j = 0; j < v.jointCount; ++j) {
-            const S x = answerOf(v, v.moved + j);
             const std::uint32_t first = v.joints[j].firstRow;
             for (std::uint32_t i = first; i < v.joints[j + 1].firstRow; ++i)
-                rowOf(v, i).set(R::Impulse, rowOf(v, i)[R::Known] + x[static_cast<int>(i - first)]);
+                work(rowOf(v, i), answerOf(v, v.moved + j), static_cast<int>(i - first));
         }
     }
 
-    /// With the factors of the last pass.
-    static void follow(IslandLanes& v) {
-        findRightSide(v, false);
+    /// Solves for a change of U, by which rows change their speeds by -lacks(row, speed), and adds it to U.
+    template <class Lacks>
+    [[gnu::always_inline]] static inline void substitute(const IslandLanes& v, Lacks&& lacks) {
+        for (std::uint32_t i = 0; i < v.moved; ++i)
+            for (int c = 0; c < 3; ++c) answerOf(v, i).set(c, D{});
+        for (std::uint32_t j = 0; j < v.jointCount; ++j) {
+            const std::uint32_t first = v.joints[j].firstRow;
+            for (std::uint32_t i = first; i < v.joints[j + 1].firstRow; ++i)
+                answerOf(v, v.moved + j)
+                    .set(static_cast<int>(i - first), lacks(rowOf(v, i), speedOf(v, i, B::Ux, B::Uspin)));
+        }
         substitute(v);
     }
-
     static void substitute(const IslandLanes& v) {
         for (std::uint32_t k = 0; k < v.stepCount; ++k) forward(v, k);
         for (std::uint32_t k = v.stepCount; k-- > 0;) backward(v, k);
@@ -120,20 +141,6 @@ struct Elimination {
             b.set(B::Ux, b[B::Ux] + x[0]);
             b.set(B::Uy, b[B::Uy] + x[1]);
             b.set(B::Uspin, b[B::Uspin] + x[2]);
-        }
-    }
-
-    /// By how much rows miss the speeds that they want, or else 0.
-    static void findRightSide(const IslandLanes& v, bool wantSpeeds) {
-        for (std::uint32_t i = 0; i < v.moved; ++i)
-            for (int c = 0; c < 3; ++c) answerOf(v, i).set(c, D{});
-        for (std::uint32_t j = 0; j < v.jointCount; ++j) {
-            const std::uint32_t first = v.joints[j].firstRow;
-            for (std::uint32_t i = first; i < v.joints[j + 1].firstRow; ++i) {
-                const S row = rowOf(v, i);
-                const D wanted = wantSpeeds ? row[R::Speed] : D{}, lacks = speedOf(v, i, B::Ux, B::Uspin) - wanted;
-                answerOf(v, v.moved + j).set(static_cast<int>(i - first), row[R::Compliance] < D{} ? D{} : lacks);
-            }
         }
     }
 
@@ -203,12 +210,12 @@ struct Elimination {
         if constexpr (E == 1) {
             m.set(0, reciprocal(m[0]));
         } else if constexpr (E == 2) {
-            const D a = m[0], b = m[1], c = m[4];
-            const D d = reciprocal(a * c - b * b);
-            m.set(0, c * d);
-            m.set(1, -b * d);
-            m.set(3, -b * d);
-            m.set(4, a * d);
+            const D i0 = reciprocal(m[0]), l = m[1] * i0;
+            const D i1 = reciprocal(m[4] - l * m[1]);
+            m.set(0, i0 + l * l * i1);
+            m.set(1, -l * i1);
+            m.set(3, -l * i1);
+            m.set(4, i1);
         } else {
             const D i0 = reciprocal(m[0]), l1 = m[1] * i0, l2 = m[2] * i0;
             const D i1 = reciprocal(m[4] - l1 * m[1]), e = m[5] - l1 * m[2], l3 = e * i1;

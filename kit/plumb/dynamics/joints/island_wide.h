@@ -341,8 +341,8 @@ struct WideIslands {
     }
 
     /// The part of the curve that has the solution, if the present one has not.
-    static D nextState(const S& row, bool bounded) {
-        const D state = row[R::State], high = row[R::High], low = row[R::Low], speed = row[R::Speed];
+    static D nextState(const S& row, D speed, bool bounded) {
+        const D state = row[R::State], high = row[R::High], low = row[R::Low];
         const D aside = row[R::Push] - row[R::Slope] * speed;
         if (bounded) {
             const D below = aside < low ? all(atLow) : all(atTarget);
@@ -369,8 +369,7 @@ struct WideIslands {
         for (std::uint32_t i = 0; i < v.rowCount; ++i) {
             if (v.rows[i].holds) continue;
             const S row = rowOf(v, i);
-            row.set(R::Speed, Elimination<W>::speedOf(v, i, B::Ux, B::Uspin));
-            const D next = nextState(row, v.rows[i].bounded);
+            const D next = nextState(row, Elimination<W>::speedOf(v, i, B::Ux, B::Uspin), v.rows[i].bounded);
             changed = changed || anyOf<W>(next != row[R::State]);
             row.set(R::State, next);
         }
@@ -381,7 +380,7 @@ struct WideIslands {
     struct Equation {
         D speed, compliance, known;
     };
-    static constexpr double relativeCompliance = 1e-5, notSolved = -1;  // see joint_curve.h
+    static constexpr double relativeCompliance = Elimination<W>::relativeCompliance, notSolved = -1;
 
     static Equation curveEquation(const S& row, bool bounded) {
         const D state = row[R::State], push = row[R::Push], slope = row[R::Slope], w = row[R::InverseMass];
@@ -392,10 +391,10 @@ struct WideIslands {
         if (bounded) {
             const D clamped = state == all(atTarget) ? smaller(larger(push, low), high) : bound;
             const auto solved = both(state == all(atTarget), isSoft);
-            return {push * give, solved ? give : all(notSolved), solved ? D{} : clamped};
+            return {solved ? push * give : D{}, solved ? give : all(notSolved), solved ? D{} : clamped};
         }
         const D pushed = push + bound;
-        Equation e{pushed * give, isSoft ? give : all(notSolved), isSoft ? D{} : pushed};
+        Equation e{isSoft ? pushed * give : D{}, isSoft ? give : all(notSolved), isSoft ? D{} : pushed};
         const auto isRigid = either(state == all(atTarget), state > all(atHigh));
         const D stop = state == all(atLowerStop) ? row[R::LowerStop] : row[R::UpperStop];
         e.speed = isRigid ? (state == all(atTarget) ? row[R::Target] : stop) : e.speed;

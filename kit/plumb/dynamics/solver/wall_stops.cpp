@@ -149,8 +149,7 @@ void WallStops::afterMove(std::span<const FastBody> fast, double start) {
 void WallStops::travel(Group& group) {
     double time = 0;
     int impacts = 0;
-    const double turn = group.island != nullptr ? turnOf(group, h_) : 0.0;
-    bool inPieces = turn > pieceTurn && turn <= farthestFollowed && opens(*group.island);
+    bool inPieces = group.island != nullptr && turnOf(group, h_) <= farthestFollowed && opens(*group.island);
     if (group.island != nullptr) group.energy = energyOf(group);
     while (time < h_ * (1 - roundOff)) {
         const double left = h_ - time, piece = inPieces ? pieceOf(group, left) : left;
