@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include <plumb/dynamics/joints/island_kernel.h>
-#include <plumb/dynamics/joints/island_layout.h>
+#include <plumb/dynamics/joints/lanes/island_kernel.h>
+#include <plumb/dynamics/joints/lanes/island_layout.h>
 #include <plumb/math/random.h>
 
 namespace plumb::test {

@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include <plumb/dynamics/joints/joint_island.h>
+#include <plumb/dynamics/joints/joint_islands.h>
 
 namespace plumb {
 

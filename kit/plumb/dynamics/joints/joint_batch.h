@@ -8,9 +8,9 @@
 #include <span>
 
 #include <plumb/dynamics/bodies/step_observer.h>
-#include <plumb/dynamics/joints/island_kernel.h>
-#include <plumb/dynamics/joints/island_layout.h>
 #include <plumb/dynamics/joints/joint_store.h>
+#include <plumb/dynamics/joints/lanes/island_kernel.h>
+#include <plumb/dynamics/joints/lanes/island_layout.h>
 
 namespace plumb {
 

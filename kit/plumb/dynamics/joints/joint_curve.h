@@ -7,7 +7,7 @@ namespace plumb {
 
 /// e: compliance of a row, relative to the row's effective inverse mass [-]. Redundant rows (rows with the same
 /// constraint) then share their load, and a difference between their right sides is amplified by at most 1 / e.
-inline constexpr double relativeCompliance = 1e-7;
+inline constexpr double relativeCompliance = 1e-5;
 
 /// The equation of a row on one part of its curve: v + compliance L = speed, or, where the impulse is known, L =
 /// impulse.

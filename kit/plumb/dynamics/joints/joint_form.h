@@ -5,8 +5,8 @@
 #include <array>
 
 #include <plumb/dynamics/joint_def.h>
-#include <plumb/dynamics/joints/island_shape.h>
 #include <plumb/dynamics/joints/joint_end.h>
+#include <plumb/dynamics/joints/lanes/island_shape.h>
 
 namespace plumb {
 

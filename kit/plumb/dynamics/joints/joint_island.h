@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Which joints are connected through bodies, and so are solved together?
 #pragma once
-#include <plumb/dynamics/bodies/step_observer.h>
 #include <plumb/dynamics/joints/hinge_sweep.h>
-#include <plumb/dynamics/joints/joint_batch.h>
-#include <plumb/dynamics/joints/joint_springs.h>
-#include <plumb/dynamics/solver_settings.h>
+#include <plumb/dynamics/joints/joint_store.h>
+#include <plumb/dynamics/joints/lanes/island_layout.h>
 
 namespace plumb {
+
+class JointBatch;
 
 /// The first solution of half a sub-step, before the island's contacts are known.
 struct IslandTrial {
@@ -40,27 +40,6 @@ struct JointIsland {
     std::size_t nodeOf(BodyIndex body) const {
         return static_cast<std::size_t>(std::find(bodies.begin(), bodies.end(), body) - bodies.begin());
     }
-};
-
-/// The islands of all joints that act and have an awake body.
-struct JointIslands {
-    std::vector<JointIsland> islands;               ///< in the order of their first joints
-    std::vector<std::vector<std::uint32_t>> alike;  ///< numbers of those that are not swept, for each layout
-    std::vector<JointBatch> batches;                ///< in this step; its islands keep pointers to them
-    std::size_t batchCount = 0;                     ///< those in use
-    std::vector<JointIndex> joints;                 ///< of all islands, in the order of their slots
-    std::vector<JointIndex> breakable;              ///< those of the joints that can break
-    JointSprings springs;
-    IslandLayouts layouts;
-};
-
-/// The stores that the joint solver reads and writes.
-struct JointStores {
-    JointStore& joints;
-    JointIslands& islands;
-    BodyStore& bodies;
-    const SolverSettings& settings;
-    StepObserver* observer = nullptr;  ///< may be null
 };
 
 }  // namespace plumb

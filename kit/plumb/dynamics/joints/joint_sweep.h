@@ -3,7 +3,7 @@
 // previous impulses as a first guess.
 #pragma once
 #include <plumb/dynamics/bodies/softness.h>
-#include <plumb/dynamics/joints/joint_island.h>
+#include <plumb/dynamics/joints/joint_islands.h>
 
 namespace plumb {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include <plumb/dynamics/bodies/body_groups.h>
-#include <plumb/dynamics/joints/joint_island.h>
+#include <plumb/dynamics/joints/joint_islands.h>
 #include <plumb/dynamics/joints/joint_response.h>
 
 namespace plumb {

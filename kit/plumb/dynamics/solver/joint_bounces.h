@@ -14,7 +14,7 @@
 #include <vector>
 
 #include <plumb/dynamics/contacts/contact_graph.h>
-#include <plumb/dynamics/joints/joint_island.h>
+#include <plumb/dynamics/joints/joint_islands.h>
 
 namespace plumb {
 

@@ -6,7 +6,7 @@
 #include <map>
 
 #include <plumb/dynamics/contacts/contact_graph.h>
-#include <plumb/dynamics/joints/joint_island.h>
+#include <plumb/dynamics/joints/joint_islands.h>
 
 namespace plumb {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include <plumb/dynamics/joints/joint_island.h>
+#include <plumb/dynamics/joints/joint_islands.h>
 #include <plumb/dynamics/solver/machine_rows.h>
 
 namespace plumb {

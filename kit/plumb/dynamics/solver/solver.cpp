@@ -9,7 +9,7 @@
 #include <plumb/dynamics/contacts/lanes/contact_solver.h>
 #include <plumb/dynamics/fields/field_phases.h>
 #include <plumb/dynamics/impacts/wall_touch.h>
-#include <plumb/dynamics/joints/joint_island.h>
+#include <plumb/dynamics/joints/joint_islands.h>
 #include <plumb/dynamics/solver/body_solver.h>
 #include <plumb/dynamics/solver/wall_limits.h>
 #include <plumb/dynamics/solver/wall_stops.h>

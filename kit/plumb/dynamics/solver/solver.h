@@ -10,7 +10,7 @@
 #include <plumb/dynamics/contacts/contact_graph.h>
 #include <plumb/dynamics/contacts/touch_events.h>
 #include <plumb/dynamics/fields/field_store.h>
-#include <plumb/dynamics/joints/joint_island.h>
+#include <plumb/dynamics/joints/joint_islands.h>
 #include <plumb/dynamics/solver/joint_phases.h>
 
 namespace plumb {

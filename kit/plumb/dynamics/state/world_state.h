@@ -7,7 +7,7 @@
 
 #include <plumb/dynamics/bodies/free_motion.h>
 #include <plumb/dynamics/contacts/stale_bounds.h>
-#include <plumb/dynamics/joints/joint_island.h>
+#include <plumb/dynamics/joints/joint_islands.h>
 #include <plumb/dynamics/ledger/account.h>
 #include <plumb/dynamics/sensors/sensors.h>
 #include <plumb/dynamics/state/tile_store.h>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Which conditions do the rows of W islands set? See joint_rows.h.
 #pragma once
-#include <plumb/dynamics/joints/island_elimination_wide.h>
-#include <plumb/dynamics/joints/island_stiffness_wide.h>
+#include <plumb/dynamics/joints/lanes/island_curve_wide.h>
+#include <plumb/dynamics/joints/lanes/island_elimination_wide.h>
+#include <plumb/dynamics/joints/lanes/island_stiffness_wide.h>
 #include <plumb/math/trig.h>
 
 namespace plumb {
@@ -41,9 +42,9 @@ struct WideIslands {
     using B = BodyField;
     using L = LinkField;
     using R = RowField;
+    using Curve = RowCurve<W>;
 
     static constexpr D all(double value) { return D{} + value; }
-    static constexpr double unlimited = __builtin_inf();
 
     /// A direction, and its levers about both bodies.
     struct Axis {
@@ -295,8 +296,8 @@ struct WideIslands {
             const Pair wanted = wantedVelocity(row, l, a);
             target = row[R::AxisX] * wanted.x + row[R::AxisY] * wanted.y;
         }
-        const D upper = bend + roomSpeed(row[R::LimitUpper] - q, turn);
-        const D lower = smaller(bend - roomSpeed(q - row[R::LimitLower], turn), upper);
+        const D upper = bend + Curve::roomSpeed(row[R::LimitUpper] - q, turn);
+        const D lower = smaller(bend - Curve::roomSpeed(q - row[R::LimitLower], turn), upper);
         row.set(R::UpperStop, upper);
         row.set(R::LowerStop, lower);
         row.set(R::Target, smaller(larger(target, lower), upper));
@@ -313,54 +314,7 @@ struct WideIslands {
         row.set(R::DampPush, dampPush);
         row.set(R::Push, push + dampPush);
         row.set(R::Slope, slope);
-        row.set(R::State, validState(row, shape.bounded));
-    }
-
-    /// The speed towards a limit that is this far away. Room up to the limit may be used up in one sub-step; a
-    /// coordinate beyond it is corrected like any other error.
-    static D roomSpeed(D room, const IslandTurn& turn) {
-        const D speed = room * turn.rate;
-        const D back = turn.correct ? larger(speed, all(-turn.fastest)) : D{};
-        return room >= D{} ? speed : back;
-    }
-
-    static constexpr double atTarget = 0, atLow = 1, atHigh = 2, atLowerStop = 3, atUpperStop = 4;
-
-    /// Replaces a state from an earlier step that names a stop or a bound of force which the row no longer has.
-    static D validState(const S& row, bool bounded) {
-        const D state = row[R::LastState], high = row[R::High];
-        D valid = state;
-        if (bounded) {
-            valid = state > all(atHigh) ? all(atTarget) : state;
-        } else {
-            valid = both(state == all(atLowerStop), row[R::LowerStop] == all(-unlimited)) ? all(atHigh) : valid;
-            valid = both(state == all(atUpperStop), row[R::UpperStop] == all(unlimited)) ? all(atLow) : valid;
-            valid = both(state == all(atTarget), high <= row[R::Low]) ? all(atLow) : valid;
-        }
-        return high < all(unlimited) ? valid : all(atTarget);
-    }
-
-    /// The part of the curve that has the solution, if the present one has not.
-    static D nextState(const S& row, D speed, bool bounded) {
-        const D state = row[R::State], high = row[R::High], low = row[R::Low];
-        const D aside = row[R::Push] - row[R::Slope] * speed;
-        if (bounded) {
-            const D below = aside < low ? all(atLow) : all(atTarget);
-            return aside > high ? all(atHigh) : below;
-        }
-        const D impulse = row[R::Impulse] - aside, target = row[R::Target];
-        const D fallen = impulse < low ? all(atLow) : state;
-        const D fromTarget = impulse > high ? all(atHigh) : fallen;
-        const auto isAbove = speed > target, isBelow = speed < target;
-        const auto meets = both(high > low, state == all(atHigh) ? isAbove : isBelow);
-        const D met = meets ? all(atTarget) : state;
-        const D stopped = speed > row[R::UpperStop] ? all(atUpperStop) : met;
-        const D fromBound = speed < row[R::LowerStop] ? all(atLowerStop) : stopped;
-        const D fromLower = impulse < high ? all(atHigh) : state;
-        const D fromUpper = impulse > low ? all(atLow) : state;
-        const D atStop = state == all(atLowerStop) ? fromLower : fromUpper;
-        const D moved = state < all(atLowerStop) ? fromBound : atStop;
-        return state == all(atTarget) ? fromTarget : moved;
+        row.set(R::State, Curve::validState(row, shape.bounded));
     }
 
     /// Returns true if some row came to another part of its curve.
@@ -369,42 +323,16 @@ struct WideIslands {
         for (std::uint32_t i = 0; i < v.rowCount; ++i) {
             if (v.rows[i].holds) continue;
             const S row = rowOf(v, i);
-            const D next = nextState(row, Elimination<W>::speedOf(v, i, B::Ux, B::Uspin), v.rows[i].bounded);
+            const D next = Curve::nextState(row, Elimination<W>::speedOf(v, i, B::Ux, B::Uspin), v.rows[i].bounded);
             changed = changed || anyOf<W>(next != row[R::State]);
             row.set(R::State, next);
         }
         return changed;
     }
 
-    /// The equation v + compliance L = speed of a row, or its known impulse.
-    struct Equation {
-        D speed, compliance, known;
-    };
-    static constexpr double relativeCompliance = Elimination<W>::relativeCompliance, notSolved = -1;
-
-    static Equation curveEquation(const S& row, bool bounded) {
-        const D state = row[R::State], push = row[R::Push], slope = row[R::Slope], w = row[R::InverseMass];
-        const D rigid = relativeCompliance * w, low = row[R::Low], high = row[R::High];
-        const auto isSoft = slope > D{};
-        const D give = anyOf<W>(isSoft) ? 1.0 / (isSoft ? slope : all(1)) : D{};
-        const D bound = state == all(atHigh) ? high : low;
-        if (bounded) {
-            const D clamped = state == all(atTarget) ? smaller(larger(push, low), high) : bound;
-            const auto solved = both(state == all(atTarget), isSoft);
-            return {solved ? push * give : D{}, solved ? give : all(notSolved), solved ? D{} : clamped};
-        }
-        const D pushed = push + bound;
-        Equation e{isSoft ? pushed * give : D{}, isSoft ? give : all(notSolved), isSoft ? D{} : pushed};
-        const auto isRigid = either(state == all(atTarget), state > all(atHigh));
-        const D stop = state == all(atLowerStop) ? row[R::LowerStop] : row[R::UpperStop];
-        e.speed = isRigid ? (state == all(atTarget) ? row[R::Target] : stop) : e.speed;
-        e.compliance = isRigid ? rigid : e.compliance;
-        e.known = isRigid ? D{} : e.known;
-        return e;
-    }
-
     static void setEquation(IslandLanes& v, const S& row, D speed, D compliance, D known) {
-        compliance = row[R::InverseMass] > D{} ? compliance : all(notSolved);  // else the row cannot move anything
+        compliance =
+            row[R::InverseMass] > D{} ? compliance : all(Curve::notSolved);  // else the row cannot move anything
         v.factored = v.factored && !anyOf<W>(compliance != row[R::Compliance]);
         row.set(R::Compliance, compliance);
         row.set(R::Speed, speed);
@@ -415,9 +343,9 @@ struct WideIslands {
         for (std::uint32_t i = 0; i < v.rowCount; ++i) {
             const S row = rowOf(v, i);
             if (v.rows[i].holds) {
-                setEquation(v, row, row[R::Speed], relativeCompliance * row[R::InverseMass], D{});
+                setEquation(v, row, row[R::Speed], Curve::relativeCompliance * row[R::InverseMass], D{});
             } else {
-                const Equation e = curveEquation(row, v.rows[i].bounded);
+                const auto e = Curve::curveEquation(row, v.rows[i].bounded);
                 setEquation(v, row, e.speed, e.compliance, e.known);
             }
         }
@@ -442,9 +370,9 @@ struct WideIslands {
         for (std::uint32_t i = 0; i < v.rowCount; ++i) {
             const S row = rowOf(v, i);
             const D speed = Elimination<W>::speedOf(v, i, B::Vx, B::Spin),
-                    rigid = relativeCompliance * row[R::InverseMass];
+                    rigid = Curve::relativeCompliance * row[R::InverseMass];
             D compliance = rigid;
-            if (!v.rows[i].holds) compliance = row[R::State] > all(atHigh) ? rigid : all(notSolved);
+            if (!v.rows[i].holds) compliance = row[R::State] > all(Curve::atHigh) ? rigid : all(Curve::notSolved);
             setEquation(v, row, speed, compliance, D{});
         }
         Elimination<W>::solve(v);

@@ -9,7 +9,7 @@
 // real-time constrained multibody dynamics", Comput. Graph. Forum 36 (2017) 235, where it is a separate term. Test: "a
 // bridge of 30 planks between two banks bears a heavy box at its middle"
 #pragma once
-#include <plumb/dynamics/joints/island_elimination_wide.h>
+#include <plumb/dynamics/joints/lanes/island_elimination_wide.h>
 
 namespace plumb {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/joints/island_layout.h>
+#include <plumb/dynamics/joints/lanes/island_layout.h>
 
 #include <algorithm>
 
@@ -43,7 +43,8 @@ public:
         const std::uint32_t nodes = layout_.moved + layout_.jointCount();
         const std::size_t loops = edges_.size() + 1 - std::min<std::size_t>(edges_.size(), nodes);
         if (loops > std::max(fewLoops, joints.size() / jointsPerLoop)) return nullptr;
-        const auto plan = planBlocks(layout_.moved, layout_.jointCount(), edges_, std::max(fewUpdates, updatesPerNode * nodes));
+        const auto plan =
+            planBlocks(layout_.moved, layout_.jointCount(), edges_, std::max(fewUpdates, updatesPerNode * nodes));
         if (plan == nullptr) return nullptr;
         takePlan(*plan);
         return std::make_shared<const IslandLayout>(std::move(layout_));

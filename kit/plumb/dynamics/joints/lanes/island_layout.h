@@ -5,21 +5,21 @@
 #include <memory>
 #include <vector>
 
-#include <plumb/dynamics/joints/block_plan.h>
 #include <plumb/dynamics/joints/joint_form.h>
+#include <plumb/dynamics/joints/lanes/block_plan.h>
 
 namespace plumb {
 
 struct IslandLayout : IslandShape {
     std::uint32_t moved = 0, bodies = 0;  ///< bodies that impulses move, and all
-    std::vector<Link> links;
-    std::vector<Row> rows;
-    std::vector<End> ends;
-    std::vector<Joint> joints;                ///< and one past the end
+    std::vector<IslandShape::Link> links;
+    std::vector<IslandShape::Row> rows;
+    std::vector<IslandShape::End> ends;
+    std::vector<IslandShape::Joint> joints;   ///< and one past the end
     std::uint32_t blocks = 0, firstFill = 0;  ///< blocks from firstFill on are not of an edge
-    std::vector<Step> steps;                  ///< and one past the end
-    std::vector<Lower> lowers;
-    std::vector<Update> updates;
+    std::vector<IslandShape::Step> steps;     ///< and one past the end
+    std::vector<IslandShape::Lower> lowers;
+    std::vector<IslandShape::Update> updates;
     bool someFree = false;     ///< some row does not hold
     bool someMissing = false;  ///< some axis depends on velocities
 
@@ -33,7 +33,7 @@ struct IslandLayout : IslandShape {
 /// A joint of an island, and the nodes of its links.
 struct LaidJoint {
     JointForm form;
-    std::array<IslandLayout::Link, maxLinks> link{};
+    std::array<IslandShape::Link, maxLinks> link{};
 };
 
 /// The layouts of all islands that were asked for since the last renewal or the one before it.

@@ -6,7 +6,7 @@
 #pragma once
 #include <cstddef>
 
-#include <plumb/dynamics/joints/island_shape.h>
+#include <plumb/dynamics/joints/lanes/island_shape.h>
 
 namespace plumb {
 

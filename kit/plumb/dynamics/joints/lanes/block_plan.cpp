@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/joints/block_plan.h>
+#include <plumb/dynamics/joints/lanes/block_plan.h>
 
 #include <map>
 #include <set>
@@ -11,8 +11,8 @@ namespace {
 /// The graph of the nodes that are not yet eliminated; each edge has the index of its block.
 struct Graph {
     std::vector<std::map<std::uint32_t, std::uint32_t>> blockTo;  ///< of each node: neighbour to block
-    std::vector<bool> mayGo;  ///< of each node: it may be eliminated next
-    std::set<std::pair<std::size_t, std::uint32_t>> byDegree;  ///< of those that may
+    std::vector<bool> mayGo;                                      ///< of each node: it may be eliminated next
+    std::set<std::pair<std::size_t, std::uint32_t>> byDegree;     ///< of those that may
     std::uint32_t blocks = 0;
 
     void setDegree(std::uint32_t node, std::size_t before) {

@@ -7,7 +7,7 @@
 // neighbours i, j of a node k. Source: Baraff, "Linear-time dynamics using Lagrange multipliers", SIGGRAPH 1996;
 // Vanderbei, "Symmetric quasidefinite matrices", SIAM J. Optim. 5 (1995) 100.
 #pragma once
-#include <plumb/dynamics/joints/island_kernel.h>
+#include <plumb/dynamics/joints/lanes/island_kernel.h>
 #include <plumb/math/detail/wide_ops.h>
 
 namespace plumb {
@@ -101,9 +101,9 @@ struct Elimination {
         forEachRow(v, [](const S& row, const S& x, int r) { row.set(R::Impulse, row[R::Known] + x[r]); });
     }
 
-    /// e, relative to a row's effective inverse mass [-]. Redundant rows (rows that say the same) then share their load,
-    /// and a difference between what they want is amplified by at most 1 / e.
-    static constexpr double relativeCompliance = 1e-7;
+    /// e, relative to a row's effective inverse mass [-]. Redundant rows (rows that say the same) then share their
+    /// load, and a difference between what they want is amplified by at most 1 / e.
+    static constexpr double relativeCompliance = 1e-5;
 
     /// Adds to U, a change of velocities, what the joints add to it. With the factors of the last pass.
     static void follow(IslandLanes& v) {
@@ -242,9 +242,8 @@ struct Elimination {
             sized(update.leftSize, [&](auto rows) {
                 constexpr int m = decltype(rows)::value;
                 if (update.left != last) scale<E, m>(blockOf(v, update.left), inverse, scaled);
-                sized(update.rightSize, [&](auto columns) {
-                    subtract<E, m, decltype(columns)::value>(target, scaled, right);
-                });
+                sized(update.rightSize,
+                      [&](auto columns) { subtract<E, m, decltype(columns)::value>(target, scaled, right); });
             });
             last = update.left;
         }

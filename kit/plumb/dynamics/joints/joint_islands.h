@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// What does the joint solver know of a world?
+#pragma once
+#include <plumb/dynamics/bodies/step_observer.h>
+#include <plumb/dynamics/joints/joint_batch.h>
+#include <plumb/dynamics/joints/joint_island.h>
+#include <plumb/dynamics/joints/joint_springs.h>
+#include <plumb/dynamics/solver_settings.h>
+
+namespace plumb {
+
+/// The islands of all joints that act and have an awake body.
+struct JointIslands {
+    std::vector<JointIsland> islands;               ///< in the order of their first joints
+    std::vector<std::vector<std::uint32_t>> alike;  ///< numbers of those that are not swept, for each layout
+    std::vector<JointBatch> batches;                ///< in this step; its islands keep pointers to them
+    std::size_t batchCount = 0;                     ///< those in use
+    std::vector<JointIndex> joints;                 ///< of all islands, in the order of their slots
+    std::vector<JointIndex> breakable;              ///< those of the joints that can break
+    JointSprings springs;
+    IslandLayouts layouts;
+};
+
+/// The stores that the joint solver reads and writes.
+struct JointStores {
+    JointStore& joints;
+    JointIslands& islands;
+    BodyStore& bodies;
+    const SolverSettings& settings;
+    StepObserver* observer = nullptr;  ///< may be null
+};
+
+}  // namespace plumb
