@@ -12,7 +12,7 @@
 namespace plumb::compare {
 namespace {
 
-std::vector<BodyState> startOf(const Scene& scene) {
+std::vector<BodyState> firstStatesOf(const Scene& scene) {
     std::vector<BodyState> states;
     for (const SceneBody& body : scene.bodies)
         states.push_back({body.def.position, body.def.angle, body.def.velocity, body.def.angularVelocity});
@@ -21,14 +21,14 @@ std::vector<BodyState> startOf(const Scene& scene) {
 
 Vec2 velocityAt(const Scene& scene, const std::string& body, const Vec2& point) {
     const BodyDef& def = std::ranges::find(scene.bodies, body, &SceneBody::name)->def;
-    return def.velocity + def.angularVelocity * perp(point - def.position);
+    return def.velocity + def.angularVelocity * perp(Vec2(point - def.position));
 }
 
 }  // namespace
 
 TEST_CASE("the double four-bar starts with 1.5 J and 34.335 J, and no hinge is pulled apart", "[compare][scene][law]") {
     const Scene scene = findScene("double_four_bar").value();
-    const Mechanics start = MassModel(scene).at(startOf(scene)).value();
+    const Mechanics start = MassModel(scene).at(firstStatesOf(scene)).value();
     // Three uprights of m l^2 / 3 at 1 rad/s, two tops at 1 m/s; three at half a metre, two at one.
     CHECK(std::abs(start.kinetic - 1.5) < 1e-14);
     CHECK(std::abs(start.potential - 3.5 * 9.81) < 1e-13);
