@@ -17,7 +17,8 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 class PlumbSimulation : public Simulation {
 public:
-    explicit PlumbSimulation(const Scene& scene) : made_(plumbWorld(scene)), movers_(scene, made_), arrivals_(scene) {
+    PlumbSimulation(const Scene& scene, const SolverSettings& solver)
+        : made_(plumbWorld(scene, {.solver = solver})), movers_(scene, made_), arrivals_(scene) {
         for (const Probe& probe : scene.probes) {
             if (const auto* count = std::get_if<SensorCountProbe>(&probe.quantity))
                 gates_.push_back({made_.bodies[bodyIndex(scene, count->body)], values_.size()});
@@ -131,8 +132,7 @@ private:
     bool breaks_ = false;
 };
 
-std::vector<Setting> plumbSettings(const Scene& scene) {
-    const SolverSettings solver = WorldDef{}.solver;
+std::vector<Setting> plumbSettings(const Scene& scene, const SolverSettings& solver) {
     return {
         {"sub-steps", fmt::format("{}", solver.subSteps)},
         {"contact stiffness",
@@ -146,9 +146,10 @@ std::vector<Setting> plumbSettings(const Scene& scene) {
 
 }  // namespace
 
-Engine plumbEngine() {
-    return {std::string(plumbName), PLUMB_VERSION, plumbSettings,
-            [](const Scene& scene) { return std::make_unique<PlumbSimulation>(scene); }};
+Engine plumbEngine(const SolverSettings& solver) {
+    return {std::string(plumbName), PLUMB_VERSION,
+            [solver](const Scene& scene) { return plumbSettings(scene, solver); },
+            [solver](const Scene& scene) { return std::make_unique<PlumbSimulation>(scene, solver); }};
 }
 
 }  // namespace plumb::compare

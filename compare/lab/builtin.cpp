@@ -7,7 +7,7 @@ namespace plumb::compare {
 
 std::vector<Lab> builtinLabs() {
     return {
-        frameRate(), integrators(), broadPhases(), bulletAndWindow(), forecasts(), flushTiles(),
+        frameRate(), integrators(), convergence(), broadPhases(), bulletAndWindow(), forecasts(), flushTiles(),
     };
 }
 

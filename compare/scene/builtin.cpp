@@ -58,6 +58,8 @@ std::vector<Scene> builtinScenes() {
         rodPendulum90(),
         doublePendulum(),
         doublePendulumMinute(),
+        pendulumHorizontal(),
+        doubleFourBar(),
         hangingChain(),
         springUndamped(),
         springsDamped(),

@@ -4,7 +4,7 @@
 
 namespace plumb::compare {
 
-std::optional<Engine> box2d3Engine(bool) {
+std::optional<Engine> box2d3Engine(bool, int) {
     return std::nullopt;
 }
 

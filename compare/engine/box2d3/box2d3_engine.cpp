@@ -23,7 +23,6 @@
 namespace plumb::compare {
 namespace {
 
-constexpr int subSteps = 4;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 bool mixesAsBox2d(const Scene& scene) {
@@ -75,8 +74,9 @@ private:
 
 class Box2d3Simulation : public Simulation {
 public:
-    explicit Box2d3Simulation(const Scene& scene)
-        : world_(worldDef(scene)),
+    Box2d3Simulation(const Scene& scene, int subSteps)
+        : subSteps_(subSteps),
+          world_(worldDef(scene)),
           fields_(scene),
           movers_(scene, Characters::Capsules),
           wrap_(scene.wrap),
@@ -95,7 +95,7 @@ public:
         for (const Arrivals::Due& due : arrivals_.dueBefore(tick_++)) arrive(due);
         if (!fields_.empty()) applyFields(dt);
         if (!movers_.empty()) move(dt);
-        b2World_Step(world_.id(), static_cast<float>(dt), subSteps);
+        b2World_Step(world_.id(), static_cast<float>(dt), subSteps_);
         if (wrap_.any()) bringBack();
         lastDt_ = dt;
         if (breaks_) breakJoints();
@@ -178,7 +178,7 @@ private:
         }
         for (const std::size_t joint : due.arrival.joints)
             joints_[joint] =
-                addJoint3({world_.id(), scene, bodies_, scene.dt / subSteps}, arrivals_.joints()[joint], joint);
+                addJoint3({world_.id(), scene, bodies_, scene.dt / subSteps_}, arrivals_.joints()[joint], joint);
     }
 
     /// Box2D's world moves nothing by itself: its user sets velocities before each step, a character's by its queries.
@@ -214,7 +214,7 @@ private:
         const std::vector<JointGeometry> joints = jointGeometries(scene);
         for (std::size_t i = 0; i < joints.size(); ++i) {
             joints_.push_back(jointIsThereAtStart(scene, joints, i)
-                                  ? addJoint3({world_.id(), scene, bodies_, scene.dt / subSteps}, joints[i], i)
+                                  ? addJoint3({world_.id(), scene, bodies_, scene.dt / subSteps_}, joints[i], i)
                                   : b2_nullJointId);
             const Breaking breaking = breakingOf(joints[i].def);
             if (breaking.force < unlimited || breaking.torque < unlimited) breaks_ = true;
@@ -278,6 +278,7 @@ private:
         return sum;
     }
 
+    int subSteps_;
     World3 world_;
     SceneFields fields_;
     SceneMovers movers_;
@@ -292,7 +293,7 @@ private:
     std::optional<double> lastDt_;  // [s]
 };
 
-std::vector<Setting> box2d3Settings(const Scene& scene) {
+std::vector<Setting> box2d3Settings(const Scene& scene, int subSteps) {
     const b2WorldDef world = worldDef(scene);
     const b2RevoluteJointDef joint = b2DefaultRevoluteJointDef();
     return {
@@ -325,9 +326,11 @@ std::string version() {
 
 }  // namespace
 
-std::optional<Engine> box2d3Engine(bool bullets) {
-    return Engine{bullets ? "box2d-3 bullets" : "box2d-3", version(), box2d3Settings, [bullets](const Scene& scene) {
-                      auto simulation = std::make_unique<Box2d3Simulation>(scene);
+std::optional<Engine> box2d3Engine(bool bullets, int subSteps) {
+    return Engine{bullets ? "box2d-3 bullets" : "box2d-3", version(),
+                  [subSteps](const Scene& scene) { return box2d3Settings(scene, subSteps); },
+                  [bullets, subSteps](const Scene& scene) {
+                      auto simulation = std::make_unique<Box2d3Simulation>(scene, subSteps);
                       if (bullets) simulation->makeBullets(scene);
                       return simulation;
                   }};

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include <compare/engine/sub_steps.h>
 #include <compare/lab/builtin/methods.h>
 #include <compare/lab/lab.h>
 #include <plumb/broad/broad_phase.h>
@@ -22,6 +23,9 @@ Lab frameRate(const ClockSettings& clock = {.interval = 0.02}, const Method& tex
 
 /// integrators.cpp
 Lab integrators(const std::vector<Method>& methods = knownMethods());
+
+/// convergence.cpp; every engine is made into another by oneStep.
+Lab convergence(const std::function<Engine(const Engine&)>& oneStep = withOneSubStep);
 
 /// broad_phases.cpp
 using PairFinder = std::function<PairSearch(BroadPhase sweep, std::span<const Aabb> boxes)>;

@@ -89,6 +89,10 @@ Scene cradleGap();
 // ballistic_pendulum.cpp
 Scene ballisticPendulum();
 
+// benchmarks.cpp
+Scene pendulumHorizontal();
+Scene doubleFourBar();
+
 // chains.cpp
 Scene catenary();
 Scene loadedChain();

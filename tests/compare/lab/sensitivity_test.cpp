@@ -89,6 +89,12 @@ TEST_CASE("methods that change places turn the integrators lab red", "[compare][
                        "energy.oscillator.velocity_verlet"});
 }
 
+TEST_CASE("an engine of first order turns the convergence lab red", "[compare][lab][slow]") {
+    const auto asItIs = [](const Engine& engine) { return engine; };
+    CHECK(failing(runLab(convergence(asItIs), {}, {disguised("box2d-2.4")})) ==
+          Names{"plumb.double_four_bar.energy.coarse", "plumb.double_four_bar.energy.fine", "plumb.pendulum.order"});
+}
+
 TEST_CASE("a grid that tests as sweep and prune does, and a hierarchy that tests each against each, turn red",
           "[compare][lab][slow]") {
     CHECK(failing(runLab(broadPhases(without(BroadPhase::Grid, BroadPhase::SweepAndPrune)), {}, {})) ==
