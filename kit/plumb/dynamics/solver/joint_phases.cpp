@@ -129,6 +129,7 @@ void loadBatches(const JointStores& stores, double dt) {
 
 void beginHalf(const JointStores& stores, const JointHalf& half) {
     for (JointBatch& batch : batchesOf(stores)) {
+        if (!half.correct) batch.noteMoves();  // walls may have stopped bodies
         batch.pull(stores.bodies);
         if (half.correct) batch.noteSpeeds();
         for (JointIsland* island : batch.islands())

@@ -180,7 +180,7 @@ bool WallStops::isClear(JointIsland& island) {
     Care& care = care_[static_cast<std::size_t>(&island - islands.data())];
     if (care == Care::Unknown) {
         const double turn = turnOf(island);
-        const bool followed = turn > pieceTurn && turn <= farthestFollowed;
+        const bool followed = turn <= farthestFollowed;
         care = isNearWalls(island) || (followed && opens(island)) ? Care::Needed : Care::None;
     }
     return care == Care::None;
