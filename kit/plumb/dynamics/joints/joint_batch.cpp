@@ -21,37 +21,42 @@ void pullChange(double& value, float record, double scale) {
 
 }  // namespace
 
-void JointBatch::pullVelocity(const BodyStore& bodies, BodyIndex index, std::size_t node, std::size_t lane) {
-    const SolverVelocity& v = bodies.velocity[index];
-    pullChange(body(node, BodyField::Vx, lane), v.x, 1);
-    pullChange(body(node, BodyField::Vy, lane), v.y, 1);
-    pullChange(body(node, BodyField::Spin, lane), v.w, static_cast<double>(bodies.turn[index].gyration));
-}
-
-void JointBatch::pullPlace(const BodyStore& bodies, BodyIndex index, std::size_t node, std::size_t lane) {
-    const SolverDisplacement& d = bodies.displacement[index];
-    pullChange(body(node, BodyField::X, lane), d.x, 1);
-    pullChange(body(node, BodyField::Y, lane), d.y, 1);
-    pullChange(body(node, BodyField::Turn, lane), bodies.turn[index].angle, 1);
+void JointBatch::pullLane(const BodyStore& bodies, std::size_t lane, bool moved) {
+    for (std::size_t n = 0; n < layout_->moved; ++n) {
+        const BodyIndex index = islands_[lane]->bodies[n];
+        const SolverVelocity& v = bodies.velocity[index];
+        const SolverTurn& turn = bodies.turn[index];
+        pullChange(body(n, BodyField::Vx, lane), v.x, 1);
+        pullChange(body(n, BodyField::Vy, lane), v.y, 1);
+        pullChange(body(n, BodyField::Spin, lane), v.w, static_cast<double>(turn.gyration));
+        if (!moved) continue;
+        const SolverDisplacement& d = bodies.displacement[index];
+        pullChange(body(n, BodyField::X, lane), d.x, 1);
+        pullChange(body(n, BodyField::Y, lane), d.y, 1);
+        pullChange(body(n, BodyField::Turn, lane), turn.angle, 1);
+    }
 }
 
 void JointBatch::pull(const BodyStore& bodies) {
-    for (std::size_t n = 0; n < layout_->moved; ++n) {
-        for (std::size_t lane = 0; lane < width_; ++lane) {
-            const BodyIndex index = islands_[lane]->bodies[n];
-            pullVelocity(bodies, index, n, lane);
-            if (moved_) pullPlace(bodies, index, n, lane);
-        }
-    }
-    if (!moved_) return;
+    for (std::size_t lane = 0; lane < width_; ++lane) pullLane(bodies, lane, moved_);
+    if (moved_) place();
+    moved_ = false;
+}
+
+void JointBatch::pull(const BodyStore& bodies, std::size_t lane, bool moved) {
+    pullLane(bodies, lane, moved);
+    if (moved) place();
+}
+
+void JointBatch::place() {
     kernel_->place(view_);
     kernel_->setMasses(view_, h_);
-    moved_ = false;
 }
 
 void JointBatch::writeVelocities(BodyStore& bodies) const {
     for (std::size_t n = 0; n < layout_->moved; ++n) {
         for (std::size_t lane = 0; lane < width_; ++lane) {
+            if (active_[lane] == 0) continue;
             const BodyIndex index = islands_[lane]->bodies[n];
             SolverVelocity& v = bodies.velocity[index];
             v.x = rounded(body(n, BodyField::Vx, lane));
@@ -88,6 +93,7 @@ void JointBatch::kick(BodyStore& bodies) {
                 at(BodyField::Spin) * angular + at(BodyField::GainSpin) + static_cast<double>(warm.w) * inverseGyration;
         }
     }
+    activate(true, 0);
     writeVelocities(bodies);
 }
 
@@ -126,8 +132,9 @@ void JointBatch::hold(BodyStore& bodies, double h, double fastest, std::span<con
                       StepObserver* observer) {
     // Repeated where a pass has changed an angular velocity so much that its prediction of the ends is no longer valid.
     constexpr double far = 0.02;
-    pull(bodies);
-    for (std::size_t lane = 0; lane < width_; ++lane) active_[lane] = active[lane] ? 1 : 0;
+    std::array<double, 8> held{};
+    for (std::size_t lane = 0; lane < width_; ++lane) held[lane] = active[lane] ? 1 : 0;
+    active_ = held;
     for (int time = 0; time < 3; ++time) {
         kernel_->prepare(view_, {h, true, true, fastest});
         kernel_->solve(view_);
@@ -142,6 +149,7 @@ void JointBatch::hold(BodyStore& bodies, double h, double fastest, std::span<con
         active_ = again;
         if (again == std::array<double, 8>{}) break;
     }
+    active_ = held;
     writeVelocities(bodies);
 }
 

@@ -42,7 +42,10 @@ public:
 
     /// Adds what others have changed.
     void pull(const BodyStore& bodies);
-    /// Others have moved bodies: the next pull takes that in.
+    /// Of one island; moved: bodies have been moved, too. The other islands stay as they are: what is added in two
+    /// parts is rounded otherwise than what is added at once, and bits must not depend on who shares a batch.
+    void pull(const BodyStore& bodies, std::size_t lane, bool moved);
+    /// Others may have moved bodies: the next pull takes that in.
     void noteMoves() { moved_ = true; }
     /// After the step's forces and the contacts' first guess have acted on the records.
     void kick(BodyStore& bodies);
@@ -88,8 +91,8 @@ private:
                    std::size_t j, std::size_t lane, double h);
     void loadRow(const RowForm& form, const Rot& rotationA, double springShare, std::size_t i, std::size_t lane,
                  double h);
-    void pullVelocity(const BodyStore& bodies, BodyIndex index, std::size_t node, std::size_t lane);
-    void pullPlace(const BodyStore& bodies, BodyIndex index, std::size_t node, std::size_t lane);
+    void pullLane(const BodyStore& bodies, std::size_t lane, bool moved);
+    void place();
     void writeVelocities(BodyStore& bodies) const;
     void writePlaces(BodyStore& bodies) const;
     void noteStates();

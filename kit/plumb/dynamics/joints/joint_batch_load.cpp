@@ -81,6 +81,7 @@ void JointBatch::load(std::span<JointIsland* const> islands, const JointStore& j
         for (std::size_t j = 0; j < island.joints.size(); ++j)
             loadJoint(joints.formOf(island.joints[j]), joints, island.joints[j], bodies, j, lane, h);
     }
+    activate(true, 0);
     writeVelocities(bodies);
     kernel_->place(view_);
     kernel_->setMasses(view_, h);

@@ -132,7 +132,7 @@ private:
         const Vec3 given{along[0] * impulse, along[1] * impulse, along[2] * impulse};
         if (islandOf_[body] != none) {
             const JointIsland& island = islands_.islands[islandOf_[body]];
-            island.batch->pull(bodies_);
+            island.batch->pull(bodies_, island.lane, false);
             island.batch->push(bodies_, island.lane, island.nodeOf(body), given);
             return;
         }

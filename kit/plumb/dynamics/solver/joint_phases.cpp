@@ -196,6 +196,8 @@ void holdJoints(const JointStores& stores, double h) {
             active[i] =
                 !islands[i]->trial.wanted && std::any_of(islands[i]->bodies.begin(), islands[i]->bodies.end(), touched);
         if (std::none_of(active.begin(), active.end(), [](bool is) { return is; })) continue;
+        for (std::size_t lane = 0; lane < islands.size(); ++lane)
+            if (active[lane]) batch.pull(bodies, lane, false);
         was.clear();
         for (const JointIsland* island : islands)
             for (const BodyIndex body : island->bodies) was.push_back(bodies.velocity[body]);
@@ -236,8 +238,7 @@ void storeBatches(const JointStores& stores, std::vector<std::pair<BodyIndex, Bo
 
 void pushJointed(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse) {
     reportGround(stores, island.bodies, [&] {
-        island.batch->noteMoves();
-        island.batch->pull(stores.bodies);
+        island.batch->pull(stores.bodies, island.lane, true);
         island.batch->push(stores.bodies, island.lane, island.nodeOf(body), impulse);
     });
     if (stores.observer != nullptr) stores.observer->noteGround(-Vec2(impulse[0], impulse[1]));
@@ -246,14 +247,13 @@ void pushJointed(const JointStores& stores, JointIsland& island, BodyIndex body,
 void holdOneIsland(const JointStores& stores, JointIsland& island, double h) {
     std::array<bool, 8> active{};
     active[island.lane] = true;
-    island.batch->noteMoves();
+    island.batch->pull(stores.bodies, island.lane, true);
     reportGround(stores, island.bodies,
                  [&] { island.batch->hold(stores.bodies, h, stores.settings.contactPushSpeed, active, nullptr); });
 }
 
 Vec3 answerOfJointed(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse) {
-    island.batch->noteMoves();
-    island.batch->pull(stores.bodies);
+    island.batch->pull(stores.bodies, island.lane, true);
     return island.batch->answer(island.lane, island.nodeOf(body), impulse);
 }
 
