@@ -19,6 +19,11 @@ void pullChange(double& value, float record, double scale) {
     if (record != known) value += (static_cast<double>(record) - static_cast<double>(known)) / scale;
 }
 
+/// Takes over a place at which others have put a body: it must be the same on the bit, or it may be behind a wall.
+void pullPlace(double& value, float record) {
+    if (record != rounded(value)) value = static_cast<double>(record);
+}
+
 }  // namespace
 
 void JointBatch::pullLane(const BodyStore& bodies, std::size_t lane, bool moved) {
@@ -31,9 +36,9 @@ void JointBatch::pullLane(const BodyStore& bodies, std::size_t lane, bool moved)
         pullChange(body(n, BodyField::Spin, lane), v.w, static_cast<double>(turn.gyration));
         if (!moved) continue;
         const SolverDisplacement& d = bodies.displacement[index];
-        pullChange(body(n, BodyField::X, lane), d.x, 1);
-        pullChange(body(n, BodyField::Y, lane), d.y, 1);
-        pullChange(body(n, BodyField::Turn, lane), turn.angle, 1);
+        pullPlace(body(n, BodyField::X, lane), d.x);
+        pullPlace(body(n, BodyField::Y, lane), d.y);
+        pullPlace(body(n, BodyField::Turn, lane), turn.angle);
     }
 }
 
