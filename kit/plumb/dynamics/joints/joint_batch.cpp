@@ -55,7 +55,6 @@ void JointBatch::pull(const BodyStore& bodies, std::size_t lane, bool moved) {
 
 void JointBatch::place() {
     kernel_->place(view_);
-    kernel_->setMasses(view_, h_);
 }
 
 void JointBatch::writeVelocities(BodyStore& bodies) const {
@@ -122,6 +121,7 @@ void JointBatch::noteStates() {
 
 void JointBatch::solve(BodyStore& bodies, const IslandTurn& turn, StepObserver* observer) {
     if (!bodies.flights.empty()) pull(bodies);  // fields have changed velocities
+    kernel_->setMasses(view_, h_);
     kernel_->prepare(view_, turn);
     kernel_->solve(view_);
     noteStates();
@@ -141,6 +141,7 @@ void JointBatch::hold(BodyStore& bodies, double h, double fastest, std::span<con
     for (std::size_t lane = 0; lane < width_; ++lane) held[lane] = active[lane] ? 1 : 0;
     active_ = held;
     for (int time = 0; time < 3; ++time) {
+        kernel_->setMasses(view_, h);
         kernel_->prepare(view_, {h, true, true, fastest});
         kernel_->solve(view_);
         std::array<double, 8> again{};
@@ -187,6 +188,7 @@ Vec3 JointBatch::changeBy(std::size_t lane, std::size_t node, const Vec3& impuls
 
 bool JointBatch::tryFrom(BodyStore& bodies, std::span<const Vec3> before, const IslandTurn& turn) {
     pull(bodies);
+    kernel_->setMasses(view_, h_);
     kernel_->prepare(view_, turn);
     for (std::size_t n = 0; n < layout_->moved; ++n)
         for (int c = 0; c < 3; ++c) body(n, BodyField::Vx + c, 0) = before[n][static_cast<std::size_t>(c)];
