@@ -111,7 +111,7 @@ TEST_CASE("a program without joints has no code of joints in it, and one that lo
     const auto hasJoints = [&](const std::string& program) {
         const Ran names = shell("nm -C " + quoted((folder / program).string()));
         REQUIRE(names.ok);
-        return names.output.find("plumb::solveIsland(") != std::string::npos;
+        return names.output.find("plumb::JointBatch::solve(") != std::string::npos;
     };
     CHECK_FALSE(hasJoints("README_0"));
     CHECK(hasJoints("locked"));

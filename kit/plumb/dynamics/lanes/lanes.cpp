@@ -23,9 +23,9 @@ extern template struct WideHingeSolver<16>;
 extern template struct WideBodySolver<4>;
 extern template struct WideBodySolver<8>;
 extern template struct WideBodySolver<16>;
-extern template struct WideIslandKernel<2>;
 extern template struct WideIslandKernel<4>;
 extern template struct WideIslandKernel<8>;
+extern template struct WideIslandKernel<16>;
 #endif
 
 namespace {
@@ -59,9 +59,9 @@ int islandLanes(int lanes) {
 
 const IslandKernel& islandKernel([[maybe_unused]] int islands) {
 #if defined(__GNUC__)
-    if (islands == 8) return WideIslandKernel<8>::code;
-    if (islands == 4) return WideIslandKernel<4>::code;
-    if (islands == 2) return WideIslandKernel<2>::code;
+    if (islands == 8) return WideIslandKernel<16>::code;
+    if (islands == 4) return WideIslandKernel<8>::code;
+    if (islands == 2) return WideIslandKernel<4>::code;
 #endif
     return WideIslandKernel<1>::code;
 }

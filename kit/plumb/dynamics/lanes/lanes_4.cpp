@@ -6,5 +6,5 @@ template struct plumb::WideContactSolver<4>;
 template struct plumb::WideLaneCollider<4>;
 template struct plumb::WideHingeSolver<4>;
 template struct plumb::WideBodySolver<4>;
-template struct plumb::WideIslandKernel<2>;
+template struct plumb::WideIslandKernel<4>;
 #endif

@@ -6,5 +6,5 @@ template struct plumb::WideContactSolver<8>;
 template struct plumb::WideLaneCollider<8>;
 template struct plumb::WideHingeSolver<8>;
 template struct plumb::WideBodySolver<8>;
-template struct plumb::WideIslandKernel<4>;
+template struct plumb::WideIslandKernel<8>;
 #endif

@@ -91,12 +91,12 @@ inline typename Wide<W>::Float squareRoot(typename Wide<W>::Float v) {
 template <int W>
 inline typename Wide<W>::Double squareRoot(typename Wide<W>::Double v) {
 #if defined(__x86_64__)
-    if constexpr (W == 2) return _mm_sqrt_pd(v);
-    if constexpr (W == 4) return _mm256_sqrt_pd(v);
-    if constexpr (W == 8) return _mm512_maskz_sqrt_pd(0xFF, v);
+    if constexpr (W == 4) return _mm_sqrt_pd(v);
+    if constexpr (W == 8) return _mm256_sqrt_pd(v);
+    if constexpr (W == 16) return _mm512_maskz_sqrt_pd(0xFF, v);
 #endif
 #if defined(__GNUC__)
-    constexpr std::size_t count = W;
+    constexpr std::size_t count = Wide<W>::doubles;
     double lanes[count];
     std::memcpy(lanes, &v, sizeof v);
     for (double& lane : lanes) lane = __builtin_sqrt(lane);
@@ -114,7 +114,7 @@ template <int W, class M>
         return mask;
     } else {
         bool some = false;
-        for (int i = 0; i < W; ++i) some |= mask[i] != 0;
+        for (int i = 0; i < Wide<W>::doubles; ++i) some |= mask[i] != 0;
         return some;
     }
 }

@@ -16,10 +16,11 @@ namespace plumb {
 template <int W>
 struct Slots {
     using D = typename Wide<W>::Double;
+    static constexpr int N = Wide<W>::doubles;
 
     double* data;
-    D operator[](int field) const { return loadLanes<W>(static_cast<const double*>(data + field * W)); }
-    void set(int field, D value) const { storeLanes(data + field * W, value); }
+    D operator[](int field) const { return loadLanes<W>(static_cast<const double*>(data + field * N)); }
+    void set(int field, D value) const { storeLanes(data + field * N, value); }
 };
 
 template <int W>
@@ -31,10 +32,10 @@ struct Elimination {
 
     static constexpr D all(double value) { return D{} + value; }
 
-    static S bodyOf(const IslandLanes& v, std::uint32_t i) { return {v.body + i * std::size_t{B::count} * W}; }
-    static S rowOf(const IslandLanes& v, std::uint32_t i) { return {v.row + i * std::size_t{R::count} * W}; }
-    static S blockOf(const IslandLanes& v, std::uint32_t i) { return {v.block + i * std::size_t{9} * W}; }
-    static S answerOf(const IslandLanes& v, std::uint32_t node) { return {v.answer + node * std::size_t{3} * W}; }
+    static S bodyOf(const IslandLanes& v, std::uint32_t i) { return {v.body + i * std::size_t{B::count} * S::N}; }
+    static S rowOf(const IslandLanes& v, std::uint32_t i) { return {v.row + i * std::size_t{R::count} * S::N}; }
+    static S blockOf(const IslandLanes& v, std::uint32_t i) { return {v.block + i * std::size_t{9} * S::N}; }
+    static S answerOf(const IslandLanes& v, std::uint32_t node) { return {v.answer + node * std::size_t{3} * S::N}; }
 
     /// A row's speed at the velocities whose first fields are these.
     static D speedOf(const IslandLanes& v, std::uint32_t i, int linear, int spin) {

@@ -185,6 +185,7 @@ struct IslandKernel {
     void (*findInertias)(const IslandLanes& view, double h);
 };
 
+/// With vectors of W floats.
 template <int W>
 struct WideIslandKernel {
     static const IslandKernel code;

@@ -24,7 +24,7 @@ struct WideTurn {
         return 1.0 - t2 * 0.5 * (1.0 - t2 * (1.0 / 12) * (1.0 - t2 * (1.0 / 30) * (1.0 - t2 * (1.0 / 56) * tail)));
     }
     static void far(double* cosines, double* sines, const double* turns) {
-        for (int l = 0; l < W; ++l) {
+        for (int l = 0; l < Wide<W>::doubles; ++l) {
             if (turns[l] <= farthest && turns[l] >= -farthest) continue;
             const SinCos t = sinCos(turns[l]);
             cosines[l] = t.cos;

@@ -28,9 +28,9 @@ struct WideIslands {
         D x, y;
     };
 
-    static S bodyOf(const IslandLanes& v, std::uint32_t i) { return {v.body + i * std::size_t{B::count} * W}; }
-    static S linkOf(const IslandLanes& v, std::uint32_t i) { return {v.link + i * std::size_t{L::count} * W}; }
-    static S rowOf(const IslandLanes& v, std::uint32_t i) { return {v.row + i * std::size_t{R::count} * W}; }
+    static S bodyOf(const IslandLanes& v, std::uint32_t i) { return {v.body + i * std::size_t{B::count} * S::N}; }
+    static S linkOf(const IslandLanes& v, std::uint32_t i) { return {v.link + i * std::size_t{L::count} * S::N}; }
+    static S rowOf(const IslandLanes& v, std::uint32_t i) { return {v.row + i * std::size_t{R::count} * S::N}; }
     static Pair turned(D cos, D sin, D x, D y) { return {cos * x - sin * y, sin * x + cos * y}; }
 
     static void move(const IslandLanes& v, double h) {
@@ -50,7 +50,7 @@ struct WideIslands {
             b.set(B::Cos, WideTurn<W>::cosine(t));
             b.set(B::Sin, WideTurn<W>::sine(t));
             if (anyOf<W>(magnitude(t) > all(WideTurn<W>::farthest)))
-                WideTurn<W>::far(b.data + B::Cos * W, b.data + B::Sin * W, b.data + B::Turn * W);
+                WideTurn<W>::far(b.data + B::Cos * S::N, b.data + B::Sin * S::N, b.data + B::Turn * S::N);
         }
     }
 
@@ -192,9 +192,9 @@ struct WideIslands {
         if (!anyOf<W>(damped != row[R::DampedAt])) return;
         constexpr double least = 1e-16, most = 30;  // see slopeOf
         row.set(R::DampedAt, damped);
-        for (int l = 0; l < W; ++l) {
-            const double at = row.data[R::DampedAt * W + l];
-            row.data[R::Growth * W + l] = at > least ? exponentialMinus1(at < most ? at : most) : 0;
+        for (int l = 0; l < Wide<W>::doubles; ++l) {
+            const double at = row.data[R::DampedAt * S::N + l];
+            row.data[R::Growth * S::N + l] = at > least ? exponentialMinus1(at < most ? at : most) : 0;
         }
     }
 
@@ -365,7 +365,7 @@ struct WideIslands {
     static void addLoads(const IslandLanes& v) {
         const auto active = loadLanes<W>(static_cast<const double*>(v.active)) > D{};
         for (std::uint32_t j = 0; j < v.jointCount; ++j) {
-            const S joint{v.joint + j * std::size_t{JointField::count} * W};
+            const S joint{v.joint + j * std::size_t{JointField::count} * S::N};
             for (std::uint32_t i = v.joints[j].firstRow; i < v.joints[j + 1].firstRow; ++i)
                 addLoad(v, joint, i, v.joints[j].turnsOnly, active);
         }
