@@ -27,6 +27,15 @@ using plumb::test::randomMachine;
 
 namespace {
 
+/// A part of its curve that the row has.
+RowState validState(const plumb::JointRow& row, RowState state) {
+    if (row.high == plumb::unlimited) return RowState::AtTarget;
+    if (row.bounded) return state > RowState::AtHigh ? RowState::AtTarget : state;
+    if (state == RowState::AtLowerStop && row.lowerStop == -plumb::unlimited) return RowState::AtHigh;
+    if (state == RowState::AtUpperStop && row.upperStop == plumb::unlimited) return RowState::AtLow;
+    return state == RowState::AtTarget && row.low == row.high ? RowState::AtLow : state;
+}
+
 /// Motor, spring and limits of a row that does not hold, each of which may be missing; and a state that is valid.
 void drawCurve(Random& random, IslandNumbers& lanes, std::size_t i) {
     const auto chance = [&] { return random.integer(0, 1) == 0; };
@@ -43,7 +52,7 @@ void drawCurve(Random& random, IslandNumbers& lanes, std::size_t i) {
     const bool springs = chance();
     const double push = springs ? random.uniform(-3, 3) : 0, slope = springs && chance() ? random.uniform(0.01, 3) : 0;
     const auto drawn = static_cast<RowState>(random.integer(0, 4));
-    const double fields[] = {static_cast<double>(plumb::validState(row, drawn)),
+    const double fields[] = {static_cast<double>(validState(row, drawn)),
                              row.target,
                              row.low,
                              row.high,
@@ -52,8 +61,7 @@ void drawCurve(Random& random, IslandNumbers& lanes, std::size_t i) {
                              push,
                              0,
                              slope};
-    for (std::size_t f = 0; f < std::size(fields); ++f)
-        lanes.row(i, RowField::State + static_cast<int>(f)) = fields[f];
+    for (std::size_t f = 0; f < std::size(fields); ++f) lanes.row(i, RowField::State + static_cast<int>(f)) = fields[f];
 }
 
 void drawNumbers(Random& random, IslandNumbers& lanes) {

@@ -65,8 +65,6 @@ void start(JointRows& rows, const Ends& ends) {
     rows.ends = 2;
     rows.body = {ends.a.body, ends.b.body, noBody, noBody};
     rows.arm = {ends.a.arm, ends.b.arm};
-    rows.length = 0;
-    rows.holdsPoint = false;
 }
 
 void hold(JointRow& row, const PredictedCoordinate& predicted, double speed, const JointPass& pass) {
@@ -106,7 +104,6 @@ void holdRow(JointRows& rows, const JointRow& row, const PredictedCoordinate& pr
 
 void holdPoint(JointRows& rows, const Ends& now, const Ends& later, const JointPass& pass) {
     const Vec2 gap = now.apart(), gapLater = later.apart();
-    rows.holdsPoint = true;
     JointRow x, y;
     x.at[0] = {-1, 0, now.a.arm.y()};
     x.at[1] = {1, 0, -now.b.arm.y()};

@@ -51,8 +51,6 @@ struct JointRows {
     std::array<Vec3, 2> far{};  ///< of the third and fourth end, of a joint with a single row
     std::array<Vec2, 2> arm{Vec2{0, 0},
                             Vec2{0, 0}};  ///< of the first two ends: to the point where the force is taken to act [m]
-    double length = 0;                    ///< of a rod between two anchors; 0: no rod [m]
-    bool holdsPoint = false;              ///< keeps the anchors together
 
     const Vec3& at(std::size_t r, std::size_t end) const { return end < 2 ? row[r].at[end] : far[end - 2]; }
     JointRow& add() { return row[count++] = JointRow{}; }
@@ -81,7 +79,6 @@ struct JointPass {
     bool correct = true;     ///< true: before the sub-step, which removes errors; false: after it, only velocities
     double rate = 0;         ///< share of an error to remove per time [1/s]
     double fastest = 0;      ///< greatest speed at which an error is removed [m/s]
-    bool onlyHold = false;   ///< motors and springs do nothing; their stops stay
     double springShare = 1;  ///< of springs' stiffness (see joint_springs.h)
 };
 

@@ -63,7 +63,6 @@ struct JointRecord {
     Breaking breaking;
     std::array<RowState, maxRows> states{};
     double springShare = 1;  ///< in this step (see joint_springs.h)
-    Vec3 speeds{};           ///< of the rows, before the sub-step, for dampers [m/s or rad/s]
     Vec3 impulse{};          ///< of half a sub-step, if its island is swept [N s or N m s]
 
     bool isFree() const { return std::holds_alternative<std::monostate>(joint); }

@@ -29,7 +29,6 @@ JointRow DistanceJoint::coordinateRow(const Ends& ends) {
 void DistanceJoint::addRows(JointRows& rows, const Ends& now, const JointPass& pass) const {
     const Ends later = ahead(now, pass);
     const double length = coordinate(now), then = coordinate(later);
-    rows.length = length;
     if (!def_.spring) {
         holdRow(rows, coordinateRow(now), {length - length_, then - length_}, now, pass);
         return;
