@@ -22,6 +22,9 @@ constexpr double opensFar = 2e-4, pieceTurn = 0.025, mostPieces = 32;
 /// What turns by more than this in a sub-step stays where it met a wall, because its joints cannot be followed [rad].
 constexpr double farthestFollowed = 8;
 
+/// Moves in floats are exact to this share of themselves [-].
+constexpr double floatError = 1e-6;
+
 /// If less than this share of a sub-step is left, it is over [-].
 constexpr double roundOff = 1e-9;
 
@@ -193,9 +196,11 @@ bool WallStops::isNearWalls(const JointIsland& island) const {
     Aabb box{Vec2(infinite, infinite), Vec2(-infinite, -infinite)};
     for (const BodyIndex body : island.bodies) {
         const SolverDisplacement& d = bodies_.displacement[body];
-        const Vec2 to = bodies_.motion[body].center + Vec2(static_cast<double>(d.x), static_cast<double>(d.y));
-        const Vec2 from = to - shiftOf(bodies_.velocity[body], h_);
-        const Aabb way = inflate({from.cwiseMin(to), from.cwiseMax(to)}, bodies_.record[body].boundingRadius);
+        const Vec2 moved(static_cast<double>(d.x), static_cast<double>(d.y)),
+            last = shiftOf(bodies_.velocity[body], h_);
+        const Vec2 to = bodies_.motion[body].center + moved, from = to - last;
+        const double reach = bodies_.record[body].boundingRadius + floatError * (moved.norm() + last.norm());
+        const Aabb way = inflate({from.cwiseMin(to), from.cwiseMax(to)}, reach);
         box = {box.lower.cwiseMin(way.lower), box.upper.cwiseMax(way.upper)};
     }
     bool near = false;
