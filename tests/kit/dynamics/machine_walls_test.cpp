@@ -80,16 +80,15 @@ Ending endingOf(unsigned seed, double most) {
 }  // namespace
 
 TEST_CASE("rods and ropes do not pull fast bodies through the segments of 60 rooms", "[dynamics][joints][machines]") {
-    int escapes = 0, slowEscapes = 0, slowRunaways = 0;
+    int escapes = 0, slowRunaways = 0;
     const int runs = plumb::test::allCases(60);
     for (int run = 0; run < runs; ++run) {
         const double most = run % 2 == 0 ? 200 : 2000;
         const Ending ending = endingOf(static_cast<unsigned>(run), most);
-        (most < 1000 ? slowEscapes : escapes) += ending.escapes;
+        escapes += ending.escapes;
         slowRunaways += most < 1000 && ending.ranAway ? 1 : 0;
     }
     INFO(escapes << " of " << 12 * runs << " bodies");
-    CHECK(slowEscapes == 0);
-    CHECK(100 * escapes <= 12 * runs);  // at up to 2,000 m/s, one of a thousand comes through
+    CHECK(escapes == 0);
     CHECK(slowRunaways == 0);
 }

@@ -148,7 +148,8 @@ void MachineSweep::addAnswer(std::span<Vec3> answer, const MachineEnd& end) {
 }
 
 /// The change of a body's velocity by an impulse, without the joints'. A machine's bodies may have more mass than their
-/// own (see joints/lanes/island_stiffness_wide.h); contacts must act on the same masses as joints, or they would add energy.
+/// own (see joints/lanes/island_stiffness_wide.h); contacts must act on the same masses as joints, or they would add
+/// energy.
 Vec3 MachineSweep::changeBy(std::size_t part, std::size_t node, const Vec3& push) const {
     const JointIsland* island = machines_.parts[part].island;
     if (island == nullptr) return velocityChangeBy(stores_.bodies, machines_.parts[part].body, push);

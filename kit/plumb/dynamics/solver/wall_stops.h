@@ -87,11 +87,11 @@ private:
     double h_, start_ = 0;
     std::vector<std::uint32_t> islandOf_;  ///< of each body, none if it is alone; empty until it is needed
     enum class Care : std::uint8_t { Unknown, None, Needed };
-    std::vector<Care> care_;               ///< of each island, in this sub-step
-    std::vector<std::uint32_t> groupOf_;   ///< of each body, in this sub-step; none if it is not added
-    std::vector<BodyIndex> added_;         ///< those, in the order in which they were added
-    std::vector<Group> groups_;            ///< islands, in this sub-step
-    Group alone_;                          ///< its one body changes from call to call
+    std::vector<Care> care_;              ///< of each island, in this sub-step
+    std::vector<std::uint32_t> groupOf_;  ///< of each body, in this sub-step; none if it is not added
+    std::vector<BodyIndex> added_;        ///< those, in the order in which they were added
+    std::vector<Group> groups_;           ///< islands, in this sub-step
+    Group alone_;                         ///< its one body changes from call to call
     std::vector<WallImpact> impacts_;
 };
 
