@@ -20,13 +20,16 @@ void pullChange(double& value, float record, double scale) {
 }
 
 /// Takes over a place at which others have put a body: it must be the same on the bit, or it may be behind a wall.
-void pullPlace(double& value, float record) {
-    if (record != rounded(value)) value = static_cast<double>(record);
+bool pullPlace(double& value, float record) {
+    if (record == rounded(value)) return false;
+    value = static_cast<double>(record);
+    return true;
 }
 
 }  // namespace
 
-void JointBatch::pullLane(const BodyStore& bodies, std::size_t lane, bool moved) {
+bool JointBatch::pullLane(const BodyStore& bodies, std::size_t lane, bool moved) {
+    bool changed = false;
     for (std::size_t n = 0; n < layout_->moved; ++n) {
         const BodyIndex index = islands_[lane]->bodies[n];
         const SolverVelocity& v = bodies.velocity[index];
@@ -36,25 +39,37 @@ void JointBatch::pullLane(const BodyStore& bodies, std::size_t lane, bool moved)
         pullChange(body(n, BodyField::Spin, lane), v.w, static_cast<double>(turn.gyration));
         if (!moved) continue;
         const SolverDisplacement& d = bodies.displacement[index];
-        pullPlace(body(n, BodyField::X, lane), d.x);
-        pullPlace(body(n, BodyField::Y, lane), d.y);
-        pullPlace(body(n, BodyField::Turn, lane), turn.angle);
+        changed = pullPlace(body(n, BodyField::X, lane), d.x) || changed;
+        changed = pullPlace(body(n, BodyField::Y, lane), d.y) || changed;
+        changed = pullPlace(body(n, BodyField::Turn, lane), turn.angle) || changed;
     }
+    return changed;
 }
 
 void JointBatch::pull(const BodyStore& bodies) {
-    for (std::size_t lane = 0; lane < width_; ++lane) pullLane(bodies, lane, moved_);
-    if (moved_) place();
+    bool changed = false;
+    for (std::size_t lane = 0; lane < width_; ++lane) changed = pullLane(bodies, lane, moved_) || changed;
+    if (changed) kernel_->place(view_);
     moved_ = false;
 }
 
 void JointBatch::pull(const BodyStore& bodies, std::size_t lane, bool moved) {
-    pullLane(bodies, lane, moved);
-    if (moved) place();
+    if (pullLane(bodies, lane, moved)) kernel_->place(view_);
 }
 
-void JointBatch::place() {
-    kernel_->place(view_);
+/// How far a coordinate is from where it is held, or beyond its limits [m]; 0 for angles.
+double JointBatch::errorOf(std::size_t i, std::size_t lane) const {
+    const double q = row(i, RowField::Coordinate, lane);
+    if (layout_->rows[i].axis[0] == RowAxis::Turning) return 0;
+    if (layout_->rows[i].holds) return std::fabs(q);
+    return std::max({q - row(i, RowField::LimitUpper, lane), row(i, RowField::LimitLower, lane) - q, 0.0});
+}
+
+double JointBatch::opening(std::size_t lane) const {
+    double most = 0;
+    for (std::size_t i = 0; i < layout_->rows.size(); ++i)
+        most = std::max(most, errorOf(i, lane) - row(i, RowField::StartError, lane));
+    return most;
 }
 
 void JointBatch::writeVelocities(BodyStore& bodies) const {
@@ -103,7 +118,6 @@ void JointBatch::kick(BodyStore& bodies) {
 
 void JointBatch::move(BodyStore& bodies, double h) {
     kernel_->move(view_, h);
-    moved_ = true;
     writePlaces(bodies);
 }
 

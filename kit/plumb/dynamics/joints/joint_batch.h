@@ -42,12 +42,14 @@ public:
 
     /// Adds what others have changed.
     void pull(const BodyStore& bodies);
+    /// By how much the worst joint of one island has opened since the step's start [m].
+    double opening(std::size_t lane) const;
     /// Of one island; moved: bodies have been moved, too. The other islands stay as they are: what is added in two
     /// parts is rounded otherwise than what is added at once, and bits must not depend on who shares a batch.
     void pull(const BodyStore& bodies, std::size_t lane, bool moved);
     /// Others may have moved bodies: the next pull takes that in.
     void noteMoves() { moved_ = true; }
-    /// After the step's forces and the contacts' first guess have acted on the records.
+    /// Lets the step's forces and the contacts' first guess act.
     void kick(BodyStore& bodies);
     void move(BodyStore& bodies, double h);
     void noteSpeeds() { kernel_->noteSpeeds(view_); }
@@ -91,8 +93,9 @@ private:
                    std::size_t j, std::size_t lane, double h);
     void loadRow(const RowForm& form, const Rot& rotationA, double springShare, std::size_t i, std::size_t lane,
                  double h);
-    void pullLane(const BodyStore& bodies, std::size_t lane, bool moved);
-    void place();
+    /// Returns true if a place has changed.
+    bool pullLane(const BodyStore& bodies, std::size_t lane, bool moved);
+    double errorOf(std::size_t row, std::size_t lane) const;
     void writeVelocities(BodyStore& bodies) const;
     void writePlaces(BodyStore& bodies) const;
     void noteStates();
@@ -108,7 +111,7 @@ private:
     IslandLanes view_;
     std::vector<double> numbers_;
     std::array<double, 8> active_{};
-    bool moved_ = true;  ///< bodies may have moved since rows were placed
+    bool moved_ = false;  ///< others may have moved bodies
 };
 
 }  // namespace plumb

@@ -84,6 +84,8 @@ void JointBatch::load(std::span<JointIsland* const> islands, const JointStore& j
     activate(true, 0);
     writeVelocities(bodies);
     kernel_->place(view_);
+    for (std::size_t i = 0; i < layout_->rows.size(); ++i)
+        for (std::size_t lane = 0; lane < width_; ++lane) row(i, RowField::StartError, lane) = errorOf(i, lane);
     kernel_->setMasses(view_, h);
 }
 

@@ -44,11 +44,11 @@ Geared geared(const JointStore& joints, JointIndex index, const BodyStore& bodie
 }
 
 /// The error of a joint with two ends; 0 for others.
-double anchorError(const AnyJoint& any, const BodyStore& bodies, bool within) {
+double anchorError(const AnyJoint& any, const BodyStore& bodies) {
     return std::visit(
         [&]<class Joint>(const Joint& joint) -> double {
             if constexpr (hasEnds<Joint>)
-                return joint.error(endsOf(joint.anchors, bodies, within));
+                return joint.error(endsAtRest(joint.anchors, bodies));
             else
                 return 0;
         },
@@ -162,11 +162,7 @@ double JointStore::speedOf(JointIndex index, const BodyStore& bodies) const {
 double JointStore::errorOf(JointIndex index, const BodyStore& bodies) const {
     if (const auto* gear = std::get_if<GearJoint>(&records[index].joint))
         return boundedNumber(std::abs(coordinateOf(index, bodies) - gear->total()));
-    return boundedNumber(anchorError(records[index].joint, bodies, false));
-}
-
-double JointStore::errorNow(JointIndex index, const BodyStore& bodies) const {
-    return anchorError(records[index].joint, bodies, true);
+    return boundedNumber(anchorError(records[index].joint, bodies));
 }
 
 double JointStore::angleErrorOf(JointIndex index, const BodyStore& bodies) const {

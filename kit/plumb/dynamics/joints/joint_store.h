@@ -94,8 +94,6 @@ struct JointStore {
     double coordinateOf(JointIndex joint, const BodyStore& bodies) const;
     double speedOf(JointIndex joint, const BodyStore& bodies) const;  ///< [m/s or rad/s]
     double errorOf(JointIndex joint, const BodyStore& bodies) const;  ///< [m]
-    /// Within a step: after the sub-steps done so far; 0 for gears [m].
-    double errorNow(JointIndex joint, const BodyStore& bodies) const;
     double angleErrorOf(JointIndex joint, const BodyStore& bodies) const;  ///< [rad]
 
 private:

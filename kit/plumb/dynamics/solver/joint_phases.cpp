@@ -129,7 +129,6 @@ void loadBatches(const JointStores& stores, double dt) {
 
 void beginHalf(const JointStores& stores, const JointHalf& half) {
     for (JointBatch& batch : batchesOf(stores)) {
-        if (!half.correct) batch.noteMoves();  // walls may have stopped bodies
         batch.pull(stores.bodies);
         if (half.correct) batch.noteSpeeds();
         for (JointIsland* island : batch.islands())
@@ -257,6 +256,10 @@ Vec3 answerOfJointed(const JointStores& stores, JointIsland& island, BodyIndex b
     return island.batch->answer(island.lane, island.nodeOf(body), impulse);
 }
 
+double openingOf(const JointIsland& island) {
+    return island.batch->opening(island.lane);
+}
+
 double springEnergyOf(const SpringLoad& load) {
     double squares = 0, energy = 0, stiffness = 0;
     for (std::size_t r = 0; r < load.count; ++r) {
@@ -295,6 +298,7 @@ const JointPhases jointPhases{.prepare = prepareJoints,
                               .hold = holdJoints,
                               .push = pushJointed,
                               .answer = answerOfJointed,
+                              .opening = openingOf,
                               .holdOne = holdOneIsland,
                               .store = storeBatches,
                               .springEnergy = springEnergy};

@@ -52,6 +52,8 @@ struct JointPhases {
     /// answer; or tells by how much that would change the body's velocity.
     void (*push)(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse);
     Vec3 (*answer)(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse);
+    /// By how much its worst joint has opened since the step's start [m].
+    double (*opening)(const JointIsland& island);
     /// After such impulses: removes the errors that they cause in the joints' held rows.
     void (*holdOne)(const JointStores& stores, JointIsland& island, double h);
     /// At the end of the step: stores the loads of the joints, and adds the moves of all bodies in lanes.

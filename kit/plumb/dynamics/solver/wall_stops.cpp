@@ -31,6 +31,11 @@ constexpr double roundOff = 1e-9;
 /// Joints may give a machine this share of its energy more in a sub-step in which it moves in pieces [-].
 constexpr double mostGiven = 1.01;
 
+Aabb emptyBox() {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    return {Vec2(infinite, infinite), Vec2(-infinite, -infinite)};
+}
+
 Vec2 shiftOf(const SolverVelocity& v, double time) {
     return Vec2(static_cast<double>(v.x), static_cast<double>(v.y)) * time;
 }
@@ -180,20 +185,42 @@ void WallStops::travel(Group& group) {
 bool WallStops::isClear(JointIsland& island) {
     std::vector<JointIsland>& islands = stores_.joints.islands.islands;
     if (care_.empty()) care_.assign(islands.size(), Care::Unknown);
-    Care& care = care_[static_cast<std::size_t>(&island - islands.data())];
+    if (noWalls_.empty()) noWalls_.assign(islands.size(), emptyBox());
+    const auto number = static_cast<std::size_t>(&island - islands.data());
+    Care& care = care_[number];
     if (care == Care::Unknown) {
-        const double turn = turnOf(island);
-        const bool followed = turn <= farthestFollowed;
-        care = isNearWalls(island) || (followed && opens(island)) ? Care::Needed : Care::None;
+        const bool followed = turnOf(island) <= farthestFollowed;
+        const bool needed = isNearWalls(island, noWalls_[number]) || (followed && opens(island));
+        care = needed ? Care::Needed : Care::None;
     }
     return care == Care::None;
 }
 
-/// Is there anything that one of its bodies could have met? One question for all of them.
-bool WallStops::isNearWalls(const JointIsland& island) const {
+/// Is there anything that one of its bodies could have met? One question for all of them. The box is at first empty.
+/// Then walls are looked for within some distance at once, so that the coming sub-steps need not.
+bool WallStops::isNearWalls(const JointIsland& island, Aabb& noWalls) const {
     if (!bodies_.kinematic.empty() || bodies_.wrap.any()) return true;
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    Aabb box{Vec2(infinite, infinite), Vec2(-infinite, -infinite)};
+    const Aabb way = wayOf(island);
+    if (contains(noWalls, way)) return false;
+    double speed = 0;
+    for (const BodyIndex body : island.bodies) speed = std::max(speed, shiftOf(bodies_.velocity[body], 1).norm());
+    const Aabb wide = inflate(way, speed * bodies_.lastStep);
+    if (isFree(wide)) {
+        noWalls = wide;
+        return false;
+    }
+    return !isFree(way);
+}
+
+bool WallStops::isFree(const Aabb& box) const {
+    bool free = true;
+    view_.space.queryFixed(box, [&free](ProxyId, const Vec2&) { free = false; });
+    return free;
+}
+
+/// The box around all that its bodies have swept over in the last sub-step.
+Aabb WallStops::wayOf(const JointIsland& island) const {
+    Aabb box = emptyBox();
     for (const BodyIndex body : island.bodies) {
         const SolverDisplacement& d = bodies_.displacement[body];
         const Vec2 moved(static_cast<double>(d.x), static_cast<double>(d.y)),
@@ -203,9 +230,7 @@ bool WallStops::isNearWalls(const JointIsland& island) const {
         const Aabb way = inflate({from.cwiseMin(to), from.cwiseMax(to)}, reach);
         box = {box.lower.cwiseMin(way.lower), box.upper.cwiseMax(way.upper)};
     }
-    bool near = false;
-    view_.space.queryFixed(box, [&near](ProxyId, const Vec2&) { near = true; });
-    return near;
+    return box;
 }
 
 /// The largest turn of its bodies in a sub-step [rad].
@@ -218,10 +243,7 @@ double WallStops::turnOf(const JointIsland& island) const {
 
 /// Have joints opened since the step began?
 bool WallStops::opens(const JointIsland& island) const {
-    const JointStore& joints = stores_.joints.joints;
-    return std::any_of(island.joints.begin(), island.joints.end(), [&](JointIndex joint) {
-        return joints.errorNow(joint, bodies_) > joints.errorOf(joint, bodies_) + opensFar;
-    });
+    return stores_.jointPhases->opening(island) > opensFar;
 }
 
 /// How long a piece of the rest of a sub-step may be [s].
@@ -310,6 +332,7 @@ double WallStops::energyOf(const Group& group) const {
 /// Moves the bodies at their velocities from the places of their movers, for a time.
 void WallStops::moveAll(const Group& group, double time) {
     for (const Mover& mover : group.movers) moveOn(mover, time);
+    if (group.island != nullptr) group.island->batch->noteMoves();
 }
 
 void WallStops::moveOn(const Mover& mover, double time) {

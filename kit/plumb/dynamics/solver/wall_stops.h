@@ -65,7 +65,9 @@ private:
     JointIsland* islandOf(BodyIndex body);
     void travel(Group& group);
     bool isClear(JointIsland& island);
-    bool isNearWalls(const JointIsland& island) const;
+    bool isNearWalls(const JointIsland& island, Aabb& noWalls) const;
+    Aabb wayOf(const JointIsland& island) const;
+    bool isFree(const Aabb& box) const;
     double turnOf(const JointIsland& island) const;
     bool opens(const JointIsland& island) const;
     double turnOf(const Group& group, double time) const;
@@ -88,6 +90,7 @@ private:
     std::vector<std::uint32_t> islandOf_;  ///< of each body, none if it is alone; empty until it is needed
     enum class Care : std::uint8_t { Unknown, None, Needed };
     std::vector<Care> care_;              ///< of each island, in this sub-step
+    std::vector<Aabb> noWalls_;           ///< of each island, in this step: a box that no wall reaches into
     std::vector<std::uint32_t> groupOf_;  ///< of each body, in this sub-step; none if it is not added
     std::vector<BodyIndex> added_;        ///< those, in the order in which they were added
     std::vector<Group> groups_;           ///< islands, in this sub-step

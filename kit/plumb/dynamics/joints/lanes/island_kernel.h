@@ -92,6 +92,7 @@ struct RowField {
         Known,        ///< [N s or N m s]
         Impulse,      ///< of this pass
         Origin,
+        StartError,  ///< at the step's start
         // Only of rows that do not hold:
         LastState,  ///< RowState in the last pass that was not only to hold
         State,      ///< in this pass
@@ -161,8 +162,8 @@ struct IslandTurn {
 
 /// The same functions for each number of lanes, with bitwise equal results.
 struct IslandKernel {
-    /// Moves the bodies by h [s] at their velocities.
-    void (*move)(const IslandLanes& view, double h);
+    /// Moves the bodies by h [s] at their velocities, and places the rows.
+    void (*move)(IslandLanes& view, double h);
     /// Finds arms, axes and masses of rows, after bodies have moved.
     void (*place)(IslandLanes& view);
     void (*noteSpeeds)(const IslandLanes& view);

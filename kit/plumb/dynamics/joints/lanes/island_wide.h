@@ -33,14 +33,14 @@ struct WideIslands {
     static S rowOf(const IslandLanes& v, std::uint32_t i) { return {v.row + i * std::size_t{R::count} * S::N}; }
     static Pair turned(D cos, D sin, D x, D y) { return {cos * x - sin * y, sin * x + cos * y}; }
 
-    static void move(const IslandLanes& v, double h) {
+    static void move(IslandLanes& v, double h) {
         for (std::uint32_t i = 0; i < v.bodies; ++i) {
             const S b = bodyOf(v, i);
             b.set(B::X, b[B::X] + b[B::Vx] * h);
             b.set(B::Y, b[B::Y] + b[B::Vy] * h);
             b.set(B::Turn, b[B::Turn] + b[B::Spin] * h);
         }
-        turn(v);
+        place(v);
     }
 
     static void turn(const IslandLanes& v) {
