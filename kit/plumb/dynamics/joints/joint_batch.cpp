@@ -26,6 +26,13 @@ bool pullPlace(double& value, float record) {
     return true;
 }
 
+/// What contacts have given since the last mark is their first guess in the next half of a sub-step.
+void addContactImpulse(SolverVelocity& warm, const SolverVelocity& now, const SolverVelocity& before) {
+    warm.x += now.x - before.x;
+    warm.y += now.y - before.y;
+    warm.w += now.w - before.w;
+}
+
 }  // namespace
 
 bool JointBatch::pullLane(const BodyStore& bodies, std::size_t lane, bool moved) {
@@ -98,11 +105,12 @@ void JointBatch::writePlaces(BodyStore& bodies) const {
     }
 }
 
-void JointBatch::kick(BodyStore& bodies) {
+void JointBatch::kick(BodyStore& bodies, bool first) {
     for (std::size_t n = 0; n < layout_->moved; ++n) {
         for (std::size_t lane = 0; lane < width_; ++lane) {
             const BodyIndex index = islands_[lane]->bodies[n];
-            const SolverVelocity& warm = bodies.warm[index];
+            SolverVelocity& warm = bodies.warm[index];
+            if (!first) addContactImpulse(warm, bodies.velocity[index], bodies.before[index]);
             const auto at = [&](int field) -> double& { return body(n, field, lane); };
             const double linear = at(BodyField::KeepLinear), angular = at(BodyField::KeepAngular);
             const double inverseGyration = static_cast<double>(bodies.turn[index].inverseGyration);
@@ -113,7 +121,6 @@ void JointBatch::kick(BodyStore& bodies) {
         }
     }
     activate(true, 0);
-    writeVelocities(bodies);
 }
 
 void JointBatch::move(BodyStore& bodies, double h) {
@@ -134,7 +141,6 @@ void JointBatch::noteStates() {
 }
 
 void JointBatch::solve(BodyStore& bodies, const IslandTurn& turn, StepObserver* observer) {
-    if (!bodies.flights.empty()) pull(bodies);  // fields have changed velocities
     kernel_->setMasses(view_, h_);
     kernel_->prepare(view_, turn);
     kernel_->solve(view_);

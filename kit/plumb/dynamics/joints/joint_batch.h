@@ -50,7 +50,8 @@ public:
     /// Others may have moved bodies: the next pull takes that in.
     void noteMoves() { moved_ = true; }
     /// Lets the step's forces and the contacts' first guess act.
-    void kick(BodyStore& bodies);
+    void kick(BodyStore& bodies, bool first);
+    void writeVelocities(BodyStore& bodies) const;
     void move(BodyStore& bodies, double h);
     void noteSpeeds() { kernel_->noteSpeeds(view_); }
 
@@ -96,7 +97,6 @@ private:
     /// Returns true if a place has changed.
     bool pullLane(const BodyStore& bodies, std::size_t lane, bool moved);
     double errorOf(std::size_t row, std::size_t lane) const;
-    void writeVelocities(BodyStore& bodies) const;
     void writePlaces(BodyStore& bodies) const;
     void noteStates();
     void activate(bool all, std::size_t lane);

@@ -127,17 +127,19 @@ void loadBatches(const JointStores& stores, double dt) {
     }
 }
 
-void beginHalf(const JointStores& stores, const JointHalf& half) {
-    for (JointBatch& batch : batchesOf(stores)) {
-        batch.pull(stores.bodies);
-        if (half.correct) batch.noteSpeeds();
-        for (JointIsland* island : batch.islands())
-            if (half.correct && island->trial.wanted) island->trial.after = velocitiesOf(*island, stores.bodies);
-    }
+void kickBatch(const JointStores& stores, JointBatch& batch, const JointHalf& half) {
+    batch.pull(stores.bodies);
+    if (half.correct) batch.noteSpeeds();
+    JointIsland& island = *batch.islands().front();
+    if (half.correct && island.trial.wanted) island.trial.after = velocitiesOf(island, stores.bodies);
+    batch.kick(stores.bodies, half.isFirst);
 }
 
-void kickBatches(const JointStores& stores) {
-    for (JointBatch& batch : batchesOf(stores)) batch.kick(stores.bodies);
+void kickBatches(const JointStores& stores, const JointHalf& half) {
+    for (JointBatch& batch : batchesOf(stores)) {
+        kickBatch(stores, batch, half);
+        batch.writeVelocities(stores.bodies);
+    }
 }
 
 void moveBatches(const JointStores& stores, double h) {
@@ -146,6 +148,7 @@ void moveBatches(const JointStores& stores, double h) {
 
 /// An island that is solved together with its contacts. What it gives is reported when the contacts are known.
 void firstTry(JointIsland& island, const JointStores& stores, const IslandTurn& turn) {
+    island.batch->writeVelocities(stores.bodies);
     island.trial.before = velocitiesOf(island, stores.bodies);
     if (turn.correct)
         for (std::size_t b = 0; b < island.bodies.size(); ++b)
@@ -168,9 +171,14 @@ void reportGround(const JointStores& stores, const JointBatch& batch, Change&& c
                  std::forward<Change>(change));
 }
 
-void solveJoints(const JointStores& stores, const JointHalf& half) {
+void solveJoints(const JointStores& stores, const JointHalf& half, bool kicked) {
     const IslandTurn turn = turnOf(stores, half);
     for (JointBatch& batch : batchesOf(stores)) {
+        if (kicked)
+            batch.pull(stores.bodies);
+        else
+            kickBatch(stores, batch, half);
+        if (stores.observer != nullptr) batch.writeVelocities(stores.bodies);
         if (batch.islands().front()->trial.wanted)
             firstTry(*batch.islands().front(), stores, turn);
         else
@@ -286,7 +294,6 @@ double springEnergy(const JointStore& joints, const BodyStore& bodies) {
 
 const JointPhases jointPhases{.prepare = prepareJoints,
                               .load = loadBatches,
-                              .begin = beginHalf,
                               .kick = kickBatches,
                               .move = moveBatches,
                               .solve = solveJoints,

@@ -25,13 +25,12 @@ struct JointPhases {
     void (*prepare)(const JointStores& stores, double dt);
     /// Takes the islands into their lanes.
     void (*load)(const JointStores& stores, double dt);
-    /// Before any force acts in half a sub-step: takes in what others have done to the bodies.
-    void (*begin)(const JointStores& stores, const JointHalf& half);
-    /// After the forces have acted on all bodies: lets them act on the bodies in lanes.
-    void (*kick)(const JointStores& stores);
+    /// Takes in what others have done to the bodies in lanes, and lets the forces of half a sub-step act on them.
+    void (*kick)(const JointStores& stores, const JointHalf& half);
     /// After all bodies have moved: moves the bodies in lanes.
     void (*move)(const JointStores& stores, double h);
-    void (*solve)(const JointStores& stores, const JointHalf& half);
+    /// kicked: after kick; else it does that first.
+    void (*solve)(const JointStores& stores, const JointHalf& half, bool kicked);
     /// Returns the contacts that bounce and have a jointed body, and keeps the solver from bouncing them again.
     std::vector<BounceGroup> (*takeBounces)(ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies,
                                             const JointIslands& islands);

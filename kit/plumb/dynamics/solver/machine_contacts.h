@@ -28,6 +28,7 @@ struct JointIslands;
 struct JointHalf {
     double step = 0;       ///< of the sub-step [s]
     bool correct = false;  ///< true in the half before the bodies move: corrects position errors too
+    bool isFirst = false;  ///< of the step
 };
 
 /// A contact of which one body at least belongs to a machine.

@@ -95,6 +95,7 @@ public:
           solverBodies_(bodies_.solverBodies()),
           solved_(solvedBodies(bodies_)),
           moving_(static_cast<std::size_t>(std::find(solved_.begin(), solved_.end(), noBody) - solved_.begin())),
+          outOfLanes_(moving_),
           pass_(passOf(stores.settings, h_)),
           fields_(stores.fields, bodies_, stores.space, h_, observer_),
           walls_({bodies_, stores.contacts, stores.space, stores.jointPhases, stores.joints}, h_),
@@ -109,7 +110,7 @@ public:
             bounces_ = joints_->takeBounces(stores_.graph, stores_.contacts, bodies_, stores_.joints.islands);
         if (joints_ != nullptr)
             machines_ = joints_->takeMachines(stores_.graph, stores_.contacts, bodies_, stores_.joints.islands);
-        if (joints_ != nullptr) joints_->load(stores_.joints, dt);
+        if (joints_ != nullptr) loadJoints(dt);
         if (observer_ != nullptr) observer_->beginSolver();
         forEachSlice([this](const ContactSolver& solver, ContactBatch* batches, std::size_t contacts,
                             const ContactPass&) { solver.gatherWarmStart(batches, contacts, solverBodies_); });
@@ -122,9 +123,20 @@ public:
     const std::vector<WallImpact>& wallImpacts() const { return walls_.impacts(); }
 
 private:
+    /// Bodies in lanes of islands go behind all others.
+    void loadJoints(double dt) {
+        joints_->load(stores_.joints, dt);
+        std::vector<std::uint8_t> inLanes(bodies_.record.size(), 0);
+        for (const JointIsland& island : stores_.joints.islands.islands)
+            for (const BodyIndex body : island.bodies) inLanes[body] = island.isSwept() ? 0 : 1;
+        const auto end = std::stable_partition(solved_.begin(), solved_.begin() + static_cast<std::ptrdiff_t>(moving_),
+                                               [&](BodyIndex body) { return inLanes[body] == 0; });
+        outOfLanes_ = static_cast<std::size_t>(end - solved_.begin());
+    }
+
     void subStep(int number) {
-        startHalf({h_, true}, number == 0);
-        solveContacts(&ContactSolver::solve, {h_, true});
+        startHalf({h_, true, number == 0});
+        solveContacts(&ContactSolver::solve, {h_, true, number == 0});
         if (joints_ != nullptr) joints_->hold(stores_.joints, h_);
         if (observer_ != nullptr) observer_->endHalf();
         const float h = static_cast<float>(h_);
@@ -132,20 +144,20 @@ private:
         if (joints_ != nullptr) joints_->move(stores_.joints, h_);
         if (stores_.hasWalls) walls_.afterMove({fast_.data(), fast}, number * h_);
         fields_.moved();
-        startHalf({h_, false}, false);
-        solveContacts(&ContactSolver::relax, {h_, false});
+        startHalf({h_, false, false});
+        solveContacts(&ContactSolver::relax, {h_, false, false});
         if (observer_ != nullptr) observer_->endHalf();
     }
 
     /// Applies forces and solves joints.
-    void startHalf(JointHalf half, bool first) {
-        if (joints_ != nullptr) joints_->begin(stores_.joints, half);
+    void startHalf(const JointHalf& half) {
         if (observer_ != nullptr) observer_->beginHalf(solved_);
-        kickBodies(solved_.data(), moving_, solverBodies_, first);
-        if (joints_ != nullptr) joints_->kick(stores_.joints);
-        if (!bodies_.flights.empty()) (fields_.*stores_.fields.phases->kick)(solved_);
+        kickBodies(solved_.data(), outOfLanes_, solverBodies_, half.isFirst);
+        const bool inFields = !bodies_.flights.empty();
+        if (inFields && joints_ != nullptr) joints_->kick(stores_.joints, half);
+        if (inFields) (fields_.*stores_.fields.phases->kick)(solved_);
         if (joints_ == nullptr || stores_.joints.islands.joints.empty()) return;
-        joints_->solve(stores_.joints, half);
+        joints_->solve(stores_.joints, half, inFields);
         joints_->bounce(stores_.joints, stores_.graph, stores_.contacts, bounces_, solved_, half.step);
         markBodies(solved_.data(), moving_, solverBodies_);
     }
@@ -260,6 +272,7 @@ private:
     std::vector<BodyIndex> solved_;
     std::size_t
         moving_;  ///< number of those before the padding, whose records all are one: each would wait for the last
+    std::size_t outOfLanes_;  ///< number of those before the bodies in lanes of islands
     Pass pass_;
     std::vector<Slice> slices_;
     FieldSolving fields_;
