@@ -196,7 +196,7 @@ void Body::setPose(const Vec2& position, double angle) {
     motion.angle = angle;
     motion.rotation = Rot::fromAngle(angle);
     const Vec2 center = position + motion.rotation * world_->bodies.record[index_].localCenter;
-    motion.center = world_->bodies.near(center, motion.center);
+    motion.center = world_->bodies.near(world_->bodies.wrap.place(center), motion.center);
     // The body has left its neighbours; the space must find its pairs again, also with sleeping bodies at the new
     // position.
     world_->bodies.rest(index_);

@@ -73,7 +73,7 @@ std::size_t bytesOf(const JointIslands& j) {
                         j.islands.capacity() * sizeof(JointIsland);
     for (const JointIsland& island : j.islands)
         bytes +=
-            sumOf(island.joints, island.held, island.bodies, island.stiffness, island.others) + island.hinges.bytes();
+            sumOf(island.joints, island.held, island.bodies, island.stiffness) + island.hinges.bytes();
     for (const std::vector<std::uint32_t>& group : j.alike) bytes += sumOf(group);
     for (const JointBatch& batch : j.batches) bytes += sizeof(JointBatch) + batch.bytes();
     return bytes;

@@ -9,8 +9,7 @@ namespace {
 
 double placedIn(double x, const std::optional<double>& size) {
     if (!size) return x;
-    const double place = x - std::floor(x / *size) * *size;
-    if (place < 0) return 0;
+    const double rest = std::fmod(x, *size), place = rest < 0 ? rest + *size : rest;
     return place < *size ? place : 0;  // a point just below 0 may be rounded to a whole period
 }
 

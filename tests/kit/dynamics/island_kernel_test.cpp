@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include <plumb/dynamics/joints/joint_curve.h>
+#include <plumb/dynamics/joints/joint_rows.h>
 #include <plumb/math/detail/wide.h>
 #include "catch.h"
 #include "kit/dynamics/island_machines.h"
@@ -15,7 +15,6 @@ using plumb::BlockPlan;
 using plumb::BodyField;
 using plumb::IslandLayout;
 using plumb::IslandLayouts;
-using plumb::JointRow;
 using plumb::Random;
 using plumb::RowField;
 using plumb::RowState;
@@ -27,8 +26,17 @@ using plumb::test::randomMachine;
 
 namespace {
 
+/// Of the kit's solver, see island_elimination_wide.h.
+constexpr double relativeCompliance = 1e-5;
+
+/// A row that does not hold.
+struct Curve {
+    double target = 0, low = 0, high = 0, lowerStop = -plumb::unlimited, upperStop = plumb::unlimited;
+    bool bounded = false;
+};
+
 /// A part of its curve that the row has.
-RowState validState(const plumb::JointRow& row, RowState state) {
+RowState validState(const Curve& row, RowState state) {
     if (row.high == plumb::unlimited) return RowState::AtTarget;
     if (row.bounded) return state > RowState::AtHigh ? RowState::AtTarget : state;
     if (state == RowState::AtLowerStop && row.lowerStop == -plumb::unlimited) return RowState::AtHigh;
@@ -39,7 +47,7 @@ RowState validState(const plumb::JointRow& row, RowState state) {
 /// Motor, spring and limits of a row that does not hold, each of which may be missing; and a state that is valid.
 void drawCurve(Random& random, IslandNumbers& lanes, std::size_t i) {
     const auto chance = [&] { return random.integer(0, 1) == 0; };
-    JointRow row;
+    Curve row;
     row.bounded = lanes.layout().rows[i].bounded;
     row.high = chance() ? random.uniform(0, 3) : 0;
     if (random.integer(0, 7) == 0) row.high = plumb::unlimited;
@@ -100,7 +108,7 @@ double differenceFromDense(IslandNumbers& lanes, const std::vector<double>& want
     for (Eigen::Index r = 0; r < rows; ++r) {
         for (Eigen::Index i = 0; i < moved; ++i)
             matrix(moved + r, i) = matrix(i, moved + r) = dense.inverseMass[i] > 0 ? -dense.rows(r, i) : 0;
-        matrix(moved + r, moved + r) = -plumb::relativeCompliance * dense.inverseMassOf(r);
+        matrix(moved + r, moved + r) = -relativeCompliance * dense.inverseMassOf(r);
         right[moved + r] = dense.rows.row(r).dot(dense.before) - wanted[static_cast<std::size_t>(r)];
     }
     const Eigen::VectorXd truth = matrix.fullPivLu().solve(right).template cast<double>();
@@ -134,7 +142,7 @@ bool isOnCurve(IslandNumbers& lanes, std::size_t i, double speed) {
     const double impulse = field(RowField::Impulse), push = field(RowField::Push), slope = field(RowField::Slope);
     const double low = field(RowField::Low), high = field(RowField::High), target = field(RowField::Target);
     const double lower = field(RowField::LowerStop), upper = field(RowField::UpperStop);
-    const double give = plumb::relativeCompliance * field(RowField::InverseMass) * std::fabs(impulse);
+    const double give = relativeCompliance * field(RowField::InverseMass) * std::fabs(impulse);
     const double s = give + 1e-6 * (1 + std::fabs(speed));
     const double t = 1e-6 * (1 + std::fabs(impulse) + std::fabs(push) + slope * std::fabs(speed));
     const double aside = push - slope * speed, driven = impulse - aside;

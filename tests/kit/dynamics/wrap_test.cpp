@@ -290,6 +290,23 @@ TEST_CASE("a place may be told in any round: of poses, forces, moves and joints"
     CHECK(std::fabs(world.body(lift).position().x() - 0.5) < 1e-12);
 }
 
+TEST_CASE("a place 1e100 m away is in the world, too, and a sensor there sees what is near",
+          "[dynamics][wrap][tiles]") {
+    World world({.gravity = {0, 0}, .wrap = {.width = 10.0, .height = 8.0}});
+    ShapeDef eye = circle(0.5);
+    eye.sensor = true;
+    const BodyId seer = world.add({.type = BodyType::Static, .position = {5, 5}, .shapes = {eye}});
+    world.body(seer).setPose({1e100, -7e15 - 3}, 0);
+    const Vec2 there = world.body(seer).position();
+    CHECK(there == Vec2(std::fmod(1e100, 10.0), 8 - std::fmod(7e15 + 3, 8.0)));
+    const BodyId visitor = world.add({.position = there + Vec2(0, 0.6), .shapes = {circle(0.2)}});
+    world.step(1.0 / 60);
+    CHECK(world.sensorBegins().size() == 1);
+    const double apart =
+        world.distance(world.body(seer).shapes().front(), world.body(visitor).shapes().front()).separation;
+    CHECK(std::fabs(apart + 0.1) < 1e-12);
+}
+
 TEST_CASE("a joint across the seam holds what it would hold elsewhere, also after its bodies were put elsewhere",
           "[dynamics][wrap][tiles]") {
     World world({.gravity = {0, 0}, .wrap = {.width = 10.0}});

@@ -94,23 +94,25 @@ void findJointIslands(JointIslands& found, const JointStore& joints, const BodyS
         islands[island].joints.push_back(index);
     }
     Numbering numbering(joints, bodies);
+    found.swept.clear();
     for (JointIsland& island : islands) {
         numbering.number(island, found.layouts);
-        if (island.isSwept()) island.others = island.hinges.take(island.joints, joints, bodies);
+        if (!island.isSwept()) continue;
+        for (const JointIndex other : island.hinges.take(island.joints, joints, bodies)) {
+            JointIsland& alone = found.swept.emplace_back();
+            alone.joints = {other};
+            numbering.number(alone, found.layouts);
+        }
     }
     groupAlike(found);
 }
 
-void keepStiffness(const std::vector<JointIsland>& before, std::vector<JointIsland>& islands) {
-    std::map<BodyIndex, JointIsland::Stiffness> known;
+void keepStiffness(const std::vector<JointIsland>& before, std::vector<JointIsland>& islands, std::size_t slots) {
+    std::vector<JointIsland::Stiffness> known(slots);
     for (const JointIsland& island : before)
-        for (std::size_t b = 0; b < island.bodies.size(); ++b) known.emplace(island.bodies[b], island.stiffness[b]);
-    for (JointIsland& island : islands) {
-        for (std::size_t b = 0; b < island.bodies.size(); ++b) {
-            const auto was = known.find(island.bodies[b]);
-            if (was != known.end()) island.stiffness[b] = was->second;
-        }
-    }
+        for (std::size_t b = 0; b < island.bodies.size(); ++b) known[island.bodies[b]] = island.stiffness[b];
+    for (JointIsland& island : islands)
+        for (std::size_t b = 0; b < island.bodies.size(); ++b) island.stiffness[b] = known[island.bodies[b]];
 }
 
 }  // namespace plumb

@@ -153,6 +153,18 @@ void JointBatch::solve(BodyStore& bodies, const IslandTurn& turn, StepObserver* 
     writeVelocities(bodies);
 }
 
+void JointBatch::sweep(BodyStore& bodies, const IslandTurn& turn, StepObserver* observer) {
+    pull(bodies);
+    if (turn.correct) noteSpeeds();
+    kernel_->prepare(view_, turn);
+    kernel_->solve(view_);
+    noteStates();
+    kernel_->accept(view_);
+    kernel_->addLoads(view_);
+    if (observer != nullptr) report(*observer);
+    writeVelocities(bodies);
+}
+
 void JointBatch::hold(BodyStore& bodies, double h, double fastest, std::span<const bool> active,
                       StepObserver* observer) {
     // Repeated where a pass has changed an angular velocity so much that its prediction of the ends is no longer valid.

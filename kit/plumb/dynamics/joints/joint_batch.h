@@ -59,6 +59,9 @@ public:
     void solve(BodyStore& bodies, const IslandTurn& turn, StepObserver* observer);
     void hold(BodyStore& bodies, double h, double fastest, std::span<const bool> active, StepObserver* observer);
 
+    /// Of a joint that is swept: its bodies have other joints, too, which are in other batches.
+    void sweep(BodyStore& bodies, const IslandTurn& turn, StepObserver* observer);
+
     // For one island:
     /// Applies an impulse (x, y, turning) to a body, and those of the joints that follow from it.
     void push(BodyStore& bodies, std::size_t lane, std::size_t node, const Vec3& impulse);

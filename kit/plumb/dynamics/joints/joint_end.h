@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where is a joint's end on a body now, and where will it be after the sub-step?
+// Where is a joint's end on a body?
 #pragma once
 #include <plumb/dynamics/bodies/body_store.h>
 
@@ -36,12 +36,6 @@ struct End {
 
 /// The end at the state after the last step.
 End endAtRest(const Anchor& anchor, const BodyStore& bodies);
-/// Within a step: the end after the sub-steps done so far.
-End endNow(const Anchor& anchor, const BodyStore& bodies);
-/// The spin with which the coming sub-step of h [s] is predicted [rad/s].
-double spinAhead(const End& now, double h);
-/// The end after the coming sub-step of h [s], at constant velocities.
-End endAfter(const End& now, double h);
 
 /// Both ends of a joint.
 struct Ends {
@@ -49,14 +43,8 @@ struct Ends {
     Vec2 apart() const { return b.point - a.point; }
     double angle() const { return b.angle - a.angle; }
 };
-inline Ends endsNow(const AnchorPair& anchors, const BodyStore& bodies) {
-    return {endNow(anchors.a, bodies), endNow(anchors.b, bodies)};
-}
 inline Ends endsAtRest(const AnchorPair& anchors, const BodyStore& bodies) {
     return {endAtRest(anchors.a, bodies), endAtRest(anchors.b, bodies)};
-}
-inline Ends after(const Ends& now, double h) {
-    return {endAfter(now.a, h), endAfter(now.b, h)};
 }
 
 }  // namespace plumb

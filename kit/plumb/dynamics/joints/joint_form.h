@@ -10,6 +10,13 @@
 
 namespace plumb {
 
+/// The bound for a force or torque. A value larger than any world could need counts as unlimited, so that no number
+/// overflows.
+inline double boundOf(double force) {
+    constexpr double most = 1e40;
+    return force < most ? force : unlimited;
+}
+
 inline constexpr std::size_t maxRows = 3, maxLinks = 2, maxEnds = 4;
 
 /// One condition. The coordinate q [m or rad] is B's place along the axis, less the origin.
@@ -25,6 +32,8 @@ struct RowForm {
     Limit limit{-unlimited, unlimited};  ///< of q
     Spring spring{0, 0};
     double springRest = 0;  ///< q at which the spring gives no force [m or rad]
+
+    bool isSpring() const { return spring.stiffness > 0 || spring.damping > 0; }
 };
 
 /// A gear and a pulley have two links, and one row: the sum of the first link's coordinate and ratio times the
@@ -37,6 +46,8 @@ struct JointForm {
     Vec2 secondDirection{0, 0};
     double ratio = 1;
     bool turnsOnly = false;  ///< its load has no lever arm: a gear
+    /// The joint's coordinate: what users ask for, and gears connect.
+    RowForm measured{.axis = RowAxis::World};
 
     explicit JointForm(const AnchorPair& anchors) : link{anchors, AnchorPair{}} {}
     RowForm& add(RowAxis axis, const Vec2& direction = Vec2(0, 0)) {
@@ -50,6 +61,13 @@ struct JointForm {
         RowForm& added = add(axis, direction);
         added.holds = false;
         return added;
+    }
+    /// With the coordinate as its only row.
+    JointForm ofCoordinate() const {
+        JointForm form = *this;
+        form.row[0] = measured;
+        form.rows = 1;
+        return form;
     }
     void holdPoint() {
         add(RowAxis::World, Vec2(1, 0));

@@ -29,9 +29,8 @@ struct JointIsland {
     std::shared_ptr<const IslandLayout> layout;  ///< null: the island is swept
     JointBatch* batch = nullptr;                 ///< in this step, if it is not swept
     std::size_t lane = 0;
-    IslandTrial trial;               ///< used when solved together with its contacts
-    HingeSweep hinges;               ///< used when swept: its plain hinges
-    std::vector<JointIndex> others;  ///< used when swept: all its other joints
+    IslandTrial trial;  ///< used when solved together with its contacts
+    HingeSweep hinges;  ///< used when swept: its plain hinges
 
     bool isSwept() const { return layout == nullptr; }
     BodyIndex bodyAt(std::size_t node) const {

@@ -44,21 +44,4 @@ inline std::vector<Vec3> velocitiesOf(const JointIsland& island, const BodyStore
     return velocities;
 }
 
-/// The change of a row's speed by a unit of its own impulse.
-inline double effectiveInverseMass(const BodyStore& bodies, const JointRows& rows, std::size_t row) {
-    double sum = 0;
-    for (std::size_t e = 0; e < rows.ends; ++e)
-        sum += dot(rows.at(row, e), velocityChangeBy(bodies, rows.body[e], rows.at(row, e)));
-    return sum;
-}
-
-inline void addLoad(JointLoad& load, const JointRows& rows, const Vec3& impulse) {
-    for (std::size_t r = 0; r < rows.count; ++r) {
-        const Vec3& at = rows.row[r].at[1];
-        const Vec2 along(at[0], at[1]);
-        load.impulse += along * impulse[r];
-        load.turning += (at[2] - cross(rows.arm[1], along)) * impulse[r];
-    }
-}
-
 }  // namespace plumb

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include <plumb/dynamics/joints/joint_measure.h>
 #include <plumb/math/trig.h>
 
 namespace plumb {
@@ -41,7 +42,7 @@ void JointSprings::share(JointStore& store, const BodyStore& bodies, double h) {
     for (const JointIndex joint : joints_)
         for (const BodyIndex body : {store[joint].bodyA, store[joint].bodyB}) load_[body] = 0;
     for (const JointIndex joint : joints_) {
-        const SpringLoad load = store.springLoadOf(joint, bodies);
+        const SpringLoad load = springLoadOf(store.formOf(joint), bodies);
         const std::array<BodyIndex, 2> ends{store[joint].bodyA, store[joint].bodyB};
         for (std::size_t r = 0; r < load.count; ++r)
             for (std::size_t e = 0; e < 2; ++e)

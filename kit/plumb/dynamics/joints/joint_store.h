@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include <plumb/dynamics/joints/joint_rows.h>
 #include <plumb/dynamics/joints/kinds/distance_joint.h>
 #include <plumb/dynamics/joints/kinds/filter_joint.h>
 #include <plumb/dynamics/joints/kinds/gear_joint.h>
@@ -85,20 +86,13 @@ struct JointStore {
     JointIndex acquire();
     void release(JointIndex joint);
 
-    /// Sets rows to the joint's rows for this half of a sub-step.
-    void addRows(JointIndex joint, const BodyStore& bodies, JointPass pass, JointRows& rows) const;
     JointForm formOf(JointIndex joint) const;
     bool hasSpring(JointIndex joint) const;
-    SpringLoad springLoadOf(JointIndex joint, const BodyStore& bodies) const;
     /// The joint's coordinate after the last step [m or rad].
     double coordinateOf(JointIndex joint, const BodyStore& bodies) const;
-    double speedOf(JointIndex joint, const BodyStore& bodies) const;  ///< [m/s or rad/s]
-    double errorOf(JointIndex joint, const BodyStore& bodies) const;  ///< [m]
+    double speedOf(JointIndex joint, const BodyStore& bodies) const;       ///< [m/s or rad/s]
+    double errorOf(JointIndex joint, const BodyStore& bodies) const;       ///< [m]
     double angleErrorOf(JointIndex joint, const BodyStore& bodies) const;  ///< [rad]
-
-private:
-    /// A single row: the coordinate that a gear connects.
-    JointForm coordinateFormOf(JointIndex joint) const;
 };
 
 /// The joint that a def describes, at the bodies' present positions.

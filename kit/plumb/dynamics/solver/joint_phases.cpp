@@ -6,8 +6,8 @@
 
 #include <plumb/dynamics/joints/find_islands.h>
 #include <plumb/dynamics/joints/joint_bodies.h>
+#include <plumb/dynamics/joints/joint_measure.h>
 #include <plumb/dynamics/joints/joint_response.h>
-#include <plumb/dynamics/joints/joint_sweep.h>
 #include <plumb/dynamics/solver/joint_bounces.h>
 #include <plumb/dynamics/solver/machine_sweep.h>
 
@@ -21,13 +21,10 @@ namespace {
 constexpr double jointFrequencyShare = 0.25;
 constexpr double jointDampingRatio = 2;
 
-SweepPass passOf(const JointStores& stores, const JointHalf& half) {
-    const double h = half.step, pull = stores.settings.contactPushSpeed;
-    const float step = static_cast<float>(h), fastest = static_cast<float>(pull);
-    const HingeSolver* hinges = &hingeSolver(stores.settings.lanes);
-    if (!half.correct) return {{h, false, 0, pull}, {step, false, fastest, {}}, hinges, stores.observer};
-    const Softness soft = softness(jointFrequencyShare / h, jointDampingRatio, h);
-    return {{h, true, static_cast<double>(soft.biasRate), pull}, {step, true, fastest, soft}, hinges, stores.observer};
+HingePass hingePassOf(const JointStores& stores, const JointHalf& half) {
+    const Softness soft = softness(jointFrequencyShare / half.step, jointDampingRatio, half.step);
+    return {static_cast<float>(half.step), half.correct, static_cast<float>(stores.settings.contactPushSpeed),
+            half.correct ? soft : Softness{}};
 }
 
 IslandTurn turnOf(const JointStores& stores, const JointHalf& half) {
@@ -54,7 +51,7 @@ void findAwakeIslands(const JointStores& stores) {
     for (const JointIsland& island : before) island.hinges.release(joints);
     resetLoads(joints, stores.bodies);
     findJointIslands(found, joints, stores.bodies);
-    keepStiffness(before, found.islands);
+    keepStiffness(before, found.islands, stores.bodies.record.size());
     found.joints.clear();
     for (const JointIsland& island : found.islands)
         found.joints.insert(found.joints.end(), island.joints.begin(), island.joints.end());
@@ -125,6 +122,11 @@ void loadBatches(const JointStores& stores, double dt) {
             load(left.first(width));
         }
     }
+    found.sweptBatches.resize(found.swept.size());
+    for (std::size_t i = 0; i < found.swept.size(); ++i) {
+        JointIsland* alone = &found.swept[i];
+        found.sweptBatches[i].load({&alone, 1}, stores.joints, stores.bodies, h);
+    }
 }
 
 void kickBatch(const JointStores& stores, JointBatch& batch, const JointHalf& half) {
@@ -144,6 +146,7 @@ void kickBatches(const JointStores& stores, const JointHalf& half) {
 
 void moveBatches(const JointStores& stores, double h) {
     for (JointBatch& batch : batchesOf(stores)) batch.move(stores.bodies, h);
+    for (JointBatch& batch : stores.islands.sweptBatches) batch.noteMoves();
 }
 
 /// An island that is solved together with its contacts. What it gives is reported when the contacts are known.
@@ -171,6 +174,22 @@ void reportGround(const JointStores& stores, const JointBatch& batch, Change&& c
                  std::forward<Change>(change));
 }
 
+/// Swept islands are solved joint by joint, with soft corrections. Each joint is solved from velocities without its own
+/// impulse, which so need not be kept.
+void sweepHinges(const JointStores& stores, JointIsland& island, const JointHalf& half) {
+    island.hinges.solve(hingeSolver(stores.settings.lanes), stores.bodies.solverBodies(), hingePassOf(stores, half));
+}
+
+void sweepJoint(const JointStores& stores, JointBatch& batch, const JointHalf& half) {
+    IslandTurn turn = turnOf(stores, half);
+    if (half.correct) {
+        const Softness soft = hingePassOf(stores, half).soft;
+        turn.share = static_cast<double>(soft.biasRate) * half.step;
+        turn.give = static_cast<double>(soft.impulseScale / soft.massScale);
+    }
+    batch.sweep(stores.bodies, turn, stores.observer);
+}
+
 void solveJoints(const JointStores& stores, const JointHalf& half, bool kicked) {
     const IslandTurn turn = turnOf(stores, half);
     for (JointBatch& batch : batchesOf(stores)) {
@@ -184,10 +203,10 @@ void solveJoints(const JointStores& stores, const JointHalf& half, bool kicked) 
         else
             reportGround(stores, batch, [&] { batch.solve(stores.bodies, turn, stores.observer); });
     }
-    const SweepPass pass = passOf(stores, half);
     for (JointIsland& island : stores.islands.islands)
-        if (island.isSwept())
-            reportGround(stores, island.bodies, [&] { sweepIsland(island, stores.joints, stores.bodies, pass); });
+        if (island.isSwept()) reportGround(stores, island.bodies, [&] { sweepHinges(stores, island, half); });
+    for (JointBatch& batch : stores.islands.sweptBatches)
+        reportGround(stores, batch, [&] { sweepJoint(stores, batch, half); });
 }
 
 /// The joints are solved once more before bodies move: an impact on one plank of a bridge then acts on the whole
@@ -240,6 +259,7 @@ void storeBatches(const JointStores& stores, std::vector<std::pair<BodyIndex, Bo
                 moves.emplace_back(bodies[node], batch.moveOf(lane, node));
         }
     }
+    for (JointBatch& batch : stores.islands.sweptBatches) batch.store(stores.joints, stores.bodies);
     for (const JointIsland& island : stores.islands.islands) island.hinges.addLoads(stores.joints);
 }
 
@@ -286,7 +306,7 @@ double springEnergy(const JointStore& joints, const BodyStore& bodies) {
     const auto inRange = [&](BodyIndex body) { return isInRange(bodies.motion[body]); };
     for (JointIndex joint = 0; joint < joints.records.size(); ++joint)
         if (joints.hasSpring(joint) && inRange(joints[joint].bodyA) && inRange(joints[joint].bodyB))
-            energy += springEnergyOf(joints.springLoadOf(joint, bodies));
+            energy += springEnergyOf(springLoadOf(joints.formOf(joint), bodies));
     return energy;
 }
 

@@ -4,7 +4,6 @@
 // One row, along the line from anchor to anchor. For a rod it is held; for a spring it has limits and a motor.
 #pragma once
 #include <plumb/dynamics/joints/joint_form.h>
-#include <plumb/dynamics/joints/joint_rows.h>
 
 namespace plumb {
 
@@ -16,12 +15,7 @@ public:
 
     const DistanceJointDef& def() const { return def_; }
     void set(const DistanceJointDef& def);
-    void addRows(JointRows& rows, const Ends& now, const JointPass& pass) const;
     JointForm form() const;
-    SpringLoad springLoad(const Ends& now) const;
-    static double coordinate(const Ends& ends) { return ends.apart().norm(); }
-    static JointRow coordinateRow(const Ends& ends);
-    double error(const Ends& ends) const;
 
 private:
     DistanceJointDef def_;

@@ -4,17 +4,8 @@
 // One row: the rate of a + ratio b, a and b the coordinates of two joints, so it acts on up to four bodies.
 #pragma once
 #include <plumb/dynamics/joints/joint_form.h>
-#include <plumb/dynamics/joints/joint_rows.h>
 
 namespace plumb {
-
-/// The present state of one of the two joints.
-struct Geared {
-    std::array<BodyIndex, 2> body{};
-    JointRow row;  ///< of its coordinate
-    PredictedCoordinate predicted;
-    double speed = 0;  ///< [m/s or rad/s]
-};
 
 class GearJoint {
 public:
@@ -29,10 +20,7 @@ public:
         def_ = def;
         total_ = a + def.ratio * b;
     }
-    double ratio() const { return def_.ratio; }
-    double total() const { return total_; }
-    void addRows(JointRows& rows, const Geared& a, const Geared& b, const JointPass& pass) const;
-    /// a, b: the coordinates that it connects.
+    /// a, b: of the two joints.
     JointForm form(const JointForm& a, const JointForm& b) const;
 
 private:

@@ -20,33 +20,11 @@ void MotorJoint::set(const MotorJointDef& def) {
     angle_ = def.angle.value_or(startAngle_);
 }
 
-JointRow MotorJoint::coordinateRow(const Ends& ends) const {
-    return rowAlong(off(ends).stableNormalized(), ends);
-}
-
-void MotorJoint::addRows(JointRows& rows, const Ends& now, const JointPass& pass) const {
-    const Vec2 wanted = now.a.rotation * def_.velocity - off(now) * def_.rate;
-    const Vec2 fromA = now.a.arm + now.apart();
-    const Vec2 speed = (now.b.velocity + perp(now.b.arm) * now.b.spin) - (now.a.velocity + perp(fromA) * now.a.spin);
-    if (def_.maxForce > 0) {
-        // The first row lies along the missing velocity, so that the bound of the force is the same in every direction.
-        const Vec2 missing = wanted - speed;
-        const Vec2 way = missing.squaredNorm() > 0 ? Vec2(missing.stableNormalized()) : Vec2(1, 0);
-        for (const Vec2& axis : {way, perp(way)}) {
-            JointRow& row = rows.add() = rowAlong(axis, now);
-            drive(row, axis.dot(wanted), def_.maxForce, pass);
-        }
-    }
-    if (def_.maxTorque > 0) {
-        JointRow& row = rows.add() = rowTurning();
-        drive(row, def_.angularVelocity - (now.angle() - angle_) * def_.rate, def_.maxTorque, pass);
-    }
-}
-
 JointForm MotorJoint::form() const {
     AnchorPair ends = anchors;
     ends.a.local += offset_;
     JointForm form(ends);
+    form.measured = {.axis = RowAxis::Along};
     if (def_.maxForce > 0) {
         // The first row lies along the missing velocity, so that the bound of the force is the same in every direction.
         for (const RowAxis axis : {RowAxis::Missing, RowAxis::Beside}) {

@@ -4,7 +4,6 @@
 // Three driven rows: along the missing velocity of B, across it, and turning.
 #pragma once
 #include <plumb/dynamics/joints/joint_form.h>
-#include <plumb/dynamics/joints/joint_rows.h>
 
 namespace plumb {
 
@@ -16,15 +15,9 @@ public:
 
     const MotorJointDef& def() const { return def_; }
     void set(const MotorJointDef& def);
-    void addRows(JointRows& rows, const Ends& now, const JointPass& pass) const;
     JointForm form() const;
-    double coordinate(const Ends& ends) const { return off(ends).norm(); }
-    JointRow coordinateRow(const Ends& ends) const;
-    static double error(const Ends&) { return 0; }  ///< no error: its force is bounded, so B may stay off its target
 
 private:
-    Vec2 off(const Ends& ends) const { return ends.b.point - (ends.a.point + ends.a.rotation * offset_); }
-
     MotorJointDef def_;
     Vec2 startOffset_{0, 0};
     double startAngle_ = 0;

@@ -5,7 +5,6 @@
 // never pushes.
 #pragma once
 #include <plumb/dynamics/joints/joint_form.h>
-#include <plumb/dynamics/joints/joint_rows.h>
 
 namespace plumb {
 
@@ -17,11 +16,7 @@ public:
 
     const PulleyJointDef& def() const { return def_; }
     void set(const PulleyJointDef& def);
-    void addRows(JointRows& rows, const Ends& now, const JointPass& pass) const;
     JointForm form() const;
-    double coordinate(const Ends& ends) const;
-    JointRow coordinateRow(const Ends& ends) const;
-    double error(const Ends& ends) const;
 
 private:
     PulleyJointDef def_;

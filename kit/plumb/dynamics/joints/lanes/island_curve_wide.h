@@ -1,5 +1,24 @@
 // SPDX-License-Identifier: MIT
-// On which part of their curves are rows of W islands, and which equations hold there? See joint_rows.h.
+// On which part of their curves are rows of W islands, and which equations hold there?
+//
+// A row has the speed v = sum over its ends of (x, y, turn) . (vx, vy, w), and applies (x, y, turn) times its impulse L
+// to each end. Its condition is L = impulse of a spring - d v + the value of its curve at v. The curve falls as v
+// grows; the rows of a hinge, a motor and a limit are each parts of it:
+//
+//      L |      lower stop
+//        |        |
+//   high |        +------.          v below the target: the motor's greatest impulse
+//        |               | target
+//    low |               '------.   v above it: the greatest impulse the other way
+//        |                      |
+//        +----------------------+--- v
+//                       upper stop
+//
+// A damper c removes the share 1 - exp(-c w h / 2) of v in half a sub-step h, if nothing else acts. w is the effective
+// inverse mass, the change of v by a unit of L. So d = (exp(c w h / 2) - 1) / w, for the v after it. This is the half
+// after a sub-step; in the half before it, the damper acts by the speed at the start of the sub-step, as a known
+// impulse. Source: the speed at which a joint is held, as a complementarity problem: Murty, "Linear complementarity",
+// 1988.
 #pragma once
 #include <plumb/dynamics/joints/lanes/island_elimination_wide.h>
 
@@ -19,7 +38,7 @@ struct RowCurve {
     /// coordinate beyond it is corrected like any other error.
     static D roomSpeed(D room, const IslandTurn& turn) {
         const D speed = room * turn.rate;
-        const D back = turn.correct ? larger(speed, all(-turn.fastest)) : D{};
+        const D back = turn.correct ? larger(speed * turn.share, all(-turn.fastest)) : D{};
         return room >= D{} ? speed : back;
     }
 

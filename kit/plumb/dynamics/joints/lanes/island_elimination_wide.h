@@ -65,19 +65,19 @@ struct Elimination {
         if (!v.someFree) return;
         for (std::uint32_t j = 0; j < v.jointCount; ++j)
             for (std::uint32_t i = v.joints[j].firstRow; i < v.joints[j + 1].firstRow; ++i)
-                if (!v.rows[i].holds && anyOf<W>(rowOf(v, i)[R::Known] != D{})) applyKnown(v, j, i);
+                if (!v.rows[i].holds && anyOf<W>(rowOf(v, i)[R::Known] != D{})) apply(v, j, i, rowOf(v, i)[R::Known]);
     }
-    static void applyKnown(const IslandLanes& v, std::uint32_t j, std::uint32_t i) {
-        const D known = rowOf(v, i)[R::Known];
+    /// Adds to U what an impulse of a row of a joint changes in it.
+    static void apply(const IslandLanes& v, std::uint32_t j, std::uint32_t i, D impulse) {
         for (std::uint32_t e = v.joints[j].firstEnd; e < v.joints[j + 1].firstEnd; ++e) {
             const S b = bodyOf(v, v.ends[e].node);
             D at[3];
             rowAt(v, i, v.ends[e], at);
-            b.set(B::Ux, b[B::Ux] + at[0] * known / b[B::Mass]);
-            b.set(B::Uy, b[B::Uy] + at[1] * known / b[B::Mass]);
+            b.set(B::Ux, b[B::Ux] + at[0] * impulse / b[B::Mass]);
+            b.set(B::Uy, b[B::Uy] + at[1] * impulse / b[B::Mass]);
             const auto turns = b[B::Inertia] > D{};
             const D inertia = turns ? b[B::Inertia] : all(1);
-            b.set(B::Uspin, b[B::Uspin] + (turns ? at[2] * known / inertia : D{}));
+            b.set(B::Uspin, b[B::Uspin] + (turns ? at[2] * impulse / inertia : D{}));
         }
     }
 

@@ -150,6 +150,7 @@ struct IslandLanes {
     double* answer = nullptr;  ///< of the nodes, 3 fields each
     double* active = nullptr;  ///< 1: the lane takes part in this pass
     bool factored = false;     ///< the blocks hold the factors of the present matrix
+    double give = 0;           ///< see IslandTurn
 };
 
 struct IslandTurn {
@@ -158,6 +159,8 @@ struct IslandTurn {
     bool onlyHold = false;  ///< motors and springs do nothing; their stops stay
     double fastest = 0;     ///< speed at which an error is removed at most [m/s]
     double rate = 1 / h;    ///< [1/s]
+    double share = 1;       ///< of an error that a sub-step removes [-]
+    double give = 0;        ///< compliance of rows that hold, relative to their inverse mass [-]
 };
 
 /// The same functions for each number of lanes, with bitwise equal results.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which conditions do the rows of W islands set? See joint_rows.h.
+// Which conditions do the rows of W islands set? See island_curve_wide.h.
 #pragma once
 #include <plumb/dynamics/joints/lanes/island_curve_wide.h>
 #include <plumb/dynamics/joints/lanes/island_elimination_wide.h>
@@ -190,7 +190,8 @@ struct WideIslands {
     static void findGrowth(const S& row, D w) {
         const D damped = row[R::HalfDamping] * w;
         if (!anyOf<W>(damped != row[R::DampedAt])) return;
-        constexpr double least = 1e-16, most = 30;  // see slopeOf
+        // A larger value removes all of the speed; a smaller one removes nothing, and its inverse would be too large.
+        constexpr double least = 1e-16, most = 30;
         row.set(R::DampedAt, damped);
         for (int l = 0; l < Wide<W>::doubles; ++l) {
             const double at = row.data[R::DampedAt * S::N + l];
@@ -232,6 +233,7 @@ struct WideIslands {
     }
 
     static void prepare(IslandLanes& v, const IslandTurn& turn) {
+        v.give = turn.give;
         if (turn.correct) predict(v, turn.h);
         for (std::uint32_t i = 0; i < v.rowCount; ++i) {
             const IslandShape::Row& shape = v.rows[i];
@@ -254,7 +256,7 @@ struct WideIslands {
     /// Removes the present error, and the whole error that the sub-step would add, to any order.
     static void holdRow(const S& row, D bend, const IslandTurn& turn) {
         if (!turn.correct) return row.set(R::Speed, D{});
-        const D back = row[R::Coordinate] * turn.rate;
+        const D back = row[R::Coordinate] * (turn.rate * turn.share);
         row.set(R::Speed, bend - smaller(larger(back, all(-turn.fastest)), all(turn.fastest)));
     }
 
@@ -317,7 +319,7 @@ struct WideIslands {
         for (std::uint32_t i = 0; i < v.rowCount; ++i) {
             const S row = rowOf(v, i);
             if (v.rows[i].holds) {
-                setEquation(v, row, row[R::Speed], Curve::relativeCompliance * row[R::InverseMass], D{});
+                setEquation(v, row, row[R::Speed], (Curve::relativeCompliance + v.give) * row[R::InverseMass], D{});
             } else {
                 const auto e = Curve::curveEquation(row, v.rows[i].bounded);
                 setEquation(v, row, e.speed, e.compliance, e.known);

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/joints/joint_measure.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace plumb {
+
+namespace {
+
+/// See RowAxis. Axes along a missing velocity are not measured.
+Vec2 axisOf(RowAxis axis, const Vec2& direction, const Ends& ends) {
+    const Vec2 along = ends.apart().stableNormalized();
+    const Vec2 towards = ends.apart().squaredNorm() > 0 ? along : Vec2(1, 0);
+    switch (axis) {
+        case RowAxis::World: return direction;
+        case RowAxis::OnA: return ends.a.rotation * direction;
+        case RowAxis::Along: return along;
+        case RowAxis::Towards: return towards;
+        case RowAxis::Across: return perp(towards);
+        default: return {0, 0};
+    }
+}
+
+MeasuredRow measureLink(const AnchorPair& anchors, RowAxis axis, const Vec2& direction, const BodyStore& bodies) {
+    const Ends ends = endsAtRest(anchors, bodies);
+    MeasuredRow row;
+    if (axis == RowAxis::Turning) {
+        row.at = {Vec3{0, 0, -1}, Vec3{0, 0, 1}};
+        row.coordinate = ends.angle();
+    } else {
+        const Vec2 along = axisOf(axis, direction, ends), fromA = ends.a.arm + ends.apart();
+        row.at = {Vec3{-along.x(), -along.y(), -cross(fromA, along)},
+                  Vec3{along.x(), along.y(), cross(ends.b.arm, along)}};
+        const bool isLength = axis == RowAxis::Along || axis == RowAxis::Towards;
+        row.coordinate = isLength ? ends.apart().norm() : along.dot(ends.apart());
+    }
+    const auto part = [](const Vec3& at, const End& end) {
+        return at[0] * end.velocity.x() + at[1] * end.velocity.y() + at[2] * end.spin;
+    };
+    row.speed = part(row.at[0], ends.a) + part(row.at[1], ends.b);
+    return row;
+}
+
+std::span<const RowForm> rowsOf(const JointForm& form) {
+    return {form.row.data(), form.rows};
+}
+
+bool turns(const JointForm& form, const RowForm& row) {
+    return row.axis == RowAxis::Turning && form.links == 1;
+}
+
+double rowError(const JointForm& form, const RowForm& row, const BodyStore& bodies) {
+    const double q = measure(form, row, bodies).coordinate;
+    return row.holds ? std::fabs(q) : std::max({0.0, row.limit.lower - q, q - row.limit.upper});
+}
+
+}  // namespace
+
+MeasuredRow measure(const JointForm& form, const RowForm& row, const BodyStore& bodies) {
+    MeasuredRow measured = measureLink(form.link[0], row.axis, row.direction, bodies);
+    if (form.links > 1) {
+        const MeasuredRow second = measureLink(form.link[1], form.secondAxis, form.secondDirection, bodies);
+        measured.coordinate += form.ratio * second.coordinate;
+        measured.speed += form.ratio * second.speed;
+    }
+    measured.coordinate -= row.origin;
+    return measured;
+}
+
+/// An angle beyond its limit counts at B's anchor.
+double errorOf(const JointForm& form, const BodyStore& bodies) {
+    double most = 0, gap = 0;
+    for (const RowForm& row : rowsOf(form)) {
+        if (turns(form, row) && row.holds) continue;
+        const double error = rowError(form, row, bodies);
+        if (row.axis == RowAxis::World && row.holds)
+            gap = std::hypot(gap, error);
+        else
+            most = std::max(most, turns(form, row) ? error * form.link[0].b.local.norm() : error);
+    }
+    return std::max(most, gap);
+}
+
+double angleErrorOf(const JointForm& form, const BodyStore& bodies) {
+    double most = 0;
+    for (const RowForm& row : rowsOf(form))
+        if (turns(form, row)) most = std::max(most, rowError(form, row, bodies));
+    return most;
+}
+
+SpringLoad springLoadOf(const JointForm& form, const BodyStore& bodies) {
+    SpringLoad load;
+    const auto rows = rowsOf(form);
+    const bool heldTurn = std::any_of(rows.begin(), rows.end(),
+                                      [](const RowForm& row) { return row.holds && row.axis == RowAxis::Turning; });
+    for (const RowForm& row : rows) {
+        if (!row.isSpring()) continue;
+        const MeasuredRow measured = measure(form, row, bodies);
+        SpringLoad::Row& added = load.row[load.count++];
+        added = {measured.at, row.spring.stiffness, measured.coordinate - row.springRest};
+        if (heldTurn) added.at[0][2] = added.at[1][2] = 0;  // it cannot turn the bodies
+        if (row.bounded) load.mostForce = row.maxForce;
+    }
+    return load;
+}
+
+}  // namespace plumb
