@@ -26,9 +26,6 @@ using plumb::test::randomMachine;
 
 namespace {
 
-/// Of the kit's solver, see island_elimination_wide.h.
-constexpr double relativeCompliance = 1e-5;
-
 /// A row that does not hold.
 struct Curve {
     double target = 0, low = 0, high = 0, lowerStop = -plumb::unlimited, upperStop = plumb::unlimited;
@@ -108,7 +105,7 @@ double differenceFromDense(IslandNumbers& lanes, const std::vector<double>& want
     for (Eigen::Index r = 0; r < rows; ++r) {
         for (Eigen::Index i = 0; i < moved; ++i)
             matrix(moved + r, i) = matrix(i, moved + r) = dense.inverseMass[i] > 0 ? -dense.rows(r, i) : 0;
-        matrix(moved + r, moved + r) = -relativeCompliance * dense.inverseMassOf(r);
+        matrix(moved + r, moved + r) = -plumb::relativeCompliance * dense.inverseMassOf(r);
         right[moved + r] = dense.rows.row(r).dot(dense.before) - wanted[static_cast<std::size_t>(r)];
     }
     const Eigen::VectorXd truth = matrix.fullPivLu().solve(right).template cast<double>();
@@ -136,13 +133,14 @@ std::vector<BlockPlan::Edge> edgesOf(const RandomMachine& machine) {
     return edges;
 }
 
-/// Is the row at a point of the curve in joint_rows.h? Up to rounding, and up to the compliance of its stiff parts.
+/// Is the row at a point of the curve in island_curve_wide.h? Up to rounding, and up to the compliance of its stiff
+/// parts.
 bool isOnCurve(IslandNumbers& lanes, std::size_t i, double speed) {
     const auto field = [&](int f) { return lanes.row(i, f); };
     const double impulse = field(RowField::Impulse), push = field(RowField::Push), slope = field(RowField::Slope);
     const double low = field(RowField::Low), high = field(RowField::High), target = field(RowField::Target);
     const double lower = field(RowField::LowerStop), upper = field(RowField::UpperStop);
-    const double give = relativeCompliance * field(RowField::InverseMass) * std::fabs(impulse);
+    const double give = plumb::relativeCompliance * field(RowField::InverseMass) * std::fabs(impulse);
     const double s = give + 1e-6 * (1 + std::fabs(speed));
     const double t = 1e-6 * (1 + std::fabs(impulse) + std::fabs(push) + slope * std::fabs(speed));
     const double aside = push - slope * speed, driven = impulse - aside;

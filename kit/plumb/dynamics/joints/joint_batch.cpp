@@ -153,9 +153,10 @@ void JointBatch::solve(BodyStore& bodies, const IslandTurn& turn, StepObserver* 
     writeVelocities(bodies);
 }
 
-void JointBatch::sweep(BodyStore& bodies, const IslandTurn& turn, StepObserver* observer) {
+void JointBatch::sweep(BodyStore& bodies, const IslandTurn& turn, double give, StepObserver* observer) {
     pull(bodies);
     if (turn.correct) noteSpeeds();
+    view_.compliance = relativeCompliance + give;
     kernel_->prepare(view_, turn);
     kernel_->solve(view_);
     noteStates();

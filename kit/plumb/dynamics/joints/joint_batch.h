@@ -59,8 +59,9 @@ public:
     void solve(BodyStore& bodies, const IslandTurn& turn, StepObserver* observer);
     void hold(BodyStore& bodies, double h, double fastest, std::span<const bool> active, StepObserver* observer);
 
-    /// Of a joint that is swept: its bodies have other joints, too, which are in other batches.
-    void sweep(BodyStore& bodies, const IslandTurn& turn, StepObserver* observer);
+    /// Of a joint that is swept: its bodies have other joints, too, which are in other batches. give: compliance of
+    /// rows that hold, in addition [-].
+    void sweep(BodyStore& bodies, const IslandTurn& turn, double give, StepObserver* observer);
 
     // For one island:
     /// Applies an impulse (x, y, turning) to a body, and those of the joints that follow from it.

@@ -182,12 +182,13 @@ void sweepHinges(const JointStores& stores, JointIsland& island, const JointHalf
 
 void sweepJoint(const JointStores& stores, JointBatch& batch, const JointHalf& half) {
     IslandTurn turn = turnOf(stores, half);
+    double give = 0;
     if (half.correct) {
         const Softness soft = hingePassOf(stores, half).soft;
         turn.share = static_cast<double>(soft.biasRate) * half.step;
-        turn.give = static_cast<double>(soft.impulseScale / soft.massScale);
+        give = static_cast<double>(soft.impulseScale / soft.massScale);
     }
-    batch.sweep(stores.bodies, turn, stores.observer);
+    batch.sweep(stores.bodies, turn, give, stores.observer);
 }
 
 void solveJoints(const JointStores& stores, const JointHalf& half, bool kicked) {

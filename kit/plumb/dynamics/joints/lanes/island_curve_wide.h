@@ -31,7 +31,7 @@ struct RowCurve {
     using R = RowField;
 
     static constexpr double unlimited = __builtin_inf();
-    static constexpr double relativeCompliance = Elimination<W>::relativeCompliance, notSolved = -1;
+    static constexpr double notSolved = -1;
     static constexpr D all(double value) { return D{} + value; }
 
     /// The speed towards a limit that is this far away. Room up to the limit may be used up in one sub-step; a
@@ -86,9 +86,9 @@ struct RowCurve {
         D speed, compliance, known;
     };
 
-    static Equation curveEquation(const S& row, bool bounded) {
+    static Equation curveEquation(const S& row, bool bounded, double compliance) {
         const D state = row[R::State], push = row[R::Push], slope = row[R::Slope], w = row[R::InverseMass];
-        const D rigid = relativeCompliance * w, low = row[R::Low], high = row[R::High];
+        const D rigid = compliance * w, low = row[R::Low], high = row[R::High];
         const auto isSoft = slope > D{};
         const D give = anyOf<W>(isSoft) ? 1.0 / (isSoft ? slope : all(1)) : D{};
         const D bound = state == all(atHigh) ? high : low;

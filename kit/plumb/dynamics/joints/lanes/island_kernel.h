@@ -129,6 +129,9 @@ struct JointField {
     enum : int { LoadX, LoadY, LoadTurn, count };  ///< sums over the step
 };
 
+/// The compliance e of rows that hold, relative to their effective inverse mass [-] (see island_elimination_wide.h).
+inline constexpr double relativeCompliance = 1e-5;
+
 /// What the code for W lanes sees of W islands.
 struct IslandLanes {
     const IslandShape::Link* links = nullptr;
@@ -146,11 +149,11 @@ struct IslandLanes {
     double* link = nullptr;
     double* row = nullptr;
     double* joint = nullptr;
-    double* block = nullptr;   ///< 9 fields each
-    double* answer = nullptr;  ///< of the nodes, 3 fields each
-    double* active = nullptr;  ///< 1: the lane takes part in this pass
-    bool factored = false;     ///< the blocks hold the factors of the present matrix
-    double give = 0;           ///< see IslandTurn
+    double* block = nullptr;                 ///< 9 fields each
+    double* answer = nullptr;                ///< of the nodes, 3 fields each
+    double* active = nullptr;                ///< 1: the lane takes part in this pass
+    bool factored = false;                   ///< the blocks hold the factors of the present matrix
+    double compliance = relativeCompliance;  ///< of rows that hold, relative to their inverse mass [-]
 };
 
 struct IslandTurn {
@@ -160,7 +163,6 @@ struct IslandTurn {
     double fastest = 0;     ///< speed at which an error is removed at most [m/s]
     double rate = 1 / h;    ///< [1/s]
     double share = 1;       ///< of an error that a sub-step removes [-]
-    double give = 0;        ///< compliance of rows that hold, relative to their inverse mass [-]
 };
 
 /// The same functions for each number of lanes, with bitwise equal results.

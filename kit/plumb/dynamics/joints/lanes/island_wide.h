@@ -233,7 +233,6 @@ struct WideIslands {
     }
 
     static void prepare(IslandLanes& v, const IslandTurn& turn) {
-        v.give = turn.give;
         if (turn.correct) predict(v, turn.h);
         for (std::uint32_t i = 0; i < v.rowCount; ++i) {
             const IslandShape::Row& shape = v.rows[i];
@@ -319,9 +318,9 @@ struct WideIslands {
         for (std::uint32_t i = 0; i < v.rowCount; ++i) {
             const S row = rowOf(v, i);
             if (v.rows[i].holds) {
-                setEquation(v, row, row[R::Speed], (Curve::relativeCompliance + v.give) * row[R::InverseMass], D{});
+                setEquation(v, row, row[R::Speed], v.compliance * row[R::InverseMass], D{});
             } else {
-                const auto e = Curve::curveEquation(row, v.rows[i].bounded);
+                const auto e = Curve::curveEquation(row, v.rows[i].bounded, v.compliance);
                 setEquation(v, row, e.speed, e.compliance, e.known);
             }
         }
@@ -345,8 +344,7 @@ struct WideIslands {
     static void answer(IslandLanes& v) {
         for (std::uint32_t i = 0; i < v.rowCount; ++i) {
             const S row = rowOf(v, i);
-            const D speed = Elimination<W>::speedOf(v, i, B::Vx, B::Spin),
-                    rigid = Curve::relativeCompliance * row[R::InverseMass];
+            const D speed = Elimination<W>::speedOf(v, i, B::Vx, B::Spin), rigid = v.compliance * row[R::InverseMass];
             D compliance = rigid;
             if (!v.rows[i].holds) compliance = row[R::State] > all(Curve::atHigh) ? rigid : all(Curve::notSolved);
             setEquation(v, row, speed, compliance, D{});
