@@ -121,6 +121,7 @@ void Body::setFixedRotation(bool fixed) {
     BodyMotion& motion = world_->bodies.motion[index_];
     if (fixed) motion.angularVelocity = 0;
     giveMass(*world_, index_, {record.mass, record.localCenter, record.inertia});
+    world_->joints.changed = true;
     if (record.type == BodyType::Kinematic && motion.velocity.isZero(0) && motion.angularVelocity == 0)
         sleepIsland(*world_, index_);
     wakeIsland(*world_, index_);

@@ -50,8 +50,8 @@ struct RandomMachine {
         }
         for (int body = 0; body < parts.held; ++body, ++held) link(random, random.integer(0, size - 1), size + body);
     }
-    std::shared_ptr<const IslandLayout> layout(IslandLayouts& layouts) const {
-        return layouts.find(moved, moved + held, joints);
+    std::shared_ptr<const IslandLayout> layout(IslandLayouts& layouts, bool allTurn = false) const {
+        return layouts.find(moved, moved + held, allTurn, joints);
     }
 
 private:
@@ -134,6 +134,7 @@ private:
         view.blocks = l.blocks;
         view.firstFill = l.firstFill;
         view.someFree = l.someFree;
+        view.compliance = l.compliance;
     }
 
     std::shared_ptr<const IslandLayout> layout_;

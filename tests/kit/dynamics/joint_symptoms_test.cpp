@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <plumb/plumb.h>
 
@@ -125,5 +127,56 @@ TEST_CASE("the error of a joint is finite while one of its bodies is 1e300 m awa
         CHECK(std::isfinite(world.joint(hinge).error()));
         CHECK(world.joint(hinge).error() > x);
         CHECK(std::isfinite(world.joint(hinge).angleError()));
+    }
+}
+
+TEST_CASE(
+    "a double pendulum of two points on rods without weight swings alike, and loses nothing, however small they are",
+    "[dynamics][joints]") {
+    std::vector<double> ends;
+    for (const double inertia : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
+        INFO("inertia " << inertia << " kg m^2");
+        World world({.sleeping = false});
+        const BodyId ceiling = world.add({.type = BodyType::Static});
+        const plumb::Mass point{1, {0, 0}, inertia};
+        const BodyId upper = world.add({.position = {0.3, -0.95}, .mass = point});
+        const BodyId lower = world.add({.position = {0.9, -1.75}, .mass = point});
+        const JointId first = world.join(RevoluteJointDef{.bodyA = ceiling, .bodyB = upper, .anchor = {0, 0}});
+        const JointId second = world.join(RevoluteJointDef{.bodyA = upper, .bodyB = lower, .anchor = {0.3, -0.95}});
+        const auto energy = [&] {
+            double sum = 0;
+            for (const BodyId body : {upper, lower})
+                sum += 0.5 * world.body(body).velocity().squaredNorm() + 9.81 * world.body(body).position().y();
+            return sum;
+        };
+        const double before = energy();
+        double gap = 0;
+        for (int tick = 0; tick < 120; ++tick) {
+            world.step(dt);
+            gap = std::max({gap, world.joint(first).error(), world.joint(second).error()});
+        }
+        CHECK(gap < 1e-5);
+        CHECK(std::fabs(energy() - before) < 0.02);
+        ends.push_back(world.body(lower).position().x());
+    }
+    for (const double end : ends) CHECK(std::fabs(end - ends.back()) < 1e-3);
+}
+
+TEST_CASE("three welded bars hold while two of them are kept from turning", "[dynamics][joints]") {
+    World world({.sleeping = false});
+    std::vector<BodyId> bars;
+    std::vector<JointId> welds;
+    for (int i = 0; i < 3; ++i)
+        bars.push_back(world.add({.position = {1.0 * i, 0}, .shapes = {plumb::box({0.4, 0.1})}}));
+    for (std::size_t i = 1; i < 3; ++i)
+        welds.push_back(world.join(
+            plumb::WeldJointDef{.bodyA = bars[i - 1], .bodyB = bars[i], .anchor = {static_cast<double>(i) - 0.5, 0}}));
+    for (int tick = 0; tick < 180; ++tick) {
+        if (tick == 60) world.body(bars[0]).setFixedRotation(true);
+        if (tick == 80) world.body(bars[2]).setFixedRotation(true);
+        if (tick == 120) world.body(bars[2]).setFixedRotation(false);
+        world.body(bars[1]).applyForce({0.02, 0.1}, world.body(bars[1]).position() + plumb::Vec2(0.3, 0));
+        world.step(dt);
+        for (const JointId weld : welds) CHECK(world.joint(weld).error() < 1e-5);
     }
 }

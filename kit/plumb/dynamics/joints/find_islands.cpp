@@ -29,8 +29,10 @@ public:
                 joint.link[k] = {nodeOf(island, joint.form.link[k].a.body), nodeOf(island, joint.form.link[k].b.body)};
         }
         const std::size_t all = island.bodies.size() + island.held.size();
-        island.layout =
-            layouts.find(static_cast<std::uint32_t>(island.bodies.size()), static_cast<std::uint32_t>(all), laid);
+        const bool allTurn = std::all_of(island.bodies.begin(), island.bodies.end(),
+                                         [this](BodyIndex body) { return bodies_.record[body].inverseInertia > 0; });
+        island.layout = layouts.find(static_cast<std::uint32_t>(island.bodies.size()), static_cast<std::uint32_t>(all),
+                                     allTurn, laid);
         for (const std::vector<BodyIndex>* some : {&island.bodies, &island.held})
             for (const BodyIndex body : *some) nodeOf_[body] = none;
     }

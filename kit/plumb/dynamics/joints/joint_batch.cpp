@@ -156,7 +156,7 @@ void JointBatch::solve(BodyStore& bodies, const IslandTurn& turn, StepObserver* 
 void JointBatch::sweep(BodyStore& bodies, const IslandTurn& turn, double give, StepObserver* observer) {
     pull(bodies);
     if (turn.correct) noteSpeeds();
-    view_.compliance = relativeCompliance + give;
+    view_.compliance = layout_->compliance + give;
     kernel_->prepare(view_, turn);
     kernel_->solve(view_);
     noteStates();

@@ -55,6 +55,7 @@ void JointBatch::layOut(bool isNew) {
     view_.blocks = layout.blocks;
     view_.firstFill = layout.firstFill;
     view_.someFree = layout.someFree;
+    view_.compliance = layout.compliance;
 }
 
 void JointBatch::load(std::span<JointIsland* const> islands, const JointStore& joints, BodyStore& bodies, double h) {

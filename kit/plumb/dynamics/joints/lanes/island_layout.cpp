@@ -2,6 +2,9 @@
 #include <plumb/dynamics/joints/lanes/island_layout.h>
 
 #include <algorithm>
+#include <numeric>
+
+#include <plumb/dynamics/joints/lanes/island_kernel.h>
 
 namespace plumb {
 
@@ -14,9 +17,40 @@ constexpr std::size_t fewLoops = 16;
 constexpr std::size_t updatesPerNode = 8;
 constexpr std::size_t fewUpdates = 4000;
 
+/// Bodies that are connected so far.
+class Forest {
+public:
+    explicit Forest(std::uint32_t nodes) : parent_(nodes) { std::iota(parent_.begin(), parent_.end(), 0U); }
+
+    /// False if the two are connected already.
+    bool connect(std::uint32_t a, std::uint32_t b) {
+        a = rootOf(a);
+        b = rootOf(b);
+        parent_[a] = b;
+        return a != b;
+    }
+
+private:
+    std::uint32_t rootOf(std::uint32_t node) {
+        while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
+        return node;
+    }
+    std::vector<std::uint32_t> parent_;
+};
+
+/// All bodies that impulses do not move count as one. Rows of a tree of bodies that can turn are independent.
+bool isTree(std::uint32_t moved, const std::vector<LaidJoint>& joints) {
+    Forest forest(moved + 1);
+    for (const LaidJoint& joint : joints)
+        for (std::size_t k = 0; k < joint.form.links; ++k)
+            if (!forest.connect(std::min(joint.link[k].a, moved), std::min(joint.link[k].b, moved))) return false;
+    return true;
+}
+
 /// All that the layout depends on, as numbers.
-std::vector<std::uint32_t> keyOf(std::uint32_t moved, std::uint32_t bodies, const std::vector<LaidJoint>& joints) {
-    std::vector<std::uint32_t> key{moved, bodies};
+std::vector<std::uint32_t> keyOf(std::uint32_t moved, std::uint32_t bodies, bool allTurn,
+                                 const std::vector<LaidJoint>& joints) {
+    std::vector<std::uint32_t> key{moved, bodies, allTurn ? 1U : 0U};
     for (const LaidJoint& joint : joints) {
         const JointForm& form = joint.form;
         key.push_back(static_cast<std::uint32_t>(form.links * 8 + form.rows * 2 + (form.turnsOnly ? 1 : 0)));
@@ -37,7 +71,7 @@ public:
         layout_.bodies = bodies;
     }
 
-    std::shared_ptr<const IslandLayout> lay(const std::vector<LaidJoint>& joints) {
+    std::shared_ptr<const IslandLayout> lay(const std::vector<LaidJoint>& joints, bool allTurn) {
         for (const LaidJoint& joint : joints) addJoint(joint);
         layout_.joints.push_back({linkCount(), rowCount(), endCount()});
         const std::uint32_t nodes = layout_.moved + layout_.jointCount();
@@ -47,6 +81,7 @@ public:
             planBlocks(layout_.moved, layout_.jointCount(), edges_, std::max(fewUpdates, updatesPerNode * nodes));
         if (plan == nullptr) return nullptr;
         takePlan(*plan);
+        layout_.compliance = allTurn && isTree(layout_.moved, joints) ? 0 : relativeCompliance;
         return std::make_shared<const IslandLayout>(std::move(layout_));
     }
 
@@ -127,13 +162,13 @@ void IslandLayouts::renew() {
     now_.clear();
 }
 
-std::shared_ptr<const IslandLayout> IslandLayouts::find(std::uint32_t moved, std::uint32_t bodies,
+std::shared_ptr<const IslandLayout> IslandLayouts::find(std::uint32_t moved, std::uint32_t bodies, bool allTurn,
                                                         const std::vector<LaidJoint>& joints) {
-    std::vector<std::uint32_t> key = keyOf(moved, bodies, joints);
+    std::vector<std::uint32_t> key = keyOf(moved, bodies, allTurn, joints);
     const auto known = now_.find(key);
     if (known != now_.end()) return known->second;
     const auto older = before_.find(key);
-    const auto layout = older != before_.end() ? older->second : Laying(moved, bodies).lay(joints);
+    const auto layout = older != before_.end() ? older->second : Laying(moved, bodies).lay(joints, allTurn);
     now_.emplace(std::move(key), layout);
     return layout;
 }

@@ -22,6 +22,7 @@ struct IslandLayout : IslandShape {
     std::vector<IslandShape::Update> updates;
     bool someFree = false;     ///< some row does not hold
     bool someMissing = false;  ///< some axis depends on velocities
+    double compliance = 0;     ///< of rows that hold (see island_kernel.h)
 
     std::uint32_t jointCount() const { return static_cast<std::uint32_t>(joints.size() - 1); }
     std::size_t bytes() const {
@@ -41,8 +42,8 @@ class IslandLayouts {
 public:
     /// Forgets what was not asked for since the last call.
     void renew();
-    /// Null if the island has so many loops that it must be swept.
-    std::shared_ptr<const IslandLayout> find(std::uint32_t moved, std::uint32_t bodies,
+    /// Null if the island has so many loops that it must be swept. allTurn: all its moved bodies can turn.
+    std::shared_ptr<const IslandLayout> find(std::uint32_t moved, std::uint32_t bodies, bool allTurn,
                                              const std::vector<LaidJoint>& joints);
     std::size_t bytes() const;
 
