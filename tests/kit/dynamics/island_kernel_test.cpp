@@ -121,7 +121,7 @@ double differenceFromDense(IslandNumbers& lanes, const std::vector<double>& want
         for (Eigen::Index i = 0; i < moved; ++i)
             matrix(moved + r, i) = matrix(i, moved + r) = dense.inverseMass[i] > 0 ? -dense.rows(r, i) : 0;
         const double own = dense.inverseMassOf(r);
-        matrix(moved + r, moved + r) = own > 0 ? -lanes.layout().compliance * own : -1;
+        matrix(moved + r, moved + r) = own > 0 ? -lanes.view.compliance * own : -1;
         if (own > 0) right[moved + r] = dense.rows.row(r).dot(dense.before) - wanted[static_cast<std::size_t>(r)];
     }
     const Eigen::VectorXd truth = matrix.fullPivLu().solve(right).template cast<double>();

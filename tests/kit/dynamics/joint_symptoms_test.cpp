@@ -180,3 +180,24 @@ TEST_CASE("three welded bars hold while two of them are kept from turning", "[dy
         for (const JointId weld : welds) CHECK(world.joint(weld).error() < 1e-5);
     }
 }
+
+TEST_CASE("a bar that is whirled at its end at 50 or 100 rad/s keeps its hinge and its speed for 10 s",
+          "[dynamics][joints]") {
+    for (const double spin : {50, 100}) {
+        INFO(spin << " rad/s");
+        World world({.gravity = {0, 0}, .sleeping = false});
+        const BodyId ground = world.add({.type = BodyType::Static});
+        const BodyId bar = world.add({.position = {0.5, 0},
+                                      .velocity = {0, 0.5 * spin},
+                                      .angularVelocity = spin,
+                                      .shapes = {plumb::box({0.5, 0.05})}});
+        const JointId hinge = world.join(RevoluteJointDef{.bodyA = ground, .bodyB = bar, .anchor = {0, 0}});
+        double gap = 0;
+        for (int tick = 0; tick < 600; ++tick) {
+            world.step(dt);
+            gap = std::max(gap, world.joint(hinge).error());
+        }
+        CHECK(gap < 2e-5);
+        CHECK(std::fabs(world.body(bar).angularVelocity() / spin - 1) < 5e-3);
+    }
+}

@@ -132,6 +132,18 @@ void JointBatch::activate(bool all, std::size_t lane) {
     for (std::size_t l = 0; l < width_; ++l) active_[l] = all || l == lane ? 1 : 0;
 }
 
+/// Activates the islands in which a body turns so far in a sub-step of h [s] that the first prediction of where it will
+/// be is not exact enough.
+bool JointBatch::activateFast(double h) {
+    constexpr double far = 0.1;
+    std::array<double, 8> fast{};
+    for (std::size_t n = 0; n < layout_->moved; ++n)
+        for (std::size_t lane = 0; lane < width_; ++lane)
+            if (std::fabs(body(n, BodyField::Uspin, lane)) * h > far) fast[lane] = 1;
+    active_ = fast;
+    return fast != std::array<double, 8>{};
+}
+
 void JointBatch::noteStates() {
     if (!layout_->someFree) return;
     for (std::size_t i = 0; i < layout_->rows.size(); ++i)
@@ -142,8 +154,13 @@ void JointBatch::noteStates() {
 
 void JointBatch::solve(BodyStore& bodies, const IslandTurn& turn, StepObserver* observer) {
     kernel_->setMasses(view_, h_);
+    activate(true, 0);
     kernel_->prepare(view_, turn);
     kernel_->solve(view_);
+    for (int time = 0; time < 2 && turn.correct && activateFast(turn.h); ++time) {
+        kernel_->predictAgain(view_, turn);
+        kernel_->solve(view_);
+    }
     noteStates();
     activate(true, 0);
     kernel_->accept(view_);
@@ -156,7 +173,7 @@ void JointBatch::solve(BodyStore& bodies, const IslandTurn& turn, StepObserver* 
 void JointBatch::sweep(BodyStore& bodies, const IslandTurn& turn, double give, StepObserver* observer) {
     pull(bodies);
     if (turn.correct) noteSpeeds();
-    view_.compliance = layout_->compliance + give;
+    view_.compliance = give + (layout_->isTree ? 0 : relativeCompliance);
     kernel_->prepare(view_, turn);
     kernel_->solve(view_);
     noteStates();
@@ -221,13 +238,13 @@ Vec3 JointBatch::changeBy(std::size_t lane, std::size_t node, const Vec3& impuls
 
 bool JointBatch::tryFrom(BodyStore& bodies, std::span<const Vec3> before, const IslandTurn& turn) {
     pull(bodies);
+    activate(true, 0);
     kernel_->setMasses(view_, h_);
     kernel_->prepare(view_, turn);
     for (std::size_t n = 0; n < layout_->moved; ++n)
         for (int c = 0; c < 3; ++c) body(n, BodyField::Vx + c, 0) = before[n][static_cast<std::size_t>(c)];
     const bool changed = kernel_->solve(view_);
     noteStates();
-    activate(true, 0);
     kernel_->accept(view_);
     writeVelocities(bodies);
     return changed;

@@ -104,6 +104,7 @@ private:
     void writePlaces(BodyStore& bodies) const;
     void noteStates();
     void activate(bool all, std::size_t lane);
+    bool activateFast(double h);
     void report(StepObserver& observer) const;
     JointRows rowsOf(std::size_t j, std::size_t lane, Vec3& impulses, Vec3& after, Vec3& slopes) const;
 

@@ -55,7 +55,8 @@ void JointBatch::layOut(bool isNew) {
     view_.blocks = layout.blocks;
     view_.firstFill = layout.firstFill;
     view_.someFree = layout.someFree;
-    view_.compliance = layout.compliance;
+    view_.compliance = layout.isTree ? 0 : relativeCompliance;
+    view_.slack = layout.isTree ? relativeCompliance : 0;
 }
 
 void JointBatch::load(std::span<JointIsland* const> islands, const JointStore& joints, BodyStore& bodies, double h) {

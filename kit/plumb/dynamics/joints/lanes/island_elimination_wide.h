@@ -5,8 +5,9 @@
 // the change of speed that a row lacks. Such a matrix of positive M and e has a factorisation L D L^T in any order of
 // its nodes; here in that of the layout, where a tree goes from its leaves: A_ij -= A_ik D_k^-1 A_jk^T for the
 // neighbours i, j of a node k. Redundant rows (rows that say the same) share their load by e, and a difference between
-// what they want is amplified by at most 1 / e. Tried: 1e-7 to 1e-10 in islands without loops. A cart of a millionth of
-// its load then gains energy.
+// what they want is amplified by at most 1 / e. In a tree no rows are redundant: there e is a share of what the joint
+// gives when it is eliminated, so that it is small beside any other mass. Tried in trees: e of 1e-10 of a row's own
+// inverse mass, or none. Then impulses between bodies that are jammed grow beyond all bounds.
 // Source: Baraff, "Linear-time dynamics using Lagrange multipliers", SIGGRAPH 1996; Vanderbei, "Symmetric quasidefinite
 // matrices", SIAM J. Optim. 5 (1995) 100.
 #pragma once
@@ -27,16 +28,28 @@ struct Slots {
 };
 
 template <int W>
-struct Elimination {
+struct IslandItems {
+    using S = Slots<W>;
+    static S bodyOf(const IslandLanes& v, std::uint32_t i) {
+        return {v.body + i * std::size_t{BodyField::count} * S::N};
+    }
+    static S linkOf(const IslandLanes& v, std::uint32_t i) {
+        return {v.link + i * std::size_t{LinkField::count} * S::N};
+    }
+    static S rowOf(const IslandLanes& v, std::uint32_t i) { return {v.row + i * std::size_t{RowField::count} * S::N}; }
+};
+
+template <int W>
+struct Elimination : IslandItems<W> {
     using D = typename Wide<W>::Double;
     using S = Slots<W>;
+    using IslandItems<W>::bodyOf;
+    using IslandItems<W>::rowOf;
     using B = BodyField;
     using R = RowField;
 
     static constexpr D all(double value) { return D{} + value; }
 
-    static S bodyOf(const IslandLanes& v, std::uint32_t i) { return {v.body + i * std::size_t{B::count} * S::N}; }
-    static S rowOf(const IslandLanes& v, std::uint32_t i) { return {v.row + i * std::size_t{R::count} * S::N}; }
     static S blockOf(const IslandLanes& v, std::uint32_t i) { return {v.block + i * std::size_t{9} * S::N}; }
     static S answerOf(const IslandLanes& v, std::uint32_t node) { return {v.answer + node * std::size_t{3} * S::N}; }
 
@@ -199,8 +212,14 @@ struct Elimination {
     };
 
     static void factor(const IslandLanes& v) {
-        for (std::uint32_t k = 0; k < v.stepCount; ++k)
+        for (std::uint32_t k = 0; k < v.stepCount; ++k) {
+            if (v.slack > 0 && v.steps[k].node >= v.moved) loosen(v, blockOf(v, v.steps[k].node));
             sized(v.steps[k].size, [&](auto size) { eliminate<decltype(size)::value>(v, k); });
+        }
+    }
+
+    static void loosen(const IslandLanes& v, const S& block) {
+        for (int i = 0; i < 9; ++i) block.set(i, block[i] * (1 + v.slack));
     }
 
     /// Of a symmetric matrix; zero where it has none. By L D L^T: of a body that a joint has made stiff along one

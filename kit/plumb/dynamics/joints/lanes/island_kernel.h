@@ -129,7 +129,7 @@ struct JointField {
     enum : int { LoadX, LoadY, LoadTurn, count };  ///< sums over the step
 };
 
-/// The compliance e of rows that hold, relative to their effective inverse mass [-] (see island_elimination_wide.h).
+/// The compliance e of rows that hold, relative to an inverse mass [-] (see island_elimination_wide.h).
 inline constexpr double relativeCompliance = 1e-5;
 
 /// What the code for W lanes sees of W islands.
@@ -149,11 +149,12 @@ struct IslandLanes {
     double* link = nullptr;
     double* row = nullptr;
     double* joint = nullptr;
-    double* block = nullptr;                 ///< 9 fields each
-    double* answer = nullptr;                ///< of the nodes, 3 fields each
-    double* active = nullptr;                ///< 1: the lane takes part in this pass
-    bool factored = false;                   ///< the blocks hold the factors of the present matrix
-    double compliance = relativeCompliance;  ///< of rows that hold, relative to their inverse mass [-]
+    double* block = nullptr;   ///< 9 fields each
+    double* answer = nullptr;  ///< of the nodes, 3 fields each
+    double* active = nullptr;  ///< 1: the lane takes part in this pass
+    bool factored = false;     ///< the blocks hold the factors of the present matrix
+    double compliance = 0;     ///< of rows that hold, relative to their inverse mass [-]
+    double slack = 0;          ///< the same, relative to what a joint gives when it is eliminated [-]
 };
 
 struct IslandTurn {
@@ -163,6 +164,7 @@ struct IslandTurn {
     double fastest = 0;     ///< speed at which an error is removed at most [m/s]
     double rate = 1 / h;    ///< [1/s]
     double share = 1;       ///< of an error that a sub-step removes [-]
+    bool again = false;     ///< predicts from the last solution, not from the present velocities
 };
 
 /// The same functions for each number of lanes, with bitwise equal results.
@@ -174,7 +176,10 @@ struct IslandKernel {
     void (*noteSpeeds)(const IslandLanes& view);
     /// Finds the conditions of the rows at the present velocities.
     void (*prepare)(IslandLanes& view, const IslandTurn& turn);
-    /// Solves for U and the impulses, from the velocities V. Returns true if a row came to another part of its curve.
+    /// Where a lane is active: predicts from the last solution U how far rows that hold will be off.
+    void (*predictAgain)(IslandLanes& view, const IslandTurn& turn);
+    /// Solves for U and the impulses, from the velocities V. Returns true if a row came to another part of its curve;
+    /// it can do so where a lane is active.
     bool (*solve)(IslandLanes& view);
     /// Solves for U, which is V and the change by a push: rows that hold, or are at a stop, keep their speeds.
     void (*answer)(IslandLanes& view);

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include <plumb/dynamics/joints/lanes/island_kernel.h>
-
 namespace plumb {
 
 namespace {
@@ -38,7 +36,7 @@ private:
     std::vector<std::uint32_t> parent_;
 };
 
-/// All bodies that impulses do not move count as one. Rows of a tree of bodies that can turn are independent.
+/// All bodies that impulses do not move count as one.
 bool isTree(std::uint32_t moved, const std::vector<LaidJoint>& joints) {
     Forest forest(moved + 1);
     for (const LaidJoint& joint : joints)
@@ -81,7 +79,7 @@ public:
             planBlocks(layout_.moved, layout_.jointCount(), edges_, std::max(fewUpdates, updatesPerNode * nodes));
         if (plan == nullptr) return nullptr;
         takePlan(*plan);
-        layout_.compliance = allTurn && isTree(layout_.moved, joints) ? 0 : relativeCompliance;
+        layout_.isTree = allTurn && isTree(layout_.moved, joints);
         return std::make_shared<const IslandLayout>(std::move(layout_));
     }
 

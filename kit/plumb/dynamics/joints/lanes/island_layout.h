@@ -22,7 +22,7 @@ struct IslandLayout : IslandShape {
     std::vector<IslandShape::Update> updates;
     bool someFree = false;     ///< some row does not hold
     bool someMissing = false;  ///< some axis depends on velocities
-    double compliance = 0;     ///< of rows that hold (see island_kernel.h)
+    bool isTree = false;       ///< no loops, and all bodies can turn: its rows are independent
 
     std::uint32_t jointCount() const { return static_cast<std::uint32_t>(joints.size() - 1); }
     std::size_t bytes() const {

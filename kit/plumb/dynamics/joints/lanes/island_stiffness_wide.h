@@ -71,7 +71,7 @@ struct WideStiffness {
 
     static void addForces(const IslandLanes& v, std::uint32_t j, double rate) {
         for (std::uint32_t part = 0, i = v.joints[j].firstLink; i < v.joints[j + 1].firstLink; ++i, ++part) {
-            const S l{v.link + i * std::size_t{L::count} * S::N};
+            const S l = Body::linkOf(v, i);
             D x{}, y{}, aside{};
             const int axis = part == 0 ? R::AxisX : R::SecondAxisX;
             for (std::uint32_t r = v.joints[j].firstRow; r < v.joints[j + 1].firstRow; ++r) {
@@ -110,7 +110,7 @@ struct WideStiffness {
         for (std::uint32_t j = 0; j < v.jointCount; ++j) {
             if (!v.joints[j].holdsPoint) continue;
             const std::uint32_t i = v.joints[j].firstLink, a = v.links[i].a, b = v.links[i].b;
-            const S l{v.link + i * std::size_t{L::count} * S::N};
+            const S l = Body::linkOf(v, i);
             addNeighbour(v, a, b, l[L::ArmAx], l[L::ArmAy], l[L::ArmBx], l[L::ArmBy]);
             addNeighbour(v, b, a, l[L::ArmBx], l[L::ArmBy], l[L::ArmAx], l[L::ArmAy]);
         }

@@ -3,254 +3,71 @@
 #pragma once
 #include <plumb/dynamics/joints/lanes/island_curve_wide.h>
 #include <plumb/dynamics/joints/lanes/island_elimination_wide.h>
+#include <plumb/dynamics/joints/lanes/island_place_wide.h>
 #include <plumb/dynamics/joints/lanes/island_stiffness_wide.h>
-#include <plumb/dynamics/joints/lanes/island_turn_wide.h>
-#include <plumb/math/trig.h>
 
 namespace plumb {
 
 template <int W>
-struct WideIslands {
+struct WideIslands : IslandItems<W> {
     using D = typename Wide<W>::Double;
     using S = Slots<W>;
     using B = BodyField;
     using L = LinkField;
     using R = RowField;
     using Curve = RowCurve<W>;
+    using Places = WidePlaces<W>;
+    using IslandItems<W>::bodyOf;
+    using IslandItems<W>::linkOf;
+    using IslandItems<W>::rowOf;
 
     static constexpr D all(double value) { return D{} + value; }
 
-    /// A direction, and its levers about both bodies.
-    struct Axis {
-        D x, y, turnA, turnB;
-    };
-    struct Pair {
-        D x, y;
-    };
-
-    static S bodyOf(const IslandLanes& v, std::uint32_t i) { return {v.body + i * std::size_t{B::count} * S::N}; }
-    static S linkOf(const IslandLanes& v, std::uint32_t i) { return {v.link + i * std::size_t{L::count} * S::N}; }
-    static S rowOf(const IslandLanes& v, std::uint32_t i) { return {v.row + i * std::size_t{R::count} * S::N}; }
-    static Pair turned(D cos, D sin, D x, D y) { return {cos * x - sin * y, sin * x + cos * y}; }
-
-    static void move(IslandLanes& v, double h) {
-        for (std::uint32_t i = 0; i < v.bodies; ++i) {
-            const S b = bodyOf(v, i);
-            b.set(B::X, b[B::X] + b[B::Vx] * h);
-            b.set(B::Y, b[B::Y] + b[B::Vy] * h);
-            b.set(B::Turn, b[B::Turn] + b[B::Spin] * h);
-        }
-        place(v);
-    }
-
-    static void turn(const IslandLanes& v) {
-        for (std::uint32_t i = 0; i < v.bodies; ++i) {
-            const S b = bodyOf(v, i);
-            const D t = b[B::Turn];
-            b.set(B::Cos, WideTurn<W>::cosine(t));
-            b.set(B::Sin, WideTurn<W>::sine(t));
-            if (anyOf<W>(magnitude(t) > all(WideTurn<W>::farthest)))
-                WideTurn<W>::far(b.data + B::Cos * S::N, b.data + B::Sin * S::N, b.data + B::Turn * S::N);
-        }
-    }
-
-    static void place(IslandLanes& v) {
-        v.factored = false;
-        turn(v);
-        for (std::uint32_t i = 0; i < v.linkCount; ++i) placeLink(v, i);
-        for (std::uint32_t i = 0; i < v.rowCount; ++i) placeRow(v, i);
-    }
-
-    static void placeLink(const IslandLanes& v, std::uint32_t i) {
-        const S l = linkOf(v, i), a = bodyOf(v, v.links[i].a), b = bodyOf(v, v.links[i].b);
-        const D ax = l[L::StartArmAx], ay = l[L::StartArmAy], bx = l[L::StartArmBx], by = l[L::StartArmBy];
-        const Pair armA = turned(a[B::Cos], a[B::Sin], ax, ay), armB = turned(b[B::Cos], b[B::Sin], bx, by);
-        l.set(L::ArmAx, armA.x);
-        l.set(L::ArmAy, armA.y);
-        l.set(L::ArmBx, armB.x);
-        l.set(L::ArmBy, armB.y);
-        l.set(L::ApartX, l[L::StartApartX] + ((b[B::X] - a[B::X]) + ((armB.x - bx) - (armA.x - ax))));
-        l.set(L::ApartY, l[L::StartApartY] + ((b[B::Y] - a[B::Y]) + ((armB.y - by) - (armA.y - ay))));
-        l.set(L::Angle, l[L::StartAngle] + (b[B::Turn] - a[B::Turn]));
-    }
-
-    /// The length of a vector, also of one whose square is too large or too small for a double.
-    static D lengthOf(D x, D y) {
-        const D most = larger(magnitude(x), magnitude(y));
-        const D scale = most > D{} ? most : all(1);
-        const D u = x / scale, w = y / scale;
-        return scale * squareRoot<W>(u * u + w * w);
-    }
-
-    static Pair unit(D x, D y, D otherwise) {
-        const D length = lengthOf(x, y);
-        const auto some = length > D{};
-        const D divisor = some ? length : all(1);
-        return {some ? x / divisor : otherwise, some ? y / divisor : D{}};
-    }
-
-    /// B's wanted velocity relative to A, less its present one.
-    static Pair missingVelocity(const S& row, const S& l, const S& a, const S& b) {
-        const D fromX = l[L::ArmAx] + l[L::ApartX], fromY = l[L::ArmAy] + l[L::ApartY];
-        const D speedX = (b[B::Vx] - l[L::ArmBy] * b[B::Spin]) - (a[B::Vx] - fromY * a[B::Spin]);
-        const D speedY = (b[B::Vy] + l[L::ArmBx] * b[B::Spin]) - (a[B::Vy] + fromX * a[B::Spin]);
-        const Pair wanted = wantedVelocity(row, l, a);
-        return {wanted.x - speedX, wanted.y - speedY};
-    }
-    static Pair wantedVelocity(const S& row, const S& l, const S& a) {
-        const Pair given = turned(a[B::Cos], a[B::Sin], row[R::DirectionX], row[R::DirectionY]);
-        return {given.x - l[L::ApartX] * row[R::DriveRate], given.y - l[L::ApartY] * row[R::DriveRate]};
-    }
-
-    static Pair directionOf(RowAxis axis, const S& row, int direction, const S& l, const S& a, const S& b) {
-        const D x = row[direction], y = row[direction + 1];
-        switch (axis) {
-            case RowAxis::World: return {x, y};
-            case RowAxis::OnA: return turned(a[B::Cos], a[B::Sin], x, y);
-            case RowAxis::Along: return unit(l[L::ApartX], l[L::ApartY], D{});
-            case RowAxis::Towards: return unit(l[L::ApartX], l[L::ApartY], all(1));
-            case RowAxis::Across: {
-                const Pair towards = unit(l[L::ApartX], l[L::ApartY], all(1));
-                return {-towards.y, towards.x};
-            }
-            case RowAxis::Missing:
-            case RowAxis::Beside: {
-                const Pair lacked = missingVelocity(row, l, a, b);
-                const Pair along = unit(lacked.x, lacked.y, all(1));
-                if (axis == RowAxis::Missing) return along;
-                return {-along.y, along.x};
-            }
-            case RowAxis::Turning: break;
-        }
-        return {D{}, D{}};
-    }
-
-    static Axis axisOf(const IslandLanes& v, std::uint32_t link, RowAxis axis, const S& row, int direction) {
-        if (axis == RowAxis::Turning) return {D{}, D{}, all(-1), all(1)};
-        const S l = linkOf(v, link), a = bodyOf(v, v.links[link].a), b = bodyOf(v, v.links[link].b);
-        const Pair u = directionOf(axis, row, direction, l, a, b);
-        const D fromX = l[L::ArmAx] + l[L::ApartX], fromY = l[L::ArmAy] + l[L::ApartY];
-        return {u.x, u.y, fromY * u.x - fromX * u.y, l[L::ArmBx] * u.y - l[L::ArmBy] * u.x};
-    }
-
-    /// A part of the coordinate; later: after the coming sub-step.
-    static D coordinateOf(const IslandLanes& v, std::uint32_t link, RowAxis axis, const S& row, int direction,
-                          bool later) {
-        const S l = linkOf(v, link);
-        if (axis == RowAxis::Turning) return l[later ? L::LaterAngle : L::Angle];
-        const D x = l[later ? L::LaterApartX : L::ApartX], y = l[later ? L::LaterApartY : L::ApartY];
-        if (axis == RowAxis::Along || axis == RowAxis::Towards) return lengthOf(x, y);
-        Pair u{row[direction], row[direction + 1]};
-        if (axis == RowAxis::OnA) {
-            const S a = bodyOf(v, v.links[link].a);
-            u = turned(a[later ? B::LaterCos : B::Cos], a[later ? B::LaterSin : B::Sin], u.x, u.y);
-        }
-        return axis == RowAxis::World || axis == RowAxis::OnA ? u.x * x + u.y * y : D{};
-    }
-
-    static D coordinateOf(const IslandLanes& v, const IslandShape::Row& shape, const S& row, bool later) {
-        D q = coordinateOf(v, shape.link, shape.axis[0], row, R::DirectionX, later);
-        if (shape.parts > 1)
-            q += row[R::Ratio] * coordinateOf(v, shape.link + 1, shape.axis[1], row, R::SecondDirectionX, later);
-        return q - row[R::Origin];
-    }
-
-    static D inverseMassOf(const IslandLanes& v, std::uint32_t link, const Axis& axis) {
-        const S a = bodyOf(v, v.links[link].a), b = bodyOf(v, v.links[link].b);
-        return (axis.x * axis.x + axis.y * axis.y) * (a[B::InverseMass] + b[B::InverseMass]) +
-               (axis.turnA * axis.turnA * a[B::InverseInertia] + axis.turnB * axis.turnB * b[B::InverseInertia]);
-    }
-
-    static void setAxis(const S& row, int field, const Axis& axis) {
-        row.set(field, axis.x);
-        row.set(field + 1, axis.y);
-        row.set(field + 2, axis.turnA);
-        row.set(field + 3, axis.turnB);
-    }
-
-    static void placeRow(const IslandLanes& v, std::uint32_t i) {
-        const IslandShape::Row& shape = v.rows[i];
-        const S row = rowOf(v, i);
-        const Axis axis = axisOf(v, shape.link, shape.axis[0], row, R::DirectionX);
-        setAxis(row, R::AxisX, axis);
-        D w = inverseMassOf(v, shape.link, axis);
-        if (shape.parts > 1) {
-            const D ratio = row[R::Ratio];
-            Axis second = axisOf(v, shape.link + 1, shape.axis[1], row, R::SecondDirectionX);
-            second = {second.x * ratio, second.y * ratio, second.turnA * ratio, second.turnB * ratio};
-            setAxis(row, R::SecondAxisX, second);
-            w += inverseMassOf(v, shape.link + 1, second);
-        }
-        row.set(R::InverseMass, w);
-        row.set(R::Coordinate, coordinateOf(v, shape, row, false));
-        if (!shape.holds) findGrowth(row, w);
-    }
-
-    /// exp(c w h / 2) - 1, found anew only where it has changed.
-    static void findGrowth(const S& row, D w) {
-        const D damped = row[R::HalfDamping] * w;
-        if (!anyOf<W>(damped != row[R::DampedAt])) return;
-        // A larger value removes all of the speed; a smaller one removes nothing, and its inverse would be too large.
-        constexpr double least = 1e-16, most = 30;
-        row.set(R::DampedAt, damped);
-        for (int l = 0; l < Wide<W>::doubles; ++l) {
-            const double at = row.data[R::DampedAt * S::N + l];
-            row.data[R::Growth * S::N + l] = at > least ? exponentialMinus1(at < most ? at : most) : 0;
-        }
-    }
-
-    static void noteSpeeds(const IslandLanes& v) {
-        for (std::uint32_t i = 0; i < v.rowCount; ++i)
-            if (!v.rows[i].holds) rowOf(v, i).set(R::NotedSpeed, Elimination<W>::speedOf(v, i, B::Vx, B::Spin));
-    }
-
-    /// Where bodies will be after the coming sub-step at constant velocities. Turning is predicted up to half a radian
-    /// only: at larger angles, in a joint that is coming apart, the prediction would add to the error.
-    static void predict(const IslandLanes& v, double h) {
-        const D most = all(0.5 / h);
-        for (std::uint32_t i = 0; i < v.bodies; ++i) {
-            const S b = bodyOf(v, i);
-            const D spin = smaller(larger(b[B::Spin], -most), most), t = spin * h;
-            const D cos = WideTurn<W>::cosine(t), sin = WideTurn<W>::sine(t);
-            const Pair r = turned(cos, sin, b[B::Cos], b[B::Sin]);
-            b.set(B::AheadSpin, spin);
-            b.set(B::LaterCos, r.x);
-            b.set(B::LaterSin, r.y);
-            b.set(B::LaterX, b[B::X] + b[B::Vx] * h);
-            b.set(B::LaterY, b[B::Y] + b[B::Vy] * h);
-        }
-        for (std::uint32_t i = 0; i < v.linkCount; ++i) predictLink(v, i, h);
-    }
-
-    static void predictLink(const IslandLanes& v, std::uint32_t i, double h) {
-        const S l = linkOf(v, i), a = bodyOf(v, v.links[i].a), b = bodyOf(v, v.links[i].b);
-        const D ax = l[L::StartArmAx], ay = l[L::StartArmAy], bx = l[L::StartArmBx], by = l[L::StartArmBy];
-        const Pair armA = turned(a[B::LaterCos], a[B::LaterSin], ax, ay);
-        const Pair armB = turned(b[B::LaterCos], b[B::LaterSin], bx, by);
-        l.set(L::LaterApartX, l[L::StartApartX] + ((b[B::LaterX] - a[B::LaterX]) + ((armB.x - bx) - (armA.x - ax))));
-        l.set(L::LaterApartY, l[L::StartApartY] + ((b[B::LaterY] - a[B::LaterY]) + ((armB.y - by) - (armA.y - ay))));
-        l.set(L::LaterAngle, l[L::Angle] + (b[B::AheadSpin] - a[B::AheadSpin]) * h);
-    }
-
     static void prepare(IslandLanes& v, const IslandTurn& turn) {
-        if (turn.correct) predict(v, turn.h);
+        if (turn.correct) Places::predict(v, turn.h, B::Vx, B::Spin);
         for (std::uint32_t i = 0; i < v.rowCount; ++i) {
             const IslandShape::Row& shape = v.rows[i];
             if (shape.axis[0] == RowAxis::Missing || shape.axis[0] == RowAxis::Beside) {
                 v.factored = false;
-                placeRow(v, i);
+                Places::placeRow(v, i);
             }
             const S row = rowOf(v, i);
             D bend{};
-            if (turn.correct)
-                bend = Elimination<W>::speedOf(v, i, B::Vx, B::AheadSpin) -
-                       (coordinateOf(v, shape, row, true) - row[R::Coordinate]) * turn.rate;
+            if (turn.correct) bend = bendOf(v, i, B::Vx, turn);
             if (shape.holds)
                 holdRow(row, bend, turn);
             else
                 driveRow(v, shape, row, bend, turn);
         }
     }
+
+    /// By how much a row's predicted motion differs from its speed.
+    static D bendOf(const IslandLanes& v, std::uint32_t i, int x, const IslandTurn& turn) {
+        const S row = rowOf(v, i);
+        return Elimination<W>::speedOf(v, i, x, B::AheadSpin) -
+               (Places::coordinateOf(v, v.rows[i], row, true) - row[R::Coordinate]) * turn.rate;
+    }
+
+    /// Predictions converge if the second one is little off the first; else the first one stays.
+    static void predictAgain(IslandLanes& v, const IslandTurn& turn) {
+        constexpr double little = 0.1;
+        Places::predict(v, turn.h, B::Ux, B::Uspin);
+        D change{}, most{};
+        for (std::uint32_t i = 0; i < v.rowCount; ++i) {
+            if (!v.rows[i].holds) continue;
+            const S row = rowOf(v, i);
+            const D before = row[R::Speed];
+            holdRow(row, bendOf(v, i, B::Ux, turn), turn);
+            change = larger(change, magnitude(row[R::Speed] - before));
+            most = larger(most, magnitude(before));
+            row.set(R::Known, before);
+        }
+        const auto better = both(isActive(v), change < little * most);
+        for (std::uint32_t i = 0; i < v.rowCount; ++i)
+            if (v.rows[i].holds) rowOf(v, i).set(R::Speed, better ? rowOf(v, i)[R::Speed] : rowOf(v, i)[R::Known]);
+    }
+
+    static auto isActive(const IslandLanes& v) { return loadLanes<W>(static_cast<const double*>(v.active)) > D{}; }
 
     /// Removes the present error, and the whole error that the sub-step would add, to any order.
     static void holdRow(const S& row, D bend, const IslandTurn& turn) {
@@ -268,7 +85,7 @@ struct WideIslands {
         D target = row[R::DriveSpeed] - row[R::DriveRate] * q;
         if (shape.axis[0] == RowAxis::Missing || shape.axis[0] == RowAxis::Beside) {
             const S l = linkOf(v, shape.link), a = bodyOf(v, v.links[shape.link].a);
-            const Pair wanted = wantedVelocity(row, l, a);
+            const auto wanted = Places::wantedVelocity(row, l, a);
             target = row[R::AxisX] * wanted.x + row[R::AxisY] * wanted.y;
         }
         const D upper = bend + Curve::roomSpeed(row[R::LimitUpper] - q, turn);
@@ -294,13 +111,15 @@ struct WideIslands {
 
     /// Returns true if some row came to another part of its curve.
     static bool changeStates(const IslandLanes& v) {
+        const auto active = isActive(v);
         bool changed = false;
         for (std::uint32_t i = 0; i < v.rowCount; ++i) {
             if (v.rows[i].holds) continue;
             const S row = rowOf(v, i);
             const D next = Curve::nextState(row, Elimination<W>::speedOf(v, i, B::Ux, B::Uspin), v.rows[i].bounded);
-            changed = changed || anyOf<W>(next != row[R::State]);
-            row.set(R::State, next);
+            const D state = row[R::State], now = active ? next : state;
+            changed = changed || anyOf<W>(now != state);
+            row.set(R::State, now);
         }
         return changed;
     }
@@ -334,7 +153,7 @@ struct WideIslands {
             Elimination<W>::start(v);
             Elimination<W>::applyKnown(v);
             Elimination<W>::solve(v);
-            if (!v.someFree || !changeStates(v)) break;
+            if (!v.someFree || turn + 1 == mostTurns || !changeStates(v)) break;
             changed = true;
         }
         return changed;
@@ -353,7 +172,7 @@ struct WideIslands {
     }
 
     static void accept(const IslandLanes& v) {
-        const auto active = loadLanes<W>(static_cast<const double*>(v.active)) > D{};
+        const auto active = isActive(v);
         for (std::uint32_t i = 0; i < v.moved; ++i) {
             const S b = bodyOf(v, i);
             b.set(B::Vx, active ? b[B::Ux] : b[B::Vx]);
@@ -363,7 +182,7 @@ struct WideIslands {
     }
 
     static void addLoads(const IslandLanes& v) {
-        const auto active = loadLanes<W>(static_cast<const double*>(v.active)) > D{};
+        const auto active = isActive(v);
         for (std::uint32_t j = 0; j < v.jointCount; ++j) {
             const S joint{v.joint + j * std::size_t{JointField::count} * S::N};
             for (std::uint32_t i = v.joints[j].firstRow; i < v.joints[j + 1].firstRow; ++i)
@@ -389,9 +208,9 @@ struct WideIslands {
 
 template <int W>
 const IslandKernel WideIslandKernel<W>::code{
-    WideIslands<W>::move,         WideIslands<W>::place,       WideIslands<W>::noteSpeeds,
-    WideIslands<W>::prepare,      WideIslands<W>::solve,       WideIslands<W>::answer,
-    Elimination<W>::follow,       WideIslands<W>::accept,      WideIslands<W>::addLoads,
-    WideStiffness<W>::noteForces, WideStiffness<W>::setMasses, WideStiffness<W>::findInertias};
+    WidePlaces<W>::move,           WidePlaces<W>::place,     WidePlaces<W>::noteSpeeds,    WideIslands<W>::prepare,
+    WideIslands<W>::predictAgain,  WideIslands<W>::solve,    WideIslands<W>::answer,       Elimination<W>::follow,
+    WideIslands<W>::accept,        WideIslands<W>::addLoads, WideStiffness<W>::noteForces, WideStiffness<W>::setMasses,
+    WideStiffness<W>::findInertias};
 
 }  // namespace plumb
