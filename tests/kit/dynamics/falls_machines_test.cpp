@@ -53,7 +53,7 @@ TEST_CASE("joints hold where they fall on corners", "[dynamics][falls]") {
         const Opening flat = fall(static_cast<unsigned>(seed), true), rough = fall(static_cast<unsigned>(seed), false);
         CHECK(rough.last <= 0.001);
         CHECK(rough.widest <= flat.widest + 0.005);
-        CHECK(rough.widest <= 0.15);  // of a doll, for one step of 1/30 s
+        CHECK(rough.widest <= 0.1);
         CHECK_FALSE(rough.wentThrough);
     }
 }

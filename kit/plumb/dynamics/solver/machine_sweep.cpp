@@ -331,7 +331,7 @@ double MachineSweep::givenEnergy() const {
     for (const MachineRows& rows : rows_)
         for (const MachineRow& row : rows.row) fastest = std::max(fastest, std::fabs(row.fixedSpeed));
     for (const MachinePart& part : machines_.parts) mass += massOf(part);
-    const double given = 10 * static_cast<double>(pass_.contacts.pushSpeed) + 2 * fastest;
+    const double given = static_cast<double>(pass_.contacts.pushSpeed) + 2 * fastest;
     return 0.5 * mass * given * given;
 }
 
