@@ -72,8 +72,7 @@ std::size_t bytesOf(const JointIslands& j) {
     std::size_t bytes = sumOf(j.joints, j.breakable, j.alike) + j.springs.bytes() + j.layouts.bytes() +
                         j.islands.capacity() * sizeof(JointIsland);
     for (const JointIsland& island : j.islands)
-        bytes +=
-            sumOf(island.joints, island.held, island.bodies, island.stiffness) + island.hinges.bytes();
+        bytes += sumOf(island.joints, island.held, island.bodies, island.stiffness) + island.hinges.bytes();
     for (const std::vector<std::uint32_t>& group : j.alike) bytes += sumOf(group);
     for (const JointBatch& batch : j.batches) bytes += sizeof(JointBatch) + batch.bytes();
     return bytes;

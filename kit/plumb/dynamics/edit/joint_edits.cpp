@@ -198,6 +198,7 @@ void shiftAnchors(WorldState& world, BodyIndex body, const Vec2& shift) {
             },
             world.joints[index].joint);
     }
+    world.joints.changed = true;
     moveLocks(world, body);
 }
 

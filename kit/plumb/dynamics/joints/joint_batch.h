@@ -42,8 +42,6 @@ public:
 
     /// Adds what others have changed.
     void pull(const BodyStore& bodies);
-    /// By how much the worst joint of one island has opened since the step's start [m].
-    double opening(std::size_t lane) const;
     /// Of one island; moved: bodies have been moved, too. The other islands stay as they are: what is added in two
     /// parts is rounded otherwise than what is added at once, and bits must not depend on who shares a batch.
     void pull(const BodyStore& bodies, std::size_t lane, bool moved);
@@ -64,6 +62,8 @@ public:
     void sweep(BodyStore& bodies, const IslandTurn& turn, double give, StepObserver* observer);
 
     // For one island:
+    /// By how much the worst joint of one island has opened since the step's start [m].
+    double opening(std::size_t lane) const;
     /// Applies an impulse (x, y, turning) to a body, and those of the joints that follow from it.
     void push(BodyStore& bodies, std::size_t lane, std::size_t node, const Vec3& impulse);
     /// By how much that would change the body's velocity.

@@ -33,22 +33,22 @@ double effectiveInverseMass(const BodyStore& bodies, BodyIndex body, const Vec3&
 void JointSprings::find(const std::vector<JointIndex>& joints, const JointStore& store) {
     joints_.clear();
     for (const JointIndex joint : joints)
-        if (store.hasSpring(joint)) joints_.push_back(joint);
+        if (store.hasSpring(joint)) joints_.push_back({joint, store.formOf(joint)});
 }
 
 void JointSprings::share(JointStore& store, const BodyStore& bodies, double h) {
     if (joints_.empty()) return;
     load_.resize(bodies.record.size(), 0.0);
-    for (const JointIndex joint : joints_)
+    for (const auto& [joint, form] : joints_)
         for (const BodyIndex body : {store[joint].bodyA, store[joint].bodyB}) load_[body] = 0;
-    for (const JointIndex joint : joints_) {
-        const SpringLoad load = springLoadOf(store.formOf(joint), bodies);
+    for (const auto& [joint, form] : joints_) {
+        const SpringLoad load = springLoadOf(form, bodies);
         const std::array<BodyIndex, 2> ends{store[joint].bodyA, store[joint].bodyB};
         for (std::size_t r = 0; r < load.count; ++r)
             for (std::size_t e = 0; e < 2; ++e)
                 load_[ends[e]] += load.row[r].stiffness * effectiveInverseMass(bodies, ends[e], load.row[r].at[e]);
     }
-    for (const JointIndex joint : joints_)
+    for (const auto& [joint, form] : joints_)
         store[joint].springShare = shareOf(h * h * (load_[store[joint].bodyA] + load_[store[joint].bodyB]));
 }
 

@@ -30,7 +30,11 @@ public:
     std::size_t bytes() const { return bytesOf(joints_) + bytesOf(load_); }
 
 private:
-    std::vector<JointIndex> joints_;
+    struct Sprung {
+        JointIndex joint = 0;
+        JointForm form;
+    };
+    std::vector<Sprung> joints_;
     std::vector<double> load_;  ///< of each body: sum over its springs of k w [1/s^2]
 };
 

@@ -126,6 +126,7 @@ private:
     /// Bodies in lanes of islands go behind all others.
     void loadJoints(double dt) {
         joints_->load(stores_.joints, dt);
+        if (stores_.joints.islands.islands.empty()) return;
         std::vector<std::uint8_t> inLanes(bodies_.record.size(), 0);
         for (const JointIsland& island : stores_.joints.islands.islands)
             for (const BodyIndex body : island.bodies) inLanes[body] = island.isSwept() ? 0 : 1;
@@ -135,8 +136,9 @@ private:
     }
 
     void subStep(int number) {
-        startHalf({h_, true, number == 0});
-        solveContacts(&ContactSolver::solve, {h_, true, number == 0});
+        const JointHalf before{h_, true, number == 0}, after{h_, false, false};
+        startHalf(before);
+        solveContacts(&ContactSolver::solve, before);
         if (joints_ != nullptr) joints_->hold(stores_.joints, h_);
         if (observer_ != nullptr) observer_->endHalf();
         const float h = static_cast<float>(h_);
@@ -144,8 +146,8 @@ private:
         if (joints_ != nullptr) joints_->move(stores_.joints, h_);
         if (stores_.hasWalls) walls_.afterMove({fast_.data(), fast}, number * h_);
         fields_.moved();
-        startHalf({h_, false, false});
-        solveContacts(&ContactSolver::relax, {h_, false, false});
+        startHalf(after);
+        solveContacts(&ContactSolver::relax, after);
         if (observer_ != nullptr) observer_->endHalf();
     }
 
@@ -162,7 +164,7 @@ private:
         markBodies(solved_.data(), moving_, solverBodies_);
     }
 
-    void solveContacts(ContactWork work, JointHalf half) {
+    void solveContacts(ContactWork work, const JointHalf& half) {
         const bool machines = !machines_.contacts.empty();
         if (machines) joints_->hideMachines(stores_.graph, stores_.contacts, machines_);
         forEachSlice([&](const ContactSolver& solver, ContactBatch* batches, std::size_t contacts,

@@ -27,6 +27,7 @@ struct Slots {
     void set(int field, D value) const { storeLanes(data + field * N, value); }
 };
 
+/// Where the items are.
 template <int W>
 struct IslandItems {
     using S = Slots<W>;
@@ -81,19 +82,19 @@ struct Elimination : IslandItems<W> {
         if (!v.someFree) return;
         for (std::uint32_t j = 0; j < v.jointCount; ++j)
             for (std::uint32_t i = v.joints[j].firstRow; i < v.joints[j + 1].firstRow; ++i)
-                if (!v.rows[i].holds && anyOf<W>(rowOf(v, i)[R::Known] != D{})) apply(v, j, i, rowOf(v, i)[R::Known]);
+                if (!v.rows[i].holds && anyOf<W>(rowOf(v, i)[R::Known] != D{})) applyKnown(v, j, i);
     }
-    /// Adds to U what an impulse of a row of a joint changes in it.
-    static void apply(const IslandLanes& v, std::uint32_t j, std::uint32_t i, D impulse) {
+    static void applyKnown(const IslandLanes& v, std::uint32_t j, std::uint32_t i) {
+        const D known = rowOf(v, i)[R::Known];
         for (std::uint32_t e = v.joints[j].firstEnd; e < v.joints[j + 1].firstEnd; ++e) {
             const S b = bodyOf(v, v.ends[e].node);
             D at[3];
             rowAt(v, i, v.ends[e], at);
-            b.set(B::Ux, b[B::Ux] + at[0] * impulse / b[B::Mass]);
-            b.set(B::Uy, b[B::Uy] + at[1] * impulse / b[B::Mass]);
+            b.set(B::Ux, b[B::Ux] + at[0] * known / b[B::Mass]);
+            b.set(B::Uy, b[B::Uy] + at[1] * known / b[B::Mass]);
             const auto turns = b[B::Inertia] > D{};
             const D inertia = turns ? b[B::Inertia] : all(1);
-            b.set(B::Uspin, b[B::Uspin] + (turns ? at[2] * impulse / inertia : D{}));
+            b.set(B::Uspin, b[B::Uspin] + (turns ? at[2] * known / inertia : D{}));
         }
     }
 
@@ -218,6 +219,7 @@ struct Elimination : IslandItems<W> {
         }
     }
 
+    /// Makes a joint of a tree softer by a share of what it gives.
     static void loosen(const IslandLanes& v, const S& block) {
         for (int i = 0; i < 9; ++i) block.set(i, block[i] * (1 + v.slack));
     }

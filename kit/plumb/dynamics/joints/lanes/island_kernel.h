@@ -164,7 +164,6 @@ struct IslandTurn {
     double fastest = 0;     ///< speed at which an error is removed at most [m/s]
     double rate = 1 / h;    ///< [1/s]
     double share = 1;       ///< of an error that a sub-step removes [-]
-    bool again = false;     ///< predicts from the last solution, not from the present velocities
 };
 
 /// The same functions for each number of lanes, with bitwise equal results.

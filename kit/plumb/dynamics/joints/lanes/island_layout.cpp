@@ -2,7 +2,8 @@
 #include <plumb/dynamics/joints/lanes/island_layout.h>
 
 #include <algorithm>
-#include <numeric>
+
+#include <plumb/dynamics/bodies/body_groups.h>
 
 namespace plumb {
 
@@ -15,33 +16,15 @@ constexpr std::size_t fewLoops = 16;
 constexpr std::size_t updatesPerNode = 8;
 constexpr std::size_t fewUpdates = 4000;
 
-/// Bodies that are connected so far.
-class Forest {
-public:
-    explicit Forest(std::uint32_t nodes) : parent_(nodes) { std::iota(parent_.begin(), parent_.end(), 0U); }
-
-    /// False if the two are connected already.
-    bool connect(std::uint32_t a, std::uint32_t b) {
-        a = rootOf(a);
-        b = rootOf(b);
-        parent_[a] = b;
-        return a != b;
-    }
-
-private:
-    std::uint32_t rootOf(std::uint32_t node) {
-        while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
-        return node;
-    }
-    std::vector<std::uint32_t> parent_;
-};
-
 /// All bodies that impulses do not move count as one.
 bool isTree(std::uint32_t moved, const std::vector<LaidJoint>& joints) {
-    Forest forest(moved + 1);
+    BodyGroups groups(moved + 1);
     for (const LaidJoint& joint : joints)
-        for (std::size_t k = 0; k < joint.form.links; ++k)
-            if (!forest.connect(std::min(joint.link[k].a, moved), std::min(joint.link[k].b, moved))) return false;
+        for (std::size_t k = 0; k < joint.form.links; ++k) {
+            const BodyIndex a = std::min(joint.link[k].a, moved), b = std::min(joint.link[k].b, moved);
+            if (groups.of(a) == groups.of(b)) return false;
+            groups.unite(a, b);
+        }
     return true;
 }
 
