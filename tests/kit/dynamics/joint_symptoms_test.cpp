@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <plumb/plumb.h>
+#include <plumb/record/state_hash.h>
 
 #include "catch.h"
 #include "kit/usual_world.h"
@@ -162,23 +163,30 @@ TEST_CASE(
     for (const double end : ends) CHECK(std::fabs(end - ends.back()) < 1e-3);
 }
 
-TEST_CASE("three welded bars hold while two of them are kept from turning", "[dynamics][joints]") {
-    World world({.sleeping = false});
-    std::vector<BodyId> bars;
-    std::vector<JointId> welds;
-    for (int i = 0; i < 3; ++i)
-        bars.push_back(world.add({.position = {1.0 * i, 0}, .shapes = {plumb::box({0.4, 0.1})}}));
-    for (std::size_t i = 1; i < 3; ++i)
-        welds.push_back(world.join(
-            plumb::WeldJointDef{.bodyA = bars[i - 1], .bodyB = bars[i], .anchor = {static_cast<double>(i) - 0.5, 0}}));
-    for (int tick = 0; tick < 180; ++tick) {
-        if (tick == 60) world.body(bars[0]).setFixedRotation(true);
-        if (tick == 80) world.body(bars[2]).setFixedRotation(true);
-        if (tick == 120) world.body(bars[2]).setFixedRotation(false);
-        world.body(bars[1]).applyForce({0.02, 0.1}, world.body(bars[1]).position() + plumb::Vec2(0.3, 0));
-        world.step(dt);
-        for (const JointId weld : welds) CHECK(world.joint(weld).error() < 1e-5);
+TEST_CASE("three welded bars hold while two of them are kept from turning, as they do if their joints are set again",
+          "[dynamics][joints]") {
+    std::vector<std::uint64_t> states;
+    for (const bool again : {false, true}) {
+        World world({.sleeping = false});
+        std::vector<BodyId> bars;
+        std::vector<JointId> welds;
+        for (int i = 0; i < 3; ++i)
+            bars.push_back(world.add({.position = {1.0 * i, 0}, .shapes = {plumb::box({0.4, 0.1})}}));
+        for (std::size_t i = 1; i < 3; ++i)
+            welds.push_back(world.join(plumb::WeldJointDef{
+                .bodyA = bars[i - 1], .bodyB = bars[i], .anchor = {static_cast<double>(i) - 0.5, 0}}));
+        for (int tick = 0; tick < 180; ++tick) {
+            if (tick == 60) world.body(bars[0]).setFixedRotation(true);
+            if (tick == 80) world.body(bars[2]).setFixedRotation(true);
+            if (tick == 120) world.body(bars[2]).setFixedRotation(false);
+            if (again && tick >= 60) world.joint(welds[0]).set(world.joint(welds[0]).def());
+            world.body(bars[1]).applyForce({0.02, 0.1}, world.body(bars[1]).position() + plumb::Vec2(0.3, 0));
+            world.step(dt);
+            for (const JointId weld : welds) CHECK(world.joint(weld).error() < 1e-5);
+        }
+        states.push_back(plumb::stateHash(world));
     }
+    CHECK(states[0] == states[1]);
 }
 
 TEST_CASE("a bar that is whirled at its end at 50 or 100 rad/s keeps its hinge and its speed for 10 s",
