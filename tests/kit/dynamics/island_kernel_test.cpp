@@ -88,7 +88,8 @@ void drawAxis(Random& random, IslandNumbers& lanes, std::size_t i, std::uint32_t
 void drawNumbers(Random& random, IslandNumbers& lanes, bool allTurn = false) {
     const IslandLayout& layout = lanes.layout();
     for (std::uint32_t b = 0; b < layout.bodies; ++b) {
-        for (int c = 0; c < 3; ++c) lanes.body(b, BodyField::Vx + c) = random.uniform(-3, 3);
+        for (int c = 0; c < 3; ++c)
+            lanes.body(b, BodyField::FreeX + c) = lanes.body(b, BodyField::Vx + c) = random.uniform(-3, 3);
         if (b >= layout.moved) continue;
         const double mass = random.uniform(0.1, 10), inertia = random.uniform(0.1, 10);
         const bool turns = random.integer(0, 7) > 0 || allTurn;

@@ -73,18 +73,55 @@ float nearestOf(const FreshLanes& fresh, std::size_t lane) {
     return fresh.count[lane] > 1 ? std::min(first, fresh.points[1].separation[lane]) : first;
 }
 
-void renewGyration(ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies, const Space& space,
-                   BodyIndex body) {
-    const float inverseGyration = bodies.record[body].inverseGyration;
+namespace {
+
+void scaleSide(ContactBatch& batch, std::size_t lane, bool isA, float ratio) {
+    for (PointLanes& p : batch.points) {
+        (isA ? p.anchorNormalA : p.anchorNormalB)[lane] *= ratio;
+        (isA ? p.anchorTangentA : p.anchorTangentB)[lane] *= ratio;
+    }
+    (isA ? batch.roundA : batch.roundB)[lane] *= ratio;
+    (isA ? batch.rollInverseGyrationA : batch.rollInverseGyrationB)[lane] *= ratio;
+}
+
+/// The effective masses of the contact in a lane.
+void findMasses(ContactBatch& batch, std::size_t lane, const std::vector<SolverVelocity>& velocity) {
+    const float a = velocity[batch.bodyA[lane]].inverseMass, b = velocity[batch.bodyB[lane]].inverseMass;
+    const auto massOf = [a, b](float anchorA, float anchorB) {
+        return 1.0f / (a * (anchorA * anchorA + 1.0f) + b * (anchorB * anchorB + 1.0f));
+    };
+    for (PointLanes& p : batch.points) {
+        if (p.normalMass[lane] > 0) p.normalMass[lane] = massOf(p.anchorTangentA[lane], p.anchorTangentB[lane]);
+        if (p.tangentMass[lane] > 0) p.tangentMass[lane] = massOf(p.anchorNormalA[lane], p.anchorNormalB[lane]);
+    }
+    const float rollA = batch.rollInverseGyrationA[lane], rollB = batch.rollInverseGyrationB[lane];
+    if (batch.rollMass[lane] > 0) batch.rollMass[lane] = 1 / (a * rollA * rollA + b * rollB * rollB);
+}
+
+}  // namespace
+
+void setSolverMass(ContactGraph& graph, const ContactStore& contacts, BodyStore& bodies, BodyIndex body,
+                   float inverseMass, float inverseGyration) {
+    SolverTurn& turn = bodies.turn[body];
+    const float ratio = turn.inverseGyration > 0 ? inverseGyration / turn.inverseGyration : 1.0f;
+    SolverVelocity &v = bodies.velocity[body], &warm = bodies.warm[body];
+    const float share = inverseMass / v.inverseMass;
+    v.w /= ratio;
+    v.inverseMass = inverseMass;
+    warm = {warm.x * share, warm.y * share, warm.w * share * ratio, 0};
+    SolverDisplacement& moved = bodies.displacement[body];
+    moved.sin /= ratio;
+    moved.cosMinus1 /= ratio;
+    bodies.kick[body].gain.w /= ratio;
+    turn.inverseGyration *= ratio;
+    turn.gyration /= ratio;
     forEachContact(bodies, contacts, body, [&](ContactIndex index) {
         const ContactRecord& contact = contacts[index];
         if (!contact.isSolved()) return;
         ContactBatch& batch = graph.colours[contact.colour].batches[contact.slot / batchLanes];
         const std::size_t lane = contact.slot % batchLanes;
-        const bool isA = contact.bodyA == body;
-        (isA ? batch.rollInverseGyrationA : batch.rollInverseGyrationB)[lane] = inverseGyration;
-        (isA ? batch.roundA : batch.roundB)[lane] =
-            inverseGyration * space[isA ? contact.proxyA : contact.proxyB].convex.radius;
+        scaleSide(batch, lane, contact.bodyA == body, ratio);
+        findMasses(batch, lane, bodies.velocity);
     });
 }
 

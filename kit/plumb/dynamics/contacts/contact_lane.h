@@ -18,8 +18,9 @@ Manifold manifoldAt(const FreshLanes& fresh, std::size_t lane);
 /// The smaller separation of the points in a lane that has some [m].
 float nearestOf(const FreshLanes& fresh, std::size_t lane);
 
-/// Copies a body's inverse radius of gyration into the lanes of its contacts, after its joints have raised its inertia.
-void renewGyration(ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies, const Space& space,
-                   BodyIndex body);
+/// Lets the solver see a body with another mass, and its contacts with it. inverseGyration: the inverse of its radius of
+/// gyration [1/m]; it stays 0 for a body that cannot turn.
+void setSolverMass(ContactGraph& graph, const ContactStore& contacts, BodyStore& bodies, BodyIndex body,
+                   float inverseMass, float inverseGyration);
 
 }  // namespace plumb

@@ -26,25 +26,23 @@ bool pullPlace(double& value, float record) {
     return true;
 }
 
-/// What contacts have given since the last mark is their first guess in the next half of a sub-step.
-void addContactImpulse(SolverVelocity& warm, const SolverVelocity& now, const SolverVelocity& before) {
-    warm.x += now.x - before.x;
-    warm.y += now.y - before.y;
-    warm.w += now.w - before.w;
-}
-
 }  // namespace
+
+void JointBatch::pullVelocity(const BodyStore& bodies, std::size_t lane, std::size_t n, int field) {
+    const BodyIndex index = islands_[lane]->bodies[n];
+    const SolverVelocity& v = bodies.velocity[index];
+    pullChange(body(n, field, lane), v.x, 1);
+    pullChange(body(n, field + 1, lane), v.y, 1);
+    pullChange(body(n, field + 2, lane), v.w, static_cast<double>(bodies.turn[index].gyration));
+}
 
 bool JointBatch::pullLane(const BodyStore& bodies, std::size_t lane, bool moved) {
     bool changed = false;
     for (std::size_t n = 0; n < layout_->moved; ++n) {
-        const BodyIndex index = islands_[lane]->bodies[n];
-        const SolverVelocity& v = bodies.velocity[index];
-        const SolverTurn& turn = bodies.turn[index];
-        pullChange(body(n, BodyField::Vx, lane), v.x, 1);
-        pullChange(body(n, BodyField::Vy, lane), v.y, 1);
-        pullChange(body(n, BodyField::Spin, lane), v.w, static_cast<double>(turn.gyration));
+        pullVelocity(bodies, lane, n, BodyField::Vx);
         if (!moved) continue;
+        const BodyIndex index = islands_[lane]->bodies[n];
+        const SolverTurn& turn = bodies.turn[index];
         const SolverDisplacement& d = bodies.displacement[index];
         changed = pullPlace(body(n, BodyField::X, lane), d.x) || changed;
         changed = pullPlace(body(n, BodyField::Y, lane), d.y) || changed;
@@ -79,17 +77,30 @@ double JointBatch::opening(std::size_t lane) const {
     return most;
 }
 
-void JointBatch::writeVelocities(BodyStore& bodies) const {
+void JointBatch::writeVelocities(BodyStore& bodies, int field) const {
     for (std::size_t n = 0; n < layout_->moved; ++n) {
         for (std::size_t lane = 0; lane < width_; ++lane) {
             if (active_[lane] == 0) continue;
             const BodyIndex index = islands_[lane]->bodies[n];
             SolverVelocity& v = bodies.velocity[index];
-            v.x = rounded(body(n, BodyField::Vx, lane));
-            v.y = rounded(body(n, BodyField::Vy, lane));
-            v.w = rounded(body(n, BodyField::Spin, lane) * static_cast<double>(bodies.turn[index].gyration));
+            v.x = rounded(body(n, field, lane));
+            v.y = rounded(body(n, field + 1, lane));
+            v.w = rounded(body(n, field + 2, lane) * static_cast<double>(bodies.turn[index].gyration));
         }
     }
+}
+
+void JointBatch::writeVelocities(BodyStore& bodies) const {
+    writeVelocities(bodies, BodyField::Vx);
+}
+
+void JointBatch::writeFree(BodyStore& bodies) const {
+    writeVelocities(bodies, BodyField::FreeX);
+}
+
+void JointBatch::pullFree(const BodyStore& bodies) {
+    for (std::size_t n = 0; n < layout_->moved; ++n)
+        for (std::size_t lane = 0; lane < width_; ++lane) pullVelocity(bodies, lane, n, BodyField::FreeX);
 }
 
 void JointBatch::writePlaces(BodyStore& bodies) const {
@@ -105,22 +116,34 @@ void JointBatch::writePlaces(BodyStore& bodies) const {
     }
 }
 
-void JointBatch::kick(BodyStore& bodies, bool first) {
+void JointBatch::addImpulse(const BodyStore& bodies, std::size_t lane, std::size_t n, const SolverVelocity& change) {
+    const auto at = [&](int field) -> double& { return body(n, field, lane); };
+    const double inverseGyration = static_cast<double>(bodies.turn[islands_[lane]->bodies[n]].inverseGyration);
+    const double give = at(BodyField::ContactMass) / at(BodyField::Mass);
+    at(BodyField::FreeX) += static_cast<double>(change.x) * give;
+    at(BodyField::FreeY) += static_cast<double>(change.y) * give;
+    if (at(BodyField::Inertia) > 0)
+        at(BodyField::FreeSpin) += static_cast<double>(change.w) * inverseGyration * at(BodyField::ContactInertia) /
+                                   at(BodyField::Inertia);
+}
+
+void JointBatch::kick(const BodyStore& bodies) {
+    kernel_->setMasses(view_, h_);
+    borne_ = {};
     for (std::size_t n = 0; n < layout_->moved; ++n) {
         for (std::size_t lane = 0; lane < width_; ++lane) {
-            const BodyIndex index = islands_[lane]->bodies[n];
-            SolverVelocity& warm = bodies.warm[index];
-            if (!first) addContactImpulse(warm, bodies.velocity[index], bodies.before[index]);
             const auto at = [&](int field) -> double& { return body(n, field, lane); };
             const double linear = at(BodyField::KeepLinear), angular = at(BodyField::KeepAngular);
-            const double inverseGyration = static_cast<double>(bodies.turn[index].inverseGyration);
-            at(BodyField::Vx) = at(BodyField::Vx) * linear + at(BodyField::GainX) + static_cast<double>(warm.x);
-            at(BodyField::Vy) = at(BodyField::Vy) * linear + at(BodyField::GainY) + static_cast<double>(warm.y);
-            at(BodyField::Spin) =
-                at(BodyField::Spin) * angular + at(BodyField::GainSpin) + static_cast<double>(warm.w) * inverseGyration;
+            at(BodyField::FreeX) = at(BodyField::Vx) * linear + at(BodyField::GainX);
+            at(BodyField::FreeY) = at(BodyField::Vy) * linear + at(BodyField::GainY);
+            at(BodyField::FreeSpin) = at(BodyField::Spin) * angular + at(BodyField::GainSpin);
+            const SolverVelocity& warm = bodies.warm[islands_[lane]->bodies[n]];
+            if (warm.x != 0 || warm.y != 0 || warm.w != 0) borne_[lane] = 1;
+            addImpulse(bodies, lane, n, warm);
         }
     }
     activate(true, 0);
+    pushed_ = {};
 }
 
 void JointBatch::move(BodyStore& bodies, double h) {
@@ -132,16 +155,15 @@ void JointBatch::activate(bool all, std::size_t lane) {
     for (std::size_t l = 0; l < width_; ++l) active_[l] = all || l == lane ? 1 : 0;
 }
 
-/// Activates the islands in which a body turns so far in a sub-step of h [s] that the first prediction of where it will
-/// be is not exact enough.
-bool JointBatch::activateFast(double h) {
+/// Activates those of some lanes in which a body turns so far in a sub-step of h [s] that the first prediction of where
+/// it will be is not exact enough.
+bool JointBatch::activateFast(double h, const Lanes& lanes) {
     constexpr double far = 0.1;
-    std::array<double, 8> fast{};
+    active_ = {};
     for (std::size_t n = 0; n < layout_->moved; ++n)
         for (std::size_t lane = 0; lane < width_; ++lane)
-            if (std::fabs(body(n, BodyField::Uspin, lane)) * h > far) fast[lane] = 1;
-    active_ = fast;
-    return fast != std::array<double, 8>{};
+            if (std::fabs(body(n, BodyField::Uspin, lane)) * h > far) active_[lane] = lanes[lane];
+    return active_ != Lanes{};
 }
 
 void JointBatch::noteStates() {
@@ -149,30 +171,80 @@ void JointBatch::noteStates() {
     for (std::size_t i = 0; i < layout_->rows.size(); ++i)
         if (!layout_->rows[i].holds)
             for (std::size_t lane = 0; lane < width_; ++lane)
-                row(i, RowField::LastState, lane) = row(i, RowField::State, lane);
+                if (active_[lane] != 0) row(i, RowField::LastState, lane) = row(i, RowField::State, lane);
 }
 
-void JointBatch::solve(BodyStore& bodies, const IslandTurn& turn, StepObserver* observer) {
-    kernel_->setMasses(view_, h_);
-    activate(true, 0);
+/// The free velocities are the present ones.
+void JointBatch::freeAsIs() {
+    for (std::size_t n = 0; n < layout_->moved; ++n)
+        for (std::size_t lane = 0; lane < width_; ++lane)
+            for (int c = 0; c < 3; ++c) body(n, BodyField::FreeX + c, lane) = body(n, BodyField::Vx + c, lane);
+}
+
+/// In some lanes. Rows are predicted from the present velocities, which the joints allow: from the free ones, bodies
+/// would seem to turn much farther than they will.
+void JointBatch::findSolution(const IslandTurn& turn, const Lanes& lanes) {
+    active_ = lanes;
     kernel_->prepare(view_, turn);
     kernel_->solve(view_);
-    for (int time = 0; time < 2 && turn.correct && activateFast(turn.h); ++time) {
+    for (int time = 0; time < 2 && turn.correct && activateFast(turn.h, lanes); ++time) {
         kernel_->predictAgain(view_, turn);
         kernel_->solve(view_);
     }
-    noteStates();
-    activate(true, 0);
+    active_ = lanes;
+    if (!turn.onlyHold) noteStates();
     kernel_->accept(view_);
+}
+
+void JointBatch::note(const Lanes& lanes, StepObserver* observer) {
+    active_ = lanes;
     kernel_->addLoads(view_);
-    if (observer != nullptr) report(*observer);
     kernel_->noteForces(view_, h_);
+    if (observer == nullptr) return;
+    report(*observer);
+    observer->noteGround(givenMomentum());
+}
+
+void JointBatch::solve(BodyStore& bodies, const IslandTurn& turn) {
+    activate(true, 0);
+    findSolution(turn, Lanes(active_));
     writeVelocities(bodies);
+}
+
+/// Adds the impulses of the contacts, which have changed the bodies' records, to the free velocities and to the next
+/// first guess. Returns the lanes in which there were some.
+JointBatch::Lanes JointBatch::takeContactImpulses(BodyStore& bodies) {
+    Lanes touched = pushed_;
+    for (std::size_t n = 0; n < layout_->moved; ++n) {
+        for (std::size_t lane = 0; lane < width_; ++lane) {
+            const BodyIndex index = islands_[lane]->bodies[n];
+            const SolverVelocity &now = bodies.velocity[index], &before = bodies.before[index];
+            if (now.x == before.x && now.y == before.y && now.w == before.w) continue;
+            touched[lane] = 1;
+            const SolverVelocity change{now.x - before.x, now.y - before.y, now.w - before.w, 0};
+            SolverVelocity& warm = bodies.warm[index];
+            warm = {warm.x + change.x, warm.y + change.y, warm.w + change.w, 0};
+            addImpulse(bodies, lane, n, change);
+        }
+    }
+    return touched;
+}
+
+void JointBatch::solveAgain(BodyStore& bodies, const IslandTurn& turn, StepObserver* observer) {
+    const Lanes touched = takeContactImpulses(bodies);
+    Lanes others{};
+    for (std::size_t lane = 0; lane < width_; ++lane) others[lane] = 1 - touched[lane];
+    if (others != Lanes{}) note(others, observer);
+    if (touched == Lanes{}) return;
+    findSolution(turn, touched);
+    writeVelocities(bodies);
+    note(touched, observer);
 }
 
 void JointBatch::sweep(BodyStore& bodies, const IslandTurn& turn, double give, StepObserver* observer) {
     pull(bodies);
     if (turn.correct) noteSpeeds();
+    freeAsIs();
     view_.compliance = give + (layout_->isTree ? 0 : relativeCompliance);
     kernel_->prepare(view_, turn);
     kernel_->solve(view_);
@@ -183,30 +255,19 @@ void JointBatch::sweep(BodyStore& bodies, const IslandTurn& turn, double give, S
     writeVelocities(bodies);
 }
 
-void JointBatch::hold(BodyStore& bodies, double h, double fastest, std::span<const bool> active,
-                      StepObserver* observer) {
-    // Repeated where a pass has changed an angular velocity so much that its prediction of the ends is no longer valid.
-    constexpr double far = 0.02;
-    std::array<double, 8> held{};
-    for (std::size_t lane = 0; lane < width_; ++lane) held[lane] = active[lane] ? 1 : 0;
-    active_ = held;
-    for (int time = 0; time < 3; ++time) {
-        kernel_->setMasses(view_, h);
-        kernel_->prepare(view_, {h, true, true, fastest});
-        kernel_->solve(view_);
-        std::array<double, 8> again{};
-        for (std::size_t n = 0; n < layout_->moved; ++n)
-            for (std::size_t lane = 0; lane < width_; ++lane)
-                if (std::fabs(body(n, BodyField::Uspin, lane) - body(n, BodyField::Spin, lane)) * h > far)
-                    again[lane] = active_[lane];
-        kernel_->accept(view_);
-        kernel_->addLoads(view_);
-        if (observer != nullptr) report(*observer);
-        active_ = again;
-        if (again == std::array<double, 8>{}) break;
-    }
-    active_ = held;
+void JointBatch::hold(BodyStore& bodies, std::size_t lane, double h, double fastest) {
+    kernel_->setMasses(view_, h);
+    freeAsIs();
+    Lanes held{};
+    held[lane] = 1;
+    findSolution({h, true, true, fastest}, held);
+    kernel_->addLoads(view_);
     writeVelocities(bodies);
+}
+
+void JointBatch::addLoads(std::size_t lane) {
+    activate(false, lane);
+    kernel_->addLoads(view_);
 }
 
 Vec3 JointBatch::answer(std::size_t lane, std::size_t node, const Vec3& impulse) {
@@ -227,8 +288,10 @@ void JointBatch::push(BodyStore& bodies, std::size_t lane, std::size_t node, con
     answer(lane, node, impulse);
     activate(false, lane);
     kernel_->accept(view_);
-    kernel_->addLoads(view_);
     writeVelocities(bodies);
+    const Vec3 change = changeBy(lane, node, impulse);
+    for (int c = 0; c < 3; ++c) body(node, BodyField::FreeX + c, lane) += change[static_cast<std::size_t>(c)];
+    pushed_[lane] = 1;
 }
 
 Vec3 JointBatch::changeBy(std::size_t lane, std::size_t node, const Vec3& impulse) const {
@@ -236,34 +299,16 @@ Vec3 JointBatch::changeBy(std::size_t lane, std::size_t node, const Vec3& impuls
     return {impulse[0] / mass, impulse[1] / mass, inertia > 0 ? impulse[2] / inertia : 0.0};
 }
 
-bool JointBatch::tryFrom(BodyStore& bodies, std::span<const Vec3> before, const IslandTurn& turn) {
-    pull(bodies);
-    activate(true, 0);
-    kernel_->setMasses(view_, h_);
-    kernel_->prepare(view_, turn);
+/// The momentum that joints have given: only fixed bodies can give some.
+Vec2 JointBatch::givenMomentum() const {
+    Vec2 sum(0, 0);
     for (std::size_t n = 0; n < layout_->moved; ++n)
-        for (int c = 0; c < 3; ++c) body(n, BodyField::Vx + c, 0) = before[n][static_cast<std::size_t>(c)];
-    const bool changed = kernel_->solve(view_);
-    noteStates();
-    kernel_->accept(view_);
-    writeVelocities(bodies);
-    return changed;
-}
-
-void JointBatch::acceptTry(StepObserver* observer) {
-    activate(true, 0);
-    kernel_->addLoads(view_);
-    if (observer != nullptr) report(*observer);
-    kernel_->noteForces(view_, h_);
-}
-
-void JointBatch::follow(std::span<Vec3> changes) {
-    for (std::size_t n = 0; n < layout_->bodies; ++n)
-        for (std::size_t c = 0; c < 3; ++c)
-            body(n, BodyField::Ux + static_cast<int>(c), 0) = n < changes.size() ? changes[n][c] : 0.0;
-    kernel_->follow(view_);
-    for (std::size_t n = 0; n < changes.size(); ++n)
-        for (std::size_t c = 0; c < 3; ++c) changes[n][c] = body(n, BodyField::Ux + static_cast<int>(c), 0);
+        for (std::size_t lane = 0; lane < width_; ++lane)
+            if (active_[lane] != 0)
+                sum += body(n, BodyField::OwnMass, lane) *
+                       Vec2(body(n, BodyField::Vx, lane) - body(n, BodyField::FreeX, lane),
+                            body(n, BodyField::Vy, lane) - body(n, BodyField::FreeY, lane));
+    return sum;
 }
 
 void JointBatch::report(StepObserver& observer) const {

@@ -24,6 +24,13 @@ struct BodyMove {
     double spin = 0;      ///< [rad/s]
 };
 
+/// With which mass and inertia contacts see a body.
+struct ContactBody {
+    BodyIndex body = noBody;
+    double mass = 0;     ///< [kg]
+    double inertia = 0;  ///< 0: it cannot turn [kg m^2]
+};
+
 class JointBatch {
 public:
     JointBatch() = default;
@@ -35,6 +42,9 @@ public:
 
     /// Takes in islands of one layout, as they are at the start of a step with sub-steps of h [s].
     void load(std::span<JointIsland* const> islands, const JointStore& joints, BodyStore& bodies, double h);
+    /// After solve: adds the bodies that contacts shall see as heavier than they are, because joints hold them to
+    /// heavier ones, if this has changed since the last call. first: in this step.
+    void findContactBodies(const BodyStore& bodies, bool first, std::vector<ContactBody>& found);
     /// Writes states and loads of the joints, stiffness of the islands and moments of inertia, at the end of the step.
     void store(JointStore& joints, BodyStore& bodies);
     /// At the end of the step.
@@ -47,15 +57,22 @@ public:
     void pull(const BodyStore& bodies, std::size_t lane, bool moved);
     /// Others may have moved bodies: the next pull takes that in.
     void noteMoves() { moved_ = true; }
-    /// Lets the step's forces and the contacts' first guess act.
-    void kick(BodyStore& bodies, bool first);
+    /// Lets the step's forces and the contacts' first guess act: on the free velocities.
+    void kick(const BodyStore& bodies);
+    /// For others who let forces act: they change the records, and pullFree takes that in.
+    void writeFree(BodyStore& bodies) const;
+    void pullFree(const BodyStore& bodies);
     void writeVelocities(BodyStore& bodies) const;
     void move(BodyStore& bodies, double h);
     void noteSpeeds() { kernel_->noteSpeeds(view_); }
 
-    /// One pass over all joints; onlyHold: in the lanes where active is true.
-    void solve(BodyStore& bodies, const IslandTurn& turn, StepObserver* observer);
-    void hold(BodyStore& bodies, double h, double fastest, std::span<const bool> active, StepObserver* observer);
+    /// Solves all joints from the free velocities.
+    void solve(BodyStore& bodies, const IslandTurn& turn);
+    /// After contacts were solved: where they have changed something, solves again, from the free velocities and the
+    /// impulses of the contacts. Then notes the loads.
+    void solveAgain(BodyStore& bodies, const IslandTurn& turn, StepObserver* observer);
+    /// Removes the errors of one island's held rows after the coming h [s].
+    void hold(BodyStore& bodies, std::size_t lane, double h, double fastest);
 
     /// Of a joint that is swept: its bodies have other joints, too, which are in other batches. give: compliance of
     /// rows that hold, in addition [-].
@@ -66,18 +83,9 @@ public:
     double opening(std::size_t lane) const;
     /// Applies an impulse (x, y, turning) to a body, and those of the joints that follow from it.
     void push(BodyStore& bodies, std::size_t lane, std::size_t node, const Vec3& impulse);
+    void addLoads(std::size_t lane);
     /// By how much that would change the body's velocity.
     Vec3 answer(std::size_t lane, std::size_t node, const Vec3& impulse);
-
-    // For an island that is alone in its batch (see solver/machine_contacts.h):
-    /// Solves from velocities without the joints' impulses, with rows predicted from the present velocities. Returns
-    /// true if a row came to another part of its curve.
-    bool tryFrom(BodyStore& bodies, std::span<const Vec3> before, const IslandTurn& turn);
-    void acceptTry(StepObserver* observer);
-    /// Adds to changes of velocity those by the joints' impulses that follow from them.
-    void follow(std::span<Vec3> changes);
-    /// The change of velocity of a body by an impulse, without the joints'.
-    Vec3 changeBy(std::size_t lane, std::size_t node, const Vec3& impulse) const;
 
     const std::vector<JointIsland*>& islands() const { return islands_; }
     std::size_t bytes() const { return bytesOf(numbers_) + bytesOf(islands_); }
@@ -93,18 +101,32 @@ private:
         return number(view_.row, RowField::count, i, field, lane);
     }
     void layOut(bool isNew);
+    bool isHeavy(const BodyStore& bodies, std::size_t lane) const;
+    void addContactBodies(std::vector<ContactBody>& found, const BodyStore& bodies, std::size_t lane);
     void loadBody(const BodyStore& bodies, BodyIndex index, std::size_t node, std::size_t lane, double h);
     void loadJoint(const JointForm& form, const JointStore& joints, JointIndex index, const BodyStore& bodies,
                    std::size_t j, std::size_t lane, double h);
     void loadRow(const RowForm& form, const Rot& rotationA, double springShare, std::size_t i, std::size_t lane,
                  double h);
+    using Lanes = std::array<double, 8>;  ///< of each lane: 1 or 0
+    /// The change of velocity of a body by an impulse, without the joints'.
+    Vec3 changeBy(std::size_t lane, std::size_t node, const Vec3& impulse) const;
+    /// To the free velocity. change: by an impulse, in the body's record.
+    void addImpulse(const BodyStore& bodies, std::size_t lane, std::size_t node, const SolverVelocity& change);
+    void freeAsIs();
+    void findSolution(const IslandTurn& turn, const Lanes& lanes);
+    Lanes takeContactImpulses(BodyStore& bodies);
+    void note(const Lanes& lanes, StepObserver* observer);
     /// Returns true if a place has changed.
+    void pullVelocity(const BodyStore& bodies, std::size_t lane, std::size_t node, int field);
     bool pullLane(const BodyStore& bodies, std::size_t lane, bool moved);
     double errorOf(std::size_t row, std::size_t lane) const;
     void writePlaces(BodyStore& bodies) const;
+    void writeVelocities(BodyStore& bodies, int field) const;
     void noteStates();
     void activate(bool all, std::size_t lane);
-    bool activateFast(double h);
+    bool activateFast(double h, const Lanes& lanes);
+    Vec2 givenMomentum() const;
     void report(StepObserver& observer) const;
     JointRows rowsOf(std::size_t j, std::size_t lane, Vec3& impulses, Vec3& after, Vec3& slopes) const;
 
@@ -115,7 +137,9 @@ private:
     double h_ = 0;  ///< of the sub-step [s]
     IslandLanes view_;
     std::vector<double> numbers_;
-    std::array<double, 8> active_{};
+    Lanes active_{};
+    Lanes pushed_{};      ///< an impact has changed the free velocities
+    Lanes borne_{};       ///< contacts gave impulses in the last half
     bool moved_ = false;  ///< others may have moved bodies
 };
 

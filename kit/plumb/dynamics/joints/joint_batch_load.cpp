@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How does a batch take in its islands at the start of a step, and give them back at its end?
+#include <algorithm>
 #include <cmath>
 
 #include <plumb/dynamics/bodies/free_motion.h>
@@ -30,14 +31,15 @@ void JointBatch::layOut(bool isNew) {
                                  layout.rows.size() * RowField::count,
                                  layout.jointCount() * std::size_t{JointField::count},
                                  layout.blocks * std::size_t{9},
-                                 nodes * 3};
+                                 nodes * 3,
+                                 layout.blocks * std::size_t{9}};
     std::size_t total = 0;
     for (const std::size_t size : sizes) total += size * width;
     constexpr std::size_t line = 8;  // doubles in a cache line
     if (isNew) numbers_.assign(total + line, 0.0);
     const auto address = reinterpret_cast<std::uintptr_t>(numbers_.data()) / sizeof(double);
     double* at = numbers_.data() + (line - address % line) % line;
-    double** const arrays[] = {&view_.body, &view_.link, &view_.row, &view_.joint, &view_.block, &view_.answer};
+    double** const arrays[] = {&view_.body, &view_.link, &view_.row, &view_.joint, &view_.block, &view_.answer, &view_.inverse};
     for (std::size_t i = 0; i < std::size(sizes); at += sizes[i] * width, ++i) *arrays[i] = at;
     view_.links = layout.links.data();
     view_.rows = layout.rows.data();
@@ -56,7 +58,7 @@ void JointBatch::layOut(bool isNew) {
     view_.firstFill = layout.firstFill;
     view_.someFree = layout.someFree;
     view_.compliance = layout.isTree ? 0 : relativeCompliance;
-    view_.slack = layout.isTree ? relativeCompliance : 0;
+    view_.slack = layout.isTree ? 1e-9 : 0;
 }
 
 void JointBatch::load(std::span<JointIsland* const> islands, const JointStore& joints, BodyStore& bodies, double h) {
@@ -102,6 +104,7 @@ void JointBatch::loadBody(const BodyStore& bodies, BodyIndex index, std::size_t 
     set(BodyField::Vx, moves || drives ? motion.velocity.x() : 0.0);
     set(BodyField::Vy, moves || drives ? motion.velocity.y() : 0.0);
     set(BodyField::Spin, moves || drives ? motion.angularVelocity : 0.0);
+    for (int c = 0; c < 3; ++c) set(BodyField::FreeX + c, body(node, BodyField::Vx + c, lane));
     if (!moves) return;
     const bool turns = record.inverseInertia > 0;
     set(BodyField::InverseMass, record.inverseMass);
@@ -111,6 +114,8 @@ void JointBatch::loadBody(const BodyStore& bodies, BodyIndex index, std::size_t 
     set(BodyField::OwnInertia, turns ? record.inertia : 0.0);
     set(BodyField::Mass, record.mass);
     set(BodyField::Inertia, inertia);
+    set(BodyField::ContactMass, record.mass);
+    set(BodyField::ContactInertia, inertia);
     const bool inFields = bodies.step[index].flight != none;  // their kicks include gravity and damping
     const FlightLaw law = inFields ? FlightLaw{} : flightLawOf(bodies, index);
     const Decay linear = decay(law.linearDamping, 0.5 * h), angular = decay(law.angularDamping, 0.5 * h);
@@ -166,13 +171,20 @@ void JointBatch::loadRow(const RowForm& form, const Rot& rotationA, double sprin
 }
 
 void JointBatch::store(JointStore& joints, BodyStore& bodies) {
+    const auto inertia = [this](std::size_t n, std::size_t lane) { return body(n, BodyField::Inertia, lane); };
+    for (std::size_t n = 0; n < layout_->moved; ++n)
+        for (std::size_t lane = 0; lane < width_; ++lane) body(n, BodyField::ContactInertia, lane) = inertia(n, lane);
     kernel_->findInertias(view_, h_);
     for (std::size_t lane = 0; lane < width_; ++lane) {
         JointIsland& island = *islands_[lane];
         for (std::size_t n = 0; n < layout_->moved; ++n) {
             island.stiffness[n] = {body(n, BodyField::StiffAlong, lane), body(n, BodyField::StiffTurning, lane)};
             BodyRecord& record = bodies.record[island.bodies[n]];
-            if (record.inverseInertia > 0) setGyration(record, 1 / body(n, BodyField::Inertia, lane));
+            if (!(record.inverseInertia > 0)) continue;
+            // More inertia at the same spin would be more energy: the body keeps its angular momentum.
+            const double was = body(n, BodyField::ContactInertia, lane), now = inertia(n, lane);
+            if (now > was) body(n, BodyField::Spin, lane) *= was / now;
+            setGyration(record, 1 / now);
         }
         for (std::size_t j = 0; j < island.joints.size(); ++j) {
             const auto load = [&](int field) { return number(view_.joint, JointField::count, j, field, lane); };

@@ -9,13 +9,6 @@ namespace plumb {
 
 class JointBatch;
 
-/// The first solution of half a sub-step, before the island's contacts are known.
-struct IslandTrial {
-    bool wanted = false;       ///< contacts are solved together with this island
-    std::vector<Vec3> before;  ///< the bodies' velocities without the joints' impulses
-    std::vector<Vec3> after;   ///< with them
-};
-
 struct JointIsland {
     /// Of a body, from recent forces.
     struct Stiffness {
@@ -29,7 +22,6 @@ struct JointIsland {
     std::shared_ptr<const IslandLayout> layout;  ///< null: the island is swept
     JointBatch* batch = nullptr;                 ///< in this step, if it is not swept
     std::size_t lane = 0;
-    IslandTrial trial;  ///< used when solved together with its contacts
     HingeSweep hinges;  ///< used when swept: its plain hinges
 
     bool isSwept() const { return layout == nullptr; }

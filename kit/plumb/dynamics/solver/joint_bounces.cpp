@@ -124,6 +124,9 @@ private:
         const Slot slot(graph_, contact);
         push(contact.bodyA, slot.push(bodies_, contact.bodyA, point), -impulse);
         push(contact.bodyB, slot.push(bodies_, contact.bodyB, point), impulse);
+        if (observer_ == nullptr) return;
+        if (!bodies_.canMove(contact.bodyA)) observer_->noteGround(slot.normal() * impulse);
+        if (!bodies_.canMove(contact.bodyB)) observer_->noteGround(slot.normal() * -impulse);
     }
 
     /// Applies an impulse to one body, and the joint impulses that follow from it to its island.
@@ -132,7 +135,6 @@ private:
         const Vec3 given{along[0] * impulse, along[1] * impulse, along[2] * impulse};
         if (islandOf_[body] != none) {
             const JointIsland& island = islands_.islands[islandOf_[body]];
-            island.batch->pull(bodies_, island.lane, false);
             island.batch->push(bodies_, island.lane, island.nodeOf(body), given);
             return;
         }

@@ -7,9 +7,7 @@
 #include <plumb/dynamics/joints/find_islands.h>
 #include <plumb/dynamics/joints/joint_bodies.h>
 #include <plumb/dynamics/joints/joint_measure.h>
-#include <plumb/dynamics/joints/joint_response.h>
 #include <plumb/dynamics/solver/joint_bounces.h>
-#include <plumb/dynamics/solver/machine_sweep.h>
 
 namespace plumb {
 
@@ -95,8 +93,7 @@ std::span<JointBatch> batchesOf(const JointStores& stores) {
     return {stores.islands.batches.data(), stores.islands.batchCount};
 }
 
-/// Equal islands share a batch, as many as there are lanes. An island that is solved together with its contacts has a
-/// batch of its own.
+/// Equal islands share a batch, as many as there are lanes.
 void loadBatches(const JointStores& stores, double dt) {
     JointIslands& found = stores.islands;
     const double h = dt / stores.settings.subSteps;
@@ -109,13 +106,7 @@ void loadBatches(const JointStores& stores, double dt) {
     std::vector<JointIsland*> some;
     for (const std::vector<std::uint32_t>& group : found.alike) {
         some.clear();
-        for (const std::uint32_t i : group) {
-            JointIsland* island = &found.islands[i];
-            if (island->trial.wanted)
-                load({&island, 1});
-            else
-                some.push_back(island);
-        }
+        for (const std::uint32_t i : group) some.push_back(&found.islands[i]);
         std::size_t width = most;
         for (std::span<JointIsland*> left = some; !left.empty(); left = left.subspan(width)) {
             while (width > left.size()) width /= 2;
@@ -129,35 +120,28 @@ void loadBatches(const JointStores& stores, double dt) {
     }
 }
 
+std::vector<ContactBody> findContactBodies(const JointStores& stores, const JointHalf& half) {
+    std::vector<ContactBody> found;
+    for (JointBatch& batch : batchesOf(stores)) batch.findContactBodies(stores.bodies, half.isFirst, found);
+    return found;
+}
+
 void kickBatch(const JointStores& stores, JointBatch& batch, const JointHalf& half) {
     batch.pull(stores.bodies);
     if (half.correct) batch.noteSpeeds();
-    JointIsland& island = *batch.islands().front();
-    if (half.correct && island.trial.wanted) island.trial.after = velocitiesOf(island, stores.bodies);
-    batch.kick(stores.bodies, half.isFirst);
+    batch.kick(stores.bodies);
 }
 
 void kickBatches(const JointStores& stores, const JointHalf& half) {
     for (JointBatch& batch : batchesOf(stores)) {
         kickBatch(stores, batch, half);
-        batch.writeVelocities(stores.bodies);
+        batch.writeFree(stores.bodies);
     }
 }
 
 void moveBatches(const JointStores& stores, double h) {
     for (JointBatch& batch : batchesOf(stores)) batch.move(stores.bodies, h);
     for (JointBatch& batch : stores.islands.sweptBatches) batch.noteMoves();
-}
-
-/// An island that is solved together with its contacts. What it gives is reported when the contacts are known.
-void firstTry(JointIsland& island, const JointStores& stores, const IslandTurn& turn) {
-    island.batch->writeVelocities(stores.bodies);
-    island.trial.before = velocitiesOf(island, stores.bodies);
-    if (turn.correct)
-        for (std::size_t b = 0; b < island.bodies.size(); ++b)
-            setVelocity(stores.bodies, island.bodies[b], island.trial.after[b]);
-    island.batch->tryFrom(stores.bodies, island.trial.before, turn);
-    island.trial.after = velocitiesOf(island, stores.bodies);
 }
 
 std::vector<BodyIndex> bodiesOf(const JointBatch& batch) {
@@ -195,14 +179,10 @@ void solveJoints(const JointStores& stores, const JointHalf& half, bool kicked) 
     const IslandTurn turn = turnOf(stores, half);
     for (JointBatch& batch : batchesOf(stores)) {
         if (kicked)
-            batch.pull(stores.bodies);
+            batch.pullFree(stores.bodies);
         else
             kickBatch(stores, batch, half);
-        if (stores.observer != nullptr) batch.writeVelocities(stores.bodies);
-        if (batch.islands().front()->trial.wanted)
-            firstTry(*batch.islands().front(), stores, turn);
-        else
-            reportGround(stores, batch, [&] { batch.solve(stores.bodies, turn, stores.observer); });
+        batch.solve(stores.bodies, turn);
     }
     for (JointIsland& island : stores.islands.islands)
         if (island.isSwept()) reportGround(stores, island.bodies, [&] { sweepHinges(stores, island, half); });
@@ -210,44 +190,14 @@ void solveJoints(const JointStores& stores, const JointHalf& half, bool kicked) 
         reportGround(stores, batch, [&] { sweepJoint(stores, batch, half); });
 }
 
-/// The joints are solved once more before bodies move: an impact on one plank of a bridge then acts on the whole
-/// bridge. This correction is not a contact impulse, so it is kept out of the contacts' next first guess.
-void holdJoints(const JointStores& stores, double h) {
-    BodyStore& bodies = stores.bodies;
-    const auto touched = [&](BodyIndex body) { return bodies.links[body].solverContacts > 0; };
-    std::vector<SolverVelocity> was;
-    for (JointBatch& batch : batchesOf(stores)) {
-        std::array<bool, 8> active{};
-        const std::vector<JointIsland*>& islands = batch.islands();
-        for (std::size_t i = 0; i < islands.size(); ++i)
-            active[i] =
-                !islands[i]->trial.wanted && std::any_of(islands[i]->bodies.begin(), islands[i]->bodies.end(), touched);
-        if (std::none_of(active.begin(), active.end(), [](bool is) { return is; })) continue;
-        for (std::size_t lane = 0; lane < islands.size(); ++lane)
-            if (active[lane]) batch.pull(bodies, lane, false);
-        was.clear();
-        for (const JointIsland* island : islands)
-            for (const BodyIndex body : island->bodies) was.push_back(bodies.velocity[body]);
-        reportGround(stores, batch,
-                     [&] { batch.hold(bodies, h, stores.settings.contactPushSpeed, active, stores.observer); });
-        auto old = was.begin();
-        for (const JointIsland* island : islands) {
-            for (const BodyIndex body : island->bodies) {
-                const SolverVelocity& now = bodies.velocity[body];
-                SolverVelocity& before = bodies.before[body];
-                before.x += now.x - old->x;
-                before.y += now.y - old->y;
-                before.w += now.w - old->w;
-                ++old;
-            }
-        }
-    }
+void solveJointsAgain(const JointStores& stores, const JointHalf& half) {
+    for (JointBatch& batch : batchesOf(stores))
+        batch.solveAgain(stores.bodies, turnOf(stores, half), stores.observer);
 }
 
 void bounceJointed(const JointStores& stores, ContactGraph& graph, const ContactStore& contacts,
-                   const std::vector<BounceGroup>& bounces, const std::vector<BodyIndex>& solved, double h) {
-    if (bounces.empty()) return;
-    reportGround(stores, solved, [&] { bounceJointedBodies(stores, graph, contacts, bounces, h); });
+                   const std::vector<BounceGroup>& bounces, double h) {
+    if (!bounces.empty()) bounceJointedBodies(stores, graph, contacts, bounces, h);
 }
 
 void storeBatches(const JointStores& stores, std::vector<std::pair<BodyIndex, BodyMove>>& moves) {
@@ -268,16 +218,15 @@ void pushJointed(const JointStores& stores, JointIsland& island, BodyIndex body,
     reportGround(stores, island.bodies, [&] {
         island.batch->pull(stores.bodies, island.lane, true);
         island.batch->push(stores.bodies, island.lane, island.nodeOf(body), impulse);
+        island.batch->addLoads(island.lane);
     });
     if (stores.observer != nullptr) stores.observer->noteGround(-Vec2(impulse[0], impulse[1]));
 }
 
-void holdOneIsland(const JointStores& stores, JointIsland& island, double h) {
-    std::array<bool, 8> active{};
-    active[island.lane] = true;
+void holdIsland(const JointStores& stores, JointIsland& island, double h) {
     island.batch->pull(stores.bodies, island.lane, true);
     reportGround(stores, island.bodies,
-                 [&] { island.batch->hold(stores.bodies, h, stores.settings.contactPushSpeed, active, nullptr); });
+                 [&] { island.batch->hold(stores.bodies, island.lane, h, stores.settings.contactPushSpeed); });
 }
 
 Vec3 answerOfJointed(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse) {
@@ -315,19 +264,17 @@ double springEnergy(const JointStore& joints, const BodyStore& bodies) {
 
 const JointPhases jointPhases{.prepare = prepareJoints,
                               .load = loadBatches,
+                              .findContactBodies = findContactBodies,
                               .kick = kickBatches,
                               .move = moveBatches,
                               .solve = solveJoints,
                               .takeBounces = takeJointedBounces,
                               .bounce = bounceJointed,
-                              .takeMachines = takeMachineContacts,
-                              .hideMachines = hideMachineContacts,
-                              .solveMachines = solveMachineContacts,
-                              .hold = holdJoints,
+                              .solveAgain = solveJointsAgain,
                               .push = pushJointed,
                               .answer = answerOfJointed,
                               .opening = openingOf,
-                              .holdOne = holdOneIsland,
+                              .hold = holdIsland,
                               .store = storeBatches,
                               .springEnergy = springEnergy};
 

@@ -10,7 +10,6 @@
 #include <plumb/dynamics/bodies/step_observer.h>
 #include <plumb/dynamics/contacts/contact_graph.h>
 #include <plumb/dynamics/solver/joint_bounces.h>
-#include <plumb/dynamics/solver/machine_contacts.h>
 #include <plumb/dynamics/solver_settings.h>
 
 namespace plumb {
@@ -20,11 +19,20 @@ struct JointIslands;
 struct JointStores;
 struct BodyMove;
 
+/// One half of a sub-step.
+struct JointHalf {
+    double step = 0;       ///< of the sub-step [s]
+    bool correct = false;  ///< true in the half before the bodies move: corrects position errors too
+    bool isFirst = false;  ///< of the step
+};
+
 struct JointPhases {
     /// Before the sub-steps of a step of dt [s]: finds the islands again if the joints have changed.
     void (*prepare)(const JointStores& stores, double dt);
     /// Takes the islands into their lanes.
     void (*load)(const JointStores& stores, double dt);
+    /// Returns the bodies in lanes that contacts shall see as heavier than they are, or no longer so.
+    std::vector<ContactBody> (*findContactBodies)(const JointStores& stores, const JointHalf& half);
     /// Takes in what others have done to the bodies in lanes, and lets the forces of half a sub-step act on them.
     void (*kick)(const JointStores& stores, const JointHalf& half);
     /// After all bodies have moved: moves the bodies in lanes.
@@ -36,17 +44,9 @@ struct JointPhases {
                                             const JointIslands& islands);
     /// Applies the impulses of those bounces that meet in the coming sub-step of h [s].
     void (*bounce)(const JointStores& stores, ContactGraph& graph, const ContactStore& contacts,
-                   const std::vector<BounceGroup>& bounces, const std::vector<BodyIndex>& solved, double h);
-    /// Returns the contacts of this step that are solved together with the joints of their bodies.
-    MachineContacts (*takeMachines)(const ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies,
-                                    JointIslands& islands);
-    /// Before all other contacts are solved: keeps them from solving these.
-    void (*hideMachines)(ContactGraph& graph, const ContactStore& contacts, MachineContacts& machines);
-    /// After all other contacts are solved.
-    void (*solveMachines)(const JointStores& stores, ContactGraph& graph, const ContactStore& contacts,
-                          MachineContacts& machines, const MachinePass& pass);
-    /// Removes the errors that contacts have caused in the joints' held rows.
-    void (*hold)(const JointStores& stores, double h);
+                   const std::vector<BounceGroup>& bounces, double h);
+    /// After contacts are solved: lets the joints answer to their impulses.
+    void (*solveAgain)(const JointStores& stores, const JointHalf& half);
     /// For an island that is not swept: applies an impulse (x, y, turning) to one body, and what its joints
     /// answer; or tells by how much that would change the body's velocity.
     void (*push)(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse);
@@ -54,7 +54,7 @@ struct JointPhases {
     /// By how much its worst joint has opened since the step's start [m].
     double (*opening)(const JointIsland& island);
     /// After such impulses: removes the errors that they cause in the joints' held rows.
-    void (*holdOne)(const JointStores& stores, JointIsland& island, double h);
+    void (*hold)(const JointStores& stores, JointIsland& island, double h);
     /// At the end of the step: stores the loads of the joints, and adds the moves of all bodies in lanes.
     void (*store)(const JointStores& stores, std::vector<std::pair<BodyIndex, BodyMove>>& moves);
     double (*springEnergy)(const JointStore& joints, const BodyStore& bodies);  ///< [J]

@@ -72,14 +72,6 @@ Rot turnedOn(const BodyMotion& motion, double turn) {
     return turned;
 }
 
-/// The factor that keeps a body's angular momentum when joints have increased its moment of inertia: otherwise its
-/// energy would grow.
-double spinFactor(const BodyStore& bodies, BodyIndex body) {
-    const double inverseGyration = static_cast<double>(bodies.record[body].inverseGyration),
-                 was = static_cast<double>(bodies.turn[body].inverseGyration);
-    return inverseGyration < was ? inverseGyration / was * (inverseGyration / was) : 1.0;
-}
-
 /// One kind of pass over all contacts: a function of ContactSolver.
 using ContactWork = void (*ContactSolver::*)(ContactBatch*, std::size_t, const SolverBodies&, const ContactPass&);
 
@@ -108,8 +100,6 @@ public:
         if (solved_.empty()) return;
         if (joints_ != nullptr)
             bounces_ = joints_->takeBounces(stores_.graph, stores_.contacts, bodies_, stores_.joints.islands);
-        if (joints_ != nullptr)
-            machines_ = joints_->takeMachines(stores_.graph, stores_.contacts, bodies_, stores_.joints.islands);
         if (joints_ != nullptr) loadJoints(dt);
         if (observer_ != nullptr) observer_->beginSolver();
         forEachSlice([this](const ContactSolver& solver, ContactBatch* batches, std::size_t contacts,
@@ -135,11 +125,15 @@ private:
         outOfLanes_ = static_cast<std::size_t>(end - solved_.begin());
     }
 
+    void setSolverMass(BodyIndex body, double inverseMass, double inverseGyration) {
+        plumb::setSolverMass(stores_.graph, stores_.contacts, bodies_, body, static_cast<float>(inverseMass),
+                             static_cast<float>(inverseGyration));
+    }
+
     void subStep(int number) {
         const JointHalf before{h_, true, number == 0}, after{h_, false, false};
         startHalf(before);
         solveContacts(&ContactSolver::solve, before);
-        if (joints_ != nullptr) joints_->hold(stores_.joints, h_);
         if (observer_ != nullptr) observer_->endHalf();
         const float h = static_cast<float>(h_);
         const std::size_t fast = bodySolver_.move(solved_.data(), solved_.size(), solverBodies_, h, fast_.data());
@@ -160,18 +154,16 @@ private:
         if (inFields) (fields_.*stores_.fields.phases->kick)(solved_);
         if (joints_ == nullptr || stores_.joints.islands.joints.empty()) return;
         joints_->solve(stores_.joints, half, inFields);
-        joints_->bounce(stores_.joints, stores_.graph, stores_.contacts, bounces_, solved_, half.step);
+        joints_->bounce(stores_.joints, stores_.graph, stores_.contacts, bounces_, half.step);
+        for (const ContactBody& seen : joints_->findContactBodies(stores_.joints, half))
+            setSolverMass(seen.body, 1 / seen.mass, seen.inertia > 0 ? std::sqrt(seen.mass / seen.inertia) : 0);
         markBodies(solved_.data(), moving_, solverBodies_);
     }
 
     void solveContacts(ContactWork work, const JointHalf& half) {
-        const bool machines = !machines_.contacts.empty();
-        if (machines) joints_->hideMachines(stores_.graph, stores_.contacts, machines_);
         forEachSlice([&](const ContactSolver& solver, ContactBatch* batches, std::size_t contacts,
                          const ContactPass& pass) { (solver.*work)(batches, contacts, solverBodies_, pass); });
-        if (machines)
-            joints_->solveMachines(stores_.joints, stores_.graph, stores_.contacts, machines_,
-                                   {half, pass_.contacts, pass_.groundContacts});
+        if (joints_ != nullptr) joints_->solveAgain(stores_.joints, half);
     }
 
     void bounceContacts() {
@@ -256,9 +248,11 @@ private:
         BodyMotion motion = bodies_.motion[body];
         motion.center += move.shift;
         motion.velocity = move.velocity;
-        motion.angularVelocity = move.spin * spinFactor(bodies_, body);
-        if (bodies_.record[body].inverseGyration != bodies_.turn[body].inverseGyration)
-            renewGyration(stores_.graph, stores_.contacts, bodies_, stores_.space, body);
+        motion.angularVelocity = move.spin;
+        const BodyRecord& record = bodies_.record[body];
+        if (record.inverseGyration != bodies_.turn[body].inverseGyration ||
+            static_cast<float>(record.inverseMass) != bodies_.velocity[body].inverseMass)
+            setSolverMass(body, record.inverseMass, record.inverseGyration);
         motion.angle += move.turn;
         motion.rotation = turnedOn(motion, move.turn);
         moveTo(bodies_, body, motion);
@@ -279,7 +273,6 @@ private:
     std::vector<Slice> slices_;
     FieldSolving fields_;
     std::vector<BounceGroup> bounces_;  ///< of jointed bodies
-    MachineContacts machines_;
     WallStops walls_;
     std::vector<FastBody> fast_;
 };

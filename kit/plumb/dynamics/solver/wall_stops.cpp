@@ -295,7 +295,7 @@ void WallStops::solve(Group& group, const Hit& hit, double duration) {
 /// velocities stay as they are.
 void WallStops::hold(const Group& group, double time) {
     const std::vector<SolverVelocity> before = velocitiesOf(group);
-    stores_.jointPhases->holdOne(stores_.joints, *group.island, time);
+    stores_.jointPhases->hold(stores_.joints, *group.island, time);
     if (energyOf(group) > mostGiven * group.energy)
         for (std::size_t m = 0; m < group.movers.size(); ++m) bodies_.velocity[group.movers[m].body] = before[m];
     markChange(group, before);
@@ -323,8 +323,9 @@ double WallStops::energyOf(const Group& group) const {
     double energy = 0;
     for (const Mover& mover : group.movers) {
         const SolverVelocity& v = bodies_.velocity[mover.body];
-        const auto x = static_cast<double>(v.x), y = static_cast<double>(v.y), w = static_cast<double>(v.w);
-        energy += 0.5 * bodies_.record[mover.body].mass * (x * x + y * y + w * w);
+        const auto x = static_cast<double>(v.x), y = static_cast<double>(v.y), w = turnBy(bodies_, mover.body, v, 1);
+        const BodyRecord& record = bodies_.record[mover.body];
+        energy += 0.5 * (record.mass * (x * x + y * y) + record.inertia * (w * w));
     }
     return energy;
 }

@@ -68,13 +68,15 @@ struct Elimination : IslandItems<W> {
                (row[axis + 2] * a[spin] + row[axis + 3] * b[spin]);
     }
 
-    /// U = V.
+    static auto isActive(const IslandLanes& v) { return loadLanes<W>(static_cast<const double*>(v.active)) > D{}; }
+
+    /// U is the free velocity.
     static void start(const IslandLanes& v) {
         for (std::uint32_t i = 0; i < v.bodies; ++i) {
             const S b = bodyOf(v, i);
-            b.set(B::Ux, b[B::Vx]);
-            b.set(B::Uy, b[B::Vy]);
-            b.set(B::Uspin, b[B::Spin]);
+            b.set(B::Ux, b[B::FreeX]);
+            b.set(B::Uy, b[B::FreeY]);
+            b.set(B::Uspin, b[B::FreeSpin]);
         }
     }
 
@@ -110,18 +112,16 @@ struct Elimination : IslandItems<W> {
 
     /// For U, from the velocities that it holds. Rows give their known impulses in addition.
     static void solve(IslandLanes& v) {
-        if (!v.factored) {
-            fill(v);
-            factor(v);
-            v.factored = true;
-        }
+        makeFactors(v);
         substitute(v, [](const S& row, D speed) { return row[R::Compliance] < D{} ? D{} : speed - row[R::Speed]; });
         forEachRow(v, [](const S& row, const S& x, int r) { row.set(R::Impulse, row[R::Known] + x[r]); });
     }
 
-    /// Adds to U, a change of velocities, what the joints add to it. With the factors of the last pass.
-    static void follow(IslandLanes& v) {
-        substitute(v, [](const S& row, D speed) { return row[R::Compliance] < D{} ? D{} : speed; });
+    static void makeFactors(IslandLanes& v) {
+        if (v.factored) return;
+        fill(v);
+        factor(v);
+        v.factored = true;
     }
 
     /// Calls work(row, answer of its joint, number of the row in the joint).

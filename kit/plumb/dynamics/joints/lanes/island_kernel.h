@@ -37,6 +37,9 @@ struct BodyField {
         Ux,
         Uy,
         Uspin,  ///< velocity that is solved for
+        FreeX,
+        FreeY,
+        FreeSpin,  ///< velocity without the impulses of the joints in this half of the sub-step
         LaterX,
         LaterY,
         LaterCos,
@@ -47,6 +50,10 @@ struct BodyField {
         GainX,
         GainY,
         GainSpin,  ///< by forces in half a sub-step (see Kick)
+        ContactMass,
+        ContactInertia,  ///< with which contacts see the body (see island_response_wide.h)
+        Response,
+        TurnResponse,  ///< greatest change of its velocity by a unit impulse, and of its spin [1/kg, 1/(kg m^2)]
         count
     };
 };
@@ -151,6 +158,7 @@ struct IslandLanes {
     double* joint = nullptr;
     double* block = nullptr;   ///< 9 fields each
     double* answer = nullptr;  ///< of the nodes, 3 fields each
+    double* inverse = nullptr;  ///< of the matrix, where it has blocks; 9 fields each
     double* active = nullptr;  ///< 1: the lane takes part in this pass
     bool factored = false;     ///< the blocks hold the factors of the present matrix
     double compliance = 0;     ///< of rows that hold, relative to their inverse mass [-]
@@ -177,17 +185,16 @@ struct IslandKernel {
     void (*prepare)(IslandLanes& view, const IslandTurn& turn);
     /// Where a lane is active: predicts from the last solution U how far rows that hold will be off.
     void (*predictAgain)(IslandLanes& view, const IslandTurn& turn);
-    /// Solves for U and the impulses, from the velocities V. Returns true if a row came to another part of its curve;
+    /// Solves for U and the impulses, from the free velocities. Returns true if a row came to another part of its curve;
     /// it can do so where a lane is active.
     bool (*solve)(IslandLanes& view);
     /// Solves for U, which is V and the change by a push: rows that hold, or are at a stop, keep their speeds.
     void (*answer)(IslandLanes& view);
-    /// Adds to U, changes of velocity, those by the joints' impulses that follow from them.
-    void (*follow)(IslandLanes& view);
-    /// Where a lane is active: sets V to U; adds the impulses to the loads.
+    /// Finds by how much each body answers to an impulse, if no motor, spring or stop acts.
+    void (*respond)(IslandLanes& view);
+    /// Where a lane is active: sets V to U; adds the impulses to the loads; notes the stiffness by the forces.
     void (*accept)(const IslandLanes& view);
     void (*addLoads)(const IslandLanes& view);
-    /// Notes the stiffness by the forces of this pass.
     void (*noteForces)(const IslandLanes& view, double h);
     /// Finds the masses to solve for in the next sub-step of h [s].
     void (*setMasses)(IslandLanes& view, double h);

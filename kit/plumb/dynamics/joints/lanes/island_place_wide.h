@@ -85,11 +85,11 @@ struct WidePlaces : IslandItems<W> {
         return {some ? x / divisor : otherwise, some ? y / divisor : D{}};
     }
 
-    /// B's wanted velocity relative to A, less its present one.
+    /// B's wanted velocity relative to A, less the one without the joints' impulses.
     static Pair missingVelocity(const S& row, const S& l, const S& a, const S& b) {
         const D fromX = l[L::ArmAx] + l[L::ApartX], fromY = l[L::ArmAy] + l[L::ApartY];
-        const D speedX = (b[B::Vx] - l[L::ArmBy] * b[B::Spin]) - (a[B::Vx] - fromY * a[B::Spin]);
-        const D speedY = (b[B::Vy] + l[L::ArmBx] * b[B::Spin]) - (a[B::Vy] + fromX * a[B::Spin]);
+        const D speedX = (b[B::FreeX] - l[L::ArmBy] * b[B::FreeSpin]) - (a[B::FreeX] - fromY * a[B::FreeSpin]);
+        const D speedY = (b[B::FreeY] + l[L::ArmBx] * b[B::FreeSpin]) - (a[B::FreeY] + fromX * a[B::FreeSpin]);
         const Pair wanted = wantedVelocity(row, l, a);
         return {wanted.x - speedX, wanted.y - speedY};
     }

@@ -61,11 +61,14 @@ struct WideStiffness {
         }
         for (std::uint32_t j = 0; j < v.jointCount; ++j)
             if (!v.joints[j].turnsOnly) addForces(v, j, rate);
+        const auto active = Body::isActive(v);
         const double half = 0.5 * h, kept = 1 - (half < memory ? half / memory : 1);
         for (std::uint32_t i = 0; i < v.moved; ++i) {
             const S b = Body::bodyOf(v, i);
-            b.set(B::StiffAlong, larger(b[B::FreshAlong], kept * b[B::StiffAlong]));
-            b.set(B::StiffTurning, larger(b[B::FreshTurning], kept * b[B::StiffTurning]));
+            const D along = larger(b[B::FreshAlong], kept * b[B::StiffAlong]);
+            const D turning = larger(b[B::FreshTurning], kept * b[B::StiffTurning]);
+            b.set(B::StiffAlong, active ? along : b[B::StiffAlong]);
+            b.set(B::StiffTurning, active ? turning : b[B::StiffTurning]);
         }
     }
 

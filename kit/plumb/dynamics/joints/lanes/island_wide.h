@@ -4,6 +4,7 @@
 #include <plumb/dynamics/joints/lanes/island_curve_wide.h>
 #include <plumb/dynamics/joints/lanes/island_elimination_wide.h>
 #include <plumb/dynamics/joints/lanes/island_place_wide.h>
+#include <plumb/dynamics/joints/lanes/island_response_wide.h>
 #include <plumb/dynamics/joints/lanes/island_stiffness_wide.h>
 
 namespace plumb {
@@ -62,12 +63,10 @@ struct WideIslands : IslandItems<W> {
             most = larger(most, magnitude(before));
             row.set(R::Known, before);
         }
-        const auto better = both(isActive(v), change < little * most);
+        const auto better = both(Elimination<W>::isActive(v), change < little * most);
         for (std::uint32_t i = 0; i < v.rowCount; ++i)
             if (v.rows[i].holds) rowOf(v, i).set(R::Speed, better ? rowOf(v, i)[R::Speed] : rowOf(v, i)[R::Known]);
     }
-
-    static auto isActive(const IslandLanes& v) { return loadLanes<W>(static_cast<const double*>(v.active)) > D{}; }
 
     /// Removes the present error, and the whole error that the sub-step would add, to any order.
     static void holdRow(const S& row, D bend, const IslandTurn& turn) {
@@ -111,7 +110,7 @@ struct WideIslands : IslandItems<W> {
 
     /// Returns true if some row came to another part of its curve.
     static bool changeStates(const IslandLanes& v) {
-        const auto active = isActive(v);
+        const auto active = Elimination<W>::isActive(v);
         bool changed = false;
         for (std::uint32_t i = 0; i < v.rowCount; ++i) {
             if (v.rows[i].holds) continue;
@@ -171,8 +170,23 @@ struct WideIslands : IslandItems<W> {
         Elimination<W>::solve(v);
     }
 
+    static void respond(IslandLanes& v) {
+        for (std::uint32_t i = 0; i < v.rowCount; ++i) {
+            const S row = rowOf(v, i);
+            const D rigid = v.compliance * row[R::InverseMass], slope = row[R::Slope];
+            D compliance = rigid;
+            if (!v.rows[i].holds) {
+                const auto isSoft = slope > D{};
+                const D soft = isSoft ? 1.0 / (isSoft ? slope : all(1)) : all(Curve::notSolved);
+                compliance = both(Elimination<W>::isActive(v), row[R::State] > all(Curve::atHigh)) ? rigid : soft;
+            }
+            setEquation(v, row, D{}, compliance, D{});
+        }
+        Response<W>::find(v);
+    }
+
     static void accept(const IslandLanes& v) {
-        const auto active = isActive(v);
+        const auto active = Elimination<W>::isActive(v);
         for (std::uint32_t i = 0; i < v.moved; ++i) {
             const S b = bodyOf(v, i);
             b.set(B::Vx, active ? b[B::Ux] : b[B::Vx]);
@@ -182,7 +196,7 @@ struct WideIslands : IslandItems<W> {
     }
 
     static void addLoads(const IslandLanes& v) {
-        const auto active = isActive(v);
+        const auto active = Elimination<W>::isActive(v);
         for (std::uint32_t j = 0; j < v.jointCount; ++j) {
             const S joint{v.joint + j * std::size_t{JointField::count} * S::N};
             for (std::uint32_t i = v.joints[j].firstRow; i < v.joints[j + 1].firstRow; ++i)
@@ -209,7 +223,7 @@ struct WideIslands : IslandItems<W> {
 template <int W>
 const IslandKernel WideIslandKernel<W>::code{
     WidePlaces<W>::move,           WidePlaces<W>::place,     WidePlaces<W>::noteSpeeds,    WideIslands<W>::prepare,
-    WideIslands<W>::predictAgain,  WideIslands<W>::solve,    WideIslands<W>::answer,       Elimination<W>::follow,
+    WideIslands<W>::predictAgain,  WideIslands<W>::solve,    WideIslands<W>::answer, WideIslands<W>::respond,
     WideIslands<W>::accept,        WideIslands<W>::addLoads, WideStiffness<W>::noteForces, WideStiffness<W>::setMasses,
     WideStiffness<W>::findInertias};
 

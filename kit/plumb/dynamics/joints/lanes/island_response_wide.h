@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// By how much does each body of W islands answer to an impulse on it, together with all that its joints move?
+//
+// The answer of a body is K f, with f = (x, y, turning): K is its block of the inverse of the island's matrix. All such
+// blocks are found in the time of one factorisation, from the last node to the first: with A = L D L^T and the nodes i,
+// j that are eliminated after k and have a block with it,
+//   Z_ik = - sum_j Z_ij L_jk,   Z_kk = D_k^-1 - sum_i L_ik^T Z_ik,   L_ik = A_ik D_k^-1.
+// Contacts see bodies with a mass m and a moment of inertia J of the same K, so that diag(1/m, 1/m, 1/J) is no less
+// than K in any direction: 1/m = a + b sqrt(a / c), 1/J = c + b sqrt(c / a), where a is the greatest answer to an
+// impulse through the centre of mass, c that to a turning one, and b what connects them.
+// Source: selected inverse: Takahashi, Fagan, Chen, "Formation of a sparse bus impedance matrix", 1973.
+#pragma once
+#include <plumb/dynamics/joints/lanes/island_elimination_wide.h>
+
+namespace plumb {
+
+template <int W>
+struct Response : IslandItems<W> {
+    using D = typename Wide<W>::Double;
+    using S = Slots<W>;
+    using B = BodyField;
+    using Body = Elimination<W>;
+
+    static constexpr D all(double value) { return D{} + value; }
+    static S inverseOf(const IslandLanes& v, std::uint32_t i) { return {v.inverse + i * std::size_t{9} * S::N}; }
+
+    static void find(IslandLanes& v) {
+        Body::makeFactors(v);
+        for (std::uint32_t i = 0; i < v.blocks; ++i)
+            for (int c = 0; c < 9; ++c) inverseOf(v, i).set(c, D{});
+        for (std::uint32_t k = v.stepCount; k-- > 0;) invert(v, k);
+        for (std::uint32_t i = 0; i < v.moved; ++i) bound(IslandItems<W>::bodyOf(v, i), inverseOf(v, i));
+    }
+
+    static void invert(const IslandLanes& v, std::uint32_t k) {
+        const std::uint32_t node = v.steps[k].node;
+        const S inverse = Body::blockOf(v, node), own = inverseOf(v, node);
+        for (std::uint32_t u = v.steps[k].firstUpdate; u < v.steps[k + 1].firstUpdate; ++u) {
+            const IslandShape::Update& update = v.updates[u];
+            const S known = inverseOf(v, update.target);
+            addProduct<false>(inverseOf(v, update.left), known, Body::blockOf(v, update.right), inverse);
+            if (update.left != update.right)
+                addProduct<true>(inverseOf(v, update.right), known, Body::blockOf(v, update.left), inverse);
+        }
+        for (int c = 0; c < 9; ++c) own.set(c, inverse[c]);
+        for (std::uint32_t l = v.steps[k].firstLower; l < v.steps[k + 1].firstLower; ++l)
+            subtractAnswer(own, inverse, Body::blockOf(v, v.lowers[l].block), inverseOf(v, v.lowers[l].block));
+    }
+
+    /// to -= known L, with L = block inverse.
+    template <bool transposed>
+    static void addProduct(const S& to, const S& known, const S& block, const S& inverse) {
+        D l[9];
+        multiply(l, block, inverse);
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) {
+                D sum = to[3 * i + j];
+                for (int c = 0; c < 3; ++c) sum -= known[transposed ? 3 * c + i : 3 * i + c] * l[3 * c + j];
+                to.set(3 * i + j, sum);
+            }
+    }
+    /// own -= L^T answer.
+    static void subtractAnswer(const S& own, const S& inverse, const S& block, const S& answer) {
+        D l[9];
+        multiply(l, block, inverse);
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) {
+                D sum = own[3 * i + j];
+                for (int c = 0; c < 3; ++c) sum -= l[3 * c + i] * answer[3 * c + j];
+                own.set(3 * i + j, sum);
+            }
+    }
+    static void multiply(D (&l)[9], const S& block, const S& inverse) {
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) {
+                D sum = block[3 * i] * inverse[j];
+                for (int c = 1; c < 3; ++c) sum += block[3 * i + c] * inverse[3 * c + j];
+                l[3 * i + j] = sum;
+            }
+    }
+
+    static void bound(const S& b, const S& k) {
+        const D half = 0.5 * (k[0] - k[4]);
+        const D a = larger(0.5 * (k[0] + k[4]) + squareRoot<W>(half * half + k[1] * k[1]), D{}), c = larger(k[8], D{});
+        const auto both = a * c > D{};
+        const D cross = both ? squareRoot<W>((k[2] * k[2] + k[5] * k[5]) / (both ? a * c : all(1))) : D{};
+        b.set(B::Response, a * (1.0 + cross));
+        b.set(B::TurnResponse, c * (1.0 + cross));
+    }
+};
+
+}  // namespace plumb
