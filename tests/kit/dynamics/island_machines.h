@@ -135,13 +135,14 @@ private:
         view.firstFill = l.firstFill;
         view.someFree = l.someFree;
         view.active = active_.data();
+        view.heavy = heavy_.data();
         view.compliance = l.isTree ? 0 : plumb::relativeCompliance;
     }
 
     std::shared_ptr<const IslandLayout> layout_;
     std::size_t width_;
     std::vector<double> numbers_;
-    std::vector<double> active_ = std::vector<double>(8, 1.0);
+    std::vector<double> active_ = std::vector<double>(8, 1.0), heavy_ = std::vector<double>(8, 0.0);
 };
 
 /// The rows of a machine as a matrix, over the velocities of all bodies. Turning of a body that cannot turn has no

@@ -107,6 +107,7 @@ void setSolverMass(ContactGraph& graph, const ContactStore& contacts, BodyStore&
     SolverVelocity &v = bodies.velocity[body], &warm = bodies.warm[body];
     const float share = inverseMass / v.inverseMass;
     v.w /= ratio;
+    bodies.before[body].w /= ratio;
     v.inverseMass = inverseMass;
     warm = {warm.x * share, warm.y * share, warm.w * share * ratio, 0};
     SolverDisplacement& moved = bodies.displacement[body];

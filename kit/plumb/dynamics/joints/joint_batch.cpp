@@ -129,7 +129,6 @@ void JointBatch::addImpulse(const BodyStore& bodies, std::size_t lane, std::size
 
 void JointBatch::kick(const BodyStore& bodies) {
     kernel_->setMasses(view_, h_);
-    borne_ = {};
     for (std::size_t n = 0; n < layout_->moved; ++n) {
         for (std::size_t lane = 0; lane < width_; ++lane) {
             const auto at = [&](int field) -> double& { return body(n, field, lane); };
@@ -138,7 +137,6 @@ void JointBatch::kick(const BodyStore& bodies) {
             at(BodyField::FreeY) = at(BodyField::Vy) * linear + at(BodyField::GainY);
             at(BodyField::FreeSpin) = at(BodyField::Spin) * angular + at(BodyField::GainSpin);
             const SolverVelocity& warm = bodies.warm[islands_[lane]->bodies[n]];
-            if (warm.x != 0 || warm.y != 0 || warm.w != 0) borne_[lane] = 1;
             addImpulse(bodies, lane, n, warm);
         }
     }
@@ -196,8 +194,8 @@ void JointBatch::findSolution(const IslandTurn& turn, const Lanes& lanes) {
     kernel_->accept(view_);
 }
 
-void JointBatch::note(const Lanes& lanes, StepObserver* observer) {
-    active_ = lanes;
+void JointBatch::note(StepObserver* observer) {
+    activate(true, 0);
     kernel_->addLoads(view_);
     kernel_->noteForces(view_, h_);
     if (observer == nullptr) return;
@@ -215,30 +213,40 @@ void JointBatch::solve(BodyStore& bodies, const IslandTurn& turn) {
 /// first guess. Returns the lanes in which there were some.
 JointBatch::Lanes JointBatch::takeContactImpulses(BodyStore& bodies) {
     Lanes touched = pushed_;
+    pushed_ = {};
     for (std::size_t n = 0; n < layout_->moved; ++n) {
         for (std::size_t lane = 0; lane < width_; ++lane) {
             const BodyIndex index = islands_[lane]->bodies[n];
-            const SolverVelocity &now = bodies.velocity[index], &before = bodies.before[index];
+            const SolverVelocity now = bodies.velocity[index], before = bodies.before[index];
             if (now.x == before.x && now.y == before.y && now.w == before.w) continue;
             touched[lane] = 1;
             const SolverVelocity change{now.x - before.x, now.y - before.y, now.w - before.w, 0};
             SolverVelocity& warm = bodies.warm[index];
             warm = {warm.x + change.x, warm.y + change.y, warm.w + change.w, 0};
+            bodies.before[index] = now;
             addImpulse(bodies, lane, n, change);
         }
     }
     return touched;
 }
 
-void JointBatch::solveAgain(BodyStore& bodies, const IslandTurn& turn, StepObserver* observer) {
+bool JointBatch::solveAgain(BodyStore& bodies, const IslandTurn& turn) {
+    const Lanes touched = answerContacts(bodies, turn);
+    for (std::size_t lane = 0; lane < width_; ++lane)
+        changed_[lane] = touched[lane] * heavy_[lane] != 0 && areOthersBearing(lane) ? 1 : 0;
+    return changed_ != Lanes{};
+}
+
+/// Returns the lanes in which contacts have given impulses.
+JointBatch::Lanes JointBatch::answerContacts(BodyStore& bodies, const IslandTurn& turn) {
     const Lanes touched = takeContactImpulses(bodies);
-    Lanes others{};
-    for (std::size_t lane = 0; lane < width_; ++lane) others[lane] = 1 - touched[lane];
-    if (others != Lanes{}) note(others, observer);
-    if (touched == Lanes{}) return;
+    if (touched == Lanes{}) return touched;
     findSolution(turn, touched);
     writeVelocities(bodies);
-    note(touched, observer);
+    for (std::size_t lane = 0; lane < width_; ++lane)
+        if (touched[lane] != 0)
+            for (const BodyIndex body : islands_[lane]->bodies) bodies.before[body] = bodies.velocity[body];
+    return touched;
 }
 
 void JointBatch::sweep(BodyStore& bodies, const IslandTurn& turn, double give, StepObserver* observer) {
@@ -271,6 +279,7 @@ void JointBatch::addLoads(std::size_t lane) {
 }
 
 Vec3 JointBatch::answer(std::size_t lane, std::size_t node, const Vec3& impulse) {
+    activate(false, lane);
     kernel_->prepare(view_, {h_, false, false, 0});
     for (std::size_t n = 0; n < layout_->bodies; ++n)
         for (std::size_t l = 0; l < width_; ++l)
@@ -286,7 +295,6 @@ Vec3 JointBatch::answer(std::size_t lane, std::size_t node, const Vec3& impulse)
 
 void JointBatch::push(BodyStore& bodies, std::size_t lane, std::size_t node, const Vec3& impulse) {
     answer(lane, node, impulse);
-    activate(false, lane);
     kernel_->accept(view_);
     writeVelocities(bodies);
     const Vec3 change = changeBy(lane, node, impulse);

@@ -33,6 +33,8 @@ struct ContactBody {
 
 class JointBatch {
 public:
+    using Lanes = std::array<double, 8>;  ///< of each lane: 1 or 0
+
     JointBatch() = default;
     /// A copy is empty: it is filled at the start of a step.
     JointBatch(const JointBatch&) {}
@@ -45,6 +47,9 @@ public:
     /// After solve: adds the bodies that contacts shall see as heavier than they are, because joints hold them to
     /// heavier ones, if this has changed since the last call. first: in this step.
     void findContactBodies(const BodyStore& bodies, bool first, std::vector<ContactBody>& found);
+    /// The same, after solveAgain.
+    void noteBearing(bool withStops);
+    void findChangedBodies(const BodyStore& bodies, std::vector<ContactBody>& found);
     /// Writes states and loads of the joints, stiffness of the islands and moments of inertia, at the end of the step.
     void store(JointStore& joints, BodyStore& bodies);
     /// At the end of the step.
@@ -69,8 +74,20 @@ public:
     /// Solves all joints from the free velocities.
     void solve(BodyStore& bodies, const IslandTurn& turn);
     /// After contacts were solved: where they have changed something, solves again, from the free velocities and the
-    /// impulses of the contacts. Then notes the loads.
-    void solveAgain(BodyStore& bodies, const IslandTurn& turn, StepObserver* observer);
+    /// impulses of the contacts. Returns true if a row came to another part of its curve: then contacts may have acted
+    /// on masses that are no longer the right ones.
+    bool solveAgain(BodyStore& bodies, const IslandTurn& turn);
+    /// So that nothing has changed.
+    bool hasChanged(std::size_t lane) const { return changed_[lane] != 0; }
+    /// A contact pushes a body in this direction.
+    void addNormal(std::size_t lane, std::size_t node, const Vec2& normal) {
+        body(node, BodyField::NormalX, lane) += normal.x();
+        body(node, BodyField::NormalY, lane) += normal.y();
+    }
+    bool mayChange(std::size_t lane) const { return heavy_[lane] != 0 && layout_->someFree; }
+    /// At the end of half a sub-step: notes the loads.
+    void note(StepObserver* observer);
+    Lanes answerContacts(BodyStore& bodies, const IslandTurn& turn);
     /// Removes the errors of one island's held rows after the coming h [s].
     void hold(BodyStore& bodies, std::size_t lane, double h, double fastest);
 
@@ -101,6 +118,9 @@ private:
         return number(view_.row, RowField::count, i, field, lane);
     }
     void layOut(bool isNew);
+    void findContactBodies(const BodyStore& bodies, const Lanes& lanes, std::vector<ContactBody>& found);
+    bool bears(std::size_t row, std::size_t lane) const;
+    bool areOthersBearing(std::size_t lane) const;
     bool isHeavy(const BodyStore& bodies, std::size_t lane) const;
     void addContactBodies(std::vector<ContactBody>& found, const BodyStore& bodies, std::size_t lane);
     void loadBody(const BodyStore& bodies, BodyIndex index, std::size_t node, std::size_t lane, double h);
@@ -108,7 +128,6 @@ private:
                    std::size_t j, std::size_t lane, double h);
     void loadRow(const RowForm& form, const Rot& rotationA, double springShare, std::size_t i, std::size_t lane,
                  double h);
-    using Lanes = std::array<double, 8>;  ///< of each lane: 1 or 0
     /// The change of velocity of a body by an impulse, without the joints'.
     Vec3 changeBy(std::size_t lane, std::size_t node, const Vec3& impulse) const;
     /// To the free velocity. change: by an impulse, in the body's record.
@@ -116,7 +135,6 @@ private:
     void freeAsIs();
     void findSolution(const IslandTurn& turn, const Lanes& lanes);
     Lanes takeContactImpulses(BodyStore& bodies);
-    void note(const Lanes& lanes, StepObserver* observer);
     /// Returns true if a place has changed.
     void pullVelocity(const BodyStore& bodies, std::size_t lane, std::size_t node, int field);
     bool pullLane(const BodyStore& bodies, std::size_t lane, bool moved);
@@ -139,7 +157,8 @@ private:
     std::vector<double> numbers_;
     Lanes active_{};
     Lanes pushed_{};      ///< an impact has changed the free velocities
-    Lanes borne_{};       ///< contacts gave impulses in the last half
+    Lanes heavy_{};       ///< contacts may have to see bodies as heavier than they are
+    Lanes changed_{};     ///< of those: solveAgain has brought a row to another part of its curve
     bool moved_ = false;  ///< others may have moved bodies
 };
 

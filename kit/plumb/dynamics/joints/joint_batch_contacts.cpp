@@ -20,13 +20,64 @@ bool JointBatch::isHeavy(const BodyStore& bodies, std::size_t lane) const {
 
 void JointBatch::findContactBodies(const BodyStore& bodies, bool first, std::vector<ContactBody>& found) {
     if (!first && !layout_->someFree) return;
-    Lanes heavy{};
-    for (std::size_t lane = 0; lane < width_; ++lane) heavy[lane] = isHeavy(bodies, lane) ? 1 : 0;
-    if (heavy == Lanes{}) return;
-    active_ = borne_;
+    for (std::size_t i = 0; i < layout_->rows.size(); ++i)
+        for (std::size_t lane = 0; lane < width_ && !layout_->rows[i].holds; ++lane)
+            row(i, RowField::Bears, lane) = bears(i, lane) ? 1 : 0;
+    findContactBodies(bodies, heavy_, found);
+}
+
+/// Do other stops bear than those with which contacts have been solved?
+bool JointBatch::areOthersBearing(std::size_t lane) const {
+    for (std::size_t i = 0; i < layout_->rows.size(); ++i) {
+        if (layout_->rows[i].holds) continue;
+        const double known = row(i, RowField::Bears, lane);
+        if (known >= 0 && bears(i, lane) != (known > 0)) return true;
+    }
+    return false;
+}
+
+/// A stop that has opened does not bear again in this half.
+void JointBatch::noteBearing(bool withStops) {
+    for (std::size_t i = 0; i < layout_->rows.size(); ++i) {
+        for (std::size_t lane = 0; lane < width_ && !layout_->rows[i].holds; ++lane) {
+            if (changed_[lane] == 0) continue;
+            double& known = row(i, RowField::Bears, lane);
+            if (!withStops || (known > 0 && !bears(i, lane)))
+                known = -1;
+            else if (known == 0)
+                known = bears(i, lane) ? 1 : 0;
+        }
+    }
+}
+
+void JointBatch::findChangedBodies(const BodyStore& bodies, std::vector<ContactBody>& found) {
+    findContactBodies(bodies, changed_, found);
+}
+
+void JointBatch::findContactBodies(const BodyStore& bodies, const Lanes& lanes, std::vector<ContactBody>& found) {
+    if (lanes == Lanes{}) return;
     kernel_->respond(view_);
     for (std::size_t lane = 0; lane < width_; ++lane)
-        if (heavy[lane] != 0) addContactBodies(found, bodies, lane);
+        if (lanes[lane] != 0) addContactBodies(found, bodies, lane);
+}
+
+/// Is the row at a stop that pushes against the contacts of its bodies? A stop that pushes the same way as they do opens
+/// if they push more.
+bool JointBatch::bears(std::size_t i, std::size_t lane) const {
+    constexpr double lowerStop = 3, upperStop = 4;  // see island_curve_wide.h
+    const double state = row(i, RowField::State, lane);
+    if (state < lowerStop) return false;
+    const double sign = state == upperStop ? -1 : 1;
+    double against = 0;
+    const IslandShape::Link& link = layout_->links[layout_->rows[i].link];
+    for (const bool isB : {false, true}) {
+        const std::uint32_t n = isB ? link.b : link.a;
+        if (n >= layout_->moved) continue;
+        const double along = row(i, RowField::AxisX, lane) * body(n, BodyField::NormalX, lane) +
+                             row(i, RowField::AxisY, lane) * body(n, BodyField::NormalY, lane);
+        against -= (isB ? sign : -sign) * along;
+    }
+    return against > 0;
 }
 
 void JointBatch::addContactBodies(std::vector<ContactBody>& found, const BodyStore& bodies, std::size_t lane) {

@@ -68,6 +68,7 @@ void JointBatch::load(std::span<JointIsland* const> islands, const JointStore& j
     layOut(isNew);
     islands_.assign(islands.begin(), islands.end());
     view_.active = active_.data();
+    view_.heavy = heavy_.data();
     view_.factored = false;
     moved_ = false;
     h_ = h;
@@ -85,6 +86,7 @@ void JointBatch::load(std::span<JointIsland* const> islands, const JointStore& j
         for (std::size_t j = 0; j < island.joints.size(); ++j)
             loadJoint(joints.formOf(island.joints[j]), joints, island.joints[j], bodies, j, lane, h);
     }
+    for (std::size_t lane = 0; lane < width_; ++lane) heavy_[lane] = isHeavy(bodies, lane) ? 1 : 0;
     activate(true, 0);
     writeVelocities(bodies);
     kernel_->place(view_);
@@ -114,6 +116,8 @@ void JointBatch::loadBody(const BodyStore& bodies, BodyIndex index, std::size_t 
     set(BodyField::OwnInertia, turns ? record.inertia : 0.0);
     set(BodyField::Mass, record.mass);
     set(BodyField::Inertia, inertia);
+    set(BodyField::NormalX, 0);
+    set(BodyField::NormalY, 0);
     set(BodyField::ContactMass, record.mass);
     set(BodyField::ContactInertia, inertia);
     const bool inFields = bodies.step[index].flight != none;  // their kicks include gravity and damping

@@ -190,9 +190,28 @@ void solveJoints(const JointStores& stores, const JointHalf& half, bool kicked) 
         reportGround(stores, batch, [&] { sweepJoint(stores, batch, half); });
 }
 
-void solveJointsAgain(const JointStores& stores, const JointHalf& half) {
-    for (JointBatch& batch : batchesOf(stores))
-        batch.solveAgain(stores.bodies, turnOf(stores, half), stores.observer);
+bool solveJointsAgain(const JointStores& stores, const JointHalf& half) {
+    bool changed = false;
+    for (JointBatch& batch : batchesOf(stores)) changed = batch.solveAgain(stores.bodies, turnOf(stores, half)) || changed;
+    return changed;
+}
+
+void noteBearing(const JointStores& stores, bool withStops) {
+    for (JointBatch& batch : batchesOf(stores)) batch.noteBearing(withStops);
+}
+
+void answerContacts(const JointStores& stores, const JointHalf& half) {
+    for (JointBatch& batch : batchesOf(stores)) batch.answerContacts(stores.bodies, turnOf(stores, half));
+}
+
+std::vector<ContactBody> findChangedBodies(const JointStores& stores) {
+    std::vector<ContactBody> found;
+    for (JointBatch& batch : batchesOf(stores)) batch.findChangedBodies(stores.bodies, found);
+    return found;
+}
+
+void noteJoints(const JointStores& stores) {
+    for (JointBatch& batch : batchesOf(stores)) batch.note(stores.observer);
 }
 
 void bounceJointed(const JointStores& stores, ContactGraph& graph, const ContactStore& contacts,
@@ -271,6 +290,14 @@ const JointPhases jointPhases{.prepare = prepareJoints,
                               .takeBounces = takeJointedBounces,
                               .bounce = bounceJointed,
                               .solveAgain = solveJointsAgain,
+                              .noteBearing = noteBearing,
+                              .answerContacts = answerContacts,
+                              .findChangedBodies = findChangedBodies,
+                              .solveContactsAgain = solveContactsAgain,
+                              .findJointedContacts = findJointedContacts,
+                              .noteStart = noteStart,
+                              .takeBack = takeBack,
+                              .note = noteJoints,
                               .push = pushJointed,
                               .answer = answerOfJointed,
                               .opening = openingOf,

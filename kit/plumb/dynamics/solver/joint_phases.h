@@ -10,6 +10,7 @@
 #include <plumb/dynamics/bodies/step_observer.h>
 #include <plumb/dynamics/contacts/contact_graph.h>
 #include <plumb/dynamics/solver/joint_bounces.h>
+#include <plumb/dynamics/solver/joint_contacts.h>
 #include <plumb/dynamics/solver_settings.h>
 
 namespace plumb {
@@ -45,8 +46,21 @@ struct JointPhases {
     /// Applies the impulses of those bounces that meet in the coming sub-step of h [s].
     void (*bounce)(const JointStores& stores, ContactGraph& graph, const ContactStore& contacts,
                    const std::vector<BounceGroup>& bounces, double h);
-    /// After contacts are solved: lets the joints answer to their impulses.
-    void (*solveAgain)(const JointStores& stores, const JointHalf& half);
+    /// After contacts are solved: lets the joints answer to their impulses. Returns true if contacts must be solved
+    /// again; then findChangedBodies returns the bodies that they shall see with another mass.
+    bool (*solveAgain)(const JointStores& stores, const JointHalf& half);
+    void (*noteBearing)(const JointStores& stores, bool withStops);
+    void (*answerContacts)(const JointStores& stores, const JointHalf& half);
+    std::vector<ContactBody> (*findChangedBodies)(const JointStores& stores);
+    void (*solveContactsAgain)(const std::vector<JointedContact>& jointed, ContactGraph& graph,
+                               const ContactStore& contacts, BodyStore& bodies, const HalfPass& pass);
+    std::vector<JointedContact> (*findJointedContacts)(JointIslands& islands, const ContactGraph& graph, const ContactStore& contacts,
+                                                       const BodyStore& bodies);
+    void (*noteStart)(std::vector<JointedContact>& jointed, const ContactGraph& graph, const ContactStore& contacts);
+    void (*takeBack)(const std::vector<JointedContact>& jointed, ContactGraph& graph, const ContactStore& contacts,
+                     BodyStore& bodies, bool isRelaxed);
+    /// At the end of the half: notes the loads of the joints.
+    void (*note)(const JointStores& stores);
     /// For an island that is not swept: applies an impulse (x, y, turning) to one body, and what its joints
     /// answer; or tells by how much that would change the body's velocity.
     void (*push)(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse);

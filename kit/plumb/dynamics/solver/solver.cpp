@@ -123,6 +123,12 @@ private:
         const auto end = std::stable_partition(solved_.begin(), solved_.begin() + static_cast<std::ptrdiff_t>(moving_),
                                                [&](BodyIndex body) { return inLanes[body] == 0; });
         outOfLanes_ = static_cast<std::size_t>(end - solved_.begin());
+        jointed_ = joints_->findJointedContacts(stores_.joints.islands, stores_.graph, stores_.contacts, bodies_);
+    }
+
+    void setSolverMasses(const std::vector<ContactBody>& bodies) {
+        for (const ContactBody& seen : bodies)
+            setSolverMass(seen.body, 1 / seen.mass, seen.inertia > 0 ? std::sqrt(seen.mass / seen.inertia) : 0);
     }
 
     void setSolverMass(BodyIndex body, double inverseMass, double inverseGyration) {
@@ -155,15 +161,31 @@ private:
         if (joints_ == nullptr || stores_.joints.islands.joints.empty()) return;
         joints_->solve(stores_.joints, half, inFields);
         joints_->bounce(stores_.joints, stores_.graph, stores_.contacts, bounces_, half.step);
-        for (const ContactBody& seen : joints_->findContactBodies(stores_.joints, half))
-            setSolverMass(seen.body, 1 / seen.mass, seen.inertia > 0 ? std::sqrt(seen.mass / seen.inertia) : 0);
+        setSolverMasses(joints_->findContactBodies(stores_.joints, half));
         markBodies(solved_.data(), moving_, solverBodies_);
     }
 
+    /// The joints answer to the contacts. Where stops have opened or closed by that, contacts have acted on masses that
+    /// are no longer the right ones: their impulses are taken back, and they are solved again. In the last round no stop
+    /// counts: then contacts give too little rather than too much.
+    void answerContacts(const JointHalf& half) {
+        constexpr int mostRounds = 3;
+        for (int round = 1; joints_->solveAgain(stores_.joints, half) && round <= mostRounds; ++round) {
+            joints_->noteBearing(stores_.joints, round < mostRounds);
+            joints_->takeBack(jointed_, stores_.graph, stores_.contacts, bodies_, !half.correct);
+            joints_->answerContacts(stores_.joints, half);
+            setSolverMasses(joints_->findChangedBodies(stores_.joints));
+            joints_->solveContactsAgain(jointed_, stores_.graph, stores_.contacts, bodies_,
+                                        {half.correct, pass_.contacts, pass_.groundContacts});
+        }
+        joints_->note(stores_.joints);
+    }
+
     void solveContacts(ContactWork work, const JointHalf& half) {
+        if (joints_ != nullptr) joints_->noteStart(jointed_, stores_.graph, stores_.contacts);
         forEachSlice([&](const ContactSolver& solver, ContactBatch* batches, std::size_t contacts,
                          const ContactPass& pass) { (solver.*work)(batches, contacts, solverBodies_, pass); });
-        if (joints_ != nullptr) joints_->solveAgain(stores_.joints, half);
+        if (joints_ != nullptr) answerContacts(half);
     }
 
     void bounceContacts() {
@@ -272,7 +294,8 @@ private:
     Pass pass_;
     std::vector<Slice> slices_;
     FieldSolving fields_;
-    std::vector<BounceGroup> bounces_;  ///< of jointed bodies
+    std::vector<BounceGroup> bounces_;     ///< of jointed bodies
+    std::vector<JointedContact> jointed_;  ///< those that may have to be solved again
     WallStops walls_;
     std::vector<FastBody> fast_;
 };

@@ -74,11 +74,7 @@ float separationNow(const ContactBatch& batch, const PointLanes& p, std::size_t 
     return p.startSeparation[lane] + (shift + (turnB - turnA));
 }
 
-/// The impulses of the first half of the sub-step, which the second half may take back; 0 during the first half.
-struct Given {
-    float normal[2] = {0, 0}, tangent[2] = {0, 0};
-    float roll = 0;
-};
+using Given = ContactGiven;
 
 void setNormal(BodyPair& c, PointLanes& p, std::size_t lane, float now) {
     const float change = now - p.normalImpulse[lane];
@@ -138,39 +134,25 @@ void gatherWarmStart(const ContactBatch* batches, std::size_t contacts, const So
 }
 
 void solve(ContactBatch* batches, std::size_t contacts, const SolverBodies& bodies, const ContactPass& pass) {
-    forEachLane(batches, contacts, [&](ContactBatch& batch, std::size_t lane) {
-        BodyPair couple = load(batch, lane, bodies.velocity);
-        for (PointLanes& p : batch.points) {
-            const float s = p.separation[lane];
-            const bool apart = s > 0;
-            const float bias = apart ? s * pass.inverseStep : larger(pass.soft.biasRate * s, -pass.pushSpeed);
-            const float massScale = apart ? 1.0f : pass.soft.massScale;
-            const float impulseScale = apart ? 0.0f : pass.soft.impulseScale;
-            const float old = p.normalImpulse[lane];
-            const float change =
-                -(p.normalMass[lane] * massScale) * (normalSpeed(couple, p, lane) + bias) - impulseScale * old;
-            setNormal(couple, p, lane, larger(old + change, 0.0f));
-        }
-        solveAlong(couple, batch, lane, {});
-        store(batch, lane, couple, bodies.velocity);
-    });
+    forEachLane(batches, contacts,
+                [&](ContactBatch& batch, std::size_t lane) { solveLane(batch, lane, bodies, pass); });
+}
+
+void relaxPoints(BodyPair& c, ContactBatch& batch, std::size_t lane, const ContactPass& pass, const Given& given) {
+    for (int i = 0; i < 2; ++i) {
+        PointLanes& p = batch.points[i];
+        const float speed = normalSpeed(c, p, lane) + larger(p.separation[lane], 0.0f) * pass.inverseStep;
+        setNormal(c, p, lane, larger(p.normalImpulse[lane] - p.normalMass[lane] * speed, -given.normal[i]));
+    }
+    solveAlong(c, batch, lane, given);
 }
 
 void relax(ContactBatch* batches, std::size_t contacts, const SolverBodies& bodies, const ContactPass& pass) {
     forEachLane(batches, contacts, [&](ContactBatch& batch, std::size_t lane) {
         BodyPair couple = load(batch, lane, bodies.velocity);
-        Given given;  // the impulses of solve, which are applied a second time as a first guess
-        given.roll = batch.hasRollingResistance ? batch.rollImpulse[lane] : 0.0f;
-        for (int i = 0; i < 2; ++i) {
-            PointLanes& p = batch.points[i];
-            given.normal[i] = p.normalImpulse[lane];
-            given.tangent[i] = p.tangentImpulse[lane];
-            const float s = separationNow(batch, p, lane, bodies.displacement);
-            p.separation[lane] = s;
-            const float speed = normalSpeed(couple, p, lane) + larger(s, 0.0f) * pass.inverseStep;
-            setNormal(couple, p, lane, larger(given.normal[i] - p.normalMass[lane] * speed, -given.normal[i]));
-        }
-        solveAlong(couple, batch, lane, given);
+        const Given given = givenBy(batch, lane);  // the impulses of solve, applied a second time as a first guess
+        for (PointLanes& p : batch.points) p.separation[lane] = separationNow(batch, p, lane, bodies.displacement);
+        relaxPoints(couple, batch, lane, pass, given);
         for (int i = 0; i < 2; ++i) {
             PointLanes& p = batch.points[i];
             p.totalNormal[lane] += given.normal[i] + p.normalImpulse[lane];
@@ -198,6 +180,65 @@ void bounce(ContactBatch* batches, std::size_t contacts, const SolverBodies& bod
 }
 
 }  // namespace
+
+ContactGiven givenBy(const ContactBatch& batch, std::size_t lane) {
+    ContactGiven given;
+    given.roll = batch.hasRollingResistance ? batch.rollImpulse[lane] : 0.0f;
+    for (int i = 0; i < 2; ++i) {
+        given.normal[i] = batch.points[i].normalImpulse[lane];
+        given.tangent[i] = batch.points[i].tangentImpulse[lane];
+    }
+    return given;
+}
+
+void takeBackLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactGiven& start,
+                  bool isRelaxed) {
+    BodyPair couple = load(batch, lane, bodies.velocity);
+    for (int i = 0; i < 2; ++i) {
+        PointLanes& p = batch.points[i];
+        const float normal = start.normal[i] - p.normalImpulse[lane];
+        const float tangent = start.tangent[i] - p.tangentImpulse[lane];
+        setNormal(couple, p, lane, start.normal[i]);
+        p.tangentImpulse[lane] = start.tangent[i];
+        pushTangent(couple, p, lane, tangent);
+        p.totalNormal[lane] += isRelaxed ? normal : 0.0f;
+        p.totalTangent[lane] += isRelaxed ? tangent : 0.0f;
+    }
+    if (batch.hasRollingResistance) twist(couple, batch, lane, start.roll - batch.rollImpulse[lane]);
+    batch.rollImpulse[lane] = start.roll;
+    store(batch, lane, couple, bodies.velocity);
+}
+
+void solveLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactPass& pass) {
+    BodyPair couple = load(batch, lane, bodies.velocity);
+    for (PointLanes& p : batch.points) {
+        const float s = p.separation[lane];
+        const bool apart = s > 0;
+        const float bias = apart ? s * pass.inverseStep : larger(pass.soft.biasRate * s, -pass.pushSpeed);
+        const float massScale = apart ? 1.0f : pass.soft.massScale;
+        const float impulseScale = apart ? 0.0f : pass.soft.impulseScale;
+        const float old = p.normalImpulse[lane];
+        const float change =
+            -(p.normalMass[lane] * massScale) * (normalSpeed(couple, p, lane) + bias) - impulseScale * old;
+        setNormal(couple, p, lane, larger(old + change, 0.0f));
+    }
+    solveAlong(couple, batch, lane, {});
+    store(batch, lane, couple, bodies.velocity);
+}
+
+void relaxLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactPass& pass,
+               const ContactGiven& given) {
+    BodyPair couple = load(batch, lane, bodies.velocity);
+    const Given before = givenBy(batch, lane);
+    relaxPoints(couple, batch, lane, pass, given);
+    for (int i = 0; i < 2; ++i) {
+        PointLanes& p = batch.points[i];
+        p.totalNormal[lane] += p.normalImpulse[lane] - before.normal[i];
+        p.totalTangent[lane] += p.tangentImpulse[lane] - before.tangent[i];
+        if (p.normalImpulse[lane] > 0) batch.pushed[lane] = -1;
+    }
+    store(batch, lane, couple, bodies.velocity);
+}
 
 const ContactSolver scalarContactSolver{gatherWarmStart, solve, relax, bounce};
 

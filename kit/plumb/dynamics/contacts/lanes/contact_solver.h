@@ -40,6 +40,21 @@ struct ContactSolver {
     void (*bounce)(ContactBatch* batches, std::size_t contacts, const SolverBodies& bodies);
 };
 
+/// The impulses of the first half of the sub-step, which the second half may take back; 0 during the first half.
+struct ContactGiven {
+    float normal[2] = {0, 0}, tangent[2] = {0, 0};
+    float roll = 0;
+};
+/// The present impulses of a lane.
+ContactGiven givenBy(const ContactBatch& batch, std::size_t lane);
+/// Takes back what a lane has given since it had these impulses. isRelaxed: after relax, not after solve.
+void takeBackLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactGiven& start,
+                  bool isRelaxed);
+/// Solves one lane once more, after solve or relax. given: before relax.
+void solveLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactPass& pass);
+void relaxLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactPass& pass,
+               const ContactGiven& given);
+
 /// Solves one lane after the other: the reference, short enough for teaching.
 extern const ContactSolver scalarContactSolver;
 

@@ -114,7 +114,10 @@ struct Elimination : IslandItems<W> {
     static void solve(IslandLanes& v) {
         makeFactors(v);
         substitute(v, [](const S& row, D speed) { return row[R::Compliance] < D{} ? D{} : speed - row[R::Speed]; });
-        forEachRow(v, [](const S& row, const S& x, int r) { row.set(R::Impulse, row[R::Known] + x[r]); });
+        const auto active = isActive(v);
+        forEachRow(v, [&](const S& row, const S& x, int r) {
+            row.set(R::Impulse, active ? row[R::Known] + x[r] : row[R::Impulse]);
+        });
     }
 
     static void makeFactors(IslandLanes& v) {

@@ -52,6 +52,8 @@ struct BodyField {
         GainSpin,  ///< by forces in half a sub-step (see Kick)
         ContactMass,
         ContactInertia,  ///< with which contacts see the body (see island_response_wide.h)
+        NormalX,
+        NormalY,  ///< sum of the normals of its contacts, towards the body
         Response,
         TurnResponse,  ///< greatest change of its velocity by a unit impulse, and of its spin [1/kg, 1/(kg m^2)]
         count
@@ -103,6 +105,7 @@ struct RowField {
         // Only of rows that do not hold:
         LastState,  ///< RowState in the last pass that was not only to hold
         State,      ///< in this pass
+        Bears,      ///< 1: it is at a stop that bears what contacts push
         Target,
         Low,
         High,
@@ -160,6 +163,7 @@ struct IslandLanes {
     double* answer = nullptr;  ///< of the nodes, 3 fields each
     double* inverse = nullptr;  ///< of the matrix, where it has blocks; 9 fields each
     double* active = nullptr;  ///< 1: the lane takes part in this pass
+    double* heavy = nullptr;   ///< 1: dampers act by the speed at the end of each half (see island_curve_wide.h)
     bool factored = false;     ///< the blocks hold the factors of the present matrix
     double compliance = 0;     ///< of rows that hold, relative to their inverse mass [-]
     double slack = 0;          ///< the same, relative to what a joint gives when it is eliminated [-]
@@ -185,8 +189,8 @@ struct IslandKernel {
     void (*prepare)(IslandLanes& view, const IslandTurn& turn);
     /// Where a lane is active: predicts from the last solution U how far rows that hold will be off.
     void (*predictAgain)(IslandLanes& view, const IslandTurn& turn);
-    /// Solves for U and the impulses, from the free velocities. Returns true if a row came to another part of its curve;
-    /// it can do so where a lane is active.
+    /// Solves for U from the free velocities, and, where a lane is active, for the impulses. Returns true if a row came
+    /// to another part of its curve; it can do so where a lane is active.
     bool (*solve)(IslandLanes& view);
     /// Solves for U, which is V and the change by a push: rows that hold, or are at a stop, keep their speeds.
     void (*answer)(IslandLanes& view);

@@ -97,10 +97,15 @@ struct WideIslands : IslandItems<W> {
         if (!turn.onlyHold && anyOf<W>(growth > D{})) {
             const auto movable = w > D{};
             const D divisor = movable ? w : all(1);
-            if (turn.correct && !shape.bounded)
-                dampPush = movable ? -growth / (1.0 + growth) / divisor * row[R::NotedSpeed] : D{};
-            else
-                slope = movable ? growth / divisor : D{};
+            const auto isEarly = both(movable, loadLanes<W>(static_cast<const double*>(v.heavy)) == D{});
+            const D early = isEarly ? -growth / (1.0 + growth) / divisor * row[R::NotedSpeed] : D{};
+            const D late = movable ? growth / divisor : D{};
+            if (turn.correct && !shape.bounded) {
+                dampPush = early;
+                slope = isEarly ? D{} : late;
+            } else {
+                slope = late;
+            }
         }
         row.set(R::DampPush, dampPush);
         row.set(R::Push, push + dampPush);
@@ -178,7 +183,7 @@ struct WideIslands : IslandItems<W> {
             if (!v.rows[i].holds) {
                 const auto isSoft = slope > D{};
                 const D soft = isSoft ? 1.0 / (isSoft ? slope : all(1)) : all(Curve::notSolved);
-                compliance = both(Elimination<W>::isActive(v), row[R::State] > all(Curve::atHigh)) ? rigid : soft;
+                compliance = row[R::Bears] > D{} ? rigid : soft;
             }
             setEquation(v, row, D{}, compliance, D{});
         }
