@@ -43,11 +43,11 @@ void noteStart(std::vector<JointedContact>& jointed, const ContactGraph& graph, 
 }
 
 void takeBack(const std::vector<JointedContact>& jointed, ContactGraph& graph, const ContactStore& contacts,
-              BodyStore& bodies, bool isRelaxed) {
+              BodyStore& bodies) {
     for (const JointedContact& one : jointed) {
         if (!one.batch->hasChanged(one.lane)) continue;
         const ContactRecord& contact = contacts[one.contact];
-        takeBackLane(batchOf(graph, contact), contact.slot % batchLanes, bodies.solverBodies(), one.start, isRelaxed);
+        takeBackLane(batchOf(graph, contact), contact.slot % batchLanes, bodies.solverBodies(), one.start);
     }
 }
 

@@ -35,7 +35,7 @@ std::vector<JointedContact> findJointedContacts(JointIslands& islands, const Con
 void noteStart(std::vector<JointedContact>& jointed, const ContactGraph& graph, const ContactStore& contacts);
 /// Takes back the impulses of this half, where islands have changed.
 void takeBack(const std::vector<JointedContact>& jointed, ContactGraph& graph, const ContactStore& contacts,
-              BodyStore& bodies, bool isRelaxed);
+              BodyStore& bodies);
 /// Solves those contacts again whose islands have changed.
 void solveContactsAgain(const std::vector<JointedContact>& jointed, ContactGraph& graph, const ContactStore& contacts,
                         BodyStore& bodies, const HalfPass& pass);

@@ -58,7 +58,7 @@ struct JointPhases {
                                                        const BodyStore& bodies);
     void (*noteStart)(std::vector<JointedContact>& jointed, const ContactGraph& graph, const ContactStore& contacts);
     void (*takeBack)(const std::vector<JointedContact>& jointed, ContactGraph& graph, const ContactStore& contacts,
-                     BodyStore& bodies, bool isRelaxed);
+                     BodyStore& bodies);
     /// At the end of the half: notes the loads of the joints.
     void (*note)(const JointStores& stores);
     /// For an island that is not swept: applies an impulse (x, y, turning) to one body, and what its joints

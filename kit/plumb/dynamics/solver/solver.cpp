@@ -172,7 +172,7 @@ private:
         constexpr int mostRounds = 3;
         for (int round = 1; joints_->solveAgain(stores_.joints, half) && round <= mostRounds; ++round) {
             joints_->noteBearing(stores_.joints, round < mostRounds);
-            joints_->takeBack(jointed_, stores_.graph, stores_.contacts, bodies_, !half.correct);
+            joints_->takeBack(jointed_, stores_.graph, stores_.contacts, bodies_);
             joints_->answerContacts(stores_.joints, half);
             setSolverMasses(joints_->findChangedBodies(stores_.joints));
             joints_->solveContactsAgain(jointed_, stores_.graph, stores_.contacts, bodies_,

@@ -147,18 +147,22 @@ void relaxPoints(BodyPair& c, ContactBatch& batch, std::size_t lane, const Conta
     solveAlong(c, batch, lane, given);
 }
 
+void addTotals(ContactBatch& batch, std::size_t lane, const Given& given) {
+    for (int i = 0; i < 2; ++i) {
+        PointLanes& p = batch.points[i];
+        p.totalNormal[lane] = given.totalNormal[i] + (given.normal[i] + p.normalImpulse[lane]);
+        p.totalTangent[lane] = given.totalTangent[i] + (given.tangent[i] + p.tangentImpulse[lane]);
+        if (given.normal[i] > 0 || p.normalImpulse[lane] > 0) batch.pushed[lane] = -1;
+    }
+}
+
 void relax(ContactBatch* batches, std::size_t contacts, const SolverBodies& bodies, const ContactPass& pass) {
     forEachLane(batches, contacts, [&](ContactBatch& batch, std::size_t lane) {
         BodyPair couple = load(batch, lane, bodies.velocity);
         const Given given = givenBy(batch, lane);  // the impulses of solve, applied a second time as a first guess
         for (PointLanes& p : batch.points) p.separation[lane] = separationNow(batch, p, lane, bodies.displacement);
         relaxPoints(couple, batch, lane, pass, given);
-        for (int i = 0; i < 2; ++i) {
-            PointLanes& p = batch.points[i];
-            p.totalNormal[lane] += given.normal[i] + p.normalImpulse[lane];
-            p.totalTangent[lane] += given.tangent[i] + p.tangentImpulse[lane];
-            if (given.normal[i] > 0 || p.normalImpulse[lane] > 0) batch.pushed[lane] = -1;
-        }
+        addTotals(batch, lane, given);
         store(batch, lane, couple, bodies.velocity);
     });
 }
@@ -187,22 +191,19 @@ ContactGiven givenBy(const ContactBatch& batch, std::size_t lane) {
     for (int i = 0; i < 2; ++i) {
         given.normal[i] = batch.points[i].normalImpulse[lane];
         given.tangent[i] = batch.points[i].tangentImpulse[lane];
+        given.totalNormal[i] = batch.points[i].totalNormal[lane];
+        given.totalTangent[i] = batch.points[i].totalTangent[lane];
     }
     return given;
 }
 
-void takeBackLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactGiven& start,
-                  bool isRelaxed) {
+void takeBackLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactGiven& start) {
     BodyPair couple = load(batch, lane, bodies.velocity);
     for (int i = 0; i < 2; ++i) {
         PointLanes& p = batch.points[i];
-        const float normal = start.normal[i] - p.normalImpulse[lane];
-        const float tangent = start.tangent[i] - p.tangentImpulse[lane];
         setNormal(couple, p, lane, start.normal[i]);
+        pushTangent(couple, p, lane, start.tangent[i] - p.tangentImpulse[lane]);
         p.tangentImpulse[lane] = start.tangent[i];
-        pushTangent(couple, p, lane, tangent);
-        p.totalNormal[lane] += isRelaxed ? normal : 0.0f;
-        p.totalTangent[lane] += isRelaxed ? tangent : 0.0f;
     }
     if (batch.hasRollingResistance) twist(couple, batch, lane, start.roll - batch.rollImpulse[lane]);
     batch.rollImpulse[lane] = start.roll;
@@ -229,14 +230,8 @@ void solveLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies
 void relaxLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactPass& pass,
                const ContactGiven& given) {
     BodyPair couple = load(batch, lane, bodies.velocity);
-    const Given before = givenBy(batch, lane);
     relaxPoints(couple, batch, lane, pass, given);
-    for (int i = 0; i < 2; ++i) {
-        PointLanes& p = batch.points[i];
-        p.totalNormal[lane] += p.normalImpulse[lane] - before.normal[i];
-        p.totalTangent[lane] += p.tangentImpulse[lane] - before.tangent[i];
-        if (p.normalImpulse[lane] > 0) batch.pushed[lane] = -1;
-    }
+    addTotals(batch, lane, given);
     store(batch, lane, couple, bodies.velocity);
 }
 

@@ -44,12 +44,12 @@ struct ContactSolver {
 struct ContactGiven {
     float normal[2] = {0, 0}, tangent[2] = {0, 0};
     float roll = 0;
+    float totalNormal[2] = {0, 0}, totalTangent[2] = {0, 0};  ///< until then, since the step's start
 };
 /// The present impulses of a lane.
 ContactGiven givenBy(const ContactBatch& batch, std::size_t lane);
-/// Takes back what a lane has given since it had these impulses. isRelaxed: after relax, not after solve.
-void takeBackLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactGiven& start,
-                  bool isRelaxed);
+/// Takes back what a lane has given since it had these impulses.
+void takeBackLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactGiven& start);
 /// Solves one lane once more, after solve or relax. given: before relax.
 void solveLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactPass& pass);
 void relaxLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactPass& pass,

@@ -105,7 +105,6 @@ struct RowField {
         // Only of rows that do not hold:
         LastState,  ///< RowState in the last pass that was not only to hold
         State,      ///< in this pass
-        Bears,      ///< 1: it is at a stop that bears what contacts push
         Target,
         Low,
         High,
@@ -117,6 +116,7 @@ struct RowField {
         Growth,      ///< exp(DampedAt) - 1
         DampedAt,    ///< damping, half a sub-step and inverse mass, multiplied
         NotedSpeed,  ///< before the sub-step
+        Bears,       ///< 1: it is at a stop that bears what contacts push; -1: that has opened in this half
         DriveSpeed,
         DriveRate,
         MostImpulse,
