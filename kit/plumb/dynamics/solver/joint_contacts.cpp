@@ -1,72 +1,104 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/solver/joint_contacts.h>
 
+#include <cmath>
+
+#include <plumb/dynamics/contacts/contact_lane.h>
+
 namespace plumb {
 
 namespace {
 
-ContactBatch& batchOf(ContactGraph& graph, const ContactRecord& contact) {
-    return graph.colours[contact.colour].batches[contact.slot / batchLanes];
+/// The slot of a contact in the solver.
+struct ContactSlot {
+    ContactBatch& batch;
+    std::size_t lane;
+    bool isGround;
+
+    ContactSlot(ContactGraph& graph, const ContactRecord& contact)
+        : batch(graph.colours[contact.colour].batches[contact.slot / batchLanes]),
+          lane(contact.slot % batchLanes),
+          isGround(colourAt(contact.colour) >= fixedColour && colourAt(contact.colour) != overflowColour) {}
+    Vec2 normal() const { return {static_cast<double>(batch.normalX[lane]), static_cast<double>(batch.normalY[lane])}; }
+};
+
+void setMasses(BodyStore& bodies, const JointedContacts& jointed, const std::vector<ContactBody>& some) {
+    for (const ContactBody& seen : some)
+        setSolverMass(jointed.graph, jointed.contacts, bodies, seen.body, static_cast<float>(1 / seen.mass),
+                      seen.inertia > 0 ? static_cast<float>(std::sqrt(seen.mass / seen.inertia)) : 0.0f);
 }
 
-Vec2 normalOf(const ContactGraph& graph, const ContactRecord& contact) {
-    const ContactBatch& batch = graph.colours[contact.colour].batches[contact.slot / batchLanes];
-    const std::size_t lane = contact.slot % batchLanes;
-    return {static_cast<double>(batch.normalX[lane]), static_cast<double>(batch.normalY[lane])};
+/// Calls visit(contact, its slot) where islands have changed.
+template <class Visit>
+void forEachChanged(const JointedContacts& jointed, Visit&& visit) {
+    for (const JointedContact& one : jointed.some)
+        if (one.batch->hasChanged(one.lane)) visit(one, ContactSlot(jointed.graph, jointed.contacts[one.contact]));
+}
+
+bool solveAgain(const JointStores& stores, const JointHalf& half) {
+    bool changed = false;
+    for (JointBatch& batch : batchesOf(stores))
+        changed = batch.solveAgain(stores.bodies, turnOf(stores, half)) || changed;
+    return changed;
+}
+
+void takeBack(const JointStores& stores, const JointHalf& half, const JointedContacts& jointed) {
+    const SolverBodies bodies = stores.bodies.solverBodies();
+    forEachChanged(jointed, [&](const JointedContact& one, const ContactSlot& slot) {
+        takeBackLane(slot.batch, slot.lane, bodies, one.start);
+    });
+    for (JointBatch& batch : batchesOf(stores)) batch.answerContacts(stores.bodies, turnOf(stores, half));
+}
+
+void solveContactsAgain(const JointStores& stores, const JointHalf& half, const JointedContacts& jointed) {
+    std::vector<ContactBody> changed;
+    for (JointBatch& batch : batchesOf(stores)) batch.findChangedBodies(stores.bodies, changed);
+    setMasses(stores.bodies, jointed, changed);
+    const SolverBodies bodies = stores.bodies.solverBodies();
+    forEachChanged(jointed, [&](const JointedContact& one, const ContactSlot& slot) {
+        const ContactPass& pass = slot.isGround ? jointed.groundPass : jointed.pass;
+        if (half.correct)
+            solveLane(slot.batch, slot.lane, bodies, pass);
+        else
+            relaxLane(slot.batch, slot.lane, bodies, pass, one.start);
+    });
 }
 
 }  // namespace
 
-std::vector<JointedContact> findJointedContacts(JointIslands& islands, const ContactGraph& graph,
-                                                const ContactStore& contacts, const BodyStore& bodies) {
-    std::vector<JointedContact> found;
-    for (const JointIsland& island : islands.islands) {
+void findJointedContacts(const JointStores& stores, JointedContacts& jointed) {
+    jointed.some.clear();
+    for (const JointIsland& island : stores.islands.islands) {
         if (island.isSwept() || !island.batch->mayChange(island.lane)) continue;
         for (std::size_t node = 0; node < island.bodies.size(); ++node)
-            forEachContact(bodies, contacts, island.bodies[node], [&](ContactIndex index) {
-                const ContactRecord& contact = contacts[index];
+            forEachContact(stores.bodies, jointed.contacts, island.bodies[node], [&](ContactIndex index) {
+                const ContactRecord& contact = jointed.contacts[index];
                 if (!contact.isSolved()) return;
-                found.push_back({island.batch, island.lane, index, {}});
+                jointed.some.push_back({island.batch, island.lane, index, {}});
                 const double sign = contact.bodyB == island.bodies[node] ? 1 : -1;
-                island.batch->addNormal(island.lane, node, sign * normalOf(graph, contact));
+                island.batch->addNormal(island.lane, node, sign * ContactSlot(jointed.graph, contact).normal());
             });
     }
-    return found;
 }
 
-void noteStart(std::vector<JointedContact>& jointed, const ContactGraph& graph, const ContactStore& contacts) {
-    for (JointedContact& one : jointed) {
-        const ContactRecord& contact = contacts[one.contact];
-        one.start = givenBy(graph.colours[contact.colour].batches[contact.slot / batchLanes],
-                            contact.slot % batchLanes);
+void startContacts(const JointStores& stores, const JointHalf& half, JointedContacts& jointed) {
+    std::vector<ContactBody> seen;
+    for (JointBatch& batch : batchesOf(stores)) batch.findContactBodies(stores.bodies, half.isFirst, seen);
+    setMasses(stores.bodies, jointed, seen);
+    for (JointedContact& one : jointed.some) {
+        const ContactSlot slot(jointed.graph, jointed.contacts[one.contact]);
+        one.start = givenBy(slot.batch, slot.lane);
     }
 }
 
-void takeBack(const std::vector<JointedContact>& jointed, ContactGraph& graph, const ContactStore& contacts,
-              BodyStore& bodies) {
-    for (const JointedContact& one : jointed) {
-        if (!one.batch->hasChanged(one.lane)) continue;
-        const ContactRecord& contact = contacts[one.contact];
-        takeBackLane(batchOf(graph, contact), contact.slot % batchLanes, bodies.solverBodies(), one.start);
+void answerContacts(const JointStores& stores, const JointHalf& half, const JointedContacts& jointed) {
+    constexpr int mostRounds = 3;  // in the last one no stop counts: contacts give too little rather than too much
+    for (int round = 1; solveAgain(stores, half) && round <= mostRounds; ++round) {
+        for (JointBatch& batch : batchesOf(stores)) batch.noteBearing(round < mostRounds);
+        takeBack(stores, half, jointed);
+        solveContactsAgain(stores, half, jointed);
     }
-}
-
-void solveContactsAgain(const std::vector<JointedContact>& jointed, ContactGraph& graph, const ContactStore& contacts,
-                        BodyStore& bodies, const HalfPass& pass) {
-    const SolverBodies solverBodies = bodies.solverBodies();
-    for (const JointedContact& one : jointed) {
-        if (!one.batch->hasChanged(one.lane)) continue;
-        const ContactRecord& contact = contacts[one.contact];
-        const int colour = colourAt(contact.colour);
-        const bool ground = colour >= fixedColour && colour != overflowColour;
-        const ContactPass& with = ground ? pass.groundContacts : pass.contacts;
-        ContactBatch& batch = batchOf(graph, contact);
-        const std::size_t lane = contact.slot % batchLanes;
-        if (pass.correct)
-            solveLane(batch, lane, solverBodies, with);
-        else
-            relaxLane(batch, lane, solverBodies, with, one.start);
-    }
+    for (JointBatch& batch : batchesOf(stores)) batch.note(stores.observer);
 }
 
 }  // namespace plumb

@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: MIT
-// How are contacts solved again, where they have brought a joint to a stop or off it?
+// How do contacts and joints of the same bodies act together?
 //
-// Contacts see a light wheel under a cart with half of the cart's mass, or with its own, depending on whether its
-// suspension is at a stop (see joints/lanes/island_response_wide.h). If the joints' answer to the contacts changes
-// that, the contacts of this island are solved again, with the new masses, from their present impulses, and so on until
-// nothing changes.
+// Contacts are solved in their lanes, like all others. They see a jointed body with the mass with which its island
+// answers (see joints/lanes/island_response_wide.h): the wheel of a cart of a ton with half a ton. Their impulses are
+// then added to the velocities without the joints' impulses, and the joints are solved again from there. So joints hold
+// exactly after every pass, and a contact that pushes a wheel pushes the cart.
+// n bodies of an island that meet contacts answer to each other, too. For any K, x^T K x <= n sum x_i^T K_ii x_i: with n
+// times their own answers, no pass can add energy. A mass that is too small costs some passes; one that is twice too
+// large makes the solution explode.
+// Is the wheel's suspension at a stop, then the wheel has the cart's mass; else its own. If the joints' answer opens or
+// closes a stop, the contacts of this island are taken back and solved again with the new masses.
+// Source: splitting of masses: Tonge, Benevolenski, Voroshilov, "Mass splitting for jitter-free parallel rigid body
+// simulation", ACM Trans. Graph. 31 (2012) 105.
+// Test: "a cart of a ton on wheels of a kilogram comes to rest"
 #pragma once
 #include <vector>
 
 #include <plumb/dynamics/contacts/contact_graph.h>
 #include <plumb/dynamics/contacts/lanes/contact_solver.h>
-#include <plumb/dynamics/joints/joint_islands.h>
+#include <plumb/dynamics/solver/joint_half.h>
 
 namespace plumb {
-
-/// The passes of one half of a sub-step.
-struct HalfPass {
-    bool correct = false;
-    ContactPass contacts, groundContacts;
-};
 
 /// A contact that may have to be solved again, and its impulses before this half.
 struct JointedContact {
@@ -28,16 +30,18 @@ struct JointedContact {
     ContactGiven start{};
 };
 
-/// The contacts of this step that may have to be solved again.
-std::vector<JointedContact> findJointedContacts(JointIslands& islands, const ContactGraph& graph, const ContactStore& contacts,
-                                                const BodyStore& bodies);
-/// At the start of a half: notes the impulses.
-void noteStart(std::vector<JointedContact>& jointed, const ContactGraph& graph, const ContactStore& contacts);
-/// Takes back the impulses of this half, where islands have changed.
-void takeBack(const std::vector<JointedContact>& jointed, ContactGraph& graph, const ContactStore& contacts,
-              BodyStore& bodies);
-/// Solves those contacts again whose islands have changed.
-void solveContactsAgain(const std::vector<JointedContact>& jointed, ContactGraph& graph, const ContactStore& contacts,
-                        BodyStore& bodies, const HalfPass& pass);
+struct JointedContacts {
+    ContactGraph& graph;
+    const ContactStore& contacts;
+    ContactPass pass, groundPass;
+    std::vector<JointedContact> some{};  ///< those that may have to be solved again
+};
+
+/// At the start of a step: finds the contacts that may have to be solved again.
+void findJointedContacts(const JointStores& stores, JointedContacts& jointed);
+/// Before contacts are solved in a half: lets them see the right masses.
+void startContacts(const JointStores& stores, const JointHalf& half, JointedContacts& jointed);
+/// After contacts are solved: lets the joints answer to their impulses, and notes the loads of the joints.
+void answerContacts(const JointStores& stores, const JointHalf& half, const JointedContacts& jointed);
 
 }  // namespace plumb

@@ -25,10 +25,6 @@ HingePass hingePassOf(const JointStores& stores, const JointHalf& half) {
             half.correct ? soft : Softness{}};
 }
 
-IslandTurn turnOf(const JointStores& stores, const JointHalf& half) {
-    return {half.step, half.correct, false, stores.settings.contactPushSpeed};
-}
-
 /// A sleeping joint keeps its load. A joint that no longer holds anything gets no load, and one whose body is out of
 /// range gets no first guess.
 void resetLoads(JointStore& joints, const BodyStore& bodies) {
@@ -89,10 +85,6 @@ void reportGround(const JointStores& stores, const std::vector<BodyIndex>& some,
     if (stores.observer != nullptr) stores.observer->noteGround(momentumOf(stores.bodies, some) - before);
 }
 
-std::span<JointBatch> batchesOf(const JointStores& stores) {
-    return {stores.islands.batches.data(), stores.islands.batchCount};
-}
-
 /// Equal islands share a batch, as many as there are lanes.
 void loadBatches(const JointStores& stores, double dt) {
     JointIslands& found = stores.islands;
@@ -118,12 +110,6 @@ void loadBatches(const JointStores& stores, double dt) {
         JointIsland* alone = &found.swept[i];
         found.sweptBatches[i].load({&alone, 1}, stores.joints, stores.bodies, h);
     }
-}
-
-std::vector<ContactBody> findContactBodies(const JointStores& stores, const JointHalf& half) {
-    std::vector<ContactBody> found;
-    for (JointBatch& batch : batchesOf(stores)) batch.findContactBodies(stores.bodies, half.isFirst, found);
-    return found;
 }
 
 void kickBatch(const JointStores& stores, JointBatch& batch, const JointHalf& half) {
@@ -188,30 +174,6 @@ void solveJoints(const JointStores& stores, const JointHalf& half, bool kicked) 
         if (island.isSwept()) reportGround(stores, island.bodies, [&] { sweepHinges(stores, island, half); });
     for (JointBatch& batch : stores.islands.sweptBatches)
         reportGround(stores, batch, [&] { sweepJoint(stores, batch, half); });
-}
-
-bool solveJointsAgain(const JointStores& stores, const JointHalf& half) {
-    bool changed = false;
-    for (JointBatch& batch : batchesOf(stores)) changed = batch.solveAgain(stores.bodies, turnOf(stores, half)) || changed;
-    return changed;
-}
-
-void noteBearing(const JointStores& stores, bool withStops) {
-    for (JointBatch& batch : batchesOf(stores)) batch.noteBearing(withStops);
-}
-
-void answerContacts(const JointStores& stores, const JointHalf& half) {
-    for (JointBatch& batch : batchesOf(stores)) batch.answerContacts(stores.bodies, turnOf(stores, half));
-}
-
-std::vector<ContactBody> findChangedBodies(const JointStores& stores) {
-    std::vector<ContactBody> found;
-    for (JointBatch& batch : batchesOf(stores)) batch.findChangedBodies(stores.bodies, found);
-    return found;
-}
-
-void noteJoints(const JointStores& stores) {
-    for (JointBatch& batch : batchesOf(stores)) batch.note(stores.observer);
 }
 
 void bounceJointed(const JointStores& stores, ContactGraph& graph, const ContactStore& contacts,
@@ -283,21 +245,14 @@ double springEnergy(const JointStore& joints, const BodyStore& bodies) {
 
 const JointPhases jointPhases{.prepare = prepareJoints,
                               .load = loadBatches,
-                              .findContactBodies = findContactBodies,
                               .kick = kickBatches,
                               .move = moveBatches,
                               .solve = solveJoints,
                               .takeBounces = takeJointedBounces,
                               .bounce = bounceJointed,
-                              .solveAgain = solveJointsAgain,
-                              .noteBearing = noteBearing,
-                              .answerContacts = answerContacts,
-                              .findChangedBodies = findChangedBodies,
-                              .solveContactsAgain = solveContactsAgain,
                               .findJointedContacts = findJointedContacts,
-                              .noteStart = noteStart,
-                              .takeBack = takeBack,
-                              .note = noteJoints,
+                              .startContacts = startContacts,
+                              .answerContacts = answerContacts,
                               .push = pushJointed,
                               .answer = answerOfJointed,
                               .opening = openingOf,

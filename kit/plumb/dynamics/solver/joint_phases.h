@@ -20,20 +20,11 @@ struct JointIslands;
 struct JointStores;
 struct BodyMove;
 
-/// One half of a sub-step.
-struct JointHalf {
-    double step = 0;       ///< of the sub-step [s]
-    bool correct = false;  ///< true in the half before the bodies move: corrects position errors too
-    bool isFirst = false;  ///< of the step
-};
-
 struct JointPhases {
     /// Before the sub-steps of a step of dt [s]: finds the islands again if the joints have changed.
     void (*prepare)(const JointStores& stores, double dt);
     /// Takes the islands into their lanes.
     void (*load)(const JointStores& stores, double dt);
-    /// Returns the bodies in lanes that contacts shall see as heavier than they are, or no longer so.
-    std::vector<ContactBody> (*findContactBodies)(const JointStores& stores, const JointHalf& half);
     /// Takes in what others have done to the bodies in lanes, and lets the forces of half a sub-step act on them.
     void (*kick)(const JointStores& stores, const JointHalf& half);
     /// After all bodies have moved: moves the bodies in lanes.
@@ -46,21 +37,10 @@ struct JointPhases {
     /// Applies the impulses of those bounces that meet in the coming sub-step of h [s].
     void (*bounce)(const JointStores& stores, ContactGraph& graph, const ContactStore& contacts,
                    const std::vector<BounceGroup>& bounces, double h);
-    /// After contacts are solved: lets the joints answer to their impulses. Returns true if contacts must be solved
-    /// again; then findChangedBodies returns the bodies that they shall see with another mass.
-    bool (*solveAgain)(const JointStores& stores, const JointHalf& half);
-    void (*noteBearing)(const JointStores& stores, bool withStops);
-    void (*answerContacts)(const JointStores& stores, const JointHalf& half);
-    std::vector<ContactBody> (*findChangedBodies)(const JointStores& stores);
-    void (*solveContactsAgain)(const std::vector<JointedContact>& jointed, ContactGraph& graph,
-                               const ContactStore& contacts, BodyStore& bodies, const HalfPass& pass);
-    std::vector<JointedContact> (*findJointedContacts)(JointIslands& islands, const ContactGraph& graph, const ContactStore& contacts,
-                                                       const BodyStore& bodies);
-    void (*noteStart)(std::vector<JointedContact>& jointed, const ContactGraph& graph, const ContactStore& contacts);
-    void (*takeBack)(const std::vector<JointedContact>& jointed, ContactGraph& graph, const ContactStore& contacts,
-                     BodyStore& bodies);
-    /// At the end of the half: notes the loads of the joints.
-    void (*note)(const JointStores& stores);
+    // See joint_contacts.h.
+    void (*findJointedContacts)(const JointStores& stores, JointedContacts& jointed);
+    void (*startContacts)(const JointStores& stores, const JointHalf& half, JointedContacts& jointed);
+    void (*answerContacts)(const JointStores& stores, const JointHalf& half, const JointedContacts& jointed);
     /// For an island that is not swept: applies an impulse (x, y, turning) to one body, and what its joints
     /// answer; or tells by how much that would change the body's velocity.
     void (*push)(const JointStores& stores, JointIsland& island, BodyIndex body, const Vec3& impulse);

@@ -90,6 +90,7 @@ public:
           outOfLanes_(moving_),
           pass_(passOf(stores.settings, h_)),
           fields_(stores.fields, bodies_, stores.space, h_, observer_),
+          jointed_{stores.graph, stores.contacts, pass_.contacts, pass_.groundContacts},
           walls_({bodies_, stores.contacts, stores.space, stores.jointPhases, stores.joints}, h_),
           fast_(solved_.size()) {
         cutSlices();
@@ -123,17 +124,7 @@ private:
         const auto end = std::stable_partition(solved_.begin(), solved_.begin() + static_cast<std::ptrdiff_t>(moving_),
                                                [&](BodyIndex body) { return inLanes[body] == 0; });
         outOfLanes_ = static_cast<std::size_t>(end - solved_.begin());
-        jointed_ = joints_->findJointedContacts(stores_.joints.islands, stores_.graph, stores_.contacts, bodies_);
-    }
-
-    void setSolverMasses(const std::vector<ContactBody>& bodies) {
-        for (const ContactBody& seen : bodies)
-            setSolverMass(seen.body, 1 / seen.mass, seen.inertia > 0 ? std::sqrt(seen.mass / seen.inertia) : 0);
-    }
-
-    void setSolverMass(BodyIndex body, double inverseMass, double inverseGyration) {
-        plumb::setSolverMass(stores_.graph, stores_.contacts, bodies_, body, static_cast<float>(inverseMass),
-                             static_cast<float>(inverseGyration));
+        joints_->findJointedContacts(stores_.joints, jointed_);
     }
 
     void subStep(int number) {
@@ -161,31 +152,14 @@ private:
         if (joints_ == nullptr || stores_.joints.islands.joints.empty()) return;
         joints_->solve(stores_.joints, half, inFields);
         joints_->bounce(stores_.joints, stores_.graph, stores_.contacts, bounces_, half.step);
-        setSolverMasses(joints_->findContactBodies(stores_.joints, half));
+        joints_->startContacts(stores_.joints, half, jointed_);
         markBodies(solved_.data(), moving_, solverBodies_);
     }
 
-    /// The joints answer to the contacts. Where stops have opened or closed by that, contacts have acted on masses that
-    /// are no longer the right ones: their impulses are taken back, and they are solved again. In the last round no stop
-    /// counts: then contacts give too little rather than too much.
-    void answerContacts(const JointHalf& half) {
-        constexpr int mostRounds = 3;
-        for (int round = 1; joints_->solveAgain(stores_.joints, half) && round <= mostRounds; ++round) {
-            joints_->noteBearing(stores_.joints, round < mostRounds);
-            joints_->takeBack(jointed_, stores_.graph, stores_.contacts, bodies_);
-            joints_->answerContacts(stores_.joints, half);
-            setSolverMasses(joints_->findChangedBodies(stores_.joints));
-            joints_->solveContactsAgain(jointed_, stores_.graph, stores_.contacts, bodies_,
-                                        {half.correct, pass_.contacts, pass_.groundContacts});
-        }
-        joints_->note(stores_.joints);
-    }
-
     void solveContacts(ContactWork work, const JointHalf& half) {
-        if (joints_ != nullptr) joints_->noteStart(jointed_, stores_.graph, stores_.contacts);
         forEachSlice([&](const ContactSolver& solver, ContactBatch* batches, std::size_t contacts,
                          const ContactPass& pass) { (solver.*work)(batches, contacts, solverBodies_, pass); });
-        if (joints_ != nullptr) answerContacts(half);
+        if (joints_ != nullptr) joints_->answerContacts(stores_.joints, half, jointed_);
     }
 
     void bounceContacts() {
@@ -274,7 +248,8 @@ private:
         const BodyRecord& record = bodies_.record[body];
         if (record.inverseGyration != bodies_.turn[body].inverseGyration ||
             static_cast<float>(record.inverseMass) != bodies_.velocity[body].inverseMass)
-            setSolverMass(body, record.inverseMass, record.inverseGyration);
+            setSolverMass(stores_.graph, stores_.contacts, bodies_, body, static_cast<float>(record.inverseMass),
+                          record.inverseGyration);
         motion.angle += move.turn;
         motion.rotation = turnedOn(motion, move.turn);
         moveTo(bodies_, body, motion);
@@ -294,8 +269,8 @@ private:
     Pass pass_;
     std::vector<Slice> slices_;
     FieldSolving fields_;
-    std::vector<BounceGroup> bounces_;     ///< of jointed bodies
-    std::vector<JointedContact> jointed_;  ///< those that may have to be solved again
+    std::vector<BounceGroup> bounces_;  ///< of jointed bodies
+    JointedContacts jointed_;
     WallStops walls_;
     std::vector<FastBody> fast_;
 };
