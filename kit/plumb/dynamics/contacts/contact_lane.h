@@ -18,8 +18,8 @@ Manifold manifoldAt(const FreshLanes& fresh, std::size_t lane);
 /// The smaller separation of the points in a lane that has some [m].
 float nearestOf(const FreshLanes& fresh, std::size_t lane);
 
-/// Lets the solver see a body with another mass, and its contacts with it. inverseGyration: the inverse of its radius of
-/// gyration [1/m]; it stays 0 for a body that cannot turn.
+/// Lets the solver see a body with another mass, and its contacts with it. inverseGyration: the inverse of its radius
+/// of gyration [1/m]; it stays 0 for a body that cannot turn.
 void setSolverMass(ContactGraph& graph, const ContactStore& contacts, BodyStore& bodies, BodyIndex body,
                    float inverseMass, float inverseGyration);
 

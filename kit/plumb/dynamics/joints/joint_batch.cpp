@@ -123,8 +123,8 @@ void JointBatch::addImpulse(const BodyStore& bodies, std::size_t lane, std::size
     at(BodyField::FreeX) += static_cast<double>(change.x) * give;
     at(BodyField::FreeY) += static_cast<double>(change.y) * give;
     if (at(BodyField::Inertia) > 0)
-        at(BodyField::FreeSpin) += static_cast<double>(change.w) * inverseGyration * at(BodyField::ContactInertia) /
-                                   at(BodyField::Inertia);
+        at(BodyField::FreeSpin) +=
+            static_cast<double>(change.w) * inverseGyration * at(BodyField::ContactInertia) / at(BodyField::Inertia);
 }
 
 void JointBatch::kick(const BodyStore& bodies) {

@@ -61,8 +61,8 @@ void JointBatch::findContactBodies(const BodyStore& bodies, const Lanes& lanes, 
         if (lanes[lane] != 0) addContactBodies(found, bodies, lane);
 }
 
-/// Is the row at a stop that pushes against the contacts of its bodies? A stop that pushes the same way as they do opens
-/// if they push more.
+/// Is the row at a stop that pushes against the contacts of its bodies? A stop that pushes the same way as they do
+/// opens if they push more.
 bool JointBatch::bears(std::size_t i, std::size_t lane) const {
     constexpr double lowerStop = 3, upperStop = 4;  // see island_curve_wide.h
     const double state = row(i, RowField::State, lane);
@@ -81,7 +81,7 @@ bool JointBatch::bears(std::size_t i, std::size_t lane) const {
 }
 
 void JointBatch::addContactBodies(std::vector<ContactBody>& found, const BodyStore& bodies, std::size_t lane) {
-    constexpr double share = 0.25, least = 1e-6;
+    constexpr double share = 0.25, least = 1e-4;
     const auto linear = [&](std::size_t n) {
         return body(n, BodyField::Response, lane) * body(n, BodyField::OwnMass, lane);
     };

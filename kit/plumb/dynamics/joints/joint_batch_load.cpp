@@ -39,7 +39,8 @@ void JointBatch::layOut(bool isNew) {
     if (isNew) numbers_.assign(total + line, 0.0);
     const auto address = reinterpret_cast<std::uintptr_t>(numbers_.data()) / sizeof(double);
     double* at = numbers_.data() + (line - address % line) % line;
-    double** const arrays[] = {&view_.body, &view_.link, &view_.row, &view_.joint, &view_.block, &view_.answer, &view_.inverse};
+    double** const arrays[] = {&view_.body,  &view_.link,   &view_.row,    &view_.joint,
+                               &view_.block, &view_.answer, &view_.inverse};
     for (std::size_t i = 0; i < std::size(sizes); at += sizes[i] * width, ++i) *arrays[i] = at;
     view_.links = layout.links.data();
     view_.rows = layout.rows.data();

@@ -5,8 +5,8 @@
 // answers (see joints/lanes/island_response_wide.h): the wheel of a cart of a ton with half a ton. Their impulses are
 // then added to the velocities without the joints' impulses, and the joints are solved again from there. So joints hold
 // exactly after every pass, and a contact that pushes a wheel pushes the cart.
-// n bodies of an island that meet contacts answer to each other, too. For any K, x^T K x <= n sum x_i^T K_ii x_i: with n
-// times their own answers, no pass can add energy. A mass that is too small costs some passes; one that is twice too
+// n bodies of an island that meet contacts answer to each other, too. For any K, x^T K x <= n sum x_i^T K_ii x_i: with
+// n times their own answers, no pass can add energy. A mass that is too small costs some passes; one that is twice too
 // large makes the solution explode.
 // Is the wheel's suspension at a stop, then the wheel has the cart's mass; else its own. If the joints' answer opens or
 // closes a stop, the contacts of this island are taken back and solved again with the new masses.

@@ -159,14 +159,14 @@ struct IslandLanes {
     double* link = nullptr;
     double* row = nullptr;
     double* joint = nullptr;
-    double* block = nullptr;   ///< 9 fields each
-    double* answer = nullptr;  ///< of the nodes, 3 fields each
+    double* block = nullptr;    ///< 9 fields each
+    double* answer = nullptr;   ///< of the nodes, 3 fields each
     double* inverse = nullptr;  ///< of the matrix, where it has blocks; 9 fields each
-    double* active = nullptr;  ///< 1: the lane takes part in this pass
-    double* heavy = nullptr;   ///< 1: dampers act by the speed at the end of each half (see island_curve_wide.h)
-    bool factored = false;     ///< the blocks hold the factors of the present matrix
-    double compliance = 0;     ///< of rows that hold, relative to their inverse mass [-]
-    double slack = 0;          ///< the same, relative to what a joint gives when it is eliminated [-]
+    double* active = nullptr;   ///< 1: the lane takes part in this pass
+    double* heavy = nullptr;    ///< 1: dampers act by the speed at the end of each half (see island_curve_wide.h)
+    bool factored = false;      ///< the blocks hold the factors of the present matrix
+    double compliance = 0;      ///< of rows that hold, relative to their inverse mass [-]
+    double slack = 0;           ///< the same, relative to what a joint gives when it is eliminated [-]
 };
 
 struct IslandTurn {

@@ -228,7 +228,7 @@ struct WideIslands : IslandItems<W> {
 template <int W>
 const IslandKernel WideIslandKernel<W>::code{
     WidePlaces<W>::move,           WidePlaces<W>::place,     WidePlaces<W>::noteSpeeds,    WideIslands<W>::prepare,
-    WideIslands<W>::predictAgain,  WideIslands<W>::solve,    WideIslands<W>::answer, WideIslands<W>::respond,
+    WideIslands<W>::predictAgain,  WideIslands<W>::solve,    WideIslands<W>::answer,       WideIslands<W>::respond,
     WideIslands<W>::accept,        WideIslands<W>::addLoads, WideStiffness<W>::noteForces, WideStiffness<W>::setMasses,
     WideStiffness<W>::findInertias};
 
