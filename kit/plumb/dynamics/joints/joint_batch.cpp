@@ -179,9 +179,20 @@ void JointBatch::freeAsIs() {
             for (int c = 0; c < 3; ++c) body(n, BodyField::FreeX + c, lane) = body(n, BodyField::Vx + c, lane);
 }
 
+/// The active lanes in which a body has got so much more or less spin that its turn was not predicted well.
+JointBatch::Lanes JointBatch::turningLanes(double h) const {
+    constexpr double far = 0.02;
+    Lanes turning{};
+    for (std::size_t n = 0; n < layout_->moved; ++n)
+        for (std::size_t lane = 0; lane < width_; ++lane)
+            if (std::fabs(body(n, BodyField::Uspin, lane) - body(n, BodyField::Spin, lane)) * h > far)
+                turning[lane] = active_[lane];
+    return turning;
+}
+
 /// In some lanes. Rows are predicted from the present velocities, which the joints allow: from the free ones, bodies
-/// would seem to turn much farther than they will.
-void JointBatch::findSolution(const IslandTurn& turn, const Lanes& lanes) {
+/// would seem to turn much farther than they will. Returns turningLanes.
+JointBatch::Lanes JointBatch::findSolution(const IslandTurn& turn, const Lanes& lanes) {
     active_ = lanes;
     kernel_->prepare(view_, turn);
     kernel_->solve(view_);
@@ -191,7 +202,9 @@ void JointBatch::findSolution(const IslandTurn& turn, const Lanes& lanes) {
     }
     active_ = lanes;
     if (!turn.onlyHold) noteStates();
+    const Lanes turning = turn.correct ? turningLanes(turn.h) : Lanes{};
     kernel_->accept(view_);
+    return turning;
 }
 
 void JointBatch::note(StepObserver* observer) {
@@ -241,7 +254,9 @@ bool JointBatch::solveAgain(BodyStore& bodies, const IslandTurn& turn) {
 JointBatch::Lanes JointBatch::answerContacts(BodyStore& bodies, const IslandTurn& turn) {
     const Lanes touched = takeContactImpulses(bodies);
     if (touched == Lanes{}) return touched;
-    findSolution(turn, touched);
+    Lanes again = touched;
+    for (int time = 0; time < 3 && again != Lanes{}; ++time) again = findSolution(turn, again);
+    active_ = touched;
     writeVelocities(bodies);
     for (std::size_t lane = 0; lane < width_; ++lane)
         if (touched[lane] != 0)

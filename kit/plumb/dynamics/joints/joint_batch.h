@@ -133,7 +133,8 @@ private:
     /// To the free velocity. change: by an impulse, in the body's record.
     void addImpulse(const BodyStore& bodies, std::size_t lane, std::size_t node, const SolverVelocity& change);
     void freeAsIs();
-    void findSolution(const IslandTurn& turn, const Lanes& lanes);
+    Lanes turningLanes(double h) const;
+    Lanes findSolution(const IslandTurn& turn, const Lanes& lanes);
     Lanes takeContactImpulses(BodyStore& bodies);
     /// Returns true if a place has changed.
     void pullVelocity(const BodyStore& bodies, std::size_t lane, std::size_t node, int field);
