@@ -59,7 +59,7 @@ void JointBatch::layOut(bool isNew) {
     view_.firstFill = layout.firstFill;
     view_.someFree = layout.someFree;
     view_.compliance = layout.isTree ? 0 : relativeCompliance;
-    view_.slack = layout.isTree ? 1e-9 : 0;
+    view_.slack = layout.isTree ? treeCompliance : 0;
 }
 
 void JointBatch::load(std::span<JointIsland* const> islands, const JointStore& joints, BodyStore& bodies, double h) {

@@ -8,7 +8,7 @@
 // n bodies of an island that meet contacts answer to each other, too. For any K, x^T K x <= n sum x_i^T K_ii x_i: with
 // n times their own answers, no pass can add energy. A mass that is too small costs some passes; one that is twice too
 // large makes the solution explode.
-// Is the wheel's suspension at a stop, then the wheel has the cart's mass; else its own. If the joints' answer opens or
+// While a suspension is at a stop, its wheel has the cart's mass; else its own. If the joints' answer opens or
 // closes a stop, the contacts of this island are taken back and solved again with the new masses.
 // Source: splitting of masses: Tonge, Benevolenski, Voroshilov, "Mass splitting for jitter-free parallel rigid body
 // simulation", ACM Trans. Graph. 31 (2012) 105.

@@ -6,8 +6,7 @@
 // its nodes; here in that of the layout, where a tree goes from its leaves: A_ij -= A_ik D_k^-1 A_jk^T for the
 // neighbours i, j of a node k. Redundant rows (rows that say the same) share their load by e, and a difference between
 // what they want is amplified by at most 1 / e. In a tree no rows are redundant: there e is a share of what the joint
-// gives when it is eliminated, so that it is small beside any other mass. Tried in trees: e of 1e-10 of a row's own
-// inverse mass, or none. Then impulses between bodies that are jammed grow beyond all bounds.
+// gives when it is eliminated, so that it is small beside any other mass: a wheel of 0.1 kg under 10 t needs 1e-9.
 // Source: Baraff, "Linear-time dynamics using Lagrange multipliers", SIGGRAPH 1996; Vanderbei, "Symmetric quasidefinite
 // matrices", SIAM J. Optim. 5 (1995) 100.
 #pragma once
