@@ -47,9 +47,10 @@ public:
     /// After solve: adds the bodies that contacts shall see as heavier than they are, because joints hold them to
     /// heavier ones, if this has changed since the last call. first: in this step.
     void findContactBodies(const BodyStore& bodies, bool first, std::vector<ContactBody>& found);
-    /// The same, after solveAgain.
-    void noteBearing(bool withStops);
+    /// The same, after noteBearing, for the islands that have changed.
     void findChangedBodies(const BodyStore& bodies, std::vector<ContactBody>& found);
+    /// After solveAgain, for the islands that have changed: which stops bear what contacts push? withStops: else none.
+    void noteBearing(bool withStops);
     /// Writes states and loads of the joints, stiffness of the islands and moments of inertia, at the end of the step.
     void store(JointStore& joints, BodyStore& bodies);
     /// At the end of the step.
@@ -74,20 +75,20 @@ public:
     /// Solves all joints from the free velocities.
     void solve(BodyStore& bodies, const IslandTurn& turn);
     /// After contacts were solved: where they have changed something, solves again, from the free velocities and the
-    /// impulses of the contacts. Returns true if a row came to another part of its curve: then contacts may have acted
-    /// on masses that are no longer the right ones.
+    /// impulses of the contacts. Returns the lanes in which they have.
+    Lanes answerContacts(BodyStore& bodies, const IslandTurn& turn);
+    /// The same. Returns true if an island has changed: other stops bear than those with which its contacts were
+    /// solved.
     bool solveAgain(BodyStore& bodies, const IslandTurn& turn);
-    /// So that nothing has changed.
     bool hasChanged(std::size_t lane) const { return changed_[lane] != 0; }
+    bool mayChange(std::size_t lane) const { return heavy_[lane] != 0 && layout_->someFree; }
     /// A contact pushes a body in this direction.
     void addNormal(std::size_t lane, std::size_t node, const Vec2& normal) {
         body(node, BodyField::NormalX, lane) += normal.x();
         body(node, BodyField::NormalY, lane) += normal.y();
     }
-    bool mayChange(std::size_t lane) const { return heavy_[lane] != 0 && layout_->someFree; }
     /// At the end of half a sub-step: notes the loads.
     void note(StepObserver* observer);
-    Lanes answerContacts(BodyStore& bodies, const IslandTurn& turn);
     /// Removes the errors of one island's held rows after the coming h [s].
     void hold(BodyStore& bodies, std::size_t lane, double h, double fastest);
 
@@ -136,8 +137,8 @@ private:
     Lanes turningLanes(double h) const;
     Lanes findSolution(const IslandTurn& turn, const Lanes& lanes);
     Lanes takeContactImpulses(BodyStore& bodies);
-    /// Returns true if a place has changed.
     void pullVelocity(const BodyStore& bodies, std::size_t lane, std::size_t node, int field);
+    /// Returns true if a place has changed.
     bool pullLane(const BodyStore& bodies, std::size_t lane, bool moved);
     double errorOf(std::size_t row, std::size_t lane) const;
     void writePlaces(BodyStore& bodies) const;

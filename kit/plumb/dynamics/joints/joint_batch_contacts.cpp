@@ -8,6 +8,8 @@
 
 namespace plumb {
 
+/// May a body that contacts touch be held to something that is much heavier than it is? Contacts that see it as up to
+/// 60 times too light rest all the same (tried), so most machines need not be asked.
 bool JointBatch::isHeavy(const BodyStore& bodies, std::size_t lane) const {
     constexpr double heavy = 30;
     double mass = 0, lightest = unlimited;
@@ -81,6 +83,8 @@ bool JointBatch::bears(std::size_t i, std::size_t lane) const {
 }
 
 void JointBatch::addContactBodies(std::vector<ContactBody>& found, const BodyStore& bodies, std::size_t lane) {
+    // A body that answers by more than this share of what it would do alone is seen as it is. None is seen as more than
+    // 1 / least times as heavy: beyond that, impulses may leave the range of floats (tried).
     constexpr double share = 0.25, least = 1e-4;
     const auto linear = [&](std::size_t n) {
         return body(n, BodyField::Response, lane) * body(n, BodyField::OwnMass, lane);

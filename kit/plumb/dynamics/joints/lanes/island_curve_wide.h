@@ -17,7 +17,9 @@
 // A damper c removes the share 1 - exp(-c w h / 2) of v in half a sub-step h, if nothing else acts. w is the effective
 // inverse mass, the change of v by a unit of L. So d = (exp(c w h / 2) - 1) / w, for the v after it. This is the half
 // after a sub-step; in the half before it, the damper acts by the speed at the start of the sub-step, as a known
-// impulse. Source: the speed at which a joint is held, as a complementarity problem: Murty, "Linear complementarity",
+// impulse. In islands whose contacts see light bodies as heavy, it acts by the speed after it in both halves: else what
+// a contact must give would differ from half to half, and the one were no first guess for the other.
+// Source: the speed at which a joint is held, as a complementarity problem: Murty, "Linear complementarity",
 // 1988.
 #pragma once
 #include <plumb/dynamics/joints/lanes/island_elimination_wide.h>
