@@ -162,7 +162,7 @@ TEST_CASE("carts of any weights come to rest on hinges, welds and sprung wheels"
 }
 
 TEST_CASE("what lands far away changes no bit of a machine on the ground", "[dynamics][joints][machines]") {
-    const auto hashAfter = [](bool others) {
+    const auto placesAfter = [](bool others) {
         JointMachine machine;
         makeCart(machine, 1.57, 0.5);
         makeHeap(machine, 10, 0.2, 20, 0.5);
@@ -176,7 +176,7 @@ TEST_CASE("what lands far away changes no bit of a machine on the ground", "[dyn
         }
         return places;
     };
-    CHECK(hashAfter(true) == hashAfter(false));
+    CHECK(placesAfter(true) == placesAfter(false));
 }
 
 TEST_CASE("a chain that falls in a heap under a heavy box gains little energy and comes to rest",

@@ -268,6 +268,7 @@ void JointBatch::sweep(BodyStore& bodies, const IslandTurn& turn, double give, S
     pull(bodies);
     if (turn.correct) noteSpeeds();
     freeAsIs();
+    heavy_ = {};  // contacts see the bodies of a swept machine as they are
     view_.compliance = give + (layout_->isTree ? 0 : relativeCompliance);
     kernel_->prepare(view_, turn);
     kernel_->solve(view_);

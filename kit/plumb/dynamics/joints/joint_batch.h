@@ -160,7 +160,7 @@ private:
     Lanes active_{};
     Lanes pushed_{};      ///< an impact has changed the free velocities
     Lanes heavy_{};       ///< contacts may have to see bodies as heavier than they are
-    Lanes changed_{};     ///< of those: solveAgain has brought a row to another part of its curve
+    Lanes changed_{};     ///< of those: other stops bear than those with which contacts were solved
     bool moved_ = false;  ///< others may have moved bodies
 };
 

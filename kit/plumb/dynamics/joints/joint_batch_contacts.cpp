@@ -21,7 +21,7 @@ bool JointBatch::isHeavy(const BodyStore& bodies, std::size_t lane) const {
 }
 
 void JointBatch::findContactBodies(const BodyStore& bodies, bool first, std::vector<ContactBody>& found) {
-    if (!first && !layout_->someFree) return;
+    if (heavy_ == Lanes{} || (!first && !layout_->someFree)) return;
     for (std::size_t i = 0; i < layout_->rows.size(); ++i)
         for (std::size_t lane = 0; lane < width_ && !layout_->rows[i].holds; ++lane)
             row(i, RowField::Bears, lane) = bears(i, lane) ? 1 : 0;

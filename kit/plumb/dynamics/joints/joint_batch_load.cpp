@@ -176,9 +176,6 @@ void JointBatch::loadRow(const RowForm& form, const Rot& rotationA, double sprin
 }
 
 void JointBatch::store(JointStore& joints, BodyStore& bodies) {
-    const auto inertia = [this](std::size_t n, std::size_t lane) { return body(n, BodyField::Inertia, lane); };
-    for (std::size_t n = 0; n < layout_->moved; ++n)
-        for (std::size_t lane = 0; lane < width_; ++lane) body(n, BodyField::ContactInertia, lane) = inertia(n, lane);
     kernel_->findInertias(view_, h_);
     for (std::size_t lane = 0; lane < width_; ++lane) {
         JointIsland& island = *islands_[lane];
@@ -187,7 +184,7 @@ void JointBatch::store(JointStore& joints, BodyStore& bodies) {
             BodyRecord& record = bodies.record[island.bodies[n]];
             if (!(record.inverseInertia > 0)) continue;
             // More inertia at the same spin would be more energy: the body keeps its angular momentum.
-            const double was = body(n, BodyField::ContactInertia, lane), now = inertia(n, lane);
+            const double was = inertiaOf(record), now = body(n, BodyField::Inertia, lane);
             if (now > was) body(n, BodyField::Spin, lane) *= was / now;
             setGyration(record, 1 / now);
         }

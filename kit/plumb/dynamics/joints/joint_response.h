@@ -13,10 +13,6 @@ inline Vec3 velocityChangeBy(const BodyStore& bodies, BodyIndex body, const Vec3
             inverseMass * inverseGyration * inverseGyration * impulse[2]};
 }
 
-inline double dot(const Vec3& a, const Vec3& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 inline Vec3 times(const Vec3& v, double factor) {
     return {v[0] * factor, v[1] * factor, v[2] * factor};
 }
@@ -36,12 +32,6 @@ inline void setVelocity(BodyStore& bodies, BodyIndex body, const Vec3& velocity)
     v.x = static_cast<float>(velocity[0]);
     v.y = static_cast<float>(velocity[1]);
     v.w = static_cast<float>(velocity[2] * static_cast<double>(bodies.turn[body].gyration));
-}
-
-inline std::vector<Vec3> velocitiesOf(const JointIsland& island, const BodyStore& bodies) {
-    std::vector<Vec3> velocities;
-    for (const BodyIndex body : island.bodies) velocities.push_back(velocityOf(bodies, body));
-    return velocities;
 }
 
 }  // namespace plumb
