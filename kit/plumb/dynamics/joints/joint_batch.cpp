@@ -129,17 +129,8 @@ void JointBatch::addImpulse(const BodyStore& bodies, std::size_t lane, std::size
 
 void JointBatch::kick(const BodyStore& bodies) {
     kernel_->setMasses(view_, h_);
-    for (std::size_t n = 0; n < layout_->moved; ++n) {
-        for (std::size_t lane = 0; lane < width_; ++lane) {
-            const auto at = [&](int field) -> double& { return body(n, field, lane); };
-            const double linear = at(BodyField::KeepLinear), angular = at(BodyField::KeepAngular);
-            at(BodyField::FreeX) = at(BodyField::Vx) * linear + at(BodyField::GainX);
-            at(BodyField::FreeY) = at(BodyField::Vy) * linear + at(BodyField::GainY);
-            at(BodyField::FreeSpin) = at(BodyField::Spin) * angular + at(BodyField::GainSpin);
-            const SolverVelocity& warm = bodies.warm[islands_[lane]->bodies[n]];
-            addImpulse(bodies, lane, n, warm);
-        }
-    }
+    kernel_->kick(view_);
+    for (const Touching& t : touching_) addImpulse(bodies, t.lane, t.node, bodies.warm[t.body]);
     activate(true, 0);
     pushed_ = {};
 }
@@ -227,18 +218,15 @@ void JointBatch::solve(BodyStore& bodies, const IslandTurn& turn) {
 JointBatch::Lanes JointBatch::takeContactImpulses(BodyStore& bodies) {
     Lanes touched = pushed_;
     pushed_ = {};
-    for (std::size_t n = 0; n < layout_->moved; ++n) {
-        for (std::size_t lane = 0; lane < width_; ++lane) {
-            const BodyIndex index = islands_[lane]->bodies[n];
-            const SolverVelocity now = bodies.velocity[index], before = bodies.before[index];
-            if (now.x == before.x && now.y == before.y && now.w == before.w) continue;
-            touched[lane] = 1;
-            const SolverVelocity change{now.x - before.x, now.y - before.y, now.w - before.w, 0};
-            SolverVelocity& warm = bodies.warm[index];
-            warm = {warm.x + change.x, warm.y + change.y, warm.w + change.w, 0};
-            bodies.before[index] = now;
-            addImpulse(bodies, lane, n, change);
-        }
+    for (const Touching& t : touching_) {
+        const SolverVelocity now = bodies.velocity[t.body], before = bodies.before[t.body];
+        if (now.x == before.x && now.y == before.y && now.w == before.w) continue;
+        touched[t.lane] = 1;
+        const SolverVelocity change{now.x - before.x, now.y - before.y, now.w - before.w, 0};
+        SolverVelocity& warm = bodies.warm[t.body];
+        warm = {warm.x + change.x, warm.y + change.y, warm.w + change.w, 0};
+        bodies.before[t.body] = now;
+        addImpulse(bodies, t.lane, t.node, change);
     }
     return touched;
 }

@@ -106,7 +106,7 @@ public:
     Vec3 answer(std::size_t lane, std::size_t node, const Vec3& impulse);
 
     const std::vector<JointIsland*>& islands() const { return islands_; }
-    std::size_t bytes() const { return bytesOf(numbers_) + bytesOf(islands_); }
+    std::size_t bytes() const { return bytesOf(numbers_) + bytesOf(islands_) + bytesOf(touching_); }
 
 private:
     double& number(double* items, std::size_t count, std::size_t item, int field, std::size_t lane) const {
@@ -133,6 +133,7 @@ private:
     Vec3 changeBy(std::size_t lane, std::size_t node, const Vec3& impulse) const;
     /// To the free velocity. change: by an impulse, in the body's record.
     void addImpulse(const BodyStore& bodies, std::size_t lane, std::size_t node, const SolverVelocity& change);
+    void findTouching(const BodyStore& bodies);
     void freeAsIs();
     Lanes turningLanes(double h) const;
     Lanes findSolution(const IslandTurn& turn, const Lanes& lanes);
@@ -150,7 +151,14 @@ private:
     void report(StepObserver& observer) const;
     JointRows rowsOf(std::size_t j, std::size_t lane, Vec3& impulses, Vec3& after, Vec3& slopes) const;
 
+    /// A body with contacts.
+    struct Touching {
+        std::uint32_t node = 0, lane = 0;
+        BodyIndex body = noBody;
+    };
+
     std::vector<JointIsland*> islands_;
+    std::vector<Touching> touching_;
     std::shared_ptr<const IslandLayout> layout_;
     const IslandKernel* kernel_ = nullptr;
     std::size_t width_ = 1;

@@ -87,6 +87,7 @@ void JointBatch::load(std::span<JointIsland* const> islands, const JointStore& j
         for (std::size_t j = 0; j < island.joints.size(); ++j)
             loadJoint(joints.formOf(island.joints[j]), joints, island.joints[j], bodies, j, lane, h);
     }
+    findTouching(bodies);
     for (std::size_t lane = 0; lane < width_; ++lane) heavy_[lane] = isHeavy(bodies, lane) ? 1 : 0;
     activate(true, 0);
     writeVelocities(bodies);
@@ -94,6 +95,14 @@ void JointBatch::load(std::span<JointIsland* const> islands, const JointStore& j
     for (std::size_t i = 0; i < layout_->rows.size(); ++i)
         for (std::size_t lane = 0; lane < width_; ++lane) row(i, RowField::StartError, lane) = errorOf(i, lane);
     kernel_->setMasses(view_, h);
+}
+
+void JointBatch::findTouching(const BodyStore& bodies) {
+    touching_.clear();
+    for (std::uint32_t n = 0; n < layout_->moved; ++n)
+        for (std::uint32_t lane = 0; lane < width_; ++lane)
+            if (const BodyIndex index = islands_[lane]->bodies[n]; bodies.links[index].solverContacts > 0)
+                touching_.push_back({n, lane, index});
 }
 
 void JointBatch::loadBody(const BodyStore& bodies, BodyIndex index, std::size_t node, std::size_t lane, double h) {

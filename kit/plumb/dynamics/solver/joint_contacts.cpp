@@ -35,10 +35,13 @@ void forEachChanged(const JointedContacts& jointed, Visit&& visit) {
         if (one.batch->hasChanged(one.lane)) visit(one, ContactSlot(jointed.graph, jointed.contacts[one.contact]));
 }
 
-bool solveAgain(const JointStores& stores, const JointHalf& half) {
+/// Returns true if an island has changed. If none can, the loads are noted at once, while the numbers are at hand.
+bool solveAgain(const JointStores& stores, const JointHalf& half, bool mayChange) {
     bool changed = false;
-    for (JointBatch& batch : batchesOf(stores))
+    for (JointBatch& batch : batchesOf(stores)) {
         changed = batch.solveAgain(stores.bodies, turnOf(stores, half)) || changed;
+        if (!mayChange) batch.note(stores.observer);
+    }
     return changed;
 }
 
@@ -93,11 +96,13 @@ void startContacts(const JointStores& stores, const JointHalf& half, JointedCont
 
 void answerContacts(const JointStores& stores, const JointHalf& half, const JointedContacts& jointed) {
     constexpr int mostRounds = 3;  // in the last one no stop counts: contacts give too little rather than too much
-    for (int round = 1; solveAgain(stores, half) && round <= mostRounds; ++round) {
+    const bool mayChange = !jointed.some.empty();
+    for (int round = 1; solveAgain(stores, half, mayChange) && round <= mostRounds; ++round) {
         for (JointBatch& batch : batchesOf(stores)) batch.noteBearing(round < mostRounds);
         takeBack(stores, half, jointed);
         solveContactsAgain(stores, half, jointed);
     }
+    if (!mayChange) return;
     for (JointBatch& batch : batchesOf(stores)) batch.note(stores.observer);
 }
 

@@ -18,9 +18,13 @@ inline IslandTurn turnOf(const JointStores& stores, const JointHalf& half) {
     return {half.step, half.correct, false, stores.settings.contactPushSpeed};
 }
 
-/// The batches in use.
+/// The batches whose islands meet contacts, or something else that may push them in this step.
 inline std::span<JointBatch> batchesOf(const JointStores& stores) {
-    return {stores.islands.batches.data(), stores.islands.batchCount};
+    return {stores.islands.batches.data(), stores.islands.meeting};
+}
+/// The other batches in use.
+inline std::span<JointBatch> flyingBatchesOf(const JointStores& stores) {
+    return {stores.islands.batches.data() + stores.islands.meeting, stores.islands.batchCount - stores.islands.meeting};
 }
 
 }  // namespace plumb

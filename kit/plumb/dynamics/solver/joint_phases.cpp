@@ -85,26 +85,42 @@ void reportGround(const JointStores& stores, const std::vector<BodyIndex>& some,
     if (stores.observer != nullptr) stores.observer->noteGround(momentumOf(stores.bodies, some) - before);
 }
 
-/// Equal islands share a batch, as many as there are lanes.
-void loadBatches(const JointStores& stores, double dt) {
+bool touches(const BodyStore& bodies, const JointIsland& island) {
+    return std::ranges::any_of(island.bodies, [&](BodyIndex body) { return bodies.links[body].solverContacts > 0; });
+}
+
+/// Cuts groups of equal islands into batches, as many islands in each as there are lanes. Those that touch something
+/// come first in their group, because after contacts only they are solved again.
+std::vector<std::span<JointIsland*>> cutBatches(const JointStores& stores, std::vector<JointIsland*>& islands) {
     JointIslands& found = stores.islands;
-    const double h = dt / stores.settings.subSteps;
-    const auto most = static_cast<std::size_t>(islandLanes(stores.settings.lanes));
-    if (found.batches.size() < found.islands.size()) found.batches.resize(found.islands.size());
-    found.batchCount = 0;
-    const auto load = [&](std::span<JointIsland* const> some) {
-        found.batches[found.batchCount++].load(some, stores.joints, stores.bodies, h);
-    };
-    std::vector<JointIsland*> some;
+    for (const std::vector<std::uint32_t>& group : found.alike)
+        for (const std::uint32_t i : group) islands.push_back(&found.islands[i]);
+    std::vector<std::span<JointIsland*>> batches;
+    std::span<JointIsland*> rest = islands;
     for (const std::vector<std::uint32_t>& group : found.alike) {
-        some.clear();
-        for (const std::uint32_t i : group) some.push_back(&found.islands[i]);
-        std::size_t width = most;
-        for (std::span<JointIsland*> left = some; !left.empty(); left = left.subspan(width)) {
+        std::span<JointIsland*> left = rest.first(group.size());
+        rest = rest.subspan(group.size());
+        std::ranges::stable_partition(left, [&](const JointIsland* island) { return touches(stores.bodies, *island); });
+        std::size_t width = static_cast<std::size_t>(islandLanes(stores.settings.lanes));
+        for (; !left.empty(); left = left.subspan(width)) {
             while (width > left.size()) width /= 2;
-            load(left.first(width));
+            batches.push_back(left.first(width));
         }
     }
+    return batches;
+}
+
+void loadBatches(const JointStores& stores, double dt, bool mayFly) {
+    JointIslands& found = stores.islands;
+    const double h = dt / stores.settings.subSteps;
+    std::vector<JointIsland*> islands;
+    std::vector<std::span<JointIsland*>> batches = cutBatches(stores, islands);
+    const auto flying = std::ranges::stable_partition(
+        batches, [&](const std::span<JointIsland*>& some) { return !mayFly || touches(stores.bodies, *some.front()); });
+    found.batchCount = batches.size();
+    found.meeting = batches.size() - flying.size();
+    if (found.batches.size() < batches.size()) found.batches.resize(found.islands.size());
+    for (std::size_t i = 0; i < batches.size(); ++i) found.batches[i].load(batches[i], stores.joints, stores.bodies, h);
     found.sweptBatches.resize(found.swept.size());
     for (std::size_t i = 0; i < found.swept.size(); ++i) {
         JointIsland* alone = &found.swept[i];
@@ -123,6 +139,16 @@ void kickBatches(const JointStores& stores, const JointHalf& half) {
         kickBatch(stores, batch, half);
         batch.writeFree(stores.bodies);
     }
+}
+
+void flyBatch(const JointStores& stores, JointBatch& batch, const JointHalf& half) {
+    kickBatch(stores, batch, half);
+    batch.solve(stores.bodies, turnOf(stores, half));
+    batch.note(stores.observer);
+}
+
+void moveBatch(const JointStores& stores, JointBatch& batch, double h) {
+    batch.move(stores.bodies, h);
 }
 
 void moveBatches(const JointStores& stores, double h) {
@@ -182,7 +208,7 @@ void bounceJointed(const JointStores& stores, ContactGraph& graph, const Contact
 }
 
 void storeBatches(const JointStores& stores, std::vector<std::pair<BodyIndex, BodyMove>>& moves) {
-    for (JointBatch& batch : batchesOf(stores)) {
+    for (JointBatch& batch : std::span(stores.islands.batches).first(stores.islands.batchCount)) {
         batch.pull(stores.bodies);
         batch.store(stores.joints, stores.bodies);
         for (std::size_t lane = 0; lane < batch.islands().size(); ++lane) {
@@ -245,8 +271,11 @@ double springEnergy(const JointStore& joints, const BodyStore& bodies) {
 
 const JointPhases jointPhases{.prepare = prepareJoints,
                               .load = loadBatches,
+                              .flying = flyingBatchesOf,
+                              .fly = flyBatch,
                               .kick = kickBatches,
                               .move = moveBatches,
+                              .moveFlying = moveBatch,
                               .solve = solveJoints,
                               .takeBounces = takeJointedBounces,
                               .bounce = bounceJointed,

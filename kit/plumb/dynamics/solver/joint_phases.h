@@ -4,6 +4,7 @@
 // A world calls the code of joints through this table, which its first joint sets. So the linker removes all code of
 // joints from a program without joints. That is the table's only use: a page in a browser loads what is left.
 #pragma once
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -23,12 +24,17 @@ struct BodyMove;
 struct JointPhases {
     /// Before the sub-steps of a step of dt [s]: finds the islands again if the joints have changed.
     void (*prepare)(const JointStores& stores, double dt);
-    /// Takes the islands into their lanes.
-    void (*load)(const JointStores& stores, double dt);
+    /// Takes the islands into their lanes. mayFly: those that have no contacts go into batches of their own.
+    void (*load)(const JointStores& stores, double dt, bool mayFly);
+    /// The batches of islands that have no contacts. They are in no other call but store.
+    std::span<JointBatch> (*flying)(const JointStores& stores);
+    /// Half a sub-step of such a batch.
+    void (*fly)(const JointStores& stores, JointBatch& batch, const JointHalf& half);
     /// Takes in what others have done to the bodies in lanes, and lets the forces of half a sub-step act on them.
     void (*kick)(const JointStores& stores, const JointHalf& half);
     /// After all bodies have moved: moves the bodies in lanes.
     void (*move)(const JointStores& stores, double h);
+    void (*moveFlying)(const JointStores& stores, JointBatch& batch, double h);
     /// kicked: after kick; else it does that first.
     void (*solve)(const JointStores& stores, const JointHalf& half, bool kicked);
     /// Returns the contacts that bounce and have a jointed body, and keeps the solver from bouncing them again.

@@ -43,6 +43,10 @@ bool mayPass(const BodyStore& bodies, BodyIndex body) {
     return bodies.links[body].firstContact != none || bodies.wrap.isExceededBy(shift);
 }
 
+void fillUp(std::vector<BodyIndex>& bodies) {
+    while (bodies.size() % batchLanes != 0) bodies.push_back(noBody);
+}
+
 /// The bodies that are solved: dynamic bodies with a constraint, or so fast that they could pass a wall that no contact
 /// predicts, and kinematic bodies, whose motion their contacts need. Filled up to a multiple of the lanes with slot 0,
 /// which never moves.
@@ -52,7 +56,7 @@ std::vector<BodyIndex> solvedBodies(const BodyStore& bodies) {
     for (const BodyIndex body : bodies.awake)
         if (bodies.isConstrained(body) || bodies.record[body].type == BodyType::Kinematic || mayPass(bodies, body))
             solved.push_back(body);
-    while (solved.size() % batchLanes != 0) solved.push_back(noBody);
+    fillUp(solved);
     return solved;
 }
 
@@ -102,6 +106,7 @@ public:
         if (joints_ != nullptr)
             bounces_ = joints_->takeBounces(stores_.graph, stores_.contacts, bodies_, stores_.joints.islands);
         if (joints_ != nullptr) loadJoints(dt);
+        if (joints_ != nullptr) stepFlying();
         if (observer_ != nullptr) observer_->beginSolver();
         forEachSlice([this](const ContactSolver& solver, ContactBatch* batches, std::size_t contacts,
                             const ContactPass&) { solver.gatherWarmStart(batches, contacts, solverBodies_); });
@@ -111,20 +116,46 @@ public:
         if (observer_ != nullptr) observer_->endSolver(solved_, dt);
     }
 
-    const std::vector<WallImpact>& wallImpacts() const { return walls_.impacts(); }
+    const std::vector<WallImpact>& wallImpacts() const { return impacts_; }
 
 private:
-    /// Bodies in lanes of islands go behind all others.
+    /// Bodies in lanes of islands go behind all others; those of flying islands are not among them.
     void loadJoints(double dt) {
-        joints_->load(stores_.joints, dt);
+        joints_->load(stores_.joints, dt, observer_ == nullptr && bodies_.flights.empty());
         if (stores_.joints.islands.islands.empty()) return;
-        std::vector<std::uint8_t> inLanes(bodies_.record.size(), 0);
+        enum Place : std::uint8_t { OutOfLanes, InLanes, Flying };
+        std::vector<Place> places(bodies_.record.size(), OutOfLanes);
         for (const JointIsland& island : stores_.joints.islands.islands)
-            for (const BodyIndex body : island.bodies) inLanes[body] = island.isSwept() ? 0 : 1;
-        const auto end = std::stable_partition(solved_.begin(), solved_.begin() + static_cast<std::ptrdiff_t>(moving_),
-                                               [&](BodyIndex body) { return inLanes[body] == 0; });
-        outOfLanes_ = static_cast<std::size_t>(end - solved_.begin());
+            for (const BodyIndex body : island.bodies) places[body] = island.isSwept() ? OutOfLanes : InLanes;
+        for (const JointBatch& batch : joints_->flying(stores_.joints))
+            for (const JointIsland* island : batch.islands())
+                for (const BodyIndex body : island->bodies) places[body] = Flying;
+        solved_.resize(moving_);
+        std::erase_if(solved_, [&](BodyIndex body) { return places[body] == Flying; });
+        const auto lanes =
+            std::ranges::stable_partition(solved_, [&](BodyIndex body) { return places[body] == OutOfLanes; });
+        moving_ = solved_.size();
+        outOfLanes_ = moving_ - lanes.size();
+        fillUp(solved_);
         joints_->findJointedContacts(stores_.joints, jointed_);
+    }
+
+    /// What meets no contact goes through the whole step at once, batch by batch: its numbers stay at hand.
+    void stepFlying() {
+        for (JointBatch& batch : joints_->flying(stores_.joints)) {
+            std::vector<BodyIndex> flying;
+            for (const JointIsland* island : batch.islands())
+                flying.insert(flying.end(), island->bodies.begin(), island->bodies.end());
+            fillUp(flying);
+            for (int i = 0; i < stores_.settings.subSteps; ++i) {
+                joints_->fly(stores_.joints, batch, {h_, true, i == 0});
+                const std::size_t fast =
+                    bodySolver_.move(flying.data(), flying.size(), solverBodies_, static_cast<float>(h_), fast_.data());
+                joints_->moveFlying(stores_.joints, batch, h_);
+                if (stores_.hasWalls) walls_.afterMove({fast_.data(), fast}, i * h_);
+                joints_->fly(stores_.joints, batch, {h_, false, false});
+            }
+        }
     }
 
     void subStep(int number) {
@@ -211,7 +242,7 @@ private:
                 if (batch.pushed[lane] != 0) pushed[batch.bodyA[lane]] = pushed[batch.bodyB[lane]] = 1;
             }
         }
-        for (const WallImpact& impact : walls_.impacts()) pushed[stores_.space[impact.hit.own].owner] = 1;
+        for (const WallImpact& impact : impacts_) pushed[stores_.space[impact.hit.own].owner] = 1;
         if (joints_ == nullptr) return pushed;
         for (const JointIsland& island : stores_.joints.islands.islands)
             for (const BodyIndex body : island.bodies) pushed[body] = island.isSwept() ? 1 : 0;
@@ -219,6 +250,7 @@ private:
     }
 
     void storeBodies() {
+        impacts_ = walls_.impacts();
         const std::vector<std::uint8_t> pushed = pushedBodies();
         for (const BodyIndex body : solved_) {
             if (pushed[body] != 0 && bodies_.velocity[body].inverseMass > 0) storeBody(body, moveOf(body));
@@ -273,6 +305,7 @@ private:
     JointedContacts jointed_;
     WallStops walls_;
     std::vector<FastBody> fast_;
+    std::vector<WallImpact> impacts_;
 };
 
 }  // namespace

@@ -109,6 +109,14 @@ JointIsland* WallStops::islandOf(BodyIndex body) {
     return island != none && !islands[island].isSwept() ? &islands[island] : nullptr;
 }
 
+std::vector<WallImpact> WallStops::impacts() const {
+    std::vector<Impact> sorted = impacts_;
+    std::ranges::stable_sort(sorted, {}, [](const Impact& i) { return std::pair(i.start, i.order); });
+    std::vector<WallImpact> impacts;
+    for (const Impact& one : sorted) impacts.push_back(one.impact);
+    return impacts;
+}
+
 /// A body alone is stopped at once; of others, the island is added, or the exact place to an island that is there
 /// already.
 void WallStops::add(const Mover& mover) {
@@ -287,7 +295,9 @@ void WallStops::solve(Group& group, const Hit& hit, double duration) {
     Pushed pushed(*this, group, hit);
     const WallImpact impact = solveWallImpact(view_, hit.at, duration, pushed);
     if (impact.normalImpulse == 0) return;
-    impacts_.push_back(impact);
+    const std::vector<JointIsland>& islands = stores_.joints.islands.islands;
+    impacts_.push_back(
+        {start_, group.island == nullptr ? 0 : static_cast<std::uint32_t>(group.island - islands.data() + 1), impact});
     markChange(group, before);
 }
 

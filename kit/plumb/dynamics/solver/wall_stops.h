@@ -35,8 +35,8 @@ public:
 
     /// Call this after the bodies have moved in a sub-step that began at this time since the step's start [s].
     void afterMove(std::span<const FastBody> fast, double start);
-    /// The impacts so far, in the order in which they were found.
-    const std::vector<WallImpact>& impacts() const { return impacts_; }
+    /// The impacts so far, in the order of sub-steps, in each by the numbers of islands: bodies alone come first.
+    std::vector<WallImpact> impacts() const;
 
 private:
     /// A body, and its place at the time from which it moves on.
@@ -95,7 +95,12 @@ private:
     std::vector<BodyIndex> added_;        ///< those, in the order in which they were added
     std::vector<Group> groups_;           ///< islands, in this sub-step
     Group alone_;                         ///< its one body changes from call to call
-    std::vector<WallImpact> impacts_;
+    struct Impact {
+        double start = 0;  ///< of its sub-step [s]
+        std::uint32_t order = 0;
+        WallImpact impact;
+    };
+    std::vector<Impact> impacts_;  ///< as they were found
 };
 
 }  // namespace plumb

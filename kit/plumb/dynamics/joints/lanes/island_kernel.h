@@ -204,6 +204,8 @@ struct IslandKernel {
     void (*noteForces)(const IslandLanes& view, double h);
     /// Finds the masses to solve for in the next sub-step of h [s].
     void (*setMasses)(IslandLanes& view, double h);
+    /// Sets the free velocities to those after the forces of half a sub-step.
+    void (*kick)(const IslandLanes& view);
     /// Finds the moments of inertia for the next step.
     void (*findInertias)(const IslandLanes& view, double h);
 };

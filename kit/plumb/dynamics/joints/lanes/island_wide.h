@@ -24,6 +24,15 @@ struct WideIslands : IslandItems<W> {
 
     static constexpr D all(double value) { return D{} + value; }
 
+    static void kick(const IslandLanes& v) {
+        for (std::uint32_t i = 0; i < v.moved; ++i) {
+            const S b = bodyOf(v, i);
+            b.set(B::FreeX, b[B::Vx] * b[B::KeepLinear] + b[B::GainX]);
+            b.set(B::FreeY, b[B::Vy] * b[B::KeepLinear] + b[B::GainY]);
+            b.set(B::FreeSpin, b[B::Spin] * b[B::KeepAngular] + b[B::GainSpin]);
+        }
+    }
+
     static void prepare(IslandLanes& v, const IslandTurn& turn) {
         if (turn.correct) Places::predict(v, turn.h, B::Vx, B::Spin);
         for (std::uint32_t i = 0; i < v.rowCount; ++i) {
@@ -227,9 +236,10 @@ struct WideIslands : IslandItems<W> {
 
 template <int W>
 const IslandKernel WideIslandKernel<W>::code{
-    WidePlaces<W>::move,           WidePlaces<W>::place,     WidePlaces<W>::noteSpeeds,    WideIslands<W>::prepare,
-    WideIslands<W>::predictAgain,  WideIslands<W>::solve,    WideIslands<W>::answer,       WideIslands<W>::respond,
-    WideIslands<W>::accept,        WideIslands<W>::addLoads, WideStiffness<W>::noteForces, WideStiffness<W>::setMasses,
-    WideStiffness<W>::findInertias};
+    WidePlaces<W>::move,      WidePlaces<W>::place,          WidePlaces<W>::noteSpeeds,
+    WideIslands<W>::prepare,  WideIslands<W>::predictAgain,  WideIslands<W>::solve,
+    WideIslands<W>::answer,   WideIslands<W>::respond,       WideIslands<W>::accept,
+    WideIslands<W>::addLoads, WideStiffness<W>::noteForces,  WideStiffness<W>::setMasses,
+    WideIslands<W>::kick,     WideStiffness<W>::findInertias};
 
 }  // namespace plumb
