@@ -234,7 +234,7 @@ JointBatch::Lanes JointBatch::takeContactImpulses(BodyStore& bodies) {
 bool JointBatch::solveAgain(BodyStore& bodies, const IslandTurn& turn) {
     const Lanes touched = answerContacts(bodies, turn);
     for (std::size_t lane = 0; lane < width_; ++lane)
-        changed_[lane] = touched[lane] * heavy_[lane] != 0 && areOthersBearing(lane) ? 1 : 0;
+        changed_[lane] = touched[lane] * heavy_[lane] != 0 && areOthersBearing(bodies, lane) ? 1 : 0;
     return changed_ != Lanes{};
 }
 

@@ -121,7 +121,8 @@ private:
     void layOut(bool isNew);
     void findContactBodies(const BodyStore& bodies, const Lanes& lanes, std::vector<ContactBody>& found);
     bool bears(std::size_t row, std::size_t lane) const;
-    bool areOthersBearing(std::size_t lane) const;
+    bool areOthersBearing(const BodyStore& bodies, std::size_t lane) const;
+    bool isPushed(const BodyStore& bodies, std::size_t row, std::size_t lane) const;
     bool isHeavy(const BodyStore& bodies, std::size_t lane) const;
     void addContactBodies(std::vector<ContactBody>& found, const BodyStore& bodies, std::size_t lane);
     void loadBody(const BodyStore& bodies, BodyIndex index, std::size_t node, std::size_t lane, double h);

@@ -28,12 +28,27 @@ void JointBatch::findContactBodies(const BodyStore& bodies, bool first, std::vec
     findContactBodies(bodies, heavy_, found);
 }
 
-/// Do other stops bear than those with which contacts have been solved?
-bool JointBatch::areOthersBearing(std::size_t lane) const {
+/// Do contacts push a body of the row?
+bool JointBatch::isPushed(const BodyStore& bodies, std::size_t i, std::size_t lane) const {
+    const IslandShape::Link& link = layout_->links[layout_->rows[i].link];
+    const auto pushes = [&](std::uint32_t n) {
+        if (n >= layout_->moved) return false;
+        const SolverVelocity& warm = bodies.warm[islands_[lane]->bodies[n]];
+        const double x = body(n, BodyField::NormalX, lane), y = body(n, BodyField::NormalY, lane);
+        return static_cast<double>(warm.x) * x + static_cast<double>(warm.y) * y > 0 ||
+               body(n, BodyField::Vx, lane) * x + body(n, BodyField::Vy, lane) * y < 0;
+    };
+    return pushes(link.a) || pushes(link.b);
+}
+
+/// Do other stops bear than those with which contacts have been solved? One that has opened because nothing pushes its
+/// bodies any more does not count.
+bool JointBatch::areOthersBearing(const BodyStore& bodies, std::size_t lane) const {
     for (std::size_t i = 0; i < layout_->rows.size(); ++i) {
         if (layout_->rows[i].holds) continue;
         const double known = row(i, RowField::Bears, lane);
-        if (known >= 0 && bears(i, lane) != (known > 0)) return true;
+        if (known < 0 || bears(i, lane) == (known > 0)) continue;
+        if (known == 0 || isPushed(bodies, i, lane)) return true;
     }
     return false;
 }
