@@ -161,6 +161,45 @@ TEST_CASE("carts of any weights come to rest on hinges, welds and sprung wheels"
     CHECK(jumping <= 1);
 }
 
+TEST_CASE("a cart whose wheels have stops and no springs gains no energy when it lands",
+          "[dynamics][joints][machines]") {
+    constexpr int runs = 60;
+    int jumping = 0, rocking = 0;
+    for (int run = 0; run < runs; ++run) {
+        std::mt19937 random(static_cast<unsigned>(run) + 500);
+        std::uniform_real_distribution<double> share(0, 1);
+        const double mass = std::pow(10, 1.5 + 2.5 * share(random)), wheelMass = 0.1 + 3 * share(random);
+        const double drop = 2 * share(random);
+        const int wheels = 2 + run % 4;
+        JointMachine machine;
+        World& world = machine.world;
+        machine.bodies.push_back(
+            world.add({.position = {0, drop + 0.6}, .shapes = {plumb::box({1.5, 0.2}, {.density = mass / 1.2})}}));
+        for (int i = 0; i < wheels; ++i) {
+            const Vec2 at(-1.3 + 2.6 * i / (wheels - 1), drop + 0.2);
+            machine.bodies.push_back(world.add(
+                {.position = at, .shapes = {plumb::circle(0.2, {.density = wheelMass / (plumb::test::pi * 0.04)})}}));
+            const double lower = -0.01 - 0.19 * share(random), upper = 0.01 + 0.19 * share(random);
+            world.join(plumb::WheelJointDef{.bodyA = machine.bodies[0],
+                                            .bodyB = machine.bodies.back(),
+                                            .anchor = at,
+                                            .axis = {0, 1},
+                                            .limit = plumb::Limit{lower, upper}});
+        }
+        const double start = world.ledger().energy.stored();
+        double most = 0;
+        for (int tick = 0; tick < 300; ++tick) {
+            world.step(dt);
+            most = std::max(most, world.ledger().energy.stored());
+        }
+        jumping += most > 1.01 * start;
+        // Its wheels are at different heights then, so it may roll.
+        for (const BodyId body : machine.bodies) rocking += std::fabs(world.body(body).velocity().y()) > 0.05;
+    }
+    CHECK(jumping <= 1);
+    CHECK(rocking <= 3);
+}
+
 TEST_CASE("what lands far away changes no bit of a machine on the ground", "[dynamics][joints][machines]") {
     const auto placesAfter = [](bool others) {
         JointMachine machine;

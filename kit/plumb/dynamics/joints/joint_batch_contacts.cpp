@@ -28,15 +28,16 @@ void JointBatch::findContactBodies(const BodyStore& bodies, bool first, std::vec
     findContactBodies(bodies, heavy_, found);
 }
 
-/// Do contacts push a body of the row?
+/// Do contacts push a body of the row, or must they, because it does not part from what it touches?
 bool JointBatch::isPushed(const BodyStore& bodies, std::size_t i, std::size_t lane) const {
+    constexpr double little = 1e-6;  // of the speed at which it parts: rounding
     const IslandShape::Link& link = layout_->links[layout_->rows[i].link];
     const auto pushes = [&](std::uint32_t n) {
         if (n >= layout_->moved) return false;
         const SolverVelocity& warm = bodies.warm[islands_[lane]->bodies[n]];
         const double x = body(n, BodyField::NormalX, lane), y = body(n, BodyField::NormalY, lane);
-        return static_cast<double>(warm.x) * x + static_cast<double>(warm.y) * y > 0 ||
-               body(n, BodyField::Vx, lane) * x + body(n, BodyField::Vy, lane) * y < 0;
+        const double parting = body(n, BodyField::Vx, lane) * x + body(n, BodyField::Vy, lane) * y;
+        return parting < 0 || static_cast<double>(warm.x) * x + static_cast<double>(warm.y) * y > little * parting;
     };
     return pushes(link.a) || pushes(link.b);
 }
@@ -53,7 +54,7 @@ bool JointBatch::areOthersBearing(const BodyStore& bodies, std::size_t lane) con
     return false;
 }
 
-/// A stop that has opened does not bear again in this half.
+/// A stop that does not bear any more does not bear again in this half.
 void JointBatch::noteBearing(bool withStops) {
     for (std::size_t i = 0; i < layout_->rows.size(); ++i) {
         for (std::size_t lane = 0; lane < width_ && !layout_->rows[i].holds; ++lane) {
