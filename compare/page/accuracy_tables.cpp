@@ -49,6 +49,9 @@ std::vector<Row> jointRows() {
             gap("breaking_bridge", "200 kg fall on it at 10 m/s"),
             gap("scissor_lift", "10 kg lifted"),
             gap("ragdoll", "falls 3 m down stairs"),
+            gap("cart_of_a_ton", "lands on wheels of 1.57 kg"),
+            gap("doll_on_boulders", "falls 3 m onto loose stones"),
+            gap("rope_heaps_up", "60 links fall on each other"),
             energy("spring_undamped", "20 s"),
             energy("double_pendulum_minute", "60 s"),
             energy("cradle_one", "three swings")};

@@ -51,18 +51,13 @@ Scene dolls(int n) {
 }
 
 Scene rope60() {
-    constexpr int links = 60;
-    const Vec2 half(0.04, 0.1), lean(0.01, 2 * half.y());  // [m]
-    Scene scene = benchScene("rope_60", "What does a step take when a rope of 60 links falls in a heap?", 400);
+    Scene scene = ropeHeapsUp();
+    scene.name = "rope_60";
+    scene.question = "What does a step take when a rope of 60 links falls in a heap?";
+    scene.gravity = {0, -10};
+    scene.duration = 400 * scene.dt;
+    scene.checks.clear();
     scene.sleeping = false;
-    scene.bodies.push_back(fixedBody("ground", {box({20, 1})}, {0, -1}));
-    for (int i = 0; i < links; ++i) {
-        addBody(scene, box(half), Vec2(0, 1 + half.y()) + i * lean).name = "link_" + std::to_string(i + 1);
-        if (i == 0) continue;
-        const Vec2 between = Vec2(0, 1 + half.y()) + (i - 0.5) * lean;
-        hinge(scene, "hinge_" + std::to_string(i), "link_" + std::to_string(i), "link_" + std::to_string(i + 1),
-              between);
-    }
     return scene;
 }
 

@@ -104,8 +104,16 @@ Scene breakingBridge();
 // car.cpp
 Scene carOverHills();
 
+// carts.cpp
+Scene cartOfATon();
+Scene nineCarts();
+
 // ragdoll.cpp
 Scene ragdoll();
+
+// heaps.cpp
+Scene ropeHeapsUp();
+Scene dollOnBoulders();
 
 // machines.cpp
 Scene scissorLift();
