@@ -218,6 +218,46 @@ TEST_CASE("what lands far away changes no bit of a machine on the ground", "[dyn
     CHECK(placesAfter(true) == placesAfter(false));
 }
 
+TEST_CASE("hinged pairs thrown at walls fly and hit alike with any number of lanes, and with a ledger",
+          "[dynamics][joints][machines]") {
+    const auto flightOf = [](int lanes, bool ledger) {
+        plumb::WorldDef def{.ledger = ledger};
+        def.solver.lanes = lanes;
+        World world(def);
+        for (const double x : {-11.0, 11.0})
+            world.add({.type = BodyType::Static, .position = {x, 0}, .shapes = {plumb::box({1, 30})}});
+        world.add({.type = BodyType::Static, .position = {0, -31}, .shapes = {plumb::box({12, 1})}});
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> place(-8, 8), speed(-60, 60);
+        std::vector<BodyId> bodies;
+        for (int i = 0; i < 19; ++i) {
+            const Vec2 at(place(random), 2.0 * i - 18), velocity(speed(random), speed(random));
+            for (const double x : {0.0, 0.7})
+                bodies.push_back(world.add({.position = at + Vec2(x, 0),
+                                            .velocity = velocity,
+                                            .angularVelocity = 5.0 * i,
+                                            .shapes = {plumb::box({0.3, 0.1 + 0.02 * (i % 3)})}}));
+            world.join(RevoluteJointDef{
+                .bodyA = bodies[bodies.size() - 2], .bodyB = bodies.back(), .anchor = at + Vec2(0.35, 0)});
+        }
+        std::vector<double> numbers;
+        for (int tick = 0; tick < 60; ++tick) {
+            world.step(dt);
+            for (const plumb::ContactHit& hit : world.contactHits())
+                numbers.insert(numbers.end(), {hit.point.x(), hit.point.y(), hit.approachSpeed});
+        }
+        for (const BodyId id : bodies) {
+            const plumb::Body body = world.body(id);
+            numbers.insert(numbers.end(), {body.position().x(), body.position().y(), body.angle()});
+        }
+        return numbers;
+    };
+    const std::vector<double> alone = flightOf(1, false);
+    CHECK(alone.size() > 300);
+    for (const int lanes : {1, 4, 8, 16})
+        for (const bool ledger : {false, true}) CHECK(flightOf(lanes, ledger) == alone);
+}
+
 TEST_CASE("a chain that falls in a heap under a heavy box gains little energy and comes to rest",
           "[dynamics][joints][machines]") {
     constexpr int runs = 12;
