@@ -147,12 +147,8 @@ void flyBatch(const JointStores& stores, JointBatch& batch, const JointHalf& hal
     batch.note(stores.observer);
 }
 
-void moveBatch(const JointStores& stores, JointBatch& batch, double h) {
-    batch.move(stores.bodies, h);
-}
-
-void moveBatches(const JointStores& stores, double h) {
-    for (JointBatch& batch : batchesOf(stores)) batch.move(stores.bodies, h);
+void moveBatches(const JointStores& stores, std::span<JointBatch> batches, double h) {
+    for (JointBatch& batch : batches) batch.move(stores.bodies, h);
     for (JointBatch& batch : stores.islands.sweptBatches) batch.noteMoves();
 }
 
@@ -271,11 +267,9 @@ double springEnergy(const JointStore& joints, const BodyStore& bodies) {
 
 const JointPhases jointPhases{.prepare = prepareJoints,
                               .load = loadBatches,
-                              .flying = flyingBatchesOf,
                               .fly = flyBatch,
                               .kick = kickBatches,
                               .move = moveBatches,
-                              .moveFlying = moveBatch,
                               .solve = solveJoints,
                               .takeBounces = takeJointedBounces,
                               .bounce = bounceJointed,

@@ -26,15 +26,12 @@ struct JointPhases {
     void (*prepare)(const JointStores& stores, double dt);
     /// Takes the islands into their lanes. mayFly: those that have no contacts go into batches of their own.
     void (*load)(const JointStores& stores, double dt, bool mayFly);
-    /// The batches of islands that have no contacts. They are in no other call but store.
-    std::span<JointBatch> (*flying)(const JointStores& stores);
-    /// Half a sub-step of such a batch.
+    /// Half a sub-step of a batch whose islands have no contacts (see joint_half.h). Other calls leave it out.
     void (*fly)(const JointStores& stores, JointBatch& batch, const JointHalf& half);
     /// Takes in what others have done to the bodies in lanes, and lets the forces of half a sub-step act on them.
     void (*kick)(const JointStores& stores, const JointHalf& half);
-    /// After all bodies have moved: moves the bodies in lanes.
-    void (*move)(const JointStores& stores, double h);
-    void (*moveFlying)(const JointStores& stores, JointBatch& batch, double h);
+    /// After all bodies have moved: moves the bodies of some batches.
+    void (*move)(const JointStores& stores, std::span<JointBatch> batches, double h);
     /// kicked: after kick; else it does that first.
     void (*solve)(const JointStores& stores, const JointHalf& half, bool kicked);
     /// Returns the contacts that bounce and have a jointed body, and keeps the solver from bouncing them again.

@@ -11,6 +11,7 @@
 #include <plumb/dynamics/impacts/wall_touch.h>
 #include <plumb/dynamics/joints/joint_islands.h>
 #include <plumb/dynamics/solver/body_solver.h>
+#include <plumb/dynamics/solver/joint_half.h>
 #include <plumb/dynamics/solver/wall_limits.h>
 #include <plumb/dynamics/solver/wall_stops.h>
 #include <plumb/math/detail/for_lanes.h>
@@ -127,7 +128,7 @@ private:
         std::vector<Place> places(bodies_.record.size(), OutOfLanes);
         for (const JointIsland& island : stores_.joints.islands.islands)
             for (const BodyIndex body : island.bodies) places[body] = island.isSwept() ? OutOfLanes : InLanes;
-        for (const JointBatch& batch : joints_->flying(stores_.joints))
+        for (const JointBatch& batch : flyingBatchesOf(stores_.joints))
             for (const JointIsland* island : batch.islands())
                 for (const BodyIndex body : island->bodies) places[body] = Flying;
         solved_.resize(moving_);
@@ -142,17 +143,14 @@ private:
 
     /// What meets no contact goes through the whole step at once, batch by batch: its numbers stay at hand.
     void stepFlying() {
-        for (JointBatch& batch : joints_->flying(stores_.joints)) {
+        for (JointBatch& batch : flyingBatchesOf(stores_.joints)) {
             std::vector<BodyIndex> flying;
             for (const JointIsland* island : batch.islands())
                 flying.insert(flying.end(), island->bodies.begin(), island->bodies.end());
             fillUp(flying);
             for (int i = 0; i < stores_.settings.subSteps; ++i) {
                 joints_->fly(stores_.joints, batch, {h_, true, i == 0});
-                const std::size_t fast =
-                    bodySolver_.move(flying.data(), flying.size(), solverBodies_, static_cast<float>(h_), fast_.data());
-                joints_->moveFlying(stores_.joints, batch, h_);
-                if (stores_.hasWalls) walls_.afterMove({fast_.data(), fast}, i * h_);
+                move(flying, {&batch, 1}, i);
                 joints_->fly(stores_.joints, batch, {h_, false, false});
             }
         }
@@ -163,14 +161,19 @@ private:
         startHalf(before);
         solveContacts(&ContactSolver::solve, before);
         if (observer_ != nullptr) observer_->endHalf();
-        const float h = static_cast<float>(h_);
-        const std::size_t fast = bodySolver_.move(solved_.data(), solved_.size(), solverBodies_, h, fast_.data());
-        if (joints_ != nullptr) joints_->move(stores_.joints, h_);
-        if (stores_.hasWalls) walls_.afterMove({fast_.data(), fast}, number * h_);
+        move(solved_, batchesOf(stores_.joints), number);
         fields_.moved();
         startHalf(after);
         solveContacts(&ContactSolver::relax, after);
         if (observer_ != nullptr) observer_->endHalf();
+    }
+
+    /// batches: those of jointed bodies among them. number: of the sub-step.
+    void move(const std::vector<BodyIndex>& bodies, std::span<JointBatch> batches, int number) {
+        const float h = static_cast<float>(h_);
+        const std::size_t fast = bodySolver_.move(bodies.data(), bodies.size(), solverBodies_, h, fast_.data());
+        if (joints_ != nullptr) joints_->move(stores_.joints, batches, h_);
+        if (stores_.hasWalls) walls_.afterMove({fast_.data(), fast}, number * h_);
     }
 
     /// Applies forces and solves joints.
