@@ -84,7 +84,7 @@ void makeHeap(JointMachine& machine, int links, double length, double load, doub
 }  // namespace
 
 TEST_CASE("a cart of a ton on wheels of a kilogram comes to rest", "[dynamics][joints][machines]") {
-    for (const double wheel : {0.5, 1.57, 15.0}) {
+    for (const double wheel : {0.5, 1.57, 15.0, 60.0}) {
         for (const double drop : {0.0, 0.5, 1.75}) {
             INFO("wheels of " << wheel << " kg, dropped by " << drop << " m");
             JointMachine machine;
@@ -99,7 +99,7 @@ TEST_CASE("a cart of a ton on wheels of a kilogram comes to rest", "[dynamics][j
             CHECK(std::fabs(machine.world.body(machine.bodies[0]).position().y() - 0.25) < 1e-3);
             CHECK(error < 1e-3);
             // The floor stops it somewhere in a sub-step, whose gravity then does other work than it would in flight.
-            const double speed = std::sqrt(2 * g * drop), bound = 0.5 * 1000 * g * speed * dt / 4;
+            const double speed = std::sqrt(2 * g * drop), bound = 0.5 * (1000 + 2 * wheel) * g * speed * dt / 4;
             // What is left of the impact in later steps is too slow to count as one.
             CHECK(std::fabs(machine.world.ledger().energy.solver) < bound + 1e-2 * start);
             for (int tick = 0; tick < 120; ++tick) machine.world.step(dt);
