@@ -86,7 +86,8 @@ void reportGround(const JointStores& stores, const std::vector<BodyIndex>& some,
 }
 
 bool touches(const BodyStore& bodies, const JointIsland& island) {
-    return std::ranges::any_of(island.bodies, [&](BodyIndex body) { return bodies.links[body].solverContacts > 0; });
+    return std::any_of(island.bodies.begin(), island.bodies.end(),
+                       [&](BodyIndex body) { return bodies.links[body].solverContacts > 0; });
 }
 
 /// Cuts groups of equal islands into batches, as many islands in each as there are lanes. Those that touch something
@@ -100,7 +101,8 @@ std::vector<std::span<JointIsland*>> cutBatches(const JointStores& stores, std::
     for (const std::vector<std::uint32_t>& group : found.alike) {
         std::span<JointIsland*> left = rest.first(group.size());
         rest = rest.subspan(group.size());
-        std::ranges::stable_partition(left, [&](const JointIsland* island) { return touches(stores.bodies, *island); });
+        std::stable_partition(left.begin(), left.end(),
+                              [&](const JointIsland* island) { return touches(stores.bodies, *island); });
         std::size_t width = static_cast<std::size_t>(islandLanes(stores.settings.lanes));
         for (; !left.empty(); left = left.subspan(width)) {
             while (width > left.size()) width /= 2;
@@ -115,10 +117,11 @@ void loadBatches(const JointStores& stores, double dt, bool mayFly) {
     const double h = dt / stores.settings.subSteps;
     std::vector<JointIsland*> islands;
     std::vector<std::span<JointIsland*>> batches = cutBatches(stores, islands);
-    const auto flying = std::ranges::stable_partition(
-        batches, [&](const std::span<JointIsland*>& some) { return !mayFly || touches(stores.bodies, *some.front()); });
+    const auto flying = std::stable_partition(batches.begin(), batches.end(), [&](const auto& some) {
+        return !mayFly || touches(stores.bodies, *some.front());
+    });
     found.batchCount = batches.size();
-    found.meeting = batches.size() - flying.size();
+    found.meeting = static_cast<std::size_t>(flying - batches.begin());
     if (found.batches.size() < batches.size()) found.batches.resize(found.islands.size());
     for (std::size_t i = 0; i < batches.size(); ++i) found.batches[i].load(batches[i], stores.joints, stores.bodies, h);
     found.sweptBatches.resize(found.swept.size());

@@ -133,10 +133,10 @@ private:
                 for (const BodyIndex body : island->bodies) places[body] = Flying;
         solved_.resize(moving_);
         std::erase_if(solved_, [&](BodyIndex body) { return places[body] == Flying; });
-        const auto lanes =
-            std::ranges::stable_partition(solved_, [&](BodyIndex body) { return places[body] == OutOfLanes; });
+        const auto lanes = std::stable_partition(solved_.begin(), solved_.end(),
+                                                 [&](BodyIndex body) { return places[body] == OutOfLanes; });
         moving_ = solved_.size();
-        outOfLanes_ = moving_ - lanes.size();
+        outOfLanes_ = static_cast<std::size_t>(lanes - solved_.begin());
         fillUp(solved_);
         joints_->findJointedContacts(stores_.joints, jointed_);
     }

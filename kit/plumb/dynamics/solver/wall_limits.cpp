@@ -11,7 +11,7 @@ namespace plumb {
 namespace {
 
 /// Walls are looked for as far as a body comes at this many times its speed.
-constexpr double reserve = 2;
+constexpr double spareRoom = 2;
 
 class WallLimits {
 public:
@@ -24,7 +24,7 @@ public:
             float& limit = bodies_.turn[body].farSpeedSquared;
             const float speed = speedSquared(bodies_.velocity[body]);
             if (!(speed > limit) || bodies_.links[body].firstContact == none) continue;
-            const double reached = reserve * std::sqrt(static_cast<double>(speed));
+            const double reached = spareRoom * std::sqrt(static_cast<double>(speed));
             if (isFarFromWalls(body, reached * dt_)) limit = static_cast<float>(reached * reached);
         }
     }

@@ -111,7 +111,9 @@ JointIsland* WallStops::islandOf(BodyIndex body) {
 
 std::vector<WallImpact> WallStops::impacts() const {
     std::vector<Impact> sorted = impacts_;
-    std::ranges::stable_sort(sorted, {}, [](const Impact& i) { return std::pair(i.start, i.order); });
+    std::stable_sort(sorted.begin(), sorted.end(), [](const Impact& a, const Impact& b) {
+        return std::pair(a.start, a.order) < std::pair(b.start, b.order);
+    });
     std::vector<WallImpact> impacts;
     for (const Impact& one : sorted) impacts.push_back(one.impact);
     return impacts;
