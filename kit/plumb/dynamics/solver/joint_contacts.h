@@ -9,7 +9,8 @@
 // n times their own answers, no pass can add energy. A mass that is too small costs some passes; one that is twice too
 // large makes the solution explode.
 // While a suspension is at a stop, its wheel has the cart's mass; else its own. If the joints' answer opens or
-// closes a stop, the contacts of this island are taken back and solved again with the new masses.
+// closes a stop, the contacts of this island are taken back and solved again with the new masses. But a stop that opens
+// because nothing pushes there any more is as it should be.
 // Source: splitting of masses: Tonge, Benevolenski, Voroshilov, "Mass splitting for jitter-free parallel rigid body
 // simulation", ACM Trans. Graph. 31 (2012) 105.
 // Test: "a cart of a ton on wheels of a kilogram comes to rest"
