@@ -74,7 +74,7 @@ void Body::setType(BodyType type) {
         motion.angularVelocity = 0;
     }
     world.bodies.rest(index_);
-    world.joints.changed = true;
+    world.joints.noteEdits(world.bodies.links[index_].joints);
     if (!enabled) return;
     showShapes(world, index_);
     wakeIfMoving(world, index_);
@@ -121,7 +121,6 @@ void Body::setFixedRotation(bool fixed) {
     BodyMotion& motion = world_->bodies.motion[index_];
     if (fixed) motion.angularVelocity = 0;
     giveMass(*world_, index_, {record.mass, record.localCenter, record.inertia});
-    world_->joints.changed = true;
     if (record.type == BodyType::Kinematic && motion.velocity.isZero(0) && motion.angularVelocity == 0)
         sleepIsland(*world_, index_);
     wakeIsland(*world_, index_);
@@ -151,7 +150,6 @@ void Body::setEnabled(bool enabled) {
     if (enabled == record.enabled) return;
     wakeNeighbours(world, index_);
     wakeInfluencedByMagnetsOn(world, index_);
-    world.joints.changed = true;
     if (enabled) {
         record.quarantined = false;
         showShapes(world, index_);

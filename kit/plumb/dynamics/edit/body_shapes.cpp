@@ -173,11 +173,13 @@ void hideShapes(WorldState& world, BodyIndex body) {
     const std::vector<ProxyId>& proxies = world.bodies.links[body].proxies;
     world.walls -= wallsOf(world, proxies, body);
     world.bodies.record[body].enabled = false;
+    world.joints.noteEdits(world.bodies.links[body].joints);
     for (const ProxyId proxy : proxies) world.space.hide(proxy);
 }
 
 void showShapes(WorldState& world, BodyIndex body) {
     world.bodies.record[body].enabled = true;
+    world.joints.noteEdits(world.bodies.links[body].joints);
     world.walls += wallsOf(world, world.bodies.links[body].proxies, body);
     findPairsAgain(world, body);
 }
@@ -185,6 +187,7 @@ void showShapes(WorldState& world, BodyIndex body) {
 void giveMass(WorldState& world, BodyIndex body, const Mass& mass) {
     recenter(world, body, mass.center);
     setMass(world.bodies.record[body], mass);
+    world.joints.noteEdits(world.bodies.links[body].joints);
     // The solver's data of a contact depend on the bodies' inertia.
     forEachContact(world.bodies, world.contacts, body, [&world](ContactIndex c) { renewContact(world, c); });
     if (!world.bodies.record[body].awake) world.bodies.rest(body);

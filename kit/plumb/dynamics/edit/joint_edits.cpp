@@ -124,7 +124,7 @@ void changeJoint(WorldState& world, JointIndex index, const JointDef& def) {
         link(world, index);
     }
     record.breaking = bodies.breaking;
-    world.joints.changed = true;
+    world.joints.noteEdit(index);
     changeJoint(record.joint, def, world.joints, world.bodies);
     forEachBody(world.joints, index, [&](BodyIndex body) { wakeIsland(world, body); });
 }
@@ -161,7 +161,10 @@ void lockBody(WorldState& world, BodyIndex body, bool lockX, bool lockY) {
 }
 
 void moveLocks(WorldState& world, BodyIndex body) {
-    forEachLock(world, body, [&](JointIndex, LockJoint& lock) { lock.moveTo(world.bodies.motion[body].center); });
+    forEachLock(world, body, [&](JointIndex index, LockJoint& lock) {
+        lock.moveTo(world.bodies.motion[body].center);
+        world.joints.noteEdit(index);
+    });
 }
 
 void takeNearestImages(WorldState& world, BodyIndex body) {
@@ -171,6 +174,7 @@ void takeNearestImages(WorldState& world, BodyIndex body) {
         anchor.shift += bodies.wrap.shiftNear(endAtRest(anchor, bodies).point, to);
     };
     for (const JointIndex index : bodies.links[body].joints) {
+        world.joints.noteEdit(index);
         AnyJoint& any = world.joints[index].joint;
         if (auto* pulley = std::get_if<PulleyJoint>(&any)) {
             bring(pulley->anchors.a, pulley->def().groundA);
@@ -184,11 +188,11 @@ void takeNearestImages(WorldState& world, BodyIndex body) {
             },
             any);
     }
-    world.joints.changed = true;
 }
 
 void shiftAnchors(WorldState& world, BodyIndex body, const Vec2& shift) {
     for (const JointIndex index : world.bodies.links[body].joints) {
+        world.joints.noteEdit(index);
         std::visit(
             [&]<class Joint>(Joint& joint) {
                 if constexpr (requires { joint.anchors; }) {
@@ -198,7 +202,6 @@ void shiftAnchors(WorldState& world, BodyIndex body, const Vec2& shift) {
             },
             world.joints[index].joint);
     }
-    world.joints.changed = true;
     moveLocks(world, body);
 }
 

@@ -46,10 +46,8 @@ void quarantine(WorldState& world) {
             dropEndsOfNewTouches(world, firstNewEnd);
         }
         world.bodies.putToSleep(body);
-        for (const JointIndex joint : world.bodies.links[body].joints) {
+        for (const JointIndex joint : world.bodies.links[body].joints)
             world.joints.loads[joint] = {};  // its load was not a finite number
-            world.joints.changed = true;
-        }
         world.bodies.motion[body].velocity.setZero();
         world.bodies.motion[body].angularVelocity = 0;
         world.bodies.rest(body);

@@ -22,9 +22,9 @@ public:
             for (const BodyIndex body : endsOf(joints_, index))
                 if (bodies_.canMove(body)) add(island.bodies, body, 0);
         island.stiffness.resize(island.bodies.size());
-        std::vector<LaidJoint> laid;
+        island.laid.reserve(island.joints.size());
         for (const JointIndex index : island.joints) {
-            LaidJoint& joint = laid.emplace_back(LaidJoint{joints_.formOf(index), {}});
+            LaidJoint& joint = island.laid.emplace_back(LaidJoint{joints_.formOf(index), {}});
             for (std::size_t k = 0; k < joint.form.links; ++k)
                 joint.link[k] = {nodeOf(island, joint.form.link[k].a.body), nodeOf(island, joint.form.link[k].b.body)};
         }
@@ -32,7 +32,10 @@ public:
         const bool allTurn = std::all_of(island.bodies.begin(), island.bodies.end(),
                                          [this](BodyIndex body) { return bodies_.record[body].inverseInertia > 0; });
         island.layout = layouts.find(static_cast<std::uint32_t>(island.bodies.size()), static_cast<std::uint32_t>(all),
-                                     allTurn, laid);
+                                     allTurn, island.laid);
+        if (island.isSwept()) island.laid = {};
+        for (std::uint32_t j = 0; j < island.laid.size(); ++j)
+            if (island.laid[j].form.hasSpring()) island.sprung.push_back(j);
         for (const std::vector<BodyIndex>* some : {&island.bodies, &island.held})
             for (const BodyIndex body : *some) nodeOf_[body] = none;
     }
@@ -53,6 +56,39 @@ private:
     std::vector<std::uint32_t> nodeOf_;
 };
 
+/// The islands that there were.
+class IslandsBefore {
+public:
+    IslandsBefore(std::vector<JointIsland>&& islands, const JointStore& joints, std::size_t bodies)
+        : islands_(std::move(islands)), joints_(joints), islandOf_(joints.records.size(), none), stiffness_(bodies) {
+        for (std::uint32_t i = 0; i < islands_.size(); ++i) {
+            const JointIsland& island = islands_[i];
+            if (!island.isSwept()) islandOf_[island.joints.front()] = i;
+            for (std::size_t b = 0; b < island.bodies.size(); ++b) stiffness_[island.bodies[b]] = island.stiffness[b];
+        }
+    }
+
+    /// Takes over the whole island, if there is one of the same joints and nothing was edited.
+    bool takeOver(JointIsland& island) {
+        const std::uint32_t i = islandOf_[island.joints.front()];
+        if (i == none || islands_[i].joints != island.joints) return false;
+        for (const JointIndex joint : island.joints)
+            if (joints_[joint].edited) return false;
+        island = std::move(islands_[i]);
+        return true;
+    }
+
+    void keepStiffness(JointIsland& island) const {
+        for (std::size_t b = 0; b < island.bodies.size(); ++b) island.stiffness[b] = stiffness_[island.bodies[b]];
+    }
+
+private:
+    std::vector<JointIsland> islands_;
+    const JointStore& joints_;
+    std::vector<std::uint32_t> islandOf_;            ///< of its first joint
+    std::vector<JointIsland::Stiffness> stiffness_;  ///< of each body
+};
+
 void groupAlike(JointIslands& found) {
     found.alike.clear();
     std::map<const IslandLayout*, std::size_t> groupOf;
@@ -65,10 +101,8 @@ void groupAlike(JointIslands& found) {
     }
 }
 
-}  // namespace
-
-void findJointIslands(JointIslands& found, const JointStore& joints, const BodyStore& bodies) {
-    found.layouts.renew();
+/// Islands with only their joints.
+std::vector<JointIsland> islandsOf(const JointStore& joints, const BodyStore& bodies) {
     BodyGroups groups(bodies.record.size());
     std::vector<JointIndex> awake;
     for (JointIndex index = 0; index < joints.records.size(); ++index) {
@@ -82,8 +116,7 @@ void findJointIslands(JointIslands& found, const JointStore& joints, const BodyS
         for (const BodyIndex body : ends)
             if (bodies.canMove(body)) groups.unite(*first, body);
     }
-    std::vector<JointIsland>& islands = found.islands;
-    islands.clear();
+    std::vector<JointIsland> islands;
     std::vector<std::uint32_t> islandOf(bodies.record.size(), none);
     for (const JointIndex index : awake) {
         const auto ends = endsOf(joints, index);
@@ -95,10 +128,22 @@ void findJointIslands(JointIslands& found, const JointStore& joints, const BodyS
         }
         islands[island].joints.push_back(index);
     }
+    return islands;
+}
+
+}  // namespace
+
+void findJointIslands(JointIslands& found, JointStore& joints, const BodyStore& bodies) {
+    found.layouts.renew();
+    IslandsBefore before(std::move(found.islands), joints, bodies.record.size());
+    found.islands = islandsOf(joints, bodies);
     Numbering numbering(joints, bodies);
     found.swept.clear();
-    for (JointIsland& island : islands) {
+    for (JointIsland& island : found.islands) {
+        if (before.takeOver(island)) continue;
         numbering.number(island, found.layouts);
+        before.keepStiffness(island);
+        for (const JointIndex joint : island.joints) joints[joint].edited = false;
         if (!island.isSwept()) continue;
         for (const JointIndex other : island.hinges.take(island.joints, joints, bodies)) {
             JointIsland& alone = found.swept.emplace_back();
@@ -107,14 +152,6 @@ void findJointIslands(JointIslands& found, const JointStore& joints, const BodyS
         }
     }
     groupAlike(found);
-}
-
-void keepStiffness(const std::vector<JointIsland>& before, std::vector<JointIsland>& islands, std::size_t slots) {
-    std::vector<JointIsland::Stiffness> known(slots);
-    for (const JointIsland& island : before)
-        for (std::size_t b = 0; b < island.bodies.size(); ++b) known[island.bodies[b]] = island.stiffness[b];
-    for (JointIsland& island : islands)
-        for (std::size_t b = 0; b < island.bodies.size(); ++b) island.stiffness[b] = known[island.bodies[b]];
 }
 
 }  // namespace plumb

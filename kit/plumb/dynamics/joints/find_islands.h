@@ -7,10 +7,8 @@
 
 namespace plumb {
 
-/// Finds the islands of all joints that act and have an awake body, in the order of their first joints.
-void findJointIslands(JointIslands& found, const JointStore& joints, const BodyStore& bodies);
-
-/// Copies the geometric stiffness of each body that was in one of the islands before. slots: number of bodies' records.
-void keepStiffness(const std::vector<JointIsland>& before, std::vector<JointIsland>& islands, std::size_t slots);
+/// Finds the islands of all joints that act and have an awake body, in the order of their first joints. Those whose
+/// joints and bodies were not edited keep their layouts.
+void findJointIslands(JointIslands& found, JointStore& joints, const BodyStore& bodies);
 
 }  // namespace plumb

@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include <plumb/dynamics/joints/joint_island.h>
-
 namespace plumb {
 
 namespace {
@@ -36,30 +34,27 @@ void JointBatch::pullVelocity(const BodyStore& bodies, std::size_t lane, std::si
     pullChange(body(n, field + 2, lane), v.w, static_cast<double>(bodies.turn[index].gyration));
 }
 
-bool JointBatch::pullLane(const BodyStore& bodies, std::size_t lane, bool moved) {
-    bool changed = false;
-    for (std::size_t n = 0; n < layout_->moved; ++n) {
-        pullVelocity(bodies, lane, n, BodyField::Vx);
-        if (!moved) continue;
-        const BodyIndex index = islands_[lane]->bodies[n];
-        const SolverTurn& turn = bodies.turn[index];
-        const SolverDisplacement& d = bodies.displacement[index];
-        changed = pullPlace(body(n, BodyField::X, lane), d.x) || changed;
-        changed = pullPlace(body(n, BodyField::Y, lane), d.y) || changed;
-        changed = pullPlace(body(n, BodyField::Turn, lane), turn.angle) || changed;
-    }
-    return changed;
+bool JointBatch::pullBody(const BodyStore& bodies, std::size_t lane, std::size_t n, bool moved) {
+    pullVelocity(bodies, lane, n, BodyField::Vx);
+    if (!moved) return false;
+    const BodyIndex index = islands_[lane]->bodies[n];
+    const SolverDisplacement& d = bodies.displacement[index];
+    const bool x = pullPlace(body(n, BodyField::X, lane), d.x), y = pullPlace(body(n, BodyField::Y, lane), d.y);
+    return pullPlace(body(n, BodyField::Turn, lane), bodies.turn[index].angle) || x || y;
 }
 
 void JointBatch::pull(const BodyStore& bodies) {
     bool changed = false;
-    for (std::size_t lane = 0; lane < width_; ++lane) changed = pullLane(bodies, lane, moved_) || changed;
+    for (std::size_t n = 0; n < layout_->moved; ++n)
+        for (std::size_t lane = 0; lane < width_; ++lane) changed = pullBody(bodies, lane, n, moved_) || changed;
     if (changed) kernel_->place(view_);
     moved_ = false;
 }
 
 void JointBatch::pull(const BodyStore& bodies, std::size_t lane, bool moved) {
-    if (pullLane(bodies, lane, moved)) kernel_->place(view_);
+    bool changed = false;
+    for (std::size_t n = 0; n < layout_->moved; ++n) changed = pullBody(bodies, lane, n, moved) || changed;
+    if (changed) kernel_->place(view_);
 }
 
 /// How far a coordinate is from where it is held, or beyond its limits [m]; 0 for angles.

@@ -8,13 +8,12 @@
 #include <span>
 
 #include <plumb/dynamics/bodies/step_observer.h>
+#include <plumb/dynamics/joints/joint_island.h>
 #include <plumb/dynamics/joints/joint_store.h>
 #include <plumb/dynamics/joints/lanes/island_kernel.h>
 #include <plumb/dynamics/joints/lanes/island_layout.h>
 
 namespace plumb {
-
-struct JointIsland;
 
 /// How a body has moved in a step, and its velocity at the step's end.
 struct BodyMove {
@@ -126,10 +125,12 @@ private:
     bool isHeavy(const BodyStore& bodies, std::size_t lane) const;
     void addContactBodies(std::vector<ContactBody>& found, const BodyStore& bodies, std::size_t lane);
     void loadBody(const BodyStore& bodies, BodyIndex index, std::size_t node, std::size_t lane, double h);
-    void loadJoint(const JointForm& form, const JointStore& joints, JointIndex index, const BodyStore& bodies,
-                   std::size_t j, std::size_t lane, double h);
+    void loadJoint(const JointForm& form, const JointRecord& record, const BodyStore& bodies, std::size_t j,
+                   std::size_t lane, double h);
     void loadRow(const RowForm& form, const Rot& rotationA, double springShare, std::size_t i, std::size_t lane,
                  double h);
+    void storeBody(BodyRecord& record, JointIsland::Stiffness& stiffness, std::size_t n, std::size_t lane);
+    void storeJoint(JointRecord& record, JointLoad& sum, std::size_t j, std::size_t lane) const;
     /// The change of velocity of a body by an impulse, without the joints'.
     Vec3 changeBy(std::size_t lane, std::size_t node, const Vec3& impulse) const;
     /// To the free velocity. change: by an impulse, in the body's record.
@@ -141,7 +142,7 @@ private:
     Lanes takeContactImpulses(BodyStore& bodies);
     void pullVelocity(const BodyStore& bodies, std::size_t lane, std::size_t node, int field);
     /// Returns true if a place has changed.
-    bool pullLane(const BodyStore& bodies, std::size_t lane, bool moved);
+    bool pullBody(const BodyStore& bodies, std::size_t lane, std::size_t node, bool moved);
     double errorOf(std::size_t row, std::size_t lane) const;
     void writePlaces(BodyStore& bodies) const;
     void writeVelocities(BodyStore& bodies, int field) const;

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <plumb/dynamics/joints/joint_batch.h>
-#include <plumb/dynamics/joints/joint_island.h>
 
 namespace plumb {
 

@@ -5,7 +5,6 @@
 
 #include <plumb/dynamics/bodies/free_motion.h>
 #include <plumb/dynamics/joints/joint_batch.h>
-#include <plumb/dynamics/joints/joint_island.h>
 
 namespace plumb {
 
@@ -74,19 +73,20 @@ void JointBatch::load(std::span<JointIsland* const> islands, const JointStore& j
     moved_ = false;
     h_ = h;
     for (std::size_t lane = 0; lane < width_; ++lane) {
-        JointIsland& island = *islands[lane];
-        island.batch = this;
-        island.lane = lane;
-        for (std::size_t n = 0; n < layout_->bodies; ++n) {
-            const bool moves = n < layout_->moved;
-            loadBody(bodies, moves ? island.bodies[n] : island.held[n - layout_->moved], n, lane, h);
-            if (!moves) continue;
-            body(n, BodyField::StiffAlong, lane) = island.stiffness[n].along;
-            body(n, BodyField::StiffTurning, lane) = island.stiffness[n].turning;
-        }
-        for (std::size_t j = 0; j < island.joints.size(); ++j)
-            loadJoint(joints.formOf(island.joints[j]), joints, island.joints[j], bodies, j, lane, h);
+        islands[lane]->batch = this;
+        islands[lane]->lane = lane;
     }
+    for (std::size_t n = 0; n < layout_->bodies; ++n)
+        for (std::size_t lane = 0; lane < width_; ++lane) loadBody(bodies, islands[lane]->bodyAt(n), n, lane, h);
+    for (std::size_t n = 0; n < layout_->moved; ++n) {
+        for (std::size_t lane = 0; lane < width_; ++lane) {
+            body(n, BodyField::StiffAlong, lane) = islands[lane]->stiffness[n].along;
+            body(n, BodyField::StiffTurning, lane) = islands[lane]->stiffness[n].turning;
+        }
+    }
+    for (std::size_t j = 0; j < layout_->jointCount(); ++j)
+        for (std::size_t lane = 0; lane < width_; ++lane)
+            loadJoint(islands[lane]->laid[j].form, joints[islands[lane]->joints[j]], bodies, j, lane, h);
     findTouching(bodies);
     for (std::size_t lane = 0; lane < width_; ++lane) heavy_[lane] = isHeavy(bodies, lane) ? 1 : 0;
     activate(true, 0);
@@ -140,8 +140,8 @@ void JointBatch::loadBody(const BodyStore& bodies, BodyIndex index, std::size_t 
     set(BodyField::GainSpin, law.acceleration.angular * angular.gain);
 }
 
-void JointBatch::loadJoint(const JointForm& form, const JointStore& joints, JointIndex index, const BodyStore& bodies,
-                           std::size_t j, std::size_t lane, double h) {
+void JointBatch::loadJoint(const JointForm& form, const JointRecord& record, const BodyStore& bodies, std::size_t j,
+                           std::size_t lane, double h) {
     const std::size_t firstLink = layout_->joints[j].firstLink, firstRow = layout_->joints[j].firstRow;
     Rot rotation[maxLinks];
     for (std::size_t k = 0; k < form.links; ++k) {
@@ -154,8 +154,8 @@ void JointBatch::loadJoint(const JointForm& form, const JointStore& joints, Join
         rotation[k] = ends.a.rotation;
     }
     for (std::size_t r = 0; r < form.rows; ++r) {
-        loadRow(form.row[r], rotation[0], joints[index].springShare, firstRow + r, lane, h);
-        row(firstRow + r, RowField::LastState, lane) = static_cast<double>(joints[index].states[r]);
+        loadRow(form.row[r], rotation[0], record.springShare, firstRow + r, lane, h);
+        row(firstRow + r, RowField::LastState, lane) = static_cast<double>(record.states[r]);
         if (form.links == 1) continue;
         const Vec2 second = rotation[1] * form.secondDirection;
         row(firstRow + r, RowField::SecondDirectionX, lane) = second.x();
@@ -184,29 +184,34 @@ void JointBatch::loadRow(const RowForm& form, const Rot& rotationA, double sprin
     set(RowField::SpringRest, form.springRest);
 }
 
+void JointBatch::storeBody(BodyRecord& record, JointIsland::Stiffness& stiffness, std::size_t n, std::size_t lane) {
+    stiffness = {body(n, BodyField::StiffAlong, lane), body(n, BodyField::StiffTurning, lane)};
+    if (!(record.inverseInertia > 0)) return;
+    // More inertia at the same spin would be more energy: the body keeps its angular momentum.
+    const double was = inertiaOf(record), now = body(n, BodyField::Inertia, lane);
+    if (now > was) body(n, BodyField::Spin, lane) *= was / now;
+    setGyration(record, 1 / now);
+}
+
+void JointBatch::storeJoint(JointRecord& record, JointLoad& sum, std::size_t j, std::size_t lane) const {
+    const auto load = [&](int field) { return number(view_.joint, JointField::count, j, field, lane); };
+    sum.impulse += Vec2(load(JointField::LoadX), load(JointField::LoadY));
+    sum.turning += load(JointField::LoadTurn);
+    const std::size_t first = layout_->joints[j].firstRow;
+    for (std::size_t i = first; i < layout_->joints[j + 1].firstRow; ++i)
+        if (!layout_->rows[i].holds)
+            record.states[i - first] = static_cast<RowState>(static_cast<int>(row(i, RowField::LastState, lane)));
+}
+
 void JointBatch::store(JointStore& joints, BodyStore& bodies) {
     kernel_->findInertias(view_, h_);
-    for (std::size_t lane = 0; lane < width_; ++lane) {
-        JointIsland& island = *islands_[lane];
-        for (std::size_t n = 0; n < layout_->moved; ++n) {
-            island.stiffness[n] = {body(n, BodyField::StiffAlong, lane), body(n, BodyField::StiffTurning, lane)};
-            BodyRecord& record = bodies.record[island.bodies[n]];
-            if (!(record.inverseInertia > 0)) continue;
-            // More inertia at the same spin would be more energy: the body keeps its angular momentum.
-            const double was = inertiaOf(record), now = body(n, BodyField::Inertia, lane);
-            if (now > was) body(n, BodyField::Spin, lane) *= was / now;
-            setGyration(record, 1 / now);
-        }
-        for (std::size_t j = 0; j < island.joints.size(); ++j) {
-            const auto load = [&](int field) { return number(view_.joint, JointField::count, j, field, lane); };
-            JointLoad& sum = joints.loads[island.joints[j]];
-            sum.impulse += Vec2(load(JointField::LoadX), load(JointField::LoadY));
-            sum.turning += load(JointField::LoadTurn);
-            const std::size_t first = layout_->joints[j].firstRow;
-            for (std::size_t i = first; i < layout_->joints[j + 1].firstRow; ++i)
-                if (!layout_->rows[i].holds)
-                    joints[island.joints[j]].states[i - first] =
-                        static_cast<RowState>(static_cast<int>(row(i, RowField::LastState, lane)));
+    for (std::size_t n = 0; n < layout_->moved; ++n)
+        for (std::size_t lane = 0; lane < width_; ++lane)
+            storeBody(bodies.record[islands_[lane]->bodies[n]], islands_[lane]->stiffness[n], n, lane);
+    for (std::size_t j = 0; j < layout_->jointCount(); ++j) {
+        for (std::size_t lane = 0; lane < width_; ++lane) {
+            const JointIndex joint = islands_[lane]->joints[j];
+            storeJoint(joints[joint], joints.loads[joint], j, lane);
         }
     }
 }

@@ -2,6 +2,7 @@
 // What does a joint connect, and which conditions does it set? The answer is data, so that one piece of code solves
 // every kind of joint, and several joints of the same kind at a time.
 #pragma once
+#include <algorithm>
 #include <array>
 
 #include <plumb/dynamics/joint_def.h>
@@ -68,6 +69,15 @@ struct JointForm {
         form.row[0] = measured;
         form.rows = 1;
         return form;
+    }
+    bool hasSpring() const {
+        return std::any_of(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(rows),
+                           [](const RowForm& one) { return one.isSpring(); });
+    }
+    bool springsOnlyTurn() const {
+        return links == 1 &&
+               std::all_of(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(rows),
+                           [](const RowForm& one) { return one.axis == RowAxis::Turning || !one.isSpring(); });
     }
     void holdPoint() {
         add(RowAxis::World, Vec2(1, 0));

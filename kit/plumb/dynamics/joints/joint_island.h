@@ -16,15 +16,18 @@ struct JointIsland {
     };
 
     std::vector<JointIndex> joints;
-    std::vector<BodyIndex> bodies;               ///< that impulses move
-    std::vector<BodyIndex> held;                 ///< that they do not move
-    std::vector<Stiffness> stiffness;            ///< of the bodies that move
-    std::shared_ptr<const IslandLayout> layout;  ///< null: the island is swept
-    JointBatch* batch = nullptr;                 ///< in this step, if it is not swept
+    std::vector<LaidJoint> laid;        ///< the joints' forms and nodes, if it is not swept
+    std::vector<std::uint32_t> sprung;  ///< numbers of those with springs
+    double shared = 0;                  ///< sub-step for which springs that only turn are shared [s]
+    std::vector<BodyIndex> bodies;      ///< that impulses move
+    std::vector<BodyIndex> held;        ///< that they do not move
+    std::vector<Stiffness> stiffness;   ///< of the bodies that move
+    std::shared_ptr<const IslandLayout> layout;
+    JointBatch* batch = nullptr;  ///< in this step, if it is not swept
     std::size_t lane = 0;
     HingeSweep hinges;  ///< used when swept: its plain hinges
 
-    bool isSwept() const { return layout == nullptr; }
+    bool isSwept() const { return layout->isSwept; }
     BodyIndex bodyAt(std::size_t node) const {
         return node < bodies.size() ? bodies[node] : held[node - bodies.size()];
     }

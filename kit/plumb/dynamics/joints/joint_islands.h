@@ -4,7 +4,6 @@
 #include <plumb/dynamics/bodies/step_observer.h>
 #include <plumb/dynamics/joints/joint_batch.h>
 #include <plumb/dynamics/joints/joint_island.h>
-#include <plumb/dynamics/joints/joint_springs.h>
 #include <plumb/dynamics/solver_settings.h>
 
 namespace plumb {
@@ -20,7 +19,7 @@ struct JointIslands {
     std::vector<JointBatch> sweptBatches;           ///< of each swept joint
     std::vector<JointIndex> joints;                 ///< of all islands, in the order of their slots
     std::vector<JointIndex> breakable;              ///< those of the joints that can break
-    JointSprings springs;
+    std::vector<double> springLoad;                 ///< of each body (see joint_springs.h) [1/s^2]
     IslandLayouts layouts;
 };
 

@@ -24,18 +24,19 @@ Vec2 axisOf(RowAxis axis, const Vec2& direction, const Ends& ends) {
 }
 
 MeasuredRow measureLink(const AnchorPair& anchors, RowAxis axis, const Vec2& direction, const BodyStore& bodies) {
-    const Ends ends = endsAtRest(anchors, bodies);
     MeasuredRow row;
     if (axis == RowAxis::Turning) {
+        const BodyMotion &a = bodies.motion[anchors.a.body], &b = bodies.motion[anchors.b.body];
         row.at = {Vec3{0, 0, -1}, Vec3{0, 0, 1}};
-        row.coordinate = ends.angle();
-    } else {
-        const Vec2 along = axisOf(axis, direction, ends), fromA = ends.a.arm + ends.apart();
-        row.at = {Vec3{-along.x(), -along.y(), -cross(fromA, along)},
-                  Vec3{along.x(), along.y(), cross(ends.b.arm, along)}};
-        const bool isLength = axis == RowAxis::Along || axis == RowAxis::Towards;
-        row.coordinate = isLength ? ends.apart().norm() : along.dot(ends.apart());
+        row.coordinate = b.angle - a.angle;
+        row.speed = b.angularVelocity - a.angularVelocity;
+        return row;
     }
+    const Ends ends = endsAtRest(anchors, bodies);
+    const Vec2 along = axisOf(axis, direction, ends), fromA = ends.a.arm + ends.apart();
+    row.at = {Vec3{-along.x(), -along.y(), -cross(fromA, along)}, Vec3{along.x(), along.y(), cross(ends.b.arm, along)}};
+    const bool isLength = axis == RowAxis::Along || axis == RowAxis::Towards;
+    row.coordinate = isLength ? ends.apart().norm() : along.dot(ends.apart());
     const auto part = [](const Vec3& at, const End& end) {
         return at[0] * end.velocity.x() + at[1] * end.velocity.y() + at[2] * end.spin;
     };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/joints/joint_springs.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <plumb/dynamics/joints/joint_measure.h>
@@ -24,32 +25,55 @@ double shareOf(double q) {
 
 /// The part of one end in the row's effective inverse mass [1/kg].
 double effectiveInverseMass(const BodyStore& bodies, BodyIndex body, const Vec3& at) {
+    if (!bodies.canMove(body)) return 0;
     const BodyRecord& record = bodies.record[body];
     return record.inverseMass * (at[0] * at[0] + at[1] * at[1]) + record.inverseInertia * at[2] * at[2];
 }
 
-}  // namespace
-
-void JointSprings::find(const std::vector<JointIndex>& joints, const JointStore& store) {
-    joints_.clear();
-    for (const JointIndex joint : joints)
-        if (store.hasSpring(joint)) joints_.push_back({joint, store.formOf(joint)});
+/// Do the springs only turn bodies? Then their part in the bodies' inverse inertia does not change from step to step.
+bool onlyTurns(const JointIsland& island) {
+    return std::all_of(island.sprung.begin(), island.sprung.end(),
+                       [&](std::uint32_t j) { return island.laid[j].form.springsOnlyTurn(); });
 }
 
-void JointSprings::share(JointStore& store, const BodyStore& bodies, double h) {
-    if (joints_.empty()) return;
-    load_.resize(bodies.record.size(), 0.0);
-    for (const auto& [joint, form] : joints_)
-        for (const BodyIndex body : {store[joint].bodyA, store[joint].bodyB}) load_[body] = 0;
-    for (const auto& [joint, form] : joints_) {
-        const SpringLoad load = springLoadOf(form, bodies);
+/// Calls visit(joint, its form) for each joint with springs.
+template <class Visit>
+void forEachSprung(const std::vector<JointIsland*>& islands, Visit&& visit) {
+    for (const JointIsland* island : islands)
+        for (const std::uint32_t j : island->sprung) visit(island->joints[j], island->laid[j].form);
+}
+
+void shareAmong(const std::vector<JointIsland*>& islands, JointStore& store, const BodyStore& bodies, double h,
+                std::vector<double>& load) {
+    forEachSprung(islands, [&](JointIndex joint, const JointForm&) {
+        for (const BodyIndex body : {store[joint].bodyA, store[joint].bodyB}) load[body] = 0;
+    });
+    forEachSprung(islands, [&](JointIndex joint, const JointForm& form) {
+        const SpringLoad springs = springLoadOf(form, bodies);
         const std::array<BodyIndex, 2> ends{store[joint].bodyA, store[joint].bodyB};
-        for (std::size_t r = 0; r < load.count; ++r)
+        for (std::size_t r = 0; r < springs.count; ++r)
             for (std::size_t e = 0; e < 2; ++e)
-                load_[ends[e]] += load.row[r].stiffness * effectiveInverseMass(bodies, ends[e], load.row[r].at[e]);
+                load[ends[e]] += springs.row[r].stiffness * effectiveInverseMass(bodies, ends[e], springs.row[r].at[e]);
+    });
+    forEachSprung(islands, [&](JointIndex joint, const JointForm&) {
+        store[joint].springShare = shareOf(h * h * (load[store[joint].bodyA] + load[store[joint].bodyB]));
+    });
+}
+
+}  // namespace
+
+void shareSprings(JointIslands& found, JointStore& store, const BodyStore& bodies, double h) {
+    std::vector<JointIsland*> islands;
+    for (JointIsland& island : found.islands) {
+        if (island.sprung.empty() || island.shared == h) continue;
+        islands.push_back(&island);
+        if (onlyTurns(island)) island.shared = h;
     }
-    for (const auto& [joint, form] : joints_)
-        store[joint].springShare = shareOf(h * h * (load_[store[joint].bodyA] + load_[store[joint].bodyB]));
+    for (JointIsland& island : found.swept)
+        if (!island.sprung.empty()) islands.push_back(&island);
+    if (islands.empty()) return;
+    found.springLoad.resize(bodies.record.size(), 0.0);
+    shareAmong(islands, store, bodies, h, found.springLoad);
 }
 
 }  // namespace plumb

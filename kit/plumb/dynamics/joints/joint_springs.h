@@ -13,29 +13,11 @@
 // Tests: "springs of 1 to 20 Hz swing at their own frequency", "springs of any stiffness do not blow up, many on one
 // body neither"
 #pragma once
-#include <vector>
-
-#include <plumb/dynamics/joints/joint_store.h>
-#include <plumb/math/detail/bytes_of.h>
+#include <plumb/dynamics/joints/joint_islands.h>
 
 namespace plumb {
 
-class JointSprings {
-public:
-    /// Finds which of these joints have springs.
-    void find(const std::vector<JointIndex>& joints, const JointStore& store);
-    /// At the start of a step, for sub-steps of h [s]: finds the share F(q) / q of the springs' stiffness.
-    void share(JointStore& store, const BodyStore& bodies, double h);
-
-    std::size_t bytes() const { return bytesOf(joints_) + bytesOf(load_); }
-
-private:
-    struct Sprung {
-        JointIndex joint = 0;
-        JointForm form;
-    };
-    std::vector<Sprung> joints_;
-    std::vector<double> load_;  ///< of each body: sum over its springs of k w [1/s^2]
-};
+/// At the start of a step, for sub-steps of h [s]: finds the share F(q) / q of the springs' stiffness.
+void shareSprings(JointIslands& found, JointStore& store, const BodyStore& bodies, double h);
 
 }  // namespace plumb

@@ -41,6 +41,16 @@ void JointStore::release(JointIndex joint) {
     free.push_back(joint);
 }
 
+void JointStore::noteEdit(JointIndex joint) {
+    changed = true;
+    records[joint].edited = true;
+    for (const JointIndex gear : gears) records[gear].edited = true;  // its form is made of those of two joints
+}
+
+void JointStore::noteEdits(const std::vector<JointIndex>& joints) {
+    for (const JointIndex joint : joints) noteEdit(joint);
+}
+
 JointForm JointStore::formOf(JointIndex index) const {
     return std::visit(
         [&]<class Joint>(const Joint& joint) {
@@ -66,9 +76,7 @@ JointDef JointRecord::def() const {
 }
 
 bool JointStore::hasSpring(JointIndex index) const {
-    const JointForm form = formOf(index);
-    return std::any_of(form.row.begin(), form.row.begin() + static_cast<std::ptrdiff_t>(form.rows),
-                       [](const RowForm& row) { return row.isSpring(); });
+    return formOf(index).hasSpring();
 }
 
 double JointStore::coordinateOf(JointIndex index, const BodyStore& bodies) const {

@@ -63,6 +63,7 @@ struct JointRecord {
     std::uint32_t generation = 0;
     Breaking breaking;
     std::array<RowState, maxRows> states{};
+    bool edited = true;      ///< since its island was laid out
     double springShare = 1;  ///< in this step (see joint_springs.h)
     Vec3 impulse{};          ///< of half a sub-step, if its island is swept [N s or N m s]
 
@@ -85,6 +86,10 @@ struct JointStore {
 
     JointIndex acquire();
     void release(JointIndex joint);
+    /// The joint has another form.
+    void noteEdit(JointIndex joint);
+    /// A body with these joints moves or turns by other rules.
+    void noteEdits(const std::vector<JointIndex>& joints);
 
     JointForm formOf(JointIndex joint) const;
     bool hasSpring(JointIndex joint) const;

@@ -7,6 +7,7 @@
 #include <plumb/dynamics/joints/find_islands.h>
 #include <plumb/dynamics/joints/joint_bodies.h>
 #include <plumb/dynamics/joints/joint_measure.h>
+#include <plumb/dynamics/joints/joint_springs.h>
 #include <plumb/dynamics/solver/joint_bounces.h>
 
 namespace plumb {
@@ -41,11 +42,9 @@ void findAwakeIslands(const JointStores& stores) {
     JointIslands& found = stores.islands;
     if (!joints.changed) return;
     joints.changed = false;
-    const std::vector<JointIsland> before = std::move(found.islands);
-    for (const JointIsland& island : before) island.hinges.release(joints);
+    for (const JointIsland& island : found.islands) island.hinges.release(joints);
     resetLoads(joints, stores.bodies);
     findJointIslands(found, joints, stores.bodies);
-    keepStiffness(before, found.islands, stores.bodies.record.size());
     found.joints.clear();
     for (const JointIsland& island : found.islands)
         found.joints.insert(found.joints.end(), island.joints.begin(), island.joints.end());
@@ -53,7 +52,6 @@ void findAwakeIslands(const JointStores& stores) {
     found.breakable.clear();
     std::copy_if(found.joints.begin(), found.joints.end(), std::back_inserter(found.breakable),
                  [&joints](JointIndex index) { return joints[index].mayBreak(); });
-    found.springs.find(found.joints, joints);
 }
 
 void prepareJoints(const JointStores& stores, double dt) {
@@ -64,7 +62,7 @@ void prepareJoints(const JointStores& stores, double dt) {
     }
     for (JointIsland& island : stores.islands.islands)
         island.hinges.prepare(hingeSolver(stores.settings.lanes), stores.bodies);
-    stores.islands.springs.share(stores.joints, stores.bodies, dt / stores.settings.subSteps);
+    shareSprings(stores.islands, stores.joints, stores.bodies, dt / stores.settings.subSteps);
 }
 
 Vec2 momentumOf(const BodyStore& bodies, const std::vector<BodyIndex>& some) {

@@ -57,16 +57,21 @@ public:
         layout_.joints.push_back({linkCount(), rowCount(), endCount()});
         const std::uint32_t nodes = layout_.moved + layout_.jointCount();
         const std::size_t loops = edges_.size() + 1 - std::min<std::size_t>(edges_.size(), nodes);
-        if (loops > std::max(fewLoops, joints.size() / jointsPerLoop)) return nullptr;
+        if (loops > std::max(fewLoops, joints.size() / jointsPerLoop)) return swept();
         const auto plan =
             planBlocks(layout_.moved, layout_.jointCount(), edges_, std::max(fewUpdates, updatesPerNode * nodes));
-        if (plan == nullptr) return nullptr;
+        if (plan == nullptr) return swept();
         takePlan(*plan);
         layout_.isTree = allTurn && isTree(layout_.moved, joints);
         return std::make_shared<const IslandLayout>(std::move(layout_));
     }
 
 private:
+    static std::shared_ptr<const IslandLayout> swept() {
+        IslandLayout layout;
+        layout.isSwept = true;
+        return std::make_shared<const IslandLayout>(std::move(layout));
+    }
     std::uint32_t linkCount() const { return static_cast<std::uint32_t>(layout_.links.size()); }
     std::uint32_t rowCount() const { return static_cast<std::uint32_t>(layout_.rows.size()); }
     std::uint32_t endCount() const { return static_cast<std::uint32_t>(layout_.ends.size()); }
@@ -139,25 +144,19 @@ private:
 }  // namespace
 
 void IslandLayouts::renew() {
-    before_ = std::move(now_);
-    now_.clear();
+    std::erase_if(known_, [](const auto& one) { return one.second.use_count() == 1; });
 }
 
 std::shared_ptr<const IslandLayout> IslandLayouts::find(std::uint32_t moved, std::uint32_t bodies, bool allTurn,
                                                         const std::vector<LaidJoint>& joints) {
-    std::vector<std::uint32_t> key = keyOf(moved, bodies, allTurn, joints);
-    const auto known = now_.find(key);
-    if (known != now_.end()) return known->second;
-    const auto older = before_.find(key);
-    const auto layout = older != before_.end() ? older->second : Laying(moved, bodies).lay(joints, allTurn);
-    now_.emplace(std::move(key), layout);
-    return layout;
+    const auto [known, isNew] = known_.try_emplace(keyOf(moved, bodies, allTurn, joints));
+    if (isNew) known->second = Laying(moved, bodies).lay(joints, allTurn);
+    return known->second;
 }
 
 std::size_t IslandLayouts::bytes() const {
     std::size_t bytes = 0;
-    for (const Known* layouts : {&now_, &before_})
-        for (const auto& [key, layout] : *layouts) bytes += bytesOf(key) + (layout != nullptr ? layout->bytes() : 0);
+    for (const auto& [key, layout] : known_) bytes += bytesOf(key) + layout->bytes();
     return bytes;
 }
 

@@ -23,6 +23,7 @@ struct IslandLayout : IslandShape {
     bool someFree = false;     ///< some row does not hold
     bool someMissing = false;  ///< some axis depends on velocities
     bool isTree = false;       ///< no loops, and all bodies can turn: its rows are independent
+    bool isSwept = false;      ///< it has so many loops that it must be swept, and there is no more to tell
 
     std::uint32_t jointCount() const { return static_cast<std::uint32_t>(joints.size() - 1); }
     std::size_t bytes() const {
@@ -37,19 +38,18 @@ struct LaidJoint {
     std::array<IslandShape::Link, maxLinks> link{};
 };
 
-/// The layouts of all islands that were asked for since the last renewal or the one before it.
+/// The layouts of all islands that there are.
 class IslandLayouts {
 public:
-    /// Forgets what was not asked for since the last call.
+    /// Forgets those that nobody has any more.
     void renew();
-    /// Null if the island has so many loops that it must be swept. allTurn: all its moved bodies can turn.
+    /// allTurn: all the island's moved bodies can turn.
     std::shared_ptr<const IslandLayout> find(std::uint32_t moved, std::uint32_t bodies, bool allTurn,
                                              const std::vector<LaidJoint>& joints);
     std::size_t bytes() const;
 
 private:
-    using Known = std::map<std::vector<std::uint32_t>, std::shared_ptr<const IslandLayout>>;
-    Known now_, before_;
+    std::map<std::vector<std::uint32_t>, std::shared_ptr<const IslandLayout>> known_;
 };
 
 }  // namespace plumb
