@@ -69,10 +69,11 @@ std::size_t bytesOf(const JointStore& j) {
 }
 
 std::size_t bytesOf(const JointIslands& j) {
-    std::size_t bytes = sumOf(j.joints, j.breakable, j.alike, j.springLoad) + j.layouts.bytes() +
-                        j.islands.capacity() * sizeof(JointIsland);
+    std::size_t bytes =
+        sumOf(j.joints, j.breakable, j.alike) + j.layouts.bytes() + j.islands.capacity() * sizeof(JointIsland);
     for (const JointIsland& island : j.islands)
-        bytes += sumOf(island.joints, island.laid, island.sprung, island.held, island.bodies, island.stiffness) + island.hinges.bytes();
+        bytes += sumOf(island.joints, island.laid, island.sprung, island.held, island.bodies, island.stiffness) +
+                 island.hinges.bytes();
     for (const std::vector<std::uint32_t>& group : j.alike) bytes += sumOf(group);
     for (const JointBatch& batch : j.batches) bytes += sizeof(JointBatch) + batch.bytes();
     return bytes;

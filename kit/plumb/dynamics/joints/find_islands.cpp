@@ -22,9 +22,10 @@ public:
             for (const BodyIndex body : endsOf(joints_, index))
                 if (bodies_.canMove(body)) add(island.bodies, body, 0);
         island.stiffness.resize(island.bodies.size());
-        island.laid.reserve(island.joints.size());
+        std::vector<LaidJoint> laid;
+        laid.reserve(island.joints.size());
         for (const JointIndex index : island.joints) {
-            LaidJoint& joint = island.laid.emplace_back(LaidJoint{joints_.formOf(index), {}});
+            LaidJoint& joint = laid.emplace_back(LaidJoint{joints_.formOf(index), {}});
             for (std::size_t k = 0; k < joint.form.links; ++k)
                 joint.link[k] = {nodeOf(island, joint.form.link[k].a.body), nodeOf(island, joint.form.link[k].b.body)};
         }
@@ -32,8 +33,8 @@ public:
         const bool allTurn = std::all_of(island.bodies.begin(), island.bodies.end(),
                                          [this](BodyIndex body) { return bodies_.record[body].inverseInertia > 0; });
         island.layout = layouts.find(static_cast<std::uint32_t>(island.bodies.size()), static_cast<std::uint32_t>(all),
-                                     allTurn, island.laid);
-        if (island.isSwept()) island.laid = {};
+                                     allTurn, laid);
+        if (!island.isSwept()) island.laid = std::move(laid);
         for (std::uint32_t j = 0; j < island.laid.size(); ++j)
             if (island.laid[j].form.hasSpring()) island.sprung.push_back(j);
         for (const std::vector<BodyIndex>* some : {&island.bodies, &island.held})

@@ -19,7 +19,6 @@ struct JointIslands {
     std::vector<JointBatch> sweptBatches;           ///< of each swept joint
     std::vector<JointIndex> joints;                 ///< of all islands, in the order of their slots
     std::vector<JointIndex> breakable;              ///< those of the joints that can break
-    std::vector<double> springLoad;                 ///< of each body (see joint_springs.h) [1/s^2]
     IslandLayouts layouts;
 };
 

@@ -43,11 +43,8 @@ void forEachSprung(const std::vector<JointIsland*>& islands, Visit&& visit) {
         for (const std::uint32_t j : island->sprung) visit(island->joints[j], island->laid[j].form);
 }
 
-void shareAmong(const std::vector<JointIsland*>& islands, JointStore& store, const BodyStore& bodies, double h,
-                std::vector<double>& load) {
-    forEachSprung(islands, [&](JointIndex joint, const JointForm&) {
-        for (const BodyIndex body : {store[joint].bodyA, store[joint].bodyB}) load[body] = 0;
-    });
+void shareAmong(const std::vector<JointIsland*>& islands, JointStore& store, const BodyStore& bodies, double h) {
+    std::vector<double> load(bodies.record.size(), 0.0);  // of each body: sum over its springs of k w [1/s^2]
     forEachSprung(islands, [&](JointIndex joint, const JointForm& form) {
         const SpringLoad springs = springLoadOf(form, bodies);
         const std::array<BodyIndex, 2> ends{store[joint].bodyA, store[joint].bodyB};
@@ -71,9 +68,7 @@ void shareSprings(JointIslands& found, JointStore& store, const BodyStore& bodie
     }
     for (JointIsland& island : found.swept)
         if (!island.sprung.empty()) islands.push_back(&island);
-    if (islands.empty()) return;
-    found.springLoad.resize(bodies.record.size(), 0.0);
-    shareAmong(islands, store, bodies, h, found.springLoad);
+    if (!islands.empty()) shareAmong(islands, store, bodies, h);
 }
 
 }  // namespace plumb
