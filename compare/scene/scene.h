@@ -10,7 +10,7 @@
 #include <compare/scene/closed_form.h>
 #include <compare/scene/mover.h>
 #include <plumb/dynamics/body_def.h>
-#include <plumb/dynamics/field.h>
+#include <plumb/dynamics/field_def.h>
 #include <plumb/dynamics/joint_def.h>
 #include <plumb/space/wrap.h>
 

@@ -70,7 +70,7 @@ void Battle::build(Random& random) {
     std::vector<Plot> plots;
     for (const Site& site : sites) plots.push_back(site.plot);
     terrain_.level(plots);
-    world_.set(ground_, terrain_.shape());
+    world_.shape(ground_).set(terrain_.shape());
     for (const Site& site : sites) {
         const Vec2 floor(site.plot.x, site.plot.height);
         if (site.building)
@@ -89,18 +89,18 @@ void Battle::addGunner(int crew, double x, double above) {
 
 void Battle::setWind(double wind) {
     wind_ = wind;
-    FieldDef air = world_.field(air_);
+    FieldDef air = world_.field(air_).def();
     std::get<Drag>(air.law).wind = {wind, 0};
-    world_.set(air_, air);
+    world_.field(air_).set(air);
 }
 
 void Battle::setSea(double level) {
     sea_ = level;
-    FieldDef water = world_.field(water_);
+    FieldDef water = world_.field(water_).def();
     water.law = Pool{.fluid = {.density = seaDensity, .surface = {0, level}, .gravity = {0, -gravity}}, .drag = 5};
     // What is well above the surface need not be looked at.
     water.region = boxPolygon({2 * worldEdge, 20}, {0, level + 1.5 - 20});
-    world_.set(water_, water);
+    world_.field(water_).set(water);
 }
 
 Vec2 Battle::middleOf(const Gunner& gunner) const {

@@ -64,7 +64,7 @@ void Battle::blast(const Vec2& center, const Weapon& weapon) {
     const Vec2 below = center - Vec2(0, above + 0.5);
     // Chain and bodies: what stood on the old outline wakes, and falls.
     terrain_.carve(center, weapon.crater);
-    world_.set(ground_, terrain_.shape());
+    world_.shape(ground_).set(terrain_.shape());
     world_.explode({.center = below,
                     .radius = weapon.crater * 0.7,
                     .falloff = weapon.blast - weapon.crater * 0.4,

@@ -73,7 +73,7 @@ void drawShapes(Canvas& canvas, const World& world) {
         const BodyView body = world.body(id);
         const auto placed = canvas.place({.position = body.position(), .angle = body.angle()});
         for (const ShapeId shape : body.shapes()) {
-            const ShapeDef def = world.shape(shape);
+            const ShapeDef def = world.shape(shape).def();
             std::visit(Outliner{canvas, colorOf(body, def.sensor), width}, def.shape);
         }
     }
@@ -82,7 +82,7 @@ void drawShapes(Canvas& canvas, const World& world) {
 void drawBoxes(Canvas& canvas, const World& world) {
     for (const BodyId id : world.bodies())
         for (const ShapeId shape : world.body(id).shapes()) {
-            const Aabb box = aabbOf(world.shape(shape).shape, world.body(id).pose());
+            const Aabb box = aabbOf(world.shape(shape).def().shape, world.body(id).pose());
             canvas.rect(box.lower, box.upper - box.lower, stroke(boxed.faded(0.5), canvas.unitsPerPixel()));
         }
 }

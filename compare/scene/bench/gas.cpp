@@ -2,6 +2,7 @@
 #include <compare/scene/bench/parts.h>
 #include <compare/scene/bench/scenes.h>
 #include <plumb/math/random.h>
+#include <plumb/math/trig.h>
 #include <cmath>
 #include <numbers>
 
@@ -19,8 +20,8 @@ Scene gas(int n) {
     const ShapeDef disc = circle(radius, {.friction = 0, .restitution = 1});
     for (int i = 0; i < n; ++i) {
         const Vec2 place(i % columns + 0.5, i / columns + 0.5);
-        const double direction = random.uniform(0, 2 * pi);
-        addBody(scene, disc, place * (width / columns)).def.velocity = {std::cos(direction), std::sin(direction)};
+        const SinCos direction = sinCos(random.uniform(0, 2 * pi));
+        addBody(scene, disc, place * (width / columns)).def.velocity = {direction.cos, direction.sin};
     }
     return scene;
 }

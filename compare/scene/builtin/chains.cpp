@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
 
 #include <compare/closed_form/catenary.h>
 #include <compare/scene/builtin/links.h>
@@ -29,7 +28,7 @@ Scene catenary() {
     const Vec2 first = hinges[1] - hinges[0];
     const double half = chain.links / 2.0;
     const double level = (0.5 - half) * first.x() / first.y();  // H, in weights of a link
-    const double pull = gravity * std::hypot(level, half);
+    const double pull = gravity * Vec2(level, half).norm();
     scene.probes = {{.name = "pull", .quantity = JointForceProbe{"hinge_0"}, .expected = pull, .from = 1, .unit = "N"}};
     scene.checks = {
         ExactCheck{1e-3,

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // How are chains and bridges put together?
 #pragma once
-#include <cmath>
 #include <string>
 #include <vector>
 
 #include <compare/scene/scene.h>
+#include <plumb/math/trig.h>
 
 namespace plumb::compare {
 
@@ -33,7 +33,7 @@ inline void addLinks(Scene& scene, const Links& links) {
         const std::string name = "link_" + std::to_string(i + 1), before = "link_" + std::to_string(i);
         scene.bodies.push_back({name,
                                 {.position = (links.hinges[i] + links.hinges[i + 1]) / 2,
-                                 .angle = std::atan2(along.y(), along.x()),
+                                 .angle = arcTangent(along.y(), along.x()),
                                  .linearDamping = links.damping,
                                  .angularDamping = links.damping,
                                  .canSleep = links.solid,

@@ -4,6 +4,7 @@
 #include <compare/scene/builtin/links.h>
 #include <compare/scene/builtin/parts.h>
 #include <compare/scene/builtin/scenes.h>
+#include <plumb/math/trig.h>
 
 namespace plumb::compare {
 namespace {
@@ -27,7 +28,7 @@ SceneBody ghost(const std::string& name, const Vec2& position, double angle, con
 
 /// Two bars of 2 kg from (0, low) and (start, low), crossed, on a hinge in their middle.
 void addStage(Scene& scene, int stage) {
-    const double rise = risePerStage(start), angle = std::atan2(rise, start);
+    const double rise = risePerStage(start), angle = arcTangent(rise, start);
     const Vec2 middle(start / 2, rise * (stage + 0.5));
     const std::string number = std::to_string(stage + 1);
     const ShapeDef shape = box({bar / 2, 0.03});

@@ -46,6 +46,13 @@ void requireMovable(const WorldState& world, BodyIndex body, const char* field, 
         refuse(field, toText(value) + " to a body that is static, and stays where it is");
 }
 
+template <class Value>
+void requirePushable(const WorldState& world, BodyIndex body, const char* field, const Value& value) {
+    const BodyType type = world.bodies.record[body].type;
+    if (type != BodyType::Dynamic)
+        refuse(field, toText(value) + " does nothing to a body that is " + nameOf(type) + ", not dynamic");
+}
+
 Contact contactOf(const WorldState& world, const ContactRecord& record) {
     const Vec2 normal = normalOf(world.graph, world.bodies, record);
     Contact contact{world.idOfShape(record.proxyA), world.idOfShape(record.proxyB), normal, {}};
@@ -213,12 +220,14 @@ void Body::applyForce(const Vec2& force) {
 void Body::applyForce(const Vec2& force, const Vec2& at) {
     requireFinite(force, "Body.applyForce: force");
     requireFinite(at, "Body.applyForce: at");
+    requirePushable(*world_, index_, "Body.applyForce: force", force);
     const Vec2& center = world_->bodies.motion[index_].center;
     addForce(*world_, index_, force, cross(Vec2(world_->bodies.near(at, center) - center), force));
 }
 
 void Body::applyTorque(double torque) {
     requireFinite(torque, "Body.applyTorque: torque");
+    requirePushable(*world_, index_, "Body.applyTorque: torque", torque);
     addForce(*world_, index_, {0, 0}, torque);
 }
 
@@ -229,6 +238,7 @@ void Body::applyImpulse(const Vec2& impulse) {
 void Body::applyImpulse(const Vec2& impulse, const Vec2& at) {
     requireFinite(impulse, "Body.applyImpulse: impulse");
     requireFinite(at, "Body.applyImpulse: at");
+    requirePushable(*world_, index_, "Body.applyImpulse: impulse", impulse);
     const BodyRecord& record = world_->bodies.record[index_];
     BodyMotion& motion = world_->bodies.motion[index_];
     const Vec2 velocity = motion.velocity + impulse * record.inverseMass;
@@ -243,6 +253,7 @@ void Body::applyImpulse(const Vec2& impulse, const Vec2& at) {
 
 void Body::applyAngularImpulse(double impulse) {
     requireFinite(impulse, "Body.applyAngularImpulse: impulse");
+    requirePushable(*world_, index_, "Body.applyAngularImpulse: impulse", impulse);
     const double inverse = world_->bodies.record[index_].inverseInertia;
     const double turn = inverse > 0 ? impulse * inverse : 0.0;
     requireFinite(turn, "Body.applyAngularImpulse: impulse, for the angular velocity it would give");

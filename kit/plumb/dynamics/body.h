@@ -72,12 +72,13 @@ public:
     /// Gives a kinematic body the velocity that moves it there in a step of dt. It keeps this velocity until it gets
     /// another.
     void moveTo(const Vec2& position, double angle, double dt);  ///< [m, rad, s]
-    void applyForce(const Vec2& force);                          ///< at the centre of mass, over the next step [N]
-    void applyForce(const Vec2& force, const Vec2& at);          ///< at a point of the world, over the next step [N, m]
-    void applyTorque(double torque);                             ///< over the next step [N m]
-    void applyImpulse(const Vec2& impulse);                      ///< at the centre of mass, now [N s]
-    void applyImpulse(const Vec2& impulse, const Vec2& at);      ///< at a point of the world, now [N s, m]
-    void applyAngularImpulse(double impulse);                    ///< now [N m s]
+    // Pushes act on dynamic bodies alone, and are refused for others.
+    void applyForce(const Vec2& force);                      ///< at the centre of mass, over the next step [N]
+    void applyForce(const Vec2& force, const Vec2& at);      ///< at a point of the world, over the next step [N, m]
+    void applyTorque(double torque);                         ///< over the next step [N m]
+    void applyImpulse(const Vec2& impulse);                  ///< at the centre of mass, now [N s]
+    void applyImpulse(const Vec2& impulse, const Vec2& at);  ///< at a point of the world, now [N s, m]
+    void applyAngularImpulse(double impulse);                ///< now [N m s]
 
     // A change of type or mass keeps the body's position and the velocity of each of its points.
     void setType(BodyType type);             ///< a static body loses its velocity; a dynamic one needs a mass

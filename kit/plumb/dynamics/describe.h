@@ -5,7 +5,7 @@
 #include <span>
 
 #include <plumb/dynamics/body_def.h>
-#include <plumb/dynamics/field.h>
+#include <plumb/dynamics/field_def.h>
 #include <plumb/dynamics/joint_def.h>
 #include <plumb/dynamics/world_def.h>
 #include <plumb/forces/describe_law.h>

@@ -24,6 +24,7 @@ struct JointCoordinate {
 /// A read-only view of one joint of a world. Valid as long as the joint and its world exist.
 class JointView {
 public:
+    JointId id() const;
     JointDef def() const;  ///< as given or last set
     JointReaction reaction() const;
     JointCoordinate coordinate() const;
@@ -47,7 +48,8 @@ public:
     /// those, remove the joint and make another.
     void set(const JointDef& def);
     /// Same as set() with another motorSpeed: of a hinge or a wheel [rad/s], of a slide or a distance joint [m/s].
-    /// Throws std::invalid_argument, and changes nothing, for a joint of another kind or a speed that is not allowed.
+    /// Throws std::invalid_argument, and changes nothing, for a joint of another kind, for a speed that is not allowed,
+    /// and for one that does nothing because the motor's greatest torque or force is 0.
     void setMotorSpeed(double speed);
 
 private:

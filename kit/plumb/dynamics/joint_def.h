@@ -5,6 +5,8 @@
 // count from the present pose.
 // Anchors lie within 1e5 m of their bodies' centres of mass. Other positions, angles, lengths, ratios, rates and speeds
 // are at most 1e15; beyond that a body would be put in quarantine. Forces of 1e40 or more count as infinite.
+// A value that could do nothing is refused: a motorSpeed while the motor's greatest torque or force is 0, and a rest
+// position, a length or a motor that needs a spring where there is none. Joint::set may switch a motor off later.
 #pragma once
 #include <limits>
 #include <optional>

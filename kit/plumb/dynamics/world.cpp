@@ -41,21 +41,16 @@ World::World(const WorldDef& def) {
     state->bodies.gravity = def.gravity;
     state->bodies.subSteps = def.solver.subSteps;
     if (def.ledger) state->account.emplace();
-    state_ = state.release();
+    state_ = std::move(state);
 }
 
-World::World(const World& other) : state_(std::make_unique<WorldState>(*other.state_).release()) {}
+World::World(const World& other) : state_(std::make_unique<WorldState>(*other.state_)) {}
 World& World::operator=(const World& other) {
     return *this = World(other);
 }
-World::World(World&& other) noexcept : state_(std::exchange(other.state_, nullptr)) {}
-World& World::operator=(World&& other) noexcept {
-    delete std::exchange(state_, std::exchange(other.state_, nullptr));
-    return *this;
-}
-World::~World() {
-    delete state_;
-}
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+World::~World() = default;
 
 BodyId World::add(const BodyDef& def) {
     validate(def, "BodyDef");

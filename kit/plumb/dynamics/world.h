@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How does a set of bodies move on from one tick to the next?
 #pragma once
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -8,6 +9,7 @@
 #include <plumb/collide/distance.h>
 #include <plumb/dynamics/body.h>
 #include <plumb/dynamics/body_def.h>
+#include <plumb/dynamics/body_shape.h>
 #include <plumb/dynamics/counts.h>
 #include <plumb/dynamics/events.h>
 #include <plumb/dynamics/field.h>
@@ -45,14 +47,10 @@ public:
     void remove(ShapeId shape);  ///< updates the mass, unless it was given
     void remove(JointId joint);  ///< with the gears that it drives
 
-    // Forces that fill the world or a region of it. Adding, changing or removing a field wakes the bodies on which it
-    // acts.
+    /// Forces that fill the world or a region of it. Adding, changing or removing a field wakes the bodies on which it
+    /// acts.
     FieldId addField(const FieldDef& def);
-    void set(FieldId field, const FieldDef& def);  ///< replaces the field, and keeps its id
     void remove(FieldId field);
-    bool contains(FieldId field) const;
-    FieldDef field(FieldId field) const;
-    std::vector<FieldId> fields() const;  ///< in the order of their slots
     /// Pushes dynamic bodies at once: each shape that is not a sensor and collides with a shape of the filter. The
     /// impulse is proportional to the shape's width as seen from the explosion, and acts at its nearest point.
     void explode(const Explosion& explosion, const Filter& filter = {});
@@ -63,12 +61,22 @@ public:
     bool contains(BodyId body) const;
     bool contains(ShapeId shape) const;
     bool contains(JointId joint) const;
+    bool contains(FieldId field) const;
+
+    // Views, through which objects are read and changed. Those of a world that is const can only be read.
     Body body(BodyId body);
     BodyView body(BodyId body) const;
+    BodyShape shape(ShapeId shape);
+    BodyShapeView shape(ShapeId shape) const;
     Joint joint(JointId joint);
     JointView joint(JointId joint) const;
-    ShapeDef shape(ShapeId shape) const;
-    void set(ShapeId shape, const ShapeDef& def);  ///< replaces the shape; updates the mass, unless it was given
+    Field field(FieldId field);
+    FieldView field(FieldId field) const;
+    std::vector<BodyId> bodies() const;   ///< in the order of their slots
+    std::vector<ShapeId> shapes() const;  ///< in the order of their bodies' slots and their numbers
+    std::vector<JointId> joints() const;  ///< in the order of their slots
+    std::vector<FieldId> fields() const;  ///< in the order of their slots
+
     /// The map of a shape that is a tile map; valid until the next call that changes the world. The map wraps if it
     /// lies unrotated in a world that wraps and is as wide or as high as the world; otherwise it has ends.
     const TileMap& tiles(ShapeId shape) const;
@@ -76,8 +84,6 @@ public:
     /// asleep.
     void setTile(ShapeId shape, Cell cell, const Tile& tile);
 
-    std::vector<BodyId> bodies() const;  ///< in the order of their slots
-    std::vector<JointId> joints() const;
     const Wrap& wrap() const;  ///< as given in WorldDef
     Vec2 gravity() const;
     void setGravity(const Vec2& gravity);  ///< wakes every body [m/s^2]
@@ -125,7 +131,7 @@ public:
     WorldCounts counts() const;  ///< takes time: it goes through all objects
 
 private:
-    WorldState* state_;  ///< owned, null once moved from; not a unique_ptr, because <memory> is slow to compile
+    std::unique_ptr<WorldState> state_;  ///< null once moved from
 };
 
 }  // namespace plumb

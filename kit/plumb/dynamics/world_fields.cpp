@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which forces fill the world? The part of World that handles fields.
+// Which forces fill the world? The part of World that handles fields, and the view of one field.
 #include <algorithm>
 
 #include <plumb/collide/distance.h>
@@ -51,15 +51,6 @@ FieldId World::addField(const FieldDef& def) {
     return {field, record.generation, state_->bodies.world};
 }
 
-void World::set(FieldId id, const FieldDef& def) {
-    requireField(*state_, id, "FieldId");
-    validate(*state_, def);
-    FieldRecord& record = state_->fields.records[id.index];
-    wakeInfluenced(*state_, record);
-    record = recordOf(def, record.generation);
-    wakeInfluenced(*state_, record);
-}
-
 void World::remove(FieldId id) {
     requireField(*state_, id, "FieldId");
     wakeInfluenced(*state_, state_->fields.records[id.index]);
@@ -70,9 +61,30 @@ bool World::contains(FieldId id) const {
     return isKnown(*state_, id);
 }
 
-FieldDef World::field(FieldId id) const {
+Field World::field(FieldId id) {
     requireField(*state_, id, "FieldId");
-    return state_->fields.records[id.index].def;
+    return {*state_, id.index};
+}
+
+FieldView World::field(FieldId id) const {
+    requireField(*state_, id, "FieldId");
+    return {*state_, id.index};
+}
+
+FieldId FieldView::id() const {
+    return {index_, world_->fields.records[index_].generation, world_->bodies.world};
+}
+
+FieldDef FieldView::def() const {
+    return world_->fields.records[index_].def;
+}
+
+void Field::set(const FieldDef& def) {
+    validate(*world_, def);
+    FieldRecord& record = world_->fields.records[index_];
+    wakeInfluenced(*world_, record);
+    record = recordOf(def, record.generation);
+    wakeInfluenced(*world_, record);
 }
 
 std::vector<FieldId> World::fields() const {
@@ -90,7 +102,7 @@ void World::explode(const Explosion& explosion, const Filter& filter) {
     requireFinite(reach, "Explosion.radius + falloff");
     if (!(reach > 0)) return;
     for (const ShapeId& shape : overlapShape(Circle{reach, explosion.center}, {}, filter))
-        if (state_->bodies.canMove(shape.body.index)) blast(*state_, shape, this->shape(shape).shape, explosion);
+        if (state_->bodies.canMove(shape.body.index)) blast(*state_, shape, this->shape(shape).def().shape, explosion);
 }
 
 }  // namespace plumb

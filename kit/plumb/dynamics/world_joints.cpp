@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+// What holds bodies together? The part of World that handles joints, and the view of one joint.
 #include <plumb/dynamics/edit/joint_edits.h>
 #include <plumb/dynamics/edit/validate.h>
 #include <plumb/dynamics/world.h>
+#include <plumb/math/check.h>
 
 namespace plumb {
 
@@ -41,6 +43,53 @@ std::vector<JointId> World::joints() const {
 
 std::span<const JointBroke> World::jointBreaks() const {
     return state_->events.breaks;
+}
+
+JointId JointView::id() const {
+    return {index_, world_->joints[index_].generation, world_->bodies.world};
+}
+
+JointDef JointView::def() const {
+    return world_->joints[index_].def();
+}
+
+JointReaction JointView::reaction() const {
+    const JointLoad& load = world_->joints.loads[index_];
+    return {load.force(), load.torque()};
+}
+
+JointCoordinate JointView::coordinate() const {
+    return {world_->joints.coordinateOf(index_, world_->bodies), world_->joints.speedOf(index_, world_->bodies)};
+}
+
+double JointView::error() const {
+    return world_->joints.errorOf(index_, world_->bodies);
+}
+
+double JointView::angleError() const {
+    return world_->joints.angleErrorOf(index_, world_->bodies);
+}
+
+void Joint::set(const JointDef& def) {
+    validateChange(world_->joints[index_].def(), def);
+    changeJoint(*world_, index_, def);
+}
+
+void Joint::setMotorSpeed(double speed) {
+    JointDef changed = def();
+    std::visit(
+        [&]<class Def>(Def& d) {
+            if constexpr (requires { d.motorSpeed; })
+                d.motorSpeed = speed;
+            else
+                refuse("Joint.setMotorSpeed",
+                       "a " + nameOf(changed) +
+                           " has no motorSpeed; revolute, prismatic, distance and wheel joints have one");
+        },
+        changed);
+    validateChange(def(), changed);
+    requireMotor(changed);
+    changeJoint(*world_, index_, changed);
 }
 
 }  // namespace plumb

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Which outlines do bodies have? The part of World that handles shapes, and the view of one shape.
 #include <algorithm>
 #include <array>
 
@@ -40,6 +41,13 @@ bool meetsAlike(const ShapeDef& a, const ShapeDef& b) {
     return a.shape == b.shape && a.sensor == b.sensor && a.oneWay == b.oneWay && a.rule == b.rule;
 }
 
+/// A definition with all of a shape's properties, but not always its outline.
+const ShapeDef& propertiesOf(const WorldState& world, ShapeId id) {
+    const auto tiles = world.tiles.find({id.body.index, id.number});
+    if (tiles != world.tiles.end()) return tiles->second.def;
+    return world.space[piecesOf(world, id.body.index, id.number).front()].def;
+}
+
 void requireTiles(const WorldState& world, ShapeId id, const char* field) {
     requireShape(world, id, field);
     if (!world.tiles.contains({id.body.index, id.number})) refuse(field, "the shape is not a tile map");
@@ -76,28 +84,86 @@ bool World::contains(ShapeId id) const {
     return isKnown(*state_, id);
 }
 
-ShapeDef World::shape(ShapeId id) const {
+BodyShape World::shape(ShapeId id) {
     requireShape(*state_, id, "ShapeId");
-    return shapeOf(*state_, piecesOf(*state_, id.body.index, id.number));
+    return {*state_, id};
 }
 
-void World::set(ShapeId id, const ShapeDef& def) {
-    const ShapeDef before = shape(id);
+BodyShapeView World::shape(ShapeId id) const {
+    requireShape(*state_, id, "ShapeId");
+    return {*state_, id};
+}
+
+std::vector<ShapeId> World::shapes() const {
+    std::vector<ShapeId> ids;
+    for (const BodyId id : bodies())
+        for (const ShapeId& shape : body(id).shapes()) ids.push_back(shape);
+    return ids;
+}
+
+ShapeId BodyShapeView::id() const {
+    return id_;
+}
+
+BodyId BodyShapeView::body() const {
+    return id_.body;
+}
+
+ShapeDef BodyShapeView::def() const {
+    return shapeOf(*world_, piecesOf(*world_, id_.body.index, id_.number));
+}
+
+bool BodyShapeView::sensor() const {
+    return propertiesOf(*world_, id_).sensor;
+}
+
+const Material& BodyShapeView::material() const {
+    return propertiesOf(*world_, id_).material;
+}
+
+const Filter& BodyShapeView::filter() const {
+    return propertiesOf(*world_, id_).filter;
+}
+
+std::uint64_t BodyShapeView::tag() const {
+    return propertiesOf(*world_, id_).tag;
+}
+
+void BodyShape::set(const ShapeDef& def) {
     requireShape(def, "ShapeDef");
-    requireFit(*state_, def.shape, state_->bodies.pose(id.body.index), "ShapeDef.shape");
-    requireThicknessWith(*state_, id, def, "ShapeDef");
-    requireMassWith(*state_, id, def, "ShapeDef");
-    const BodyIndex body = id.body.index;
+    requireFit(*world_, def.shape, world_->bodies.pose(id_.body.index), "ShapeDef.shape");
+    requireThicknessWith(*world_, id_, def, "ShapeDef");
+    requireMassWith(*world_, id_, def, "ShapeDef");
+    const ShapeDef before = this->def();
+    const BodyIndex body = id_.body.index;
     const bool alike = meetsAlike(before, def);
     const bool same = alike && before.material == def.material && before.filter == def.filter;
-    if (!same && !(before.sensor && def.sensor)) wakeTouching(*state_, body, id.number);
+    if (!same && !(before.sensor && def.sensor)) wakeTouching(*world_, body, id_.number);
     if (alike) {
-        alterShape(*state_, body, def, id.number);
+        alterShape(*world_, body, def, id_.number);
     } else {
-        removeShape(*state_, body, id.number);
-        addShape(*state_, body, def, id.number);
+        removeShape(*world_, body, id_.number);
+        addShape(*world_, body, def, id_.number);
     }
-    updateMassFromShapes(*state_, body);
+    updateMassFromShapes(*world_, body);
+}
+
+void BodyShape::setMaterial(const Material& material) {
+    ShapeDef changed = def();
+    changed.material = material;
+    set(changed);
+}
+
+void BodyShape::setFilter(const Filter& filter) {
+    ShapeDef changed = def();
+    changed.filter = filter;
+    set(changed);
+}
+
+void BodyShape::setTag(std::uint64_t tag) {
+    ShapeDef changed = def();
+    changed.tag = tag;
+    set(changed);
 }
 
 const TileMap& World::tiles(ShapeId id) const {

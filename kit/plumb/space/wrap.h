@@ -22,7 +22,7 @@ struct Wrap {
     /// The image of a point in [0, width) x [0, height); a coordinate that does not wrap stays as it is.
     Vec2 place(const Vec2& point) const { return any() ? placed(point) : point; }
     /// The shortest displacement from one point to another (minimum image): at most half a period along each axis.
-    Vec2 way(const Vec2& from, const Vec2& to) const {
+    Vec2 shortest(const Vec2& from, const Vec2& to) const {
         const Vec2 shift = any() ? shiftNear(to, from) : Vec2(0, 0);
         return {to.x() + shift.x() - from.x(), to.y() + shift.y() - from.y()};
     }

@@ -177,14 +177,14 @@ TEST_CASE("a body that starts asleep hangs in the air until another hits it", "[
 
 TEST_CASE("a motor of 1 Nm brings a wheel of 0.5 kg m^2 to 2 rad/s in a second, one without bound to 5 rad/s at once",
           "[compare][engine]") {
-    for (const double torque : {1.0, std::numeric_limits<double>::infinity(), 0.0}) {
+    for (const double torque : {1.0, std::numeric_limits<double>::infinity()}) {
         Scene scene{.name = "motor", .duration = 1, .bodies = {{"axle", {.type = BodyType::Static}}}};
         SceneBody wheel = body("wheel", circle(0.5), {0, 2});
         wheel.def.mass = Mass{2, {0, 0}, 0.5};
         scene.bodies.push_back(wheel);
         scene.joints = {
             {"hinge", "axle", "wheel", RevoluteJointDef{.anchor = {0, 2}, .motorSpeed = 5, .maxMotorTorque = torque}}};
-        const double speed = torque == 0 ? 0 : torque == 1 ? 2 : 5;
+        const double speed = torque == 1 ? 2 : 5;
         for (const Engine& engine : simulators()) {
             INFO(engine.name << ", " << torque << " Nm");
             CHECK_THAT(endOf(scene, engine, 1).angularVelocity, WithinAbs(speed, 0.01));

@@ -132,7 +132,7 @@ TEST_CASE("no closed form jumps: each flight begins where the one before it ends
                 const Vec2 end = before.position + before.velocity * s + before.acceleration * (s * s / 2);
                 INFO(scene.name << ", " << piecewise->body << ", flight " << i);
                 // The starts add up: 40 s of rounding, 5e-15 s, at 10 m/s.
-                CHECK(scene.wrap.way(end, after.position).norm() < 1e-13);
+                CHECK(scene.wrap.shortest(end, after.position).norm() < 1e-13);
                 ++joins;
             }
         }

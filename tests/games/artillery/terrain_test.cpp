@@ -78,7 +78,7 @@ TEST_CASE("a crate that sleeps on the ground wakes and falls when the ground is 
     for (int tick = 0; tick < 120; ++tick) world.step(1.0 / 60);
     REQUIRE_FALSE(world.body(crate).awake());
     terrain.carve({0, 3}, 2);
-    world.set(ground, terrain.shape());
+    world.shape(ground).set(terrain.shape());
     for (int tick = 0; tick < 180; ++tick) world.step(1.0 / 60);
     // The crater is a bowl 2 m deep; a crate 1 m wide stands on its edges, or on one of its sides.
     REQUIRE(world.body(crate).position().y() < 2.3);

@@ -124,8 +124,8 @@ BadCalls worldCalls() {
     add(c, bodyIds("World.body", "body", "BodyId", [](Bench& b, BodyId id) { std::as_const(b.world).body(id); }));
     add(c, jointIds("World.joint", "joint", [](Bench& b, JointId id) { b.world.joint(id); }));
     add(c, jointIds("World.joint", "joint", [](Bench& b, JointId id) { std::as_const(b.world).joint(id); }));
-    add(c, shapeIds("World.shape", "shape", "ShapeId", [](Bench& b, ShapeId id) { (void)b.world.shape(id); }));
-    add(c, shapeIds("World.set", "shape", "ShapeId", [](Bench& b, ShapeId id) { b.world.set(id, circle(1)); }));
+    add(c, shapeIds("World.shape", "shape", "ShapeId", [](Bench& b, ShapeId id) { b.world.shape(id); }));
+    add(c, shapeIds("World.shape", "shape", "ShapeId", [](Bench& b, ShapeId id) { std::as_const(b.world).shape(id); }));
     add(c, shapeIds("World.tiles", "shape", "World.tiles: ShapeId", [](Bench& b, ShapeId id) { b.world.tiles(id); }));
     add(c, shapeIds("World.setTile", "shape", "World.setTile: ShapeId", [](Bench& b, ShapeId id) {
             b.world.setTile(id, {0, 0}, {});

@@ -254,7 +254,7 @@ void takeShape(Bench& bench, const ShapeDef& def) {
 }
 
 void replaceShape(Bench& bench, const ShapeDef& def) {
-    bench.world.set(bench.liftShape, def);
+    bench.world.shape(bench.liftShape).set(def);
 }
 
 void takeWorld(Bench& bench, const WorldDef& def) {

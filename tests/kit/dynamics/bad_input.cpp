@@ -130,7 +130,7 @@ void writeBody(Writer& write, const World& world, BodyId id) {
             write("at", point.position);
             write("force", Vec2(point.normalForce, point.frictionForce));
         }
-    for (const ShapeId shape : body.shapes()) writeShape(write, world.shape(shape));
+    for (const ShapeId shape : body.shapes()) writeShape(write, world.shape(shape).def());
 }
 
 bool isSound(const BodyView& body) {

@@ -43,7 +43,8 @@ const NameSet arguments{"Aabb",       "BodyId",  "Capacity", "FieldId", "ImpactL
 const NameSet unchecked{"BlockTree.View", "Bounds", "BoxBlock", "BoxProbe",    "Convex",
                         "FilterKey",      "Proxy",  "RayPart",  "RelativePose"};
 
-const NameSet worldClasses{"World", "Body", "BodyView", "Joint", "JointView"};
+const NameSet worldClasses{"World", "Body",      "BodyView", "BodyShape", "BodyShapeView",
+                           "Joint", "JointView", "Field",    "FieldView"};
 const NameSet lowerClasses{"BlockTree", "BoundsRounding", "Bvh",       "Vec2fArray", "FunctionRef",
                            "Lock",      "MortonSort",     "RadixSort", "Random",     "Space"};
 
@@ -87,7 +88,10 @@ const std::set<std::pair<std::string, std::string>> otherwise{{"Body.setCanSleep
                                                               {"World.add", "def"},
                                                               {"World.add", "shape"},
                                                               {"World.join", "def"},
-                                                              {"World.set", "def"},
+                                                              {"BodyShape.set", "def"},
+                                                              {"BodyShape.setTag", "tag"},
+                                                              {"BodyShape.setFilter", "filter"},
+                                                              {"BodyShape.setMaterial", "material"},
                                                               {"World.setTile", "cell"},
                                                               {"World.setTile", "tile"},
                                                               {"World.contains", "body"},
@@ -111,7 +115,7 @@ const std::set<std::pair<std::string, std::string>> otherwise{{"Body.setCanSleep
                                                               {"World.contains", "field"},
                                                               {"World.remove", "field"},
                                                               {"World.field", "field"},
-                                                              {"World.set", "field"},
+                                                              {"Field.set", "def"},
                                                               {"World.explode", "explosion"},
                                                               {"World.explode", "filter"},
                                                               {"World.World", "other"},

@@ -76,7 +76,7 @@ TEST_CASE("elastic discs that fill 40 % of their world never overlap", "[dynamic
         for (std::size_t i = 0; i < gas.discs.size(); ++i)
             for (std::size_t j = 0; j < i; ++j) {
                 const Vec2 a = gas.world.body(gas.discs[i]).position(), b = gas.world.body(gas.discs[j]).position();
-                REQUIRE(gas.world.wrap().way(a, b).norm() > 0.2 - 1e-9);
+                REQUIRE(gas.world.wrap().shortest(a, b).norm() > 0.2 - 1e-9);
             }
     }
 }

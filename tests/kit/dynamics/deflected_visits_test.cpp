@@ -190,10 +190,10 @@ Least leastSeparation(const VisitScene& scene, const std::array<SeenPlace, 2>& d
                       const std::array<SeenPlace, 2>& other) {
     const auto shapeOf = [&](BodyId id, bool sensor) {
         const std::vector<plumb::ShapeId> shapes = scene.world.body(id).shapes();
-        const bool first = scene.world.shape(shapes.front()).sensor == sensor;
-        return scene.world.shape(first ? shapes.front() : shapes.back()).shape;
+        const bool first = scene.world.shape(shapes.front()).sensor() == sensor;
+        return scene.world.shape(first ? shapes.front() : shapes.back()).def().shape;
     };
-    const bool carries = scene.world.shape(scene.world.body(scene.driven).shapes().back()).sensor;
+    const bool carries = scene.world.shape(scene.world.body(scene.driven).shapes().back()).sensor();
     const plumb::Shape own = shapeOf(scene.driven, carries), there = shapeOf(scene.other, !carries);
     std::array<double, 2> least{1e9, 1e9};
     constexpr int samples = 400;

@@ -34,9 +34,9 @@ TEST_CASE("what sleeps on something wakes, and falls or slides, when that is cha
         double tilt = 0;
     };
     const auto setShape = [](Rest& rest, const std::function<void(ShapeDef&)>& edit) {
-        ShapeDef def = rest.world.shape({rest.plank, 0});
+        ShapeDef def = rest.world.shape({rest.plank, 0}).def();
         edit(def);
-        rest.world.set({rest.plank, 0}, def);
+        rest.world.shape({rest.plank, 0}).set(def);
     };
     const std::vector<Change> changes{
         {"removed", [](Rest& r) { r.world.remove(r.plank); }},
@@ -131,12 +131,12 @@ TEST_CASE("a spinning body whose type, mass or shapes change stays where it is a
             w.remove(ShapeId{b, 1});
         },
         [](World& w, BodyId b) {
-            w.set(ShapeId{b, 1}, plumb::circle(2));
+            w.shape(ShapeId{b, 1}).set(plumb::circle(2));
         },
         [](World& w, BodyId b) {
-            ShapeDef heavy = w.shape({b, 0});
+            ShapeDef heavy = w.shape({b, 0}).def();
             heavy.material.density = 20;
-            w.set(ShapeId{b, 0}, heavy);
+            w.shape(ShapeId{b, 0}).set(heavy);
         },
     };
     for (const auto& change : changes) {
@@ -323,7 +323,7 @@ TEST_CASE("edits of what cannot be are refused with field and value, and change 
     const double nan = std::nan("");
     const ShapeId shape{rest.box, 0};
     plumb::Body box = world.body(rest.box), plank = world.body(rest.plank);
-    ShapeDef light = world.shape(shape), odd = light;
+    ShapeDef light = world.shape(shape).def(), odd = light;
     light.material.density = 0;
     odd.material.friction = -1;
     const BodyId bare = world.add({.type = BodyType::Static});
@@ -354,8 +354,8 @@ TEST_CASE("edits of what cannot be are refused with field and value, and change 
              (void)box.velocityAt({nan, 0});
          },
          "BodyView.velocityAt: point: (nan, 0)"},
-        {[&] { world.set(shape, light); }, "ShapeDef, for the body's.mass: 0"},
-        {[&] { world.set(shape, odd); }, "ShapeDef.material.friction: -1"},
+        {[&] { world.shape(shape).set(light); }, "ShapeDef, for the body's.mass: 0"},
+        {[&] { world.shape(shape).set(odd); }, "ShapeDef.material.friction: -1"},
         {[&] { world.add(rest.box, odd); }, "ShapeDef.material.friction: -1"},
         {[&] { world.remove(shape); }, "World.remove: ShapeId, for the other shapes'.mass: 0"},
         {[&] { world.add(rest.plank, plumb::circle(1e6)); }, "ShapeDef.shape: 1000000"},

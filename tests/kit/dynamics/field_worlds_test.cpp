@@ -123,7 +123,7 @@ TEST_CASE("what sleeps wakes when a field comes, changes or goes, and a field of
     const FieldId field = world.addField({.law = UniformGravity{{0.5, 0}}});
     CHECK(world.body(block).awake());
     REQUIRE(settle());
-    world.set(field, {.law = UniformGravity{{-0.5, 0}}});
+    world.field(field).set({.law = UniformGravity{{-0.5, 0}}});
     CHECK(world.body(block).awake());
     REQUIRE(settle());
     world.remove(field);
@@ -257,8 +257,8 @@ TEST_CASE("a field that is no field is refused by name, and a stale or foreign i
     CHECK(world.contains(field));
     CHECK(world.fields() == std::vector{field});
     CHECK_THROWS_AS(other.remove(field), std::invalid_argument);
-    CHECK_THROWS_WITH(world.set(field, {.law = Drag{.linear = -1}}), containsText("linear"));
-    CHECK(std::holds_alternative<UniformGravity>(world.field(field).law));
+    CHECK_THROWS_WITH(world.field(field).set({.law = Drag{.linear = -1}}), containsText("linear"));
+    CHECK(std::holds_alternative<UniformGravity>(world.field(field).def().law));
     world.remove(field);
     CHECK_FALSE(world.contains(field));
     CHECK_THROWS_WITH(world.field(field), containsText("removed"));

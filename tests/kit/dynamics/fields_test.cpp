@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/dynamics/field.h>
+#include <plumb/dynamics/field_def.h>
 
 #include <cmath>
 

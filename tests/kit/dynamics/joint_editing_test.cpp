@@ -198,7 +198,7 @@ TEST_CASE("a pendulum whose bob changes its mass, shapes or centre of mass hangs
             world.add(bob, {.shape = plumb::Circle{.radius = 0.4, .center = {0.8, 0}}});
         },
         [](World& world, BodyId bob) {
-            world.set({bob, 1}, plumb::box({0.1, 0.9}));
+            world.shape({bob, 1}).set(plumb::box({0.1, 0.9}));
         },
         [](World& world, BodyId bob) {
             world.remove(plumb::ShapeId{bob, 0});

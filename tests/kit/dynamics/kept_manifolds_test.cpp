@@ -61,22 +61,22 @@ TEST_CASE("what is changed at a body that has rested on a slope acts in the same
         {"nothing", [](Rest&) {}, 0},
         {"friction",
          [](Rest& r) {
-             r.world.set({r.body, 0}, ngon(r.corners, 0.5, 0));
-             ShapeDef ground = r.world.shape({r.ground, 0});
+             r.world.shape({r.body, 0}).set(ngon(r.corners, 0.5, 0));
+             ShapeDef ground = r.world.shape({r.ground, 0}).def();
              ground.material.friction = 0;
-             r.world.set({r.ground, 0}, ground);
+             r.world.shape({r.ground, 0}).set(ground);
          },
          down},
         {"filter",
          [](Rest& r) {
              ShapeDef ghost = ngon(r.corners, 0.5);
              ghost.filter.mask = 2;
-             r.world.set({r.body, 0}, ghost);
+             r.world.shape({r.body, 0}).set(ghost);
          },
          down},
         {"a smaller shape",
          [](Rest& r) {
-             r.world.set({r.body, 0}, ngon(r.corners, 0.4));
+             r.world.shape({r.body, 0}).set(ngon(r.corners, 0.4));
          },
          down},
         {"a joint that lets them pass",

@@ -116,11 +116,11 @@ TEST_CASE("an edit of a one-way shape decides anew who stands on it", "[dynamics
     const BodyId floor = world.add({.type = BodyType::Static, .shapes = {plumb::segment({-5, 0}, {5, 0})}});
     const BodyId box = world.add({.position = {0, 0.5}, .shapes = {plumb::box({0.5, 0.5})}});
     steps(world, 90);
-    world.set({floor, 0}, oneWay(plumb::segment({-5, 0}, {5, 0})));
+    world.shape({floor, 0}).set(oneWay(plumb::segment({-5, 0}, {5, 0})));
     CHECK(world.body(box).awake());
     steps(world, 90);
     CHECK(std::fabs(world.body(box).position().y() - 0.5) < 1e-3);
-    world.set({floor, 0}, oneWay(plumb::segment({-5, 0}, {5, 0}), {0, -1}));
+    world.shape({floor, 0}).set(oneWay(plumb::segment({-5, 0}, {5, 0}), {0, -1}));
     steps(world, 60);
     CHECK(world.body(box).position().y() < -2);
 }

@@ -44,14 +44,14 @@ void RandomEditor::checkSensors() const {
         const BodyView body = world.body(id);
         if (!body.enabled()) continue;
         for (const ShapeId& shape : body.shapes()) {
-            const ShapeDef def = world.shape(shape);
+            const ShapeDef def = world.shape(shape).def();
             all.push_back({shape, def, aabbOf(def.shape, body.pose()), body});
         }
     }
     const auto movedBy = [&](const BodyView& body) {
         const Place& before = placesBefore_.at(body.id().index);
         const double round = world.wrap().any() ? body.velocity().norm() * lastStep_ : 0;
-        return round + world.wrap().way(before.position, body.position()).norm() +
+        return round + world.wrap().shortest(before.position, body.position()).norm() +
                3 * std::fabs(body.angle() - before.angle);
     };
     for (const Placed& sensor : all) {
@@ -99,7 +99,7 @@ void RandomEditor::checkContacts() {
         for (const Contact& contact : world.body(id).contacts()) {
             if (contact.shapeA.body != id) continue;
             ++now[keyOf(contact.shapeA, contact.shapeB)];
-            if (!filtersAllow(world.shape(contact.shapeA), world.shape(contact.shapeB)))
+            if (!filtersAllow(world.shape(contact.shapeA).def(), world.shape(contact.shapeB).def()))
                 FAIL("what may not touch does");
             const Body a = world.body(contact.shapeA.body), b = world.body(contact.shapeB.body);
             if (!a.enabled() || !b.enabled()) FAIL("what is disabled touches");

@@ -55,7 +55,7 @@ void removeShape(RandomEditor& e) {
 void setShape(RandomEditor& e) {
     const ShapeId shape = e.someShape();
     if (!e.world.contains(shape)) return;
-    ShapeDef def = e.world.shape(shape);
+    ShapeDef def = e.world.shape(shape).def();
     switch (e.random.integer(0, 6)) {
         case 0: def.material = anyMaterial(e); break;
         case 1: def.filter = e.anyFilter(); break;
@@ -65,7 +65,7 @@ void setShape(RandomEditor& e) {
         case 5: def.rule = def.rule == nullptr ? evenOnly : nullptr; break;
         default: def = e.anyShape(); break;
     }
-    if (e.tryTo([&] { e.world.set(shape, def); }) && !(e.world.shape(shape).shape == def.shape))
+    if (e.tryTo([&] { e.world.shape(shape).set(def); }) && !(e.world.shape(shape).def().shape == def.shape))
         FAIL("a shape is not what it was set to");
 }
 
@@ -106,14 +106,17 @@ void moveTo(RandomEditor& e) {
 void push(RandomEditor& e) {
     Body body = e.some();
     const Vec2 push = e.vector(20), at = body.position() + e.vector(1);
-    switch (e.random.integer(0, 5)) {
-        case 0: body.applyForce(push); break;
-        case 1: body.applyForce(push, at); break;
-        case 2: body.applyTorque(push.x()); break;
-        case 3: body.applyImpulse(push); break;
-        case 4: body.applyImpulse(push, at); break;
-        default: body.applyAngularImpulse(push.x()); break;
-    }
+    const bool done = e.tryTo([&] {
+        switch (e.random.integer(0, 5)) {
+            case 0: body.applyForce(push); break;
+            case 1: body.applyForce(push, at); break;
+            case 2: body.applyTorque(push.x()); break;
+            case 3: body.applyImpulse(push); break;
+            case 4: body.applyImpulse(push, at); break;
+            default: body.applyAngularImpulse(push.x()); break;
+        }
+    });
+    if (done != (body.type() == BodyType::Dynamic)) FAIL("what can be pushed is not what is dynamic");
 }
 
 void setManner(RandomEditor& e) {

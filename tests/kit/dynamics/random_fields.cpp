@@ -70,7 +70,7 @@ FieldDef anyField(RandomEditor& e) {
 }
 
 bool isOfTheKind(const World& world, const FieldId& field, const FieldDef& def) {
-    return world.field(field).law.index() == def.law.index() && world.field(field).region == def.region;
+    return world.field(field).def().law.index() == def.law.index() && world.field(field).def().region == def.region;
 }
 
 void removeField(RandomEditor& e) {
@@ -95,7 +95,7 @@ void setField(RandomEditor& e) {
     if (e.fields.empty()) return;
     const FieldId field = e.oneOf(e.fields);
     const FieldDef def = anyField(e);
-    if (e.tryTo([&] { e.world.set(field, def); }) && !isOfTheKind(e.world, field, def))
+    if (e.tryTo([&] { e.world.field(field).set(def); }) && !isOfTheKind(e.world, field, def))
         FAIL("a field is not what it was set to");
 }
 
@@ -118,8 +118,8 @@ void useStaleField(RandomEditor& e) {
         if (e.world.contains(field)) FAIL("a wrong id is taken for a live one");
         const std::string why = field == stale ? "was removed" : field == neverMade ? "there never was" : "never set";
         for (const std::string& said :
-             {e.refusalOf([&] { e.world.remove(field); }), e.refusalOf([&] { e.world.set(field, {}); }),
-              e.refusalOf([&] { (void)e.world.field(field); })}) {
+             {e.refusalOf([&] { e.world.remove(field); }), e.refusalOf([&] { e.world.field(field).set({}); }),
+              e.refusalOf([&] { (void)e.world.field(field).def(); })}) {
             INFO("it said: " << said);
             if (said.find(why) == std::string::npos) FAIL("what should be refused as \"" << why << "\" was not");
             ++e.tally.refusals;

@@ -66,6 +66,21 @@ void turnKnobs(RandomEditor& e, Def& d) {
     if constexpr (requires { d.breaking; }) d.breaking = anyBreaking(e);
 }
 
+/// Takes back what a new joint may not have, because it could do nothing.
+template <class Def>
+void leaveOutIdle(Def& d) {
+    if constexpr (requires { d.maxLength; })
+        if (!d.spring) d.minLength = 0, d.maxLength = infinity, d.maxMotorForce = 0;
+    if constexpr (requires { d.restAngle; })
+        if (!d.spring) d.restAngle = 0;
+    if constexpr (requires { d.restShift; })
+        if (!d.spring) d.restShift = 0;
+    if constexpr (requires { d.maxMotorTorque; })
+        if (d.maxMotorTorque == 0) d.motorSpeed = 0;
+    if constexpr (requires { d.maxMotorForce; })
+        if (d.maxMotorForce == 0) d.motorSpeed = 0;
+}
+
 /// Of some others the nearest, so that not every joint spans the world.
 BodyId neighbourOf(RandomEditor& e, const BodyId& body) {
     const Vec2 here = e.world.body(body).position();
@@ -126,6 +141,7 @@ void joinBy(RandomEditor& e) {
     Def def;
     place(e, def);
     turnKnobs(e, def);
+    leaveOutIdle(def);
     JointId id;
     if (!e.tryTo([&] { id = e.world.join(def); })) return;
     if (!e.world.contains(id)) FAIL("a joint that was made is not there");

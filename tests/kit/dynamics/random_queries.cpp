@@ -28,7 +28,7 @@ std::vector<Placed> seenThrough(const World& world, const Filter& filter) {
         const BodyView body = world.body(id);
         if (!body.enabled()) continue;
         for (const ShapeId& shape : body.shapes()) {
-            const ShapeDef def = world.shape(shape);
+            const ShapeDef def = world.shape(shape).def();
             if (!def.sensor && RandomEditor::passes(def.filter, filter))
                 seen.push_back({shape, def.shape, body.pose()});
         }
@@ -200,7 +200,7 @@ void askDistance(RandomEditor& e) {
     if (!e.world.contains(a) || !e.world.contains(b)) return;
     const Distance there = ask.world().distance(a, b), back = ask.world().distance(b, a);
     const Transform poseA = ask.world().body(a.body).pose(), poseB = ask.world().body(b.body).pose();
-    const Distance truth = distance(ask.world().shape(a).shape, poseA, ask.world().shape(b).shape, poseB);
+    const Distance truth = distance(ask.world().shape(a).def().shape, poseA, ask.world().shape(b).def().shape, poseB);
     if (there.separation != truth.separation) FAIL("a distance is not that of the two shapes");
     const double size = poseA.position.norm() + poseB.position.norm() + 10;
     if (!(std::fabs(there.separation - back.separation) <= 1e-14 * size)) FAIL("there is farther than back");

@@ -53,8 +53,8 @@ void refuseShape(RandomEditor& e, const ShapeId& id, const std::string& why) {
     const Refusal refused(e, why);
     const World& world = e.world;
     refused([&] { e.world.remove(id); });
-    refused([&] { (void)world.shape(id); });
-    refused([&] { e.world.set(id, circle(1)); });
+    refused([&] { (void)world.shape(id).def(); });
+    refused([&] { e.world.shape(id).set(circle(1)); });
     refused([&] { (void)world.distance(id, id); });
     const ShapeId other = e.someShape();
     if (e.world.contains(other)) refused([&] { (void)world.distance(other, id); });

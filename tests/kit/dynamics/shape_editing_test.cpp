@@ -56,12 +56,12 @@ TEST_CASE("numbers of shapes count on, and a removed one's is refused for ever",
     CHECK(world.body(body).shapes() == std::vector<ShapeId>{{body, 0}, {body, 2}});
     CHECK(world.contains(third));
     CHECK_FALSE(world.contains(ShapeId{body, 1}));
-    CHECK_THROWS_WITH(world.shape({body, 1}), containsText("ShapeId.number: 1 names no shape of that body"));
-    CHECK_THROWS_WITH(world.set({body, 7}, {}), containsText("ShapeId.number: 7"));
+    CHECK_THROWS_WITH(world.shape({body, 1}).def(), containsText("ShapeId.number: 1 names no shape of that body"));
+    CHECK_THROWS_WITH(world.shape({body, 7}).set({}), containsText("ShapeId.number: 7"));
     CHECK_THROWS_WITH(world.remove(ShapeId{{}, 0}), containsText("ShapeId.body"));
-    world.set({body, 0}, plumb::box({1, 1}));
+    world.shape({body, 0}).set(plumb::box({1, 1}));
     CHECK(world.body(body).shapes() == std::vector<ShapeId>{{body, 0}, {body, 2}});
-    CHECK(std::get<plumb::Polygon>(world.shape({body, 0}).shape).vertices.size() == 4);
+    CHECK(std::get<plumb::Polygon>(world.shape({body, 0}).def().shape).vertices.size() == 4);
 }
 
 TEST_CASE("a shape is given back as it was given, a chain whole", "[dynamics][editing]") {
@@ -73,16 +73,16 @@ TEST_CASE("a shape is given back as it was given, a chain whole", "[dynamics][ed
     one.tag = 99;
     one.oneWay = Vec2(0, 1);
     const BodyId body = world.add({.type = BodyType::Static, .shapes = {path, one, ring, line}});
-    CHECK(world.shape({body, 0}).shape == path.shape);
-    CHECK(world.shape({body, 0}).material.friction == 0.3);
-    CHECK(world.shape({body, 1}).shape == one.shape);
-    CHECK(world.shape({body, 1}).tag == 99);
-    CHECK(*world.shape({body, 1}).oneWay == Vec2(0, 1));
-    CHECK(world.shape({body, 2}).shape == ring.shape);
-    CHECK(world.shape({body, 3}).shape == line.shape);
-    world.set({body, 0}, one);  // one piece in the place of three
-    CHECK(world.shape({body, 0}).shape == one.shape);
-    CHECK(world.shape({body, 2}).shape == ring.shape);
+    CHECK(world.shape({body, 0}).def().shape == path.shape);
+    CHECK(world.shape({body, 0}).material().friction == 0.3);
+    CHECK(world.shape({body, 1}).def().shape == one.shape);
+    CHECK(world.shape({body, 1}).tag() == 99);
+    CHECK(*world.shape({body, 1}).def().oneWay == Vec2(0, 1));
+    CHECK(world.shape({body, 2}).def().shape == ring.shape);
+    CHECK(world.shape({body, 3}).def().shape == line.shape);
+    world.shape({body, 0}).set(one);  // one piece in the place of three
+    CHECK(world.shape({body, 0}).def().shape == one.shape);
+    CHECK(world.shape({body, 2}).def().shape == ring.shape);
     CHECK(world.body(body).shapes().size() == 4);
 }
 
@@ -94,9 +94,9 @@ TEST_CASE("a stack of ten whose bottom box gets another friction or tag stands a
         const std::vector<BodyId> boxes = stackOf(left, 10);
         steps(edited, 300);
         steps(left, 300);
-        ShapeDef def = edited.shape({bottom, 0});
+        ShapeDef def = edited.shape({bottom, 0}).def();
         (friction ? def.material.friction : def.material.rollingResistance) = 0.55;
-        edited.set({bottom, 0}, def);
+        edited.shape({bottom, 0}).set(def);
         for (int tick = 0; tick < 30; ++tick) {
             edited.step(dt);
             left.step(dt);
@@ -158,18 +158,18 @@ TEST_CASE("a filter that lets in what it kept out finds what lies there; wider, 
           "[dynamics][editing]") {
     Rest rest;
     World& world = rest.world;
-    ShapeDef def = world.shape({rest.plank, 0});
+    ShapeDef def = world.shape({rest.plank, 0}).def();
     def.filter.category = 3;
-    world.set({rest.plank, 0}, def);
+    world.shape({rest.plank, 0}).set(def);
     world.step(dt);
     CHECK(world.contactBegins().size() + world.contactEnds().size() == 0);
     CHECK(world.body(rest.box).contacts().size() == 1);
     def.filter.mask = 2;
-    world.set({rest.plank, 0}, def);
+    world.shape({rest.plank, 0}).set(def);
     world.step(dt);
     CHECK(world.contactEnds().size() == 1);
     def.filter.mask = 3;
-    world.set({rest.plank, 0}, def);
+    world.shape({rest.plank, 0}).set(def);
     steps(world, 60);
     CHECK(std::fabs(world.body(rest.box).position().y() - 1) < 5e-3);
     CHECK(world.body(rest.box).contacts().size() == 1);
@@ -184,7 +184,7 @@ TEST_CASE("a filter decides anew who is in a sensor", "[dynamics][editing][senso
     steps(world, 3);
     for (int i = 0; i < 4; ++i) {
         gate.filter.mask = i % 2 == 0 ? 2 : 1;
-        world.set({sensor, 0}, gate);
+        world.shape({sensor, 0}).set(gate);
         world.step(dt);
         CHECK(world.sensorEnds().size() == (i % 2 == 0 ? 1 : 0));
         CHECK(world.sensorBegins().size() == (i % 2 == 0 ? 0 : 1));
@@ -199,9 +199,9 @@ TEST_CASE("a floor made a sensor lets a ball through and tells of it; solid agai
     const BodyId floor = world.add({.type = BodyType::Static, .shapes = {plumb::box({5, 0.5})}});
     const BodyId ball = world.add({.position = {0, 1}, .shapes = {plumb::circle(0.5)}});
     steps(world, 60);
-    ShapeDef def = world.shape({floor, 0});
+    ShapeDef def = world.shape({floor, 0}).def();
     def.sensor = true;
-    world.set({floor, 0}, def);
+    world.shape({floor, 0}).set(def);
     std::size_t begins = 0, ends = 0;
     for (int tick = 0; tick < 60; ++tick) {
         world.step(dt);
@@ -214,7 +214,7 @@ TEST_CASE("a floor made a sensor lets a ball through and tells of it; solid agai
     world.body(ball).setPose({0, 1}, 0);
     world.body(ball).setVelocity({0, 0});
     def.sensor = false;
-    world.set({floor, 0}, def);
+    world.shape({floor, 0}).set(def);
     steps(world, 60);
     CHECK(std::fabs(world.body(ball).position().y() - 1) < 1e-3);
 }

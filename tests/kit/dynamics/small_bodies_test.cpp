@@ -102,7 +102,8 @@ TEST_CASE("thin parts of a thick body, thin sensors and small static bodies are 
     const BodyId bare = world.add({.mass = Mass{1, {0, 0}, 1}});
     CHECK(refusalOf([&] { world.add(bare, sliver); }).starts_with("ShapeDef.shape: 0.0001 m is the radius"));
     const ShapeId shape = world.body(world.add({.shapes = {circle(1)}})).shapes()[0];
-    CHECK(refusalOf([&] { world.set(shape, circle(1e-4)); }).starts_with("ShapeDef.shape: 0.0001 m is the radius"));
+    CHECK(
+        refusalOf([&] { world.shape(shape).set(circle(1e-4)); }).starts_with("ShapeDef.shape: 0.0001 m is the radius"));
 }
 
 }  // namespace plumb::test

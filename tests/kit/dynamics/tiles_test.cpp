@@ -68,7 +68,7 @@ TEST_CASE("a ball dropped on tiles lies on them, and the map is one shape that c
     CHECK(ground.world.body(ball).position().y() == Approx(6.4).margin(1e-3));
     REQUIRE(ground.world.body(ball).contacts().size() == 1);
     CHECK(ground.world.tiles(ground.map).at({1, 0}) == full);
-    CHECK(std::get<TileMap>(ground.world.shape(ground.map).shape) == ground.world.tiles(ground.map));
+    CHECK(std::get<TileMap>(ground.world.shape(ground.map).def().shape) == ground.world.tiles(ground.map));
 }
 
 TEST_CASE("rays at 300 random maps meet what a walk in steps of 1 mm meets, and name the tile", "[dynamics][tiles]") {

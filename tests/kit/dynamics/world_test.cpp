@@ -162,10 +162,16 @@ TEST_CASE("an id that never was is not told that it was removed", "[dynamics][er
         says(refusal([&] { world.body(wrong); }), "names no body of this world: there never was such a one");
     for (const plumb::JointId& wrong : {plumb::JointId{99, 0, body.world}, {joint.index, 1, body.world}})
         says(refusal([&] { world.remove(wrong); }), "names no joint of this world: there never was such a one");
-    says(refusal([&] { (void)world.shape({body, 7}); }), "7 names no shape of that body: there never was such a one");
+    says(refusal([&] {
+             (void)world.shape({body, 7}).def();
+         }),
+         "7 names no shape of that body: there never was such a one");
     world.add(body, plumb::circle(1));
     world.remove(plumb::ShapeId{body, 1});
-    says(refusal([&] { (void)world.shape({body, 1}); }), "1 names no shape of that body any more: it was removed");
+    says(refusal([&] {
+             (void)world.shape({body, 1}).def();
+         }),
+         "1 names no shape of that body any more: it was removed");
     says(refusal([&] { (void)world.distance({body, 0}, {body, 1}); }), "b.number: 1 names no shape of that body any");
     world.remove(joint);
     world.remove(body);

@@ -41,7 +41,7 @@ public:
             for (const ShapeId id : world.body(body).shapes()) shapes.push_back(id);
         }
         for (const ShapeId id : shapes)
-            for (const Shape& piece : piecesOf(world.shape(id).shape))
+            for (const Shape& piece : piecesOf(world.shape(id).def().shape))
                 pieces.push_back({id, piece, world.body(id.body).pose()});
     }
 

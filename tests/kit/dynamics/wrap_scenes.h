@@ -35,7 +35,7 @@ public:
     /// Any of the places that are the same.
     Vec2 at(const Vec2& local) { return wrap.place(middle_ + local); }
     /// From the middle, the short way.
-    Vec2 local(const Vec2& place) const { return wrap.way(middle_, place); }
+    Vec2 local(const Vec2& place) const { return wrap.shortest(middle_, place); }
 
     void step() {
         world.step(1.0 / 60);

@@ -169,7 +169,7 @@ TEST_CASE("a stack of six boxes on a seam sleeps, and does not creep", "[dynamic
     for (std::size_t i = 0; i < stack.size(); ++i) {
         CHECK_FALSE(world.body(stack[i]).awake());
         const Vec2 start(i % 2 == 0 ? 0.1 : 11.95, 1 + static_cast<double>(i));
-        CHECK(world.wrap().way(start, world.body(stack[i]).position()).norm() < 0.01);
+        CHECK(world.wrap().shortest(start, world.body(stack[i]).position()).norm() < 0.01);
     }
     CHECK_FALSE(world.body(stack[0]).contacts().empty());
     world.body(stack[5]).applyImpulse({0.5, 0});
@@ -196,7 +196,8 @@ TEST_CASE("a box without friction slides ten times round a floor as long as the 
         // The solver's floats know 6 m/s to 5e-7.
         CHECK(std::fabs(slowest - 6) < 1e-6);
         CHECK(highest - lowest < 2e-3);
-        CHECK(std::fabs(world.wrap().way({3 + 6 * 2000 * dt, 0}, {world.body(sled).position().x(), 0}).x()) < 1e-3);
+        CHECK(std::fabs(world.wrap().shortest({3 + 6 * 2000 * dt, 0}, {world.body(sled).position().x(), 0}).x()) <
+              1e-3);
     }
 }
 
@@ -225,7 +226,7 @@ TEST_CASE("a bullet of 1,000 m/s flies through the seam and stops at a wall 1 cm
             const Vec2 there = open.body(twin).position();
             INFO("case " << i << ", step " << k);
             REQUIRE(side * (there.x() - wall.x()) < 0.12);
-            REQUIRE(around.wrap().way(there, around.body(bullet).position()).norm() < 1e-6);
+            REQUIRE(around.wrap().shortest(there, around.body(bullet).position()).norm() < 1e-6);
         }
     }
 }
@@ -313,7 +314,9 @@ TEST_CASE("a joint across the seam holds what it would hold elsewhere, also afte
     const BodyId a = world.add({.position = {9.5, 0}, .shapes = {circle(0.2)}});
     const BodyId b = world.add({.position = {0.7, 0}, .velocity = {0, 3}, .shapes = {circle(0.2)}});
     const JointId rod = world.join(DistanceJointDef{.bodyA = a, .bodyB = b, .anchorA = {9.5, 0}, .anchorB = {0.7, 0}});
-    const auto length = [&] { return world.wrap().way(world.body(a).position(), world.body(b).position()).norm(); };
+    const auto length = [&] {
+        return world.wrap().shortest(world.body(a).position(), world.body(b).position()).norm();
+    };
     CHECK(std::fabs(world.joint(rod).coordinate().value - 1.2) < 1e-12);
     steps(world, 120);
     CHECK(std::fabs(length() - 1.2) < 1e-3);
@@ -339,7 +342,8 @@ TEST_CASE("what no world that wraps can take is refused by name", "[dynamics][wr
     const BodyId floor = world.add({.type = BodyType::Static, .shapes = {box({5, 1})}});
     REQUIRE_THROWS_WITH(world.body(floor).setPose({0, 0}, 1.5), containsText("Body.setPose"));
     REQUIRE_THROWS_WITH(world.add(floor, box({1, 3.1})), containsText("6.2 m high, more than the world's 6 m"));
-    REQUIRE_THROWS_WITH(world.set(world.body(floor).shapes().front(), box({1, 3.1})), containsText("ShapeDef.shape"));
+    REQUIRE_THROWS_WITH(world.shape(world.body(floor).shapes().front()).set(box({1, 3.1})),
+                        containsText("ShapeDef.shape"));
     CHECK(world.body(floor).shapes().size() == 1);
     REQUIRE_THROWS_WITH(world.castRay({0, 0}, {1e5, 0}), containsText("World.castRay: to: 100000 m is more than 1000"));
     REQUIRE_THROWS_WITH(world.overlapBox({{0, 0}, {1, 1e3}}), containsText("World.overlapBox: box"));

@@ -68,7 +68,7 @@ Vec2 freePlace(Level& level, const ShapeDef& hero) {
 /// May it be shifted so, as far as anything but what is one-way goes?
 bool isFree(const World& world, const PlatformMover& mover, const Vec2& shift) {
     const BodyView body = world.body(mover.body());
-    const ShapeDef def = world.shape(body.shapes()[0]);
+    const ShapeDef def = world.shape(body.shapes()[0]).def();
     for (const CastHit& hit : world.castShapePieces(def.shape, body.pose(), shift, {}, mover.body()))
         if (!hit.oneWay) return false;
     return true;

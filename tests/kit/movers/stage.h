@@ -55,7 +55,7 @@ inline double depthOf(const World& world, BodyId body, bool ofDynamic = false) {
         if (other == body || (!ofDynamic && world.body(other).type() == BodyType::Dynamic)) continue;
         for (const ShapeId& mine : world.body(body).shapes())
             for (const ShapeId& theirs : world.body(other).shapes())
-                if (!world.shape(theirs).oneWay && !world.shape(theirs).sensor)
+                if (!world.shape(theirs).def().oneWay && !world.shape(theirs).sensor())
                     deepest = std::max(deepest, -world.distance(mine, theirs).separation);
     }
     return deepest;

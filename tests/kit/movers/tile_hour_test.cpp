@@ -126,7 +126,7 @@ struct Play {
         wasDown = input.down;
         const Slide& slide = mover.step(level.world, input, dt);
         level.world.step(dt);
-        const Vec2 way = level.world.wrap().way(before, place()), now = before + way;
+        const Vec2 way = level.world.wrap().shortest(before, place()), now = before + way;
         if (!now.allFinite() || !slide.velocity.allFinite()) return "not a number";
         const double depth = level.truth.depth(hero.shape, now);
         // 1e-9 m: 40 tiles of 1.5 m, and a round, to 2^-53.

@@ -20,7 +20,7 @@ World wrapped() {
 
 /// Of a rider on a platform, in the platform's frame.
 Vec2 placeOn(const World& world, BodyId platform, BodyId rider) {
-    const Vec2 way = world.wrap().way(world.body(platform).position(), world.body(rider).position());
+    const Vec2 way = world.wrap().shortest(world.body(platform).position(), world.body(rider).position());
     return world.body(platform).pose().rotation.inverse() * way;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plumb/space/space.h>
+#include <plumb/space/detail/space.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include <plumb/math/random.h>
-#include <plumb/space/space.h>
+#include <plumb/space/detail/space.h>
 
 #include "cases.h"
 #include "catch.h"

@@ -135,7 +135,7 @@ bool isInRange(const Acceleration& a) {
     return isInRange(a.linear) && isInRange(a.angular);
 }
 
-void moveTo(BodyStore& bodies, BodyIndex body, const BodyMotion& motion) {
+void storeMotion(BodyStore& bodies, BodyIndex body, const BodyMotion& motion) {
     if (isInRange(motion))
         bodies.motion[body] = motion;
     else

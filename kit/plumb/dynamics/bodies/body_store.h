@@ -11,7 +11,7 @@
 #include <plumb/dynamics/body_def.h>
 #include <plumb/dynamics/id.h>
 #include <plumb/math/transform.h>
-#include <plumb/space/space.h>
+#include <plumb/space/detail/space.h>
 
 namespace plumb {
 
@@ -189,7 +189,7 @@ struct BodyStore {
 bool isInRange(const BodyMotion& motion);
 bool isInRange(const Acceleration& acceleration);
 /// Sets the state of a body. If the new state is out of range, the body keeps the old one and is marked for quarantine.
-void moveTo(BodyStore& bodies, BodyIndex body, const BodyMotion& motion);
+void storeMotion(BodyStore& bodies, BodyIndex body, const BodyMotion& motion);
 /// Sets all forces and torques to zero, at the end of a step.
 void clearForces(BodyStore& bodies);
 /// Marks a body for quarantine.

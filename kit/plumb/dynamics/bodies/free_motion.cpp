@@ -42,14 +42,14 @@ void moveFreeBodies(BodyStore& bodies, double dt, StepObserver* observer) {
     for (const BodyIndex body : bodies.awake) {
         if (!bodies.isMovedBy(body, MovedBy::ClosedForm)) continue;
         const BodyMotion from = bodies.motion[body];
-        moveTo(bodies, body, moveFreely(from, flightLawOf(bodies, body), dt));
+        storeMotion(bodies, body, moveFreely(from, flightLawOf(bodies, body), dt));
         if (observer != nullptr) observer->noteFlight(body, from, bodies.motion[body], dt);
         const std::uint32_t flight = bodies.step[body].flight;
         if (flight == none || bodies.flights[flight].steady) continue;
         BodyMotion motion = bodies.motion[body];
         motion.velocity += bodies.flights[flight].rest.velocity;
         motion.angularVelocity += bodies.flights[flight].rest.spin;
-        moveTo(bodies, body, motion);
+        storeMotion(bodies, body, motion);
         if (observer != nullptr) observer->noteFieldFlight(flight);
     }
 }

@@ -2,7 +2,7 @@
 // Which bounding box must a shape have in the space, so that everything it may meet in a step is found?
 #pragma once
 #include <plumb/dynamics/contacts/contact_store.h>
-#include <plumb/space/space.h>
+#include <plumb/space/detail/space.h>
 
 namespace plumb {
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <plumb/dynamics/contacts/contact_graph.h>
 #include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
-#include <plumb/space/space.h>
+#include <plumb/space/detail/space.h>
 
 namespace plumb {
 

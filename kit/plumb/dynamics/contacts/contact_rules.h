@@ -8,7 +8,7 @@
 // deep a load presses it, until its normal leaves the 60 degrees, at the side or below.
 #pragma once
 #include <plumb/dynamics/contacts/contact_graph.h>
-#include <plumb/space/space.h>
+#include <plumb/space/detail/space.h>
 
 namespace plumb {
 

@@ -8,7 +8,7 @@
 #include <plumb/dynamics/contacts/floors/corner_watch.h>
 #include <plumb/dynamics/contacts/pair_collider.h>
 #include <plumb/dynamics/contacts/touch_events.h>
-#include <plumb/space/space.h>
+#include <plumb/space/detail/space.h>
 
 namespace plumb {
 

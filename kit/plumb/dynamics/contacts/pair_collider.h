@@ -3,7 +3,7 @@
 #pragma once
 #include <plumb/dynamics/contacts/contact_store.h>
 #include <plumb/dynamics/contacts/lanes/lane_collider.h>
-#include <plumb/space/space.h>
+#include <plumb/space/detail/space.h>
 
 namespace plumb {
 

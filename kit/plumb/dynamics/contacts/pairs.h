@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <plumb/dynamics/contacts/contact_store.h>
-#include <plumb/space/space.h>
+#include <plumb/space/detail/space.h>
 
 namespace plumb {
 

@@ -8,7 +8,7 @@
 
 #include <plumb/dynamics/bodies/body_store.h>
 #include <plumb/shapes/aabb.h>
-#include <plumb/space/space.h>
+#include <plumb/space/detail/space.h>
 
 namespace plumb {
 

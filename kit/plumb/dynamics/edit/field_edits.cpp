@@ -8,7 +8,7 @@
 namespace plumb {
 
 void wakeInfluenced(WorldState& world, const FieldRecord& field) {
-    const FieldView view{world.fields, world.bodies, world.space};
+    const FieldStores view{world.fields, world.bodies, world.space};
     std::vector<BodyIndex> influenced = view.fields.phases->bodiesInfluencedBy(view, field);
     if (const auto* magnet = std::get_if<Magnet>(&field.def.law))
         if (isCarried(*magnet, view)) influenced.push_back(magnet->body.index);

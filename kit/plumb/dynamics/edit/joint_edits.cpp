@@ -162,7 +162,7 @@ void lockBody(WorldState& world, BodyIndex body, bool lockX, bool lockY) {
 
 void moveLocks(WorldState& world, BodyIndex body) {
     forEachLock(world, body, [&](JointIndex index, LockJoint& lock) {
-        lock.moveTo(world.bodies.motion[body].center);
+        lock.setCenter(world.bodies.motion[body].center);
         world.joints.noteEdit(index);
     });
 }

@@ -39,6 +39,8 @@ void requireFewPeriods(const WorldState& world, const Aabb& box, double most, co
 void validate(const WorldState& world, const JointDef& def);
 /// Checks a new def for an existing joint: kind, bodies, anchors and axes must be the same as before.
 void validateChange(const JointDef& from, const JointDef& to);
+/// Checks that the motor of a joint has a torque or a force, if it has a speed.
+void requireMotor(const JointDef& def);
 void requireBody(const WorldState& world, BodyId id, std::string_view field);
 void requireShape(const WorldState& world, ShapeId id, std::string_view field);
 void requireField(const WorldState& world, FieldId id, std::string_view field);

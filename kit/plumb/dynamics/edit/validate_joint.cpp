@@ -84,6 +84,37 @@ private:
     }
 };
 
+/// Refuses a value that would do nothing for want of another: why tells which.
+void requireUse(bool used, const MemberPath& path, const char* member, double value, const char* why) {
+    if (!used) refuse(path.text(member), toText(value) + " does nothing " + why);
+}
+
+template <class Def>
+void requireMotor(const Def& def, const MemberPath& path) {
+    if constexpr (requires { def.maxMotorTorque; })
+        requireUse(def.motorSpeed == 0 || def.maxMotorTorque != 0, path, "motorSpeed", def.motorSpeed,
+                   "while maxMotorTorque is 0");
+    else
+        requireUse(def.motorSpeed == 0 || def.maxMotorForce != 0, path, "motorSpeed", def.motorSpeed,
+                   "while maxMotorForce is 0");
+}
+
+/// Does each number of a new joint do something? A motor may be switched off later by set(), with its speed kept.
+template <class Def>
+void requireEffect(const Def& def, const MemberPath& path) {
+    const char* const noSpring = "without a spring";
+    if constexpr (requires { def.restAngle; })
+        requireUse(def.spring || def.restAngle == 0, path, "restAngle", def.restAngle, noSpring);
+    if constexpr (requires { def.restShift; })
+        requireUse(def.spring || def.restShift == 0, path, "restShift", def.restShift, noSpring);
+    if constexpr (requires { def.maxLength; }) {
+        requireUse(def.spring || def.minLength == 0, path, "minLength", def.minLength, noSpring);
+        requireUse(def.spring || def.maxLength == unlimited, path, "maxLength", def.maxLength, noSpring);
+        requireUse(def.spring || def.maxMotorForce == 0, path, "maxMotorForce", def.maxMotorForce, noSpring);
+    }
+    if constexpr (requires { def.motorSpeed; }) requireMotor(def, path);
+}
+
 /// The members of a joint that cannot be changed later, in the order in which they are described.
 struct Given {
     const char* member;
@@ -133,7 +164,16 @@ void validate(const WorldState& world, const JointDef& def) {
         },
         def);
     validate(def, name);
+    std::visit([&](const auto& kind) { requireEffect(kind, path); }, def);
     std::visit([&](const auto& kind) { describe(kind, AnchorCheck{world, path}); }, def);
+}
+
+void requireMotor(const JointDef& def) {
+    const std::string name = nameOf(def);
+    const auto check = [&name](const auto& kind) {
+        if constexpr (requires { kind.motorSpeed; }) requireMotor(kind, MemberPath{name});
+    };
+    std::visit(check, def);
 }
 
 void validateChange(const JointDef& from, const JointDef& to) {

@@ -16,7 +16,7 @@ double finite(double energy) {
     return std::isfinite(energy) ? energy : 0;
 }
 
-double mutualEnergy(const FieldView& view, const FieldRecord& field, const MutualGravity& law) {
+double mutualEnergy(const FieldStores& view, const FieldRecord& field, const MutualGravity& law) {
     double sum = 0;
     const std::vector<BodyMotion>& now = view.bodies.motion;
     const auto massOf = [&](BodyIndex body) { return PointMass{view.bodies.record[body].mass, now[body].center}; };
@@ -32,7 +32,7 @@ double mutualEnergy(const FieldView& view, const FieldRecord& field, const Mutua
     return sum;
 }
 
-double mutualEnergy(const FieldView& view, const FieldRecord& field, const MutualGravity& law, BodyIndex body,
+double mutualEnergy(const FieldStores& view, const FieldRecord& field, const MutualGravity& law, BodyIndex body,
                     const BodyMotion& there) {
     double sum = 0;
     const std::vector<BodyMotion>& now = view.bodies.motion;
@@ -45,7 +45,7 @@ double mutualEnergy(const FieldView& view, const FieldRecord& field, const Mutua
 }
 
 /// The energy of one body in a field that acts on each body independently of the others.
-double energyIn(const FieldView& view, const FieldRecord& field, BodyIndex body, BodyMotion motion) {
+double energyIn(const FieldStores& view, const FieldRecord& field, BodyIndex body, BodyMotion motion) {
     const FieldLaw& law = field.def.law;
     motion.center += shiftInto(field, view, motion.center).value_or(Vec2(0, 0));
     if (const auto* uniform = std::get_if<UniformGravity>(&law))
@@ -70,7 +70,7 @@ bool hasEnergy(const FieldDef& field) {
            !std::holds_alternative<GroundFriction>(field.law);
 }
 
-double fieldEnergyOf(const FieldView& view) {
+double fieldEnergyOf(const FieldStores& view) {
     double sum = 0;
     for (const FieldRecord& field : view.fields.records) {
         if (!field.alive || !hasEnergy(field.def)) continue;
@@ -83,7 +83,7 @@ double fieldEnergyOf(const FieldView& view) {
     return sum;
 }
 
-double fieldEnergyOf(const FieldView& view, BodyIndex body, const BodyMotion& there) {
+double fieldEnergyOf(const FieldStores& view, BodyIndex body, const BodyMotion& there) {
     double sum = 0;
     for (const FieldRecord& field : view.fields.records) {
         if (!field.alive || !hasEnergy(field.def) || !actsOn(field, view, body, there)) continue;

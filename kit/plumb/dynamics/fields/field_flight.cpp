@@ -195,7 +195,7 @@ FieldFlight flightFrom(FieldStore& fields, const BodyStore& bodies, const Space&
     }
     VerletFlight verlet(bodies, flight, result.account, from, fields.now[flight.body], steps);
     FieldPull& pull = fields.pulls.front();
-    const FieldView view{fields, bodies, space};
+    const FieldStores view{fields, bodies, space};
     pullOn(view, flight.body, fields.now, pull);
     for (int step = 0; step < steps; ++step) {
         verlet.kick(pull, 0.5 * time / steps);

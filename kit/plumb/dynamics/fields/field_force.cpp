@@ -17,7 +17,7 @@ namespace {
 /// Adds up the pulls of fields on one body.
 class ForceSum {
 public:
-    ForceSum(const FieldView& view, BodyIndex body, const std::vector<BodyMotion>& now, FieldPull& pull)
+    ForceSum(const FieldStores& view, BodyIndex body, const std::vector<BodyMotion>& now, FieldPull& pull)
         : view_(view), body_(body), now_(now), record_(view.bodies.record[body]), pull_(pull) {}
 
     void add(const FieldRecord& field) {
@@ -104,7 +104,7 @@ private:
         pull_.spinFriction += law.friction * law.gravity * lever * record_.mass * record_.inverseInertia;
     }
 
-    const FieldView& view_;
+    const FieldStores& view_;
     BodyIndex body_;
     const std::vector<BodyMotion>& now_;
     const BodyRecord& record_;
@@ -115,7 +115,7 @@ private:
 
 }  // namespace
 
-void pullOn(const FieldView& view, BodyIndex body, const std::vector<BodyMotion>& now, FieldPull& pull) {
+void pullOn(const FieldStores& view, BodyIndex body, const std::vector<BodyMotion>& now, FieldPull& pull) {
     std::vector<SpeedDrag> quadratic = std::move(pull.quadratic);  // to reuse its memory
     quadratic.clear();
     pull = {};

@@ -23,10 +23,10 @@ struct FieldPhases {
                               const PredictedFlight& before, const BodyMotion& from, double start, double time);
     /// In each half of a sub-step.
     void (FieldSolving::*kick)(const std::vector<BodyIndex>& solved);
-    std::vector<BodyIndex> (*bodiesInfluencedBy)(const FieldView& view, const FieldRecord& field);
-    double (*energy)(const FieldView& view);  ///< of all bodies [J]
+    std::vector<BodyIndex> (*bodiesInfluencedBy)(const FieldStores& view, const FieldRecord& field);
+    double (*energy)(const FieldStores& view);  ///< of all bodies [J]
     /// Of one body if it were at there [J].
-    double (*energyOf)(const FieldView& view, BodyIndex body, const BodyMotion& there);
+    double (*energyOf)(const FieldStores& view, BodyIndex body, const BodyMotion& there);
 };
 
 extern const FieldPhases fieldPhases;

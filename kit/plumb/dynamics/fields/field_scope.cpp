@@ -10,7 +10,7 @@ namespace plumb {
 
 namespace {
 
-bool passesFilter(const FieldRecord& field, const FieldView& view, BodyIndex body) {
+bool passesFilter(const FieldRecord& field, const FieldStores& view, BodyIndex body) {
     if (!field.filters) return true;
     const Filter& f = field.def.filter;
     const FilterKey filterKey{f.category, f.mask, 0, f.group, false, false};
@@ -39,7 +39,7 @@ bool comesNear(const Vec2& center, double range, const Vec2& from, const Vec2& t
 }
 
 /// May something that moves within a box come into a field's region?
-bool mayReach(const FieldView& view, const FieldRecord& field, const Aabb& way) {
+bool mayReach(const FieldStores& view, const FieldRecord& field, const Aabb& way) {
     if (!field.def.region || !view.bodies.wrap.any()) return overlap(way, field.box);
     bool reaches = false;
     view.space.forEachShift(field.box, way, [&](const Vec2&) { reaches = true; });
@@ -47,7 +47,7 @@ bool mayReach(const FieldView& view, const FieldRecord& field, const Aabb& way) 
 }
 
 /// May a field act on a body somewhere between two places?
-bool mayInfluence(const FieldView& view, const FieldRecord& field, BodyIndex body, const Vec2& from, const Vec2& to) {
+bool mayInfluence(const FieldStores& view, const FieldRecord& field, BodyIndex body, const Vec2& from, const Vec2& to) {
     const auto* magnet = std::get_if<Magnet>(&field.def.law);
     if (magnet && !isCarried(*magnet, view)) return false;
     if (isCarriedBy(field.def.law, body)) return true;
@@ -79,7 +79,7 @@ bool attractsOthers(const FieldDef& field) {
     return std::holds_alternative<MutualGravity>(field.law) || std::holds_alternative<Magnet>(field.law);
 }
 
-bool keepsAwake(const FieldView& view, const FieldDef& field) {
+bool keepsAwake(const FieldStores& view, const FieldDef& field) {
     if (const auto* magnet = std::get_if<Magnet>(&field.law)) return view.bodies.record[magnet->body.index].awake;
     return true;
 }
@@ -94,7 +94,7 @@ Aabb boxOf(const FieldDef& field) {
     return inflate(box, 1e-8 + 1e-12 * box.lower.cwiseAbs().cwiseMax(box.upper.cwiseAbs()).maxCoeff());
 }
 
-std::optional<Vec2> shiftInto(const FieldRecord& field, const FieldView& view, const Vec2& point) {
+std::optional<Vec2> shiftInto(const FieldRecord& field, const FieldStores& view, const Vec2& point) {
     const Wrap& wrap = view.bodies.wrap;
     if (!wrap.any()) return covers(field.def, point) ? std::optional<Vec2>(Vec2(0, 0)) : std::nullopt;
     std::optional<Vec2> found;
@@ -110,19 +110,19 @@ std::optional<Vec2> shiftInto(const FieldRecord& field, const FieldView& view, c
     return found;
 }
 
-bool actsOn(const FieldRecord& field, const FieldView& view, BodyIndex body, const BodyMotion& there) {
+bool actsOn(const FieldRecord& field, const FieldStores& view, BodyIndex body, const BodyMotion& there) {
     return view.bodies.canMove(body) && isInRange(there) && passesFilter(field, view, body) &&
            shiftInto(field, view, there.center).has_value();
 }
 
-Attractor attractorOf(const Magnet& magnet, const FieldView& view, const std::vector<BodyMotion>& now) {
+Attractor attractorOf(const Magnet& magnet, const FieldStores& view, const std::vector<BodyMotion>& now) {
     Attractor attractor = magnet.pull;
     const BodyIndex body = magnet.body.index;
     attractor.center = pointOn(view.bodies.record[body], now[body], magnet.pull.center);
     return attractor;
 }
 
-bool isCarried(const Magnet& magnet, const FieldView& view) {
+bool isCarried(const Magnet& magnet, const FieldStores& view) {
     const BodyRecord& record = view.bodies.record[magnet.body.index];
     return record.alive && record.enabled && record.generation == magnet.body.generation;
 }
@@ -137,7 +137,7 @@ bool dependsOnOtherBodies(const FieldStore& fields) {
                        [](const FieldRecord& field) { return field.alive && attractsOthers(field.def); });
 }
 
-FieldInfluence influenceOn(const FieldView& view, BodyIndex body, const Vec2& from, const Vec2& to) {
+FieldInfluence influenceOn(const FieldStores& view, BodyIndex body, const Vec2& from, const Vec2& to) {
     FieldInfluence influence = FieldInfluence::None;
     for (const FieldRecord& field : view.fields.records) {
         if (!field.alive || !mayInfluence(view, field, body, from, to)) continue;
@@ -147,7 +147,7 @@ FieldInfluence influenceOn(const FieldView& view, BodyIndex body, const Vec2& fr
     return influence;
 }
 
-std::vector<BodyIndex> bodiesInfluencedBy(const FieldView& view, const FieldRecord& field) {
+std::vector<BodyIndex> bodiesInfluencedBy(const FieldStores& view, const FieldRecord& field) {
     std::vector<BodyIndex> influenced;
     for (BodyIndex body = 1; body < view.bodies.record.size(); ++body) {
         if (isCarriedBy(field.def.law, body)) continue;
@@ -160,7 +160,7 @@ std::vector<BodyIndex> bodiesInfluencedBy(const FieldView& view, const FieldReco
 
 std::vector<BodyIndex> gatherAttracted(FieldStore& fields, FieldIndex index, const BodyStore& bodies,
                                        const Space& space) {
-    const FieldView view{fields, bodies, space};
+    const FieldStores view{fields, bodies, space};
     FieldRecord& field = fields.records[index];
     field.attracted.clear();
     if (!field.alive || !attractsOthers(field.def)) return {};

@@ -13,14 +13,14 @@ Aabb boxOf(const FieldDef& field);
 /// The shift, by whole periods of the world, that brings a point to the image on which a field acts: into its region,
 /// or else near its centre, or for a pool without a region into [0, width) and [0, height). Empty when the field does
 /// not cover the point.
-std::optional<Vec2> shiftInto(const FieldRecord& field, const FieldView& view, const Vec2& point);
+std::optional<Vec2> shiftInto(const FieldRecord& field, const FieldStores& view, const Vec2& point);
 /// Does the field act on a body with the motion there?
-bool actsOn(const FieldRecord& field, const FieldView& view, BodyIndex body, const BodyMotion& there);
+bool actsOn(const FieldRecord& field, const FieldStores& view, BodyIndex body, const BodyMotion& there);
 /// Does the body that carries the magnet exist, and is it enabled?
-bool isCarried(const Magnet& magnet, const FieldView& view);
+bool isCarried(const Magnet& magnet, const FieldStores& view);
 bool isCarriedBy(const FieldLaw& law, BodyIndex body);
 /// The magnet as an attractor in the world, when the bodies have the motions now.
-Attractor attractorOf(const Magnet& magnet, const FieldView& view, const std::vector<BodyMotion>& now);
+Attractor attractorOf(const Magnet& magnet, const FieldStores& view, const std::vector<BodyMotion>& now);
 
 /// Does any field depend on the positions of other bodies than the one on which it acts?
 bool dependsOnOtherBodies(const FieldStore& fields);
@@ -31,10 +31,10 @@ enum class FieldInfluence {
     Steady,  ///< the same wherever it is: uniform gravity, wind, and drag in proportion to the speed
     Varying,
 };
-FieldInfluence influenceOn(const FieldView& view, BodyIndex body, const Vec2& from, const Vec2& to);
+FieldInfluence influenceOn(const FieldStores& view, BodyIndex body, const Vec2& from, const Vec2& to);
 
 /// All bodies on which a field acts, asleep or awake, except the one that carries it.
-std::vector<BodyIndex> bodiesInfluencedBy(const FieldView& view, const FieldRecord& field);
+std::vector<BodyIndex> bodiesInfluencedBy(const FieldStores& view, const FieldRecord& field);
 /// Before a step: notes which bodies mutual gravity and magnets attract. Returns those that may not sleep.
 std::vector<BodyIndex> gatherAttracted(FieldStore& fields, FieldIndex field, const BodyStore& bodies,
                                        const Space& space);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <plumb/dynamics/bodies/free_motion.h>
-#include <plumb/dynamics/field.h>
+#include <plumb/dynamics/field_def.h>
 #include <plumb/shapes/aabb.h>
 
 namespace plumb {
@@ -81,7 +81,7 @@ struct FieldStore {
 };
 
 /// The stores that decide where a field acts, and how.
-struct FieldView {
+struct FieldStores {
     const FieldStore& fields;
     const BodyStore& bodies;
     const Space& space;

@@ -5,7 +5,7 @@
 
 #include <plumb/dynamics/bodies/body_store.h>
 #include <plumb/forces/buoyancy.h>
-#include <plumb/space/space.h>
+#include <plumb/space/detail/space.h>
 
 namespace plumb {
 

@@ -21,7 +21,7 @@
 #include <span>
 
 #include <plumb/math/transform.h>
-#include <plumb/space/space.h>
+#include <plumb/space/detail/space.h>
 
 namespace plumb {
 

@@ -283,7 +283,7 @@ void moveAlongChains(BodyStore& bodies, const std::vector<ChainSlideEnd>& slides
     for (const ChainSlideEnd& slide : slides) {
         if (observer != nullptr) noteSlide(bodies, slide, dt, *observer);
         bodies.step[slide.body].movedBy = MovedBy::Solver;
-        moveTo(bodies, slide.body, slide.motion);
+        storeMotion(bodies, slide.body, slide.motion);
     }
 }
 

@@ -88,7 +88,7 @@ std::vector<WallImpact> stopFlights(const ImpactStores& stores, Trajectories& tr
     for (const TrajectorySegment& segment : trajectories) {
         if (std::find(stopped.begin(), stopped.end(), segment.body) != stopped.end()) continue;
         if (stops.stop(segment, path)) {
-            moveTo(stores.bodies, segment.body, path.back().to);
+            storeMotion(stores.bodies, segment.body, path.back().to);
             stopped.push_back(segment.body);
         }
         all.insert(all.end(), path.begin(), path.end());

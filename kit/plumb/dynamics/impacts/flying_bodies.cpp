@@ -146,7 +146,7 @@ void FlyingBodies::storeBody(FlyingBody& body, const BodyMotion& end) {
         account += fields->flight.account;
         if (stores_.observer != nullptr) stores_.observer->noteFieldFlight(flight);
     }
-    moveTo(store, body.body, end);
+    storeMotion(store, body.body, end);
     store.step[body.body].movedBy = MovedBy::Impacts;
 }
 

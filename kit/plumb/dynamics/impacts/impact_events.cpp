@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <plumb/dynamics/contacts/contact_rules.h>
+#include <plumb/math/logarithm.h>
 
 namespace plumb {
 
@@ -153,7 +154,7 @@ bool ImpactEvents::spins(const ImpactPair& pair) const {
 bool ImpactEvents::isSpent(const ImpactPair& pair) const {
     const double e = stores_.contacts[pair.contact].restitution;
     double most = e < 1 ? fewestImpacts : mostImpacts;
-    if (e > 0 && e < 1) most = std::clamp(std::log(lostSpeed) / std::log(e), fewestImpacts, mostImpacts);
+    if (e > 0 && e < 1) most = std::clamp(logarithm(lostSpeed) / logarithm(e), fewestImpacts, mostImpacts);
     const ImpactWork& work = bodies_.workOf(payerOf(pair));
     return pair.impacts >= most || work.predictions > predictionsPerPair * work.pairs + freePredictions;
 }

@@ -8,7 +8,7 @@
 
 #include <plumb/dynamics/contacts/contact_store.h>
 #include <plumb/dynamics/impacts/body_motion.h>
-#include <plumb/space/space.h>
+#include <plumb/space/detail/space.h>
 
 namespace plumb {
 

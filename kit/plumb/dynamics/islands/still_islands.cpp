@@ -2,12 +2,12 @@
 #include <plumb/dynamics/islands/still_islands.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include <plumb/dynamics/contacts/narrow_phase.h>
 #include <plumb/dynamics/contacts/predicted_manifold.h>
 #include <plumb/dynamics/islands/driven.h>
 #include <plumb/dynamics/islands/neighbours.h>
+#include <plumb/math/vec2.h>
 
 namespace plumb {
 
@@ -16,7 +16,7 @@ namespace {
 /// How far a body may come in a step, as the narrow phase sees it [m].
 float reachOf(const BodyStore& bodies, BodyIndex body) {
     const BodyPlace& place = bodies.place[body];
-    return std::hypot(place.shiftX, place.shiftY) + place.turn;
+    return Vec2f(place.shiftX, place.shiftY).norm() + place.turn;
 }
 
 /// Would one of the two bodies wake the other if that one slept?

@@ -6,7 +6,7 @@
 #include <plumb/dynamics/contacts/contact_store.h>
 #include <plumb/dynamics/joints/joint_store.h>
 #include <plumb/dynamics/solver_settings.h>
-#include <plumb/space/space.h>
+#include <plumb/space/detail/space.h>
 
 namespace plumb {
 

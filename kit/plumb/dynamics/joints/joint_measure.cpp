@@ -77,7 +77,7 @@ double errorOf(const JointForm& form, const BodyStore& bodies) {
         if (turns(form, row) && row.holds) continue;
         const double error = rowError(form, row, bodies);
         if (row.axis == RowAxis::World && row.holds)
-            gap = std::hypot(gap, error);
+            gap = Vec2(gap, error).stableNorm();
         else
             most = std::max(most, turns(form, row) ? error * form.link[0].b.local.norm() : error);
     }

@@ -5,7 +5,7 @@
 
 #include <plumb/dynamics/events.h>
 #include <plumb/math/vec2.h>
-#include <plumb/space/space.h>
+#include <plumb/space/detail/space.h>
 
 namespace plumb {
 

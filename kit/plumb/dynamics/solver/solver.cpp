@@ -287,7 +287,7 @@ private:
                           record.inverseGyration);
         motion.angle += move.turn;
         motion.rotation = turnedOn(motion, move.turn);
-        moveTo(bodies_, body, motion);
+        storeMotion(bodies_, body, motion);
     }
 
     const SolverStores& stores_;

@@ -114,7 +114,7 @@ Vec2 middleOf(const SlideRun& run, const CastHit& hit) {
     const Vec2 line = perp(hit.normal);
     Transform pose = std::as_const(run.world).body(hit.shape.body).pose();
     pose.position += run.world.wrap().shiftNear(pose.position, run.position);
-    const FaceSpan theirs = faceSpan(run.world.shape(hit.shape).shape, pose, hit.normal, line);
+    const FaceSpan theirs = faceSpan(run.world.shape(hit.shape).def().shape, pose, hit.normal, line);
     const FaceSpan ours = run.probe.faceSpanAt(run.position, -hit.normal, line);
     const double low = std::max(theirs.low, ours.low), high = std::min(theirs.high, ours.high);
     if (!(low <= high)) return hit.point;

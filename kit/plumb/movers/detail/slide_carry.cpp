@@ -61,7 +61,7 @@ bool isFloorThere(const World& world, const Slide& last, const SlideMotion& moti
     if (!last.isOnFloor || !last.floor || !world.contains(last.floor->shape.body)) return false;
     const BodyView body = world.body(last.floor->shape.body);
     const Vec2 now = body.pose() * last.anchor, velocity = body.velocityAt(now);
-    const Vec2 off = world.wrap().way(last.anchorAfter, now);
+    const Vec2 off = world.wrap().shortest(last.anchorAfter, now);
     const double speeds =
         std::sqrt(velocity.dot(velocity)) + std::sqrt(last.platformVelocity.dot(last.platformVelocity));
     return std::sqrt(off.dot(off)) <= speeds * motion.dt + settings.skin;
@@ -71,7 +71,7 @@ bool carries(const World& world, const CastHit& floor, const SlideSettings& sett
     if (settings.motionMode == MotionMode::Floating) return false;
     if (settings.platformFloorLayers == ~std::uint64_t{0}) return true;
     if (!world.contains(floor.shape)) return false;
-    return (world.shape(floor.shape).filter.category & settings.platformFloorLayers) != 0;
+    return (world.shape(floor.shape).filter().category & settings.platformFloorLayers) != 0;
 }
 
 bool carry(SlideRun& run, const Slide& last, bool moved) {

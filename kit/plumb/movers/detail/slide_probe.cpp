@@ -54,7 +54,7 @@ MovingBody movingBody(const World& world, BodyId id, double dt, const Vec2& up, 
 SlideProbe::SlideProbe(const World& world, BodyId body, const SlideSettings& settings, double dt)
     : world_(world), body_(body), settings_(settings), dt_(dt), rotation_(world.body(body).pose().rotation) {
     for (const ShapeId& id : world.body(body).shapes()) {
-        const ShapeDef def = world.shape(id);
+        const ShapeDef def = world.shape(id).def();
         if (!def.sensor)
             castShapes_.push_back({def.shape, inflatedBy(def.shape, settings.skin),
                                    inflatedBy(def.shape, settings.skin * (1 + 1e-6) + 1e-9), def.filter});

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include <plumb/space/space.h>
+#include <plumb/space/detail/space.h>
 
 namespace plumb {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which shapes are in a box, along a ray or near a point? For a space that wraps around see space_query_wrapped.cpp.
-#include <plumb/space/space.h>
+#include <plumb/space/detail/space.h>
 
 #include <algorithm>
 

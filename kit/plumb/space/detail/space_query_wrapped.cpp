@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which shapes are in a box, along a ray or near a point of a space that wraps around?
-#include <plumb/space/space.h>
+#include <plumb/space/detail/space.h>
 
 #include <algorithm>
 #include <limits>

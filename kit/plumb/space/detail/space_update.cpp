@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include <plumb/broad/detail/block_search.h>
-#include <plumb/space/space.h>
+#include <plumb/space/detail/space.h>
 
 namespace plumb {
 

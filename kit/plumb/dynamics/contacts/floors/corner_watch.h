@@ -6,7 +6,7 @@
 #include <plumb/dynamics/contacts/contact_graph.h>
 #include <plumb/dynamics/contacts/floors/flush_sides.h>
 #include <plumb/dynamics/contacts/pair_collider.h>
-#include <plumb/space/space.h>
+#include <plumb/space/detail/space.h>
 
 namespace plumb {
 

@@ -19,7 +19,7 @@ public:
         if (y_) form.add(RowAxis::World, Vec2(0, 1));
         return form;
     }
-    void moveTo(const Vec2& center) { anchors.a.local = center; }
+    void setCenter(const Vec2& center) { anchors.a.local = center; }
 
 private:
     bool x_ = false, y_ = false;
