@@ -6,6 +6,7 @@
 #include <limits>
 
 #include <plumb/broad/detail/box_probe_wide.h>
+#include <plumb/math/detail/for_lanes.h>
 
 namespace plumb {
 
@@ -40,14 +41,7 @@ BoxProbe::Keys keysOf(bool ray) {
 }
 
 BoxProbe::Keys keysFor(int lanes, bool ray) {
-    switch (std::min(lanes, machineLanes())) {
-#if defined(__GNUC__)
-        case 4: return keysOf<4>(ray);
-        case 8: return keysOf<8>(ray);
-        case 16: return keysOf<16>(ray);
-#endif
-        default: return keysOf<1>(ray);
-    }
+    return forLanes(lanes, [ray]<int W>() { return keysOf<W>(ray); });
 }
 
 float rounded(double x) {

@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/math/check.h>
 
+#include <clocale>
 #include <cmath>
-#include <locale>
-#include <sstream>
+#include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 
 namespace plumb {
 namespace {
 
-// Not snprintf, whose decimal separator depends on the locale.
+/// In the style of the program's locale, whose decimal separator may be another than a full stop. Not a stream: those
+/// are large.
 std::string withDigits(double value, int digits) {
-    std::ostringstream out;
-    out.imbue(std::locale::classic());
-    out.precision(digits);
-    out << value;
-    return out.str();
+    char text[32];
+    return {text, static_cast<std::size_t>(std::snprintf(text, sizeof text, "%.*g", digits, value))};
 }
 
-double read(const std::string& text) {
-    std::istringstream in(text);
-    in.imbue(std::locale::classic());
-    double value = 0;
-    in >> value;
-    return value;
+/// The shortest text from which the value can be read back, in the style of the locale.
+std::string shortText(double value) {
+    for (int digits = 15; digits < 17; ++digits) {
+        const std::string text = withDigits(value, digits);
+        if (std::strtod(text.c_str(), nullptr) == value) return text;
+    }
+    return withDigits(value, 17);
 }
 
 [[noreturn]] void refuse(std::string_view field, std::string_view member, const std::string& value,
@@ -69,11 +69,10 @@ void refuse(std::string_view field, std::string_view complaint) {
 std::string toText(double value) {
     if (std::isnan(value)) return "nan";
     if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
-    for (int digits = 15; digits < 17; ++digits) {
-        const std::string text = withDigits(value, digits);
-        if (read(text) == value) return text;
-    }
-    return withDigits(value, 17);
+    std::string text = shortText(value);
+    const std::string_view separator = std::localeconv()->decimal_point;
+    if (const std::size_t at = text.find(separator); at != std::string::npos) text.replace(at, separator.size(), ".");
+    return text;
 }
 
 std::string toText(const Vec2& value) {

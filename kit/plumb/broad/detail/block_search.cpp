@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/broad/detail/block_search.h>
 
-#include <algorithm>
-
 #include <plumb/broad/detail/block_search_wide.h>
+#include <plumb/math/detail/for_lanes.h>
 
 namespace plumb {
 
@@ -37,14 +36,7 @@ SearchWork searchWide(const BlockSearch& search, const SlotPairSink& sink) {
 
 SearchWork searchBlocks(const BlockSearch& search, const SlotPairSink& sink, int lanes) {
     if (search.blocks.empty() || search.in.levelCount == 0) return {0, 0};
-    switch (std::min(lanes, machineLanes())) {
-#if defined(__GNUC__)
-        case 4: return searchWide<4>(search, sink);
-        case 8: return searchWide<8>(search, sink);
-        case 16: return searchWide<16>(search, sink);
-#endif
-        default: return searchWide<1>(search, sink);
-    }
+    return forLanes(lanes, [&]<int W>() { return searchWide<W>(search, sink); });
 }
 
 }  // namespace plumb

@@ -18,6 +18,21 @@ void addStale(const Space& space, const BodyStore& bodies, BodyIndex body, std::
     }
 }
 
+/// Waits until no other thread holds the flag, then holds it.
+class HeldFlag {
+public:
+    explicit HeldFlag(std::atomic_flag& flag) : flag_(flag) {
+        while (flag_.test_and_set(std::memory_order_acquire)) {
+        }
+    }
+    ~HeldFlag() { flag_.clear(std::memory_order_release); }
+    HeldFlag(const HeldFlag&) = delete;
+    HeldFlag& operator=(const HeldFlag&) = delete;
+
+private:
+    std::atomic_flag& flag_;
+};
+
 /// A cheap test that reads three cache lines: is the body so near to its predicted place that its shapes are surely
 /// within their bounds? False means that this is not known. The bounds contain all places between the step's start and
 /// the prediction, and half a contactMargin more on every side.
@@ -39,7 +54,7 @@ bool isSurelyWithin(const BodyStore& bodies, BodyIndex body) {
 
 std::span<const StaleBound> StaleBounds::of(const Space& space, const BodyStore& bodies) const {
     if (known_) return bounds_;
-    const std::lock_guard lock(mutex_);
+    const HeldFlag held(busy_);
     if (known_) return bounds_;
     bounds_.clear();
     for (const BodyIndex body : bodies.awake)

@@ -2,7 +2,6 @@
 // Which shapes has the last step moved out of the bounds that are stored in the space?
 #pragma once
 #include <atomic>
-#include <mutex>
 #include <span>
 #include <vector>
 
@@ -36,7 +35,7 @@ public:
 
 private:
     mutable std::atomic<bool> known_ = true;
-    mutable std::mutex mutex_;
+    mutable std::atomic_flag busy_;  ///< not a mutex: WebAssembly's C++ library may have none
     mutable std::vector<StaleBound> bounds_;
 };
 

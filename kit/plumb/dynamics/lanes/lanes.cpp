@@ -31,12 +31,13 @@ extern template struct WideIslandKernel<16>;
 namespace {
 
 template <template <int> class Wide, class Code>
-const Code& codeFor([[maybe_unused]] int lanes, const Code& one) {
-#if defined(__GNUC__)
-    return forLanes(lanes, one, Wide<4>::code, Wide<8>::code, Wide<16>::code);
-#else
-    return one;
-#endif
+const Code& codeFor(int lanes, const Code& one) {
+    return forLanes(lanes, [&one]<int W>() -> const Code& {
+        if constexpr (W == 1)
+            return one;
+        else
+            return Wide<W>::code;
+    });
 }
 
 }  // namespace
@@ -57,13 +58,8 @@ int islandLanes(int lanes) {
     return std::max(1, std::min(lanes, machineLanes()) / 2);
 }
 
-const IslandKernel& islandKernel([[maybe_unused]] int islands) {
-#if defined(__GNUC__)
-    if (islands == 8) return WideIslandKernel<16>::code;
-    if (islands == 4) return WideIslandKernel<8>::code;
-    if (islands == 2) return WideIslandKernel<4>::code;
-#endif
-    return WideIslandKernel<1>::code;
+const IslandKernel& islandKernel(int islands) {
+    return codeFor<WideIslandKernel>(islands == 1 ? 1 : 2 * islands, WideIslandKernel<1>::code);
 }
 
 const BodySolver& bodySolver(int lanes) {

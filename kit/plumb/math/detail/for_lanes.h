@@ -8,14 +8,18 @@
 
 namespace plumb {
 
-/// The widest variant that the machine supports and that has at most the requested lanes. Not for use in files
-/// ..._8.cpp and ..._16.cpp.
-template <class Code>
-const Code& forLanes(int lanes, const Code& one, const Code& four, const Code& eight, const Code& sixteen) {
+/// pick.operator()<W>() for the widest variant W that the machine supports and that has at most the requested lanes.
+/// Not for use in files ..._8.cpp and ..._16.cpp.
+template <class Pick>
+decltype(auto) forLanes(int lanes, Pick&& pick) {
     const int wanted = std::min(lanes, machineLanes());
-    if (wanted >= 16) return sixteen;
-    if (wanted >= 8) return eight;
-    return wanted >= 4 ? four : one;
+    if constexpr (mostLanes >= 16) {
+        if (wanted >= 16) return pick.template operator()<16>();
+        if (wanted >= 8) return pick.template operator()<8>();
+    }
+    if constexpr (mostLanes >= 4)
+        if (wanted >= 4) return pick.template operator()<4>();
+    return pick.template operator()<1>();
 }
 
 /// How many lanes to use for a few values: a wide operation takes as long for a few as for all.

@@ -50,6 +50,15 @@ struct Wide<16> {
 };
 #endif
 
+/// The most lanes for which there is code.
+#if !defined(__GNUC__)
+inline constexpr int mostLanes = 1;
+#elif defined(__wasm__)
+inline constexpr int mostLanes = 4;
+#else
+inline constexpr int mostLanes = 16;
+#endif
+
 /// How many floats this machine processes at once: 4, 8 or 16; 1 where the compiler has no vector extensions.
 int machineLanes();
 

@@ -6,6 +6,8 @@
 #include <cstring>
 #if defined(__x86_64__)
 #include <immintrin.h>
+#elif defined(__wasm_simd128__)
+#include <wasm_simd128.h>
 #endif
 
 #include <plumb/math/detail/wide.h>
@@ -75,6 +77,8 @@ inline typename Wide<W>::Float squareRoot(typename Wide<W>::Float v) {
     if constexpr (W == 4) return _mm_sqrt_ps(v);
     if constexpr (W == 8) return _mm256_sqrt_ps(v);
     if constexpr (W == 16) return _mm512_maskz_sqrt_ps(0xFFFF, v);  // GCC 12 warns of the plain one
+#elif defined(__wasm_simd128__)
+    if constexpr (W == 4) return typename Wide<W>::Float(wasm_f32x4_sqrt(v128_t(v)));
 #endif
 #if defined(__GNUC__)
     constexpr std::size_t count = W;
@@ -94,6 +98,8 @@ inline typename Wide<W>::Double squareRoot(typename Wide<W>::Double v) {
     if constexpr (W == 4) return _mm_sqrt_pd(v);
     if constexpr (W == 8) return _mm256_sqrt_pd(v);
     if constexpr (W == 16) return _mm512_maskz_sqrt_pd(0xFF, v);
+#elif defined(__wasm_simd128__)
+    if constexpr (W == 4) return typename Wide<W>::Double(wasm_f64x2_sqrt(v128_t(v)));
 #endif
 #if defined(__GNUC__)
     constexpr std::size_t count = Wide<W>::doubles;
@@ -132,6 +138,9 @@ template <int W>
     } else if constexpr (W == 16) {
         typedef int Ints __attribute__((vector_size(64)));
         return static_cast<std::uint32_t>(__builtin_ia32_cvtd2mask512(Ints(mask)));
+#elif defined(__wasm_simd128__)
+    } else if constexpr (W == 4) {
+        return wasm_i32x4_bitmask(v128_t(mask));
 #endif
     } else {
         std::uint32_t bits = 0;
