@@ -76,6 +76,12 @@ struct ViewOf<FieldView> : ViewOf<Field> {};
 template <class T>
 inline constexpr bool isView = !std::is_void_v<typename ViewOf<T>::Id>;
 
+/// Does a function with this first argument change an object whose state lies in JavaScript?
+template <class Self>
+inline constexpr bool changesState =
+    std::is_lvalue_reference_v<Self> && !std::is_const_v<std::remove_reference_t<Self>> &&
+    isState<std::remove_cvref_t<Self>>;
+
 inline double addressOf(const WorldHost* host) {
     return static_cast<double>(reinterpret_cast<std::uintptr_t>(host));
 }
@@ -114,21 +120,27 @@ void addResult(Writer& out, const T& result) {
         out.add(result);
 }
 
+/// Calls the function when it is made: the arguments of a constructor in braces are worked out from left to right, as
+/// they stand in the row.
+template <auto Function, class Self>
+struct Invocation {
+    template <class... A>
+    Invocation(Writer& out, A&&... arguments) {
+        if constexpr (std::is_void_v<decltype(std::invoke(Function, arguments...))>)
+            std::invoke(Function, arguments...);
+        else
+            addResult(out, std::invoke(Function, arguments...));
+        if constexpr (changesState<Self>) writeBack(out, arguments...);
+    }
+
+    /// The state of an object that lies in JavaScript.
+    static void writeBack(Writer& out, const auto& self, const auto&...) { out.add(self); }
+};
+
 template <auto Function, class... A>
 void callWith(Types<A...>, Reader& in, Writer& out) {
-    std::tuple<std::decay_t<decltype(argumentIn<A>(in))>...> arguments{argumentIn<A>(in)...};
-    const auto call = [](auto&... all) -> decltype(auto) { return std::invoke(Function, all...); };
-    if constexpr (std::is_void_v<typename Signature<std::remove_const_t<decltype(Function)>>::Result>)
-        std::apply(call, arguments);
-    else
-        addResult(out, std::apply(call, arguments));
-    // An object whose state lies in JavaScript goes back there.
-    if constexpr (sizeof...(A) > 0) {
-        using Self = std::tuple_element_t<0, std::tuple<A...>>;
-        if constexpr (std::is_lvalue_reference_v<Self> && !std::is_const_v<std::remove_reference_t<Self>> &&
-                      isState<std::remove_cvref_t<Self>>)
-            out.add(std::get<0>(arguments));
-    }
+    using Self = std::tuple_element_t<0, std::tuple<A..., void>>;
+    Invocation<Function, Self>{out, argumentIn<A>(in)...};
 }
 
 /// Reads the arguments, calls, and writes the result.

@@ -57,7 +57,8 @@ template <class T>
 std::array<std::string_view, memberCount<T>()> memberNames() {
     return []<std::size_t... I>(std::index_sequence<I...>) {
         return std::array<std::string_view, sizeof...(I)>{nameOfMember<addressOfMember<T, I>()>()...};
-    }(std::make_index_sequence<memberCount<T>()>{});
+    }
+    (std::make_index_sequence<memberCount<T>()>{});
 }
 
 /// "SlopeUp", or a text that ends with a number if the enumeration has no such value.

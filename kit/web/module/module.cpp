@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What does JavaScript call? Every function of the kit by its number, with a row of numbers, and the rows of all bodies,
-// contacts and events at once.
+// What does JavaScript call? Every function of the kit by its number, with a row of numbers, and the rows of all
+// bodies, contacts and events at once.
 #include <exception>
 #include <new>
 #include <string>

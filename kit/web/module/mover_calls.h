@@ -100,9 +100,8 @@ void listPathCalls(auto&& list) {
          fn<[](WorldHost& host, const PathMoverDef& def) { return addMover<PathMover>(host, def); }>);
     list("PathMover", "free", "", fn<&Path::free>);
     list("PathMover", "at", "time", fn<[](Path m, double time) { return m->at(time); }>);
-    list("PathMover", "atTick", "tick, dt", fn<[](Path m, double tick, double dt) {
-             return m->atTick(static_cast<std::int64_t>(tick), dt);
-         }>);
+    list("PathMover", "atTick", "tick, dt",
+         fn<[](Path m, double tick, double dt) { return m->atTick(static_cast<std::int64_t>(tick), dt); }>);
     list("PathMover", "poseAfter", "tick, dt, angle = 0", fn<[](Path m, double tick, double dt, double angle) {
              return m->poseAfter(static_cast<std::int64_t>(tick), dt, angle);
          }>);
@@ -130,7 +129,9 @@ void listClockCalls(auto&& list) {
     list("", "shortestTurn", "from, to", fn<&shortestTurn>);
     list("", "interpolateAngle", "from, to, fraction", fn<&interpolateAngle>);
     list("", "interpolatePose", "from, to, fraction",
-         fn<[](const Transform& from, const Transform& to, double fraction) { return interpolate(from, to, fraction); }>);
+         fn<[](const Transform& from, const Transform& to, double fraction) {
+             return interpolate(from, to, fraction);
+         }>);
 }
 
 }  // namespace plumb::web

@@ -15,10 +15,10 @@
 #include <variant>
 #include <vector>
 
-#include <plumb/plumb.h>
 #include <plumb/math/random.h>
 #include <plumb/movers/grid_pass.h>
 #include <plumb/movers/path_mover.h>
+#include <plumb/plumb.h>
 #include <plumb/steering/wander.h>
 #include <web/module/members.h>
 #include <web/module/path_pieces.h>
@@ -106,7 +106,8 @@ private:
         } else if constexpr (std::is_same_v<T, TileMap>) {
             takeTiles(value);
         } else if constexpr (isOf<T, std::variant>) {
-            takeAlternative(value, static_cast<std::size_t>(next()), std::make_index_sequence<std::variant_size_v<T>>{});
+            takeAlternative(value, static_cast<std::size_t>(next()),
+                            std::make_index_sequence<std::variant_size_v<T>>{});
         } else if constexpr (isOf<T, std::optional>) {
             if (next() != 0)
                 value = get<typename T::value_type>();
@@ -143,7 +144,7 @@ private:
                 throw std::invalid_argument("a list of " + std::to_string(values.size()) + " was wanted");
             for (auto& value : values) take(value);
         } else {
-            forEachMember(values, [this](auto& member) { take(member); });
+            forEachMember(values, [&](auto& member) { take(member); });
         }
     }
 
@@ -219,7 +220,7 @@ private:
             put(static_cast<double>(values.size()));
             for (const auto& value : values) add(value);
         } else {
-            forEachMember(values, [this](const auto& member) { add(member); });
+            forEachMember(values, [&](const auto& member) { add(member); });
         }
     }
 

@@ -12,7 +12,8 @@
 namespace plumb::web {
 
 /// Asks JavaScript, which finds the candidate in `count` numbers.
-extern "C" __attribute__((import_module("plumb"), import_name("mayTouch"))) std::int32_t mayTouch(std::uint32_t rule, const double* candidate, std::uint32_t count);
+extern "C" __attribute__((import_module("plumb"), import_name("mayTouch"))) std::int32_t mayTouch(
+    std::uint32_t rule, const double* candidate, std::uint32_t count);
 
 namespace {
 

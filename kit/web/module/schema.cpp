@@ -215,7 +215,9 @@ struct CallList {
     template <auto Function>
     void operator()(const char* owner, const char* name, const char* parameters, Fn<Function>) {
         using S = Signature<std::remove_const_t<decltype(Function)>>;
-        Json kinds = []<class... A>(Types<A...>) {
+        bool changes = false;
+        Json kinds = [&changes]<class... A>(Types<A...>) {
+            changes = changesState<std::tuple_element_t<0, std::tuple<A..., void>>>;
             return Json::array({kindOfArgument<A>()...});
         }(typename S::Arguments{});
         calls.push_back({{"owner", owner},
@@ -223,6 +225,7 @@ struct CallList {
                          {"parameters", parameters},
                          {"kinds", kinds},
                          {"result", kindOfResult<typename S::Result>()}});
+        if (changes) calls.back()["changesState"] = true;
     }
 };
 

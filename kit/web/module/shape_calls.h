@@ -27,9 +27,9 @@ void listShapeCalls(auto&& list) {
     list("", "outline", "points, material?", fn<&outline>);
     list("", "hullOf", "points", fn<&hullOf>);
     list("", "convexPieces", "outline", fn<&convexPieces>);
-    list("", "massOf", "shape, density",
-         fn<[](const Shape& shape, double density) { return massOf(shape, density); }>);
-    list("", "aabbOf", "shape, pose?", fn<[](const Shape& shape, const Transform& pose) { return aabbOf(shape, pose); }>);
+    list("", "massOf", "shape, density", fn<[](const Shape& shape, double density) { return massOf(shape, density); }>);
+    list("", "aabbOf", "shape, pose?",
+         fn<[](const Shape& shape, const Transform& pose) { return aabbOf(shape, pose); }>);
     list("", "boundingCircleOf", "shape, pose?",
          fn<[](const Shape& shape, const Transform& pose) { return boundingCircleOf(shape, pose); }>);
     list("", "orientedBoxOf", "shape, pose?",
@@ -47,8 +47,7 @@ void listShapeCalls(auto&& list) {
          fn<[](std::span<const std::string> rows, double size, const std::optional<TileLegend>& legend) {
              return tileMapOf(rows, size, legend ? *legend : standardLegend());
          }>);
-    list("", "textOf", "map, legend?",
-         fn<[](const TileMap& map, const std::optional<TileLegend>& legend) {
+    list("", "textOf", "map, legend?", fn<[](const TileMap& map, const std::optional<TileLegend>& legend) {
              return textOf(map, legend ? *legend : standardLegend());
          }>);
 }

@@ -30,28 +30,28 @@ extern template struct WideIslandKernel<16>;
 
 namespace {
 
-template <template <int> class Wide, class Code>
-const Code& codeFor(int lanes, const Code& one) {
-    return forLanes(lanes, [&one]<int W>() -> const Code& {
-        if constexpr (W == 1)
-            return one;
-        else
-            return Wide<W>::code;
-    });
+template <class Code, template <int> class Wide>
+const Code& codeFor(int lanes) {
+    return forLanes(lanes, []<int W>() -> const Code& { return Wide<W>::code; });
 }
 
 }  // namespace
 
 const ContactSolver& contactSolver(int lanes) {
-    return codeFor<WideContactSolver>(lanes, scalarContactSolver);
+    return forLanes(lanes, []<int W>() -> const ContactSolver& {
+        if constexpr (W == 1)
+            return scalarContactSolver;
+        else
+            return WideContactSolver<W>::code;
+    });
 }
 
 const LaneCollider& laneCollider(int lanes) {
-    return codeFor<WideLaneCollider>(lanes, WideLaneCollider<1>::code);
+    return codeFor<LaneCollider, WideLaneCollider>(lanes);
 }
 
 const HingeSolver& hingeSolver(int lanes) {
-    return codeFor<WideHingeSolver>(lanes, WideHingeSolver<1>::code);
+    return codeFor<HingeSolver, WideHingeSolver>(lanes);
 }
 
 int islandLanes(int lanes) {
@@ -59,11 +59,12 @@ int islandLanes(int lanes) {
 }
 
 const IslandKernel& islandKernel(int islands) {
-    return codeFor<WideIslandKernel>(islands == 1 ? 1 : 2 * islands, WideIslandKernel<1>::code);
+    if (islands == 1) return WideIslandKernel<1>::code;
+    return codeFor<IslandKernel, WideIslandKernel>(2 * islands);
 }
 
 const BodySolver& bodySolver(int lanes) {
-    return codeFor<WideBodySolver>(lanes, WideBodySolver<1>::code);
+    return codeFor<BodySolver, WideBodySolver>(lanes);
 }
 
 }  // namespace plumb

@@ -8,8 +8,8 @@
 
 namespace plumb {
 
-/// pick.operator()<W>() for the widest variant W that the machine supports and that has at most the requested lanes.
-/// Not for use in files ..._8.cpp and ..._16.cpp.
+/// pick.operator()<W>() for the widest variant W that the machine supports and that has at most the requested lanes;
+/// for the narrowest that there is, if all have more. Not for use in files ..._8.cpp and ..._16.cpp.
 template <class Pick>
 decltype(auto) forLanes(int lanes, Pick&& pick) {
     const int wanted = std::min(lanes, machineLanes());
@@ -18,8 +18,8 @@ decltype(auto) forLanes(int lanes, Pick&& pick) {
         if (wanted >= 8) return pick.template operator()<8>();
     }
     if constexpr (mostLanes >= 4)
-        if (wanted >= 4) return pick.template operator()<4>();
-    return pick.template operator()<1>();
+        if (wanted >= 4 || fewestLanes == 4) return pick.template operator()<4>();
+    if constexpr (fewestLanes == 1) return pick.template operator()<1>();
 }
 
 /// How many lanes to use for a few values: a wide operation takes as long for a few as for all.

@@ -50,13 +50,13 @@ struct Wide<16> {
 };
 #endif
 
-/// The most lanes for which there is code.
+/// The fewest and the most lanes for which there is code. WebAssembly has 4, and code for one would be loaded in vain.
 #if !defined(__GNUC__)
-inline constexpr int mostLanes = 1;
+inline constexpr int fewestLanes = 1, mostLanes = 1;
 #elif defined(__wasm__)
-inline constexpr int mostLanes = 4;
+inline constexpr int fewestLanes = 4, mostLanes = 4;
 #else
-inline constexpr int mostLanes = 16;
+inline constexpr int fewestLanes = 1, mostLanes = 16;
 #endif
 
 /// How many floats this machine processes at once: 4, 8 or 16; 1 where the compiler has no vector extensions.
