@@ -11,6 +11,7 @@
 #include <compare/engine/plumb_world.h>
 #include <compare/mover/plumb_movers.h>
 #include <compare/scene/builtin.h>
+#include <plumb/math/detail/wide.h>
 #include <plumb/math/random.h>
 #include <plumb/plumb.h>
 
@@ -212,6 +213,7 @@ int main() {
     const Run scalar = allOn(1);
     for (const Hash& hash : scalar.hashes) std::printf("%s %016" PRIx64 "\n", hash.name.c_str(), hash.value);
     for (const int lanes : {4, 8, 16}) {
+        if (lanes > plumb::machineLanes()) continue;
         const Run wide = allOn(lanes);
         for (std::size_t i = 0; i < scalar.hashes.size(); ++i)
             if (wide.hashes[i].value != scalar.hashes[i].value)

@@ -28,7 +28,7 @@ function editDistance(a, b) {
 
 function nearestTo(word, known) {
   const ranked = [...known].sort((a, b) => editDistance(word, a) - editDistance(word, b));
-  return ranked.length && editDistance(word, ranked[0]) <= Math.max(2, word.length / 2) ? ranked[0] : undefined;
+  return ranked.length && editDistance(word, ranked[0]) <= Math.max(2, Math.ceil(word.length / 2)) ? ranked[0] : undefined;
 }
 
 /** An error that learns on its way out of which member it tells. */

@@ -38,6 +38,7 @@ const Code& codeFor(int lanes) {
 }  // namespace
 
 const ContactSolver& contactSolver(int lanes) {
+    if (lanes == 1) return scalarContactSolver;  // contacts that share bodies have to be solved one by one
     return forLanes(lanes, []<int W>() -> const ContactSolver& {
         if constexpr (W == 1)
             return scalarContactSolver;
