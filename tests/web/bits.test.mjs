@@ -4,12 +4,13 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { test } from 'node:test';
 
-const root = process.env.PLUMB_ROOT ?? new URL('../..', import.meta.url).pathname;
+import { root } from './plumb.mjs';
+
 const hashes = (file, ...args) => execFileSync(file, args, { encoding: 'utf8' }).trim().split('\n');
 
 test('all worlds and scenes of tests/bits have the hashes of native code', () => {
-  const native = hashes(`${root}/build/release/bin/bits`);
-  const here = hashes(process.execPath, '--no-warnings', `${root}/kit/web/run.mjs`, `${root}/build/web/bin/bits.wasm`);
+  const native = hashes(`${root}build/release/bin/bits`);
+  const here = hashes(process.execPath, '--no-warnings', `${root}kit/web/run.mjs`, `${root}build/web/bin/bits.wasm`);
   assert.ok(native.length > 80);
   assert.deepEqual(here, native);
 });

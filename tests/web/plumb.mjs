@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The module under test: that of the folder in PLUMB_PACKAGE.
-import { pathToFileURL } from 'node:url';
+// The module under test, where it was built, and the packages that the tests use.
+import { fileURLToPath, pathToFileURL } from 'node:url';
 
-export const folder = process.env.PLUMB_PACKAGE ?? new URL('../../build/web/package', import.meta.url).pathname;
+export const root = fileURLToPath(new URL('../..', import.meta.url));
+export const folder = `${root}build/web/package`;
+export const nodeModules = `${root}build/node/node_modules`;
 export const { load } = await import(pathToFileURL(`${folder}/plumb.js`));
 export const plumb = await load();

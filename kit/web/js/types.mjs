@@ -6,7 +6,7 @@ const ids = ['BodyId', 'ShapeId', 'JointId', 'FieldId'];
 
 /** The type of a value of a kind; out: one that the module gives, which is complete. */
 function typeOf(kind, out) {
-  const plain = { number: 'number', bool: 'boolean', bits: out ? 'bigint' : 'number | bigint', vec: 'Vec2',
+  const plain = { number: 'number', bool: 'boolean', bits: out ? 'bigint' : 'number | bigint', vec: out ? '[number, number]' : 'Vec2',
                   text: 'string', rule: 'ContactRule | null', world: 'World', nothing: 'void' };
   if (typeof kind === 'string') return plain[kind];
   if (kind.integer) return 'number';
@@ -19,7 +19,7 @@ function typeOf(kind, out) {
   if (kind.state) return kind.state;
   if (kind.view) return kind.view;
   if (kind.struct === 'PathPieces') return 'MotionPath';
-  if (ids.includes(kind.struct)) return out ? kind.struct : `${kind.struct} | null`;
+  if (ids.includes(kind.struct)) return kind.struct;
   return out ? `Full<${kind.struct}>` : kind.struct;
 }
 const wrapped = type => (type.includes('|') ? `(${type})` : type);
@@ -129,7 +129,11 @@ ${comment(docs.get('MotionPath'), '')}export interface MotionPath {
 }
 
 export interface Plumb {
-${constructorsOf(calls)}  MotionPath: { new (start: Vec2): MotionPath };
+${constructorsOf(calls)}  readonly Body: { prototype: Body };
+  readonly BodyShape: { prototype: BodyShape };
+  readonly Joint: { prototype: Joint };
+  readonly Field: { prototype: Field };
+  MotionPath: { new (start: Vec2): MotionPath };
   splineThrough(points: readonly Vec2[], closed?: boolean): MotionPath;
 ${plain.map(call => `${comment(docOf(call, docs), '  ')}  ${call.name}${signature(call)};\n`).join('')}  readonly unlimited: number;
   readonly contactColumns: readonly string[];
