@@ -5,10 +5,20 @@ import { join } from 'node:path';
 
 const textOf = lines => lines.map(line => line.replace(/^\s*\/\/\/<?\s?/, '').trim()).join(' ').trim();
 
+/** As JavaScript says it, and without what tests and sources say. */
+const inJavaScript = text => text.replace(/\bstd::invalid_argument\b/g, 'an Error').replace(/ ?\b(Tests?|Source): .*$/, '')
+  .replace(/std::nullopt/g, 'null').replace(/std::/g, '').trim();
+
 /** The name that a declaration of the house's style declares, or undefined. */
 function functionIn(line) {
   const found = /^[\w:<>&*,\s[\]().]*?[\s&*](\w+)\(/.exec(line);
   return found && !/^\s*(return|if|for|while|else|friend|using)\b/.test(line) ? found[1] : undefined;
+}
+
+/** The name of a function, and the name with that of its first parameter, for functions of one name. */
+function functionNames(declaration) {
+  const name = functionIn(declaration), first = /(\w+)(?: = [^,)]*)?$/.exec(/\(([^,)]*)/.exec(declaration)[1].trim());
+  return [`${name}(${first ? first[1] : ''}`, name];
 }
 
 function membersIn(line) {
@@ -41,7 +51,7 @@ function readHeader(text, docs) {
     if (line.startsWith('}')) owner = '';
     const [code, after] = line.split('///<');
     open += ` ${code.trim()}`;
-    const names = open.includes('(') && functionIn(open) ? [functionIn(open)] : membersIn(open);
+    const names = open.includes('(') && functionIn(open) ? functionNames(open) : membersIn(open);
     last = names.map(name => (owner ? `${owner}.${name}` : name));
     add(last, textOf(before) + (after ? ` ${after.trim()}` : ''));
     if (/[;{}]\s*$/.test(code.trim()) || code.trim() === '') {
@@ -60,6 +70,6 @@ function headersUnder(folder) {
 export function commentsOf(folder) {
   const docs = new Map();
   for (const header of headersUnder(folder).sort()) readHeader(readFileSync(header, 'utf8'), docs);
-  for (const [key, value] of docs) docs.set(key, value.trim());
+  for (const [key, value] of docs) docs.set(key, inJavaScript(value));
   return docs;
 }

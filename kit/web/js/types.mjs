@@ -14,14 +14,20 @@ function typeOf(kind, out) {
   if (kind.maybe) return `${typeOf(kind.maybe, out)} | null`;
   if (kind.listOf) return `${out ? '' : 'readonly '}${wrapped(typeOf(kind.listOf, out))}[]`;
   if (kind.mapTo) return `Record<string, ${typeOf(kind.mapTo, out)}>`;
-  if (kind.either)
-    return Object.entries(kind.either).map(([tag, one]) => `{ ${tag}: ${typeOf(one, out)} }`).join(' | ');
+  if (kind.either) {
+    const alias = aliases[Object.keys(kind.either)[0]];
+    return alias ? (out ? `Full<${alias}>` : alias) : alternatives(kind);
+  }
   if (kind.state) return kind.state;
   if (kind.view) return kind.view;
   if (kind.struct === 'PathPieces') return 'MotionPath';
   if (ids.includes(kind.struct)) return kind.struct;
   return out ? `Full<${kind.struct}>` : kind.struct;
 }
+/** What the kit calls one of several alternatives, by the first of them. */
+const aliases = { circle: 'Shape', revolute: 'JointDef', uniformGravity: 'FieldLaw' };
+const alternatives = kind => Object.entries(kind.either).map(([tag, one]) => `{ ${tag}: ${typeOf(one, false)} }`).join(' | ');
+
 const wrapped = type => (type.includes('|') ? `(${type})` : type);
 
 const literal = value => JSON.stringify(value)?.replace(/"(-?Infinity|NaN|\d{10,})"/g, '$1') ?? '';
@@ -63,15 +69,33 @@ function signature({ owner, name, parameters, kinds, result }) {
   return `(${list.join(', ')})` + (name === 'new' ? '' : `: ${typeOf(result, true)}`);
 }
 
-function docOf({ owner, name }, docs) {
-  return docs.get(owner ? `${owner}.${name}` : name) ?? docs.get(`${bases[owner]}.${name}`) ?? '';
+/** What is said of one of several functions of one name is not said of the others. */
+function docOf({ owner, name, parameters }, docs, calls) {
+  const first = `(${/^\w*/.exec(parameters)[0]}`, scopes = owner ? [`${owner}.`, `${bases[owner]}.`] : [''];
+  const alone = calls.filter(c => c.owner === owner && c.name === name).length === 1;
+  for (const key of alone ? [name + first, name] : [name + first])
+    for (const scope of scopes) if (docs.has(scope + key)) return docs.get(scope + key);
+  return '';
+}
+
+/** The kinds with several alternatives, by the names that the kit has for them. */
+function aliasesOf(schema) {
+  const found = {};
+  const look = kind => {
+    if (typeof kind !== 'object' || kind === null) return;
+    const alias = kind.either && aliases[Object.keys(kind.either)[0]];
+    if (alias) found[alias] = kind;
+    for (const part of Object.values(kind)) look(part);
+  };
+  for (const { kinds } of schema.calls) kinds.forEach(look);
+  for (const members of Object.values(schema.types)) members.forEach(member => look(member.kind));
+  return found;
 }
 
 function classType(owner, calls, docs, extra) {
   const lines = calls.filter(c => c.owner === owner).map(call => {
     const name = call.name === 'new' ? 'constructor' : call.name;
-    const text = name === 'copy' ? '(): World' : name === 'constructor' && owner !== 'World' ? signature(call) : signature(call);
-    return `${comment(docOf(call, docs), '  ')}  ${name}${name === 'copy' ? text : text};\n`;
+    return `${comment(docOf(call, docs, calls), '  ')}  ${name}${name === 'copy' ? '(): World' : signature(call)};\n`;
   });
   return `${comment(docs.get(owner), '')}export interface ${owner} {\n${extra}${lines.filter(l => !l.includes('  constructor(')).join('')}}\n`;
 }
@@ -111,6 +135,7 @@ export interface FieldId { readonly index: number; readonly generation: number; 
 export interface ShapeId { readonly body: BodyId; readonly number: number }
 
 ${Object.entries(schema.enumerations).map(([name, words]) => `${comment(docs.get(name), '')}export type ${name} = ${words.map(w => `'${w}'`).join(' | ')};\n`).join('')}
+${Object.entries(aliasesOf(schema)).map(([name, kind]) => `${comment(docs.get(name), '')}export type ${name} = ${alternatives(kind)};\n`).join('')}
 ${structs.map(([name, members]) => structType(name, members, docs)).join('')}
 ${classType('World', calls, docs, worldExtra)}
 ${classType('Body', calls, docs, view('BodyId'))}
@@ -135,7 +160,7 @@ ${constructorsOf(calls)}  readonly Body: { prototype: Body };
   readonly Field: { prototype: Field };
   MotionPath: { new (start: Vec2): MotionPath };
   splineThrough(points: readonly Vec2[], closed?: boolean): MotionPath;
-${plain.map(call => `${comment(docOf(call, docs), '  ')}  ${call.name}${signature(call)};\n`).join('')}  readonly unlimited: number;
+${plain.map(call => `${comment(docOf(call, docs, calls), '  ')}  ${call.name}${signature(call)};\n`).join('')}  readonly unlimited: number;
   readonly contactColumns: readonly string[];
   readonly eventColumns: readonly string[];
   readonly eventKinds: readonly string[];
