@@ -85,11 +85,11 @@ export class ShapeId {
 
 /** The ids of one world's objects, by their slots. */
 class Ids {
-  known = { BodyId: [], JointId: [], FieldId: [] };
+  known = new Map([[BodyId, []], [JointId, []], [FieldId, []]]);
 
   of(Class, index, generation, world) {
     if (world === 0) return null;
-    const slots = this.known[Class.name], known = slots[index];
+    const slots = this.known.get(Class), known = slots[index];
     if (known && known.generation === generation && known.world === world) return known;
     const id = Object.freeze(new Class(index, generation, world));
     if (!known || known.generation < generation || known.world !== world) slots[index] = id;
@@ -255,13 +255,13 @@ export async function load(source) {
     };
   };
 
-  const idWriter = Class => value => {
+  const idWriter = (Class, name) => value => {
     const id = value instanceof View ? value.id() : value;
     if (id == null) {
       for (let i = 0; i < (Class === ShapeId ? 4 : 3); ++i) write(0);
       return;
     }
-    if (!(id instanceof Class)) throw new Refusal(`${show(value)} is not a ${Class.name}`);
+    if (!(id instanceof Class)) throw new Refusal(`${show(value)} is not a ${name}`);
     const slot = Class === ShapeId ? id.body : id;
     write(slot.index);
     write(slot.generation);
@@ -295,7 +295,7 @@ export async function load(source) {
   const hasDefault = ({ kind, value }) => !kind.state && !(kind.struct && value === null);
 
   function structWriter(name) {
-    if (idClasses[name]) return idWriter(idClasses[name]);
+    if (idClasses[name]) return idWriter(idClasses[name], name);
     let members, known;
     const prepare = () => {
       members = schema.types[name].map(({ name, kind, value }) =>
