@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The toolchain for WebAssembly: Clang 22 or later with its C++ library, as Debian packages them (.setup/packages.txt,
+# The toolchain for WebAssembly: Clang 22 with its C++ library, as Debian packages them (.setup/packages.txt,
 # section web). cmake --preset web uses it. What it builds runs in browsers, and in Node by means of run.mjs.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR wasm32)

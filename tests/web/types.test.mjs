@@ -55,7 +55,7 @@ test('a program with mistakes is refused, one without is not', () => {
 for (const [i, program] of programs().entries())
   test(`program ${i + 1} of the page passes the strictest check, and runs`, () => {
     assert.equal(check(program), '');
-    assert.notEqual(execFileSync(process.execPath, [written(program)], { encoding: 'utf8' }) || i === 4, '');
+    assert.match(execFileSync(process.execPath, [written(program)], { encoding: 'utf8' }), /\S/, 'it prints nothing');
   });
 
 function programs() {

@@ -7,8 +7,6 @@
 
 namespace plumb::web {
 
-using MaybeFilter = std::optional<Filter>;
-
 void listEditCalls(auto&& list) {
     list("World", "new", "def?", fn<[](const WorldDef& def) { return addressOf(new WorldHost{World(def)}); }>);
     list("World", "copy", "", fn<[](const WorldHost& host) { return addressOf(new WorldHost(host)); }>);

@@ -43,28 +43,27 @@ Header* headerOf(void* object) {
 struct Leb128 {
     const std::uint8_t* at;
 
-    std::uint32_t natural() {
-        std::uint32_t value = 0;
-        unsigned shift = 0;
-        std::uint8_t byte = 0;
-        do {
-            byte = *at++;
-            value |= static_cast<std::uint32_t>(byte & 0x7f) << shift;
-            shift += 7;
-        } while ((byte & 0x80) != 0);
-        return value;
-    }
+    std::uint32_t natural() { return read().value; }
     std::int32_t integer() {
+        const Number number = read();
+        const bool isNegative = (number.last & 0x40) != 0 && number.bits < 32;
+        return static_cast<std::int32_t>(number.value | (isNegative ? ~std::uint32_t{0} << number.bits : 0));
+    }
+
+private:
+    struct Number {
         std::uint32_t value = 0;
-        unsigned shift = 0;
-        std::uint8_t byte = 0;
+        unsigned bits = 0;  ///< that were given
+        std::uint8_t last = 0;
+    };
+    Number read() {
+        Number number;
         do {
-            byte = *at++;
-            value |= static_cast<std::uint32_t>(byte & 0x7f) << shift;
-            shift += 7;
-        } while ((byte & 0x80) != 0);
-        if ((byte & 0x40) != 0 && shift < 32) value |= ~std::uint32_t{0} << shift;
-        return static_cast<std::int32_t>(value);
+            number.last = *at++;
+            number.value |= static_cast<std::uint32_t>(number.last & 0x7f) << number.bits;
+            number.bits += 7;
+        } while ((number.last & 0x80) != 0);
+        return number;
     }
 };
 

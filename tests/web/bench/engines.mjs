@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How does each engine build a scene? Each gives step() and heights(), of the bodies that move. All at their defaults,
 // but that nothing sleeps.
-import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { pathToFileURL, fileURLToPath } from 'node:url';
 
@@ -157,4 +156,3 @@ export const filesOf = {
   planck: [`${packages}planck/dist/planck.min.js`],
   'matter-js': [`${packages}matter-js/build/matter.min.js`],
 };
-export const read = readFileSync;
