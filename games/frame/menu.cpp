@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <games/frame/menu.h>
 
+#include <cmath>
+
 namespace plumb::games {
 
 Menu::Event Menu::update(const Input& input) {
@@ -20,7 +22,7 @@ void Menu::draw(Canvas& canvas, const Vec2& top, const Theme& theme) const {
         const MenuEntry& entry = entries_[static_cast<std::size_t>(i)];
         const Vec2 at = top + Vec2(0, i * lineHeight);
         const bool chosen = i == chosen_;
-        if (chosen) canvas.box(at, {110, lineHeight / 2 - 1}, theme.accent, lineHeight / 2 - 1);
+        if (chosen) canvas.box(at, {halfWidth, lineHeight / 2 - 1}, theme.accent, lineHeight / 2 - 1);
         TextStyle style{.size = 15,
                         .color = chosen ? theme.background : theme.text,
                         .align = Align::Center,
@@ -29,6 +31,12 @@ void Menu::draw(Canvas& canvas, const Vec2& top, const Theme& theme) const {
                         .fitWidth = 190};
         canvas.text(at, entry.value.empty() ? entry.label : entry.label + ":  ‹ " + entry.value + " ›", style);
     }
+}
+
+int Menu::entryAt(const Vec2& point, const Vec2& top) const {
+    const double line = std::round((point.y() - top.y()) / lineHeight);
+    const bool inside = std::abs(point.x() - top.x()) <= halfWidth && line >= 0 && line < size();
+    return inside ? static_cast<int>(line) : -1;
 }
 
 }  // namespace plumb::games

@@ -28,7 +28,10 @@ public:
 
     /// The middle of its first line at a place of the screen, the lines below.
     void draw(Canvas& canvas, const Vec2& top, const Theme& theme) const;
+    /// The entry that draw() puts at a point, -1: none.
+    int entryAt(const Vec2& point, const Vec2& top) const;
     static constexpr double lineHeight = 26;  ///< of the screen's units
+    static constexpr double halfWidth = 110;  ///< of an entry, likewise
 
 private:
     std::vector<MenuEntry> entries_;

@@ -3,9 +3,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <istream>
-#include <ostream>
-#include <sstream>
 #include <stdexcept>
 
 namespace plumb::games {
@@ -35,11 +32,21 @@ std::optional<Number> numberIn(const std::string& word, int base = 10) {
     return number;
 }
 
+std::vector<std::string> wordsOf(std::string_view text) {
+    std::vector<std::string> words;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find_first_of(" \t\r\v\f", at), text.size());
+        if (end > at) words.emplace_back(text.substr(at, end - at));
+        at = end + 1;
+    }
+    return words;
+}
+
 /// Reads a record line by line, and says where it is wrong.
 class Reader {
 public:
-    Reader(std::istream& in, const std::string& name, const GameInfo& info)
-        : in_(in), name_(name), info_(info), actions_(withMenuActions(info.actions)) {}
+    Reader(std::string_view text, const std::string& name, const GameInfo& info)
+        : rest_(text), name_(name), info_(info), actions_(withMenuActions(info.actions)) {}
 
     Record read() {
         readHead();
@@ -50,12 +57,12 @@ public:
 private:
     /// The words of the next line that has any; # begins a remark.
     bool nextLine() {
-        for (std::string line; std::getline(in_, line);) {
+        while (!rest_.empty()) {
+            const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+            text_ = rest_.substr(0, end);
+            rest_.remove_prefix(std::min(end + 1, rest_.size()));
             ++line_;
-            std::istringstream text(line.substr(0, line.find('#')));
-            words_.clear();
-            for (std::string word; text >> word;) words_.push_back(word);
-            text_ = line;
+            words_ = wordsOf(std::string_view(text_).substr(0, text_.find('#')));
             if (!words_.empty()) return true;
         }
         return false;
@@ -124,10 +131,12 @@ private:
     Buttons buttonsIn(const std::string& names) const {
         Buttons buttons = 0;
         if (names == "-") return buttons;
-        std::istringstream text(names);
-        for (std::string name; std::getline(text, name, '+');) {
+        for (std::size_t at = 0; at <= names.size();) {
+            const std::size_t end = std::min(names.find('+', at), names.size());
+            const std::string name = names.substr(at, end - at);
             if (!actions_.contains(name)) fail("made of the actions of " + info_.name + ": " + allNames());
             buttons |= actions_.button(name);
+            at = end + 1;
         }
         return buttons;
     }
@@ -138,7 +147,7 @@ private:
         return names;
     }
 
-    std::istream& in_;
+    std::string_view rest_;  ///< what has not been read
     std::string name_;
     const GameInfo& info_;
     ActionList actions_;
@@ -183,15 +192,17 @@ std::int64_t Record::ticks() const {
     return sum;
 }
 
-void writeRecord(std::ostream& out, const Record& record, const ActionList& actions) {
-    out << format << ' ' << version << ' ' << record.game << "\nseed " << record.seed << '\n';
-    for (const auto& [name, value] : record.options) out << "option " << name << ' ' << value << '\n';
-    for (const Run& run : record.runs) out << run.ticks << ' ' << namesOf(run.buttons, actions) << '\n';
-    if (record.hash) out << "end " << hexOf(*record.hash) << '\n';
+std::string textOf(const Record& record, const ActionList& actions) {
+    std::string text = std::string(format) + " " + std::to_string(version) + " " + record.game + "\nseed " +
+                       std::to_string(record.seed) + "\n";
+    for (const auto& [name, value] : record.options) text += "option " + name + " " + value + "\n";
+    for (const Run& run : record.runs) text += std::to_string(run.ticks) + " " + namesOf(run.buttons, actions) + "\n";
+    if (record.hash) text += "end " + hexOf(*record.hash) + "\n";
+    return text;
 }
 
-Record readRecord(std::istream& in, const std::string& name, const GameInfo& info) {
-    return Reader(in, name, info).read();
+Record readRecord(std::string_view text, const std::string& name, const GameInfo& info) {
+    return Reader(text, name, info).read();
 }
 
 std::unique_ptr<Source> recordSource(Record record) {

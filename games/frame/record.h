@@ -2,11 +2,11 @@
 // What was pressed, from a program's start to its end, so that it can be played again?
 #pragma once
 #include <cstdint>
-#include <iosfwd>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <games/frame/source.h>
@@ -41,11 +41,11 @@ struct Record {
     std::int64_t ticks() const;
 };
 
-void writeRecord(std::ostream& out, const Record& record, const ActionList& actions);
+std::string textOf(const Record& record, const ActionList& actions);
 
-/// Throws std::invalid_argument with "<name>:<line>: <what it holds> <what was wanted>", also when it is of another
-/// game.
-Record readRecord(std::istream& in, const std::string& name, const GameInfo& info);
+/// name: of the file, for messages. Throws std::invalid_argument with "<name>:<line>: <what it holds> <what was
+/// wanted>", also for a record of another game.
+Record readRecord(std::string_view text, const std::string& name, const GameInfo& info);
 
 std::unique_ptr<Source> recordSource(Record record);
 

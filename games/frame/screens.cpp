@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <games/frame/screens.h>
 
+#include <algorithm>
+
 #include <games/frame/key_list.h>
 
 namespace plumb::games {
@@ -8,15 +10,23 @@ namespace {
 
 constexpr double middle = screenWidth / 2;
 constexpr double lineHeight = Menu::lineHeight;
+constexpr double mostScale = 2;  // a panel is then nearly as wide as the safe area
 
-void dim(Canvas& canvas, const Theme& theme, double share) {
-    canvas.clear(theme.background.faded(share));
+/// What a screen is drawn on.
+struct Sheet {
+    Canvas& canvas;
+    const Theme& theme;
+    double width;  ///< of the safe area, in the units of the sheet, which may be larger than those of the screen
+};
+
+void dim(const Sheet& on, double share) {
+    on.canvas.clear(on.theme.background.faded(share));
 }
 
 /// What holds a menu, or a list, from one height of the screen to another.
-void panel(Canvas& canvas, const Theme& theme, double top, double bottom) {
+void panel(const Sheet& on, double top, double bottom) {
     constexpr double halfWidth = 130, radius = 16;
-    canvas.rect({middle - halfWidth, top}, {2 * halfWidth, bottom - top}, theme.panel.faded(0.88), radius);
+    on.canvas.rect({middle - halfWidth, top}, {2 * halfWidth, bottom - top}, on.theme.panel.faded(0.88), radius);
 }
 
 /// Where a menu ends whose first line has its middle at a height of the screen.
@@ -24,48 +34,48 @@ double menuEnd(const Menu& menu, double first) {
     return first + (menu.size() - 0.5) * lineHeight;
 }
 
-void heading(Canvas& canvas, const std::string& text, const Theme& theme, double y, double size) {
+void heading(const Sheet& on, const std::string& text, double y, double size) {
     TextStyle style{.size = size,
-                    .color = theme.background.faded(0.8),
+                    .color = on.theme.background.faded(0.8),
                     .align = Align::Center,
                     .baseline = Baseline::Middle,
                     .weight = Weight::Heavy,
-                    .fitWidth = screenWidth - 60};
-    canvas.text({middle + size / 24, y + size / 24}, text, style);  // its shadow
-    style.color = theme.text;
-    canvas.text({middle, y}, text, style);
+                    .fitWidth = on.width - 60};
+    on.canvas.text({middle + size / 24, y + size / 24}, text, style);  // its shadow
+    style.color = on.theme.text;
+    on.canvas.text({middle, y}, text, style);
 }
 
-void aside(Canvas& canvas, const std::string& text, const Theme& theme, double y, double width) {
-    canvas.text(
+void aside(const Sheet& on, const std::string& text, double y, double width) {
+    on.canvas.text(
         {middle, y}, text,
-        {.size = 13, .color = theme.quiet, .align = Align::Center, .baseline = Baseline::Middle, .fitWidth = width});
+        {.size = 13, .color = on.theme.quiet, .align = Align::Center, .baseline = Baseline::Middle, .fitWidth = width});
 }
 
-void drawKeys(Canvas& canvas, const GameInfo& info) {
-    constexpr std::size_t longest = 96;
-    const std::vector<std::string> lines = keyLines(info.actions, longest);
+void drawKeys(const Sheet& on, const GameInfo& info) {
+    const double longest = 96 * on.width / screenWidth;  // [letters]
+    const std::vector<std::string> lines = keyLines(info.actions, static_cast<std::size_t>(longest));
     double y = screenHeight - 16 - 16 * (static_cast<double>(lines.size()) - 1);
     for (const std::string& line : lines) {
-        canvas.text({middle, y}, line,
-                    {.size = 12,
-                     .color = info.theme.text,
-                     .align = Align::Center,
-                     .baseline = Baseline::Middle,
-                     .fitWidth = screenWidth - 40});
+        on.canvas.text({middle, y}, line,
+                       {.size = 12,
+                        .color = on.theme.text,
+                        .align = Align::Center,
+                        .baseline = Baseline::Middle,
+                        .fitWidth = on.width - 40});
         y += 16;
     }
 }
 
-void drawTitle(Canvas& canvas, const ScreenView& view) {
+void drawTitle(const Sheet& on, const ScreenView& view) {
     const GameInfo& info = view.session.info();
-    constexpr double first = 160;
-    dim(canvas, info.theme, info.drawTitle ? 0.2 : 0.66);  // what was drawn to lie behind it leaves room for it
-    heading(canvas, info.title, info.theme, 66, 58);
-    aside(canvas, info.about, info.theme, 112, screenWidth - 60);
-    panel(canvas, info.theme, first - lineHeight, menuEnd(view.menu, first) + 10);
-    view.menu.draw(canvas, {middle, first}, info.theme);
-    drawKeys(canvas, info);
+    const double first = menuTop(Screen::Title).y();
+    dim(on, info.drawTitle ? 0.2 : 0.66);  // what was drawn to lie behind it leaves room for it
+    heading(on, info.title, 66, 58);
+    aside(on, info.about, 112, on.width - 60);
+    panel(on, first - lineHeight, menuEnd(view.menu, first) + 10);
+    view.menu.draw(on.canvas, menuTop(Screen::Title), on.theme);
+    drawKeys(on, info);
 }
 
 std::string verdictOf(const Session& session) {
@@ -82,59 +92,77 @@ std::string placeOf(const ScreenView& view) {
     return scores.empty() ? "" : "the best so far: " + std::to_string(scores.front());
 }
 
-void drawOver(Canvas& canvas, const ScreenView& view) {
-    const Theme& theme = view.session.info().theme;
-    constexpr double first = 214;
-    dim(canvas, theme, 0.5);
-    heading(canvas, verdictOf(view.session), theme, 66, 46);
-    panel(canvas, theme, 106, menuEnd(view.menu, first) + 12);
-    canvas.text({middle, 138}, std::to_string(view.session.progress().score),
-                {.size = 34,
-                 .color = theme.accent,
-                 .align = Align::Center,
-                 .baseline = Baseline::Middle,
-                 .weight = Weight::Heavy,
-                 .fitWidth = 230});
-    aside(canvas, placeOf(view), theme, 170, 230);
-    view.menu.draw(canvas, {middle, first}, theme);
+void drawOver(const Sheet& on, const ScreenView& view) {
+    const double first = menuTop(Screen::Over).y();
+    dim(on, 0.5);
+    heading(on, verdictOf(view.session), 66, 46);
+    panel(on, 106, menuEnd(view.menu, first) + 12);
+    on.canvas.text({middle, 138}, std::to_string(view.session.progress().score),
+                   {.size = 34,
+                    .color = on.theme.accent,
+                    .align = Align::Center,
+                    .baseline = Baseline::Middle,
+                    .weight = Weight::Heavy,
+                    .fitWidth = 230});
+    aside(on, placeOf(view), 170, 230);
+    view.menu.draw(on.canvas, menuTop(Screen::Over), on.theme);
 }
 
-void drawScores(Canvas& canvas, const ScreenView& view) {
-    const Theme& theme = view.session.info().theme;
+void drawScores(const Sheet& on, const ScreenView& view) {
     const auto& scores = view.session.scores();
-    dim(canvas, theme, 0.62);
-    heading(canvas, "Best scores", theme, 38, 34);
-    panel(canvas, theme, 66, 346);
+    dim(on, 0.62);
+    heading(on, "Best scores", 38, 34);
+    panel(on, 66, 346);
     for (std::size_t i = 0; i < scores.size(); ++i) {
         const double y = 86 + 23 * static_cast<double>(i);
-        const Color color = static_cast<int>(i) == view.rank ? theme.accent : theme.text;
-        TextStyle style{.size = 16, .color = theme.quiet, .align = Align::Right, .baseline = Baseline::Middle};
-        canvas.text({middle - 62, y}, std::to_string(i + 1), style);
+        const Color color = static_cast<int>(i) == view.rank ? on.theme.accent : on.theme.text;
+        TextStyle style{.size = 16, .color = on.theme.quiet, .align = Align::Right, .baseline = Baseline::Middle};
+        on.canvas.text({middle - 62, y}, std::to_string(i + 1), style);
         style.color = color;
         style.weight = Weight::Bold;
-        canvas.text({middle + 90, y}, std::to_string(scores[i]), style);
+        on.canvas.text({middle + 90, y}, std::to_string(scores[i]), style);
     }
-    if (scores.empty()) aside(canvas, "none yet", theme, 180, 230);
-    view.menu.draw(canvas, {middle, 327}, theme);
+    if (scores.empty()) aside(on, "none yet", 180, 230);
+    view.menu.draw(on.canvas, menuTop(Screen::Scores), on.theme);
 }
 
-void drawPause(Canvas& canvas, const ScreenView& view) {
-    const Theme& theme = view.session.info().theme;
-    constexpr double first = 170;
-    dim(canvas, theme, 0.5);
-    heading(canvas, "Pause", theme, 100, 46);
-    panel(canvas, theme, first - lineHeight, menuEnd(view.menu, first) + 12);
-    view.menu.draw(canvas, {middle, first}, theme);
+void drawPause(const Sheet& on, const ScreenView& view) {
+    const double first = menuTop(Screen::Pause).y();
+    dim(on, 0.5);
+    heading(on, "Pause", 100, 46);
+    panel(on, first - lineHeight, menuEnd(view.menu, first) + 12);
+    view.menu.draw(on.canvas, menuTop(Screen::Pause), on.theme);
 }
 
 }  // namespace
 
+Vec2 menuTop(Screen screen) {
+    switch (screen) {
+        case Screen::Title: return {middle, 160};
+        case Screen::Pause: return {middle, 170};
+        case Screen::Over: return {middle, 214};
+        case Screen::Scores: return {middle, 327};
+        case Screen::Play: break;
+    }
+    return {middle, 0};
+}
+
+Place screenPlace(const Aabb& visible) {
+    const double scale = std::clamp((visible.upper.y() - visible.lower.y()) / screenHeight, 1.0, mostScale);
+    const Vec2 center(middle, screenHeight / 2);
+    return {.position = (1 - scale) * center, .scale = {scale, scale}};
+}
+
 void drawScreen(Canvas& canvas, const ScreenView& view) {
+    canvas.screen();
+    const Place place = screenPlace(canvas.visible());
+    const auto scope = canvas.place(place);
+    const Sheet on{canvas, view.session.info().theme, screenWidth / place.scale.x()};
     switch (view.session.screen()) {
-        case Screen::Title: return drawTitle(canvas, view);
-        case Screen::Pause: return drawPause(canvas, view);
-        case Screen::Over: return drawOver(canvas, view);
-        case Screen::Scores: return drawScores(canvas, view);
+        case Screen::Title: return drawTitle(on, view);
+        case Screen::Pause: return drawPause(on, view);
+        case Screen::Over: return drawOver(on, view);
+        case Screen::Scores: return drawScores(on, view);
         case Screen::Play: return;
     }
 }

@@ -15,4 +15,11 @@ struct ScreenView {
 
 void drawScreen(Canvas& canvas, const ScreenView& view);
 
+/// Where the menu's first line is drawn, in the units that screenPlace() scales.
+Vec2 menuTop(Screen screen);
+
+/// Screens grow in a window that is higher than the safe area: on a phone that is held upright they would be too small.
+/// visible: of the screen's units.
+Place screenPlace(const Aabb& visible);
+
 }  // namespace plumb::games

@@ -50,6 +50,8 @@ struct Session::State {
           show(info) {
         std::sort(scores.rbegin(), scores.rend());
         if (scores.size() > mostScores) scores.resize(mostScores);
+        // A value that no game can be made with is refused now, and not when the player has chosen Play.
+        if (!setup.options.empty()) static_cast<void>(info.make(next));
         goTo(Screen::Title);
     }
 
@@ -198,6 +200,26 @@ void Session::draw(Canvas& canvas, std::vector<FooterLine> footer) const {
     canvas.layer(menuLayer);
     canvas.screen();
     drawScreen(canvas, {*this, state_->menu, state_->since, state_->rank});
+}
+
+std::vector<Buttons> Session::pressesAt(const Vec2& pixel, PixelSize size) const {
+    Canvas canvas(size);
+    const Aabb visible = canvas.visible();
+    const Place place = screenPlace(visible);
+    const Vec2 onScreen = visible.lower + pixel * canvas.unitsPerPixel();
+    const Vec2 point = (onScreen - place.position) / place.scale.x(), top = menuTop(screen());
+    Menu& menu = state_->menu;
+    const int entry = menu.entryAt(point, top);
+    if (entry < 0) return {};
+    std::vector<Buttons> presses;
+    // Nothing first: what is held already is not pressed anew.
+    const auto press = [&](std::string_view action) { presses.insert(presses.end(), {0, actions().button(action)}); };
+    for (int at = menu.chosen(); at < entry; ++at) press("down");
+    for (int at = menu.chosen(); at > entry; --at) press("up");
+    const bool isOption = !menu.entry(entry).value.empty();
+    press(!isOption ? "confirm" : point.x() < top.x() ? "left" : "right");
+    presses.push_back(0);
+    return presses;
 }
 
 std::vector<Cue> Session::takeCues() {

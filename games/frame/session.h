@@ -23,7 +23,7 @@ struct SessionSetup {
 /// the same bits, through all of its screens and rounds.
 class Session {
 public:
-    /// Throws std::invalid_argument on an option that the game has not, or a value it cannot have.
+    /// Throws std::invalid_argument on an option that the game does not have, or a value that it cannot have.
     Session(const GameInfo& info, const SessionSetup& setup);
     ~Session();
 
@@ -31,6 +31,10 @@ public:
     /// The footer's lines are told below the picture; those on the world, where showDebug() shows it, come first.
     void draw(Canvas& canvas, std::vector<FooterLine> footer = {}) const;
     std::vector<Cue> takeCues();
+
+    /// What to press, tick by tick, so that a menu's entry at a point of the window is chosen; an option's left half
+    /// changes it to the value before. Empty where there is no entry. pixel: of a window that has no footer.
+    std::vector<Buttons> pressesAt(const Vec2& pixel, PixelSize size) const;
 
     Screen screen() const;
     const ActionList& actions() const;  ///< what the buttons' bits are

@@ -18,7 +18,7 @@ GameInfo info() {
          .choices = {"modern", "1985"},
          .label = "Moves like"},
         {.name = "from", .about = "The first level", .value = "1", .choices = {"1", "2", "3"}, .label = "From level"},
-        {.name = "level", .about = "A file with a level of one's own, instead of the three"}};
+        {.name = "level", .about = "A file with a level of your own, instead of the three"}};
     info.theme = {.background = Color::hex(0x1d1828),
                   .panel = Color::hex(0x352b45),
                   .text = Color::hex(0xfff6e6),

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
-#include <iterator>
 #include <optional>
 
 #include <games/runner/legend.h>
@@ -149,13 +147,6 @@ void refuse(std::string_view file, const TextPlace& place, std::string_view comp
 
 Level readLevel(std::string_view text, std::string_view file) {
     return Reader(text, file).read();
-}
-
-Level levelIn(const std::string& file) {
-    std::ifstream in(file, std::ios::binary);
-    const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-    if (!in) throw std::invalid_argument(file + ": cannot be read; a level's text was wanted");
-    return readLevel(text, file);
 }
 
 }  // namespace plumb::games::runner

@@ -22,7 +22,5 @@ struct TextPlace {
 /// a line "map:" and, to the end, the rows of the map, the topmost first, by legend(). README.md tells it at length.
 /// Throws as refuse() on anything else. file is for messages only.
 Level readLevel(std::string_view text, std::string_view file);
-/// Of a file. Throws std::invalid_argument when it cannot be read, too.
-Level levelIn(const std::string& file);
 
 }  // namespace plumb::games::runner

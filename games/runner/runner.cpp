@@ -6,7 +6,7 @@
 #include <games/frame/layers.h>
 #include <games/runner/buttons.h>
 #include <games/runner/draw.h>
-#include <games/runner/level_text.h>
+#include <games/runner/level_file.h>
 #include <games/runner/levels.h>
 #include <games/runner/sounds.h>
 

@@ -7,6 +7,7 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <random>
 #include <stdexcept>
 
@@ -28,12 +29,13 @@ public:
 Record recordIn(const std::string& file, const GameInfo& info) {
     std::ifstream in(file);
     if (!in) throw std::invalid_argument("--replay: cannot read " + file);
-    return readRecord(in, file, info);
+    const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+    return readRecord(text, file, info);
 }
 
 void writeRecordTo(const std::string& file, const Record& record, const GameInfo& info) {
     std::ofstream out(file);
-    writeRecord(out, record, withMenuActions(info.actions));
+    out << textOf(record, withMenuActions(info.actions));
     if (!out.flush()) throw std::runtime_error("--record: cannot write " + file);
 }
 

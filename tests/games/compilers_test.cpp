@@ -37,7 +37,7 @@ Record recordOf(const GameInfo& info, std::uint64_t seed, int ticks) {
 
 void write(const fs::path& file, const Record& record, const GameInfo& info) {
     std::ofstream out(file);
-    writeRecord(out, record, withMenuActions(info.actions));
+    out << textOf(record, withMenuActions(info.actions));
     REQUIRE(out.good());
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <games/frame/record.h>
 
-#include <sstream>
-
 #include <plumb/math/random.h>
 
 #include "cases.h"
@@ -16,8 +14,7 @@ using test::containsText;
 namespace {
 
 Record read(const std::string& text) {
-    std::istringstream in(text);
-    return readRecord(in, "a.record", test::countingGame());
+    return readRecord(text, "a.record", test::countingGame());
 }
 
 const std::string head = "plumb-record 1 counting\n";
@@ -32,9 +29,7 @@ TEST_CASE("random records of 1 to 300 ticks read back as they were written", "[g
         for (int tick = random.integer(1, 300); tick > 0; --tick)
             record.add(static_cast<Buttons>(random.integer(0, (1 << actions.size()) - 1)) & Buttons(random.bits()));
         if (random.integer(0, 1) == 1) record.hash = random.bits();
-        std::ostringstream out;
-        writeRecord(out, record, actions);
-        const Record back = read(out.str());
+        const Record back = read(textOf(record, actions));
         REQUIRE(back.seed == record.seed);
         REQUIRE(back.options == record.options);
         REQUIRE(back.runs == record.runs);
@@ -56,9 +51,8 @@ TEST_CASE("a record that a person wrote, with remarks and empty lines, is played
 TEST_CASE("an option's value goes to the end of its line: a file may be called \"#1 my option level.txt\"", "[games]") {
     const std::string file = "#1 my option level.txt";
     Record record{"counting", 1, {{"level", file}}};
-    std::ostringstream out;
-    writeRecord(out, record, withMenuActions(test::countingGame().actions));
-    CHECK(read(out.str()).options.at("level") == file);
+    const std::string text = textOf(record, withMenuActions(test::countingGame().actions));
+    CHECK(read(text).options.at("level") == file);
     CHECK(read(head + "  option\tlevel   a b \r\n").options.at("level") == "a b");
 }
 

@@ -74,10 +74,6 @@ TEST_CASE("a bad level is refused with file, row, column and what was wanted", "
     refusal(tall, "mine.txt:102:1: a row too many");
 }
 
-TEST_CASE("a level's file that is not there is refused by its name", "[games][runner]") {
-    REQUIRE_THROWS_WITH(levelIn("/no/such/level.txt"), containsText("/no/such/level.txt: cannot be read"));
-}
-
 TEST_CASE("each of the three levels has its beacon, three suns, checkpoints and coins", "[games][runner]") {
     REQUIRE(builtInLevels().size() == 3);
     for (const LevelText& text : builtInLevels()) {
