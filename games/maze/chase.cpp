@@ -8,7 +8,7 @@ namespace plumb::games::maze {
 namespace {
 
 const ArcadeProfile arcade;
-constexpr int freezeFrames = 60;  ///< in which the points can be read
+constexpr int freezeFrames = 60;  ///< long enough to read the points
 GridMover newPlayer() {
     return GridMover({.cell = playerStart.cell,
                       .offset = playerStart.offset,
@@ -128,7 +128,7 @@ void Chase::moveHunters() {
 
 void Chase::moveEyes() {
     for (Hunter& hunter : hunters_) {
-        const bool waits = freeze_ > 0 && hunter.who() == lastCaught_;  // until its points are gone
+        const bool waits = freeze_ > 0 && hunter.who() == lastCaught_;  // its points are still shown
         const bool eyes = hunter.where() == Where::Eyes || hunter.where() == Where::Entering;
         if (eyes && !waits) moveHunter(hunter);
     }
@@ -148,7 +148,8 @@ void Chase::letOut() {
     if (*next == Who::Loner) hasteOff_ = false;
 }
 
-/// Who is in the player's cell when both have moved. Two who swap cells at once pass through each other.
+/// A hunter meets the player if both are in the same cell after both have moved. If they swap cells in one frame, they
+/// pass through each other.
 void Chase::meet() {
     for (Hunter& hunter : hunters_) {
         if (!hunter.canMeet() || !(hunter.cell() == player_.cell())) continue;

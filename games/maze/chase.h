@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What happens in a level, from frame to frame, by rules alone?
+// What happens in one level, frame by frame, according to the rules?
 #pragma once
 #include <array>
 #include <bitset>
@@ -21,14 +21,16 @@ struct ChaseEvent {
     Vec2 position{0, 0};  ///< [tiles]
 };
 
-/// One level, without pictures, sounds, lives or score. A copy goes on by itself: so the computer looks ahead.
+/// One level, without pictures, sounds, lives or score. A copy runs independently: the computer player looks
+/// ahead with copies.
 class Chase {
 public:
-    /// Chance is the same in each life of a level, and follows from the seed.
+    /// The random numbers follow from the seed, and are the same in each life of a level.
     explicit Chase(int level, std::uint64_t seed = 1);
 
     void beginLifeAfterDeath();
-    /// One frame; the player turns as wanted as soon as it can. Nothing more happens once it is caught or done.
+    /// Runs one frame. The player turns in the wanted direction as soon as it can. Does nothing when the player was
+    /// caught or the level is cleared.
     void step(std::optional<Direction> wanted);
     std::span<const ChaseEvent> events() const { return events_; }  ///< of the last frame, in order
 
@@ -43,8 +45,8 @@ public:
     bool hasDot(Cell cell) const { return dots_[indexOf(cell)]; }  ///< or a power dot
     int dotsLeft() const { return dotsLeft_; }
     int dotsEaten() const;
-    int frightFrames() const { return frightFrames_; }  ///< left
-    bool frozen() const { return freeze_ > 0; }         ///< a hunter was just caught: all but eyes stand still
+    int frightFrames() const { return frightFrames_; }  ///< remaining
+    bool frozen() const { return freeze_ > 0; }         ///< a hunter was just caught: only eyes move
     std::optional<Who> justCaught() const;              ///< while frozen
     bool fruitShown() const { return fruitFrames_ > 0; }
     bool playerCaught() const { return catcher_.has_value(); }
@@ -55,7 +57,7 @@ public:
     Cell targetOf(Who who) const { return hunter(who).targetFor(sightOf(who)); }
     SpeedPattern speedOf(Who who) const;
 
-    void reseed(std::uint64_t seed) { random_ = Random(seed); }  ///< for those who look ahead, and are not to know
+    void reseed(std::uint64_t seed) { random_ = Random(seed); }  ///< for a look ahead, which must not know chance
     void addTo(Hash& hash) const;
 
 private:

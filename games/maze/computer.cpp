@@ -10,8 +10,8 @@
 namespace plumb::games::maze {
 namespace {
 
-constexpr int patience = 10;  ///< between two looks ahead, when nothing gives a reason [frames]
-constexpr int safe = 12;      ///< from all hunters; then it looks ahead at crossings only [tiles]
+constexpr int patience = 10;  ///< longest time between two looks ahead [frames]
+constexpr int safe = 12;      ///< farther than this from all hunters, it looks ahead at crossings only [tiles]
 
 bool isSafe(const Chase& chase) {
     return std::none_of(chase.hunters().begin(), chase.hunters().end(), [&](const Hunter& hunter) {
@@ -19,14 +19,14 @@ bool isSafe(const Chase& chase) {
     });
 }
 
-/// Where there is but one way on, that way.
+/// The way on, if there is only one.
 std::optional<Direction> onlyWay(const GridMover& player) {
     const std::vector<Direction>& exits = lanes().exits(player.cell());
     if (exits.size() != 2) return std::nullopt;
     return exits[0] == opposite(player.heading()) ? exits[1] : exits[0];
 }
 
-/// Looks ahead whenever it has come to another cell, and holds that key until then.
+/// Looks ahead each time it enters another cell, and holds the chosen key until the next time.
 class Computer final : public Player {
 public:
     Buttons decide(const Game& game) override {

@@ -12,7 +12,7 @@ std::optional<Who> firstOf(const Waiting& waiting) {
     return everyone[static_cast<std::size_t>(found - waiting.begin())];
 }
 
-/// The tables leave out the chaser, who never waits.
+/// The tables do not contain the chaser, because it never waits.
 template <typename Limits>
 int limitOf(Who who, const Limits& limits) {
     return who == Who::Chaser ? 0 : limits[indexOf(who) - 1];
@@ -33,7 +33,7 @@ void HouseCounters::dotEaten(const Waiting& waiting) {
         return;
     }
     ++dotsForAll_;
-    // With the last one at home at its limit, each counts for itself again, the last one too.
+    // When the limit of the loner is reached and it is at home, each hunter counts for itself again, also the loner.
     if (waiting[indexOf(Who::Loner)] && dotsForAll_ == limitOf(Who::Loner, ArcadeProfile{}.houseLimitsAfterDeath))
         forAll_ = false;
 }

@@ -10,11 +10,12 @@
 
 namespace plumb::games::maze {
 
-/// Who waits in the house, by Who. The first of them in the order of Who is the next to leave.
+/// Which hunters wait in the house, indexed by Who. The first of them in the order of Who is the next to leave.
 using Waiting = std::array<bool, 4>;
 
-/// Every hunter counts the dots eaten while it is next. After a death one counter counts for all, until it has let the
-/// last out. And if no dot is eaten for a while, the next one leaves anyway.
+/// Each hunter counts the dots eaten while it is the next to leave. After a death one shared counter counts for all. It
+/// stops when it reaches the limit of the loner while the loner is at home. If no dot is eaten for noDotFrames, the
+/// next hunter leaves anyway.
 /// Source: The Pac-Man Dossier, chapter 2, "Home Sweet Home".
 class HouseCounters {
 public:
@@ -22,7 +23,7 @@ public:
     void beginLifeAfterDeath();
 
     void dotEaten(const Waiting& waiting);
-    /// Once a frame: who leaves, if anyone.
+    /// Call it once a frame. Returns the hunter that leaves, if any.
     std::optional<Who> next(const Waiting& waiting, const LevelRules& rules);
 
     bool countsForAll() const { return forAll_; }
@@ -33,7 +34,7 @@ public:
 private:
     bool mayLeave(Who who, const LevelRules& rules) const;
 
-    std::array<int, 4> dots_{};  ///< by Who
+    std::array<int, 4> dots_{};  ///< indexed by Who
     int dotsForAll_ = 0;
     int framesWithoutDot_ = 0;
     bool forAll_ = false;

@@ -7,19 +7,19 @@
 
 namespace plumb::games::maze {
 
-/// Where a hunter waits; the chaser's home is the ambusher's too.
+/// Where a hunter waits. The chaser and the ambusher have the same home.
 Pixel homeOf(Who who);
-/// Before the door, in the middle of the lane.
+/// The point before the door, in the middle of the lane.
 Pixel doorstep();
 
-/// Pixel by pixel, by a speed pattern of its own.
+/// Moves pixel by pixel, and counts the frames of its speed pattern itself.
 class HouseWalk {
 public:
     HouseWalk(Who who, const Pixel& at) : who_(who), at_(at) {}
 
     void bob(SpeedPattern speed);    ///< up and down at home
-    bool leave(SpeedPattern speed);  ///< to the middle, then up; true: it stands on the doorstep
-    bool enter(SpeedPattern speed);  ///< down, then home; true: it is there
+    bool leave(SpeedPattern speed);  ///< sideways to the middle, then up; true: it is on the doorstep
+    bool enter(SpeedPattern speed);  ///< down, then sideways to its home; true: it is there
 
     const Pixel& at() const { return at_; }
     std::uint32_t frame() const { return frame_; }

@@ -48,8 +48,9 @@ void Hunter::step(const Sight& sight, SpeedPattern speed, Random& random) {
     }
 }
 
-/// One tile ahead of itself: when it enters a cell, that cell's exit was chosen before, and the next one's is now. Who
-/// turns back may be in yet another cell in the same frame: each choice is for the cell of its event.
+/// A hunter plans one tile ahead: when it enters a cell, it has already chosen the exit of that cell, and now chooses
+/// the exit of the next one. A hunter that turns back may enter one more cell in the same frame: each choice uses the
+/// cell of its event.
 void Hunter::run(const Sight& sight, SpeedPattern speed, Random& random) {
     for (const GridEvent& event : mover_.moveFrame(mazeMap(), speed)) {
         if (event.kind == GridEventKind::Entered) {
@@ -57,7 +58,7 @@ void Hunter::run(const Sight& sight, SpeedPattern speed, Random& random) {
             mover_.want(exit_);
             decide(event.cell, sight, random);
         } else if (event.kind == GridEventKind::Reversed) {
-            mover_.wantNothing();  // its plans were for the other way
+            mover_.wantNothing();  // its plan was for the old heading
             exit_ = event.direction;
             decide(event.cell, sight, random);
         }
@@ -87,7 +88,7 @@ void Hunter::beginLanes() {
     leavesRight_ = false;
     where_ = Where::Lanes;
     mover_ = moverBeforeDoor(heading);
-    exit_ = plan_ = heading;  // there is nothing else to choose before the door
+    exit_ = plan_ = heading;  // before the door there is no other exit
 }
 
 void Hunter::turnBack() {

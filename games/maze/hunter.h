@@ -13,30 +13,30 @@ namespace plumb::games::maze {
 enum class Where : std::uint8_t {
     Home,      ///< waits in the house
     Leaving,   ///< on the way to the doorstep
-    Lanes,     ///< hunting
-    Eyes,      ///< caught: runs to the doorstep
+    Lanes,     ///< hunts, rests or is frightened
+    Eyes,      ///< was caught: runs to the doorstep
     Entering,  ///< on the way home
 };
 
-/// What a hunter knows, and is told.
+/// What a hunter must know to choose its way.
 struct Sight {
     Cell player;
     Direction heading;  ///< the player's
     Cell chaser;
-    bool rests = false;  ///< scatters
+    bool rests = false;  ///< true: it goes to its corner
 };
 
 class Hunter {
 public:
-    /// Where it begins a life: the chaser on the doorstep, the others at home.
+    /// At the start of a life the chaser is on the doorstep, and the others are at home.
     explicit Hunter(Who who);
 
-    /// One frame. In lanes it makes for its target at that speed, or, when frightened, anywhere.
+    /// Runs one frame. In the lanes it moves at this speed: to its target or, if frightened, in random directions.
     void step(const Sight& sight, SpeedPattern speed, Random& random);
     Cell targetFor(const Sight& sight) const { return targetFrom(cell(), sight); }
 
     void letOut() { where_ = Where::Leaving; }
-    void turnBack();  ///< when it enters the next cell; who is in the house will leave it the other way
+    void turnBack();  ///< in lanes: when it enters the next cell; in the house: it will leave to the right
     void takeFright() { frightened_ = true; }
     void takeHeart() { frightened_ = false; }
     void beCaught();
@@ -44,11 +44,11 @@ public:
     Who who() const { return who_; }
     Where where() const { return where_; }
     bool frightened() const { return frightened_; }
-    bool canMeet() const { return where_ == Where::Lanes; }  ///< the player
+    bool canMeet() const { return where_ == Where::Lanes; }  ///< can catch the player, or be caught
     bool isInLanes() const { return where_ == Where::Lanes || where_ == Where::Eyes; }
-    Cell cell() const { return mover_.cell(); }  ///< in lanes
+    Cell cell() const { return mover_.cell(); }  ///< valid only in lanes
     Direction heading() const;
-    /// The exit that it has chosen of the cell that comes after this one.
+    /// The exit that it has chosen for the next cell.
     Direction plan() const { return plan_; }
     Vec2 position() const;  ///< [tiles]
     void addTo(Hash& hash) const;
@@ -56,7 +56,7 @@ public:
 private:
     Cell targetFrom(Cell from, const Sight& sight) const;
     void run(const Sight& sight, SpeedPattern speed, Random& random);
-    /// The plan for the cell beyond the exit of the one that it is in, from.
+    /// Sets plan_ while the hunter is in the cell from.
     void decide(Cell from, const Sight& sight, Random& random);
     void beginLanes();
 
@@ -66,8 +66,8 @@ private:
     bool leavesRight_ = false;
     HouseWalk walk_;
     GridMover mover_;
-    Direction exit_ = Direction::Left;  ///< of the cell it is in
-    Direction plan_ = Direction::Left;  ///< of the next one
+    Direction exit_ = Direction::Left;  ///< of its current cell
+    Direction plan_ = Direction::Left;  ///< of the next cell
 };
 
 }  // namespace plumb::games::maze

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far is it from cell to cell through the maze, and which ways lead on?
+// How long is the way from one cell of the maze to another, and which exits does a cell have?
 #pragma once
 #include <vector>
 
@@ -7,13 +7,13 @@
 
 namespace plumb::games::maze {
 
-/// All ways of the maze, found once by breadth-first search from every cell.
+/// The distances between all cells, found once by breadth-first search from every cell.
 class Lanes {
 public:
     Lanes();
 
-    const std::vector<Cell>& cells() const { return cells_; }  ///< all that the player may enter
-    /// In tiles, through the tunnel where that is nearer. Both must be lanes.
+    const std::vector<Cell>& cells() const { return cells_; }  ///< all cells that the player may enter
+    /// The shortest way, through the tunnel if that is shorter [tiles]. Both cells must be lanes.
     int distance(Cell a, Cell b) const { return distances_[at(a) * cells_.size() + at(b)]; }
     const std::vector<Direction>& exits(Cell cell) const { return exits_[at(cell)]; }
 

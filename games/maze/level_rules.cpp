@@ -6,7 +6,7 @@
 namespace plumb::games::maze {
 namespace {
 
-constexpr int flashFrames = 2 * 14;  ///< light, then dark again; less where fright is too short for all of them
+constexpr int flashFrames = 2 * 14;  ///< light, then dark; shorter if the fright is too short for all flashes
 constexpr std::size_t patterns = 160 / 5 + 1;
 
 std::array<SpeedPattern, patterns> allPatterns() {
@@ -29,7 +29,7 @@ SpeedPattern patternOf(int percent) {
 bool LevelRules::isFlash(int framesLeft) const {
     if (flashes == 0 || framesLeft <= 0) return false;
     const int half = std::min(flashFrames, frightFrames / flashes) / 2;
-    const int phase = (framesLeft - 1) / half;  // 0 is the last, dark one
+    const int phase = (framesLeft - 1) / half;  // 0 is the last one, which is dark
     return phase % 2 == 1 && phase < 2 * flashes;
 }
 

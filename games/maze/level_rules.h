@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// How fast, how long, how many, on one level?
+// Which speeds, times and numbers does a level have?
 #pragma once
 #include <plumb/movers/arcade_profile.h>
 
 namespace plumb::games::maze {
 
-inline constexpr int framesPerSecond = 60;  ///< a tick is a frame of the arcade, whose 60.6 a second are 60 here
+inline constexpr int framesPerSecond = 60;  ///< a tick is one frame of the arcade, which ran 60.6 a second
 
 /// The kit's tables for a level, times in frames.
 struct LevelRules {
@@ -15,11 +15,11 @@ struct LevelRules {
     ArcadeHouse house{};
     ArcadeFruit fruit{};
     int noDotFrames = 0;
-    int hasteDots = 0;     ///< left, at which the first hunter makes haste; at half as many, more
-    int frightFrames = 0;  ///< 0: hunters turn back, and that is all
+    int hasteDots = 0;     ///< the chaser speeds up when this number of dots is left, and again at half of it
+    int frightFrames = 0;  ///< 0: hunters only turn back
     int flashes = 0;
 
-    /// Is a frightened hunter light, so many frames before it takes heart? As often as there are flashes, at the end.
+    /// Is a frightened hunter drawn light, this many frames before the fright ends? It ends with the flashes.
     bool isFlash(int framesLeft) const;
 };
 
@@ -27,11 +27,11 @@ struct LevelRules {
 LevelRules rulesOf(int level);
 
 int framesIn(double seconds);
-/// The kit's pattern, from a table: it is asked for five times a frame.
+/// The kit's pattern. It is stored in a table, because it is needed five times a frame.
 SpeedPattern patternOf(int percent);
 
-// What the sources leave open.
-inline constexpr int houseSpeed = 40;  ///< half a pixel a frame: who comes out is seen coming [%]
-inline constexpr int eyesSpeed = 160;  ///< the fastest that a pattern can be [%]
+// The sources do not give these values.
+inline constexpr int houseSpeed = 40;  ///< half a pixel a frame, so that players see a hunter come out in time [%]
+inline constexpr int eyesSpeed = 160;  ///< the highest speed of a pattern [%]
 
 }  // namespace plumb::games::maze

@@ -9,9 +9,9 @@ namespace plumb::games::maze {
 namespace {
 
 constexpr int near = 10;            ///< a hunter this close makes a power dot worth more [tiles]
-constexpr int exitsOfCrossing = 3;  ///< exits
+constexpr int exitsOfCrossing = 3;  ///< a cell with fewer exits is no crossing
 constexpr double worst = -1e9;
-constexpr double haste = 0.3;  ///< the share of its worth that what comes last loses
+constexpr double haste = 0.3;  ///< an event in the last frame loses this share of its value
 
 bool isDangerous(const Hunter& hunter) {
     return hunter.canMeet() && !hunter.frightened();
@@ -46,7 +46,7 @@ std::optional<Direction> Lookahead::best(const Chase& chase) const {
     return best;
 }
 
-/// Down one lane to the next exitsOfCrossing, and beyond.
+/// The value of one lane up to the next crossing, and of the best way from there.
 double Lookahead::follow(Chase chase, Direction wanted, int frame) const {
     double value = 0;
     for (; frame < settings_.frames; ++frame) {
@@ -72,7 +72,7 @@ double Lookahead::branch(const Chase& chase, int frame) const {
     return most;
 }
 
-/// Of one frame; what comes later counts less.
+/// The value of the events of one frame; later events count less.
 double Lookahead::gain(const Chase& chase, int frame) const {
     const double patience = 1 - haste * frame / settings_.frames;
     double value = 0;
@@ -87,7 +87,7 @@ double Lookahead::gain(const Chase& chase, int frame) const {
     return value * patience;
 }
 
-/// Of what comes after the last frame that is looked at.
+/// The value of the situation after the last simulated frame.
 double Lookahead::prospects(const Chase& chase) const {
     double value = -settings_.way * wayToNearestDot(chase);
     for (const Hunter& hunter : chase.hunters())

@@ -16,7 +16,7 @@ namespace {
 constexpr int extraLifeAt = 10'000;
 constexpr int mostLevels = 1000;
 
-/// Of an option that holds a whole number.
+/// The value of an option that is a whole number.
 int numberIn(const GameSetup& setup, const std::string& name, int least) {
     const std::string& text = setup.option(name);
     int number = 0;

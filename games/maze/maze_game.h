@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does a game go, from the first life of the first level to the last of the last?
+// How does a whole game run, through all its levels and lives?
 #pragma once
 #include <array>
 #include <vector>
@@ -10,10 +10,10 @@
 
 namespace plumb::games::maze {
 
-/// What goes on now. In all but Play, nothing moves.
+/// The current part of the game. The mouse and the cats move only in Play.
 enum class Phase : std::uint8_t { Intro, Ready, Play, Caught, Dying, Cleared };
 
-/// Something that happened a moment ago, and is still to be seen.
+/// An event of the last second that is still drawn.
 struct Trace {
     ChaseEvent event;
     int age = 0;  ///< [ticks]
@@ -21,7 +21,7 @@ struct Trace {
     static constexpr int longest = 60;  ///< [ticks]
 };
 
-/// Where all were a tick before, so that they are seen moving smoothly. No part of the rules.
+/// The positions one tick before, for smooth drawing. They are not part of the rules.
 struct Trail {
     Vec2 player{0, 0};
     std::array<Vec2, 4> hunters;
@@ -35,7 +35,7 @@ public:
     void draw(Canvas& canvas) const override;
     void drawDebug(Canvas& canvas) const override;
     Progress progress() const override { return progress_; }
-    std::string verdict() const override;  ///< who got the mouse
+    std::string verdict() const override;  ///< who caught the mouse
     std::uint64_t hash() const override;
 
     const Chase& chase() const { return chase_; }
@@ -43,12 +43,12 @@ public:
     int phaseTicks() const { return phaseTicks_; }  ///< since it began
     std::int64_t ticks() const { return ticks_; }
     int level() const { return level_; }
-    int lives() const { return lives_; }  ///< this one too
+    int lives() const { return lives_; }  ///< with the current one
     std::int64_t score() const { return progress_.score; }
     const std::vector<Trace>& traces() const { return traces_; }
     const Trail& trail() const { return trail_; }
-    int sinceExtraLife() const { return sinceExtraLife_; }              ///< ticks; large when there was none
-    const std::vector<int>& fruitEaten() const { return fruitEaten_; }  ///< kinds, the last one last
+    int sinceExtraLife() const { return sinceExtraLife_; }              ///< [ticks]; large if there was none
+    const std::vector<int>& fruitEaten() const { return fruitEaten_; }  ///< kinds, in the order eaten
 
     static int ticksOf(Phase phase);
 
@@ -64,7 +64,7 @@ private:
     void hum();
 
     std::uint64_t seed_;
-    int levelsToWin_;  ///< 0: without end
+    int levelsToWin_;  ///< 0: no limit
     int cleared_ = 0;
     int level_;
     int lives_ = 3;

@@ -6,7 +6,7 @@
 namespace plumb::games::maze {
 namespace {
 
-/// Of equal temperament, so many half tones above the A of 110 Hz.
+/// The frequency this many semitones above the A of 110 Hz, in equal temperament [Hz].
 double pitch(int halfTones) {
     double hertz = 110;
     for (int i = 0; i < halfTones; ++i) hertz *= 1.0594630943592953;
@@ -29,7 +29,7 @@ void add(Cues& cues, const std::array<Note, count>& notes, Wave wave, double vol
                         .delay = note.at});
 }
 
-// A little tiptoe in D minor: two steps up, a stop to listen, and off.
+// A short, quiet tune in D minor: two steps up, a rest, and on.
 constexpr double beat = 0.15;
 constexpr std::array<Note, 15> tune{{{17, 0 * beat, 0.14},
                                      {20, 1 * beat, 0.14},

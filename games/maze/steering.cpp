@@ -4,7 +4,7 @@
 namespace plumb::games::maze {
 namespace {
 
-constexpr int tapTicks = 18;  ///< about three tiles of way
+constexpr int tapTicks = 18;  ///< the mouse runs about three tiles in this time
 
 }  // namespace
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which way does the player want to go, of all keys that are held or were just tapped?
+// Which direction do the keys that are held or were just tapped ask for?
 #pragma once
 #include <optional>
 #include <vector>
@@ -10,20 +10,20 @@
 
 namespace plumb::games::maze {
 
-/// The name of the action that steers there.
+/// The name of the action that steers in this direction.
 const char* actionOf(Direction direction);
 
-/// Of keys held together the one pressed last counts. A tap is remembered for a moment: whoever lets go before the
-/// corner still turns.
+/// If several keys are held, the last one pressed counts. A tap is remembered for 0.3 s: the mouse still turns if the
+/// key is released before the corner.
 class Steering {
 public:
     std::optional<Direction> update(const Input& input);
     void addTo(Hash& hash) const;
 
 private:
-    std::vector<Direction> held_;  ///< as they were pressed
+    std::vector<Direction> held_;  ///< in the order pressed
     std::optional<Direction> tapped_;
-    int memory_ = 0;  ///< of the tap [ticks]
+    int memory_ = 0;  ///< how long the tap is still remembered [ticks]
 };
 
 }  // namespace plumb::games::maze

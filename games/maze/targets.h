@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who are the four, and where does each want to be?
+// Who are the four hunters, and which cell does each go to?
 #pragma once
 #include <array>
 #include <cstdint>
@@ -8,13 +8,13 @@
 
 namespace plumb::games::maze {
 
-/// Four characters, in the kit's order. Each is nothing but a rule for one cell, its target; all go there by the kit's
+/// The four hunters, in the kit's order. They differ only in the rule for their target cell; all go there by the kit's
 /// nextDirection.
 enum class Who : std::uint8_t {
     Chaser,    ///< goes where the player is
     Ambusher,  ///< goes where the player will be
-    Flanker,   ///< takes the player between itself and the chaser
-    Loner,     ///< comes near, and takes fright
+    Flanker,   ///< tries to have the player between itself and the chaser
+    Loner,     ///< comes near, then goes back to its corner
 };
 inline constexpr std::array<Who, 4> everyone{Who::Chaser, Who::Ambusher, Who::Flanker, Who::Loner};
 constexpr std::size_t indexOf(Who who) {
@@ -24,7 +24,7 @@ constexpr std::size_t indexOf(Who who) {
 inline Cell chaseTarget(Who who, const HunterContext& question) {
     return hunterTarget(static_cast<int>(who), question, specialPlaces());
 }
-/// Outside of the lanes, so that a hunter goes round and round the corner that is nearest.
+/// It is not in a lane, so a hunter never arrives: it moves in circles in that corner of the maze.
 inline Cell scatterTarget(Who who) {
     return specialPlaces().corners[indexOf(who)];
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Do hunters hunt now, or do they take a rest in their corners?
+// Do the hunters chase the player now, or do they rest in their corners?
 #pragma once
 #include <games/maze/level_rules.h>
 
@@ -8,7 +8,7 @@ namespace plumb::games::maze {
 /// Counts the frames of a life in which no hunter is frightened.
 class WaveClock {
 public:
-    /// One frame. True: the mode is another from now on, and all turn back.
+    /// Counts one frame. True: the mode has changed, and all hunters must turn back.
     bool step(const ArcadeWaves& waves) {
         const HunterMode before = mode_;
         mode_ = modeAt(waves, static_cast<double>(++frames_) / framesPerSecond);

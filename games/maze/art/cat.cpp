@@ -25,7 +25,7 @@ bool isScared(Mood mood) {
     return mood == Mood::Frightened || mood == Mood::Flashes;
 }
 
-/// Behind it, to the side it does not look to.
+/// Behind the cat, on the side away from its look.
 void drawTail(Canvas& canvas, const Coat& coat, const CatPose& pose) {
     const double side = pose.looks == Direction::Right ? -1 : 1;
     std::vector<Vec2> tail;
@@ -61,7 +61,7 @@ void drawStripes(Canvas& canvas, const Coat& coat) {
         for (const double y : {-0.12, -0.3}) canvas.line({0.7 * side, y}, {0.52 * side, y + 0.02}, coat.dark, 0.07);
 }
 
-/// White with a slit that points where it looks.
+/// White, with slit pupils on the side that it looks to.
 void drawEyes(Canvas& canvas, const CatPose& pose) {
     const Vec2 look = 0.1 * unitOf(pose.looks);
     for (const double side : sides) {
@@ -74,7 +74,7 @@ void drawEyes(Canvas& canvas, const CatPose& pose) {
 
 void drawBrows(Canvas& canvas, const Coat& coat, Mood mood) {
     for (const double side : sides) {
-        if (mood == Mood::Rests) {  // lids, half closed
+        if (mood == Mood::Rests) {  // half-closed lids
             canvas.pie({0.3 * side, 0.13}, 0.29, 0, std::numbers::pi, coat.fur);
             canvas.line({0.06 * side, 0.13}, {0.54 * side, 0.13}, coat.dark, 0.08);
         } else {

@@ -11,16 +11,16 @@
 namespace plumb::games::maze {
 namespace {
 
-constexpr int beyond = 2;  ///< the tunnel is seen to go on so far [tiles]
+constexpr int beyond = 2;  ///< the tunnel is drawn this far beyond the map [tiles]
 constexpr int arcSteps = 6;
 
-/// The house is not made of hedge: it has a drawing of its own.
+/// The house counts as hedge here: drawHouse draws over it.
 bool isHedge(int column, int row) {
     if (column < -beyond || column >= columns + beyond || row < 0 || row >= rows) return true;
     return isSolid(mazeMap().at(mazeMap().wrapped({column, row})));
 }
 
-/// An edge between a wall and a lane, from one corner of cells to the next, the wall on its left.
+/// An edge between a wall and a lane, from one cell corner to the next. The wall is on its left.
 struct Edge {
     Vec2 from, along;
 };
@@ -36,7 +36,7 @@ std::vector<Edge> edgesOfHedges() {
             if (!isHedge(column, row + 1)) add(column + 1, row + 1, -1, 0);
             if (!isHedge(column - 1, row)) add(column, row + 1, 0, -1);
         }
-    // The tunnel's ends, where there is no wall to have an edge.
+    // The tunnel's ends have no wall, so they need edges of their own.
     for (int row = 0; row < rows; ++row) {
         if (isHedge(-beyond, row)) continue;
         add(-beyond, row, 0, 1);
@@ -45,7 +45,7 @@ std::vector<Edge> edgesOfHedges() {
     return edges;
 }
 
-/// Edges end to end, as far as they lead, taken out of the list.
+/// Takes connected edges out of the list, until none follows the last.
 std::vector<Edge> takeLoop(std::vector<Edge>& edges) {
     std::vector<Edge> loop{edges.back()};
     edges.pop_back();
@@ -67,7 +67,7 @@ Vec2 leftOf(const Vec2& v) {
     return {-v.y(), v.x()};
 }
 
-/// A quarter of a circle from one edge on to the next.
+/// A quarter of a circle from one edge to the next.
 void addCorner(Outline& outline, const Vec2& corner, const Vec2& in, const Vec2& out, double radius) {
     const Vec2 center = corner - radius * in + radius * out;
     for (int step = 0; step <= arcSteps; ++step) {
@@ -95,7 +95,7 @@ double areaOf(const Outline& outline) {
     return twice / 2;
 }
 
-/// Small flowers here and there, always the same.
+/// Small flowers at random places, the same in every game.
 std::vector<std::pair<Vec2, Color>> flowers() {
     std::vector<std::pair<Vec2, Color>> found;
     Random random(11);

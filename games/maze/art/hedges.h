@@ -11,17 +11,18 @@ using Outline = std::vector<Vec2>;  ///< closed [tiles]
 
 /// Walls are thinner than their tiles, with round corners.
 struct Hedges {
-    std::vector<Outline> islands;  ///< counter-clockwise round the walls between lanes
-    std::vector<Outline> lawns;    ///< clockwise round all lanes, beyond the tunnel's ends too
+    std::vector<Outline> islands;  ///< the walls between lanes, counter-clockwise
+    std::vector<Outline> lawns;    ///< all lanes, clockwise; they go on beyond the tunnel's ends
 };
 
-/// Drawn back by an inset from the lanes' edges, 0 to 1; radius of corners, up to half of what is left [tiles].
+/// inset: distance from the lanes' edges to the hedge, 0 to 1; radius: of the corners, at most half of the remaining
+/// width [tiles].
 Hedges hedgesOf(double inset, double radius);
 
-/// The maze with its rim; beside it stands what players are told [tiles].
+/// The maze with its rim; the score and the other displays are beside it [tiles].
 inline const Vec2 gardenCorner{-0.36, 1}, gardenSize{28.72, 33};
 
-/// What the maze is on; the rim is lighter the higher flash is, 0 to 1.
+/// Draws lawn, hedges and house. flash: 0 to 1; higher values make the rim lighter.
 void drawGarden(Canvas& canvas, const GardenLook& look, double flash);
 
 }  // namespace plumb::games::maze

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What stands beside the maze?
+// What is shown beside the maze?
 #pragma once
 #include <games/frame/canvas.h>
 
@@ -7,7 +7,7 @@ namespace plumb::games::maze {
 
 class MazeGame;
 
-/// In the screen's units: score, level, fright and lives on the left, the cats and what was eaten on the right.
+/// In the screen's units: score, level, fright and lives on the left, the cats and the treats eaten on the right.
 void drawHud(Canvas& canvas, const MazeGame& game);
 
 }  // namespace plumb::games::maze

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How is something written over the garden, so that it can be read there?
+// How is text drawn over the garden so that it can be read?
 #pragma once
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace plumb::games::maze {
 
-/// In tiles, its middle at a place, with a dark edge around it; color may be faded.
+/// Text with its middle at this place and a dark edge around it; size in tiles. color may be faded.
 void drawLettering(Canvas& canvas, const std::string& text, const Vec2& at, const Color& color, double size);
 
 }  // namespace plumb::games::maze

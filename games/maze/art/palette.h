@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// In which colours is the garden painted?
+// Which colours does the game use?
 #pragma once
 #include <array>
 
@@ -8,7 +8,7 @@
 
 namespace plumb::games::maze {
 
-// A garden at night: hedges in dark teal with moonlight on their rims, warm light on all that is alive.
+// A garden at night: dark teal hedges with moonlit rims, and warm light on the animals.
 inline constexpr Color night = Color::hex(0x080b1b);
 inline constexpr Color groove = Color::hex(0x11183a);
 inline constexpr Color hedgeFlash = Color::hex(0xf4ffe9);
@@ -28,7 +28,7 @@ struct GardenLook {
     Color lawn, hedge, rim;
 };
 
-/// By the level, one after the other, round and round.
+/// One for each level; after the last the first again.
 inline constexpr std::array<GardenLook, 6> gardens{{
     {Color::hex(0x11183a), Color::hex(0x17414a), Color::hex(0x46b39a)},  // box trees
     {Color::hex(0x1a1438), Color::hex(0x3a2a63), Color::hex(0x9a7fe0)},  // lavender
@@ -51,8 +51,8 @@ struct CatLook {
 inline constexpr std::array<CatLook, 4> cats{{
     {Color::hex(0xff5a4a), Color::hex(0xa82a2c), "Rusty", "runs after you"},
     {Color::hex(0xff9ad2), Color::hex(0xb8508f), "Pearl", "cuts you off"},
-    {Color::hex(0x55d3f2), Color::hex(0x2480a8), "Misty", "comes from behind"},
-    {Color::hex(0xffb03b), Color::hex(0xb36a12), "Biscuit", "loses heart"},
+    {Color::hex(0x55d3f2), Color::hex(0x2480a8), "Misty", "comes from the other side"},
+    {Color::hex(0xffb03b), Color::hex(0xb36a12), "Biscuit", "shy when near"},
 }};
 constexpr const CatLook& lookOf(Who who) {
     return cats[indexOf(who)];

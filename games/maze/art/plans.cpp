@@ -27,7 +27,7 @@ void drawPlan(Canvas& canvas, const Chase& chase, const Hunter& hunter) {
 }  // namespace
 
 void drawPlans(Canvas& canvas, const Chase& chase) {
-    // A cat may make for a cell beyond the maze.
+    // A target may be a cell outside the maze.
     const Canvas::Scope scope = canvas.clip(gardenCorner, gardenSize);
     frame(canvas, chase.player().cell(), paper.faded(0.7), 0.08);
     for (const Hunter& hunter : chase.hunters())

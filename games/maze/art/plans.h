@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What do the cats want?
+// Which cells do the cats go to?
 #pragma once
 #include <games/frame/canvas.h>
 #include <games/maze/chase.h>
 
 namespace plumb::games::maze {
 
-/// For the debug view: the cells that all are in, and, for each cat that hunts, a line to the cell that it makes for.
-/// Whoever is afraid or at home makes for none.
+/// For the debug view: the cells of the mouse and of the cats in the lanes, and a line from each hunting cat to its
+/// target cell. Cats that are frightened, caught or at home have no target.
 void drawPlans(Canvas& canvas, const Chase& chase);
 
 }  // namespace plumb::games::maze

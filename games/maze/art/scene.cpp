@@ -18,7 +18,7 @@
 namespace plumb::games::maze {
 namespace {
 
-/// 31 rows and a rim. It shakes when the mouse is caught.
+/// Shows 31 rows and a rim. It shakes when the mouse is caught.
 Camera cameraOf(const MazeGame& game) {
     Camera camera{.center = {14, 17.5}, .height = 32.4};
     if (game.phase() != Phase::Caught) return camera;
@@ -27,7 +27,7 @@ Camera cameraOf(const MazeGame& game) {
     return camera;
 }
 
-/// Between two ticks; not across the whole maze for who came through the tunnel.
+/// The position between two ticks. After a move through the tunnel it does not cross the whole maze.
 Vec2 seenAt(const Vec2& before, const Vec2& now, double between) {
     Vec2 from = before;
     if (from.x() - now.x() > columns / 2.0) from.x() -= columns;
@@ -35,7 +35,7 @@ Vec2 seenAt(const Vec2& before, const Vec2& now, double between) {
     return from + between * (now - from);
 }
 
-/// Who stands in a tunnel's end is seen at the other end too.
+/// Draws an animal in one end of the tunnel at the other end too.
 template <typename Draw>
 void atBothEnds(Canvas& canvas, const Vec2& at, const Draw& draw) {
     for (const double shift : {-1.0 * columns, 0.0, 1.0 * columns}) {
@@ -89,7 +89,7 @@ void drawHunters(Canvas& canvas, const MazeGame& game) {
     }
 }
 
-/// Where it moves to; where it heads, when it stands.
+/// The direction of its motion, or its heading if it stands still.
 double angleOfPlayer(const MazeGame& game) {
     const Vec2 now = game.chase().playerPosition(), before = game.trail().player;
     const Vec2 step = now - before;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does all of the game look?
+// How is the whole game drawn?
 #pragma once
 #include <games/frame/canvas.h>
 

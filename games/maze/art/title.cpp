@@ -13,13 +13,13 @@
 namespace plumb::games::maze {
 namespace {
 
-constexpr double ground = 301;  ///< where they run, in the screen's units, as all here
+constexpr double ground = 301;  ///< height at which they run; all lengths here are in the screen's units
 constexpr double size = 17;     ///< of a tile
 constexpr double speed = 150;   ///< [units/s]
-constexpr double crossing = 9;  ///< one way takes so long [s]
+constexpr double crossing = 9;  ///< time for one way across the screen [s]
 constexpr double crumbsApart = 40;
 
-/// So high that y is up, at a place.
+/// A place of this scale where y points up.
 Place standing(const Vec2& at, double scale) {
     return {.position = at, .scale = {scale, -scale}};
 }
@@ -39,7 +39,7 @@ void drawSky(Canvas& canvas, double seconds) {
         canvas.circle(moon + at, radius, Color::hex(0xecd596));
 }
 
-/// A row of clipped trees, the farther ones darker and smaller.
+/// A row of clipped trees.
 void drawHedge(Canvas& canvas, double top, double step, double shift, const Color& color) {
     const Aabb seen = canvas.visible();
     canvas.rect({seen.lower.x(), top}, {seen.upper.x() - seen.lower.x(), seen.upper.y() - top}, color);
@@ -50,7 +50,7 @@ void drawHedge(Canvas& canvas, double top, double step, double shift, const Colo
     }
 }
 
-/// Between two hedges, of which the nearer one goes on below.
+/// The lane between two hedges; the nearer hedge reaches down to the lower edge.
 void drawLane(Canvas& canvas, const Aabb& seen) {
     const double width = seen.upper.x() - seen.lower.x();
     const auto [lawn, hedge, rim] = gardenOf(1);

@@ -13,12 +13,12 @@
 namespace plumb::games::maze {
 namespace {
 
-/// Of so many ticks, the share that has passed; 1 and more when it is over.
+/// The share of these ticks that has passed; 1 or more when the effect is over.
 double shareOf(const Trace& trace, int ticks) {
     return static_cast<double>(trace.age) / ticks;
 }
 
-/// So many rays, turned by an angle.
+/// Draws this many rays from a centre, turned by an angle.
 template <typename Draw>
 void around(int count, double turned, const Draw& draw) {
     for (int i = 0; i < count; ++i) {
@@ -53,7 +53,7 @@ void drawStars(Canvas& canvas, const Trace& trace, const Color& color) {
     });
 }
 
-/// Above the place, where the mouse does not hide them; larger the more they are.
+/// Above the place, where the mouse does not hide them. More points are drawn larger.
 void drawPoints(Canvas& canvas, const Trace& trace) {
     const int points = trace.event.points;
     const double pop = 1 + 0.4 * std::max(0.0, 1 - trace.age / 8.0);

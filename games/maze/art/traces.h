@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How is what has just happened still seen?
+// How are recent events drawn?
 #pragma once
 #include <games/frame/canvas.h>
 
@@ -7,7 +7,7 @@ namespace plumb::games::maze {
 
 struct Trace;
 
-/// Crumbs that fly, rings of light, stars, and points that rise; nothing of what leaves no trace. In tiles.
+/// Draws flying crumbs, rings of light, stars and rising points, or nothing for events without an effect. In tiles.
 void drawTrace(Canvas& canvas, const Trace& trace);
 
 }  // namespace plumb::games::maze

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does all that can be eaten look?
+// How are crumbs, cheese and treats drawn?
 #pragma once
 #include <games/frame/canvas.h>
 
