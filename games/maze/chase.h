@@ -21,8 +21,8 @@ struct ChaseEvent {
     Vec2 position{0, 0};  ///< [tiles]
 };
 
-/// One level, without pictures, sounds, lives or score. A copy runs independently: the computer player looks
-/// ahead with copies.
+/// One level, without pictures, sounds, lives or score. A copy runs independently: the computer player uses
+/// copies to look ahead.
 class Chase {
 public:
     /// The random numbers follow from the seed, and are the same in each life of a level.

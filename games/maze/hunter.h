@@ -18,7 +18,7 @@ enum class Where : std::uint8_t {
     Entering,  ///< on the way home
 };
 
-/// What a hunter must know to choose its way.
+/// What a hunter knows when it chooses its way.
 struct Sight {
     Cell player;
     Direction heading;  ///< the player's

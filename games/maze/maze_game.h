@@ -43,7 +43,7 @@ public:
     int phaseTicks() const { return phaseTicks_; }  ///< since it began
     std::int64_t ticks() const { return ticks_; }
     int level() const { return level_; }
-    int lives() const { return lives_; }  ///< with the current one
+    int lives() const { return lives_; }  ///< including the current one
     std::int64_t score() const { return progress_.score; }
     const std::vector<Trace>& traces() const { return traces_; }
     const Trail& trail() const { return trail_; }

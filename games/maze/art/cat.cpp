@@ -25,7 +25,7 @@ bool isScared(Mood mood) {
     return mood == Mood::Frightened || mood == Mood::Flashes;
 }
 
-/// Behind the cat, on the side away from its look.
+/// Behind the cat, on the side that it does not look to.
 void drawTail(Canvas& canvas, const Coat& coat, const CatPose& pose) {
     const double side = pose.looks == Direction::Right ? -1 : 1;
     std::vector<Vec2> tail;

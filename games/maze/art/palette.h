@@ -51,7 +51,7 @@ struct CatLook {
 inline constexpr std::array<CatLook, 4> cats{{
     {Color::hex(0xff5a4a), Color::hex(0xa82a2c), "Rusty", "runs after you"},
     {Color::hex(0xff9ad2), Color::hex(0xb8508f), "Pearl", "cuts you off"},
-    {Color::hex(0x55d3f2), Color::hex(0x2480a8), "Misty", "comes from the other side"},
+    {Color::hex(0x55d3f2), Color::hex(0x2480a8), "Misty", "comes from behind"},
     {Color::hex(0xffb03b), Color::hex(0xb36a12), "Biscuit", "shy when near"},
 }};
 constexpr const CatLook& lookOf(Who who) {

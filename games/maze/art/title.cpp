@@ -39,7 +39,7 @@ void drawSky(Canvas& canvas, double seconds) {
         canvas.circle(moon + at, radius, Color::hex(0xecd596));
 }
 
-/// A row of clipped trees.
+/// A row of clipped trees; the farther row is darker and smaller.
 void drawHedge(Canvas& canvas, double top, double step, double shift, const Color& color) {
     const Aabb seen = canvas.visible();
     canvas.rect({seen.lower.x(), top}, {seen.upper.x() - seen.lower.x(), seen.upper.y() - top}, color);

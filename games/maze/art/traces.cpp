@@ -18,7 +18,7 @@ double shareOf(const Trace& trace, int ticks) {
     return static_cast<double>(trace.age) / ticks;
 }
 
-/// Draws this many rays from a centre, turned by an angle.
+/// Calls draw for this many directions around a circle, turned by an angle.
 template <typename Draw>
 void around(int count, double turned, const Draw& draw) {
     for (int i = 0; i < count; ++i) {

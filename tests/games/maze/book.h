@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What does the source say that a hunter makes for, and how it gets there? Told in its own way of counting, and without
-// the kit's rules. Source: The Pac-Man Dossier, chapter 4.
+// Which target does a hunter have, and which exit does it take, according to the source? The code uses the source's
+// coordinates, and none of the kit's rules. Source: The Pac-Man Dossier, chapter 4.
 #pragma once
 #include <set>
 #include <tuple>
@@ -12,7 +12,7 @@ namespace plumb::test {
 using games::maze::Chase;
 using games::maze::Who;
 
-/// Columns, and rows from above, as the source counts them.
+/// Columns from the left and rows from above, as in the source.
 struct Spot {
     int column, row;
 };
@@ -47,8 +47,8 @@ inline Spot targetByTheBook(const Chase& chase, Who who, Cell from, bool rests) 
     return squared(spotOf(from), player) >= 64 ? player : corners[3];
 }
 
-/// Of the cell that comes after the one it has just entered: walls and the way back dropped, the least distance, ties
-/// by up, left, down, right; four tiles are not left upward.
+/// The exit of this cell, which is the one after the cell just entered. Not a wall, not the way back; the least
+/// distance to the target; equal ones in the order up, left, down, right; four tiles are not left upward.
 inline Direction exitByTheBook(Cell cell, Direction heading, Spot target) {
     const std::set<std::tuple<int, int>> noUp{{12, 14}, {15, 14}, {12, 26}, {15, 26}};
     const std::tuple<Direction, int, int> ways[]{

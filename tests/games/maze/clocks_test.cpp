@@ -12,7 +12,7 @@ namespace {
 using namespace plumb;
 using namespace plumb::games::maze;
 
-/// At which frames of a life the mode changes, as far as that.
+/// The frames of a life at which the mode changes, up to a number of frames.
 std::vector<int> changes(int level, int frames) {
     const ArcadeWaves waves = rulesOf(level).waves;
     WaveClock clock;
@@ -24,9 +24,11 @@ std::vector<int> changes(int level, int frames) {
 
 }  // namespace
 
-// 60 frames are a second here. S 7 C 20 S 7 C 20 S 5 C 20 S 5 C; S 7 C 20 S 7 C 20 S 5 C 1033 S 1/60 C; from level 5 on
-// S 5 C 20 S 5 C 20 S 5 C 1037 S 1/60 C.
-TEST_CASE("scatter and chase take turns at the frames of the table, on levels 1, 2, 4, 5 and 21", "[games][maze]") {
+// A second has 60 frames here. S: scatter, C: chase [s].
+// Level 1: S 7 C 20 S 7 C 20 S 5 C 20 S 5 C.
+// Levels 2 to 4: S 7 C 20 S 7 C 20 S 5 C 1033 S 1/60 C.
+// From level 5 on: S 5 C 20 S 5 C 20 S 5 C 1037 S 1/60 C.
+TEST_CASE("scatter and chase alternate at the frames of the table, on levels 1, 2, 4, 5 and 21", "[games][maze]") {
     CHECK(changes(1, 100'000) == std::vector<int>{420, 1620, 2040, 3240, 3540, 4740, 5040});
     const std::vector<int> second{420, 1620, 2040, 3240, 3540, 65520, 65521};
     CHECK(changes(2, 100'000) == second);
@@ -36,7 +38,7 @@ TEST_CASE("scatter and chase take turns at the frames of the table, on levels 1,
     CHECK(changes(21, 100'000) == fifth);
 }
 
-TEST_CASE("fright takes 6, 5, 4, 3, 2, 5, 2, 2, 1, 5, 2, 1, 1, 3, 1, 1, 0, 1, 0 ... s, with 5 flashes or 3",
+TEST_CASE("fright lasts 6, 5, 4, 3, 2, 5, 2, 2, 1, 5, 2, 1, 1, 3, 1, 1, 0, 1, 0 ... s, with 5 flashes or 3",
           "[games][maze]") {
     const std::vector<int> seconds{6, 5, 4, 3, 2, 5, 2, 2, 1, 5, 2, 1, 1, 3, 1, 1, 0, 1, 0, 0, 0};
     for (std::size_t i = 0; i < seconds.size(); ++i) {
@@ -52,7 +54,7 @@ TEST_CASE("fright takes 6, 5, 4, 3, 2, 5, 2, 2, 1, 5, 2, 1, 1, 3, 1, 1, 0, 1, 0 
     }
 }
 
-TEST_CASE("level 1: fright ends 360 frames after the power dot, not counting those in which all stand; waves wait",
+TEST_CASE("level 1: fright ends 360 frames after the power dot, without frozen frames, and pauses the wave clock",
           "[games][maze]") {
     test::DrivenChase driven(1);
     const Chase& chase = driven.chase();
@@ -69,7 +71,7 @@ TEST_CASE("level 1: fright ends 360 frames after the power dot, not counting tho
             ++reversed;
         }
         if (left == 0) continue;
-        if (!frozen && --left == 0) ++ended;  // the frame of the dot counts
+        if (!frozen && --left == 0) ++ended;  // the frame of the dot counts too
         CHECK(chase.frightFrames() == left);
         CHECK(chase.framesOfWaves() == waves);
         if (left > 0) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who plays while a test looks on?
+// Which player plays the chase of a test?
 #pragma once
 #include <optional>
 
@@ -7,7 +7,8 @@
 
 namespace plumb::test {
 
-/// A chase whose player looks ahead a little, and gets up again when it is caught; the next level is the same one.
+/// A chase with a player that looks a little ahead. A new life begins when it is caught. A cleared level begins again,
+/// with the next seed.
 class DrivenChase {
 public:
     explicit DrivenChase(int level, std::uint64_t seed = 1,

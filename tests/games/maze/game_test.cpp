@@ -15,7 +15,7 @@ GameSetup setupOf(std::uint64_t seed, const std::string& levels = "0") {
     return {seed, {{"level", "1"}, {"levels", levels}}};
 }
 
-/// The computer's game, as far as its end or so many ticks.
+/// A game of the computer, up to its end or a number of ticks.
 struct Played {
     Outcome outcome;
     std::int64_t score;
@@ -39,7 +39,7 @@ Played play(const GameSetup& setup, int most) {
 
 }  // namespace
 
-TEST_CASE("the computer clears the first level in nine games of ten or more", "[games][maze][slow]") {
+TEST_CASE("the computer clears the first level in at least nine of ten games", "[games][maze][slow]") {
     const int games = test::cases(100);
     int won = 0;
     for (int seed = 1; seed <= games; ++seed)
@@ -47,14 +47,14 @@ TEST_CASE("the computer clears the first level in nine games of ten or more", "[
     CHECK(won >= games * 9 / 10);
 }
 
-TEST_CASE("the same seed and buttons give the same bits, another seed others", "[games][maze]") {
+TEST_CASE("the same seed and buttons give the same bits, another seed gives other bits", "[games][maze]") {
     const Played first = play(setupOf(7), 3000), again = play(setupOf(7), 3000), other = play(setupOf(8), 3000);
     CHECK(first.hash == again.hash);
     CHECK(first.score == again.score);
     CHECK(first.hash != other.hash);
 }
 
-TEST_CASE("a copy of a chase goes on as the chase does, for 5,000 frames of random steering", "[games][maze]") {
+TEST_CASE("a copy of a chase runs exactly like the chase, for 5,000 frames of random steering", "[games][maze]") {
     Random random(3);
     Chase chase(1, 5);
     Chase copy = chase;
@@ -74,7 +74,7 @@ TEST_CASE("a copy of a chase goes on as the chase does, for 5,000 frames of rand
     }
 }
 
-TEST_CASE("fruit comes after 70 and 170 dots, stays for 9 to 10 s, and is gone when it was eaten", "[games][maze]") {
+TEST_CASE("fruit appears after 70 and 170 dots, stays for 9 to 10 s, and disappears when eaten", "[games][maze]") {
     int shown = 0, gone = 0;
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         const GameInfo game = info();
@@ -100,7 +100,7 @@ TEST_CASE("fruit comes after 70 and 170 dots, stays for 9 to 10 s, and is gone w
                 }
                 if (event.kind != Happening::FruitGone) continue;
                 ++gone;
-                CHECK(frames + 2 >= 9 * 60);  // and the first and the last frame
+                CHECK(frames + 2 >= 9 * 60);  // plus the first and the last frame
                 CHECK(frames + 2 <= 10 * 60);
             }
             frames += was && !frozen ? 1 : 0;
@@ -110,7 +110,7 @@ TEST_CASE("fruit comes after 70 and 170 dots, stays for 9 to 10 s, and is gone w
     CHECK(gone >= 1);
 }
 
-TEST_CASE("a tap that is remembered is part of the hash before anything moves", "[games][maze]") {
+TEST_CASE("a remembered tap is part of the hash before anything moves", "[games][maze]") {
     const ActionList actions = withMenuActions(info().actions);
     MazeGame tapped(setupOf(1)), left(setupOf(1));
     tapped.update(Input(actions, 1, 0));
@@ -118,12 +118,12 @@ TEST_CASE("a tap that is remembered is part of the hash before anything moves", 
     CHECK(tapped.hash() != left.hash());
 }
 
-TEST_CASE("an option that is no number is refused by its name", "[games][maze]") {
+TEST_CASE("an option that is not a number throws an error with its name", "[games][maze]") {
     CHECK_THROWS_WITH(MazeGame(setupOf(1, "many")), "--levels: \"many\" is not a whole number from 0 to 1000");
     CHECK_THROWS_AS(MazeGame({1, {{"level", "0"}, {"levels", "0"}}}), std::invalid_argument);
 }
 
-TEST_CASE("three lives are lost by standing still, and the game with them", "[games][maze]") {
+TEST_CASE("a player that stands still loses three lives, and then the game", "[games][maze]") {
     const GameInfo game = info();
     const ActionList actions = withMenuActions(game.actions);
     MazeGame round(setupOf(1));
@@ -134,18 +134,18 @@ TEST_CASE("three lives are lost by standing still, and the game with them", "[ga
         lives = round.lives();
     }
     CHECK(lost == 3);
-    CHECK(round.verdict() == "Rusty got you");  // the one who runs after the mouse
+    CHECK(round.verdict() == "Rusty got you");  // the cat that runs after the mouse
     CHECK(round.progress().outcome == Outcome::Lost);
 }
 
 // Source: The Pac-Man Dossier, its table of bonus symbols.
-TEST_CASE("fruit is worth 100, 300, 500, 500, 700, 700, 1000, 1000, 2000, 2000, 3000, 3000, 5000 and 5000 on",
+TEST_CASE("fruit gives 100, 300, 500, 500, 700, 700, 1000, 1000, 2000, 2000, 3000, 3000, and 5000 from level 13 on",
           "[games][maze]") {
     const std::vector<int> points{100, 300, 500, 500, 700, 700, 1000, 1000, 2000, 2000, 3000, 3000, 5000, 5000, 5000};
     for (std::size_t i = 0; i < points.size(); ++i) CHECK(rulesOf(static_cast<int>(i) + 1).fruit.points == points[i]);
 }
 
-TEST_CASE("a level is done with its 244th crumb, and the next begins with all; at 10,000 points there is a life more",
+TEST_CASE("a level ends with its 244th crumb, and the next begins with 244; 10,000 points give one extra life",
           "[games][maze][slow]") {
     const GameSetup setup{1, {{"level", "13"}, {"levels", "3"}}};
     const GameInfo game = info();

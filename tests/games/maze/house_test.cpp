@@ -9,7 +9,7 @@ namespace {
 using namespace plumb;
 using namespace plumb::games::maze;
 
-/// Hunters that wait in a house, dots that are eaten, frames that pass.
+/// A house with waiting hunters, in which a test can eat dots and let frames pass.
 struct House {
     explicit House(int level) : rules(rulesOf(level)) {}
 
@@ -18,7 +18,7 @@ struct House {
         if (left) waiting[indexOf(*left)] = false;
         return left;
     }
-    /// Eats until someone leaves, or so many; a frame after each. How many were eaten.
+    /// Eats one dot a frame until this hunter leaves. Returns how many were eaten, or -1 if it needs more than most.
     int dotsUntil(Who who, int most = 300) {
         for (int eaten = 0; eaten <= most; ++eaten) {
             if (frame() == who) return eaten;
@@ -62,7 +62,7 @@ TEST_CASE("on level 2 the loner waits for 50 dots, from level 3 on nobody waits"
     }
 }
 
-TEST_CASE("only the first who waits counts dots, and what it counted outlives a death", "[games][maze]") {
+TEST_CASE("only the first waiting hunter counts dots, and it keeps its count after a death", "[games][maze]") {
     House house(1);
     CHECK(house.dotsUntil(Who::Ambusher) == 0);
     for (int i = 0; i < 12; ++i) house.counters.dotEaten(house.waiting);
@@ -72,7 +72,7 @@ TEST_CASE("only the first who waits counts dots, and what it counted outlives a 
     CHECK(house.counters.dotsOf(Who::Flanker) == 12);
 }
 
-TEST_CASE("after a death one counter lets them out at 7, at 17, and at 32 hands over to the loner's own",
+TEST_CASE("after a death one shared counter lets hunters out at 7 and 17; at 32 the loner's own counter takes over",
           "[games][maze]") {
     House house(1);
     house.counters.beginLifeAfterDeath();
@@ -85,10 +85,10 @@ TEST_CASE("after a death one counter lets them out at 7, at 17, and at 32 hands 
         house.counters.dotEaten(house.waiting);
     }
     CHECK_FALSE(house.counters.countsForAll());
-    CHECK(house.dotsUntil(Who::Loner) == 60);  // it had counted none of its own
+    CHECK(house.dotsUntil(Who::Loner) == 60);  // its own counter was at 0
 }
 
-TEST_CASE("without the loner at home the counter for all is not turned off at 32", "[games][maze]") {
+TEST_CASE("the shared counter is not turned off at 32 if the loner is not at home", "[games][maze]") {
     House house(1);
     house.counters.beginLifeAfterDeath();
     house.waiting = {};
@@ -96,13 +96,14 @@ TEST_CASE("without the loner at home the counter for all is not turned off at 32
     CHECK(house.counters.countsForAll());
     CHECK(house.counters.dotsForAll() == 40);
     house.waiting[indexOf(Who::Ambusher)] = true;
-    CHECK_FALSE(house.frame());  // its 7 are long past
+    CHECK_FALSE(house.frame());  // its limit of 7 was passed long before
 }
 
-TEST_CASE("without a dot one leaves every 240 frames, 4 s, and every 180, 3 s, from level 5 on", "[games][maze]") {
+TEST_CASE("if no dot is eaten, a hunter leaves every 240 frames, 4 s, and from level 5 on every 180 frames, 3 s",
+          "[games][maze]") {
     for (const int level : {1, 2, 4, 5, 21}) {
         House house(level);
-        house.counters.beginLifeAfterDeath();  // or they would leave at once on the later levels
+        house.counters.beginLifeAfterDeath();  // otherwise they leave at once on later levels
         const int frames = level < 5 ? 240 : 180;
         for (int i = 0; i < 3; ++i) CHECK(house.framesUntilSomeoneLeaves() == frames);
         CHECK(house.framesUntilSomeoneLeaves() == -1);
@@ -110,6 +111,6 @@ TEST_CASE("without a dot one leaves every 240 frames, 4 s, and every 180, 3 s, f
     House house(1);
     house.counters.beginLifeAfterDeath();
     for (int i = 0; i < 239; ++i) CHECK_FALSE(house.frame());
-    house.counters.dotEaten(house.waiting);  // it begins anew
+    house.counters.dotEaten(house.waiting);  // the time starts again
     CHECK(house.framesUntilSomeoneLeaves() == 240);
 }

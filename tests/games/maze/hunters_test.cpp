@@ -28,7 +28,7 @@ bool has(std::span<const ChaseEvent> events, Happening kind) {
     return std::any_of(events.begin(), events.end(), [&](const ChaseEvent& event) { return event.kind == kind; });
 }
 
-/// What a frame before is compared with.
+/// The state of a hunter, to compare it with the next frame.
 struct Seen {
     bool hunts = false, inLanes = false;
     Cell cell;
@@ -39,7 +39,7 @@ Seen seenOf(const Hunter& hunter) {
     return {inLanes && !hunter.frightened(), inLanes, hunter.cell(), hunter.heading(), hunter.plan()};
 }
 
-/// A hunter's plan by the book, made in a cell which it will leave by an exit.
+/// A hunter's plan according to the source, made in a cell that it leaves by a given exit.
 struct Plan {
     const Chase& chase;
     Who who;
@@ -52,7 +52,7 @@ struct Plan {
 
 }  // namespace
 
-TEST_CASE("in 30,000 frames each hunter's target is the book's, the slip upward and the loner's two minds with it",
+TEST_CASE("in 30,000 frames each hunter's target is the source's, with the bug upward and both targets of the loner",
           "[games][maze]") {
     test::DrivenChase driven(1);
     const Chase& chase = driven.chase();
@@ -76,10 +76,10 @@ TEST_CASE("in 30,000 frames each hunter's target is the book's, the slip upward 
     CHECK(shy > 100);
     CHECK(bold > 100);
     CHECK(resting > 500);
-    CHECK(restless > 50);  // the chaser, in haste, hunts while the others rest
+    CHECK(restless > 50);  // the hasty chaser hunts while the others rest
 }
 
-TEST_CASE("on entering a cell a hunter plans its way out of the next one by the book, also where it turns back",
+TEST_CASE("a hunter that enters a cell plans the exit of the next one as the source says, also after turning back",
           "[games][maze]") {
     test::DrivenChase driven(1);
     const Chase& chase = driven.chase();
@@ -87,7 +87,7 @@ TEST_CASE("on entering a cell a hunter plans its way out of the next one by the 
     std::array<Seen, 4> seen;
     for (int frame = 0; frame < 30'000; ++frame) {
         if (chase.playerCaught() || chase.cleared()) seen = {};
-        const bool scatter = chase.mode() == HunterMode::Scatter;  // the mode changes after all have moved
+        const bool scatter = chase.mode() == HunterMode::Scatter;  // the mode changes after all moves
         driven.step();
         for (const Who who : everyone) {
             const Hunter& hunter = chase.hunter(who);
@@ -97,7 +97,7 @@ TEST_CASE("on entering a cell a hunter plans its way out of the next one by the 
             const bool rests = scatter && !(who == Who::Chaser && chase.haste() > 0);
             const Plan plan{chase, who, rests};
             if (hunter.heading() == opposite(before.heading)) {
-                // It had come a pixel far into a cell, and is a pixel far out of it again.
+                // It entered a cell by one pixel, turned back, and left that cell again in one frame.
                 const Cell behind = cellAfter(hunter.cell(), before.heading);
                 const Direction exit = plan.madeIn(behind, hunter.heading());
                 REQUIRE(hunter.plan() == plan.madeIn(hunter.cell(), exit));
@@ -114,12 +114,12 @@ TEST_CASE("on entering a cell a hunter plans its way out of the next one by the 
     CHECK(reversals > 50);
 }
 
-TEST_CASE("level 1: at 7 s every hunter in the lanes turns back when it enters the next cell; so at the power dot",
+TEST_CASE("level 1: at 7 s and at a power dot, every hunter in the lanes turns back when it enters the next cell",
           "[games][maze]") {
     test::DrivenChase driven(1);
     const Chase& chase = driven.chase();
     int turned = 0;
-    std::array<std::optional<Cell>, 4> due;  // to turn back from the cell after this one
+    std::array<std::optional<Cell>, 4> due;  // it must turn back in the cell after this one
     std::array<Seen, 4> seen;
     for (int frame = 0; frame < 30'000; ++frame) {
         if (chase.playerCaught() || chase.cleared()) due = {}, seen = {};
@@ -132,7 +132,7 @@ TEST_CASE("level 1: at 7 s every hunter in the lanes turns back when it enters t
             const Seen before = std::exchange(seen[indexOf(who)], seenOf(hunter));
             const bool inLanes = before.inLanes && hunter.where() == Where::Lanes;
             if (!inLanes) from.reset();
-            if (inLanes && power && !from) from = before.cell;  // eaten before hunters move
+            if (inLanes && power && !from) from = before.cell;  // the dot is eaten before hunters move
             if (inLanes && hunter.heading() == opposite(before.heading)) {
                 CAPTURE(frame, indexOf(who));
                 REQUIRE(from);
@@ -141,13 +141,13 @@ TEST_CASE("level 1: at 7 s every hunter in the lanes turns back when it enters t
                 from.reset();
             }
             if (from) REQUIRE(tilesBetween(hunter.cell(), *from) <= 1);
-            if (inLanes && change && !from) from = hunter.cell();  // the clock runs after they moved
+            if (inLanes && change && !from) from = hunter.cell();  // the clock runs after hunters move
         }
     }
     CHECK(turned > 50);
 }
 
-TEST_CASE("a frightened hunter goes anywhere: a third or more of its choices are not those of a hunt",
+TEST_CASE("a frightened hunter moves at random: at least a third of its choices differ from those of a hunt",
           "[games][maze]") {
     test::DrivenChase driven(1);
     const Chase& chase = driven.chase();
@@ -170,10 +170,11 @@ TEST_CASE("a frightened hunter goes anywhere: a third or more of its choices are
     }
     CHECK(choices > 100);
     CHECK(strange * 3 >= choices);
-    CHECK(upward > 0);  // where hunters do not go up
+    CHECK(upward > 0);  // at cells that hunters otherwise do not leave upward
 }
 
-// The slowest speed of all tables, 40 %, is 8 pixels in 16 frames: spread evenly, it stands 1 frame of 2.
+// The slowest speed of all tables, 40 %, is 8 pixels in 16 frames. They are spread evenly: a hunter stands still in 1
+// frame of 2.
 TEST_CASE("no hunter in the lanes ever stands still for 4 frames, in 20 chases of 3,000 frames",
           "[games][maze][slow]") {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -196,10 +197,11 @@ TEST_CASE("no hunter in the lanes ever stands still for 4 frames, in 20 chases o
     }
 }
 
-TEST_CASE("who was at home when the mode changed comes out to the right, who was not, to the left", "[games][maze]") {
+TEST_CASE("a hunter that was at home when the mode changed comes out to the right, the others to the left",
+          "[games][maze]") {
     Chase chase(1);
-    // The player runs left until it is stopped by a wall, with 9 dots, after 80 frames or so. Then nobody eats: the
-    // flanker leaves 240 frames later, the loner 240 after that; the mode changes at 420.
+    // The player runs left until a wall stops it, after 9 dots and about 80 frames. Then no dot is eaten: the flanker
+    // leaves 240 frames later, the loner 240 after that. The mode changes at frame 420.
     std::array<bool, 4> out{true, false, false, false};
     std::array<Direction, 4> first{};
     for (int frame = 0; frame < 900 && !chase.playerCaught(); ++frame) {

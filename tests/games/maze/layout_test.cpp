@@ -17,7 +17,7 @@ int count(TileTag tag) {
 
 }  // namespace
 
-// The arcade's counters, of 240 dots and 4 energizers, mean the same here.
+// The arcade's counters are made for 240 dots and 4 energizers.
 TEST_CASE("the maze has 28 x 36 tiles, 240 dots and 4 power dots, all in lanes", "[games][maze]") {
     CHECK(mazeMap().columns() == 28);
     CHECK(mazeMap().rows() == 36);
@@ -28,7 +28,7 @@ TEST_CASE("the maze has 28 x 36 tiles, 240 dots and 4 power dots, all in lanes",
             if ((mazeMap().at({column, row}).tag & (dotTag | powerTag)) != 0) CHECK(isLane({column, row}));
 }
 
-TEST_CASE("the maze's right half is its left half mirrored, dots and all", "[games][maze]") {
+TEST_CASE("the right half of the maze is its left half mirrored, with its dots", "[games][maze]") {
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns / 2; ++column) {
             CAPTURE(column, row);
@@ -36,7 +36,7 @@ TEST_CASE("the maze's right half is its left half mirrored, dots and all", "[gam
         }
 }
 
-TEST_CASE("every lane of the maze has two ways on or more, and all are reached from where the player starts",
+TEST_CASE("every lane cell of the maze has at least two exits and can be reached from the player's start",
           "[games][maze]") {
     for (const Cell cell : lanes().cells()) {
         CAPTURE(cell.column, cell.row);
@@ -46,7 +46,7 @@ TEST_CASE("every lane of the maze has two ways on or more, and all are reached f
     }
 }
 
-TEST_CASE("lanes are one tile wide: no four cells of the maze are open around a corner", "[games][maze]") {
+TEST_CASE("lanes are one tile wide: no block of 2 x 2 cells of the maze is open", "[games][maze]") {
     for (const Cell cell : lanes().cells()) {
         const bool square = isLane({cell.column + 1, cell.row}) && isLane({cell.column, cell.row + 1}) &&
                             isLane({cell.column + 1, cell.row + 1});
@@ -55,7 +55,7 @@ TEST_CASE("lanes are one tile wide: no four cells of the maze are open around a 
     }
 }
 
-TEST_CASE("the tunnel runs through row 17 from above, and 28 tiles of lane are 10 through it", "[games][maze]") {
+TEST_CASE("the tunnel is in row 17 from above, and columns 5 and 22 are 11 tiles apart through it", "[games][maze]") {
     const int row = rows - 1 - 17;
     for (const int column : {0, 1, 2, 3, 4, 5, 22, 23, 24, 25, 26, 27}) CHECK(isLane({column, row}));
     CHECK(lanes().distance({0, row}, {27, row}) == 1);
@@ -63,7 +63,7 @@ TEST_CASE("the tunnel runs through row 17 from above, and 28 tiles of lane are 1
     for (int other = 0; other < rows; ++other) CHECK(isLane({0, other}) == (other == row));
 }
 
-TEST_CASE("where hunters may not go up, there is a lane upward that they are kept from", "[games][maze]") {
+TEST_CASE("each of the 4 cells that hunters may not leave upward has a lane above it", "[games][maze]") {
     CHECK(specialPlaces().upClosed.size() == 4);
     for (const Cell cell : specialPlaces().upClosed) {
         CHECK(isLane(cell));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Source of all rules: The Pac-Man Dossier; of the 60 frames, and of where the four begin, a clone of the game.
+// Source of all rules: The Pac-Man Dossier. Source of the 60 frames and of the start positions: a clone of the game.
 #include <games/maze/chase.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 using namespace plumb;
 using namespace plumb::games::maze;
 
-/// Of a pixel of the arcade's screen, counted from its upper left corner.
+/// The position of a pixel of the arcade's screen, counted from its upper left corner [tiles].
 Vec2 placeOf(int x, int y) {
     return Vec2(x / 8.0, (288 - y) / 8.0);
 }
@@ -26,7 +26,7 @@ bool isEyes(const Hunter& hunter) {
 
 }  // namespace
 
-TEST_CASE("the four begin at the source's pixels, the chaser before the door", "[games][maze]") {
+TEST_CASE("the four hunters start at the source's pixels, the chaser before the door", "[games][maze]") {
     const Chase chase(1);
     CHECK(chase.hunter(Who::Chaser).position() == placeOf(112, 116));
     CHECK(chase.hunter(Who::Ambusher).position() == placeOf(112, 140));
@@ -34,7 +34,7 @@ TEST_CASE("the four begin at the source's pixels, the chaser before the door", "
     CHECK(chase.hunter(Who::Loner).position() == placeOf(128, 140));
 }
 
-TEST_CASE("who is caught is whoever is in the player's cell after both moved; those who swap cells pass through",
+TEST_CASE("a hunter and the player meet if both are in one cell after both moved; if they swap cells, they pass",
           "[games][maze]") {
     int caught = 0, swapped = 0;
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
@@ -69,7 +69,7 @@ TEST_CASE("who is caught is whoever is in the player's cell after both moved; th
     CHECK(swapped > 0);
 }
 
-TEST_CASE("in one fright hunters are worth 200, 400, 800, 1600; after each all but eyes stand still for 60 frames",
+TEST_CASE("in one fright hunters give 200, 400, 800, 1600 points; after each, only eyes move for 60 frames",
           "[games][maze]") {
     test::DrivenChase driven(1, 1, {.frames = 120, .hunter = 4000});
     const Chase& chase = driven.chase();
@@ -103,8 +103,7 @@ TEST_CASE("in one fright hunters are worth 200, 400, 800, 1600; after each all b
     CHECK(ran > 100);
 }
 
-TEST_CASE("a new life after a death begins where the first began, with the dots that are left and the waves anew",
-          "[games][maze]") {
+TEST_CASE("a new life begins at the start positions, with the dots that are left and new waves", "[games][maze]") {
     Chase chase(1);
     for (int frame = 0; frame < 5'000 && !chase.playerCaught(); ++frame) chase.step(std::nullopt);
     REQUIRE(chase.playerCaught());
@@ -121,7 +120,7 @@ TEST_CASE("a new life after a death begins where the first began, with the dots 
     for (const Who who : everyone) CHECK(chase.hunter(who).position() == fresh.hunter(who).position());
 }
 
-TEST_CASE("caught, a hunter is nothing but eyes, runs home 2 pixels a frame, and is out hunting again within 6 s",
+TEST_CASE("a caught hunter becomes eyes, runs home at 2 pixels a frame, and is in the lanes again within 6 s",
           "[games][maze]") {
     test::DrivenChase driven(1, 2, {.frames = 120, .hunter = 4000});
     const Chase& chase = driven.chase();
@@ -151,7 +150,7 @@ TEST_CASE("caught, a hunter is nothing but eyes, runs home 2 pixels a frame, and
     CHECK(longest < 6 * 60);
 }
 
-TEST_CASE("who is caught in the midst of fright begins the next life without it, and without the treat",
+TEST_CASE("a player that is caught during a fright begins the next life without fright and without fruit",
           "[games][maze]") {
     test::DrivenChase driven(1, 1, {.frames = 120, .hunter = 4000});
     const Lookahead weary({.frames = 80, .dot = 0, .hunter = -1000, .nearness = -200, .caught = -50'000});
@@ -175,7 +174,7 @@ TEST_CASE("who is caught in the midst of fright begins the next life without it,
     CHECK(afraid == 1);
 }
 
-TEST_CASE("chance is the same in each life of a level, whatever it was used for in the one before", "[games][maze]") {
+TEST_CASE("random numbers are the same in each life of a level, whatever the life before used", "[games][maze]") {
     Chase chase(1, 7), other(1, 7);
     other.reseed(99);
     for (int frame = 0; frame < 5'000 && !chase.playerCaught(); ++frame) {
@@ -194,7 +193,7 @@ TEST_CASE("chance is the same in each life of a level, whatever it was used for 
     CHECK(hashOf(chase) == hashOf(other));
 }
 
-TEST_CASE("after a death the chaser has no haste before the loner leaves the house, however few dots are left",
+TEST_CASE("after a death the chaser has no haste until the loner leaves the house, even if few dots are left",
           "[games][maze]") {
     test::DrivenChase driven(1);
     for (int frame = 0; frame < 10'000 && driven.chase().dotsLeft() > 10; ++frame) driven.step();

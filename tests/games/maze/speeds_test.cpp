@@ -13,23 +13,24 @@ namespace {
 using namespace plumb;
 using namespace plumb::games::maze;
 
-/// In percent of 1.25 pixels a frame; "dots" is what stalls make of the player's speed. 0: the level has none.
+/// In percent of 1.25 pixels a frame; 0: the level has none. dots: the player's mean speed while it eats dots and
+/// pauses for each.
 struct Row {
     int level, player, dots, playerFright, hunter, hunterFright, tunnel, haste1, haste2;
-    int hasteDots;  ///< left, for haste1; half as many for haste2
+    int hasteDots;  ///< dots left when haste1 begins; half as many for haste2
 };
 const Row table[]{{1, 80, 71, 90, 75, 50, 40, 80, 85, 20},
                   {2, 90, 79, 95, 85, 55, 45, 90, 95, 30},
                   {5, 100, 87, 100, 95, 60, 50, 100, 105, 40},
                   {21, 90, 79, 0, 95, 0, 50, 100, 105, 120}};
 
-/// Patterns begin anew after 16 frames, in which p % make p / 5 pixels, exactly.
+/// Patterns repeat after 16 frames; in these, p % is exactly p / 5 pixels.
 constexpr int window = 16;
 
-/// How far something went while it was of one kind, without a break.
+/// How far something moved while its kind stayed the same.
 class Walk {
 public:
-    /// Pixels of the last 16 frames, when all of them were of this kind; else -1.
+    /// The pixels of the last 16 frames if all of them were of this kind, else -1.
     int add(const std::string& kind, const Vec2& position) {
         const Vec2 step = (position - last_) * 8;
         last_ = position;
@@ -52,7 +53,7 @@ private:
     std::vector<double> ways_;
 };
 
-/// By the table's columns, from what can be seen: cells, faces and dots left. "" where that is not plain.
+/// The column of the table that holds for a hunter, from its cell, its fright and the dots left; "" if not certain.
 std::string kindOf(const Chase& chase, const Row& row, Who who, bool loneHasLeft) {
     const Hunter& hunter = chase.hunter(who);
     if (hunter.where() != Where::Lanes) return "";
@@ -66,7 +67,7 @@ std::string kindOf(const Chase& chase, const Row& row, Who who, bool loneHasLeft
 
 }  // namespace
 
-TEST_CASE("the chaser makes haste at 20, 30, 40, 50, 60, 80, 100 and 120 dots left, more at half as many",
+TEST_CASE("the chaser speeds up at 20, 30, 40, 50, 60, 80, 100 and 120 dots left, and again at half as many",
           "[games][maze]") {
     const std::vector<int> dots{20, 30, 40, 40, 40, 50, 50, 50, 60, 60, 60, 80, 80, 80, 100, 100, 100, 100, 120, 120};
     for (std::size_t i = 0; i < dots.size(); ++i) CHECK(rulesOf(static_cast<int>(i) + 1).hasteDots == dots[i]);
@@ -93,12 +94,12 @@ TEST_CASE("hunters run at the table's speeds on levels 1, 2, 5 and 21: p / 5 pix
                 loneHasLeft = false;
             else if (chase.cleared() || chase.hunter(Who::Loner).where() == Where::Lanes)
                 loneHasLeft = true;
-            // In the frame in which its kind changes, what moved it was the one of before: such windows are left out.
+            // In the frame in which its kind changes, a hunter still has its old speed. Such windows are left out.
             for (const Who who : everyone) {
                 const bool plain = !stands && !chase.frozen() && !chase.playerCaught() && !chase.cleared();
                 const Direction heading = chase.hunter(who).heading();
                 const Direction before = std::exchange(headings[indexOf(who)], heading);
-                const bool onward = heading != opposite(before);  // there and back in one frame is no way
+                const bool onward = heading != opposite(before);  // else a part of its way is forward and back
                 const std::string kind = plain && onward ? kindOf(chase, row, who, loneHasLeft) : "";
                 const int way = walks[indexOf(who)].add(kind, chase.hunter(who).position());
                 if (way < 0) continue;
@@ -115,7 +116,7 @@ TEST_CASE("hunters run at the table's speeds on levels 1, 2, 5 and 21: p / 5 pix
     }
 }
 
-TEST_CASE("the player runs at 80, 90, 100 and 90 %, in fright at 90, 95 and 100 %, where there is nothing to eat",
+TEST_CASE("where there are no dots, the player runs at 80, 90, 100 and 90 %, in fright at 90, 95 and 100 %",
           "[games][maze]") {
     for (const Row& row : table) {
         std::map<std::string, int> seen;
@@ -144,8 +145,9 @@ TEST_CASE("the player runs at 80, 90, 100 and 90 %, in fright at 90, 95 and 100 
     }
 }
 
-// 64 pixels take 64 / (1.25 p) frames and 8 of standing; a frame more or less is 1.7 % of them.
-TEST_CASE("eating dots makes 71, 79, 87 and 79 % of the player's speed: it stands a frame for each", "[games][maze]") {
+// 64 pixels take 64 / (1.25 p) frames, and 8 frames of pauses. One frame is 1.7 % of this time.
+TEST_CASE("eating dots lowers the player's speed to 71, 79, 87 and 79 %: it pauses one frame for each",
+          "[games][maze]") {
     for (const Row& row : table) {
         Chase chase(row.level);
         int frames = 0, counted = 0;
@@ -163,7 +165,7 @@ TEST_CASE("eating dots makes 71, 79, 87 and 79 % of the player's speed: it stand
     }
 }
 
-TEST_CASE("a dot holds the player for 1 frame, a power dot for 3; they are 10 and 50 points", "[games][maze]") {
+TEST_CASE("a dot pauses the player for 1 frame, a power dot for 3; they give 10 and 50 points", "[games][maze]") {
     test::DrivenChase driven(1);
     const Chase& chase = driven.chase();
     int dots = 0, powers = 0, held = 0;

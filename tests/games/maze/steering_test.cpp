@@ -11,7 +11,7 @@ using namespace plumb;
 using namespace plumb::games;
 using namespace plumb::games::maze;
 
-/// Keys go down and up; what comes of it, tick by tick.
+/// Holds keys for one tick at a time, and returns the direction that results.
 struct Hand {
     std::optional<Direction> hold(std::vector<Direction> keys) {
         Buttons now = 0;
@@ -28,7 +28,7 @@ struct Hand {
 
 }  // namespace
 
-TEST_CASE("each direction has the action of its name, at its own place in the list", "[games][maze]") {
+TEST_CASE("each direction has an action with its name, and both have the same index", "[games][maze]") {
     for (const Direction direction : allDirections) {
         Hand hand;
         CHECK(hand.hold({direction}) == direction);
@@ -36,7 +36,7 @@ TEST_CASE("each direction has the action of its name, at its own place in the li
     }
 }
 
-TEST_CASE("of two keys held the later one counts; when it is let go, the earlier one again", "[games][maze]") {
+TEST_CASE("of two held keys the later one counts; when it is released, the earlier one counts again", "[games][maze]") {
     Hand hand;
     CHECK(hand.hold({}) == std::nullopt);
     CHECK(hand.hold({Direction::Left}) == Direction::Left);
@@ -48,7 +48,7 @@ TEST_CASE("of two keys held the later one counts; when it is let go, the earlier
 }
 
 // 18 ticks at 100 % are 22.5 pixels, nearly three tiles.
-TEST_CASE("a tap is remembered for 0.3 s, 18 ticks, after the key was let go", "[games][maze]") {
+TEST_CASE("a tap is remembered for 0.3 s, 18 ticks, after the key was released", "[games][maze]") {
     Hand hand;
     CHECK(hand.hold({Direction::Down}) == Direction::Down);
     for (int tick = 0; tick < 18; ++tick) CHECK(hand.hold({}) == Direction::Down);
