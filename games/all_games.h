@@ -7,7 +7,7 @@
 
 namespace plumb::games {
 
-/// As games/list.txt has them, each with its name.
+/// The games of games/list.txt in that order, each with its name.
 std::vector<GameInfo> allGames();
 
 }  // namespace plumb::games

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# The game that README.md walks through, built for the tests as it stands there: its name is that in the page's line for
-# list.txt, its source the first block of C++ on the page. Its namespace and its targets are called walk_through, so that
-# a game of the page's name can be added, as the page says, beside it.
+# Builds the example game of README.md for the tests, as the page has it. Its name is the name in the page's line for
+# list.txt. Its source is the first block of C++ on the page. Its namespace and its targets are called walk_through, so
+# that a game with the page's name can be added beside it, as the page says.
 set(page "${CMAKE_CURRENT_SOURCE_DIR}/README.md")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${page}" main.cpp.in)
 file(READ "${page}" text)

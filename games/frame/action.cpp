@@ -23,7 +23,7 @@ bool isNameLetter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
 }
 
-// A lone - is the record's word for no action at all.
+// In a record, a single - means no action.
 bool isName(const std::string& name) {
     return !name.empty() && name != "-" && std::all_of(name.begin(), name.end(), isNameLetter);
 }
@@ -46,7 +46,7 @@ bool has(const std::vector<Button>& buttons, Button wanted) {
     return std::find(buttons.begin(), buttons.end(), wanted) != buttons.end();
 }
 
-/// Adds to an action's buttons those of the menu's that no action of the game has.
+/// Adds those buttons of a menu action that no action of the game uses.
 template <class Button>
 void addFree(std::vector<Button>& to, const std::vector<Button>& from, const std::vector<Action>& game,
              std::vector<Button> Action::*which) {
@@ -68,14 +68,14 @@ std::string_view nameOf(Pad pad) {
 
 ActionList::ActionList(std::vector<Action> actions) : actions_(std::move(actions)) {
     if (size() > maxActions)
-        refuse("actions", std::to_string(size()) + " of them, with the menus' own; " + std::to_string(maxActions) +
-                              " at most are wanted");
+        refuse("actions", std::to_string(size()) + " actions, including those of the menus; at most " +
+                              std::to_string(maxActions) + " are allowed");
     for (auto action = actions_.begin(); action != actions_.end(); ++action) {
         if (!isName(action->name))
             refuse("Action.name", "\"" + action->name + "\" is not made of letters, digits, - and _");
         const auto same = [&](const Action& other) { return other.name == action->name; };
         if (std::any_of(actions_.begin(), action, same))
-            refuse("Action.name", "\"" + action->name + "\" is there twice");
+            refuse("Action.name", "\"" + action->name + "\" is used twice");
     }
 }
 
@@ -86,7 +86,7 @@ bool ActionList::contains(std::string_view name) const {
 int ActionList::indexOf(std::string_view name) const {
     for (int i = 0; i < size(); ++i)
         if ((*this)[i].name == name) return i;
-    refuse("action", "there is none of the name \"" + std::string(name) + "\"");
+    refuse("action", "there is no action \"" + std::string(name) + "\"");
 }
 
 ActionList withMenuActions(const std::vector<Action>& game) {

@@ -8,7 +8,7 @@
 namespace plumb::games {
 namespace {
 
-/// Pixels to one unit of the screen.
+/// Pixels per unit of the screen.
 double screenScale(PixelSize size) {
     return std::min(size.width / screenWidth, size.height / screenHeight);
 }

@@ -9,55 +9,55 @@
 
 namespace plumb::games {
 
-/// Where a part of a picture is put: scaled, then turned, then shifted.
+/// How a part of a picture is placed: scaled, then turned, then shifted.
 struct Place {
     Vec2 position{0, 0};
     double angle = 0;  ///< from +x towards +y [rad]
-    Vec2 scale{1, 1};  ///< (-1, 1) looks the other way [-]
+    Vec2 scale{1, 1};  ///< (-1, 1) mirrors left and right [-]
     double opacity = 1;
 };
 
-/// What lies over the game: a banner would be hidden by a menu, or contradict it, and what is told to players is told
-/// to nobody behind the title.
+/// What covers the game. Behind a menu, a game draws no banner: the menu would hide or contradict it. Behind the title,
+/// it draws no information for players either: nobody plays then.
 enum class Behind { Nothing, Menu, Title };
 
-/// Keeps marks. It begins with the screen's units; look() changes to a camera's world, screen() back. What is drawn
-/// later lies above, but for the layers, of which the higher lies above whatever was drawn when.
+/// Collects marks. It begins with the units of the screen; look() changes to the world of a camera, screen() changes
+/// back. In one layer, later marks lie above earlier ones. A higher layer always lies above a lower one.
 class Canvas {
 public:
     explicit Canvas(PixelSize size, double between = 1);
 
-    /// What share of a tick has passed since the last; 0: things are to be seen where they were before that tick,
-    /// 1: where it brought them, which is where they are all the time in a game that stands still [-].
+    /// The part of a tick that has passed since the last tick [-]. 0: draw things where they were before that tick;
+    /// 1: draw them where they are after it. It is always 1 in a game that stands still.
     double between() const { return between_; }
     void setBetween(double share) { between_ = share; }
     Behind behind() const { return behind_; }
     void setBehind(Behind what) { behind_ = what; }
     PixelSize size() const { return drawing_.size; }
 
-    // Each ends all places and clips, and fills the picture: the window, but for what keepFree() leaves.
+    // Each of the two ends all places and clips. The picture is the window without the rows of keepFree().
     void look(const Camera& camera);
     void screen();
-    /// The one last looked through.
+    /// The camera of the last look().
     const Camera& camera() const { return camera_; }
-    Aabb visible() const;          ///< of the world, or screen, that is now drawn in
-    double unitsPerPixel() const;  ///< of it; a line so wide is as thin as can be seen well
+    Aabb visible() const;          ///< the visible part of the world or of the screen, in the current units
+    double unitsPerPixel() const;  ///< the width of the thinnest line that is seen well, in the current units
     void layer(int layer) { layer_ = layer; }
-    /// From here on the picture ends so many rows of pixels above the window's lower edge. Goes back to screen().
+    /// From now on the picture ends this number of pixel rows above the window's lower edge. Calls screen().
     void keepFree(int rows);
 
-    /// What is drawn while the scope lives is drawn in a place of its own, or only within a rectangle.
+    /// As long as the scope lives, everything is drawn in this place, or only within this rectangle.
     class Scope;
     [[nodiscard]] Scope place(const Place& place);
     [[nodiscard]] Scope clip(const Vec2& corner, const Vec2& size);
 
-    void clear(const Paint& paint);  ///< all of the window; of a gradient, in the units now drawn in
-    /// From the corner of the least x and y.
+    void clear(const Paint& paint);  ///< fills the whole window; a gradient is in the current units
+    /// corner: the one with the smallest x and y.
     void rect(const Vec2& corner, const Vec2& size, const Brush& brush, double radius = 0);
     void box(const Vec2& center, const Vec2& halfSize, const Brush& brush, double radius = 0);
     void circle(const Vec2& center, double radius, const Brush& brush);
     void ellipse(const Vec2& center, const Vec2& radii, const Brush& brush);
-    /// From one angle on to another, from +x towards +y [rad].
+    /// From one angle to the other; angles are from +x towards +y [rad].
     void pie(const Vec2& center, double radius, double from, double to, const Brush& brush);
     void arc(const Vec2& center, double radius, double from, double to, const Brush& brush);
     void polygon(std::vector<Vec2> corners, const Brush& brush);
@@ -70,8 +70,8 @@ public:
 
 private:
     struct State {
-        Affine view;      ///< to pixels, without the places drawn in
-        Affine toPixels;  ///< with them
+        Affine view;      ///< to pixels, without place()
+        Affine toPixels;  ///< to pixels, with place()
         double opacity = 1;
         int clip = -1;
     };

@@ -11,7 +11,7 @@ namespace {
 const Option& optionNamed(const GameInfo& info, const std::string& name) {
     for (const Option& option : info.options)
         if (option.name == name) return option;
-    refuse("option", info.name + " has none of the name \"" + name + "\"");
+    refuse("option", info.name + " has no option \"" + name + "\"");
 }
 
 void requireChoice(const Option& option, const std::string& value) {

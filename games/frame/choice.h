@@ -9,14 +9,14 @@
 
 namespace plumb::games {
 
-/// Those of GameInfo, but for the values given. Throws std::invalid_argument on an option that the game has not, or a
-/// value that is none of its choices.
+/// The values of all options: the given ones, and the defaults of GameInfo for the others. Throws std::invalid_argument
+/// on an unknown option, or on a value that is not one of the option's choices.
 std::map<std::string, std::string> optionsOf(const GameInfo& info, const std::map<std::string, std::string>& given);
 
-/// The options that stand in the title, in their order: those with choices, but for what only the command line has.
+/// The options in the title, in their order: those with choices, except the ones that only the command line has.
 std::vector<Option> optionsToChoose(const GameInfo& info);
 
-/// The choice so many steps behind another, round and round.
+/// The choice this number of steps after now; the first choice follows the last.
 const std::string& choiceBehind(const Option& option, const std::string& now, int steps);
 
 }  // namespace plumb::games

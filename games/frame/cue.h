@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-// What is to be heard?
+// Which sound does a game play?
 #pragma once
 
 namespace plumb::games {
 
 enum class Wave { Sine, Triangle, Square, Noise };
 
-/// One tone, or one burst of noise. A tune is several, each with its delay.
+/// One tone, or one burst of noise. A tune is several cues, each with its own delay.
 struct Cue {
     Wave wave = Wave::Square;
-    double from = 440, to = 440;  ///< the pitch, at first and at last, > 0; of noise, how often it changes [Hz]
+    double from = 440, to = 440;  ///< pitch at the start and at the end, > 0; for noise, how often it changes [Hz]
     double seconds = 0.1;         ///< > 0 [s]
-    double volume = 0.5;          ///< 0 to 1, of the loudest [-]
-    double delay = 0;             ///< >= 0, before it sounds [s]
-    double fade = 1;              ///< the share of it, at its end, in which it dies away, 0 to 1 [-]
+    double volume = 0.5;          ///< 0 to 1, where 1 is the loudest [-]
+    double delay = 0;             ///< >= 0, silence before the sound [s]
+    double fade = 1;              ///< the part at its end in which it fades out, 0 to 1 of its length [-]
 };
 
 }  // namespace plumb::games

@@ -40,7 +40,7 @@ struct Outliner {
     }
     void operator()(const Polygon& p) const {
         canvas.polygon(p.vertices, stroke(color, width));
-        // The outline of a rounded one, each edge shifted by the radius, and its corners.
+        // The outline of a rounded polygon: each edge, shifted by the radius, and a circle at each corner.
         for (std::size_t i = 0; p.radius > 0 && i < p.vertices.size(); ++i) {
             const Vec2& from = p.vertices[i];
             const Vec2& to = p.vertices[(i + 1) % p.vertices.size()];
@@ -91,9 +91,9 @@ void drawContacts(Canvas& canvas, const World& world) {
     const double pixel = canvas.unitsPerPixel();
     for (const BodyId id : world.bodies())
         for (const Contact& c : world.body(id).contacts()) {
-            if (c.shapeA.body != id) continue;  // the other body has it too
+            if (c.shapeA.body != id) continue;  // the other body lists it too
             for (const ContactPoint& p : c.points) {
-                // 1 N is 8 pixels longer than none, 1 kN 80.
+                // 8 pixels for 1 N, 80 pixels for 1 kN.
                 const double length = 8 * pixel * std::log2(1 + p.normalForce);
                 canvas.circle(p.position, 3 * pixel, contact);
                 canvas.line(p.position, p.position + length * c.normal, contact, 1.5 * pixel);
@@ -101,7 +101,7 @@ void drawContacts(Canvas& canvas, const World& world) {
         }
 }
 
-/// From body to body, or to the place in the world that the joint has to do with.
+/// Draws lines from body to body, or to the fixed points of a pulley or the target in the world.
 void drawJoint(Canvas& canvas, const World& world, const JointDef& def) {
     const double width = 1.5 * canvas.unitsPerPixel();
     const auto at = [&](BodyId body) { return world.body(body).centerOfMass(); };
@@ -126,7 +126,7 @@ void drawJoint(Canvas& canvas, const World& world, const JointDef& def) {
 }
 
 void drawVelocities(Canvas& canvas, const World& world) {
-    constexpr double shown = 0.2;  // so long does a line show it move [s]
+    constexpr double shown = 0.2;  // a line shows the motion in this time [s]
     for (const BodyId id : world.bodies()) {
         const BodyView body = world.body(id);
         if (body.type() == BodyType::Static || body.velocity() == Vec2(0, 0)) continue;
@@ -135,7 +135,7 @@ void drawVelocities(Canvas& canvas, const World& world) {
     }
 }
 
-/// Of what is dynamic: kinetic, and m g h above the world's origin [J].
+/// Of the dynamic bodies: the kinetic energy, and m g h above the world's origin [J].
 std::pair<double, double> energyOf(const World& world) {
     double kinetic = 0, gravitational = 0;
     for (const BodyId id : world.bodies()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is to be seen? A list of marks, in pixels, that any shell can paint.
+// What does a picture consist of? It is a list of marks, in pixels, that any shell can paint.
 #pragma once
 #include <optional>
 #include <string>
@@ -16,7 +16,7 @@ struct PixelSize {
     friend bool operator==(const PixelSize&, const PixelSize&) = default;
 };
 
-/// Where a point comes to lie: origin + x xAxis + y yAxis.
+/// An affine map: the point (x, y) goes to origin + x xAxis + y yAxis.
 struct Affine {
     Vec2 xAxis{1, 0}, yAxis{0, 1};
     Vec2 origin{0, 0};
@@ -29,11 +29,12 @@ struct Affine {
     friend bool operator==(const Affine&, const Affine&) = default;
 };
 
-/// From one colour to another, evenly, and the same beyond either end. In the coordinates of the mark.
+/// A linear change from one colour to another, in the coordinates of the mark. Beyond each end, the colour of that end
+/// goes on.
 struct Gradient {
-    Vec2 from{0, 0}, to{0, 1};  ///< of a radial one, from is its centre
+    Vec2 from{0, 0}, to{0, 1};  ///< in a radial gradient, from is the centre
     Color first, last;
-    double radius = 0;  ///< > 0: from the centre outward, up to there
+    double radius = 0;  ///< > 0: a radial gradient, from the centre to this radius
     friend bool operator==(const Gradient&, const Gradient&) = default;
 };
 
@@ -48,7 +49,7 @@ struct Paint {
     friend bool operator==(const Paint&, const Paint&) = default;
 };
 
-/// How a mark is made: filled, or, with a width, drawn along its outline with round ends and corners.
+/// How a mark is drawn: filled, or, with a width, along its outline with round ends and corners.
 struct Brush {
     Paint paint;
     double width = 0;  ///< of the line, in the units of the mark; 0: filled
@@ -73,20 +74,20 @@ struct TextStyle {
     Align align = Align::Left;
     Baseline baseline = Baseline::Base;
     Weight weight = Weight::Regular;
-    double fitWidth = 0;  ///< > 0: made smaller until it is no wider than this
+    double fitWidth = 0;  ///< > 0: the text is made smaller until it is no wider than this
     friend bool operator==(const TextStyle&, const TextStyle&) = default;
 };
 
 struct RectMark {
-    Vec2 corner{0, 0}, size{1, 1};  ///< the corner of the least x and y
-    double radius = 0;              ///< of rounded corners
+    Vec2 corner{0, 0}, size{1, 1};  ///< corner: the one with the smallest x and y
+    double radius = 0;              ///< of the rounded corners
     friend bool operator==(const RectMark&, const RectMark&) = default;
 };
 /// An ellipse, or a part of it; angles from +x towards +y [rad].
 struct EllipseMark {
     Vec2 center{0, 0}, radii{1, 1};
-    double from = 0, to = 0;  ///< equal: all of it
-    bool pie = false;         ///< a part goes to the centre and back
+    double from = 0, to = 0;  ///< equal: the whole ellipse
+    bool pie = false;         ///< true: a part is closed through the centre
     friend bool operator==(const EllipseMark&, const EllipseMark&) = default;
 };
 struct PathMark {
@@ -97,21 +98,21 @@ struct PathMark {
 struct TextMark {
     Vec2 at{0, 0};
     std::string text;  ///< UTF-8, one line
-    TextStyle style;   ///< upright and not mirrored, whichever way y points
+    TextStyle style;   ///< drawn upright and not mirrored, whether y points up or down
     friend bool operator==(const TextMark&, const TextMark&) = default;
 };
 
 struct Mark {
     std::variant<RectMark, EllipseMark, PathMark, TextMark> shape;
-    Brush brush;         ///< but of a text, whose style has its colour
-    Affine toPixels;     ///< of the mark's coordinates; y down, (0, 0) at the window's upper left
-    double opacity = 1;  ///< times alpha
+    Brush brush;         ///< of a text: the colour of its style
+    Affine toPixels;     ///< from the mark's coordinates; y down, (0, 0) at the window's upper left
+    double opacity = 1;  ///< multiplied by alpha
     int layer = 0;
-    int clip = -1;  ///< which of the clips holds it; -1: none
+    int clip = -1;  ///< index of the clip that limits it; -1: none
     friend bool operator==(const Mark&, const Mark&) = default;
 };
 
-/// Nothing is painted outside of it: an upright rectangle in pixels.
+/// An axis-aligned rectangle in pixels; nothing is painted outside it.
 struct Clip {
     Vec2 corner{0, 0}, size{0, 0};
     friend bool operator==(const Clip&, const Clip&) = default;
@@ -119,10 +120,10 @@ struct Clip {
 
 struct Drawing {
     PixelSize size;
-    std::vector<Mark> marks;  ///< as they were made
+    std::vector<Mark> marks;  ///< in the order they were made
     std::vector<Clip> clips;
 
-    /// What is to be painted first comes first: by layer, and in a layer as made.
+    /// The marks in the order of painting: by layer, and within a layer in the order they were made.
     std::vector<const Mark*> inOrder() const;
 };
 

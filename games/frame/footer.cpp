@@ -9,7 +9,7 @@ namespace plumb::games {
 
 void drawFooter(Canvas& canvas, const std::vector<FooterLine>& lines, const Theme& theme) {
     if (lines.empty()) return;
-    constexpr double lineHeight = 14, margin = 2, side = 8, gap = 6;  // in the screen's units
+    constexpr double lineHeight = 14, margin = 2, side = 8, gap = 6;  // in units of the screen
     canvas.layer(footerLayer);
     canvas.screen();
     const Aabb window = canvas.visible();

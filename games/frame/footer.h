@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is told below the picture, where it lies over no part of it?
+// How are lines of text shown below the picture, so that they hide no part of it?
 #pragma once
 #include <string>
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace plumb::games {
 
-/// A line of columns, all of one width.
+/// A line of columns, all of the same width.
 using FooterLine = std::vector<std::string>;
 
-/// A strip at the window's lower edge, as high as its lines; the picture, which is drawn after this, becomes as much
-/// smaller. None without lines.
+/// Draws a strip at the window's lower edge, as high as its lines. The picture, which is drawn after this, becomes
+/// lower by that height. Without lines there is no strip.
 void drawFooter(Canvas& canvas, const std::vector<FooterLine>& lines, const Theme& theme);
 
 }  // namespace plumb::games

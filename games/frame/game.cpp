@@ -7,7 +7,7 @@ namespace plumb::games {
 
 const std::string& GameSetup::option(const std::string& name) const {
     const auto found = options.find(name);
-    if (found == options.end()) refuse("option", "this game has none of the name \"" + name + "\"");
+    if (found == options.end()) refuse("option", "this game has no option \"" + name + "\"");
     return found->second;
 }
 

@@ -30,39 +30,39 @@ struct Progress {
     std::int64_t score = 0;
 };
 
-/// What a game can be told as it begins: --name VALUE on the command line; with choices, no other value is taken, and
-/// it is an entry of the title too.
+/// A setting of a game: --name VALUE on the command line. An option with choices accepts no other value, and it is an
+/// entry of the title too.
 struct Option {
     std::string name;     ///< small letters, digits and -
     std::string about{};  ///< for --help
-    std::string value{};  ///< unless another is given
+    std::string value{};  ///< the default
     std::vector<std::string> choices{};
-    std::string label{};  ///< in the title; empty: its name
-    bool inTitle = true;  ///< false: only the command line has it
+    std::string label{};  ///< its text in the title; empty: its name
+    bool inTitle = true;  ///< false: it is only on the command line
 };
 
 struct GameSetup {
     std::uint64_t seed = 1;
-    std::map<std::string, std::string> options{};  ///< each of GameInfo.options has its value here
+    std::map<std::string, std::string> options{};  ///< one value for each of GameInfo.options
 
     /// Throws std::invalid_argument when the game has no such option.
     const std::string& option(const std::string& name) const;
 };
 
-/// One round, from its start to won or lost. The same setup and inputs give the same bits: no clock, no other source of
-/// chance than the setup's seed, and nothing that draw() does counts.
+/// One round, from its start until it is won or lost. The same setup and inputs must give the same bits: a game uses no
+/// clock and no random numbers except from the setup's seed, and draw() has no effect on it.
 class Game {
 public:
     virtual ~Game() = default;
 
     virtual void update(const Input& input) = 0;        ///< one tick
-    virtual void draw(Canvas& canvas) const = 0;        ///< all of it, what is known by the players with it
-    virtual Progress progress() const = 0;              ///< updates end when the outcome is no longer Running
-    virtual std::string verdict() const { return {}; }  ///< at the round's end; empty: "You won" or "Game over"
-    virtual std::uint64_t hash() const = 0;             ///< of all that what comes depends on
-    /// For the debug view, which is drawn over draw()'s last look.
+    virtual void draw(Canvas& canvas) const = 0;        ///< the whole picture, with the information for players
+    virtual Progress progress() const = 0;              ///< there are no more updates when the outcome is not Running
+    virtual std::string verdict() const { return {}; }  ///< text at the round's end; empty: "You won" or "Game over"
+    virtual std::uint64_t hash() const = 0;             ///< of everything that can change what happens next
+    /// The world that the debug view shows, with the last camera of draw(); null: none.
     virtual const World* world() const { return nullptr; }
-    virtual void drawDebug(Canvas&) const {}  ///< what else it shows: plans, targets
+    virtual void drawDebug(Canvas&) const {}  ///< what the debug view shows besides: plans, targets
 
     /// The cues played since the last call.
     std::vector<Cue> takeCues() { return std::exchange(cues_, {}); }
@@ -79,20 +79,21 @@ struct Theme {
     Color background = Color::hex(0x14161f);
     Color panel = Color::hex(0x232738);
     Color text = Color::hex(0xf2f2ee);
-    Color quiet = Color::hex(0x9aa0b5);   ///< of what is said aside
-    Color accent = Color::hex(0xffc940);  ///< of what is chosen
+    Color quiet = Color::hex(0x9aa0b5);   ///< of less important text
+    Color accent = Color::hex(0xffc940);  ///< of the chosen entry
 };
 
 struct GameInfo {
-    std::string name{};  ///< the folder's; set by whoever lists the games
+    std::string name{};  ///< the name of the game's folder; set where the games are listed
     std::string title{};
     std::string about{};  ///< one line
     std::vector<Action> actions{};
     std::vector<Option> options{};
     Theme theme{};
     std::function<std::unique_ptr<Game>(const GameSetup&)> make{};
-    std::function<std::unique_ptr<Player>(const GameSetup&)> computer{};  ///< empty: nobody but people can play it
-    /// Behind the title, so many seconds after it came up; empty: the game itself, played by the computer.
+    std::function<std::unique_ptr<Player>(const GameSetup&)> computer{};  ///< empty: only people can play it
+    /// Draws behind the title, this number of seconds after the title appeared. Empty: the computer plays the game
+    /// there.
     std::function<void(Canvas&, double)> drawTitle{};
 };
 

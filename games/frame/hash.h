@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which number stands for all of a game's state?
+// Which number identifies the whole state of a game?
 #pragma once
 #include <bit>
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace plumb::games {
 
-/// FNV-1a over the bytes of what is added, in that order, the lowest first.
+/// FNV-1a over the bytes of the added values, in the order of adding, the lowest byte of each value first.
 class Hash {
 public:
     Hash& add(std::uint64_t bits) {

@@ -8,7 +8,7 @@ namespace plumb::games {
 Buttons Input::bit(int action) const {
     if (action < 0 || action >= actions_->size())
         refuse("action",
-               std::to_string(action) + " is not an index of the " + std::to_string(actions_->size()) + " there are");
+               std::to_string(action) + " is not an index; there are " + std::to_string(actions_->size()) + " actions");
     return Buttons{1} << action;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What does whoever plays want in this tick?
+// Which actions does the player want in this tick?
 #pragma once
 #include <string_view>
 
@@ -7,8 +7,8 @@
 
 namespace plumb::games {
 
-/// The buttons of this tick and of the one before. Every call takes an action's name, or its index in the game's own
-/// list, and throws std::invalid_argument when there is none such.
+/// The buttons of this tick and of the tick before. Every call takes an action's name, or its index in the game's own
+/// list. It throws std::invalid_argument when there is no such action.
 class Input {
 public:
     /// The list must outlive the input.
@@ -18,10 +18,8 @@ public:
     bool pressed(std::string_view action) const { return pressed(actions_->indexOf(action)); }
     bool released(std::string_view action) const { return released(actions_->indexOf(action)); }
     bool held(int action) const { return (now_ & bit(action)) != 0; }
-    bool pressed(int action) const { return held(action) && (before_ & bit(action)) == 0; }  ///< held, and not before
-    bool released(int action) const {
-        return !held(action) && (before_ & bit(action)) != 0;
-    }  ///< held before, and not now
+    bool pressed(int action) const { return held(action) && (before_ & bit(action)) == 0; }    ///< held now, not before
+    bool released(int action) const { return !held(action) && (before_ & bit(action)) != 0; }  ///< held before, not now
 
     /// 1 when positive is held, -1 when negative is, 0 when both or neither are.
     int axis(std::string_view negative, std::string_view positive) const {

@@ -6,7 +6,7 @@
 namespace plumb::games {
 namespace {
 
-/// Actions that are told as one.
+/// Actions that share one entry of the list.
 struct Entry {
     std::string about;
     std::vector<const Action*> actions;
@@ -26,7 +26,7 @@ std::vector<Entry> entriesOf(const std::vector<Action>& actions) {
     return entries;
 }
 
-/// The first keys of all of them, then the second ones: "← → or A D".
+/// The first keys of all its actions, then the second keys: "← → or A D".
 std::string keysOf(const Entry& entry) {
     std::size_t most = 0;
     for (const Action* action : entry.actions) most = std::max(most, action->keys.size());
@@ -39,7 +39,7 @@ std::string keysOf(const Entry& entry) {
     return keys;
 }
 
-/// An arrow is one letter in three bytes.
+/// Letters, not bytes: an arrow is one letter of three bytes.
 std::size_t lettersOf(const std::string& text) {
     const auto goesOn = [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0) == 0x80; };
     return text.size() - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), goesOn));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which keys do what, as the title says it?
+// How does the title list the keys of a game?
 #pragma once
 #include <string>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace plumb::games {
 
-/// In lines of up to so many letters: "← → or A D  walk     ·     Space  jump". Actions that are about the same stand
-/// together, where the first of them is; those about nothing, or without keys, are left out.
+/// Lines of at most this number of letters: "← → or A D  walk     ·     Space  jump". Actions with the same text in
+/// about share one entry, at the place of the first of them. Actions without that text or without keys are left out.
 std::vector<std::string> keyLines(const std::vector<Action>& actions, std::size_t longest);
 
 }  // namespace plumb::games

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who plays a game, if no one does with a keyboard?
+// How does the computer play a game?
 #pragma once
 #include <games/frame/action.h>
 
@@ -7,12 +7,12 @@ namespace plumb::games {
 
 class Game;
 
-/// The computer. The same games seen in the same order give the same buttons.
+/// The computer as a player. The same games, seen in the same order, give the same buttons.
 class Player {
 public:
     virtual ~Player() = default;
-    /// Of the game's next tick, bit i for action i of GameInfo.actions. The game is one that the player's own GameInfo
-    /// made, so it may be cast to what it is.
+    /// The buttons of the game's next tick: bit i for action i of GameInfo.actions. The game was made by the GameInfo
+    /// that made the player, so it may be cast to its own class.
     virtual Buttons decide(const Game& game) = 0;
 };
 

@@ -7,13 +7,13 @@
 
 namespace plumb::games {
 
-/// Remembers where the bodies of a world were before a tick, so that they are drawn moving smoothly.
+/// Remembers the poses of the bodies of a world before a tick, so that they can be drawn moving smoothly.
 class PoseTrail {
 public:
-    void keep(const World& world);  ///< before its step
+    void keep(const World& world);  ///< call it before the world's step
 
-    /// Of a body of that world, by Canvas.between(): 0 where it was kept, 1 where it is; where it is, if it was not
-    /// there. The nearest way round in a world that wraps.
+    /// The pose of a body of that world, by Canvas.between(): 0 gives the kept pose, 1 the current one. A body that was
+    /// not there at keep() gets its current pose. In a world that wraps, the body takes the shorter way.
     Transform pose(const World& world, BodyId body, double between) const;
 
 private:

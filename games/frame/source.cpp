@@ -14,7 +14,7 @@ public:
 
     std::optional<Buttons> next(const Session& session) override {
         if (session.screen() == Screen::Play) return play(session);
-        // Pressed every other tick, for what is held is not pressed anew.
+        // Pressed in every other tick: a button that stays down is not pressed again.
         const Buttons confirm = session.actions().button("confirm");
         return session.ticks() % 2 == 0 ? confirm : 0;
     }

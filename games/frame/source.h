@@ -12,12 +12,12 @@ namespace plumb::games {
 class Source {
 public:
     virtual ~Source() = default;
-    /// Of the session's next tick; none: there are no more.
+    /// The buttons of the session's next tick; empty at the end of the source.
     virtual std::optional<Buttons> next(const Session& session) = 0;
 };
 
-/// The game's own computer player, round after round; it starts each by itself. Throws std::invalid_argument when the
-/// game has none.
+/// The game's own computer player. It plays round after round and starts each round itself. Throws
+/// std::invalid_argument when the game has no computer player.
 std::unique_ptr<Source> computerSource(const GameInfo& info);
 
 }  // namespace plumb::games

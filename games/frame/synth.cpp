@@ -12,7 +12,7 @@ namespace plumb::games {
 namespace {
 
 constexpr std::size_t mostVoices = 24;
-constexpr double rise = 0.003;  ///< a tone that began at once would click [s]
+constexpr double rise = 0.003;  ///< a tone that starts at its full volume would click [s]
 
 void validate(const Cue& cue) {
     requirePositive(cue.from, "Cue.from");
@@ -23,9 +23,9 @@ void validate(const Cue& cue) {
     requireWithin(cue.fade, 0, 1, "Cue.fade");
 }
 
-/// Takes the step of a square wave at phase 0 back to what a band-limited one has there, so that high tones do not ring
-/// with others. step: phase from one sample to the next. Source: Välimäki, Huovilainen, "Antialiasing oscillators in
-/// subtractive synthesis", IEEE Signal Processing Magazine 24(2), 2007.
+/// What to add to a square wave near its step at phase 0 to make it almost band-limited, so that high tones have less
+/// aliasing. step: change of the phase from one sample to the next. Source: Välimäki, Huovilainen, "Antialiasing
+/// oscillators in subtractive synthesis", IEEE Signal Processing Magazine 24(2), 2007.
 double smoothStep(double phase, double step) {
     if (phase < step) {
         const double t = phase / step;
@@ -43,18 +43,18 @@ double square(double phase, double step) {
     return (phase < 0.5 ? 1 : -1) + smoothStep(phase, step) - smoothStep(half, step);
 }
 
-/// Up at first, from 0 at phase 0.
+/// It is 0 at phase 0 and rises there.
 double triangle(double phase) {
     const double x = phase < 0.75 ? phase : phase - 1;
     return 1 - std::abs(4 * x - 1);
 }
 
-/// A wave that goes on, sample by sample.
+/// Produces a wave, sample by sample.
 class Oscillator {
 public:
     explicit Oscillator(Wave wave) : wave_(wave) {}
 
-    /// step: how far a wave's length goes on with this sample, up to 1/2.
+    /// step: change of the phase in this sample, in periods, up to 1/2.
     double next(double step) {
         const double value = valueAt(step);
         phase_ += step;
@@ -82,14 +82,14 @@ private:
     double held_ = chance_.uniform(-1, 1);
 };
 
-/// How loud it is at a time of it.
+/// The volume of a cue at a time after its start, 0 to 1 [-].
 double envelope(const Cue& cue, double time) {
     const double in = std::min(1.0, time / rise);
     const double left = (cue.seconds - time) / (cue.seconds * std::max(cue.fade, 0.01));
     return in * std::clamp(left, 0.0, 1.0);
 }
 
-/// 1 for the loudest there may be; up to 0.6 nothing is changed.
+/// Keeps the value between -1 and 1; up to 0.6 it is not changed.
 double soften(double value) {
     constexpr double knee = 0.6;
     const double size = std::abs(value);
@@ -106,7 +106,7 @@ std::vector<float> samplesOf(const Cue& cue, int samplesPerSecond) {
     Oscillator oscillator(cue.wave);
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const double time = static_cast<double>(i) / samplesPerSecond;
-        // Even to the ear: the same interval in the same time.
+        // The ear hears an even change: the same musical interval in the same time.
         const double pitch = cue.from * std::pow(cue.to / cue.from, time / cue.seconds);
         const double value = oscillator.next(std::min(pitch / samplesPerSecond, 0.5));
         samples[i] = static_cast<float>(std::clamp(value, -1.0, 1.0) * cue.volume * envelope(cue, time));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What goes on behind the title?
+// What is shown behind the title?
 #pragma once
 #include <memory>
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace plumb::games {
 
-/// The game, played by its computer player, again and again; or what the game draws there instead.
+/// Rounds of the game, played by its computer player; or what the game draws there instead (GameInfo.drawTitle).
 class TitleShow {
 public:
     /// info must outlive it.
