@@ -11,7 +11,7 @@
 namespace plumb::games {
 namespace {
 
-/// What the command line holds, before it is made sense of.
+/// The words of the command line, before they are checked.
 struct Words {
     std::string seed, player;
     std::vector<std::string> files;
@@ -31,23 +31,24 @@ void addGameOptions(CLI::App& app, const GameInfo& info, Words& words) {
 
 void addOptions(CLI::App& app, const GameInfo& info, ProgramOptions& options, Words& words) {
     const CLI::Validator ticks = CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000});
-    app.add_option("--seed", words.seed, "What chance makes of it: the same number, the same game");
-    app.add_option("--player", words.player, "keyboard, computer or nobody")
+    app.add_option("--seed", words.seed, "Seed of the random numbers: the same seed gives the same game");
+    app.add_option("--player", words.player, "Who plays: keyboard, computer or nobody")
         ->check(CLI::IsMember({"keyboard", "computer", "nobody"}));
-    app.add_option("--record", options.recordFile, "Write what is pressed to this file");
-    app.add_option("--replay", options.replayFile, "Play what is in this file");
-    app.add_flag("--headless", options.headless, "No window: one line of JSON at the end");
-    app.add_option("--ticks", options.ticks, "Stop after so many, 60 a second")->check(ticks);
-    app.add_option("--screenshot", words.files, "Write a PNG picture; may be given several times, each with its --at");
-    app.add_option("--at", words.at, "After which tick")->check(ticks);
-    app.add_option("--size", words.size, "Of the pictures, or the window: 1280x720");
-    app.add_flag("--debug", options.debug, "Show what the kit sees");
+    app.add_option("--record", options.recordFile, "Write the pressed buttons to this file");
+    app.add_option("--replay", options.replayFile, "Replay the record in this file");
+    app.add_flag("--headless", options.headless, "Run without a window; print one line of JSON at the end");
+    app.add_option("--ticks", options.ticks, "Stop after this number of ticks, 60 a second")->check(ticks);
+    app.add_option("--screenshot", words.files,
+                   "Write a PNG picture to this file; may be given several times, each with its --at");
+    app.add_option("--at", words.at, "Tick after which the picture is taken")->check(ticks);
+    app.add_option("--size", words.size, "Size of the pictures, or of the window, such as 1280x720");
+    app.add_flag("--debug", options.debug, "Show outlines, contacts, joints and velocities, as F1 does");
     app.add_flag("--times", options.times,
-                 "With a window: one line of JSON at the end, how long ticks and frames took");
+                 "With a window: print one line of JSON at the end with the times of ticks and frames");
     addGameOptions(app, info, words);
 }
 
-// Not left to the library, to which -1 is 2^64 - 1.
+// Not read by the library: it would read -1 as 2^64 - 1.
 std::uint64_t seedIn(const std::string& text) {
     std::uint64_t seed = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
@@ -68,11 +69,11 @@ PixelSize sizeIn(const std::string& text) {
 
 PlayedBy playerIn(const Words& words, const ProgramOptions& options, const GameInfo& info) {
     if (!options.replayFile.empty()) {
-        if (!words.player.empty()) throw std::invalid_argument("--player: the record that --replay names plays");
-        if (options.seed) throw std::invalid_argument("--seed: the record that --replay names has its own");
+        if (!words.player.empty()) throw std::invalid_argument("--player: not allowed with --replay; the record plays");
+        if (options.seed) throw std::invalid_argument("--seed: not allowed with --replay; the record has its own seed");
         for (const auto& [name, value] : words.game)
             if (!value.empty())
-                throw std::invalid_argument("--" + name + ": the record that --replay names has its own");
+                throw std::invalid_argument("--" + name + ": not allowed with --replay; the record has its own value");
         return PlayedBy::Record;
     }
     if (words.player == "computer" || (words.player.empty() && options.headless && info.computer)) {
@@ -80,14 +81,15 @@ PlayedBy playerIn(const Words& words, const ProgramOptions& options, const GameI
         return PlayedBy::Computer;
     }
     if (options.headless && words.player == "keyboard")
-        throw std::invalid_argument("--player: with --headless there is no keyboard");
+        throw std::invalid_argument("--player: there is no keyboard with --headless");
     return words.player == "nobody" || options.headless ? PlayedBy::Nobody : PlayedBy::Keyboard;
 }
 
 void takeScreenshots(const Words& words, ProgramOptions& options) {
     if (words.files.size() != words.at.size())
         throw std::invalid_argument(
-            fmt::format("--screenshot: {} of them, and {} of --at", words.files.size(), words.at.size()));
+            fmt::format("--screenshot: each needs its --at; given are {} of --screenshot and {} of --at",
+                        words.files.size(), words.at.size()));
     for (std::size_t i = 0; i < words.files.size(); ++i) options.screenshots.push_back({words.files[i], words.at[i]});
     const auto earlier = [](const Screenshot& a, const Screenshot& b) { return a.at < b.at; };
     std::stable_sort(options.screenshots.begin(), options.screenshots.end(), earlier);
@@ -113,7 +115,7 @@ ProgramOptions parseOptions(std::span<const std::string> args, const GameInfo& i
     for (const auto& [name, value] : words.game)
         if (!value.empty()) options.gameOptions[name] = value;
     if (options.headless && options.player == PlayedBy::Nobody && !options.ticks)
-        throw std::invalid_argument("--ticks: wanted where nobody plays, or it would go on for ever");
+        throw std::invalid_argument("--ticks: needed if nobody plays; otherwise the game would never end");
     return options;
 }
 

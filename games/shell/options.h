@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What was a game's program told when it was started?
+// Which options does the command line of a game's program set?
 #pragma once
 #include <cstdint>
 #include <map>
@@ -16,24 +16,24 @@ enum class PlayedBy { Nobody, Keyboard, Computer, Record };
 
 struct Screenshot {
     std::string file;
-    std::int64_t at = 0;  ///< after so many ticks
+    std::int64_t at = 0;  ///< after this number of ticks
 };
 
 struct ProgramOptions {
-    std::optional<std::uint64_t> seed{};  ///< none: another each time for a keyboard, else 1
+    std::optional<std::uint64_t> seed{};  ///< empty: a random one for a keyboard, otherwise 1
     PlayedBy player = PlayedBy::Keyboard;
-    std::string recordFile{}, replayFile{};  ///< empty: none
+    std::string recordFile{}, replayFile{};  ///< empty: no file
     bool headless = false;
-    std::optional<std::int64_t> ticks{};  ///< stop after
+    std::optional<std::int64_t> ticks{};  ///< stop after this number
     std::vector<Screenshot> screenshots{};
     PixelSize size{};
     bool debug = false;
-    bool times = false;  ///< one line on them at the end
+    bool times = false;  ///< print one line with the times at the end
     std::map<std::string, std::string> gameOptions{};
-    std::string help{};  ///< not empty: to be printed, and nothing else done
+    std::string help{};  ///< not empty: print it and do nothing else
 };
 
-/// args without the program's name. Throws std::exception with one line on what was not wanted.
+/// args: without the program's name. Throws std::exception with one line that says what is wrong.
 ProgramOptions parseOptions(std::span<const std::string> args, const GameInfo& info);
 
 }  // namespace plumb::games

@@ -39,7 +39,7 @@ void writeRecordTo(const std::string& file, const Record& record, const GameInfo
     if (!out.flush()) throw std::runtime_error("--record: cannot write " + file);
 }
 
-/// In a window it is another round each time; the record has it.
+/// With a keyboard the seed is another one each time; the record contains it.
 std::uint64_t seedOf(const ProgramOptions& options) {
     if (options.seed) return *options.seed;
     return options.headless || options.player != PlayedBy::Keyboard ? 1 : std::random_device{}();
@@ -65,10 +65,11 @@ int run(std::span<const std::string> args, const GameInfo& info) {
     const Record record = options.headless ? runHeadless(info, setup, *source, options, std::cout)
                                            : runDesktop(info, setup, source.get(), options, std::cout);
     if (!options.recordFile.empty()) writeRecordTo(options.recordFile, record, info);
-    // One that was stopped sooner has another.
+    // A replay that --ticks stopped early has another hash.
     if (expected && !options.ticks && record.hash != expected)
         throw std::runtime_error(
-            fmt::format("{}: it ended with the hash {:016x}, and says {:016x}: another game, or another build of it",
+            fmt::format("{}: the replay ended with hash {:016x}, but the record has hash {:016x}; "
+                        "it is from another game or another build of it",
                         options.replayFile, *record.hash, *expected));
     return done;
 }

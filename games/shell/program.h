@@ -5,8 +5,8 @@
 
 namespace plumb::games {
 
-/// Its exit status: 0, or 2 on bad arguments, a broken record or whatever else the game throws, with one line on
-/// standard error.
+/// Runs the program and returns its exit status: 0, or 2 on bad arguments, a broken record or any other exception, with
+/// one line on standard error.
 int play(const GameInfo& info, int argc, char** argv);
 
 }  // namespace plumb::games

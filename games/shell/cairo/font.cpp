@@ -36,7 +36,7 @@ CairoFace faceOf(Weight weight) {
     FcDefaultSubstitute(wanted.get());
     FcResult result = FcResultMatch;
     const Pattern found(FcFontMatch(nullptr, wanted.get(), &result));
-    if (!found) throw std::runtime_error("fontconfig has no font at all; on Debian, install fonts-inter");
+    if (!found) throw std::runtime_error("fontconfig finds no font; on Debian, install fonts-inter");
     return CairoFace(cairo_ft_font_face_create_for_pattern(found.get()));
 }
 
@@ -44,14 +44,14 @@ ScaledFont scaled(cairo_font_face_t* face, double size) {
     cairo_matrix_t toFont, identity;
     cairo_matrix_init_scale(&toFont, size, size);
     cairo_matrix_init_identity(&identity);
-    // Widths that do not depend on the pixels: a text keeps its proportions at any size.
+    // The widths do not depend on the pixels, so a text keeps its proportions at any size.
     const FontOptions options(cairo_font_options_create());
     cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
     cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_SLIGHT);
     cairo_font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
     ScaledFont font(cairo_scaled_font_create(face, &toFont, &identity, options.get()));
     if (cairo_scaled_font_status(font.get()) != CAIRO_STATUS_SUCCESS)
-        throw std::runtime_error("a font of " + std::to_string(size) + " pixels cannot be made");
+        throw std::runtime_error("cannot make a font of " + std::to_string(size) + " pixels");
     return font;
 }
 
@@ -78,7 +78,7 @@ std::vector<cairo_glyph_t> glyphsOf(cairo_scaled_font_t* font, const std::string
     return glyphs;
 }
 
-/// The glyphs of the ten figures, by their indices in the font.
+/// The indices of the ten digits in the font.
 std::array<unsigned long, 10> figuresOf(cairo_scaled_font_t* font) {
     const std::vector<cairo_glyph_t> glyphs = glyphsOf(font, "0123456789");
     std::array<unsigned long, 10> figures{};
@@ -86,7 +86,7 @@ std::array<unsigned long, 10> figuresOf(cairo_scaled_font_t* font) {
     return figures;
 }
 
-/// Gives every figure the room of a 0, and stands it in the middle of that. Returns how wide all is.
+/// Gives every digit the width of a 0 and centres it there. Returns the new width of the text.
 double evenFigures(cairo_scaled_font_t* font, std::vector<cairo_glyph_t>& glyphs, double width) {
     const std::array<unsigned long, 10> figures = figuresOf(font);
     const double room = advanceOf(font, "0");
@@ -115,7 +115,7 @@ Fonts::Fonts() {
 
 Glyphs Fonts::set(cairo_t* context, const std::string& text, Weight weight, double size, double fitWidth) const {
     const auto i = static_cast<std::size_t>(weight);
-    // Few sizes, so that a picture that grows slowly does not want every glyph anew each time.
+    // Only few sizes, so that a slowly growing text does not need new glyphs each time.
     const auto rounded = [](double value) { return std::max(1.0, std::round(value * 4) / 4); };
     const auto setAt = [&](double at) {
         const ScaledFont font = scaled(faces_[i].get(), at);
@@ -125,7 +125,7 @@ Glyphs Fonts::set(cairo_t* context, const std::string& text, Weight weight, doub
         return set;
     };
     Glyphs glyphs = setAt(rounded(size));
-    // A quarter of a pixel may be rounded up: at the second go it is cut off.
+    // The first size may have been rounded up by part of a quarter pixel; this one is rounded down.
     if (fitWidth > 0 && glyphs.width > fitWidth)
         glyphs = setAt(std::max(1.0, std::floor(glyphs.size * fitWidth / glyphs.width * 4) / 4));
     return glyphs;

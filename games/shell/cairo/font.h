@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How is a text written?
+// How is a line of text set in a font?
 #pragma once
 #include <array>
 
@@ -9,7 +9,7 @@
 
 namespace plumb::games {
 
-/// A line of text, made ready: glyphs from their start on the baseline, in pixels.
+/// A line of text, ready to be drawn: glyphs at positions from the start of the baseline, in pixels.
 struct Glyphs {
     std::vector<cairo_glyph_t> glyphs;
     double width = 0;      ///< from the start of the first to the end of the last [pixels]
@@ -17,13 +17,13 @@ struct Glyphs {
     double size = 0;       ///< of the font [pixels]
 };
 
-/// Inter, or, where it is not installed, what fontconfig has instead.
+/// The font Inter, or the one that fontconfig gives instead if Inter is not installed.
 class Fonts {
 public:
     Fonts();
 
-    /// Sets the font of a context that counts in pixels. Figures are all of one width, so that a number that counts
-    /// does not jump. fitWidth: as TextStyle has it, in pixels.
+    /// Sets the font of a context whose unit is the pixel. All digits have the same width, so that a number does not
+    /// jump when it changes. fitWidth: as in TextStyle, but in pixels.
     Glyphs set(cairo_t* context, const std::string& text, Weight weight, double size, double fitWidth) const;
 
 private:

@@ -7,7 +7,7 @@
 namespace plumb::games {
 namespace {
 
-constexpr std::size_t mostSteps = 6;    ///< each a picture in memory
+constexpr std::size_t mostSteps = 6;    ///< each holds a picture in memory
 constexpr std::size_t leastAStep = 16;  ///< [marks]
 
 const Clip* clipOf(const Drawing& drawing, const Mark& mark) {
@@ -41,10 +41,10 @@ void KeptPainter::paint(const Drawing& drawing, const PixelView& to) {
     if (same > 0) copy(kept_.picture, to);
     painter_.paint(now, std::span(marks).subspan(same), to);
     last_ = std::move(now);
-    lastMarks_ = marks;  // they lie where they lay
+    lastMarks_ = marks;  // the pointers stay valid: a move keeps the elements in place
 }
 
-/// Brings kept_ to the marks that the last two drawings had in common, from the last step that both had.
+/// Makes kept_ the picture of the marks that the last two drawings have in common, from the longest step in both.
 void KeptPainter::keep(const Marks& marks, const Drawing& drawing, std::size_t same) {
     while (!steps_.empty() && steps_.back().marks > same) steps_.pop_back();
     if (same < kept_.marks || same == 0) kept_ = steps_.empty() ? Beginning{Picture(drawing.size), 0} : steps_.back();

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: MIT
-// How is one picture after another painted in less time?
+// How are pictures that follow one another painted in less time?
 #pragma once
 #include <games/shell/cairo/painter.h>
 
 namespace plumb::games {
 
-/// Paints as Painter does, to the same pixels, drawings that begin by filling the window. What a drawing has in common
-/// with those before it, from its first mark on, is painted once and kept: a still background costs a copy.
+/// Paints drawings that begin by filling the window, with the same pixels as Painter. The first marks of a drawing that
+/// are the same as in the drawings before it are painted once and kept: a background that stands still costs only a
+/// copy.
 class KeptPainter {
 public:
     explicit KeptPainter(const PainterSettings& settings = {}) : painter_(settings) {}
 
-    /// Throws as Painter::paint does.
+    /// Throws like Painter::paint.
     void paint(const Drawing& drawing, const PixelView& to);
 
 private:
     using Marks = std::vector<const Mark*>;
-    /// What the first marks of a drawing come to.
+    /// The picture of the first marks of a drawing.
     struct Beginning {
         Picture picture{{1, 1}};
         std::size_t marks = 0;
@@ -27,8 +28,8 @@ private:
     Painter painter_;
     Drawing last_;
     Marks lastMarks_;               ///< of last_, in their order
-    Beginning kept_;                ///< what the last two drawings had in common
-    std::vector<Beginning> steps_;  ///< on the way there, for when they have less in common; the longest last
+    Beginning kept_;                ///< the marks that the last two drawings have in common
+    std::vector<Beginning> steps_;  ///< shorter ones, for drawings that have less in common; the longest last
 };
 
 }  // namespace plumb::games

@@ -17,7 +17,7 @@ cairo_matrix_t matrixOf(const Affine& affine) {
     return matrix;
 }
 
-/// What lies flat cannot be painted, and Cairo would paint nothing after it either.
+/// A mark without area cannot be painted, and Cairo would paint nothing after it either.
 bool isFlat(const Affine& affine) {
     return !(std::abs(cross(affine.xAxis, affine.yAxis)) > 1e-12);
 }
@@ -72,21 +72,21 @@ void outline(cairo_t* context, const PathMark& path) {
     if (path.closed) cairo_close_path(context);
 }
 
-/// Where a text stands, and how it is turned, in pixels.
+/// The position and direction of a text, in pixels.
 struct Standing {
     Vec2 at;
     Vec2 along;    ///< of length 1
-    double scale;  ///< pixels to a unit
+    double scale;  ///< pixels per unit
 };
 
 Standing standingOf(const Mark& mark, const TextMark& text) {
     const double scale = mark.toPixels.xAxis.norm();
     Vec2 along = mark.toPixels.xAxis / scale;
-    if (along.x() < 0) along = -along;  // mirrored, or turned over: still to be read
+    if (along.x() < 0) along = -along;  // mirrored or upside down: keep it readable
     return {mark.toPixels * text.at, along, scale};
 }
 
-/// Of a text's baseline, from where the text is to be [pixels].
+/// The start of a text's baseline, from the text's position [pixels].
 Vec2 startOf(const Glyphs& glyphs, const TextStyle& style) {
     const double x = style.align == Align::Left ? 0 : style.align == Align::Right ? glyphs.width : glyphs.width / 2;
     const double y = style.baseline == Baseline::Base     ? 0
@@ -95,11 +95,11 @@ Vec2 startOf(const Glyphs& glyphs, const TextStyle& style) {
     return {-x, y};
 }
 
-/// Makes the context count in pixels from a text's start, along its line.
+/// Puts the context's origin at the start of a text, with x along its line and pixels as units.
 void stand(cairo_t* context, const Standing& standing, const Vec2& start) {
     const Vec2 down = perp(standing.along);
     Vec2 origin = standing.at + start.x() * standing.along + start.y() * down;
-    // On whole pixels its lines are sharp.
+    // Text at whole pixels is sharp.
     if (standing.along.y() == 0) origin = {std::round(origin.x()), std::round(origin.y())};
     const cairo_matrix_t matrix = matrixOf({standing.along, down, origin});
     cairo_set_matrix(context, &matrix);
@@ -113,7 +113,7 @@ Glyphs setText(cairo_t* context, const Fonts& fonts, const TextMark& text, doubl
 
 void paintText(cairo_t* context, const Fonts& fonts, const Mark& mark, const TextMark& text) {
     const Standing standing = standingOf(mark, text);
-    if (text.style.size * standing.scale < 1) return;  // nothing that can be seen
+    if (text.style.size * standing.scale < 1) return;  // too small to be seen
     const Glyphs glyphs = setText(context, fonts, text, standing.scale);
     stand(context, standing, startOf(glyphs, text.style));
     cairo_show_glyphs(context, glyphs.glyphs.data(), static_cast<int>(glyphs.glyphs.size()));
@@ -180,7 +180,7 @@ void Painter::paint(const Drawing& drawing, const PixelView& to) const {
 }
 
 void Painter::paint(const Drawing& drawing, std::span<const Mark* const> marks, const PixelView& to) const {
-    if (!(drawing.size == to.size)) throw std::runtime_error("a drawing of another size than the picture's");
+    if (!(drawing.size == to.size)) throw std::runtime_error("the drawing has another size than the picture");
     const int bands = std::clamp(settings_.threads, 1, to.size.height);
     const auto rowOf = [&](int band) { return to.size.height * band / bands; };
     std::vector<std::future<void>> others;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does a drawing come to be pixels?
+// How is a drawing painted into pixels?
 #pragma once
 #include <span>
 
@@ -11,8 +11,8 @@
 namespace plumb::games {
 
 struct PainterSettings {
-    int threads = 1;     ///< at once, each for a band of the picture; the pixels are the same
-    bool quick = false;  ///< edges in 16 shades, not 255, in three quarters of the time
+    int threads = 1;     ///< each paints a band of the picture; the pixels are the same for any number
+    bool quick = false;  ///< edges in 16 shades instead of 255, in three quarters of the time
 };
 
 /// Paints with Cairo, antialiased. One painter keeps its fonts for many drawings.
@@ -20,13 +20,14 @@ class Painter {
 public:
     explicit Painter(const PainterSettings& settings = {}) : settings_(settings) {}
 
-    /// All of the drawing, over what is there. Throws std::runtime_error unless the sizes are the same.
+    /// Paints the whole drawing over the pixels. Throws std::runtime_error unless the sizes are the same.
     void paint(const Drawing& drawing, const PixelView& to) const;
-    /// Some of its marks, as they come.
+    /// Paints some of its marks, in the given order.
     void paint(const Drawing& drawing, std::span<const Mark* const> marks, const PixelView& to) const;
 
-    /// Where a text comes to lie: from the baseline, or from the lowest that its letters reach, to the highest, and
-    /// from the start of its first letter to the end of its last; around it, if it is turned [pixels].
+    /// The box of a text [pixels]: from the baseline, or from the lowest point of its letters, to the highest point,
+    /// and from the start of its first letter to the end of its last. For a turned text, the axis-aligned box around
+    /// that.
     Aabb boxOf(const Mark& text) const;
 
 private:

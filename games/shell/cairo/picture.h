@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which pixels?
+// Where are the pixels of a picture?
 #pragma once
 #include <cstdint>
 #include <span>
@@ -10,14 +10,15 @@
 
 namespace plumb::games {
 
-/// Somebody's pixels, row by row from above: 0xAARRGGBB, red, green and blue times alpha, as Cairo's ARGB32.
+/// Pixels that it does not own, row by row from the top: 0xAARRGGBB with red, green and blue multiplied by alpha, as in
+/// Cairo's ARGB32.
 struct PixelView {
     std::uint32_t* pixels = nullptr;
     PixelSize size;
     int stride = 0;  ///< from one row to the next [bytes]
 };
 
-/// Pixels of its own, at first all of them clear.
+/// A picture that owns its pixels. At first all are transparent.
 class Picture {
 public:
     explicit Picture(PixelSize size)

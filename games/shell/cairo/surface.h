@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does Cairo see somebody's pixels?
+// How does Cairo draw into existing pixels?
 #pragma once
 #include <cairo.h>
 
@@ -20,7 +20,7 @@ using CairoContext = std::unique_ptr<cairo_t, Destroy<cairo_destroy>>;
 using CairoPattern = std::unique_ptr<cairo_pattern_t, Destroy<cairo_pattern_destroy>>;
 using CairoFace = std::unique_ptr<cairo_font_face_t, Destroy<cairo_font_face_destroy>>;
 
-/// Throws std::runtime_error when Cairo does not take them.
+/// Throws std::runtime_error when Cairo does not accept the picture.
 CairoSurface surfaceOf(const PixelView& picture);
 
 }  // namespace plumb::games

@@ -27,11 +27,11 @@ double secondsBetween(Time::time_point from, Time::time_point to) {
 }
 
 int paintingThreads() {
-    constexpr unsigned most = 4;  // each goes through all marks
+    constexpr unsigned most = 4;  // each thread goes through all marks
     return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, most));
 }
 
-/// One run of the program, from the window's opening to its end.
+/// One run of the program, from opening the window to closing it.
 class Desktop {
 public:
     Desktop(const GameInfo& info, const SessionSetup& setup, Source* source, const ProgramOptions& options)
@@ -100,7 +100,7 @@ private:
     std::optional<Buttons> buttons() {
         if (source_ != nullptr) return source_->next(session_);
         Buttons now = devices_.take(session_.actions());
-        // By a button, so that it is in the record.
+        // As a button, so that the record contains it.
         if (std::exchange(pauses_, false) && session_.screen() == Screen::Play)
             now |= session_.actions().button("pause");
         return now;
@@ -130,11 +130,11 @@ private:
         return {times_.figures()};
     }
 
-    /// Until the next picture is due, where nothing else waits for it.
+    /// Waits until the next picture is due. Used only if show() does not wait for the display.
     void waitForDisplay(Time::time_point now) {
         const auto interval =
             std::chrono::duration_cast<Time::duration>(std::chrono::duration<double>(1 / window_.displayRate()));
-        // From the last time it was due, so that the time a wait is late by does not add up.
+        // Counted from the last due time, so that late wake-ups do not add up.
         due_ += interval;
         if (due_ < now) due_ = now;
         std::this_thread::sleep_until(due_);
@@ -161,7 +161,7 @@ private:
 
 Record runDesktop(const GameInfo& info, const SessionSetup& setup, Source* source, const ProgramOptions& options,
                   std::ostream& out) {
-    // Only what people reach counts.
+    // Only scores of people are kept.
     const std::string scores = source == nullptr ? scoresFileOf(info.name) : std::string();
     SessionSetup withScores = setup;
     withScores.scores = readScores(scores);

@@ -8,10 +8,10 @@
 
 namespace plumb::games {
 
-/// Runs until the window is closed, the player quits, the source has no more, or so many ticks have passed. source:
-/// null for keyboard and gamepads. Returns what was pressed. Throws std::runtime_error when there is no display.
-/// F1 shows what the kit sees, F2 how long ticks and frames take, F3 writes a picture, F4 is silence, F11 fills the
-/// display.
+/// Runs until the window is closed, the player quits, the source ends, or options.ticks have passed. source: null for
+/// keyboard and gamepads. Returns the record of the buttons. Throws std::runtime_error when there is no display.
+/// F1 shows the debug view, F2 the times of ticks and frames; F3 writes a picture; F4 turns the sound off and on; F11
+/// fills the display.
 Record runDesktop(const GameInfo& info, const SessionSetup& setup, Source* source, const ProgramOptions& options,
                   std::ostream& out);
 

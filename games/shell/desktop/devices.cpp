@@ -13,7 +13,7 @@ struct KeyCode {
     Key key;
 };
 
-// Where a key lies, not what is printed on it: WASD lies together on any keyboard.
+// A key is known by its position, not by its letter: the keys WASD lie together on any keyboard.
 constexpr std::array keyCodes = {
     KeyCode{SDL_SCANCODE_LEFT, Key::Left},      KeyCode{SDL_SCANCODE_RIGHT, Key::Right},
     KeyCode{SDL_SCANCODE_UP, Key::Up},          KeyCode{SDL_SCANCODE_DOWN, Key::Down},
@@ -28,7 +28,7 @@ constexpr std::array keyCodes = {
     KeyCode{SDL_SCANCODE_0, Key::Digit0},
 };
 
-/// A run of keys that SDL and the frame have in the same order.
+/// Maps a range of keys that SDL and the frame have in the same order.
 std::optional<Key> inRun(SDL_Scancode code, SDL_Scancode first, SDL_Scancode last, Key key) {
     if (code < first || code > last) return std::nullopt;
     return static_cast<Key>(static_cast<int>(key) + (code - first));
@@ -76,7 +76,7 @@ void Devices::setPad(Pad pad, bool down) {
 }
 
 void Devices::setAxis(const SDL_ControllerAxisEvent& event) {
-    constexpr int far = 16384;  // half of the way: a diagonal, at 0.7 of it, is both directions
+    constexpr int far = 16384;  // half of the range: a diagonal, at 0.7 of it on both axes, is both directions
     switch (event.axis) {
         case SDL_CONTROLLER_AXIS_LEFTX:
             setPad(Pad::Left, event.value < -far);

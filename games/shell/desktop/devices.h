@@ -11,13 +11,13 @@
 
 namespace plumb::games {
 
-/// Keyboard and gamepads, told of by SDL's events. Nothing is lost: what is pressed and let go within a tick is down
-/// for one, and what goes down twice, twice.
+/// Keyboard and gamepads, from SDL's events. No press is lost: a button pressed and released within a tick is down for
+/// one tick, and a button pressed twice is down twice.
 class Devices {
 public:
     void handle(const SDL_Event& event);
-    Buttons take(const ActionList& actions);  ///< of the next tick
-    void releaseAll();                        ///< the window lost its focus, and will not be told of what is let go
+    Buttons take(const ActionList& actions);  ///< the buttons of the next tick
+    void releaseAll();                        ///< for a window without focus: it gets no events of releases
 
 private:
     static constexpr std::size_t keyCount = static_cast<std::size_t>(Key::Digit9) + 1;
@@ -26,7 +26,7 @@ private:
         void operator()(SDL_GameController* pad) const { SDL_GameControllerClose(pad); }
     };
 
-    /// A key or button: the keys come first, the gamepads' buttons behind them.
+    /// Of a key or a button; which counts the keys first, then the gamepads' buttons.
     struct Change {
         std::size_t which;
         bool down;
@@ -41,9 +41,9 @@ private:
     void setAxis(const SDL_ControllerAxisEvent& event);
     bool isDown(const Action& action) const;
 
-    Set down_;                    ///< as of the last tick
-    Set told_;                    ///< as of the last event
-    std::deque<Change> waiting_;  ///< from the one to the other
+    Set down_;                    ///< after the last tick
+    Set told_;                    ///< after the last event
+    std::deque<Change> waiting_;  ///< the changes from down_ to told_, in order
     std::map<SDL_JoystickID, std::unique_ptr<SDL_GameController, Closer>> open_;
 };
 

@@ -9,11 +9,11 @@
 namespace plumb::games {
 
 struct Durations {
-    double median = 0, high = 0, max = 0;  ///< high: 99 of 100 are no longer [s]
+    double median = 0, high = 0, max = 0;  ///< high: 99 of 100 are not longer [s]
 };
-Durations durationsOf(std::vector<double> seconds);  ///< all 0 of none
+Durations durationsOf(std::vector<double> seconds);  ///< all 0 for an empty list
 
-/// Of all ticks and frames since the start.
+/// The times of all ticks and frames since the start.
 class FrameTimes {
 public:
     void addTick(double seconds) { ticks_.push_back(seconds); }
@@ -22,7 +22,7 @@ public:
         intervals_.push_back(sinceLast);
     }
 
-    FooterLine figures() const;  ///< the last second's
+    FooterLine figures() const;  ///< of the last second
     /// One line of JSON: {"frames","fps","tick_ms","frame_ms","interval_ms"}, the last three with median, p99 and max.
     std::string summary() const;
 

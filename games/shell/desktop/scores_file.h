@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which were the best scores of the last times?
+// How are the best scores kept from one run of a program to the next?
 #pragma once
 #include <cstdint>
 #include <string>
@@ -7,12 +7,12 @@
 
 namespace plumb::games {
 
-/// Where SDL lets a user's programs keep things; empty where it does not.
+/// A file in the folder that SDL gives for a user's data; empty if SDL gives none.
 std::string scoresFileOf(const std::string& game);
 
-/// One a line; what is no number is left out. None if there is no such file.
+/// One score per line; lines that are not numbers are skipped. Empty if there is no such file.
 std::vector<std::int64_t> readScores(const std::string& file);
-/// A file that cannot be written is no reason to end a game.
+/// Does nothing if the file cannot be written: that is no reason to end a game.
 void writeScores(const std::string& file, const std::vector<std::int64_t>& scores);
 
 }  // namespace plumb::games

@@ -14,7 +14,7 @@ Sound::Sound() {
     wanted.freq = rate;
     wanted.format = AUDIO_F32SYS;
     wanted.channels = 1;
-    wanted.samples = 512;  // 11 ms: heard with the picture it belongs to
+    wanted.samples = 512;  // 11 ms: short enough to match the picture
     wanted.callback = &Sound::fill;
     wanted.userdata = &mixer_;
     device_ = SDL_OpenAudioDevice(nullptr, 0, &wanted, nullptr, 0);

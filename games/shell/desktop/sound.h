@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How do cues come to be heard?
+// How are cues played on a sound device?
 #pragma once
 #include <SDL.h>
 
@@ -7,7 +7,7 @@
 
 namespace plumb::games {
 
-/// The sound device, where there is one; else silence.
+/// The sound device. If there is none, it plays nothing.
 class Sound {
 public:
     Sound();

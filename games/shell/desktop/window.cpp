@@ -24,8 +24,7 @@ bool waitsForDisplay(SDL_Renderer* renderer) {
     return !isOpenGl(renderer) || SDL_GL_GetSwapInterval() != 0;
 }
 
-/// Does a program draw what OpenGL is told to, as Mesa's do where there is no graphics card? The name's number is
-/// OpenGL's GL_RENDERER.
+/// Is OpenGL drawn by software, as Mesa does without a graphics card? 0x1F01 is OpenGL's GL_RENDERER.
 bool isCardMissing(SDL_Renderer* renderer) {
     if (!isOpenGl(renderer)) return false;
     using GetString = const unsigned char* (*)(unsigned);
@@ -36,8 +35,8 @@ bool isCardMissing(SDL_Renderer* renderer) {
     return text.starts_with("llvmpipe") || text.starts_with("softpipe");
 }
 
-/// Waits for the display and leaves the copying to the graphics card, where there is one: without, to copy what is
-/// painted straight into the window takes half the time of an OpenGL that is itself painted.
+/// A renderer that waits for the display and copies on the graphics card, if there is a card. Without one, copying the
+/// pixels straight into the window takes half the time of OpenGL that is drawn by software.
 SDL_Renderer* rendererOf(SDL_Window* window) {
     SDL_Renderer* renderer = SDL_CreateRenderer(window, -1, SDL_RENDERER_PRESENTVSYNC);
     if (renderer != nullptr && !isCardMissing(renderer)) return renderer;
@@ -49,14 +48,14 @@ SDL_Renderer* rendererOf(SDL_Window* window) {
 }  // namespace
 
 Sdl::Sdl() {
-    if (SDL_Init(SDL_INIT_VIDEO) != 0) fail("no display (--headless does without)");
-    // Where there is no display SDL may draw where nobody sees it; that is meant only by who names such a driver.
+    if (SDL_Init(SDL_INIT_VIDEO) != 0) fail("no display (--headless needs none)");
+    // Without a display, SDL may use a driver that shows nothing. That is wanted only if SDL_VIDEODRIVER is set.
     const std::string_view driver = SDL_GetCurrentVideoDriver();
     if ((driver == "offscreen" || driver == "dummy") && SDL_getenv("SDL_VIDEODRIVER") == nullptr) {
         SDL_Quit();
-        throw std::runtime_error("no display (--headless does without)");
+        throw std::runtime_error("no display (--headless needs none)");
     }
-    // Without gamepads one plays on.
+    // Its failure is ignored: a game can be played without gamepads.
     SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER);
 }
 
@@ -68,7 +67,7 @@ Window::Window(const std::string& title, PixelSize size) {
     SDL_SetWindowMinimumSize(window_.get(), 320, 180);
     renderer_.reset(rendererOf(window_.get()));
     if (!renderer_) fail("no renderer");
-    // Where the driver cannot wait for the display, SDL sleeps for whole milliseconds, which are not 1/60 s.
+    // If the driver cannot wait for the display, SDL sleeps for whole milliseconds, which do not add up to 1/60 s.
     waits_ = waitsForDisplay(renderer_.get());
     if (!waits_) SDL_RenderSetVSync(renderer_.get(), 0);
 }
@@ -108,7 +107,7 @@ void Window::paint(const std::function<void(const PixelView&)>& paint) {
     fitTexture(size());
     void* pixels = nullptr;
     int stride = 0;
-    if (SDL_LockTexture(texture_.get(), nullptr, &pixels, &stride) != 0) fail("the window's pixels");
+    if (SDL_LockTexture(texture_.get(), nullptr, &pixels, &stride) != 0) fail("cannot lock the window's pixels");
     paint({static_cast<std::uint32_t*>(pixels), textureSize_, stride});
     SDL_UnlockTexture(texture_.get());
     SDL_RenderCopy(renderer_.get(), texture_.get(), nullptr, nullptr);

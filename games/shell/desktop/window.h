@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where on the desktop is a game seen?
+// How does a game get a window on the desktop?
 #pragma once
 #include <SDL.h>
 
@@ -10,7 +10,7 @@
 
 namespace plumb::games {
 
-/// SDL, from its beginning to its end. Throws std::runtime_error when there is no display.
+/// Starts SDL, and ends it in the destructor. Throws std::runtime_error when there is no display.
 class Sdl {
 public:
     Sdl();
@@ -19,18 +19,18 @@ public:
     Sdl& operator=(const Sdl&) = delete;
 };
 
-/// A window that can be resized, and pixels that fill it.
+/// A window that can be resized, with pixels that fill it.
 class Window {
 public:
     /// Throws std::runtime_error when SDL cannot make it.
     Window(const std::string& title, PixelSize size);
 
-    PixelSize size() const;  ///< as it is now, in pixels of the display
-    /// Lets it fill all of the pixels; what they hold before is not said.
+    PixelSize size() const;  ///< the current size, in pixels of the display
+    /// Calls the function, which must set all pixels; their values are undefined before that.
     void paint(const std::function<void(const PixelView&)>& paint);
-    void show();                           ///< what was painted
+    void show();                           ///< shows the painted pixels
     bool waits() const { return waits_; }  ///< does show() wait for the display?
-    double displayRate() const;            ///< pictures a second that the display shows; 60 where it does not say
+    double displayRate() const;            ///< pictures per second of the display; 60 if unknown
     bool hidden() const;                   ///< minimised
     void toggleFullscreen();
 

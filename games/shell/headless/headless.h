@@ -10,8 +10,8 @@
 
 namespace plumb::games {
 
-/// Runs until the source has no more, the round is won or lost (but not of a record, which is played to its end), or
-/// so many ticks have passed. Writes one line of JSON. Returns what was pressed.
+/// Runs until the source ends, the round is won or lost, or options.ticks have passed. A record is played to its end,
+/// whether its rounds are won or lost. Writes one line of JSON. Returns the record of the buttons.
 Record runHeadless(const GameInfo& info, const SessionSetup& setup, Source& source, const ProgramOptions& options,
                    std::ostream& out);
 

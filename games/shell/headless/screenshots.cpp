@@ -14,7 +14,8 @@ void Screenshots::take(const Session& session) {
 
 void Screenshots::requireDone(std::int64_t ticks) const {
     if (done()) return;
-    throw std::runtime_error(fmt::format("--at: {} is later than the end, after {} ticks", wanted_[next_].at, ticks));
+    throw std::runtime_error(
+        fmt::format("--at: {} is after the end, which came after {} ticks", wanted_[next_].at, ticks));
 }
 
 void writeScreenshot(const Session& session, const Painter& painter, PixelSize size, const std::string& file) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What did it look like after so many ticks?
+// What did a session look like after a number of ticks?
 #pragma once
 #include <vector>
 
@@ -9,15 +9,15 @@
 
 namespace plumb::games {
 
-/// Writes pictures as a session comes to their ticks.
+/// Writes each picture when a session reaches its tick.
 class Screenshots {
 public:
-    /// By their ticks, the earliest first.
+    /// wanted: sorted by tick, the earliest first.
     Screenshots(std::vector<Screenshot> wanted, PixelSize size) : wanted_(std::move(wanted)), size_(size) {}
 
-    void take(const Session& session);  ///< those that are due
+    void take(const Session& session);  ///< writes the pictures that are due
     bool done() const { return next_ == wanted_.size(); }
-    /// Throws std::runtime_error that names the first that never came due.
+    /// Throws std::runtime_error that names the first tick that was not reached.
     void requireDone(std::int64_t ticks) const;
 
 private:

@@ -13,10 +13,10 @@ namespace plumb::games {
 namespace {
 
 constexpr std::array sizes = {PixelSize{640, 360}, PixelSize{1280, 720}, PixelSize{1920, 1080}};
-constexpr std::int64_t titleTicks = 300;       ///< until what goes on behind the title is under way [ticks]
+constexpr std::int64_t titleTicks = 300;  ///< until the game behind the title has been going on for a while [ticks]
 constexpr std::int64_t longest = 5 * 60 * 60;  ///< of a round [ticks]
 
-/// Goes through a session, and looks.
+/// Goes through the screens of a session and writes pictures of them.
 class Tour {
 public:
     Tour(const GameInfo& info, const std::string& folder)
@@ -65,8 +65,8 @@ private:
         tap("pause");
     }
 
-    /// The round's end, which one comes to by playing or by letting things happen, and the best scores: by way of the
-    /// title, where there is none.
+    /// Reaches the round's end by playing, or else by pressing nothing; then goes on to the best scores. If the round
+    /// does not end, it goes there through the title.
     void end() {
         while (computer_ && session_.screen() == Screen::Play && session_.ticks() < longest) update();
         while (session_.screen() == Screen::Play && session_.ticks() < 2 * longest) session_.update(0);

@@ -8,10 +8,10 @@
 
 namespace plumb::games {
 
-/// Writes <folder>/<game>-<screen>-<width>x<height>.png: the title, a round that the computer plays after 1, 5, 20 and
-/// 60 seconds, what the kit sees then, pause, the round's end, if it comes within ten minutes, and the best scores;
-/// each at 640 x 360, 1280 x 720 and 1920 x 1080. Returns the files. Throws std::runtime_error when one cannot be
-/// written.
+/// Writes <folder>/<game>-<screen>-<width>x<height>.png for each screen: the title; a round that the computer plays,
+/// after 1, 5, 20 and 60 seconds; then the debug view; the pause; the round's end, if it comes within ten minutes; the
+/// best scores. Each is written at 640 x 360, 1280 x 720 and 1920 x 1080. Returns the names of the files. Throws
+/// std::runtime_error when a file cannot be written.
 std::vector<std::string> writePictures(const GameInfo& info, const std::string& folder);
 
 }  // namespace plumb::games
