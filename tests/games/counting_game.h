@@ -6,7 +6,7 @@
 
 namespace plumb::test {
 
-/// Counts its ticks, and how often hit is pressed; won at ten hits, lost by "give-up". Each hit is heard.
+/// Counts its ticks and the presses of "hit". Ten hits win, "give-up" loses. Each hit plays a cue.
 class CountingGame final : public games::Game {
 public:
     explicit CountingGame(const games::GameSetup& setup) : setup_(setup) {}
@@ -39,7 +39,7 @@ private:
     games::GameSetup setup_;
 };
 
-/// Hits every other tick.
+/// Presses "hit" in every other tick.
 class CountingPlayer final : public games::Player {
 public:
     games::Buttons decide(const games::Game& game) override {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which games are tested as all games are?
+// Which games do the tests of all games use?
 #pragma once
 #include <vector>
 
@@ -11,7 +11,7 @@ GameInfo info();
 
 namespace plumb::test {
 
-/// Those of games/list.txt, and the one that games/README.md walks through.
+/// The games of games/list.txt, and the example game of games/README.md.
 inline std::vector<games::GameInfo> everyGame() {
     std::vector<games::GameInfo> all = games::allGames();
     all.push_back(games::walk_through::info());

@@ -12,7 +12,7 @@ using namespace plumb::games;
 
 namespace {
 
-/// A hand that presses anything, and holds it for up to a second.
+/// Presses random buttons and holds them for up to a second.
 class Hand {
 public:
     Hand(std::uint64_t seed, int actions) : random_(seed), actions_(actions) {}
@@ -43,7 +43,7 @@ void requireSound(const Game& game) {
     }
 }
 
-/// Rounds of a game for so many ticks, each seed of a round another. Returns what it came to.
+/// Plays rounds of a game for a number of ticks, each round with another seed. Returns the hash of the session.
 std::uint64_t playAtRandom(const GameInfo& info, std::uint64_t seed, int ticks) {
     Session session(info, {.seed = seed});
     const auto own = static_cast<int>(info.actions.size());
@@ -51,7 +51,7 @@ std::uint64_t playAtRandom(const GameInfo& info, std::uint64_t seed, int ticks) 
     const Buttons menus = ~Buttons((std::uint64_t{1} << own) - 1);
     Random random(seed);
     for (int tick = 0; tick < ticks; ++tick) {
-        // In the menus it is let in; now and then it is let out of a round, or asks for a pause.
+        // In a menu, confirm starts a round. Now and then a random button of the menus leaves a round or pauses it.
         const bool menu = session.screen() != Screen::Play;
         const Buttons confirm = tick % 2 == 0 ? session.actions().button("confirm") : 0;
         const Buttons stray = random.integer(0, 2000) == 0 ? Buttons(random.bits()) & menus : 0;
@@ -71,7 +71,7 @@ std::uint64_t playAtRandom(const GameInfo& info, std::uint64_t seed, int ticks) 
 
 }  // namespace
 
-TEST_CASE("ten thousand ticks of random input, 100 seeds, of every game: nothing breaks, no body is lost",
+TEST_CASE("every game runs for 10000 ticks of random input with 100 seeds, and no body is quarantined",
           "[games][play]") {
     for (const GameInfo& info : test::everyGame()) {
         CAPTURE(info.name);
@@ -80,8 +80,7 @@ TEST_CASE("ten thousand ticks of random input, 100 seeds, of every game: nothing
     }
 }
 
-TEST_CASE("every game comes to the same bits when the same is pressed again, and to others with another seed",
-          "[games][play]") {
+TEST_CASE("every game gives the same hash for the same buttons, and another hash with another seed", "[games][play]") {
     for (const GameInfo& info : test::everyGame()) {
         CAPTURE(info.name);
         const std::uint64_t once = playAtRandom(info, 5, 1500);

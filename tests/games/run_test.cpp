@@ -16,7 +16,7 @@ Ran run(const std::string& arguments) {
 
 }  // namespace
 
-TEST_CASE("games/run --help and -h print what games/run alone does: the usage and a line for each game", "[games]") {
+TEST_CASE("games/run --help and -h print the same as games/run alone: the usage and a line for each game", "[games]") {
     const Ran alone = run("");
     REQUIRE(alone.ok);
     CHECK_THAT(alone.output, containsText("games/run NAME [ARGS]"));
@@ -29,7 +29,7 @@ TEST_CASE("games/run --help and -h print what games/run alone does: the usage an
     }
 }
 
-TEST_CASE("games/run with the name of no game names those there are, and ends with status 2", "[games]") {
+TEST_CASE("games/run with an unknown name lists the names of the games and ends with status 2", "[games]") {
     const Ran ran = run("tennis 2>&1; echo $?");
     CHECK_THAT(ran.output, containsText("there is no game \"tennis\""));
     for (const games::GameInfo& info : games::allGames()) CHECK_THAT(ran.output, containsText(" " + info.name));

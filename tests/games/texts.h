@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Can all that is written in a drawing be read?
+// Can every text of a drawing be read?
 #pragma once
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace plumb::test {
 
-/// One sentence a text that reaches out of the window.
+/// One sentence for each text that reaches out of the window.
 inline std::vector<std::string> textsCutOff(const games::Drawing& drawing, const games::Painter& painter) {
     std::vector<std::string> faults;
     const Aabb window{{0, 0}, {double(drawing.size.width), double(drawing.size.height)}};
@@ -21,7 +21,7 @@ inline std::vector<std::string> textsCutOff(const games::Drawing& drawing, const
     return faults;
 }
 
-/// One sentence for each two texts from a layer on that lie over one another; a text's own shadow may.
+/// One sentence for each two texts that overlap, in this layer and all higher ones. A text may overlap its own shadow.
 inline std::vector<std::string> textsOverlapping(const games::Drawing& drawing, const games::Painter& painter,
                                                  int layer) {
     std::vector<std::string> faults;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What does games/README.md say that makes a new game?
+// Which source and which line of games/README.md make a new game?
 #pragma once
 #include <fstream>
 #include <iterator>
@@ -9,7 +9,7 @@ namespace plumb::test {
 
 struct WalkThrough {
     std::string source;  ///< the first block of C++ on the page
-    std::string line;    ///< for games/list.txt, without its end
+    std::string line;    ///< for games/list.txt, without the line end
 };
 
 inline WalkThrough walkThrough() {

@@ -15,24 +15,25 @@ bool has(const std::vector<Key>& keys, Key key) {
 
 }  // namespace
 
-TEST_CASE("a game's actions keep their bits, and the menus' seven come behind them", "[games]") {
+TEST_CASE("a game's actions keep their bits, and the menus' seven actions follow them", "[games]") {
     const ActionList actions = withMenuActions({{"jump", {Key::Space}}, {"dig", {Key::X}}});
     CHECK(actions.size() == 9);
     CHECK(actions.button("jump") == 1);
     CHECK(actions.button("dig") == 2);
     CHECK(actions.button("confirm") == 4);
-    // Space jumps, and confirms in a menu as well: two actions, one key.
+    // Space jumps, and it also confirms in a menu: one key has two actions.
     CHECK(has(actions[actions.indexOf("confirm")].keys, Key::Space));
 }
 
-TEST_CASE("an action that a game and the menus share is one, with the keys that the game leaves free", "[games]") {
+TEST_CASE("an action of a game and of the menus is one action, with the menus' keys that the game does not use",
+          "[games]") {
     const ActionList actions = withMenuActions({{"up", {Key::W}}, {"jump", {Key::Up}}, {"left", {Key::A}}});
     CHECK(actions.size() == 8);
     CHECK(actions[0].keys == std::vector<Key>{Key::W});  // Up jumps here
     CHECK(actions[2].keys == std::vector<Key>{Key::A, Key::Left});
 }
 
-TEST_CASE("26 actions fit beside the menus' seven no more: 32 is all there are bits for", "[games]") {
+TEST_CASE("a game may have 25 actions, not 26: with the menus' seven there are bits for 32", "[games]") {
     std::vector<Action> many;
     for (int i = 0; i < 25; ++i) many.push_back({"a" + std::to_string(i)});
     CHECK(withMenuActions(many).size() == 32);
@@ -40,7 +41,7 @@ TEST_CASE("26 actions fit beside the menus' seven no more: 32 is all there are b
     CHECK_THROWS_WITH(withMenuActions(many), containsText("33 actions") && containsText("at most 32"));
 }
 
-TEST_CASE("names that a record could not tell apart are refused", "[games]") {
+TEST_CASE("names of actions that a record could not tell apart are refused", "[games]") {
     CHECK_THROWS_WITH(ActionList({{"go left"}}), containsText("Action.name: \"go left\""));
     CHECK_THROWS_WITH(ActionList({{""}}), containsText("Action.name"));
     CHECK_THROWS_WITH(ActionList({{"-"}}), containsText("Action.name"));
@@ -49,7 +50,9 @@ TEST_CASE("names that a record could not tell apart are refused", "[games]") {
     CHECK_THROWS_WITH(ActionList({{"dig"}}).indexOf("fly"), containsText("\"fly\""));
 }
 
-TEST_CASE("of four ticks up, down, down, up, the second is pressed, the third held, the fourth released", "[games]") {
+TEST_CASE(
+    "a button up, down, down, up in four ticks is pressed in the second, held in the third, released in the fourth",
+    "[games]") {
     const ActionList actions({{"jump"}, {"dig"}});
     const Buttons dig = 2;
     const Input up(actions, 0, 0), press(actions, dig, 0), hold(actions, dig, dig), release(actions, 0, dig);
@@ -67,7 +70,7 @@ TEST_CASE("of four ticks up, down, down, up, the second is pressed, the third he
     CHECK(Input(actions, 3, 0).axis("dig", "jump") == 0);
 }
 
-TEST_CASE("an action that there is not is refused, by name and by index", "[games]") {
+TEST_CASE("an unknown action is refused, by name and by index", "[games]") {
     const ActionList actions({{"jump"}});
     const Input input(actions, 1, 0);
     CHECK_THROWS_WITH(input.held("jmup"), containsText("\"jmup\""));

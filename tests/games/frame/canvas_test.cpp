@@ -11,7 +11,7 @@ using namespace plumb::games;
 
 namespace {
 
-/// The way from one point to another, as a distance.
+/// The distance between two points.
 double apart(const Vec2& a, const Vec2& b) {
     return (a - b).norm();
 }
@@ -22,7 +22,7 @@ int layerOf(const Drawing& drawing, std::size_t place) {
 
 }  // namespace
 
-TEST_CASE("a camera's centre is in the middle of the window, and up is up", "[games]") {
+TEST_CASE("a camera's centre is in the middle of the window, and +y of the world points up", "[games]") {
     for (const PixelSize size : {PixelSize{1280, 720}, PixelSize{1000, 400}, PixelSize{300, 900}}) {
         const Affine view = toPixels(Camera{{3, -2}, 8}, size);
         CHECK(apart(view * Vec2(3, -2), Vec2(size.width / 2.0, size.height / 2.0)) < 1e-9);
@@ -31,7 +31,7 @@ TEST_CASE("a camera's centre is in the middle of the window, and up is up", "[ga
     }
 }
 
-TEST_CASE("the safe area is whole, and touches two sides, in a window of any form", "[games]") {
+TEST_CASE("a window of any shape shows the whole safe area, which touches two sides of it", "[games]") {
     Random random(11);
     for (int i = 0; i < test::cases(1000); ++i) {
         const PixelSize size{random.integer(64, 4000), random.integer(36, 3000)};
@@ -57,14 +57,15 @@ TEST_CASE("at 1280 x 720 a camera of height 9 shows 16 x 9 metres, 80 pixels eac
     CHECK(canvas.camera().height == 9);
 }
 
-TEST_CASE("a camera that sees nothing, and a window of no pixels, are refused", "[games]") {
+TEST_CASE("a camera of height 0 or without a finite centre and a window of 0 pixels are refused", "[games]") {
     Canvas canvas({640, 360});
     CHECK_THROWS_WITH(canvas.look({.height = 0}), test::containsText("Camera.height: 0"));
     CHECK_THROWS_WITH(canvas.look({.center = {NAN, 0}}), test::containsText("Camera.center"));
     CHECK_THROWS_WITH(Canvas({0, 360}), test::containsText("0 x 360"));
 }
 
-TEST_CASE("what lies in a higher layer is painted later, and in one layer in the order it was drawn", "[games]") {
+TEST_CASE("a mark in a higher layer is painted later; marks in one layer are painted in the order they were drawn",
+          "[games]") {
     Canvas canvas({640, 360});
     Random random(5);
     for (int i = 0; i < 200; ++i) {
@@ -75,7 +76,7 @@ TEST_CASE("what lies in a higher layer is painted later, and in one layer in the
     REQUIRE(order.size() == 200);
     for (std::size_t i = 1; i < order.size(); ++i) {
         REQUIRE(layerOf(canvas.drawing(), i - 1) <= layerOf(canvas.drawing(), i));
-        if (order[i - 1]->layer == order[i]->layer) REQUIRE(order[i - 1] < order[i]);  // they lie in one vector
+        if (order[i - 1]->layer == order[i]->layer) REQUIRE(order[i - 1] < order[i]);  // both point into one vector
     }
 }
 
@@ -100,7 +101,7 @@ TEST_CASE("a place within a place is turned, scaled and shifted by both, and end
     CHECK(marks[1].opacity == 1);
 }
 
-TEST_CASE("a clip within a clip lets through what both do; one beside it, nothing", "[games]") {
+TEST_CASE("a clip within a clip is the common part of both; for one beside the other that part is empty", "[games]") {
     Canvas canvas({640, 360});
     {
         const auto outer = canvas.clip({10, 10}, {100, 100});
@@ -120,7 +121,7 @@ TEST_CASE("a clip within a clip lets through what both do; one beside it, nothin
     CHECK(drawing.marks[2].clip == -1);
 }
 
-TEST_CASE("clear fills the window of any form from its first pixel to its last", "[games]") {
+TEST_CASE("clear fills a window of any shape from its first pixel to its last", "[games]") {
     for (const PixelSize size : {PixelSize{640, 360}, PixelSize{500, 900}}) {
         Canvas canvas(size);
         canvas.look({.center = {100, 3}, .height = 0.7});

@@ -21,7 +21,7 @@ std::vector<Mark> marksOf(const World& world, const DebugView& view) {
     return canvas.drawing().marks;
 }
 
-/// Where a mark reaches to without its line's width, in the world of the camera above: 72 pixels to a metre.
+/// The bounds of a mark without its line width, in the world of the camera above: 72 pixels per metre.
 Aabb boundsOf(const Mark& mark) {
     std::vector<Vec2> points;
     if (const auto* path = std::get_if<PathMark>(&mark.shape)) points = path->points;
@@ -51,7 +51,7 @@ TileMap aTile() {
 
 }  // namespace
 
-TEST_CASE("the outline that is drawn of a shape of any kind reaches as far as the shape does", "[games]") {
+TEST_CASE("the drawn outlines of seven kinds of shapes have the same bounds as the shapes", "[games]") {
     const std::vector<ShapeDef> shapes{circle(0.5),
                                        capsule({-0.5, 0}, {0.5, 0}, 0.25),
                                        box({0.5, 0.3}),
@@ -64,13 +64,13 @@ TEST_CASE("the outline that is drawn of a shape of any kind reaches as far as th
         World world;
         const BodyId body = world.add({.type = BodyType::Static, .position = {1, 2}, .shapes = {shapes[i]}});
         const Aabb drawn = boundsOf(marksOf(world, shapesOnly)), is = aabbOf(shapes[i].shape, world.body(body).pose());
-        // The outline of a rounded box is its corners' circles and edges: as far as those. Rounding of pixels: 1e-12.
+        // A rounded box is drawn by circles at its corners and edges, with the same bounds. Rounding of pixels: 1e-12.
         CHECK((drawn.lower - is.lower).norm() < 1e-9);
         CHECK((drawn.upper - is.upper).norm() < 1e-9);
     }
 }
 
-TEST_CASE("a turned shape is drawn turned, and of a tile map each tile that is not empty", "[games]") {
+TEST_CASE("a turned shape is drawn turned, and a tile map is drawn by its tiles that are not empty", "[games]") {
     World world;
     world.add({.type = BodyType::Static, .position = {1, 2}, .shapes = {tiles(aTile())}});
     const auto tile = marksOf(world, shapesOnly);
@@ -83,7 +83,7 @@ TEST_CASE("a turned shape is drawn turned, and of a tile map each tile that is n
     CHECK((boundsOf(marksOf(turned, shapesOnly)).upper - Vec2(0.8, 0.6)).norm() < 1e-9);
 }
 
-TEST_CASE("bodies that are static, kinematic, awake, asleep, and sensors have five colours", "[games]") {
+TEST_CASE("static, kinematic, awake and sleeping bodies and sensors have five different colours", "[games]") {
     World world({.gravity = {0, 0}});
     ShapeDef sensor = circle(0.2);
     sensor.sensor = true;
@@ -98,7 +98,7 @@ TEST_CASE("bodies that are static, kinematic, awake, asleep, and sensors have fi
     CHECK(colors.size() == 5);
 }
 
-TEST_CASE("a crate at rest is drawn with its two contacts, each once, and its normals point away from what it lies on",
+TEST_CASE("a crate at rest is drawn with its two contacts, each once, and their normals point away from the ground",
           "[games]") {
     World world;
     world.add({.type = BodyType::Static, .shapes = {box({4, 0.5})}});
@@ -114,7 +114,7 @@ TEST_CASE("a crate at rest is drawn with its two contacts, each once, and its no
     }
 }
 
-TEST_CASE("boxes, velocities and joints are drawn where they belong, and the figures are the world's", "[games]") {
+TEST_CASE("boxes, velocities and joints are drawn at their places, and the figures are those of the world", "[games]") {
     World world({.gravity = {0, 0}});
     const BodyId a = world.add({.position = {-1, 0}, .velocity = {5, 0}, .shapes = {circle(0.5)}});
     const BodyId b = world.add({.position = {1, 0}, .shapes = {circle(0.5)}});
@@ -137,7 +137,7 @@ TEST_CASE("boxes, velocities and joints are drawn where they belong, and the fig
                                          "kinetic 9.8 J", "gravitational 0.0 J"});
 }
 
-TEST_CASE("the view lies above all that the game has drawn, in any layer below it", "[games]") {
+TEST_CASE("the debug view lies above everything that a game draws in a layer below debugLayer", "[games]") {
     World world;
     Canvas canvas({1280, 720});
     canvas.layer(debugLayer - 1);

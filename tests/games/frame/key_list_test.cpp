@@ -6,7 +6,7 @@
 using namespace plumb::games;
 using Lines = std::vector<std::string>;
 
-TEST_CASE("keys of actions that are about the same are told together, first keys first", "[games]") {
+TEST_CASE("actions with the same text share one entry, with the first keys first", "[games]") {
     const std::vector<Action> actions{{"left", {Key::Left, Key::A}, {}, "walk"},
                                       {"jump", {Key::Space, Key::Z}, {}, "jump"},
                                       {"right", {Key::Right, Key::D}, {}, "walk"},
@@ -15,7 +15,7 @@ TEST_CASE("keys of actions that are about the same are told together, first keys
     CHECK(keyLines(actions, 200) == Lines{"← → or A D  walk     ·     Space or Z  jump"});
 }
 
-TEST_CASE("keys that do not fit into a line go into the next, an arrow counted as one letter", "[games]") {
+TEST_CASE("keys that do not fit into a line go into the next line; an arrow counts as one letter", "[games]") {
     const std::vector<Action> actions{{"left", {Key::Left}, {}, "a"}, {"up", {Key::Up}, {}, "b"}};
     CHECK(keyLines(actions, 19) == Lines{"←  a     ·     ↑  b"});
     CHECK(keyLines(actions, 18) == Lines{"←  a", "↑  b"});

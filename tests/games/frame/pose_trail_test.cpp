@@ -15,7 +15,7 @@ BodyId addDisc(World& world, double x) {
 
 }  // namespace
 
-TEST_CASE("between two ticks a body is drawn on its way, a quarter of it after a quarter of a tick", "[games]") {
+TEST_CASE("after a quarter of a tick a body is drawn after a quarter of its way", "[games]") {
     World world({.gravity = {0, 0}});
     const BodyId disc = addDisc(world, 2);
     PoseTrail trail;
@@ -29,7 +29,8 @@ TEST_CASE("between two ticks a body is drawn on its way, a quarter of it after a
     CHECK_THAT(trail.pose(world, disc, 1).position.x(), Catch::Matchers::WithinAbs(2.1, 1e-12));
 }
 
-TEST_CASE("over the seam of a world of 10 m a body is drawn going on, and not across the whole world", "[games]") {
+TEST_CASE("a body that crosses the seam of a world of 10 m is drawn on the short way, not across the whole world",
+          "[games]") {
     World world({.gravity = {0, 0}, .wrap = {.width = 10}});
     const BodyId disc = addDisc(world, 9.96);
     PoseTrail trail;
@@ -39,7 +40,7 @@ TEST_CASE("over the seam of a world of 10 m a body is drawn going on, and not ac
     CHECK_THAT(trail.pose(world, disc, 0.5).position.x(), Catch::Matchers::WithinAbs(10.01, 1e-12));
 }
 
-TEST_CASE("a body that is new, or has the slot of one that is gone, is drawn where it is", "[games]") {
+TEST_CASE("a new body is drawn where it is, even if it has the slot of a removed one", "[games]") {
     World world({.gravity = {0, 0}});
     PoseTrail trail;
     const BodyId gone = addDisc(world, 0);

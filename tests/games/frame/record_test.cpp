@@ -37,7 +37,7 @@ TEST_CASE("random records of 1 to 300 ticks read back as they were written", "[g
     }
 }
 
-TEST_CASE("a record that a person wrote, with remarks and empty lines, is played as it says", "[games]") {
+TEST_CASE("a record written by hand, with comments and empty lines, is played as it says", "[games]") {
     Record record = read(head + "seed 7\n\n# the title\n2 -\n1 confirm  # start\n3 hit+left\n");
     CHECK(record.ticks() == 6);
     const auto source = recordSource(record);
@@ -56,7 +56,7 @@ TEST_CASE("an option's value goes to the end of its line: a file may be called \
     CHECK(read(head + "  option\tlevel   a b \r\n").options.at("level") == "a b");
 }
 
-TEST_CASE("a broken record is refused with its line, what that holds, and what was wanted", "[games]") {
+TEST_CASE("a broken record is refused with the line number, the text of the line and what was expected", "[games]") {
     CHECK_THROWS_WITH(read(""), containsText("a.record:1: \"\" is not \"plumb-record 1 counting\""));
     CHECK_THROWS_WITH(read("plumb-record 1 maze\n"), containsText("a.record:1") && containsText("counting"));
     CHECK_THROWS_WITH(read("plumb-record 2 counting\n"), containsText("a.record:1"));
@@ -74,7 +74,7 @@ TEST_CASE("a broken record is refused with its line, what that holds, and what w
     CHECK_THROWS_WITH(read(head + "end 12\n1 -\n"), containsText("a.record:3") && containsText("after"));
 }
 
-TEST_CASE("the seeds 0 and 2^64 - 1 are taken in", "[games]") {
+TEST_CASE("the seeds 0 and 2^64 - 1 are accepted", "[games]") {
     CHECK(read(head + "seed 0\n").seed == 0);
     CHECK(read(head + "seed 18446744073709551615\n").seed == 18446744073709551615u);
 }

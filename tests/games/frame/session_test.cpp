@@ -18,13 +18,13 @@ using test::CountingGame;
 
 namespace {
 
-/// A session of the counting game, and a hand on its buttons.
+/// A session of the counting game, and functions that press its buttons.
 struct Played {
     Session session;
 
     explicit Played(const SessionSetup& setup = {}) : session(test::countingGame(), setup) {}
 
-    /// Presses it for a tick, and lets go for one.
+    /// Down for one tick and up for the next.
     void tap(const std::string& action) {
         session.update(session.actions().button(action));
         session.update(0);
@@ -56,7 +56,9 @@ bool shows(const Session& session, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("from the title into a round, a pause, on, won at ten hits, the scores, and the title again", "[games]") {
+TEST_CASE(
+    "a session leads from the title to a round, a pause, the round, its win by ten hits, the scores and the title",
+    "[games]") {
     Played p;
     CHECK(p.session.screen() == Screen::Title);
     CHECK(p.session.game() == nullptr);
@@ -82,7 +84,7 @@ TEST_CASE("from the title into a round, a pause, on, won at ten hits, the scores
     CHECK(p.session.rounds() == 1);
 }
 
-TEST_CASE("a button held over from the title is held, and not pressed, in the round's first tick", "[games]") {
+TEST_CASE("a button that is down since the title is held, but not pressed, in the first tick of the round", "[games]") {
     Played p;
     const Buttons both = p.session.actions().button("confirm") | p.session.actions().button("hit");
     p.session.update(both);
@@ -93,7 +95,7 @@ TEST_CASE("a button held over from the title is held, and not pressed, in the ro
     CHECK(p.game().hits == 1);
 }
 
-TEST_CASE("pause starts again with another seed, or leaves for the title", "[games]") {
+TEST_CASE("the pause menu starts a round with another seed, or leads to the title", "[games]") {
     Played p({.seed = 5});
     p.tap("confirm");
     const std::uint64_t first = p.session.gameSetup().seed;
@@ -110,7 +112,8 @@ TEST_CASE("pause starts again with another seed, or leaves for the title", "[gam
     CHECK(p.session.screen() == Screen::Title);
 }
 
-TEST_CASE("whoever hammers the button at the round's end reads how it ended for two thirds of a second", "[games]") {
+TEST_CASE("at the end of a round, its result stays for two thirds of a second even if confirm is pressed all the time",
+          "[games]") {
     Played p;
     p.tap("confirm");
     for (int hit = 0; hit < 10; ++hit) p.tap("hit");
@@ -138,8 +141,7 @@ TEST_CASE("the title changes an option with choices, and has no entry for one wi
     CHECK_THROWS_WITH(p.session.gameSetup().option("colour"), containsText("\"colour\""));
 }
 
-TEST_CASE("an option that only the command line has is not in the title, and its values are refused all the same",
-          "[games]") {
+TEST_CASE("an option of only the command line is not in the title, and its invalid values are refused too", "[games]") {
     GameInfo info = test::countingGame();
     info.options[0].inTitle = false;
     Session session(info, {.options = {{"strength", "strong"}}});
@@ -148,13 +150,13 @@ TEST_CASE("an option that only the command line has is not in the title, and its
     CHECK_THROWS_WITH(Session(info, {.options = {{"strength", "huge"}}}), containsText("\"huge\" is not one of"));
 }
 
-TEST_CASE("an option that the game has not, or a value it cannot have, is refused", "[games]") {
+TEST_CASE("an unknown option, or a value that is not one of its choices, is refused", "[games]") {
     CHECK_THROWS_WITH(Played({.options = {{"speed", "1"}}}), containsText("\"speed\""));
     CHECK_THROWS_WITH(Played({.options = {{"strength", "huge"}}}), containsText("\"huge\" is not one of weak, strong"));
     CHECK(Played({.options = {{"level", "two"}}}).session.gameSetup().option("level") == "two");
 }
 
-TEST_CASE("a banner is not seen behind a menu, and what players are told is not seen behind the title", "[games]") {
+TEST_CASE("a banner is not drawn behind a menu, and information for players is not drawn behind the title", "[games]") {
     Played p;
     p.session.update(0);
     CHECK_FALSE(shows(p.session, "hits so far"));
@@ -166,7 +168,7 @@ TEST_CASE("a banner is not seen behind a menu, and what players are told is not 
     CHECK_FALSE(shows(p.session, "Ready!"));
 }
 
-TEST_CASE("what a game adds to the debug view is seen in it, and only in a round", "[games]") {
+TEST_CASE("what a game adds to the debug view is shown only in a round", "[games]") {
     Played p;
     p.session.showDebug(true);
     CHECK_FALSE(shows(p.session, "plans"));
@@ -185,7 +187,7 @@ TEST_CASE("quit ends the session, and nothing else does", "[games]") {
     CHECK(p.session.ended());
 }
 
-TEST_CASE("ten best scores are kept, the best first, and a round says where it stands among them", "[games]") {
+TEST_CASE("the ten best scores are kept, the best first, and the end of a round shows its rank among them", "[games]") {
     Played p({.scores = {5, 400, 90, 80, 70, 60, 50, 40, 30, 20, 10}});
     CHECK(p.session.scores().size() == 10);
     CHECK(p.session.scores().front() == 400);
@@ -202,7 +204,7 @@ TEST_CASE("ten best scores are kept, the best first, and a round says where it s
     CHECK(p.session.scores().back() == 20);
 }
 
-TEST_CASE("each hit of a round is heard once, and nothing of the game behind the title", "[games]") {
+TEST_CASE("each hit of a round plays one cue, and the game behind the title plays none", "[games]") {
     Played p;
     p.rest(200);
     CHECK(p.session.takeCues().empty());
@@ -214,7 +216,8 @@ TEST_CASE("each hit of a round is heard once, and nothing of the game behind the
     CHECK(p.session.takeCues().empty());
 }
 
-TEST_CASE("of a round between two ticks the canvas says which part has passed; of one that is paused, all", "[games]") {
+TEST_CASE("a round is drawn between two ticks, at the part of the tick that has passed; a paused one is drawn at 1",
+          "[games]") {
     Played p;
     p.tap("confirm");
     const auto seen = [&] {
@@ -228,7 +231,7 @@ TEST_CASE("of a round between two ticks the canvas says which part has passed; o
     CHECK(seen() == 1);
 }
 
-TEST_CASE("two sessions that are told the same buttons agree at every tick, through all screens", "[games]") {
+TEST_CASE("two sessions with the same buttons agree at every tick, through all five screens", "[games]") {
     std::set<Screen> met;
     for (int seed = 0; seed < std::max(5, test::cases(100)); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
@@ -260,7 +263,7 @@ TEST_CASE("the computer starts the session by itself, wins, and plays again", "[
     CHECK_THROWS_WITH(computerSource(lonely), containsText("counting has no computer player"));
 }
 
-TEST_CASE("behind the title the computer plays, or the game shows what it likes; neither changes the session",
+TEST_CASE("behind the title the computer plays, or the game draws its own title; neither changes the session",
           "[games]") {
     GameInfo other = test::countingGame();
     double shown = -1;

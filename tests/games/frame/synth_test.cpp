@@ -17,7 +17,7 @@ namespace {
 
 constexpr int rate = 48000;
 
-/// How often it goes up through 0 between two times.
+/// How often the samples rise through 0 between two times [s].
 int rises(const std::vector<float>& samples, double from, double to) {
     int count = 0;
     for (auto i = static_cast<std::size_t>(from * rate) + 1; i < static_cast<std::size_t>(to * rate); ++i)
@@ -43,7 +43,7 @@ Cue cueOf(Random& random) {
 
 }  // namespace
 
-TEST_CASE("a tone of 440 Hz goes up through 0 440 times a second, whatever its wave", "[games]") {
+TEST_CASE("a tone of 440 Hz rises through 0 440 times a second, with a sine, triangle or square wave", "[games]") {
     for (const Wave wave : {Wave::Sine, Wave::Triangle, Wave::Square}) {
         const auto samples = samplesOf({.wave = wave, .seconds = 1.2, .fade = 0.1}, rate);
         CHECK(std::abs(rises(samples, 0.01, 1.01) - 440) <= 1);
@@ -69,7 +69,8 @@ TEST_CASE("random cues begin and end softly, last as long as they say, and never
     }
 }
 
-TEST_CASE("24 square waves of full volume at once stay within -1 and 1, and one alone is not changed", "[games]") {
+TEST_CASE("24 square waves of full volume at once stay within -1 and 1, and a single quiet one is not changed",
+          "[games]") {
     Mixer mixer(rate);
     for (int i = 0; i < 24; ++i) mixer.add({.from = 100, .to = 100, .seconds = 1, .volume = 1});
     std::vector<float> out(4800);
@@ -86,7 +87,7 @@ TEST_CASE("24 square waves of full volume at once stay within -1 and 1, and one 
     CHECK(alone.silent());
 }
 
-TEST_CASE("a cue of 10 ms delay begins 480 samples later, however the samples are asked for", "[games]") {
+TEST_CASE("a cue with a delay of 10 ms begins 480 samples later, for any number of samples per call", "[games]") {
     const Cue cue{.wave = Wave::Triangle, .seconds = 0.02, .delay = 0.01};
     const auto heard = [&](std::size_t atOnce) {
         Mixer mixer(rate);
@@ -112,7 +113,7 @@ TEST_CASE("the 25th voice takes the place of the first", "[games]") {
     CHECK(loudest(out) == 0);
 }
 
-TEST_CASE("a cue that cannot be is refused by the name of its field", "[games]") {
+TEST_CASE("an invalid cue is refused by the name of its field", "[games]") {
     CHECK_THROWS_WITH(samplesOf({.from = 0}, rate), containsText("Cue.from"));
     CHECK_THROWS_WITH(samplesOf({.to = -1}, rate), containsText("Cue.to"));
     CHECK_THROWS_WITH(samplesOf({.seconds = 0}, rate), containsText("Cue.seconds"));

@@ -21,7 +21,7 @@ using namespace plumb::games;
 
 namespace {
 
-/// A window and a loudspeaker that nobody sees and hears.
+/// Chooses SDL's dummy drivers for window and sound, and a folder of the test for the scores.
 void pretendDevices() {
     std::filesystem::create_directories(test::houseFolder("games") / "scores");
     setenv("SDL_VIDEODRIVER", "dummy", 1);
@@ -49,7 +49,7 @@ void push(Uint32 type, Uint8 windowEvent = 0) {
     SDL_PushEvent(&event);
 }
 
-/// Plays in a window for so many ticks. What is pressed before it opens waits for it, in its order.
+/// Plays in a window for a number of ticks. Keys pressed before the window opens are handled after that, in order.
 Record playedFor(std::int64_t ticks) {
     std::ostringstream out;
     ProgramOptions options;
@@ -58,7 +58,7 @@ Record playedFor(std::int64_t ticks) {
     return runDesktop(test::countingGame(), {}, nullptr, options, out);
 }
 
-/// SDL, begun before the window, so that there can be events before it; one window's worth.
+/// Starts SDL before the window, so that there can be events before it. Each object is for one window.
 struct Events {
     Events() {
         pretendDevices();
@@ -67,7 +67,7 @@ struct Events {
     ~Events() { SDL_Quit(); }
 };
 
-/// What comes of a record without a window.
+/// A record, replayed without a window.
 struct Replayed {
     Session session{test::countingGame(), {}};
     std::vector<Screen> screens{Screen::Title};
@@ -83,7 +83,7 @@ struct Replayed {
 
 }  // namespace
 
-TEST_CASE("what keys do in a window, from the title to a won round, comes again without one, to the same bits",
+TEST_CASE("keys in a window, from the title to a won round, give the same hash when replayed without a window",
           "[games]") {
     const Events events;
     tapKey(SDL_SCANCODE_RETURN, SDLK_RETURN);
@@ -96,11 +96,11 @@ TEST_CASE("what keys do in a window, from the title to a won round, comes again 
     CHECK(replayed.session.progress().score == 100);
 }
 
-TEST_CASE("a window that loses its focus pauses the round, and the record has the pause", "[games]") {
+TEST_CASE("a window that loses its focus pauses the round, and the record contains the pause", "[games]") {
     const Events events;
     tapKey(SDL_SCANCODE_RETURN, SDLK_RETURN);
     std::thread hand([] {
-        std::this_thread::sleep_for(std::chrono::seconds(1));  // till long after the round began
+        std::this_thread::sleep_for(std::chrono::seconds(1));  // long after the round began
         push(SDL_WINDOWEVENT, SDL_WINDOWEVENT_FOCUS_LOST);
     });
     const Record record = playedFor(150);
@@ -125,13 +125,13 @@ TEST_CASE("quit in the title's menu closes the window", "[games]") {
     CHECK(Replayed(record).session.ended());
 }
 
-TEST_CASE("what the desktop has to close a window does", "[games]") {
+TEST_CASE("a quit event of the desktop ends the program", "[games]") {
     const Events events;
     push(SDL_QUIT);
     CHECK(playedFor(600).ticks() < 10);
 }
 
-TEST_CASE("the keys that show what the kit sees, and the times, press nothing", "[games]") {
+TEST_CASE("the keys F1, F2, F4 and F11 press no button of the game", "[games]") {
     const Events events;
     for (const auto& [code, symbol] : {std::pair{SDL_SCANCODE_F1, SDLK_F1},
                                        {SDL_SCANCODE_F2, SDLK_F2},

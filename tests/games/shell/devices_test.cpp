@@ -36,7 +36,7 @@ const ActionList actions({{"left", {Key::Left, Key::A}, {Pad::Left}},
                           {"zero", {Key::Digit0}, {Pad::Start}}});
 constexpr Buttons leftButton = 1, jumpButton = 2, seven = 4, zero = 8;
 
-/// The buttons of so many ticks.
+/// The buttons of this number of ticks.
 std::vector<Buttons> take(Devices& devices, int ticks) {
     std::vector<Buttons> taken;
     for (int i = 0; i < ticks; ++i) taken.push_back(devices.take(actions));
@@ -45,7 +45,7 @@ std::vector<Buttons> take(Devices& devices, int ticks) {
 
 }  // namespace
 
-TEST_CASE("a key is down from its tick on until it is let go; repeats by the keyboard are nothing", "[games]") {
+TEST_CASE("a key is down from its tick until it is released; repeats by the keyboard are ignored", "[games]") {
     Devices devices;
     devices.handle(keyEvent(SDL_SCANCODE_LEFT, true));
     CHECK(take(devices, 2) == std::vector<Buttons>{leftButton, leftButton});
@@ -56,8 +56,7 @@ TEST_CASE("a key is down from its tick on until it is let go; repeats by the key
     CHECK(take(devices, 2) == std::vector<Buttons>{seven, seven});
 }
 
-TEST_CASE("what is pressed and let go within a tick is down for one, and what goes down three times, three times",
-          "[games]") {
+TEST_CASE("a key pressed and released three times within a tick is down three times, for one tick each", "[games]") {
     Devices devices;
     for (int i = 0; i < 3; ++i) {
         devices.handle(keyEvent(SDL_SCANCODE_SPACE, true));
@@ -66,7 +65,7 @@ TEST_CASE("what is pressed and let go within a tick is down for one, and what go
     CHECK(take(devices, 7) == std::vector<Buttons>{jumpButton, 0, jumpButton, 0, jumpButton, 0, 0});
 }
 
-TEST_CASE("two keys of one action: it is down as long as one of them is", "[games]") {
+TEST_CASE("an action with two keys is down as long as one of them is down", "[games]") {
     Devices devices;
     devices.handle(keyEvent(SDL_SCANCODE_A, true));
     devices.handle(keyEvent(SDL_SCANCODE_LEFT, true));
@@ -77,7 +76,7 @@ TEST_CASE("two keys of one action: it is down as long as one of them is", "[game
     CHECK(devices.take(actions) == 0);
 }
 
-TEST_CASE("letters and figures are the keys of their names", "[games]") {
+TEST_CASE("letters and digits are the keys of the same names", "[games]") {
     const ActionList edges({{"a", {Key::A}}, {"z", {Key::Z}}, {"1", {Key::Digit1}}, {"9", {Key::Digit9}}});
     for (const auto& [code, bit] :
          {std::pair{SDL_SCANCODE_A, 1u}, {SDL_SCANCODE_Z, 2u}, {SDL_SCANCODE_1, 4u}, {SDL_SCANCODE_9, 8u}}) {
@@ -88,11 +87,11 @@ TEST_CASE("letters and figures are the keys of their names", "[games]") {
     Devices devices;
     devices.handle(keyEvent(SDL_SCANCODE_0, true));
     CHECK(devices.take(actions) == zero);
-    devices.handle(keyEvent(SDL_SCANCODE_F12, true));  // known to no action
+    devices.handle(keyEvent(SDL_SCANCODE_F12, true));  // no action has this key
     CHECK(devices.take(actions) == zero);
 }
 
-TEST_CASE("a stick is a direction beyond half of its way, a trigger a button, and a pad's buttons are theirs",
+TEST_CASE("a stick beyond half of its range is a direction, a trigger is a button, and A of a gamepad is South",
           "[games]") {
     Devices devices;
     devices.handle(axisEvent(SDL_CONTROLLER_AXIS_LEFTX, -16000));
@@ -106,7 +105,7 @@ TEST_CASE("a stick is a direction beyond half of its way, a trigger a button, an
     CHECK(devices.take(actions) == seven);
 }
 
-TEST_CASE("a window that loses its focus holds no key down", "[games]") {
+TEST_CASE("no key is down after a window has lost its focus", "[games]") {
     Devices devices;
     devices.handle(keyEvent(SDL_SCANCODE_LEFT, true));
     devices.handle(keyEvent(SDL_SCANCODE_SPACE, true));

@@ -30,7 +30,7 @@ FooterLine someTimes() {
     return times.figures();
 }
 
-/// The rectangle that the footer fills; none is as good as one that lies below the window.
+/// The rectangle of the footer. Without a footer: one that lies below the window.
 Aabb footerOf(const Drawing& drawing) {
     for (const Mark& mark : drawing.marks) {
         const auto* rect = std::get_if<RectMark>(&mark.shape);
@@ -40,7 +40,7 @@ Aabb footerOf(const Drawing& drawing) {
     return {{0, 1e6}, {0, 1e6}};
 }
 
-/// One sentence for each text of the picture that the footer hides, and each of its own that reaches out of it.
+/// One sentence for each text of the picture that the footer hides, and for each of its own that reaches out of it.
 std::vector<std::string> textsHidden(const Drawing& drawing, const Painter& painter) {
     std::vector<std::string> faults;
     const Aabb footer = footerOf(drawing);
@@ -54,7 +54,7 @@ std::vector<std::string> textsHidden(const Drawing& drawing, const Painter& pain
     return faults;
 }
 
-/// Looks at what is on the screen, with F1 and F2 on.
+/// Checks the texts of the current screen, with F1 and F2 on.
 void checkFooter(const Session& session) {
     static const Painter painter;
     for (const PixelSize size : sizes) {
@@ -77,8 +77,7 @@ bool hasText(const Drawing& drawing, const std::string& part, int layer) {
 
 }  // namespace
 
-TEST_CASE("what F1 and F2 tell lies over no menu and over nothing that a game tells, on any screen, at six sizes",
-          "[games]") {
+TEST_CASE("the texts of F1 and F2 hide no text of a menu or a game, on any screen, at six sizes", "[games]") {
     for (const GameInfo& info : test::everyGame()) {
         Session session(info, {.scores = {5000, 4000, 300, 20, 1}});
         session.showDebug(true);
@@ -101,7 +100,7 @@ TEST_CASE("what F1 and F2 tell lies over no menu and over nothing that a game te
     }
 }
 
-TEST_CASE("what the kit sees is drawn under menus, and under what a game tells its players", "[games]") {
+TEST_CASE("the debug view is drawn below menus, and below the information for players", "[games]") {
     CHECK(debugLayer < hudLayer);
     CHECK(hudLayer < menuLayer);
     for (const auto& [name, told] : {std::pair{"artillery", "wind"}, {"runner", "Level 1"}})
@@ -117,9 +116,10 @@ TEST_CASE("what the kit sees is drawn under menus, and under what a game tells i
         }
 }
 
-TEST_CASE("the lines from cats to where they make for end at the maze's rim, beside which the score stands",
-          "[games]") {
-    constexpr double left = 146, right = 496;  // the columns at its sides reach so far
+TEST_CASE(
+    "the lines from cats to their targets end at the edge of the maze, so that they do not cross the score beside it",
+    "[games]") {
+    constexpr double left = 146, right = 496;  // the columns at its sides reach to these [pixels]
     for (const GameInfo& info : test::everyGame()) {
         if (info.name != "maze") continue;
         Session session(info, {});
@@ -141,7 +141,7 @@ TEST_CASE("the lines from cats to where they make for end at the maze's rim, bes
     }
 }
 
-TEST_CASE("the figures of the world are told in a round and behind its menus, and not in the title", "[games]") {
+TEST_CASE("the figures of the world are shown in a round and behind its menus, but not in the title", "[games]") {
     for (const GameInfo& info : test::everyGame()) {
         if (info.name != "bounce") continue;
         Session session(info, {});
@@ -161,7 +161,7 @@ TEST_CASE("the figures of the world are told in a round and behind its menus, an
     }
 }
 
-TEST_CASE("with a footer the picture ends where it begins, on a whole pixel; without, it fills the window", "[games]") {
+TEST_CASE("a picture ends where the footer begins, at a whole pixel; without a footer it fills the window", "[games]") {
     for (const PixelSize size : sizes)
         for (const std::size_t lines : {0u, 1u, 2u}) {
             CAPTURE(size.width, lines);

@@ -17,7 +17,7 @@ Color anyColor(Random& random) {
     return {red, green, 0.5, random.uniform(0.2, 1)};
 }
 
-/// Some marks of all kinds, each in its own place; the same seed, the same mark.
+/// Draws a mark of a random kind at a random place. The same seed gives the same mark.
 void drawMark(Canvas& canvas, std::uint64_t seed) {
     Random random(seed);
     const double x = random.uniform(0, 640), y = random.uniform(0, 360);
@@ -37,10 +37,7 @@ void drawMark(Canvas& canvas, std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE(
-    "what was painted before and is kept gives the same pixels as a painter that keeps nothing, in 300 drawings "
-    "one after another",
-    "[games]") {
+TEST_CASE("a KeptPainter paints the same pixels as a Painter in 300 drawings, one after another", "[games]") {
     KeptPainter kept;
     const Painter plain;
     Random random(3);
@@ -49,7 +46,7 @@ TEST_CASE(
     PixelSize size{320, 180};
     Picture shown(size), expected(size);
     for (int i = 0; i < 300; ++i) {
-        // Mostly late marks change, sometimes any, seldom the window; now and then nothing for a while.
+        // Most often a late mark changes, sometimes any mark, rarely the window; at times nothing changes for a while.
         const int first = random.integer(0, 5) == 0 ? 0 : 95;
         if (i % 100 < 90) marks[static_cast<std::size_t>(random.integer(first, 99))] = random.bits() % 1000;
         if (i % 130 == 129) {
@@ -65,7 +62,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a picture painted by two, three or four threads has the pixels of one painted by one", "[games]") {
+TEST_CASE("two, three or four threads paint the same pixels as one thread", "[games]") {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         const PixelSize size{320, 181};
         Canvas canvas(size);

@@ -25,7 +25,7 @@ const Painter& painter() {
     return one;
 }
 
-/// On black, in the screen's units: at 640 x 360 these are pixels.
+/// Draws on black, in units of the screen: at 640 x 360 these are pixels.
 template <class Draw>
 Picture painted(Draw&& draw, PixelSize size = {640, 360}) {
     Canvas canvas(size);
@@ -36,7 +36,7 @@ Picture painted(Draw&& draw, PixelSize size = {640, 360}) {
     return picture;
 }
 
-/// How much is lit, all pixels together, each 0 to 1.
+/// The sum of the brightness of all pixels, each 0 to 1.
 double litIn(const Picture& picture) {
     double sum = 0;
     for (int y = 0; y < picture.size().height; ++y)
@@ -56,7 +56,7 @@ double widthOf(const Aabb& box) {
 
 }  // namespace
 
-TEST_CASE("a rectangle from (10, 20) of 30 x 40 fills these pixels and no other", "[games]") {
+TEST_CASE("a rectangle of 30 x 40 at (10, 20) fills exactly these pixels", "[games]") {
     const Picture picture = painted([](Canvas& c) { c.rect({10, 20}, {30, 40}, Color::hex(0xff0000)); });
     for (int y = 0; y < 360; ++y)
         for (int x = 0; x < 640; ++x) {
@@ -65,8 +65,8 @@ TEST_CASE("a rectangle from (10, 20) of 30 x 40 fills these pixels and no other"
         }
 }
 
-TEST_CASE("the light of antialiased marks adds up to their areas", "[games]") {
-    // Cairo covers a pixel in 255 steps at the finest, 15 lines of it at the least: 1/15 pixel along an outline.
+TEST_CASE("the sum of the brightness of antialiased marks is their area", "[games]") {
+    // Cairo computes the coverage of a pixel in at most 255 steps, from at least 15 lines: 1/15 pixel along an outline.
     using std::numbers::pi;
     const auto area = [](auto draw) { return litIn(painted(draw)); };
     CHECK(std::abs(area([](Canvas& c) { c.circle({300.3, 180.7}, 100, white); }) - pi * 100 * 100) < 2 * pi * 100 / 15);
@@ -87,7 +87,8 @@ TEST_CASE("the light of antialiased marks adds up to their areas", "[games]") {
                    2 * pi * 100 * 4) < 4 * pi * 100 / 15);
 }
 
-TEST_CASE("opacity is of places within places, alpha of colours, and both count", "[games]") {
+TEST_CASE("the opacities of nested places and the alpha of a colour are multiplied: 0.5 x 0.5 x 0.8 of 255 is 51",
+          "[games]") {
     const Picture picture = painted([](Canvas& c) {
         const auto half = c.place({.opacity = 0.5});
         const auto quarter = c.place({.opacity = 0.5});
@@ -107,7 +108,7 @@ TEST_CASE("a higher layer hides a lower one that was drawn later", "[games]") {
     CHECK(picture.at(15, 5) == blue);
 }
 
-TEST_CASE("nothing is painted outside of a clip, and after it all is again", "[games]") {
+TEST_CASE("nothing is painted outside a clip; after its end everything is painted again", "[games]") {
     const Picture picture = painted([](Canvas& c) {
         {
             const auto clip = c.clip({10, 10}, {20, 20});
@@ -122,7 +123,7 @@ TEST_CASE("nothing is painted outside of a clip, and after it all is again", "[g
     CHECK(picture.at(55, 55) == blue);
 }
 
-TEST_CASE("a gradient goes evenly from one colour to the other, and on in the last", "[games]") {
+TEST_CASE("a gradient changes linearly from one colour to the other and stays the same beyond its ends", "[games]") {
     const Picture picture = painted([](Canvas& c) {
         c.rect({0, 0}, {100, 100}, Paint::linear({0, 20}, Color{}, {0, 80}, white));
         c.circle({300, 100}, 80, Paint::radial({300, 100}, white, 40, Color{}));
@@ -136,7 +137,7 @@ TEST_CASE("a gradient goes evenly from one colour to the other, and on in the la
     CHECK(gray(360, 100) == 0);
 }
 
-TEST_CASE("a flat mark, and a text too small to see, paint nothing and hinder nothing", "[games]") {
+TEST_CASE("a flat mark and a text too small to be seen paint nothing, and later marks are painted", "[games]") {
     const Picture picture = painted([](Canvas& c) {
         {
             const auto flat = c.place({.scale = {0, 1}});
@@ -151,28 +152,26 @@ TEST_CASE("a flat mark, and a text too small to see, paint nothing and hinder no
     CHECK(picture.at(50, 50) == black);
 }
 
-TEST_CASE("a text lies to the right of its place, to the left, or evenly about it, as wide at any alignment",
-          "[games]") {
+TEST_CASE("a text lies to the right of its position, to the left, or centred on it, with the same width", "[games]") {
     const auto box = [](Align align) { return boxOfText("Plumb 2D", {.size = 30, .align = align}); };
     const Aabb left = box(Align::Left), middle = box(Align::Center), right = box(Align::Right);
     CHECK(widthOf(left) > 100);
-    // To whole pixels.
+    // Rounded to whole pixels.
     CHECK(std::abs(left.lower.x() - 320) <= 0.5);
     CHECK(std::abs(right.upper.x() - 320) <= 0.5);
     CHECK(std::abs(middle.lower.x() + middle.upper.x() - 640) <= 1);
     CHECK_THAT(widthOf(left), Catch::Matchers::WithinAbs(widthOf(middle), 1e-9));
 }
 
-TEST_CASE("capital letters stand on their place, hang from it, or lie evenly about it", "[games]") {
+TEST_CASE("capital letters lie above their position, below it, or centred on it", "[games]") {
     const auto box = [](Baseline baseline) { return boxOfText("H", {.size = 40, .baseline = baseline}); };
-    // To whole pixels, and a letter's edge may lie a part of a pixel beyond the height that the font says.
+    // Rounded to whole pixels; and a letter's edge may lie a part of a pixel beyond the height in the font.
     CHECK(std::abs(box(Baseline::Base).upper.y() - 180) <= 1);
     CHECK(std::abs(box(Baseline::Top).lower.y() - 180) <= 1.5);
     CHECK(std::abs((box(Baseline::Middle).lower.y() + box(Baseline::Middle).upper.y()) / 2 - 180) <= 1);
 }
 
-TEST_CASE("a text that is to fit 100 units is no wider, and as wide as it can be; a short one is not changed",
-          "[games]") {
+TEST_CASE("a text that must fit into 100 units is 95 to 100 units wide; a short text is not changed", "[games]") {
     for (const PixelSize size : {PixelSize{640, 360}, PixelSize{1920, 1080}, PixelSize{3840, 2160}}) {
         const double unit = size.width / 640.0;
         const TextStyle style{.size = 40, .align = Align::Center, .weight = Weight::Heavy, .fitWidth = 100};
@@ -185,7 +184,7 @@ TEST_CASE("a text that is to fit 100 units is no wider, and as wide as it can be
     }
 }
 
-TEST_CASE("numbers of as many figures are as wide as one another, in each weight", "[games]") {
+TEST_CASE("numbers with the same number of digits have the same width, in each weight", "[games]") {
     for (const Weight weight : {Weight::Regular, Weight::Bold, Weight::Heavy}) {
         const TextStyle style{.size = 24, .weight = weight};
         CHECK_THAT(widthOf(boxOfText("11111", style)),
@@ -194,13 +193,13 @@ TEST_CASE("numbers of as many figures are as wide as one another, in each weight
     }
 }
 
-TEST_CASE("a text of a world with y up, in a mirrored place too, is the same as on the screen", "[games]") {
+TEST_CASE("a text in a world with y up, also in a mirrored place, has the same pixels as on the screen", "[games]") {
     const TextStyle style{.size = 30, .color = white, .align = Align::Center, .baseline = Baseline::Middle};
     TextStyle small = style;
     small.size = 3;
     const Picture screen = painted([&](Canvas& c) { c.text({330, 160}, "Right", style); });
     const Picture world = painted([&](Canvas& c) {
-        c.look({.height = 36});  // ten pixels to a metre
+        c.look({.height = 36});  // ten pixels per metre
         c.text({1, 2}, "Right", small);
     });
     const Picture mirrored = painted([&](Canvas& c) {
@@ -213,7 +212,7 @@ TEST_CASE("a text of a world with y up, in a mirrored place too, is the same as 
     CHECK(screen == mirrored);
 }
 
-TEST_CASE("a text in a place that is turned by a quarter runs down the screen", "[games]") {
+TEST_CASE("a text in a place that is turned by a quarter turn runs down the screen", "[games]") {
     Canvas canvas({640, 360});
     const auto place = canvas.place({.position = {320, 100}, .angle = std::numbers::pi / 2});
     canvas.text({0, 0}, "Downward", {.size = 20});
@@ -222,7 +221,7 @@ TEST_CASE("a text in a place that is turned by a quarter runs down the screen", 
     CHECK_THAT(box.lower.y(), Catch::Matchers::WithinAbs(100, 1e-6));
 }
 
-TEST_CASE("a text that reaches out of the window, and one over another, are found", "[games]") {
+TEST_CASE("the checks find one text that reaches out of the window, and one that overlaps another", "[games]") {
     Canvas canvas({640, 360});
     canvas.text({600, 100}, "too far to the right", {});
     canvas.text({100, 100}, "here", {});
@@ -231,7 +230,7 @@ TEST_CASE("a text that reaches out of the window, and one over another, are foun
     CHECK(test::textsOverlapping(canvas.drawing(), painter(), 0).size() == 1);
 }
 
-TEST_CASE("a picture is written as a PNG of its size; a folder that is not there is named", "[games]") {
+TEST_CASE("a picture is written as a PNG of its size; an error names a folder that does not exist", "[games]") {
     std::filesystem::create_directories(test::houseFolder("games"));
     const std::string file = (test::houseFolder("games") / "a.png").string();
     Picture picture = painted([](Canvas& c) { c.circle({100, 100}, 50, white); }, {320, 180});

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file of this test's own.
+/// A file in the test's own folder.
 std::string fileOf(const std::string& name) {
     fs::create_directories(houseFolder("games"));
     return (houseFolder("games") / name).string();
@@ -33,8 +33,8 @@ std::string textOf(const std::string& file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// The walk-through's program, without a display and a sound device. Leaks are looked for in the tests, not there:
-/// fontconfig seems to have some, and has none.
+/// Runs the example game of games/README.md without a display and a sound device. Leaks are checked in the tests, not
+/// here: fontconfig would be reported, but it has none.
 Ran bounce(const std::string& arguments) {
     return shell("ASAN_OPTIONS=detect_leaks=0 SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=dummy XDG_DATA_HOME=" +
                  quoted(fileOf("data")) + " " + quoted(PLUMB_WALK_THROUGH_PROGRAM) + " " + arguments);
@@ -47,7 +47,7 @@ nlohmann::json resultOf(const std::string& arguments) {
     return nlohmann::json::parse(ran.output);
 }
 
-/// What it prints on standard error when it ends with status 2.
+/// The text on standard error of a run that ends with status 2.
 std::string complaintOf(const std::string& arguments) {
     const Ran ran = bounce(arguments + " 2>&1 >/dev/null; echo $?");
     REQUIRE(ran.output.ends_with("\n2\n"));
@@ -57,7 +57,7 @@ std::string complaintOf(const std::string& arguments) {
 }
 
 const std::string head = "plumb-record 1 bounce\n";
-/// Kicks whenever it may: a kick every 20 ticks takes the ball over the top.
+/// A kick every 20 ticks takes the ball over the top.
 const std::string kicks = [] {
     std::string text = head + "seed 3\n20 -\n1 confirm\n";
     for (int i = 0; i < 30; ++i) text += "20 -\n1 kick\n";
@@ -66,7 +66,7 @@ const std::string kicks = [] {
 
 }  // namespace
 
-TEST_CASE("the walk-through of games/README.md is a game: under forty lines, built, and won by kicks", "[games]") {
+TEST_CASE("the example of games/README.md has fewer than forty lines, is built, and is won by kicks", "[games]") {
     std::istringstream lines(walkThrough().source);
     int count = 0;
     for (std::string line; std::getline(lines, line);) count += line.empty() ? 0 : 1;
@@ -82,7 +82,8 @@ TEST_CASE("the walk-through of games/README.md is a game: under forty lines, bui
     CHECK(result["hash"].get<std::string>().size() == 16);
 }
 
-TEST_CASE("a record of a replay is that record, with the hash that it came to; a changed one is told", "[games]") {
+TEST_CASE("a record of a replay is the same record with the hash at its end; a replay with another hash is refused",
+          "[games]") {
     const std::string first = written("first.record", kicks), second = fileOf("second.record");
     const auto result = resultOf("--headless --replay " + first + " --record " + second);
     const std::string text = textOf(second);
@@ -93,7 +94,7 @@ TEST_CASE("a record of a replay is that record, with the hash that it came to; a
           std::string::npos);
 }
 
-TEST_CASE("a window that nobody plays comes to the same bits as no window, in as many ticks", "[games]") {
+TEST_CASE("records of 30 and 100 ticks in a window replay without a window to the same hash", "[games]") {
     const std::string record = fileOf("window.record"), kicked = written("kicked.record", kicks);
     REQUIRE(bounce("--player nobody --ticks 30 --record " + record).ok);
     CHECK(textOf(record).find("\n30 -\nend ") != std::string::npos);
@@ -107,7 +108,7 @@ TEST_CASE("a window that nobody plays comes to the same bits as no window, in as
     CHECK(resultOf("--headless --replay " + record)["ticks"] == 100);
 }
 
-TEST_CASE("pictures are written at the ticks that are asked for, of the size that is", "[games]") {
+TEST_CASE("pictures are written at the ticks and in the size of the arguments", "[games]") {
     const std::string a = fileOf("at-0.png"), b = fileOf("at-30.png");
     fs::remove(a);
     fs::remove(b);
@@ -117,7 +118,7 @@ TEST_CASE("pictures are written at the ticks that are asked for, of the size tha
     CHECK(textOf(a) != textOf(b));
 }
 
-TEST_CASE("bad arguments and records: one line that says what, and status 2", "[games]") {
+TEST_CASE("bad arguments and records give one line that says what is wrong, and status 2", "[games]") {
     const auto complains = [](const std::string& arguments, const std::string& part) {
         CAPTURE(arguments);
         CHECK_THAT(complaintOf(arguments), containsText(part));
@@ -145,7 +146,7 @@ TEST_CASE("bad arguments and records: one line that says what, and status 2", "[
     complains("more", "more");
 }
 
-TEST_CASE("--help lists the options, and ends well", "[games]") {
+TEST_CASE("--help lists the options and ends with status 0", "[games]") {
     const Ran help = bounce("--help");
     CHECK(help.ok);
     for (const char* option : {"--seed", "--player", "--record", "--replay", "--headless", "--ticks", "--screenshot"})

@@ -16,7 +16,7 @@ using plumb::test::tap;
 
 namespace {
 
-/// All there are, and one with the longest words there may be.
+/// All games, and one with very long texts.
 std::vector<GameInfo> gamesToLookAt() {
     std::vector<GameInfo> all = test::everyGame();
     GameInfo wordy = test::countingGame();
@@ -31,7 +31,7 @@ std::vector<GameInfo> gamesToLookAt() {
     return all;
 }
 
-/// Looks at what is on the screen, at four sizes and forms.
+/// Checks the texts of the current screen, at five sizes and shapes.
 void checkTexts(const Session& session) {
     static const Painter painter;
     for (const PixelSize size : {PixelSize{640, 360}, PixelSize{1280, 720}, PixelSize{1920, 1080}, PixelSize{500, 700},
@@ -46,7 +46,7 @@ void checkTexts(const Session& session) {
 
 }  // namespace
 
-TEST_CASE("on no screen of any game is a text cut off, or over another, at five sizes", "[games]") {
+TEST_CASE("no text is cut off or overlaps another on any screen of any game, at five sizes", "[games]") {
     for (const GameInfo& info : gamesToLookAt()) {
         const SessionSetup setup{.scores = {123456789, 1000000, 99999, 7000, 6000, 5000, 4000, 300, 20, 1}};
         Session session(info, setup);
@@ -67,7 +67,7 @@ TEST_CASE("on no screen of any game is a text cut off, or over another, at five 
     }
 }
 
-TEST_CASE("at the end of a round that the computer won, nothing is cut off", "[games]") {
+TEST_CASE("no text is cut off at the end of a round that the computer won", "[games]") {
     const GameInfo info = test::countingGame();
     Session session(info, {});
     const auto computer = computerSource(info);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What does a player press?
+// How does a test press a button?
 #pragma once
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace plumb::test {
 
-/// Down in one frame and up in the next.
+/// Down in one tick and up in the next.
 inline void tap(games::Session& session, const std::string& action) {
     session.update(session.actions().button(action));
     session.update(0);
