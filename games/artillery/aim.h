@@ -6,10 +6,10 @@
 
 namespace plumb::games::artillery {
 
-/// In whole steps, so that a player with buttons can give exactly what was meant.
+/// All values are whole steps, so a player with buttons can set exactly the intended aim.
 struct Aim {
     int facing = 1;       ///< 1: to the right, -1: to the left
-    int elevation = 450;  ///< above the level, lowestAim to highestAim [tenths of a degree]
+    int elevation = 450;  ///< above the horizontal, lowestAim to highestAim [tenths of a degree]
     int charge = 60;      ///< 0 to fullCharge
     friend bool operator==(const Aim&, const Aim&) = default;
 };
@@ -17,10 +17,10 @@ inline constexpr int lowestAim = -300, highestAim = 900;
 
 Vec2 directionOf(const Aim& aim);
 double speedOf(int charge);              ///< [m/s]
-int chargeFor(double speed);             ///< the nearest there is
-Vec2 muzzleFrom(const Vec2& direction);  ///< the muzzle, from the gunner's middle [m]
+int chargeFor(double speed);             ///< the nearest possible charge
+Vec2 muzzleFrom(const Vec2& direction);  ///< the muzzle, relative to the gunner's centre [m]
 
-/// The shell as it leaves the muzzle of a gunner whose middle is there.
+/// The shell at the moment of firing; gunner: the gunner's centre [m].
 BodyDef shellDef(const Vec2& gunner, const Aim& aim, const Weapon& weapon);
 
 inline constexpr double shellRadius = 0.2;  ///< [m]

@@ -11,9 +11,9 @@
 namespace plumb::games::artillery {
 namespace {
 
-constexpr int apart = 4;  ///< from dot to dot [ticks]
+constexpr int apart = 4;  ///< between two dots [ticks]
 
-/// How many of a forecast's ticks the shell lives.
+/// For how many ticks of the forecast the shell exists.
 int lifeOf(const Forecast& path, const Weapon& weapon, const Battle& battle) {
     int life = static_cast<int>(path.poses.size()) - 1;
     if (weapon.fuse > 0) life = std::min(life, weapon.fuse);
@@ -23,8 +23,8 @@ int lifeOf(const Forecast& path, const Weapon& weapon, const Battle& battle) {
     return life;
 }
 
-/// When a shell that nothing stops would be in the ground, or in the sea, at the latest: no more need be foreseen
-/// [ticks].
+/// The latest time at which a shell is in the ground or in the sea if it hits nothing before. A longer forecast is not
+/// needed [ticks].
 int longestFlight(const Battle& battle, const Aim& aim) {
     const BodyDef shell = shellDef(battle.middleOf(battle.gunner()), aim, weapons[0]);
     const DragLaw law{dragRate, {battle.wind(), 0}, {0, -gravity}};

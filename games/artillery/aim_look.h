@@ -12,11 +12,11 @@ namespace plumb::games::artillery {
 inline constexpr int shortLine = 52;  ///< [ticks]
 inline constexpr int fullLine = 540;
 
-/// The kit's forecast of the shell in so many ticks, up to where it goes off; it is made when it is drawn, from the
-/// world as it then is.
+/// Draws the kit's forecast of the shell for this many ticks, at most up to the explosion. The forecast is made here,
+/// from the current world.
 void drawAimLine(Canvas& canvas, const Battle& battle, int ticks, double seconds);
 
-/// Where the last shells of either crew flew.
+/// The path of each crew's last shell.
 class Traces {
 public:
     void update(const Battle& battle);  ///< one tick

@@ -14,7 +14,7 @@ int lineOf(const std::string& option) {
     return option == "full" ? fullLine : option == "short" ? shortLine : 0;
 }
 
-/// Commands whichever crew somebody with buttons would.
+/// Plays every crew that a person with buttons would play.
 class Computer final : public Player {
 public:
     explicit Computer(const GameSetup& setup) {
@@ -58,7 +58,7 @@ void Artillery::update(const Input& input) {
     if (match_.battle().phase() == Phase::Over && match_.battle().phaseTicks() % 25 == 5) celebrate();
 }
 
-/// Rockets over the island of whoever has won it.
+/// Fireworks over the island, in the winner's colour.
 void Artillery::celebrate() {
     if (match_.battle().winner() < 0) return;
     const Vec2 at(sparks_.uniform(-24, 24), sparks_.uniform(20, 28));
@@ -114,7 +114,7 @@ void Artillery::drawWriting(Canvas& canvas, double seconds) const {
     const std::string rivals = match_.rival() == "friend" ? "a friend" : "a " + match_.rival() + " crew";
     const Progress progress = match_.progress();
     drawHud(canvas, {match_.battle(), progress.score, stage, rivals, match_.isPersonsTurn(), seconds});
-    // The last one makes way for what the frame says.
+    // After the last battle the frame shows the result instead.
     if (match_.battle().phase() == Phase::Over && progress.outcome == Outcome::Running) drawEnd(canvas);
 }
 
@@ -126,7 +126,7 @@ void Artillery::drawEnd(Canvas& canvas) const {
     if (winner == 0 && !match_.isLast())
         line = "next: " + std::string(stages[static_cast<std::size_t>(match_.stage()) + 1].name);
     const std::string title =
-        winner < 0 ? "Nobody is left" : std::string(crewNames[winner == 0 ? 0 : 1]) + " hold the field";
+        winner < 0 ? "Nobody is left" : "The " + std::string(crewNames[winner == 0 ? 0 : 1]) + " win";
     drawBanner(canvas, title, line, winner < 0 ? gold : crewColor(winner), match_.sinceOver() * tickSeconds);
 }
 
@@ -154,10 +154,10 @@ GameInfo info() {
                     {"fire", {Key::Space}, {Pad::South}, "hold and let go: fire"},
                     {"weapon", {Key::Tab, Key::Q}, {Pad::West}, "weapon"}};
     game.options = {{"rival",
-                     "Who commands the other crew; ladder: three islands, each time a stronger one",
-                     "ladder",
-                     {"ladder", "weak", "fair", "strong", "friend"},
-                     "Against"},
+                     "Who plays the other crew; weak-to-strong: three islands, each with a stronger crew",
+                     "weak-to-strong",
+                     {"weak-to-strong", "weak", "fair", "strong", "friend"},
+                     "Rival"},
                     {"line", "How much of the aim line is shown", "short", {"short", "full", "off"}, "Aim line"},
                     {"strength",
                      "How well --player computer aims",

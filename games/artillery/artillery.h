@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does the frame play two crews on a hilly island?
+// How does the frame run a battle of two crews on a hilly island?
 #pragma once
 #include <games/artillery/aim_look.h>
 #include <games/artillery/effects.h>
@@ -12,7 +12,7 @@ namespace plumb::games::artillery {
 
 class Artillery final : public Game {
 public:
-    /// Throws std::invalid_argument on an option's value that is none.
+    /// Throws std::invalid_argument when the option rival has an unknown value.
     explicit Artillery(const GameSetup& setup);
 
     void update(const Input& input) override;
@@ -32,9 +32,9 @@ private:
     void celebrate();
 
     Match match_;
-    int line_;       ///< of the aim line [ticks]
-    int still_ = 0;  ///< so long after a blast all stands still, which gives it weight [ticks]
-    // Only to be seen:
+    int line_;       ///< length of the aim line [ticks]
+    int still_ = 0;  ///< remaining pause after a blast; the pause makes the blast feel heavy [ticks]
+    // Only for the picture:
     PoseTrail trail_;
     Eye eye_;
     Effects effects_;

@@ -9,10 +9,10 @@
 namespace plumb::games::artillery {
 namespace {
 
-/// From the middle of the island outwards, for either crew [m].
+/// Distances of each crew's building sites from the middle of the island [m].
 constexpr std::array<double, 4> lots{9, 15.2, 21.4, 27.6};
 constexpr double seaDensity = 3.7;  ///< [kg/m^2]
-constexpr double driest = 1.6;      ///< nobody is put lower than that above the sea [m]
+constexpr double driest = 1.6;      ///< least height of a site above the sea [m]
 
 }  // namespace
 
@@ -41,12 +41,12 @@ void Battle::openWorld() {
         for (std::size_t i = 0; i < weapons.size(); ++i) crew[i] = weapons[i].rounds;
 }
 
-/// Either crew has four lots: a tower with a gunner on it, something else that is built, and a gunner on each of the
-/// other two, in any order. Something stands in the middle, if that is dry.
+/// Each crew has four sites in random order: a tower with a gunner on it, another building, and two sites with only a
+/// gunner. One more building stands in the middle if the ground there is dry.
 void Battle::build(Random& random) {
     struct Site {
         const Building* building;
-        int crew;  ///< of the gunner there; -1: none
+        int crew;  ///< of the gunner there; -1: no gunner
         Plot plot;
     };
     std::vector<Site> sites;
@@ -98,7 +98,7 @@ void Battle::setSea(double level) {
     sea_ = level;
     FieldDef water = world_.field(water_).def();
     water.law = Pool{.fluid = {.density = seaDensity, .surface = {0, level}, .gravity = {0, -gravity}}, .drag = 5};
-    // What is well above the surface need not be looked at.
+    // The region leaves out what is well above the surface: the water does not act there.
     water.region = boxPolygon({2 * worldEdge, 20}, {0, level + 1.5 - 20});
     world_.field(water_).set(water);
 }

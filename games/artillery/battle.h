@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What goes on between two crews on one island, tick by tick?
+// How does a battle of two crews on one island proceed, tick by tick?
 #pragma once
 #include <array>
 #include <optional>
@@ -18,61 +18,61 @@ namespace plumb::games::artillery {
 
 struct BattleSetup {
     std::uint64_t seed = 1;
-    double wind = 10;   ///< at most, either way [m/s]
+    double wind = 10;   ///< highest speed, in either direction [m/s]
     int tideTurn = 16;  ///< from this turn on the sea rises
 };
 
 struct Gunner {
     BodyId body{};
-    int crew = 0;  ///< 0: the left one; 1
+    int crew = 0;  ///< 0: the left crew, 1: the right crew
     int health = fullHealth;
     bool alive = true;
     Aim aim{};
     int weapon = 0;
-    int mark = 60;    ///< the charge of their last shot
-    Vec2 last{0, 0};  ///< where they were seen last [m]
+    int mark = 60;    ///< charge of the last shot
+    Vec2 last{0, 0};  ///< last position; still valid after death [m]
 };
 
 struct Prop {
     BodyId body{};
     PieceKind kind = PieceKind::Crate;
-    int fuse = -1;  ///< of a keg that was set off: until it blows up [ticks]; -1: not set off
-    int crew = 0;   ///< of a hat: whose
+    int fuse = -1;  ///< time until a lit keg explodes [ticks]; -1: not lit
+    int crew = 0;   ///< of the owner, for a hat
 };
 
 struct Shell {
     BodyId body{};
     int weapon = 0;
     int age = 0;           ///< [ticks]
-    bool falling = false;  ///< has been, once
+    bool falling = false;  ///< true once it has begun to fall
 };
 
 enum class Phase { Ready, Aim, Flight, Settle, Over };
 
-/// The rules, over a plumb::World that holds all that moves: gunners, shells, crates. Wind is a field of the world, and
-/// so is the sea. Draws nothing and hears nothing; what happened in a tick is told as Happenings.
+/// The rules of the game. A plumb::World holds everything that moves: gunners, shells, crates. The wind and the sea are
+/// fields of that world. This class draws nothing and plays no sound; it reports what happened in a tick as Happenings.
 class Battle {
 public:
     explicit Battle(const BattleSetup& setup);
-    /// On level ground, nothing built: a gunner each at these places, which are on the ground. For trials.
+    /// For tests: no buildings, and one gunner of each crew on this ground. places: the gunners' x [m].
     Battle(const BattleSetup& setup, Terrain ground, const std::array<double, 2>& places);
 
-    void update(const Orders& orders);  ///< one tick; the orders are those of the crew whose turn it is
+    void update(const Orders& orders);  ///< one tick; orders: of the crew whose turn it is
     std::vector<Happening> takeHappenings() { return std::exchange(happenings_, {}); }
 
     Phase phase() const { return phase_; }
-    int phaseTicks() const { return phaseTicks_; }  ///< since it began
+    int phaseTicks() const { return phaseTicks_; }  ///< since the phase began
     int turn() const { return turn_; }              ///< counted from 1
     int crew() const { return turn_ % 2 == 1 ? first_ : 1 - first_; }
-    const Gunner& gunner() const { return gunners_[static_cast<std::size_t>(active_)]; }  ///< whose turn it is
+    const Gunner& gunner() const { return gunners_[static_cast<std::size_t>(active_)]; }  ///< of this turn
     int active() const { return active_; }
     bool charging() const { return charging_; }
     int walkLeft() const { return walkLeft_; }  ///< [ticks]
-    int winner() const { return winner_; }      ///< when over; -1: nobody is left
-    double wind() const { return wind_; }       ///< to +x [m/s]
-    double sea() const { return sea_; }         ///< its level [m]
+    int winner() const { return winner_; }      ///< valid in Phase::Over; -1: nobody is left
+    double wind() const { return wind_; }       ///< positive towards +x [m/s]
+    double sea() const { return sea_; }         ///< height of its surface [m]
     int tideTurn() const { return setup_.tideTurn; }
-    int roundsLeft(int crew, int weapon) const;  ///< -1: as many as it likes
+    int roundsLeft(int crew, int weapon) const;  ///< -1: unlimited
     const std::vector<Gunner>& gunners() const { return gunners_; }
     const std::vector<Prop>& props() const { return props_; }
     const std::optional<Shell>& shell() const { return shell_; }
@@ -81,9 +81,11 @@ public:
     Vec2 middleOf(const Gunner& gunner) const;
     int healthOf(int crew) const;
 
-    /// Of the shell that the gunner in turn would fire now with that aim: to the last bit where it will be.
+    /// Forecasts the shell that the current gunner would fire now with this aim. It equals the real flight to the last
+    /// bit.
     Forecast forecastOf(const Aim& aim, int weapon, int ticks) const;
-    /// How far holding up or down turns the barrel after it was held for so many ticks [tenths of a degree].
+    /// How far the next tick of up or down turns the barrel, after the button was held for heldTicks [tenths of a
+    /// degree].
     static int aimStep(int heldTicks) { return heldTicks < 10 ? 1 : heldTicks < 30 ? 4 : 9; }
 
     void addTo(Hash& hash) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What shells, kegs, falls and the sea do.
+// The effects of shells, kegs, falls and the sea.
 #include <games/artillery/battle.h>
 
 #include <algorithm>
@@ -12,11 +12,11 @@ namespace {
 
 using Kind = Happening::Kind;
 
-constexpr double fallSpeed = 9.5;   ///< the fastest that a gunner lands unharmed [m/s]
-constexpr double crushSpeed = 5.5;  ///< and that a crate may hit one at
-constexpr double kegSpeed = 9;      ///< and a keg be knocked at
-constexpr int mostBlow = 20;        ///< of one blow [points]
-constexpr int knockedFuse = 24;     ///< [ticks]
+constexpr double fallSpeed = 9.5;   ///< a gunner lands unharmed up to this speed [m/s]
+constexpr double crushSpeed = 5.5;  ///< an object hits a gunner without harm up to this speed [m/s]
+constexpr double kegSpeed = 9;      ///< a hit at this speed or more lights a keg [m/s]
+constexpr int mostBlow = 20;        ///< highest damage of one hit [points]
+constexpr int knockedFuse = 24;     ///< of a keg that a hit has lit [ticks]
 
 }  // namespace
 
@@ -29,7 +29,7 @@ void Battle::flyShell() {
         shell_->falling = true;
         tell({.kind = Kind::Falling, .at = at});
     }
-    // A muzzle that was held into the ground fires into it.
+    // When the muzzle is inside the ground, the shell explodes there.
     bool goesOff = (weapon.fuse > 0 && shell_->age >= weapon.fuse) || at.y() < terrain_.heightAt(at.x()) - shellRadius;
     for (const ContactBegin& touch : world_.contactBegins()) {
         if (touch.shapeA.body != shell_->body && touch.shapeB.body != shell_->body) continue;
@@ -59,10 +59,10 @@ void Battle::blast(const Vec2& center, const Weapon& weapon) {
         if (prop.kind == PieceKind::Keg && prop.fuse < 0 && distance < weapon.blast * 0.9)
             prop.fuse = 6 + static_cast<int>(3 * distance);
     }
-    // What is blown up goes up: it is pushed from a little below, from the ground if that is near.
+    // So that objects fly upwards, the push starts a little below the blast, or at the ground if that is near.
     const double above = std::clamp(center.y() - terrain_.heightAt(center.x()), 0.0, 1.4);
     const Vec2 below = center - Vec2(0, above + 0.5);
-    // Chain and bodies: what stood on the old outline wakes, and falls.
+    // The new chain wakes the bodies that stood on the old outline, and they fall.
     terrain_.carve(center, weapon.crater);
     world_.shape(ground_).set(terrain_.shape());
     world_.explode({.center = below,
@@ -89,7 +89,7 @@ void Battle::burnKegs() {
     }
 }
 
-/// Falls, blows of what falls, and kegs that are knocked.
+/// Falls, hits by falling objects, and kegs that a hit lights.
 void Battle::feelHits() {
     for (const ContactHit& hit : world_.contactHits()) {
         const BodyId a = hit.shapeA.body, b = hit.shapeB.body;
@@ -127,14 +127,14 @@ void Battle::buryTheDead() {
         const Vec2 at = middleOf(gunner);
         gunner.alive = false;
         world_.remove(gunner.body);
-        // A hat is all that is left.
+        // Only the hat is left.
         props_.push_back({world_.add(pieceDef(PieceKind::Hat, at + Vec2(0, 0.5))), PieceKind::Hat, -1, gunner.crew});
         world_.body(props_.back().body).setVelocity({0, 3});
         tell({.kind = Kind::Died, .at = at, .crew = gunner.crew});
     }
 }
 
-/// What is sunk, or has left the world.
+/// Removes props that have sunk or left the world.
 void Battle::clearAway() {
     std::erase_if(props_, [this](const Prop& prop) {
         const BodyView body = world_.body(prop.body);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The course of a turn: ready, aim, flight, settle, and the next.
+// The phases of a turn: ready, aim, flight, settle; then the next turn.
 #include <games/artillery/battle.h>
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 namespace plumb::games::artillery {
 namespace {
 
-constexpr int calmTicks = 12;        ///< still for so long, all is taken to be at rest
+constexpr int calmTicks = 12;        ///< after this time without motion, everything counts as at rest
 constexpr int mournTicks = 45;       ///< from a death to the next turn
-constexpr int turnOnSpot = 8;        ///< held longer than this, a gunner walks
+constexpr int turnOnSpot = 8;        ///< the gunner walks when the button is held longer than this
 constexpr double stillSpeed = 0.25;  ///< [m/s]
 
 }  // namespace

@@ -7,14 +7,14 @@
 namespace plumb::games::artillery {
 namespace {
 
-constexpr int mostTried = 40;        ///< forecasts a turn
-constexpr int leastThought = 25;     ///< [ticks], so that one sees whose turn it is
-constexpr double closeEnough = 1.0;  ///< from where it goes off to the target's outline [m]
-constexpr double ownDistance = 4.2;  ///< nearer to its own crew, nothing is to go off [m]
-constexpr int thunder = 2;           ///< of the weapons
-constexpr double thunderSpan = 6;    ///< two enemies so near to each other are worth it [m]
+constexpr int mostTried = 40;        ///< forecasts per turn
+constexpr int leastThought = 25;     ///< so that the player sees whose turn it is [ticks]
+constexpr double closeEnough = 1.0;  ///< accepted distance from the explosion to the target's outline [m]
+constexpr double ownDistance = 4.2;  ///< least distance from the explosion to its own crew [m]
+constexpr int thunder = 2;           ///< its index in weapons
+constexpr double thunderSpan = 6;    ///< two enemies within this distance are worth a Thunder [m]
 
-/// How much it is wished that this one were hit, in seconds of flight that it may cost.
+/// How valuable a hit on this enemy is, as the extra time of flight that it may cost [s].
 double worthOf(const Gunner& enemy) {
     return enemy.health <= 40 ? 3 : enemy.health <= weapons[0].damage ? 2 : 0;
 }
@@ -26,7 +26,7 @@ double nearestOwn(const Battle& battle, int crew, const Vec2& place) {
     return least;
 }
 
-/// Where a shell goes off that flies as forecast; none: nowhere in that time.
+/// Where a shell on this path explodes; empty: in the sea, or not within the forecast.
 std::optional<Vec2> endOf(const Forecast& path, const Battle& battle) {
     if (path.hits.empty()) return std::nullopt;
     const Vec2 end = path.poses[static_cast<std::size_t>(path.hits.front().tick)].position;
@@ -64,7 +64,7 @@ void Commander::listChoices(const Battle& battle, const Gunner& enemy) {
 void Commander::think(const Battle& battle) {
     const std::vector<Gunner>& all = battle.gunners();
     if (listed_ == all.size()) return tryNext(battle);
-    // Who is of its own crew, or gone, takes no thought.
+    // Skip its own crew and the dead.
     while (listed_ < all.size() && (!all[listed_].alive || all[listed_].crew == crew_)) ++listed_;
     if (listed_ < all.size()) listChoices(battle, all[listed_++]);
     const auto worse = [](const Choice& a, const Choice& b) { return a.worth < b.worth; };
@@ -73,7 +73,7 @@ void Commander::think(const Battle& battle) {
 
 void Commander::tryNext(const Battle& battle) {
     if (choices_.empty() || tried_ >= mostTried) return settleOn(best_.value_or(battle.gunner().aim), 0);
-    // Not only the best few, which are all alike and may all have the same crate in their way.
+    // The best choices are very similar, and one crate may block them all: later tries skip some.
     const std::size_t step = tried_ < 8 ? 1 : 1 + choices_.size() / mostTried;
     const Choice choice = choices_.back();
     choices_.resize(choices_.size() - std::min(step, choices_.size()));
@@ -100,7 +100,7 @@ void Commander::settleOn(const Aim& aim, int weapon) {
     const double turned = 10 * strength_.angleError * random_.uniform(-1, 1);
     const double faster = 1 + strength_.speedError * random_.uniform(-1, 1);
     wanted_->elevation = std::clamp(aim.elevation + static_cast<int>(std::lround(turned)), lowestAim, highestAim);
-    // Without an error it is the very charge that was meant.
+    // Without an error this is exactly the planned charge.
     wanted_->charge = chargeFor(speedOf(aim.charge) * faster);
 }
 
@@ -114,7 +114,7 @@ Orders Commander::steer(const Battle& battle) {
         held_ = 0;
         return {.fire = !last_.fire};
     }
-    // Held for long a barrel turns fast: let go near the end, and go the rest in small steps.
+    // A long press turns the barrel fast: release it near the end, and finish in small steps.
     if (std::abs(way) < Battle::aimStep(held_)) {
         held_ = 0;
         return {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What does the computer tell its crew?
+// Which orders does the computer give its crew?
 #pragma once
 #include <vector>
 
@@ -8,16 +8,16 @@
 
 namespace plumb::games::artillery {
 
-/// Plans one shot a turn: of all firing solutions for all enemies the one worth most that the forecast does not find
-/// something in the way of. Looks at one enemy or one forecast a tick, as if it thought. Then it adds its hand's error,
-/// and gives the orders that a person would have to give as well.
+/// Plans one shot per turn. Of all firing solutions for all enemies, it takes the most valuable one whose forecast
+/// finds nothing in the way. It examines one enemy or one forecast per tick, as if it were thinking. Then it adds a
+/// random error to the aim, and gives the same orders that a person would have to give.
 class Commander {
 public:
     Commander(int crew, const Strength& strength, std::uint64_t seed);
 
     Orders decide(const Battle& battle);
-    void forget() { turn_ = 0; }  ///< when another battle begins, whose turns are counted anew
-    /// What it meant to fire, before the error of its hand; none before it has planned one.
+    void forget() { turn_ = 0; }  ///< call it when a new battle begins, which counts its turns from 1
+    /// The planned aim, without the random error; empty until a shot is planned.
     const std::optional<Aim>& meant() const { return meant_; }
     void addTo(Hash& hash) const;
 
@@ -37,8 +37,8 @@ private:
     Strength strength_;
     Random random_;
     int turn_ = 0;
-    std::vector<Choice> choices_;  ///< the best last
-    std::size_t listed_ = 0;       ///< of the gunners: whether enemies, and then how to hit them
+    std::vector<Choice> choices_;  ///< once sorted, the best one is last
+    std::size_t listed_ = 0;       ///< number of gunners examined so far
     int tried_ = 0;
     double bestMiss_ = 0;
     std::optional<Aim> best_, meant_, wanted_;

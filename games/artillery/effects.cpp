@@ -17,7 +17,7 @@ constexpr std::size_t mostBits = 500;
 constexpr double labelSeconds = 1.3;
 
 constexpr Color flash = Color::hex(0xfff3c4), flame = Color::hex(0xff9d3b), smoke = Color::hex(0x4a4358);
-constexpr Color trailSmoke = Color::hex(0x8b8299).faded(0.55);  // to be seen before dark skies and light ones
+constexpr Color trailSmoke = Color::hex(0x8b8299).faded(0.55);  // visible on dark and light skies
 
 }  // namespace
 
@@ -48,7 +48,7 @@ void Effects::explode(const Vec2& at, double size, const Palette& palette) {
     burst(at, {.count = many, .speed = {0.5, 5}, .bit = bit});
     bit = {.life = 1.6, .size = 0.2, .drag = 0.4, .color = palette.earthTop};
     burst(at, {.count = 2 * many, .speed = {5, 15}, .angle = {0.5, 2.65}, .bit = bit});
-    // Embers, which rise out of the crater when the smoke is gone.
+    // Embers rise out of the crater when the smoke is gone.
     bit = {.life = 3, .size = 0.1, .grow = -0.03, .drag = 1.5, .fall = -0.06, .color = flame};
     burst(at, {.count = many / 2, .speed = {0.2, 3}, .angle = {0.3, 2.85}, .bit = bit});
 }
@@ -142,8 +142,8 @@ void Effects::drawLabels(Canvas& canvas) const {
     for (const Label& label : labels_) drawLabel(canvas, label, std::max(0.0, label.age + ahead));
 }
 
-/// The harm done, outlined, so that it can be read before any sky; it jumps up and floats away. Of gunners outside the
-/// picture, it shows at the picture's edge.
+/// The damage done, with an outline so that it is readable on any sky. It pops up and floats away. For gunners outside
+/// the picture it appears at the picture's edge.
 void Effects::drawLabel(Canvas& canvas, const Label& label, double age) const {
     const double alpha = std::min(1.0, 3 * (labelSeconds - age));
     const double jump = 1 + 0.5 * std::max(0.0, 1 - 6 * age);

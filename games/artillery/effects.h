@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What flies about and fades, and changes nothing?
+// Which particles and numbers appear, for the picture only?
 #pragma once
 #include <string>
 #include <vector>
@@ -12,7 +12,7 @@
 
 namespace plumb::games::artillery {
 
-/// Clods, smoke, sparks, drops: each flies as kinematics/linear_drag.h says of its age, so that nothing is stepped.
+/// Clods, smoke, sparks, drops. kinematics/linear_drag.h gives each position from the age, without time steps.
 class Effects {
 public:
     void begin(const Happening& happening, const Palette& palette);
@@ -20,7 +20,7 @@ public:
     void celebrate(const Vec2& at, const Color& color);  ///< one rocket that bursts
     void update();                                       ///< one tick
     void draw(Canvas& canvas, double wind) const;
-    void drawLabels(Canvas& canvas) const;  ///< the harm done, in figures
+    void drawLabels(Canvas& canvas) const;  ///< the damage done, as numbers
 
 private:
     struct Range {
@@ -31,7 +31,7 @@ private:
         double life = 1;              ///< [s]
         double size = 0.2, grow = 0;  ///< [m], [m/s]
         double drag = 1;              ///< [1/s]
-        double fall = 1;              ///< of gravity's [-]
+        double fall = 1;              ///< share of gravity [-]
         Color color{};
         double age = 0;  ///< [s]
         bool ring = false;
@@ -41,7 +41,7 @@ private:
         int amount = 0, crew = 0;
         double age = 0;
     };
-    /// Many of a kind, each a little different from the others.
+    /// Many particles of one kind, each slightly different.
     struct Burst {
         int count = 1;
         Range speed{1, 2};     ///< [m/s]
@@ -49,7 +49,7 @@ private:
         Bit bit{};
     };
     void burst(const Vec2& at, const Burst& burst);
-    void spot(const Vec2& at, const Bit& bit);  ///< one that stays where it is
+    void spot(const Vec2& at, const Bit& bit);  ///< one particle that does not move
     void explode(const Vec2& at, double size, const Palette& palette);
     void fire(const Vec2& at, const Vec2& along);
     void splash(const Vec2& at, const Color& foam);

@@ -9,13 +9,13 @@ namespace plumb::games::artillery {
 namespace {
 
 constexpr double nearHeight = 25, readyHeight = 31;  ///< [m]
-constexpr double slow = 0.06, quick = 0.12;          ///< of the way that is left, nearer or back, a tick [-]
+constexpr double slow = 0.06, quick = 0.12;          ///< share of the remaining way per tick: zoom in, zoom out [-]
 
 Camera wholeField(double height) {
     return {.center = {0, fieldBottom + height / 2}, .height = height};
 }
 
-/// As near as that around a place, but nothing that lies beyond the whole field.
+/// A view of this height around a place, kept within the whole field.
 Camera closeUp(const Vec2& place, double height) {
     const double side = (fieldHeight - height) * 8 / 9;
     const double low = fieldBottom + height / 2, high = fieldBottom + fieldHeight - height / 2;
@@ -26,7 +26,7 @@ Camera mixed(const Camera& a, const Camera& b, double share) {
     return {a.center + (b.center - a.center) * share, a.height + (b.height - a.height) * share};
 }
 
-/// Above the field as long as the shell rises, then nearer to where it falls.
+/// The whole field while the shell rises, or more if it flies higher; then a closer view of its fall.
 Camera following(const Battle& battle) {
     const BodyView shell = battle.world().body(battle.shell()->body);
     const Vec2 at = shell.position();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where does one look?
+// Where does the camera look?
 #pragma once
 #include <algorithm>
 
@@ -8,20 +8,20 @@
 
 namespace plumb::games::artillery {
 
-inline constexpr double fieldHeight = 37;  ///< of what is seen when all is seen [m]
-inline constexpr double fieldBottom = -5;  ///< [m]
+inline constexpr double fieldHeight = 37;  ///< height of the view of the whole island [m]
+inline constexpr double fieldBottom = -5;  ///< lower edge of that view [m]
 
-/// Near whose turn begins; at all of the island while someone aims; higher when a shell flies out of the picture;
-/// nearer where it comes down, and nearer still where it went off.
+/// The camera is close to the gunner when a turn begins, and shows the whole island while the gunner aims. It shows
+/// more when a shell would leave the picture, moves closer where the shell comes down, and closest where it exploded.
 class Eye {
 public:
     Eye();
     void update(const Battle& battle);  ///< one tick
     void shake(double strength) { shake_ = std::min(1.5, shake_ + strength); }
-    void lookAt(const Vec2& place) { place_ = place; }  ///< where something is to be seen when all settles
+    void lookAt(const Vec2& place) { place_ = place; }  ///< the place to show in Phase::Settle
 
     Camera camera(double between) const;
-    /// Of what is far off: it moves by so much less.
+    /// For distant scenery: it moves only by this share.
     Camera farCamera(double between, double share) const;
 
 private:

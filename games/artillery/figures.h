@@ -12,7 +12,7 @@ struct Figures {
     const Battle& battle;
     const PoseTrail& trail;
     double seconds = 0;
-    double recoil = 0;  ///< of the barrel of whose turn it is, 1 when it has just fired [-]
+    double recoil = 0;  ///< of the current gunner's barrel; 1 just after a shot [-]
 };
 
 void drawProps(Canvas& canvas, const Figures& figures);
@@ -20,7 +20,7 @@ void drawGunners(Canvas& canvas, const Figures& figures);
 void drawTags(Canvas& canvas, const Figures& figures);  ///< health, and whose turn it is
 void drawShell(Canvas& canvas, const Figures& figures);
 
-/// A gunner's head alone, for the crews' plates; in any units.
+/// Only a gunner's head, for the crews' panels; in any units.
 void drawHead(Canvas& canvas, const Vec2& at, double radius, int crew, const Vec2& gaze);
 
 }  // namespace plumb::games::artillery

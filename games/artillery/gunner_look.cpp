@@ -11,7 +11,7 @@ namespace {
 
 constexpr Color iron = Color::hex(0x4a4658), shine = Color::hex(0x8e8aa0);
 
-/// A tricorne for the one crew, a sailor's cap for the other; of a head of radius 1 that looks to the right.
+/// A tricorne for crew 0, a sailor's cap for crew 1; for a head of radius 1 that looks to the right.
 void drawCap(Canvas& canvas, int crew) {
     if (crew == 0) {
         canvas.polygon({{-1.45, 0.35}, {-0.7, 1.35}, {0.5, 1.3}, {1.45, 0.45}, {0, 0.2}}, ink);
@@ -34,7 +34,7 @@ void drawBarrel(Canvas& canvas, const Vec2& direction, double recoil) {
     canvas.line(front - perp(direction) * 0.2, front + perp(direction) * 0.2, gold, 0.14);
 }
 
-/// Looks to the right; the barrel comes later, for it is not mirrored.
+/// Looks to the right; the caller mirrors it. The barrel is not mirrored, so it is drawn later.
 void drawTrunk(Canvas& canvas, const Gunner& gunner, double stride) {
     const Color& color = crewColor(gunner.crew);
     for (const double side : {-1.0, 1.0}) {
@@ -48,7 +48,7 @@ void drawTrunk(Canvas& canvas, const Gunner& gunner, double stride) {
     canvas.rect({-0.08, -0.38}, {0.24, 0.22}, gold, 0.04);
 }
 
-/// Eyes go to a shell that flies, else where the barrel points.
+/// Gunners look at a flying shell, otherwise along the barrel.
 Vec2 gazeOf(const Figures& figures, const Gunner& gunner, const Vec2& at) {
     const auto& shell = figures.battle.shell();
     if (!shell) return directionOf(gunner.aim);
@@ -56,13 +56,13 @@ Vec2 gazeOf(const Figures& figures, const Gunner& gunner, const Vec2& at) {
     return way.norm() > 0.5 ? Vec2(way.normalized()) : directionOf(gunner.aim);
 }
 
-/// How far off the ground: who has won hops for joy [m].
+/// Height above the ground: the winners hop [m].
 double hopOf(const Figures& figures, const Gunner& gunner) {
     if (figures.battle.phase() != Phase::Over || figures.battle.winner() != gunner.crew) return 0;
     return 0.7 * std::abs(sinCos(figures.seconds * 6 + gunner.body.index).sin);
 }
 
-/// Backwards, as it charges and as the barrel recoils; over, who is about to die [rad].
+/// Leans back during charge and recoil; leans over when about to die [rad].
 double leanOf(const Figures& figures, const Gunner& gunner, bool active) {
     if (gunner.health == 0) return 0.5;
     if (!active) return 0;
@@ -71,7 +71,7 @@ double leanOf(const Figures& figures, const Gunner& gunner, bool active) {
     return gunner.aim.facing * (0.14 * charge + 0.3 * figures.recoil + tremble);
 }
 
-/// What is about to leave the barrel.
+/// The glow of the charge at the muzzle.
 void drawGlow(Canvas& canvas, const Gunner& gunner, double seconds) {
     const Vec2 muzzle = muzzleFrom(directionOf(gunner.aim));
     const double charge = double(gunner.aim.charge) / fullCharge;

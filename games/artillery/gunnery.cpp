@@ -15,16 +15,16 @@ namespace {
 
 constexpr int chargeStep = 4;
 constexpr double margin = 0.5;    ///< over hilltops [m]
-constexpr int samples = 30;       ///< of a path, to compare it with the ground
-constexpr double nearEnds = 1.5;  ///< there a path may be near the ground [m]
+constexpr int samples = 30;       ///< points of a path that are compared with the ground
+constexpr double nearEnds = 1.5;  ///< this close to its ends, a path may be near the ground [m]
 constexpr double degree = 3.14159265358979323846 / 180;
 
 LinearDrag airOf(const FireTask& task) {
     return {.rate = dragRate, .wind = {task.wind, 0}, .gravity = {0, -gravity}};
 }
 
-/// The charge at which a shot without drag, the wind taken as a push that is always the same, gets over all hills. A
-/// shot with drag needs more, or, with the wind behind it, a little less.
+/// The charge at which a shot clears all hills, without drag and with the wind as a constant push. A shot with drag
+/// needs more, or a little less when the wind is behind it.
 int leastCharge(const FireTask& task, const Terrain& terrain) {
     WallAim problem{.target = task.target - task.gunner, .margin = margin};
     problem.gravity = Vec2(dragRate * task.wind, -gravity);
@@ -44,7 +44,7 @@ std::optional<Aim> aimAlong(const Vec2& direction, int charge, int facing) {
     return Aim{facing, elevation, charge};
 }
 
-/// The low arc (which 0) or the high one.
+/// The low arc (which = 0) or the high arc (which = 1).
 std::optional<FireSolution> arc(const FireTask& task, int charge, std::size_t which) {
     const int facing = task.target.x() >= task.gunner.x() ? 1 : -1;
     LinearDragAim problem{.speed = speedOf(charge), .drag = airOf(task)};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What has happened that is to be seen, heard or counted?
+// Which events of a battle are drawn, heard or scored?
 #pragma once
 #include <plumb/math/vec2.h>
 
@@ -11,9 +11,9 @@ struct Happening {
         Turned,
         Walked,
         Charged,
-        Hurry,  ///< another second of the last few
+        Hurry,  ///< once per second, in the last seconds of a turn
         Fired,
-        Falling,  ///< a shell is past the top of its way
+        Falling,  ///< a shell has passed the top of its path
         Bounced,
         Exploded,
         Splashed,
@@ -25,10 +25,10 @@ struct Happening {
     };
     Kind kind = Kind::Thud;
     Vec2 at{0, 0};     ///< [m]
-    double size = 0;   ///< of a blast its radius [m], of a thud its speed [m/s], of a charge its share [-]
-    int crew = -1;     ///< whom it concerns
-    int amount = 0;    ///< of harm, in points of health
-    Vec2 along{0, 1};  ///< of a shot its direction
+    double size = 0;   ///< radius of a blast [m], speed of a thud [m/s], share of the full charge [-]
+    int crew = -1;     ///< the crew that it concerns
+    int amount = 0;    ///< damage, in points of health
+    Vec2 along{0, 1};  ///< direction of a shot
 };
 
 }  // namespace plumb::games::artillery

@@ -49,7 +49,7 @@ void drawCrew(Canvas& canvas, const Hud& hud, int crew) {
     }
 }
 
-/// An arrow as long as the wind is strong, with streaks that blow along.
+/// An arrow whose length shows the wind speed, with streaks that move with the wind.
 void drawWind(Canvas& canvas, const Hud& hud) {
     const double wind = hud.battle.wind(), strength = std::abs(wind), way = wind < 0 ? -1 : 1;
     drawPanel(canvas, {middle - 62, 8}, {124, 38}, 9);
@@ -111,7 +111,7 @@ void drawWeapons(Canvas& canvas, const Hud& hud) {
     }
 }
 
-/// The charge, and a mark at that of the gunner's last shot.
+/// The charge, and a mark at the charge of the gunner's last shot.
 void drawPower(Canvas& canvas, const Hud& hud) {
     const Gunner& gunner = hud.battle.gunner();
     const double left = 250, width = 240;
@@ -133,13 +133,13 @@ void drawAngleAndLegs(Canvas& canvas, const Hud& hud) {
     drawPanel(canvas, {500, 330}, {48, 22}, 7);
     write(canvas, {524, 341}, angle + "°", 13, gold);
     drawPanel(canvas, {554, 330}, {74, 22}, 7);
-    write(canvas, {574, 341}, "legs", 11, paper.faded(0.75), Align::Center, 28);
+    write(canvas, {574, 341}, "walk", 11, paper.faded(0.75), Align::Center, 28);
     canvas.rect({592, 338}, {30, 6}, ink, 3);
     const double legs = 30.0 * hud.battle.walkLeft() / walkTicks;
     if (legs > 1) canvas.rect({592, 338}, {legs, 6}, crewColors[1], std::min(3.0, legs / 2));
 }
 
-/// For whoever plays for the first time.
+/// The controls, for new players.
 void drawHint(Canvas& canvas, const Hud& hud) {
     if (hud.battle.turn() > 4 || hud.battle.charging()) return;
     canvas.rect({middle - 215, 303}, {430, 18}, panel, 9);
@@ -147,7 +147,7 @@ void drawHint(Canvas& canvas, const Hud& hud) {
           paper.faded(0.85), Align::Center, 600);
 }
 
-/// Whose turn it is: it springs up, stays, and fades.
+/// Shows whose turn it is: the panel pops up, stays and fades.
 void drawTurn(Canvas& canvas, const Hud& hud) {
     if (hud.battle.phase() != Phase::Ready) return;
     const double since = hud.battle.phaseTicks(), grown = std::min(1.0, since / 9);

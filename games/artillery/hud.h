@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is written over the picture?
+// Which texts and bars are drawn over the picture?
 #pragma once
 #include <string>
 
@@ -13,13 +13,13 @@ struct Hud {
     const Battle& battle;
     std::int64_t score = 0;
     std::string stage;    ///< the island's name
-    std::string rivals;   ///< who commands the other crew
-    bool person = false;  ///< does somebody with buttons play the crew in turn?
+    std::string rivals;   ///< who plays the other crew
+    bool person = false;  ///< does a person play the crew whose turn it is?
     double seconds = 0;
 };
 
 void drawHud(Canvas& canvas, const Hud& hud);
-/// Across the middle, over all, as an island is taken or lost.
+/// A band across the middle, on top of everything, when a battle is won or lost.
 void drawBanner(Canvas& canvas, const std::string& title, const std::string& line, const Color& color, double seconds);
 
 }  // namespace plumb::games::artillery

@@ -16,7 +16,7 @@ int stageOf(const std::string& rival) {
 }  // namespace
 
 Match::Match(std::uint64_t seed, const std::string& rival)
-    : ladder_(rival == "ladder"),
+    : ladder_(rival == "weak-to-strong"),
       rival_(ladder_ ? std::string(stages[0].rival) : rival),
       seeds_(seed),
       stage_(stageOf(rival_)),

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// What can a crew be told to do in a tick?
+// Which orders can a crew get in a tick?
 #pragma once
 #include <games/frame/action.h>
 
 namespace plumb::games::artillery {
 
-/// Held or not; the battle sees by itself what was pressed anew.
+/// Which buttons are held; the battle itself detects new presses.
 struct Orders {
-    bool left = false, right = false;  ///< face there, or walk there
-    bool up = false, down = false;     ///< the barrel
-    bool fire = false;                 ///< held it charges; let go, it fires
-    bool weapon = false;               ///< the next one
+    bool left = false, right = false;  ///< face or walk in this direction
+    bool up = false, down = false;     ///< turns the barrel
+    bool fire = false;                 ///< charges while held, fires on release
+    bool weapon = false;               ///< switches to the next weapon
     friend bool operator==(const Orders&, const Orders&) = default;
 };
 
-/// The bits of the game's actions, which stand in this order.
+/// The bits of the game's actions, in this order.
 inline Buttons buttonsOf(const Orders& orders) {
     Buttons buttons = 0;
     int bit = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which colours has an island at its time of day?
+// Which colours does an island have at its time of day?
 #pragma once
 #include <array>
 #include <string_view>
@@ -16,7 +16,7 @@ struct Palette {
     Color cloud;
     Color farHills, nearHills;
     Color farSea, sea, foam;
-    Color earthTop, earthDeep, layer;  ///< the layer's lies over both
+    Color earthTop, earthDeep, layer;  ///< layer is drawn over both
     Color turf, turfLight, burnt;
 };
 const Palette& paletteOf(int stage);

@@ -22,12 +22,12 @@ void drawSky(Canvas& canvas, const Palette& palette) {
     canvas.rect(seen.lower, {seen.upper.x() - seen.lower.x(), 15.05 - seen.lower.y()},
                 Paint::linear({0, 15}, palette.skyMiddle, {0, horizon}, palette.skyLow));
     const Vec2 sun(palette.sunX, palette.sunY);
-    // Its glow: plain discs take a tenth of the time that a gradient does.
+    // The glow: plain discs take a tenth of the time of a gradient.
     for (const double radius : {3.6, 2.9, 2.3, 1.8, 1.4})
         canvas.circle(sun, radius * palette.sunRadius, palette.sun.faded(0.08));
     canvas.circle(sun, palette.sunRadius, palette.sun);
     if (!palette.stars) return;
-    for (const Vec2& sea : {Vec2(-0.8, 0.6), Vec2(0.7, 0.9), Vec2(0.3, -0.8)})  // so it is a moon
+    for (const Vec2& sea : {Vec2(-0.8, 0.6), Vec2(0.7, 0.9), Vec2(0.3, -0.8)})  // the spots of a moon
         canvas.circle(sun + sea, 0.3 + 0.2 * sea.y() * sea.y(), darker(palette.sun, 0.12));
 }
 
@@ -47,7 +47,7 @@ void drawCloud(Canvas& canvas, const Color& color) {
     canvas.circle({2.0, 0.3}, 0.8, color);
 }
 
-/// They have drifted so far with the wind, each at its own height and pace.
+/// Each cloud drifts with the wind, at its own height and speed.
 void drawClouds(Canvas& canvas, const Palette& palette, double drift) {
     Random random(5);
     const Color color = mix(palette.skyMiddle, palette.cloud, 0.6);
@@ -60,7 +60,7 @@ void drawClouds(Canvas& canvas, const Palette& palette, double drift) {
     }
 }
 
-/// A few gulls that circle, but at night.
+/// A few circling gulls, not at night.
 void drawGulls(Canvas& canvas, double seconds, double drift) {
     for (int i = 0; i < 4; ++i) {
         const double pace = 0.22 + 0.04 * i, turn = seconds * pace + 1.7 * i;
@@ -100,7 +100,7 @@ void drawFarSea(Canvas& canvas, const Palette& palette, double seconds) {
     }
 }
 
-/// The ground's outline, or a layer's within the earth, over what is seen; closed far below.
+/// The outline of the ground, or of a layer of earth at this depth, across the picture; closed below the picture.
 std::vector<Vec2> layerOf(const Terrain& terrain, const Aabb& seen, double depth) {
     const int first = Terrain::columnAt(seen.lower.x() - 1), last = Terrain::columnAt(seen.upper.x() + 1);
     std::vector<Vec2> outline{{Terrain::xOf(first), seen.lower.y() - 2}};
@@ -112,7 +112,7 @@ std::vector<Vec2> layerOf(const Terrain& terrain, const Aabb& seen, double depth
     return outline;
 }
 
-/// Grass where no blast has been, soot where one has: from one column to another.
+/// Grass, or soot where a blast has been, from column first to column last.
 void drawTurf(Canvas& canvas, const Terrain& terrain, const Palette& palette, int first, int last, bool isBurnt) {
     std::vector<Vec2> top, middle, band;
     for (int i = first; i <= last; ++i) {

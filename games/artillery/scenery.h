@@ -8,10 +8,10 @@
 
 namespace plumb::games::artillery {
 
-/// Sky, sun, clouds, gulls or stars, far islands and the far sea; each as far off as it is. drift: how far the wind has
-/// blown so far [m].
+/// Sky, sun, clouds, gulls or stars, far islands and the far sea, each with the parallax of its distance. drift: how
+/// far the wind has blown so far [m].
 void drawBackdrop(Canvas& canvas, const Eye& eye, const Palette& palette, double seconds, double drift);
-/// The rest goes by the camera last looked through.
+/// These two use the canvas's current camera.
 void drawEarth(Canvas& canvas, const Terrain& terrain, const Palette& palette);
 void drawSea(Canvas& canvas, double level, const Palette& palette, double seconds);
 

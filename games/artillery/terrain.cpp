@@ -12,7 +12,7 @@ namespace plumb::games::artillery {
 namespace {
 
 constexpr double seabed = -8;     ///< [m]
-constexpr double shoulder = 2.5;  ///< beside level ground, made smooth [m]
+constexpr double shoulder = 2.5;  ///< width of the smoothed ground beside a plot [m]
 constexpr double pi = 3.14159265358979323846;
 
 struct Hill {
@@ -20,7 +20,7 @@ struct Hill {
 };
 struct Landscape {
     double base;       ///< above the sea [m]
-    double roughness;  ///< of the waves over it [-]
+    double roughness;  ///< factor for the height of its waves [-]
     std::array<Hill, 4> hills;
 };
 constexpr std::array<Landscape, 6> landscapes{{
@@ -94,7 +94,7 @@ void Terrain::level(const std::vector<Plot>& plots) {
             heights_[static_cast<std::size_t>(i)] = plot.height;
             free[static_cast<std::size_t>(i)] = false;
         }
-    // What lies between them gives way, as a rope would that is drawn tight.
+    // The ground between them becomes nearly straight, and meets the plots without a step.
     for (int round = 0; round < 60; ++round)
         for (std::size_t i = 1; i + 1 < columns; ++i)
             if (free[i]) heights_[i] = (heights_[i - 1] + heights_[i] + heights_[i + 1]) / 3;
@@ -117,7 +117,7 @@ void Terrain::carve(const Vec2& center, double radius) {
     for (int i = first; i <= last; ++i) slide(i);
 }
 
-/// Outwards from a column that has become lower, as far as a neighbour is too high for it.
+/// Goes outwards from a lowered column, as long as the next column is too high.
 void Terrain::slide(int column) {
     for (const int step : {-1, 1})
         for (int i = column + step; i >= 0 && i < columns; i += step) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How high is the ground, and what does a blast leave of it?
+// How high is the ground, and how does a blast change it?
 #pragma once
 #include <vector>
 
@@ -9,35 +9,35 @@
 
 namespace plumb::games::artillery {
 
-/// Ground that is to be level.
+/// A piece of ground that will be level.
 struct Plot {
     double x = 0, halfWidth = 1, height = 0;  ///< [m]
 };
 
-/// An island as columns of earth, each as high as its ground; in between it is straight. It only ever gets lower, so
-/// that nothing that stands on it comes to lie within.
+/// An island as columns of earth, with straight lines between their tops. Blasts only lower it, so nothing that stands
+/// on it ends up inside it.
 class Terrain {
 public:
-    static constexpr double spacing = 0.25;  ///< of the columns [m]
+    static constexpr double spacing = 0.25;  ///< between columns [m]
     static constexpr double half = 64;       ///< from the middle to either end [m]
     static constexpr int columns = 2 * 64 * 4 + 1;
-    static constexpr double steepest = 2.4;  ///< what is steeper slides off: rise over run of a crater's wall [-]
+    static constexpr double steepest = 2.4;  ///< rise over run of a crater's wall; steeper earth slides [-]
 
-    explicit Terrain(Random& random);  ///< one of the landscapes, as chance will have it
+    explicit Terrain(Random& random);  ///< a random landscape
     explicit Terrain(double height);   ///< level everywhere
 
     static double xOf(int column) { return column * spacing - half; }
-    static int columnAt(double x);  ///< the nearest there is
+    static int columnAt(double x);  ///< the nearest column
     double height(int column) const { return heights_[static_cast<std::size_t>(column)]; }
     double heightAt(double x) const;
     double burnt(int column) const { return burnt_[static_cast<std::size_t>(column)]; }  ///< by blasts, 0 to 1
 
-    /// Before the first blast, which is where the layers of its earth lie.
+    /// Height before the first blast; the layers of earth follow it.
     double firstHeight(int column) const { return first_[static_cast<std::size_t>(column)]; }
 
-    /// Level where something is to stand, and smooth in between. Before the first blast.
+    /// Makes the plots level, and the ground between them smooth. Call it before the first blast.
     void level(const std::vector<Plot>& plots);
-    /// Each column loses what the disc cuts out of it; what was above falls; and what stands too steep slides off.
+    /// Each column loses its part inside the disc; the earth above falls; walls that are too steep slide down.
     void carve(const Vec2& center, double radius);
 
     ShapeDef shape() const;  ///< the outline, as one chain

@@ -15,7 +15,7 @@ using namespace plumb::games::artillery::test;
 
 namespace {
 
-/// Turns the barrel, charges and lets go, as chance will have it; up to the tick before the shell flies.
+/// Turns the barrel and charges at random, up to the tick before the shell is fired.
 void aimAnyhow(Battle& battle, Random& random) {
     const bool up = random.integer(0, 1) == 0;
     for (int i = random.integer(5, 40); i > 0; --i) battle.update({.up = up, .down = !up});
@@ -26,16 +26,16 @@ void aimAnyhow(Battle& battle, Random& random) {
 
 }  // namespace
 
-TEST_CASE("the aim line is where the shell flies to the last bit, in 200 shots on 200 islands", "[games][artillery]") {
+TEST_CASE("the shell follows the aim line to the last bit, in 200 shots on 200 islands", "[games][artillery]") {
     const int shots = plumb::test::cases(200);
-    int flown = 0;  // farther than into a crate close by
+    int flown = 0;  // shots that do not end at a nearby crate
     for (int seed = 1; seed <= shots; ++seed) {
         Battle battle({.seed = static_cast<std::uint64_t>(seed), .wind = 14});
         Random random(static_cast<std::uint64_t>(seed));
         waitToAim(battle);
         aimAnyhow(battle, random);
         const Forecast path = battle.forecastOf(battle.gunner().aim, battle.gunner().weapon, 600);
-        battle.update({});  // lets go
+        battle.update({});  // releases fire
         std::size_t tick = 1;
         for (; battle.shell(); battle.update({}), ++tick) {
             const Transform pose = battle.world().body(battle.shell()->body).pose();
@@ -44,7 +44,7 @@ TEST_CASE("the aim line is where the shell flies to the last bit, in 200 shots o
             REQUIRE(pose.rotation.cos == path.poses[tick].rotation.cos);
         }
         flown += tick > 30;
-        // And where the line ends, it goes off.
+        // The shell explodes where the line ends.
         for (const Happening& happening : battle.takeHappenings())
             if (happening.kind == Happening::Kind::Exploded && !path.hits.empty() &&
                 path.hits.front().tick == static_cast<int>(tick))
@@ -53,7 +53,7 @@ TEST_CASE("the aim line is where the shell flies to the last bit, in 200 shots o
     REQUIRE(flown > shots / 2);
 }
 
-TEST_CASE("in the air a shell is where the closed form of linear drag and wind has it", "[games][artillery]") {
+TEST_CASE("in the air a shell follows the closed form of linear drag and wind", "[games][artillery]") {
     Battle battle({.seed = 3, .wind = 14}, Terrain(2.0), {-25, 25});
     waitToAim(battle);
     for (int i = 0; i < 60; ++i) battle.update({.fire = true});
@@ -65,13 +65,12 @@ TEST_CASE("in the air a shell is where the closed form of linear drag and wind h
         battle.update({});
         REQUIRE(battle.shell());
         const Vec2 at = battle.world().body(battle.shell()->body).position();
-        // 120 steps, each rounded to 1e-16 of some 30 m, and their sums.
+        // 120 steps, each rounded to 1e-16 of about 30 m, and their sums.
         REQUIRE((at - moveWithDrag(launch, law, tick / 60.0).position).norm() < 1e-10);
     }
 }
 
-TEST_CASE("nothing that is built on 100 islands stirs before the first shot, and nobody is hurt",
-          "[games][artillery]") {
+TEST_CASE("no building on 100 islands moves before the first shot, and nobody is hurt", "[games][artillery]") {
     for (int seed = 1; seed <= plumb::test::cases(100); ++seed) {
         Battle battle({.seed = static_cast<std::uint64_t>(seed)});
         std::vector<Vec2> first;
@@ -86,13 +85,13 @@ TEST_CASE("nothing that is built on 100 islands stirs before the first shot, and
     }
 }
 
-TEST_CASE("a shell that goes off at a gunner's feet hurts, throws, and digs the ground away from under",
+TEST_CASE("a shell that explodes at a gunner's feet hurts and throws the gunner, and makes a crater below",
           "[games][artillery]") {
     Battle battle({.seed = 1, .wind = 0}, Terrain(3.0), {-12, 12});
     const FirstShot shot = firstShot(battle, unerring);
     const int enemy = 1 - battle.crew();
     REQUIRE(shot.miss < 1);
-    // Half of what it can do is done within half of its reach: 60 (1 - d / 3.6), d <= 1.
+    // The damage is 60 (1 - d / 3.6), and d <= 1.
     REQUIRE(battle.healthOf(enemy) <= 100 - 43);
     double lowest = 3;
     for (double x = shot.at.x() - 1; x < shot.at.x() + 1; x += 0.1)
@@ -107,7 +106,7 @@ TEST_CASE("a shell that goes off at a gunner's feet hurts, throws, and digs the 
     REQUIRE(highest > 3 + gunnerHalf + 0.3);
 }
 
-TEST_CASE("a turn without orders ends after 25 s, and the other crew's begins with another wind",
+TEST_CASE("a turn without orders ends after 25 s, and the other crew's turn begins with another wind",
           "[games][artillery]") {
     Battle battle({.seed = 5, .wind = 10}, Terrain(3.0), {-12, 12});
     const int first = battle.crew();
@@ -121,7 +120,7 @@ TEST_CASE("a turn without orders ends after 25 s, and the other crew's begins wi
     REQUIRE(battle.wind() != wind);
 }
 
-TEST_CASE("the last five seconds of a turn are told one by one, and that a shell comes down once, however it bounces",
+TEST_CASE("a turn reports each of its last 5 s, and a shell reports its fall once, however often it bounces",
           "[games][artillery]") {
     Battle battle({.seed = 5, .wind = 0}, Terrain(3.0), {-12, 12});
     waitToAim(battle);
@@ -140,12 +139,12 @@ TEST_CASE("the last five seconds of a turn are told one by one, and that a shell
     REQUIRE(countOf(Happening::Kind::Falling) == 1);
 }
 
-TEST_CASE("once the tide has turned it rises every turn until somebody has lost", "[games][artillery]") {
+TEST_CASE("from the tide's turn on, the sea rises every turn until the battle is over", "[games][artillery]") {
     Battle battle({.seed = 5, .wind = 10, .tideTurn = 2}, Terrain(3.0), {-12, 12});
     int ticks = 0;
     for (; battle.phase() != Phase::Over && ticks < 100'000; ++ticks) battle.update({});
     REQUIRE(battle.phase() == Phase::Over);
-    // Both stand with their middle 0.9 m above 3 m of ground: the sea is there after 8 turns of 0.55 m.
+    // Both gunners' centres are 0.9 m above the ground at 3 m: the sea reaches them after 8 turns of 0.55 m.
     REQUIRE(battle.turn() == 9);
     REQUIRE(battle.winner() == -1);
 }

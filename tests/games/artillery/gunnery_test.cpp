@@ -13,15 +13,16 @@ using namespace plumb::games::artillery::test;
 
 namespace {
 
-/// The rounding of an aim's elevation, 0.05 degrees, moves a hit by at most this much of the way: of a range
-/// R(a) ~ sin 2a, dR / R = 2 cot 2a da, and at 10 degrees 2 * 2.75 * 0.00087. A shell is round, and a tick long.
+/// The elevation is rounded by up to 0.05 degrees, which moves a hit by at most this share of the way: the range is
+/// R(a) ~ sin 2a, so dR / R = 2 cot 2a da, which at 10 degrees is 2 * 2.75 * 0.00087. The rest is the shell's radius
+/// and its way in one tick.
 double allowedMiss(double way) {
     return 0.005 * way + shellRadius + 0.35;
 }
 
 }  // namespace
 
-TEST_CASE("with no error of its hand the computer's first shot hits across a plain, in still air and in any wind",
+TEST_CASE("without aiming error the computer's first shot hits across a plain, in still air and in wind up to 14 m/s",
           "[games][artillery]") {
     for (const double wind : {0.0, 4.0, 8.0, 14.0})
         for (std::uint64_t seed = 1; seed <= 10; ++seed) {
@@ -36,7 +37,7 @@ TEST_CASE("with no error of its hand the computer's first shot hits across a pla
         }
 }
 
-TEST_CASE("with no error of its hand the computer's first shot hits on 100 islands in wind and 100 without",
+TEST_CASE("without aiming error the computer's first shot hits on 100 islands in wind and on 100 without wind",
           "[games][artillery]") {
     for (const double wind : {0.0, 12.0})
         for (int seed = 1; seed <= plumb::test::cases(100); ++seed) {
@@ -44,14 +45,13 @@ TEST_CASE("with no error of its hand the computer's first shot hits on 100 islan
             const FirstShot shot = firstShot(battle, unerring);
             CAPTURE(seed, shot.wind, shot.at.x(), shot.at.y());
             REQUIRE(shot.wentOff);
-            // As near as the computer wants it, and what the shell flew in the tick in which it went off.
+            // The miss that the computer accepts, and the shell's way in the tick of its explosion.
             REQUIRE(shot.miss <= 1.0 + fastestShot / 60);
             REQUIRE(battle.healthOf(1 - battle.crew()) < gunnersEach * fullHealth);
         }
 }
 
-TEST_CASE("firing solutions pass through their target to 0.5 % of the way, by low arcs and high ones",
-          "[games][artillery]") {
+TEST_CASE("firing solutions pass their target within 0.5 % of the way, on low and high arcs", "[games][artillery]") {
     const Terrain plain(0.0);
     Random random(5);
     int low = 0, high = 0;
@@ -63,7 +63,7 @@ TEST_CASE("firing solutions pass through their target to 0.5 % of the way, by lo
             const Vec2 direction = directionOf(solution.aim);
             const PointMotion launch{task.gunner + muzzleFrom(direction), speedOf(solution.aim.charge) * direction};
             const DragLaw law{dragRate, {task.wind, 0}, {0, -gravity}};
-            // The path's nearest point to the target, looked for about the time that is told.
+            // The path's nearest point to the target, around the predicted time.
             double nearest = 1e9;
             for (double t = 0.9 * solution.time; t < 1.1 * solution.time; t += solution.time / 2000)
                 nearest = std::min(nearest, (moveWithDrag(launch, law, t).position - task.target).norm());
@@ -76,7 +76,7 @@ TEST_CASE("firing solutions pass through their target to 0.5 % of the way, by lo
     REQUIRE(high > plumb::test::cases(1000));
 }
 
-TEST_CASE("a firing solution passes over a ridge of 14 m that the straight way to the target goes through",
+TEST_CASE("a firing solution clears a ridge of 14 m that blocks the straight line to the target",
           "[games][artillery]") {
     Terrain ridge(2.0);
     ridge.level({{0, 2, 14}});

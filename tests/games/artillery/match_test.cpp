@@ -20,7 +20,7 @@ GameInfo named() {
     return game;
 }
 
-/// A round from the title to its end, by the computer.
+/// The computer plays a game from the title to its end.
 Progress playedOut(std::uint64_t seed, const std::string& strength, const std::string& rival) {
     const GameInfo game = named();
     Session session(game, {seed, {{"strength", strength}, {"rival", rival}}, {}});
@@ -30,7 +30,7 @@ Progress playedOut(std::uint64_t seed, const std::string& strength, const std::s
     return session.progress();
 }
 
-/// Buttons held for a while, as a person does who knows nothing.
+/// Random buttons, each held for a while, as a person who does not know the game.
 Buttons anyButtons(Random& random, Buttons before) {
     return random.integer(0, 11) == 0 ? static_cast<Buttons>(random.integer(0, 63)) : before;
 }
@@ -45,7 +45,7 @@ std::uint64_t hashAfter(std::uint64_t seed, std::uint64_t buttonsSeed, int ticks
     return session.hash();
 }
 
-/// Where something is that should not be there: within the ground, or below it. None: nowhere.
+/// Where an object is inside the ground or below it; empty: no such object.
 std::optional<Vec2> lostIn(const Battle& battle) {
     const Terrain& ground = battle.terrain();
     for (const Gunner& gunner : battle.gunners()) {
@@ -54,7 +54,7 @@ std::optional<Vec2> lostIn(const Battle& battle) {
     }
     for (const Prop& prop : battle.props()) {
         const Vec2 at = battle.world().body(prop.body).position();
-        if (std::abs(at.x()) > worldEdge) continue;  // thrown off the map: gone when the turn is over
+        if (std::abs(at.x()) > worldEdge) continue;  // thrown off the map: removed at the end of the turn
         if (!(at.y() > ground.heightAt(at.x()) - 0.5)) return at;
     }
     return std::nullopt;
@@ -70,7 +70,7 @@ TEST_CASE("the strong crew beats the weak one in at least 80 of 100 battles", "[
     REQUIRE(won * 100 >= battles * 80);
 }
 
-TEST_CASE("a weak crew loses to a strong one more often than not", "[games][artillery][slow]") {
+TEST_CASE("a weak crew wins fewer than half of 50 battles against a strong one", "[games][artillery][slow]") {
     const int battles = plumb::test::cases(50);
     int won = 0;
     for (int seed = 1; seed <= battles; ++seed)
@@ -78,7 +78,7 @@ TEST_CASE("a weak crew loses to a strong one more often than not", "[games][arti
     REQUIRE(won * 2 < battles);
 }
 
-TEST_CASE("the same seed and buttons give the same battle to the last bit, another seed or button another one",
+TEST_CASE("the same seed and buttons give the same battle to the last bit; another seed or other buttons do not",
           "[games][artillery]") {
     const std::uint64_t hash = hashAfter(3, 4, 3000);
     REQUIRE(hashAfter(3, 4, 3000) == hash);
@@ -86,7 +86,7 @@ TEST_CASE("the same seed and buttons give the same battle to the last bit, anoth
     REQUIRE(hashAfter(3, 5, 3000) != hash);
 }
 
-TEST_CASE("after a shell's blast all stands still for 3 ticks, a tick for each whole metre that it reaches",
+TEST_CASE("after a shell's blast of 3.6 m everything stands still for 3 ticks, one for each whole metre",
           "[games][artillery]") {
     const GameInfo game = named();
     const GameSetup setup{1, {{"rival", "weak"}, {"line", "off"}, {"strength", "strong"}}};
@@ -104,11 +104,12 @@ TEST_CASE("after a shell's blast all stands still for 3 ticks, a tick for each w
     REQUIRE(stateHash(battle.world()) != hash);
 }
 
-TEST_CASE("in 10,000 ticks of any buttons nothing falls through the ground or out of the world", "[games][artillery]") {
+TEST_CASE("in 10,000 ticks of random buttons nothing falls through the ground or out of the world",
+          "[games][artillery]") {
     const GameInfo game = named();
     const ActionList actions(game.actions);
     for (int seed = 1; seed <= plumb::test::cases(30); ++seed) {
-        Artillery round({static_cast<std::uint64_t>(seed), {{"rival", "ladder"}, {"line", "short"}}});
+        Artillery round({static_cast<std::uint64_t>(seed), {{"rival", "weak-to-strong"}, {"line", "short"}}});
         Random random(static_cast<std::uint64_t>(seed));
         Buttons before = 0;
         for (int tick = 0; tick < 10'000 && round.progress().outcome == Outcome::Running; ++tick) {
@@ -123,7 +124,7 @@ TEST_CASE("in 10,000 ticks of any buttons nothing falls through the ground or ou
     }
 }
 
-TEST_CASE("a rival of each strength is met on its own island, with its tide and no more than its wind",
+TEST_CASE("a rival of each strength has its own island, with that island's tide and at most its wind",
           "[games][artillery]") {
     for (const Stage& stage : stages)
         for (std::uint64_t seed = 1; seed <= 10; ++seed) {
@@ -134,7 +135,7 @@ TEST_CASE("a rival of each strength is met on its own island, with its tide and 
         }
 }
 
-TEST_CASE("a value that an option has not is refused by name before anything begins", "[games][artillery]") {
+TEST_CASE("an unknown option value is refused by name before the game begins", "[games][artillery]") {
     const GameInfo game = named();
     for (const char* option : {"strength", "rival", "line"})
         REQUIRE_THROWS_WITH(Session(game, {1, {{option, "mighty"}}, {}}), plumb::test::containsText("\"mighty\""));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How is a battle played to some point of it?
+// How does a test play a battle to a given point?
 #pragma once
 #include <cstdint>
 
@@ -9,7 +9,7 @@ namespace plumb::games::artillery::test {
 
 inline constexpr Strength unerring{"unerring", 0, 0};
 
-/// Nobody does anything until it is time to aim.
+/// Gives no orders until Phase::Aim.
 inline void waitToAim(Battle& battle) {
     while (battle.phase() != Phase::Aim) battle.update({});
     battle.takeHappenings();
@@ -20,10 +20,11 @@ struct FirstShot {
     double wind = 0;
     bool wentOff = false;
     Vec2 at{0, 0};
-    double miss = 1e9;  ///< from where it goes off to the nearest enemy's outline, as they then stand [m]
+    double miss =
+        1e9;  ///< from the explosion to the nearest enemy's outline, where it stands after the shot is fired [m]
 };
 
-/// The computer's first shot of a battle, up to where it goes off.
+/// Plays the computer's first shot of a battle, up to the explosion.
 inline FirstShot firstShot(Battle& battle, const Strength& strength) {
     waitToAim(battle);
     Commander commander(battle.crew(), strength, 1);

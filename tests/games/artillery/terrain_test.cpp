@@ -28,26 +28,26 @@ std::vector<BodyId> raise(World& world, const Building& building) {
 
 }  // namespace
 
-TEST_CASE("a blast of 2 m deep in the ground takes its whole disc, one on the surface half of it, and their rims slide",
+TEST_CASE("a blast of 2 m removes its whole disc deep in the ground, half of it at the surface, and its rims slide",
           "[games][artillery]") {
     const double disc = 3.14159265 * 4;
     for (const double depth : {0.0, 6.0}) {
         Terrain terrain(3.0);
         const double before = areaUnder(terrain);
         terrain.carve({0, 3.0 - depth}, 2);
-        // The ground sinks by h(x) = f sqrt(4 - x^2), f = 1 or 2. Where that is steeper than s = 2.4, from
-        // c = 2 s / sqrt(f^2 + s^2) on, a slope takes its place: h(c)^2 / 2 s instead of what h has beyond c.
+        // The ground sinks by h(x) = f sqrt(4 - x^2), f = 1 or 2. Beyond c = 2 s / sqrt(f^2 + s^2) this is steeper
+        // than s = 2.4. A slope replaces it there: its area is h(c)^2 / 2 s instead of the area of h beyond c.
         const double f = depth > 0 ? 2 : 1, s = Terrain::steepest;
         const double c = 2 * s / std::sqrt(f * f + s * s), h = f * std::sqrt(4 - c * c);
         const double beyond = f * (2 * std::acos(c / 2) - c * std::sqrt(4 - c * c) / 2);
         const double slid = 2 * (h * h / (2 * s) - beyond);
-        // A sum over columns of 0.25 m; each of the two rims is as uncertain as half a column at h(c).
+        // A sum over columns of 0.25 m; each of the two rims has an error of half a column at h(c).
         const double margin = 2 * 0.125 * h + 0.1;
         REQUIRE(before - areaUnder(terrain) == Approx(f / 2 * disc + slid).margin(margin));
     }
 }
 
-TEST_CASE("after 1,000 blasts the ground is nowhere higher than before, and no crater's wall too steep",
+TEST_CASE("after 1,000 blasts the ground is nowhere higher than before, and no crater wall is too steep",
           "[games][artillery]") {
     for (int island = 0; island < plumb::test::cases(50); ++island) {
         Random random(static_cast<std::uint64_t>(island));
@@ -67,7 +67,7 @@ TEST_CASE("after 1,000 blasts the ground is nowhere higher than before, and no c
     }
 }
 
-TEST_CASE("a crate that sleeps on the ground wakes and falls when the ground is dug away, and lands in the crater",
+TEST_CASE("a sleeping crate wakes when the ground below it is removed, and falls into the crater of 2 m",
           "[games][artillery]") {
     Terrain terrain(3.0);
     World world;
@@ -86,7 +86,7 @@ TEST_CASE("a crate that sleeps on the ground wakes and falls when the ground is 
     REQUIRE(std::abs(world.body(far).position().y() - 3.5) < 0.02);
 }
 
-TEST_CASE("a watchtower stands for 20 s, and falls when a shell goes off between its legs", "[games][artillery]") {
+TEST_CASE("a watchtower stands for 20 s, and falls when a shell explodes between its pillars", "[games][artillery]") {
     World world;
     world.add({.type = BodyType::Static, .shapes = {Terrain(0.0).shape()}});
     const std::vector<BodyId> pieces = raise(world, watchtower);
