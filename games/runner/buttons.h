@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which buttons does the hero know?
+// Which buttons control the hero?
 #pragma once
 #include <vector>
 
@@ -13,7 +13,7 @@ inline constexpr Buttons leftButton = 1, rightButton = 2, jumpButton = 4, runBut
 
 std::vector<Action> actions();
 
-/// What they mean to the kit's mover.
+/// The same buttons as input of the kit's mover.
 PlatformInput platformInput(Buttons buttons);
 
 }  // namespace plumb::games::runner

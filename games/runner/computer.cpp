@@ -10,7 +10,7 @@
 namespace plumb::games::runner {
 namespace {
 
-/// Does what findWay() found, and looks again when that is done.
+/// Presses the buttons from findWay(), and searches again after the last of them.
 class Computer final : public Player {
 public:
     Buttons decide(const Game& game) override {

@@ -14,15 +14,15 @@ struct Scene {
     const PoseTrail& trail;
     const View& view;
     const Palette& palette;
-    double time = 0;     ///< that has passed, the part of a tick with it [s]
-    double between = 1;  ///< as Canvas::between()
+    double time = 0;     ///< elapsed, with the current fraction of a tick [s]
+    double between = 1;  ///< the same as Canvas::between()
     double stageTime() const { return view.stageTime(between); }
 
     Vec2 at(BodyId body) const { return trail.pose(stage.world(), body, between).position; }
 };
 
-void drawBackdrop(Canvas& canvas, const Scene& scene);  ///< sky, clouds, and hills that stay behind
-// Each in the world's units.
+void drawBackdrop(Canvas& canvas, const Scene& scene);  ///< sky, clouds and distant hills
+// The next functions draw in world units.
 void drawTiles(Canvas& canvas, const Scene& scene);
 void drawPlaces(Canvas& canvas, const Scene& scene);  ///< lanterns, the beacon, springs
 void drawLifts(Canvas& canvas, const Scene& scene);
@@ -31,14 +31,14 @@ void drawTreasures(Canvas& canvas, const Scene& scene);
 void drawFoes(Canvas& canvas, const Scene& scene);
 void drawHero(Canvas& canvas, const Scene& scene);
 void drawWater(Canvas& canvas, const Scene& scene);
-void drawNight(Canvas& canvas, const Scene& scene);   ///< the dark that the flame keeps off
-void drawLights(Canvas& canvas, const Scene& scene);  ///< what shines out of that dark
-void drawLamps(Canvas& canvas, const Scene& scene);   ///< those of the tiles that are not lit yet
+void drawNight(Canvas& canvas, const Scene& scene);   ///< darkness outside the light of the flame
+void drawLights(Canvas& canvas, const Scene& scene);  ///< lights that stay visible in the darkness
+void drawLamps(Canvas& canvas, const Scene& scene);   ///< the lamp tiles that are not lit yet
 
-/// A small flame, its foot at a place; lean -1 to 1, size is its height [m].
+/// A small flame with its foot at this place; lean: -1 to 1, size: its height [m].
 void drawFlame(Canvas& canvas, const Vec2& foot, double size, double lean, double time);
 
-/// What a player is told.
+/// The values shown at the top of the screen.
 struct Hud {
     std::int64_t score = 0;
     int coins = 0, lives = 0, level = 1;
@@ -48,14 +48,14 @@ struct Hud {
 };
 void drawHud(Canvas& canvas, const Hud& hud);
 
-/// A band over the upper part of the picture, above where the hero mostly is.
+/// A band of text across the upper part of the picture, above the usual place of the hero.
 struct Card {
     std::string title;
     std::vector<std::string> lines;
 };
-/// As far drawn across as share says, 0 to 1; only then there are words on it.
+/// share: the drawn part of the band's width, 0 to 1; the text appears only at 1.
 void drawCard(Canvas& canvas, const Card& card, double share);
-/// Darkness that closes around a place of the world: open 1, closed 0.
+/// A dark screen with a round hole around a place of the world; open: 1 is no darkness, 0 is no hole.
 void drawIris(Canvas& canvas, const Vec2& at, double open);
 
 }  // namespace plumb::games::runner

@@ -8,7 +8,7 @@
 namespace plumb::games::runner {
 namespace {
 
-/// An even number from 0 to 1 for each whole number, always the same.
+/// A pseudo-random number from 0 to 1, uniform; the same argument always gives the same result.
 double chance(int number) {
     const double x = std::sin(number * 127.1 + 11.7) * 43758.5453;
     return x - std::floor(x);
@@ -20,8 +20,8 @@ double hill(double x, double seed) {
 }
 
 struct Range {
-    double share;  ///< of the camera's way that it goes along [-]
-    double foot;   ///< its mean height, down the screen
+    double share;  ///< parallax: share of the camera's motion [-]
+    double foot;   ///< its mean height, measured down the screen
     double rise;
     double seed;
 };
@@ -38,7 +38,7 @@ void drawRange(Canvas& canvas, const Range& range, const Color& color, double sh
                                                   mix(color, Color{1, 1, 1, 1}, 0.16)));
 }
 
-/// Trees of a sort, along the nearest hills.
+/// Simple trees along the nearest hills.
 void drawTrees(Canvas& canvas, const Range& range, const Color& color, double shift, double up) {
     const Aabb seen = canvas.visible();
     const double foot = range.foot + up * range.share * 0.6, way = shift * range.share;
@@ -79,7 +79,7 @@ void drawStars(Canvas& canvas, double time) {
     }
 }
 
-/// The lit part of a moon: half a circle, and back by a flatter curve.
+/// The lit part of a moon: half a circle, closed by a flatter curve.
 void drawCrescent(Canvas& canvas, const Vec2& center, const Color& color) {
     const auto tilted = canvas.place({.position = center, .angle = 0.5});
     std::vector<Vec2> outline;

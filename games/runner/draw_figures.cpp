@@ -63,7 +63,7 @@ void drawMoth(Canvas& canvas, int direction, double time) {
     }
 }
 
-/// Of who was stomped: it is flat, and gone soon.
+/// A stomped foe is flat and fades within 26 ticks; returns its opacity [-].
 double flatShare(int ticks) {
     return std::max(0.0, 1 - ticks / 26.0);
 }
@@ -73,7 +73,7 @@ bool blinks(double time, double phase) {
     return turn - std::floor(turn) < 0.045;
 }
 
-/// The candle that one plays; its feet at (0, 0).
+/// The player's candle, with its feet at (0, 0).
 void drawCandle(Canvas& canvas, const Scene& scene, const Hero& hero) {
     const Color wax = Color::hex(0xfff4dc), shade = Color::hex(0xe6c9a0);
     const Slide& slide = hero.mover.slide();
@@ -94,7 +94,7 @@ void drawCandle(Canvas& canvas, const Scene& scene, const Hero& hero) {
     canvas.rect({hero.facing > 0 ? -0.29 : 0.13, 0.02}, {0.16, tall - 0.08}, shade, 0.08);
     canvas.capsule({-0.2, tall - 0.02}, {0.22, tall - 0.02}, 0.08, Color::hex(0xffffff));
     canvas.capsule({0.2 * hero.facing, tall - 0.02}, {0.2 * hero.facing, tall - 0.2}, 0.055, Color::hex(0xffffff));
-    // A scarf, its ends behind.
+    // A scarf with its ends behind the body.
     canvas.capsule({-0.25, 0.2}, {0.25, 0.2}, 0.075, Color::hex(0xd9414e));
     const double wave = 0.08 * std::sin(scene.time * 11), back = -hero.facing * (0.3 + 0.035 * std::fabs(speed));
     canvas.polyline({{-0.24 * hero.facing, 0.2},
@@ -121,7 +121,8 @@ void drawHero(Canvas& canvas, const Scene& scene) {
                       Paint::radial(at + Vec2(0, 0.6), Color::hex(0xffc060).faded(hero.tall ? 0.35 : 0.2), 1.7,
                                     Color::hex(0xffc060).faded(0)));
     const bool hidden = hero.safeTicks > 0 && hero.safeTicks / 4 % 2 == 1 && hero.alive;
-    // A box stands on a slope with one corner; the picture, with its middle.
+    // On a slope, the body's box touches the ground with one corner. The candle is drawn lower, to touch with its
+    // middle.
     const double sink =
         hero.mover.slide().isOnFloor
             ? heroHalf.x() * std::fabs(hero.mover.slide().floorNormal.x() / hero.mover.slide().floorNormal.y())

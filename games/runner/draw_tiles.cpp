@@ -7,9 +7,9 @@
 namespace plumb::games::runner {
 namespace {
 
-constexpr double lap = 0.02;     ///< by which neighbours lie over one another, so that no seam is seen [m]
-constexpr double rim = 0.2;      ///< of turf [m]
-constexpr double soilFoot = -2;  ///< where soil is darkest [m]
+constexpr double lap = 0.02;     ///< overlap of neighbours, so that no seam is visible [m]
+constexpr double rim = 0.2;      ///< height of the turf [m]
+constexpr double soilFoot = -2;  ///< height at which the soil is darkest [m]
 
 class TilePainter {
 public:
@@ -45,7 +45,7 @@ private:
             }
     }
 
-    /// Beyond the sides and below, the ground goes on.
+    /// The ground continues beyond the sides of the map and below it.
     Tile at(Cell cell) const {
         if (cell.row >= tiles_.rows()) return {};
         return tiles_.at({std::clamp(cell.column, 0, tiles_.columns() - 1), std::max(cell.row, 0)});
@@ -55,7 +55,7 @@ private:
         return isSolid(tile) && tile.tag == Ground && tile.kind == TileKind::Solid;
     }
     bool isFullGround(Cell cell) const { return isGround(cell) && at(cell).form == TileForm::Full; }
-    /// Darker the deeper in the map, everywhere alike, so that nothing shows where cells meet.
+    /// Darker with depth. All cells share one gradient, so no edges are visible between them.
     Paint soil() const { return Paint::linear({0, soilTop()}, palette_.soil, {0, soilFoot}, palette_.deep); }
     Color speck(double height) const {
         const double depth = (soilTop() - height) / (soilTop() - soilFoot);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which dust, sparks and splinters fly? For the eyes only: nothing comes of them.
+// Which dust, sparks and splinters fly, for the picture only?
 #pragma once
 #include <string>
 #include <vector>
@@ -16,9 +16,9 @@ struct Palette;
 class Effects {
 public:
     void hear(const Event& event, const Palette& palette);
-    /// Some words that rise and fade.
+    /// Shows words that rise and fade.
     void say(const Vec2& at, std::string words, const Color& color);
-    void trail(const Vec2& at, const Vec2& velocity, const Color& color);  ///< one spark off the flame
+    void trail(const Vec2& at, const Vec2& velocity, const Color& color);  ///< one spark from the flame
     void update();                                                         ///< one tick
     void draw(Canvas& canvas) const;
     void clear();
@@ -29,7 +29,7 @@ private:
         Color color{};
         double size = 0.1;  ///< [m]
         double gravity = 0, drag = 0;
-        double growth = 0;  ///< of its size [m/s]
+        double growth = 0;  ///< of the size [m/s]
         int life = 30, age = 0;
         bool square = false;
         double angle = 0, spin = 0;
@@ -47,7 +47,7 @@ private:
         int age = 0;
     };
 
-    /// So many, thrown about evenly from one speed to another, upward by lift.
+    /// Throws count bits in random directions, with speeds uniform from slow to fast, plus lift upwards [m/s].
     void burst(const Vec2& at, int count, double slow, double fast, double lift, Bit like);
     void dust(const Vec2& at, int count, double strength, const Color& color);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What happened on a stage in a tick, for ears and eyes?
+// Which events of a tick are drawn or heard?
 #pragma once
 #include <plumb/math/vec2.h>
 
@@ -7,16 +7,16 @@ namespace plumb::games::runner {
 
 enum class EventKind {
     Jumped,
-    Landed,    ///< strength: at which speed [m/s]
-    Skidded,   ///< it turns round at full speed
-    Stomped,   ///< strength: which one without touching the floor, from 1
-    Squashed,  ///< something that walks, by a crate or off what is bumped from below
+    Landed,    ///< strength: the landing speed [m/s]
+    Skidded,   ///< the hero turns round at high speed; strength: the new direction
+    Stomped,   ///< strength: number of stomps since the hero left the floor, from 1
+    Squashed,  ///< a walker, by a crate or by a block bumped from below
     Sprung,    ///< thrown up by a spring
     Coin,      ///< taken
-    Sun,       ///< taken; strength: which, from 0
+    Sun,       ///< taken; strength: its number, from 0
     Oil,       ///< taken
-    Bumped,    ///< a lamp from below that was lit before
-    LampLit,   ///< strength: its coins; 0: a drop of oil
+    Bumped,    ///< from below, against a lamp that was lit before
+    LampLit,   ///< strength: number of coins in it; 0: a drop of oil
     BrickBroke,
     LanternLit,
     Hurt,  ///< the flame is small now

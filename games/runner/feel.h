@@ -7,17 +7,17 @@
 
 namespace plumb::games::runner {
 
-/// A profile of the kit, with what this game adds to both: crates are pushed and pressed down.
+/// A profile of the kit. This game adds to each profile that the hero pushes crates and presses them down.
 struct Feel {
     PlatformProfile profile;
-    double tick = 1.0 / 60;  ///< of the world, at each of the game's [s]
+    double tick = 1.0 / 60;  ///< time that the world advances per tick of the game [s]
 };
 
-/// "1985", the tables as they were, or "modern": as fast and as high, with coyote time, a jump that is remembered,
-/// corners that give way and an apex that hangs. Throws std::invalid_argument on another name.
+/// "1985": the original tables. "modern": about the same speeds and heights, with coyote time, jump buffering, corner
+/// correction and a longer apex. Throws std::invalid_argument on any other name.
 Feel feelOf(const std::string& name);
 
-/// The speed at which one must be launched to rise so high [m, m/s].
+/// The launch speed [m/s] that gives a rise of this height [m].
 double speedToRise(const PlatformProfile& profile, double height);
 
 }  // namespace plumb::games::runner

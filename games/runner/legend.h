@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which letter of a level's text stands for what?
+// What does each letter of a level's text stand for?
 #pragma once
 #include <optional>
 #include <string>
@@ -20,13 +20,13 @@ struct Letter {
     std::optional<ThingKind> thing = std::nullopt;  ///< empty for a tile
 };
 
-/// All but the start, platforms and their tracks.
+/// All letters except the start, platforms and their tracks.
 const std::vector<Letter>& legend();
 
-/// nullptr when it has none.
+/// nullptr when the legend does not have this letter.
 const Letter* find(char letter);
 
-/// Every letter that a map may hold, as a message lists them.
+/// Every letter that a map may contain, as error messages list them.
 std::string allLetters();
 
 }  // namespace plumb::games::runner

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What does a level hold?
+// What does a level contain?
 #pragma once
 #include <string>
 #include <vector>
@@ -9,17 +9,17 @@
 
 namespace plumb::games::runner {
 
-/// What a tile is beside its form: Tile::tag.
+/// What kind of tile it is in this game; stored in Tile::tag.
 enum Tag : std::uint32_t { Ground, Brick, Lamp, SpentLamp };
 
 enum class ThingKind {
     Coin,
-    Sun,      ///< a big coin; a level has three that are hard to come by
+    Sun,      ///< a big coin; a level has three in hard places
     Oil,      ///< a drop that makes the flame tall again
     Crate,    ///< a body of the world
-    Spring,   ///< throws up whoever lands on it
-    Snuffer,  ///< walks to and fro, to be stomped
-    Burr,     ///< the same with thorns on: not to be stomped
+    Spring,   ///< throws the hero up
+    Snuffer,  ///< walks to and fro; can be stomped
+    Burr,     ///< walks to and fro; its thorns hurt who stomps it
     Moth,     ///< flies to and fro
     Lantern,  ///< a checkpoint
     Beacon,   ///< the end
@@ -30,7 +30,7 @@ struct Thing {
     Vec2 at{0, 0};  ///< the centre of its cell [m]
 };
 
-/// A one-way floor that goes along a path; its middle is on it.
+/// A one-way floor whose middle moves along a path.
 struct Platform {
     double width = 3;  ///< [m]
     MotionPath path;
@@ -39,15 +39,15 @@ struct Platform {
 
 enum class Sky { Dawn, Noon, Night };
 
-/// A cell is a metre, and 16 of the pixels of 1985.
+/// A cell is 1 m wide, which is 16 pixels of 1985.
 struct Level {
     std::string name;
     Sky sky = Sky::Dawn;
-    double par = 60;  ///< who is faster gets points for it [s]
+    double par = 60;  ///< a faster finish gives points [s]
     TileMap tiles;
     Vec2 start{0, 0};  ///< the centre of its cell [m]
     Vec2 beacon{0, 0};
-    std::vector<Thing> things;  ///< column by column, each from below
+    std::vector<Thing> things;  ///< column by column, each from bottom to top
     std::vector<Platform> platforms;
 };
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Writes the source that holds the levels, in the build folder, and anew when one of them was edited.
+# Writes a source file with all levels into the build folder, and again whenever a level was edited.
 file(GLOB levels CONFIGURE_DEPENDS "${folder}/levels/*.txt")
 list(SORT levels)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${levels})

@@ -11,8 +11,7 @@ struct LevelText {
     std::string_view text;
 };
 
-/// Those of the folder levels, by their files' names, as they were when the program was built: levels.cmake puts them
-/// in.
+/// The files of the folder levels, sorted by name, as they were when the program was built; levels.cmake embeds them.
 const std::vector<LevelText>& builtInLevels();
 
 }  // namespace plumb::games::runner

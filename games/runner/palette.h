@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which colours has a level?
+// Which colours does a level have?
 #pragma once
 #include <games/frame/color.h>
 #include <games/runner/level.h>
@@ -8,12 +8,12 @@ namespace plumb::games::runner {
 
 struct Palette {
     Color skyHigh, skyLow;
-    Color light;              ///< of sun or moon
-    double lightX, lightY;    ///< where it stands, of the screen's width and height [-]
+    Color light;              ///< of the sun or the moon
+    double lightX, lightY;    ///< its place, as a share of the screen's width and height [-]
     Color far, middle, near;  ///< hills, one behind the other
     Color cloud;
     Color turf, turfLight;  ///< the rim of the ground
-    Color soil, deep;       ///< under it, and far under it
+    Color soil, deep;       ///< just under the turf, and deep under it
     Color ledge;
     Color brick;
     Color metal;  ///< of snuffers
@@ -22,7 +22,7 @@ struct Palette {
     Color water;
     Color wood;
     Color dust;
-    double dark;  ///< how much of the picture the night hides far from the flame [-]
+    double dark;  ///< opacity of the night far from the flame; 0: no night [-]
 };
 
 const Palette& paletteOf(Sky sky);

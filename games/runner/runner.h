@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What makes a round of three levels?
+// How does a game of three levels run, with lives and points?
 #pragma once
 #include <memory>
 #include <vector>
@@ -14,7 +14,7 @@ namespace plumb::games::runner {
 
 class Runner final : public Game {
 public:
-    /// Throws std::invalid_argument on a level's file that is no level.
+    /// Throws std::invalid_argument when the level file is not a valid level.
     explicit Runner(const GameSetup& setup);
 
     void update(const Input& input) override;
@@ -29,7 +29,7 @@ public:
     int lives() const { return lives_; }
 
 private:
-    /// What a level goes through.
+    /// The parts of a level, in this order.
     enum class Part { Intro, Play, Dying, Cleared };
 
     void enter(Part part);
@@ -55,7 +55,7 @@ private:
     std::int64_t levelTicks_ = 0;  ///< played in this level
     int timeBonus_ = 0, sunBonus_ = 0;
 
-    // For the eyes only.
+    // Only for the picture.
     Effects effects_;
     View view_;
     PoseTrail trail_;

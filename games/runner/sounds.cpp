@@ -7,7 +7,7 @@
 namespace plumb::games::runner {
 namespace {
 
-/// Half tones above the A of 440 Hz.
+/// Semitones above the A of 440 Hz.
 double note(double halfTones) {
     return 440 * std::exp2(halfTones / 12);
 }

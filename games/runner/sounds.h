@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What does it sound like?
+// Which sounds does an event make?
 #pragma once
 #include <vector>
 

@@ -9,11 +9,11 @@
 namespace plumb::games::runner {
 namespace {
 
-constexpr double springRise = 7.2, thornRise = 1.6;  ///< of who is thrown [m]
-constexpr double lanternReach = 6;                   ///< above it: who jumps over it lights it, too [m]
+constexpr double springRise = 7.2, thornRise = 1.6;  ///< how high the hero is thrown [m]
+constexpr double lanternReach = 6;                   ///< above it: a jump over it lights it, too [m]
 constexpr int safeAfterHurt = 100;                   ///< [ticks]
 constexpr double skidSpeed = 4;                      ///< [m/s]
-constexpr int bumpTicks = 20;                        ///< a bump is remembered
+constexpr int bumpTicks = 20;                        ///< how long a bump is remembered
 
 bool isThorns(const TileMap& tiles, const std::optional<Cell>& cell) {
     return cell && tiles.at(*cell).kind == TileKind::Hazard;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What goes on in a level while it is played?
+// What happens in a level while it is played?
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -21,15 +21,15 @@ inline const Vec2 heroHalf{0.36, 0.45};      ///< [m]
 inline const Vec2 walkerHalf{0.42, 0.38};    ///< of snuffers and burrs [m]
 inline constexpr double mothRadius = 0.36;   ///< [m]
 inline constexpr double crateHalf = 0.48;    ///< [m]
-inline constexpr double platformHalf = 0.2;  ///< of its thickness [m]
+inline constexpr double platformHalf = 0.2;  ///< half its thickness [m]
 
 struct Hero {
     PlatformMover mover;
-    bool tall = true;  ///< its flame: it bears one hurt
+    bool tall = true;  ///< a tall flame survives one hurt
     bool alive = true;
     int facing = 1;
-    int safeTicks = 0;     ///< nothing hurts it
-    int chain = 0;         ///< stomped since it left the floor
+    int safeTicks = 0;     ///< how long nothing can hurt it
+    int chain = 0;         ///< number of stomps since it left the floor
     double fallSpeed = 0;  ///< in the tick before [m/s]
 };
 
@@ -60,8 +60,8 @@ struct Lift {
 
 struct Spring {
     ShapeId shape;
-    Vec2 at{0, 0};          ///< the middle of its foot
-    int ticksSince = 1000;  ///< it threw something
+    Vec2 at{0, 0};          ///< the middle of its base
+    int ticksSince = 1000;  ///< since it last threw the hero
 };
 
 struct Crate {
@@ -78,35 +78,35 @@ struct Treasure {
     ThingKind kind = ThingKind::Coin;
     Vec2 at{0, 0};
     bool taken = false;
-    int number = 0;  ///< of a sun, from 0
+    int number = 0;  ///< counted within its kind, from 0
 };
 
 struct StageSetup {
     std::string profile = "modern";
-    std::uint64_t seed = 1;  ///< of the phases of all that moves, the ways that walkers begin, and what lamps hold
+    std::uint64_t seed = 1;  ///< for start phases, the walkers' places and directions, and lamp contents
 };
 
-/// A copy goes on as the original would: that is how the computer player sees what comes of what it may do.
+/// A copy continues exactly like the original. The computer player tries its moves on copies.
 class Stage {
 public:
     Stage(std::shared_ptr<const Level> level, const StageSetup& setup);
 
     void update(const PlatformInput& input);  ///< one tick
-    /// All as at first, but for what was taken and lit: the hero stands at the last lantern lit.
+    /// Starts again, but keeps broken tiles, taken treasures and lit lanterns. The hero starts at the last lit lantern.
     void beginAgain();
-    /// Whether it keeps account of what happens; a copy that only looks ahead need not.
+    /// Whether events are recorded; a copy that only looks ahead does not need them.
     void keepEvents(bool keep) { keepsEvents_ = keep; }
 
     const std::vector<Event>& events() const { return events_; }  ///< of the last tick
     bool isOver() const { return finished_ || !hero_.alive; }
     bool isFinished() const { return finished_; }
-    std::int64_t ticks() const { return ticks_; }  ///< since it began, or began again
+    std::int64_t ticks() const { return ticks_; }  ///< since the last start
     double tick() const { return feel_.tick; }     ///< [s]
     std::uint64_t hash() const;
 
     const Level& level() const { return *level_; }
     const World& world() const { return world_; }
-    const TileMap& tiles() const { return world_.tiles(ground_); }  ///< with what was broken and lit
+    const TileMap& tiles() const { return world_.tiles(ground_); }  ///< with all changes since the start
     const Hero& hero() const { return hero_; }
     Vec2 heroAt() const { return std::as_const(world_).body(hero_.mover.body()).position(); }
     const std::vector<Walker>& walkers() const { return walkers_; }
@@ -116,7 +116,7 @@ public:
     const std::vector<Crate>& crates() const { return crates_; }
     const std::vector<Lantern>& lanterns() const { return lanterns_; }
     const std::vector<Treasure>& treasures() const { return treasures_; }
-    int ticksSinceBump(Cell cell) const;  ///< large where it never was; for the picture
+    int ticksSinceBump(Cell cell) const;  ///< 1000 if there was none lately; for the picture
 
 private:
     struct Bump {
@@ -142,7 +142,7 @@ private:
     void moveMoths();
     void meetFoes(const PlatformInput& input);
     void squashByCrates();
-    void knock(Cell cell);  ///< whoever walks on it
+    void knock(Cell cell);  ///< squashes walkers on top of it
     void squash(Walker& walker);
     // stage.cpp
     void moveHero(const PlatformInput& input);

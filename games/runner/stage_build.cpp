@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a level's drawing becomes bodies of a world.
+// Builds the bodies of the world from a level.
 #include <algorithm>
 
 #include <games/runner/stage.h>
@@ -8,7 +8,7 @@
 namespace plumb::games::runner {
 namespace {
 
-/// Whoever moves goes through the others that do; what happens then is the game's to say.
+/// Heroes, walkers and moths do not collide with each other; the game handles their overlaps.
 constexpr Filter groundFilter{.category = 1};
 constexpr Filter heroFilter{.category = 2, .mask = 1};
 constexpr Filter walkerFilter{.category = 4, .mask = 1};
@@ -19,7 +19,7 @@ ShapeDef filtered(ShapeDef shape, const Filter& filter) {
     return shape;
 }
 
-/// Out to one side and back by the other, in a flat eight.
+/// A flat figure of eight: out to one side and back, then the same on the other side.
 PathMover mothPath(const Vec2& at) {
     const auto point = [&](double x, double y) -> Vec2 { return at + Vec2(x, y); };
     return PathMover({.path = splineThrough({point(0, 0), point(1.6, 0.5), point(3, 0), point(1.6, -0.5), point(0, 0),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What moves by itself: lifts, walkers and moths, and what it is to meet them.
+// Lifts, walkers and moths: how they move, and what happens when the hero meets a foe.
 #include <algorithm>
 #include <cmath>
 
@@ -10,10 +10,10 @@ namespace {
 
 constexpr double walkSpeed = 1.8, burrSpeed = 1.2;  ///< [m/s]
 constexpr double walkerGravity = 40;                ///< [m/s^2]
-constexpr double nearEnough = 16;                   ///< what is farther from the hero rests [m]
-constexpr double stompRise = 2, heldStompRise = 4;  ///< of who stomped, without and with jump held [m]
-constexpr double forgiven = 0.1;                    ///< so much less than it looks is a foe as wide [m]
-constexpr double squashSpeed = 3;                   ///< of a crate that falls on one [m/s]
+constexpr double nearEnough = 16;                   ///< walkers farther from the hero stand still [m]
+constexpr double stompRise = 2, heldStompRise = 4;  ///< rise of the hero after a stomp, without and with jump held [m]
+constexpr double forgiven = 0.1;   ///< a foe's box is narrower than its picture by this, at each side [m]
+constexpr double squashSpeed = 3;  ///< least speed of a crate that squashes a walker [m/s]
 
 Aabb boxAround(const Vec2& center, const Vec2& half) {
     return {center - half, center + half};

@@ -25,17 +25,17 @@ Way back(const Way& way) {
     return {-way.down, -way.right};
 }
 
-/// Can a track be entered, or left, that way?
+/// Does a track continue through this letter in this direction?
 bool leads(char letter, const Way& way) {
     return letter == '+' || letter == (way.down == 0 ? '-' : '|');
 }
 
-/// A run of the letter.
+/// A run of the letter p.
 struct Run {
     int row = 0, first = 0, last = 0;
     int middle() const { return (first + last) / 2; }
     bool holds(const Spot& spot) const { return spot.row == row && spot.column >= first && spot.column <= last; }
-    /// From where a track leaves it that way.
+    /// The cell of the run where a track in this direction begins.
     Spot edge(const Way& way) const { return {row, way.right > 0 ? last : way.right < 0 ? first : middle()}; }
 };
 
@@ -92,7 +92,7 @@ private:
         return 0.5 * (map_.center(run.row, run.first) + map_.center(run.row, run.last));
     }
 
-    /// The corners of a track, and its end, as far to the right of their cells as the platform's middle is of its.
+    /// The corners of a track and its end, shifted to the right by as much as the platform's middle is within its cell.
     std::vector<Vec2> follow(const Run& run, const Way& start) {
         closed_ = false;
         const double shift = middleOf(run).x() - map_.center(run.row, run.middle()).x();

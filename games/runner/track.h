@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which way does a platform go that is drawn in a map?
+// Along which path does a platform drawn in a map move?
 #pragma once
 #include <span>
 #include <string>
@@ -9,24 +9,24 @@
 
 namespace plumb::games::runner {
 
-/// The rows of a map as they were drawn, and where they stand in their file.
+/// The rows of a map as drawn, and their place in the file.
 struct DrawnMap {
     std::string_view file;
-    std::span<const std::string> rows;  ///< the topmost first
-    int firstRow = 1;                   ///< of the file
+    std::span<const std::string> rows;  ///< from top to bottom
+    int firstRow = 1;                   ///< its row in the file
 
-    /// '.' outside of it.
+    /// '.' outside the map.
     char at(int row, int column) const;
-    /// The centre of a cell; the lowest row's is half a metre up [m].
+    /// The centre of a cell; in the lowest row it is at a height of 0.5 m [m].
     Vec2 center(int row, int column) const;
     TextPlace place(int row, int column) const { return {firstRow + row, column + 1}; }
 };
 
-/// A platform is a run of the letter p. Its middle goes along the track that begins beside the run, or above or below
-/// its middle: - to the left and right, | up and down, + round a corner; to the track's end and back, or round and
-/// round where the track comes back to it. The middle of an even run lies between two cells; so does its way, half a
-/// cell to the right of what is drawn. Throws as refuse() on a platform without a track, on a track without a
-/// platform, and on one that forks.
+/// A platform is a run of the letter p. Its middle moves along a track, which begins beside the run, or above or below
+/// its middle: - goes left and right, | up and down, + round a corner. The platform moves to the track's end and back,
+/// or in a loop if the track returns to it. The middle of a run with an even number of letters is between two cells, so
+/// its path is half a cell to the right of the drawn track. Throws as refuse() on a platform without a track, on a
+/// track without a platform, and on a track that forks.
 std::vector<Platform> platformsOf(const DrawnMap& map);
 
 }  // namespace plumb::games::runner

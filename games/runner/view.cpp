@@ -7,11 +7,11 @@
 namespace plumb::games::runner {
 namespace {
 
-constexpr double height = 11.5;  ///< of what is seen [m]
+constexpr double height = 11.5;  ///< of the camera's view [m]
 constexpr double width = height * screenWidth / screenHeight;
 constexpr double lookAhead = 2.6;  ///< at full speed [m]
 
-/// What the map has, or its middle where it is smaller than what is seen.
+/// Keeps the view inside the map; centres a map that is smaller than the view.
 double within(double center, double extent, double size) {
     return size < extent ? size / 2 : std::clamp(center, extent / 2, size - extent / 2);
 }
@@ -44,7 +44,7 @@ void View::update(const Stage& stage) {
     const Slide& slide = stage.hero().mover.slide();
     moves_ = stage.ticks() != stageTicks_;
     stageTicks_ = stage.ticks();
-    pace_ = moves_ ? slide.velocity.x() : 0;  // of a stage that stands still, the velocity stays what it was
+    pace_ = moves_ ? slide.velocity.x() : 0;  // a stage that stands still keeps its last velocity
     squashSpeed_ += (-220 * squash_ - 18 * squashSpeed_) * tickSeconds;
     squash_ = std::clamp(squash_ + squashSpeed_ * tickSeconds, -0.3, 0.32);
     lean_ += (std::clamp(pace_ / 9, -1.0, 1.0) - lean_) * 0.15;
@@ -52,7 +52,7 @@ void View::update(const Stage& stage) {
     shake_ *= 0.86;
 
     ahead_ += (lookAhead * std::clamp(pace_ / 9, -1.0, 1.0) - ahead_) * 0.03;
-    // The eyes follow up and down to where it stands, and to where it falls, but not every jump.
+    // The camera follows the hero's height on the floor, in a fall and in a very high rise, but not in every jump.
     if (slide.isOnFloor || hero.y() < floor_ || hero.y() > floor_ + 4.5)
         floor_ += (hero.y() - floor_) * (hero.y() < floor_ ? 0.16 : 0.07);
     const Vec2 wanted(within(hero.x() + ahead_, width, stage.tiles().columns()),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far is it from anywhere in a level to its beacon?
+// How far is it from any place in a level to the beacon?
 #pragma once
 #include <vector>
 
@@ -7,7 +7,7 @@
 
 namespace plumb::games::runner {
 
-/// Through the air, around all that is solid, thorns or water, as if one could fly: a hint for who looks for a way.
+/// The length of a way through the air, around ground, thorns and water, as if the hero could fly. It guides findWay().
 class WayField {
 public:
     explicit WayField(const Level& level);

@@ -19,13 +19,13 @@ struct Move {
     Buttons first = 0;
     int firstTicks = 0;
     Buttons then = 0;
-    int ticks = 12;             ///< in all, at most
+    int ticks = 12;             ///< in total, at most
     bool untilLanding = false;  ///< it ends on the next floor
 };
 
 constexpr Buttons right = rightButton | runButton, left = leftButton | runButton;
 
-// The likeliest first.
+// The likeliest move first.
 const std::vector<Move> floorMoves{
     {right, 14, right, 14},
     {right | jumpButton, 30, right, 75, true},
@@ -41,7 +41,7 @@ const std::vector<Move> floorMoves{
     {left | jumpButton, 30, left, 75, true},
     {leftButton | jumpButton, 30, leftButton, 75, true},
 };
-// On a lift, or where it has waited: on with it, or off.
+// On a lift, or at a place visited before: wait, or leave.
 const std::vector<Move> waitMoves{
     {0, 20, 0, 20},
     {right | jumpButton, 30, right, 75, true},
@@ -63,8 +63,8 @@ struct Node {
     int parent = -1;
     int ticks = 0;  ///< from the root
     double far = 0;
-    std::size_t next = 0;  ///< of its moves, to be tried
-    int before = 0;        ///< others that came to this place at other times
+    std::size_t next = 0;  ///< index of the next move to try
+    int before = 0;        ///< number of earlier nodes at this place, at other times
 };
 
 bool isOnLift(const Stage& stage) {
@@ -100,7 +100,7 @@ private:
         return from.before > 0 || isOnLift(*from.stage) ? waitMoves : floorMoves;
     }
 
-    /// Until so many ticks were looked at, or to a place that is enough, which it gives; else 0.
+    /// Searches until this many ticks are simulated. Returns the first node that is good enough; 0 if none is.
     int searchOn(int mostTicks) {
         while (!open_.empty() && looked_ < mostTicks) {
             const int from = open_.top().second;
@@ -152,7 +152,7 @@ private:
 
     using Place = std::tuple<int, int, int, int>;
 
-    /// Two nodes as near to one another are in one place, and are one if they come there at one time.
+    /// Nodes with the same result share a place; of those, only the first at a given time is kept.
     Place placeOf(const Node& now) const {
         const Vec2 at = now.stage->heroAt(), velocity = now.stage->hero().mover.slide().velocity;
         const auto part = [](double value, double size) { return static_cast<int>(std::floor(value / size)); };
@@ -167,8 +167,8 @@ private:
         return isUnhurt(index) && now.stage->hero().mover.slide().isOnFloor && now.far < node(0).far - settings_.gain;
     }
 
-    /// How it comes to stand if it stops there, and lives on unhurt; empty where it does not. Of who does not, it is
-    /// not known whether there is a way on.
+    /// The buttons with which the hero stops there and stays unhurt; empty if none of the tries works. Then there may
+    /// still be a way onwards.
     std::optional<std::vector<Buttons>> stopAt(int index) const {
         for (const Buttons brake : {Buttons{0}, left, right}) {
             Stage ahead = *node(index).stage;
@@ -182,7 +182,8 @@ private:
     }
     bool canStop(int index) const { return node(index).stage->isFinished() || stopAt(index); }
 
-    /// The nearest to the beacon of the places where one can stand, of those nearer by a gain; the root without one.
+    /// Of the nodes where the hero can stop and that are nearer by gain: the nearest to the beacon. 0, the root, if
+    /// none.
     int best(double gain) const {
         std::vector<int> order;
         for (int i = 1; i < static_cast<int>(nodes_.size()); ++i)
@@ -194,7 +195,7 @@ private:
         return 0;
     }
 
-    /// Goes there and stands for a while: a lift may come.
+    /// Goes there and waits for a while: a lift may come.
     std::vector<Buttons> waitAt(int index) const {
         std::vector<Buttons> way = wayTo(index);
         const std::vector<Buttons> rest = stopAt(index).value_or(std::vector<Buttons>(20, 0));

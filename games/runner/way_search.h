@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which buttons bring the hero on from here?
+// Which buttons bring the hero nearer to the beacon?
 #pragma once
 #include <vector>
 
@@ -10,20 +10,20 @@
 namespace plumb::games::runner {
 
 struct SearchSettings {
-    double gain = 8;           ///< so much nearer to the beacon, and safe, is enough [m]
-    int mostTicks = 2000;      ///< looked at; then the best found so far is taken, if it brings leastGain
-    int lastTicks = 5000;      ///< looked at if it does not; then anything safe is taken
-    int stopTicks = 50;        ///< it must live on for, where what was found ends, if it stops there
-    double ticksPerMetre = 9;  ///< still to go: more than the fastest takes, so that it looks ahead rather than around
-    double hurtTicks = 200;    ///< what it is worth not to be hurt
-    double leastGain = 1;      ///< what is worth going for [m]
-    double triedTicks = 6;     ///< what each move already tried from a place makes the next one there wait
-    double againTicks = 40;    ///< what each earlier coming to a place makes the next one wait
+    double gain = 8;           ///< the search ends at a safe place this much nearer to the beacon [m]
+    int mostTicks = 2000;      ///< simulated; then the best place so far is taken if it gains leastGain
+    int lastTicks = 5000;      ///< simulated otherwise; then any safe place is taken
+    int stopTicks = 50;        ///< how long the hero must survive when it stops at the place found
+    double ticksPerMetre = 9;  ///< cost of the remaining way; above the fastest pace, so that going on is preferred
+    double hurtTicks = 200;    ///< cost of being hurt
+    double leastGain = 1;      ///< least gain that is worth taking [m]
+    double triedTicks = 6;     ///< cost for each move already tried from a place
+    double againTicks = 40;    ///< cost for each earlier visit to a place
 };
 
-/// Best first, over copies of the stage that are played on: a handful of moves (run, jump so long, wait, turn back)
-/// from each place reached, the likeliest first. The copies go on as the stage itself will, to the last bit, so what
-/// was found comes true. Gives the buttons of the coming ticks, one at least.
+/// A best-first search that plays copies of the stage. From each place it tries a few moves (run, jump for some time,
+/// wait, turn back), the likeliest first. A copy continues like the stage itself, to the last bit, so the result is
+/// exact. Returns the buttons of the next ticks, at least one.
 std::vector<Buttons> findWay(const Stage& stage, Buttons last, const WayField& field,
                              const SearchSettings& settings = {});
 

@@ -11,14 +11,14 @@ using plumb::test::containsText;
 
 namespace {
 
-/// A level of these rows; the first stands in row 2.
+/// A level of these rows; the first is row 2 of the text.
 Level levelOf(const std::string& rows) {
     return readLevel("map:\n" + rows, "mine.txt");
 }
 
 }  // namespace
 
-TEST_CASE("a level's text gives tiles, things, start, beacon and a lift with its way", "[games][runner]") {
+TEST_CASE("a level's text gives tiles, things, start, beacon and a lift with its path", "[games][runner]") {
     const Level level =
         readLevel("; a note\nname: Hill\nsky: night\npar: 42\nmap:\n..o..\n.pp--\nS...G\n##/^~\n", "hill.txt");
     CHECK(level.name == "Hill");
@@ -33,14 +33,14 @@ TEST_CASE("a level's text gives tiles, things, start, beacon and a lift with its
     REQUIRE(level.things.size() == 1);
     CHECK(level.things[0].at == Vec2(2.5, 3.5));
     REQUIRE(level.platforms.size() == 1);
-    // Two wide: its middle lies between two cells, half a metre to the right of its middle letter's; so does its way.
+    // A lift of two letters: its middle is between two cells, half a metre to the right of a cell's; so is its path.
     CHECK(level.platforms[0].width == 2);
     CHECK(level.platforms[0].path.at(0).position == Vec2(2, 2.5));
     CHECK(level.platforms[0].path.end() == Vec2(5, 2.5));
     CHECK(level.platforms[0].repeat == PathRepeat::BackAndForth);
 }
 
-TEST_CASE("a track that comes back to its lift is a round of its length", "[games][runner]") {
+TEST_CASE("a track that returns to its lift is a loop of 12 m", "[games][runner]") {
     const Level level = levelOf("+---+\n|...|\n+-p-+\nS...G\n");
     REQUIRE(level.platforms.size() == 1);
     CHECK(level.platforms[0].repeat == PathRepeat::Loop);
@@ -92,7 +92,8 @@ TEST_CASE("each of the three levels has its beacon, three suns, checkpoints and 
     }
 }
 
-TEST_CASE("in the three levels nothing that stands hovers, and slopes begin and end at the ground", "[games][runner]") {
+TEST_CASE("in the three levels every standing thing is on a floor, and slopes begin and end at the ground",
+          "[games][runner]") {
     for (const LevelText& text : builtInLevels()) {
         const Level level = readLevel(text.text, text.file);
         const TileMap& tiles = level.tiles;

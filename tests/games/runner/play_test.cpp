@@ -23,7 +23,7 @@ GameSetup setupOf(std::uint64_t seed, const std::string& profile, const std::str
     return {seed, {{"profile", profile}, {"from", from}, {"level", ""}}};
 }
 
-/// Plays a level as the computer does; gives the stage where that ends.
+/// Plays a level as the computer does; returns the stage at the end.
 Stage finish(const LevelText& text, std::uint64_t seed, const std::string& profile) {
     const auto level = std::make_shared<const Level>(readLevel(text.text, text.file));
     const WayField field(*level);
@@ -52,7 +52,7 @@ TEST_CASE("each level can be finished within two minutes, in both profiles", "[g
         }
 }
 
-TEST_CASE("a stage played on in a copy is the same to the last bit", "[games][runner]") {
+TEST_CASE("a copy of a stage continues like the original to the last bit", "[games][runner]") {
     const auto level = std::make_shared<const Level>(readLevel(builtInLevels()[0].text, "1"));
     Stage stage(level, {"modern", 5});
     const auto input = [](int tick) {
@@ -67,7 +67,7 @@ TEST_CASE("a stage played on in a copy is the same to the last bit", "[games][ru
     CHECK(stage.hash() == copy.hash());
 }
 
-TEST_CASE("the same seed and buttons give the same hash, another seed another", "[games][runner]") {
+TEST_CASE("the same seed and buttons give the same hash; another seed gives another hash", "[games][runner]") {
     const auto hashOf = [](std::uint64_t seed) {
         const ActionList actions(runner::actions());
         Runner runner(setupOf(seed, "modern"));
@@ -83,7 +83,7 @@ TEST_CASE("the same seed and buttons give the same hash, another seed another", 
     CHECK(hashOf(1) != hashOf(2));
 }
 
-TEST_CASE("of four lives each that walks into the water is lost, and none left is the end", "[games][runner]") {
+TEST_CASE("each walk into the water costs one of four lives, and the game ends at 0", "[games][runner]") {
     const std::string file = (std::filesystem::temp_directory_path() / "plumb_runner_pool.txt").string();
     std::ofstream(file) << "map:\n.......\nS.....G\n##~~~##\n";
     const ActionList actions(runner::actions());

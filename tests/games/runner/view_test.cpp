@@ -17,7 +17,7 @@ using namespace plumb::games::runner;
 
 namespace {
 
-/// Where a candle's two feet are drawn, in its own place.
+/// Where the candle's two feet are drawn, in its own coordinates.
 std::vector<Vec2> feetOf(const Runner& runner) {
     Canvas canvas({640, 360});
     runner.draw(canvas);
@@ -29,7 +29,7 @@ std::vector<Vec2> feetOf(const Runner& runner) {
     return feet;
 }
 
-/// What is drawn of the walkers after so much time.
+/// The drawing of the walkers at this time.
 std::vector<Mark> foesOf(const Stage& stage, const View& view, double time) {
     static const PoseTrail none;
     Canvas canvas({640, 360});
@@ -40,7 +40,7 @@ std::vector<Mark> foesOf(const Stage& stage, const View& view, double time) {
 
 }  // namespace
 
-TEST_CASE("a candle that ran up to the beacon stands still when the level is won, and does not run on the spot",
+TEST_CASE("a candle that ran to the beacon stands still when the level is won, instead of running on the spot",
           "[games][runner]") {
     const std::string file = (std::filesystem::temp_directory_path() / "plumb_runner_won.txt").string();
     std::ofstream(file) << "map:\n............\nS..........G\n############\n";
@@ -58,7 +58,7 @@ TEST_CASE("a candle that ran up to the beacon stands still when the level is won
     }
     REQUIRE(runner.stage().isFinished());
     CHECK(moved > ticks / 2);
-    runner.update(Input(actions, 0, 0));  // the tick before was still one of running
+    runner.update(Input(actions, 0, 0));  // in the tick before it was still running
     const std::vector<Vec2> standing = feetOf(runner);
     CHECK(standing[0].y() == standing[1].y());
     for (int tick = 0; tick < 120; ++tick) {
@@ -67,7 +67,7 @@ TEST_CASE("a candle that ran up to the beacon stands still when the level is won
     }
 }
 
-TEST_CASE("a snuffer treads while the stage goes on, and stands while it does not", "[games][runner]") {
+TEST_CASE("a snuffer moves its feet while the stage runs, and holds them while it does not", "[games][runner]") {
     const std::string rows = "map:\n......\nS..w.G\n######\n";
     Stage stage(std::make_shared<const Level>(readLevel(rows, "test")), {"modern", 1});
     View view;
