@@ -98,7 +98,7 @@ void Battle::setSea(double level) {
     sea_ = level;
     FieldDef water = world_.field(water_).def();
     water.law = Pool{.fluid = {.density = seaDensity, .surface = {0, level}, .gravity = {0, -gravity}}, .drag = 5};
-    // The region leaves out what is well above the surface: the water does not act there.
+    // The region ends a little above the surface: shapes above it need no check.
     water.region = boxPolygon({2 * worldEdge, 20}, {0, level + 1.5 - 20});
     world_.field(water_).set(water);
 }

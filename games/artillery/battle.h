@@ -37,7 +37,7 @@ struct Prop {
     BodyId body{};
     PieceKind kind = PieceKind::Crate;
     int fuse = -1;  ///< time until a lit keg explodes [ticks]; -1: not lit
-    int crew = 0;   ///< of the owner, for a hat
+    int crew = 0;   ///< the owner's crew, for a hat
 };
 
 struct Shell {

@@ -19,7 +19,7 @@ enum class ThingKind {
     Crate,    ///< a body of the world
     Spring,   ///< throws the hero up
     Snuffer,  ///< walks to and fro; can be stomped
-    Burr,     ///< walks to and fro; its thorns hurt who stomps it
+    Burr,     ///< walks to and fro; its thorns hurt a hero on top
     Moth,     ///< flies to and fro
     Lantern,  ///< a checkpoint
     Beacon,   ///< the end

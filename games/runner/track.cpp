@@ -118,7 +118,7 @@ private:
                 return points;
             }
             if (std::find(followed_.begin(), followed_.end(), ahead) != followed_.end())
-                refuseAt(ahead, "a track that comes back to itself, and not to its platform");
+                refuseAt(ahead, "a track that returns to itself instead of its platform");
             spot = ahead;
         }
     }
@@ -130,7 +130,7 @@ private:
             const Spot ahead = next(spot, turn);
             if (leads(at(ahead), turn) || run.holds(ahead)) on.push_back(turn);
         }
-        if (on.empty()) refuseAt(spot, "'+' where no track goes on round a corner");
+        if (on.empty()) refuseAt(spot, "'+' without a track that continues round a corner");
         if (on.size() > 1) refuseAt(spot, "a track that forks");
         return on.front();
     }
@@ -142,7 +142,7 @@ private:
                 const Spot spot{row, column};
                 const bool isTrack = trackLetters.find(at(spot)) != std::string_view::npos;
                 if (isTrack && std::find(followed_.begin(), followed_.end(), spot) == followed_.end())
-                    refuseAt(spot, "a track that no platform goes along: a run of p was wanted at one of its places");
+                    refuseAt(spot, "a track without a platform: a run of p was wanted beside it");
             }
         }
     }

@@ -182,8 +182,7 @@ private:
     }
     bool canStop(int index) const { return node(index).stage->isFinished() || stopAt(index); }
 
-    /// Of the nodes where the hero can stop and that are nearer by gain: the nearest to the beacon. 0, the root, if
-    /// none.
+    /// The node nearest to the beacon where the hero can stop, if it is nearer by gain; otherwise 0, the root.
     int best(double gain) const {
         std::vector<int> order;
         for (int i = 1; i < static_cast<int>(nodes_.size()); ++i)

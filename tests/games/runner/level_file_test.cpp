@@ -25,7 +25,7 @@ GameInfo runnerInfo() {
 
 }  // namespace
 
-TEST_CASE("a level of over 4 KB is read from a file as it stands there", "[games][runner]") {
+TEST_CASE("a level of over 4 KB is read from a file unchanged", "[games][runner]") {
     const std::string file = (std::filesystem::temp_directory_path() / "plumb_runner_level.txt").string();
     const std::string text(builtInLevels().front().text);
     REQUIRE(text.size() > 4096);
@@ -34,12 +34,12 @@ TEST_CASE("a level of over 4 KB is read from a file as it stands there", "[games
     CHECK(levelIn(file).things.size() == readLevel(text, "same").things.size());
 }
 
-TEST_CASE("a level's file that is not there, or a folder, is refused by its name", "[games][runner]") {
+TEST_CASE("a missing level file and a folder are refused by name", "[games][runner]") {
     CHECK_THROWS_WITH(levelIn("/no/such/level.txt"), plumb::test::containsText("/no/such/level.txt: cannot be read"));
     CHECK_THROWS_WITH(levelIn("/tmp"), plumb::test::containsText("/tmp: cannot be read"));
 }
 
-TEST_CASE("a bad --level is refused before the title comes up, and not after Play", "[games][runner]") {
+TEST_CASE("a bad --level is refused before the title appears, not after Play", "[games][runner]") {
     SessionSetup setup;
     setup.options["level"] = "/no/such/level.txt";
     CHECK_THROWS_WITH(Session(runnerInfo(), setup), plumb::test::containsText("cannot be read"));

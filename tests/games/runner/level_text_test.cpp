@@ -59,7 +59,7 @@ TEST_CASE("a bad level is refused with file, row, column and what was wanted", "
     refusal("map:\nS.SG\n####\n", "mine.txt:2:3: a second S: one was wanted");
     refusal("map:\nS..GG\n####\n", "mine.txt:2:5: a second G: one was wanted");
     refusal("map:\nS.pG\n####\n", "mine.txt:2:3: a platform without a track: one of -, | or + was wanted");
-    refusal("map:\nS.-G\n####\n", "mine.txt:2:3: a track that no platform goes along");
+    refusal("map:\nS.-G\n####\n", "mine.txt:2:3: a track without a platform");
     refusal("map:\n..|..\np-+-.\nS.|.G\n", "mine.txt:3:3: a track that forks");
     refusal("map:\n", "mine.txt:2:1: no map: its rows were wanted here");
     refusal("name: x\n", "mine.txt:2:1: the text ends: a line \"map:\" and the map were wanted");
