@@ -20,8 +20,7 @@ struct FirstShot {
     double wind = 0;
     bool wentOff = false;
     Vec2 at{0, 0};
-    double miss =
-        1e9;  ///< from the explosion to the nearest enemy's outline, where it stands after the shot is fired [m]
+    double miss = 1e9;  ///< from the explosion to the nearest enemy's outline, as placed when fired [m]
 };
 
 /// Plays the computer's first shot of a battle, up to the explosion.
