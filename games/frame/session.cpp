@@ -264,6 +264,9 @@ std::uint64_t Session::hash() const {
 const std::vector<std::int64_t>& Session::scores() const {
     return state_->scores;
 }
+void Session::listKeys(int action, std::vector<Key> keys) {
+    state_->info.actions.at(static_cast<std::size_t>(action)).keys = std::move(keys);
+}
 void Session::showDebug(bool shown) {
     state_->debug = shown;
 }

@@ -50,6 +50,8 @@ public:
     /// The best of all rounds, those of before with them, the best first; ten at most.
     const std::vector<std::int64_t>& scores() const;
 
+    /// The keys that the title lists for the game's action of that index, where a player has chosen others.
+    void listKeys(int action, std::vector<Key> keys);
     void showDebug(bool shown);  ///< the kit's view of the world over the game's; no part of what is recorded
     bool debugShown() const;
 

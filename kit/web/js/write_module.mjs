@@ -7,6 +7,7 @@ import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
 
 import { commentsOf } from './headers.mjs';
+import { joined } from './join.mjs';
 import { typesOf } from './types.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url));
@@ -30,16 +31,9 @@ function writeHash(schemaFile, header) {
     `namespace plumb::web {\ninline constexpr std::uint32_t schemaHash = ${hashOf(text)}u;\n}\n`);
 }
 
-/** The runtime as one text: the files that it includes, each after those that it needs, and runtime.js. */
-function wholeRuntime() {
-  const inner = ['refusals.js', 'ids.js', 'writer.js', 'reader.js'].map(name => readFileSync(join(here, name), 'utf8'));
-  const own = text => text.replace(/^import .*\n/gm, '');
-  return [...inner.map(text => own(text).replace(/^export /gm, '')), own(readFileSync(join(here, 'runtime.js'), 'utf8'))].join('\n');
-}
-
 function writeModule(schemaFile, wasm, kit, folder, version) {
   const schema = JSON.parse(readFileSync(schemaFile, 'utf8')), text = compact(schema);
-  const runtime = wholeRuntime(), bytes = readFileSync(wasm);
+  const runtime = joined(here, ['refusals.js', 'ids.js', 'writer.js', 'reader.js', 'runtime.js']), bytes = readFileSync(wasm);
   const heading = `// Plumb ${version}, a 2D physics kit. SPDX-License-Identifier: MIT\n` +
     '// Written by the build from the descriptions of the kit.\n';
   const data = `const schema = ${text};\nconst schemaHash = ${hashOf(text)};\n`;

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// What a page keeps for the next time: best scores, options, keys, sound. Where a browser keeps nothing, all goes on without.
+
+export class Store {
+  constructor(game) { this.key = `plumb.${game}`; }
+
+  read() {
+    try {
+      return JSON.parse(localStorage.getItem(this.key)) ?? {};
+    } catch { return {}; }
+  }
+  /** Changes these entries, and leaves the others. */
+  write(entries) {
+    try {
+      localStorage.setItem(this.key, JSON.stringify({ ...this.read(), ...entries }));
+    } catch { /* full, or not allowed */ }
+  }
+}
+
+/** The lines "score N" and "option NAME VALUE" of a game's toKeep(). */
+export function keptOf(text) {
+  const scores = [], options = {};
+  for (const line of text.split('\n')) {
+    const [what, name, ...rest] = line.split(' ');
+    if (what === 'score') scores.push(Number(name));
+    if (what === 'option') options[name] = rest.join(' ');
+  }
+  return { scores, options };
+}
