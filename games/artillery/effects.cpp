@@ -145,16 +145,17 @@ void Effects::drawLabels(Canvas& canvas) const {
 /// The damage done, with an outline so that it is readable on any sky. It pops up and floats away. For gunners outside
 /// the picture it appears at the picture's edge.
 void Effects::drawLabel(Canvas& canvas, const Label& label, double age) const {
-    const double alpha = std::min(1.0, 3 * (labelSeconds - age));
+    // At its end it shrinks and does not fade: a half transparent text shows its dark edge through.
+    const double shrunk = std::clamp(3 * (labelSeconds - age), 0.0, 1.0);
     const double jump = 1 + 0.5 * std::max(0.0, 1 - 6 * age);
-    const double size = 1.7 * jump;
+    const double size = 1.7 * jump * shrunk;
     const Aabb seen = inflate(canvas.visible(), -size);
     const Vec2 at = (label.at + Vec2(0, 2.3 + 1.4 * age)).cwiseMax(seen.lower).cwiseMin(seen.upper);
-    TextStyle style{.size = size, .color = ink.faded(alpha), .align = Align::Center, .weight = Weight::Heavy};
+    TextStyle style{.size = size, .color = ink, .align = Align::Center, .weight = Weight::Heavy};
     const std::string text = "-" + std::to_string(label.amount);
     for (const Vec2& edge : {Vec2(0.1, -0.14), Vec2(-0.1, -0.1), Vec2(0.1, 0.1), Vec2(-0.1, 0.1)})
-        canvas.text(at + edge, text, style);
-    style.color = lighter(crewColor(label.crew), 0.6).faded(alpha);
+        canvas.text(at + shrunk * edge, text, style);
+    style.color = lighter(crewColor(label.crew), 0.6);
     canvas.text(at, text, style);
 }
 

@@ -143,7 +143,8 @@ void drawAngleAndLegs(Canvas& canvas, const Hud& hud) {
 void drawHint(Canvas& canvas, const Hud& hud) {
     if (hud.battle.turn() > 4 || hud.battle.charging()) return;
     canvas.rect({middle - 215, 303}, {430, 18}, panel, 9);
-    write(canvas, {middle, 312}, "up, down: barrel    left, right: walk    hold fire and let go    Tab: weapon", 11,
+    write(canvas, {middle, 312},
+          "up, down: barrel    left, right: walk    hold fire and let go    weapon: the next one", 11,
           paper.faded(0.85), Align::Center, 600);
 }
 

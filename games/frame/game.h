@@ -63,6 +63,7 @@ public:
     /// The world that the debug view shows, with the last camera of draw(); null: none.
     virtual const World* world() const { return nullptr; }
     virtual void drawDebug(Canvas&) const {}  ///< what the debug view shows besides: plans, targets
+    virtual std::vector<std::string> debugFigures() const { return {}; }  ///< below the debug view, each a column
 
     /// The cues played since the last call.
     std::vector<Cue> takeCues() { return std::exchange(cues_, {}); }

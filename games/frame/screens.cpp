@@ -52,6 +52,17 @@ void aside(const Sheet& on, const std::string& text, double y, double width) {
         {.size = 13, .color = on.theme.quiet, .align = Align::Center, .baseline = Baseline::Middle, .fitWidth = width});
 }
 
+/// A text in two lines where it is too long for one.
+void aboutGame(const Sheet& on, const std::string& text, double y) {
+    constexpr double letterWidth = 6.5;  // at the size of aside(), about
+    const double width = on.width - 40;
+    const std::size_t space = text.find(' ', text.size() / 2);
+    if (letterWidth * static_cast<double>(text.size()) < 1.3 * width || space == std::string::npos)
+        return aside(on, text, y, width);
+    aside(on, text.substr(0, space), y - 6, width);
+    aside(on, text.substr(space + 1), y + 10, width);
+}
+
 void drawKeys(const Sheet& on, const GameInfo& info) {
     const double longest = 96 * on.width / screenWidth;  // [letters]
     const std::vector<std::string> lines = keyLines(info.actions, static_cast<std::size_t>(longest));
@@ -72,7 +83,7 @@ void drawTitle(const Sheet& on, const ScreenView& view) {
     const double first = menuTop(Screen::Title).y();
     dim(on, info.drawTitle ? 0.2 : 0.66);  // what was drawn to lie behind it leaves room for it
     heading(on, info.title, 66, 58);
-    aside(on, info.about, 112, on.width - 60);
+    aboutGame(on, info.about, 112);
     panel(on, first - lineHeight, menuEnd(view.menu, first) + 10);
     view.menu.draw(on.canvas, menuTop(Screen::Title), on.theme);
     drawKeys(on, info);

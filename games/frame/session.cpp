@@ -155,6 +155,14 @@ struct Session::State {
     }
 
     bool isRoundShown() const { return game && screen != Screen::Title && screen != Screen::Scores; }
+    /// The footer's lines on what the debug view shows.
+    std::vector<FooterLine> debugLines() const {
+        if (!debug || !isRoundShown()) return {};
+        std::vector<FooterLine> lines;
+        if (const World* world = game->world()) lines.push_back(figuresOf(*world));
+        if (FooterLine own = game->debugFigures(); !own.empty()) lines.push_back(std::move(own));
+        return lines;
+    }
     /// The world that the debug view shows; null: none.
     const World* worldShown() const { return debug && isRoundShown() ? game->world() : nullptr; }
 
@@ -192,7 +200,8 @@ void Session::update(Buttons buttons) {
 
 void Session::draw(Canvas& canvas, std::vector<FooterLine> footer) const {
     const double between = canvas.between();
-    if (const World* world = state_->worldShown()) footer.insert(footer.begin(), figuresOf(*world));
+    std::vector<FooterLine> lines = state_->debugLines();
+    footer.insert(footer.begin(), lines.begin(), lines.end());
     canvas.clear(state_->info.theme.background);
     drawFooter(canvas, footer, state_->info.theme);
     state_->drawGame(canvas);

@@ -158,6 +158,15 @@ void MazeGame::drawDebug(Canvas& canvas) const {
     drawPlans(canvas, chase_);
 }
 
+std::vector<std::string> MazeGame::debugFigures() const {
+    const auto& hunters = chase_.hunters();
+    const auto inLanes = std::count_if(hunters.begin(), hunters.end(), [](const Hunter& h) { return h.isInLanes(); });
+    return {std::to_string(chase_.dotsLeft()) + " crumbs left",
+            std::string(chase_.mode() == HunterMode::Chase ? "cats chase" : "cats rest in their corners"),
+            std::to_string(inLanes) + " of 4 in the lanes",
+            "fright: " + std::to_string(chase_.frightFrames() / framesPerSecond) + " s"};
+}
+
 std::string MazeGame::verdict() const {
     const std::optional<Who> catcher = chase_.catcher();
     return catcher ? std::string(lookOf(*catcher).name) + " got you" : "All crumbs!";

@@ -34,6 +34,7 @@ public:
     void update(const Input& input) override;
     void draw(Canvas& canvas) const override;
     void drawDebug(Canvas& canvas) const override;
+    std::vector<std::string> debugFigures() const override;
     Progress progress() const override { return progress_; }
     std::string verdict() const override;  ///< who caught the mouse
     std::uint64_t hash() const override;

@@ -143,15 +143,17 @@ void Effects::draw(Canvas& canvas) const {
     }
     for (const Words& words : words_) {
         const double share = shareOf(words.age, wordsLife);
-        const TextStyle style{.size = 0.55,
-                              .color = words.color.faded(share < 0.6 ? 1 : (1 - share) / 0.4),
+        // They shrink and do not fade: where words are half transparent, their dark edge shows through.
+        const double shrunk = share < 0.6 ? 1 : (1 - share) / 0.4;
+        const TextStyle style{.size = 0.55 * shrunk,
+                              .color = words.color,
                               .align = Align::Center,
                               .baseline = Baseline::Middle,
                               .weight = Weight::Heavy};
         TextStyle shade = style;
-        shade.color = Color::hex(0x1b1626).faded(0.7 * style.color.alpha);
+        shade.color = Color::hex(0x1b1626);
         for (const Vec2& aside : {Vec2(-0.04, 0), Vec2(0.04, 0), Vec2(0, 0.04), Vec2(0, -0.06)})
-            canvas.text(words.at + aside, words.text, shade);
+            canvas.text(words.at + shrunk * aside, words.text, shade);
         canvas.text(words.at, words.text, style);
     }
 }

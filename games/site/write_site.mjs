@@ -28,8 +28,8 @@ const cards = games.map(({ name, title, about }) => {
   const picture = join(root, 'games', name, 'picture.png');
   if (!existsSync(picture)) throw new Error(`${picture} is not there: a game's card shows it`);
   copyFileSync(picture, join(site, name, 'picture.png'));
-  return `<a class="game" href="${name}/"><img src="${name}/picture.png" alt="" width="960" height="540">` +
-    `<span class="play">Play</span><strong>${title}</strong><span>${about}</span></a>`;
+  return `<a class="game" href="${name}/"><span class="picture"><img src="${name}/picture.png" alt="" width="960" height="540">` +
+    `<span class="play">Play</span></span><strong>${title}</strong><span>${about}</span></a>`;
 }).join('\n');
 const singles = games.map(({ name, title }) => `<a href="single/${name}.html" download>${title}</a>`).join(', ');
 const [, first] = /```js\n([^]*?)```/.exec(readFileSync(join(root, 'kit/web/README.md'), 'utf8'));

@@ -83,7 +83,8 @@ std::string describeGame(const GameInfo& info) {
     std::string text = "title\t" + info.title + "\nabout\t" + info.about + "\ncolors";
     for (const Color& color : {theme.background, theme.panel, theme.text, theme.quiet, theme.accent})
         text += "\t" + cssOf(color);
-    for (const Action& action : withMenuActions(info.actions).all())
+    const ActionList actions = withMenuActions(info.actions);
+    for (const Action& action : actions.all())
         text += "\naction\t" + action.name + "\t" + action.about + "\t" + namesOfAll(action.keys) + "\t" +
                 namesOfAll(action.pads);
     return text;

@@ -49,7 +49,6 @@ class GamePage {
     this.listen();
     this.begin();
     this.fit();
-    document.fonts?.ready.then(() => this.painter.forgetFonts());
     requestAnimationFrame(now => this.frame(now));
   }
 
@@ -255,8 +254,10 @@ class GamePage {
 /** @param setup the game's name, home: where its menu's Quit leads, and source: its module, as loadGame() wants it */
 export async function play(setup) {
   if (matchMedia('(pointer: coarse)').matches) document.body.classList.add('touch');
+  const fonts = [500, 700, 900].map(weight => document.fonts.load(`${weight} 16px Inter`).catch(() => []));
   try {
-    const page = new GamePage(await loadGame(setup.source), setup);
+    const [game] = await Promise.all([loadGame(setup.source), ...fonts]);
+    const page = new GamePage(game, setup);
     page.start();
     return page;
   } catch (error) {

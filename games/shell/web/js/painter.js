@@ -29,8 +29,6 @@ class Fonts {
     }
     return this.capHeights.get(weight);
   }
-  /** A font came in: what was measured is no longer true. */
-  forget() { this.known.clear(); this.capHeights.clear(); }
 }
 
 export function painterOn(canvas) {
@@ -129,6 +127,5 @@ export function painterOn(canvas) {
       clipTo(null);
       while (at < d.length) clip = mark(clip);
     },
-    forgetFonts: () => fonts.forget(),
   };
 }
