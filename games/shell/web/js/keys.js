@@ -2,7 +2,7 @@
 // The keyboard and gamepads: which actions are done? By the place of a key, not by what is printed on it.
 
 /** The browser's codes of each key, in the order of the frame's Key. */
-const codesOf = [['ArrowLeft'], ['ArrowRight'], ['ArrowUp'], ['ArrowDown'], ['Space'], ['Enter', 'NumpadEnter'], ['Escape'], ['Tab'],
+export const codesOf = [['ArrowLeft'], ['ArrowRight'], ['ArrowUp'], ['ArrowDown'], ['Space'], ['Enter', 'NumpadEnter'], ['Escape'], ['Tab'],
   ['Backspace'], ['ShiftLeft', 'ShiftRight'], ['ControlLeft', 'ControlRight'], ['Minus', 'NumpadSubtract'], ['Equal', 'NumpadAdd'],
   ['Comma'], ['Period'], ...[...'ABCDEFGHIJKLMNOPQRSTUVWXYZ'].map(letter => [`Key${letter}`]),
   ...[...'0123456789'].map(digit => [`Digit${digit}`])];
