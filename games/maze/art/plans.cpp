@@ -18,7 +18,8 @@ Vec2 middleOf(Cell cell) {
 Cell insideMaze(Cell cell) {
     const Vec2 last = gardenCorner + gardenSize - Vec2(1, 1);
     const auto within = [](int index, double lowest, double highest) {
-        return std::clamp(index, static_cast<int>(std::ceil(lowest)), static_cast<int>(std::floor(highest)));
+        return std::clamp(index, static_cast<int>(std::ceil(lowest + 0.5)),
+                          static_cast<int>(std::floor(highest - 0.5)));
     };
     return {within(cell.column, gardenCorner.x(), last.x()), within(cell.row, gardenCorner.y(), last.y())};
 }
@@ -39,6 +40,7 @@ void drawPlan(Canvas& canvas, const Chase& chase, const Hunter& hunter) {
 }  // namespace
 
 void drawPlans(Canvas& canvas, const Chase& chase) {
+    const Canvas::Scope scope = canvas.clip(gardenCorner, gardenSize);
     frame(canvas, chase.player().cell(), paper.faded(0.7), 0.08);
     for (const Hunter& hunter : chase.hunters())
         if (hunter.isInLanes()) drawPlan(canvas, chase, hunter);

@@ -69,7 +69,7 @@ TEST_CASE("a broken record is refused with the line number, the text of the line
     CHECK_THROWS_WITH(read(head + "9999999999 hit\n"), containsText("1 to 10^9"));
     CHECK_THROWS_WITH(read(head + "3\n"), containsText("the actions done in them"));
     CHECK_THROWS_WITH(read(head + "3 fly\n"), containsText("the actions of counting: hit, give-up, confirm"));
-    CHECK_THROWS_WITH(read(head + "3 hit+\n3 +\n"), containsText("a.record:3"));
+    CHECK_THROWS_WITH(read(head + "3 hit\n3 hit+\n"), containsText("a.record:3"));
     CHECK_THROWS_WITH(read(head + "end xyz\n"), containsText("hexadecimal"));
     CHECK_THROWS_WITH(read(head + "end 12\n1 -\n"), containsText("a.record:3") && containsText("after"));
 }
