@@ -26,10 +26,13 @@ std::size_t countOf(const std::string& part, const std::string& text) {
     return count;
 }
 
-std::string hashFrom(const std::string& compiler, const std::string& optimisation) {
-    const Ran ran = shell(quoted((buildBits(compiler, optimisation) / "bits").string()));
+std::string hashFrom(const fs::path& program) {
+    const Ran ran = shell(quoted(program.string()));
     REQUIRE(ran.ok);
     return ran.output;
+}
+std::string hashFrom(const std::string& compiler, const std::string& optimisation) {
+    return hashFrom(buildBits(compiler, optimisation) / "bits");
 }
 
 /// As the program of tests/bits prints it.
@@ -94,7 +97,7 @@ TEST_CASE("GCC and Clang at -O1 and -O3, on 1, 4, 8 and 16 lanes, come to one st
     REQUIRE(countOf("\n", reference) == 8 + scenes);
     REQUIRE(countOf("\nscene ", reference) == scenes);
     CHECK(countOf("lanes", reference) == 0);
-    CHECK(hashFrom("g++", "-O3") == reference);
+    CHECK(hashFrom(PLUMB_BITS_PROGRAM) == reference);  // of this build: GCC at -O3, where it is the preset release
     CHECK(hashFrom("clang++", "-O1") == reference);
     CHECK(hashFrom("clang++", "-O3") == reference);
     // And the kit as it is built here, each part with the flags that it has by itself.
@@ -104,11 +107,11 @@ TEST_CASE("GCC and Clang at -O1 and -O3, on 1, 4, 8 and 16 lanes, come to one st
 
 // The linker keeps one of all that have a name: were it the one with wide instructions, every machine would run it.
 TEST_CASE("objects for 8 and 16 lanes share no inline code with the rest of the kit", "[house][build]") {
-    for (const std::string compiler : {"g++", "clang++"}) {
-        for (const std::string optimisation : {"-O1", "-O3"}) {
-            const WeakSymbols found = weakSymbolsOf(buildBits(compiler, optimisation) / "plumb" / "kit" / "libplumb.a");
-            CHECK(found.objects == 2);  // one of each width: its sources are compiled as one
-            for (const std::string& name : found.misplaced) FAIL_CHECK(compiler << " " << optimisation << ", " << name);
-        }
+    const fs::path inBuild = fs::path("kit") / "libplumb.a", below = "plumb" / inBuild;
+    for (const fs::path& archive : {fs::path(PLUMB_BUILD_DIR) / inBuild, buildBits("g++", "-O1") / below,
+                                    buildBits("clang++", "-O1") / below, buildBits("clang++", "-O3") / below}) {
+        const WeakSymbols found = weakSymbolsOf(archive);
+        CHECK(found.objects == 2);  // one of each width: its sources are compiled as one
+        for (const std::string& name : found.misplaced) FAIL_CHECK(archive.string() << ", " << name);
     }
 }

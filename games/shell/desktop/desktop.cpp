@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <deque>
 #include <iostream>
 #include <thread>
 
@@ -71,6 +72,7 @@ private:
             devices_.handle(event);
             if (event.type == SDL_QUIT) over_ = true;
             if (event.type == SDL_KEYDOWN && event.key.repeat == 0) handleKey(event.key.keysym);
+            if (event.type == SDL_MOUSEBUTTONDOWN && event.button.button == SDL_BUTTON_LEFT) click(event.button);
             if (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) loseFocus();
         }
     }
@@ -84,6 +86,13 @@ private:
             case SDLK_F11: window_.toggleFullscreen(); break;
             default: break;
         }
+    }
+
+    /// In a menu it presses what chooses the entry, one button a tick.
+    void click(const SDL_MouseButtonEvent& at) {
+        if (source_ != nullptr || !clicks_.empty()) return;
+        for (const Buttons press : session_.pressesAt(window_.pixelAt(at.x, at.y), window_.size()))
+            clicks_.push_back(press);
     }
 
     void loseFocus() {
@@ -100,6 +109,10 @@ private:
     std::optional<Buttons> buttons() {
         if (source_ != nullptr) return source_->next(session_);
         Buttons now = devices_.take(session_.actions());
+        if (!clicks_.empty()) {
+            now = clicks_.front();
+            clicks_.pop_front();
+        }
         // As a button, so that the record contains it.
         if (std::exchange(pauses_, false) && session_.screen() == Screen::Play)
             now |= session_.actions().button("pause");
@@ -147,6 +160,7 @@ private:
     Record record_;
     Window window_;
     Devices devices_;
+    std::deque<Buttons> clicks_;  ///< what the mouse has chosen in a menu, to be pressed
     Sound sound_;
     Painter painter_;
     KeptPainter windowPainter_{{.threads = paintingThreads(), .quick = true}};

@@ -78,6 +78,13 @@ PixelSize Window::size() const {
     return {std::max(size.width, 1), std::max(size.height, 1)};
 }
 
+Vec2 Window::pixelAt(int x, int y) const {
+    int width = 1, height = 1;
+    SDL_GetWindowSize(window_.get(), &width, &height);
+    const PixelSize pixels = size();
+    return {(x + 0.5) * pixels.width / std::max(width, 1), (y + 0.5) * pixels.height / std::max(height, 1)};
+}
+
 double Window::displayRate() const {
     SDL_DisplayMode mode;
     const int display = SDL_GetWindowDisplayIndex(window_.get());

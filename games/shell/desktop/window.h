@@ -25,7 +25,8 @@ public:
     /// Throws std::runtime_error when SDL cannot make it.
     Window(const std::string& title, PixelSize size);
 
-    PixelSize size() const;  ///< the current size, in pixels of the display
+    PixelSize size() const;            ///< the current size, in pixels of the display
+    Vec2 pixelAt(int x, int y) const;  ///< of a point that SDL tells, which may count in larger units
     /// Calls the function, which must set all pixels; their values are undefined before that.
     void paint(const std::function<void(const PixelView&)>& paint);
     void show();                           ///< shows the painted pixels

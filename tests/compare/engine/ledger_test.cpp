@@ -48,7 +48,7 @@ TEST_CASE("the ledger closes over every scene, and what it says is stored is wha
 }
 
 TEST_CASE("friction, blows and dampers never give, in any scene, and few joules go without a cause",
-          "[compare][ledger][law]") {
+          "[compare][ledger][law][slow]") {
     for (const Scene& scene : builtinScenes()) {
         INFO(scene.name);
         PlumbWorld made = plumbWorld(scene, {.ledger = true});

@@ -67,7 +67,7 @@ constexpr std::uint64_t hashes[] = {
 
 }  // namespace
 
-TEST_CASE("the scenes of seeds 1 to 80 are those they have been", "[compare][scene][random]") {
+TEST_CASE("the scenes of seeds 1 to 80 are those they have been", "[compare][scene][random][slow]") {
     REQUIRE(std::size(hashes) == seeds);
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         INFO("seed " << seed);
@@ -168,7 +168,7 @@ TEST_CASE("80 random scenes are built by Plumb and by Box2D 3, and step to finit
 }
 
 TEST_CASE("random:7 is the scene of seed 7, and random:3..5 three scenes, to check and to bench",
-          "[compare][scene][random]") {
+          "[compare][scene][random][slow]") {
     const std::vector<std::string> one{"random:7"}, three{"random:3..5"}, twice{"random:3..5", "random:4"};
     REQUIRE(chooseScenes(one).size() == 1);
     CHECK(toJson(chooseScenes(one)[0]) == toJson(randomScene(7)));

@@ -83,6 +83,20 @@ struct Replayed {
 
 }  // namespace
 
+TEST_CASE("a click on Play begins a round, and one beside the menu does nothing", "[games]") {
+    for (const int x : {160, 5}) {
+        const Events events;
+        SDL_Event event{};
+        event.type = SDL_MOUSEBUTTONDOWN;
+        event.button.button = SDL_BUTTON_LEFT;
+        event.button.x = x;
+        event.button.y = 80;  // where the title's first entry is in a window of 320 x 180
+        SDL_PushEvent(&event);
+        const Replayed replayed(playedFor(20));
+        CHECK(replayed.screens.back() == (x == 160 ? Screen::Play : Screen::Title));
+    }
+}
+
 TEST_CASE("keys in a window, from the title to a won round, give the same hash when replayed without a window",
           "[games]") {
     const Events events;

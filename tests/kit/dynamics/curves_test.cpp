@@ -125,7 +125,7 @@ bool passesLoop(int segments, double radius, double height, double rate) {
 
 }  // namespace
 
-TEST_CASE("a ball keeps the energy that a bowl of 30 to 10,000 segments leaves it", "[dynamics][chain][law]") {
+TEST_CASE("a ball keeps the energy that a bowl of 30 to 10,000 segments leaves it", "[dynamics][chain][law][slow]") {
     for (const int segments : {30, 100, 1000, 4000, 10'000})
         for (const double radius : {1.0, 20.0})
             for (const double rate : {30.0, 60.0, 120.0}) {
@@ -137,7 +137,7 @@ TEST_CASE("a ball keeps the energy that a bowl of 30 to 10,000 segments leaves i
             }
 }
 
-TEST_CASE("a ball that slides over a hill of 100 to 10,000 segments keeps its energy", "[dynamics][chain][law]") {
+TEST_CASE("a ball that slides over a hill of 100 to 10,000 segments keeps its energy", "[dynamics][chain][law][slow]") {
     for (const int segments : {100, 1000, 4000, 10'000})
         for (const double size : {1.0, 5.0})
             for (const double rate : {30.0, 60.0}) {
@@ -157,7 +157,8 @@ TEST_CASE("a ball passes a loop of 1,000 segments from 2.6 radii, and not from 2
         }
 }
 
-TEST_CASE("a ball that rolls in a bowl loses less the finer the bowl, and never gains", "[dynamics][chain][law]") {
+TEST_CASE("a ball that rolls in a bowl loses less the finer the bowl, and never gains",
+          "[dynamics][chain][law][slow]") {
     for (const double radius : {1.0, 5.0})
         for (const double rate : {30.0, 60.0, 120.0}) {
             double coarser = 0;

@@ -293,7 +293,7 @@ TEST_CASE("what was struck into a sensor ends its visit when the sensor is remov
 }
 
 TEST_CASE("1,000 bodies that are struck, pushed or pulled begin each visit in the step in which sampling sees it",
-          "[dynamics][sensor][law]") {
+          "[dynamics][sensor][law][slow]") {
     Random random(71);
     VisitTally tally;
     for (int round = 0; round < 1000; ++round) {

@@ -57,7 +57,7 @@ TEST_CASE("two bodies go round each other as Kepler says", "[dynamics][fields]")
     CHECK((0.75 * world.body(heavy).position() + 0.25 * world.body(light).position() - middle).norm() < 1e-11);
 }
 
-TEST_CASE("an orbit keeps its energy for 100 rounds", "[dynamics][fields]") {
+TEST_CASE("an orbit keeps its energy for 100 rounds", "[dynamics][fields][slow]") {
     World world({.gravity = {0, 0}, .ledger = true});
     world.addField({.law = Attractor{.strength = 100, .power = 2}});
     disc(world, {10, 0}, {0, 2}, 1);

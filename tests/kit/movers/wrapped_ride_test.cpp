@@ -27,7 +27,7 @@ Vec2 placeOn(const World& world, BodyId platform, BodyId rider) {
 }  // namespace
 
 TEST_CASE("for 10,000 ticks riding round and round a world of 20 m, straight on, a rider slips by less than 1e-9 m",
-          "[movers]") {
+          "[movers][slow]") {
     for (double speed : {3.0, -7.0, 130.0}) {
         for (double off : {0.0, 1.2, -1.9}) {
             World world = wrapped();

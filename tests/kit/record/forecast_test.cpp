@@ -95,7 +95,7 @@ void requireAsForecast(World& world, BodyId body, const Forecast& foreseen) {
 
 }  // namespace
 
-TEST_CASE("1,000 shots bounce as was forecast, to the last bit", "[record][rates]") {
+TEST_CASE("1,000 shots bounce as was forecast, to the last bit", "[record][rates][slow]") {
     Random random(51);
     std::size_t hits = 0;
     for (int i = 0; i < plumb::test::allCases(1000); ++i) {

@@ -85,7 +85,7 @@ TEST_CASE("the headings of 30 flocks of thirty that align come together", "[stee
     CHECK(before < 0.6);
 }
 
-TEST_CASE("30 flocks of thirty that cohere shrink to a tenth, and no agent flies off", "[steering]") {
+TEST_CASE("30 flocks of thirty that cohere shrink to a tenth, and no agent flies off", "[steering][slow]") {
     Random random(95);
     double worst = 0;
     for (int i = 0; i < 30; ++i) {
@@ -115,7 +115,8 @@ TEST_CASE("thirty that separate and come to rest are no nearer than their radius
     CHECK(worst > 1.9);
 }
 
-TEST_CASE("a flock that does all three stays together, flies the same way and keeps its distances", "[steering]") {
+TEST_CASE("a flock that does all three stays together, flies the same way and keeps its distances",
+          "[steering][slow]") {
     Random random(97);
     double order0 = 1, least = 1e9, spread = 0;
     for (int i = 0; i < 20; ++i) {
