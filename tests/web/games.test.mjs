@@ -92,6 +92,26 @@ async function replayNatively(page, game) {
   return native(game, '--replay', file);
 }
 
+/** In a page: how far its picture after so many ticks is from another: levels of 255, and the share of pixels that are off by 64. */
+async function differenceFrom([base64, ticks]) {
+  pump(ticks);
+  gamePage.paint(1);
+  const image = new Image();
+  image.src = `data:image/png;base64,${base64}`;
+  await image.decode();
+  const { width, height } = gamePage.canvas, other = new OffscreenCanvas(width, height).getContext('2d');
+  if (image.width !== width || image.height !== height) throw new Error(`${width} x ${height} pixels`);
+  other.drawImage(image, 0, 0);
+  const a = gamePage.canvas.getContext('2d').getImageData(0, 0, width, height).data, b = other.getImageData(0, 0, width, height).data;
+  let sum = 0, far = 0;
+  for (let i = 0; i < a.length; i += 4) {
+    const most = Math.max(Math.abs(a[i] - b[i]), Math.abs(a[i + 1] - b[i + 1]), Math.abs(a[i + 2] - b[i + 2]));
+    sum += most;
+    far += most > 64;
+  }
+  return { mean: sum / (a.length / 4), far: far / (a.length / 4) };
+}
+
 for (const game of games) {
   test(`${game} is played by keys to the end of a round, and the record replays natively to the same bits`, () => served(async base => {
     const round = roundOf(game, 2);
@@ -121,6 +141,16 @@ for (const game of games) {
       await page.evaluate(count => pump(count), round.runs.reduce((sum, { ticks }) => sum + ticks, 1));
       assert.match(await page.textContent('#status'), /has ended as it was recorded/);
       assert.equal(await page.evaluate(() => gamePage.game.hash()), round.hash);
+    });
+  }));
+
+  test(`${game} looks in the page as it does natively`, () => served(async base => {
+    const round = roundOf(game, 5), at = 600, picture = join(folder, `${game}.png`);
+    native(game, '--replay', round.file, '--ticks', String(at + 1), '--screenshot', picture, '--at', String(at), '--size', '640x360');
+    await openedGame(`${base}${game}/`, { stopped: true }, async page => {
+      await page.evaluate(text => gamePage.game.begin(text), readFileSync(round.file, 'utf8'));
+      const { mean, far } = await page.evaluate(differenceFrom, [readFileSync(picture).toString('base64'), at]);
+      assert.ok(mean < 2 && far < 0.02, `${game}: levels differ by ${mean}, ${far} of the pixels by a lot`);
     });
   }));
 

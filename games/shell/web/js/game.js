@@ -66,7 +66,7 @@ class GamePage {
       this.game.begin(head, scores);
     }
     this.begun();
-    this.say('');
+    this.say(document.body.classList.contains('touch') && innerWidth < 500 ? 'Turn the phone for a larger picture' : '');
   }
   begun() {
     this.over = false;
@@ -89,6 +89,7 @@ class GamePage {
       this.say(this.game.replayAgrees() ? 'The replay has ended as it was recorded. Press a key to play.'
         : 'The replay ended with another hash than its record has: another version of the game made it. Press a key to play.');
     } else if (this.home) {
+      this.keep();
       location.href = this.home;
       this.over = true;
     } else this.begin();
@@ -110,7 +111,7 @@ class GamePage {
   }
   listen() {
     addEventListener('keydown', event => this.keyDown(event));
-    addEventListener('keyup', event => this.devices.release(keyNumber(event.code)));
+    addEventListener('keyup', event => this.devices.release(event.code));
     addEventListener('blur', () => this.leave());
     document.addEventListener('visibilitychange', () => document.hidden && this.leave());
     addEventListener('resize', () => this.fit());
@@ -131,7 +132,7 @@ class GamePage {
     if (key === undefined || event.repeat || (onControl && ['Enter', 'Space', 'Tab'].includes(event.code))) return;
     this.useTouch(false);
     if (this.over) this.begin();
-    this.devices.press(key);
+    this.devices.press(event.code);
   }
   pointerDown(event) {
     this.sound.allow();
@@ -226,7 +227,9 @@ class GamePage {
     const from = performance.now(), screen = this.game.screen();
     if (!this.game.tick(this.buttons())) return this.end();
     this.times.add(this.times.ticks, (performance.now() - from) / 1000);
-    if (this.game.screen() !== screen) this.keep();
+    if (this.game.screen() === screen) return;
+    this.keep();
+    if (!this.game.isReplay()) this.say('');
   }
   paint(between) {
     this.painter.paint(this.game.draw(this.canvas.width, this.canvas.height, between, this.timesOn ? this.times.columns() : []));

@@ -17,13 +17,14 @@ export const keyName = key => names[key];
 const padButtons = [14, 15, 12, 13, 0, 1, 2, 3, 4, 5, 6, 7, 9, 8];
 const stick = 0.5;  // so far out, it is pressed [-]
 
-/** What is down, by number: keys of Key, and buttons of Pad after them. What is pressed and let go between two ticks is down for one. */
+/** What is down: codes of keys, and numbers of Pad. What is pressed and let go between two ticks is down for one. */
 export class Devices {
   constructor() { this.down = new Set(); this.fresh = new Set(); this.pads = new Set(); }
 
-  press(key) { if (!this.down.has(key)) this.fresh.add(key); this.down.add(key); }
-  release(key) { this.down.delete(key); }
+  press(code) { this.down.add(code); this.fresh.add(code); }
+  release(code) { this.down.delete(code); }
   releaseAll() { this.down.clear(); this.fresh.clear(); }
+  isDown(key) { return codesOf[key].some(code => this.down.has(code) || this.fresh.has(code)); }
 
   /** Asks the gamepads: they tell of nothing by themselves. */
   readPads() {
@@ -43,7 +44,7 @@ export class Devices {
   take(actions) {
     let bits = 0;
     actions.forEach(({ keys, pads }, i) => {
-      if (keys.some(key => this.down.has(key) || this.fresh.has(key)) || pads.some(pad => this.pads.has(pad))) bits |= 1 << i;
+      if (keys.some(key => this.isDown(key)) || pads.some(pad => this.pads.has(pad))) bits |= 1 << i;
     });
     this.fresh.clear();
     return bits >>> 0;
