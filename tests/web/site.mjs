@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The built site, served on this machine, and a browser that looks at it.
+// What was built, served on this machine, and a browser that looks at it.
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -15,10 +15,11 @@ const { chromium } = createRequire(join(root, 'build/node/node_modules/x.js'))('
 const args = ['--no-sandbox', '--disable-gpu', '--no-first-run', '--disable-background-networking', '--disable-sync'];
 const types = { html: 'text/html', js: 'text/javascript', wasm: 'application/wasm', css: 'text/css', png: 'image/png', woff2: 'font/woff2' };
 
-/** Serves the site while act(address) runs. */
-export async function served(act) {
+/** Serves a folder, or the site, while act(address) runs. */
+export async function served(act, folder = site) {
   const server = createServer((request, response) => {
-    let file = normalize(join(site, decodeURIComponent(request.url.split('?')[0])));
+    if (request.url === '/favicon.ico') return void response.writeHead(204).end();
+    let file = normalize(join(folder, decodeURIComponent(request.url.split('?')[0])));
     if (existsSync(file) && statSync(file).isDirectory()) file = join(file, 'index.html');
     if (!existsSync(file)) return void response.writeHead(404).end();
     response.writeHead(200, { 'Content-Type': types[file.split('.').pop()] ?? 'text/plain' }).end(readFileSync(file));

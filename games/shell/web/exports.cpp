@@ -8,8 +8,7 @@
 
 #include <games/shell/web/game_of_page.h>
 #include <games/shell/web/page_session.h>
-
-#define PLUMB_EXPORT(name) extern "C" [[clang::export_name(#name), gnu::used, gnu::visibility("default")]]
+#include <web/runtime/export.h>
 
 namespace plumb::games {
 namespace {

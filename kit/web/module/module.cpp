@@ -9,8 +9,7 @@
 #include <web/module/all_calls.h>
 #include <web/module/all_rows.h>
 #include <web/module/schema_hash.h>
-
-#define PLUMB_EXPORT(name) extern "C" [[clang::export_name(#name), gnu::used, gnu::visibility("default")]]
+#include <web/runtime/export.h>
 
 namespace plumb::web {
 
