@@ -14,7 +14,7 @@ struct MenuEntry {
     std::string value{};  ///< what left and right change; empty: nothing
 };
 
-/// A list that up and down go through, round and round.
+/// A list of entries. Up and down move through it; after the last entry comes the first.
 class Menu {
 public:
     explicit Menu(std::vector<MenuEntry> entries = {}) : entries_(std::move(entries)) {}
@@ -26,12 +26,12 @@ public:
     int size() const { return static_cast<int>(entries_.size()); }
     MenuEntry& entry(int index) { return entries_[static_cast<std::size_t>(index)]; }
 
-    /// The middle of its first line at a place of the screen, the lines below.
+    /// top: the middle of the first line, in units of the screen. The other lines follow below.
     void draw(Canvas& canvas, const Vec2& top, const Theme& theme) const;
-    /// The entry that draw() puts at a point, -1: none.
+    /// The entry that draw() puts at a point; -1: none.
     int entryAt(const Vec2& point, const Vec2& top) const;
-    static constexpr double lineHeight = 26;  ///< of the screen's units
-    static constexpr double halfWidth = 110;  ///< of an entry, likewise
+    static constexpr double lineHeight = 26;  ///< [units of the screen]
+    static constexpr double halfWidth = 110;  ///< of an entry [units of the screen]
 
 private:
     std::vector<MenuEntry> entries_;

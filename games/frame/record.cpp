@@ -42,7 +42,7 @@ std::vector<std::string> wordsOf(std::string_view text) {
     return words;
 }
 
-/// Reads a record line by line, and says where it is wrong.
+/// Reads a record line by line. Its errors name the line.
 class Reader {
 public:
     Reader(std::string_view text, const std::string& name, const GameInfo& info)
@@ -55,7 +55,7 @@ public:
     }
 
 private:
-    /// The words of the next line that has any; # begins a remark.
+    /// Reads the words of the next line that has any. # begins a comment.
     bool nextLine() {
         while (!rest_.empty()) {
             const std::size_t end = std::min(rest_.find('\n'), rest_.size());
@@ -103,7 +103,7 @@ private:
         record_.seed = *seed;
     }
 
-    /// A value goes to the end of its line, for it may be the name of a file.
+    /// A value goes to the end of its line, because it may be the name of a file.
     void readOption() {
         const char* wanted = "\"option\", its name and its value";
         if (words_.size() < 2) fail(wanted);
@@ -147,7 +147,7 @@ private:
         return names;
     }
 
-    std::string_view rest_;  ///< what has not been read
+    std::string_view rest_;  ///< the part that has not been read yet
     std::string name_;
     const GameInfo& info_;
     ActionList actions_;

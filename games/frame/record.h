@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What was pressed, from a program's start to its end, so that it can be played again?
+// How is what was pressed kept, so that it can be played again?
 #pragma once
 #include <cstdint>
 #include <map>
@@ -20,7 +20,7 @@ struct Run {
     friend bool operator==(const Run&, const Run&) = default;
 };
 
-/// As text, which a person can write as well:
+/// All buttons from a program's start to its end. As text, which a person can write too:
 ///   plumb-record 1 maze
 ///   seed 7
 ///   option strength strong
@@ -28,8 +28,8 @@ struct Run {
 ///   1 confirm
 ///   45 left+fire
 ///   end 1f00c0ffee00d00d
-/// A line is a number of ticks and the actions done in them, or - for none; what follows a # is a remark, but behind an
-/// option; end, which may be left out, has the session's hash.
+/// A line has a number of ticks, and the actions of these ticks, or - for none. # begins a comment, but not in the line
+/// of an option. The line end has the hash of the session; it may be left out.
 struct Record {
     std::string game;
     std::uint64_t seed = 1;

@@ -12,24 +12,24 @@ constexpr double middle = screenWidth / 2;
 constexpr double lineHeight = Menu::lineHeight;
 constexpr double mostScale = 2;  // a panel is then nearly as wide as the safe area
 
-/// What a screen is drawn on.
+/// The place on which a screen is drawn.
 struct Sheet {
     Canvas& canvas;
     const Theme& theme;
-    double width;  ///< of the safe area, in the units of the sheet, which may be larger than those of the screen
+    double width;  ///< of the safe area, in units of the sheet; these may be larger than units of the screen
 };
 
 void dim(const Sheet& on, double share) {
     on.canvas.clear(on.theme.background.faded(share));
 }
 
-/// What holds a menu, or a list, from one height of the screen to another.
+/// Draws the panel behind a menu or a list, from one height of the screen to another.
 void panel(const Sheet& on, double top, double bottom) {
     constexpr double halfWidth = 130, radius = 16;
     on.canvas.rect({middle - halfWidth, top}, {2 * halfWidth, bottom - top}, on.theme.panel.faded(0.88), radius);
 }
 
-/// Where a menu ends whose first line has its middle at a height of the screen.
+/// The lower end of a menu. first: the height of the middle of its first line.
 double menuEnd(const Menu& menu, double first) {
     return first + (menu.size() - 0.5) * lineHeight;
 }
@@ -52,7 +52,7 @@ void aside(const Sheet& on, const std::string& text, double y, double width) {
         {.size = 13, .color = on.theme.quiet, .align = Align::Center, .baseline = Baseline::Middle, .fitWidth = width});
 }
 
-/// A text in two lines where it is too long for one.
+/// Draws the line about the game, in two lines where it is too long for one.
 void aboutGame(const Sheet& on, const std::string& text, double y) {
     constexpr double letterWidth = 6.5;  // at the size of aside(), about
     const double width = on.width - 40;
@@ -81,7 +81,7 @@ void drawKeys(const Sheet& on, const GameInfo& info) {
 void drawTitle(const Sheet& on, const ScreenView& view) {
     const GameInfo& info = view.session.info();
     const double first = menuTop(Screen::Title).y();
-    dim(on, info.drawTitle ? 0.2 : 0.66);  // what was drawn to lie behind it leaves room for it
+    dim(on, info.drawTitle ? 0.2 : 0.66);  // a picture that was made for the title leaves room for the menu
     heading(on, info.title, 66, 58);
     aboutGame(on, info.about, 112);
     panel(on, first - lineHeight, menuEnd(view.menu, first) + 10);
@@ -95,7 +95,7 @@ std::string verdictOf(const Session& session) {
     return session.progress().outcome == Outcome::Won ? "You won" : "Game over";
 }
 
-/// How a round's score stands to the best.
+/// Compares the score of a round with the best scores, in words.
 std::string placeOf(const ScreenView& view) {
     const auto& scores = view.session.scores();
     if (view.rank == 0) return "the best so far";

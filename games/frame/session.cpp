@@ -16,7 +16,7 @@ namespace plumb::games {
 namespace {
 
 constexpr std::size_t mostScores = 10;
-/// How long the end of a round is shown before a button leads on: whoever lost was pressing some [ticks].
+/// The end of a round stays for this time before a button leads on: a player who lost was still pressing some [ticks].
 constexpr int overDelay = 40;
 
 }  // namespace
@@ -24,7 +24,7 @@ constexpr int overDelay = 40;
 struct Session::State {
     GameInfo info;
     ActionList actions;
-    Random seeds;  ///< of the rounds after the first
+    Random seeds;  ///< for the rounds after the first
     GameSetup next;
     std::vector<std::int64_t> scores;
     std::vector<Option> options;
@@ -50,7 +50,7 @@ struct Session::State {
           show(info) {
         std::sort(scores.rbegin(), scores.rend());
         if (scores.size() > mostScores) scores.resize(mostScores);
-        // A value that no game can be made with is refused now, and not when the player has chosen Play.
+        // Refuses a bad value of an option now, and not only when the player chooses Play.
         if (!setup.options.empty()) static_cast<void>(info.make(next));
         goTo(Screen::Title);
     }
@@ -103,7 +103,7 @@ struct Session::State {
             case Screen::Play: updatePlay(input); break;
             case Screen::Title:
                 updateMenu(input);
-                // Not before it is known that the title stays: where nobody looks, nothing is shown.
+                // Only where the title stays: the show is not needed when a round begins.
                 if (screen == Screen::Title) show.update();
                 break;
             case Screen::Over:
@@ -155,7 +155,7 @@ struct Session::State {
     }
 
     bool isRoundShown() const { return game && screen != Screen::Title && screen != Screen::Scores; }
-    /// The footer's lines on what the debug view shows.
+    /// The lines that the debug view adds to the footer.
     std::vector<FooterLine> debugLines() const {
         if (!debug || !isRoundShown()) return {};
         std::vector<FooterLine> lines;
@@ -166,7 +166,7 @@ struct Session::State {
     /// The world that the debug view shows; null: none.
     const World* worldShown() const { return debug && isRoundShown() ? game->world() : nullptr; }
 
-    /// What goes on, or stands still behind a menu.
+    /// Draws the round, or what stands still behind a menu.
     void drawGame(Canvas& canvas) const {
         const bool title = !isRoundShown();
         if (screen != Screen::Play) canvas.setBehind(title ? Behind::Title : Behind::Menu);
@@ -221,7 +221,7 @@ std::vector<Buttons> Session::pressesAt(const Vec2& pixel, PixelSize size) const
     const int entry = menu.entryAt(point, top);
     if (entry < 0) return {};
     std::vector<Buttons> presses;
-    // Nothing first: what is held already is not pressed anew.
+    // No button comes first: a button that is held already would not be pressed anew.
     const auto press = [&](std::string_view action) { presses.insert(presses.end(), {0, actions().button(action)}); };
     for (int at = menu.chosen(); at < entry; ++at) press("down");
     for (int at = menu.chosen(); at > entry; --at) press("up");

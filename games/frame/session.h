@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does one get from the title into a game, through pauses to its end, and into the next?
+// How does a player get from the title into a round, through pauses to its end, and into the next round?
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -14,13 +14,13 @@ namespace plumb::games {
 enum class Screen { Title, Play, Pause, Over, Scores };
 
 struct SessionSetup {
-    std::uint64_t seed = 1;                        ///< of the first round; those of the others follow from it
-    std::map<std::string, std::string> options{};  ///< the game's, where they are not to be as GameInfo has them
-    std::vector<std::int64_t> scores{};            ///< the best of before
+    std::uint64_t seed = 1;                        ///< of the first round; the seeds of later rounds follow from it
+    std::map<std::string, std::string> options{};  ///< values that differ from those in GameInfo
+    std::vector<std::int64_t> scores{};            ///< the best scores of earlier sessions
 };
 
-/// All that happens between a program's start and its end, by ticks and buttons alone: the same setup and buttons give
-/// the same bits, through all of its screens and rounds.
+/// Runs a program from its start to its end, by ticks and buttons alone. The same setup and buttons give the same bits,
+/// through all screens and rounds.
 class Session {
 public:
     /// Throws std::invalid_argument on an option that the game does not have, or a value that it cannot have.
@@ -28,31 +28,32 @@ public:
     ~Session();
 
     void update(Buttons buttons);  ///< one tick
-    /// The footer's lines are told below the picture; those on the world, where showDebug() shows it, come first.
+    /// The lines of the footer stand below the picture. The debug view puts lines of its own before them.
     void draw(Canvas& canvas, std::vector<FooterLine> footer = {}) const;
     std::vector<Cue> takeCues();
 
-    /// What to press, tick by tick, so that a menu's entry at a point of the window is chosen; an option's left half
-    /// changes it to the value before. Empty where there is no entry. pixel: of a window that has no footer.
+    /// The buttons that choose the menu's entry at a point of the window, tick by tick. The left half of an option
+    /// takes the value before, the right half the next one. Empty where there is no entry. pixel: of a window without
+    /// footer.
     std::vector<Buttons> pressesAt(const Vec2& pixel, PixelSize size) const;
 
     Screen screen() const;
-    const ActionList& actions() const;  ///< what the buttons' bits are
+    const ActionList& actions() const;  ///< the meaning of each bit of the buttons
     const GameInfo& info() const;
     std::int64_t ticks() const;  ///< updates so far
-    bool ended() const;          ///< the player left by the title's menu
+    bool ended() const;          ///< the player chose Quit in the title
 
-    int rounds() const;                  ///< begun so far
-    const GameSetup& gameSetup() const;  ///< of the last of them, or of the first; its options as chosen since
-    const Game* game() const;            ///< the last of them; null before the first
-    Progress progress() const;           ///< of it
-    std::uint64_t hash() const;          ///< of it, and of where the session stands
-    /// The best of all rounds, those of before with them, the best first; ten at most.
+    int rounds() const;                  ///< that have begun
+    const GameSetup& gameSetup() const;  ///< of the last round, or of the first; with the options chosen since then
+    const Game* game() const;            ///< the last round; null before the first
+    Progress progress() const;           ///< of the last round
+    std::uint64_t hash() const;          ///< of the last round, and of the session itself
+    /// The best scores of all rounds and of earlier sessions, the best first; ten at most.
     const std::vector<std::int64_t>& scores() const;
 
-    /// The keys that the title lists for the game's action of that index, where a player has chosen others.
+    /// Sets the keys that the title lists for one of the game's actions, after a player has chosen others.
     void listKeys(int action, std::vector<Key> keys);
-    void showDebug(bool shown);  ///< the kit's view of the world over the game's; no part of what is recorded
+    void showDebug(bool shown);  ///< draws what the kit sees over the game; not in a record
     bool debugShown() const;
 
 private:

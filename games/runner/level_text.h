@@ -10,7 +10,7 @@
 
 namespace plumb::games::runner {
 
-/// Where something stands in a text, both from 1.
+/// A place in a text; both numbers begin at 1.
 struct TextPlace {
     int row = 1, column = 1;
 };
@@ -18,9 +18,9 @@ struct TextPlace {
 /// Throws std::invalid_argument with "<file>:<row>:<column>: <complaint>".
 [[noreturn]] void refuse(std::string_view file, const TextPlace& place, std::string_view complaint);
 
-/// A head of lines "name: Dawn Meadow", "sky: dawn", "par: 60", in any order; lines that begin with ; say nothing; then
-/// a line "map:" and, to the end, the rows of the map, the topmost first, by legend(). README.md tells it at length.
-/// Throws as refuse() on anything else. file is for messages only.
+/// The text begins with lines such as "name: Dawn Meadow", "sky: dawn" and "par: 60", in any order. Lines that begin with
+/// ; are comments. Then follow a line "map:" and the rows of the map to the end of the text, the top row first, with the
+/// letters of legend(). README.md tells more. Throws as refuse() does on any other text. file: for messages only.
 Level readLevel(std::string_view text, std::string_view file);
 
 }  // namespace plumb::games::runner

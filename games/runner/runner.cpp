@@ -14,7 +14,7 @@ namespace plumb::games::runner {
 namespace {
 
 constexpr int introTicks = 110, dyingTicks = 80, clearedTicks = 210;
-constexpr int leastCardTicks = 20;  ///< before a button leads on
+constexpr int leastCardTicks = 20;  ///< a card stays for this time before a button leads on
 constexpr int coinPoints = 100, sunPoints = 1000, stompPoints = 200, secondPoints = 50, lifePoints = 500;
 constexpr int coinsForLife = 50;
 
@@ -168,7 +168,7 @@ void Runner::draw(Canvas& canvas) const {
                 {progress_.score, coins_, lives_, levelNumber() + 1, static_cast<double>(levelTicks_) * tickSeconds,
                  suns_, setup_.option("profile") == "1985" ? "1985" : "modern"});
     if (canvas.behind() == Behind::Nothing) drawCards(canvas);
-    // The debug view lies over the last look.
+    // The debug view is drawn with the last camera.
     canvas.look(view_.camera(between));
 }
 
