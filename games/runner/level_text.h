@@ -18,9 +18,10 @@ struct TextPlace {
 /// Throws std::invalid_argument with "<file>:<row>:<column>: <complaint>".
 [[noreturn]] void refuse(std::string_view file, const TextPlace& place, std::string_view complaint);
 
-/// The text begins with lines such as "name: Dawn Meadow", "sky: dawn" and "par: 60", in any order. Lines that begin with
-/// ; are comments. Then follow a line "map:" and the rows of the map to the end of the text, the top row first, with the
-/// letters of legend(). README.md tells more. Throws as refuse() does on any other text. file: for messages only.
+/// The text begins with lines such as "name: Dawn Meadow", "sky: dawn" and "par: 60", in any order. Lines that begin
+/// with ; are comments. Then follow a line "map:" and the rows of the map to the end of the text, the top row first,
+/// with the letters of legend(). README.md tells more. Throws as refuse() does on any other text. file: for messages
+/// only.
 Level readLevel(std::string_view text, std::string_view file);
 
 }  // namespace plumb::games::runner
