@@ -212,6 +212,7 @@ void Session::draw(Canvas& canvas, std::vector<FooterLine> footer) const {
 }
 
 std::vector<Buttons> Session::pressesAt(const Vec2& pixel, PixelSize size) const {
+    if (screen() == Screen::Over && state_->since < overDelay) return {};
     Canvas canvas(size);
     const Aabb visible = canvas.visible();
     const Place place = screenPlace(visible);

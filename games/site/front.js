@@ -43,6 +43,7 @@ canvas.addEventListener('pointerup', () => {
   from = null;
 });
 canvas.addEventListener('keydown', event => {
+  if (event.ctrlKey || event.metaKey || event.altKey) return;
   if (event.code === 'Space') add(hand, [15 + 4 * Math.random(), 3 + 3 * Math.random()]);
   else if (event.code === 'KeyR') begin();
   else return;

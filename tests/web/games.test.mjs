@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 
-import { codesOf } from '../../games/shell/web/js/keys.js';
+import { codesOf, keyName } from '../../games/shell/web/js/keys.js';
 import { games, openedGame, root, served, site } from './site.mjs';
 
 const folder = join(root, 'build/web-records');
@@ -164,13 +164,15 @@ for (const game of games) {
 
 test('a broken record, and one of another game, are refused with the line that is wrong', () => served(base =>
   openedGame(`${base}maze/`, {}, async page => {
-    for (const [text, wanted] of [['plumb-record 1 runner\n', /first line/], ['plumb-record 1 maze\nx\n', /record:2: "x"/]]) {
+    for (const [text, wanted] of [['plumb-record 1 runner\n', /first line/], ['plumb-record 1 maze\nx\n', /record:2: "x"/],
+      ['plumb-record 1 maze\noption nope 3\n', /nope/]]) {
       const file = join(folder, 'broken.record');
       writeFileSync(file, text);
       await page.click('header .open');
       await page.setInputFiles('dialog .file', file);
-      await page.waitForFunction(() => document.querySelector('#status').textContent);
-      assert.match(await page.textContent('#status'), wanted);
+      await page.waitForFunction(text => RegExp(text).test(document.querySelector('#status').textContent), wanted.source);
+      const ticks = await page.evaluate(() => gamePage.game.ticks());
+      await page.waitForFunction(before => gamePage.game.ticks() > before, ticks);  // and the game goes on
     }
   })));
 
@@ -219,10 +221,15 @@ test('scores, options, keys and silence are there again when the page is opened 
     assert.match(kept, /score 420\nscore 70\n/);
     assert.match(kept, /option profile 1985/);
     assert.equal(await page.evaluate(() => gamePage.sound.on), false);
+    const jump = () => page.evaluate(() => gamePage.own.find(({ name }) => name === 'jump').keys);
+    assert.deepEqual((await jump()).map(keyName), ['U']);
     await page.keyboard.press('Enter');
     await page.waitForFunction(() => gamePage.game.screen() === 'play');
     await page.keyboard.down('KeyU');
     await page.waitForFunction(() => /jump/.test(gamePage.game.record()));
+    await page.click('header .open');
+    await page.click('dialog .reset');
+    assert.deepEqual((await jump()).map(keyName), ['Space', 'Z', 'K']);
   })));
 
 test('options of another version of a game do not keep it from starting', () => served(base =>
@@ -243,6 +250,28 @@ test('a gamepad plays: its South button begins, its stick steers', () => served(
     await page.waitForFunction(() => gamePage.game.screen() === 'play');
     await pad(-1, 0.9);
     await page.waitForFunction(() => /^\d+ right$/m.test(gamePage.game.record()));
+  })));
+
+test('a keyboard alone reaches the panel and comes back', () => served(base =>
+  openedGame(`${base}runner/`, {}, async page => {
+    const reached = () => page.evaluate(() => document.activeElement.matches('header .open'));
+    for (let i = 0; i < 10 && !(await reached()); ++i) await page.keyboard.press('Tab');
+    assert.ok(await reached());
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(() => gamePage.panel.isOpen());
+    await page.keyboard.press('Escape');
+    await page.waitForFunction(() => !gamePage.panel.isOpen());
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(() => gamePage.game.screen() === 'play');
+  })));
+
+test('a touch that is shorter than a tick presses for one', () => served(base =>
+  openedGame(`${base}maze/`, { stopped: true, ...phone }, async (page, context) => {
+    const hold = await thumbsOn(page, context);
+    await hold(['confirm']);
+    await hold([]);
+    await page.evaluate(() => pump(2));
+    assert.equal(await page.evaluate(() => gamePage.game.screen()), 'play');
   })));
 
 test('a game that was started by a key is heard', () => served(base =>

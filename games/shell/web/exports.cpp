@@ -2,8 +2,8 @@
 // What does a page's JavaScript call? Numbers go in and out; texts and rows lie in the module's memory.
 #include <charconv>
 #include <exception>
+#include <memory>
 #include <new>
-#include <optional>
 #include <string>
 
 #include <games/shell/web/game_of_page.h>
@@ -16,7 +16,7 @@ namespace {
 /// All that the module keeps between two calls.
 struct Page {
     GameInfo info = gameOfPage();
-    std::optional<PageSession> run = std::nullopt;
+    std::unique_ptr<PageSession> run = nullptr;
     std::string text = {};  ///< what was given, or is told
     std::vector<std::int64_t> scores = {};
     FooterLine footer = {};
@@ -73,12 +73,13 @@ PLUMB_EXPORT(listKeys) void listKeys(std::uint32_t action) {
     }
     tried([&] { page().run->session().listKeys(static_cast<int>(action), std::move(keys)); });
 }
-/// The text is a record: its seed and options begin a run, its ticks, if it has any, are replayed.
+/// The text is a record: its seed and options begin a run, its ticks, if it has any, are replayed. After an error the
+/// run before goes on.
 PLUMB_EXPORT(begin) int begin() {
     return tried([] {
+        std::vector<std::int64_t> scores = std::exchange(page().scores, {});
         Record start = readRecord(page().text, "record", page().info);
-        page().run.reset();
-        page().run.emplace(page().info, std::move(start), std::exchange(page().scores, {}));
+        page().run = std::make_unique<PageSession>(page().info, std::move(start), std::move(scores));
     });
 }
 PLUMB_EXPORT(isReplay) int isReplay() {

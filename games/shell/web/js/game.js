@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A game in its page: from one tick to the next, and what is pressed, seen and heard there.
 
-import { Devices, keyNumber } from './keys.js';
+import { Devices, keyName, keyNumber } from './keys.js';
 import { gameInfoOf, loadGame } from './module.js';
 import { makePanel, save } from './panel.js';
 import { painterOn } from './painter.js';
@@ -30,6 +30,7 @@ class GamePage {
     this.store = new Store(setup.name);
     this.info = gameInfoOf(game.describe());
     this.own = this.info.actions.filter(action => action.about);  // those of the game, which come first
+    this.usual = this.own.map(action => [...action.keys]);
     this.canvas = document.querySelector('canvas');
     this.painter = painterOn(this.canvas);
     this.devices = new Devices();
@@ -45,7 +46,7 @@ class GamePage {
     document.documentElement.style.setProperty('--background', this.info.background);
     this.readKeys();
     this.touch = new Touch(document.querySelector('#left'), document.querySelector('#right'), this.own);
-    this.panel = makePanel(document.querySelector('dialog'), this.own, this.panelActions());
+    this.panel = makePanel(document.querySelector('dialog'), this.own, this.usual, this.panelActions());
     this.listen();
     this.begin();
     this.fit();
@@ -75,9 +76,9 @@ class GamePage {
   }
   openRecord(text, name) {
     try {
-      this.game.begin(text);
+      this.game.begin(text, this.store.read().scores);
       this.begun();
-      this.say(`Replaying ${name}`);
+      this.say(this.game.isReplay() ? `Replaying ${name}` : `${name} holds no ticks: play from its seed`);
     } catch (error) {
       this.say(`${name} was not opened: ${error.message}`);
     }
@@ -102,7 +103,7 @@ class GamePage {
 
   readKeys() {
     const { keys = {} } = this.store.read();
-    for (const action of this.own) if (Array.isArray(keys[action.name])) action.keys = keys[action.name];
+    for (const action of this.own) if (Array.isArray(keys[action.name])) action.keys = keys[action.name].filter(key => keyName(key) !== undefined);
   }
   /** The title lists the keys, but not where nobody has any. */
   listKeys() {
@@ -117,7 +118,8 @@ class GamePage {
     addEventListener('resize', () => this.fit());
     new ResizeObserver(() => this.fit()).observe(this.canvas.parentElement);
     addEventListener('pointerdown', event => this.pointerDown(event), true);
-    this.canvas.addEventListener('click', event => this.click(event));
+    addEventListener('pointerup', () => this.sound.allow(), true);  // a finger counts as a press when it is lifted
+    this.canvas.addEventListener('click', () => this.click());
     for (const [name, act] of Object.entries({ open: () => this.openPanel(), full: () => this.fillDisplay(), mute: () => this.mute() }))
       document.querySelector(`header .${name}`).addEventListener('click', event => { act(); event.currentTarget.blur(); });
     this.showSound();
@@ -126,7 +128,9 @@ class GamePage {
     if (this.panel.isOpen() || event.altKey || event.metaKey) return;
     this.sound.allow();
     const shell = { F1: () => this.debug(), F2: () => this.showTimes(), F3: () => this.savePicture(), F4: () => this.mute() }[event.code];
-    const key = keyNumber(event.code), onControl = event.target.closest?.('button, a');
+    // Tab leads to the buttons above, but in a round that uses it.
+    const used = event.code !== 'Tab' || this.game.screen() === 'play' && this.own.some(({ keys }) => keys.includes(keyNumber('Tab')));
+    const key = used ? keyNumber(event.code) : undefined, onControl = event.target.closest?.('button, a');
     if (shell && !event.repeat) shell();
     if (shell || (key !== undefined && !onControl && !event.ctrlKey)) event.preventDefault();
     if (key === undefined || event.repeat || (onControl && ['Enter', 'Space', 'Tab'].includes(event.code))) return;
@@ -136,6 +140,9 @@ class GamePage {
   }
   pointerDown(event) {
     this.sound.allow();
+    // Where it points to, before the controls come up and move the picture.
+    const box = this.canvas.getBoundingClientRect(), scale = this.canvas.width / box.width;
+    this.pointed = this.over ? null : [(event.clientX - box.left) * scale, (event.clientY - box.top) * scale, this.canvas.width, this.canvas.height];
     if (event.pointerType === 'touch') this.useTouch(true);
     if (this.over && !event.target.closest('header, dialog')) this.begin();
   }
@@ -145,9 +152,9 @@ class GamePage {
     this.listKeys();
     this.fit();
   }
-  click(event) {
-    const box = this.canvas.getBoundingClientRect(), scale = this.canvas.width / box.width;
-    this.game.tap((event.clientX - box.left) * scale, (event.clientY - box.top) * scale, this.canvas.width, this.canvas.height);
+  click() {
+    if (this.pointed) this.game.tap(...this.pointed);
+    this.pointed = null;
   }
   /** Nobody looks, and nobody will tell of keys that are let go. */
   leave() {
@@ -159,7 +166,7 @@ class GamePage {
   }
   buttons() {
     this.devices.readPads();
-    for (const pad of this.touch.pressed()) this.devices.pads.add(pad);
+    for (const pad of this.touch.take()) this.devices.pads.add(pad);
     let bits = this.devices.take(this.info.actions);
     // By a button, so that the record has it.
     if (this.pauses && this.game.screen() === 'play') bits |= 1 << this.info.actions.findIndex(action => action.name === 'pause');

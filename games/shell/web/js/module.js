@@ -54,7 +54,10 @@ export async function loadGame(source) {
       return { numbers: new Float64Array(exports.memory.buffer, exports.numbersAt(), count),
                words: (at, length) => decoder.decode(bytes(words + at, length)) };
     },
-    mix: count => new Float32Array(exports.memory.buffer, exports.mix(count), count),
+    mix(count) {
+      const at = exports.mix(count);  // it may grow the memory: then what was its buffer is no more
+      return new Float32Array(exports.memory.buffer, at, count);
+    },
     record: () => told(exports.record),
     toKeep: () => told(exports.toKeep),
     isReplay: () => exports.isReplay() === 1,

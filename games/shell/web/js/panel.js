@@ -22,11 +22,11 @@ export function save(name, blob) {
 
 /** The keys of a game's actions, as a player may change them. */
 class KeyTable {
-  constructor(table, actions, changed) {
+  constructor(table, actions, usual, changed) {
     this.table = table;
     this.actions = actions;
     this.changed = changed;
-    this.usual = actions.map(action => [...action.keys]);
+    this.usual = usual;
     this.waiting = null;
     table.closest('dialog').addEventListener('keydown', event => this.take(event));
   }
@@ -75,11 +75,12 @@ class KeyTable {
 
 /**
  * @param dialog the panel's element, with its parts by class
+ * @param actions those whose keys may be changed; usual: their keys at first
  * @param does what the panel can do: sound(), times(), debug(), picture(), saveRecord(), openRecord(text, name), keysChanged(), closed()
  */
-export function makePanel(dialog, actions, does) {
+export function makePanel(dialog, actions, usual, does) {
   const part = name => dialog.querySelector(`.${name}`);
-  const keys = new KeyTable(part('keys'), actions, does.keysChanged);
+  const keys = new KeyTable(part('keys'), actions, usual, does.keysChanged);
   const show = () => {
     part('sound').textContent = `Sound: ${does.soundOn() ? 'on' : 'off'}`;
     part('debug').textContent = `What the kit sees: ${does.debugOn() ? 'on' : 'off'}`;

@@ -10,7 +10,7 @@ export class Sound {
   allow() {
     if (!globalThis.AudioContext) return;
     this.context ??= new AudioContext({ sampleRate: rate });
-    if (this.context.state === 'suspended') this.context.resume().catch(() => {});
+    if (this.context.state !== 'running') this.context.resume().catch(() => {});
   }
   toggle() { this.on = !this.on; }
   pause() { this.context?.suspend().catch(() => {}); }

@@ -33,10 +33,11 @@ function element(parent, className, text = '') {
   return made;
 }
 
-/** Fills both sides with controls; pressed() gives the numbers of Pad that thumbs are on. */
+/** Fills both sides with controls; take() gives the numbers of Pad that thumbs press. */
 export class Touch {
   constructor(left, right, actions) {
     this.fingers = new Map();
+    this.fresh = new Set();  // what was touched since the last tick, though it may be let go by now
     this.pad = element(left, 'pad');
     directions.forEach(name => element(this.pad, `arrow ${name}`));
     this.buttons = buttonsOf(actions).map(({ pad, label }) => ({ pad, element: element(right, `button pad${pad}`, label) }));
@@ -52,7 +53,9 @@ export class Touch {
   move(event) {
     event.preventDefault();
     event.currentTarget.setPointerCapture?.(event.pointerId);
-    this.fingers.set(event.pointerId, this.padsAt(event.clientX, event.clientY));
+    const pads = this.padsAt(event.clientX, event.clientY);
+    this.fingers.set(event.pointerId, pads);
+    if (event.type === 'pointerdown') pads.forEach(pad => this.fresh.add(pad));
     this.show();
   }
   lift(event) {
@@ -61,6 +64,7 @@ export class Touch {
   }
   releaseAll() {
     this.fingers.clear();
+    this.fresh.clear();
     this.show();
   }
 
@@ -78,6 +82,12 @@ export class Touch {
   }
 
   pressed() { return new Set([...this.fingers.values()].flat()); }
+  /** For the next tick. */
+  take() {
+    const pads = new Set([...this.pressed(), ...this.fresh]);
+    this.fresh.clear();
+    return pads;
+  }
 
   show() {
     const pressed = this.pressed();
