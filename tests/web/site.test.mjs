@@ -126,12 +126,13 @@ test('the server answers for the files of the site alone, and to this machine al
   try {
     const said = await new Promise(done => server.stdout.once('data', data => done(String(data))));
     const port = Number(/^http:\/\/127\.0\.0\.1:(\d+)\//.exec(said)[1]);
-    const status = path => new Promise((done, failed) => request({ port, path, host: '127.0.0.1' }, response => {
+    const status = (path, host = '127.0.0.1') => new Promise((done, failed) => request({ port, path, host }, response => {
       response.resume();
       done(response.statusCode);
     }).on('error', failed).end());
     assert.equal(await status('/'), 200);
     assert.equal(await status('/maze/maze.wasm'), 200);
+    await assert.rejects(status('/', '127.0.0.2'), /ECONNREFUSED/);
     for (const path of ['/../CMakeCache.txt', '/..%2fCMakeCache.txt', '/%2e%2e/CMakeCache.txt']) assert.equal(await status(path), 404);
   } finally { server.kill(); }
 });

@@ -122,6 +122,7 @@ class GamePage {
     this.canvas.addEventListener('click', () => this.click());
     for (const [name, act] of Object.entries({ open: () => this.openPanel(), full: () => this.fillDisplay(), mute: () => this.mute() }))
       document.querySelector(`header .${name}`).addEventListener('click', event => { act(); event.currentTarget.blur(); });
+    document.querySelector('header .full').hidden = !document.fullscreenEnabled;
     this.showSound();
   }
   keyDown(event) {
