@@ -155,13 +155,12 @@ struct Session::State {
     }
 
     bool isRoundShown() const { return game && screen != Screen::Title && screen != Screen::Scores; }
-    /// The lines that the debug view adds to the footer.
-    std::vector<FooterLine> debugLines() const {
-        if (!debug || !isRoundShown()) return {};
-        std::vector<FooterLine> lines;
-        if (const World* world = game->world()) lines.push_back(figuresOf(*world));
-        if (FooterLine own = game->debugFigures(); !own.empty()) lines.push_back(std::move(own));
-        return lines;
+    /// The lines of the footer, after those that the debug view adds.
+    std::vector<FooterLine> linesBelow(std::vector<FooterLine> footer) const {
+        if (!debug || !isRoundShown()) return footer;
+        if (FooterLine own = game->debugFigures(); !own.empty()) footer.insert(footer.begin(), std::move(own));
+        if (const World* world = game->world()) footer.insert(footer.begin(), figuresOf(*world));
+        return footer;
     }
     /// The world that the debug view shows; null: none.
     const World* worldShown() const { return debug && isRoundShown() ? game->world() : nullptr; }
@@ -200,10 +199,8 @@ void Session::update(Buttons buttons) {
 
 void Session::draw(Canvas& canvas, std::vector<FooterLine> footer) const {
     const double between = canvas.between();
-    std::vector<FooterLine> lines = state_->debugLines();
-    footer.insert(footer.begin(), lines.begin(), lines.end());
     canvas.clear(state_->info.theme.background);
-    drawFooter(canvas, footer, state_->info.theme);
+    drawFooter(canvas, state_->linesBelow(std::move(footer)), state_->info.theme);
     state_->drawGame(canvas);
     canvas.setBetween(between);
     canvas.layer(menuLayer);
@@ -211,9 +208,11 @@ void Session::draw(Canvas& canvas, std::vector<FooterLine> footer) const {
     drawScreen(canvas, {*this, state_->menu, state_->since, state_->rank});
 }
 
-std::vector<Buttons> Session::pressesAt(const Vec2& pixel, PixelSize size) const {
+std::vector<Buttons> Session::pressesAt(const Vec2& pixel, PixelSize size, std::vector<FooterLine> footer) const {
     if (screen() == Screen::Over && state_->since < overDelay) return {};
     Canvas canvas(size);
+    drawFooter(canvas, state_->linesBelow(std::move(footer)), state_->info.theme);
+    canvas.screen();
     const Aabb visible = canvas.visible();
     const Place place = screenPlace(visible);
     const Vec2 onScreen = visible.lower + pixel * canvas.unitsPerPixel();

@@ -33,9 +33,9 @@ public:
     std::vector<Cue> takeCues();
 
     /// The buttons that choose the menu's entry at a point of the window, tick by tick. The left half of an option
-    /// takes the value before, the right half the next one. Empty where there is no entry. pixel: of a window without
-    /// footer.
-    std::vector<Buttons> pressesAt(const Vec2& pixel, PixelSize size) const;
+    /// takes the value before, the right half the next one. Empty where there is no entry. footer: as draw()
+    /// had it.
+    std::vector<Buttons> pressesAt(const Vec2& pixel, PixelSize size, std::vector<FooterLine> footer = {}) const;
 
     Screen screen() const;
     const ActionList& actions() const;  ///< the meaning of each bit of the buttons

@@ -232,6 +232,17 @@ test('scores, options, keys and silence are there again when the page is opened 
     assert.deepEqual((await jump()).map(keyName), ['Space', 'Z', 'K']);
   })));
 
+test('best scores that another page of the game has kept since are not lost', () => served(base =>
+  openedGame(`${base}maze/`, {}, async page => {
+    await page.evaluate(() => {
+      gamePage.store.write({ scores: [500, 20, 20] });  // by the other page
+      gamePage.keep();
+    });
+    assert.deepEqual(await page.evaluate(() => gamePage.store.read().scores), [500, 20, 20]);
+    await page.evaluate(() => gamePage.keep());
+    assert.deepEqual(await page.evaluate(() => gamePage.store.read().scores), [500, 20, 20]);
+  })));
+
 test('options of another version of a game do not keep it from starting', () => served(base =>
   openedGame(`${base}artillery/`, {}, async page => {
     await page.evaluate(() => gamePage.store.write({ options: { rival: 'ladder', gone: 'yes' } }));

@@ -91,7 +91,7 @@ private:
     /// In a menu it presses what chooses the entry, one button a tick.
     void click(const SDL_MouseButtonEvent& at) {
         if (source_ != nullptr || !clicks_.empty()) return;
-        for (const Buttons press : session_.pressesAt(window_.pixelAt(at.x, at.y), window_.size()))
+        for (const Buttons press : session_.pressesAt(window_.pixelAt(at.x, at.y), window_.size(), footer()))
             clicks_.push_back(press);
     }
 

@@ -52,12 +52,14 @@ bool PageSession::tick(Buttons buttons) {
 
 void PageSession::tap(const Vec2& pixel, PixelSize size) {
     if (!taps_.empty()) return;
-    for (const Buttons buttons : session_.pressesAt(pixel, size)) taps_.push_back(buttons);
+    for (const Buttons buttons : session_.pressesAt(pixel, size, footer_)) taps_.push_back(buttons);
 }
 
-const MarkRow& PageSession::draw(PixelSize size, double between, const FooterLine& footer) {
+const MarkRow& PageSession::draw(PixelSize size, double between, FooterLine footer) {
     Canvas canvas(size, between);
-    session_.draw(canvas, footer.empty() ? std::vector<FooterLine>() : std::vector<FooterLine>{footer});
+    footer_.clear();
+    if (!footer.empty()) footer_.push_back(std::move(footer));
+    session_.draw(canvas, footer_);
     writeMarks(canvas.drawing(), row_);
     return row_;
 }

@@ -28,7 +28,7 @@ public:
     /// A point of the window was clicked; on a menu's entry, the next ticks choose that.
     void tap(const Vec2& pixel, PixelSize size);
     /// between: what share of a tick has passed [-]; footer: may be empty.
-    const MarkRow& draw(PixelSize size, double between, const FooterLine& footer);
+    const MarkRow& draw(PixelSize size, double between, FooterLine footer);
     /// The next samples of the sound.
     const std::vector<float>& mix(std::size_t count);
 
@@ -49,6 +49,7 @@ private:
     std::deque<Buttons> taps_;  ///< to be pressed, one a tick
     Mixer mixer_{samplesPerSecond};
     std::vector<float> samples_;
+    std::vector<FooterLine> footer_;  ///< of the last draw()
     MarkRow row_;
 };
 

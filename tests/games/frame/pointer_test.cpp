@@ -66,6 +66,27 @@ TEST_CASE("a click on the right half of an option takes the next value, on the l
     }
 }
 
+TEST_CASE("a click chooses what is drawn there, also above a footer and the debug view's lines", "[games]") {
+    for (const GameInfo& info : test::everyGame()) {
+        const PixelSize size{640, 360};
+        const std::vector<FooterLine> footer(3, {"a line"});
+        Session session(info, {});
+        session.showDebug(true);
+        click(session, size, pixelOf(session, size, "Play"));
+        session.update(session.actions().button("pause"));
+        session.update(0);
+        Canvas canvas(size);
+        session.draw(canvas, footer);
+        for (const Mark& mark : canvas.drawing().marks) {
+            const auto* text = std::get_if<TextMark>(&mark.shape);
+            if (text == nullptr || text->text != "To the title") continue;
+            for (const Buttons buttons : session.pressesAt(mark.toPixels * text->at, size, footer))
+                session.update(buttons);
+        }
+        CHECK(session.screen() == Screen::Title);
+    }
+}
+
 TEST_CASE("a click beside a menu presses nothing", "[games]") {
     const Session session(test::everyGame().front(), {});
     CHECK(session.pressesAt({3, 3}, {1280, 720}).empty());

@@ -6,7 +6,7 @@ import { gameInfoOf, loadGame } from './module.js';
 import { makePanel, save } from './panel.js';
 import { painterOn } from './painter.js';
 import { Sound } from './sound.js';
-import { keptOf, Store } from './store.js';
+import { bestOf, keptOf, Store } from './store.js';
 import { Touch } from './touch.js';
 
 const tickSeconds = 1 / 60, mostBehind = 0.1;  // [s]; what a slow display is behind by more is left out
@@ -31,6 +31,7 @@ class GamePage {
     this.info = gameInfoOf(game.describe());
     this.own = this.info.actions.filter(action => action.about);  // those of the game, which come first
     this.usual = this.own.map(action => [...action.keys]);
+    this.leaving = this.info.actions.filter(({ name }) => name === 'pause' || name === 'back').map(action => ({ action, keys: action.keys }));
     this.canvas = document.querySelector('canvas');
     this.painter = painterOn(this.canvas);
     this.devices = new Devices();
@@ -96,7 +97,9 @@ class GamePage {
     } else this.begin();
   }
   keep() {
-    if (!this.game.isReplay()) this.store.write(keptOf(this.game.toKeep()));
+    if (this.game.isReplay()) return;
+    const { scores, options } = keptOf(this.game.toKeep());
+    this.store.write({ scores: bestOf(scores, this.store.read().scores ?? []), options });
   }
 
   // ---- what is pressed
@@ -104,6 +107,11 @@ class GamePage {
   readKeys() {
     const { keys = {} } = this.store.read();
     for (const action of this.own) if (Array.isArray(keys[action.name])) action.keys = keys[action.name].filter(key => keyName(key) !== undefined);
+    this.freeKeys();
+  }
+  /** What a player has chosen for the game no longer leaves a round. */
+  freeKeys() {
+    for (const { action, keys } of this.leaving) action.keys = keys.filter(key => !this.own.some(own => own.keys.includes(key)));
   }
   /** The title lists the keys, but not where nobody has any. */
   listKeys() {
@@ -186,6 +194,7 @@ class GamePage {
       saveRecord: () => save(`${this.name}.record`, new Blob([this.game.record()], { type: 'text/plain' })),
       openRecord: (text, name) => this.openRecord(text, name),
       keysChanged: () => {
+        this.freeKeys();
         this.store.write({ keys: Object.fromEntries(this.own.map(action => [action.name, action.keys])) });
         this.listKeys();
       },

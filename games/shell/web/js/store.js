@@ -17,6 +17,16 @@ export class Store {
   }
 }
 
+/** Two lists of best scores as one: another page of the game may have kept some since. */
+export function bestOf(mine, others) {
+  const all = [...mine];
+  for (const score of new Set(others)) {
+    const missing = others.filter(one => one === score).length - mine.filter(one => one === score).length;
+    for (let i = 0; i < missing; ++i) all.push(score);
+  }
+  return all.sort((a, b) => b - a).slice(0, 10);
+}
+
 /** The lines "score N" and "option NAME VALUE" of a game's toKeep(). */
 export function keptOf(text) {
   const scores = [], options = {};
