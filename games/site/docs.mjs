@@ -38,6 +38,7 @@ class Docs {
     this.root = root;
     this.folder = join(site, 'docs');
     this.template = readFileSync(join(root, 'games/site/page.html'), 'utf8');
+    this.nav = readFileSync(join(root, 'games/site/nav.html'), 'utf8');
     this.sources = new Set();
   }
 
@@ -45,7 +46,8 @@ class Docs {
     const place = placeOf(path), file = join(this.folder, place);
     mkdirSync(dirname(file), { recursive: true });
     const up = posix.relative(posix.dirname(place), '.') || '.';
-    writeFileSync(file, filled(this.template, { title, body, up: `${up}/..`, docs: up }));
+    const nav = filled(this.nav, { up: `${up}/..`, docs: up });
+    writeFileSync(file, filled(this.template, { title, body, nav, up: `${up}/..` }));
   }
 
   page(path) {

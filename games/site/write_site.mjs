@@ -34,5 +34,6 @@ const cards = games.map(({ name, title, about }) => {
 const singles = games.map(({ name, title }) => `<a href="single/${name}.html" download>${title}</a>`).join(', ');
 const [, first] = /```js\n([^]*?)```/.exec(readFileSync(join(root, 'kit/web/README.md'), 'utf8'));
 const program = escaped(first.trim().replace("'plumb-physics'", "'./module/plumb.js'"));
+const nav = filled(readFileSync(join(here, 'nav.html'), 'utf8'), { up: '.', docs: 'docs' });
 copyFileSync(join(here, 'front.js'), join(site, 'front.js'));
-writeFileSync(join(site, 'index.html'), filled(readFileSync(join(here, 'front.html'), 'utf8'), { cards, singles, program }));
+writeFileSync(join(site, 'index.html'), filled(readFileSync(join(here, 'front.html'), 'utf8'), { cards, singles, program, nav }));

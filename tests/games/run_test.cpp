@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 
+#include <filesystem>
+
 #include <games/all_games.h>
 
 #include "catch.h"
+#include "house/cmake_project.h"
 #include "house/shell.h"
 
 using namespace plumb;
@@ -34,4 +37,19 @@ TEST_CASE("games/run with an unknown name lists the names of the games and ends 
     CHECK_THAT(ran.output, containsText("there is no game \"tennis\""));
     for (const games::GameInfo& info : games::allGames()) CHECK_THAT(ran.output, containsText(" " + info.name));
     CHECK(ran.output.ends_with("\n2\n"));
+}
+
+TEST_CASE("before the first build games/run maze --help shows the page's examples, and builds nothing", "[games]") {
+    namespace fs = std::filesystem;
+    const fs::path source = PLUMB_SOURCE_DIR, folder = houseFolder("unbuilt");
+    fs::remove_all(folder);
+    fs::create_directories(folder / "games" / "maze");
+    for (const fs::path file : {"games/run", "games/list.txt", "games/maze/README.md"})
+        fs::copy_file(source / file, folder / file);
+    for (const char* question : {"--help", "-h", "--seed 3 --help"}) {
+        const Ran help = shell(quoted((folder / "games/run").string()) + " maze " + question);
+        CHECK(help.ok);
+        CHECK_THAT(help.output, containsText("maze: four cats") && containsText("./games/run maze --level 5"));
+    }
+    CHECK_FALSE(fs::exists(folder / "build"));
 }

@@ -29,9 +29,10 @@ class GamePage {
     this.home = setup.home;
     this.store = new Store(setup.name);
     this.info = gameInfoOf(game.describe());
-    this.own = this.info.actions.filter(action => action.about);  // those of the game, which come first
+    this.own = this.info.actions.filter(action => action.about);  // those that the title lists
     this.usual = this.own.map(action => [...action.keys]);
-    this.leaving = this.info.actions.filter(({ name }) => name === 'pause' || name === 'back').map(action => ({ action, keys: action.keys }));
+    this.leaving = this.info.actions.filter(action => ['pause', 'back'].includes(action.name) && !this.own.includes(action))
+      .map(action => ({ action, keys: action.keys }));
     this.canvas = document.querySelector('canvas');
     this.painter = painterOn(this.canvas);
     this.devices = new Devices();
@@ -116,7 +117,7 @@ class GamePage {
   /** The title lists the keys, but not where nobody has any. */
   listKeys() {
     const shown = !document.body.classList.contains('touch');
-    this.own.forEach((action, i) => this.game.listKeys(i, shown ? action.keys : []));
+    for (const action of this.own) this.game.listKeys(this.info.actions.indexOf(action), shown ? action.keys : []);
   }
   listen() {
     addEventListener('keydown', event => this.keyDown(event));
