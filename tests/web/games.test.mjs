@@ -243,6 +243,17 @@ test('best scores that another page of the game has kept since are not lost', ()
     assert.deepEqual(await page.evaluate(() => gamePage.store.read().scores), [500, 20, 20]);
   })));
 
+test('what a browser refuses to keep lasts for a visit', () => served(base =>
+  openedGame(`${base}maze/`, {}, async page => {
+    const read = await page.evaluate(() => {
+      Storage.prototype.setItem = () => { throw new DOMException('full', 'QuotaExceededError'); };
+      gamePage.store.write({ scores: [30] });
+      gamePage.mute();
+      return gamePage.store.read();
+    });
+    assert.deepEqual([read.scores, read.sound], [[30], false]);
+  })));
+
 test('options of another version of a game do not keep it from starting', () => served(base =>
   openedGame(`${base}artillery/`, {}, async page => {
     await page.evaluate(() => gamePage.store.write({ options: { rival: 'ladder', gone: 'yes' } }));
@@ -274,6 +285,14 @@ test('a keyboard alone reaches the panel and comes back', () => served(base =>
     await page.waitForFunction(() => !gamePage.panel.isOpen());
     await page.keyboard.press('Enter');
     await page.waitForFunction(() => gamePage.game.screen() === 'play');
+  })));
+
+test('a key that is pressed twice between two pictures counts twice', () => served(base =>
+  openedGame(`${base}maze/`, { stopped: true }, async page => {
+    for (let i = 0; i < 2; ++i) await page.keyboard.press('ArrowDown');
+    await page.evaluate(() => pump(5));
+    const presses = await page.evaluate(() => gamePage.game.record().match(/^1 down$/mg).length);
+    assert.equal(presses, 2);
   })));
 
 test('a touch that is shorter than a tick presses for one', () => served(base =>

@@ -121,7 +121,8 @@ class GamePage {
   }
   listen() {
     addEventListener('keydown', event => this.keyDown(event));
-    addEventListener('keyup', event => this.devices.release(event.code));
+    // While a Mac's command key is down, nobody tells of other keys that are let go.
+    addEventListener('keyup', event => /^Meta/.test(event.code) ? this.devices.releaseAll() : this.devices.release(event.code));
     addEventListener('blur', () => this.leave());
     document.addEventListener('visibilitychange', () => document.hidden && this.leave());
     addEventListener('resize', () => this.fit());

@@ -17,14 +17,24 @@ export const keyName = key => names[key];
 const padButtons = [14, 15, 12, 13, 0, 1, 2, 3, 4, 5, 6, 7, 9, 8];
 const stick = 0.5;  // so far out, it is pressed [-]
 
-/** What is down: codes of keys, and numbers of Pad. What is pressed and let go between two ticks is down for one. */
+/** What is down: codes of keys, and numbers of Pad. */
 export class Devices {
-  constructor() { this.down = new Set(); this.fresh = new Set(); this.pads = new Set(); }
+  constructor() { this.down = new Set(); this.changes = []; this.pads = new Set(); }
 
-  press(code) { this.down.add(code); this.fresh.add(code); }
-  release(code) { this.down.delete(code); }
-  releaseAll() { this.down.clear(); this.fresh.clear(); }
-  isDown(key) { return codesOf[key].some(code => this.down.has(code) || this.fresh.has(code)); }
+  press(code) { this.changes.push([code, true]); }
+  release(code) { this.changes.push([code, false]); }
+  releaseAll() { this.down.clear(); this.changes = []; }
+
+  /** A key changes once a tick: a press that is shorter lasts for one, and two presses between two ticks are two. */
+  readKeys() {
+    const changed = new Set();
+    while (this.changes.length > 0 && !changed.has(this.changes[0][0])) {
+      const [code, isDown] = this.changes.shift();
+      changed.add(code);
+      if (isDown) this.down.add(code);
+      else this.down.delete(code);
+    }
+  }
 
   /** Asks the gamepads: they tell of nothing by themselves. */
   readPads() {
@@ -42,11 +52,12 @@ export class Devices {
 
   /** The bits of the actions for the next tick. */
   take(actions) {
+    this.readKeys();
+    const isDown = key => codesOf[key].some(code => this.down.has(code));
     let bits = 0;
     actions.forEach(({ keys, pads }, i) => {
-      if (keys.some(key => this.isDown(key)) || pads.some(pad => this.pads.has(pad))) bits |= 1 << i;
+      if (keys.some(isDown) || pads.some(pad => this.pads.has(pad))) bits |= 1 << i;
     });
-    this.fresh.clear();
     return bits >>> 0;
   }
 }

@@ -1,19 +1,26 @@
 // SPDX-License-Identifier: MIT
-// What a page keeps for the next time: best scores, options, keys, sound. Where a browser keeps nothing, all goes on without.
+// What a page keeps for the next time: best scores, options, keys, sound. Where a browser keeps nothing, it lasts for a visit.
 
 export class Store {
-  constructor(game) { this.key = `plumb.${game}`; }
+  constructor(game) {
+    this.key = `plumb.${game}`;
+    this.unkept = {};  // what the browser would not keep
+  }
 
   read() {
+    let kept = {};
     try {
-      return JSON.parse(localStorage.getItem(this.key)) ?? {};
-    } catch { return {}; }
+      kept = JSON.parse(localStorage.getItem(this.key)) ?? {};
+    } catch { /* not allowed, or not ours */ }
+    return { ...kept, ...this.unkept };
   }
   /** Changes these entries, and leaves the others. */
   write(entries) {
+    const all = { ...this.read(), ...entries };
     try {
-      localStorage.setItem(this.key, JSON.stringify({ ...this.read(), ...entries }));
-    } catch { /* full, or not allowed */ }
+      localStorage.setItem(this.key, JSON.stringify(all));
+      this.unkept = {};
+    } catch { this.unkept = all; }
   }
 }
 
