@@ -99,6 +99,7 @@ export function makePanel(dialog, actions, usual, does) {
     dialog.close();
     does.openRecord(await file.text(), file.name);
   });
-  dialog.addEventListener('close', does.closed);
-  return { open() { show(); dialog.showModal(); }, isOpen: () => dialog.open };
+  let isOpen = false;  // until the close event, which comes a little after the dialog is gone, and moves the focus
+  dialog.addEventListener('close', () => { isOpen = false; does.closed(); });
+  return { open() { show(); dialog.showModal(); isOpen = true; }, isOpen: () => isOpen };
 }
