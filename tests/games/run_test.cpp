@@ -39,6 +39,15 @@ TEST_CASE("games/run with an unknown name lists the names of the games and ends 
     CHECK(ran.output.ends_with("\n2\n"));
 }
 
+TEST_CASE("games/run web refuses a port that is none, before it builds", "[games]") {
+    for (const std::string port : {"99999", "8o80", "-1", "''"}) {
+        INFO(port);
+        const Ran ran = run("web --port " + port + " 2>&1; echo $?");
+        CHECK_THAT(ran.output, containsText("a number up to 65526 was wanted"));
+        CHECK(ran.output.ends_with("\n2\n"));
+    }
+}
+
 TEST_CASE("before the first build games/run maze --help shows the page's examples, and builds nothing", "[games]") {
     namespace fs = std::filesystem;
     const fs::path source = PLUMB_SOURCE_DIR, folder = houseFolder("unbuilt");

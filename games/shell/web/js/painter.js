@@ -78,9 +78,9 @@ export function painterOn(canvas) {
    * Without a GPU, a browser takes ten times as long for a gradient as for plain colors.
    */
   function bands(m, paintAt) {
-    const [isGradient, fromX, fromY, toX, toY, radius, ...colors] = d.subarray(paintAt, paintAt + 14);
+    const [, fromX, fromY, toX, toY, radius, ...colors] = d.subarray(paintAt, paintAt + 14);
     const [x, y, w, h, corner] = d.subarray(at, at + 5), across = m[1] || m[2] || fromX !== toX || fromY === toY;
-    if (!isGradient || radius || corner || across || colors[3] < 1 || colors[7] < 1) return false;
+    if (radius || corner || across || colors[3] < 1 || colors[7] < 1) return false;
     at += 5;
     const down = value => m[3] * value + m[5], isDown = down(toY) > down(fromY);
     const first = colors.slice(isDown ? 0 : 4), last = colors.slice(isDown ? 4 : 0);
@@ -137,16 +137,17 @@ export function painterOn(canvas) {
     if (clip !== clipNow) clipTo(bounds);
     pen.globalAlpha = opacity;
     pen.setTransform(m[0], m[1], m[2], m[3], m[4], m[5]);
-    const paintAt = at, ink = paint(), isOpaque = opacity === 1 && d[paintAt] === 0 && d[at - 1] === 1, kind = next(), end = at;
-    if (kind === rectKind && width === 0 && bands(m, paintAt)) return clip;
+    const paintAt = at, isGradient = d[at] === 1, ink = paint(), kind = next(), end = at;
+    if (isGradient && kind === rectKind && width === 0 && bands(m, paintAt)) return clip;
     if (kind === textKind) {
       text(m, ink);
       return clip;
     }
     pen.beginPath();
     outlines[kind]();
-    // Lines of one color and width are one path: blades of grass are hundreds.
-    while (kind === pathKind && width > 0 && isOpaque && comesAgain(start, end)) { at += end - start; path(); }
+    // Lines of one color and width are one path: blades of grass are hundreds. Not where light would shine through both.
+    const isOpaque = !isGradient && opacity === 1 && d[paintAt + 4] === 1;
+    while (isOpaque && kind === pathKind && width > 0 && comesAgain(start, end)) { at += end - start; path(); }
     if (width > 0) { pen.lineWidth = width; pen.strokeStyle = ink; pen.stroke(); }
     else { pen.fillStyle = ink; pen.fill(); }
     return clip;
