@@ -19,6 +19,7 @@
 #include <plumb/dynamics/islands/wake.h>
 #include <plumb/dynamics/ledger/step_audit.h>
 #include <plumb/dynamics/sensors/sensors.h>
+#include <plumb/dynamics/solver/overlaps.h>
 #include <plumb/dynamics/solver/solver.h>
 #include <plumb/dynamics/world.h>
 #include <plumb/math/check.h>
@@ -31,6 +32,13 @@ namespace {
 /// range of the solver's floats.
 constexpr double shortestSolved = 1e-9;
 
+/// After a much shorter step, what its impulses have of rounding would grow too much.
+void noteSolved(BodyStore& bodies, double dt) {
+    constexpr double mostGrowth = 64;
+    bodies.stepRatio = bodies.lastSolved > 0 ? std::min(dt / bodies.lastSolved, mostGrowth) : 1;
+    bodies.lastSolved = dt;
+}
+
 /// Runs the phases of one step, measures their times, and keeps account of energy and momentum.
 class Step {
 public:
@@ -42,6 +50,7 @@ public:
         if (world.account) audit_.emplace(*world.account, viewOf(world));
         if (world.account) world.account->close(viewOf(world), &EnergyLedger::edits, &MomentumLedger::edits);
         if (dt > 0) world.bodies.lastStep = dt;
+        if (dt >= shortestSolved) noteSolved(world.bodies, dt);
         if (dt > 0) world.profile = {};
     }
 
@@ -105,6 +114,10 @@ private:
     Stopwatch watch_;
     std::optional<StepAudit> audit_;
 };
+
+void partOverlaps(Step& s) {
+    pushApart(s.world.graph, s.world.bodies, s.world.solver, s.dt);
+}
 
 void predict(Step& s) {
     WorldState& w = s.world;
@@ -210,6 +223,7 @@ void World::step(double dt) {
     requireNotNegative(dt, "World.step: dt");
     Step step(*state_, dt);
     const bool moves = dt > 0, solves = dt >= shortestSolved;
+    if (solves) step.run(partOverlaps, &StepProfile::pairs, &EnergyLedger::solver);
     if (moves) step.run(predict, &StepProfile::pairs, &EnergyLedger::solver);
     if (moves) step.run(load, &StepProfile::pairs, &EnergyLedger::solver);
     if (moves) step.run(takeOut, &StepProfile::pairs, &EnergyLedger::solver);

@@ -243,7 +243,8 @@ Pile randomPile(Random& random) {
 }
 
 void solveAll(const ContactSolver& solver, Pile& pile) {
-    const ContactPass pass{240, softness(30, 10, 1.0 / 240), 3};
+    const Softness soft = softness(30, 10, 1.0 / 240);
+    const ContactPass pass{240, soft, 3, soft.impulseScale / soft.massScale};
     solver.gatherWarmStart(&pile.batch, batchLanes, pile.bodies());
     for (int i = 0; i < 4; ++i) {
         solver.solve(&pile.batch, batchLanes, pile.bodies(), pass);
@@ -350,14 +351,14 @@ TEST_CASE("manifolds and what the solver needs of them are the same bits at 1, 4
         FreshLanes first{};
         BoxPairs prepared = pairs;
         laneCollider(1).collideBoxes(pairs.pairs, pairs.place.data(), first, batchLanes);
-        laneCollider(1).prepare(prepared.batch, prepared.lanes, pairs.place.data(), velocity.data(), first, 60,
+        laneCollider(1).prepare(prepared.batch, prepared.lanes, pairs.place.data(), velocity.data(), first, {60, 1, 8},
                                 batchLanes);
         for (const int lanes : {4, 8, 16}) {
             FreshLanes fresh{};
             BoxPairs again = pairs;
             laneCollider(lanes).collideBoxes(pairs.pairs, pairs.place.data(), fresh, batchLanes);
-            laneCollider(lanes).prepare(again.batch, again.lanes, pairs.place.data(), velocity.data(), fresh, 60,
-                                        batchLanes);
+            laneCollider(lanes).prepare(again.batch, again.lanes, pairs.place.data(), velocity.data(), fresh,
+                                        {60, 1, 8}, batchLanes);
             INFO("round " << round << ", " << lanes << " lanes");
             CHECK(sameBits(fresh, first));
             CHECK(std::memcmp(&again.batch, &prepared.batch, offsetof(ContactBatch, bounces)) == 0);

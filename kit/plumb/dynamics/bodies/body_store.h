@@ -149,6 +149,8 @@ struct BodyStore {
     Vec2 gravity{0, -9.81};   ///< [m/s^2]
     int subSteps = 4;         ///< number of the solver's sub-steps in a step [-]
     double lastStep = 0;      ///< dt of the last step with dt > 0; during a step, its own dt [s]
+    double lastSolved = 0;    ///< dt of the last step in which contacts were solved [s]
+    double stepRatio = 1;     ///< of lastSolved to the one before it, at most 64 [-]
     std::uint32_t world = 0;  ///< number of the world, as stored in ids
 
     BodyStore();

@@ -137,6 +137,7 @@ void ContactGraph::remove(BodyStore& bodies, ContactStore& contacts, ContactInde
     const int shared = colourAt(contact.colour);
     contact.manifold = manifoldOf(contact);
     contact.memory = memoryOf(contact);
+    contact.memoryStep = bodies.lastSolved;
     contact.rollImpulse = colour.batches[slot / batchLanes].rollImpulse[slot % batchLanes];
     for (const BodyIndex body : {contact.bodyA, contact.bodyB}) {
         BodyLinks& links = bodies.links[body];

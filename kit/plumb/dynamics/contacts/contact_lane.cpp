@@ -7,6 +7,11 @@ namespace plumb {
 
 namespace {
 
+/// An impulse that the contact's record remembers, times this, is one of the present step.
+float memoryRatio(const ContactRecord& contact, const BodyStore& bodies) {
+    return contact.memoryStep > 0 ? static_cast<float>(bodies.lastSolved / contact.memoryStep) : 1.0f;
+}
+
 void fillRolling(ContactBatch& batch, std::size_t lane, const ContactRecord& contact, const BodyStore& bodies) {
     const BodyRecord& a = bodies.record[contact.bodyA];
     const BodyRecord& b = bodies.record[contact.bodyB];
@@ -15,7 +20,7 @@ void fillRolling(ContactBatch& batch, std::size_t lane, const ContactRecord& con
     batch.rollInverseGyrationA[lane] = a.inverseGyration;
     batch.rollInverseGyrationB[lane] = b.inverseGyration;
     batch.rollMass[lane] = inverse > 0 ? 1 / inverse : 0.0f;
-    batch.rollImpulse[lane] = contact.rollImpulse;
+    batch.rollImpulse[lane] = contact.rollImpulse * memoryRatio(contact, bodies);
 }
 
 }  // namespace
@@ -32,13 +37,14 @@ void fillLane(ContactBatch& batch, ManifoldLanes& manifolds, std::size_t lane, c
     manifolds.restitution[lane] = static_cast<float>(contact.restitution);
     manifolds.touching[lane] = contact.touching ? 1 : 0;
     manifolds.count[lane] = contact.manifold.count;
+    const float ratio = memoryRatio(contact, bodies);
     for (std::size_t p = 0; p < 2; ++p) {
         const ManifoldPoint& point = contact.manifold.points[p];
         manifolds.points[p].x[lane] = point.position.x();
         manifolds.points[p].y[lane] = point.position.y();
         manifolds.points[p].feature[lane] = point.feature;
-        batch.points[p].normalImpulse[lane] = contact.memory[p].normalImpulse;
-        batch.points[p].tangentImpulse[lane] = contact.memory[p].tangentImpulse;
+        batch.points[p].normalImpulse[lane] = contact.memory[p].normalImpulse * ratio;
+        batch.points[p].tangentImpulse[lane] = contact.memory[p].tangentImpulse * ratio;
     }
 }
 

@@ -75,7 +75,7 @@ struct alignas(64) ContactRecord {
     float surfaceSpeed = 0;                ///< sum of both surfaces' speeds along the tangent [m/s]
     float approachSpeed = 0;               ///< at the last step's start [m/s]
     float rollImpulse = 0;                 ///< valid while it is not in the solver
-    double memoryStep = 0;                 ///< dt of the step to which memory's totals belong [s]
+    double memoryStep = 0;                 ///< dt of the step to which memory belongs [s]
     Manifold manifold;                     ///< valid while it is not in the solver
     std::array<PointMemory, 2> memory;     ///< valid while it is not in the solver
 

@@ -8,7 +8,7 @@ namespace plumb {
 namespace {
 
 /// A body that overlaps deeply with so many others is in a crowd.
-constexpr std::uint32_t most = 16;
+constexpr std::uint32_t most = 8;
 /// Two bodies overlap deeply if their centres are nearer than this share of both inradii: a disc of two thirds of the
 /// inradius around the centre of mass lies in every convex shape [-].
 constexpr double deepShare = 0.66;
@@ -16,9 +16,7 @@ constexpr double deepShare = 0.66;
 }  // namespace
 
 Crowd::Crowd(ContactStore& contacts, const BodyStore& bodies, const Space& space)
-    : contacts_(contacts), bodies_(bodies), space_(space) {
-    if (!contacts.leftOut.empty()) countLeftOut();
-}
+    : contacts_(contacts), bodies_(bodies), space_(space) {}
 
 bool Crowd::leavesOut(const ShiftedShapes& pair) {
     const bool inside = isInside(pair);
@@ -63,14 +61,14 @@ bool Crowd::isInside(const ShiftedShapes& pair) {
 /// A contact of shapes that overlap is in the solver, or is new. Each new one adds one overlap at the most.
 bool Crowd::isCrowded(BodyIndex body) {
     Overlaps& o = overlaps_[body];
-    if (o.leftOut + o.inContact >= most) return true;
+    if (o.inContact >= most) return true;
     const std::uint32_t possible =
         o.isCounted ? o.inContact + (o.added - o.counted) : bodies_.links[body].solverContacts + o.added;
-    if (o.leftOut + possible < most || !isOne(body)) return false;
+    if (possible < most || !isOne(body)) return false;
     o.inContact = overlapsInContact(body);
     o.counted = o.added;
     o.isCounted = true;
-    return o.leftOut + o.inContact >= most;
+    return o.inContact >= most;
 }
 
 /// Visits a pair if its bounds overlap still; in a world that wraps, with each shift with which they do.
@@ -83,17 +81,6 @@ void Crowd::forEachOverlap(const Pair& shapes, Visit&& visit) const {
         });
     else if (space_.boxesOverlap(shapes.a, shapes.b))
         visit(ShiftedShapes{shapes});
-}
-
-void Crowd::countLeftOut() {
-    overlaps_.resize(bodies_.record.size());
-    for (const Pair& shapes : contacts_.leftOut)
-        forEachOverlap(shapes, [&](const ShiftedShapes& pair) {
-            const BodyIndex a = space_.filterKey(shapes.a).owner, b = space_.filterKey(shapes.b).owner;
-            if (!overlap(a, b, pair.shift)) return;
-            ++overlaps_[a].leftOut;
-            ++overlaps_[b].leftOut;
-        });
 }
 
 std::uint32_t Crowd::overlapsInContact(BodyIndex body) const {

@@ -27,7 +27,6 @@ public:
 private:
     /// With how many others does a body overlap deeply?
     struct Overlaps {
-        std::uint32_t leftOut = 0;    ///< of the pairs that were left out before this step
         std::uint32_t inContact = 0;  ///< of its contacts, when they were counted
         std::uint32_t added = 0;      ///< number of its contacts that are new in this step
         std::uint32_t counted = 0;    ///< added, at that time
@@ -40,7 +39,6 @@ private:
     bool isOne(BodyIndex body) const;
     template <class Visit>
     void forEachOverlap(const Pair& shapes, Visit&& visit) const;
-    void countLeftOut();
     std::uint32_t overlapsInContact(BodyIndex body) const;
     bool overlap(BodyIndex a, BodyIndex b, const Vec2& shift) const;
 

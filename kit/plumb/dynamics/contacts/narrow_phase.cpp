@@ -88,37 +88,40 @@ void NarrowPhase::collideColour(std::size_t index, FreshLanes& fresh) {
         else
             pairs_.collideSolved(batch, colour.manifolds[b], colour.kept[b], fresh);
         std::fill(fresh.count + count, std::end(fresh.count), 0);
-        prepare(colour.batches[b], colour.manifolds[b], fresh, count);
+        prepare(colour.batches[b], colour.manifolds[b], fresh, count, bodies_.stepRatio);
         corners_.note(batch, colour.batches[b], isOfBoxes(index) ? nullptr : &colour.kept[b], fresh);
         for (std::size_t lane = 0; lane < count; ++lane)
             if (fresh.count[lane] == 0) parted_.push_back(batch.contacts[lane]);
     }
 }
 
-void NarrowPhase::prepare(ContactBatch& batch, ManifoldLanes& manifolds, const FreshLanes& fresh,
-                          std::size_t used) const {
+/// ratio: as in StepLength.
+void NarrowPhase::prepare(ContactBatch& batch, ManifoldLanes& manifolds, const FreshLanes& fresh, std::size_t used,
+                          double ratio) const {
+    const StepLength step{static_cast<float>(1 / dt_), static_cast<float>(ratio), 2 * bodies_.subSteps};
     laneCollider(lanesFor(used, lanes_))
-        .prepare(batch, manifolds, bodies_.place.data(), bodies_.velocity.data(), fresh, static_cast<float>(1 / dt_),
-                 used);
+        .prepare(batch, manifolds, bodies_.place.data(), bodies_.velocity.data(), fresh, step, used);
+}
+
+bool NarrowPhase::boundsOverlap(ProxyId a, ProxyId b, ContactIndex index) const {
+    return bodies_.wrap.any() ? space_.boxesOverlap(a, b, contacts_[index].shift) : space_.boxesOverlap(a, b);
+}
+
+void NarrowPhase::drop(ContactIndex index) {
+    const ContactRecord& contact = contacts_[index];
+    if (contact.touching) ends_.push_back({contact.proxyA, contact.proxyB});
+    removeContact(graph_, contacts_, bodies_, index);
 }
 
 /// Removes contacts whose bounds do not overlap any more.
 void NarrowPhase::removeParted(NearPairs& near) {
-    const bool wraps = bodies_.wrap.any();
-    const auto overlap = [&](std::size_t slot) {
-        const PairLanes& pairs = near.lanes[slot / batchLanes];
-        const ProxyId a = pairs.proxyA[slot % batchLanes], b = pairs.proxyB[slot % batchLanes];
-        return wraps ? space_.boxesOverlap(a, b, contacts_[near.contactOf[slot]].shift) : space_.boxesOverlap(a, b);
-    };
     for (std::size_t slot = 0; slot < near.contactOf.size();) {
-        if (overlap(slot)) {
+        const PairLanes& pairs = near.lanes[slot / batchLanes];
+        const std::size_t lane = slot % batchLanes;
+        if (boundsOverlap(pairs.proxyA[lane], pairs.proxyB[lane], near.contactOf[slot]))
             ++slot;
-            continue;
-        }
-        const ContactIndex index = near.contactOf[slot];
-        const ContactRecord& contact = contacts_[index];
-        if (contact.touching) ends_.push_back({contact.proxyA, contact.proxyB});
-        removeContact(graph_, contacts_, bodies_, index);
+        else
+            drop(near.contactOf[slot]);
     }
 }
 
@@ -181,7 +184,7 @@ void NarrowPhase::addToSolver(Arrivals& arrivals) {
     for (std::size_t lane = 0; lane < arrivals.count; ++lane)
         fillLane(batch, manifolds, lane, contacts_[arrivals.contacts[lane]], bodies_, space_);
     pairs_.setPeriodicOffsets(arrivals.contacts, arrivals.count, arrivals.fresh);
-    prepare(batch, manifolds, arrivals.fresh, arrivals.count);
+    prepare(batch, manifolds, arrivals.fresh, arrivals.count, 1);
     guessImpulses(batch, bodies_, lanes_);
     for (std::size_t lane = 0; lane < arrivals.count; ++lane) {
         const ContactIndex index = arrivals.contacts[lane];
@@ -192,7 +195,8 @@ void NarrowPhase::addToSolver(Arrivals& arrivals) {
     }
 }
 
-/// Moves a contact that has parted back to the near contacts, and clears its impulses.
+/// Moves a contact that has parted back to the near contacts, and clears its impulses. If even the bounds are apart,
+/// after a jump, it goes at once: they may meet again before the next time, and the pair would be found twice.
 void NarrowPhase::removeFromSolver(ContactIndex index) {
     ContactRecord& contact = contacts_[index];
     graph_.remove(bodies_, contacts_, index);
@@ -200,6 +204,7 @@ void NarrowPhase::removeFromSolver(ContactIndex index) {
     contact.manifold.count = 0;
     contact.memory = {};
     contact.rollImpulse = 0;
+    if (!boundsOverlap(contact.proxyA, contact.proxyB, index)) drop(index);
 }
 
 }  // namespace plumb

@@ -48,7 +48,9 @@ private:
     };
 
     void collideColour(std::size_t index, FreshLanes& fresh);
-    void prepare(ContactBatch& batch, ManifoldLanes& manifolds, const FreshLanes& fresh, std::size_t used) const;
+    void prepare(ContactBatch& batch, ManifoldLanes& manifolds, const FreshLanes& fresh, std::size_t used, double ratio) const;
+    bool boundsOverlap(ProxyId a, ProxyId b, ContactIndex contact) const;
+    void drop(ContactIndex contact);
     void removeParted(NearPairs& near);
     bool mayArrive(ContactIndex contact, const FreshLanes& fresh, std::size_t lane);
     void addArrival(ContactIndex contact, const FreshLanes& fresh, std::size_t lane);

@@ -33,7 +33,6 @@ void putContactToSleep(const SleepStores& stores, BodyIndex body, ContactIndex i
         if (contact.isSolved()) renewContact(stores.graph, stores.contacts, stores.bodies, index);
         return;
     }
-    contact.memoryStep = stores.bodies.lastStep;
     stores.graph.remove(stores.bodies, stores.contacts, index);
     stores.contacts.removeNear(index);
 }

@@ -15,7 +15,8 @@ struct Filling {
     std::vector<JointIndex> jointOf;
     std::size_t count = 0;
 
-    void add(const JointRecord& record, JointIndex index, const AnchorPair& anchors) {
+    /// ratio: of this step to the last one.
+    void add(const JointRecord& record, JointIndex index, const AnchorPair& anchors, double ratio) {
         const std::size_t lane = count++ % batchLanes;
         if (lane == 0) {
             batches.push_back(HingeBatch{});
@@ -29,8 +30,8 @@ struct Filling {
         batch.localYA[lane] = static_cast<float>(anchors.a.local.y());
         batch.localXB[lane] = static_cast<float>(anchors.b.local.x());
         batch.localYB[lane] = static_cast<float>(anchors.b.local.y());
-        batch.impulseX[lane] = static_cast<float>(record.impulse[0]);
-        batch.impulseY[lane] = static_cast<float>(record.impulse[1]);
+        batch.impulseX[lane] = static_cast<float>(record.impulse[0] * ratio);
+        batch.impulseY[lane] = static_cast<float>(record.impulse[1] * ratio);
     }
 };
 
@@ -56,7 +57,7 @@ std::vector<JointIndex> HingeSweep::take(const std::vector<JointIndex>& joints, 
         }
         used[a] |= std::uint64_t{1} << colour;
         used[b] |= std::uint64_t{1} << colour;
-        fillings[static_cast<std::size_t>(colour)].add(store[index], index, hinge->anchors);
+        fillings[static_cast<std::size_t>(colour)].add(store[index], index, hinge->anchors, bodies.stepRatio);
     }
     batches_.clear();
     jointOf_.clear();

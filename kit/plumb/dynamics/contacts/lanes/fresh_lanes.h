@@ -29,6 +29,13 @@ struct alignas(64) FreshLanes {
     [[gnu::always_inline]] const float* apartYFrom(int lane) const { return around ? apartY + lane : nullptr; }
 };
 
+/// How long is the step for which contacts are prepared?
+struct StepLength {
+    float inverse;  ///< 1/dt [1/s]
+    float ratio;    ///< of dt to that of the step from which impulses are carried over: they grow with it [-]
+    int halves;     ///< half sub-steps in a step [-]
+};
+
 /// Writes into some of W lanes.
 template <int W>
 struct LaneWriter {

@@ -23,7 +23,7 @@ struct LaneCollider {
                   const KeptLanes& kept, FreshLanes& fresh, PoseLanes& now, std::int32_t* again, std::size_t used);
     /// Copies new manifolds into the batch and computes what the solver needs for the step.
     void (*prepare)(ContactBatch& batch, ManifoldLanes& manifolds, const BodyPlace* places,
-                    const SolverVelocity* velocity, const FreshLanes& fresh, float inverseStep, std::size_t used);
+                    const SolverVelocity* velocity, const FreshLanes& fresh, const StepLength& step, std::size_t used);
 };
 
 template <int W>

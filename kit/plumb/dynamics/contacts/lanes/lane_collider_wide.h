@@ -32,9 +32,9 @@ struct BatchCollider {
             LaneReuser<W>::reuse(pairs, lane, places, manifolds, kept, fresh, now, again);
     }
     static void prepare(ContactBatch& batch, ManifoldLanes& m, const BodyPlace* places, const SolverVelocity* velocity,
-                        const FreshLanes& fresh, float inverseStep, std::size_t used) {
+                        const FreshLanes& fresh, const StepLength& step, std::size_t used) {
         for (int lane = 0; lane < static_cast<int>(used); lane += W)
-            LanePreparer<W>::prepare(batch, m, lane, places, velocity, fresh, inverseStep);
+            LanePreparer<W>::prepare(batch, m, lane, places, velocity, fresh, step);
     }
 };
 

@@ -5,6 +5,7 @@
 #include <plumb/dynamics/bodies/relative_lanes.h>
 #include <plumb/dynamics/bodies/solver_body.h>
 #include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
+#include <plumb/dynamics/contacts/lanes/resting_arms.h>
 
 namespace plumb {
 
@@ -77,44 +78,60 @@ struct LanePreparer {
         return found;
     }
 
-    static void carry(ContactBatch& batch, int lane, const Matches& found) {
-        PointLanes& first = batch.points[0];
-        PointLanes& second = batch.points[1];
-        const F normal[2] = {at(first.normalImpulse + lane), at(second.normalImpulse + lane)};
-        const F tangent[2] = {at(first.tangentImpulse + lane), at(second.tangentImpulse + lane)};
+    /// If this step is not as long as the last one, the mean impulse of that one counts: what its last half has of
+    /// noise would grow with the ratio.
+    static F carried(const float* impulse, const float* total, int lane, const StepLength& step) {
+        if (step.ratio == 1) return at(impulse + lane);
+        return at(total + lane) * (step.ratio / static_cast<float>(step.halves));
+    }
+
+    static void carry(ContactBatch& batch, int lane, const Matches& found, const StepLength& step) {
+        F normal[2], tangent[2];
+        for (int q = 0; q < 2; ++q) {
+            const PointLanes& was = batch.points[q];
+            normal[q] = carried(was.normalImpulse, was.totalNormal, lane, step);
+            tangent[q] = carried(was.tangentImpulse, was.totalTangent, lane, step);
+        }
         for (int p = 0; p < 2; ++p) {
             const M one = found.same[p][0], two = found.same[p][1];
             const F secondNormal = two ? normal[1] : F{}, secondTangent = two ? tangent[1] : F{};
-            const F carriedNormal = one ? normal[0] : secondNormal, carriedTangent = one ? tangent[0] : secondTangent;
-            storeLanes(batch.points[p].normalImpulse + lane, carriedNormal);
-            storeLanes(batch.points[p].tangentImpulse + lane, carriedTangent);
+            storeLanes(batch.points[p].normalImpulse + lane, one ? normal[0] : secondNormal);
+            storeLanes(batch.points[p].tangentImpulse + lane, one ? tangent[0] : secondTangent);
         }
+        storeLanes(batch.rollImpulse + lane, at(batch.rollImpulse + lane) * step.ratio);
     }
 
     /// The two bodies and the contact's normal, for the formulas.
     struct Sides {
         Rows<W> velocityA, velocityB;
+        Rows<W> pullA, pullB;  ///< velocity changes by acceleration in half a step [m/s]
         F inverseGyrationA, inverseGyrationB;
         F nx, ny;
         F resting;  ///< a slower approach is no impact: the speed gained by acceleration in half a step [m/s]
         F press;    ///< approach speed gained by both accelerations in a step [m/s]
+
+        void setNormal(F x, F y) {
+            nx = x;
+            ny = y;
+            const F alongA = pullA.x * nx + pullA.y * ny, alongB = pullB.x * nx + pullB.y * ny;
+            resting = larger(magnitude(alongA), magnitude(alongB));
+            press = 2 * (alongA - alongB);
+        }
+        LaneArms<W> arms(F rax, F ray, F rbx, F rby) const {
+            return {inverseGyrationA * (nx * rax + ny * ray), inverseGyrationA * (nx * ray - ny * rax),
+                    inverseGyrationB * (nx * rbx + ny * rby), inverseGyrationB * (nx * rby - ny * rbx)};
+        }
     };
 
-    static Sides sides(const ContactBatch& batch, int lane, const BodyPlace* places, const SolverVelocity* velocity,
-                       F nx, F ny) {
+    static Sides sides(const ContactBatch& batch, int lane, const BodyPlace* places, const SolverVelocity* velocity) {
         Sides s;
         const float* rows = &places->highX;
         s.velocityA = loadRows<W>(&velocity->x, batch.bodyA + lane);
         s.velocityB = loadRows<W>(&velocity->x, batch.bodyB + lane);
         s.inverseGyrationA = loadRows<W, 16>(rows + 4, batch.bodyA + lane).z;
         s.inverseGyrationB = loadRows<W, 16>(rows + 4, batch.bodyB + lane).z;
-        const Rows<W> pullA = loadRows<W, 16>(rows + 12, batch.bodyA + lane);
-        const Rows<W> pullB = loadRows<W, 16>(rows + 12, batch.bodyB + lane);
-        s.nx = nx;
-        s.ny = ny;
-        const F alongA = pullA.x * nx + pullA.y * ny, alongB = pullB.x * nx + pullB.y * ny;
-        s.resting = larger(magnitude(alongA), magnitude(alongB));
-        s.press = 2 * (alongA - alongB);
+        s.pullA = loadRows<W, 16>(rows + 12, batch.bodyA + lane);
+        s.pullB = loadRows<W, 16>(rows + 12, batch.bodyB + lane);
         return s;
     }
 
@@ -130,13 +147,10 @@ struct LanePreparer {
         return pushed ? M{} : high;
     }
 
-    /// Fills the lanes of a point; returns the speed at which it opens [m/s].
-    static F preparePoint(PointLanes& p, int lane, const Sides& s, F rax, F ray, F rbx, F rby, F separation,
-                          F restitution, M present) {
-        const F normalA = s.inverseGyrationA * (s.nx * rax + s.ny * ray),
-                tangentA = s.inverseGyrationA * (s.nx * ray - s.ny * rax);
-        const F normalB = s.inverseGyrationB * (s.nx * rbx + s.ny * rby),
-                tangentB = s.inverseGyrationB * (s.nx * rby - s.ny * rbx);
+    /// Fills the lanes of a point, but for its arms; returns the speed at which it opens [m/s].
+    static F preparePoint(PointLanes& p, int lane, const Sides& s, const LaneArms<W>& arms, F separation, F restitution,
+                          M present) {
+        const auto [normalA, tangentA, normalB, tangentB] = arms;
         const F ma = s.velocityA.w, mb = s.velocityB.w;
         const F normalInverse = ma * (tangentA * tangentA + 1.0f) + mb * (tangentB * tangentB + 1.0f);
         const F tangentInverse = ma * (normalA * normalA + 1.0f) + mb * (normalB * normalB + 1.0f);
@@ -147,10 +161,6 @@ struct LanePreparer {
         const M hits = fast ? near : M{};
         const F start = hits ? larger(separation, all(1e-9f)) : separation;
         const F target = parting > s.resting ? parting : F{};
-        storeLanes(p.anchorNormalA + lane, normalA);
-        storeLanes(p.anchorTangentA + lane, tangentA);
-        storeLanes(p.anchorNormalB + lane, normalB);
-        storeLanes(p.anchorTangentB + lane, tangentB);
         storeLanes(p.normalMass + lane, present ? 1.0f / normalInverse : F{});
         storeLanes(p.tangentMass + lane, present ? 1.0f / tangentInverse : F{});
         storeLanes(p.startSeparation + lane, present ? start : F{});
@@ -161,19 +171,38 @@ struct LanePreparer {
         return opening;
     }
 
-    static void prepare(ContactBatch& batch, ManifoldLanes& m, int lane, const BodyPlace* places,
-                        const SolverVelocity* velocity, const FreshLanes& fresh, float inverseStep) {
-        carry(batch, lane, matches(fresh, m, lane));
-        const RelativeLanes<W> r = relativeLanes<W>(batch.bodyA + lane, batch.bodyB + lane, places,
-                                                    fresh.apartXFrom(lane), fresh.apartYFrom(lane));
+    /// The normal and the arms of this step, which stay those of the last one where a face rests on a face.
+    static void placeArms(ContactBatch& batch, ManifoldLanes& m, int lane, Sides& s, const FreshLanes& fresh,
+                          const RelativeLanes<W>& r, const M (&same)[2]) {
         const F localX = at(fresh.normalX + lane), localY = at(fresh.normalY + lane);
-        const F nx = r.cosA * localX - r.sinA * localY, ny = r.sinA * localX + r.cosA * localY;
-        const Sides s = sides(batch, lane, places, velocity, nx, ny);
-        const I count = loadLanes<W>(fresh.count + lane);
-        storeLanes(batch.normalX + lane, nx);
-        storeLanes(batch.normalY + lane, ny);
+        s.setNormal(r.cosA * localX - r.sinA * localY, r.sinA * localX + r.cosA * localY);
+        LaneArms<W> arms[2];
+        for (int i = 0; i < 2; ++i) {
+            const F x = at(fresh.points[i].x + lane), y = at(fresh.points[i].y + lane);
+            const F rax = r.cosA * x - r.sinA * y, ray = r.sinA * x + r.cosA * y;
+            arms[i] = s.arms(rax, ray, rax - r.apartX, ray - r.apartY);
+        }
+        const M still = rests<W>(batch, lane, arms, same);
+        for (int i = 0; i < 2; ++i) {
+            arms[i].replace(still, LaneArms<W>::before(batch.points[i], lane));
+            arms[i].store(batch.points[i], lane);
+        }
+        s.setNormal(still ? at(batch.normalX + lane) : s.nx, still ? at(batch.normalY + lane) : s.ny);
+        storeLanes(batch.normalX + lane, s.nx);
+        storeLanes(batch.normalY + lane, s.ny);
         storeLanes(m.normalX + lane, localX);
         storeLanes(m.normalY + lane, localY);
+    }
+
+    static void prepare(ContactBatch& batch, ManifoldLanes& m, int lane, const BodyPlace* places,
+                        const SolverVelocity* velocity, const FreshLanes& fresh, const StepLength& step) {
+        const Matches found = matches(fresh, m, lane);
+        carry(batch, lane, found, step);
+        const RelativeLanes<W> r = relativeLanes<W>(batch.bodyA + lane, batch.bodyB + lane, places,
+                                                    fresh.apartXFrom(lane), fresh.apartYFrom(lane));
+        Sides s = sides(batch, lane, places, velocity);
+        placeArms(batch, m, lane, s, fresh, r, {found.same[0][0], found.same[1][1]});
+        const I count = loadLanes<W>(fresh.count + lane);
         storeLanes(m.count + lane, count);
         storeLanes(batch.pushed + lane, I{});
         const F restitution = at(m.restitution + lane);
@@ -181,18 +210,17 @@ struct LanePreparer {
         M clear = restitution > F{};
         for (int i = 0; i < 2; ++i) {
             const FreshPoint& point = fresh.points[i];
-            const F x = at(point.x + lane), y = at(point.y + lane), separation = at(point.separation + lane);
-            const F rax = r.cosA * x - r.sinA * y, ray = r.sinA * x + r.cosA * y;
+            const F separation = at(point.separation + lane);
             const M present = count > whole(i);
-            const F opening = preparePoint(batch.points[i], lane, s, rax, ray, rax - r.apartX, ray - r.apartY,
-                                           separation, restitution, present);
+            const LaneArms<W> arms = LaneArms<W>::before(batch.points[i], lane);
+            const F opening = preparePoint(batch.points[i], lane, s, arms, separation, restitution, present);
             const F speed = present ? -opening : F{};
             approach = larger(approach, speed);
-            const M free = isClear(s, opening, separation, restitution, inverseStep);
+            const M free = isClear(s, opening, separation, restitution, step.inverse);
             const M held = free ? M{} : present;
             clear = held ? M{} : clear;
-            storeLanes(m.points[i].x + lane, x);
-            storeLanes(m.points[i].y + lane, y);
+            storeLanes(m.points[i].x + lane, at(point.x + lane));
+            storeLanes(m.points[i].y + lane, at(point.y + lane));
             storeLanes(m.points[i].feature + lane, loadLanes<W>(point.feature + lane));
         }
         storeLanes(m.approachSpeed + lane, approach);

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Which contacts rest, so that their normals and arms stay as they are?
+//
+// Two faces that lie on each other and both bear load cannot turn against each other, if they are rigid. What the two
+// bodies turn is the give of the contact's springs. If the loads of a tower followed that, the tower would buckle: a
+// column of n boxes on springs falls as soon as n^3 > 8 k / k_box or so, where the page "resting.md" has the numbers.
+// So while a face rests on a face, the directions and the arms of its forces stay as they were. The bodies may move in
+// the meantime until an arm is wrong by mostArm; then all are taken anew. So the moment of a force F about a body's
+// centre is wrong by at most mostArm k F (k radius of gyration).
+// Source of the idea: contact recycling in Box2D 3.2, which allows a motion of 5 cm.
+#pragma once
+#include <plumb/dynamics/contacts/contact_batch.h>
+#include <plumb/math/detail/wide_ops.h>
+
+namespace plumb {
+
+/// A resting contact keeps its arms until one is wrong by more than this share of the body's radius of gyration [-].
+inline constexpr float mostArm = 0.03f;
+/// A contact sticks if friction bears less than this share of the most that it can [-].
+inline constexpr float mostGrip = 0.99f;
+
+/// The arms of W lanes of points, times rho, as in PointLanes.
+template <int W>
+struct LaneArms {
+    using F = typename Wide<W>::Float;
+    using I = typename Wide<W>::Int;
+    using M = typename Wide<W>::Mask;
+    F normalA, tangentA, normalB, tangentB;
+
+    static LaneArms before(const PointLanes& p, int lane) {
+        return {loadLanes<W>(p.anchorNormalA + lane), loadLanes<W>(p.anchorTangentA + lane),
+                loadLanes<W>(p.anchorNormalB + lane), loadLanes<W>(p.anchorTangentB + lane)};
+    }
+    void store(PointLanes& p, int lane) const {
+        storeLanes(p.anchorNormalA + lane, normalA);
+        storeLanes(p.anchorTangentA + lane, tangentA);
+        storeLanes(p.anchorNormalB + lane, normalB);
+        storeLanes(p.anchorTangentB + lane, tangentB);
+    }
+    void replace(M where, const LaneArms& by) {
+        normalA = where ? by.normalA : normalA;
+        tangentA = where ? by.tangentA : tangentA;
+        normalB = where ? by.normalB : normalB;
+        tangentB = where ? by.tangentB : tangentB;
+    }
+    F changeFrom(const LaneArms& other) const {
+        return larger(larger(magnitude(normalA - other.normalA), magnitude(tangentA - other.tangentA)),
+                      larger(magnitude(normalB - other.normalB), magnitude(tangentB - other.tangentB)));
+    }
+};
+
+/// Does a face rest on a face: did each point bear load and stick in the last step, and has it kept its arms? Reads
+/// what the last step has left in the batch. same: a point is the successor of the point with the same number.
+template <int W, class M>
+M rests(const ContactBatch& batch, int lane, const LaneArms<W> (&now)[2], const M (&same)[2]) {
+    using F = typename Wide<W>::Float;
+    using I = typename Wide<W>::Int;
+    const I yes = I{} + 1;
+    const F friction = loadLanes<W>(batch.friction + lane);
+    I moves{};
+    for (int i = 0; i < 2; ++i) {
+        const PointLanes& p = batch.points[i];
+        const F load = loadLanes<W>(p.totalNormal + lane), held = magnitude(loadLanes<W>(p.totalTangent + lane));
+        const M far = now[i].changeFrom(LaneArms<W>::before(p, lane)) > F{} + mostArm;
+        const M empty = load <= F{}, slides = held > mostGrip * friction * load;
+        moves |= (far ? yes : I{}) | (empty ? yes : I{}) | (slides ? yes : I{}) | (same[i] ? I{} : yes);
+    }
+    return moves == I{};
+}
+
+}  // namespace plumb
