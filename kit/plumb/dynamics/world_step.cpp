@@ -19,7 +19,7 @@
 #include <plumb/dynamics/islands/wake.h>
 #include <plumb/dynamics/ledger/step_audit.h>
 #include <plumb/dynamics/sensors/sensors.h>
-#include <plumb/dynamics/solver/overlaps.h>
+#include <plumb/dynamics/solver/push_apart.h>
 #include <plumb/dynamics/solver/solver.h>
 #include <plumb/dynamics/world.h>
 #include <plumb/math/check.h>
@@ -32,10 +32,8 @@ namespace {
 /// range of the solver's floats.
 constexpr double shortestSolved = 1e-9;
 
-/// After a much shorter step, what its impulses have of rounding would grow too much.
 void noteSolved(BodyStore& bodies, double dt) {
-    constexpr double mostGrowth = 64;
-    bodies.stepRatio = bodies.lastSolved > 0 ? std::min(dt / bodies.lastSolved, mostGrowth) : 1;
+    bodies.stepRatio = bodies.lastSolved > 0 ? dt / bodies.lastSolved : 1;
     bodies.lastSolved = dt;
 }
 
@@ -65,6 +63,7 @@ public:
     void end() {
         watch_.stop();
         if (dt > 0) clearForces(world.bodies);
+        if (dt >= shortestSolved) clearPlaced(world.bodies);
         if (dt > 0) clearFlights(world.fields, world.bodies);
         WorldEvents& events = world.events;
         events.movers = world.bodies.awake;
@@ -116,7 +115,8 @@ private:
 };
 
 void partOverlaps(Step& s) {
-    pushApart(s.world.graph, s.world.bodies, s.world.solver, s.dt);
+    const WorldState& w = s.world;
+    pushApart(w.graph, w.contacts, s.world.bodies, w.solver, s.dt);
 }
 
 void predict(Step& s) {
@@ -140,6 +140,7 @@ void findPairs(Step& s) {
     Crowd crowd(w.contacts, w.bodies, w.space);
     if (!w.contacts.leftOut.empty())
         crowd.takeBack([&w](const ShiftedShapes& pair) {
+            for (const ProxyId proxy : {pair.shapes.a, pair.shapes.b}) w.bodies.notePlaced(w.space[proxy].owner);
             w.contacts.early.push_back(pair.shapes);  // shapes that were edited meanwhile are found again below
             addPair(w, pair);
         });

@@ -243,8 +243,7 @@ Pile randomPile(Random& random) {
 }
 
 void solveAll(const ContactSolver& solver, Pile& pile) {
-    const Softness soft = softness(30, 10, 1.0 / 240);
-    const ContactPass pass{240, soft, 3, soft.impulseScale / soft.massScale};
+    const ContactPass pass{240, softness(30, 10, 1.0 / 240), 3};
     solver.gatherWarmStart(&pile.batch, batchLanes, pile.bodies());
     for (int i = 0; i < 4; ++i) {
         solver.solve(&pile.batch, batchLanes, pile.bodies(), pass);

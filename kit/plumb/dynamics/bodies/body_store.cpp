@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace plumb {
 
@@ -140,6 +141,15 @@ void storeMotion(BodyStore& bodies, BodyIndex body, const BodyMotion& motion) {
         bodies.motion[body] = motion;
     else
         markOutOfRange(bodies, body);
+}
+
+void BodyStore::notePlaced(BodyIndex body) {
+    if (!std::exchange(step[body].placed, true)) placed.push_back(body);
+}
+
+void clearPlaced(BodyStore& bodies) {
+    for (const BodyIndex body : bodies.placed) bodies.step[body].placed = false;
+    bodies.placed.clear();
 }
 
 void clearForces(BodyStore& bodies) {

@@ -100,6 +100,7 @@ enum class MovedBy : std::uint8_t {
 struct BodyStep {
     MovedBy movedBy = MovedBy::Nothing;
     bool boundsPending = false;   ///< the body woke up after the step had placed the bounds
+    bool placed = false;          ///< it is in BodyStore.placed
     std::uint32_t flight = none;  ///< entry in BodyStore.flights; none if no field acts on the body
 };
 
@@ -139,6 +140,7 @@ struct BodyStore {
     // Lists of slots.
     std::vector<BodyIndex> awake;      ///< awake bodies, dynamic and kinematic
     std::vector<BodyIndex> kinematic;  ///< all kinematic bodies
+    std::vector<BodyIndex> placed;     ///< bodies that jumped to where they are, or got shapes, since the last step
     std::vector<BodyIndex> forced;     ///< bodies with a force or torque for the next step; may hold duplicates
     std::vector<BodyIndex> free;       ///< slots without a body
 
@@ -150,7 +152,7 @@ struct BodyStore {
     int subSteps = 4;         ///< number of the solver's sub-steps in a step [-]
     double lastStep = 0;      ///< dt of the last step with dt > 0; during a step, its own dt [s]
     double lastSolved = 0;    ///< dt of the last step in which contacts were solved [s]
-    double stepRatio = 1;     ///< of lastSolved to the one before it, at most 64 [-]
+    double stepRatio = 1;     ///< of lastSolved to the one before it [-]
     std::uint32_t world = 0;  ///< number of the world, as stored in ids
 
     BodyStore();
@@ -158,6 +160,7 @@ struct BodyStore {
     BodyIndex acquire();
     void release(BodyIndex body);
     void wake(BodyIndex body);
+    void notePlaced(BodyIndex body);
     void putToSleep(BodyIndex body);
     /// Sets the data that the narrow phase and the solver read, for a body that does not move.
     void rest(BodyIndex body);
@@ -192,6 +195,8 @@ bool isInRange(const BodyMotion& motion);
 bool isInRange(const Acceleration& acceleration);
 /// Sets the state of a body. If the new state is out of range, the body keeps the old one and is marked for quarantine.
 void storeMotion(BodyStore& bodies, BodyIndex body, const BodyMotion& motion);
+/// Forgets which bodies were placed, at the end of a step.
+void clearPlaced(BodyStore& bodies);
 /// Sets all forces and torques to zero, at the end of a step.
 void clearForces(BodyStore& bodies);
 /// Marks a body for quarantine.

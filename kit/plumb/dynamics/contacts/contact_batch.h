@@ -44,6 +44,8 @@ inline constexpr std::size_t batchRows = offsetof(ContactBatch, bounces) / (size
 struct alignas(64) ManifoldPointLanes {
     Lanes<float> x, y;            ///< in A's frame, from its centre of mass [m]
     Lanes<std::int32_t> feature;  ///< as in collide/manifold_point.h
+    /// The mean of the last steps, when the step's length changed last [N].
+    Lanes<float> normalForce, tangentForce;
 };
 
 /// How are two shapes collided that are not both boxes? One by one; as a disc, which is A or B, and another shape; as
@@ -82,7 +84,7 @@ struct alignas(64) ManifoldLanes {
     ManifoldPointLanes points[2];
     Lanes<std::int32_t> count;     ///< number of points
     Lanes<float> approachSpeed;    ///< at the step's start, of the point that approaches fastest [m/s]
-    Lanes<std::int32_t> clear;     ///< 1: alone, it would bounce, and stay apart for longer than the step
+    Lanes<std::int32_t> clear;     ///< 1: alone, its bounces would last longer than the step
     Lanes<std::int32_t> touching;  ///< 1: the touch has been reported
 };
 inline constexpr std::size_t manifoldRows = sizeof(ManifoldLanes) / (sizeof(float) * batchLanes);

@@ -86,6 +86,8 @@ ContactIndex ContactStore::add(BodyStore& bodies, const ContactRecord& contact) 
 void ContactStore::remove(BodyStore& bodies, ContactIndex contact) {
     removeNear(contact);
     if (records[contact].verdict != Verdict::Open) std::erase(withVerdict, contact);
+    if (records[contact].overlaps)
+        std::erase_if(overlaps, [contact](const Overlap& overlap) { return overlap.contact == contact; });
     unlink(bodies, *this, contact, 0, records[contact].bodyA);
     unlink(bodies, *this, contact, 1, records[contact].bodyB);
     records[contact].state = ContactState::Free;

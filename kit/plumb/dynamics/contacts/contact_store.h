@@ -68,6 +68,7 @@ struct alignas(64) ContactRecord {
     bool ruled = false;     ///< one of the shapes has a rule or a one-way side
     bool met = false;       ///< only if near: it had a manifold in this step
     bool watched = false;   ///< it is in ContactStore.watched
+    bool overlaps = false;  ///< it is in ContactStore.overlaps
     Verdict verdict = Verdict::Open;
 
     double friction = 0, restitution = 0;  ///< of the pair
@@ -96,6 +97,12 @@ struct NearPairs {
     std::vector<ContactIndex> contactOf;
 };
 
+/// A contact of two shapes that were put into each other.
+struct Overlap {
+    ContactIndex contact = 0;
+    float depth[2] = {0, 0};  ///< of its points at the step's start, beyond what its spring sees [m]
+};
+
 struct ContactStore {
     std::vector<ContactRecord> records;
     std::vector<ContactIndex> free;
@@ -109,6 +116,7 @@ struct ContactStore {
     std::vector<ContactIndex> watched;  ///< all that touch or had a manifold, and perhaps others
 
     std::vector<ContactIndex> withVerdict;  ///< contacts whose verdict is not Open
+    std::vector<Overlap> overlaps;          ///< contacts that began deep in overlap
     std::vector<ContactIndex> impacts;      ///< those with state Impact in the last step
     std::vector<ContactIndex> predicted;    ///< in this step, for bodies that spin: where they meet is predicted
     std::vector<Pair> leftOut;              ///< pairs of crowds without a contact, also of shapes that are gone

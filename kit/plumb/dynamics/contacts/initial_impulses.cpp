@@ -50,7 +50,7 @@ void guessImpulses(ContactBatch& batch, const BodyStore& bodies, int lanes) {
     ContactBatch own = withBodiesApart(batch);
     SolverBodies alone;
     alone.velocity = velocity;
-    const ContactPass rigid{0, {0, 1, 0}, 0, 0};
+    const ContactPass rigid{0, {0, 1, 0}, 0};
     for (int i = 0; i < sweeps; ++i) contactSolver(lanes).solve(&own, batchLanes, alone, rigid);
     for (std::size_t lane = 0; lane < batchLanes; ++lane) {
         if (!isNew(batch, lane)) continue;

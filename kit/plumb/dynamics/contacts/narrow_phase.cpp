@@ -10,6 +10,7 @@
 #include <plumb/dynamics/contacts/contact_rules.h>
 #include <plumb/dynamics/contacts/floors/flush_faces.h>
 #include <plumb/dynamics/contacts/initial_impulses.h>
+#include <plumb/dynamics/contacts/overlaps.h>
 #include <plumb/math/detail/for_lanes.h>
 
 namespace plumb {
@@ -74,6 +75,7 @@ void NarrowPhase::finish() {
     for (const ContactIndex index : parted_) removeFromSolver(index);
     sortArrivals();
     for (Arrivals& some : arrivals_) addToSolver(some);
+    measureOverlaps(contacts_, graph_, bodies_);
 }
 
 /// fresh: scratch.
@@ -95,7 +97,6 @@ void NarrowPhase::collideColour(std::size_t index, FreshLanes& fresh) {
     }
 }
 
-/// ratio: as in StepLength.
 void NarrowPhase::prepare(ContactBatch& batch, ManifoldLanes& manifolds, const FreshLanes& fresh, std::size_t used,
                           double ratio) const {
     const StepLength step{static_cast<float>(1 / dt_), static_cast<float>(ratio), 2 * bodies_.subSteps};

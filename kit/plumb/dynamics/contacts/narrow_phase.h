@@ -48,7 +48,8 @@ private:
     };
 
     void collideColour(std::size_t index, FreshLanes& fresh);
-    void prepare(ContactBatch& batch, ManifoldLanes& manifolds, const FreshLanes& fresh, std::size_t used, double ratio) const;
+    void prepare(ContactBatch& batch, ManifoldLanes& manifolds, const FreshLanes& fresh, std::size_t used,
+                 double ratio) const;
     bool boundsOverlap(ProxyId a, ProxyId b, ContactIndex contact) const;
     void drop(ContactIndex contact);
     void removeParted(NearPairs& near);

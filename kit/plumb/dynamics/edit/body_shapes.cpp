@@ -157,6 +157,7 @@ void findPairsAgain(WorldState& world, BodyIndex body) {
     removeAllPairs(world, body);
     if (!world.bodies.record[body].enabled) return;
     placeBounds(world.space, world.bodies, world.contacts, body, 0);
+    world.bodies.notePlaced(body);
     for (const ProxyId proxy : world.bodies.links[body].proxies) world.space.markNew(proxy);
 }
 

@@ -39,7 +39,10 @@ void addPair(WorldState& world, const ShiftedShapes& pair) {
 }
 
 void addPairs(WorldState& world, std::span<const ShiftedShapes> pairs) {
-    for (const ShiftedShapes& pair : pairs) addPair(world, pair);
+    for (const ShiftedShapes& pair : pairs) {
+        for (const ProxyId proxy : {pair.shapes.a, pair.shapes.b}) world.bodies.notePlaced(world.space[proxy].owner);
+        addPair(world, pair);
+    }
 }
 
 }  // namespace plumb

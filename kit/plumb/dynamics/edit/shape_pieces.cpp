@@ -40,6 +40,7 @@ ProxyId addPiece(WorldState& world, BodyIndex body, const PieceDef& part, std::u
     world.space.setDriven(proxy, record.type == BodyType::Kinematic);
     if (part.def.sensor) addSensor(world.sensors, proxy);
     if (!record.enabled) world.space.hide(proxy);
+    world.bodies.notePlaced(body);
     outlinePiece(world, proxy, record.localCenter);
     return proxy;
 }

@@ -7,13 +7,14 @@
 #include <utility>
 
 #include <plumb/dynamics/bodies/free_motion.h>
+#include <plumb/dynamics/contacts/bounces.h>
 
 namespace plumb {
 
 namespace {
 
-/// If this contact has an impact in this step, do the shapes bounce, and is the free motion after the bounce longer
-/// than the step? The condition is 2 e v >= a dt.
+/// If this contact has an impact in this step, do the shapes bounce, and are all their bounces longer than the step?
+/// The condition is 2 (e + e^2 + ...) v >= a dt.
 /// e restitution [-], v approach speed at the impact [m/s], a acceleration that presses the two together [m/s^2]
 bool bouncesClear(const ContactGraph& graph, const BodyStore& bodies, const ContactRecord& contact, double dt) {
     if (contact.restitution <= 0) return false;
@@ -32,7 +33,7 @@ bool bouncesClear(const ContactGraph& graph, const BodyStore& bodies, const Cont
         const double fall = std::max(press * static_cast<double>(point.separation), 0.0);
         const double speed = std::sqrt(opening * opening + 2 * fall);
         const bool overlapping = point.separation < -1e-4f && opening >= 0;  // only the solver corrects it
-        if (overlapping || 2 * contact.restitution * speed < press * dt) return false;
+        if (overlapping || 2 * sumOfBounces(contact.restitution) * speed < press * dt) return false;
     }
     return true;
 }
@@ -41,7 +42,7 @@ bool bouncesClear(const ContactGraph& graph, const BodyStore& bodies, const Cont
 /// following the contacts of each body: they save 5 ms a step with 60,000 contacts.
 constexpr int passesOverAll = 3;
 
-/// Begins with the contacts whose two bodies, if they were alone, would bounce and stay apart for longer than the step.
+/// Begins with the contacts whose two bodies, if they were alone, would bounce for longer than the step.
 /// Then removes, one after the other, those with a body that the solver moves.
 class CandidateSearch {
 public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which contacts are isolated impacts: do their bodies meet in free motion, bounce, and stay apart for longer than the
+// Which contacts are isolated impacts: do their bodies meet in free motion, and do their bounces last longer than the
 // step? Or do they spin, so that the solver could let them pass each other?
 #pragma once
 #include <vector>

@@ -11,7 +11,6 @@
 #include <plumb/dynamics/impacts/wall_touch.h>
 #include <plumb/dynamics/joints/joint_islands.h>
 #include <plumb/dynamics/solver/body_solver.h>
-#include <plumb/dynamics/solver/contact_pass.h>
 #include <plumb/dynamics/solver/joint_half.h>
 #include <plumb/dynamics/solver/wall_limits.h>
 #include <plumb/dynamics/solver/wall_stops.h>
@@ -20,6 +19,21 @@
 namespace plumb {
 
 namespace {
+
+struct Pass {
+    ContactPass contacts, groundContacts;
+};
+
+Pass passOf(const SolverSettings& settings, double h) {
+    Pass pass;
+    const auto contactPass = [&](double frequency) -> ContactPass {
+        return {static_cast<float>(1 / h), softness(std::min(frequency, 0.25 / h), settings.contactDampingRatio, h),
+                static_cast<float>(settings.contactPushSpeed)};
+    };
+    pass.contacts = contactPass(settings.contactFrequency);
+    pass.groundContacts = contactPass(2 * settings.contactFrequency);
+    return pass;
+}
 
 /// May the body meet something, and so fast that it could pass? What goes around a world that wraps has no contacts
 /// along its way.
@@ -79,9 +93,9 @@ public:
           solved_(solvedBodies(bodies_)),
           moving_(static_cast<std::size_t>(std::find(solved_.begin(), solved_.end(), noBody) - solved_.begin())),
           outOfLanes_(moving_),
-          passes_(passesOf(stores.settings, h_)),
+          pass_(passOf(stores.settings, h_)),
           fields_(stores.fields, bodies_, stores.space, h_, observer_),
-          jointed_{stores.graph, stores.contacts, passes_.loose, passes_.ground},
+          jointed_{stores.graph, stores.contacts, pass_.contacts, pass_.groundContacts},
           walls_({bodies_, stores.contacts, stores.space, stores.jointPhases, stores.joints}, h_),
           fast_(solved_.size()) {
         cutSlices();
@@ -197,15 +211,18 @@ private:
         const ContactPass* pass;
     };
 
-    /// A colour's last batch is solved with fewer lanes if it is not full.
+    /// Contacts with fixed bodies have twice the frequency: the ground does not move. A colour's last batch is solved
+    /// with fewer lanes if it is not full.
     void cutSlices() {
         auto& colours = stores_.graph.colours;
         for (std::size_t index = 0; index < colours.size(); ++index) {
             const std::size_t contacts = colours[index].contactOf.size(), rest = contacts % batchLanes;
             if (contacts == 0) continue;
-            const ContactPass& pass = passes_.of(index);
+            const int colour = colourAt(index);
+            const bool ground = colour >= fixedColour && colour != overflowColour;
+            const ContactPass& pass = ground ? pass_.groundContacts : pass_.contacts;
             ContactBatch* batches = colours[index].batches.data();
-            const int most = colourAt(index) == overflowColour ? 1 : stores_.settings.lanes;
+            const int most = colour == overflowColour ? 1 : stores_.settings.lanes;
             if (contacts > rest) slices_.push_back({&contactSolver(most), batches, contacts - rest, &pass});
             if (rest == 0) continue;
             slices_.push_back({&contactSolver(lanesFor(rest, most)), batches + contacts / batchLanes, rest, &pass});
@@ -284,7 +301,7 @@ private:
     std::size_t
         moving_;  ///< number of those before the padding, whose records all are one: each would wait for the last
     std::size_t outOfLanes_;  ///< number of those before the bodies in lanes of islands
-    ContactPasses passes_;
+    Pass pass_;
     std::vector<Slice> slices_;
     FieldSolving fields_;
     std::vector<BounceGroup> bounces_;  ///< of jointed bodies

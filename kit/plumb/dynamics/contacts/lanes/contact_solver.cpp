@@ -215,12 +215,12 @@ void solveLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies
     for (PointLanes& p : batch.points) {
         const float s = p.separation[lane];
         const bool apart = s > 0;
+        const float bias = apart ? s * pass.inverseStep : larger(pass.soft.biasRate * s, -pass.pushSpeed);
         const float massScale = apart ? 1.0f : pass.soft.massScale;
         const float impulseScale = apart ? 0.0f : pass.soft.impulseScale;
-        const float mass = p.normalMass[lane], old = p.normalImpulse[lane];
-        const float most = mass * pass.pushSpeed + pass.give * old;
-        const float bias = apart ? mass * (s * pass.inverseStep) : larger(mass * (pass.soft.biasRate * s), -most);
-        const float change = -massScale * (mass * normalSpeed(couple, p, lane) + bias) - impulseScale * old;
+        const float old = p.normalImpulse[lane];
+        const float change =
+            -(p.normalMass[lane] * massScale) * (normalSpeed(couple, p, lane) + bias) - impulseScale * old;
         setNormal(couple, p, lane, larger(old + change, 0.0f));
     }
     solveAlong(couple, batch, lane, {});

@@ -24,8 +24,7 @@ namespace plumb {
 struct ContactPass {
     float inverseStep = 0;  ///< 1/h [1/s]
     Softness soft;
-    float pushSpeed = 0;  ///< the highest speed at which overlap is pushed out, beyond what the load presses in [m/s]
-    float give = 0;       ///< impulseScale / massScale: how far a soft contact gives way to its load [-]
+    float pushSpeed = 0;  ///< the highest speed at which overlap is pushed out [m/s]
 };
 
 /// Four functions for the first `contacts` lanes of consecutive batches, with results that are equal to the last bit

@@ -138,12 +138,12 @@ struct WideContacts {
             PointLanes& p = batch.points[i];
             const F s = at(p.separation + lane);
             const auto apart = s > F{};
+            const F bias = apart ? s * pass.inverseStep : larger(pass.soft.biasRate * s, all(-pass.pushSpeed));
             const F massScale = apart ? all(1) : all(pass.soft.massScale);
             const F impulseScale = apart ? F{} : all(pass.soft.impulseScale);
-            const F mass = at(p.normalMass + lane), old = at(p.normalImpulse + lane);
-            const F most = mass * pass.pushSpeed + pass.give * old;
-            const F bias = apart ? mass * (s * pass.inverseStep) : larger(mass * (pass.soft.biasRate * s), -most);
-            const F change = -massScale * (mass * normalSpeed(c, r[i]) + bias) - impulseScale * old;
+            const F old = at(p.normalImpulse + lane);
+            const F change =
+                -(at(p.normalMass + lane) * massScale) * (normalSpeed(c, r[i]) + bias) - impulseScale * old;
             normal[i] = larger(old + change, F{});
             storeLanes(p.normalImpulse + lane, normal[i]);
             pushNormal(c, r[i], normal[i] - old);

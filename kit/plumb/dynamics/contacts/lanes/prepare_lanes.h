@@ -4,6 +4,7 @@
 #pragma once
 #include <plumb/dynamics/bodies/relative_lanes.h>
 #include <plumb/dynamics/bodies/solver_body.h>
+#include <plumb/dynamics/contacts/bounces.h>
 #include <plumb/dynamics/contacts/lanes/fresh_lanes.h>
 #include <plumb/dynamics/contacts/lanes/resting_arms.h>
 
@@ -78,19 +79,24 @@ struct LanePreparer {
         return found;
     }
 
-    /// If this step is not as long as the last one, the mean impulse of that one counts: what its last half has of
-    /// noise would grow with the ratio.
-    static F carried(const float* impulse, const float* total, int lane, const StepLength& step) {
+    /// If this step is not as long as the last one, the mean force of that one counts, and of a shorter one only its
+    /// share of this step; for the rest, the force before it: in a short step, a small change of speed is a large
+    /// force.
+    static F carried(float* force, const float* impulse, const float* total, int lane, const StepLength& step) {
         if (step.ratio == 1) return at(impulse + lane);
-        return at(total + lane) * (step.ratio / static_cast<float>(step.halves));
+        const float share = step.ratio > 1 ? 1 / step.ratio : 1.0f;
+        const F now = at(total + lane) * (share * step.ratio * step.inverse) + at(force + lane) * (1 - share);
+        storeLanes(force + lane, now);
+        return now * (1 / (step.inverse * static_cast<float>(step.halves)));
     }
 
-    static void carry(ContactBatch& batch, int lane, const Matches& found, const StepLength& step) {
+    static void carry(ContactBatch& batch, ManifoldLanes& m, int lane, const Matches& found, const StepLength& step) {
         F normal[2], tangent[2];
         for (int q = 0; q < 2; ++q) {
             const PointLanes& was = batch.points[q];
-            normal[q] = carried(was.normalImpulse, was.totalNormal, lane, step);
-            tangent[q] = carried(was.tangentImpulse, was.totalTangent, lane, step);
+            ManifoldPointLanes& force = m.points[q];
+            normal[q] = carried(force.normalForce, was.normalImpulse, was.totalNormal, lane, step);
+            tangent[q] = carried(force.tangentForce, was.tangentImpulse, was.totalTangent, lane, step);
         }
         for (int p = 0; p < 2; ++p) {
             const M one = found.same[p][0], two = found.same[p][1];
@@ -135,12 +141,13 @@ struct LanePreparer {
         return s;
     }
 
-    /// Would the bounce of this point, if it were alone, last longer than the step? Points that overlap and part are
+    /// Would the bounces of this point, if it were alone, last longer than the step? Points that overlap and part are
     /// left to the solver.
     static M isClear(const Sides& s, F opening, F separation, F restitution, float inverseStep) {
         const F fall = larger(s.press * separation * inverseStep, F{});
         const F squared = opening * opening + 2 * fall;
-        const M high = 4 * restitution * restitution * squared >= s.press * larger(s.press, F{});
+        const F bounces = sumOfBounces(restitution);
+        const M high = 4 * bounces * bounces * squared >= s.press * larger(s.press, F{});
         const M parts = opening >= F{};
         const M overlaps = separation < all(-deep);
         const M pushed = overlaps ? parts : M{};
@@ -197,7 +204,7 @@ struct LanePreparer {
     static void prepare(ContactBatch& batch, ManifoldLanes& m, int lane, const BodyPlace* places,
                         const SolverVelocity* velocity, const FreshLanes& fresh, const StepLength& step) {
         const Matches found = matches(fresh, m, lane);
-        carry(batch, lane, found, step);
+        carry(batch, m, lane, found, step);
         const RelativeLanes<W> r = relativeLanes<W>(batch.bodyA + lane, batch.bodyB + lane, places,
                                                     fresh.apartXFrom(lane), fresh.apartYFrom(lane));
         Sides s = sides(batch, lane, places, velocity);

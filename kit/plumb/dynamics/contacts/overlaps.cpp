@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/contacts/overlaps.h>
+
+#include <algorithm>
+
+namespace plumb {
+
+namespace {
+
+/// The overlap that a contact's spring pushes out itself [m], and as a share of the smaller inradius [-].
+constexpr double shallow = 0.01, shallowShare = 0.1;
+
+float shallowOf(const BodyStore& bodies, const ContactRecord& contact) {
+    double inradius = shallow / shallowShare;
+    for (const BodyIndex body : {contact.bodyA, contact.bodyB})
+        if (bodies.isDynamic(body)) inradius = std::min(inradius, bodies.record[body].inradius);
+    return static_cast<float>(shallowShare * inradius);
+}
+
+/// Returns true if there is something to hide.
+bool hide(ContactGraph& graph, const ContactRecord& contact, float least, Overlap& overlap) {
+    ContactBatch& batch = graph.colours[contact.colour].batches[contact.slot / batchLanes];
+    const std::size_t lane = contact.slot % batchLanes;
+    for (std::size_t i = 0; i < 2; ++i) {
+        PointLanes& p = batch.points[i];
+        const float visible = std::max(p.startSeparation[lane], -least);
+        overlap.depth[i] = visible - p.startSeparation[lane];
+        p.startSeparation[lane] = p.separation[lane] = visible;
+    }
+    return overlap.depth[0] > 0 || overlap.depth[1] > 0;
+}
+
+void noteIfDeep(ContactStore& contacts, const ContactGraph& graph, const BodyStore& bodies, ContactIndex index) {
+    ContactRecord& contact = contacts[index];
+    if (!contact.isSolved() || contact.overlaps) return;
+    const float least = std::min(graph.separationOf(contact, 0), graph.separationOf(contact, 1));
+    if (least >= -shallowOf(bodies, contact)) return;
+    contact.overlaps = true;
+    contacts.overlaps.push_back({index, {0, 0}});
+}
+
+}  // namespace
+
+void measureOverlaps(ContactStore& contacts, ContactGraph& graph, const BodyStore& bodies) {
+    for (const BodyIndex body : bodies.placed)
+        forEachContact(bodies, contacts, body, [&](ContactIndex index) { noteIfDeep(contacts, graph, bodies, index); });
+    std::erase_if(contacts.overlaps, [&](Overlap& overlap) {
+        ContactRecord& contact = contacts[overlap.contact];
+        if (contact.state == ContactState::Asleep) return false;
+        contact.overlaps = contact.isSolved() && hide(graph, contact, shallowOf(bodies, contact), overlap);
+        return !contact.overlaps;
+    });
+}
+
+}  // namespace plumb
