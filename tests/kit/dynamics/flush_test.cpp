@@ -89,17 +89,25 @@ void lay(World& world, const Slide& slide, Floor floor) {
                    .shapes = {plumb::box({slide.size, slide.size}, top)}});
 }
 
-Ride rideOver(const Slide& slide, Floor floor) {
+/// What presses on the floor.
+struct Load {
+    double gravity = g, step = dt;  ///< [m/s^2, s]
+    double weights = 0;             ///< a force on what slides, over its weight
+};
+
+Ride rideOver(const Slide& slide, Floor floor, const Load& load = {}) {
     const Rot turned = Rot::fromAngle(slide.angle);
-    World world({.gravity = turned * Vec2(0, -g)});
+    World world({.gravity = turned * Vec2(0, -load.gravity)});
     lay(world, slide, floor);
     const BodyId body = world.add({.position = turned * Vec2(slide.start, slide.height()),
                                    .angle = slide.angle,
                                    .velocity = turned * Vec2(slide.speed, 0),
                                    .shapes = {slide.shape()}});
+    const double force = load.weights * load.gravity * world.body(body).mass();
     Ride ride;
-    for (int tick = 0; tick < 400; ++tick) {
-        world.step(dt);
+    for (double time = 0; time < 400 * dt; time += load.step) {
+        world.body(body).applyForce(turned * Vec2(0, -force));
+        world.step(load.step);
         const Vec2 at = turned.inverse() * world.body(body).position();
         if (at.x() > 2 * slide.size * (boxesOfFloor - 3) - 2 * slide.radius) break;
         ride.way = at.x() - slide.start;
@@ -125,6 +133,46 @@ TEST_CASE("what slides over boxes laid flush goes on as over one box", "[dynamic
         CHECK(worstWay < 0.01);
         CHECK(worstHop < 0.01);
     }
+}
+
+TEST_CASE("nothing stops on boxes laid flush, at any gravity and step, and under a load", "[dynamics][flush]") {
+    for (const Floor floor : {Floor::Fixed, Floor::Loose})
+        for (int seed = 0; seed < plumb::test::allCases(200); ++seed) {
+            Slide slide(static_cast<unsigned>(1000 + seed));
+            std::mt19937 random(static_cast<unsigned>(seed));
+            const auto share = [&] { return std::uniform_real_distribution<double>(0, 1)(random); };
+            slide.friction = slide.restitution = 0;
+            const Load load{5 * std::pow(10, share()), 1 / (25 * std::pow(9.6, share())), 3 * share()};
+            const Ride ride = rideOver(slide, floor, load), whole = rideOver(slide, Floor::Whole, load);
+            INFO((floor == Floor::Loose ? "loose, " : "fixed, ")
+                 << "seed " << seed << ", kind " << slide.kind << ", gravity " << load.gravity << ", " << 1 / load.step
+                 << " Hz, load " << load.weights);
+            CHECK(ride.way > 0.8 * whole.way);
+            CHECK(ride.hop < whole.hop + 0.02);
+        }
+}
+
+TEST_CASE("a box that is pressed to a wall of boxes laid flush falls freely", "[dynamics][flush]") {
+    for (const double gravity : {5.0, 10.0, 50.0})
+        for (const double step : {1.0 / 30, 1.0 / 60, 1.0 / 240})
+            for (const double weights : {0.5, 3.0}) {
+                World world({.gravity = {0, -gravity}});
+                for (int i = 0; i < 60; ++i)
+                    world.add({.type = BodyType::Static,
+                               .position = {0.5, 1.5 - i},
+                               .shapes = {plumb::box({0.5, 0.5}, {.friction = 0})}});
+                const BodyId body =
+                    world.add({.position = {-0.25, 0}, .shapes = {plumb::box({0.25, 0.25}, {.friction = 0})}});
+                const double weight = world.body(body).mass() * gravity;
+                double time = 0;
+                for (; 0.5 * gravity * time * time < 45; time += step) {
+                    world.body(body).applyForce({weights * weight, 0});
+                    world.step(step);
+                }
+                const double fallen = 0.5 * gravity * time * time;
+                INFO("gravity " << gravity << ", step " << step << " s, pressed with " << weights << " weights");
+                CHECK(world.body(body).position().y() < -0.97 * fallen);
+            }
 }
 
 TEST_CASE("a step in a floor of boxes stops what slides against it", "[dynamics][flush]") {

@@ -161,6 +161,13 @@ double bracketed(MovingPair& pair, double before, double separationBefore, doubl
     return before;
 }
 
+/// Two shapes touch and separate: may they meet again, because one turns or is pulled towards the other?
+bool mayReturn(const MovingPair& pair, const Encounter& now) {
+    if (now.a.angularVelocity != 0 || now.b.angularVelocity != 0) return true;
+    const Pull pullA = pullOn(pair.a.moving, now.a), pullB = pullOn(pair.b.moving, now.b);
+    return (pullB.linear - pullA.linear).dot(now.distance.normal) < 0 || pullA.angular != 0 || pullB.angular != 0;
+}
+
 /// Two discs that fall alike move in a straight line relative to each other: their time of impact is the root of a
 /// quadratic equation, |d + v t| = r.
 bool fallAlike(const MovingShape& a, const MovingShape& b) {
@@ -222,8 +229,7 @@ std::optional<double> timeOfImpact(const MovingShape& a, const MovingShape& b, d
         const double separation = now.distance.separation, left = to - time;
         const bool touches = separation <= (i == 0 ? resting : touch);
         if (touches && now.closingSpeed > 0) return time;
-        const bool turns = now.a.angularVelocity != 0 || now.b.angularVelocity != 0;
-        if (touches && i == 0 && !turns) return std::nullopt;  // they separate and cannot meet again
+        if (touches && i == 0 && !mayReturn(pair, now)) return std::nullopt;
         const ClosingBounds bounds(pair, now, left);
         const double safe = touches ? 0.0 : bounds.safeTime(separation);
         if (safe >= left) return std::nullopt;
