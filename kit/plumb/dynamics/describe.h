@@ -251,7 +251,7 @@ void describe(OrConst<SolverSettings> auto& def, auto&& visit) {
     visit({"subSteps", "-", Allowed::within(1, 64), "in how many parts each step is solved"}, def.subSteps);
     visit({"contactFrequency", "Hz", Allowed::positive, "of contacts, as springs"}, def.contactFrequency);
     visit({"contactDampingRatio", "-", Allowed::positive, "of contacts, as springs"}, def.contactDampingRatio);
-    visit({"contactPushSpeed", "m/s", Allowed::positive, "the fastest that overlap is pushed out"},
+    visit({"contactPushSpeed", "m/s", Allowed::positive, "the fastest that overlap is pushed out or shifted apart"},
           def.contactPushSpeed);
     visit({"sleepSpeed", "m/s", Allowed::notNegative, "slower than this everywhere on it, a body counts as still"},
           def.sleepSpeed);

@@ -87,7 +87,7 @@ void ContactStore::remove(BodyStore& bodies, ContactIndex contact) {
     removeNear(contact);
     if (records[contact].verdict != Verdict::Open) std::erase(withVerdict, contact);
     if (records[contact].overlaps)
-        std::erase_if(overlaps, [contact](const Overlap& overlap) { return overlap.contact == contact; });
+        std::erase_if(overlaps, [contact](const DeepContact& overlap) { return overlap.contact == contact; });
     unlink(bodies, *this, contact, 0, records[contact].bodyA);
     unlink(bodies, *this, contact, 1, records[contact].bodyB);
     records[contact].state = ContactState::Free;

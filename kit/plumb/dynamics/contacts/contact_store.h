@@ -98,7 +98,7 @@ struct NearPairs {
 };
 
 /// A contact of two shapes that were put into each other.
-struct Overlap {
+struct DeepContact {
     ContactIndex contact = 0;
     float depth[2] = {0, 0};  ///< of its points at the step's start, beyond what its spring sees [m]
 };
@@ -116,7 +116,7 @@ struct ContactStore {
     std::vector<ContactIndex> watched;  ///< all that touch or had a manifold, and perhaps others
 
     std::vector<ContactIndex> withVerdict;  ///< contacts whose verdict is not Open
-    std::vector<Overlap> overlaps;          ///< contacts that began deep in overlap
+    std::vector<DeepContact> overlaps;      ///< contacts that began deep in overlap
     std::vector<ContactIndex> impacts;      ///< those with state Impact in the last step
     std::vector<ContactIndex> predicted;    ///< in this step, for bodies that spin: where they meet is predicted
     std::vector<Pair> leftOut;              ///< pairs of crowds without a contact, also of shapes that are gone

@@ -18,7 +18,7 @@ float shallowOf(const BodyStore& bodies, const ContactRecord& contact) {
 }
 
 /// Returns true if there is something to hide.
-bool hide(ContactGraph& graph, const ContactRecord& contact, float least, Overlap& overlap) {
+bool hide(ContactGraph& graph, const ContactRecord& contact, float least, DeepContact& overlap) {
     ContactBatch& batch = graph.colours[contact.colour].batches[contact.slot / batchLanes];
     const std::size_t lane = contact.slot % batchLanes;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -44,7 +44,7 @@ void noteIfDeep(ContactStore& contacts, const ContactGraph& graph, const BodySto
 void measureOverlaps(ContactStore& contacts, ContactGraph& graph, const BodyStore& bodies) {
     for (const BodyIndex body : bodies.placed)
         forEachContact(bodies, contacts, body, [&](ContactIndex index) { noteIfDeep(contacts, graph, bodies, index); });
-    std::erase_if(contacts.overlaps, [&](Overlap& overlap) {
+    std::erase_if(contacts.overlaps, [&](DeepContact& overlap) {
         ContactRecord& contact = contacts[overlap.contact];
         if (contact.state == ContactState::Asleep) return false;
         contact.overlaps = contact.isSolved() && hide(graph, contact, shallowOf(bodies, contact), overlap);

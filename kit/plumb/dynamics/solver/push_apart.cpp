@@ -13,7 +13,7 @@ namespace plumb {
 
 namespace {
 
-/// Overlap goes at this rate [1/s], and at most this share of it in a step [-].
+/// DeepContact goes at this rate [1/s], and at most this share of it in a step [-].
 constexpr double rate = 8, mostShare = 0.2;
 /// The farthest that a point of a body moves in a step, as a share of its inradius [-].
 constexpr double shareOfInradius = 0.25;
@@ -31,7 +31,7 @@ std::vector<ContactIndex> contactsToShift(const ContactStore& contacts, const Bo
             reached.push_back(body);
         }
     };
-    for (const Overlap& overlap : contacts.overlaps) reach(contacts[overlap.contact]);
+    for (const DeepContact& overlap : contacts.overlaps) reach(contacts[overlap.contact]);
     using Place = std::tuple<std::uint32_t, ProxyId, ProxyId, double, double>;
     std::vector<std::pair<Place, ContactIndex>> order;
     for (std::size_t i = 0; i < reached.size(); ++i)
@@ -51,13 +51,13 @@ std::vector<ContactIndex> contactsToShift(const ContactStore& contacts, const Bo
 /// The contacts as shifts see them: without impulses and friction, with gaps, and with the overlap that is to go.
 std::vector<ContactBatch> shiftBatches(const std::vector<ContactIndex>& some, const ContactGraph& graph,
                                        const ContactStore& contacts) {
-    std::vector<Overlap> overlaps = contacts.overlaps;
-    const auto before = [](const Overlap& a, const Overlap& b) { return a.contact < b.contact; };
+    std::vector<DeepContact> overlaps = contacts.overlaps;
+    const auto before = [](const DeepContact& a, const DeepContact& b) { return a.contact < b.contact; };
     std::sort(overlaps.begin(), overlaps.end(), before);
     std::vector<ContactBatch> batches((some.size() + batchLanes - 1) / batchLanes, ContactBatch{});
     for (std::size_t i = 0; i < some.size(); ++i) {
         const ContactRecord& contact = contacts[some[i]];
-        const auto overlap = std::lower_bound(overlaps.begin(), overlaps.end(), Overlap{some[i], {0, 0}}, before);
+        const auto overlap = std::lower_bound(overlaps.begin(), overlaps.end(), DeepContact{some[i], {0, 0}}, before);
         const bool overlapsDeeply = overlap != overlaps.end() && overlap->contact == some[i];
         ContactBatch& batch = batches[i / batchLanes];
         const std::size_t lane = i % batchLanes, slot = contact.slot;
