@@ -48,8 +48,9 @@ std::size_t bytesOf(const BodyStore& b) {
 }
 
 std::size_t bytesOf(const ContactStore& c) {
-    return sumOf(c.records, c.free, c.boxes, c.corners, c.moreCorners, c.leftOut, c.early, c.watched, c.withVerdict, c.overlaps,
-                 c.impacts, c.nearBoxes.lanes, c.nearBoxes.contactOf, c.nearOthers.lanes, c.nearOthers.contactOf);
+    return sumOf(c.records, c.free, c.boxes, c.corners, c.moreCorners, c.leftOut, c.early, c.watched, c.withVerdict,
+                 c.overlaps, c.impacts, c.nearBoxes.lanes, c.nearBoxes.contactOf, c.nearOthers.lanes,
+                 c.nearOthers.contactOf);
 }
 
 std::size_t bytesOf(const ContactGraph& graph) {

@@ -252,6 +252,22 @@ void solveAll(const ContactSolver& solver, Pile& pile) {
     solver.bounce(&pile.batch, batchLanes, pile.bodies());
 }
 
+/// As in two steps: what the first one leaves says which contacts rest, and which impulses they keep.
+void prepareTwice(const LaneCollider& collider, BoxPairs& pairs, const std::vector<SolverVelocity>& velocity,
+                  const FreshLanes& fresh, const StepLength& step, std::uint64_t seed) {
+    Random random(seed);
+    const BodyPlace* place = pairs.place.data();
+    collider.prepare(pairs.batch, pairs.lanes, place, velocity.data(), fresh, {60, 1, 8}, batchLanes);
+    for (PointLanes& p : pairs.batch.points)
+        for (std::size_t lane = 0; lane < batchLanes; ++lane) {
+            p.totalNormal[lane] = static_cast<float>(random.uniform(-0.5, 2));
+            p.totalTangent[lane] = static_cast<float>(random.uniform(-0.5, 0.5));
+            p.anchorTangentA[lane] += static_cast<float>(random.uniform(-0.05, 0.05));
+            p.normalImpulse[lane] = static_cast<float>(random.uniform(0, 1));
+        }
+    collider.prepare(pairs.batch, pairs.lanes, place, velocity.data(), fresh, step, batchLanes);
+}
+
 }  // namespace
 
 TEST_CASE("boxes side by side have the manifolds that they have one by one, in 10,000 placements",
@@ -335,28 +351,6 @@ TEST_CASE("of 10,000 shapes that meet another in the step none is passed over be
     CHECK(passedOver > 2'000);
 }
 
-namespace {
-
-/// As in two steps: what the first one leaves says which contacts rest, and which impulses they keep.
-void prepareTwice(const LaneCollider& collider, BoxPairs& pairs, const std::vector<SolverVelocity>& velocity,
-                  const FreshLanes& fresh, const StepLength& step, std::uint64_t seed) {
-    Random random(seed);
-    const auto prepare = [&](const StepLength& length) {
-        collider.prepare(pairs.batch, pairs.lanes, pairs.place.data(), velocity.data(), fresh, length, batchLanes);
-    };
-    prepare({60, 1, 8});
-    for (PointLanes& p : pairs.batch.points)
-        for (std::size_t lane = 0; lane < batchLanes; ++lane) {
-            p.totalNormal[lane] = static_cast<float>(random.uniform(-0.5, 2));
-            p.totalTangent[lane] = static_cast<float>(random.uniform(-0.5, 0.5));
-            p.anchorTangentA[lane] += static_cast<float>(random.uniform(-0.05, 0.05));
-            p.normalImpulse[lane] = static_cast<float>(random.uniform(0, 1));
-        }
-    prepare(step);
-}
-
-}  // namespace
-
 TEST_CASE("manifolds and what the solver needs of them are the same bits at 1, 4, 8 and 16 lanes",
           "[dynamics][lanes][property]") {
     Random random(12);
@@ -370,16 +364,15 @@ TEST_CASE("manifolds and what the solver needs of them are the same bits at 1, 4
             v.inverseMass = static_cast<float>(random.uniform(0, 5));
         }
         const StepLength step{60, random.integer(0, 1) == 0 ? 1 : static_cast<float>(random.uniform(0.1, 10)), 8};
-        const std::uint64_t seed = static_cast<std::uint64_t>(round);
         FreshLanes first{};
         BoxPairs prepared = pairs;
         laneCollider(1).collideBoxes(pairs.pairs, pairs.place.data(), first, batchLanes);
-        prepareTwice(laneCollider(1), prepared, velocity, first, step, seed);
+        prepareTwice(laneCollider(1), prepared, velocity, first, step, static_cast<std::uint64_t>(round));
         for (const int lanes : {4, 8, 16}) {
             FreshLanes fresh{};
             BoxPairs again = pairs;
             laneCollider(lanes).collideBoxes(pairs.pairs, pairs.place.data(), fresh, batchLanes);
-            prepareTwice(laneCollider(lanes), again, velocity, fresh, step, seed);
+            prepareTwice(laneCollider(lanes), again, velocity, fresh, step, static_cast<std::uint64_t>(round));
             INFO("round " << round << ", " << lanes << " lanes");
             CHECK(sameBits(fresh, first));
             CHECK(std::memcmp(&again.batch, &prepared.batch, offsetof(ContactBatch, bounces)) == 0);

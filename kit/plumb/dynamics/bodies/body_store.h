@@ -140,7 +140,7 @@ struct BodyStore {
     // Lists of slots.
     std::vector<BodyIndex> awake;      ///< awake bodies, dynamic and kinematic
     std::vector<BodyIndex> kinematic;  ///< all kinematic bodies
-    std::vector<BodyIndex> placed;     ///< bodies that jumped to where they are, or got shapes, since the last step
+    std::vector<BodyIndex> placed;     ///< bodies that jumped, or got shapes, since the last step; may hold duplicates
     std::vector<BodyIndex> forced;     ///< bodies with a force or torque for the next step; may hold duplicates
     std::vector<BodyIndex> free;       ///< slots without a body
 
