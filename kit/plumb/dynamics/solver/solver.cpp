@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <plumb/dynamics/bodies/load_bodies.h>
 #include <plumb/dynamics/contacts/contact_lane.h>
@@ -12,6 +13,7 @@
 #include <plumb/dynamics/joints/joint_islands.h>
 #include <plumb/dynamics/solver/body_solver.h>
 #include <plumb/dynamics/solver/joint_half.h>
+#include <plumb/dynamics/solver/load_paths.h>
 #include <plumb/dynamics/solver/wall_limits.h>
 #include <plumb/dynamics/solver/wall_stops.h>
 #include <plumb/math/detail/for_lanes.h>
@@ -112,6 +114,7 @@ public:
         forEachSlice([this](const ContactSolver& solver, ContactBatch* batches, std::size_t contacts,
                             const ContactPass&) { solver.gatherWarmStart(batches, contacts, solverBodies_); });
         for (int i = 0; i < stores_.settings.subSteps; ++i) subStep(i);
+        if (loads_) loads_->end();
         bounceContacts();
         storeBodies();
         if (observer_ != nullptr) observer_->endSolver(solved_, dt);
@@ -191,8 +194,12 @@ private:
     }
 
     void solveContacts(ContactWork work, const JointHalf& half) {
+        if (!loads_)
+            loads_.emplace(stores_.graph, stores_.contacts, bodies_, solved_, pass_.contacts, pass_.groundContacts);
+        loads_->begin();
         forEachSlice([&](const ContactSolver& solver, ContactBatch* batches, std::size_t contacts,
                          const ContactPass& pass) { (solver.*work)(batches, contacts, solverBodies_, pass); });
+        half.correct ? loads_->solve() : loads_->relax();
         if (joints_ != nullptr) joints_->answerContacts(stores_.joints, half, jointed_);
     }
 
@@ -306,6 +313,7 @@ private:
     FieldSolving fields_;
     std::vector<BounceGroup> bounces_;  ///< of jointed bodies
     JointedContacts jointed_;
+    std::optional<LoadPaths> loads_;
     WallStops walls_;
     std::vector<FastBody> fast_;
     std::vector<WallImpact> impacts_;

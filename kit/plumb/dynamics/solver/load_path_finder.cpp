@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+#include <plumb/dynamics/solver/load_path_finder.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace plumb {
+
+namespace {
+
+// How much heavier must a body be? The more contacts count, the dearer a heap of bodies of all sizes is.
+constexpr float hitRatio = 1.2f;  ///< than one that it hits [-]
+constexpr float restRatio = 10;   ///< than one on which it rests [-]
+constexpr float passRatio = 4;    ///< than one that passes its load on, and does not count as a support [-]
+/// A hit is faster than this, as a multiple of what the bodies' accelerations give in half a step [-].
+constexpr float hitSpeed = 4;
+
+/// Points whose surfaces are nearer than this bear load, even if they have not yet done so [m].
+constexpr float nearBy = 1e-3f;
+/// A point holds against a load if the cosine of the angle between them is at least this [-].
+constexpr float mostAside = 0.3f;
+/// If a light body keeps more than this share of a load, it is a lever, and what presses on it elsewhere helps [-].
+constexpr float mostLeft = 0.05f;
+constexpr float leastShare = 1e-4f;                   ///< smaller shares are left out, and not made exact [-]
+constexpr int mostSweeps = 60;                        ///< at most, to find the shares
+constexpr std::size_t mostBodies = 8, mostRows = 64;  ///< of a path
+
+template <class T>
+bool has(const std::vector<T>& some, T one) {
+    return std::find(some.begin(), some.end(), one) != some.end();
+}
+
+/// Numbers whose sets were joined: each knows a lower one of its set, or is the lowest.
+class JoinedSets {
+public:
+    explicit JoinedSets(std::size_t count) : lower_(count) { std::iota(lower_.begin(), lower_.end(), 0U); }
+    std::uint32_t lowestOf(std::uint32_t one) {
+        while (lower_[one] != one) one = lower_[one] = lower_[lower_[one]];
+        return one;
+    }
+    void join(std::uint32_t one, std::uint32_t other) {
+        const std::uint32_t a = lowestOf(one), b = lowestOf(other);
+        lower_[std::max(a, b)] = std::min(a, b);
+    }
+
+private:
+    std::vector<std::uint32_t> lower_;
+};
+
+float lightestOf(const LoadPath& path, const BodyStore& bodies) {
+    float most = 0;
+    for (const LoadEffect& e : path.effects) most = std::max(most, bodies.velocity[e.body].inverseMass);
+    return most;
+}
+
+}  // namespace
+
+float LoadPath::inverseMass(const BodyStore& bodies) const {
+    float sum = 0;
+    for (const LoadEffect& e : effects) sum += bodies.velocity[e.body].inverseMass * e.dot(e);
+    return sum;
+}
+
+/// Is the contact a rest on a much lighter body, or a hit on a lighter one?
+bool LoadPathFinder::isStart(const Start& start) const {
+    const float heavy = bodies_.velocity[start.heavy].inverseMass, light = bodies_.velocity[start.light].inverseMass;
+    const ContactRecord& contact = contacts_[start.contact];
+    if (!(heavy > 0 && light >= hitRatio * heavy) || !contact.isSolved()) return false;
+    if (light >= restRatio * heavy) return true;
+    const auto pull = [&](BodyIndex body) { return std::hypot(bodies_.place[body].pullX, bodies_.place[body].pullY); };
+    const ManifoldLanes& manifolds = graph_.colours[contact.colour].manifolds[contact.slot / batchLanes];
+    return manifolds.approachSpeed[contact.slot % batchLanes] >
+           hitSpeed * std::max(pull(start.heavy), pull(start.light));
+}
+
+std::vector<LoadPathFinder::Start> LoadPathFinder::startsOf(const std::vector<BodyIndex>& solved) const {
+    float least = std::numeric_limits<float>::infinity(), most = 0;
+    for (const BodyIndex body : solved) {
+        const float inverseMass = bodies_.velocity[body].inverseMass;
+        if (inverseMass > 0) least = std::min(least, inverseMass);
+        most = std::max(most, inverseMass);
+    }
+    std::vector<Start> starts;
+    if (!(most >= hitRatio * least)) return starts;
+    for (const BodyIndex light : solved) {
+        if (bodies_.velocity[light].inverseMass < hitRatio * least || bodies_.links[light].actingJoints > 0) continue;
+        forEachContact(bodies_, contacts_, light, [&](ContactIndex contact) {
+            const Start start{contact, otherOf(contacts_[contact], light), light};
+            if (isStart(start)) starts.push_back(start);
+        });
+    }
+    std::sort(starts.begin(), starts.end(), [&](const Start& a, const Start& b) {
+        return shapesOf(contacts_[a.contact]) < shapesOf(contacts_[b.contact]);
+    });
+    return starts;
+}
+
+void LoadPathFinder::findAll(const std::vector<BodyIndex>& solved) {
+    for (const Start& start : startsOf(solved)) {
+        const std::uint32_t contact = placeOf(start.contact);
+        for (std::uint32_t point = 0; point < 2; ++point) {
+            LoadPath path{start.heavy, start.light, {}, {}};
+            if (!follow(path, {contact, point, 1})) continue;
+            for (const std::uint32_t seen : seen_)
+                pathOf_[seen] = std::min(pathOf_[seen], static_cast<std::uint32_t>(list_.paths.size()));
+            list_.paths.push_back(std::move(path));
+        }
+    }
+    if (!list_.paths.empty()) group();
+}
+
+void LoadPathFinder::findAgain(LoadPath& path, bool isRelax) {
+    onlyLoaded_ = true;
+    isRelax_ = isRelax;
+    LoadPath now{path.heavy, path.light, {}, {}};
+    if (follow(now, path.rows.front())) path = std::move(now);
+}
+
+void LoadPathFinder::group() {
+    const std::uint32_t count = static_cast<std::uint32_t>(list_.paths.size());
+    JoinedSets sets(count);
+    std::unordered_map<BodyIndex, std::uint32_t> firstOf;
+    for (std::uint32_t i = 0; i < count; ++i)
+        for (const LoadEffect& e : list_.paths[i].effects) sets.join(firstOf.emplace(e.body, i).first->second, i);
+    std::vector<std::uint32_t> groupOf(count, none);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        std::uint32_t& number = groupOf[sets.lowestOf(i)];
+        if (number == none) number = static_cast<std::uint32_t>(list_.groups.size());
+        list_.groups.resize(std::max<std::size_t>(list_.groups.size(), number + 1));
+        LoadGroup& group = list_.groups[number];
+        const LoadPath& path = list_.paths[i];
+        group.paths.push_back(i);
+        group.ratio = std::max(group.ratio, lightestOf(path, bodies_) / bodies_.velocity[path.heavy].inverseMass);
+    }
+    for (std::uint32_t c = 0; c < list_.contacts.size(); ++c)
+        if (pathOf_[c] != none) list_.groups[groupOf[sets.lowestOf(pathOf_[c])]].contacts.push_back(c);
+}
+
+std::uint32_t LoadPathFinder::placeOf(ContactIndex contact) {
+    const auto [at, isNew] = places_.emplace(contact, static_cast<std::uint32_t>(list_.contacts.size()));
+    if (!isNew) return at->second;
+    const ContactRecord& record = contacts_[contact];
+    const int colour = colourAt(record.colour);
+    ContactBatch& batch = graph_.colours[record.colour].batches[record.slot / batchLanes];
+    const bool isGround = colour >= fixedColour && colour != overflowColour;
+    list_.contacts.push_back({&batch, record.slot % batchLanes, isGround});
+    pathOf_.push_back(none);
+    return at->second;
+}
+
+/// Fills a path. Returns false if there is no such point.
+bool LoadPathFinder::follow(LoadPath& path, const LoadRow& load) {
+    const LoadedContact& contact = list_.contacts[load.contact];
+    if (!(contact.batch->points[load.point].normalMass[contact.lane] > 0)) return false;
+    loaded_.assign({path.light});
+    passed_.assign({path.heavy});
+    seen_.assign({load.contact});
+    add(path, load);
+    for (std::size_t i = 0; i < loaded_.size() && loaded_.size() < mostBodies && path.rows.size() < mostRows; ++i)
+        passOn(path, loaded_[i]);
+    const float inverseMass = path.inverseMass(bodies_);
+    for (const LoadRow& row : path.rows) {
+        LoadedContact& c = list_.contacts[row.contact];
+        c.give = std::min(c.give, inverseMass * c.batch->points[row.point].normalMass[c.lane]);
+    }
+    return true;
+}
+
+/// Lets the supports of a body take over its load.
+void LoadPathFinder::passOn(LoadPath& path, BodyIndex body) {
+    passed_.push_back(body);
+    LoadEffect load;
+    for (const LoadEffect& e : path.effects)
+        if (e.body == body) load = e;
+    for (const bool isLever : {false, true}) {
+        findSupports(path, body, load, isLever);
+        if (shareOut(load) < mostLeft) break;
+    }
+    for (const Support& s : supports_) {
+        if (s.row.share <= leastShare) continue;
+        add(path, s.row);
+        if (passesOn(path, s.other) && !has(passed_, s.other) && !has(loaded_, s.other)) loaded_.push_back(s.other);
+    }
+}
+
+void LoadPathFinder::add(LoadPath& path, const LoadRow& row) const {
+    path.rows.push_back(row);
+    const LoadedContact& contact = list_.contacts[row.contact];
+    for (const BodyIndex body : {contact.batch->bodyA[contact.lane], contact.batch->bodyB[contact.lane]}) {
+        if (bodies_.record[body].type == BodyType::Static) continue;
+        auto effect = std::find_if(path.effects.begin(), path.effects.end(),
+                                   [body](const LoadEffect& e) { return e.body == body; });
+        if (effect == path.effects.end()) effect = path.effects.insert(effect, LoadEffect{body});
+        effect->add(row.share, effectOn(body, row));
+    }
+}
+
+LoadEffect LoadPathFinder::effectOn(BodyIndex body, const LoadRow& row) const {
+    const LoadedContact& contact = list_.contacts[row.contact];
+    const ContactBatch& batch = *contact.batch;
+    const std::size_t lane = contact.lane;
+    const PointLanes& p = batch.points[row.point];
+    if (batch.bodyA[lane] == body) return {body, -batch.normalX[lane], -batch.normalY[lane], p.anchorTangentA[lane]};
+    return {body, batch.normalX[lane], batch.normalY[lane], -p.anchorTangentB[lane]};
+}
+
+bool LoadPathFinder::passesOn(const LoadPath& path, BodyIndex body) const {
+    const float heavy = bodies_.velocity[path.heavy].inverseMass;
+    return bodies_.velocity[body].inverseMass >= passRatio * heavy && bodies_.isDynamic(body) &&
+           bodies_.links[body].actingJoints == 0;
+}
+
+/// The points that hold a body against its load. For a lever, also those where anything but a light body presses on it.
+void LoadPathFinder::findSupports(const LoadPath& path, BodyIndex body, const LoadEffect& load, bool isLever) {
+    supports_.clear();
+    const LoadRow& first = path.rows.front();
+    const LoadedContact& entry = list_.contacts[first.contact];
+    const float gap = std::max(entry.batch->points[first.point].separation[entry.lane], 0.0f);
+    const float least = mostAside * std::hypot(load.x, load.y);
+    forEachContact(bodies_, contacts_, body, [&](ContactIndex index) {
+        if (!contacts_[index].isSolved()) return;
+        const LoadRow contact{placeOf(index), 0, 0};
+        const BodyIndex other = otherOf(contacts_[index], body);
+        const bool hasPassed = has(passed_, other), balances = isLever && !passesOn(path, other);
+        seen_.push_back(contact.contact);
+        for (LoadRow row = contact; row.point < 2; ++row.point) {
+            if (!bears(list_.contacts[row.contact], row.point, hasPassed ? gap + nearBy : nearBy)) continue;
+            const LoadEffect effect = effectOn(body, row);
+            const bool holds = !hasPassed && effect.x * load.x + effect.y * load.y <= -least;
+            if (holds || (balances && !row.isSamePoint(first))) supports_.push_back({row, effect, other});
+        }
+    });
+}
+
+/// Does a point bear load, or will it as soon as its surfaces are nearer by this gap [m]?
+bool LoadPathFinder::bears(const LoadedContact& contact, std::uint32_t point, float gap) const {
+    const PointLanes& p = contact.batch->points[point];
+    if (!(p.normalMass[contact.lane] > 0)) return false;
+    if (!onlyLoaded_ && p.separation[contact.lane] < gap) return true;
+    const float given = onlyLoaded_ && isRelax_ ? contact.start.normal[point] : 0.0f;
+    return given + p.normalImpulse[contact.lane] > 0;
+}
+
+/// Finds the shares with which the supports keep the body at rest, as well as they can: they only push. Returns what
+/// the body keeps.
+float LoadPathFinder::shareOut(LoadEffect kept) {
+    for (int sweep = 0; sweep < mostSweeps; ++sweep) {
+        float most = 0;
+        for (Support& s : supports_) {
+            const float wanted = s.row.share - kept.dot(s.effect) / s.effect.dot(s.effect);
+            const float change = std::max(wanted, 0.0f) - s.row.share;
+            s.row.share += change;
+            kept.add(change, s.effect);
+            most = std::max(most, std::fabs(change));
+        }
+        if (most < leastShare) break;
+    }
+    return std::sqrt(kept.dot(kept));
+}
+
+}  // namespace plumb

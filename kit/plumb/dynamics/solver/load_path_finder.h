@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// Through which contacts does a light body pass on what a heavy one gives to it?
+//
+// A path begins at a point where a heavy body meets a lighter one. The points that hold the light body from the other
+// side take shares of the load, so that the body stays at rest, as well as it can. If they belong to a light body
+// again, it passes its share on in the same way.
+#pragma once
+#include <unordered_map>
+#include <vector>
+
+#include <plumb/dynamics/contacts/contact_graph.h>
+#include <plumb/dynamics/contacts/lanes/contact_solver.h>
+
+namespace plumb {
+
+/// A contact whose impulses belong to paths.
+struct LoadedContact {
+    ContactBatch* batch = nullptr;
+    std::size_t lane = 0;
+    bool isGround = false;  ///< one of its bodies is static or kinematic
+    float give = 1;         ///< of its spring, as a share of that of a contact of its own effective mass [-]
+    ContactGiven start{};   ///< before this half
+};
+
+/// A point of a contact, which bears a share of a load.
+struct LoadRow {
+    std::uint32_t contact = 0;  ///< its place in LoadPathList.contacts
+    std::uint32_t point = 0;    ///< of the contact: 0 or 1
+    float share = 0;            ///< [-]
+
+    bool isSamePoint(const LoadRow& o) const { return contact == o.contact && point == o.point; }
+};
+
+/// What a unit of load gives to a body: the changes of x, y and w of SolverVelocity, times the body's mass.
+struct LoadEffect {
+    BodyIndex body = noBody;
+    float x = 0, y = 0, w = 0;
+
+    float dot(const LoadEffect& o) const { return x * o.x + y * o.y + w * o.w; }
+    void add(float share, const LoadEffect& o) {
+        x += share * o.x;
+        y += share * o.y;
+        w += share * o.w;
+    }
+};
+
+struct LoadPath {
+    BodyIndex heavy = noBody, light = noBody;
+    std::vector<LoadRow> rows;  ///< the first one is where the load enters
+    std::vector<LoadEffect> effects;
+
+    /// By how much a unit of load changes the speeds at the rows, by their shares [1/kg].
+    float inverseMass(const BodyStore& bodies) const;
+};
+
+/// Paths that share bodies, and all contacts of the light ones among these; as places in a LoadPathList.
+struct LoadGroup {
+    std::vector<std::uint32_t> paths, contacts;
+    float ratio = 0;  ///< the largest, of a heavy body's mass to that of a body on its path [-]
+};
+
+struct LoadPathList {
+    std::vector<LoadedContact> contacts;
+    std::vector<LoadPath> paths;
+    std::vector<LoadGroup> groups;
+};
+
+class LoadPathFinder {
+public:
+    LoadPathFinder(LoadPathList& list, ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies)
+        : list_(list), graph_(graph), contacts_(contacts), bodies_(bodies) {}
+
+    /// Finds all paths of this step. solved: the bodies that the solver moves.
+    void findAll(const std::vector<BodyIndex>& solved);
+    /// Finds a path anew, only through points that bear load at present. isRelax: they still bear what they had given
+    /// before this half.
+    void findAgain(LoadPath& path, bool isRelax);
+
+private:
+    /// A contact at which a heavy body may press on a light one.
+    struct Start {
+        ContactIndex contact;
+        BodyIndex heavy, light;
+    };
+    /// A point that may hold a body.
+    struct Support {
+        LoadRow row;
+        LoadEffect effect;
+        BodyIndex other;
+    };
+
+    std::vector<Start> startsOf(const std::vector<BodyIndex>& solved) const;
+    bool isStart(const Start& start) const;
+    void group();
+    std::uint32_t placeOf(ContactIndex contact);
+    bool follow(LoadPath& path, const LoadRow& load);
+    void passOn(LoadPath& path, BodyIndex body);
+    void add(LoadPath& path, const LoadRow& row) const;
+    LoadEffect effectOn(BodyIndex body, const LoadRow& row) const;
+    bool passesOn(const LoadPath& path, BodyIndex body) const;
+    void findSupports(const LoadPath& path, BodyIndex body, const LoadEffect& load, bool isLever);
+    bool bears(const LoadedContact& contact, std::uint32_t point, float gap) const;
+    float shareOut(LoadEffect kept);
+
+    LoadPathList& list_;
+    ContactGraph& graph_;
+    const ContactStore& contacts_;
+    const BodyStore& bodies_;
+    std::unordered_map<ContactIndex, std::uint32_t> places_;  ///< of contacts in the list
+    std::vector<std::uint32_t> pathOf_;  ///< for each contact in the list: the first path that may use it, or none
+    bool onlyLoaded_ = false, isRelax_ = false;
+
+    // Of the path that is followed:
+    std::vector<BodyIndex> loaded_, passed_;  ///< bodies that bear the load; those that need not do so any more
+    std::vector<std::uint32_t> seen_;         ///< contacts of the loaded bodies, as places in the list
+    std::vector<Support> supports_;           ///< of a loaded body
+};
+
+}  // namespace plumb
