@@ -23,6 +23,8 @@ constexpr float nearBy = 1e-3f;
 constexpr float mostAside = 0.3f;
 /// If a light body keeps more than this share of a load, it is a lever, and what presses on it elsewhere helps [-].
 constexpr float mostLeft = 0.05f;
+/// A load that moves the heavy body by less than this share of what it would do there alone is none [-].
+constexpr float leastAnswer = 0.1f;
 constexpr float leastShare = 1e-4f;                   ///< smaller shares are left out, and not made exact [-]
 constexpr int mostSweeps = 60;                        ///< at most, to find the shares
 constexpr std::size_t mostBodies = 8, mostRows = 64;  ///< of a path
@@ -160,7 +162,13 @@ bool LoadPathFinder::follow(LoadPath& path, const LoadRow& load) {
     add(path, load);
     for (std::size_t i = 0; i < loaded_.size() && loaded_.size() < mostBodies && path.rows.size() < mostRows; ++i)
         passOn(path, loaded_[i]);
-    const float inverseMass = path.inverseMass(bodies_);
+    float inverseMass = path.inverseMass(bodies_);
+    if (inverseMass < leastAnswer * bodies_.velocity[path.heavy].inverseMass) {
+        path.rows.clear();
+        path.effects.clear();
+        add(path, load);
+        inverseMass = path.inverseMass(bodies_);
+    }
     for (const LoadRow& row : path.rows) {
         LoadedContact& c = list_.contacts[row.contact];
         c.give = std::min(c.give, inverseMass * c.batch->points[row.point].normalMass[c.lane]);
@@ -220,7 +228,7 @@ void LoadPathFinder::findSupports(const LoadPath& path, BodyIndex body, const Lo
     const float gap = std::max(entry.batch->points[first.point].separation[entry.lane], 0.0f);
     const float least = mostAside * std::hypot(load.x, load.y);
     forEachContact(bodies_, contacts_, body, [&](ContactIndex index) {
-        if (!contacts_[index].isSolved()) return;
+        if (!contacts_[index].isSolved() || (onlyLoaded_ && !places_.contains(index))) return;
         const LoadRow contact{placeOf(index), 0, 0};
         const BodyIndex other = otherOf(contacts_[index], body);
         const bool hasPassed = has(passed_, other), balances = isLever && !passesOn(path, other);
@@ -228,8 +236,10 @@ void LoadPathFinder::findSupports(const LoadPath& path, BodyIndex body, const Lo
         for (LoadRow row = contact; row.point < 2; ++row.point) {
             if (!bears(list_.contacts[row.contact], row.point, hasPassed ? gap + nearBy : nearBy)) continue;
             const LoadEffect effect = effectOn(body, row);
-            const bool holds = !hasPassed && effect.x * load.x + effect.y * load.y <= -least;
-            if (holds || (balances && !row.isSamePoint(first))) supports_.push_back({row, effect, other});
+            const float along = effect.x * load.x + effect.y * load.y;
+            const bool isOpposed = hasPassed && along < 0;  // what loads the body from both sides holds nothing
+            const bool holds = !hasPassed && along <= -least;
+            if (holds || (balances && !isOpposed && !row.isSamePoint(first))) supports_.push_back({row, effect, other});
         }
     });
 }

@@ -107,10 +107,16 @@ const ContactPass& LoadPaths::passOf(const LoadedContact& contact) const {
     return contact.isGround ? groundPass_ : pass_;
 }
 
+/// How far a contact's spring gives way to an impulse, times the contact's effective mass [-].
+float LoadPaths::giveOf(const LoadedContact& contact) const {
+    const Softness& soft = passOf(contact).soft;
+    return contact.give * soft.impulseScale / std::max(soft.massScale, 1e-6f);
+}
+
 /// With a spring as firm as the load on it needs.
 ContactPass LoadPaths::firmPassOf(const LoadedContact& contact) const {
     ContactPass pass = passOf(contact);
-    const float give = contact.give * pass.soft.impulseScale / pass.soft.massScale;
+    const float give = giveOf(contact);
     pass.soft.massScale = 1 / (1 + give);
     pass.soft.impulseScale = give / (1 + give);
     return pass;
@@ -144,8 +150,7 @@ LoadPaths::Change LoadPaths::changeToSolve(const LoadPath& path, float inverseMa
             continue;
         }
         const ContactPass& pass = passOf(c);
-        const float gives = c.give * pass.soft.impulseScale / (pass.soft.massScale * p.normalMass[c.lane]);
-        const float bias = std::max(pass.soft.biasRate * s, -pass.pushSpeed);
+        const float bias = std::max(pass.soft.biasRate * s, -pass.pushSpeed), gives = giveOf(c) / p.normalMass[c.lane];
         error += row.share * (bias + gives * p.normalImpulse[c.lane]);
         give += row.share * row.share * gives;
     }
@@ -189,8 +194,11 @@ void LoadPaths::push(const LoadPath& path, float load, bool isRelax) {
     for (const LoadRow& row : path.rows) {
         const LoadedContact& c = list_.contacts[row.contact];
         PointLanes& p = c.batch->points[row.point];
-        p.normalImpulse[c.lane] += row.share * load;
-        if (isRelax) p.totalNormal[c.lane] += row.share * load;
+        const float old = p.normalImpulse[c.lane];
+        const float now =
+            std::max(old + row.share * load, isRelax ? -c.start.normal[row.point] : 0.0f);  // no rounding below
+        p.normalImpulse[c.lane] = now;
+        if (isRelax) p.totalNormal[c.lane] = std::max(p.totalNormal[c.lane] + (now - old), 0.0f);
     }
 }
 

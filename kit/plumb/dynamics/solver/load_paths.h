@@ -55,6 +55,7 @@ private:
     template <class SolveContact>
     bool pass(const LoadGroup& group, bool isRelax, SolveContact&& solveContact);
     const ContactPass& passOf(const LoadedContact& contact) const;
+    float giveOf(const LoadedContact& contact) const;
     ContactPass firmPassOf(const LoadedContact& contact) const;
     bool correct(LoadPath& path, bool isRelax);
     Change changeToSolve(const LoadPath& path, float inverseMass) const;
