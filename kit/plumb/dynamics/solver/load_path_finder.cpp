@@ -12,7 +12,7 @@ namespace {
 
 // How much heavier must a body be? The more contacts count, the dearer a heap of bodies of all sizes is.
 constexpr float hitRatio = 1.2f;  ///< than one that it hits [-]
-constexpr float restRatio = 10;   ///< than one on which it rests [-]
+constexpr float restRatio = 16;   ///< than one on which it rests [-]
 constexpr float passRatio = 4;    ///< than one that passes its load on, and does not count as a support [-]
 /// A hit is faster than this, as a multiple of what the bodies' accelerations give in half a step [-].
 constexpr float hitSpeed = 4;
@@ -152,7 +152,7 @@ std::uint32_t LoadPathFinder::placeOf(ContactIndex contact) {
     return at->second;
 }
 
-/// Fills a path. Returns false if there is no such point.
+/// Fills a path. Returns false if there is no such point, or if nothing holds the light body.
 bool LoadPathFinder::follow(LoadPath& path, const LoadRow& load) {
     const LoadedContact& contact = list_.contacts[load.contact];
     if (!(contact.batch->points[load.point].normalMass[contact.lane] > 0)) return false;
@@ -162,13 +162,8 @@ bool LoadPathFinder::follow(LoadPath& path, const LoadRow& load) {
     add(path, load);
     for (std::size_t i = 0; i < loaded_.size() && loaded_.size() < mostBodies && path.rows.size() < mostRows; ++i)
         passOn(path, loaded_[i]);
-    float inverseMass = path.inverseMass(bodies_);
-    if (inverseMass < leastAnswer * bodies_.velocity[path.heavy].inverseMass) {
-        path.rows.clear();
-        path.effects.clear();
-        add(path, load);
-        inverseMass = path.inverseMass(bodies_);
-    }
+    const float inverseMass = path.inverseMass(bodies_);
+    if (path.rows.size() == 1 || inverseMass < leastAnswer * bodies_.velocity[path.heavy].inverseMass) return false;
     for (const LoadRow& row : path.rows) {
         LoadedContact& c = list_.contacts[row.contact];
         c.give = std::min(c.give, inverseMass * c.batch->points[row.point].normalMass[c.lane]);

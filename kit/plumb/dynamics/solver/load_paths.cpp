@@ -12,8 +12,8 @@ namespace {
 
 // Passes over a group end when they change no speed by more than this:
 constexpr float stillPath = 1e-2f;   ///< along a path [m/s]
-constexpr float stillPoint = 1e-1f;  ///< at a point, where most often only a light body moves [m/s]
-// or after as many passes as half of the ratio of masses, between these bounds:
+constexpr float stillPoint = 1e-4f;  ///< at a point [m/s]
+// or after as many passes as a quarter of the ratio of masses, between these bounds:
 constexpr float fewPasses = 4, manyPasses = 32;
 
 /// Times that a path is corrected: each time but the last, it may have got stuck at a point that bears nothing.
@@ -79,7 +79,7 @@ template <class SolveContact>
 void LoadPaths::repeat(bool isRelax, SolveContact&& solveContact) {
     for (const LoadGroup& group : list_.groups) {
         for (const std::uint32_t contact : group.contacts) show(contact, isRelax);
-        const int most = static_cast<int>(std::clamp(0.5f * group.ratio, fewPasses, manyPasses));
+        const int most = static_cast<int>(std::clamp(0.25f * group.ratio, fewPasses, manyPasses));
         for (int i = 0; i < most; ++i)
             if (pass(group, isRelax, solveContact)) break;
     }
