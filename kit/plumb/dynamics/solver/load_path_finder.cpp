@@ -11,7 +11,7 @@ namespace plumb {
 namespace {
 
 // How much heavier must a body be? The more contacts count, the dearer a heap of bodies of all sizes is.
-constexpr float hitRatio = 1.2f;  ///< than one that it hits [-]
+constexpr float hitRatio = 1.5f;  ///< than one that it hits [-]
 constexpr float restRatio = 16;   ///< than one on which it rests [-]
 constexpr float passRatio = 4;    ///< than one that passes its load on, and does not count as a support [-]
 /// A hit is faster than this, as a multiple of what the bodies' accelerations give in half a step [-].
