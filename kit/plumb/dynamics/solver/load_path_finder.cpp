@@ -23,6 +23,8 @@ constexpr float nearBy = 1e-3f;
 constexpr float mostAside = 0.3f;
 /// If a light body keeps more than this share of a load, it is a lever, and what presses on it elsewhere helps [-].
 constexpr float mostLeft = 0.05f;
+/// A path is of no use if its bodies answer to the load with more than this share of the two bodies' own answer [-].
+constexpr float mostAnswer = 0.5f;
 /// A load that moves the heavy body by less than this share of what it would do there alone is none [-].
 constexpr float leastAnswer = 0.1f;
 constexpr float leastShare = 1e-4f;                   ///< smaller shares are left out, and not made exact [-]
@@ -70,6 +72,7 @@ bool LoadPathFinder::isStart(const Start& start) const {
     const float heavy = bodies_.velocity[start.heavy].inverseMass, light = bodies_.velocity[start.light].inverseMass;
     const ContactRecord& contact = contacts_[start.contact];
     if (!(heavy > 0 && light >= hitRatio * heavy) || !contact.isSolved()) return false;
+    if (bodies_.links[start.heavy].actingJoints > 0) return false;
     if (light >= restRatio * heavy) return true;
     const auto pull = [&](BodyIndex body) { return std::hypot(bodies_.place[body].pullX, bodies_.place[body].pullY); };
     const ManifoldLanes& manifolds = graph_.colours[contact.colour].manifolds[contact.slot / batchLanes];
@@ -152,9 +155,9 @@ std::uint32_t LoadPathFinder::placeOf(ContactIndex contact) {
     return at->second;
 }
 
-/// Fills a path. Returns false if there is no such point, or if nothing holds the light body.
+/// Fills a path. Returns false if there is no such point, or if little holds the light body.
 bool LoadPathFinder::follow(LoadPath& path, const LoadRow& load) {
-    const LoadedContact& contact = list_.contacts[load.contact];
+    const LoadedContact contact = list_.contacts[load.contact];
     if (!(contact.batch->points[load.point].normalMass[contact.lane] > 0)) return false;
     loaded_.assign({path.light});
     passed_.assign({path.heavy});
@@ -163,7 +166,9 @@ bool LoadPathFinder::follow(LoadPath& path, const LoadRow& load) {
     for (std::size_t i = 0; i < loaded_.size() && loaded_.size() < mostBodies && path.rows.size() < mostRows; ++i)
         passOn(path, loaded_[i]);
     const float inverseMass = path.inverseMass(bodies_);
-    if (path.rows.size() == 1 || inverseMass < leastAnswer * bodies_.velocity[path.heavy].inverseMass) return false;
+    if (inverseMass * contact.batch->points[load.point].normalMass[contact.lane] > mostAnswer ||
+        inverseMass < leastAnswer * bodies_.velocity[path.heavy].inverseMass)
+        return false;
     for (const LoadRow& row : path.rows) {
         LoadedContact& c = list_.contacts[row.contact];
         c.give = std::min(c.give, inverseMass * c.batch->points[row.point].normalMass[c.lane]);
