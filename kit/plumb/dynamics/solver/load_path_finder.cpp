@@ -72,7 +72,7 @@ bool LoadPathFinder::isStart(const Start& start) const {
     const float heavy = bodies_.velocity[start.heavy].inverseMass, light = bodies_.velocity[start.light].inverseMass;
     const ContactRecord& contact = contacts_[start.contact];
     if (!(heavy > 0 && light >= hitRatio * heavy) || !contact.isSolved()) return false;
-    if (bodies_.links[start.heavy].actingJoints > 0) return false;
+    if (bodies_.links[start.heavy].actingJoints > 0 || bodies_.links[start.light].actingJoints > 0) return false;
     if (light >= restRatio * heavy) return true;
     const auto pull = [&](BodyIndex body) { return std::hypot(bodies_.place[body].pullX, bodies_.place[body].pullY); };
     const ManifoldLanes& manifolds = graph_.colours[contact.colour].manifolds[contact.slot / batchLanes];
@@ -89,13 +89,19 @@ std::vector<LoadPathFinder::Start> LoadPathFinder::startsOf(const std::vector<Bo
     }
     std::vector<Start> starts;
     if (!(most >= hitRatio * least)) return starts;
-    for (const BodyIndex light : solved) {
-        if (bodies_.velocity[light].inverseMass < hitRatio * least || bodies_.links[light].actingJoints > 0) continue;
-        forEachContact(bodies_, contacts_, light, [&](ContactIndex contact) {
-            const Start start{contact, otherOf(contacts_[contact], light), light};
+    std::vector<BodyIndex> heavy, light;  // all that may be: it is enough to ask the contacts of the fewer
+    for (const BodyIndex body : solved) {
+        const float inverseMass = bodies_.velocity[body].inverseMass;
+        if (inverseMass > 0 && hitRatio * inverseMass <= most) heavy.push_back(body);
+        if (inverseMass >= hitRatio * least) light.push_back(body);
+    }
+    const bool fromHeavy = heavy.size() < light.size();
+    for (const BodyIndex body : fromHeavy ? heavy : light)
+        forEachContact(bodies_, contacts_, body, [&](ContactIndex contact) {
+            const BodyIndex other = otherOf(contacts_[contact], body);
+            const Start start{contact, fromHeavy ? body : other, fromHeavy ? other : body};
             if (isStart(start)) starts.push_back(start);
         });
-    }
     std::sort(starts.begin(), starts.end(), [&](const Start& a, const Start& b) {
         return shapesOf(contacts_[a.contact]) < shapesOf(contacts_[b.contact]);
     });
