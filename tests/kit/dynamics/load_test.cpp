@@ -62,25 +62,25 @@ struct CrateOverPlank {
     }
 };
 
-struct Landing {
-    double rebound = 0, rise = 0;  ///< as shares of the fall, and of its energy in one step
+struct Rebound {
+    double height = 0, rise = 0;  ///< as shares of the fall, and of its energy in one step
 };
 
-Landing land(const CrateOverPlank& crate, double dt) {
+Rebound land(const CrateOverPlank& crate, double dt) {
     World world = crate.world();
     const BodyId id = crate.drop(world);
     const double fallen = world.body(id).mass() * crate.gravity * CrateOverPlank::fall;
-    Landing landing;
+    Rebound seen;
     bool landed = false;
     for (double t = 0, before = storedEnergy(world); t < 2; t += dt) {
         world.step(dt);
         const double now = storedEnergy(world), height = world.body(id).position().y() - crate.plankTop() - crate.half;
         landed = landed || height < 1e-3;
-        if (landed) landing.rebound = std::max(landing.rebound, height / CrateOverPlank::fall);
-        landing.rise = std::max(landing.rise, (now - before) / fallen);
+        if (landed) seen.height = std::max(seen.height, height / CrateOverPlank::fall);
+        seen.rise = std::max(seen.rise, (now - before) / fallen);
         before = now;
     }
-    return landing;
+    return seen;
 }
 
 }  // namespace
@@ -95,9 +95,9 @@ TEST_CASE("a crate that falls on a loose plank stops there", "[dynamics][load]")
                         for (const double gravity : {9.81, 20.0}) {
                             INFO("dt " << dt << ", posts " << onPosts << ", half " << half << ", density " << density
                                        << ", aside " << aside << ", gravity " << gravity);
-                            const Landing landing = land({half, density, aside, gravity, onPosts}, dt);
-                            CHECK(landing.rebound <= 0.05);
-                            CHECK(landing.rise <= 0.01);
+                            const Rebound seen = land({half, density, aside, gravity, onPosts}, dt);
+                            CHECK(seen.height <= 0.05);
+                            CHECK(seen.rise <= 0.01);
                             ++cases;
                         }
     CHECK(cases == 192);
