@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+
+#include <plumb/dynamics/bodies/body_groups.h>
 
 namespace plumb {
 
@@ -35,23 +36,6 @@ template <class T>
 bool has(const std::vector<T>& some, T one) {
     return std::find(some.begin(), some.end(), one) != some.end();
 }
-
-/// Numbers whose sets were joined: each knows a lower one of its set, or is the lowest.
-class JoinedSets {
-public:
-    explicit JoinedSets(std::size_t count) : lower_(count) { std::iota(lower_.begin(), lower_.end(), 0U); }
-    std::uint32_t lowestOf(std::uint32_t one) {
-        while (lower_[one] != one) one = lower_[one] = lower_[lower_[one]];
-        return one;
-    }
-    void join(std::uint32_t one, std::uint32_t other) {
-        const std::uint32_t a = lowestOf(one), b = lowestOf(other);
-        lower_[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<std::uint32_t> lower_;
-};
 
 float lightestOf(const LoadPath& path, const BodyStore& bodies) {
     float most = 0;
@@ -130,23 +114,22 @@ void LoadPathFinder::findAgain(LoadPath& path, bool isRelax) {
 }
 
 void LoadPathFinder::group() {
-    const std::uint32_t count = static_cast<std::uint32_t>(list_.paths.size());
-    JoinedSets sets(count);
-    std::unordered_map<BodyIndex, std::uint32_t> firstOf;
-    for (std::uint32_t i = 0; i < count; ++i)
-        for (const LoadEffect& e : list_.paths[i].effects) sets.join(firstOf.emplace(e.body, i).first->second, i);
-    std::vector<std::uint32_t> groupOf(count, none);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        std::uint32_t& number = groupOf[sets.lowestOf(i)];
-        if (number == none) number = static_cast<std::uint32_t>(list_.groups.size());
-        list_.groups.resize(std::max<std::size_t>(list_.groups.size(), number + 1));
-        LoadGroup& group = list_.groups[number];
+    BodyGroups bodies(bodies_.record.size());
+    for (const LoadPath& path : list_.paths)
+        for (const LoadEffect& e : path.effects) bodies.unite(path.heavy, e.body);
+    std::unordered_map<BodyIndex, std::size_t> groupOf;
+    for (std::uint32_t i = 0; i < list_.paths.size(); ++i) {
         const LoadPath& path = list_.paths[i];
+        const auto [at, isNew] = groupOf.emplace(bodies.of(path.heavy), list_.groups.size());
+        if (isNew) list_.groups.emplace_back();
+        LoadGroup& group = list_.groups[at->second];
         group.paths.push_back(i);
         group.ratio = std::max(group.ratio, lightestOf(path, bodies_) / bodies_.velocity[path.heavy].inverseMass);
     }
-    for (std::uint32_t c = 0; c < list_.contacts.size(); ++c)
-        if (pathOf_[c] != none) list_.groups[groupOf[sets.lowestOf(pathOf_[c])]].contacts.push_back(c);
+    for (std::uint32_t c = 0; c < list_.contacts.size(); ++c) {
+        if (pathOf_[c] == none) continue;
+        list_.groups[groupOf[bodies.of(list_.paths[pathOf_[c]].heavy)]].contacts.push_back(c);
+    }
 }
 
 std::uint32_t LoadPathFinder::placeOf(ContactIndex contact) {

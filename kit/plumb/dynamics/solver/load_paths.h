@@ -9,7 +9,8 @@
 //   dP = -sum d_i (v_i + bias_i + give_i P_i) / (sum m |e|^2 + sum give_i d_i^2), as far as each P_i stays >= 0
 // d share of a point, v speed at which it opens [m/s], P its impulse [N s], e effect on a body of inverse mass m
 // This is one more direction in which to look for the lowest point of the same function that the passes over single
-// contacts make smaller. So a path need not be right to be safe.
+// contacts make smaller. So a path need not be exact. But it must move the heavy body: shares that press it from both
+// sides cancel, and would be divided by almost nothing.
 //
 // The contacts of the light bodies are solved here, and hidden from the lanes: their springs are as firm as the load
 // needs; those in the lanes are as firm as the light body needs. Their passes repeat until they change little.

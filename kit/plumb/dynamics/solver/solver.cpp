@@ -194,7 +194,7 @@ private:
     }
 
     void solveContacts(ContactWork work, const JointHalf& half) {
-        if (!loads_)
+        if (!loads_)  // not before the first half: jointed bodies have the masses of their islands only now
             loads_.emplace(stores_.graph, stores_.contacts, bodies_, solved_, pass_.contacts, pass_.groundContacts);
         loads_->begin();
         forEachSlice([&](const ContactSolver& solver, ContactBatch* batches, std::size_t contacts,
