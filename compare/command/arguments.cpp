@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include <compare/scene/bench.h>
+#include <compare/scene/nearest.h>
 
 namespace plumb::compare {
 namespace {
@@ -19,7 +20,8 @@ namespace {
 struct Raw {
     std::vector<std::string> scenes;
     std::string engines, steps, dt, json, csv, report, repeat, threads;
-    std::vector<std::string> readme, verify;
+    std::vector<std::string> readme, verify, set;
+    PrintOptions print;
 };
 
 /// All of the text as a number, or nothing.
@@ -74,8 +76,18 @@ std::filesystem::path pathFrom(const std::string& option, const std::string& tex
 }
 
 struct Commands {
-    CLI::App *list, *check, *bench, *exportScene;
+    CLI::App *list, *check, *bench, *exportScene, *schema;
 };
+
+void describeSet(CLI::App& command, Raw& raw) {
+    command
+        .add_option("--set", raw.set,
+                    "give a field of the scene another value, as dt=1/240, bodies.ball.velocity=15,26 or "
+                    "bodies.ball.friction=0.3; the path is that of the JSON, a list's elements by name or number from "
+                    "0; may be given again")
+        ->type_name("PATH=VALUE")
+        ->allow_extra_args(false);
+}
 
 CLI::App* describeCheck(CLI::App& app, Raw& raw) {
     CLI::App* check = app.add_subcommand("check", "run scenes and labs, and judge them");
@@ -90,6 +102,7 @@ CLI::App* describeCheck(CLI::App& app, Raw& raw) {
     check->add_option("--engines", raw.engines, "the engines to run, instead of all")->type_name("A,B");
     check->add_option("--steps", raw.steps, "how many steps to run, instead of the scene's")->type_name("N");
     check->add_option("--dt", raw.dt, "length of a step, instead of the scene's [s]")->type_name("S");
+    describeSet(*check, raw);
     check->add_option("--json", raw.json, "write metrics and verdicts to this file")->type_name("FILE");
     check
         ->add_option("--csv", raw.csv, "write states tick by tick, and curves, into this folder, a file a scene or lab")
@@ -130,6 +143,15 @@ CLI::App* describeBench(CLI::App& app, Raw& raw) {
     return bench;
 }
 
+CLI::App* describeExport(CLI::App& app, Raw& raw) {
+    CLI::App* command = app.add_subcommand("export", "print a scene as JSON");
+    command->add_option("SCENE", raw.scenes, "name of a scene, random:SEED, or FILE.json")->required()->expected(1);
+    command->add_flag("--all", raw.print.all, "with every field, those that have their defaults too");
+    describeSet(*command, raw);
+    command->footer("");
+    return command;
+}
+
 Commands describe(CLI::App& app, Raw& raw) {
     app.require_subcommand(0, 1);
     app.footer(
@@ -138,11 +160,34 @@ Commands describe(CLI::App& app, Raw& raw) {
     CLI::App* list = app.add_subcommand("list", "scenes and labs: name, question, engines, checks");
     CLI::App* check = describeCheck(app, raw);
     CLI::App* bench = describeBench(app, raw);
-    CLI::App* exportScene = app.add_subcommand("export", "print a scene as JSON");
-    exportScene->add_option("SCENE", raw.scenes, "name of a scene, random:SEED, or FILE.json")->required()->expected(1);
-    exportScene->footer("");
+    CLI::App* exportScene = describeExport(app, raw);
+    CLI::App* schema = app.add_subcommand("schema", "print what a scene's JSON may hold, as a JSON Schema");
+    schema->add_flag("--page", raw.print.page, "as tables to read, in Markdown");
+    schema->footer("");
     list->footer("");
-    return {list, check, bench, exportScene};
+    return {list, check, bench, exportScene, schema};
+}
+
+std::vector<FieldSetting> settingsFrom(const std::vector<std::string>& texts) {
+    std::vector<FieldSetting> settings;
+    try {
+        for (const std::string& text : texts) settings.push_back(fieldSettingOf(text));
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(fmt::format("--set: {}", error.what()));
+    }
+    return settings;
+}
+
+/// What the options' reader says, or which command was meant.
+std::string usageError(const CLI::App& app, std::span<const std::string> args, const std::string& said) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        names.push_back(command->get_name());
+    const std::string given = args.empty() ? "" : args.front();
+    if (given.empty() || given.starts_with('-') || std::ranges::find(names, given) != names.end())
+        return fmt::format("{}; --help tells what is understood", said);
+    return fmt::format("\"{}\" is not a command, the nearest is {}; known are {}", given, nearest(given, names),
+                       listText(names));
 }
 
 void takeCheck(const CLI::App& check, const Raw& raw, const std::vector<Engine>& known, Arguments& result) {
@@ -185,11 +230,14 @@ Arguments parseArguments(std::span<const std::string> args, const std::vector<En
         result.help = app.help();
         return result;
     } catch (const CLI::ParseError& error) {
-        throw std::invalid_argument(fmt::format("{}; --help tells what is understood", error.what()));
+        throw std::invalid_argument(usageError(app, args, error.what()));
     }
     result.scenes = raw.scenes;
+    result.print = raw.print;
+    result.set = settingsFrom(raw.set);
     if (commands.list->parsed()) result.action = Action::ListScenes;
     if (commands.exportScene->parsed()) result.action = Action::ExportScene;
+    if (commands.schema->parsed()) result.action = Action::PrintSchema;
     if (commands.check->parsed()) takeCheck(*commands.check, raw, known, result);
     if (commands.bench->parsed()) takeBench(*commands.bench, raw, known, result);
     return result;

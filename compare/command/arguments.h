@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <compare/check/verdict.h>
+#include <compare/scene/set_field.h>
 
 namespace plumb::compare {
 
@@ -16,6 +17,7 @@ enum class Action {
     ListScenes,
     CheckScenes,
     ExportScene,
+    PrintSchema,
     Bench,
     Help,
 };
@@ -25,6 +27,12 @@ struct BenchOptions {
     std::vector<std::string> engines;  ///< names; empty: all that simulate
     int repeat = 5;                    ///< runs of each engine in each scene
     std::optional<int> steps;          ///< instead of the scene's
+};
+
+/// How a scene is printed, and what scenes may hold.
+struct PrintOptions {
+    bool all = false;   ///< with every field that has its default
+    bool page = false;  ///< the schema as a page to read
 };
 
 /// Pages with tables of what is measured.
@@ -37,6 +45,8 @@ struct Arguments {
     Action action = Action::Everything;
     std::vector<std::string> scenes;  ///< names, of labs as well, and files, as given
     RunOptions options;
+    std::vector<FieldSetting> set;  ///< in each scene
+    PrintOptions print;
     BenchOptions bench;
     PageOptions pages;
     std::optional<std::filesystem::path> json, csv, report;

@@ -54,6 +54,17 @@ void refuseSceneOptions(const Arguments& arguments, const std::vector<Lab>& labs
     };
     if (arguments.options.steps) refuse("--steps");
     if (arguments.options.dt) refuse("--dt");
+    if (!arguments.set.empty()) refuse("--set");
+}
+
+/// In each scene.
+void setFields(std::vector<Scene>& scenes, const std::vector<FieldSetting>& settings) {
+    if (settings.empty()) return;
+    try {
+        for (Scene& scene : scenes) scene = withFields(std::move(scene), settings);
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(fmt::format("--set {}", error.what()));
+    }
 }
 
 std::vector<SceneResult> runScenes(const std::vector<Scene>& scenes, const RunOptions& options, std::ostream& out,
@@ -92,8 +103,9 @@ std::vector<LabResult> runLabs(const std::vector<Lab>& labs, const RunOptions& o
 }
 
 int check(const Arguments& arguments, std::ostream& out, bool colour) {
-    const Choice choice = chooseScenesAndLabs(arguments.scenes);
+    Choice choice = chooseScenesAndLabs(arguments.scenes);
     refuseSceneOptions(arguments, choice.labs);
+    setFields(choice.scenes, arguments.set);
     std::optional<OutputFile> json;
     if (arguments.json) json.emplace("--json", *arguments.json);
     if (arguments.csv) makeFolder("--csv", *arguments.csv);
@@ -133,19 +145,22 @@ int checkEverything(Arguments arguments, std::ostream& out, bool colour) {
     return check(arguments, out, colour);
 }
 
-Scene onlyScene(const std::vector<std::string>& given) {
+void exportScene(const Arguments& arguments, std::ostream& out) {
+    const std::vector<std::string>& given = arguments.scenes;
     std::vector<Scene> scenes = chooseScenes(given);
     if (scenes.size() != 1)
         throw std::invalid_argument(
             fmt::format("export: {} is {} scenes, wanted one", fmt::join(given, " "), scenes.size()));
-    return std::move(scenes.front());
+    setFields(scenes, arguments.set);
+    fmt::print(out, "{}\n", toJson(scenes.front(), arguments.print.all ? Defaults::Written : Defaults::LeftOut));
 }
 
 int run(const Arguments& arguments, std::ostream& out, bool colour) {
     switch (arguments.action) {
         case Action::Help: fmt::print(out, "{}", arguments.help); return noneFails;
         case Action::ListScenes: list(out); return noneFails;
-        case Action::ExportScene: fmt::print(out, "{}\n", toJson(onlyScene(arguments.scenes))); return noneFails;
+        case Action::ExportScene: exportScene(arguments, out); return noneFails;
+        case Action::PrintSchema: return noneFails;
         case Action::Bench: runBench(arguments, engines(), out); return noneFails;
         case Action::CheckScenes: return check(arguments, out, colour);
         case Action::Everything: break;

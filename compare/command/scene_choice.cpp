@@ -2,7 +2,9 @@
 #include <compare/command/scene_choice.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 
@@ -27,6 +29,23 @@ namespace {
         fmt::format("there is no scene \"{}\": the nearest is {}; list and bench --help show "
                     "all, and a file ends in .json",
                     given, nearest(given, names)));
+}
+
+/// What bench can be asked for, each group before single scenes; those of a size stand in a group.
+[[noreturn]] void refuseBenchName(const std::string& given) {
+    std::vector<std::string> shown, names;
+    for (const BenchScene& scene : benchScenes()) {
+        const bool grouped = !scene.group.empty();
+        names.push_back(scene.name);
+        if (grouped && std::ranges::find(names, scene.group) == names.end()) names.push_back(scene.group);
+        const std::string& name = grouped && scene.group != "six" ? scene.group : scene.name;
+        if (std::ranges::find(shown, name) == shown.end()) shown.push_back(name);
+    }
+    for (const Scene& scene : builtinScenes()) names.push_back(scene.name);
+    throw std::invalid_argument(
+        fmt::format("there is no scene \"{}\": the nearest is {}; known are six, {}, those that list shows, "
+                    "random:SEED, and files that end in .json",
+                    given, nearest(given, names), fmt::join(shown, ", ")));
 }
 
 /// What "random:SEED" and "random:A..B" stand for; empty for any other name.
@@ -61,6 +80,7 @@ std::vector<BenchScene> chooseBench(const std::string& given) {
     std::vector<BenchScene> found = findBenchScenes(given);
     if (found.empty()) found = randomScenes(given);
     if (!found.empty()) return found;
+    if (!given.ends_with(".json") && !findScene(given) && !findLab(given)) refuseBenchName(given);
     // Made again for each run, so that it takes no room in the process that waits.
     return {{choose(given).front().name, "", "", [given] { return choose(given).front(); }}};
 }

@@ -10,7 +10,7 @@
 #include <system_error>
 
 #include <compare/scene/fields.h>
-#include <compare/scene/json_text.h>
+#include <compare/scene/json_value.h>
 #include <compare/scene/nearest.h>
 #include <plumb/math/check.h>
 
@@ -110,7 +110,7 @@ private:
 
     /// What is asked for is known.
     const Json* find(const char* name) {
-        known_.emplace_back(name);
+        if (std::ranges::find(known_, name) == known_.end()) known_.emplace_back(name);
         const auto field = object_.find(name);
         return field == object_.end() ? nullptr : &*field;
     }
@@ -118,7 +118,8 @@ private:
     void refuseUnknown() const {
         for (const auto& [name, field] : object_.items()) {
             if (std::ranges::find(known_, name) != known_.end()) continue;
-            plumb::refuse(member(name), "unknown field, the nearest known one is " + nearest(name, known_));
+            plumb::refuse(member(name), "unknown field, the nearest known one is " + nearest(name, known_) +
+                                            "; known are " + listText(known_));
         }
     }
 
@@ -179,6 +180,7 @@ private:
     }
     template <class T>
     static std::optional<T> read(Type<std::optional<T>>, const Json& json, const std::string& path) {
+        if (json.is_null()) return {};
         return read(Type<T>(), json, path);
     }
     template <class T>
@@ -209,12 +211,16 @@ int lineOf(const JsonText& text, const std::string& message) {
 
 }  // namespace
 
+Scene sceneOf(const Json& value) {
+    Scene scene = Reader::read(Type<Scene>(), value, "");
+    validate(scene);
+    return scene;
+}
+
 Scene fromJson(std::string_view text, const std::string& file) {
     const JsonText json = parseJson(text, file);
     try {
-        Scene scene = Reader::read(Type<Scene>(), json.root, "");
-        validate(scene);
-        return scene;
+        return sceneOf(json.root);
     } catch (const std::invalid_argument& error) {
         const std::string what = error.what();
         throw std::invalid_argument(file + ":" + std::to_string(lineOf(json, what)) + ": " + onOneLine(what));

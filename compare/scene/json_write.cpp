@@ -3,26 +3,27 @@
 #include <span>
 
 #include <compare/scene/fields.h>
-#include <compare/scene/json.h>
-#include <compare/scene/json_text.h>
+#include <compare/scene/json_value.h>
 
 namespace plumb::compare {
 namespace {
 
 /// Turns one struct into an object.
+template <Defaults defaults>
 class Writer {
 public:
     template <class T>
     requires(!std::is_enum_v<T>) static Json write(const T& value) {
         Writer full;
         fields(full, value);
+        if constexpr (defaults == Defaults::Written) return full.object_;
         const T byDefault{};
-        Writer defaults;
-        fields(defaults, byDefault);
+        Writer plain;
+        fields(plain, byDefault);
         Json kept = Json::object();
         for (const auto& [name, field] : full.object_.items()) {
             const bool isTag = name == full.tag_;  // says which alternative it is: needed even when all else is default
-            if (isTag || !defaults.object_.contains(name) || defaults.object_[name] != field) kept[name] = field;
+            if (isTag || !plain.object_.contains(name) || plain.object_[name] != field) kept[name] = field;
         }
         return kept;
     }
@@ -71,9 +72,14 @@ private:
 
 }  // namespace
 
-std::string toJson(const Scene& scene) {
+Json jsonOf(const Scene& scene, Defaults defaults) {
     validate(scene);
-    return formatJson(Writer::write(scene));
+    return defaults == Defaults::Written ? Writer<Defaults::Written>::write(scene)
+                                         : Writer<Defaults::LeftOut>::write(scene);
+}
+
+std::string toJson(const Scene& scene, Defaults defaults) {
+    return formatJson(jsonOf(scene, defaults));
 }
 
 }  // namespace plumb::compare

@@ -33,4 +33,11 @@ std::string nearest(std::string_view name, std::span<const std::string> known) {
     return best == known.end() ? std::string() : *best;
 }
 
+std::string listText(std::span<const std::string> known) {
+    constexpr std::size_t most = 12;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(known.size(), most); ++i) text += (i == 0 ? "" : ", ") + known[i];
+    return known.size() > most ? text + ", ..." : text;
+}
+
 }  // namespace plumb::compare

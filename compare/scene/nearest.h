@@ -11,4 +11,7 @@ namespace plumb::compare {
 /// first of equals, empty when none is known.
 std::string nearest(std::string_view name, std::span<const std::string> known);
 
+/// "a, b, c", and "..." for what comes after the twelfth.
+std::string listText(std::span<const std::string> known);
+
 }  // namespace plumb::compare

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include <compare/scene/set_field.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include <compare/scene/json_value.h>
+#include <compare/scene/named.h>
+#include <plumb/math/check.h>
+
+namespace plumb::compare {
+namespace {
+
+std::vector<std::string> splitAt(char separator, const std::string& text) {
+    std::vector<std::string> parts;
+    for (std::size_t start = 0; start <= text.size();) {
+        const std::size_t end = std::min(text.find(separator, start), text.size());
+        parts.push_back(text.substr(start, end - start));
+        start = end + 1;
+    }
+    return parts;
+}
+
+/// What an element of a list is called: by its own name, or by the body that its only alternative is about.
+std::string nameOfElement(const Json& element) {
+    if (!element.is_object()) return {};
+    if (const auto name = element.find("name"); name != element.end()) return name->get<std::string>();
+    if (element.size() == 1 && element.begin()->is_object() && element.begin()->contains("body"))
+        return element.begin()->at("body").get<std::string>();
+    return {};
+}
+
+std::optional<std::size_t> placeFrom(const std::string& text) {
+    std::size_t place = 0;
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, place);
+    if (error != std::errc{} || rest != end) return {};
+    return place;
+}
+
+/// where: the path up to the list or object in which the name is not known.
+[[noreturn]] void refuseStep(const std::string& where, const std::string& name, const std::string& what,
+                             const std::vector<std::string>& known) {
+    const std::string hint =
+        known.empty() ? "it has none" : "the nearest is " + nearest(name, known) + "; known are " + listText(known);
+    refuse(where.empty() ? name : where + "." + name, quoted(name) + " is not " + what + ", " + hint);
+}
+
+Json& elementOf(Json& list, const std::string& name, const std::string& where) {
+    std::vector<std::string> known;
+    for (Json& element : list) {
+        if (nameOfElement(element) == name && !name.empty()) return element;
+        if (const std::string own = nameOfElement(element); !own.empty()) known.push_back(own);
+    }
+    const std::optional<std::size_t> place = placeFrom(name);
+    if (place && *place < list.size()) return list[*place];
+    if (place || known.empty())
+        refuse(where + "." + name,
+               quoted(name) + " is not a place in a list of " + std::to_string(list.size()) + ", which count from 0");
+    refuseStep(where, name, "the name of one of them", known);
+}
+
+std::vector<std::string> fieldsOf(const Json& object) {
+    std::vector<std::string> names;
+    for (const auto& [name, field] : object.items()) names.push_back(name);
+    return names;
+}
+
+/// What a name may stand for in a body, which has shapes, and in a shape, which has a material.
+std::vector<Json*> materialFields(Json& object, const std::string& name) {
+    std::vector<Json*> found;
+    if (const auto material = object.find("material"); material != object.end() && material->contains(name))
+        return {&(*material)[name]};
+    if (!object.contains("shapes")) return found;
+    for (Json& shape : object["shapes"])
+        if (shape.contains("material") && shape["material"].contains(name)) found.push_back(&shape["material"][name]);
+    return found;
+}
+
+/// The values that stand at the path: one, or one for each shape of a body.
+std::vector<Json*> valuesAt(Json& root, const std::string& path) {
+    std::vector<Json*> at{&root};
+    std::string where;
+    for (const std::string& name : splitAt('.', path)) {
+        Json& value = *at.front();
+        if (value.is_null()) refuse(where, "is not given, wanted all of it at once, as JSON");
+        if (!value.is_structured()) refuse(where + "." + name, where + " has no parts: it is " + value.dump());
+        if (value.is_array()) {
+            at = {&elementOf(value, name, where)};
+        } else if (value.contains(name)) {
+            at = {&value[name]};
+        } else {
+            at = materialFields(value, name);
+            if (at.empty()) refuseStep(where, name, "a field", fieldsOf(value));
+        }
+        where += (where.empty() ? "" : ".") + name;
+    }
+    return at;
+}
+
+std::optional<double> plainNumber(const std::string& text) {
+    double value = 0;
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc{} || rest != end || !std::isfinite(value)) return {};
+    return value;
+}
+
+/// A number, which is whole where it is written so, or a fraction.
+std::optional<Json> numberFrom(const std::string& text) {
+    if (const std::size_t slash = text.find('/'); slash != std::string::npos) {
+        const auto over = plainNumber(text.substr(0, slash)), under = plainNumber(text.substr(slash + 1));
+        if (!over || !under) return {};
+        if (*under == 0) throw std::invalid_argument(text + " divides by 0");
+        return *over / *under;
+    }
+    if (Json json = Json::parse(text, nullptr, false); json.is_number()) return json;
+    if (const std::optional<double> number = plainNumber(text)) return *number;
+    return {};
+}
+
+std::optional<Json> numbersFrom(const std::string& text) {
+    Json list = Json::array();
+    for (const std::string& part : splitAt(',', text)) {
+        const std::size_t first = std::min(part.find_first_not_of(' '), part.size());
+        const std::optional<Json> number = numberFrom(part.substr(first));
+        if (!number) return {};
+        list.push_back(*number);
+    }
+    return list;
+}
+
+/// text: as on a command line. What stands there now tells what a word means.
+Json valueFrom(const std::string& text, const Json& now) {
+    const bool json = text.starts_with('{') || text.starts_with('[') || text.starts_with('"');
+    if (json) {
+        Json value = Json::parse(text, nullptr, false);
+        if (value.is_discarded()) throw std::invalid_argument(quoted(text) + " is not JSON");
+        return value;
+    }
+    if (now.is_string() && !numberFrom(text)) return text;
+    if (text == "true" || text == "false" || text == "null") return Json::parse(text);
+    if (now.is_array() && !now.empty() && now.front().is_string()) return splitAt(',', text);
+    if (const std::optional<Json> number = numberFrom(text)) return *number;
+    if (const std::optional<Json> numbers = numbersFrom(text)) return *numbers;
+    return text;
+}
+
+/// made: given what stands at the path now, what is to stand there.
+template <class Make>
+Scene withMade(const Scene& scene, const std::string& path, const std::string& shown, const Make& made) {
+    Json root = jsonOf(scene, Defaults::Written);
+    try {
+        for (Json* place : valuesAt(root, path)) *place = made(*place);
+        return sceneOf(root);
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(path + "=" + shown + ": " + error.what());
+    }
+}
+
+}  // namespace
+
+Scene withField(const Scene& scene, const std::string& path, const std::string& value) {
+    return withMade(scene, path, value, [&](const Json& now) { return valueFrom(value, now); });
+}
+
+Scene withJsonField(const Scene& scene, const std::string& path, const Json& value) {
+    return withMade(scene, path, value.dump(), [&](const Json&) { return value; });
+}
+
+FieldSetting fieldSettingOf(const std::string& text) {
+    const std::size_t sign = text.find('=');
+    if (sign == std::string::npos || sign == 0)
+        throw std::invalid_argument(quoted(text) + " is not PATH=VALUE, as bodies.ball.velocity=15,26");
+    return {text.substr(0, sign), text.substr(sign + 1)};
+}
+
+Scene withFields(Scene scene, std::span<const FieldSetting> settings) {
+    for (const FieldSetting& setting : settings) scene = withField(scene, setting.path, setting.value);
+    return scene;
+}
+
+}  // namespace plumb::compare
