@@ -22,6 +22,7 @@
 #include <compare/command/verdict_table.h>
 #include <compare/report/report.h>
 #include <compare/scene/json.h>
+#include <compare/scene/schema/schema.h>
 
 namespace plumb::compare {
 namespace {
@@ -155,12 +156,16 @@ void exportScene(const Arguments& arguments, std::ostream& out) {
     fmt::print(out, "{}\n", toJson(scenes.front(), arguments.print.all ? Defaults::Written : Defaults::LeftOut));
 }
 
+void printSchema(const Arguments& arguments, std::ostream& out) {
+    fmt::print(out, "{}\n", arguments.print.page ? sceneSchemaPage() : sceneSchema());
+}
+
 int run(const Arguments& arguments, std::ostream& out, bool colour) {
     switch (arguments.action) {
         case Action::Help: fmt::print(out, "{}", arguments.help); return noneFails;
         case Action::ListScenes: list(out); return noneFails;
         case Action::ExportScene: exportScene(arguments, out); return noneFails;
-        case Action::PrintSchema: return noneFails;
+        case Action::PrintSchema: printSchema(arguments, out); return noneFails;
         case Action::Bench: runBench(arguments, engines(), out); return noneFails;
         case Action::CheckScenes: return check(arguments, out, colour);
         case Action::Everything: break;

@@ -51,11 +51,12 @@ public:
     }
 
     template <class T>
-    void operator()(const char* name, T& value) {
-        if (const Json* field = find(name)) value = read(Type<T>(), *field, member(name));
+    void operator()(const Field& which, T& value) {
+        take(which.name, value);
     }
 
-    void orInfinite(const char* name, double& value) {
+    void orInfinite(const Field& which, double& value) {
+        const char* name = which.name;
         const Json* field = find(name);
         if (field == nullptr) return;
         constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -108,6 +109,11 @@ private:
 
     std::string member(const std::string& name) const { return path_.empty() ? name : path_ + "." + name; }
 
+    template <class T>
+    void take(const char* name, T& value) {
+        if (const Json* field = find(name)) value = read(Type<T>(), *field, member(name));
+    }
+
     /// What is asked for is known.
     const Json* find(const char* name) {
         if (std::ranges::find(known_, name) == known_.end()) known_.emplace_back(name);
@@ -126,7 +132,7 @@ private:
     template <class... T, std::size_t... I>
     void readAlternative(std::variant<T...>& value, std::size_t index, const char* tag, std::index_sequence<I...>) {
         const auto readAs = [&]<std::size_t i>() {
-            (*this)(tag, value.template emplace<i>());
+            take(tag, value.template emplace<i>());
             return true;
         };
         (void)((I == index && readAs.template operator()<I>()) || ...);

@@ -1,81 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
-#include <span>
-
-#include <compare/scene/fields.h>
 #include <compare/scene/json_value.h>
+#include <compare/scene/json_writer.h>
 
 namespace plumb::compare {
-namespace {
-
-/// Turns one struct into an object.
-template <Defaults defaults>
-class Writer {
-public:
-    template <class T>
-    requires(!std::is_enum_v<T>) static Json write(const T& value) {
-        Writer full;
-        fields(full, value);
-        if constexpr (defaults == Defaults::Written) return full.object_;
-        const T byDefault{};
-        Writer plain;
-        fields(plain, byDefault);
-        Json kept = Json::object();
-        for (const auto& [name, field] : full.object_.items()) {
-            const bool isTag = name == full.tag_;  // says which alternative it is: needed even when all else is default
-            if (isTag || !plain.object_.contains(name) || plain.object_[name] != field) kept[name] = field;
-        }
-        return kept;
-    }
-    static Json write(double value) { return value; }
-    static Json write(bool value) { return value; }
-    static Json write(const Lock& value) { return static_cast<bool>(value); }
-    static Json write(std::uint64_t value) { return value; }
-    static Json write(int value) { return value; }
-    static Json write(const std::string& value) { return value; }
-    static Json write(const Vec2& value) { return Json::array({value.x(), value.y()}); }
-    static Json write(const TileMap& map) {
-        return write(TilesFields{textOf(map), map.size(), map.def().wrapX, map.def().wrapY});
-    }
-    template <class E>
-    requires std::is_enum_v<E>
-    static Json write(E value) { return tagsOf(value)[static_cast<std::size_t>(value)]; }
-    template <class T>
-    static Json write(const std::optional<T>& value) {
-        return value ? write(*value) : Json(nullptr);
-    }
-    template <class T>
-    static Json write(const std::vector<T>& values) {
-        Json array = Json::array();
-        for (const T& value : values) array.push_back(write(value));
-        return array;
-    }
-
-    template <class T>
-    void operator()(const char* name, const T& value) {
-        object_[name] = write(value);
-    }
-    void orInfinite(const char* name, double value) {
-        object_[name] = !std::isinf(value) ? Json(value) : Json(value > 0 ? infiniteTag : minusInfiniteTag);
-    }
-    void shape(const Shape& shape) { oneOf(shape, tagsOfAlternatives<Shape>); }
-    template <class... T>
-    void oneOf(const std::variant<T...>& value, std::span<const char* const> tags) {
-        tag_ = tags[value.index()];
-        std::visit([&](const auto& alternative) { object_[tag_] = write(alternative); }, value);
-    }
-
-private:
-    Json object_ = Json::object();
-    std::string tag_;
-};
-
-}  // namespace
 
 Json jsonOf(const Scene& scene, Defaults defaults) {
     validate(scene);
-    return defaults == Defaults::Written ? Writer<Defaults::Written>::write(scene)
-                                         : Writer<Defaults::LeftOut>::write(scene);
+    return defaults == Defaults::Written ? JsonWriter<Defaults::Written>::write(scene)
+                                         : JsonWriter<Defaults::LeftOut>::write(scene);
 }
 
 std::string toJson(const Scene& scene, Defaults defaults) {

@@ -8,12 +8,12 @@
 #include <compare/scene/metric_names.h>
 #include <compare/scene/name_index.h>
 #include <compare/scene/named.h>
+#include <compare/scene/require_fields.h>
 #include <compare/scene/scene.h>
 #include <compare/scene/validate_arrivals.h>
 #include <compare/scene/validate_joint.h>
 #include <compare/scene/validate_mover.h>
 #include <plumb/math/check.h>
-#include <plumb/math/require_members.h>
 
 namespace plumb::compare {
 namespace {
@@ -68,76 +68,44 @@ void validateMotion(const PiecewiseMotion& motion, const std::string& field) {
     for (std::size_t i = 0; i < motion.flights.size(); ++i) {
         const Flight& flight = motion.flights[i];
         const std::string path = at(field + ".piecewise.flights", i);
-        requireFinite(flight.start, path, ".start");
+        requireFields(flight, path);
         if (i == 0 && flight.start > 0)
             refuse(path + ".start", toText(flight.start) + " is not 0: the first flight starts with the scene");
         if (i > 0 && flight.start < motion.flights[i - 1].start) {
             refuse(path + ".start", toText(flight.start) + " is before the flight before it");
         }
-        requireFinite(flight.position, path, ".position");
-        requireFinite(flight.velocity, path, ".velocity");
-        requireFinite(flight.acceleration, path, ".acceleration");
-        requireFinite(flight.angle, path, ".angle");
-        requireFinite(flight.angularVelocity, path, ".angularVelocity");
-        requireFinite(flight.angularAcceleration, path, ".angularAcceleration");
     }
-}
-
-void validateMotion(const DampedFlight& motion, const std::string& field) {
-    requireFinite(motion.position, field, ".damped.position");
-    requireFinite(motion.velocity, field, ".damped.velocity");
-    requireFinite(motion.acceleration, field, ".damped.acceleration");
-    requirePositive(motion.damping, field, ".damped.damping");
-}
-
-void validateMotion(const PendulumMotion& motion, const std::string& field) {
-    const std::string path = field + ".pendulum";
-    requireFinite(motion.pivot, path, ".pivot");
-    requirePositive(motion.length, path, ".length");
-    requirePositive(motion.equivalentLength, path, ".equivalentLength");
-    requirePositive(motion.gravity, path, ".gravity");
-    requireFinite(motion.amplitude, path, ".amplitude");
-    requireFinite(motion.bodyAngle, path, ".bodyAngle");
-    if (!(std::abs(motion.amplitude) < std::numbers::pi)) {
-        refuse(path + ".amplitude", toText(motion.amplitude) + " is not between -pi and pi");
-    }
-    requireNotNegative(motion.from, path, ".from");
-    requireFinite(motion.approach, path, ".approach");
 }
 
 void requireUnit(const Vec2& direction, const std::string& field) {
     constexpr double rounding = 1e-9;
-    requireFinite(direction, field);
     if (std::abs(direction.norm() - 1) > rounding) refuse(field, toText(direction) + " is not of length 1");
 }
 
+void validateMotion(const DampedFlight& motion, const std::string& field) {
+    requireFields(motion, field + ".damped");
+}
+
+void validateMotion(const PendulumMotion& motion, const std::string& field) {
+    const std::string path = field + ".pendulum";
+    requireFields(motion, path);
+    if (!(std::abs(motion.amplitude) < std::numbers::pi)) {
+        refuse(path + ".amplitude", toText(motion.amplitude) + " is not between -pi and pi");
+    }
+}
+
 void validateMotion(const OscillatorMotion& motion, const std::string& field) {
-    const std::string path = field + ".oscillator";
-    requireFinite(motion.rest, path, ".rest");
-    requireUnit(motion.direction, path + ".direction");
-    requireFinite(motion.offset, path, ".offset");
-    requireFinite(motion.speed, path, ".speed");
-    requirePositive(motion.mass, path, ".mass");
-    requirePositive(motion.stiffness, path, ".stiffness");
-    requireNotNegative(motion.damping, path, ".damping");
+    requireFields(motion, field + ".oscillator");
+    requireUnit(motion.direction, field + ".oscillator.direction");
 }
 
 void validateMotion(const DragFall& motion, const std::string& field) {
-    const std::string path = field + ".dragFall";
-    requireFinite(motion.position, path, ".position");
-    requirePositive(motion.terminalSpeed, path, ".terminalSpeed");
-    requirePositive(motion.gravity, path, ".gravity");
+    requireFields(motion, field + ".dragFall");
 }
 
 void validateMotion(const KeplerMotion& motion, const std::string& field) {
-    const std::string path = field + ".kepler";
-    requireFinite(motion.focus, path, ".focus");
-    requireFinite(motion.drift, path, ".drift");
-    requireUnit(motion.nearEnd, path + ".nearEnd");
-    requirePositive(motion.semiMajorAxis, path, ".semiMajorAxis");
-    requireWithin(motion.eccentricity, 0, 1, path, ".eccentricity");
-    requirePositive(motion.period, path, ".period");
-    requireFinite(motion.since, path, ".since");
+    requireFields(motion, field + ".kepler");
+    requireUnit(motion.nearEnd, field + ".kepler.nearEnd");
 }
 
 /// As the kit does it: its message stands after the path.
@@ -156,7 +124,7 @@ void validateField(const Scene& scene, std::size_t index) {
 }
 
 void validateClosedForm(const ClosedForm& form, const std::vector<std::string>& bodies) {
-    requireNotNegative(form.until, "closedForm.until");
+    requireFields(form, "closedForm");
     if (form.bodies.empty()) refuse("closedForm.bodies", "there is none, wanted at least one");
     std::vector<std::string> described;
     for (std::size_t i = 0; i < form.bodies.size(); ++i) {
@@ -177,6 +145,7 @@ void validateProbe(const Probe& probe, const Scene& scene, const std::string& fi
     const std::string path = field + "." + probeTags[probe.quantity.index()];
     const auto check = [&](const auto& quantity) {
         if constexpr (requires { quantity.body; }) requireKnown(quantity.body, bodies, path + ".body", "a body");
+        requireFields(quantity, path);
         if constexpr (requires { quantity.direction; }) requireUnit(quantity.direction, path + ".direction");
         if constexpr (requires { quantity.bodyA; }) {
             requireKnown(quantity.bodyA, bodies, path + ".bodyA", "a body");
@@ -188,10 +157,7 @@ void validateProbe(const Probe& probe, const Scene& scene, const std::string& fi
             requireKnown(quantity.joint, namesOf(scene.joints), path + ".joint", "a joint");
     };
     std::visit(check, probe.quantity);
-    if (const auto* snags = std::get_if<SnagsProbe>(&probe.quantity)) requirePositive(snags->drop, path, ".drop");
-    requireFinite(probe.expected, field, ".expected");
-    requireNotNegative(probe.from, field, ".from");
-    requireNotNegative(probe.until, field, ".until");
+    requireFields(probe, field);
     if (probe.until > 0 && probe.until < probe.from)
         refuse(field + ".until", toText(probe.until) + " is before from, " + toText(probe.from));
 }
@@ -203,24 +169,17 @@ void validateEngines(const std::vector<std::string>& names, const std::string& f
 }
 
 void validateCheck(const Check& check, const Scene& scene, const std::string& field) {
-    if (const auto* exact = std::get_if<ExactCheck>(&check)) {
-        if (!scene.closedForm) refuse(field + ".exact", "the scene has no closed form to be exact to");
-        requireNotNegative(exact->limit, field, ".exact.limit");
-    }
-    if (const auto* agree = std::get_if<AgreeCheck>(&check)) {
-        requirePositive(agree->tolerance, field, ".agree.tolerance");
-        requirePositive(agree->until, field, ".agree.until");
-    }
+    const std::string path = field + "." + checkTags[check.index()];
+    std::visit([&](const auto& one) { requireFields(one, path); }, check);
+    if (std::holds_alternative<ExactCheck>(check) && !scene.closedForm)
+        refuse(path, "the scene has no closed form to be exact to");
+    if (std::holds_alternative<OrderCheck>(check) && !scene.closedForm)
+        refuse(path, "the scene has no closed form to tell errors by");
     if (const auto* invariant = std::get_if<InvariantCheck>(&check)) {
-        requireKnown(invariant->metric, checkableMetrics(scene), field + ".invariant.metric", "a metric of this scene");
-        requireNotNegative(invariant->limit, field, ".invariant.limit");
-        validateEngines(invariant->engines, field + ".invariant.engines");
+        requireKnown(invariant->metric, checkableMetrics(scene), path + ".metric", "a metric of this scene");
+        validateEngines(invariant->engines, path + ".engines");
     }
-    if (const auto* order = std::get_if<OrderCheck>(&check)) {
-        if (!scene.closedForm) refuse(field + ".order", "the scene has no closed form to tell errors by");
-        requirePositive(order->order, field, ".order.order");
-        validateEngines(order->engines, field + ".order.engines");
-    }
+    if (const auto* order = std::get_if<OrderCheck>(&check)) validateEngines(order->engines, path + ".engines");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <compare/mover/parts.h>
 #include <compare/scene/fields.h>
 #include <compare/scene/named.h>
+#include <compare/scene/require_fields.h>
 #include <plumb/math/check.h>
 
 namespace plumb::compare {
@@ -16,15 +17,12 @@ void validateMotion(const Scene&, const PathMotion& motion, const std::string& f
     if (motion.points.size() < 2)
         refuse(field + ".points", std::to_string(motion.points.size()) + " make no path, wanted 2 or more");
     for (std::size_t i = 0; i < motion.points.size(); ++i) requireFinite(motion.points[i], at(field + ".points", i));
-    requireNotNegative(motion.delay, field, ".delay");
-    requirePositive(motion.speed, field, ".speed");
-    requirePositive(motion.acceleration, field, ".acceleration");
+    requireFields(motion, field);
     (void)pathMoverOf(motion);
 }
 
 void validateMotion(const Scene&, const SlidingMotion& motion, const std::string& field) {
-    requireFinite(motion.velocity, field, ".velocity");
-    requireNotNegative(motion.pushStrength, field, ".pushStrength");
+    requireFields(motion, field);
 }
 
 void validateMotion(const Scene& scene, const GridMotion& motion, const std::string& field) {
@@ -34,22 +32,20 @@ void validateMotion(const Scene& scene, const GridMotion& motion, const std::str
         refuse(field + ".map", quoted(motion.map) + " is a body whose first shape is no tile map");
     const TileMap& map = std::get<TileMap>(body->def.shapes.front().shape);
     if (!map.contains(motion.cell)) refuse(field + ".cell", "is not one of the map");
-    requirePositive(motion.speed, field, ".speed");
+    requireFields(motion, field);
 }
 
 void validateMotion(const Scene&, const PlatformMotion& motion, const std::string& field) {
     for (std::size_t i = 0; i < motion.cues.size(); ++i) {
         const std::string cue = at(field + ".cues", i);
-        requireNotNegative(motion.cues[i].time, cue, ".time");
-        requireWithin(motion.cues[i].move, -1, 1, cue, ".move");
+        requireFields(motion.cues[i], cue);
         if (i > 0 && motion.cues[i].time < motion.cues[i - 1].time)
             refuse(cue + ".time", toText(motion.cues[i].time) + " is before the cue before it");
     }
 }
 
 void validateMotion(const Scene&, const SwingMotion& motion, const std::string& field) {
-    requireFinite(motion.amplitude, field, ".amplitude");
-    requirePositive(motion.rate, field, ".rate");
+    requireFields(motion, field);
 }
 
 }  // namespace

@@ -135,6 +135,30 @@ TEST_CASE("export prints a scene that reads back and runs as the built-in one", 
     CHECK(checked.out.find("PASS  free_fall") != std::string::npos);
 }
 
+TEST_CASE("export and check run a scene with fields that are set on the command line", "[compare][command]") {
+    const Called exported = call({"export", "free_fall", "--set", "dt=1/240", "--set", "duration=1"});
+    CHECK(exported.status == 0);
+    CHECK(fromJson(exported.out, "exported").dt == 1.0 / 240);
+    CHECK(fromJson(exported.out, "exported").duration == 1);
+    const Folder folder("plumb_command_test");
+    const Called checked = call({"check", "free_fall", "--set", "gravity=0,-9.8", "--json", folder / "out.json"});
+    CHECK(checked.status == 1);  // its closed form falls at 9.81
+    CHECK(checked.out.find("exact: plumb error_max is 0.02 m, over 1e-09 m") != std::string::npos);
+}
+
+TEST_CASE("export --all shows the fields that have their defaults too", "[compare][command]") {
+    const Called few = call({"export", "free_fall"}), all = call({"export", "free_fall", "--all"});
+    CHECK(few.out.find("\"linearDamping\"") == std::string::npos);
+    CHECK(all.out.find("\"linearDamping\": 0") != std::string::npos);
+    CHECK(toJson(fromJson(all.out, "all")) + "\n" == few.out);
+}
+
+TEST_CASE("schema prints a JSON Schema, and with --page a page", "[compare][command]") {
+    const nlohmann::json schema = nlohmann::json::parse(call({"schema"}).out);
+    CHECK(schema["$schema"] == "https://json-schema.org/draft/2020-12/schema");
+    CHECK(call({"schema", "--page"}).out.starts_with("# What may stand in a scene's file\n"));
+}
+
 TEST_CASE("check writes JSON of schema 1 with metrics of every engine and the verdicts", "[compare][command]") {
     const Folder folder("plumb_command_test");
     const Called called = call({"check", "free_fall", "--steps", "30", "--dt", "0.05", "--json", folder / "out.json"});
@@ -256,6 +280,12 @@ TEST_CASE("bad usage gives status 2 and one line that says what and where", "[co
     checkRefused({"export", "nothing_like_it"}, "there is no scene \"nothing_like_it\"");
     checkRefused({"export"}, "SCENE");
     checkRefused({"free_fall"}, "free_fall");
+    checkRefused({"chek", "free_fall"},
+                 "\"chek\" is not a command, the nearest is check; known are list, check, bench, export, schema");
+    checkRefused({"bench", "smsh"}, "there is no scene \"smsh\": the nearest is smash; known are six, large_pyramid,");
+    checkRefused({"check", "free_fall", "--set", "dt"}, "--set: \"dt\" is not PATH=VALUE");
+    checkRefused({"check", "free_fall", "--set", "bodies.bal.angle=1"}, "--set bodies.bal.angle=1: bodies.bal: ");
+    checkRefused({"check", "frame_rate", "--set", "dt=1"}, "--set: frame_rate is a lab");
     checkRefused({"check", "--colour"}, "--colour");
     checkRefused({"check", "free_fall", "--engines", "bullet"},
                  "--engines: \"bullet\" is not an engine of this build, "

@@ -20,4 +20,10 @@ TEST_CASE("of names equally near the first is told, and none where none is known
     CHECK(nearest("x", {}).empty());
 }
 
+TEST_CASE("of known names twelve are listed, and dots for more", "[compare][scene]") {
+    CHECK(listText(std::vector<std::string>{"a", "b"}) == "a, b");
+    CHECK(listText(std::vector<std::string>(12, "a")).find("...") == std::string::npos);
+    CHECK(listText(std::vector<std::string>(13, "a")).ends_with("a, a, ..."));
+}
+
 }  // namespace plumb::compare

@@ -76,11 +76,11 @@ TEST_CASE("names that are empty, malformed, used twice or unknown are refused", 
     CHECK(sceneComplaint([](Scene& s) { s.probes[1].name = "angle"; }) ==
           "probes[1].name: \"angle\" is used twice, wanted a name that differs from probes[0]");
     CHECK(sceneComplaint([](Scene& s) { s.joints[0].bodyA = "grund"; }) ==
-          "joints[0].bodyA: \"grund\" is not the name of a body, the nearest is ground");
+          "joints[0].bodyA: \"grund\" is not the name of a body, the nearest is ground; known are ground, ball");
     CHECK(sceneComplaint([](Scene& s) { s.joints[0].bodyA = "ball"; }) ==
           "joints[0].bodyB: \"ball\" is bodyA too, wanted another body");
     CHECK(sceneComplaint([](Scene& s) { s.probes[0].quantity = AngleProbe{"bal"}; }) ==
-          "probes[0].angle.body: \"bal\" is not the name of a body, the nearest is ball");
+          "probes[0].angle.body: \"bal\" is not the name of a body, the nearest is ball; known are ground, ball");
     CHECK(sceneComplaint([](Scene& s) {
               s.probes[1].quantity = NormalForceProbe{"ball", "ball"};
           }) == "probes[1].normalForce.bodyB: \"ball\" is bodyA too, wanted another body");
