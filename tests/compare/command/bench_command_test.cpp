@@ -92,7 +92,7 @@ TEST_CASE("bench puts its tables into a page, and leaves the rest of it", "[comp
 TEST_CASE("bench refuses bad usage with status 2 and one line", "[compare][command]") {
     const Folder folder("plumb_bench_command_test");
     checkBenchRefused({"bench", "large_pyramids"},
-                      "there is no scene \"large_pyramids\": the nearest is large_pyramid;");
+                      "there is no scene \"large_pyramids\": the nearest is large_pyramid; known are six, ");
     checkBenchRefused({"bench", "smash", "six"}, "both called \"smash\"");
     for (const std::string bad : {"0", "-1", "2.5", "many", ""}) {
         checkBenchRefused({"bench", "small_50", "--repeat=" + bad}, "--repeat");

@@ -471,14 +471,20 @@ TEST_CASE("a field given twice is refused where it stands the second time", "[co
           "f.json:2:15: bodies[1].angle: given twice, wanted once");
 }
 
-TEST_CASE("an unknown field is refused with the nearest known one", "[compare][scene][errors]") {
-    CHECK(jsonComplaint("{\n\"nmae\": \"a\"}") == "f.json:2: nmae: unknown field, the nearest known one is name");
-    CHECK(jsonComplaint(withBody("\n\"postion\": [0, 1]")) ==
-          "f.json:3: bodies[0].postion: unknown field, the nearest known one is position");
+TEST_CASE("an unknown field is refused with the nearest known one and those that are known",
+          "[compare][scene][errors]") {
+    CHECK(jsonComplaint("{\n\"nmae\": \"a\"}") ==
+          "f.json:2: nmae: unknown field, the nearest known one is name; known are name, question, gravity, duration, "
+          "dt, sleeping, bodies, joints, fields, movers, wrap, closedForm, ...");
+    CHECK(
+        jsonComplaint(withBody("\n\"postion\": [0, 1]"))
+            .starts_with("f.json:3: bodies[0].postion: unknown field, the nearest known one is position; known are "));
     CHECK(jsonComplaint(withBody(R"("shapes": [{"circel": {}}])")) ==
-          "f.json:2: bodies[0].shapes[0].circel: unknown field, the nearest known one is circle");
+          "f.json:2: bodies[0].shapes[0].circel: unknown field, the nearest known one is circle; known are box, "
+          "circle, capsule, polygon, segment, chain, tiles, material, filter, sensor, oneWay, tag");
     CHECK(jsonComplaint(withBody(R"("shapes": [{"box": {"size": [1, 1]}}])")) ==
-          "f.json:2: bodies[0].shapes[0].box.size: unknown field, the nearest known one is halfSize");
+          "f.json:2: bodies[0].shapes[0].box.size: unknown field, the nearest known one is halfSize; known are "
+          "halfSize, center, radius");
 }
 
 TEST_CASE("a value of the wrong kind is refused with what was wanted", "[compare][scene][errors]") {
@@ -539,8 +545,9 @@ TEST_CASE("a scene is read from a file, and a file that cannot be read is refuse
     std::ofstream(path) << toJson(findScene("free_fall").value());
     CHECK(readScene(path).name == "free_fall");
     std::ofstream(path) << "{\n\"nam\": 1}";
-    CHECK(messageOf([&] { readScene(path); }) ==
-          path.string() + ":2: nam: unknown field, the nearest known one is name");
+    CHECK(messageOf([&] {
+              readScene(path);
+          }).starts_with(path.string() + ":2: nam: unknown field, the nearest known one is name; "));
     std::filesystem::remove(path);
     CHECK(messageOf([&] { readScene(path); }) == path.string() + ": cannot be read, wanted a scene's JSON file");
     CHECK(messageOf([&] { readScene(folder); }) == folder.string() + ": is a folder, wanted a scene's JSON file");

@@ -87,7 +87,8 @@ TEST_CASE("names that are empty, malformed, used twice or unknown are refused", 
     CHECK(sceneComplaint([](Scene& s) { s.joints.clear(); }) ==
           "probes[2].jointForce.joint: \"rod\" is not the name of a joint, there is none");
     CHECK(sceneComplaint([](Scene& s) { motionOf<PiecewiseMotion>(s).body = "x"; }) ==
-          "closedForm.bodies[0].piecewise.body: \"x\" is not the name of a body, the nearest is ball");
+          "closedForm.bodies[0].piecewise.body: \"x\" is not the name of a body, the nearest is ball; known are "
+          "ground, ball");
     CHECK(sceneComplaint([](Scene& s) { s.closedForm->bodies.push_back(PendulumMotion{.body = "ball"}); }) ==
           "closedForm.bodies[1].pendulum.body: \"ball\" has a motion already, wanted one for each body");
 }
@@ -137,11 +138,13 @@ TEST_CASE("impossible closed forms are refused", "[compare][scene][errors]") {
 
 TEST_CASE("checks of metrics, engines and limits that do not exist are refused", "[compare][scene][errors]") {
     const auto withCheck = [](const Check& check) { return sceneComplaint([&](Scene& s) { s.checks = {check}; }); };
-    CHECK(withCheck(InvariantCheck{.metric = "energy_drfit"}) ==
-          "checks[0].invariant.metric: \"energy_drfit\" is not the name of a metric of this scene, the nearest is "
-          "energy_drift");
-    CHECK(withCheck(InvariantCheck{.metric = "energy_drift", .engines = {"box2d"}}) ==
-          "checks[0].invariant.engines[0]: \"box2d\" is not the name of an engine, the nearest is box2d-3");
+    CHECK(
+        withCheck(InvariantCheck{.metric = "energy_drfit"})
+            .starts_with("checks[0].invariant.metric: \"energy_drfit\" is not the name of a metric of this scene, the "
+                         "nearest is energy_drift; known are divergence_max, "));
+    CHECK(withCheck(InvariantCheck{.metric = "energy_drift", .engines = {"box2d"}})
+              .starts_with(
+                  "checks[0].invariant.engines[0]: \"box2d\" is not the name of an engine, the nearest is box2d-3"));
     CHECK(withCheck(InvariantCheck{.metric = "energy_drift", .limit = -1}) ==
           "checks[0].invariant.limit: -1 is negative");
     CHECK(withCheck(OrderCheck{.engines = {}}) == "checks[0].order.engines: there is none, wanted at least one");

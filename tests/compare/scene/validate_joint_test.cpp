@@ -81,7 +81,8 @@ TEST_CASE("a gear couples two joints that stand before it and turn or slide", "[
     CHECK(gear("hinge", "slide") == "valid");
     CHECK(gear("hinge", "hinge") == "joints[3].jointB: \"hinge\" is jointA too, wanted another joint");
     CHECK(gear("hinge", "slid") ==
-          "joints[3].jointB: \"slid\" is not the name of a joint before it, the nearest is slide");
+          "joints[3].jointB: \"slid\" is not the name of a joint before it, the nearest is slide; known are hinge, "
+          "slide, gear");
     CHECK(gear("joint", "slide").starts_with("joints[3].jointA: \"joint\" is not the name of a joint before it"));
     CHECK(gear("gear", "slide") == "joints[3].jointA: \"gear\" is neither revolute nor prismatic");
     CHECK(gear("hinge", "slide", 0) == "joints[3].gear.ratio: 0 would gear nothing");
@@ -94,7 +95,7 @@ TEST_CASE("a target has one body, and only gears name joints", "[compare][scene]
     CHECK(jointComplaint(SceneJoint{"joint", "ground", "ball", WeldJointDef{}, "hinge", ""}) ==
           "joints[3].jointA: \"hinge\" is one too many: only a gear couples joints");
     CHECK(jointComplaint(SceneJoint{"joint", "bal", "", TargetJointDef{}}) ==
-          "joints[3].bodyA: \"bal\" is not the name of a body, the nearest is ball");
+          "joints[3].bodyA: \"bal\" is not the name of a body, the nearest is ball; known are ground, ball");
 }
 
 TEST_CASE("a shape's rule is code and cannot stand in a scene", "[compare][scene][errors]") {
