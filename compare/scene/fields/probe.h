@@ -12,8 +12,7 @@ struct Watched {
     static constexpr Field bodyA = needed({"bodyA", "", Allowed::any, "the name of a body"});
     static constexpr Field bodyB = needed({"bodyB", "", Allowed::any, "the name of another body"});
     static constexpr Field joint = needed({"joint", "", Allowed::any, "the name of a joint"});
-    static constexpr Field direction{
-        {"direction", "-", Allowed::finite.butNotZero("has no direction"), "a unit vector"}};
+    static constexpr Field direction{"direction", "-", Allowed::finite.butNotZero("has no direction"), "a unit vector"};
 };
 
 void fields(auto& visit, OrConst<AngleProbe> auto& x) {
@@ -67,7 +66,7 @@ void fields(auto& visit, OrConst<Probe> auto& x) {
 /// Of a check.
 struct Judged {
     static constexpr Field engines = notEmpty({"engines", "", Allowed::any, "the names of those whom it binds"});
-    static constexpr Field reason{{"reason", "", Allowed::any, "why this bound"}};
+    static constexpr Field reason{"reason", "", Allowed::any, "why this bound"};
 };
 
 void fields(auto& visit, OrConst<ExactCheck> auto& x) {

@@ -48,7 +48,7 @@ public:
     }
     template <class T>
     Json of(SchemaType<std::vector<T>>, const Field& field) {
-        const Field one{{field.name, field.unit, field.allowed, field.meaning}};
+        const Field one{field.name, field.unit, field.allowed, field.meaning};
         Json list{{"type", "array"}, {"items", of(SchemaType<T>(), one)}};
         if (field.least > 0) list["minItems"] = field.least;
         return list;
@@ -102,7 +102,7 @@ public:
 private:
     template <class T>
     void addAlternative(const char* tag) {
-        properties_[tag] = schemas_.of(SchemaType<T>(), Field{});
+        properties_[tag] = schemas_.of(SchemaType<T>(), Field(Member{}));
         kinds_.push_back(Json{{"required", Json::array({tag})}});
     }
 
@@ -154,7 +154,7 @@ requires(!std::is_enum_v<T>) Json Schemas::of(SchemaType<T>, const Field&) {
 Json wholeSchema() {
     Schemas schemas;
     Json whole{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "A scene of plumb-compare"}};
-    whole.update(schemas.of(SchemaType<Scene>(), Field{}));
+    whole.update(schemas.of(SchemaType<Scene>(), Field(Member{})));
     whole["$defs"] = std::move(schemas.definitions);
     return whole;
 }
