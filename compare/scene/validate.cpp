@@ -196,12 +196,6 @@ void validateProbe(const Probe& probe, const Scene& scene, const std::string& fi
         refuse(field + ".until", toText(probe.until) + " is before from, " + toText(probe.from));
 }
 
-void validateEngines(const std::vector<std::string>& names, const std::string& field) {
-    static const std::vector<std::string> known{"plumb", "box2d-2.4", "box2d-3", "closed-form"};
-    if (names.empty()) refuse(field, "there is none, wanted at least one");
-    for (std::size_t i = 0; i < names.size(); ++i) requireKnown(names[i], known, at(field, i), "an engine");
-}
-
 void validateCheck(const Check& check, const Scene& scene, const std::string& field) {
     if (const auto* exact = std::get_if<ExactCheck>(&check)) {
         if (!scene.closedForm) refuse(field + ".exact", "the scene has no closed form to be exact to");
@@ -214,12 +208,10 @@ void validateCheck(const Check& check, const Scene& scene, const std::string& fi
     if (const auto* invariant = std::get_if<InvariantCheck>(&check)) {
         requireKnown(invariant->metric, checkableMetrics(scene), field + ".invariant.metric", "a metric of this scene");
         requireNotNegative(invariant->limit, field, ".invariant.limit");
-        validateEngines(invariant->engines, field + ".invariant.engines");
     }
     if (const auto* order = std::get_if<OrderCheck>(&check)) {
         if (!scene.closedForm) refuse(field + ".order", "the scene has no closed form to tell errors by");
         requirePositive(order->order, field, ".order.order");
-        validateEngines(order->engines, field + ".order.engines");
     }
 }
 
