@@ -56,13 +56,13 @@ std::string benchJson(std::span<const SceneBench> results) {
         for (const EngineBench& bench : scene.engines) json["runs"].push_back(runJson(scene, bench));
     for (const Ratio& ratio : ratiosOf(results))
         json["ratios"].push_back({{"scene", ratio.scene},
-                                  {"engine", plumbName},
+                                  {"engine", subjectName()},
                                   {"against", ratio.against},
                                   {"ratio", spreadJson(ratio.ratio)},
                                   {"least", ratio.least}});
     for (const MeanRatio& mean : meanRatiosOf(results))
         json["mean_ratios"].push_back({{"group", mean.group},
-                                       {"engine", plumbName},
+                                       {"engine", subjectName()},
                                        {"against", mean.against},
                                        {"ratio", mean.ratio},
                                        {"scenes", mean.scenes}});

@@ -122,7 +122,7 @@ std::vector<Phase> EngineBench::phases() const {
 std::vector<Ratio> ratiosOf(std::span<const SceneBench> results) {
     std::vector<Ratio> ratios;
     for (const SceneBench& scene : results) {
-        const EngineBench* plumb = find(scene, plumbName);
+        const EngineBench* plumb = find(scene, subjectName());
         if (!plumb) continue;
         for (const EngineBench& other : scene.engines) {
             if (&other == plumb || !other.supported()) continue;

@@ -15,28 +15,31 @@ constexpr double rounding = 1e-12;  // relative to the scene's size: thousands o
 
 class Judge {
 public:
-    Judge(const SceneResult& measured, const std::vector<Engine>& engines) : measured_(measured), engines_(engines) {}
+    Judge(const SceneResult& measured, const std::vector<Engine>& engines) : measured_(measured), engines_(engines) {
+        for (const EngineResult& run : measured.engines)
+            if (run.observation.role == Role::Subject) subject_ = run.observation.engine;
+    }
 
     std::vector<Outcome> operator()(const ExactCheck& check) const {
-        const EngineResult* plumb = judged(plumbName);
-        if (!plumb) return {};
-        const std::optional<double> error = metricOf(*plumb, "error_max");
-        std::vector<Outcome> outcomes{atMost("exact", plumb, "error_max", error, check.limit, check.reason)};
-        if (const std::optional<double> best = bestBox2dError()) {
-            const std::string reason = fmt::format("no worse than the best Box2D ({:.3g} m), or 1 mm", *best);
-            outcomes.push_back(atMost("exact", plumb, "error_max", error, std::max(visible, *best), reason));
+        const EngineResult* subject = judged(subject_);
+        if (!subject) return {};
+        const std::optional<double> error = metricOf(*subject, "error_max");
+        std::vector<Outcome> outcomes{atMost("exact", subject, "error_max", error, check.limit, check.reason)};
+        if (const std::optional<double> best = bestPeerError()) {
+            const std::string reason = fmt::format("no worse than the best peer ({:.3g} m), or 1 mm", *best);
+            outcomes.push_back(atMost("exact", subject, "error_max", error, std::max(visible, *best), reason));
         }
         return outcomes;
     }
 
     std::vector<Outcome> operator()(const AgreeCheck& check) const {
-        const EngineResult* plumb = judged(plumbName);
-        if (!plumb) return {};
+        const EngineResult* subject = judged(subject_);
+        if (!subject) return {};
         std::vector<Outcome> outcomes;
         for (const EngineResult& run : measured_.engines) {
-            if (!isBox2d(run.observation.engine) || !run.observation.unsupported.empty()) continue;
+            if (run.observation.role != Role::Peer || !run.observation.unsupported.empty()) continue;
             const std::optional<double> apart =
-                divergenceUntil(measured_.scene, run.observation, plumb->observation, check.until);
+                divergenceUntil(measured_.scene, run.observation, subject->observation, check.until);
             outcomes.push_back(atMost("agree", &run, "divergence_max", apart, check.tolerance, check.reason));
         }
         return outcomes;
@@ -44,7 +47,7 @@ public:
 
     std::vector<Outcome> operator()(const InvariantCheck& check) const {
         std::vector<Outcome> outcomes;
-        for (const std::string& engine : check.engines)
+        for (const std::string& engine : bound(check.engines))
             if (const EngineResult* run = judged(engine))
                 outcomes.push_back(
                     atMost("invariant", run, check.metric, metricOf(*run, check.metric), check.limit, check.reason));
@@ -53,16 +56,21 @@ public:
 
     std::vector<Outcome> operator()(const OrderCheck& check) const {
         std::vector<Outcome> outcomes;
-        for (const std::string& engine : check.engines)
+        for (const std::string& engine : bound(check.engines))
             if (const EngineResult* run = judged(engine)) outcomes.push_back(orderOf(*run, check));
         return outcomes;
     }
 
 private:
+    /// Whom a check binds: without names the subject, where it was run.
+    std::vector<std::string> bound(const std::vector<std::string>& engines) const {
+        return engines.empty() ? std::vector{subject_} : engines;
+    }
+
     /// The run of an engine that a check can bind: see runScene.
     const EngineResult* judged(std::string_view engine) const {
         for (const EngineResult& run : measured_.engines)
-            if (run.observation.engine == engine && (run.observation.unsupported.empty() || engine == plumbName))
+            if (run.observation.engine == engine && (run.observation.unsupported.empty() || engine == subject_))
                 return &run;
         return nullptr;
     }
@@ -79,10 +87,10 @@ private:
         return {check, run->observation.engine, metric, value, limit, pass, reason};
     }
 
-    std::optional<double> bestBox2dError() const {
+    std::optional<double> bestPeerError() const {
         std::optional<double> best;
         for (const EngineResult& run : measured_.engines) {
-            if (!isBox2d(run.observation.engine)) continue;
+            if (run.observation.role != Role::Peer) continue;
             const std::optional<double> error = metricOf(run, "error_max");
             if (error && std::isfinite(*error)) best = std::min(best.value_or(*error), *error);
         }
@@ -111,7 +119,7 @@ private:
         std::optional<Observation> again, truth;
         for (const Engine& engine : engines_) {
             if (engine.name == run.observation.engine) again = observe(scene, engine);
-            if (engine.name == closedFormName) truth = observe(scene, engine);
+            if (engine.role == Role::Truth) truth = observe(scene, engine);
         }
         if (!again || !truth) return {};
         return measure(scene, *again, &*truth, nullptr).metrics.at("error_max");
@@ -125,6 +133,7 @@ private:
         return size;
     }
 
+    std::string subject_;  // empty where it was not run
     const SceneResult& measured_;
     const std::vector<Engine>& engines_;
 };

@@ -7,18 +7,20 @@
 #include <stdexcept>
 
 #include <compare/check/judge.h>
+#include <compare/engine/engine_names.h>
 
 namespace plumb::compare {
 namespace {
 
-const Engine* find(const std::vector<Engine>& engines, std::string_view name) {
-    const auto found = std::find_if(engines.begin(), engines.end(), [&](const Engine& e) { return e.name == name; });
+template <class Property, class Value>
+const Engine* find(const std::vector<Engine>& engines, Property property, const Value& value) {
+    const auto found = std::ranges::find(engines, value, property);
     return found == engines.end() ? nullptr : &*found;
 }
 
 void checkOptions(const RunOptions& options, const std::vector<Engine>& engines) {
     for (const std::string& name : options.engines)
-        if (!find(engines, name))
+        if (!find(engines, &Engine::name, name))
             throw std::invalid_argument(fmt::format("RunOptions.engines: \"{}\" is not an engine of this build", name));
     if (options.steps && *options.steps < 1)
         throw std::invalid_argument(fmt::format("RunOptions.steps: {} is not at least 1", *options.steps));
@@ -35,9 +37,9 @@ bool asked(const RunOptions& options, const std::string& engine) {
            std::find(options.engines.begin(), options.engines.end(), engine) != options.engines.end();
 }
 
-const Observation* observationOf(const SceneResult& result, std::string_view engine) {
+const Observation* observationOf(const SceneResult& result, Role role) {
     for (const EngineResult& run : result.engines)
-        if (run.observation.engine == engine) return &run.observation;
+        if (run.observation.role == role) return &run.observation;
     return nullptr;
 }
 
@@ -48,13 +50,14 @@ SceneResult runScene(const Scene& scene, const RunOptions& options, const std::v
     SceneResult result;
     result.scene = asAsked(scene, options);
     validate(result.scene);
+    validateEngineNames(result.scene);
     for (const Engine& engine : engines)
         if (asked(options, engine.name)) result.engines.push_back({observe(result.scene, engine), {}});
-    const Engine* oracle = find(engines, closedFormName);
+    const Engine* oracle = find(engines, &Engine::role, Role::Truth);
     const Observation truth = oracle ? observe(result.scene, *oracle) : Observation{};
-    const Observation* plumb = observationOf(result, plumbName);
+    const Observation* subject = observationOf(result, Role::Subject);
     for (EngineResult& run : result.engines) {
-        const Observation* reference = &run.observation == plumb ? nullptr : plumb;
+        const Observation* reference = &run.observation == subject ? nullptr : subject;
         run.measured = measure(result.scene, run.observation, &truth, reference);
     }
     result.outcomes = judge(result, engines);

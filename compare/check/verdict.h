@@ -67,18 +67,18 @@ struct RunOptions {
 };
 
 /// Runs a scene in the engines, measures, and judges every check that binds an engine that was run:
-///   exact      Plumb's error_max is at most the limit; and at most 1 mm or the best Box2D's, where a Box2D was run
-///   agree      divergence_max up to the horizon, for each Box2D that was run beside Plumb
-///   invariant  the metric, for each of the check's engines
+///   exact      the subject's error_max is at most the limit; and at most 1 mm or the best peer's, where one was run
+///   agree      divergence_max up to the horizon, for each peer that was run beside the subject
+///   invariant  the metric, for each of the check's engines; the subject where it names none
 ///   order      the smaller of log2(e(dt) / e(dt/2)) and log2(e(dt/2) / e(dt/4)), e being error_max. An error of no
 ///   more
 ///              than 1e-12 of the scene's size (at least 1 m) is rounding, and cannot fall: a ratio starting from it is
 ///              not taken. With no ratio left there is nothing to converge: the value is empty and the check holds.
 /// An engine that is not among the given ones or was not asked for is not judged; nor is one that has no counterpart
-/// for the scene, but Plumb, which must have one. Any other value that does not exist (a probe watched from later than
-/// a shortened run lasts, a settling that never came) does not hold: what was not seen was not shown.
-/// Throws std::invalid_argument when the options name an engine that is not among the given ones or have steps below 1,
-/// and as validate does for the scene that they make.
+/// for the scene, but the subject, which must have one. Any other value that does not exist (a probe watched from later
+/// than a shortened run lasts, a settling that never came) does not hold: what was not seen was not shown. Throws
+/// std::invalid_argument when the options name an engine that is not among the given ones or have steps below 1, and as
+/// validate does for the scene that they make.
 SceneResult runScene(const Scene& scene, const RunOptions& options, const std::vector<Engine>& engines);
 
 }  // namespace plumb::compare

@@ -60,7 +60,8 @@ std::vector<std::string> enginesFrom(const std::string& text, const std::vector<
         const std::size_t comma = std::min(text.find(',', start), text.size());
         const std::string name = text.substr(start, comma - start);
         if (std::find(names.begin(), names.end(), name) == names.end()) {
-            const std::string hint = name == "box2d-3" ? "; set PLUMB_BOX2D3_DIR to where Box2D 3.2 is installed" : "";
+            const Engine* absent = findKnown(name);
+            const std::string hint = absent && !absent->missing.empty() ? "; " + absent->missing : "";
             throw std::invalid_argument(fmt::format("--engines: \"{}\" is not an engine of this build, which has {}{}",
                                                     name, fmt::join(names, ", "), hint));
         }
@@ -114,8 +115,8 @@ CLI::App* describeCheck(CLI::App& app, Raw& raw) {
     check
         ->add_option(
             "--verify", raw.verify,
-            "compare the tables of this page with what is measured: Plumb's to the digit, Box2D 2.4's within a "
-            "factor of two; may be given again")
+            "compare the tables of this page with what is measured: Plumb's to the digit, those of engines that each "
+            "build has within a factor of two; may be given again")
         ->type_name("FILE")
         ->allow_extra_args(false);
     return check;
@@ -207,7 +208,7 @@ void takeBench(const CLI::App& bench, const Raw& raw, const std::vector<Engine>&
     result.action = Action::Bench;
     const auto given = [&](const char* option) { return bench.count(option) > 0; };
     std::vector<Engine> simulators = known;
-    std::erase_if(simulators, [](const Engine& engine) { return engine.name == closedFormName; });
+    std::erase_if(simulators, [](const Engine& engine) { return engine.role == Role::Truth; });
     if (given("--engines")) result.bench.engines = enginesFrom(raw.engines, simulators);
     if (given("--repeat")) result.bench.repeat = countFrom("--repeat", raw.repeat);
     if (given("--threads")) requireOneThread(raw.threads);
@@ -219,7 +220,7 @@ void takeBench(const CLI::App& bench, const Raw& raw, const std::vector<Engine>&
 }  // namespace
 
 Arguments parseArguments(std::span<const std::string> args, const std::vector<Engine>& known) {
-    CLI::App app("Runs the same scene in Plumb, Box2D and the closed form, and says which agree.", "plumb-compare");
+    CLI::App app("Runs the same scene in several engines and the closed form, and says which agree.", "plumb-compare");
     Raw raw;
     const Commands commands = describe(app, raw);
     Arguments result;

@@ -23,13 +23,14 @@ std::vector<Engine> chosenEngines(const BenchOptions& options, const std::vector
     for (const Engine& engine : engines) {
         const bool asked =
             options.engines.empty() || std::ranges::find(options.engines, engine.name) != options.engines.end();
-        if (asked && engine.name != closedFormName) chosen.push_back(engine);
+        if (asked && engine.role != Role::Truth) chosen.push_back(engine);
     }
     return chosen;
 }
 
 BenchRun measureOnce(const BenchScene& scene, const Engine& engine, const MeasureOptions& options) {
-    if (scene.leftOut && scene.leftOut->engine == engine.name) return {.unsupported = scene.leftOut->reason};
+    if (std::string reason = engine.leavesOut ? engine.leavesOut(scene) : ""; !reason.empty())
+        return {.unsupported = std::move(reason)};
     return measureRun(scene.build, engine, options);
 }
 

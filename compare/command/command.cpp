@@ -42,7 +42,7 @@ std::vector<std::string> columns(const RunOptions& options) {
     for (const Engine& engine : engines()) {
         const auto& asked = options.engines;
         const bool runs = asked.empty() || std::find(asked.begin(), asked.end(), engine.name) != asked.end();
-        if (runs && engine.name != closedFormName) result.push_back(engine.name);
+        if (runs && engine.role != Role::Truth) result.push_back(engine.name);
     }
     return result;
 }
@@ -140,8 +140,8 @@ int checkEverything(Arguments arguments, std::ostream& out, bool colour) {
     const std::vector<Engine>& known = engines();
     for (const Engine& engine : known)
         if (!engine.version.empty()) fmt::print(out, "{} {}\n", engine.name, engine.version);
-    if (std::none_of(known.begin(), known.end(), [](const Engine& e) { return e.name == "box2d-3"; }))
-        fmt::print(out, "box2d-3 is not in this build; for it set PLUMB_BOX2D3_DIR to where Box2D 3.2 is installed\n");
+    for (const Engine& engine : knownEngines())
+        if (!engine.build) fmt::print(out, "{} is not in this build; for it {}\n", engine.name, engine.missing);
     fmt::print(out, "\n");
     return check(arguments, out, colour);
 }

@@ -8,6 +8,7 @@
 #include <map>
 #include <stdexcept>
 
+#include <compare/engine/engine_names.h>
 #include <compare/lab/builtin.h>
 #include <compare/scene/builtin.h>
 #include <compare/scene/json.h>
@@ -50,20 +51,23 @@ namespace {
 
 /// What "random:SEED" and "random:A..B" stand for; empty for any other name.
 std::vector<BenchScene> randomScenes(const std::string& given) {
-    const LeftOut notMeant{"box2d-2.4", "random scenes are measured in Plumb and Box2D 3"};
     std::vector<BenchScene> found;
     const std::optional<SeedRange> seeds = seedRangeOf(given);
     if (!seeds) return found;
     for (std::uint64_t i = 0; i <= seeds->last - seeds->first; ++i) {
         const std::uint64_t seed = seeds->first + i;
-        found.push_back({fmt::format("random_{}", seed), "random", "", [seed] { return randomScene(seed); }, notMeant});
+        found.push_back({fmt::format("random_{}", seed), "random", "", [seed] { return randomScene(seed); }});
     }
     return found;
 }
 
 /// One scene, or those of a range of seeds.
 std::vector<Scene> choose(const std::string& given) {
-    if (given.ends_with(".json")) return {readScene(given)};
+    if (given.ends_with(".json")) {
+        Scene read = readScene(given);
+        validateEngineNames(read);
+        return {std::move(read)};
+    }
     if (std::optional<Scene> scene = findScene(given)) return {*std::move(scene)};
     const std::vector<BenchScene> seeded = randomScenes(given);
     if (!seeded.empty()) {

@@ -10,22 +10,27 @@
 namespace plumb::compare {
 namespace {
 
+std::string boundText(const std::vector<std::string>& engines) {
+    return engines.empty() ? subjectName() : fmt::format("{}", fmt::join(engines, ", "));
+}
+
 std::string words(const Scene&, const ExactCheck& check) {
-    return fmt::format("exact: plumb within {:.4g} m", check.limit);
+    return fmt::format("exact: {} within {:.4g} m", subjectName(), check.limit);
 }
 
 std::string words(const Scene&, const AgreeCheck& check) {
-    return fmt::format("agree: plumb and each Box2D within {:.4g} m until {:.4g} s", check.tolerance, check.until);
+    return fmt::format("agree: {} and each peer within {:.4g} m until {:.4g} s", subjectName(), check.tolerance,
+                       check.until);
 }
 
 std::string words(const Scene& scene, const InvariantCheck& check) {
     const std::string unit = metricUnit(scene, check.metric);
     return fmt::format("invariant: {} at most {:.4g}{}{} ({})", check.metric, check.limit, unit.empty() ? "" : " ",
-                       unit, fmt::join(check.engines, ", "));
+                       unit, boundText(check.engines));
 }
 
 std::string words(const Scene&, const OrderCheck& check) {
-    return fmt::format("order: at least {:.4g} ({})", check.order, fmt::join(check.engines, ", "));
+    return fmt::format("order: at least {:.4g} ({})", check.order, boundText(check.engines));
 }
 
 bool canBuild(const Engine& engine, const Scene& scene) {

@@ -33,10 +33,17 @@ std::vector<Setting> closedFormSettings(const Scene& scene) {
 }  // namespace
 
 Engine closedFormEngine() {
-    return {std::string(closedFormName), "", closedFormSettings, [](const Scene& scene) {
-                if (!scene.closedForm) throw Unsupported("the scene has no closed form");
-                return std::make_unique<ClosedFormSimulation>(scene);
-            }};
+    Engine engine;
+    engine.name = "closed-form";
+    engine.label = engine.product = "Closed form";
+    engine.role = Role::Truth;
+    engine.look = {"#1b222c", "#f2f2f2", {3, 4}, 2, false, true};
+    engine.settings = closedFormSettings;
+    engine.build = [](const Scene& scene) {
+        if (!scene.closedForm) throw Unsupported("the scene has no closed form");
+        return std::make_unique<ClosedFormSimulation>(scene);
+    };
+    return engine;
 }
 
 }  // namespace plumb::compare

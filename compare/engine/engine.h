@@ -15,13 +15,6 @@
 
 namespace plumb::compare {
 
-inline constexpr std::string_view plumbName = "plumb";
-inline constexpr std::string_view closedFormName = "closed-form";
-/// True for "box2d-2.4", "box2d-3" and whichever Box2D may come.
-inline bool isBox2d(std::string_view engine) {
-    return engine.starts_with("box2d");
-}
-
 struct BodyState {
     Vec2 position{0, 0};         ///< of the body's origin [m]
     double angle = 0;            ///< counted on through whole turns [rad]
@@ -64,20 +57,70 @@ public:
 /// A name and a value, as the report lists them: "sub-steps", "4".
 using Setting = std::pair<std::string, std::string>;
 
-struct Engine {
-    std::string name;     ///< "plumb", "box2d-2.4", "box2d-3", "closed-form"
-    std::string version;  ///< "2.4.1"
+/// What part has an engine in the comparison?
+enum class Role {
+    Subject,  ///< whom it is about: checks bind it, and the others are held against it
+    Peer,     ///< judged beside it: both have to agree, and the subject has to be as exact as the best peer
+    Guest,    ///< shown beside them, never judged
+    Truth,    ///< a formula: errors are distances from it
+};
+
+/// How is an engine told from the others? By colour, and also by its stroke, for those who see colours differently.
+struct Look {
+    std::string onLight = "#8a4f9e", onDark = "#cf9be0";  ///< colours on a light and on a dark page
+    std::vector<double> dash{6, 3, 1, 3};  ///< lengths of strokes and gaps in turn; empty: one stroke [px]
+    double width = 2;                      ///< [px]
+    bool filled = false;                   ///< its bodies are
+    bool ghost = false;                    ///< only its outlines are drawn, with a cross at the origin
+};
+
+/// What others know of an engine. Nothing outside of this folder names one.
+struct EngineCard {
+    std::string name;     ///< on the command line and in files: lower case, with its major version
+    std::string version;  ///< in full: "2.4.1"
+    std::string label;    ///< as a person calls it, without the last digits of the version
+    std::string product;  ///< its name alone; with the version it heads the column of a page's table
+    Role role = Role::Guest;
+    Look look;
+    bool isRival = false;         ///< tables of speed hold the subject against this one
+    std::string missing;          ///< how to get it, where this build does not have it; empty where each build has it
+    bool oneSidedChains = false;  ///< its chains are solid on the right of their direction only
+};
+
+struct BenchScene;
+
+struct Engine : EngineCard {
     /// The numbers that matter, as this scene is run.
     std::function<std::vector<Setting>(const Scene&)> settings;
-    /// Throws Unsupported when the engine has no counterpart for something in the scene.
+    /// Throws Unsupported when the engine has no counterpart for something in the scene. Empty where this build does
+    /// not have the engine.
     std::function<std::unique_ptr<Simulation>(const Scene&)> build;
+    /// The same with every body that moves at the start flagged as a bullet; empty where there is no such flag.
+    std::function<Engine()> withBullets{};
+    /// The same with one sub-step a step; empty where it has no sub-steps.
+    std::function<Engine()> withOneSubStep{};
+    /// Why it is not waited for in a scene that measures speed; empty where it is.
+    std::function<std::string(const BenchScene&)> leavesOut{};
+    /// What its user does from outside, where the scene has what the engine has not. A sentence each.
+    std::function<std::vector<std::string>(const Scene&)> notes{};
 };
 
 struct Unsupported : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The engines of this build, in the order plumb, box2d-2.4, box2d-3 where found, closed-form.
+/// Every engine that can be in a build, in the order in which they are shown.
+const std::vector<Engine>& knownEngines();
+/// Those of this build.
 const std::vector<Engine>& engines();
+
+/// The known engine of a name; null when there is none.
+const Engine* findKnown(std::string_view name);
+/// The name of the one that the comparison is about, and of the one that tables of speed hold it against.
+const std::string& subjectName();
+const std::string& rivalName();
+/// The head of its column in a page's table, from a name and a version: the product, and the version of all but the
+/// subject. The name itself where it is not known.
+std::string columnName(const std::string& name, const std::string& version);
 
 }  // namespace plumb::compare

@@ -147,9 +147,20 @@ std::vector<Setting> plumbSettings(const Scene& scene, const SolverSettings& sol
 }  // namespace
 
 Engine plumbEngine(const SolverSettings& solver) {
-    return {std::string(plumbName), PLUMB_VERSION,
-            [solver](const Scene& scene) { return plumbSettings(scene, solver); },
-            [solver](const Scene& scene) { return std::make_unique<PlumbSimulation>(scene, solver); }};
+    Engine engine;
+    engine.name = "plumb";
+    engine.version = PLUMB_VERSION;
+    engine.label = engine.product = "Plumb";
+    engine.role = Role::Subject;
+    engine.look = {"#0072b2", "#56b4e9", {}, 2.5, true};
+    engine.settings = [solver](const Scene& scene) { return plumbSettings(scene, solver); };
+    engine.build = [solver](const Scene& scene) { return std::make_unique<PlumbSimulation>(scene, solver); };
+    engine.withOneSubStep = [solver] {
+        SolverSettings one = solver;
+        one.subSteps = 1;
+        return plumbEngine(one);
+    };
+    return engine;
 }
 
 }  // namespace plumb::compare

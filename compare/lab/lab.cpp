@@ -10,7 +10,7 @@ std::vector<Engine> simulators(const std::vector<std::string>& asked, const std:
     std::vector<Engine> result;
     for (const Engine& engine : engines) {
         const bool wanted = asked.empty() || std::ranges::find(asked, engine.name) != asked.end();
-        if (wanted && engine.name != closedFormName) result.push_back(engine);
+        if (wanted && engine.role != Role::Truth) result.push_back(engine);
     }
     return result;
 }

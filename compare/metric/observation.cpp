@@ -79,7 +79,8 @@ Observation observe(const Scene& scene, const Engine& engine) {
     seen.engine = engine.name;
     seen.version = engine.version;
     seen.settings = engine.settings(scene);
-    seen.partial = engine.name == closedFormName;
+    seen.role = engine.role;
+    seen.partial = engine.role == Role::Truth;
     seen.dt = scene.dt;
     std::unique_ptr<Simulation> simulation;
     try {

@@ -12,6 +12,7 @@ namespace plumb::compare {
 
 struct Observation {
     std::string engine;
+    Role role = Role::Guest;
     std::string version;
     std::vector<Setting> settings;
     std::string unsupported;  ///< why the engine could not build the scene; empty when it could

@@ -12,7 +12,7 @@
 
 namespace plumb::compare {
 
-/// Has the engine a character mover of its own, as Box2D 3 has for capsules?
+/// Has the engine a character mover of its own, as some have for capsules?
 enum class Characters { None, Capsules };
 
 struct MoverCommand {

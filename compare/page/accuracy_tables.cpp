@@ -93,11 +93,9 @@ std::string cellOf(const SceneResult& result, const std::string& engine, const R
     return "–";
 }
 
-/// "Box2D 3.2.0", as an engine that was run calls itself.
 std::string headOf(const SceneResult& result, const std::string& engine) {
-    if (engine == plumbName) return "Plumb";
     for (const EngineResult& run : result.engines)
-        if (run.observation.engine == engine) return "Box2D " + run.observation.version;
+        if (run.observation.engine == engine) return columnName(engine, run.observation.version);
     return engine;
 }
 
@@ -131,17 +129,20 @@ std::vector<Row> distanceRows(std::span<const SceneResult> results) {
 }
 
 Exactness exactnessOf(const std::string& engine, const AccuracyTable& table) {
-    if (engine.empty() || engine == plumbName) return Exactness::ToTheDigit;
+    if (engine.empty() || engine == subjectName()) return Exactness::ToTheDigit;
     const auto column = static_cast<std::size_t>(std::ranges::find(table.engines, engine) - table.engines.begin());
     const bool wasRun =
         std::ranges::any_of(table.table.rows, [&](const std::vector<std::string>& row) { return row[column] != "–"; });
-    return wasRun && engine == "box2d-2.4" ? Exactness::WithinTwo : Exactness::Unseen;
+    return wasRun && findKnown(engine)->missing.empty() ? Exactness::WithinTwo : Exactness::Unseen;
 }
 
 }  // namespace
 
 std::vector<std::string> accuracyEngines() {
-    return {std::string(plumbName), "box2d-2.4", "box2d-3"};
+    std::vector<std::string> names;
+    for (const Engine& engine : knownEngines())
+        if (engine.role != Role::Truth) names.push_back(engine.name);
+    return names;
 }
 
 std::vector<AccuracyTable> accuracyTables(std::span<const SceneResult> results) {

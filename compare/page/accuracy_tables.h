@@ -30,8 +30,9 @@ std::vector<AccuracyTable> accuracyTables(std::span<const SceneResult> results);
 
 std::vector<Block> blocksOf(std::span<const AccuracyTable> tables);
 
-/// What of a page's blocks is not what was measured: Plumb's columns to the digit, Box2D 2.4's within a factor of two,
-/// an engine's that was not run not at all; and any block that is not what its command wrote. A sentence each.
+/// What of a page's blocks is not what was measured: Plumb's columns to the digit, those of engines that each
+/// build has within a factor of two, others not at all; and any block that is not what its command wrote. A sentence
+/// each.
 std::vector<std::string> pageFaults(const std::string& page, std::span<const AccuracyTable> tables);
 
 }  // namespace plumb::compare

@@ -17,8 +17,7 @@ const EngineBench* runOf(const SceneBench& scene, std::string_view engine) {
 }
 
 std::string displayName(const EngineBench& bench) {
-    if (bench.engine == plumbName) return "Plumb";
-    return isBox2d(bench.engine) ? "Box2D " + bench.version : bench.engine;
+    return columnName(bench.engine, bench.version);
 }
 
 std::string milliseconds(double ms) {
@@ -48,9 +47,9 @@ std::string lengthCell(const std::optional<double>& length) {
     return text;
 }
 
-std::optional<Ratio> ratioToBox2d3(const SceneBench& scene) {
+std::optional<Ratio> ratioToRival(const SceneBench& scene) {
     for (const Ratio& ratio : ratiosOf({&scene, 1}))
-        if (ratio.against == box2d3Name) return ratio;
+        if (ratio.against == rivalName()) return ratio;
     return {};
 }
 

@@ -8,12 +8,10 @@
 
 namespace plumb::compare {
 
-inline constexpr const char* box2d3Name = "box2d-3";
-
 /// Null when the engine was not run in the scene, or could not.
 const EngineBench* runOf(const SceneBench& scene, std::string_view engine);
 
-/// "Plumb", "Box2D 3.2.0".
+/// As columnName has it.
 std::string displayName(const EngineBench& bench);
 
 /// "1.23 ms", "12.3 µs" below 0.1 ms, "1.23 s" from a second on.
@@ -29,8 +27,8 @@ std::string heightCell(const std::optional<double>& height);
 /// As lengthText, with µm.
 std::string lengthCell(const std::optional<double>& length);
 
-/// Of Box2D 3 over Plumb; empty where one of them is missing.
-std::optional<Ratio> ratioToBox2d3(const SceneBench& scene);
+/// Of the rival over Plumb; empty where one of them is missing.
+std::optional<Ratio> ratioToRival(const SceneBench& scene);
 
 /// Two digits that count: "1.8", "0.0021".
 std::string ratioText(double ratio);

@@ -14,16 +14,16 @@ namespace {
 
 struct Compared {
     const SceneBench* scene;
-    const EngineBench *plumb, *box2d;
-    double ratio;  // Box2D's time over Plumb's
+    const EngineBench *plumb, *rival;
+    double ratio;  // the rival's time over Plumb's
 };
 
 std::vector<Compared> comparedIn(std::span<const SceneBench> results) {
     std::vector<Compared> found;
     for (const SceneBench& scene : results) {
-        const std::optional<Ratio> ratio = ratioToBox2d3(scene);
+        const std::optional<Ratio> ratio = ratioToRival(scene);
         if (scene.group == "random" && ratio)
-            found.push_back({&scene, runOf(scene, plumbName), runOf(scene, box2d3Name), ratio->least});
+            found.push_back({&scene, runOf(scene, subjectName()), runOf(scene, rivalName()), ratio->least});
     }
     std::ranges::stable_sort(found, {}, &Compared::ratio);
     return found;
@@ -32,14 +32,14 @@ std::vector<Compared> comparedIn(std::span<const SceneBench> results) {
 /// scenes: in the order of their ratios.
 std::vector<std::string> sumRow(const std::string& label, const std::vector<Compared>& scenes) {
     double logs = 0;
-    std::size_t faster = 0, passed = 0, passedBox2d = 0, deeper = 0;
+    std::size_t faster = 0, passed = 0, passedRival = 0, deeper = 0;
     for (const Compared& each : scenes) {
-        const Integrity plumb = each.plumb->integrity(), box2d = each.box2d->integrity();
+        const Integrity plumb = each.plumb->integrity(), rival = each.rival->integrity();
         logs += std::log(each.ratio);
         faster += each.ratio > 1 ? 1u : 0u;
-        deeper += plumb.overlap > box2d.overlap ? 1u : 0u;
+        deeper += plumb.overlap > rival.overlap ? 1u : 0u;
         passed += plumb.passedWalls.value_or(0);
-        passedBox2d += box2d.passedWalls.value_or(0);
+        passedRival += rival.passedWalls.value_or(0);
     }
     return {label,
             std::to_string(scenes.size()),
@@ -47,7 +47,7 @@ std::vector<std::string> sumRow(const std::string& label, const std::vector<Comp
             fmt::format("{} to {}", ratioText(scenes.front().ratio), ratioText(scenes.back().ratio)),
             std::to_string(faster),
             std::to_string(deeper),
-            fmt::format("{} / {}", passed, passedBox2d)};
+            fmt::format("{} / {}", passed, passedRival)};
 }
 
 std::vector<std::string> row(const Compared& each) {
@@ -55,7 +55,7 @@ std::vector<std::string> row(const Compared& each) {
             each.scene->question,
             std::to_string(each.scene->bodies),
             milliseconds(each.plumb->leastMs()),
-            milliseconds(each.box2d->leastMs()),
+            milliseconds(each.rival->leastMs()),
             ratioText(each.ratio)};
 }
 
@@ -66,14 +66,17 @@ Block randomBlock(std::span<const SceneBench> results) {
     if (all.empty()) return {"bench", "random", "", ""};
     std::vector<Compared> loose, jointed;
     for (const Compared& each : all) (each.scene->joints > 0 ? jointed : loose).push_back(each);
-    const std::string over = displayName(*all.front().box2d) + " over Plumb";
-    PageTable sums{{"random scenes", "number", over + ", geometric mean", "least to most", "Plumb is faster in",
-                    "Plumb overlaps deeper in", "bodies that passed a wall: Plumb / Box2D"},
-                   {}};
+    const std::string over = displayName(*all.front().rival) + " over Plumb";
+    PageTable sums{
+        {"random scenes", "number", over + ", geometric mean", "least to most", "Plumb is faster in",
+         "Plumb overlaps deeper in", "bodies that passed a wall: Plumb / " + findKnown(rivalName())->product},
+        {}};
     sums.rows.push_back(sumRow("all", all));
     if (!loose.empty()) sums.rows.push_back(sumRow("without joints", loose));
     if (!jointed.empty()) sums.rows.push_back(sumRow("with joints", jointed));
-    PageTable ends{{"scene", "what is in it", "bodies", "Plumb", displayName(*all.front().box2d), over}, {}};
+    PageTable ends{
+        {"scene", "what is in it", "bodies", displayName(*all.front().plumb), displayName(*all.front().rival), over},
+        {}};
     constexpr std::size_t few = 4;  // shown at each end
     for (std::size_t i = 0; i < all.size(); ++i)
         if (i < few || i + few >= all.size()) ends.rows.push_back(row(all[i]));

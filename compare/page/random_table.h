@@ -8,8 +8,8 @@
 
 namespace plumb::compare {
 
-/// Box2D 3 over Plumb: means of those without joints and with, and the scenes in which it is least and most. Empty when
-/// none was run in both.
+/// The rival over Plumb: means of those without joints and with, and the scenes in which it is least and most. Empty
+/// when none was run in both.
 Block randomBlock(std::span<const SceneBench> results);
 
 }  // namespace plumb::compare

@@ -48,11 +48,11 @@ std::string howMeasured(std::span<const SceneBench> results) {
         "engine is run once where a run takes more than 10 s, and eight times as long as the fastest. How many times "
         "as "
         "long as Plumb's a step of {} takes: of these times, and run by run. Above 1, Plumb is faster.\n",
-        processor(), repeats, nameOf(results, box2d3Name));
+        processor(), repeats, nameOf(results, rivalName()));
 }
 
 std::string ratioCell(const SceneBench& scene) {
-    const std::optional<Ratio> ratio = ratioToBox2d3(scene);
+    const std::optional<Ratio> ratio = ratioToRival(scene);
     if (!ratio) return "–";
     return fmt::format("{} ({}–{})", ratioText(ratio->least), ratioText(ratio->ratio.min), ratioText(ratio->ratio.max));
 }
@@ -61,7 +61,7 @@ Block speedBlock(std::span<const SceneBench> scenes, std::span<const SceneBench>
     PageTable table{{"scene", "bodies"}, {}};
     for (const EngineBench& bench : scenes.front().engines) table.head.push_back(displayName(bench));
     table.head.insert(table.head.end(),
-                      {nameOf(scenes, box2d3Name) + " over Plumb", "99 % of the steps within", "worst step", "MB"});
+                      {nameOf(scenes, rivalName()) + " over Plumb", "99 % of the steps within", "worst step", "MB"});
     for (const SceneBench& scene : scenes) {
         std::vector<std::string> row{scene.scene, std::to_string(scene.bodies)};
         for (std::string& cell : cells(scene, [](const EngineBench& b) { return milliseconds(b.leastMs()); }))
@@ -119,7 +119,7 @@ std::string sharesOf(const std::vector<Phase>& phases) {
 Block phasesBlock(std::span<const SceneBench> scenes) {
     std::string text;
     for (const SceneBench& scene : scenes)
-        if (const EngineBench* plumb = runOf(scene, plumbName))
+        if (const EngineBench* plumb = runOf(scene, subjectName()))
             text += fmt::format("- {}: {}\n", scene.scene, sharesOf(plumb->phases()));
     return {"bench", "phases", "", text};
 }
@@ -130,8 +130,9 @@ std::vector<Block> speedBlocks(std::span<const SceneBench> results) {
     const auto ran = [&](std::string_view engine) {
         return std::ranges::any_of(results.front().engines, [&](const EngineBench& b) { return b.engine == engine; });
     };
-    if (!ran(plumbName) || !ran(box2d3Name))
-        throw std::invalid_argument("the tables of speed compare Plumb with Box2D 3, wanted both");
+    if (!ran(subjectName()) || !ran(rivalName()))
+        throw std::invalid_argument(
+            fmt::format("the tables of speed compare {} with {}, wanted both", subjectName(), rivalName()));
     std::vector<Block> blocks;
     const std::vector<SceneBench> scenes = shownOneByOne(results);
     if (!scenes.empty()) {

@@ -16,7 +16,7 @@ namespace plumb::compare {
 ///   growth     how times grow with the number of bodies
 ///   phases     where a step of Plumb's goes
 ///   summary    one row a kind of scene, for the front page, where all of its scenes were run
-/// Throws std::invalid_argument where Plumb was not run, or not with Box2D 3 beside it.
+/// Throws std::invalid_argument where Plumb was not run, or not with its rival beside it.
 std::vector<Block> speedBlocks(std::span<const SceneBench> results);
 
 }  // namespace plumb::compare

@@ -49,18 +49,20 @@ std::optional<double> faultOf(const Integrity& seen) {
 
 Block summaryBlock(std::span<const SceneBench> results) {
     Block block{"bench", "summary", "", ""};
-    PageTable table{
-        {"a step of", "Plumb", "Box2D 3", "Plumb is", "bodies overlap, or a joint gapes, by up to: Plumb / Box2D"}, {}};
+    const std::string& product = findKnown(rivalName())->product;
+    PageTable table{{"a step of", columnName(subjectName(), ""), product, "Plumb is",
+                     "bodies overlap, or a joint gapes, by up to: Plumb / " + product},
+                    {}};
     for (const Kind& kind : kinds) {
         const auto scene = std::ranges::find(results, kind.scene, &SceneBench::scene);
         if (scene == results.end()) return block;
-        const EngineBench *plumb = runOf(*scene, plumbName), *box2d = runOf(*scene, box2d3Name);
-        if (plumb == nullptr || box2d == nullptr) return block;
-        table.head[2] = displayName(*box2d);
+        const EngineBench *plumb = runOf(*scene, subjectName()), *rival = runOf(*scene, rivalName());
+        if (plumb == nullptr || rival == nullptr) return block;
+        table.head[2] = displayName(*rival);
         table.rows.push_back(
-            {kind.label, milliseconds(plumb->leastMs()), milliseconds(box2d->leastMs()),
-             verdictOf(ratioToBox2d3(*scene)->least),
-             lengthCell(faultOf(plumb->integrity())) + " / " + lengthCell(faultOf(box2d->integrity()))});
+            {kind.label, milliseconds(plumb->leastMs()), milliseconds(rival->leastMs()),
+             verdictOf(ratioToRival(*scene)->least),
+             lengthCell(faultOf(plumb->integrity())) + " / " + lengthCell(faultOf(rival->integrity()))});
     }
     block.body = markdown(table);
     return block;

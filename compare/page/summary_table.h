@@ -8,7 +8,7 @@
 
 namespace plumb::compare {
 
-/// A row a kind of scene: times in Plumb and Box2D 3, and who is how many times as fast. Empty when one of its scenes
+/// A row a kind of scene: times in Plumb and its rival, and who is how many times as fast. Empty when one of its scenes
 /// was not run in both.
 Block summaryBlock(std::span<const SceneBench> results);
 

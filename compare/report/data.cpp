@@ -8,6 +8,7 @@
 
 #include <compare/engine/joint_geometry.h>
 #include <compare/report/curve.h>
+#include <compare/report/engines_data.h>
 #include <compare/report/lab_data.h>
 #include <compare/report/playback.h>
 #include <compare/scene/fields.h>
@@ -79,15 +80,6 @@ json shapesData(const Shape& shape) {
     return shapesData(std::get<TileMap>(shape));
 }
 
-/// What takes a mover's place in Box2D, as the page has it.
-const char* standInName(const MoverMotion& motion) {
-    const auto* sliding = std::get_if<SlidingMotion>(&motion);
-    if (sliding != nullptr && sliding->standIn == StandIn::Stopped) return "stopped";
-    const auto* platform = std::get_if<PlatformMotion>(&motion);
-    if (platform == nullptr) return "told";
-    return platform->cues.empty() ? "standing" : "jumping";
-}
-
 json bodyData(const SceneBody& body) {
     json shapes = json::array();
     for (const ShapeDef& shape : body.def.shapes)
@@ -156,7 +148,7 @@ json engineData(const Scene& scene, const EngineResult& result, const PlaybackFo
         data["unsupported"] = run.unsupported;
         return data;
     }
-    data["bodies"] = playedBodies(scene, run.engine);
+    data["bodies"] = playedBodies(scene, run.role);
     data["ticks"] = playedTicks(scene, run);
     data["states"] = packPlayback(scene, run, format);
     data["probes"] = probeData(scene, run, curveStride);
@@ -215,7 +207,7 @@ json sceneData(const SceneResult& result, const PlaybackFormat& format, const Re
                  {"width", static_cast<int>(format.width)},
                  {"stride", format.stride},
                  {"curveStride", stride}};
-    for (const SceneMover& mover : scene.movers) data["moved"].push_back(standInName(mover.motion));
+    data["notes"] = notesData(result);
     if (scene.wrap.any()) data["wrap"] = {scene.wrap.width.value_or(0), scene.wrap.height.value_or(0)};
     for (const char* list : {"bodies", "joints", "fields", "probes", "engines", "outcomes"}) data[list] = json::array();
     for (const SceneBody& body : scene.bodies) data["bodies"].push_back(bodyData(body));
@@ -229,7 +221,7 @@ json sceneData(const SceneResult& result, const PlaybackFormat& format, const Re
         data["probes"].push_back({{"name", probe.name}, {"unit", probe.unit}, {"from", probe.from}});
     }
     for (const EngineResult& engine : result.engines) {
-        if (engine.observation.engine == closedFormName && !scene.closedForm) continue;
+        if (engine.observation.role == Role::Truth && !scene.closedForm) continue;
         data["engines"].push_back(engineData(scene, engine, format, stride));
     }
     for (const Outcome& outcome : result.outcomes) data["outcomes"].push_back(outcomeData(outcome));
@@ -243,7 +235,7 @@ json reportData(const std::vector<SceneResult>& results, const std::vector<LabRe
     const std::vector<PlaybackFormat> formats = fitPlayback(results, settings.playbackBudget);
     json scenes = json::array();
     for (std::size_t i = 0; i < results.size(); ++i) scenes.push_back(sceneData(results[i], formats[i], settings));
-    return {{"schema", 1}, {"scenes", scenes}, {"labs", labsData(labs)}};
+    return {{"schema", 1}, {"engines", enginesData(results)}, {"scenes", scenes}, {"labs", labsData(labs)}};
 }
 
 std::string scriptText(const json& data) {

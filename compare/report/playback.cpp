@@ -36,12 +36,12 @@ PlaybackFormat finestWithin(const SceneResult& result, std::size_t share) {
 
 }  // namespace
 
-std::vector<std::size_t> playedBodies(const Scene& scene, const std::string& engine) {
+std::vector<std::size_t> playedBodies(const Scene& scene, Role role) {
     std::vector<std::size_t> played;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const SceneBody& body = scene.bodies[i];
         if (body.def.type == BodyType::Static) continue;
-        if (engine == closedFormName && !isOfClosedForm(scene, body.name)) continue;
+        if (role == Role::Truth && !isOfClosedForm(scene, body.name)) continue;
         played.push_back(i);
     }
     return played;
@@ -49,7 +49,7 @@ std::vector<std::size_t> playedBodies(const Scene& scene, const std::string& eng
 
 std::size_t playedTicks(const Scene& scene, const Observation& run) {
     const std::size_t ticks = run.states.size();
-    if (run.engine != closedFormName || !scene.closedForm || scene.closedForm->until <= 0 || run.dt <= 0) return ticks;
+    if (run.role != Role::Truth || !scene.closedForm || scene.closedForm->until <= 0 || run.dt <= 0) return ticks;
     // A tick at the very end of the form's validity counts, whatever the division's last bit says.
     const double lastTick = std::floor(scene.closedForm->until / run.dt + 1e-6);
     return lastTick + 1 < static_cast<double>(ticks) ? static_cast<std::size_t>(lastTick) + 1 : ticks;
@@ -66,7 +66,7 @@ std::size_t playbackBytes(const SceneResult& result, const PlaybackFormat& forma
     for (const EngineResult& engine : result.engines) {
         const Observation& run = engine.observation;
         numbers += keptCount(playedTicks(result.scene, run), format.stride) *
-                   playedBodies(result.scene, run.engine).size() * numbersPerBody;
+                   playedBodies(result.scene, run.role).size() * numbersPerBody;
     }
     return numbers * static_cast<std::size_t>(format.width);
 }
@@ -90,7 +90,7 @@ std::vector<PlaybackFormat> fitPlayback(const std::vector<SceneResult>& results,
 }
 
 std::string packPlayback(const Scene& scene, const Observation& run, const PlaybackFormat& format) {
-    const std::vector<std::size_t> bodies = playedBodies(scene, run.engine);
+    const std::vector<std::size_t> bodies = playedBodies(scene, run.role);
     std::vector<double> numbers;
     for (const std::size_t tick : keptTicks(playedTicks(scene, run), format.stride)) {
         for (const std::size_t body : bodies) {

@@ -18,7 +18,7 @@ struct PlaybackFormat {
 
 /// The scene's bodies, by index, that move in this engine: all but the static ones; of the closed form, those it is
 /// about.
-std::vector<std::size_t> playedBodies(const Scene& scene, const std::string& engine);
+std::vector<std::size_t> playedBodies(const Scene& scene, Role role);
 
 /// How many ticks of a run are played before thinning; the closed form only as far as it holds.
 std::size_t playedTicks(const Scene& scene, const Observation& run);

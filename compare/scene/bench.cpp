@@ -11,21 +11,9 @@ namespace {
 
 constexpr int sizes[] = {1000, 2000, 4000, 8000, 16000, 32000, 64000};
 
-/// Measured: the first step takes 0.2 s, the twelfth 8 s.
-const LeftOut noPlaceForBox2d24{"box2d-2.4",
-                                "a step takes seconds: Box2D 2.4 enlarges boxes by four times a step's motion, and the "
-                                "paddle's tip makes 1.7 m a step"};
-
-/// Measured: 0.2 s a step at 16,000 bodies, 2.7 s at 64,000.
-const LeftOut tooLongForBox2d24{"box2d-2.4", "a step takes seconds"};
-
-/// Measured: 0.6 s a step of junkyard, as much of washer.
-const LeftOut minutesForBox2d24{"box2d-2.4", "a run takes minutes"};
-
 void addSizes(std::vector<BenchScene>& list, const std::string& family, Scene (*scene)(int)) {
     for (const int n : sizes) {
-        const auto leftOut = n > 16000 ? std::optional(tooLongForBox2d24) : std::nullopt;
-        list.push_back({family + "_" + std::to_string(n), "scaling", family, [=] { return scene(n); }, leftOut});
+        list.push_back({family + "_" + std::to_string(n), "scaling", family, [=] { return scene(n); }});
     }
 }
 
@@ -36,13 +24,13 @@ std::vector<BenchScene> all() {
         {"joint_grid", "six", "", jointGrid},
         {"smash", "six", "", smash},
         {"tumbler", "six", "", tumblerOf2025},
-        {"spinner", "six", "", spinner, noPlaceForBox2d24},
+        {"spinner", "six", "", spinner},
         {"small_20", "", "small", small20},
         {"small_50", "", "small", small50},
         {"small_200", "", "small", small200},
-        {"junkyard", "", "", junkyard, minutesForBox2d24},
+        {"junkyard", "", "", junkyard},
         {"compounds", "", "", compounds},
-        {"washer", "", "", washer, minutesForBox2d24},
+        {"washer", "", "", washer},
         {"rain", "", "", rain},
         {"dolls_100", "", "", dolls100},
         {"dolls_8", "", "", [] { return dolls(8); }},
@@ -55,8 +43,8 @@ std::vector<BenchScene> all() {
     addSizes(list, "pile", pile);
     addSizes(list, "pyramids", pyramids);
     for (const int n : {200, 2000, 5000})
-        list.push_back({"pit_" + std::to_string(n), "crowds", "pit", [=] { return pit(n); }, {}});
-    list.push_back({"gas_2000", "crowds", "", [] { return gas(2000); }, {}});
+        list.push_back({"pit_" + std::to_string(n), "crowds", "pit", [=] { return pit(n); }});
+    list.push_back({"gas_2000", "crowds", "", [] { return gas(2000); }});
     return list;
 }
 

@@ -2,7 +2,6 @@
 // Which scenes measure speed?
 #pragma once
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,19 +9,12 @@
 
 namespace plumb::compare {
 
-/// An engine that could build a scene, and is not to be waited for.
-struct LeftOut {
-    std::string engine{};
-    std::string reason{};
-};
-
 /// A scene that is large to hold: made when it is run.
 struct BenchScene {
     std::string name{};
     std::string group{};             ///< a name that stands for several: "six", "scaling", "crowds", "random", or none
     std::string family{};            ///< scenes alike in all but size, over which growth is measured, or none
     std::function<Scene()> build{};  ///< the scene; its name is name
-    std::optional<LeftOut> leftOut{};
 };
 
 /// All of them, in the order in which they are listed.

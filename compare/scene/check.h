@@ -7,13 +7,14 @@
 
 namespace plumb::compare {
 
-/// Plumb stays within limit of the closed form over the whole run, and no farther off than the best Box2D or 1 mm.
+/// The engine under test stays within limit of the closed form over the whole run, and no farther off than the best of
+/// its peers or 1 mm.
 struct ExactCheck {
     double limit = 1e-3;   ///< on error_max [m]
     std::string reason{};  ///< why this limit
 };
 
-/// Plumb and each Box2D stay together until the horizon.
+/// The engine under test and each of its peers stay together until the horizon.
 struct AgreeCheck {
     double tolerance = 0.01;  ///< on the largest distance between the same body in both [m]
     double until = 1;         ///< the horizon: before chaos or modelling differences take over [s]
@@ -22,16 +23,16 @@ struct AgreeCheck {
 
 /// A metric of an engine's run stays within a bound.
 struct InvariantCheck {
-    std::string metric{};                       ///< a metric's name: "energy_drift", "probe.normal_1", ...
-    double limit = 0;                           ///< the metric is at most this, in its unit
-    std::vector<std::string> engines{"plumb"};  ///< whom it binds
+    std::string metric{};                ///< a metric's name: "energy_drift", "probe.normal_1", ...
+    double limit = 0;                    ///< the metric is at most this, in its unit
+    std::vector<std::string> engines{};  ///< whom it binds; none: the engine under test
     std::string reason{};
 };
 
 /// The error falls as dt^order: seen at dt, dt/2 and dt/4.
 struct OrderCheck {
-    double order = 2;  ///< the observed order, log2 of the ratio of errors, is at least this [-]
-    std::vector<std::string> engines{"plumb"};
+    double order = 2;                    ///< the observed order, log2 of the ratio of errors, is at least this [-]
+    std::vector<std::string> engines{};  ///< likewise
     std::string reason{};
 };
 

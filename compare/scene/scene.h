@@ -128,7 +128,7 @@ inline bool isAlwaysThere(const SceneBody& body) {
     return body.appears == 0 && body.renewed == 0;
 }
 
-/// A shape bounces: Box2D is then run with a restitution threshold of 0.
+/// A shape bounces: engines that have a restitution threshold are then run with one of 0.
 bool bounces(const Scene& scene);
 
 /// round(duration / dt).

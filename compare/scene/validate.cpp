@@ -162,12 +162,6 @@ void validateProbe(const Probe& probe, const Scene& scene, const std::string& fi
         refuse(field + ".until", toText(probe.until) + " is before from, " + toText(probe.from));
 }
 
-void validateEngines(const std::vector<std::string>& names, const std::string& field) {
-    static const std::vector<std::string> known{"plumb", "box2d-2.4", "box2d-3", "closed-form"};
-    if (names.empty()) refuse(field, "there is none, wanted at least one");
-    for (std::size_t i = 0; i < names.size(); ++i) requireKnown(names[i], known, at(field, i), "an engine");
-}
-
 void validateCheck(const Check& check, const Scene& scene, const std::string& field) {
     const std::string path = field + "." + checkTags[check.index()];
     std::visit([&](const auto& one) { requireFields(one, path); }, check);
@@ -177,9 +171,7 @@ void validateCheck(const Check& check, const Scene& scene, const std::string& fi
         refuse(path, "the scene has no closed form to tell errors by");
     if (const auto* invariant = std::get_if<InvariantCheck>(&check)) {
         requireKnown(invariant->metric, checkableMetrics(scene), path + ".metric", "a metric of this scene");
-        validateEngines(invariant->engines, path + ".engines");
     }
-    if (const auto* order = std::get_if<OrderCheck>(&check)) validateEngines(order->engines, path + ".engines");
 }
 
 }  // namespace

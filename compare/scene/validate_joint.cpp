@@ -50,7 +50,7 @@ void validateEnds(const Scene& scene, std::size_t index, const NameIndex& bodies
         refuse(field + ".bodyB", quoted(joint.bodyB) + " is bodyA too, wanted another body");
 }
 
-/// Box2D takes no distance joint of no length.
+/// Not every engine takes a distance joint of no length.
 void requireLength(const JointDef& def, const std::string& field) {
     const auto* distance = std::get_if<DistanceJointDef>(&def);
     if (distance != nullptr && !distance->length && distance->anchorA == distance->anchorB)

@@ -44,14 +44,27 @@ inline std::vector<Setting> noSettings(const Scene&) {
     return {};
 }
 
+/// With the part that the known engine of that name has.
+inline Engine namedEngine(const std::string& name,
+                          const std::function<std::unique_ptr<Simulation>(const Scene&)>& build) {
+    Engine engine;
+    engine.name = engine.label = engine.product = name;
+    engine.version = "1";
+    if (const Engine* known = findKnown(name)) engine.role = known->role;
+    engine.settings = noSettings;
+    engine.build = build;
+    return engine;
+}
+
 inline Engine scripted(const std::string& name, const Script& script) {
-    return {name, "1", noSettings,
-            [script](const Scene& scene) { return std::make_unique<ScriptedSimulation>(script, scene.probes.size()); }};
+    return namedEngine(name, [script](const Scene& scene) {
+        return std::make_unique<ScriptedSimulation>(script, scene.probes.size());
+    });
 }
 
 inline Engine unsupporting(const std::string& name) {
-    return {name, "1", noSettings,
-            [](const Scene&) -> std::unique_ptr<Simulation> { throw Unsupported("it has no such thing"); }};
+    return namedEngine(name,
+                       [](const Scene&) -> std::unique_ptr<Simulation> { throw Unsupported("it has no such thing"); });
 }
 
 /// One disc of 2 kg and radius 0.5 m, inertia 0.25 kg m^2, thrown up at 3 m/s from the origin under 10 m/s^2; ten steps

@@ -9,8 +9,10 @@
 #include <utility>
 
 #include <compare/engine/arrivals.h>
+#include <compare/engine/box2d24/box2d24_bench.h>
 #include <compare/engine/box2d24/box2d24_body.h>
 #include <compare/engine/box2d24/box2d24_joint.h>
+#include <compare/engine/box2d_notes.h>
 #include <compare/engine/joint_geometry.h>
 #include <compare/engine/single.h>
 #include <compare/field/scene_fields.h>
@@ -21,6 +23,8 @@ namespace {
 
 constexpr int velocityIterations = 8;
 constexpr int positionIterations = 3;
+constexpr const char* noMoversOfBox2d24 =
+    "The mover is in Box2D 2.4 a dynamic body that cannot turn, told its velocity before each step.";
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Sums what one pair of bodies presses on each other in a step, time-of-impact sub-steps included.
@@ -281,15 +285,31 @@ std::vector<Setting> box2d24Settings(const Scene& scene) {
     };
 }
 
+EngineCard box2d24Card(bool bullets) {
+    EngineCard card;
+    card.name = "box2d-2.4";
+    card.version = PLUMB_BOX2D24_VERSION;
+    card.label = "Box2D 2.4";
+    card.product = "Box2D";
+    card.role = Role::Peer;
+    card.look = {"#d55e00", "#f58a3c", {}, 1.6};
+    card.oneSidedChains = true;
+    return bullets ? asBullets(card, {2, 4}) : card;
+}
+
 }  // namespace
 
 Engine box2d24Engine(bool bullets) {
-    return {bullets ? "box2d-2.4 bullets" : "box2d-2.4", PLUMB_BOX2D24_VERSION, box2d24Settings,
-            [bullets](const Scene& scene) {
-                auto simulation = std::make_unique<Box2d24Simulation>(scene);
-                if (bullets) simulation->makeBullets(scene);
-                return simulation;
-            }};
+    Engine engine{box2d24Card(bullets), box2d24Settings, {}};
+    engine.build = [bullets](const Scene& scene) {
+        auto simulation = std::make_unique<Box2d24Simulation>(scene);
+        if (bullets) simulation->makeBullets(scene);
+        return simulation;
+    };
+    engine.withBullets = [] { return box2d24Engine(true); };
+    engine.leavesOut = leftOutOfBox2d24;
+    engine.notes = [](const Scene& scene) { return box2dNotes(scene, noMoversOfBox2d24); };
+    return engine;
 }
 
 }  // namespace plumb::compare

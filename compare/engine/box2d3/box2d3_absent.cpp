@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Compiled in place of the engine where no Box2D 3 is installed.
+#include <compare/engine/box2d3/box2d3_card.h>
 #include <compare/engine/box2d3/box2d3_engine.h>
 
 namespace plumb::compare {
 
-std::optional<Engine> box2d3Engine(bool, int) {
-    return std::nullopt;
+Engine box2d3Engine(bool, int) {
+    return {box2d3Card(), {}, {}};
 }
 
 }  // namespace plumb::compare

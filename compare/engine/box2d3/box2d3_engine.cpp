@@ -12,8 +12,10 @@
 
 #include <compare/engine/arrivals.h>
 #include <compare/engine/box2d3/box2d3_body.h>
+#include <compare/engine/box2d3/box2d3_card.h>
 #include <compare/engine/box2d3/box2d3_joint.h>
 #include <compare/engine/box2d3/box2d3_mover.h>
+#include <compare/engine/box2d_notes.h>
 #include <compare/engine/joint_geometry.h>
 #include <compare/engine/mixed.h>
 #include <compare/engine/single.h>
@@ -324,16 +326,27 @@ std::string version() {
     return fmt::format("{}.{}.{}", v.major, v.minor, v.revision);
 }
 
+constexpr const char* stoppedMoverOfBox2d3 =
+    "The mover is in Box2D 3, where it is a capsule, that engine's own character mover; another shape is a dynamic "
+    "body "
+    "that cannot turn, told its velocity before each step.";
+
 }  // namespace
 
-std::optional<Engine> box2d3Engine(bool bullets, int subSteps) {
-    return Engine{bullets ? "box2d-3 bullets" : "box2d-3", version(),
-                  [subSteps](const Scene& scene) { return box2d3Settings(scene, subSteps); },
-                  [bullets, subSteps](const Scene& scene) {
-                      auto simulation = std::make_unique<Box2d3Simulation>(scene, subSteps);
-                      if (bullets) simulation->makeBullets(scene);
-                      return simulation;
-                  }};
+Engine box2d3Engine(bool bullets, int subSteps) {
+    Engine engine{box2d3Card(), {}, {}};
+    engine.version = version();
+    if (bullets) static_cast<EngineCard&>(engine) = asBullets(engine, {4, 3, 1, 3});
+    engine.settings = [subSteps](const Scene& scene) { return box2d3Settings(scene, subSteps); };
+    engine.build = [bullets, subSteps](const Scene& scene) {
+        auto simulation = std::make_unique<Box2d3Simulation>(scene, subSteps);
+        if (bullets) simulation->makeBullets(scene);
+        return simulation;
+    };
+    engine.withBullets = [subSteps] { return box2d3Engine(true, subSteps); };
+    engine.withOneSubStep = [bullets] { return box2d3Engine(bullets, 1); };
+    engine.notes = [](const Scene& scene) { return box2dNotes(scene, stoppedMoverOfBox2d3); };
+    return engine;
 }
 
 }  // namespace plumb::compare

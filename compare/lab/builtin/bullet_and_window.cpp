@@ -7,7 +7,6 @@
 #include <functional>
 #include <string>
 
-#include <compare/engine/bullet_engines.h>
 #include <compare/lab/builtin/labs.h>
 #include <compare/lab/builtin/parts.h>
 #include <plumb/collide/bisection.h>
@@ -87,7 +86,7 @@ Scene shootingRange(double speed, BodyType window) {
 /// A bullet that is behind its window at the end, wherever that is by then, went through it.
 double missedShare(const Engine& engine, double speed, BodyType window) {
     const std::unique_ptr<Simulation> simulation = engine.build(shootingRange(speed, window));
-    const double slowest = std::min(speed, 100.0);  // Box2D 2.4 lets nothing move by more than 2 m a step
+    const double slowest = std::min(speed, 100.0);  // an engine may let nothing move by more than 2 m a step
     const int steps = static_cast<int>((before + reach + speed * bulletStep) / (slowest * bulletStep)) + 10;
     for (int i = 0; i < steps; ++i) simulation->step(bulletStep);
     const std::vector<BodyState> states = simulation->states();
@@ -161,12 +160,13 @@ void runTests(const FrameTests& tests, LabRun& run) {
                     starts * bulletSpeeds().size()));
 }
 
-/// Who lets none through, and who lets how many.
-std::string sentence(const Graph& graph) {
+/// Who lets none through, and who lets how many. labels: of the curves.
+std::string sentence(const Graph& graph, const std::vector<std::string>& labels) {
     std::vector<std::string> none, some;
-    for (const Curve& curve : graph.curves) {
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const Curve& curve = graph.curves[i];
         const double missed = missedIn(curve);
-        const std::string label = engineLabel(curve.name);
+        const std::string& label = labels[i];
         if (missed == 0)
             none.push_back(label);
         else
@@ -182,16 +182,18 @@ std::string sentence(const Graph& graph) {
 void runEngines(const std::vector<Engine>& engines, BodyType window, LabRun& run) {
     const bool fixed = window == BodyType::Static;
     Graph graph = shareGraph(fixed ? "Engines, window fixed" : "Engines, window free to move");
+    std::vector<std::string> labels;
     const auto add = [&](const Engine& engine) {
+        labels.push_back(engine.label);
         graph.curves.push_back(curveOf(engine.name, [&](double speed) { return missedShare(engine, speed, window); }));
     };
     for (const Engine& engine : engines) {
         add(engine);
         run.values[engine.name + (fixed ? ".missed.fixed" : ".missed.loose")] = missedIn(graph.curves.back());
-        if (const std::optional<Engine> bullets = withBullets(engine)) add(*bullets);
+        if (engine.withBullets) add(engine.withBullets());
     }
     run.graphs.push_back(graph);
-    run.seen.push_back(sentence(graph));
+    run.seen.push_back(sentence(graph, labels));
 }
 
 LabRun runBulletAndWindow(const FrameTests& tests, const std::vector<Engine>& engines) {
@@ -231,9 +233,9 @@ Lab bulletAndWindow(const FrameTests& tests) {
                    {.name = "bisection.differs_from_overlap",
                     .reason = "bisection halves the frame at whose end an overlap was seen: it sees no other"},
                    {.name = "swept.missed", .reason = "the whole way of the frame is looked at"},
-                   {.name = "plumb.missed.fixed",
+                   {.name = subjectName() + ".missed.fixed",
                     .reason = "nothing goes through what is fixed, however fast it flies",
-                    .engine = std::string(plumbName)}},
+                    .engine = subjectName()}},
         .run = [tests](const std::vector<Engine>& engines) { return runBulletAndWindow(tests, engines); }};
 }
 

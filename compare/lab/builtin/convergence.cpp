@@ -102,7 +102,7 @@ void runFourBar(const std::vector<Engine>& engines, LabRun& run) {
         run.seen.push_back(
             fmt::format("{}'s double four-bar is off by up to {:.2g} J at steps of 0.01 s, {:.2g} J at 0.001 s and "
                         "{:.2g} J at 0.0001 s; up to 70 J of it are kinetic.",
-                        engineLabel(engine.name), points[coarse].y, points[fine].y, points.front().y));
+                        engine.label, points[coarse].y, points[fine].y, points.front().y));
     }
     energy.curves.push_back({.name = "published: generalised-alpha method",
                              .points = {{2.5e-4, 7.15e-5}, {1e-3, 1.14e-3}, {1e-2, 0.114}},
@@ -121,7 +121,7 @@ void runPendulum(const std::vector<Engine>& engines, LabRun& run) {
         run.seen.push_back(
             fmt::format("{}'s pendulum is off by up to {:.2g} J and {:.2g} m at steps of 0.001 s, {:.2g} J and "
                         "{:.2g} m at 0.0001 s.",
-                        engineLabel(engine.name), falls.energy[fine].y, falls.distance[fine].y, falls.energy.front().y,
+                        engine.label, falls.energy[fine].y, falls.distance[fine].y, falls.energy.front().y,
                         falls.distance.front().y));
     }
     const double published = 5e-5, at = 8e-4;
@@ -139,18 +139,18 @@ LabRun runConvergence(const std::vector<Engine>& engines) {
 }
 
 std::vector<LabCheck> convergenceChecks() {
-    const std::string plumb(plumbName);
-    return {{.name = "plumb.double_four_bar.energy.coarse",
+    const std::string& plumb = subjectName();
+    return {{.name = plumb + ".double_four_bar.energy.coarse",
              .limit = 0.04,
              .unit = "J",
              .reason = "a step of 0.01 s; the generalised-alpha method, of second order, is published with 0.114 J",
              .engine = plumb},
-            {.name = "plumb.double_four_bar.energy.fine",
+            {.name = plumb + ".double_four_bar.energy.fine",
              .limit = 5e-4,
              .unit = "J",
              .reason = "a step of 0.001 s: a hundredth of 0.04 J at 0.01 s, and a little; published: 1.14e-3 J",
              .engine = plumb},
-            {.name = "plumb.pendulum.order",
+            {.name = plumb + ".pendulum.order",
              .bound = Bound::AtLeast,
              .limit = 1.9,
              .reason = "what hangs moves to second order: of the energy's error, at 0.0002 s and 0.0001 s",

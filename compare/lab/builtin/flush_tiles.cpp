@@ -115,7 +115,7 @@ void runOn(Ground ground, const std::vector<Engine>& engines, LabRun& run) {
         graph.curves.push_back(curveOf(engine, ground));
         const double caught = caughtIn(graph.curves.back());
         run.values[engine.name + (wall ? ".caught.wall" : ".caught.floor")] = caught;
-        text += fmt::format(" {:.0f} in {};", caught, engineLabel(engine.name));
+        text += fmt::format(" {:.0f} in {};", caught, engine.label);
     }
     text.back() = '.';
     run.graphs.push_back(graph);
@@ -137,8 +137,8 @@ Lab flushTiles() {
     return {.name = "flush_tiles",
             .question = "How often is something caught that slides over flush tiles without friction?",
             .varied = "the speed, from 1 to 16 m/s; discs, boxes, capsules and hexagons, and sizes of tiles, at random",
-            .checks = {{.name = "plumb.caught.floor", .reason = reason, .engine = std::string(plumbName)},
-                       {.name = "plumb.caught.wall", .reason = reason, .engine = std::string(plumbName)}},
+            .checks = {{.name = subjectName() + ".caught.floor", .reason = reason, .engine = subjectName()},
+                       {.name = subjectName() + ".caught.wall", .reason = reason, .engine = subjectName()}},
             .run = runFlushTiles};
 }
 

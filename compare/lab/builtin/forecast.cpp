@@ -24,8 +24,8 @@ constexpr double shownSpeed = 12;      // [m/s]
 constexpr int shotSpeeds = 33;         // from 4 to 20 m/s
 const Vec2 muzzle(-6, 2);
 
-/// A room with a step, two loose boxes that fall on it, and a mill that turns. Clockwise: Box2D's chains are solid from
-/// one side only.
+/// A room with a step, two loose boxes that fall on it, and a mill that turns. Clockwise: to some engines chains are
+/// solid from one side only.
 Scene room() {
     const Material lively{.restitution = 0.6};
     Scene scene{
@@ -93,7 +93,7 @@ Outcome firedInPlumb(double speed) {
 
 /// The shot is fired in the room as Plumb left it by then: from there the two part by themselves.
 Outcome fired(double speed, const Engine& engine) {
-    if (engine.name == plumbName) return firedInPlumb(speed);
+    if (engine.role == Role::Subject) return firedInPlumb(speed);
     Scene scene = room();
     const PlumbWorld made = roomInUse();
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -173,7 +173,7 @@ double speedAt(int i) {
 /// Over all speeds, and what that says of this engine.
 void runEngine(const Engine& engine, const std::vector<Forecast>& forecasts, LabRun& run, Graph& apart, Graph& over) {
     Curve largest{engine.name, {}};
-    const bool own = engine.name == plumbName;
+    const bool own = engine.role == Role::Subject;
     int off = 0, otherHits = 0;
     double worst = 0;
     for (int i = 0; i < shotSpeeds; ++i) {
@@ -194,8 +194,8 @@ void runEngine(const Engine& engine, const std::vector<Forecast>& forecasts, Lab
     run.seen.push_back(
         fmt::format("{}: of {} shots, each of {} ticks, {} ticks differ from Plumb's forecast in place or velocity{}; "
                     "the farthest lies {} away.",
-                    engineLabel(engine.name), shotSpeeds, shotTicks, off,
-                    own ? fmt::format(", and {} hits", otherHits) : "", lengthText(worst)));
+                    engine.label, shotSpeeds, shotTicks, off, own ? fmt::format(", and {} hits", otherHits) : "",
+                    lengthText(worst)));
 }
 
 LabRun runForecast(const Forecaster& foretell, const std::vector<Engine>& engines) {
@@ -238,10 +238,10 @@ Lab forecasts(const Forecaster& foretell) {
         .checks = {{.name = "ticks_off",
                     .reason = "the forecast is made in a copy of the world, which goes on to the same bits, though "
                               "boxes rest on each other, and sleep",
-                    .engine = std::string(plumbName)},
+                    .engine = subjectName()},
                    {.name = "hits_off",
                     .reason = "the same bits meet the same, in the same tick, place and direction, as fast",
-                    .engine = std::string(plumbName)},
+                    .engine = subjectName()},
                    {.name = "bounces",
                     .bound = Bound::AtLeast,
                     .limit = 3.0 * shotSpeeds,

@@ -216,7 +216,7 @@ struct Stepper {
 };
 
 Stepper engineStepper(const Scene& scene, const Engine& engine) {
-    return {engineLabel(engine.name), engine.name, "variable.spread." + engine.name,
+    return {engine.label, engine.name, "variable.spread." + engine.name,
             [&](const Display& display) { return byVariableStep(scene, display, engine); }};
 }
 
@@ -287,11 +287,11 @@ Lab frameRate(const ClockSettings& clock, const Method& textbook) {
                     .unit = "m",
                     .reason = "v += a h; x += v h flies through x + v n h - g h^2 n (n + 1) / 2: from landing to "
                               "landing, this comes to 0.5355 m at 20 frames a second and to 1.1551 m at 24"},
-                   {.name = "variable.spread.plumb",
+                   {.name = "variable.spread." + subjectName(),
                     .limit = 1e-7,
                     .unit = "m",
                     .reason = "as clock.error: neither depends on the step; only the last bits do",
-                    .engine = std::string(plumbName)}},
+                    .engine = subjectName()}},
         .run = [clock, textbook](const std::vector<Engine>& engines) { return runFrameRate(clock, textbook, engines); },
     };
 }

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include <compare/engine/sub_steps.h>
 #include <compare/lab/builtin/methods.h>
+#include <compare/lab/builtin/parts.h>
 #include <compare/lab/lab.h>
 #include <plumb/broad/broad_phase.h>
 #include <plumb/collide/sweep.h>

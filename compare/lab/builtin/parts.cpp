@@ -5,12 +5,8 @@
 
 namespace plumb::compare {
 
-std::string engineLabel(const std::string& name) {
-    if (name == plumbName) return "Plumb";
-    if (!isBox2d(name)) return name;
-    const std::string version = name.substr(name.find('-') + 1);
-    const std::size_t flag = version.find(" bullets");
-    return "Box2D " + version.substr(0, flag) + (flag == std::string::npos ? "" : " with bullets");
+Engine withOneSubStep(const Engine& engine) {
+    return engine.withOneSubStep ? engine.withOneSubStep() : engine;
 }
 
 std::vector<double> geometricSteps(double low, double high, int count) {

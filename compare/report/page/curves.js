@@ -9,14 +9,14 @@ function engineCurve(scene, name, unit) {
 
 function errorCurve(scene) {
     const curve = engineCurve(scene, "error", "m");
-    curve.lines = curve.lines.filter((line) => line.engine !== "closed-form");
+    curve.lines = curve.lines.filter((line) => !isTruth(line.engine));
     return curve;
 }
 
 /// Plumb's distance from itself says nothing.
 function divergenceCurve(scene) {
     const curve = engineCurve(scene, "divergence", "m");
-    curve.lines = curve.lines.filter((line) => line.engine !== "plumb" && line.engine !== "closed-form");
+    curve.lines = curve.lines.filter((line) => !isSubject(line.engine) && !isTruth(line.engine));
     return curve;
 }
 

@@ -1,17 +1,30 @@
 // SPDX-License-Identifier: MIT
 // How is each engine told from the others? By colour, and also by its stroke, for those who see colours differently.
+// All of it comes with the data: no engine is named here.
 
-const LOOKS = {
-    "plumb": {label: "Plumb", color: "--plumb", dash: [], width: 2.5, filled: true},
-    "box2d-2.4": {label: "Box2D 2.4", color: "--box2d-2", dash: [], width: 1.6},
-    "box2d-3": {label: "Box2D 3", color: "--box2d-3", dash: [9, 5], width: 2},
-    "box2d-2.4 bullets": {label: "Box2D 2.4 with bullets", color: "--box2d-2", dash: [2, 4], width: 2.4},
-    "box2d-3 bullets": {label: "Box2D 3 with bullets", color: "--box2d-3", dash: [4, 3, 1, 3], width: 2.4},
-    "closed-form": {label: "Closed form", color: "--closed-form", dash: [3, 4], width: 2, ghost: true},
-};
+const LOOKS = new Map();
+
+/// Once, before anything is drawn. Each engine's colours become a variable of the style sheet, for each theme.
+function takeEngines(engines) {
+    const rules = (colour) => engines.map((engine, i) => `--engine-${i}: ${engine[colour]};`).join(" ");
+    engines.forEach((engine, i) => LOOKS.set(engine.name, {...engine, color: `--engine-${i}`}));
+    document.head.append(element("style", {}, `:root { ${rules("onLight")} }
+        @media (prefers-color-scheme: dark) { :root { ${rules("onDark")} } }`));
+}
 
 function lookOf(engine) {
-    return LOOKS[engine] ?? {label: engine, color: "--other", dash: [6, 3, 1, 3], width: 2};
+    return LOOKS.get(engine) ??
+        {name: engine, label: engine, role: "guest", color: "--other", dash: [6, 3, 1, 3], width: 2};
+}
+
+/// The closed form, from which distances are measured.
+function isTruth(engine) {
+    return lookOf(engine).role === "truth";
+}
+
+/// The engine that the comparison is about.
+function isSubject(engine) {
+    return lookOf(engine).role === "subject";
 }
 
 /// A colour of the style sheet, as the light or dark theme has it.

@@ -2,6 +2,7 @@
 // What happens when the page opens, and when its address changes?
 
 const report = readReport();
+takeEngines(report.engines);
 const scenePage = new ScenePage(() => {
     const {player: {time, playing: play, speed}, view: {scene}} = scenePage;
     if (scene) writeAddress({scene: scene.name, time, play, speed});

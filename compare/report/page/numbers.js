@@ -88,12 +88,12 @@ function numbersTable(scene) {
         .filter((metric) => scene.running.some((engine) => typeof engine.metrics[metric] === "number"))
         .sort((a, b) => rank(a) - rank(b));
     const rows = metrics.map((metric) => {
-        const compared = scene.running.filter((engine) => engine.name !== "closed-form");
+        const compared = scene.running.filter((engine) => !isTruth(engine.name));
         const isBest = bestOf(metric, compared.map((engine) => engine.metrics[metric]));
         const head = rowHead(metricLabel(metric), " ", element("code", {}, metric));
         return element("tr", {}, head, ...scene.running.map((engine) => {
             const value = engine.metrics[metric];
-            const best = engine.name !== "closed-form" && isBest(value);
+            const best = !isTruth(engine.name) && isBest(value);
             return element("td", {class: best ? "number best" : "number"}, quantity(value, metricUnit(scene, metric)));
         }));
     });
@@ -123,7 +123,7 @@ function stepText(dt) {
 
 function settingsTable(scene) {
     // What the closed form has to say stands in a card of its own.
-    const engines = scene.engines.filter((engine) => engine.name !== "closed-form");
+    const engines = scene.engines.filter((engine) => !isTruth(engine.name));
     const names = [...new Set(engines.flatMap((engine) => engine.settings.map(([name]) => name)))];
     const row = (name, value) => element("tr", {}, rowHead(name),
         ...engines.map((engine) => element("td", {}, value(engine) ?? NONE)));

@@ -3,8 +3,7 @@
 
 function allEngines(report) {
     const names = new Set(report.scenes.flatMap((scene) => scene.engines.map((engine) => engine.name)));
-    names.delete("closed-form");
-    return [...names];
+    return [...names].filter((name) => !isTruth(name));
 }
 
 function failures(scene) {
@@ -15,8 +14,8 @@ function sums(report) {
     const outcomes = [...report.scenes, ...report.labs].flatMap((judged) => judged.outcomes);
     const exact = report.scenes.filter((scene) => scene.closedForm);
     const close = exact.filter((scene) => {
-        const plumb = scene.engines.find((engine) => engine.name === "plumb")?.metrics.error_max;
-        return typeof plumb === "number" && plumb <= 1e-3;
+        const error = scene.engines.find((engine) => isSubject(engine.name))?.metrics.error_max;
+        return typeof error === "number" && error <= 1e-3;
     });
     const passing = (list) => list.filter(({pass}) => pass);
     const sum = (some, all, what, unjudged = "") => {
@@ -39,7 +38,7 @@ function errorCell(scene, name) {
     const engine = scene.engines.find((candidate) => candidate.name === name);
     if (!engine) return element("td", {class: "number none"}, NONE);
     if (engine.unsupported) return element("td", {class: "number none", title: engine.unsupported}, "unsupported");
-    const compared = scene.engines.filter((other) => other.name !== "closed-form" && !other.unsupported);
+    const compared = scene.engines.filter((other) => !isTruth(other.name) && !other.unsupported);
     const isBest = bestOf("error_max", compared.map((other) => other.metrics.error_max));
     const value = engine.metrics.error_max;
     const none = typeof value !== "number";
@@ -105,7 +104,7 @@ function fillSceneList(report) {
     for (const scene of report.scenes) {
         const figures = element("span", {class: "figures"});
         for (const engine of scene.engines) {
-            if (engine.name === "closed-form" || typeof engine.metrics.error_max !== "number") continue;
+            if (isTruth(engine.name) || typeof engine.metrics.error_max !== "number") continue;
             figures.append(element("span", {title: `${lookOf(engine.name).label}: largest distance to the closed form`},
                 engineMark(engine.name), shortQuantity(engine.metrics.error_max, "m")));
         }

@@ -15,8 +15,8 @@ function poseOf(scene, engine, frame, body) {
 /// Differences are measured from the closed form, and from Plumb where there is none.
 function referenceEngine(scene, body) {
     const has = (engine) => engine.slots.has(body);
-    return scene.running.find((engine) => engine.name === "closed-form" && has(engine)) ??
-        scene.running.find((engine) => engine.name === "plumb" && has(engine)) ?? null;
+    return scene.running.find((engine) => isTruth(engine.name) && has(engine)) ??
+        scene.running.find((engine) => isSubject(engine.name) && has(engine)) ?? null;
 }
 
 /// The pose with its difference from the reference drawn `magnify` times as large.

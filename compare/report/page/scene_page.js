@@ -1,38 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What does the page of one scene hold together? The stage, the charts and the tables, at one time.
 
-/// Where engines are not given the same: what Box2D has not, its user does from outside.
-function outsideNotes(scene) {
-    const runs = scene.engines.some(({name, unsupported}) => name.startsWith("box2d") && !unsupported);
-    if (!runs) return [];
-    const notes = [];
-    if (scene.fields.length > 0) {
-        notes.push("Box2D has no fields: the forces of this scene's fields are applied to its bodies from outside, " +
-            "once a step, and stay the same through it. In Plumb they act in each sub-step.");
-    }
-    const moved = (how) => (scene.moved ?? []).includes(how);
-    if (moved("told")) {
-        notes.push("Box2D has no such movers: before each step their bodies are given the velocity that takes them " +
-            "where they are wanted, through whatever is there.");
-    }
-    if (moved("jumping")) {
-        notes.push("What runs and jumps is, in Box2D, a dynamic body that cannot turn: it is told its velocity " +
-            "before each step, and falls by the gravity of its phase.");
-    }
-    if (moved("standing")) {
-        notes.push("Who rides is, in Box2D, a dynamic body that cannot turn, and stands by its friction.");
-    }
-    if (moved("stopped")) {
-        notes.push("The mover is in Box2D 2.4 a dynamic body that cannot turn, told its velocity before each step; " +
-            "in Box2D 3 a capsule goes by that engine's own character mover.");
-    }
-    if (scene.wrap) {
-        notes.push("Box2D's world does not wrap: what has left it after a step is put in at the other side, and " +
-            "nothing meets across the seam.");
-    }
-    return notes.map((note) => element("p", {class: "unsupported"}, note));
-}
-
 class ScenePage {
     /// settled() is called when a person has come to a state worth an address.
     constructor(settled) {
@@ -102,7 +70,7 @@ class ScenePage {
         const missing = scene.engines.filter((engine) => engine.unsupported);
         byId("unsupported").replaceChildren(...missing.map(({name, unsupported}) =>
             element("p", {class: "unsupported"}, engineName(name), ` does not run this scene: ${unsupported}`)),
-            ...outsideNotes(scene));
+            ...scene.notes.map((note) => element("p", {class: "unsupported"}, note)));
     }
 
     showKeys(scene) {

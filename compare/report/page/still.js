@@ -50,7 +50,7 @@ function hatchLine(context, camera, theme, points, side) {
     context.stroke();
 }
 
-/// Away from where things move. To the Box2Ds a chain is solid for what comes from its right. Any other line is solid
+/// Away from where things move. To some engines a chain is solid only for what comes from its right. Any other line is solid
 /// from both sides: then things move where the middle of the view is. area is twice what a ray from the middle sweeps
 /// along the line, and positive where the middle is on its left.
 function hatchedSide(points, middle, isOneSided) {
@@ -113,7 +113,7 @@ function drawStill(context, camera, theme, scene, box) {
     context.setLineDash([]);
     context.lineJoin = "round";
     const middle = [(box.left + box.right) / 2, (box.bottom + box.top) / 2];
-    const hasOneSided = scene.running.some(({name}) => name.startsWith("box2d"));
+    const hasOneSided = scene.running.some(({name}) => lookOf(name).oneSidedChains);
     for (const {type, start, shapes} of scene.bodies) {
         if (type !== "static") continue;
         const pose = {x: start[0], y: start[1], angle: start[2]};

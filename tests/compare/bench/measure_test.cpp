@@ -28,7 +28,7 @@ private:
 };
 
 Engine busy(const std::function<void()>& work) {
-    return {"busy", "1", noSettings, [work](const Scene&) { return std::make_unique<BusySimulation>(work); }};
+    return namedEngine("busy", [work](const Scene&) { return std::make_unique<BusySimulation>(work); });
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace plumb::compare {
 /// An engine whose runs took so many milliseconds a step.
 inline EngineBench measuredEngine(const std::string& engine, const std::vector<double>& milliseconds,
                                   long peakKb = 2048) {
-    EngineBench bench{.engine = engine, .version = engine == plumbName ? "0.1.0" : "2.4.1"};
+    EngineBench bench{.engine = engine, .version = engine == subjectName() ? "0.1.0" : "2.4.1"};
     for (const double ms : milliseconds)
         bench.runs.push_back({.bodies = 10,
                               .steps = 5,

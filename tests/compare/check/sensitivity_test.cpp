@@ -19,7 +19,7 @@ using Break = std::function<void(Scene&)>;
 std::vector<Engine> withBrokenPlumb(const Break& breakScene) {
     std::vector<Engine> result = engines();
     for (Engine& engine : result) {
-        if (engine.name != plumbName) continue;
+        if (engine.role != Role::Subject) continue;
         engine.build = [build = engine.build, breakScene](const Scene& scene) {
             Scene broken = scene;
             breakScene(broken);
@@ -45,7 +45,7 @@ Break eachJoint(const std::function<void(Def&)>& change) {
 
 /// Passes as it is, fails when broken, without the help of a Box2D to compare with.
 void checkTurnsRed(const std::vector<std::string>& scenes, const Break& breakScene) {
-    const RunOptions alone{{std::string(plumbName)}, {}, {}};
+    const RunOptions alone{{subjectName()}, {}, {}};
     for (const std::string& name : scenes) {
         INFO(name);
         const std::optional<Scene> scene = findScene(name);

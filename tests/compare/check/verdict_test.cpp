@@ -38,11 +38,11 @@ SceneResult run(const Scene& scene, const std::vector<Engine>& engines, const st
 
 /// An engine whose error is factor dt^order.
 Engine converging(const std::string& name, double factor, double order) {
-    return {name, "1", noSettings, [=](const Scene& scene) {
-                const double error = factor * std::pow(scene.dt, order);
-                const Script script{[error](double t) { return std::vector<BodyState>{at(t > 0 ? error : 0, 0)}; }};
-                return std::make_unique<ScriptedSimulation>(script, scene.probes.size());
-            }};
+    return namedEngine(name, [=](const Scene& scene) {
+        const double error = factor * std::pow(scene.dt, order);
+        const Script script{[error](double t) { return std::vector<BodyState>{at(t > 0 ? error : 0, 0)}; }};
+        return std::make_unique<ScriptedSimulation>(script, scene.probes.size());
+    });
 }
 
 std::vector<Engine> withTruth(Engine engine) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/engine/bullet_engines.h>
+#include <compare/engine/engine.h>
 
 #include "catch.h"
 
@@ -27,19 +27,19 @@ bool goesThrough(const Engine& engine) {
 TEST_CASE("a disc at 100 m/s goes through a loose board of 5 cm in each Box2D, and as a bullet in none",
           "[compare][engine]") {
     for (const Engine& engine : engines()) {
-        if (!isBox2d(engine.name)) continue;
+        if (engine.role != Role::Peer) continue;
         INFO(engine.name);
         CHECK(goesThrough(engine));
-        const std::optional<Engine> bullets = withBullets(engine);
-        REQUIRE(bullets);
-        CHECK(bullets->name == engine.name + " bullets");
-        CHECK_FALSE(goesThrough(*bullets));
+        REQUIRE(engine.withBullets);
+        const Engine bullets = engine.withBullets();
+        CHECK(bullets.name == engine.name + " bullets");
+        CHECK_FALSE(goesThrough(bullets));
     }
 }
 
 TEST_CASE("Plumb and the closed form have no flag for bullets", "[compare][engine]") {
     for (const Engine& engine : engines())
-        if (!isBox2d(engine.name)) CHECK_FALSE(withBullets(engine));
+        if (engine.role == Role::Subject || engine.role == Role::Truth) CHECK_FALSE(engine.withBullets);
 }
 
 }  // namespace plumb::compare

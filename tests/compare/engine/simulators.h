@@ -9,7 +9,7 @@ namespace plumb::compare {
 
 inline std::vector<Engine> simulators() {
     std::vector<Engine> result = engines();
-    std::erase_if(result, [](const Engine& engine) { return engine.name == closedFormName; });
+    std::erase_if(result, [](const Engine& engine) { return engine.role == Role::Truth; });
     return result;
 }
 

@@ -43,7 +43,7 @@ TEST_CASE("every lab passes without a Box2D, and without any engine", "[compare]
 
 TEST_CASE("every graph has a title, named axes, and curves of their own names by rising x", "[compare][lab][slow]") {
     std::vector<Engine> stepping = engines();  // a lab is never given the closed form
-    std::erase_if(stepping, [](const Engine& engine) { return engine.name == closedFormName; });
+    std::erase_if(stepping, [](const Engine& engine) { return engine.role == Role::Truth; });
     for (const Lab& lab : builtinLabs()) {
         const LabRun run = lab.run(stepping);
         CHECK_FALSE(run.seen.empty());

@@ -135,7 +135,7 @@ TEST_CASE("an engine that lets bullets through what is fixed turns red", "[compa
 }
 
 TEST_CASE("the forecast lab fails a forecast that is off by a billionth of a step", "[compare][lab]") {
-    const auto ofPlumb = [](const Lab& lab) { return failing(runLab(lab, {std::string(plumbName)}, engines())); };
+    const auto ofPlumb = [](const Lab& lab) { return failing(runLab(lab, {subjectName()}, engines())); };
     CHECK(ofPlumb(forecasts()).empty());
     CHECK(ofPlumb(forecasts([](const World& world, const BodyDef& shot, int ticks, double dt) {
               return forecast(world, shot, ticks, dt * (1 + 1e-9));
@@ -144,7 +144,7 @@ TEST_CASE("the forecast lab fails a forecast that is off by a billionth of a ste
 
 TEST_CASE("the forecast lab fails a forecast whose velocities are a tick late, or that leaves out a hit",
           "[compare][lab]") {
-    const auto ofPlumb = [](const Lab& lab) { return failing(runLab(lab, {std::string(plumbName)}, engines())); };
+    const auto ofPlumb = [](const Lab& lab) { return failing(runLab(lab, {subjectName()}, engines())); };
     CHECK(ofPlumb(forecasts([](const World& world, const BodyDef& shot, int ticks, double dt) {
               Forecast late = forecast(world, shot, ticks, dt);
               std::rotate(late.velocities.begin(), late.velocities.end() - 1, late.velocities.end());

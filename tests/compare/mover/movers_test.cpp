@@ -107,7 +107,7 @@ TEST_CASE("in Box2D a mover that nothing stands in the way of is where it is in 
         const std::size_t moved = scene.movers.front().body == scene.bodies[0].name ? 0 : 1;
         const Observation plumb = observe(scene, engineNamed("plumb"));
         for (const Engine& engine : engines()) {
-            if (!isBox2d(engine.name)) continue;
+            if (engine.role != Role::Peer) continue;
             const Observation other = observe(scene, engine);
             double worst = 0;
             for (std::size_t tick = 0; tick < plumb.states.size(); ++tick)
@@ -130,7 +130,7 @@ TEST_CASE(
         scene.movers = {{"m", "hero", SlidingMotion{{10, -2}, 0, StandIn::Stopped}}};
         scene.probes = {{.name = "snags", .quantity = SnagsProbe{.body = "hero"}, .unit = "-", .until = 1.95}};
         for (const Engine& engine : engines()) {
-            if (engine.name == "closed-form") continue;
+            if (engine.role == Role::Truth) continue;
             const Observation seen = observe(scene, engine);
             INFO(engine.name);
             CHECK(seen.probes[117][0] == 0);  // after 1.95 s, short of the wall
@@ -145,7 +145,7 @@ TEST_CASE("in Box2D what has left a world that wraps comes in at the other side"
     Scene scene{.name = "a", .gravity = {0, 0}, .duration = 3, .wrap = {.width = 8, .height = 6}};
     scene.bodies = {{"b", {.position = {7, 1}, .velocity = {1, -1}, .shapes = {circle(0.5)}}}};
     for (const Engine& engine : engines()) {
-        if (engine.name == "closed-form") continue;
+        if (engine.role == Role::Truth) continue;
         const Observation seen = observe(scene, engine);
         INFO(engine.name);
         CHECK((seen.states.back()[0].position - Vec2(2, 4)).norm() < 1e-4);

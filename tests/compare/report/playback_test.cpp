@@ -29,7 +29,7 @@ SceneResult discs(int count, int steps) {
     SceneResult result;
     result.scene = scene;
     Observation run;
-    run.engine = "plumb";
+    run.role = Role::Subject;
     run.dt = scene.dt;
     for (int tick = 0; tick <= steps; ++tick) {
         std::vector<BodyState> states(scene.bodies.size(), at(tick * scene.dt, 0));
@@ -59,7 +59,7 @@ TEST_CASE("the kept ticks begin with 0, end with the last, and are a stride apar
 
 TEST_CASE("two discs over ten steps are 66 numbers; the static floor is not played", "[compare][report]") {
     const SceneResult result = discs(2, 10);
-    CHECK(playedBodies(result.scene, "plumb") == std::vector<std::size_t>{1, 2});
+    CHECK(playedBodies(result.scene, Role::Subject) == std::vector<std::size_t>{1, 2});
     CHECK(playbackBytes(result, {NumberWidth::Float64, 1}) == 2 * 11 * 3 * 8);
     CHECK(playbackBytes(result, {NumberWidth::Float32, 4}) == 2 * 4 * 3 * 4);  // ticks 0, 4, 8, 10
     const std::string packed = packPlayback(result.scene, result.engines[0].observation, {NumberWidth::Float32, 4});
@@ -104,13 +104,13 @@ TEST_CASE("the closed form plays the bodies it is about, as long as it holds", "
     scene.bodies[1].name = "other";
     scene.closedForm->until = 0.3;
     Observation run;
-    run.engine = "closed-form";
+    run.role = Role::Truth;
     run.dt = 0.1;
     run.states.resize(11);
-    CHECK(playedBodies(scene, "closed-form") == std::vector<std::size_t>{0});
-    CHECK(playedBodies(scene, "plumb") == std::vector<std::size_t>{0, 1});
+    CHECK(playedBodies(scene, Role::Truth) == std::vector<std::size_t>{0});
+    CHECK(playedBodies(scene, Role::Subject) == std::vector<std::size_t>{0, 1});
     CHECK(playedTicks(scene, run) == 4);  // 0, 0.1, 0.2 and 0.3 s, though 3 x 0.1 > 0.3 in binary
-    run.engine = "plumb";
+    run.role = Role::Subject;
     CHECK(playedTicks(scene, run) == 11);
 }
 

@@ -136,18 +136,14 @@ TEST_CASE("impossible closed forms are refused", "[compare][scene][errors]") {
           }) == at + "pendulum.amplitude: 3.141592653589793 is not between -pi and pi");
 }
 
-TEST_CASE("checks of metrics, engines and limits that do not exist are refused", "[compare][scene][errors]") {
+TEST_CASE("checks of metrics and limits that do not exist are refused", "[compare][scene][errors]") {
     const auto withCheck = [](const Check& check) { return sceneComplaint([&](Scene& s) { s.checks = {check}; }); };
     CHECK(
         withCheck(InvariantCheck{.metric = "energy_drfit"})
             .starts_with("checks[0].invariant.metric: \"energy_drfit\" is not the name of a metric of this scene, the "
                          "nearest is energy_drift; known are divergence_max, "));
-    CHECK(withCheck(InvariantCheck{.metric = "energy_drift", .engines = {"box2d"}})
-              .starts_with(
-                  "checks[0].invariant.engines[0]: \"box2d\" is not the name of an engine, the nearest is box2d-3"));
     CHECK(withCheck(InvariantCheck{.metric = "energy_drift", .limit = -1}) ==
           "checks[0].invariant.limit: -1 is negative");
-    CHECK(withCheck(OrderCheck{.engines = {}}) == "checks[0].order.engines: there is none, wanted at least one");
     CHECK(withCheck(ExactCheck{.limit = test::nan}) == "checks[0].exact.limit: nan is not finite");
     CHECK(withCheck(AgreeCheck{.tolerance = 0}) == "checks[0].agree.tolerance: 0 is not positive");
     CHECK(sceneComplaint([](Scene& s) { s.closedForm.reset(); }) ==
