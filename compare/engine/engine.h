@@ -65,7 +65,7 @@ public:
 using Setting = std::pair<std::string, std::string>;
 
 struct Engine {
-    std::string name;     ///< "plumb", "box2d-2.4", "box2d-3", "closed-form"
+    std::string name;     ///< "plumb", "box2d-2.4", "box2d-3", "chipmunk", "closed-form"
     std::string version;  ///< "2.4.1"
     /// The numbers that matter, as this scene is run.
     std::function<std::vector<Setting>(const Scene&)> settings;
@@ -77,7 +77,7 @@ struct Unsupported : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The engines of this build, in the order plumb, box2d-2.4, box2d-3 where found, closed-form.
+/// The engines of this build, in the order plumb, box2d-2.4, box2d-3 where found, chipmunk, closed-form.
 const std::vector<Engine>& engines();
 
 }  // namespace plumb::compare

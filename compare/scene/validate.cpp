@@ -197,7 +197,7 @@ void validateProbe(const Probe& probe, const Scene& scene, const std::string& fi
 }
 
 void validateEngines(const std::vector<std::string>& names, const std::string& field) {
-    static const std::vector<std::string> known{"plumb", "box2d-2.4", "box2d-3", "closed-form"};
+    static const std::vector<std::string> known{"plumb", "box2d-2.4", "box2d-3", "chipmunk", "closed-form"};
     if (names.empty()) refuse(field, "there is none, wanted at least one");
     for (std::size_t i = 0; i < names.size(); ++i) requireKnown(names[i], known, at(field, i), "an engine");
 }
