@@ -24,13 +24,20 @@ cpShapeFilter chipmunkFilterOf(const Filter& filter) {
     return cpShapeFilterNew(group, static_cast<cpBitmask>(filter.category), static_cast<cpBitmask>(filter.mask));
 }
 
-/// A body's own gravity and damping; Chipmunk's own damping is one for all of a space, and it is off.
+/// A body's own gravity and damping, and what fields do to it; Chipmunk's own damping is one for all of a space, and it
+/// is off. Chipmunk moves bodies first: a force from before that, with the velocity it makes, would be an explicit
+/// Euler step, under which orbits fly apart.
 void updateChipmunkVelocity(cpBody* body, cpVect gravity, cpFloat, cpFloat dt) {
     const auto& its = *static_cast<const ChipmunkBody*>(body->userData);
+    // Fields are written to: the setters would wake the body.
     const double left = std::exp(-its.linearDamping * dt);
     const double spin = body->w;
+    if (its.forces) {
+        const FieldForce force = (*its.forces)(its.index, dt);
+        body->f = cpvadd(body->f, toChipmunk(force.force));
+        body->t += force.torque;
+    }
     cpBodyUpdateVelocity(body, cpvmult(gravity, its.gravityScale), left, dt);
-    // Written to the field: the setter would wake the body.
     body->w += spin * (std::exp(-its.angularDamping * dt) - left);
 }
 
@@ -47,6 +54,8 @@ public:
     void operator()(const Polygon& polygon) const {
         std::vector<cpVect> corners;
         for (const Vec2& corner : polygon.vertices) corners.push_back(toChipmunk(corner));
+        // Chipmunk's own boxes start at the lower right. Started at the lower left, a stack of ten leans and falls.
+        std::ranges::rotate(corners, corners.begin() + 1);
         add(cpPolyShapeNewRaw(body_.body.get(), static_cast<int>(corners.size()), corners.data(), polygon.radius));
     }
     /// Without a neighbour, an end is met from all sides: so Chipmunk takes a neighbour that is the end itself.

@@ -4,10 +4,12 @@
 #include <chipmunk/chipmunk.h>
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
 #include <compare/engine/engine.h>
+#include <compare/field/scene_fields.h>
 
 namespace plumb::compare {
 
@@ -34,6 +36,9 @@ struct ChipmunkSurface {
     Filter filter;
 };
 
+/// The force on a body of the scene in this step of dt [s], asked when all bodies have moved in it.
+using ChipmunkForces = std::function<FieldForce(std::size_t body, double dt)>;
+
 /// Its cpBody's user data points to it: it stays where it is.
 struct ChipmunkBody {
     OwnedChipmunk<cpBody> body{};
@@ -41,6 +46,7 @@ struct ChipmunkBody {
     std::vector<ChipmunkSurface> surfaces{};
     std::size_t index = 0;  ///< in the scene
     double gravityScale = 1, linearDamping = 0, angularDamping = 0;
+    const ChipmunkForces* forces = nullptr;  ///< none without fields
     bool enabled = true;
     bool canSleep = true;
 };

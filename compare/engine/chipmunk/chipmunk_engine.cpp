@@ -22,7 +22,9 @@ namespace plumb::compare {
 namespace {
 
 constexpr double unknownInChipmunk = std::numeric_limits<double>::quiet_NaN();
-constexpr double chipmunkSlop = 0.005;       // Box2D's; Chipmunk's own of 0.1 is meant in pixels [m]
+constexpr double chipmunkSlop = 0.005;  // Box2D's; Chipmunk's own of 0.1 is meant in pixels [m]
+// Its own, gravity times dt, of 0.16 m/s, lays a block that tips to sleep [m/s].
+constexpr double chipmunkIdleSpeed = 0.01;
 constexpr double chipmunkTimeToSleep = 0.5;  // Box2D's; by default Chipmunk lets nothing sleep [s]
 
 /// Chipmunk as Debian builds it greets on the standard output, which is a report's, when its first space is made.
@@ -58,6 +60,7 @@ OwnedChipmunk<cpSpace> newChipmunkSpace(const Scene& scene) {
     OwnedChipmunk<cpSpace> space(cpSpaceNew());
     cpSpaceSetGravity(space.get(), toChipmunk(scene.gravity));
     cpSpaceSetCollisionSlop(space.get(), chipmunkSlop);
+    cpSpaceSetIdleSpeedThreshold(space.get(), chipmunkIdleSpeed);
     if (scene.sleeping) cpSpaceSetSleepTimeThreshold(space.get(), chipmunkTimeToSleep);
     return space;
 }
@@ -85,7 +88,6 @@ public:
 
     void step(double dt) override {
         for (const Arrivals::Due& due : arrivals_.dueBefore(tick_++)) arrive(due);
-        if (!fields_.empty()) applyFields(dt);
         if (!movers_.empty()) move(dt);
         for (const std::size_t body : sleepless_) cpBodyActivate(bodies_[body]->body.get());
         cpSpaceStep(space_.get(), dt);
@@ -121,7 +123,9 @@ private:
     std::unique_ptr<ChipmunkBody> made(const Scene& scene, std::size_t index) {
         auto body = addChipmunkBody(*space_, asMoved(scene, scene.bodies[index]), index, filtered_);
         const bool dynamic = cpBodyGetType(body->body.get()) == CP_BODY_TYPE_DYNAMIC;
-        if (sleeping_ && dynamic && !body->canSleep && std::ranges::find(sleepless_, index) == sleepless_.end())
+        if (!fields_.empty()) body->forces = &forces_;
+        const bool kept = !body->canSleep || !fields_.empty();
+        if (sleeping_ && dynamic && kept && std::ranges::find(sleepless_, index) == sleepless_.end())
             sleepless_.push_back(index);
         return body;
     }
@@ -176,15 +180,11 @@ private:
         }
     }
 
-    /// Chipmunk has no fields: its user applies forces before each step. It forgets them in it.
-    void applyFields(double dt) {
-        const std::vector<FieldForce> forces = fields_.at(states(), dt);
-        for (std::size_t i = 0; i < bodies_.size(); ++i) {
-            if (!bodies_[i] || cpBodyGetType(bodies_[i]->body.get()) != CP_BODY_TYPE_DYNAMIC) continue;
-            if (forces[i].force.isZero(0) && forces[i].torque == 0) continue;
-            cpBodySetForce(bodies_[i]->body.get(), toChipmunk(forces[i].force));
-            cpBodySetTorque(bodies_[i]->body.get(), forces[i].torque);
-        }
+    /// Chipmunk has no fields: its user works out their forces, once a step for all bodies.
+    FieldForce fieldForceOn(std::size_t body, double dt) {
+        if (fieldTick_ != tick_) fieldForces_ = fields_.at(states(), dt);
+        fieldTick_ = tick_;
+        return fieldForces_[body];
     }
 
     /// Those that a scene lets break: Chipmunk leaves it to its user to look at what they bear.
@@ -251,6 +251,9 @@ private:
     std::vector<std::pair<std::size_t, Breaking>> breakable_;
     std::vector<std::pair<std::size_t, std::pair<std::size_t, std::size_t>>> gears_;  // and the joints they couple
     std::vector<std::size_t> sleepless_;  // those that must not sleep where others may: Chipmunk has no such flag
+    std::vector<FieldForce> fieldForces_;
+    int fieldTick_ = 0;  // of those
+    ChipmunkForces forces_ = [this](std::size_t body, double dt) { return fieldForceOn(body, dt); };
     std::vector<Watched> probes_;
     Arrivals arrivals_;
     bool sleeping_;
@@ -277,8 +280,9 @@ std::vector<Setting> chipmunkSettings(const Scene& scene) {
         {"capsules", "segments with a radius"},
         {"chains, segments with neighbours", "segments without thickness"},
         {"tile maps", "a polygon a tile"},
-        {"damping", "by a velocity function on each body"},
-        {"sleep", !scene.sleeping ? "off" : fmt::format("below gravity times dt for {} s", chipmunkTimeToSleep)},
+        {"damping, fields", "by a velocity function on each body"},
+        {"sleep",
+         !scene.sleeping ? "off" : fmt::format("below {} m/s for {} s", chipmunkIdleSpeed, chipmunkTimeToSleep)},
         {"continuous collision", "none"},
         {"warm starting", "on"},
         {"SIMD", "none"},
