@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include <compare/engine/outline.h>
 
@@ -24,19 +25,19 @@ cpShapeFilter chipmunkFilterOf(const Filter& filter) {
     return cpShapeFilterNew(group, static_cast<cpBitmask>(filter.category), static_cast<cpBitmask>(filter.mask));
 }
 
-/// A body's own gravity and damping, and what fields do to it; Chipmunk's own damping is one for all of a space, and it
-/// is off. Chipmunk moves bodies first: a force from before that, with the velocity it makes, would be an explicit
-/// Euler step, under which orbits fly apart.
+/// A body's own gravity and damping, and what fields do to it. Chipmunk moves bodies first: a force from before that,
+/// with the velocity it makes, would be an explicit Euler step, under which orbits fly apart. Damping is by Chipmunk's
+/// own rule, which it has for all of a space only: before gravity, so a damped body's weight is borne in full.
 void updateChipmunkVelocity(cpBody* body, cpVect gravity, cpFloat, cpFloat dt) {
-    const auto& its = *static_cast<const ChipmunkBody*>(body->userData);
+    auto& its = *static_cast<ChipmunkBody*>(body->userData);
     // Fields are written to: the setters would wake the body.
-    const double left = std::exp(-its.linearDamping * dt);
-    const double spin = body->w;
     if (its.forces) {
         const FieldForce force = (*its.forces)(its.index, dt);
         body->f = cpvadd(body->f, toChipmunk(force.force));
         body->t += force.torque;
     }
+    body->v = std::exchange(its.wanted, std::nullopt).value_or(body->v);
+    const double left = std::exp(-its.linearDamping * dt), spin = body->w;
     cpBodyUpdateVelocity(body, cpvmult(gravity, its.gravityScale), left, dt);
     body->w += spin * (std::exp(-its.angularDamping * dt) - left);
 }
@@ -55,7 +56,7 @@ public:
         std::vector<cpVect> corners;
         for (const Vec2& corner : polygon.vertices) corners.push_back(toChipmunk(corner));
         // Chipmunk's own boxes start at the lower right. Started at the lower left, a stack of ten leans and falls.
-        std::ranges::rotate(corners, corners.begin() + 1);
+        std::rotate(corners.begin(), corners.begin() + 1, corners.end());
         add(cpPolyShapeNewRaw(body_.body.get(), static_cast<int>(corners.size()), corners.data(), polygon.radius));
     }
     /// Without a neighbour, an end is met from all sides: so Chipmunk takes a neighbour that is the end itself.

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <compare/engine/engine.h>
@@ -47,6 +48,7 @@ struct ChipmunkBody {
     std::size_t index = 0;  ///< in the scene
     double gravityScale = 1, linearDamping = 0, angularDamping = 0;
     const ChipmunkForces* forces = nullptr;  ///< none without fields
+    std::optional<cpVect> wanted{};          ///< a velocity to be given to it in the next step [m/s]
     bool enabled = true;
     bool canSleep = true;
 };

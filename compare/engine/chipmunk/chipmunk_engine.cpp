@@ -162,11 +162,16 @@ private:
         bodies_[body] = nullptr;
     }
 
-    /// Chipmunk has no movers: its user sets velocities before each step.
+    /// Chipmunk has no movers: its user sets velocities. As bodies move first in a step, one that shall be stopped by
+    /// what it meets gets its own after that, and before contacts are solved: else it would go into walls.
     void move(double dt) {
         for (const MoverCommand& command : movers_.commands(states(), dt)) {
             ChipmunkBody& body = *bodies_[command.body];
-            cpBodySetVelocity(body.body.get(), toChipmunk(command.velocity));
+            const cpVect velocity = toChipmunk(command.velocity);
+            if (cpBodyGetType(body.body.get()) == CP_BODY_TYPE_DYNAMIC)
+                body.wanted = velocity;
+            else
+                cpBodySetVelocity(body.body.get(), velocity);
             if (command.gravityScale) body.gravityScale = *command.gravityScale;
         }
     }

@@ -18,7 +18,7 @@ namespace {
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
-constexpr double gravity = 9.81;
+constexpr double g = 9.81;         // [m/s^2]
 constexpr double rounding = 1e-9;  // Chipmunk computes in double precision
 
 Engine chipmunk() {
@@ -28,20 +28,20 @@ Engine chipmunk() {
     return {};
 }
 
-SceneBody disc(const std::string& name, const Vec2& position, const Material& material = {}) {
+SceneBody leadDisc(const std::string& name, const Vec2& position, const Material& material = {}) {
     return {name, {.position = position, .shapes = {circle(0.5, material)}}};
 }
 
 /// One disc, free of forces, for two seconds.
-Scene oneDisc() {
-    return {.name = "one_disc", .gravity = {0, 0}, .bodies = {disc("disc", {0, 0})}};
+Scene freeDisc() {
+    return {.name = "free_disc", .gravity = {0, 0}, .bodies = {leadDisc("disc", {0, 0})}};
 }
 
 /// A box of 1 m by 1 m on a floor: it touches from the start.
-Scene boxOnFloor(const Material& floor, const Material& box) {
+Scene crateOnFloor(const Material& floor, const Material& box) {
     SceneBody crate{"crate", {.position = {0, 0.5}, .shapes = {plumb::box({0.5, 0.5}, box)}}};
     SceneBody ground{"floor", {.type = BodyType::Static, .shapes = {segment({-50, 0}, {50, 0}, floor)}}};
-    return {.name = "box_on_floor", .duration = 1, .sleeping = false, .bodies = {ground, crate}};
+    return {.name = "crate_on_floor", .duration = 1, .sleeping = false, .bodies = {ground, crate}};
 }
 
 BodyState chipmunkEnd(const Scene& scene, std::size_t body) {
@@ -52,7 +52,7 @@ BodyState chipmunkEnd(const Scene& scene, std::size_t body) {
 }
 
 std::string chipmunkRefusal(const std::function<void(Scene&)>& change) {
-    Scene scene = boxOnFloor({}, {});
+    Scene scene = crateOnFloor({}, {});
     change(scene);
     return observe(scene, chipmunk()).unsupported;
 }
@@ -65,19 +65,19 @@ std::string refusedJoint(const JointDef& def) {
 
 TEST_CASE("Chipmunk's double precision follows the scene's gravity scale and its own rule of a fall",
           "[compare][engine]") {
-    Scene scene = oneDisc();
-    scene.gravity = {0, -gravity};
+    Scene scene = freeDisc();
+    scene.gravity = {0, -g};
     for (const double scale : {1.0, 0.25, 0.0, -1.0}) {
         scene.bodies[0].def.gravityScale = scale;
         const BodyState end = chipmunkEnd(scene, 0);
-        CHECK_THAT(end.velocity.y(), WithinAbs(-scale * gravity * 2, rounding));
+        CHECK_THAT(end.velocity.y(), WithinAbs(-scale * g * 2, rounding));
         // Each step moves at the velocity from before it: n (n - 1) / 2 g dt^2, of n = 120 steps.
-        CHECK_THAT(end.position.y(), WithinAbs(-scale * gravity * 120 * 119 / 2 / 3600, rounding));
+        CHECK_THAT(end.position.y(), WithinAbs(-scale * g * 120 * 119 / 2 / 3600, rounding));
     }
 }
 
 TEST_CASE("damping in Chipmunk takes exp(-k t) off the velocity, and another off the spin", "[compare][engine]") {
-    Scene scene = oneDisc();
+    Scene scene = freeDisc();
     BodyDef& def = scene.bodies[0].def;
     def.velocity = {3, -4};
     def.angularVelocity = 5;
@@ -91,8 +91,8 @@ TEST_CASE("damping in Chipmunk takes exp(-k t) off the velocity, and another off
 TEST_CASE("in Chipmunk 1 kg at 3 m/s and 2 kg at rest part at e = 1 with -1 m/s and 2 m/s, at e = 0.5 with 0 and 1.5",
           "[compare][engine]") {
     for (const double e : {1.0, 0.5}) {
-        Scene scene = oneDisc();
-        scene.bodies = {disc("a", {0, 0}, {.restitution = e}), disc("b", {2, 0}, {.restitution = 0.3})};
+        Scene scene = freeDisc();
+        scene.bodies = {leadDisc("a", {0, 0}, {.restitution = e}), leadDisc("b", {2, 0}, {.restitution = 0.3})};
         scene.bodies[0].def.mass = Mass{1, {0, 0}, 1};
         scene.bodies[1].def.mass = Mass{2, {0, 0}, 1};
         scene.bodies[0].def.velocity = {3, 0};
@@ -103,12 +103,12 @@ TEST_CASE("in Chipmunk 1 kg at 3 m/s and 2 kg at rest part at e = 1 with -1 m/s 
 
 TEST_CASE("a body in Chipmunk weighs what its shapes or its own mass say, and turns about its own centre of mass",
           "[compare][engine]") {
-    Scene scene = boxOnFloor({}, {.density = 3});
+    Scene scene = crateOnFloor({}, {.density = 3});
     scene.probes = {{.name = "weight", .quantity = NormalForceProbe{"crate", "floor"}, .unit = "N"}};
     const auto weight = [&scene] { return observe(scene, chipmunk()).probes.back().at(0); };
-    CHECK_THAT(weight(), WithinRel(3 * gravity, 1e-3));
+    CHECK_THAT(weight(), WithinRel(3 * g, 1e-3));
     scene.bodies[1].def.mass = Mass{5, {0.2, 0}, 0.4};
-    CHECK_THAT(weight(), WithinRel(5 * gravity, 1e-3));
+    CHECK_THAT(weight(), WithinRel(5 * g, 1e-3));
 
     // Hung 0.2 m beside its centre, it starts to fall with r m g / (I + m r^2).
     scene.joints = {{"hinge", "floor", "crate", RevoluteJointDef{.anchor = {0, 0.5}}}};
@@ -116,7 +116,7 @@ TEST_CASE("a body in Chipmunk weighs what its shapes or its own mass say, and tu
     scene.duration = scene.dt = 1e-3;
     scene.probes.clear();
     const double rate = chipmunkEnd(scene, 1).angularVelocity / 1e-3;
-    CHECK_THAT(rate, WithinRel(-0.2 * 5 * gravity / (0.4 + 5 * 0.2 * 0.2), 1e-3));
+    CHECK_THAT(rate, WithinRel(-0.2 * 5 * g / (0.4 + 5 * 0.2 * 0.2), 1e-3));
 }
 
 TEST_CASE("friction in Chipmunk is mixed by the scene's rules, to the closed form of a slide", "[compare][engine]") {
@@ -124,10 +124,10 @@ TEST_CASE("friction in Chipmunk is mixed by the scene's rules, to the closed for
         {Mix::GeometricMean, 0.3}, {Mix::Average, 0.5}, {Mix::Minimum, 0.1}, {Mix::Maximum, 0.9}};
     for (const auto& [rule, friction] : rules) {
         INFO("friction " << friction);
-        Scene scene = boxOnFloor({.friction = 0.9, .frictionMix = rule}, {.friction = 0.1, .frictionMix = rule});
+        Scene scene = crateOnFloor({.friction = 0.9, .frictionMix = rule}, {.friction = 0.1, .frictionMix = rule});
         scene.bodies[1].def.velocity = {10, 0};
         // 1 % for the step or two in which the box settles, and for the tilt that friction below its centre gives it
-        CHECK_THAT(chipmunkEnd(scene, 1).velocity.x(), WithinAbs(10 - friction * gravity, 0.1));
+        CHECK_THAT(chipmunkEnd(scene, 1).velocity.x(), WithinAbs(10 - friction * g, 0.1));
     }
 }
 
@@ -137,16 +137,16 @@ TEST_CASE("Chipmunk mixes by itself where it can, and says in its settings when 
             if (name == "mixing of materials") return value;
         return std::string();
     };
-    CHECK(mixing(boxOnFloor({.friction = 0.9}, {.friction = 0.1})).starts_with("its own"));
-    CHECK(mixing(boxOnFloor({.restitution = 0.9}, {.restitution = 0.9})).starts_with("its own"));
-    CHECK(mixing(boxOnFloor({.restitution = 0.9}, {})).starts_with("by the user"));
-    CHECK(mixing(boxOnFloor({.surfaceSpeed = 1}, {})).starts_with("by the user"));
-    CHECK(mixing(boxOnFloor({.frictionMix = Mix::Minimum}, {})).starts_with("by the user"));
+    CHECK(mixing(crateOnFloor({.friction = 0.9}, {.friction = 0.1})).starts_with("its own"));
+    CHECK(mixing(crateOnFloor({.restitution = 0.9}, {.restitution = 0.9})).starts_with("its own"));
+    CHECK(mixing(crateOnFloor({.restitution = 0.9}, {})).starts_with("by the user"));
+    CHECK(mixing(crateOnFloor({.surfaceSpeed = 1}, {})).starts_with("by the user"));
+    CHECK(mixing(crateOnFloor({.frictionMix = Mix::Minimum}, {})).starts_with("by the user"));
 }
 
 TEST_CASE("categories beyond Chipmunk's 32 are kept apart all the same", "[compare][engine]") {
     for (const bool met : {true, false}) {
-        Scene scene = boxOnFloor({}, {});
+        Scene scene = crateOnFloor({}, {});
         scene.bodies[0].def.shapes[0].filter.category = std::uint64_t{1} << 40;
         if (!met) scene.bodies[1].def.shapes[0].filter.mask = ~(std::uint64_t{1} << 40);
         const double height = chipmunkEnd(scene, 1).position.y();
@@ -158,14 +158,13 @@ TEST_CASE("a slide's spring and its guide together bear in Chipmunk what the sce
           "[compare][engine]") {
     // A weight on a spring along a slope of 3 to 4: the spring takes 0.6 of it, the guide 0.8.
     Scene scene{.name = "slide", .duration = 8, .bodies = {{"post", {.type = BodyType::Static}}}};
-    scene.bodies.push_back(disc("weight", {0, 0}));
+    scene.bodies.push_back(leadDisc("weight", {0, 0}));
     scene.bodies[1].def.mass = Mass{2, {0, 0}, 0.5};
-    scene.bodies[1].def.linearDamping = 4;
     scene.joints = {{"slide", "post", "weight", PrismaticJointDef{.axis = {0.8, 0.6}, .spring = Spring{100, 20}}}};
     scene.probes = {{.name = "force", .quantity = JointForceProbe{"slide"}, .unit = "N"}};
     const Observation seen = observe(scene, chipmunk());
-    CHECK_THAT(seen.probes.back().at(0), WithinRel(2 * gravity, 1e-4));
-    const double down = 0.6 * 2 * gravity / 100;
+    CHECK_THAT(seen.probes.back().at(0), WithinRel(2 * g, 1e-4));
+    const double down = 0.6 * 2 * g / 100;
     CHECK((seen.states.back()[1].position + down * Vec2(0.8, 0.6)).norm() < 1e-4);
 }
 
