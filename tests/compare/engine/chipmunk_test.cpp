@@ -157,7 +157,7 @@ TEST_CASE("categories beyond Chipmunk's 32 are kept apart all the same", "[compa
 TEST_CASE("a slide's spring and its guide together bear in Chipmunk what the scene's joint bears",
           "[compare][engine]") {
     // A weight on a spring along a slope of 3 to 4: the spring takes 0.6 of it, the guide 0.8.
-    Scene scene{.name = "slide", .duration = 8, .bodies = {{"post", {.type = BodyType::Static}}}};
+    Scene scene{.name = "slide", .duration = 8, .sleeping = false, .bodies = {{"post", {.type = BodyType::Static}}}};
     scene.bodies.push_back(leadDisc("weight", {0, 0}));
     scene.bodies[1].def.mass = Mass{2, {0, 0}, 0.5};
     scene.joints = {{"slide", "post", "weight", PrismaticJointDef{.axis = {0.8, 0.6}, .spring = Spring{100, 20}}}};
