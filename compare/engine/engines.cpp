@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <compare/engine/box2d24/box2d24_engine.h>
 #include <compare/engine/box2d3/box2d3_engine.h>
+#include <compare/engine/chipmunk/chipmunk_engine.h>
 #include <compare/engine/closed_form_engine.h>
 #include <compare/engine/engine.h>
 #include <compare/engine/plumb_engine.h>
@@ -12,10 +13,7 @@ namespace plumb::compare {
 
 const std::vector<Engine>& knownEngines() {
     static const std::vector<Engine> list{
-        plumbEngine(),
-        box2d24Engine(),
-        box2d3Engine(),
-        closedFormEngine(),
+        plumbEngine(), box2d24Engine(), box2d3Engine(), chipmunkEngine(), closedFormEngine(),
     };
     return list;
 }

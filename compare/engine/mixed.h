@@ -3,6 +3,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 
 #include <plumb/space/shape_def.h>
 
@@ -13,7 +14,9 @@ inline Mix ruleOf(Mix a, Mix b) {
     return std::max(a, b);
 }
 
-inline float mixed(Mix rule, float a, float b) {
+/// In the precision of the engine that asks.
+template <std::floating_point Number>
+Number mixed(Mix rule, Number a, Number b) {
     switch (rule) {
         case Mix::Average: return (a + b) / 2;
         case Mix::Minimum: return std::min(a, b);

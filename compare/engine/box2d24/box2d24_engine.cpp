@@ -12,8 +12,8 @@
 #include <compare/engine/box2d24/box2d24_bench.h>
 #include <compare/engine/box2d24/box2d24_body.h>
 #include <compare/engine/box2d24/box2d24_joint.h>
-#include <compare/engine/box2d_notes.h>
 #include <compare/engine/joint_geometry.h>
+#include <compare/engine/outside_notes.h>
 #include <compare/engine/single.h>
 #include <compare/field/scene_fields.h>
 #include <compare/mover/scene_movers.h>
@@ -308,7 +308,7 @@ Engine box2d24Engine(bool bullets) {
     };
     engine.withBullets = [] { return box2d24Engine(true); };
     engine.leavesOut = leftOutOfBox2d24;
-    engine.notes = [](const Scene& scene) { return box2dNotes(scene, noMoversOfBox2d24); };
+    engine.notes = [](const Scene& scene) { return outsideNotes(scene, "Box2D", noMoversOfBox2d24); };
     return engine;
 }
 

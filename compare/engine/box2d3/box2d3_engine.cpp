@@ -15,9 +15,9 @@
 #include <compare/engine/box2d3/box2d3_card.h>
 #include <compare/engine/box2d3/box2d3_joint.h>
 #include <compare/engine/box2d3/box2d3_mover.h>
-#include <compare/engine/box2d_notes.h>
 #include <compare/engine/joint_geometry.h>
 #include <compare/engine/mixed.h>
+#include <compare/engine/outside_notes.h>
 #include <compare/engine/single.h>
 #include <compare/field/scene_fields.h>
 #include <compare/mover/scene_movers.h>
@@ -345,7 +345,7 @@ Engine box2d3Engine(bool bullets, int subSteps) {
     };
     engine.withBullets = [subSteps] { return box2d3Engine(true, subSteps); };
     engine.withOneSubStep = [bullets] { return box2d3Engine(bullets, 1); };
-    engine.notes = [](const Scene& scene) { return box2dNotes(scene, stoppedMoverOfBox2d3); };
+    engine.notes = [](const Scene& scene) { return outsideNotes(scene, "Box2D", stoppedMoverOfBox2d3); };
     return engine;
 }
 

@@ -37,7 +37,7 @@ TEST_CASE("a disc at 100 m/s goes through a loose board of 5 cm in each Box2D, a
     }
 }
 
-TEST_CASE("Plumb and the closed form have no flag for bullets", "[compare][engine]") {
+TEST_CASE("Plumb, Chipmunk and the closed form have no flag for bullets", "[compare][engine]") {
     for (const Engine& engine : engines())
         if (engine.role == Role::Subject || engine.role == Role::Truth) CHECK_FALSE(engine.withBullets);
 }

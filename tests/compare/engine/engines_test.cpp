@@ -62,15 +62,17 @@ Scene freeBody() {
 
 }  // namespace
 
-TEST_CASE("the engines come in the order plumb, Box2D 2.4, Box2D 3, closed form, and say their versions",
+TEST_CASE("the engines come in the order plumb, Box2D 2.4, Box2D 3, Chipmunk, closed form, and say their versions",
           "[compare][engine]") {
     const std::vector<Engine>& all = engines();
-    REQUIRE(all.size() >= 3);
+    REQUIRE(all.size() >= 4);
     CHECK(all[0].name == "plumb");
     CHECK(all[1].name == "box2d-2.4");
     CHECK(all[1].version.starts_with("2.4."));
+    CHECK(all[all.size() - 2].name == "chipmunk");
+    CHECK(all[all.size() - 2].version.starts_with("7."));
     CHECK(all.back().name == "closed-form");
-    if (all.size() == 4) {
+    if (all.size() == 5) {
         CHECK(all[2].name == "box2d-3");
         CHECK(all[2].version.starts_with("3."));
     }

@@ -120,7 +120,8 @@ TEST_CASE("in Box2D a mover that nothing stands in the way of is where it is in 
 }
 
 TEST_CASE(
-    "in Box2D what shall be stopped as a slider slides 20 m along one slab uncaught, and stops at a wall to 16 mm",
+    "in other engines what shall be stopped as a slider slides 20 m along one slab uncaught, and stops at a wall to 16 "
+    "mm",
     "[compare][movers]") {
     for (const ShapeDef& shape : {capsule({0, -0.25}, {0, 0.25}, 0.25), box({0.25, 0.5})}) {
         Scene scene{.name = "a", .duration = 2.5};
@@ -134,7 +135,9 @@ TEST_CASE(
             const Observation seen = observe(scene, engine);
             INFO(engine.name);
             CHECK(seen.probes[117][0] == 0);  // after 1.95 s, short of the wall
-            CHECK(seen.states[117][2].position.x() == Approx(19.5).margin(0.02));
+            // Chipmunk moves bodies before it stops them: it starts a step late.
+            const double late = engine.name == "chipmunk" ? 10.0 / 60 : 0;
+            CHECK(seen.states[117][2].position.x() == Approx(19.5 - late).margin(0.02));
             // Box2D 2.4 keeps polygons 15 mm apart: two skins of 10 mm, less a slop of 5 mm.
             CHECK((seen.states.back()[2].position - Vec2(20, 0.5)).cwiseAbs().maxCoeff() < 0.016);
         }

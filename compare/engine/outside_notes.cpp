@@ -27,27 +27,29 @@ bool isTold(const MoverMotion& motion) {
 
 }  // namespace
 
-std::vector<std::string> box2dNotes(const Scene& scene, const std::string& stoppedMover) {
+std::vector<std::string> outsideNotes(const Scene& scene, const std::string& product, const std::string& stoppedMover) {
     std::vector<std::string> notes;
     if (!scene.fields.empty())
-        notes.emplace_back(
-            "Box2D has no fields: the forces of this scene's fields are applied to its bodies from outside, once a "
-            "step, and stay the same through it. In Plumb they act in each sub-step.");
+        notes.push_back(product +
+                        " has no fields: the forces of this scene's fields are applied to its bodies from outside, "
+                        "once a step, and stay the same through it. In Plumb they act in each sub-step.");
     if (hasMover(scene, isTold))
-        notes.emplace_back(
-            "Box2D has no such movers: before each step their bodies are given the velocity that takes them where "
-            "they are wanted, through whatever is there.");
+        notes.push_back(product +
+                        " has no such movers: before each step their bodies are given the velocity that takes them "
+                        "where they are wanted, through whatever is there.");
     if (hasMover(scene, [](const MoverMotion& motion) { return isPlatform(motion, true); }))
-        notes.emplace_back(
-            "What runs and jumps is, in Box2D, a dynamic body that cannot turn: it is told its velocity before each "
-            "step, and falls by the gravity of its phase.");
+        notes.push_back("What runs and jumps is, in " + product +
+                        ", a dynamic body that cannot turn: it is told its velocity before each step, and falls by the "
+                        "gravity of its phase.");
     if (hasMover(scene, [](const MoverMotion& motion) { return isPlatform(motion, false); }))
-        notes.emplace_back("Who rides is, in Box2D, a dynamic body that cannot turn, and stands by its friction.");
+        notes.push_back("Who rides is, in " + product +
+                        ", a dynamic body that cannot turn, and stands by its friction.");
     if (hasMover(scene, isStopped)) notes.push_back(stoppedMover);
     if (scene.wrap.any())
-        notes.emplace_back(
-            "Box2D's world does not wrap: what has left it after a step is put in at the other side, and nothing meets "
-            "across the seam.");
+        notes.push_back(
+            product +
+            "'s world does not wrap: what has left it after a step is put in at the other side, and nothing "
+            "meets across the seam.");
     return notes;
 }
 
