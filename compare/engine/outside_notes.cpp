@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <compare/engine/box2d_notes.h>
+#include <compare/engine/outside_notes.h>
 
 #include <algorithm>
 

@@ -97,9 +97,9 @@ template <>
 inline constexpr PartName partOf<Check>{"Check", "one thing that must hold"};
 template <>
 inline constexpr PartName partOf<ExactCheck>{
-    "ExactCheck", "Plumb stays within limit of the closed form, and no farther off than the best Box2D or 1 mm"};
+    "ExactCheck", "Plumb stays within limit of the closed form, and no farther off than the best of its peers or 1 mm"};
 template <>
-inline constexpr PartName partOf<AgreeCheck>{"AgreeCheck", "Plumb and each Box2D stay together until a time"};
+inline constexpr PartName partOf<AgreeCheck>{"AgreeCheck", "Plumb and each of its peers stay together until a time"};
 template <>
 inline constexpr PartName partOf<InvariantCheck>{"InvariantCheck", "a metric of an engine's run stays within a bound"};
 template <>
