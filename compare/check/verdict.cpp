@@ -60,6 +60,9 @@ SceneResult runScene(const Scene& scene, const RunOptions& options, const std::v
         const Observation* reference = &run.observation == subject ? nullptr : subject;
         run.measured = measure(result.scene, run.observation, &truth, reference);
     }
+    std::vector<const Observation*> runs;
+    for (const EngineResult& run : result.engines) runs.push_back(&run.observation);
+    result.partings = partingsOf(result.scene, runs);
     result.outcomes = judge(result, engines);
     result.verdict = verdictOf(result.outcomes);
     return result;

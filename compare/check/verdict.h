@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <compare/metric/metrics.h>
+#include <compare/parting/parting.h>
 
 namespace plumb::compare {
 
@@ -57,6 +58,7 @@ struct SceneResult {
     Scene scene;                        ///< as it was run: dt and duration are those of the options where these say so
     std::vector<EngineResult> engines;  ///< in the order of engines()
     std::vector<Outcome> outcomes;      ///< empty where no check binds an engine that was run
+    std::vector<Parting> partings;      ///< of each two engines that ran it, in their order
     Verdict verdict = Verdict::NotJudged;
 };
 

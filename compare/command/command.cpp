@@ -68,8 +68,9 @@ void setFields(std::vector<Scene>& scenes, const std::vector<FieldSetting>& sett
     }
 }
 
+/// isTold: where engines part, a sentence each.
 std::vector<SceneResult> runScenes(const std::vector<Scene>& scenes, const RunOptions& options, std::ostream& out,
-                                   bool colour) {
+                                   bool colour, bool isTold) {
     std::vector<SceneResult> results;
     if (scenes.empty()) return results;
     const VerdictTable table(out, columns(options), scenes, colour);
@@ -81,6 +82,7 @@ std::vector<SceneResult> runScenes(const std::vector<Scene>& scenes, const RunOp
             throw std::runtime_error(fmt::format("scene {}: {}", scene.name, error.what()));
         }
         table.row(results.back());
+        if (isTold) table.partings(results.back());
     }
     table.summary(results);
     return results;
@@ -112,7 +114,8 @@ int check(const Arguments& arguments, std::ostream& out, bool colour) {
     if (arguments.csv) makeFolder("--csv", *arguments.csv);
     if (arguments.report) makeFolder("--report", *arguments.report);
     const AccuracyPages pages(arguments, engines());
-    const std::vector<SceneResult> scenes = runScenes(choice.scenes, arguments.options, out, colour);
+    const std::vector<SceneResult> scenes =
+        runScenes(choice.scenes, arguments.options, out, colour, !arguments.scenes.empty());
     if (!choice.scenes.empty() && !choice.labs.empty()) fmt::print(out, "\n");
     const std::vector<LabResult> labs = runLabs(choice.labs, arguments.options, out, colour);
     if (json) json->write(verdictJson(scenes, labs));

@@ -31,12 +31,35 @@ Json outcomeJson(const Outcome& outcome) {
             {"limit", outcome.limit},   {"pass", outcome.pass}};
 }
 
+/// body and what follows from it are null where the two stay together.
+Json partingJson(const Scene& scene, const Parting& parting) {
+    Json json{{"engineA", parting.engineA}, {"engineB", parting.engineB}};
+    if (parting.body.empty()) {
+        for (const char* field : {"body", "time", "quantity", "at", "value"}) json[field] = nullptr;
+    } else {
+        const bool isBLarger = std::abs(parting.valueB) > std::abs(parting.valueA);
+        json["body"] = parting.body;
+        json["time"] = parting.time;
+        json["limit"] = parting.limit;
+        json["quantity"] = differenceName(parting.quantity);
+        json["at"] = parting.at;
+        json["value"] = numberOrNull(isBLarger ? parting.valueB : parting.valueA);
+        json["values"] = {numberOrNull(parting.valueA), numberOrNull(parting.valueB)};
+        json["when"] = parting.when;
+    }
+    json["apart"] = numberOrNull(parting.apart);
+    json["text"] = partingText(scene, parting);
+    return json;
+}
+
 Json sceneJson(const SceneResult& result) {
     Json json{{"name", result.scene.name}, {"dt", result.scene.dt}, {"steps", stepCount(result.scene)}};
     json["engines"] = Json::object();
     for (const EngineResult& run : result.engines) json["engines"][run.observation.engine] = engineJson(run);
     json["checks"] = Json::array();
     for (const Outcome& outcome : result.outcomes) json["checks"].push_back(outcomeJson(outcome));
+    json["partings"] = Json::array();
+    for (const Parting& parting : result.partings) json["partings"].push_back(partingJson(result.scene, parting));
     json["pass"] = result.verdict;
     return json;
 }

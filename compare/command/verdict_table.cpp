@@ -70,6 +70,11 @@ void VerdictTable::row(const SceneResult& result) const {
     out_.flush();
 }
 
+void VerdictTable::partings(const SceneResult& result) const {
+    for (const Parting& parting : result.partings) fmt::print(out_, "      {}\n", partingText(result.scene, parting));
+    out_.flush();
+}
+
 void VerdictTable::summary(std::span<const SceneResult> results) const {
     std::vector<Verdict> verdicts;
     for (const SceneResult& result : results) verdicts.push_back(result.verdict);

@@ -19,6 +19,8 @@ public:
 
     void head() const;
     void row(const SceneResult& result) const;
+    /// Where each two of its engines part, a sentence each.
+    void partings(const SceneResult& result) const;
     /// How many scenes hold, fail, and were not judged.
     void summary(std::span<const SceneResult> results) const;
 

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include <compare/parting/cause.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <compare/metric/mechanics.h>
+#include <compare/parting/laws.h>
+#include <compare/parting/stretch.h>
+#include <compare/parting/touch_cause.h>
+
+namespace plumb::compare {
+namespace {
+
+constexpr double halfOf = 0.5;  // what accounts for so much of a distance is its cause
+
+class CauseFinder {
+public:
+    CauseFinder(const Parted& parted, Parting& parting)
+        : parted_(parted), parting_(parting), joints_(parted.scene), touching_(parted.scene) {
+        distance_ = parted.offset.norm();
+    }
+
+    void find() {
+        if (!isFinite(stateIn(parted_.a)) || !isFinite(stateIn(parted_.b))) return;
+        if (parted_.scene.bodies[parted_.body].def.type == BodyType::Kinematic) return addSpeeds(Difference::Driven);
+        if (foundBreak() || foundStretch() || foundEnergy()) return;
+        const std::vector<Share> shares = sharesOf(parted_, touching_);
+        if (shares.empty()) return;
+        const Share& most = shares.front();
+        if (most.agent == Agent::Across || most.agent == Agent::Along)
+            addTouchCause(parted_, most, touching_, parting_);
+        else if (most.agent == Agent::Steps)
+            add(Difference::Steps, nameOf(parted_.body), distance_, 0, parted_.tick);
+        else
+            addSpeeds(most.agent == Agent::Joints ? Difference::Pull : Difference::Flight);
+    }
+
+private:
+    const BodyState& stateIn(const Observation& run) const { return run.states[parted_.tick][parted_.body]; }
+    double timeOf(std::size_t tick) const { return static_cast<double>(tick) * parted_.a.dt; }
+    const std::string& nameOf(std::size_t body) const { return parted_.scene.bodies[body].name; }
+
+    void add(Difference quantity, const std::string& at, double valueA, double valueB, std::size_t tick) {
+        parting_.quantity = quantity;
+        parting_.at = at;
+        parting_.valueA = valueA;
+        parting_.valueB = valueB;
+        parting_.when = timeOf(tick);
+    }
+
+    bool foundBreak() {
+        const auto brokenAt = [&](const Observation& run, std::size_t joint) {
+            const std::optional<std::size_t> tick =
+                joint < run.brokenAt.size() ? run.brokenAt[joint] : std::optional<std::size_t>();
+            return tick && *tick <= parted_.tick ? tick : std::nullopt;
+        };
+        for (std::size_t joint = 0; joint < joints_.joints().size(); ++joint) {
+            const std::optional<std::size_t> a = brokenAt(parted_.a, joint), b = brokenAt(parted_.b, joint);
+            if (a.has_value() == b.has_value()) continue;
+            add(Difference::Break, parted_.scene.joints[joint].name, a ? 1 : 0, b ? 1 : 0, a ? *a : *b);
+            return true;
+        }
+        return false;
+    }
+
+    bool foundStretch() {
+        if (parted_.a.partial || parted_.b.partial) return false;
+        const std::optional<Widest> gap = widestGap(parted_, joints_);
+        const std::optional<Widest> overlap = deepestOverlap(parted_, joints_, touching_);
+        const double gaps = gap ? gap->together : 0, overlaps = overlap ? overlap->together : 0;
+        if (std::max(gaps, overlaps) < halfOf * distance_) return false;
+        if (gaps >= overlaps)
+            add(Difference::Gap, parted_.scene.joints[gap->joint].name, gap->valueA, gap->valueB, gap->tick);
+        else
+            add(Difference::Overlap, nameOf(overlap->bodyA) + ", " + nameOf(overlap->bodyB), overlap->valueA,
+                overlap->valueB, overlap->tick);
+        return true;
+    }
+
+    /// How far the body has gone in a run by now [m].
+    double wayIn(const Observation& run) const {
+        double way = 0;
+        for (std::size_t tick = 0; tick < parted_.tick; ++tick)
+            way += (centerIn(parted_, run, tick + 1) - centerIn(parted_, run, tick)).norm();
+        return way;
+    }
+
+    struct Gain {
+        double gained = 0, size = 0;  ///< by now, and the largest that energy of motion or of place is in the run [J]
+    };
+    std::optional<Gain> gainIn(const MassModel& masses, const Observation& run) const {
+        const std::optional<Mechanics> start = masses.at(run.states[0]);
+        if (!start) return {};
+        Gain gain;
+        for (std::size_t tick = 1; tick < run.states.size(); ++tick) {
+            const std::optional<Mechanics> now = masses.at(run.states[tick]);
+            if (!now) return {};
+            const double stored = now->lifted - start->lifted + now->elastic - start->elastic;
+            if (tick == parted_.tick) gain.gained = now->kinetic - start->kinetic + stored;
+            gain.size = std::max({gain.size, now->kinetic, std::abs(stored)});
+        }
+        return gain;
+    }
+
+    bool foundEnergy() {
+        if (!keepsEnergy(parted_.scene)) return false;
+        const MassModel masses(parted_.scene);
+        const std::optional<Gain> a = gainIn(masses, parted_.a), b = gainIn(masses, parted_.b);
+        if (!a || !b || !(a->size > 0) || !(b->size > 0)) return false;
+        const double gainA = a->gained / a->size, gainB = b->gained / b->size;
+        if (std::abs(gainA - gainB) * wayIn(parted_.a) < halfOf * distance_) return false;
+        add(Difference::Energy, nameOf(parted_.body), gainA, gainB, parted_.tick);
+        return true;
+    }
+
+    void addSpeeds(Difference quantity) {
+        add(quantity, nameOf(parted_.body), stateIn(parted_.a).velocity.norm(), stateIn(parted_.b).velocity.norm(),
+            parted_.tick);
+    }
+
+    const Parted& parted_;
+    Parting& parting_;
+    JointStates joints_;
+    Touching touching_;
+    double distance_ = 0;
+};
+
+}  // namespace
+
+void addCause(const Parted& parted, Parting& parting) {
+    CauseFinder(parted, parting).find();
+}
+
+}  // namespace plumb::compare

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include <compare/parting/stretch.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <map>
+
+namespace plumb::compare {
+namespace {
+
+using Links = std::map<std::size_t, std::vector<std::size_t>>;  // of each body, those that it is joined to or touches
+
+bool isFreeToMove(const Scene& scene, std::size_t body) {
+    return scene.bodies[body].def.type == BodyType::Dynamic;
+}
+
+void link(Links& links, std::size_t a, std::size_t b) {
+    links[a].push_back(b);
+    links[b].push_back(a);
+}
+
+/// The bodies from one to the first that is not free to move, both included; or to the farthest one, where none is.
+std::vector<std::size_t> wayToGround(const Scene& scene, const Links& links, std::size_t from) {
+    std::map<std::size_t, std::size_t> cameFrom{{from, from}};
+    std::deque<std::size_t> next{from};
+    std::size_t end = from;
+    while (!next.empty()) {
+        end = next.front();
+        next.pop_front();
+        if (!isFreeToMove(scene, end)) break;
+        const auto found = links.find(end);
+        if (found == links.end()) continue;
+        for (const std::size_t other : found->second)
+            if (cameFrom.try_emplace(other, end).second) next.push_back(other);
+    }
+    std::vector<std::size_t> way{end};
+    while (way.back() != from) way.push_back(cameFrom[way.back()]);
+    return way;
+}
+
+/// The places of joints that hold a body to others, over any number of them.
+std::vector<std::size_t> jointsAround(const Scene& scene, const JointStates& joints, std::size_t body) {
+    std::vector<bool> reached(scene.bodies.size());
+    reached[body] = true;
+    std::vector<std::size_t> found;
+    for (bool grows = true; grows;) {
+        grows = false;
+        for (std::size_t i = 0; i < joints.joints().size(); ++i) {
+            const std::vector<std::size_t> held = bodiesOf(joints.joints(), i);
+            const bool isHere = std::ranges::any_of(held, [&](std::size_t other) { return reached[other]; });
+            if (!isHere || std::ranges::find(found, i) != found.end()) continue;
+            found.push_back(i);
+            grows = true;
+            // What does not move freely holds others by itself.
+            for (const std::size_t other : held) reached[other] = reached[other] || isFreeToMove(scene, other);
+        }
+    }
+    return found;
+}
+
+double closingSpeed(const std::vector<BodyState>& states, const std::pair<std::size_t, std::size_t>& pair) {
+    return (states[pair.first].velocity - states[pair.second].velocity).norm();
+}
+
+bool isSeen(const JointStates& joints, std::size_t joint, const Observation& run, std::size_t tick) {
+    const Broken broken = brokenBy(run, tick);
+    return !(joint < broken.size() && broken[joint]) && joints.isPresent(joint, run.states[tick]) &&
+           joints.isKnown(joint, run.states[tick]);
+}
+
+}  // namespace
+
+std::optional<Widest> widestGap(const Parted& parted, const JointStates& joints) {
+    std::optional<Widest> widest;
+    double sum = 0;
+    for (const std::size_t joint : jointsAround(parted.scene, joints, parted.body)) {
+        double most = -1;
+        for (std::size_t tick = 0; tick <= parted.tick; ++tick) {
+            if (!isSeen(joints, joint, parted.a, tick) || !isSeen(joints, joint, parted.b, tick)) continue;
+            const double a = joints.gap(joint, parted.a.states[tick]), b = joints.gap(joint, parted.b.states[tick]);
+            most = std::max(most, std::abs(a - b));
+            if (widest && std::abs(a - b) <= std::abs(widest->valueA - widest->valueB)) continue;
+            widest = Widest{.joint = joint, .valueA = a, .valueB = b, .tick = tick};
+        }
+        sum += std::max(most, 0.0);
+    }
+    if (widest) widest->together = sum;
+    return widest;
+}
+
+std::optional<Widest> deepestOverlap(const Parted& parted, const JointStates& joints, const Touching& touching) {
+    const std::vector<BodyState>& a = parted.a.states[parted.tick];
+    const std::vector<BodyState>& b = parted.b.states[parted.tick];
+    auto touches = touching.pairs(a);
+    touches.merge(touching.pairs(b));
+    Links links;
+    for (const auto& [first, second] : touches) link(links, first, second);
+    for (const JointGeometry& joint : joints.joints())
+        if (joint.bodyA != noBody && joint.bodyB != noBody) link(links, joint.bodyA, joint.bodyB);
+    std::optional<Widest> deepest;
+    double sum = 0;
+    const std::vector<std::size_t> way = wayToGround(parted.scene, links, parted.body);
+    for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+        const auto pair = std::minmax(way[i], way[i + 1]);
+        if (!touches.contains(pair)) continue;
+        const double inA = -touching.separation(pair.first, pair.second, a);
+        const double inB = -touching.separation(pair.first, pair.second, b);
+        const double closing = std::max(closingSpeed(a, pair), closingSpeed(b, pair)) * parted.a.dt;
+        if (std::min(inA, inB) < -Touching::skin || std::abs(inA - inB) < 2 * closing) continue;  // a hit
+        sum += std::abs(inA - inB);
+        if (deepest && std::abs(inA - inB) <= std::abs(deepest->valueA - deepest->valueB)) continue;
+        deepest = Widest{.bodyA = way[i + 1], .bodyB = way[i], .valueA = inA, .valueB = inB, .tick = parted.tick};
+    }
+    if (deepest) deepest->together = sum;
+    return deepest;
+}
+
+}  // namespace plumb::compare
