@@ -87,6 +87,13 @@ struct EngineCard {
     bool oneSidedChains = false;  ///< its chains are solid on the right of their direction only
 };
 
+/// A number of an engine's own, which a scene may set for it.
+struct EngineNumber {
+    std::string name;
+    double byDefault = 0;
+    double least = 0, most = 0;  ///< what it may be
+};
+
 struct BenchScene;
 
 struct Engine : EngineCard {
@@ -99,6 +106,8 @@ struct Engine : EngineCard {
     std::function<Engine()> withBullets{};
     /// The same with one sub-step a step; empty where it has no sub-steps.
     std::function<Engine()> withOneSubStep{};
+    /// Its own numbers: "subSteps".
+    std::vector<EngineNumber> numbers{};
     /// Why it is not waited for in a scene that measures speed; empty where it is.
     std::function<std::string(const BenchScene&)> leavesOut{};
     /// What its user does from outside, where the scene has what the engine has not. A sentence each.

@@ -9,6 +9,7 @@ namespace plumb::compare {
 
 void validateEngineNames(const Scene& scene) {
     const std::vector<std::string> known = namesOf(knownEngines());
+    for (const auto& [engine, fields] : scene.engines) requireKnown(engine, known, "engines." + engine, "an engine");
     for (std::size_t i = 0; i < scene.checks.size(); ++i) {
         const std::string field = at("checks", i) + "." + checkTags[scene.checks[i].index()] + ".engines";
         const auto look = [&](const auto& check) {

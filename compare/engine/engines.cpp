@@ -4,6 +4,7 @@
 #include <compare/engine/chipmunk/chipmunk_engine.h>
 #include <compare/engine/closed_form_engine.h>
 #include <compare/engine/engine.h>
+#include <compare/engine/engine_settings.h>
 #include <compare/engine/plumb_engine.h>
 
 #include <algorithm>
@@ -12,9 +13,13 @@
 namespace plumb::compare {
 
 const std::vector<Engine>& knownEngines() {
-    static const std::vector<Engine> list{
-        plumbEngine(), box2d24Engine(), box2d3Engine(), chipmunkEngine(), closedFormEngine(),
-    };
+    static const std::vector<Engine> list = [] {
+        std::vector<Engine> all{
+            plumbEngine(), box2d24Engine(), box2d3Engine(), chipmunkEngine(), closedFormEngine(),
+        };
+        for (Engine& engine : all) engine = takingSettings(std::move(engine));
+        return all;
+    }();
     return list;
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include <compare/engine/arrivals.h>
+#include <compare/engine/engine_settings.h>
 #include <compare/engine/plumb_world.h>
 #include <compare/mover/plumb_movers.h>
 #include <plumb/record/state_hash.h>
@@ -144,17 +145,44 @@ std::vector<Setting> plumbSettings(const Scene& scene, const SolverSettings& sol
     };
 }
 
+constexpr const char* plumbName = "plumb";
+
+/// In the order in which solverFor reads them.
+std::vector<EngineNumber> plumbNumbers(const SolverSettings& solver) {
+    return {{"subSteps", static_cast<double>(solver.subSteps), 1, 64},
+            {"contactFrequency", solver.contactFrequency, 1e-3, 1e6},
+            {"contactDampingRatio", solver.contactDampingRatio, 0, 1e6},
+            {"contactPushSpeed", solver.contactPushSpeed, 0, 1e6},
+            {"sleepSpeed", solver.sleepSpeed, 0, 1e6},
+            {"sleepTime", solver.sleepTime, 0, 1e6}};
+}
+
+SolverSettings solverFor(const Scene& scene, SolverSettings solver) {
+    const std::vector<EngineNumber> numbers = plumbNumbers(solver);
+    const auto number = [&](std::size_t i) { return numberFor(plumbName, numbers[i], scene); };
+    solver.subSteps = static_cast<int>(number(0));
+    solver.contactFrequency = number(1);
+    solver.contactDampingRatio = number(2);
+    solver.contactPushSpeed = number(3);
+    solver.sleepSpeed = number(4);
+    solver.sleepTime = number(5);
+    return solver;
+}
+
 }  // namespace
 
 Engine plumbEngine(const SolverSettings& solver) {
     Engine engine;
-    engine.name = "plumb";
+    engine.name = plumbName;
     engine.version = PLUMB_VERSION;
     engine.label = engine.product = "Plumb";
     engine.role = Role::Subject;
     engine.look = {"#0072b2", "#56b4e9", {}, 2.5, true};
-    engine.settings = [solver](const Scene& scene) { return plumbSettings(scene, solver); };
-    engine.build = [solver](const Scene& scene) { return std::make_unique<PlumbSimulation>(scene, solver); };
+    engine.numbers = plumbNumbers(solver);
+    engine.settings = [solver](const Scene& scene) { return plumbSettings(scene, solverFor(scene, solver)); };
+    engine.build = [solver](const Scene& scene) {
+        return std::make_unique<PlumbSimulation>(scene, solverFor(scene, solver));
+    };
     engine.withOneSubStep = [solver] {
         SolverSettings one = solver;
         one.subSteps = 1;

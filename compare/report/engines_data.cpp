@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include <compare/engine/engine_settings.h>
+
 namespace plumb::compare {
 namespace {
 
@@ -54,6 +56,8 @@ json enginesData(const std::vector<SceneResult>& results) {
 json notesData(const SceneResult& result) {
     std::vector<std::string> notes;
     for (const EngineResult& run : result.engines) {
+        for (const auto& [path, value] : settingsFor(run.observation.engine, result.scene))
+            notes.push_back("In " + run.observation.engine + " the scene sets " + path + " to " + value + ".");
         const Engine* engine = findKnown(run.observation.engine);
         if (!engine || !engine->notes || !run.observation.unsupported.empty()) continue;
         for (const std::string& note : engine->notes(result.scene))

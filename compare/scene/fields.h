@@ -119,6 +119,9 @@ void fields(auto& visit, OrConst<Scene> auto& x) {
     visit({"closedForm", "", Allowed::any, "what the textbook says the bodies do"}, x.closedForm);
     visit({"probes", "", Allowed::any, "what is watched beside the positions"}, x.probes);
     visit({"checks", "", Allowed::any, "what must hold, and for which engine"}, x.checks);
+    visit({"engines", "", Allowed::any,
+           "by engine and path, what this engine alone is given; a path with \"solver.\" is a number of its own"},
+          x.engines);
 }
 
 }  // namespace plumb::compare

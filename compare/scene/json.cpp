@@ -184,6 +184,15 @@ private:
             plumb::refuse(path, error.what());
         }
     }
+    static EngineSettings read(Type<EngineSettings>, const Json& json, const std::string& path) {
+        if (!json.is_object()) refuseKind(path, json, "an object");
+        EngineSettings settings;
+        for (const auto& [engine, fields] : json.items()) {
+            if (!fields.is_object()) refuseKind(path + "." + engine, fields, "an object");
+            for (const auto& [field, value] : fields.items()) settings[engine][field] = value.dump();
+        }
+        return settings;
+    }
     template <class T>
     static std::optional<T> read(Type<std::optional<T>>, const Json& json, const std::string& path) {
         if (json.is_null()) return {};

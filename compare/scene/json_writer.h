@@ -45,6 +45,12 @@ public:
     template <class E>
     requires std::is_enum_v<E>
     static Json write(E value) { return tagsOf(value)[static_cast<std::size_t>(value)]; }
+    static Json write(const EngineSettings& settings) {
+        Json object = Json::object();
+        for (const auto& [engine, fields] : settings)
+            for (const auto& [field, value] : fields) object[engine][field] = Json::parse(value);
+        return object;
+    }
     template <class T>
     static Json write(const std::optional<T>& value) {
         return value ? write(*value) : Json(nullptr);

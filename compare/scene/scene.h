@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is put into each engine, what is watched, and what must hold?
 #pragma once
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -106,6 +107,10 @@ struct Probe {
     Watch watch = Watch::Every;  ///< which values count
 };
 
+/// By engine, and by the path of a field as set_field.h has it, the value that this engine alone is given, as JSON. A
+/// path that starts with "solver." is a number of the engine's own.
+using EngineSettings = std::map<std::string, std::map<std::string, std::string>>;
+
 struct Scene {
     std::string name{};      ///< snake_case
     std::string question{};  ///< what it asks, one sentence
@@ -121,6 +126,7 @@ struct Scene {
     std::optional<ClosedForm> closedForm{};
     std::vector<Probe> probes{};
     std::vector<Check> checks{};
+    EngineSettings engines{};
 };
 
 /// It is there from the start of the scene to its end.

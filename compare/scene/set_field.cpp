@@ -164,6 +164,11 @@ Scene withMade(const Scene& scene, const std::string& path, const std::string& s
 }  // namespace
 
 Scene withField(const Scene& scene, const std::string& path, const std::string& value) {
+    if (const std::size_t colon = path.find(':'); colon != std::string::npos) {
+        Scene made = scene;
+        made.engines[path.substr(0, colon)][path.substr(colon + 1)] = valueFrom(value, {}).dump();
+        return made;
+    }
     return withMade(scene, path, value, [&](const Json& now) { return valueFrom(value, now); });
 }
 

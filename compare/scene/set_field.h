@@ -17,6 +17,7 @@ namespace plumb::compare {
 ///   "dt", "gravity.1", "bodies.ball.velocity", "bodies.ball.shapes.0.circle.radius", "bodies.ball.friction"
 /// value: a number, a fraction "1/240", numbers with commas for a vector or words for a list of words, true, false,
 /// null, a word, or else JSON.
+/// "ENGINE:PATH" is the field for one engine alone, see Scene::engines.
 /// Throws std::invalid_argument that names the path, the value and what was wanted; of an unknown name, the nearest and
 /// those that are known.
 Scene withField(const Scene& scene, const std::string& path, const std::string& value);

@@ -12,6 +12,7 @@
 #include <compare/engine/box2d24/box2d24_bench.h>
 #include <compare/engine/box2d24/box2d24_body.h>
 #include <compare/engine/box2d24/box2d24_joint.h>
+#include <compare/engine/engine_settings.h>
 #include <compare/engine/joint_geometry.h>
 #include <compare/engine/outside_notes.h>
 #include <compare/engine/single.h>
@@ -21,8 +22,23 @@
 namespace plumb::compare {
 namespace {
 
-constexpr int velocityIterations = 8;
-constexpr int positionIterations = 3;
+constexpr const char* box2d24Name = "box2d-2.4";
+const EngineNumber velocityIterations{"velocityIterations", 8, 1, 1000};
+const EngineNumber positionIterations{"positionIterations", 3, 1, 1000};
+
+int iterationsIn(const Scene& scene, const EngineNumber& number) {
+    return static_cast<int>(numberFor(box2d24Name, number, scene));
+}
+
+/// 0 where the scene bounces, else Box2D's default; or what the scene says [m/s].
+EngineNumber thresholdIn24(const Scene& scene) {
+    return {"restitutionThreshold", static_cast<double>(restitutionThreshold24(scene)), 0, 1e6};
+}
+
+double threshold24(const Scene& scene) {
+    return numberFor(box2d24Name, thresholdIn24(scene), scene);
+}
+
 constexpr const char* noMoversOfBox2d24 =
     "The mover is in Box2D 2.4 a dynamic body that cannot turn, told its velocity before each step.";
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -83,7 +99,9 @@ public:
           wrap_(scene.wrap),
           probes_(scene.probes.size()),
           arrivals_(scene),
-          threshold_(restitutionThreshold24(scene)) {
+          threshold_(static_cast<float>(threshold24(scene))),
+          velocityIterations_(iterationsIn(scene, velocityIterations)),
+          positionIterations_(iterationsIn(scene, positionIterations)) {
         world_.SetAllowSleeping(scene.sleeping);
         for (std::size_t i = 0; i < scene.bodies.size(); ++i)
             bodies_.push_back(bodyIsThereAtStart(scene, i) ? made(scene, i) : nullptr);
@@ -98,7 +116,7 @@ public:
         for (const Arrivals::Due& due : arrivals_.dueBefore(tick_++)) arrive(due);
         if (!fields_.empty()) applyFields(dt);
         if (!movers_.empty()) move(dt);
-        world_.Step(static_cast<float>(dt), velocityIterations, positionIterations);
+        world_.Step(static_cast<float>(dt), velocityIterations_, positionIterations_);
         listener_.finishStep(dt);
         if (wrap_.any()) bringBack();
         lastDt_ = dt;
@@ -260,15 +278,16 @@ private:
     std::vector<Watched> probes_;
     Arrivals arrivals_;
     float threshold_;  // of restitution [m/s]
+    int velocityIterations_, positionIterations_;
     int tick_ = 0;
     std::optional<double> lastDt_;  // [s]
 };
 
 std::vector<Setting> box2d24Settings(const Scene& scene) {
     return {
-        {"velocity iterations", fmt::format("{}", velocityIterations)},
-        {"position iterations", fmt::format("{}", positionIterations)},
-        {"restitution threshold", fmt::format("{} m/s", restitutionThreshold24(scene))},
+        {"velocity iterations", fmt::format("{}", iterationsIn(scene, velocityIterations))},
+        {"position iterations", fmt::format("{}", iterationsIn(scene, positionIterations))},
+        {"restitution threshold", fmt::format("{} m/s", threshold24(scene))},
         {"slop", fmt::format("{} m", b2_linearSlop)},
         {"skin of polygons and segments", fmt::format("{} m", b2_polygonRadius)},
         {"position correction", fmt::format("{} of the overlap a step", b2_baumgarte)},
@@ -287,7 +306,7 @@ std::vector<Setting> box2d24Settings(const Scene& scene) {
 
 EngineCard box2d24Card(bool bullets) {
     EngineCard card;
-    card.name = "box2d-2.4";
+    card.name = box2d24Name;
     card.version = PLUMB_BOX2D24_VERSION;
     card.label = "Box2D 2.4";
     card.product = "Box2D";
@@ -301,6 +320,7 @@ EngineCard box2d24Card(bool bullets) {
 
 Engine box2d24Engine(bool bullets) {
     Engine engine{box2d24Card(bullets), box2d24Settings, {}};
+    engine.numbers = {velocityIterations, positionIterations, thresholdIn24({})};
     engine.build = [bullets](const Scene& scene) {
         auto simulation = std::make_unique<Box2d24Simulation>(scene);
         if (bullets) simulation->makeBullets(scene);

@@ -15,6 +15,7 @@
 #include <compare/engine/box2d3/box2d3_card.h>
 #include <compare/engine/box2d3/box2d3_joint.h>
 #include <compare/engine/box2d3/box2d3_mover.h>
+#include <compare/engine/engine_settings.h>
 #include <compare/engine/joint_geometry.h>
 #include <compare/engine/mixed.h>
 #include <compare/engine/outside_notes.h>
@@ -40,11 +41,35 @@ bool hasSensors(const Scene& scene) {
     });
 }
 
+const EngineNumber subStepsOf3{"subSteps", 4, 1, 64};
+
+/// 0 where the scene bounces, else Box2D's default [m/s].
+EngineNumber thresholdIn3(const Scene& scene) {
+    const double byDefault = static_cast<double>(b2DefaultWorldDef().restitutionThreshold);
+    return {"restitutionThreshold", bounces(scene) ? 0 : byDefault, 0, 1e6};
+}
+
+EngineNumber maxSpeedOf3() {
+    return {"maxSpeed", static_cast<double>(b2DefaultWorldDef().maximumLinearSpeed), 0.01, 1e6};
+}
+
+float numberIn3(const Scene& scene, const EngineNumber& number) {
+    return static_cast<float>(numberFor(box2d3Card().name, number, scene));
+}
+
+/// subSteps: where the scene does not say.
+int subStepsIn3(const Scene& scene, int subSteps) {
+    EngineNumber number = subStepsOf3;
+    number.byDefault = subSteps;
+    return static_cast<int>(numberIn3(scene, number));
+}
+
 /// The default world, but for sleep, mixing rules, gravity and the threshold of a scene that bounces.
 b2WorldDef worldDef(const Scene& scene) {
     b2WorldDef def = b2DefaultWorldDef();
     def.gravity = toBox2d3(scene.gravity);
-    if (bounces(scene)) def.restitutionThreshold = 0;
+    def.restitutionThreshold = numberIn3(scene, thresholdIn3(scene));
+    def.maximumLinearSpeed = numberIn3(scene, maxSpeedOf3());
     def.enableSleep = scene.sleeping;
     for (const SceneBody& body : scene.bodies) {
         const bool fixed = body.def.type == BodyType::Static;
@@ -77,7 +102,7 @@ private:
 class Box2d3Simulation : public Simulation {
 public:
     Box2d3Simulation(const Scene& scene, int subSteps)
-        : subSteps_(subSteps),
+        : subSteps_(subStepsIn3(scene, subSteps)),
           world_(worldDef(scene)),
           fields_(scene),
           movers_(scene, Characters::Capsules),
@@ -299,7 +324,7 @@ std::vector<Setting> box2d3Settings(const Scene& scene, int subSteps) {
     const b2WorldDef world = worldDef(scene);
     const b2RevoluteJointDef joint = b2DefaultRevoluteJointDef();
     return {
-        {"sub-steps", fmt::format("{}", subSteps)},
+        {"sub-steps", fmt::format("{}", subStepsIn3(scene, subSteps))},
         {"restitution threshold", fmt::format("{} m/s", world.restitutionThreshold)},
         {"contact stiffness", fmt::format("{} Hz, damping ratio {}", world.contactHertz, world.contactDampingRatio)},
         {"overlap pushed out at most at", fmt::format("{} m/s", world.contactSpeed)},
@@ -337,6 +362,7 @@ Engine box2d3Engine(bool bullets, int subSteps) {
     Engine engine{box2d3Card(), {}, {}};
     engine.version = version();
     if (bullets) static_cast<EngineCard&>(engine) = asBullets(engine, {4, 3, 1, 3});
+    engine.numbers = {subStepsOf3, thresholdIn3({}), maxSpeedOf3()};
     engine.settings = [subSteps](const Scene& scene) { return box2d3Settings(scene, subSteps); };
     engine.build = [bullets, subSteps](const Scene& scene) {
         auto simulation = std::make_unique<Box2d3Simulation>(scene, subSteps);

@@ -16,6 +16,7 @@
 #include <compare/engine/chipmunk/chipmunk_body.h>
 #include <compare/engine/chipmunk/chipmunk_contacts.h>
 #include <compare/engine/chipmunk/chipmunk_joint.h>
+#include <compare/engine/engine_settings.h>
 #include <compare/engine/outside_notes.h>
 #include <compare/field/scene_fields.h>
 #include <compare/mover/scene_movers.h>
@@ -55,6 +56,10 @@ private:
     int kept_ = -1;
 };
 
+constexpr const char* chipmunkName = "chipmunk";
+const EngineNumber chipmunkIterations{"iterations", 10, 1, 1000};
+const EngineNumber chipmunkSlopNumber{"slop", chipmunkSlop, 0, 1};
+
 OwnedChipmunk<cpSpace> newChipmunkSpace(const Scene& scene) {
     static const bool greeted = [] {
         const QuietOutput quiet;
@@ -63,7 +68,8 @@ OwnedChipmunk<cpSpace> newChipmunkSpace(const Scene& scene) {
     static_cast<void>(greeted);
     OwnedChipmunk<cpSpace> space(cpSpaceNew());
     cpSpaceSetGravity(space.get(), toChipmunk(scene.gravity));
-    cpSpaceSetCollisionSlop(space.get(), chipmunkSlop);
+    cpSpaceSetCollisionSlop(space.get(), numberFor(chipmunkName, chipmunkSlopNumber, scene));
+    cpSpaceSetIterations(space.get(), static_cast<int>(numberFor(chipmunkName, chipmunkIterations, scene)));
     cpSpaceSetIdleSpeedThreshold(space.get(), chipmunkIdleSpeed);
     if (scene.sleeping) cpSpaceSetSleepTimeThreshold(space.get(), chipmunkTimeToSleep);
     return space;
@@ -278,7 +284,7 @@ std::vector<Setting> chipmunkSettings(const Scene& scene) {
     const double share = 1 - std::pow(cpSpaceGetCollisionBias(space.get()), aSixtieth);
     return {
         {"iterations", fmt::format("{}", cpSpaceGetIterations(space.get()))},
-        {"slop", fmt::format("{} m", chipmunkSlop)},
+        {"slop", fmt::format("{} m", cpSpaceGetCollisionSlop(space.get()))},
         {"position correction", fmt::format("{:.3g} of the overlap in 1/60 s", share)},
         {"error correction of joints", "as much"},
         {"restitution threshold", "none"},
@@ -303,7 +309,7 @@ std::vector<Setting> chipmunkSettings(const Scene& scene) {
 
 Engine chipmunkEngine() {
     Engine engine;
-    engine.name = "chipmunk";
+    engine.name = chipmunkName;
     engine.version = cpVersionString;
     engine.label = "Chipmunk 7";
     engine.product = "Chipmunk";
@@ -311,6 +317,7 @@ Engine chipmunkEngine() {
     engine.look = {"#cc79a7", "#e39ac3", {6, 3, 1, 3}, 2};
     engine.leavesOut = leftOutOfChipmunk;
     engine.notes = [](const Scene& scene) { return outsideNotes(scene, "Chipmunk", noMoversOfChipmunk); };
+    engine.numbers = {chipmunkIterations, chipmunkSlopNumber};
     engine.settings = chipmunkSettings;
     engine.build = [](const Scene& scene) { return std::make_unique<ChipmunkSimulation>(scene); };
     return engine;

@@ -42,6 +42,9 @@ public:
         return {{"enum", tags}};
     }
     Json of(SchemaType<TileMap>, const Field& field) { return of(SchemaType<TilesFields>(), field); }
+    static Json of(SchemaType<EngineSettings>, const Field&) {
+        return {{"type", "object"}, {"additionalProperties", Json{{"type", "object"}}}};
+    }
     template <class T>
     Json of(SchemaType<std::optional<T>>, const Field& field) {
         return {{"anyOf", Json::array({of(SchemaType<T>(), field), Json{{"type", "null"}}})}};
