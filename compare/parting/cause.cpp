@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <compare/engine/engine_settings.h>
 #include <compare/metric/mechanics.h>
 #include <compare/parting/laws.h>
 #include <compare/parting/stretch.h>
@@ -12,7 +13,9 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double halfOf = 0.5;  // what accounts for so much of a distance is its cause
+constexpr double partOfIts = 0.5;      // what accounts for so much of a distance is its cause [-]
+constexpr double alike = 0.01;         // two speeds that differ by less, relative to the larger, are the same [-]
+constexpr double partOfItsPull = 0.2;  // likewise of a gap, where it is the joints that pull [-]
 
 class CauseFinder {
 public:
@@ -24,16 +27,15 @@ public:
     void find() {
         if (!isFinite(stateIn(parted_.a)) || !isFinite(stateIn(parted_.b))) return;
         if (parted_.scene.bodies[parted_.body].def.type == BodyType::Kinematic) return addSpeeds(Difference::Driven);
-        if (foundBreak() || foundStretch() || foundEnergy()) return;
         const std::vector<Share> shares = sharesOf(parted_, touching_);
-        if (shares.empty()) return;
-        const Share& most = shares.front();
-        if (most.agent == Agent::Across || most.agent == Agent::Along)
-            addTouchCause(parted_, most, touching_, parting_);
-        else if (most.agent == Agent::Steps)
-            add(Difference::Steps, nameOf(parted_.body), distance_, 0, parted_.tick);
-        else
-            addSpeeds(most.agent == Agent::Joints ? Difference::Pull : Difference::Flight);
+        if (foundBreak() || foundGap(partOfIts) || shares.empty()) return;
+        switch (shares.front().agent) {
+            case Agent::Across:
+            case Agent::Along: return addTouch(shares.front());
+            case Agent::Joints: return addHeld();
+            case Agent::Nothing: return addSpeeds(Difference::Flight);
+            case Agent::Steps: return addSteps();
+        }
     }
 
 private:
@@ -64,18 +66,56 @@ private:
         return false;
     }
 
-    bool foundStretch() {
+    bool foundGap(double part) {
         if (parted_.a.partial || parted_.b.partial) return false;
         const std::optional<Widest> gap = widestGap(parted_, joints_);
-        const std::optional<Widest> overlap = deepestOverlap(parted_, joints_, touching_);
-        const double gaps = gap ? gap->together : 0, overlaps = overlap ? overlap->together : 0;
-        if (std::max(gaps, overlaps) < halfOf * distance_) return false;
-        if (gaps >= overlaps)
-            add(Difference::Gap, parted_.scene.joints[gap->joint].name, gap->valueA, gap->valueB, gap->tick);
-        else
-            add(Difference::Overlap, nameOf(overlap->bodyA) + ", " + nameOf(overlap->bodyB), overlap->valueA,
-                overlap->valueB, overlap->tick);
+        if (!gap || gap->together < part * distance_) return false;
+        add(Difference::Gap, parted_.scene.joints[gap->joint].name, gap->valueA, gap->valueB, gap->tick);
         return true;
+    }
+
+    bool foundOverlap() {
+        if (parted_.a.partial || parted_.b.partial) return false;
+        const std::optional<Widest> overlap = deepestOverlap(parted_, joints_, touching_);
+        if (!overlap || overlap->together < partOfIts * distance_) return false;
+        add(Difference::Overlap, nameOf(overlap->bodyA) + ", " + nameOf(overlap->bodyB), overlap->valueA,
+            overlap->valueB, overlap->tick);
+        return true;
+    }
+
+    /// What comes at once says more than how deep bodies are in each other by then.
+    void addTouch(const Share& share) {
+        const TouchCause cause(parted_, share, touching_);
+        if (cause.isSudden() || share.agent == Agent::Along || !foundOverlap()) cause.add(parting_);
+    }
+
+    void addSteps() {
+        const double a = stateIn(parted_.a).velocity.norm(), b = stateIn(parted_.b).velocity.norm();
+        if (std::abs(a - b) > alike * std::max(a, b)) return addSpeeds(Difference::Flight);
+        if (!foundEnergy()) add(Difference::Steps, nameOf(parted_.body), distance_, 0, parted_.tick);
+    }
+
+    void addHeld() {
+        if (foundGap(partOfItsPull) || foundEnergy()) return;
+        addSpeeds(Difference::Pull);
+        if (const std::optional<std::size_t> joint = jointOf(parted_.body))
+            parting_.at = parted_.scene.joints[*joint].name;
+    }
+
+    /// The one that holds the body itself and whose gap differs most, or the first.
+    std::optional<std::size_t> jointOf(std::size_t body) const {
+        std::optional<std::size_t> found;
+        double most = -1;
+        for (std::size_t i = 0; i < joints_.joints().size(); ++i) {
+            const std::vector<std::size_t> held = bodiesOf(joints_.joints(), i);
+            if (std::ranges::find(held, body) == held.end()) continue;
+            const double a = joints_.gap(i, parted_.a.states[parted_.tick]);
+            const double apart = std::abs(a - joints_.gap(i, parted_.b.states[parted_.tick]));
+            if (apart <= most) continue;
+            most = apart;
+            found = i;
+        }
+        return found;
     }
 
     /// How far the body has gone in a run by now [m].
@@ -104,12 +144,13 @@ private:
     }
 
     bool foundEnergy() {
-        if (!keepsEnergy(parted_.scene)) return false;
+        for (const Observation* run : {&parted_.a, &parted_.b})
+            if (!keepsEnergy(sceneFor(run->engine, parted_.scene))) return false;
         const MassModel masses(parted_.scene);
         const std::optional<Gain> a = gainIn(masses, parted_.a), b = gainIn(masses, parted_.b);
         if (!a || !b || !(a->size > 0) || !(b->size > 0)) return false;
         const double gainA = a->gained / a->size, gainB = b->gained / b->size;
-        if (std::abs(gainA - gainB) * wayIn(parted_.a) < halfOf * distance_) return false;
+        if (std::abs(gainA - gainB) * wayIn(parted_.a) < partOfIts * distance_) return false;
         add(Difference::Energy, nameOf(parted_.body), gainA, gainB, parted_.tick);
         return true;
     }

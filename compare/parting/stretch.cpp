@@ -59,10 +59,6 @@ std::vector<std::size_t> jointsAround(const Scene& scene, const JointStates& joi
     return found;
 }
 
-double closingSpeed(const std::vector<BodyState>& states, const std::pair<std::size_t, std::size_t>& pair) {
-    return (states[pair.first].velocity - states[pair.second].velocity).norm();
-}
-
 bool isSeen(const JointStates& joints, std::size_t joint, const Observation& run, std::size_t tick) {
     const Broken broken = brokenBy(run, tick);
     return !(joint < broken.size() && broken[joint]) && joints.isPresent(joint, run.states[tick]) &&
@@ -106,8 +102,7 @@ std::optional<Widest> deepestOverlap(const Parted& parted, const JointStates& jo
         if (!touches.contains(pair)) continue;
         const double inA = -touching.separation(pair.first, pair.second, a);
         const double inB = -touching.separation(pair.first, pair.second, b);
-        const double closing = std::max(closingSpeed(a, pair), closingSpeed(b, pair)) * parted.a.dt;
-        if (std::min(inA, inB) < -Touching::skin || std::abs(inA - inB) < 2 * closing) continue;  // a hit
+        if (std::min(inA, inB) < -Touching::skin) continue;  // one of them does not touch
         sum += std::abs(inA - inB);
         if (deepest && std::abs(inA - inB) <= std::abs(deepest->valueA - deepest->valueB)) continue;
         deepest = Widest{.bodyA = way[i + 1], .bodyB = way[i], .valueA = inA, .valueB = inB, .tick = parted.tick};

@@ -1,12 +1,41 @@
 // SPDX-License-Identifier: MIT
 // What differs in two runs where a body touches another?
 #pragma once
+#include <utility>
+
 #include <compare/parting/account.h>
 #include <compare/parting/parting.h>
 
 namespace plumb::compare {
 
-/// Fills in what a share that comes from a touch is: a hit, a bounce, a way through, a snag, sliding or pressing.
-void addTouchCause(const Parted& parted, const Share& share, const Touching& touching, Parting& parting);
+/// What a share that comes from a touch is: a hit, a bounce, a way through, a snag, sliding or pressing.
+class TouchCause {
+public:
+    TouchCause(const Parted& parted, const Share& share, const Touching& touching);
+
+    /// It came at once, and came out differently.
+    bool isSudden() const;
+    void add(Parting& parting) const;
+
+private:
+    /// A run around a touch.
+    struct Seen {
+        double approach = 0, leaving = 0;  ///< towards the other along the normal, before, and away from it after [m/s]
+        double across = 0, along = 0;  ///< the change of the body's speed along the normal and along the surface [m/s]
+        double before = 0, after = 0;  ///< the body's speed [m/s]
+        double alongBefore = 0, alongAfter = 0;  ///< its speed along the surface [m/s]
+        Vec2 from{0, 0}, to{0, 0};               ///< its centre, before and after [m]
+    };
+
+    Difference kind() const;
+    Seen seenIn(const Observation& run) const;
+    bool isPassed(const Seen& through, const Seen& back) const;
+    std::pair<double, double> valuesOf(Difference quantity) const;
+
+    const Parted& parted_;
+    const Share& share_;
+    const Touching& touching_;
+    Seen a_, b_;
+};
 
 }  // namespace plumb::compare

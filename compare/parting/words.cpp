@@ -19,7 +19,10 @@ constexpr const char* jointNames[] = {"hinge",  "slide", "rod",   "weld",   "whe
 
 std::string jointText(const Scene& scene, const std::string& name) {
     const auto joint = std::ranges::find(scene.joints, name, &SceneJoint::name);
-    return joint == scene.joints.end() ? name : fmt::format("{} {}", jointNames[joint->def.index()], name);
+    if (joint == scene.joints.end()) return name;
+    const auto* rod = std::get_if<DistanceJointDef>(&joint->def);
+    const char* kind = rod && rod->spring ? "spring" : jointNames[joint->def.index()];
+    return fmt::format("{} {}", kind, name);
 }
 
 /// The two sides of a sentence, the larger value first.
@@ -42,6 +45,11 @@ std::string gainText(double gain) {
     return fmt::format("{} by {:.2g} %", gain >= 0 ? "grown" : "fallen", 100 * std::abs(gain));
 }
 
+/// Of what bounces: nothing comes back of what goes on.
+std::string shareText(double share) {
+    return fmt::format("{:.0f} %", share > 0 ? 100 * share : 0.0);
+}
+
 /// "ball" and "floor" of "ball, floor".
 std::pair<std::string, std::string> bothOf(const std::string& at) {
     const std::size_t comma = at.find(", ");
@@ -62,8 +70,8 @@ std::string touchText(const Parting& parting) {
         case Difference::Passed:
             return fmt::format("at {} it goes through {} in {}, and not in {}", when, other, sides.engine, sides.other);
         case Difference::Bounce:
-            return fmt::format("when it meets {} at {}, {:.2g} of the speed comes back in {}, {:.2g} in {}", other,
-                               when, parting.valueA, parting.engineA, parting.valueB, parting.engineB);
+            return fmt::format("it meets {} at {}, and bounces back at {} of its speed in {}, at {} in {}", other, when,
+                               shareText(parting.valueA), parting.engineA, shareText(parting.valueB), parting.engineB);
         case Difference::Hit:
             return fmt::format("after it meets {} at {} it moves {}", other, when, speedsText(parting));
         case Difference::Snag:
@@ -89,7 +97,8 @@ std::string causeText(const Scene& scene, const Parting& parting) {
             return fmt::format("in {} {} and {} {}, in {} they {}", sides.engine, a, b, depthText(sides.value),
                                sides.other, depthText(sides.otherValue));
         }
-        case Difference::Pull: return "its joints hold it, and it moves " + speedsText(parting);
+        case Difference::Pull:
+            return fmt::format("the {} holds it, and it moves {}", jointText(scene, parting.at), speedsText(parting));
         case Difference::Flight: return "nothing touches it, and it moves " + speedsText(parting);
         case Difference::Steps:
             return fmt::format("nothing touches it, and its speed is alike: the steps of the two place it {} apart",
