@@ -185,6 +185,15 @@ json limitData(const Scene& scene) {
     return limits;
 }
 
+/// body is empty where the two stay together.
+json partingData(const Scene& scene, const Parting& parting) {
+    return {{"a", parting.engineA},
+            {"b", parting.engineB},
+            {"body", parting.body},
+            {"time", parting.time},
+            {"text", partingText(scene, parting)}};
+}
+
 json sceneData(const SceneResult& result, const PlaybackFormat& format, const ReportSettings& settings) {
     const Scene& scene = result.scene;
     std::size_t ticks = 1;
@@ -208,6 +217,8 @@ json sceneData(const SceneResult& result, const PlaybackFormat& format, const Re
                  {"stride", format.stride},
                  {"curveStride", stride}};
     data["notes"] = notesData(result);
+    data["partings"] = json::array();
+    for (const Parting& parting : result.partings) data["partings"].push_back(partingData(scene, parting));
     if (scene.wrap.any()) data["wrap"] = {scene.wrap.width.value_or(0), scene.wrap.height.value_or(0)};
     for (const char* list : {"bodies", "joints", "fields", "probes", "engines", "outcomes"}) data[list] = json::array();
     for (const SceneBody& body : scene.bodies) data["bodies"].push_back(bodyData(body));

@@ -1,6 +1,21 @@
 // SPDX-License-Identifier: MIT
 // What does the page of one scene hold together? The stage, the charts and the tables, at one time.
 
+/// Where each two engines part: those of the engine that the comparison is about, and the others on demand.
+function partingsList(scene) {
+    const isMain = ({a, b}) => isSubject(a) || isSubject(b);
+    const lines = (partings) => partings.map(({text, body, time}) => element("li", {},
+        element("button", {type: "button", class: "plain", "data-time": time, disabled: body === ""}, text)));
+    const main = scene.partings.filter(isMain);
+    const others = scene.partings.filter((parting) => !isMain(parting));
+    const list = (partings) => element("ul", {}, ...lines(partings));
+    return [
+        main.length > 0 ? list(main) : null,
+        others.length === 0 ? null : main.length === 0 ? list(others)
+            : element("details", {}, element("summary", {}, "The other engines among themselves"), list(others)),
+    ].filter((part) => part !== null);
+}
+
 class ScenePage {
     /// settled() is called when a person has come to a state worth an address.
     constructor(settled) {
@@ -51,6 +66,7 @@ class ScenePage {
         byId("trails").checked = this.view.trails;
         byId("scrub").max = scene.ticks.length - 1;
         this.showHead(scene);
+        this.showPartings(scene);
         this.showKeys(scene);
         this.showTables(scene);
         this.charts.load(scene);
@@ -71,6 +87,15 @@ class ScenePage {
         byId("unsupported").replaceChildren(...missing.map(({name, unsupported}) =>
             element("p", {class: "unsupported"}, engineName(name), ` does not run this scene: ${unsupported}`)),
             ...scene.notes.map((note) => element("p", {class: "unsupported"}, note)));
+    }
+
+    /// A click goes to the moment.
+    showPartings(scene) {
+        byId("partings").hidden = scene.partings.length === 0;
+        byId("partings").replaceChildren(...partingsList(scene));
+        for (const button of byId("partings").querySelectorAll("button")) {
+            button.addEventListener("click", () => { this.player.seek(Number(button.dataset.time)); this.settled(); });
+        }
     }
 
     showKeys(scene) {
