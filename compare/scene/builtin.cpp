@@ -4,11 +4,12 @@
 #include <algorithm>
 
 #include <compare/scene/builtin/scenes.h>
+#include <compare/scene/builtin/titles.h>
 
 namespace plumb::compare {
 
 std::vector<Scene> builtinScenes() {
-    return {
+    std::vector<Scene> scenes{
         freeFall(),
         projectile(),
         projectileDamped(),
@@ -93,6 +94,8 @@ std::vector<Scene> builtinScenes() {
         elasticGas(),
         smallTumbler(),
     };
+    for (Scene& scene : scenes) giveTitle(scene);
+    return scenes;
 }
 
 std::optional<Scene> findScene(const std::string& name) {

@@ -106,6 +106,8 @@ void fields(auto& visit, OrConst<SceneField> auto& x) {
 }
 void fields(auto& visit, OrConst<Scene> auto& x) {
     visit(needed({"name", "", Allowed::any, "of small letters, digits and underscores"}), x.name);
+    visit({"title", "", Allowed::any, "as a reader sees it; made of the name where there is none"}, x.title);
+    visit({"group", "", Allowed::any, "the heading under which it is listed"}, x.group);
     visit({"question", "", Allowed::any, "what it asks, one sentence"}, x.question);
     visit({"gravity", "m/s^2", Allowed::finite, "the same everywhere"}, x.gravity);
     visit({"duration", "s", Allowed::positive, "of the whole run"}, x.duration);
