@@ -84,10 +84,12 @@ json bodyData(const SceneBody& body) {
     json shapes = json::array();
     for (const ShapeDef& shape : body.def.shapes)
         for (json& data : shapesData(shape.shape)) shapes.push_back(std::move(data));
-    return {{"name", body.name},
-            {"type", bodyTypeTags[static_cast<std::size_t>(body.def.type)]},
-            {"start", {body.def.position.x(), body.def.position.y(), body.def.angle}},
-            {"shapes", shapes}};
+    json data = {{"name", body.name},
+                 {"type", bodyTypeTags[static_cast<std::size_t>(body.def.type)]},
+                 {"start", {body.def.position.x(), body.def.position.y(), body.def.angle}},
+                 {"shapes", shapes}};
+    if (body.def.type == BodyType::Dynamic) data["mass"] = massOf(body.def).mass;
+    return data;
 }
 
 /// A joint as two bodies and a point fixed to each: the page draws it wherever the bodies go. Null for a gear, which

@@ -90,7 +90,8 @@ std::string PackedBlock::text() const {
         for (const std::uint32_t word : words_) bytes.push_back(static_cast<std::uint8_t>(word >> shift & 0xFFu));
     uLongf size = compressBound(static_cast<uLong>(bytes.size()));
     std::vector<std::uint8_t> small(size);
-    const int state = compress2(small.data(), &size, bytes.data(), static_cast<uLong>(bytes.size()), Z_BEST_COMPRESSION);
+    const int state =
+        compress2(small.data(), &size, bytes.data(), static_cast<uLong>(bytes.size()), Z_BEST_COMPRESSION);
     if (state != Z_OK) throw std::runtime_error("zlib did not compress: error " + std::to_string(state));
     small.resize(size);
     return base64(small);

@@ -11,7 +11,10 @@ function readReport() {
 }
 
 function bytesOf(base64) {
-    return Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+    const text = atob(base64);
+    const bytes = new Uint8Array(text.length);
+    for (let i = 0; i < bytes.length; ++i) bytes[i] = text.charCodeAt(i);
+    return bytes;
 }
 
 /// Base64 of little-endian doubles; the page runs on little-endian machines, as all browsers' are.

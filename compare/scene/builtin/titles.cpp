@@ -56,20 +56,13 @@ constexpr Titled slopesTitles[] = {
 };
 
 constexpr Titled pendulumsTitles[] = {
-    {"pendulum_45", "A swing of 45 degrees"},
-    {"pendulum_150", "A swing of 150 degrees"},
-    {"pendulum_step", "A swing at half the step"},
-    {"rod_pendulum_90", "A swinging rod"},
-    {"double_pendulum", "A double pendulum"},
-    {"double_pendulum_minute", "A double pendulum for a minute"},
-    {"pendulum_horizontal", "A swing from level"},
-    {"hanging_chain", "Three weights in a row"},
-    {"spring_undamped", "A spring without damping"},
-    {"springs_damped", "Three damped springs"},
-    {"cradle_one", "Newton's cradle, one disc"},
-    {"cradle_two", "Newton's cradle, two discs"},
-    {"cradle_gap", "Newton's cradle with gaps"},
-    {"ballistic_pendulum", "A ballistic pendulum"},
+    {"pendulum_45", "A swing of 45 degrees"},        {"pendulum_150", "A swing of 150 degrees"},
+    {"pendulum_step", "A swing at half the step"},   {"rod_pendulum_90", "A swinging rod"},
+    {"double_pendulum", "A double pendulum"},        {"double_pendulum_minute", "A double pendulum for a minute"},
+    {"pendulum_horizontal", "A swing from level"},   {"hanging_chain", "Three weights in a row"},
+    {"spring_undamped", "A spring without damping"}, {"springs_damped", "Three damped springs"},
+    {"cradle_one", "Newton's cradle, one disc"},     {"cradle_two", "Newton's cradle, two discs"},
+    {"cradle_gap", "Newton's cradle with gaps"},     {"ballistic_pendulum", "A ballistic pendulum"},
 };
 
 constexpr Titled jointsTitles[] = {
@@ -102,14 +95,10 @@ constexpr Titled stacksTitles[] = {
 };
 
 constexpr Titled moversTitles[] = {
-    {"tile_floor", "Over a floor of tiles"},
-    {"tile_wall", "Down a wall of tiles"},
-    {"mover_wall", "A mover against a wall"},
-    {"platform_ride", "A ride on a platform"},
-    {"maze_lap", "Ten laps of a maze"},
-    {"jump_1985", "A jump of 1985"},
-    {"jump_modern", "A modern jump"},
-    {"one_way_platform", "A one-way platform"},
+    {"tile_floor", "Over a floor of tiles"},  {"tile_wall", "Down a wall of tiles"},
+    {"mover_wall", "A mover against a wall"}, {"platform_ride", "A ride on a platform"},
+    {"maze_lap", "Ten laps of a maze"},       {"jump_1985", "A jump of 1985"},
+    {"jump_modern", "A modern jump"},         {"one_way_platform", "A one-way platform"},
 };
 
 constexpr Titled worldsTitles[] = {

@@ -24,7 +24,7 @@ function wholePath(scene, engine, magnify) {
 function drawWholePath(context, camera, view, engine) {
     context.save();
     context.transform(camera.scale, 0, 0, -camera.scale, camera.originX, camera.originY);
-    context.lineWidth = 1.5 / camera.scale;
+    context.lineWidth = (view.isPicture ? 1 : 1.5) / camera.scale;
     context.lineJoin = "round";
     context.setLineDash([]);
     context.globalAlpha = 0.3;

@@ -68,6 +68,8 @@ class Pictures {
             const scene = this.scenes.get(canvas);
             await unpackScene(scene);
             drawStage(canvas, pictureView(scene, theme));
+            // A person scrolls meanwhile.
+            await new Promise((goOn) => { setTimeout(goOn); });
         }
         this.drawing = false;
     }
