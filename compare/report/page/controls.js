@@ -13,8 +13,8 @@ function takesArrows(target) {
     return target.tagName === "SELECT" || (target.tagName === "INPUT" && target.type === "radio");
 }
 
-/// Space plays and pauses, the arrows step, Home and End go to the ends, +, - and 0 zoom; a focused control keeps its own
-/// keys.
+/// Space plays and pauses, the arrows step, Home and End go to the ends, +, - and 0 zoom; a focused control keeps its
+/// own keys.
 function bindKeys(player, aim, isOpen) {
     document.addEventListener("keydown", (event) => {
         if (!isOpen() || event.ctrlKey || event.altKey || event.metaKey) return;

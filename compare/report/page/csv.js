@@ -38,7 +38,7 @@ function runCsv(scene, engine) {
     const columns = [
         ...engine.bodies.flatMap((body) => bodyColumns(scene, engine, body)),
         ...curve("energy [J]", engine.energy),
-        ...engine.probes.flatMap((values, i) => curve(`probe.${scene.probes[i].name} [${scene.probes[i].unit}]`, values)),
+        ...scene.probes.flatMap(({name, unit}, i) => curve(`probe.${name} [${unit}]`, engine.probes[i])),
         ...(isTruth(engine.name) ? [] : curve("to_truth [m]", engine.error)),
     ];
     const rows = Array.from(scene.times, (t, frame) => [t, ...columns.map(({at}) => at(frame))]);

@@ -30,7 +30,8 @@ foreach(text IN ITEMS "${chart_library}" "${scripts}")
     endif()
 endforeach()
 
-string(REPLACE "@@style@@" "${chart_style}\n${page_style}\n${overview_style}\n${scene_style}\n${lab_style}" page "${page}")
+string(REPLACE "@@style@@" "${chart_style}\n${page_style}\n${overview_style}\n${scene_style}\n${lab_style}"
+    page "${page}")
 string(REPLACE "@@charts@@" "${chart_library}" page "${page}")
 string(REPLACE "@@scripts@@" "${scripts}" page "${page}")
 

@@ -43,7 +43,8 @@ function errorCell(scene, name) {
     const isBest = bestOf("error_max", compared.map((other) => other.metrics.error_max));
     const value = engine.metrics.error_max;
     const none = typeof value !== "number";
-    return cell({class: `figure number${none ? " none absent" : ""}${isBest(value) ? " best" : ""}`}, quantity(value, "m"));
+    const looks = `${none ? " none absent" : ""}${isBest(value) ? " best" : ""}`;
+    return cell({class: `figure number${looks}`}, quantity(value, "m"));
 }
 
 function sceneAddress(scene) {
@@ -79,7 +80,8 @@ function groupBodies(report, engines, pictures) {
     const bodies = new Map();
     for (const scene of report.scenes) {
         if (!bodies.has(scene.group)) {
-            const head = element("th", {scope: "rowgroup", colspan: 4 + engines.length}, element("h2", {}, scene.group));
+            const columns = 4 + engines.length;
+            const head = element("th", {scope: "rowgroup", colspan: columns}, element("h2", {}, scene.group));
             bodies.set(scene.group, element("tbody", {}, element("tr", {class: "group"}, head)));
         }
         bodies.get(scene.group).append(verdictRow(scene, engines, pictures));

@@ -33,7 +33,8 @@ function(plumb_add_report_page target)
             "-DDYGRAPHS_JS=${PLUMB_DYGRAPHS_JS}" "-DDYGRAPHS_CSS=${PLUMB_DYGRAPHS_CSS}" "-DOUTPUT=${output}"
             -P "${PLUMB_REPORT_PAGE_DIR}/embed.cmake"
         DEPENDS ${scripts} "${PLUMB_REPORT_PAGE_DIR}/page.html" "${PLUMB_REPORT_PAGE_DIR}/page.css"
-            "${PLUMB_REPORT_PAGE_DIR}/overview.css" "${PLUMB_REPORT_PAGE_DIR}/scene.css" "${PLUMB_REPORT_PAGE_DIR}/lab.css"
+            "${PLUMB_REPORT_PAGE_DIR}/overview.css" "${PLUMB_REPORT_PAGE_DIR}/scene.css"
+            "${PLUMB_REPORT_PAGE_DIR}/lab.css"
             "${PLUMB_REPORT_PAGE_DIR}/embed.cmake" "${PLUMB_DYGRAPHS_JS}" "${PLUMB_DYGRAPHS_CSS}"
         COMMENT "Putting the report's page together"
         VERBATIM)

@@ -26,5 +26,6 @@ function partingsParts(scene) {
     const main = scene.partings.filter(isMain);
     const others = scene.partings.filter((parting) => !isMain(parting));
     if (main.length === 0 || others.length === 0) return [list(scene.partings)];
-    return [list(main), element("details", {}, element("summary", {}, "The other engines among themselves"), list(others))];
+    const summary = element("summary", {}, "The other engines among themselves");
+    return [list(main), element("details", {}, summary, list(others))];
 }

@@ -17,7 +17,7 @@ class ScenePage {
         bindKeys(this.player, this.aim, () => this.view.scene !== null);
         document.addEventListener("keyup", () => { if (!this.player.playing) settled(); });
         for (const drawn of DRAWN) {
-            byId(drawn).addEventListener("change", (event) => { this.view[drawn] = event.target.checked; this.draw(); });
+            byId(drawn).addEventListener("change", ({target}) => { this.view[drawn] = target.checked; this.draw(); });
         }
         fillChoice(byId("magnify"), "magnify", MAGNIFICATIONS, 1, (times) => {
             this.view.magnify = times;
@@ -117,8 +117,8 @@ class ScenePage {
         byId("stage-note").textContent = scene.stride === 1 ? ""
             : `Playback shows ${ticks}; the charts keep every peak.`;
         byId("files-note").textContent = `CSV, one file an engine, with ${ticks}: positions to ` +
-            `${quantity(scene.lengthStep, "m", 1)}, velocities from their differences, energy, probes and the distance ` +
-            "to the closed form.";
+            `${quantity(scene.lengthStep, "m", 1)}, velocities from their differences, energy, probes and the ` +
+            "distance to the closed form.";
     }
 
     toggle(engine, shown) {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Is a text of the page cut off, beyond its edge, or over another text? Returns a sentence for each.
 
-/// Texts that may lie over others: in what is closed, for screen readers, and at the screen's edge while the page scrolls.
+/// In what is closed, for screen readers, and at the screen's edge while the page scrolls: these may lie over others.
 function isLeftOut(node) {
     if (!node.checkVisibility()) return true;
     for (let at = node; at && at !== document.body; at = at.parentElement) {
         const {position, visibility, opacity} = getComputedStyle(at);
-        if (visibility === "hidden" || opacity === "0" || at.matches(".unseen, option, noscript, script, style")) return true;
+        if (visibility === "hidden" || opacity === "0") return true;
+        if (at.matches(".unseen, option, noscript, script, style")) return true;
         if (position === "sticky" || position === "fixed") return true;
     }
     return false;
@@ -59,7 +60,8 @@ function layoutFaults() {
     boxes.forEach((box, i) => {
         if (box.cut) faults.add(`cut off: "${box.text}"`);
         for (let k = i + 1; k < boxes.length && boxes[k].top < box.bottom; ++k) {
-            if (boxes[k].node !== box.node && overlap(box, boxes[k])) faults.add(`"${box.text}" over "${boxes[k].text}"`);
+            const other = boxes[k];
+            if (other.node !== box.node && overlap(box, other)) faults.add(`"${box.text}" over "${other.text}"`);
         }
     });
     return {texts: boxes.length, faults: [...faults]};

@@ -72,8 +72,8 @@ function isAround(scene, before, after) {
         height > 0 && Math.abs(after.y - before.y) > height / 2;
 }
 
-/// A spoke shows how a disc has turned; a body too small to see is at least a dot.
-function drawBody(context, camera, body, pose, look, color) {
+/// A spoke shows how a disc has turned; a body too small to see is at least a dot. leastArm: of a ghost's cross [px].
+function drawBody(context, camera, body, pose, look, leastArm) {
     context.beginPath();
     for (const shape of body.shapes) traceShape(context, camera, shape, pose);
     if (body.reach * camera.scale < 3) context.arc(camera.x(pose.x), camera.y(pose.y), 4, 0, 2 * Math.PI);
@@ -91,7 +91,7 @@ function drawBody(context, camera, body, pose, look, color) {
     }
     context.stroke();
     if (!look.ghost) return;
-    const arm = Math.min(9, Math.max(5, body.reach * camera.scale * 0.6));
+    const arm = Math.min(9, Math.max(leastArm, body.reach * camera.scale * 0.6));
     context.setLineDash([]);
     context.beginPath();
     context.moveTo(camera.x(pose.x) - arm, camera.y(pose.y));
@@ -160,15 +160,14 @@ function drawTrails(context, camera, view, engine, look) {
 function drawEngine(context, camera, view, engine) {
     const {scene, frame, magnify} = view;
     const look = lookOf(engine.name);
-    const color = themeColor(look.color);
-    context.strokeStyle = context.fillStyle = color;
+    context.strokeStyle = context.fillStyle = themeColor(look.color);
     context.setLineDash(look.dash);
     if (view.path) drawWholePath(context, camera, view, engine);
     if (view.trails) drawTrails(context, camera, view, engine, look);
     context.lineWidth = view.isPicture ? 0.6 * look.width : look.width;
     for (const body of engine.bodies) {
         const pose = drawnPose(scene, engine, frame, body, magnify);
-        if (pose) drawBody(context, camera, scene.bodies[body], pose, look, color);
+        if (pose) drawBody(context, camera, scene.bodies[body], pose, look, view.isPicture ? 2 : 5);
     }
     drawJoints(context, camera, view, engine, look);
     drawArrows(context, camera, view, engine);
@@ -196,7 +195,7 @@ function readyContext(canvas) {
     return context;
 }
 
-/// view: scene, box, frame, hidden (a set of engine names), path, trails, velocity, force, magnify, aim; or isPicture: a
+/// view: scene, box, frame, hidden (a set of engine names), path, trails, velocity, force, magnify, aim; isPicture: a
 /// small one, without rulers.
 function drawStage(canvas, view) {
     const {clientWidth: width, clientHeight: height} = canvas;
