@@ -24,6 +24,9 @@ struct Observation {
     std::vector<std::vector<BodyState>> states;
     /// [tick][probe]; NaN where the engine cannot say.
     std::vector<std::vector<double>> probes;
+    /// [tick][joint] the size of the force in each, a mean over the step; NaN where the engine cannot say. None in a
+    /// scene of more than 256 joints [N].
+    std::vector<std::vector<double>> jointForces;
     /// [joint] the tick at which it was first seen broken; none for one that held. Ends with the last that broke.
     std::vector<std::optional<std::size_t>> brokenAt;
     std::optional<double> msPerStep;    ///< median of the run [ms]
