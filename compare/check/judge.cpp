@@ -62,7 +62,7 @@ public:
     }
 
 private:
-    /// Whom a check binds: without names the subject, where it was run.
+    /// The engines that a check binds: the subject where it names none.
     std::vector<std::string> bound(const std::vector<std::string>& engines) const {
         return engines.empty() ? std::vector{subject_} : engines;
     }
@@ -82,7 +82,7 @@ private:
 
     static Outcome atMost(const std::string& check, const EngineResult* run, const std::string& metric,
                           std::optional<double> value, double limit, const std::string& reason) {
-        // False for a value that is not a number, too.
+        // Also false for a value that is not a number.
         const bool pass = value && *value <= limit;
         return {check, run->observation.engine, metric, value, limit, pass, reason};
     }
@@ -112,7 +112,7 @@ private:
         return outcome;
     }
 
-    /// error_max of the scene run anew with a part of its step.
+    /// error_max of the scene, run again with a part of its step.
     std::optional<double> errorAt(const EngineResult& run, double part) const {
         Scene scene = measured_.scene;
         scene.dt *= part;

@@ -16,8 +16,8 @@ struct Observation {
     std::string version;
     std::vector<Setting> settings;
     std::string unsupported;  ///< why the engine could not build the scene; empty when it could
-    /// The engine speaks of some bodies and times only: a state that is not a number is one it does not speak of. Where
-    /// this is false, such a state is an error without bound.
+    /// The engine may leave bodies and times out, as a closed form does: their states are not numbers. Where this is
+    /// false, a state that is not a number is an infinite error.
     bool partial = false;
     double dt = 0;  ///< [s]
     /// [tick][body], tick 0 is the start: steps + 1 rows; none when the engine could not build the scene.
