@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include <compare/check/answer.h>
 #include <compare/check/judge.h>
 #include <compare/engine/engine_names.h>
 
@@ -59,6 +60,7 @@ SceneResult runScene(const Scene& scene, const RunOptions& options, const std::v
     for (EngineResult& run : result.engines) {
         const Observation* reference = &run.observation == subject ? nullptr : subject;
         run.measured = measure(result.scene, run.observation, &truth, reference);
+        run.answer = answerOf(result.scene, run.observation, run.measured);
     }
     std::vector<const Observation*> runs;
     for (const EngineResult& run : result.engines) runs.push_back(&run.observation);

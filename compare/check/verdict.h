@@ -52,6 +52,7 @@ struct Outcome {
 struct EngineResult {
     Observation observation;
     Measured measured;
+    std::string answer{};  ///< to the scene's question: see answer.h
 };
 
 struct SceneResult {

@@ -71,6 +71,8 @@ void VerdictTable::row(const SceneResult& result) const {
 }
 
 void VerdictTable::partings(const SceneResult& result) const {
+    for (const EngineResult& run : result.engines)
+        if (run.observation.role == Role::Subject && !run.answer.empty()) fmt::print(out_, "      {}\n", run.answer);
     for (const Parting& parting : result.partings) fmt::print(out_, "      {}\n", partingText(result.scene, parting));
     out_.flush();
 }

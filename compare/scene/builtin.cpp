@@ -7,7 +7,9 @@
 
 namespace plumb::compare {
 
-std::vector<Scene> builtinScenes() {
+namespace {
+
+std::vector<Scene> unanswered() {
     return {
         freeFall(),
         projectile(),
@@ -93,6 +95,14 @@ std::vector<Scene> builtinScenes() {
         elasticGas(),
         smallTumbler(),
     };
+}
+
+}  // namespace
+
+std::vector<Scene> builtinScenes() {
+    std::vector<Scene> scenes = unanswered();
+    for (Scene& scene : scenes) scene.answer = answerTo(scene.name);
+    return scenes;
 }
 
 std::optional<Scene> findScene(const std::string& name) {

@@ -107,6 +107,8 @@ void fields(auto& visit, OrConst<SceneField> auto& x) {
 void fields(auto& visit, OrConst<Scene> auto& x) {
     visit(needed({"name", "", Allowed::any, "of small letters, digits and underscores"}), x.name);
     visit({"question", "", Allowed::any, "what it asks, one sentence"}, x.question);
+    visit({"answer", "", Allowed::any, "to the question; between braces what is read of a run: {largest y of ball}"},
+          x.answer);
     visit({"gravity", "m/s^2", Allowed::finite, "the same everywhere"}, x.gravity);
     visit({"duration", "s", Allowed::positive, "of the whole run"}, x.duration);
     visit({"dt", "s", Allowed::positive, "length of a step"}, x.dt);

@@ -114,6 +114,7 @@ using EngineSettings = std::map<std::string, std::map<std::string, std::string>>
 struct Scene {
     std::string name{};      ///< snake_case
     std::string question{};  ///< what it asks, one sentence
+    std::string answer{};    ///< with what is to be read of a run between braces: see answer.h
     Vec2 gravity{0, -9.81};  ///< [m/s^2]
     double duration = 2;     ///< [s]
     double dt = 1.0 / 60;    ///< [s]

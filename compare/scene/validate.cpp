@@ -4,6 +4,7 @@
 #include <numbers>
 #include <span>
 
+#include <compare/scene/answer.h>
 #include <compare/scene/fields.h>
 #include <compare/scene/metric_names.h>
 #include <compare/scene/name_index.h>
@@ -202,6 +203,7 @@ void validate(const Scene& scene) {
     for (std::size_t i = 0; i < scene.movers.size(); ++i) validateMover(scene, i);
     for (std::size_t i = 0; i < scene.probes.size(); ++i) validateProbe(scene.probes[i], scene, at("probes", i));
     if (scene.closedForm) validateClosedForm(*scene.closedForm, namesOf(scene.bodies));
+    (void)answerParts(scene);
     for (std::size_t i = 0; i < scene.checks.size(); ++i) validateCheck(scene.checks[i], scene, at("checks", i));
 }
 
