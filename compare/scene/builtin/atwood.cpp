@@ -13,7 +13,6 @@ Scene atwoodMachine() {
                          {.position = {x, 2}, .shapes = {circle(radius, {.density = discDensity(mass, radius)})}}};
     };
     const Vec2 a(-0.5, 2), b(0.5, 2);
-    const Vec2 acceleration(0, accelerationOf(machine));
     return {
         .name = "atwood_machine",
         .question =
@@ -25,8 +24,7 @@ Scene atwoodMachine() {
         .closedForm =
             ClosedForm{.formula = "a = g (m1 - m2) / (m1 + m2), T = 2 g m1 m2 / (m1 + m2)",
                        .source = "Atwood 1784",
-                       .bodies = {PiecewiseMotion{"light", {{.position = a, .acceleration = acceleration}}},
-                                  PiecewiseMotion{"heavy", {{.position = b, .acceleration = -acceleration}}}}},
+                       .bodies = {HoistedMotion{"light", "rope"}, HoistedMotion{"heavy", "rope"}}},
         .probes = {{.name = "pull",
                     .quantity = JointForceProbe{"rope"},
                     .expected = tensionOf(machine),

@@ -22,7 +22,7 @@ Scene freeFall() {
         .closedForm =
             ClosedForm{.formula = kinematics,
                        .source = "textbook: constant acceleration",
-                       .bodies = {PiecewiseMotion{"ball", {{.position = start, .acceleration = {0, -gravity}}}}}},
+                       .bodies = {FreeMotion{"ball"}}},
         .checks = {ExactCheck{1e-9, exactReason}, invariant("energy_drift", 1e-9, energyReason)},
     };
 }
@@ -37,7 +37,7 @@ Scene projectile() {
         .closedForm =
             ClosedForm{.formula = kinematics,
                        .source = "textbook: constant acceleration",
-                       .bodies = {PiecewiseMotion{"ball", {{.velocity = velocity, .acceleration = {0, -gravity}}}}}},
+                       .bodies = {FreeMotion{"ball"}}},
         .checks = {ExactCheck{1e-9, exactReason}, invariant("energy_drift", 1e-9, energyReason)},
     };
 }
@@ -53,8 +53,7 @@ Scene projectileDamped() {
         .closedForm =
             ClosedForm{.formula = "x = x0 + (v0 - g/k) (1 - e^(-k t)) / k + g t / k",
                        .source = "textbook: linear drag, dv/dt = g - k v",
-                       .bodies = {DampedFlight{
-                           .body = "ball", .velocity = velocity, .acceleration = {0, -gravity}, .damping = damping}}},
+                       .bodies = {FreeMotion{"ball"}}},
         .checks = {ExactCheck{1e-9, exactReason}},
     };
 }
@@ -75,8 +74,7 @@ Scene spinFree() {
             ClosedForm{
                 .formula = "x = x0 + v0 t + g t^2 / 2, angle = w t",
                 .source = "textbook: gravity pulls at the centre of mass and turns nothing",
-                .bodies = {PiecewiseMotion{
-                    "hammer", {{.velocity = velocity, .acceleration = {0, -gravity}, .angularVelocity = spin}}}}},
+                .bodies = {FreeMotion{"hammer"}}},
         .probes = {{.name = "angle", .quantity = AngleProbe{"hammer"}, .unit = "rad"}},
         .checks = {ExactCheck{1e-9, exactReason}, invariant("energy_drift", 1e-9, energyReason),
                    invariant("probe.angle", 1e-9, "no torque: the angle grows by w dt a step, exact to rounding")},

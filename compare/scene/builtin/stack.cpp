@@ -23,7 +23,7 @@ Scene boxAtRest() {
         .bodies = {floorBody(), boxBody("box", start)},
         .closedForm = ClosedForm{.formula = "x = x0, N = m g",
                                  .source = "textbook: statics",
-                                 .bodies = {PiecewiseMotion{"box", {{.position = start}}}}},
+                                 .bodies = {FreeMotion{"box"}}},
         .probes = {{.name = "normal",
                     .quantity = NormalForceProbe{"floor", "box"},
                     .expected = gravity,
