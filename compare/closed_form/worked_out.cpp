@@ -11,7 +11,9 @@ namespace plumb::compare {
 namespace {
 
 template <class Motion>
-concept HoldsNames = requires(const Motion& motion, const Scene& scene) { heldMotion(motion, scene); };
+concept HoldsNames = requires(const Motion& motion, const Scene& scene) {
+    heldMotion(motion, scene);
+};
 
 bool holdsNumbers(const BodyMotion& motion) {
     return std::visit(
@@ -44,7 +46,7 @@ ClosedForm workedOut(const Scene& scene) {
         };
         const WorkedMotion worked = std::visit(work, BodyMotion(motion));
         motion = worked.motion;
-        form.until = earlier(form.until, worked.until);
+        if (worked.until < scene.duration) form.until = earlier(form.until, worked.until);
     }
     return form;
 }

@@ -94,8 +94,8 @@ struct KeplerMotion {
 // The others hold names, and what the scene does not say. Their numbers are worked out of the bodies, joints and fields
 // that they name, into one of those above: a value changed in the scene changes the truth.
 
-/// As gravity, the air, the faces that it meets and the other free bodies let it: flights, impacts, sliding, rolling and
-/// rest of discs, and of blocks that do not turn.
+/// As gravity, the air, the faces that it meets and the other free bodies let it: flights, impacts, sliding, rolling
+/// and rest of discs, and of blocks that do not turn.
 struct FreeMotion {
     std::string body{};
     double shortestFlight = 1.0 / 30;  ///< the first flight off a face shorter than this counts as rest, > 0 [s]
@@ -104,9 +104,9 @@ struct FreeMotion {
 /// On a hinge, or on rods that hang side by side, released at rest; or pushed by what comes in at its lowest point.
 struct SwingsMotion {
     std::string body{};
-    std::string joint{};      ///< a hinge or a rod to a body that stays
-    Side side = Side::Both;   ///< of a row of alike discs each swings on its own side, and hands on at the lowest point
-    std::string after{};      ///< the body whose swing it takes over there; empty: its own
+    std::string joint{};     ///< a hinge or a rod to a body that stays
+    Side side = Side::Both;  ///< of a row of alike discs each swings on its own side, and hands on at the lowest point
+    std::string after{};     ///< the body whose swing it takes over there; empty: its own
 };
 
 /// On a spring and damper, along their line.

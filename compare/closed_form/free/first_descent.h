@@ -10,7 +10,8 @@ namespace plumb::compare {
 /// first, and falls. Empty when it never does.
 /// coefficients: c0, c1, ..., in the unit of the value over powers of that of t; at least one.
 /// Up to the second degree by the formula, t = 2 c0 / (-c1 + sqrt(c1^2 - 4 c2 c0)), in which nothing cancels; beyond,
-/// by halving between the extrema, to the last bit. Test: "a polynomial's first fall through zero is found, and no rise"
+/// by halving between the extrema, to the last bit. Test: "a polynomial's first fall through zero is found, and no
+/// rise"
 std::optional<double> firstDescent(const std::vector<double>& coefficients, double end);
 
 }  // namespace plumb::compare

@@ -10,8 +10,8 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double still = 1e-9;          // slower than this does not slip [m/s]
-constexpr double supportSlack = 1e-6;   // corners that touch a face to this do [m]
+constexpr double still = 1e-9;         // slower than this does not slip [m/s]
+constexpr double supportSlack = 1e-6;  // corners that touch a face to this do [m]
 
 int signOf(double value) {
     return value > 0 ? 1 : value < 0 ? -1 : 0;
@@ -93,8 +93,7 @@ void setAcceleration(FreeBody& body) {
     const Vec2 along = tangentOf(face.normal);
     const double pressure = -body.gravity.dot(face.normal), pull = body.gravity.dot(along);
     const double slip = slipOf(body, now);
-    const double drag =
-        dragAlong(body, slip, lawOf(*face.surface.def, *body.surface.def).friction, pressure, pull);
+    const double drag = dragAlong(body, slip, lawOf(*face.surface.def, *body.surface.def).friction, pressure, pull);
     now.acceleration = (pull + drag) * along;
     const double lever = body.radius ? *body.radius * body.inverseInertia / body.inverseMass : 0;
     now.angularAcceleration = drag * lever;

@@ -14,24 +14,24 @@ namespace plumb::compare {
 /// One body, as it is worked out. Its flight is that of its centre of mass.
 struct FreeBody {
     const SceneBody* scene = nullptr;
-    std::size_t index = 0;      ///< in the scene
-    double inverseMass = 1;     ///< [1/kg]
-    double inverseInertia = 1;  ///< 0 where it never turns [1/(kg m^2)]
-    Vec2 center{0, 0};          ///< of mass, from the body's origin, in its frame [m]
-    Vec2 gravity{0, 0};         ///< what nothing touches falls at [m/s^2]
-    std::optional<double> radius{};  ///< of one disc about its centre of mass; empty: another shape [m]
-    std::vector<Vec2> hull{};   ///< of another shape: its corners at its angle, from the centre of mass [m]
-    double skin = 0;            ///< the radius of its corners [m]
-    double reach = 0;           ///< of its farthest point from the centre of mass [m]
-    Surface surface{};          ///< its solid shape; of several the first
-    bool simple = true;         ///< it has one solid shape
-    double shortestFlight = 0;  ///< [s]
-    Obstacles obstacles{};      ///< that it may meet
-    Flight flight{};            ///< now
-    const Face* face = nullptr;             ///< that it lies, slides or rolls on
-    std::optional<double> slipEnds{};       ///< when it stops slipping on it [s]
-    double pressedAt = 0;                   ///< where the face presses, along it from the centre of mass [m]
-    std::vector<Flight> flights{};          ///< so far
+    std::size_t index = 0;             ///< in the scene
+    double inverseMass = 1;            ///< [1/kg]
+    double inverseInertia = 1;         ///< 0 where it never turns [1/(kg m^2)]
+    Vec2 center{0, 0};                 ///< of mass, from the body's origin, in its frame [m]
+    Vec2 gravity{0, 0};                ///< what nothing touches falls at [m/s^2]
+    std::optional<double> radius{};    ///< of one disc about its centre of mass; empty: another shape [m]
+    std::vector<Vec2> hull{};          ///< of another shape: its corners at its angle, from the centre of mass [m]
+    double skin = 0;                   ///< the radius of its corners [m]
+    double reach = 0;                  ///< of its farthest point from the centre of mass [m]
+    Surface surface{};                 ///< its solid shape; of several the first
+    bool simple = true;                ///< it has one solid shape
+    double shortestFlight = 0;         ///< [s]
+    Obstacles obstacles{};             ///< that it may meet
+    Flight flight{};                   ///< now
+    const Face* face = nullptr;        ///< that it lies, slides or rolls on
+    std::optional<double> slipEnds{};  ///< when it stops slipping on it [s]
+    double pressedAt = 0;              ///< where the face presses, along it from the centre of mass [m]
+    std::vector<Flight> flights{};     ///< so far
 };
 
 /// Of the centre of mass at a time; it starts then.

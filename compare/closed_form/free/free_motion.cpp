@@ -14,9 +14,9 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double touching = 1e-6;   // what is so near to a face at the start lies on it [m]
-constexpr double resting = 1e-9;    // slower than this it does not leave a face, or slip [m/s]
-constexpr double together = 1e-9;   // impacts so near in time are at the same time [s]
+constexpr double touching = 1e-6;  // what is so near to a face at the start lies on it [m]
+constexpr double resting = 1e-9;   // slower than this it does not leave a face, or slip [m/s]
+constexpr double together = 1e-9;  // impacts so near in time are at the same time [s]
 constexpr int mostMeetings = 20000;
 
 class FreeFlight {
@@ -77,8 +77,7 @@ private:
         const Vec2 place = body.flight.position - face.velocity * body.flight.start;
         double lowest = body.radius ? -*body.radius : 0;
         if (!body.radius)
-            for (const Vec2& corner : body.hull)
-                lowest = std::min(lowest, face.normal.dot(corner) - body.skin);
+            for (const Vec2& corner : body.hull) lowest = std::min(lowest, face.normal.dot(corner) - body.skin);
         return face.normal.dot(place) + lowest - face.offset;
     }
     static bool isOver(const FreeBody& body, const Face& face) {
@@ -107,8 +106,8 @@ private:
     }
 
     static bool rollsWithResistance(const FreeBody& body, const Face& face) {
-        return body.radius && (body.surface.def->material.rollingResistance > 0 ||
-                               face.surface.def->material.rollingResistance > 0);
+        return body.radius &&
+               (body.surface.def->material.rollingResistance > 0 || face.surface.def->material.rollingResistance > 0);
     }
 
     /// With no speed off the face.
@@ -155,7 +154,8 @@ private:
         }
         const double slip = along.dot(body.flight.velocity - face.velocity) - law.belts;
         const bool rubs = law.friction > 0 && std::abs(slip) > resting;
-        if (body.inverseInertia > 0 && (from >= 0 || to <= 0 || rubs)) notKnown(body.scene->name, "it turns as it lands");
+        if (body.inverseInertia > 0 && (from >= 0 || to <= 0 || rubs))
+            notKnown(body.scene->name, "it turns as it lands");
     }
 
     /// An impact that pushes it into the face that it lies on is one with two things.
@@ -163,7 +163,8 @@ private:
         if (!body.face || body.face == &hit) return;
         const Face& face = *body.face;
         if (face.normal.dot(body.flight.velocity - face.velocity) < -resting)
-            notKnown(body.scene->name, "it touches " + nameOf(face.surface) + " and " + nameOf(hit.surface) + " at once");
+            notKnown(body.scene->name,
+                     "it touches " + nameOf(face.surface) + " and " + nameOf(hit.surface) + " at once");
     }
 
     void hitCorner(FreeBody& body, const Corner& corner) {
@@ -224,8 +225,9 @@ std::vector<Flight> wrapped(const std::vector<Flight>& flights, const Wrap& wrap
             for (const auto& [side, period] : {std::pair(Vec2(1, 0), wrap.width), std::pair(Vec2(0, 1), wrap.height)}) {
                 if (!period) continue;
                 for (const double way : {1.0, -1.0}) {
-                    const std::vector<double> left{way > 0 ? part.position.dot(side) : *period - part.position.dot(side),
-                                                   way * part.velocity.dot(side), way * part.acceleration.dot(side) / 2};
+                    const std::vector<double> left{
+                        way > 0 ? part.position.dot(side) : *period - part.position.dot(side),
+                        way * part.velocity.dot(side), way * part.acceleration.dot(side) / 2};
                     const std::optional<double> s = firstDescent(left, first.value_or(until - part.start));
                     if (!s || part.start + *s >= until) continue;
                     first = s;

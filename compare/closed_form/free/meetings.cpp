@@ -74,8 +74,7 @@ private:
     void comeToFace(std::size_t i, const Face& face) {
         const FreeBody& body = bodies_[i];
         if (body.face == &face) return;
-        const Path path =
-            pathOf(body, start_) - Path{face.velocity * start_, face.velocity, {0, 0}};
+        const Path path = pathOf(body, start_) - Path{face.velocity * start_, face.velocity, {0, 0}};
         if (body.radius || tumbles(body)) {
             const double radius = body.radius.value_or(body.reach);
             touchFace(i, face, path, {0, 0}, radius);
@@ -98,8 +97,8 @@ private:
 
     void comeToCorner(std::size_t i, const Corner& corner) {
         const FreeBody& body = bodies_[i];
-        const Path path = pathOf(body, start_) -
-                          Path{corner.position + corner.velocity * start_, corner.velocity, {0, 0}};
+        const Path path =
+            pathOf(body, start_) - Path{corner.position + corner.velocity * start_, corner.velocity, {0, 0}};
         if (!body.radius && !tumbles(body)) {
             comeWithSide(i, corner, path);
             return;

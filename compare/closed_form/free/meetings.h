@@ -21,12 +21,12 @@ struct Meeting {
         Unknown,  ///< to something that it can meet in no way that is known here
     };
     Kind kind = Kind::Face;
-    double time = 0;                 ///< [s]
-    std::size_t body = 0, other = 0; ///< places in the list
+    double time = 0;                  ///< [s]
+    std::size_t body = 0, other = 0;  ///< places in the list
     const Face* face = nullptr;
     const Corner* corner = nullptr;
-    Vec2 shift{0, 0};  ///< of the other one's image in a world that wraps [m]
-    std::string why{};               ///< of what is unknown
+    Vec2 shift{0, 0};   ///< of the other one's image in a world that wraps [m]
+    std::string why{};  ///< of what is unknown
 };
 
 /// The first, up to a time; empty when nothing happens.

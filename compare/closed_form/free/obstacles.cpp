@@ -11,8 +11,8 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double nearEnough = 1e-9;        // what lies in a line to this does [m]
-constexpr double oneWaySpread = 0.5;       // the cosine of 60 degrees, to which side a face is solid one way [-]
+constexpr double nearEnough = 1e-9;   // what lies in a line to this does [m]
+constexpr double oneWaySpread = 0.5;  // the cosine of 60 degrees, to which side a face is solid one way [-]
 
 /// The faces and corners of one shape.
 class ShapeObstacles {

@@ -19,12 +19,12 @@ struct Surface {
 /// A flat face of a static or kinematic body, as it is at t = 0.
 struct Face {
     Surface surface;
-    Vec2 normal{0, 1};      ///< outward [-]
-    double offset = 0;      ///< of its line from the origin along the normal, its radius counted in [m]
-    double low = 0;         ///< from where along tangentOf(normal) [m]
-    double high = 0;        ///< to where [m]
-    Vec2 velocity{0, 0};    ///< of a kinematic body [m/s]
-    bool turns = false;     ///< it does not stay as it is: a mover moves its body, or it turns
+    Vec2 normal{0, 1};    ///< outward [-]
+    double offset = 0;    ///< of its line from the origin along the normal, its radius counted in [m]
+    double low = 0;       ///< from where along tangentOf(normal) [m]
+    double high = 0;      ///< to where [m]
+    Vec2 velocity{0, 0};  ///< of a kinematic body [m/s]
+    bool turns = false;   ///< it does not stay as it is: a mover moves its body, or it turns
 };
 
 /// A corner, rounded or not, or a disc, of a static or kinematic body, as it is at t = 0.

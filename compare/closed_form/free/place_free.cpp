@@ -113,12 +113,11 @@ FreeBody freeBodyOf(const Scene& scene, const FreeMotion& motion) {
     free.scene = &scene.bodies[free.index];
     const BodyDef& def = free.scene->def;
     free.shortestFlight = motion.shortestFlight;
-    free.flight = {.position = def.position,
-                   .velocity = def.velocity,
-                   .angle = def.angle,
-                   .angularVelocity = def.angularVelocity};
+    free.flight = {
+        .position = def.position, .velocity = def.velocity, .angle = def.angle, .angularVelocity = def.angularVelocity};
     if (def.type != BodyType::Dynamic || !def.enabled) {
-        if (!def.enabled || def.type == BodyType::Static) free.flight.velocity = {0, 0}, free.flight.angularVelocity = 0;
+        if (!def.enabled || def.type == BodyType::Static)
+            free.flight.velocity = {0, 0}, free.flight.angularVelocity = 0;
         for (const SceneMover& mover : scene.movers)
             if (mover.body == motion.body) notKnown(motion.body, "the mover " + mover.name + " moves it");
         return free;

@@ -11,8 +11,8 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double touches = 1e-6;  // a corner so near to a face stands on it [m]
-constexpr int looksForCorner = 1000;       // so many times on its way its corner is asked whether it holds
+constexpr double touches = 1e-6;      // a corner so near to a face stands on it [m]
+constexpr int looksForCorner = 1000;  // so many times on its way its corner is asked whether it holds
 
 /// What it stands on, and the corners at the ends of its base, from the centre of mass.
 struct Stand {
@@ -22,6 +22,7 @@ struct Stand {
 
 std::optional<Stand> standOf(const FreeBody& body) {
     for (const Face& face : body.obstacles.faces) {
+        if (face.normal.dot(body.flight.position) - face.offset < touches) continue;  // it is on the other side
         const Vec2 along = tangentOf(face.normal);
         std::optional<Stand> stand;
         for (const Vec2& corner : body.hull) {

@@ -20,9 +20,8 @@ double timeToWall(const Scene& scene, const SceneBody& block, const SceneBody& b
     const BodyDef& def = stopped.bodies[bodyIndex(stopped, bullet.name)].def;
     double soonest = 0;
     for (const Face& face : obstaclesOf(stopped, def).faces) {
-        const std::optional<double> time =
-            firstDescent({face.normal.dot(def.position) - face.offset - radius, face.normal.dot(def.velocity)},
-                         scene.duration);
+        const std::optional<double> time = firstDescent(
+            {face.normal.dot(def.position) - face.offset - radius, face.normal.dot(def.velocity)}, scene.duration);
         if (!time || face.normal.dot(def.velocity) > -1e-9) continue;
         const double at = tangentOf(face.normal).dot(def.position + *time * def.velocity);
         if (at >= face.low && at <= face.high && (soonest == 0 || *time < soonest)) soonest = *time;

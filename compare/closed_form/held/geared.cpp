@@ -49,10 +49,10 @@ double soonest(double a, double b) {
 
 /// A wheel or a slide of a gear train, with what drives it.
 struct GearPart {
-    double weight = 0;    ///< its inertia, or its mass [kg m^2 or kg]
-    double push = 0;      ///< the motor's, with its sign [N m or N]
-    double fastest = 0;   ///< the motor's speed [rad/s or m/s]
-    Vec2 axis{0, 0};      ///< of a slide [-]
+    double weight = 0;   ///< its inertia, or its mass [kg m^2 or kg]
+    double push = 0;     ///< the motor's, with its sign [N m or N]
+    double fastest = 0;  ///< the motor's speed [rad/s or m/s]
+    Vec2 axis{0, 0};     ///< of a slide [-]
     std::string body{};
 };
 
@@ -66,7 +66,10 @@ GearPart gearPart(const Scene& scene, const std::string& name, const std::string
     if (const auto* hinge = std::get_if<RevoluteJointDef>(&joint->def)) {
         if (hinge->limit || hinge->spring || (held.center - holdings.at(0).fixed).norm() > upright)
             notKnown(asker, joint->bodyB + " does not turn freely about its centre of mass");
-        return {held.mass.inertia, drives(hinge->maxMotorTorque, hinge->motorSpeed), hinge->motorSpeed, {0, 0},
+        return {held.mass.inertia,
+                drives(hinge->maxMotorTorque, hinge->motorSpeed),
+                hinge->motorSpeed,
+                {0, 0},
                 joint->bodyB};
     }
     const auto* slide = std::get_if<PrismaticJointDef>(&joint->def);
@@ -112,11 +115,9 @@ WorkedMotion heldMotion(const HoistedMotion& motion, const Scene& scene) {
     const bool isB = joint->bodyB == motion.body;
     const BodyDef& def = (isB ? b : a).body.scene->def;
     const Vec2 gain(0, isB ? -sinks : rope->ratio * sinks);
-    return {PiecewiseMotion{motion.body,
-                            {{.position = def.position,
-                              .velocity = def.velocity,
-                              .acceleration = gain,
-                              .angle = def.angle}}},
+    return {PiecewiseMotion{
+                motion.body,
+                {{.position = def.position, .velocity = def.velocity, .acceleration = gain, .angle = def.angle}}},
             soonest(timeFor(a.way, a.speed, rope->ratio * sinks), timeFor(b.way, b.speed, -sinks))};
 }
 

@@ -16,8 +16,8 @@ WorkedMotion heldMotion(const SwingsMotion& motion, const Scene& scene);
 /// An OscillatorMotion with k and c of the spring, about where it holds the weight: its length + m g / k.
 WorkedMotion heldMotion(const SpringsMotion& motion, const Scene& scene);
 
-/// An OscillatorMotion with k = rho g b, about where it floats; of an upright box of width b [m] that neither leaves the
-/// water nor dives. rho the water's density [kg/m^2], g its gravity [m/s^2]
+/// An OscillatorMotion with k = rho g b, about where it floats; of an upright box of width b [m] that neither leaves
+/// the water nor dives. rho the water's density [kg/m^2], g its gravity [m/s^2]
 WorkedMotion heldMotion(const FloatsMotion& motion, const Scene& scene);
 
 /// A KeplerMotion: of r'' = -K r / r^3 with K = G (m1 + m2), or S (1/m1 + 1/m2) of a magnet; a = -K / (2 E), e from

@@ -22,7 +22,8 @@ HeldBody heldBodyOf(const Scene& scene, const std::string& name, const std::stri
     if (def.lockX || def.lockY) notKnown(name, "it is locked");
     if (def.linearDamping > 0 || def.angularDamping > 0) notKnown(name, "it is damped");
     for (const SceneField& field : scene.fields)
-        if (field.name != named && actsOn(field, *body.scene)) notKnown(name, "the field " + field.name + " acts on it");
+        if (field.name != named && actsOn(field, *body.scene))
+            notKnown(name, "the field " + field.name + " acts on it");
     body.mass = massOf(def);
     body.center = startPose(def) * body.mass.center;
     body.gravity = def.gravityScale * scene.gravity;

@@ -69,8 +69,7 @@ double touchTime(const Drawn& pair, double a, double e, double rate, double anom
     if (!std::isfinite(reach)) notKnown(pair.body.scene->name, "not both are discs");
     if (a * (1 - e) >= reach) return 0;
     const double inwards = -std::acos(std::clamp((1 - reach / a) / e, -1.0, 1.0));
-    const double mean = std::fmod(meanOf(inwards, e) - meanOf(anomaly, e) + 4 * std::numbers::pi,
-                                  2 * std::numbers::pi);
+    const double mean = std::fmod(meanOf(inwards, e) - meanOf(anomaly, e) + 4 * std::numbers::pi, 2 * std::numbers::pi);
     return mean / rate;
 }
 

@@ -64,8 +64,7 @@ private:
         if (row == rowOf_.end()) return;
         const HeldBody& held = bodies_[static_cast<std::size_t>(row->second / 3)];
         columns_.back().segment<2>(row->second) += force;
-        if (!held.scene->def.fixedRotation)
-            columns_.back()[row->second + 2] += cross(Vec2(at - held.center), force);
+        if (!held.scene->def.fixedRotation) columns_.back()[row->second + 2] += cross(Vec2(at - held.center), force);
     }
 
     const std::vector<HeldBody>& bodies_;

@@ -73,12 +73,8 @@ WorkedMotion heldMotion(const FloatsMotion& motion, const Scene& scene) {
     const double offset = def.position.y() - rest.y();
     const double swing = std::hypot(offset, def.velocity.y() / std::sqrt(k / m));
     if (swing > deep || deep + swing > high.y() - low.y()) notKnown(motion.body, "it leaves the water, or dives");
-    return {OscillatorMotion{.body = motion.body,
-                             .rest = rest,
-                             .offset = offset,
-                             .speed = def.velocity.y(),
-                             .mass = m,
-                             .stiffness = k}};
+    return {OscillatorMotion{
+        .body = motion.body, .rest = rest, .offset = offset, .speed = def.velocity.y(), .mass = m, .stiffness = k}};
 }
 
 }  // namespace plumb::compare

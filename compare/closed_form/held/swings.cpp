@@ -69,7 +69,8 @@ Hung hungOf(const Scene& scene, const std::string& name, const std::string& join
     Hung hung{.body = heldBodyOf(scene, name)};
     const HeldBody& body = hung.body;
     const std::vector<Holding> holdings = holdingsOf(scene, body);
-    const auto by = std::ranges::find_if(holdings, [&](const Holding& h) { return scene.joints[h.joint].name == joint; });
+    const auto by =
+        std::ranges::find_if(holdings, [&](const Holding& h) { return scene.joints[h.joint].name == joint; });
     if (by == holdings.end()) notKnown(name, "the joint " + joint + " does not hold it");
     hung.gravity = downwardGravity(body);
     const JointDef& def = scene.joints[by->joint].def;

@@ -21,10 +21,9 @@ Scene atwoodMachine() {
         .bodies = {pivotBody({0, 4}), weight("light", a.x(), machine.massA), weight("heavy", b.x(), machine.massB)},
         .joints = {{"rope", "light", "heavy",
                     PulleyJointDef{.groundA = {a.x(), 4}, .groundB = {b.x(), 4}, .anchorA = a, .anchorB = b}}},
-        .closedForm =
-            ClosedForm{.formula = "a = g (m1 - m2) / (m1 + m2), T = 2 g m1 m2 / (m1 + m2)",
-                       .source = "Atwood 1784",
-                       .bodies = {HoistedMotion{"light", "rope"}, HoistedMotion{"heavy", "rope"}}},
+        .closedForm = ClosedForm{.formula = "a = g (m1 - m2) / (m1 + m2), T = 2 g m1 m2 / (m1 + m2)",
+                                 .source = "Atwood 1784",
+                                 .bodies = {HoistedMotion{"light", "rope"}, HoistedMotion{"heavy", "rope"}}},
         .probes = {{.name = "pull",
                     .quantity = JointForceProbe{"rope"},
                     .expected = tensionOf(machine),

@@ -25,8 +25,7 @@ Scene droppedBall(const DroppedBall& ball) {
 }  // namespace
 
 Scene bounce08() {
-    Scene scene =
-        droppedBall({.rest = {0, ballRadius}, .height = 2.7, .restitution = 0.8, .until = 8});
+    Scene scene = droppedBall({.rest = {0, ballRadius}, .height = 2.7, .restitution = 0.8, .until = 8});
     scene.name = "bounce_08";
     scene.question = "How high does a ball with e = 0.8 bounce each time, and when does it lie still?";
     scene.checks = {

@@ -15,10 +15,9 @@ Scene conveyor() {
         .duration = 3,
         .bodies = {{"belt", {.type = BodyType::Static, .position = {0, -0.25}, .shapes = {box({5, 0.25}, belt)}}},
                    {"box", {.position = start, .shapes = {box(halfSize, goods)}}}},
-        .closedForm =
-            ClosedForm{.formula = "v = mu g t until the belt's speed, then that",
-                       .source = "textbook: Coulomb's law of friction",
-                       .bodies = {FreeMotion{"box"}}},
+        .closedForm = ClosedForm{.formula = "v = mu g t until the belt's speed, then that",
+                                 .source = "textbook: Coulomb's law of friction",
+                                 .bodies = {FreeMotion{"box"}}},
         .probes = {{.name = "normal",
                     .quantity = NormalForceProbe{"belt", "box"},
                     .expected = gravity,

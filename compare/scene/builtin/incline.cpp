@@ -76,11 +76,9 @@ Scene discRolls() {
         .question = "How fast does a disc gain speed as it rolls down 30 degrees?",
         .duration = 2,
         .bodies = {wedge(0.5), {"disc", {.position = start, .shapes = {circle(radius, material)}}}},
-        .closedForm =
-            ClosedForm{
-                .formula = "a = g sin t / (1 + k), k = I / (m r^2) = 1/2",
-                .source = "textbook: rolling without slip; holds for mu >= tan t / 3 = 0.19",
-                .bodies = {FreeMotion{"disc"}}},
+        .closedForm = ClosedForm{.formula = "a = g sin t / (1 + k), k = I / (m r^2) = 1/2",
+                                 .source = "textbook: rolling without slip; holds for mu >= tan t / 3 = 0.19",
+                                 .bodies = {FreeMotion{"disc"}}},
         .probes = {{.name = "angle", .quantity = AngleProbe{"disc"}, .unit = "rad"}},
         .checks = {ExactCheck{1e-3, sinksOnGround +
                                         "half of it under a disc; the roll itself is solved to second order, but "

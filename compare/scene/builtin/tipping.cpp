@@ -28,10 +28,8 @@ Scene tipBelow() {
     scene.name = "tip_below";
     scene.question = "Does a block stand on a slope half a degree under its tipping angle?";
     scene.duration = 5;
-    scene.closedForm =
-        ClosedForm{.formula = "it stands where tan t < w / h",
-                   .source = "textbook: statics",
-                   .bodies = {FreeMotion{"block"}}};
+    scene.closedForm = ClosedForm{
+        .formula = "it stands where tan t < w / h", .source = "textbook: statics", .bodies = {FreeMotion{"block"}}};
     scene.checks = {
         ExactCheck{1e-3, sinksOnGround + "8/5 of it under a corner that carries all, 0.1 mm, which turns the block "
                                          "by 0.2 mrad; half a degree is 8.7 mrad"},

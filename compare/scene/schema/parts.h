@@ -78,11 +78,9 @@ inline constexpr PartName partOf<SpringsMotion>{"SpringsMotion",
 template <>
 inline constexpr PartName partOf<FloatsMotion>{"FloatsMotion", "up and down in water, with the scene's numbers"};
 template <>
-inline constexpr PartName partOf<OrbitsMotion>{"OrbitsMotion",
-                                               "about another that draws it, with the scene's numbers"};
+inline constexpr PartName partOf<OrbitsMotion>{"OrbitsMotion", "about another that draws it, with the scene's numbers"};
 template <>
-inline constexpr PartName partOf<HoistedMotion>{"HoistedMotion",
-                                                "on a rope over two wheels, with the scene's numbers"};
+inline constexpr PartName partOf<HoistedMotion>{"HoistedMotion", "on a rope over two wheels, with the scene's numbers"};
 template <>
 inline constexpr PartName partOf<GearedMotion>{"GearedMotion",
                                                "driven by a motor through gears, with the scene's numbers"};
