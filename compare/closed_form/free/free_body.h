@@ -55,13 +55,13 @@ double slipOf(const FreeBody& body, const Flight& now);
 ///   N = -m g.n;  sliding F = -mu N sign(s);  rolling F = -m g.t / (1 + m r^2 / I);  sticking F = -m g.t
 ///   a = g + (N n + F t) / m,  turning at F r / I
 /// n normal and t tangent of the face, s slip [m/s], m mass [kg], r radius [m], I inertia [kg m^2], mu friction [-]
-/// Source: textbook; Coulomb. Holds while N > 0, and a block's pressure stays under it: x = -h F / N within its base,
+/// Source: textbook; Coulomb. Tests: follows_test.cpp. Holds while N > 0, and a block's pressure stays under it: x = -h F / N within its base,
 /// h height of its centre [m]. Throws Unsupported where it does not: it tips over.
 void setAcceleration(FreeBody& body);
 
 /// n from A to B at the point where two meet, with radii to there. B is none for what does not give way.
 ///   j = -(1 + e) vn / (1/mA + 1/mB), across it f = -s / (1/mA + 1/mB + rA^2/IA + rB^2/IB), at most mu j
-/// Source: Newton's law of impact, Coulomb's of friction; Routh 1905. Test: "discs of 2 kg and 1 kg ..." and the like.
+/// Source: Newton's law of impact, Coulomb's of friction; Routh 1905. Tests: follows_test.cpp
 void collide(FreeBody& b, FreeBody* a, const Vec2& velocityA, const Vec2& normal, const PairLaw& law);
 
 }  // namespace plumb::compare

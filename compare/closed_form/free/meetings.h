@@ -31,7 +31,7 @@ struct Meeting {
 
 /// The first, up to a time; empty when nothing happens.
 /// Each is the first fall through zero of a distance, a polynomial of time: of a face n.(x - p) - r, of a disc |d|^2 -
-/// r^2. Source: elementary. Test: "a free body's meetings are those that small steps find"
+/// r^2. Source: elementary. Tests: tests/compare/closed_form/follows_test.cpp
 std::optional<Meeting> nextMeeting(std::span<const FreeBody> bodies, const Wrap& wrap, double until);
 
 }  // namespace plumb::compare
