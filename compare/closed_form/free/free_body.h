@@ -55,8 +55,8 @@ double slipOf(const FreeBody& body, const Flight& now);
 ///   N = -m g.n;  sliding F = -mu N sign(s);  rolling F = -m g.t / (1 + m r^2 / I);  sticking F = -m g.t
 ///   a = g + (N n + F t) / m,  turning at F r / I
 /// n normal and t tangent of the face, s slip [m/s], m mass [kg], r radius [m], I inertia [kg m^2], mu friction [-]
-/// Source: textbook; Coulomb. Tests: follows_test.cpp. Holds while N > 0, and a block's pressure stays under it: x = -h F / N within its base,
-/// h height of its centre [m]. Throws Unsupported where it does not: it tips over.
+/// Source: textbook; Coulomb. Tests: follows_test.cpp. Holds while N > 0, and a block's pressure stays under it: x = -h
+/// F / N within its base, h height of its centre [m]. Throws Unsupported where it does not: it tips over.
 void setAcceleration(FreeBody& body);
 
 /// n from A to B at the point where two meet, with radii to there. B is none for what does not give way.
