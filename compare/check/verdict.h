@@ -46,7 +46,8 @@ struct Outcome {
     std::optional<double> value;  ///< empty where it does not exist
     double limit = 0;             ///< the value is at most this; an order is at least this
     bool pass = false;
-    std::string reason;  ///< why this limit, from the scene
+    std::string reason;     ///< why this limit, from the scene
+    std::string missing{};  ///< why there is no value, where that is known
 };
 
 struct EngineResult {
