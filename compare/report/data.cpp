@@ -84,10 +84,12 @@ json bodyData(const SceneBody& body) {
     json shapes = json::array();
     for (const ShapeDef& shape : body.def.shapes)
         for (json& data : shapesData(shape.shape)) shapes.push_back(std::move(data));
-    return {{"name", body.name},
-            {"type", bodyTypeTags[static_cast<std::size_t>(body.def.type)]},
-            {"start", {body.def.position.x(), body.def.position.y(), body.def.angle}},
-            {"shapes", shapes}};
+    json data = {{"name", body.name},
+                 {"type", bodyTypeTags[static_cast<std::size_t>(body.def.type)]},
+                 {"start", {body.def.position.x(), body.def.position.y(), body.def.angle}},
+                 {"shapes", shapes}};
+    if (body.def.type == BodyType::Dynamic) data["mass"] = massOf(body.def).mass;
+    return data;
 }
 
 /// A joint as two bodies and a point fixed to each: the page draws it wherever the bodies go. Null for a gear, which
@@ -121,23 +123,28 @@ json fieldData(const Scene& scene, const SceneField& field) {
     return data;
 }
 
-/// Null where the series does not exist or says nothing.
-json curveData(const std::vector<double>& series, std::size_t stride) {
-    const bool empty = std::ranges::all_of(series, [](double value) { return std::isnan(value); });
-    return empty ? json() : json(packNumbers(thinned(series, stride), NumberWidth::Float64));
+json partData(const PackedPart& part) {
+    return {part.first, part.count};
 }
 
-json probeData(const Scene& scene, const Observation& run, std::size_t stride) {
+/// Null where the series does not exist or says nothing.
+json curveData(const std::vector<double>& series, std::size_t stride, PackedBlock& block) {
+    const bool empty = std::ranges::all_of(series, [](double value) { return std::isnan(value); });
+    return empty ? json() : partData(block.addFloats(thinned(series, stride)));
+}
+
+json probeData(const Scene& scene, const Observation& run, std::size_t stride, PackedBlock& block) {
     json curves = json::array();
     for (std::size_t p = 0; p < scene.probes.size(); ++p) {
         std::vector<double> series;
         for (const std::vector<double>& tick : run.probes) series.push_back(tick.at(p));
-        curves.push_back(curveData(series, stride));
+        curves.push_back(curveData(series, stride, block));
     }
     return curves;
 }
 
-json engineData(const Scene& scene, const EngineResult& result, const PlaybackFormat& format, std::size_t curveStride) {
+json engineData(const Scene& scene, const EngineResult& result, const PlaybackFormat& format, std::size_t curveStride,
+                PackedBlock& block) {
     const Observation& run = result.observation;
     json settings = json::array();
     for (const Setting& setting : run.settings) settings.push_back({setting.first, setting.second});
@@ -151,11 +158,11 @@ json engineData(const Scene& scene, const EngineResult& result, const PlaybackFo
     }
     data["bodies"] = playedBodies(scene, run.role);
     data["ticks"] = playedTicks(scene, run);
-    data["states"] = packPlayback(scene, run, format);
-    data["probes"] = probeData(scene, run, curveStride);
-    data["error"] = curveData(result.measured.series.error, curveStride);
-    data["divergence"] = curveData(result.measured.series.divergence, curveStride);
-    data["energy"] = curveData(result.measured.series.energy, curveStride);
+    data["states"] = partData(packPlayback(scene, run, format, block));
+    data["probes"] = probeData(scene, run, curveStride, block);
+    data["error"] = curveData(result.measured.series.error, curveStride, block);
+    data["divergence"] = curveData(result.measured.series.divergence, curveStride, block);
+    data["energy"] = curveData(result.measured.series.energy, curveStride, block);
     return data;
 }
 
@@ -206,6 +213,8 @@ json sceneData(const SceneResult& result, const PlaybackFormat& format, const Re
     }
     const std::size_t stride = curveStride(ticks, settings.curvePoints);
     json data = {{"name", scene.name},
+                 {"title", titleOf(scene)},
+                 {"group", scene.group},
                  {"question", scene.question},
                  {"pass", result.verdict},
                  {"checks", scene.checks.size()},
@@ -214,8 +223,9 @@ json sceneData(const SceneResult& result, const PlaybackFormat& format, const Re
                  {"gravity", pair(scene.gravity)},
                  {"closedForm", closedFormData(scene)},
                  {"limits", limitData(scene)},
-                 {"width", static_cast<int>(format.width)},
                  {"stride", format.stride},
+                 {"lengthStep", format.lengthStep},
+                 {"angleStep", format.angleStep},
                  {"curveStride", stride}};
     data["notes"] = notesData(result);
     data["partings"] = json::array();
@@ -232,10 +242,12 @@ json sceneData(const SceneResult& result, const PlaybackFormat& format, const Re
     for (const Probe& probe : scene.probes) {
         data["probes"].push_back({{"name", probe.name}, {"unit", probe.unit}, {"from", probe.from}});
     }
+    PackedBlock block;
     for (const EngineResult& engine : result.engines) {
         if (engine.observation.role == Role::Truth && !scene.closedForm) continue;
-        data["engines"].push_back(engineData(scene, engine, format, stride));
+        data["engines"].push_back(engineData(scene, engine, format, stride, block));
     }
+    data["packed"] = block.text();
     for (const Outcome& outcome : result.outcomes) data["outcomes"].push_back(outcomeData(outcome));
     return data;
 }

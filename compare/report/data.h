@@ -12,8 +12,8 @@
 namespace plumb::compare {
 
 struct ReportSettings {
-    /// Of all playback together [byte]; a third more as text. The built-in scenes need 6.6 MB in four engines.
-    std::size_t playbackBudget = 8'000'000;
+    /// Numbers of all playback together; about 1.5 characters of the page each.
+    std::size_t playbackBudget = 3'000'000;
     /// In a curve; a screen has about 2,000 columns, and a pair of points stays below one of them.
     std::size_t curvePoints = 4'000;
 };

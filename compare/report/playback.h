@@ -2,7 +2,6 @@
 // Which states of a run does the page play back, and how finely?
 #pragma once
 #include <cstddef>
-#include <string>
 #include <vector>
 
 #include <compare/check/verdict.h>
@@ -10,10 +9,14 @@
 
 namespace plumb::compare {
 
-/// Every stride-th tick and the last one, each number in width bytes.
+/// How finely a scene is played: positions and angles in whole steps, every stride-th tick and the last one.
+/// A step is 2^-24 of how far the bodies go, so that differences of engines drawn a thousand times as large still move
+/// by less than a tenth of a pixel; each bit less would save 4 % of the playback. An engine whose bodies fly off by
+/// more than 128 times that far is not shown there.
 struct PlaybackFormat {
-    NumberWidth width = NumberWidth::Float64;
     std::size_t stride = 1;
+    double lengthStep = 0;  ///< [m]
+    double angleStep = 0;   ///< [rad]
 };
 
 /// The scene's bodies, by index, that move in this engine: all but the static ones; of the closed form, those it is
@@ -26,14 +29,15 @@ std::size_t playedTicks(const Scene& scene, const Observation& run);
 /// The ticks kept out of `ticks`: every stride-th and the last.
 std::vector<std::size_t> keptTicks(std::size_t ticks, std::size_t stride);
 
-/// The size of a scene's playback, all engines together [byte].
-std::size_t playbackBytes(const SceneResult& result, const PlaybackFormat& format);
+/// How many numbers a scene's playback has with this stride, all engines together.
+std::size_t playbackNumbers(const SceneResult& result, std::size_t stride);
 
-/// A format for each scene, in their order, so that all together stay within budget [byte]: small scenes keep every
-/// tick and every digit, and the large ones share what they leave. First the digits go, then ticks.
+/// A format for each scene, in their order, so that all together stay within so many numbers: small scenes keep every
+/// tick, and the large ones share what they leave.
 std::vector<PlaybackFormat> fitPlayback(const std::vector<SceneResult>& results, std::size_t budget);
 
-/// x, y [m] and angle [rad] of every played body at every kept tick, tick by tick, as text.
-std::string packPlayback(const Scene& scene, const Observation& run, const PlaybackFormat& format);
+/// Of every played body x, y [m] and angle [rad], counted from where the scene has it at its start, at every kept tick:
+/// a series each.
+PackedPart packPlayback(const Scene& scene, const Observation& run, const PlaybackFormat& format, PackedBlock& block);
 
 }  // namespace plumb::compare

@@ -4,13 +4,12 @@
 #include <algorithm>
 
 #include <compare/scene/builtin/scenes.h>
+#include <compare/scene/builtin/titles.h>
 
 namespace plumb::compare {
 
-namespace {
-
-std::vector<Scene> unanswered() {
-    return {
+std::vector<Scene> builtinScenes() {
+    std::vector<Scene> scenes{
         freeFall(),
         projectile(),
         projectileDamped(),
@@ -95,13 +94,10 @@ std::vector<Scene> unanswered() {
         elasticGas(),
         smallTumbler(),
     };
-}
-
-}  // namespace
-
-std::vector<Scene> builtinScenes() {
-    std::vector<Scene> scenes = unanswered();
-    for (Scene& scene : scenes) scene.answer = answerTo(scene.name);
+    for (Scene& scene : scenes) {
+        giveTitle(scene);
+        scene.answer = answerTo(scene.name);
+    }
     return scenes;
 }
 

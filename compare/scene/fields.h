@@ -106,6 +106,8 @@ void fields(auto& visit, OrConst<SceneField> auto& x) {
 }
 void fields(auto& visit, OrConst<Scene> auto& x) {
     visit(needed({"name", "", Allowed::any, "of small letters, digits and underscores"}), x.name);
+    visit({"title", "", Allowed::any, "as a reader sees it; made of the name where there is none"}, x.title);
+    visit({"group", "", Allowed::any, "the heading under which it is listed"}, x.group);
     visit({"question", "", Allowed::any, "what it asks, one sentence"}, x.question);
     visit({"answer", "", Allowed::any, "to the question; between braces what is read of a run: {largest y of ball}"},
           x.answer);

@@ -113,6 +113,8 @@ using EngineSettings = std::map<std::string, std::map<std::string, std::string>>
 
 struct Scene {
     std::string name{};      ///< snake_case
+    std::string title{};     ///< as a reader sees it; "": made of the name
+    std::string group{};     ///< the heading under which it is listed; "": among others
     std::string question{};  ///< what it asks, one sentence
     std::string answer{};    ///< with what is to be read of a run between braces: see answer.h
     Vec2 gravity{0, -9.81};  ///< [m/s^2]
@@ -137,6 +139,9 @@ inline bool isAlwaysThere(const SceneBody& body) {
 
 /// A shape bounces: engines that have a restitution threshold are then run with one of 0.
 bool bounces(const Scene& scene);
+
+/// Its title, or one made of its name: free_fall is "Free fall".
+std::string titleOf(const Scene& scene);
 
 /// round(duration / dt).
 int stepCount(const Scene& scene);

@@ -13,8 +13,9 @@ function takesArrows(target) {
     return target.tagName === "SELECT" || (target.tagName === "INPUT" && target.type === "radio");
 }
 
-/// Space plays and pauses, the arrows step, Home and End go to the ends; a focused control keeps its own keys.
-function bindKeys(player, isOpen) {
+/// Space plays and pauses, the arrows step, Home and End go to the ends, +, - and 0 zoom; a focused control keeps its
+/// own keys.
+function bindKeys(player, aim, isOpen) {
     document.addEventListener("keydown", (event) => {
         if (!isOpen() || event.ctrlKey || event.altKey || event.metaKey) return;
         const actions = {
@@ -23,6 +24,9 @@ function bindKeys(player, isOpen) {
             ArrowRight: () => player.step(1),
             Home: () => player.seek(0),
             End: () => player.seek(player.end),
+            "+": () => aim.zoom(1.5),
+            "-": () => aim.zoom(1 / 1.5),
+            0: () => aim.fit(),
         };
         const action = actions[event.key];
         const taken = event.key === " " ? takesSpace(event.target) : takesArrows(event.target);
@@ -32,8 +36,20 @@ function bindKeys(player, isOpen) {
     });
 }
 
+/// The controls stay at the edge of a small screen while the page scrolls: who plays must see what moves.
+function bringStageIntoView() {
+    const stage = byId("stage").getBoundingClientRect();
+    const below = byId("transport").getBoundingClientRect().height;
+    const isSeen = stage.top >= -1 && stage.bottom <= innerHeight - below + 1;
+    if (!isSeen) byId("stage-column").scrollIntoView({block: "start"});
+}
+
 function bindTransport(player, settled) {
-    byId("play").addEventListener("click", () => { player.toggle(); settled(); });
+    byId("play").addEventListener("click", () => {
+        player.toggle();
+        if (player.playing) bringStageIntoView();
+        settled();
+    });
     byId("step-back").addEventListener("click", () => { player.step(-1); settled(); });
     byId("step-on").addEventListener("click", () => { player.step(1); settled(); });
     byId("scrub").addEventListener("input", (event) => player.seekFrame(Number(event.target.value)));

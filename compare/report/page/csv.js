@@ -11,33 +11,38 @@ function csvText(rows) {
     return rows.map((row) => row.map(csvField).join(",")).join("\n") + "\n";
 }
 
-/// A row a frame: t, then x, y, angle of each body in each engine.
-function motionCsv(scene) {
-    const columns = [];
-    for (const engine of scene.running) {
-        for (const body of engine.bodies) {
-            for (const part of ["x", "y", "angle"]) columns.push({engine, body, part});
-        }
-    }
-    const head = ["t", ...columns.map(({engine, body, part}) => `${engine.name}.${scene.bodies[body].name}.${part}`)];
-    const rows = Array.from(scene.times, (t, frame) =>
-        [t, ...columns.map(({engine, body, part}) => poseOf(scene, engine, frame, body)?.[part])]);
-    return csvText([head, ...rows]);
+/// As many digits as there are.
+function floatField(x) {
+    return Number.isFinite(x) ? Number(x.toPrecision(7)) : null;
 }
 
-/// A row a point: t, then error, divergence, energy and the probes of each engine.
-function curvesCsv(scene) {
-    const columns = [];
-    for (const engine of scene.running) {
-        for (const name of ["error", "divergence", "energy"]) {
-            if (engine[name]) columns.push([`${engine.name}.${name}`, engine[name]]);
-        }
-        engine.probes.forEach((values, index) => {
-            if (values) columns.push([`${engine.name}.probe.${scene.probes[index].name}`, values]);
-        });
-    }
-    const rows = Array.from(scene.curveTimes, (t, i) => [t, ...columns.map(([, values]) => values[i])]);
-    return csvText([["t", ...columns.map(([name]) => name)], ...rows]);
+/// The columns of one body: its state, and its velocity from differences of what is played.
+function bodyColumns(scene, engine, body) {
+    const {name} = scene.bodies[body];
+    const rate = (frame, part) => {
+        const [a, b] = [Math.max(frame - 1, 0), Math.min(frame + 1, scene.times.length - 1)];
+        const [from, to] = [a, b].map((at) => poseOf(scene, engine, at, body));
+        if (!from || !to || a === b || isAround(scene, from, to)) return null;
+        return floatField((to[part] - from[part]) / (scene.times[b] - scene.times[a]));
+    };
+    const state = (frame, part) => poseOf(scene, engine, frame, body)?.[part];
+    return [["x", "m", state, "x"], ["y", "m", state, "y"], ["angle", "rad", state, "angle"],
+        ["vx", "m/s", rate, "x"], ["vy", "m/s", rate, "y"], ["spin", "rad/s", rate, "angle"]]
+        .map(([what, unit, of, part]) => ({head: `${name}.${what} [${unit}]`, at: (frame) => of(frame, part)}));
+}
+
+/// One engine's run, a row a frame: t, its bodies, its energy, the probes, and the distance to the closed form.
+function runCsv(scene, engine) {
+    const curve = (head, values) => (values
+        ? [{head, at: (frame) => floatField(values[indexAt(scene.curveTimes, scene.times[frame])])}] : []);
+    const columns = [
+        ...engine.bodies.flatMap((body) => bodyColumns(scene, engine, body)),
+        ...curve("energy [J]", engine.energy),
+        ...scene.probes.flatMap(({name, unit}, i) => curve(`probe.${name} [${unit}]`, engine.probes[i])),
+        ...(isTruth(engine.name) ? [] : curve("to_truth [m]", engine.error)),
+    ];
+    const rows = Array.from(scene.times, (t, frame) => [t, ...columns.map(({at}) => at(frame))]);
+    return csvText([["t [s]", ...columns.map(({head}) => head)], ...rows]);
 }
 
 function numbersCsv(scenes) {

@@ -1,15 +1,85 @@
 // SPDX-License-Identifier: MIT
-// What did each engine do at each moment? The data's numbers are unpacked when a scene is first opened.
+// What did each engine do at each moment? The data's numbers are unpacked when a scene is first asked for.
 
+/// Scenes of one group stand together, in the order in which the groups first appear.
 function readReport() {
-    return JSON.parse(byId("data").textContent);
+    const report = JSON.parse(byId("data").textContent);
+    for (const scene of report.scenes) scene.group ||= "Others";
+    const groups = [...new Set(report.scenes.map(({group}) => group))];
+    report.scenes.sort((a, b) => groups.indexOf(a.group) - groups.indexOf(b.group));
+    return report;
 }
 
-/// Base64 of little-endian numbers; the page runs on little-endian machines, as all browsers' are.
-function unpack(text, width) {
-    if (text === null || text === undefined) return null;
-    const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
-    return width === 4 ? new Float32Array(bytes.buffer) : new Float64Array(bytes.buffer);
+function bytesOf(base64) {
+    const text = atob(base64);
+    const bytes = new Uint8Array(text.length);
+    for (let i = 0; i < bytes.length; ++i) bytes[i] = text.charCodeAt(i);
+    return bytes;
+}
+
+/// Base64 of little-endian doubles; the page runs on little-endian machines, as all browsers' are.
+function unpack(text) {
+    return new Float64Array(bytesOf(text).buffer);
+}
+
+async function inflated(bytes) {
+    const stream = new DecompressionStream("deflate");
+    const writer = stream.writable.getWriter();
+    writer.write(bytes);
+    writer.close();
+    return new Uint8Array(await new Response(stream.readable).arrayBuffer());
+}
+
+/// The words of a block, which has their lowest bytes first, then the next: see compare/report/packed_numbers.h.
+async function wordsOf(packed) {
+    const bytes = await inflated(bytesOf(packed));
+    const count = bytes.length / 4;
+    const words = new Uint32Array(count);
+    for (let i = 0; i < count; ++i) {
+        words[i] = bytes[i] | (bytes[count + i] << 8) | (bytes[2 * count + i] << 16) | (bytes[3 * count + i] << 24);
+    }
+    return words;
+}
+
+/// 0, 1, 2, 3, ... become 0, -1, 1, -2, ...
+function unfolded(word) {
+    return (word >>> 1) ^ -(word & 1);
+}
+
+function floatsOf(words, part) {
+    if (!part) return null;
+    const [first, count] = part;
+    const bits = new Int32Array(count);
+    for (let i = 0, before = 0; i < count; ++i) bits[i] = before = (before + unfolded(words[first + i])) | 0;
+    return new Float32Array(bits.buffer);
+}
+
+const NO_STEPS = -(2 ** 31);
+
+/// One series of whole steps into every stride-th place of numbers; NaN where there is none.
+function readSteps(words, first, count, step, origin, numbers, at, stride) {
+    let before = 0;
+    let change = 0;
+    for (let i = 0; i < count; ++i) {
+        const word = (before + change + unfolded(words[first + i])) | 0;
+        change = (word - before) | 0;
+        before = word;
+        numbers[at + i * stride] = word === NO_STEPS ? NaN : origin + word * step;
+    }
+}
+
+/// x, y and angle of every body of the engine, frame by frame.
+function posesOf(words, engine, scene) {
+    const [first, count] = engine.states;
+    const numbers = new Float64Array(count);
+    const columns = 3 * engine.bodies.length;
+    const frames = columns > 0 ? count / columns : 0;
+    for (let column = 0; column < columns; ++column) {
+        const step = column % 3 === 2 ? scene.angleStep : scene.lengthStep;
+        const origin = scene.bodies[engine.bodies[Math.floor(column / 3)]].start[column % 3];
+        readSteps(words, first + column * frames, frames, step, origin, numbers, column, columns);
+    }
+    return numbers;
 }
 
 function keptTicks(last, stride) {
@@ -28,13 +98,12 @@ function curveTimes(scene) {
     return Float64Array.from({length: count}, (_, j) => tick(j) * scene.dt);
 }
 
-function unpackEngine(engine, scene) {
+function unpackEngine(words, engine, scene) {
     if (engine.unsupported) return;
-    engine.poses = unpack(engine.states, scene.width);
     engine.slots = new Map(engine.bodies.map((body, slot) => [body, slot]));
-    for (const curve of ["error", "divergence", "energy"]) engine[curve] = unpack(engine[curve], 8);
-    engine.probes = engine.probes.map((probe) => unpack(probe, 8));
-    delete engine.states;
+    engine.poses = posesOf(words, engine, scene);
+    for (const curve of ["error", "divergence", "energy"]) engine[curve] = floatsOf(words, engine[curve]);
+    engine.probes = engine.probes.map((probe) => floatsOf(words, probe));
 }
 
 /// The numbers x, y, x, y, ... of every shape but a disc.
@@ -54,16 +123,21 @@ function reach(body) {
     return far;
 }
 
-function unpackScene(scene) {
-    if (scene.unpacked) return scene;
+async function unpackNow(scene) {
+    const words = await wordsOf(scene.packed);
     scene.ticks = keptTicks(scene.steps, scene.stride);
     scene.times = Float64Array.from(scene.ticks, (tick) => tick * scene.dt);
     scene.curveTimes = curveTimes(scene);
-    for (const engine of scene.engines) unpackEngine(engine, scene);
+    for (const engine of scene.engines) unpackEngine(words, engine, scene);
     for (const body of scene.bodies) body.reach = reach(body);
     scene.running = scene.engines.filter((engine) => !engine.unsupported);
-    scene.unpacked = true;
-    return scene;
+    delete scene.packed;
+}
+
+/// Done once, however often it is asked for.
+function unpackScene(scene) {
+    scene.unpacked ??= unpackNow(scene);
+    return scene.unpacked;
 }
 
 /// The last index whose time is not after t; times rise.

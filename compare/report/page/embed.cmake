@@ -13,6 +13,7 @@ endfunction()
 
 read_inline("${PAGE_DIR}/page.html" page)
 read_inline("${PAGE_DIR}/page.css" page_style)
+read_inline("${PAGE_DIR}/overview.css" overview_style)
 read_inline("${PAGE_DIR}/scene.css" scene_style)
 read_inline("${PAGE_DIR}/lab.css" lab_style)
 read_inline("${DYGRAPHS_CSS}" chart_style)
@@ -29,7 +30,8 @@ foreach(text IN ITEMS "${chart_library}" "${scripts}")
     endif()
 endforeach()
 
-string(REPLACE "@@style@@" "${chart_style}\n${page_style}\n${scene_style}\n${lab_style}" page "${page}")
+string(REPLACE "@@style@@" "${chart_style}\n${page_style}\n${overview_style}\n${scene_style}\n${lab_style}"
+    page "${page}")
 string(REPLACE "@@charts@@" "${chart_library}" page "${page}")
 string(REPLACE "@@scripts@@" "${scripts}" page "${page}")
 

@@ -92,8 +92,9 @@ function powerOfTen(exponent) {
     return exponent === 0 ? "1" : exponent === 1 ? "10" : `10${superscript(exponent)}`;
 }
 
-/// free_fall -> Free fall.
-function titleText(name) {
+/// A scene's or lab's own title, or one made of its name: free_fall -> Free fall.
+function titleText({name, title}) {
+    if (title) return title;
     const words = name.replaceAll("_", " ");
     return words.charAt(0).toUpperCase() + words.slice(1);
 }

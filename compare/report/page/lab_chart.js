@@ -25,8 +25,8 @@ function labLooks(lab) {
 function unpackLab(lab) {
     if (lab.unpacked) return lab;
     for (const curve of lab.graphs.flatMap(({curves}) => curves)) {
-        curve.xs = unpack(curve.xs, 8);
-        curve.ys = unpack(curve.ys, 8);
+        curve.xs = unpack(curve.xs);
+        curve.ys = unpack(curve.ys);
     }
     lab.looks = labLooks(lab);
     lab.unpacked = true;

@@ -51,7 +51,7 @@ class LabPage {
     open(lab) {
         this.close();
         this.lab = unpackLab(lab);
-        byId("lab-title").textContent = titleText(lab.name);
+        byId("lab-title").textContent = titleText(lab);
         byId("lab-question").textContent = lab.question;
         byId("lab-varied").textContent = `Varied: ${lab.varied}.`;
         const failed = failures(lab);

@@ -43,12 +43,13 @@ function openLab(lab) {
     markInList(labAddress(lab), report.labs.map(labAddress), ["before-lab", "after-lab"]);
 }
 
-function openAddress() {
+/// What was shown stays until a scene's numbers are unpacked; where another was asked for meanwhile, that one comes.
+async function openAddress() {
     const wanted = readAddress();
     const scene = report.scenes.find(({name}) => name === wanted.scene);
     const lab = report.labs.find(({name}) => name === wanted.lab);
     const title = scene ?? lab;
-    document.title = title ? `${titleText(title.name)} – Plumb compared` : "Plumb compared";
+    document.title = title ? `${titleText(title)} – Plumb compared` : "Plumb compared";
     if (lab && !scene) {
         openLab(lab);
         return;
@@ -59,6 +60,8 @@ function openAddress() {
         showView("overview");
         return;
     }
+    await unpackScene(scene);
+    if (readAddress().scene !== scene.name) return;
     showView("scene");
     if (scenePage.view.scene !== scene) {
         scenePage.open(scene);
@@ -69,8 +72,10 @@ function openAddress() {
     scenePage.player.setSpeed(speed);
     scenePage.showSpeed(speed);
     scenePage.player.seek(wanted.time);
-    if (wanted.play) scenePage.player.play();
-    else scenePage.player.pause();
+    if (wanted.play) {
+        scenePage.player.play();
+        bringStageIntoView();
+    } else scenePage.player.pause();
 }
 
 fillOverview(report);

@@ -36,13 +36,15 @@ function sums(report) {
 /// What to read of an engine in one line: its distance to the closed form, or why there is none.
 function errorCell(scene, name) {
     const engine = scene.engines.find((candidate) => candidate.name === name);
-    if (!engine) return element("td", {class: "number none"}, NONE);
-    if (engine.unsupported) return element("td", {class: "number none", title: engine.unsupported}, "unsupported");
+    const cell = (attributes, text) => element("td", attributes, engineMark(name), text);
+    if (!engine) return cell({class: "figure number none absent"}, NONE);
+    if (engine.unsupported) return cell({class: "figure number none", title: engine.unsupported}, "unsupported");
     const compared = scene.engines.filter((other) => !isTruth(other.name) && !other.unsupported);
     const isBest = bestOf("error_max", compared.map((other) => other.metrics.error_max));
     const value = engine.metrics.error_max;
     const none = typeof value !== "number";
-    return element("td", {class: `number${none ? " none" : ""}${isBest(value) ? " best" : ""}`}, quantity(value, "m"));
+    const looks = `${none ? " none absent" : ""}${isBest(value) ? " best" : ""}`;
+    return cell({class: `figure number${looks}`}, quantity(value, "m"));
 }
 
 function sceneAddress(scene) {
@@ -51,49 +53,86 @@ function sceneAddress(scene) {
 
 /// How many checks hold, or none.
 function checksCell(what, judged) {
-    if (judged.pass === null) return element("td", {class: "number none", title: notJudgedText(what, judged)}, "none");
+    const title = judged.pass === null ? notJudgedText(what, judged) : null;
     const all = judged.outcomes.length;
-    return element("td", {class: "number"}, `${all - failures(judged).length}/${all}`);
+    const text = judged.pass === null ? "none" : `${all - failures(judged).length}/${all}`;
+    return element("td", {class: `checked number${title ? " none" : ""}`, title}, text);
 }
 
-function verdictRow(scene, engines) {
+function verdictRow(scene, engines, pictures) {
     const failed = failures(scene);
+    const canvas = element("canvas", {class: "picture", "aria-hidden": "true"});
+    pictures.add(canvas, scene);
+    const link = {href: sceneAddress(scene), tabindex: -1, "aria-label": titleText(scene)};
     return element("tr", {class: scene.pass === false ? "failing" : null},
-        element("td", {}, verdictMark(scene.pass)),
-        element("th", {scope: "row"}, element("a", {href: sceneAddress(scene)}, titleText(scene.name)),
+        element("td", {class: "pictured"}, element("a", link, canvas)),
+        element("th", {scope: "row"}, element("a", {href: sceneAddress(scene)}, titleText(scene)),
             element("p", {class: "question"}, scene.question),
             ...failed.slice(0, 3).map((outcome) => element("p", {class: "failure"}, failureText(scene, outcome))),
             failed.length > 3 ? element("p", {class: "failure"}, `and ${failed.length - 3} more`) : null),
+        element("td", {}, verdictMark(scene.pass)),
         checksCell("scene", scene),
         ...engines.map((name) => errorCell(scene, name)));
+}
+
+/// A body of the table for each group, and a button that goes there.
+function groupBodies(report, engines, pictures) {
+    const bodies = new Map();
+    for (const scene of report.scenes) {
+        if (!bodies.has(scene.group)) {
+            const columns = 4 + engines.length;
+            const head = element("th", {scope: "rowgroup", colspan: columns}, element("h2", {}, scene.group));
+            bodies.set(scene.group, element("tbody", {}, element("tr", {class: "group"}, head)));
+        }
+        bodies.get(scene.group).append(verdictRow(scene, engines, pictures));
+    }
+    if (bodies.size > 1) {
+        byId("groups").append(...[...bodies].map(([name, body]) => element("button", {type: "button",
+            onclick: () => body.scrollIntoView({block: "start"})}, name,
+            element("span", {class: "count"}, String(body.rows.length - 1)))));
+    }
+    return [...bodies.values()];
 }
 
 function labRow(lab) {
     const failed = failures(lab);
     return element("tr", {class: lab.pass === false ? "failing" : null},
-        element("td", {}, verdictMark(lab.pass)),
-        element("th", {scope: "row"}, element("a", {href: labAddress(lab)}, titleText(lab.name)),
+        element("th", {scope: "row"}, element("a", {href: labAddress(lab)}, titleText(lab)),
             element("p", {class: "question"}, lab.question),
             ...failed.map((outcome) => element("p", {class: "failure"}, labFailureText(outcome)))),
+        element("td", {}, verdictMark(lab.pass)),
         checksCell("lab", lab),
-        element("td", {class: "question"}, lab.seen[0] ?? ""));
+        element("td", {class: "question seen-first"}, lab.seen[0] ?? ""));
 }
 
 function fillLabs(report) {
     byId("labs").hidden = report.labs.length === 0;
-    const heads = [columnHead("Verdict"), columnHead("Lab"), columnHead("Checks", true), columnHead("What is seen")];
+    const heads = [columnHead("Lab"), columnHead("Verdict"), columnHead("Checks", true), columnHead("What is seen")];
     byId("lab-verdicts").append(...table(heads, report.labs.map(labRow)));
+}
+
+/// What the search looks at.
+function searchedRows(report) {
+    const scenes = [...byId("verdicts").querySelectorAll("tbody tr:not(.group)")];
+    const labs = [...byId("lab-verdicts").querySelectorAll("tbody tr")];
+    return [
+        ...report.scenes.map((scene, i) => ({row: scenes[i],
+            texts: [titleText(scene), scene.name, scene.question, scene.group]})),
+        ...report.labs.map((lab, i) => ({row: labs[i], texts: [titleText(lab), lab.name, lab.question, "lab"]})),
+    ];
 }
 
 function fillOverview(report) {
     const engines = allEngines(report);
     byId("sums").append(...sums(report));
-    const heads = [columnHead("Verdict"), columnHead("Scene"), columnHead("Checks", true),
+    const heads = [columnHead(""), columnHead("Scene"), columnHead("Verdict"), columnHead("Checks", true),
         ...engines.map((name) => columnHead(engineName(name), true))];
-    byId("verdicts").append(...table(heads, report.scenes.map((scene) => verdictRow(scene, engines))));
+    byId("verdicts").append(element("thead", {}, element("tr", {}, ...heads)),
+        ...groupBodies(report, engines, new Pictures()));
     byId("verdicts").hidden = byId("verdicts-note").hidden = report.scenes.length === 0;
     byId("verdicts-csv").hidden = report.scenes.length === 0;
     fillLabs(report);
+    bindSearch(searchedRows(report));
     byId("verdicts-csv").addEventListener("click", () => download("plumb_numbers.csv", numbersCsv(report.scenes)));
 }
 
@@ -101,7 +140,10 @@ function fillOverview(report) {
 function fillSceneList(report) {
     byId("scene-list-sum").textContent = countText(report.scenes, "scenes");
     byId("scene-list-sum").hidden = report.scenes.length === 0;
+    let group = "";
     for (const scene of report.scenes) {
+        if (scene.group !== group) byId("scene-list-items").append(element("li", {class: "group"}, scene.group));
+        group = scene.group;
         const figures = element("span", {class: "figures"});
         for (const engine of scene.engines) {
             if (isTruth(engine.name) || typeof engine.metrics.error_max !== "number") continue;
@@ -120,7 +162,7 @@ function listItem(judged, address, failure, figures) {
     const {kind, sign, word} = verdictSign(judged.pass);
     return element("li", {}, element("a", {href: address, title: judged.question},
         element("span", {class: `verdict ${kind}`, "aria-label": word}, sign),
-        element("span", {class: "scene-name"}, titleText(judged.name)),
+        element("span", {class: "scene-name"}, titleText(judged)),
         failure ? element("span", {class: "failure"}, failure) : null, figures));
 }
 

@@ -7,9 +7,11 @@ set(PLUMB_REPORT_PAGE_DIR "${CMAKE_CURRENT_LIST_DIR}")
 
 # In the order of the page: a script may use the scripts before it at once, and those after it once the page runs.
 set(PLUMB_REPORT_SCRIPTS
-    dom.js format.js formula.js engines.js data.js pose.js camera.js paper.js field.js still.js stage.js player.js
-    curves.js limits.js chart.js charts.js csv.js numbers.js lab_chart.js lab_page.js overview.js controls.js
-    scene_page.js address.js main.js)
+    dom.js format.js formula.js engines.js data.js
+    stage/pose.js stage/camera.js stage/paper.js stage/field.js stage/still.js stage/path.js
+    stage/arrows.js stage/aim.js stage/stage.js stage/picture.js
+    player.js curves.js limits.js chart.js charts.js csv.js numbers.js lab_chart.js lab_page.js search.js overview.js
+    controls.js partings.js scene_page.js address.js main.js)
 
 # Where they are is in PLUMB_DYGRAPHS_JS and PLUMB_DYGRAPHS_CSS.
 function(plumb_find_dygraphs)
@@ -32,7 +34,8 @@ function(plumb_add_report_page target)
             "-DDYGRAPHS_JS=${PLUMB_DYGRAPHS_JS}" "-DDYGRAPHS_CSS=${PLUMB_DYGRAPHS_CSS}" "-DOUTPUT=${output}"
             -P "${PLUMB_REPORT_PAGE_DIR}/embed.cmake"
         DEPENDS ${scripts} "${PLUMB_REPORT_PAGE_DIR}/page.html" "${PLUMB_REPORT_PAGE_DIR}/page.css"
-            "${PLUMB_REPORT_PAGE_DIR}/scene.css" "${PLUMB_REPORT_PAGE_DIR}/lab.css"
+            "${PLUMB_REPORT_PAGE_DIR}/overview.css" "${PLUMB_REPORT_PAGE_DIR}/scene.css"
+            "${PLUMB_REPORT_PAGE_DIR}/lab.css"
             "${PLUMB_REPORT_PAGE_DIR}/embed.cmake" "${PLUMB_DYGRAPHS_JS}" "${PLUMB_DYGRAPHS_CSS}"
         COMMENT "Putting the report's page together"
         VERBATIM)

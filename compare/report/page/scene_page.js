@@ -1,20 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What does the page of one scene hold together? The stage, the charts and the tables, at one time.
 
-/// Where each two engines part: those of the engine that the comparison is about, and the others on demand.
-function partingsList(scene) {
-    const isMain = ({a, b}) => isSubject(a) || isSubject(b);
-    const lines = (partings) => partings.map(({text, body, time}) => element("li", {},
-        element("button", {type: "button", class: "plain", "data-time": time, disabled: body === ""}, text)));
-    const main = scene.partings.filter(isMain);
-    const others = scene.partings.filter((parting) => !isMain(parting));
-    const list = (partings) => element("ul", {}, ...lines(partings));
-    return [
-        main.length > 0 ? list(main) : null,
-        others.length === 0 ? null : main.length === 0 ? list(others)
-            : element("details", {}, element("summary", {}, "The other engines among themselves"), list(others)),
-    ].filter((part) => part !== null);
-}
+/// What may be drawn beside the bodies, each by its checkbox.
+const DRAWN = ["path", "trails", "velocity", "force"];
 
 class ScenePage {
     /// settled() is called when a person has come to a state worth an address.
@@ -22,30 +10,26 @@ class ScenePage {
         this.player = new Player(() => this.showTime());
         this.showSpeed = bindTransport(this.player, settled);
         this.settled = settled;
-        this.view = {scene: null, hidden: new Set(), trails: false, magnify: 1, theme: stageTheme()};
+        this.view = {scene: null, hidden: new Set(), magnify: 1, aim: wholeView(), theme: stageTheme()};
+        this.aim = new StageAim(byId("stage"), this.view, () => this.draw());
         const seek = (time) => { this.player.seek(time); settled(); };
         this.charts = new Charts(byId("charts"), seek);
-        bindKeys(this.player, () => this.view.scene !== null);
+        bindKeys(this.player, this.aim, () => this.view.scene !== null);
         document.addEventListener("keyup", () => { if (!this.player.playing) settled(); });
-        byId("trails").addEventListener("change", (event) => { this.view.trails = event.target.checked; this.draw(); });
+        for (const drawn of DRAWN) {
+            byId(drawn).addEventListener("change", ({target}) => { this.view[drawn] = target.checked; this.draw(); });
+        }
         fillChoice(byId("magnify"), "magnify", MAGNIFICATIONS, 1, (times) => {
             this.view.magnify = times;
             this.draw();
         });
         new ResizeObserver(() => this.restyle()).observe(byId("stage"));
+        const above = () => document.documentElement.style.setProperty("--above",
+            `${byId("partings").offsetHeight + byId("unsupported").offsetHeight}px`);
+        for (const part of ["partings", "unsupported"]) new ResizeObserver(above).observe(byId(part));
         matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
             this.restyle();
             if (this.view.scene) this.charts.show();
-        });
-        this.bindFile("motion", motionCsv);
-        this.bindFile("curves", curvesCsv);
-        this.bindFile("numbers", (scene) => numbersCsv([scene]));
-    }
-
-    bindFile(what, text) {
-        byId(`${what}-csv`).addEventListener("click", () => {
-            const {scene} = this.view;
-            download(`${scene.name}_${what}.csv`, text(scene));
         });
     }
 
@@ -55,28 +39,31 @@ class ScenePage {
         this.view.scene = null;
     }
 
+    /// Of a scene that is unpacked.
     open(scene) {
-        unpackScene(scene);
         this.player.load(scene.times);
         this.wasPlaying = false;
         this.view.scene = scene;
         this.view.box = sceneBox(scene);
         const moving = scene.bodies.filter((body) => body.type !== "static").length;
         this.view.trails = moving <= 3;
-        byId("trails").checked = this.view.trails;
+        this.view.path = moving <= 12;
+        for (const drawn of DRAWN) byId(drawn).checked = Boolean(this.view[drawn]);
+        this.view.frame = 0;
         byId("scrub").max = scene.ticks.length - 1;
         this.showHead(scene);
         this.showPartings(scene);
         this.showKeys(scene);
         this.showTables(scene);
         this.charts.load(scene);
-        this.restyle();
+        this.view.theme = stageTheme();
+        this.aim.fit();
         this.showTime();
     }
 
     showHead(scene) {
         const failed = failures(scene);
-        byId("scene-title").textContent = titleText(scene.name);
+        byId("scene-title").textContent = titleText(scene);
         byId("scene-question").textContent = scene.question;
         const answer = scene.engines.find(({name}) => isSubject(name))?.answer ?? "";
         byId("scene-answer").textContent = answer;
@@ -95,7 +82,7 @@ class ScenePage {
     /// A click goes to the moment.
     showPartings(scene) {
         byId("partings").hidden = scene.partings.length === 0;
-        byId("partings").replaceChildren(...partingsList(scene));
+        byId("partings").replaceChildren(...partingsParts(scene));
         for (const button of byId("partings").querySelectorAll("button")) {
             button.addEventListener("click", () => { this.player.seek(Number(button.dataset.time)); this.settled(); });
         }
@@ -119,18 +106,22 @@ class ScenePage {
         byId("checks").replaceChildren(...checksTable(scene));
         byId("numbers").replaceChildren(...numbersTable(scene));
         byId("settings").replaceChildren(...settingsTable(scene));
-        this.showThinning(scene);
+        this.showFiles(scene);
     }
 
-    /// What of the run the page does not have.
-    showThinning(scene) {
+    /// What there is to take away, and what of the run the page does not have.
+    showFiles(scene) {
+        const file = (label, name, text) => element("button", {type: "button",
+            onclick: () => download(`${scene.name}.${name}.csv`, text())}, label);
+        byId("files").replaceChildren(
+            ...scene.running.map((engine) => file(engineName(engine.name), engine.name, () => runCsv(scene, engine))),
+            file("All numbers", "numbers", () => numbersCsv([scene])));
         const ticks = scene.stride === 1 ? "every step" : `one step in ${scene.stride}`;
-        const digits = scene.width === 4 ? "seven digits" : "all digits";
-        const points = scene.curveStride === 1 ? "every step"
-            : `the least and the largest value of every ${scene.curveStride} steps`;
-        const note = scene.stride === 1 ? "" : `Playback shows ${ticks}; the charts keep every peak.`;
-        byId("stage-note").textContent = note;
-        byId("files-note").textContent = `Motion has ${ticks} with ${digits}; curves have ${points}.`;
+        byId("stage-note").textContent = scene.stride === 1 ? ""
+            : `Playback shows ${ticks}; the charts keep every peak.`;
+        byId("files-note").textContent = `CSV, one file an engine, with ${ticks}: positions to ` +
+            `${quantity(scene.lengthStep, "m", 1)}, velocities from their differences, energy, probes and the ` +
+            "distance to the closed form.";
     }
 
     toggle(engine, shown) {
@@ -160,7 +151,7 @@ class ScenePage {
         if (!scene) return;
         this.view.frame = this.player.frame;
         const stage = byId("stage");
-        stage.setAttribute("aria-label", `${titleText(scene.name)} at ${timeText(scene.times[this.view.frame])}`);
+        stage.setAttribute("aria-label", `${titleText(scene)} at ${timeText(scene.times[this.view.frame])}`);
         drawStage(stage, this.view);
     }
 }

@@ -31,6 +31,7 @@ TEST_CASE("the page knows the scene, its limits, each engine's states and curves
           "[compare][report]") {
     const json scene = onlyScene(discBesideItsClosedForm());
     CHECK(scene.at("name") == "one_disc");
+    CHECK(scene.at("title") == "One disc");
     CHECK(scene.at("steps") == 10);
     CHECK(scene.at("limits") == json({{"error", 0.001}, {"divergence", 0.02}, {"agreeUntil", 0.5}}));
     CHECK(scene.at("bodies").at(0).at("shapes") == json::parse(R"([{"circle": [0, 0, 0.5]}])"));
@@ -42,10 +43,10 @@ TEST_CASE("the page knows the scene, its limits, each engine's states and curves
     CHECK(plumb.at("metrics").at("error_max") == 0.25);
     CHECK(plumb.at("metrics").at("joint_error_max").is_null());
     CHECK(plumb.at("divergence").is_null());
-    CHECK(unpackedDoubles(plumb.at("error")) == std::vector<double>(11, 0.25));
-    const std::vector<double> states = unpackedDoubles(plumb.at("states"));
-    REQUIRE(states.size() == 33);
-    CHECK(states[30] == 0.25);
+    const UnpackedBlock block(scene.at("packed").get<std::string>());
+    CHECK(block.floats(plumb.at("error").at(0), 11) == std::vector<double>(11, 0.25));
+    REQUIRE(plumb.at("states").at(1) == 33);
+    CHECK(block.steps(plumb.at("states").at(0), 11, scene.at("lengthStep")) == std::vector<double>(11, 0.25));
 
     const json& box2d = scene.at("engines").at(1);
     CHECK(box2d.at("unsupported") == "it has no such thing");

@@ -41,9 +41,9 @@ SceneResult discs(int count, int steps) {
 }
 
 std::size_t total(const std::vector<SceneResult>& results, const std::vector<PlaybackFormat>& formats) {
-    std::size_t bytes = 0;
-    for (std::size_t i = 0; i < results.size(); ++i) bytes += playbackBytes(results[i], formats[i]);
-    return bytes;
+    std::size_t numbers = 0;
+    for (std::size_t i = 0; i < results.size(); ++i) numbers += playbackNumbers(results[i], formats[i].stride);
+    return numbers;
 }
 
 }  // namespace
@@ -60,36 +60,39 @@ TEST_CASE("the kept ticks begin with 0, end with the last, and are a stride apar
 TEST_CASE("two discs over ten steps are 66 numbers; the static floor is not played", "[compare][report]") {
     const SceneResult result = discs(2, 10);
     CHECK(playedBodies(result.scene, Role::Subject) == std::vector<std::size_t>{1, 2});
-    CHECK(playbackBytes(result, {NumberWidth::Float64, 1}) == 2 * 11 * 3 * 8);
-    CHECK(playbackBytes(result, {NumberWidth::Float32, 4}) == 2 * 4 * 3 * 4);  // ticks 0, 4, 8, 10
-    const std::string packed = packPlayback(result.scene, result.engines[0].observation, {NumberWidth::Float32, 4});
-    CHECK(unpackedFloats(packed) == std::vector<double>{0,   0, 0, 0,   0, 0, 0.5,  0, 0, 0.5,  0, 0,  //
-                                                        1.0, 0, 0, 1.0, 0, 0, 1.25, 0, 0, 1.25, 0, 0});
-}
-
-TEST_CASE("scenes within the budget keep all their digits and steps", "[compare][report]") {
-    const std::vector<SceneResult> results{discs(2, 10), discs(5, 100)};
-    for (const PlaybackFormat& format : fitPlayback(results, 1'000'000)) {
-        CHECK(format.width == NumberWidth::Float64);
-        CHECK(format.stride == 1);
+    CHECK(playbackNumbers(result, 1) == 2 * 11 * 3);
+    CHECK(playbackNumbers(result, 4) == 2 * 4 * 3);  // ticks 0, 4, 8, 10
+    PackedBlock block;
+    const PackedPart part = packPlayback(result.scene, result.engines[0].observation, {4, 0.125, 0.125}, block);
+    CHECK(part.count == 24);
+    const UnpackedBlock read(block.text());
+    for (const std::size_t disc : {0u, 12u}) {
+        CHECK(read.steps(disc, 4, 0.125) == std::vector<double>{0, 0.5, 1.0, 1.25});
+        CHECK(read.steps(disc + 4, 8, 0.125) == std::vector<double>(8, 0));
     }
 }
 
-TEST_CASE("a large scene loses digits, then steps; the small ones beside it lose nothing", "[compare][report]") {
+TEST_CASE("scenes within the budget keep all their steps", "[compare][report]") {
+    const std::vector<SceneResult> results{discs(2, 10), discs(5, 100)};
+    for (const PlaybackFormat& format : fitPlayback(results, 1'000'000)) CHECK(format.stride == 1);
+}
+
+TEST_CASE("a large scene loses steps; the small ones beside it lose none", "[compare][report]") {
     const std::vector<SceneResult> results{discs(20, 1000), discs(2, 10)};
-    REQUIRE(playbackBytes(results[0], {}) == 480'480);
-
-    const std::vector<PlaybackFormat> halved = fitPlayback(results, 300'000);
-    CHECK(halved[0].width == NumberWidth::Float32);
-    CHECK(halved[0].stride == 1);
-    CHECK(total(results, halved) <= 300'000);
-
-    const std::vector<PlaybackFormat> thin = fitPlayback(results, 100'000);
-    CHECK(thin[0].width == NumberWidth::Float32);
-    CHECK(thin[0].stride == 3);  // 240 byte a tick, 410 of 1,001 ticks fit
-    CHECK(thin[1].width == NumberWidth::Float64);
+    REQUIRE(playbackNumbers(results[0], 1) == 60'060);
+    const std::vector<PlaybackFormat> thin = fitPlayback(results, 25'000);
+    CHECK(thin[0].stride == 3);  // 60 numbers a tick, 415 of 1,001 ticks fit
     CHECK(thin[1].stride == 1);
-    CHECK(total(results, thin) <= 100'000);
+    CHECK(total(results, thin) <= 25'000);
+}
+
+TEST_CASE("a step is 2^-24 of the way in the engine whose bodies go the least far", "[compare][report]") {
+    SceneResult result = discs(1, 24);  // 3 m
+    CHECK(fitPlayback({result}, 1'000'000)[0].lengthStep == 4 * 0x1p-24);
+    CHECK(fitPlayback({result}, 1'000'000)[0].angleStep == 0x1p-24);
+    result.engines.push_back(result.engines[0]);
+    for (std::vector<BodyState>& states : result.engines[1].observation.states) states[1].position.x() *= 1e200;
+    CHECK(fitPlayback({result}, 1'000'000)[0].lengthStep == 4 * 0x1p-24);
 }
 
 TEST_CASE("with no budget at all each scene still has its first and last tick", "[compare][report]") {

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Which numbers does a page read out of a text?
 #pragma once
+#include <zlib.h>
+
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "catch.h"
 
 namespace plumb::compare {
 
@@ -25,25 +30,62 @@ inline std::vector<std::uint8_t> unpackedBytes(const std::string& text) {
     return bytes;
 }
 
-/// Number is float or double, Bits an unsigned integer of its size.
-template <typename Number, typename Bits>
-std::vector<double> unpackedNumbers(const std::string& text) {
+inline std::vector<double> unpackedDoubles(const std::string& text) {
     const std::vector<std::uint8_t> bytes = unpackedBytes(text);
     std::vector<double> numbers;
-    for (std::size_t i = 0; i + sizeof(Bits) <= bytes.size(); i += sizeof(Bits)) {
-        Bits bits = 0;
-        for (std::size_t k = 0; k < sizeof(Bits); ++k) bits |= static_cast<Bits>(bytes[i + k]) << (8 * k);
-        numbers.push_back(static_cast<double>(std::bit_cast<Number>(bits)));
+    for (std::size_t i = 0; i + 8 <= bytes.size(); i += 8) {
+        std::uint64_t bits = 0;
+        for (std::size_t k = 0; k < 8; ++k) bits |= static_cast<std::uint64_t>(bytes[i + k]) << (8 * k);
+        numbers.push_back(std::bit_cast<double>(bits));
     }
     return numbers;
 }
 
-inline std::vector<double> unpackedDoubles(const std::string& text) {
-    return unpackedNumbers<double, std::uint64_t>(text);
-}
+/// The words of a block as differences, as page/data.js has them.
+class UnpackedBlock {
+public:
+    explicit UnpackedBlock(const std::string& text) {
+        const std::vector<std::uint8_t> small = unpackedBytes(text);
+        std::vector<std::uint8_t> bytes(1 << 22);
+        uLongf size = bytes.size();
+        REQUIRE(uncompress(bytes.data(), &size, small.data(), small.size()) == Z_OK);
+        const std::size_t count = size / 4;
+        for (std::size_t i = 0; i < count; ++i) {
+            std::uint32_t folded = 0;
+            for (std::size_t k = 0; k < 4; ++k) folded |= static_cast<std::uint32_t>(bytes[k * count + i]) << (8 * k);
+            differences_.push_back(folded >> 1 ^ (folded % 2 == 1 ? ~std::uint32_t{0} : 0u));
+        }
+    }
 
-inline std::vector<double> unpackedFloats(const std::string& text) {
-    return unpackedNumbers<float, std::uint32_t>(text);
-}
+    std::size_t size() const { return differences_.size(); }
+
+    std::vector<double> floats(std::size_t first, std::size_t count) const {
+        std::vector<double> numbers;
+        std::uint32_t word = 0;
+        for (std::size_t i = first; i < first + count; ++i) {
+            word += differences_.at(i);
+            numbers.push_back(static_cast<double>(std::bit_cast<float>(word)));
+        }
+        return numbers;
+    }
+
+    /// NaN where there is none.
+    std::vector<double> steps(std::size_t first, std::size_t count, double step) const {
+        std::vector<double> numbers;
+        std::uint32_t word = 0;
+        std::uint32_t change = 0;
+        for (std::size_t i = first; i < first + count; ++i) {
+            change += differences_.at(i);
+            word += change;
+            const auto whole = static_cast<std::int32_t>(word);
+            const bool isNone = whole == std::numeric_limits<std::int32_t>::min();
+            numbers.push_back(isNone ? std::numeric_limits<double>::quiet_NaN() : whole * step);
+        }
+        return numbers;
+    }
+
+private:
+    std::vector<std::uint32_t> differences_;
+};
 
 }  // namespace plumb::compare

@@ -89,17 +89,19 @@ function sceneBox(scene) {
     return box.grown(Math.max(0.03 * Math.max(box.width, box.height), 1e-3));
 }
 
-/// The whole box inside a canvas of this size, y up; margins for the rulers [px].
-function fitCamera(box, width, height, margins) {
+/// The whole box inside a canvas of this size, y up; margins for the rulers [px]. aim: so many times closer, and so far
+/// from the middle of the box [m].
+function fitCamera(box, width, height, margins, aim) {
     const innerWidth = Math.max(1, width - margins.left - margins.right);
     const innerHeight = Math.max(1, height - margins.top - margins.bottom);
-    const scale = Math.min(innerWidth / box.width, innerHeight / box.height);
+    const scale = Math.min(innerWidth / box.width, innerHeight / box.height) * aim.zoom;
     const centerX = margins.left + innerWidth / 2;
     const centerY = margins.top + innerHeight / 2;
-    const worldX = (box.left + box.right) / 2;
-    const worldY = (box.bottom + box.top) / 2;
+    const worldX = (box.left + box.right) / 2 + aim.x;
+    const worldY = (box.bottom + box.top) / 2 + aim.y;
     return {
-        scale, width, height, margins,
+        scale, width, height, margins, middleX: worldX, middleY: worldY,
+        originX: centerX - worldX * scale, originY: centerY + worldY * scale,
         x: (x) => centerX + (x - worldX) * scale,
         y: (y) => centerY - (y - worldY) * scale,
         worldX: (px) => worldX + (px - centerX) / scale,

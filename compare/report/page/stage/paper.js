@@ -26,9 +26,10 @@ function majorStep(camera, text) {
     return niceStep((5.5 * text) / camera.scale);
 }
 
-function drawPaper(context, camera, theme) {
+function drawPaper(context, camera, theme, hasLines) {
     context.fillStyle = theme.paper;
     context.fillRect(0, 0, camera.width, camera.height);
+    if (!hasLines) return;
     const step = majorStep(camera, theme.text);
     paperLines(context, camera, step / 5, theme.minor);
     paperLines(context, camera, step, theme.major);
@@ -57,6 +58,19 @@ function drawRulers(context, camera, theme) {
     context.fillText("m", left - 7, theme.text * 0.9);
 }
 
+/// Over what is drawn there.
+function labelOnPaper(context, theme, text, x, y, align) {
+    context.font = `${theme.text}px ${theme.font}`;
+    context.textAlign = align;
+    context.textBaseline = "middle";
+    context.lineJoin = "round";
+    context.lineWidth = 5;
+    context.strokeStyle = theme.paper;
+    context.strokeText(text, x, y);
+    context.fillStyle = theme.ink;
+    context.fillText(text, x, y);
+}
+
 /// Above the scene: below there is the floor.
 function drawScaleBar(context, camera, theme) {
     const length = majorStep(camera, theme.text);
@@ -64,14 +78,7 @@ function drawScaleBar(context, camera, theme) {
     const right = camera.width - 18;
     const left = right - length * camera.scale;
     const y = camera.margins.top + 1.6 * theme.text;
-    context.font = `${theme.text}px ${theme.font}`;
-    context.textAlign = "center";
-    context.textBaseline = "alphabetic";
-    context.lineWidth = 5;
-    context.strokeStyle = theme.paper;
-    context.strokeText(label, (left + right) / 2, y - 9);
-    context.fillStyle = theme.ink;
-    context.fillText(label, (left + right) / 2, y - 9);
+    labelOnPaper(context, theme, label, (left + right) / 2, y - 9 - theme.text / 3, "center");
     context.strokeStyle = theme.ink;
     context.lineWidth = 2;
     context.beginPath();

@@ -72,8 +72,8 @@ function isAround(scene, before, after) {
         height > 0 && Math.abs(after.y - before.y) > height / 2;
 }
 
-/// A spoke shows how a disc has turned; a body too small to see is at least a dot.
-function drawBody(context, camera, body, pose, look, color) {
+/// A spoke shows how a disc has turned; a body too small to see is at least a dot. leastArm: of a ghost's cross [px].
+function drawBody(context, camera, body, pose, look, leastArm) {
     context.beginPath();
     for (const shape of body.shapes) traceShape(context, camera, shape, pose);
     if (body.reach * camera.scale < 3) context.arc(camera.x(pose.x), camera.y(pose.y), 4, 0, 2 * Math.PI);
@@ -91,7 +91,7 @@ function drawBody(context, camera, body, pose, look, color) {
     }
     context.stroke();
     if (!look.ghost) return;
-    const arm = Math.min(9, Math.max(5, body.reach * camera.scale * 0.6));
+    const arm = Math.min(9, Math.max(leastArm, body.reach * camera.scale * 0.6));
     context.setLineDash([]);
     context.beginPath();
     context.moveTo(camera.x(pose.x) - arm, camera.y(pose.y));
@@ -109,7 +109,7 @@ function lineOf(joint, a, b, poseB) {
     return ["distance", "prismatic"].includes(joint.type) ? [a, b] : [b, [poseB.x, poseB.y]];
 }
 
-function drawJoint(context, camera, joint, poseA, poseB) {
+function drawJoint(context, camera, joint, poseA, poseB, radius) {
     const a = inWorld(poseA, joint.atA[0], joint.atA[1]);
     const b = inWorld(poseB, joint.atB[0], joint.atB[1]);
     context.beginPath();
@@ -118,7 +118,7 @@ function drawJoint(context, camera, joint, poseA, poseB) {
     context.setLineDash([]);
     for (const [x, y] of [a, b]) {
         context.beginPath();
-        context.arc(camera.x(x), camera.y(y), 3.5, 0, 2 * Math.PI);
+        context.arc(camera.x(x), camera.y(y), radius, 0, 2 * Math.PI);
         context.stroke();
     }
 }
@@ -160,37 +160,54 @@ function drawTrails(context, camera, view, engine, look) {
 function drawEngine(context, camera, view, engine) {
     const {scene, frame, magnify} = view;
     const look = lookOf(engine.name);
-    const color = themeColor(look.color);
-    context.strokeStyle = context.fillStyle = color;
+    context.strokeStyle = context.fillStyle = themeColor(look.color);
     context.setLineDash(look.dash);
+    if (view.path) drawWholePath(context, camera, view, engine);
     if (view.trails) drawTrails(context, camera, view, engine, look);
-    context.lineWidth = look.width;
+    context.lineWidth = view.isPicture ? 0.6 * look.width : look.width;
     for (const body of engine.bodies) {
         const pose = drawnPose(scene, engine, frame, body, magnify);
-        if (pose) drawBody(context, camera, scene.bodies[body], pose, look, color);
+        if (pose) drawBody(context, camera, scene.bodies[body], pose, look, view.isPicture ? 2 : 5);
     }
-    context.lineWidth = Math.max(1.5, look.width * 0.7);
+    drawJoints(context, camera, view, engine, look);
+    drawArrows(context, camera, view, engine);
+}
+
+function drawJoints(context, camera, view, engine, look) {
+    const {scene, frame, magnify} = view;
+    context.lineWidth = view.isPicture ? 1 : Math.max(1.5, look.width * 0.7);
     for (const joint of scene.joints) {
         context.setLineDash(look.dash);
         const poseA = drawnPose(scene, engine, frame, joint.a, magnify);
         const poseB = drawnPose(scene, engine, frame, joint.b, magnify);
-        if (poseA && poseB) drawJoint(context, camera, joint, poseA, poseB);
+        if (poseA && poseB) drawJoint(context, camera, joint, poseA, poseB, view.isPicture ? 1.5 : 3.5);
     }
 }
 
-/// view: scene, box, frame, hidden (a set of engine names), trails, magnify.
-function drawStage(canvas, view) {
+/// Of one size with what is shown; its drawing goes by the page's own pixels.
+function readyContext(canvas) {
     const {clientWidth: width, clientHeight: height} = canvas;
-    if (width === 0 || height === 0) return;
     const density = window.devicePixelRatio || 1;
     if (canvas.width !== Math.round(width * density)) canvas.width = Math.round(width * density);
     if (canvas.height !== Math.round(height * density)) canvas.height = Math.round(height * density);
     const context = canvas.getContext("2d");
     context.setTransform(density, 0, 0, density, 0, 0);
-    const theme = view.theme;
-    const text = theme.text;
-    const camera = fitCamera(view.box, width, height, {left: 3.4 * text, right: text, top: text, bottom: 2 * text});
-    drawPaper(context, camera, theme);
+    return context;
+}
+
+/// view: scene, box, frame, hidden (a set of engine names), path, trails, velocity, force, magnify, aim; isPicture: a
+/// small one, without rulers.
+function drawStage(canvas, view) {
+    const {clientWidth: width, clientHeight: height} = canvas;
+    if (width === 0 || height === 0) return;
+    const context = readyContext(canvas);
+    const {theme} = view;
+    const {text} = theme;
+    const margins = view.isPicture ? {left: 2, right: 2, top: 2, bottom: 2}
+        : {left: 3.4 * text, right: text, top: text, bottom: 2 * text};
+    const camera = fitCamera(view.box, width, height, margins, aimOf(view));
+    view.camera = camera;
+    drawPaper(context, camera, theme, !view.isPicture);
     drawFields(context, camera, view);
     if (view.scene.wrap) drawSeams(context, camera, theme, view.scene.wrap);
     drawStill(context, camera, theme, view.scene, view.box);
@@ -198,6 +215,8 @@ function drawStage(canvas, view) {
         if (!view.hidden.has(engine.name)) drawEngine(context, camera, view, engine);
     }
     context.setLineDash([]);
+    if (view.isPicture) return;
     drawRulers(context, camera, theme);
     drawScaleBar(context, camera, theme);
+    drawArrowKey(context, camera, view);
 }

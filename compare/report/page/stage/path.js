@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Which way do the bodies of an engine take from start to end?
+
+/// In metres, made once: the canvas scales it. Of very long runs not every frame: 200,000 points take a while to draw.
+function wholePath(scene, engine, magnify) {
+    if (engine.path?.magnify === magnify) return engine.path.way;
+    const way = new Path2D();
+    const frames = scene.ticks.length;
+    const stride = Math.max(1, Math.ceil((frames * engine.bodies.length) / 200000));
+    for (const body of engine.bodies) {
+        let before = null;
+        for (let frame = 0; frame < frames; frame += stride) {
+            const pose = drawnPose(scene, engine, frame, body, magnify);
+            if (!pose) continue;
+            if (before && !isAround(scene, before, pose)) way.lineTo(pose.x, pose.y);
+            else way.moveTo(pose.x, pose.y);
+            before = pose;
+        }
+    }
+    engine.path = {magnify, way};
+    return way;
+}
+
+function drawWholePath(context, camera, view, engine) {
+    context.save();
+    context.transform(camera.scale, 0, 0, -camera.scale, camera.originX, camera.originY);
+    context.lineWidth = (view.isPicture ? 1 : 1.5) / camera.scale;
+    context.lineJoin = "round";
+    context.setLineDash([]);
+    context.globalAlpha = 0.3;
+    context.stroke(wholePath(view.scene, engine, view.magnify));
+    context.restore();
+}
