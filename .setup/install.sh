@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # .setup/install.sh SECTION...: installs what is missing of those sections of packages.txt beside it: kit, compare,
-# games, tests. Says nothing, and asks for nothing, when all is there.
+# games, tests. Prints nothing, and needs no root, when all is there.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(dirname "$here")
 log=$root/build/setup.log
 
-# Elsewhere than on Debian and its kin, CMake says what it does not find.
+# On other systems than Debian and Ubuntu CMake says what it does not find.
 command -v dpkg-query >/dev/null && command -v apt-get >/dev/null || exit 0
 
 installed() { [[ $(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]; }
@@ -29,7 +29,7 @@ done <"$here/packages.txt"
 
 wanted=("${required[@]}")
 for package in "${optional[@]}"; do
-    # With something required missing, the lists may be missing too, and who knows what is offered.
+    # When a required package is missing, the lists of packages may be missing, too.
     if [[ ${#required[@]} -gt 0 ]] || offered "$package"; then wanted+=("$package"); fi
 done
 [[ ${#wanted[@]} -gt 0 ]] || exit 0
@@ -50,7 +50,7 @@ apt() {
 mkdir -p "$root/build"
 : >"$log"
 echo "plumb: installing ${wanted[*]} (log: build/setup.log)" >&2
-# A list that cannot be had, of somebody else's packages say, need not be in the way.
+# A list that cannot be fetched, for example of another vendor's packages, is no reason to stop.
 apt update || echo "plumb: apt-get update failed; trying with the lists there are" >&2
 offers=()
 for package in "${wanted[@]}"; do

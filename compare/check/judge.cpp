@@ -25,6 +25,7 @@ public:
         if (!subject) return {};
         const std::optional<double> error = metricOf(*subject, "error_max");
         std::vector<Outcome> outcomes{atMost("exact", subject, "error_max", error, check.limit, check.reason)};
+        if (!error) outcomes.front().missing = whyNoTruth();
         if (const std::optional<double> best = bestPeerError()) {
             const std::string reason = fmt::format("no worse than the best peer ({:.3g} m), or 1 mm", *best);
             outcomes.push_back(atMost("exact", subject, "error_max", error, std::max(visible, *best), reason));
@@ -62,7 +63,7 @@ public:
     }
 
 private:
-    /// Whom a check binds: without names the subject, where it was run.
+    /// The engines that a check binds: the subject where it names none.
     std::vector<std::string> bound(const std::vector<std::string>& engines) const {
         return engines.empty() ? std::vector{subject_} : engines;
     }
@@ -82,9 +83,16 @@ private:
 
     static Outcome atMost(const std::string& check, const EngineResult* run, const std::string& metric,
                           std::optional<double> value, double limit, const std::string& reason) {
-        // False for a value that is not a number, too.
+        // Also false for a value that is not a number.
         const bool pass = value && *value <= limit;
         return {check, run->observation.engine, metric, value, limit, pass, reason};
+    }
+
+    /// Why the closed form could not be worked out; empty where it was.
+    std::string whyNoTruth() const {
+        for (const EngineResult& run : measured_.engines)
+            if (run.observation.role == Role::Truth) return run.observation.unsupported;
+        return {};
     }
 
     std::optional<double> bestPeerError() const {
@@ -102,7 +110,10 @@ private:
         std::vector<double> errors;
         for (const double part : {1.0, 0.5, 0.25}) {
             const std::optional<double> error = part == 1 ? metricOf(run, "error_max") : errorAt(run, part);
-            if (!error) return outcome;
+            if (!error) {
+                outcome.missing = whyNoTruth();
+                return outcome;
+            }
             errors.push_back(*error);
         }
         if (!std::all_of(errors.begin(), errors.end(), [](double error) { return std::isfinite(error); }))
@@ -112,7 +123,7 @@ private:
         return outcome;
     }
 
-    /// error_max of the scene run anew with a part of its step.
+    /// error_max of the scene, run again with a part of its step.
     std::optional<double> errorAt(const EngineResult& run, double part) const {
         Scene scene = measured_.scene;
         scene.dt *= part;

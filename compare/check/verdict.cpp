@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include <compare/check/answer.h>
 #include <compare/check/judge.h>
+#include <compare/closed_form/worked_out.h>
 #include <compare/engine/engine_names.h>
 
 namespace plumb::compare {
@@ -55,10 +57,14 @@ SceneResult runScene(const Scene& scene, const RunOptions& options, const std::v
         if (asked(options, engine.name)) result.engines.push_back({observe(result.scene, engine), {}});
     const Engine* oracle = find(engines, &Engine::role, Role::Truth);
     const Observation truth = oracle ? observe(result.scene, *oracle) : Observation{};
+    // What is worked out of the scene's numbers may hold for less long than the scene says.
+    if (oracle && result.scene.closedForm && truth.unsupported.empty())
+        result.scene.closedForm->until = workedOut(result.scene).until;
     const Observation* subject = observationOf(result, Role::Subject);
     for (EngineResult& run : result.engines) {
         const Observation* reference = &run.observation == subject ? nullptr : subject;
         run.measured = measure(result.scene, run.observation, &truth, reference);
+        run.answer = answerOf(result.scene, run.observation, run.measured);
     }
     std::vector<const Observation*> runs;
     for (const EngineResult& run : result.engines) runs.push_back(&run.observation);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Does what must hold hold?
+// What came of a scene's checks?
 #pragma once
 #include <algorithm>
 #include <optional>
@@ -12,8 +12,8 @@
 
 namespace plumb::compare {
 
-/// Rising, so that the verdict on several scenes or labs is their largest: it fails if one fails, and holds if one was
-/// judged and none fails.
+/// In this order, so that the verdict on several scenes or labs is the largest of theirs: it fails if one fails, and
+/// holds if one was judged and none fails.
 enum class Verdict { NotJudged, Holds, Fails };
 
 /// As JSON has it: true, false, or null for what was not judged. The JSON library calls it by this name.
@@ -22,7 +22,7 @@ void to_json(Json& json, Verdict verdict) {
     json = verdict == Verdict::NotJudged ? Json(nullptr) : Json(verdict == Verdict::Holds);
 }
 
-/// What outcomes, each with a pass, come to: without any nothing was judged.
+/// The verdict on a list of outcomes, each with a pass. An empty list was not judged.
 template <class Outcomes>
 Verdict verdictOf(const Outcomes& outcomes) {
     if (std::ranges::empty(outcomes)) return Verdict::NotJudged;
@@ -30,7 +30,7 @@ Verdict verdictOf(const Outcomes& outcomes) {
     return pass ? Verdict::Holds : Verdict::Fails;
 }
 
-/// The largest verdict of scenes or of labs; without any nothing was judged.
+/// The largest verdict of scenes or of labs. An empty list was not judged.
 template <class Results>
 Verdict overallVerdict(const Results& results) {
     Verdict verdict = Verdict::NotJudged;
@@ -46,12 +46,14 @@ struct Outcome {
     std::optional<double> value;  ///< empty where it does not exist
     double limit = 0;             ///< the value is at most this; an order is at least this
     bool pass = false;
-    std::string reason;  ///< why this limit, from the scene
+    std::string reason;     ///< why this limit, from the scene
+    std::string missing{};  ///< why there is no value, where that is known
 };
 
 struct EngineResult {
     Observation observation;
     Measured measured;
+    std::string answer{};  ///< to the scene's question: see answer.h
 };
 
 struct SceneResult {
@@ -72,15 +74,14 @@ struct RunOptions {
 ///   exact      the subject's error_max is at most the limit; and at most 1 mm or the best peer's, where one was run
 ///   agree      divergence_max up to the horizon, for each peer that was run beside the subject
 ///   invariant  the metric, for each of the check's engines; the subject where it names none
-///   order      the smaller of log2(e(dt) / e(dt/2)) and log2(e(dt/2) / e(dt/4)), e being error_max. An error of no
-///   more
-///              than 1e-12 of the scene's size (at least 1 m) is rounding, and cannot fall: a ratio starting from it is
-///              not taken. With no ratio left there is nothing to converge: the value is empty and the check holds.
-/// An engine that is not among the given ones or was not asked for is not judged; nor is one that has no counterpart
-/// for the scene, but the subject, which must have one. Any other value that does not exist (a probe watched from later
-/// than a shortened run lasts, a settling that never came) does not hold: what was not seen was not shown. Throws
-/// std::invalid_argument when the options name an engine that is not among the given ones or have steps below 1, and as
-/// validate does for the scene that they make.
+///   order      the smaller of log2(e(dt) / e(dt/2)) and log2(e(dt/2) / e(dt/4)), where e is error_max. An error of at
+///              most 1e-12 of the scene's size (at least 1 m) is rounding and does not fall: no ratio starts from it.
+///              Where no ratio is left, the value is empty and the check holds.
+/// An engine is not judged when it is not among the given ones, was not asked for, or cannot build the scene. The
+/// subject must be able to build it. Where a value does not exist, the check fails: a probe that is watched only after
+/// a shortened run has ended, or a settling that never came.
+/// Throws std::invalid_argument when the options name an engine that is not among the given ones or have steps below 1,
+/// and as validate does for the scene that they make.
 SceneResult runScene(const Scene& scene, const RunOptions& options, const std::vector<Engine>& engines);
 
 }  // namespace plumb::compare

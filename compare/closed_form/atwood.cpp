@@ -4,11 +4,13 @@
 namespace plumb::compare {
 
 double accelerationOf(const AtwoodMachine& machine) {
-    return machine.gravity * (machine.massB - machine.massA) / (machine.massA + machine.massB);
+    const double r = machine.ratio;
+    return machine.gravity * (machine.massB - r * machine.massA) / (r * r * machine.massA + machine.massB);
 }
 
 double tensionOf(const AtwoodMachine& machine) {
-    return 2 * machine.gravity * machine.massA * machine.massB / (machine.massA + machine.massB);
+    const double r = machine.ratio;
+    return (1 + r) * machine.gravity * machine.massA * machine.massB / (r * r * machine.massA + machine.massB);
 }
 
 }  // namespace plumb::compare

@@ -8,14 +8,15 @@ namespace plumb::compare {
 struct AtwoodMachine {
     double massA = 1, massB = 2;  ///< [kg]
     double gravity = 9.81;        ///< [m/s^2]
+    double ratio = 1;             ///< r, of a block and tackle: A rises by r times the descent of B [-]
 };
 
-/// a = g (mB - mA) / (mA + mB), of B downward and of A upward [m/s^2].
+/// a = g (mB - r mA) / (r^2 mA + mB), of B downward; A goes upward at r a [m/s^2].
 /// Source: Atwood 1784; the rope pulls both alike. Exact while it is taut.
 /// Test: "3 kg beside 2 kg fall at 1.962 m/s^2 and pull the rope with 23.544 N"
 double accelerationOf(const AtwoodMachine& machine);
 
-/// T = 2 g mA mB / (mA + mB) [N].
+/// T = (1 + r) g mA mB / (r^2 mA + mB), of A's part; B's part pulls with r T [N].
 double tensionOf(const AtwoodMachine& machine);
 
 }  // namespace plumb::compare

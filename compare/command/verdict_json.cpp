@@ -19,6 +19,7 @@ Json numberOrNull(const std::optional<double>& value) {
 Json engineJson(const EngineResult& run) {
     Json json;
     if (!run.observation.unsupported.empty()) json["unsupported"] = run.observation.unsupported;
+    if (!run.answer.empty()) json["answer"] = run.answer;
     json["metrics"] = Json::object();
     for (const auto& [name, value] : run.measured.metrics) json["metrics"][name] = numberOrNull(value);
     if (run.observation.hash) json["hash"] = fmt::format("{:016x}", *run.observation.hash);

@@ -35,7 +35,8 @@ std::string failureText(const Scene& scene, const Outcome& outcome) {
     const std::string space = unit.empty() ? "" : " ";
     const std::string bound = fmt::format("{:.4g}{}{}", outcome.limit, space, unit);
     const std::string head = fmt::format("{}: {} {}", outcome.check, outcome.engine, outcome.metric);
-    const std::string why = outcome.reason.empty() ? "" : ": " + outcome.reason;
+    const std::string why = outcome.reason.empty() ? "" : ", allowed because " + outcome.reason;
+    if (!outcome.value && !outcome.missing.empty()) return fmt::format("{} is not known: {}", head, outcome.missing);
     if (!outcome.value)
         return fmt::format("{} does not exist, wanted {} {}{}", head, order ? "at least" : "at most", bound, why);
     return fmt::format("{} is {:.4g}{}{}, {} {}{}", head, *outcome.value, space, unit, order ? "under" : "over", bound,
@@ -71,6 +72,8 @@ void VerdictTable::row(const SceneResult& result) const {
 }
 
 void VerdictTable::partings(const SceneResult& result) const {
+    for (const EngineResult& run : result.engines)
+        if (run.observation.role == Role::Subject && !run.answer.empty()) fmt::print(out_, "      {}\n", run.answer);
     for (const Parting& parting : result.partings) fmt::print(out_, "      {}\n", partingText(result.scene, parting));
     out_.flush();
 }

@@ -19,7 +19,7 @@ public:
 
     void head() const;
     void row(const SceneResult& result) const;
-    /// Where each two of its engines part, a sentence each.
+    /// What the engine under test answers to its question, and where each two of its engines part.
     void partings(const SceneResult& result) const;
     /// How many scenes hold, fail, and were not judged.
     void summary(std::span<const SceneResult> results) const;

@@ -4,13 +4,15 @@
 #include <limits>
 
 #include <compare/closed_form/oracle.h>
+#include <compare/closed_form/worked_out.h>
 
 namespace plumb::compare {
 namespace {
 
 class ClosedFormSimulation : public Simulation {
 public:
-    explicit ClosedFormSimulation(const Scene& scene) : scene_(scene) {}
+    /// Throws Unsupported where a motion cannot be worked out of the scene's numbers.
+    explicit ClosedFormSimulation(const Scene& scene) : scene_(scene) { scene_.closedForm = workedOut(scene); }
 
     // Time is counted in steps: summed up it would drift by rounding.
     void step(double dt) override { time_ = dt * ++steps_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How do a scene's joints stand when its bodies are somewhere?
+// How far are a scene's joints from what they hold?
 #pragma once
 #include <span>
 #include <vector>
@@ -23,10 +23,11 @@ public:
     /// The states of the joint's bodies are numbers.
     bool isKnown(std::size_t joint, std::span<const BodyState> states) const;
 
-    /// How far the joint's anchors are from where it wants them, in the directions in which it leaves them no freedom
-    /// [m]: a hinge's or stiff weld's apart; across a slide's or wheel's axis, and along it beyond its limit; a rod's
-    /// from its length, a spring's beyond its shortest and longest; a pulley's rope too long (it may be slack); a
-    /// gear's slide from where its partner should have it. Between two hinges, and of what only pulls, it is 0.
+    /// How far the joint is from what it holds [m]. Of a hinge or a stiff weld: how far its anchors are apart. Of a
+    /// slide or a wheel: across its axis, and along it beyond its limit. Of a rod: from its length; of a spring: beyond
+    /// its shortest and longest. Of a pulley: by how much its rope is too long (it may be slack). Of a gear with a
+    /// slide: how far the slide is from where the other joint wants it. 0 for a gear of two hinges, and for what only
+    /// pulls.
     double gap(std::size_t joint, std::span<const BodyState> states) const;
 
     /// By how much a hinge's angle or a slide's or wheel's shift is outside of its limit, 0 inside [rad or m].
@@ -36,7 +37,7 @@ public:
     double springEnergy(std::size_t joint, std::span<const BodyState> states) const;
 
 private:
-    /// Where the two sides are against each other.
+    /// Where the joint's two sides are, relative to each other.
     struct Sides {
         Vec2 apart{0, 0};              ///< from A's anchor to B's, in A's frame [m]
         double along = 0, across = 0;  ///< the same along the axis and to its left [m]

@@ -15,8 +15,8 @@ namespace {
 constexpr double divergenceLimit = 0.01;  // [m]
 constexpr double settledSpeed = 0.05;     // [m/s]
 
-/// The largest distance of the given bodies at one tick. Where `of` is not a number the distance is without bound, or
-/// unsaid when it may be silent; where `from` is not, likewise.
+/// The largest distance of the given bodies at one tick. Where one of the two places is not a number, the distance is
+/// infinite; where that run may leave bodies out, the body is skipped.
 double farthest(const std::vector<std::size_t>& bodies, const std::vector<BodyState>& of, bool ofMayBeSilent,
                 const std::vector<BodyState>& from, bool fromMayBeSilent) {
     double worst = unsaid;
@@ -92,7 +92,7 @@ void measureMechanics(const Scene& scene, const MassModel& masses, const Observa
         if (now) drifts.add(*start, *now);
         if (!now && !run.partial) drifts.lost = true;
     }
-    if (!start && !drifts.lost) {  // the closed form leaves a dynamic body out
+    if (!start && !drifts.lost) {  // the closed form does not give every dynamic body
         measured.series.energy.clear();
         return;
     }

@@ -16,10 +16,10 @@ namespace plumb::compare {
 ///   error_end                the same at the last tick at which the closed form holds [m]
 ///   divergence_max           the largest distance of a body from the same one in Plumb [m]
 ///   divergence_time          the first time at which that distance is over 1 cm; empty when it never is [s]
-///   energy_drift             largest |E(t) - E(0)| / largest energy of the run. E is kinetic, potential, and what is
-///   in
-///                            the springs of joints; the largest energy is the larger of the kinetic energy's maximum
-///                            and the range of the rest, so that it does not depend on where height counts from [-]
+///   energy_drift             largest |E(t) - E(0)| / largest energy of the run. E is the kinetic energy, the potential
+///                            one, and that of joints' springs. The largest energy is the larger of the kinetic
+///                            energy's maximum and the range of the rest: so it does not depend on where height is 0
+///                            [-]
 ///   momentum_drift           largest |P(t) - P(0)| / largest sum of |m v| [-]
 ///   angular_momentum_drift   largest |L(t) - L(0)| / largest sum of (m |c - o| |v| + I |w|), about o, the centre of
 ///                            all masses at the start [-]
@@ -29,12 +29,12 @@ namespace plumb::compare {
 ///   ms_per_step              median wall time of a step [ms]
 ///   probe.<name>             the largest distance of a watched quantity, or of the value that the probe says counts,
 ///                            from what is expected, in the quantity's unit
-/// A drift of nothing relative to nothing is 0. Where bodies come while the scene runs there are no drifts. Without a
-/// dynamic body there are no drifts and no settle_time.
+/// Where both the drift and the largest value are 0, the relative drift is 0. Where bodies come while the scene runs
+/// there are no drifts. Without a dynamic body there are no drifts and no settle_time.
 using Metrics = std::map<std::string, std::optional<double>>;
 
-/// What is plotted over time; each has one value a tick, or is empty where it does not exist. NaN at a tick of which
-/// the closed form does not speak; infinite where a body's state was not a number.
+/// What is plotted over time; each has one value a tick, or is empty where it does not exist. NaN at a tick for which
+/// the closed form gives nothing; infinite where a body's state was not a number.
 struct Series {
     std::vector<double> error;       ///< largest distance of a body from the closed form [m]
     std::vector<double> divergence;  ///< largest distance of a body from the same one in Plumb [m]

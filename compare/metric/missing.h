@@ -5,8 +5,8 @@
 
 namespace plumb::compare {
 
-inline constexpr double unsaid = std::numeric_limits<double>::quiet_NaN();  ///< nobody has said it
+inline constexpr double unsaid = std::numeric_limits<double>::quiet_NaN();  ///< not known, and nobody has to know it
 inline constexpr double unbounded =
-    std::numeric_limits<double>::infinity();  ///< the error of one who should have said it, and has not
+    std::numeric_limits<double>::infinity();  ///< the error of an engine that has to know it and does not
 
 }  // namespace plumb::compare

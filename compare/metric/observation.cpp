@@ -34,6 +34,8 @@ public:
             if (broken[i] && !seen.brokenAt[i]) seen.brokenAt[i] = seen.states.size() - 1;
         }
         std::vector<double> row = simulation.probeValues();
+        seen.jointForces.emplace_back(row.begin() + static_cast<std::ptrdiff_t>(scene_.probes.size()), row.end());
+        row.resize(scene_.probes.size());
         for (std::size_t i = 0; i < scene_.probes.size(); ++i)
             if (const auto* snags = std::get_if<SnagsProbe>(&scene_.probes[i].quantity))
                 row[i] = snagsOf(*snags, seen, i);
@@ -72,6 +74,17 @@ private:
     JointStates joints_;
 };
 
+constexpr std::size_t mostJoints = 256;  // of which forces are asked
+
+/// With a probe more for each of its joints.
+Scene withJointsWatched(const Scene& scene) {
+    Scene watched = scene;
+    if (scene.joints.size() > mostJoints) return watched;
+    for (const SceneJoint& joint : scene.joints)
+        watched.probes.push_back({.name = joint.name, .quantity = JointForceProbe{joint.name}, .unit = "N"});
+    return watched;
+}
+
 }  // namespace
 
 Observation observe(const Scene& scene, const Engine& engine) {
@@ -84,7 +97,7 @@ Observation observe(const Scene& scene, const Engine& engine) {
     seen.dt = scene.dt;
     std::unique_ptr<Simulation> simulation;
     try {
-        simulation = engine.build(scene);
+        simulation = engine.build(withJointsWatched(scene));
     } catch (const Unsupported& reason) {
         seen.unsupported = reason.what();
         return seen;

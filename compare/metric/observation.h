@@ -16,14 +16,17 @@ struct Observation {
     std::string version;
     std::vector<Setting> settings;
     std::string unsupported;  ///< why the engine could not build the scene; empty when it could
-    /// The engine speaks of some bodies and times only: a state that is not a number is one it does not speak of. Where
-    /// this is false, such a state is an error without bound.
+    /// The engine may leave bodies and times out, as a closed form does: their states are not numbers. Where this is
+    /// false, a state that is not a number is an infinite error.
     bool partial = false;
     double dt = 0;  ///< [s]
     /// [tick][body], tick 0 is the start: steps + 1 rows; none when the engine could not build the scene.
     std::vector<std::vector<BodyState>> states;
     /// [tick][probe]; NaN where the engine cannot say.
     std::vector<std::vector<double>> probes;
+    /// [tick][joint] the size of the force in each, a mean over the step; NaN where the engine cannot say. None in a
+    /// scene of more than 256 joints [N].
+    std::vector<std::vector<double>> jointForces;
     /// [joint] the tick at which it was first seen broken; none for one that held. Ends with the last that broke.
     std::vector<std::optional<std::size_t>> brokenAt;
     std::optional<double> msPerStep;    ///< median of the run [ms]

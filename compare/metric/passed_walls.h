@@ -16,10 +16,9 @@ class PassedWalls {
 public:
     explicit PassedWalls(const Scene& scene);
 
-    /// Of the dynamic bodies that are there, those whose centre of mass lies inside of a wall that has an inside, or
-    /// left of, right of or below all walls; without gravity, above them too. Over them a body may have been thrown. A
-    /// state that is not a number counts as passed. Empty in a scene without walls, and in one that goes on at its
-    /// other side.
+    /// How many dynamic bodies have their centre of mass inside a wall, or to the left or right of all walls, or below
+    /// them. Above them counts only without gravity: else the body may have been thrown over. A state that is not a
+    /// number counts as passed. Empty in a scene without walls, and in one that wraps around.
     std::optional<std::size_t> count(std::span<const BodyState> states) const;
 
 private:

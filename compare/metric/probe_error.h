@@ -5,10 +5,10 @@
 
 namespace plumb::compare {
 
-/// The largest distance between probe.from and probe.until, of the values that probe.watch says. An angle whose body
-/// has a closed form at the start of that is expected where that is, as long as it holds; anything else at
-/// probe.expected. Infinite where what is seen is not a number. Empty when nothing was watched: the run ends before
-/// probe.from, or the engine cannot say.
+/// The largest distance from what is expected, from probe.from to probe.until, of the values that probe.watch counts.
+/// Expected is probe.expected; for an angle of a body that has a closed form at probe.from, the closed form's angle as
+/// long as it holds. Infinite where a value is not a number. Empty when nothing was watched: the run ends before
+/// probe.from, or the engine does not know the value.
 std::optional<double> probeError(const Scene& scene, std::size_t probe, const Observation& run,
                                  const Observation* truth);
 

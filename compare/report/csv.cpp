@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
+#include <compare/metric/mechanics.h>
 #include <compare/report/report.h>
 
 namespace plumb::compare {
@@ -30,36 +33,80 @@ void write(std::ostream& file, const std::vector<std::string>& cells) {
     file << '\n';
 }
 
-std::vector<std::string> header(const SceneResult& result) {
-    std::vector<std::string> cells{"t"};
-    for (const EngineResult& run : result.engines) {
-        const std::string& engine = run.observation.engine;
-        if (!run.observation.unsupported.empty()) continue;
-        for (const SceneBody& body : result.scene.bodies)
-            for (const char* what : {"x", "y", "angle"})
-                cells.push_back(quoted(fmt::format("{}.{}.{}", engine, body.name, what)));
-        for (const char* what : {"error", "energy"}) cells.push_back(fmt::format("{}.{}", engine, what));
+/// One engine's run as a table.
+class RunTable {
+public:
+    RunTable(const SceneResult& result, const EngineResult& run)
+        : scene_(result.scene), run_(run.observation), measured_(run.measured), masses_(result.scene) {
+        for (const EngineResult& other : result.engines)
+            if (other.observation.role == Role::Truth && other.observation.states.size() == run_.states.size())
+                truth_ = &other.observation;
+        for (std::size_t body = 0; body < scene_.bodies.size(); ++body)
+            if (scene_.bodies[body].def.type != BodyType::Static) moving_.push_back(body);
     }
-    return cells;
-}
 
-std::vector<std::string> row(const SceneResult& result, std::size_t tick) {
-    std::vector<std::string> cells{cell(static_cast<double>(tick) * result.scene.dt)};
-    for (const EngineResult& run : result.engines) {
-        if (!run.observation.unsupported.empty()) continue;
-        for (const BodyState& state : run.observation.states[tick])
-            for (const double value : {state.position.x(), state.position.y(), state.angle})
-                cells.push_back(cell(value));
-        for (const std::vector<double>* series : {&run.measured.series.error, &run.measured.series.energy})
-            cells.push_back(tick < series->size() ? cell((*series)[tick]) : "");
+    std::vector<std::string> header() const {
+        std::vector<std::string> cells{"t [s]"};
+        const auto add = [&](const std::string& name, const char* unit) {
+            cells.push_back(quoted(fmt::format("{} [{}]", name, unit)));
+        };
+        for (const std::size_t body : moving_) {
+            const std::string& name = scene_.bodies[body].name;
+            for (const auto& [what, unit] : ofBody) add(name + "." + what, unit);
+            if (truth_) add(name + ".to_truth", "m");
+        }
+        for (const char* kind : {"kinetic", "potential", "springs", "fields"}) add(std::string("energy.") + kind, "J");
+        for (const Probe& probe : scene_.probes) add("probe." + probe.name, probe.unit.c_str());
+        if (!run_.jointForces.empty() && !run_.jointForces.front().empty())
+            for (const SceneJoint& joint : scene_.joints) add(joint.name + ".force", "N");
+        if (truth_) add("to_truth", "m");
+        return cells;
     }
-    return cells;
-}
 
-std::size_t tickCount(const SceneResult& result) {
-    std::size_t ticks = 0;
-    for (const EngineResult& run : result.engines) ticks = std::max(ticks, run.observation.states.size());
-    return ticks;
+    std::vector<std::string> row(std::size_t tick) const {
+        std::vector<std::string> cells{cell(static_cast<double>(tick) * run_.dt)};
+        const auto add = [&](double value) { cells.push_back(cell(value)); };
+        for (const std::size_t body : moving_) {
+            const BodyState& state = run_.states[tick][body];
+            for (const double value : {state.position.x(), state.position.y(), state.angle, state.velocity.x(),
+                                       state.velocity.y(), state.angularVelocity})
+                add(value);
+            if (truth_) add((state.position - truth_->states[tick][body].position).norm());
+        }
+        addEnergies(tick, cells);
+        for (const double value : run_.probes[tick]) add(value);
+        for (const double value : run_.jointForces[tick]) add(value);
+        if (truth_) add(tick < measured_.series.error.size() ? measured_.series.error[tick] : std::nan(""));
+        return cells;
+    }
+
+private:
+    static constexpr std::pair<const char*, const char*> ofBody[] = {{"x", "m"},    {"y", "m"},    {"angle", "rad"},
+                                                                     {"vx", "m/s"}, {"vy", "m/s"}, {"spin", "rad/s"}};
+
+    void addEnergies(std::size_t tick, std::vector<std::string>& cells) const {
+        const std::optional<Mechanics> now = masses_.at(run_.states[tick], brokenBy(run_, tick));
+        const Mechanics sums = now.value_or(Mechanics());
+        for (const double joules : {sums.kinetic, sums.potential, sums.elastic, sums.field})
+            cells.push_back(now ? cell(joules) : "");
+    }
+
+    const Scene& scene_;
+    const Observation& run_;
+    const Measured& measured_;
+    MassModel masses_;
+    const Observation* truth_ = nullptr;
+    std::vector<std::size_t> moving_;
+};
+
+void writeRun(const SceneResult& result, const EngineResult& run, const std::filesystem::path& folder) {
+    const std::filesystem::path path = folder / fmt::format("{}.{}.csv", result.scene.name, run.observation.engine);
+    std::ofstream file(path, std::ios::binary);
+    const RunTable table(result, run);
+    write(file, table.header());
+    for (std::size_t tick = 0; tick < run.observation.states.size(); ++tick) write(file, table.row(tick));
+    file.close();
+    if (!file) throw std::runtime_error("csv: cannot write " + path.string());
 }
 
 }  // namespace
@@ -67,14 +114,9 @@ std::size_t tickCount(const SceneResult& result) {
 void writeCsv(const std::vector<SceneResult>& results, const std::filesystem::path& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    for (const SceneResult& result : results) {
-        const std::filesystem::path path = folder / (result.scene.name + ".csv");
-        std::ofstream file(path, std::ios::binary);
-        write(file, header(result));
-        for (std::size_t tick = 0; tick < tickCount(result); ++tick) write(file, row(result, tick));
-        file.close();
-        if (!file) throw std::runtime_error("csv: cannot write " + path.string());
-    }
+    for (const SceneResult& result : results)
+        for (const EngineResult& run : result.engines)
+            if (!run.observation.states.empty()) writeRun(result, run, folder);
 }
 
 void writeLabCsv(const std::vector<LabResult>& results, const std::filesystem::path& folder) {

@@ -151,6 +151,7 @@ json engineData(const Scene& scene, const EngineResult& result, const PlaybackFo
     json metrics = json::object();
     for (const auto& [name, value] : result.measured.metrics) metrics[name] = value ? json(*value) : json();
     json data = {{"name", run.engine}, {"version", run.version}, {"settings", settings}, {"metrics", metrics}};
+    data["answer"] = result.answer;
     if (!run.unsupported.empty()) {
         data["unsupported"] = run.unsupported;
         return data;

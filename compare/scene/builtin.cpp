@@ -94,7 +94,10 @@ std::vector<Scene> builtinScenes() {
         elasticGas(),
         smallTumbler(),
     };
-    for (Scene& scene : scenes) giveTitle(scene);
+    for (Scene& scene : scenes) {
+        giveTitle(scene);
+        scene.answer = answerTo(scene.name);
+    }
     return scenes;
 }
 

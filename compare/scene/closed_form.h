@@ -91,8 +91,68 @@ struct KeplerMotion {
     double since = 0;          ///< the near end, at t = 0; counter-clockwise [s]
 };
 
-using BodyMotion =
-    std::variant<PiecewiseMotion, DampedFlight, PendulumMotion, OscillatorMotion, DragFall, KeplerMotion>;
+// The others hold names, and what the scene does not say. Their numbers are worked out of the bodies, joints and fields
+// that they name, into one of those above: a value changed in the scene changes the truth.
+
+/// As gravity, the air, the faces that it meets and the other free bodies let it: flights, impacts, sliding, rolling
+/// and rest of discs, and of blocks that do not turn.
+struct FreeMotion {
+    std::string body{};
+    double shortestFlight = 1.0 / 30;  ///< the first flight off a face shorter than this counts as rest, > 0 [s]
+};
+
+/// On a hinge, or on rods that hang side by side, released at rest; or pushed by what comes in at its lowest point.
+struct SwingsMotion {
+    std::string body{};
+    std::string joint{};     ///< a hinge or a rod to a body that stays
+    Side side = Side::Both;  ///< of a row of alike discs each swings on its own side, and hands on at the lowest point
+    std::string after{};     ///< the body whose swing it takes over there; empty: its own
+};
+
+/// On a spring and damper, along their line.
+struct SpringsMotion {
+    std::string body{};
+    std::string joint{};  ///< a distance joint with a spring, to a body that stays
+};
+
+/// Up and down in water, upright.
+struct FloatsMotion {
+    std::string body{};
+    std::string field{};  ///< a pool
+};
+
+/// About another body that draws it by the inverse square of the distance.
+struct OrbitsMotion {
+    std::string body{};
+    std::string field{};  ///< mutual gravity, or a magnet of power 2; of two bodies
+};
+
+/// On one end of a rope over two wheels.
+struct HoistedMotion {
+    std::string body{};
+    std::string joint{};  ///< a pulley
+};
+
+/// Driven by one motor through gears.
+struct GearedMotion {
+    std::string body{};
+    std::string joint{};  ///< its hinge or slide, to a body that stays
+};
+
+/// A bullet that stays in a block on rods, or that block.
+struct CaughtMotion {
+    std::string body{};  ///< bullet or block
+    std::string bullet{}, block{};
+};
+
+/// It stays where it starts, for joints hold it in balance.
+struct RestsMotion {
+    std::string body{};
+};
+
+using BodyMotion = std::variant<PiecewiseMotion, DampedFlight, PendulumMotion, OscillatorMotion, DragFall, KeplerMotion,
+                                FreeMotion, SwingsMotion, SpringsMotion, FloatsMotion, OrbitsMotion, HoistedMotion,
+                                GearedMotion, CaughtMotion, RestsMotion>;
 
 struct ClosedForm {
     std::string formula{};             ///< in plain text, for the report

@@ -109,6 +109,8 @@ void fields(auto& visit, OrConst<Scene> auto& x) {
     visit({"title", "", Allowed::any, "as a reader sees it; made of the name where there is none"}, x.title);
     visit({"group", "", Allowed::any, "the heading under which it is listed"}, x.group);
     visit({"question", "", Allowed::any, "what it asks, one sentence"}, x.question);
+    visit({"answer", "", Allowed::any, "to the question; between braces what is read of a run: {largest y of ball}"},
+          x.answer);
     visit({"gravity", "m/s^2", Allowed::finite, "the same everywhere"}, x.gravity);
     visit({"duration", "s", Allowed::positive, "of the whole run"}, x.duration);
     visit({"dt", "s", Allowed::positive, "length of a step"}, x.dt);

@@ -116,6 +116,7 @@ struct Scene {
     std::string title{};     ///< as a reader sees it; "": made of the name
     std::string group{};     ///< the heading under which it is listed; "": among others
     std::string question{};  ///< what it asks, one sentence
+    std::string answer{};    ///< with what is to be read of a run between braces: see answer.h
     Vec2 gravity{0, -9.81};  ///< [m/s^2]
     double duration = 2;     ///< [s]
     double dt = 1.0 / 60;    ///< [s]

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <span>
 
+#include <compare/scene/answer.h>
 #include <compare/scene/fields.h>
 #include <compare/scene/metric_names.h>
 #include <compare/scene/name_index.h>
@@ -108,6 +109,23 @@ void validateMotion(const KeplerMotion& motion, const std::string& field) {
     requireUnit(motion.nearEnd, field + ".kepler.nearEnd");
 }
 
+/// Of one that holds names.
+void validateNamed(const auto& motion, const Scene& scene, const std::string& path) {
+    requireFields(motion, path);
+    if constexpr (requires { motion.joint; })
+        requireKnown(motion.joint, namesOf(scene.joints), path + ".joint", "a joint");
+    if constexpr (requires { motion.field; })
+        requireKnown(motion.field, namesOf(scene.fields), path + ".field", "a field");
+    if constexpr (requires { motion.after; })
+        if (!motion.after.empty()) requireKnown(motion.after, namesOf(scene.bodies), path + ".after", "a body");
+    if constexpr (requires { motion.bullet; }) {
+        requireKnown(motion.bullet, namesOf(scene.bodies), path + ".bullet", "a body");
+        requireKnown(motion.block, namesOf(scene.bodies), path + ".block", "a body");
+        if (motion.body != motion.bullet && motion.body != motion.block)
+            refuse(path + ".body", quoted(motion.body) + " is neither bullet nor block, wanted one of them");
+    }
+}
+
 /// As the kit does it: its message stands after the path.
 void validateField(const Scene& scene, std::size_t index) {
     const SceneField& field = scene.fields[index];
@@ -123,7 +141,8 @@ void validateField(const Scene& scene, std::size_t index) {
     }
 }
 
-void validateClosedForm(const ClosedForm& form, const std::vector<std::string>& bodies) {
+void validateClosedForm(const ClosedForm& form, const Scene& scene) {
+    const std::vector<std::string> bodies = namesOf(scene.bodies);
     requireFields(form, "closedForm");
     if (form.bodies.empty()) refuse("closedForm.bodies", "there is none, wanted at least one");
     std::vector<std::string> described;
@@ -136,7 +155,13 @@ void validateClosedForm(const ClosedForm& form, const std::vector<std::string>& 
             refuse(bodyField, quoted(body) + " has a motion already, wanted one for each body");
         }
         described.push_back(body);
-        std::visit([&](const auto& motion) { validateMotion(motion, field); }, form.bodies[i]);
+        const auto check = [&](const auto& motion) {
+            if constexpr (requires { validateMotion(motion, field); })
+                validateMotion(motion, field);
+            else
+                validateNamed(motion, scene, field + "." + motionTags[form.bodies[i].index()]);
+        };
+        std::visit(check, form.bodies[i]);
     }
 }
 
@@ -201,7 +226,8 @@ void validate(const Scene& scene) {
     for (std::size_t i = 0; i < scene.fields.size(); ++i) validateField(scene, i);
     for (std::size_t i = 0; i < scene.movers.size(); ++i) validateMover(scene, i);
     for (std::size_t i = 0; i < scene.probes.size(); ++i) validateProbe(scene.probes[i], scene, at("probes", i));
-    if (scene.closedForm) validateClosedForm(*scene.closedForm, namesOf(scene.bodies));
+    if (scene.closedForm) validateClosedForm(*scene.closedForm, scene);
+    (void)answerParts(scene);
     for (std::size_t i = 0; i < scene.checks.size(); ++i) validateCheck(scene.checks[i], scene, at("checks", i));
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <compare/closed_form/oracle.h>
+#include <compare/closed_form/worked_out.h>
 #include <compare/lab/builtin/labs.h>
 #include <compare/lab/builtin/parts.h>
 #include <compare/lab/power_law.h>
@@ -38,6 +39,7 @@ double distanceFrom(const std::vector<BodyState>& truth, const std::vector<BodyS
 /// The scene run with steps of dt. An error that was once no number stays none.
 Errors errorsOf(Scene scene, const Engine& engine, double dt) {
     scene.dt = dt;
+    if (scene.closedForm) scene.closedForm = workedOut(scene);
     const std::unique_ptr<Simulation> simulation = engine.build(scene);
     const MassModel masses(scene);
     const double start = energyOf(masses, simulation->states());

@@ -6,7 +6,7 @@ cmake_minimum_required(VERSION 3.22)
 
 function(read_inline file variable)
     file(READ "${file}" text)
-    # A source map would be asked for over the network, and is not there.
+    # A browser would ask for the source map over the network, where there is none.
     string(REGEX REPLACE "(//|/\\*)# sourceMappingURL=[^\n]*" "" text "${text}")
     set(${variable} "${text}" PARENT_SCOPE)
 endfunction()
@@ -35,7 +35,7 @@ string(REPLACE "@@style@@" "${chart_style}\n${page_style}\n${overview_style}\n${
 string(REPLACE "@@charts@@" "${chart_library}" page "${page}")
 string(REPLACE "@@scripts@@" "${scripts}" page "${page}")
 
-# As numbers: a string literal may be too long for a compiler, and would need escapes.
+# As numbers: a string literal this long is too much for some compilers, and would need escapes.
 string(HEX "${page}" bytes)
 string(REGEX REPLACE "(................................................................)" "\\1\n" bytes "${bytes}")
 string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${bytes}")

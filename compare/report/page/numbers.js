@@ -110,7 +110,7 @@ function checksTable(scene) {
         element("td", {}, engineName(outcome.engine)), element("td", {}, metricLabel(outcome.metric)),
         element("td", {class: "number"}, quantity(outcome.value, outcomeUnit(scene, outcome))),
         element("td", {class: "number"}, limitText(scene, outcome)),
-        element("td", {class: "reason"}, outcome.reason)));
+        element("td", {class: "reason"}, outcome.reason ? `allowed because ${outcome.reason}` : "")));
     return table(heads, rows);
 }
 

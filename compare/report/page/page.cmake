@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
-# plumb_add_report_page(<target>), after plumb_find_dygraphs(): gives the target the report's page as a source, made again when a part of it changes.
+# plumb_add_report_page(<target>), after plumb_find_dygraphs(): gives the target the report's page as a source, which is
+# made again when a part of the page changes.
 # The chart library is dygraphs 2 (MIT), taken from where a package installed it.
 
 set(PLUMB_REPORT_PAGE_DIR "${CMAKE_CURRENT_LIST_DIR}")
 
-# The order is that of the page: a script may use those before it at once, and those after it once the page runs.
+# In the order of the page: a script may use the scripts before it at once, and those after it once the page runs.
 set(PLUMB_REPORT_SCRIPTS
     dom.js format.js formula.js engines.js data.js
     stage/pose.js stage/camera.js stage/paper.js stage/field.js stage/still.js stage/path.js

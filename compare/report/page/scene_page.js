@@ -65,6 +65,9 @@ class ScenePage {
         const failed = failures(scene);
         byId("scene-title").textContent = titleText(scene);
         byId("scene-question").textContent = scene.question;
+        const answer = scene.engines.find(({name}) => isSubject(name))?.answer ?? "";
+        byId("scene-answer").textContent = answer;
+        byId("scene-answer").hidden = answer === "";
         const all = scene.outcomes.length;
         const verdict = scene.pass === null ? notJudgedText("scene", scene)
             : failed.length === 1 ? failureText(scene, failed[0])

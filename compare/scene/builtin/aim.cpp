@@ -20,15 +20,14 @@ Scene movingTarget() {
         .bodies = {{"duck", {.type = BodyType::Kinematic, .position = duck, .velocity = velocity, .shapes = {gate}}}},
         .closedForm = ClosedForm{.formula = "d + w t = u t + g t^2 / 2",
                                  .source = "the quartic |d + w t - g t^2 / 2| = v t; replayed as constant acceleration",
-                                 .bodies = {PiecewiseMotion{"duck", {{.position = duck, .velocity = velocity}}}}},
+                                 .bodies = {FreeMotion{"duck"}}},
     };
     for (std::size_t i = 0; i < shots.size(); ++i) {
         const std::string name = "shot_" + std::to_string(i + 1);
         ShapeDef ball = circle(shotRadius);
         ball.filter.group = -1;
         scene.bodies.push_back({name, {.velocity = shots[i].velocity, .shapes = {ball}}});
-        scene.closedForm->bodies.push_back(
-            PiecewiseMotion{name, {{.velocity = shots[i].velocity, .acceleration = {0, -gravity}}}});
+        scene.closedForm->bodies.push_back(FreeMotion{name});
     }
     scene.probes = {{.name = "hits",
                      .quantity = SensorCountProbe{"duck"},

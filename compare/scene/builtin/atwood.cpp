@@ -13,7 +13,6 @@ Scene atwoodMachine() {
                          {.position = {x, 2}, .shapes = {circle(radius, {.density = discDensity(mass, radius)})}}};
     };
     const Vec2 a(-0.5, 2), b(0.5, 2);
-    const Vec2 acceleration(0, accelerationOf(machine));
     return {
         .name = "atwood_machine",
         .question =
@@ -22,11 +21,9 @@ Scene atwoodMachine() {
         .bodies = {pivotBody({0, 4}), weight("light", a.x(), machine.massA), weight("heavy", b.x(), machine.massB)},
         .joints = {{"rope", "light", "heavy",
                     PulleyJointDef{.groundA = {a.x(), 4}, .groundB = {b.x(), 4}, .anchorA = a, .anchorB = b}}},
-        .closedForm =
-            ClosedForm{.formula = "a = g (m1 - m2) / (m1 + m2), T = 2 g m1 m2 / (m1 + m2)",
-                       .source = "Atwood 1784",
-                       .bodies = {PiecewiseMotion{"light", {{.position = a, .acceleration = acceleration}}},
-                                  PiecewiseMotion{"heavy", {{.position = b, .acceleration = -acceleration}}}}},
+        .closedForm = ClosedForm{.formula = "a = g (m1 - m2) / (m1 + m2), T = 2 g m1 m2 / (m1 + m2)",
+                                 .source = "Atwood 1784",
+                                 .bodies = {HoistedMotion{"light", "rope"}, HoistedMotion{"heavy", "rope"}}},
         .probes = {{.name = "pull",
                     .quantity = JointForceProbe{"rope"},
                     .expected = tensionOf(machine),

@@ -31,19 +31,7 @@ Scene ballisticPendulum() {
     const double impact = 3.0 / 60;  // at a step's end, so that each engine has it there [s]
     const Vec2 hit(inside - bulletRadius, 0.05 - height + bulletRadius), approach(shot.speed, 0);
     const Material lead{.density = discDensity(shot.bullet, bulletRadius), .friction = 0};
-    PendulumMotion swing{.body = "block",
-                         .pivot = {0, shot.length},
-                         .length = shot.length,
-                         .equivalentLength = shot.length,
-                         .gravity = gravity,
-                         .amplitude = amplitudeOf(shot),
-                         .turns = false,
-                         .from = impact};
-    PendulumMotion bullet = swing;
-    bullet.body = "bullet";
-    bullet.pivot = hit + swing.pivot;
-    bullet.approach = approach;
-    const double half = periodOf({shot.length, gravity, swing.amplitude}) / 2;
+    const double half = periodOf({shot.length, gravity, amplitudeOf(shot)}) / 2;
     return {
         .name = "ballistic_pendulum",
         .question = "How high does a block of 1 kg on two rods swing that stops 100 g at 10 m/s?",
@@ -56,9 +44,10 @@ Scene ballisticPendulum() {
                      .canSleep = false,
                      .shapes = {circle(bulletRadius, lead)}}}},
         .joints = {rod("left_rod", {-inside, 0}, shot.length), rod("right_rod", {inside, 0}, shot.length)},
-        .closedForm = ClosedForm{.formula = "h = (m v / (m + M))^2 / (2 g), then a pendulum",
-                                 .source = "Robins 1742: the impact keeps momentum, the swing energy",
-                                 .bodies = {swing, bullet}},
+        .closedForm =
+            ClosedForm{.formula = "h = (m v / (m + M))^2 / (2 g), then a pendulum",
+                       .source = "Robins 1742: the impact keeps momentum, the swing energy",
+                       .bodies = {CaughtMotion{"block", "bullet", "block"}, CaughtMotion{"bullet", "bullet", "block"}}},
         .probes = {{.name = "rise",
                     .quantity = PositionProbe{"block", {0, 1}},
                     .expected = riseOf(shot),

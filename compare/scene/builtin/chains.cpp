@@ -21,9 +21,7 @@ Scene catenary() {
     addLinks(scene, {.hinges = hinges, .halfWidth = 0.02, .linkMass = 1});
     holdEnds(scene, hinges);
     for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
-        const BodyDef& def = scene.bodies[i].def;
-        scene.closedForm->bodies.push_back(
-            PiecewiseMotion{scene.bodies[i].name, {{.position = def.position, .angle = def.angle}}});
+        scene.closedForm->bodies.push_back(RestsMotion{scene.bodies[i].name});
     }
     const Vec2 first = hinges[1] - hinges[0];
     const double half = chain.links / 2.0;
@@ -59,9 +57,7 @@ Scene loadedChain() {
     hinge(scene, "hook", "pivot", "link_1", hinges.front());
     hinge(scene, "eye", "link_" + std::to_string(links), "load", hinges.back());
     for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
-        const BodyDef& def = scene.bodies[i].def;
-        scene.closedForm->bodies.push_back(
-            PiecewiseMotion{scene.bodies[i].name, {{.position = def.position, .angle = def.angle}}});
+        scene.closedForm->bodies.push_back(RestsMotion{scene.bodies[i].name});
     }
     const double pull = gravity * (load + links * linkMass);
     scene.probes = {{.name = "pull", .quantity = JointForceProbe{"hook"}, .expected = pull, .from = 1, .unit = "N"}};

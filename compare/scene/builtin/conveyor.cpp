@@ -6,8 +6,6 @@ namespace plumb::compare {
 
 Scene conveyor() {
     const double speed = 2, friction = 0.3;  // of the belt [m/s], of both [-]
-    const double gain = friction * gravity;  // [m/s^2]
-    const double time = speed / gain;        // [s]
     const Vec2 halfSize(0.5, 0.25), start(-4, halfSize.y());
     const Material goods{.density = 1 / (4 * halfSize.prod()), .friction = friction};
     const Material belt{.friction = friction, .surfaceSpeed = speed};
@@ -17,13 +15,9 @@ Scene conveyor() {
         .duration = 3,
         .bodies = {{"belt", {.type = BodyType::Static, .position = {0, -0.25}, .shapes = {box({5, 0.25}, belt)}}},
                    {"box", {.position = start, .shapes = {box(halfSize, goods)}}}},
-        .closedForm =
-            ClosedForm{.formula = "v = mu g t until the belt's speed, then that",
-                       .source = "textbook: Coulomb's law of friction",
-                       .bodies = {PiecewiseMotion{
-                           "box",
-                           {{.position = start, .acceleration = {gain, 0}},
-                            {.start = time, .position = start + Vec2(speed * time / 2, 0), .velocity = {speed, 0}}}}}},
+        .closedForm = ClosedForm{.formula = "v = mu g t until the belt's speed, then that",
+                                 .source = "textbook: Coulomb's law of friction",
+                                 .bodies = {FreeMotion{"box"}}},
         .probes = {{.name = "normal",
                     .quantity = NormalForceProbe{"belt", "box"},
                     .expected = gravity,

@@ -82,20 +82,13 @@ Scene cradle(int swung) {
         .source =
             "Herrmann, Seitz, Am. J. Phys. 50 (1982) 977: alike discs that meet one pair after another swap speeds"};
     for (int i = 0; i < discs; ++i) {
-        const Vec2 hinge(2 * discRadius * (i - 2), 0);
-        PendulumMotion motion{.body = discName(i),
-                              .pivot = hinge,
-                              .length = hangerLength,
-                              .equivalentLength = equivalent,
-                              .gravity = gravity,
-                              .amplitude = -amplitude,
-                              .bodyAngle = i < swung ? -amplitude : 0,
-                              .side = i < swung ? Side::Left : Side::Right};
-        if (i < swung || i >= discs - swung)
-            scene.closedForm->bodies.push_back(motion);
+        const std::string name = discName(i), hinge = scene.joints[static_cast<std::size_t>(i)].name;
+        if (i < swung)
+            scene.closedForm->bodies.push_back(SwingsMotion{name, hinge, Side::Left});
+        else if (i >= discs - swung)
+            scene.closedForm->bodies.push_back(SwingsMotion{name, hinge, Side::Right, discName(0)});
         else
-            scene.closedForm->bodies.push_back(
-                PiecewiseMotion{motion.body, {{.position = hinge - Vec2(0, hangerLength)}}});
+            scene.closedForm->bodies.push_back(RestsMotion{name});
     }
     scene.checks = {ExactCheck{share * amplitude * hangerLength + 3e-3,
                                "2 % of the swing, and an impact put off by half a sub-step, 2 ms at 1.6 m/s"},

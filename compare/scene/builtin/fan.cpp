@@ -9,8 +9,7 @@ constexpr double muzzleSpeed = 20;
 
 /// A ball for each of 15, 30, ... 75 degrees, named by them; they pass through each other. motion(name, velocity) is
 /// what the closed form says of one.
-template <class Motion>
-Scene fan(Motion&& motion) {
+Scene fan() {
     Scene scene;
     scene.duration = 4;
     scene.closedForm = ClosedForm{};
@@ -20,7 +19,7 @@ Scene fan(Motion&& motion) {
         ShapeDef ball = circle(0.1, {.density = discDensity(1, 0.1)});
         ball.filter.group = -1;
         scene.bodies.push_back({name, {.velocity = velocity, .shapes = {ball}}});
-        scene.closedForm->bodies.push_back(motion(name, velocity));
+        scene.closedForm->bodies.push_back(FreeMotion{name});
     }
     return scene;
 }
@@ -28,9 +27,7 @@ Scene fan(Motion&& motion) {
 }  // namespace
 
 Scene projectileFan() {
-    Scene scene = fan([](const std::string& name, const Vec2& velocity) -> BodyMotion {
-        return PiecewiseMotion{name, {{.velocity = velocity, .acceleration = {0, -gravity}}}};
-    });
+    Scene scene = fan();
     scene.name = "projectile_fan";
     scene.question = "Of five shots at 20 m/s, 15 degrees apart, which comes farthest, and which two come as far?";
     scene.closedForm->formula = "x = v t cos a, y = v t sin a - g t^2 / 2";
@@ -42,10 +39,7 @@ Scene projectileFan() {
 Scene projectileFanDrag() {
     const double drag = 0.2;  // k / m, with 1 kg
     const Vec2 wind(-5, 0);
-    Scene scene = fan([&](const std::string& name, const Vec2& velocity) -> BodyMotion {
-        return DampedFlight{
-            .body = name, .velocity = velocity, .acceleration = Vec2(0, -gravity) + drag * wind, .damping = drag};
-    });
+    Scene scene = fan();
     scene.name = "projectile_fan_drag";
     scene.question = "The same five shots against a wind of 5 m/s, in air that takes a fifth of their speed a second?";
     scene.fields = {{.name = "air", .def = {.law = Drag{.linear = drag, .wind = wind}}}};

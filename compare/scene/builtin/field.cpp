@@ -17,7 +17,7 @@ Scene terminalSpeed() {
         .fields = {{.name = "air", .def = {.law = Drag{.quadratic = drag}}}},
         .closedForm = ClosedForm{.formula = "v = v_t tanh(g t / v_t), x = -(v_t^2 / g) ln cosh(g t / v_t)",
                                  .source = "textbook: m v' = m g - c v^2, v_t = sqrt(m g / c) = 44.3 m/s",
-                                 .bodies = {DragFall{.body = "ball", .terminalSpeed = fastest, .gravity = gravity}}},
+                                 .bodies = {FreeMotion{"ball"}}},
         .probes = {{.name = "terminal_speed",
                     .quantity = VelocityProbe{"ball", {0, -1}},
                     .expected = fastest * std::tanh(gravity * 20 / fastest),
@@ -40,15 +40,6 @@ Scene twoBodyOrbit() {
                  .velocity = drift + Vec2(0, share * speed),
                  .shapes = {circle(0.5, {.density = discDensity(mass, 0.5)})}}};
     };
-    const auto motion = [&](const char* name, double share) -> BodyMotion {
-        return KeplerMotion{.body = name,
-                            .drift = drift,
-                            .nearEnd = {share < 0 ? 1.0 : -1.0, 0},
-                            .semiMajorAxis = std::fabs(share) * a,
-                            .eccentricity = e,
-                            .period = period,
-                            .since = period / 2};
-    };
     return {
         .name = "two_body_orbit",
         .question = "Two stars go round each other three times: do they come back to where Kepler has them?",
@@ -59,7 +50,7 @@ Scene twoBodyOrbit() {
         .fields = {{.name = "gravitation", .def = {.law = MutualGravity{.constant = 1}}}},
         .closedForm = ClosedForm{.formula = "x = a (cos E - e), y = a sqrt(1 - e^2) sin E, E - e sin E = 2 pi t / T",
                                  .source = "Kepler; two bodies go about their common centre, T^2 = 4 pi^2 a^3 / (G M)",
-                                 .bodies = {motion("sun", -0.25), motion("star", 0.75)}},
+                                 .bodies = {OrbitsMotion{"sun", "gravitation"}, OrbitsMotion{"star", "gravitation"}}},
         // Velocity Verlet keeps H + h^2 P / 24, P = 2 v.V''v - |V'|^2 with V = -G M / r, h = T / 1440. Over a round the
         // mean of P is (G M)^2 (1 + e^2 / 2) / (a^4 (1 - e^2)^(5/2)); its slope over the angular momentum turns the
         // ellipse. P itself is 0 at the far end, where the two start, and largest at the near end: 2 (G M)^2 / r^4.
@@ -90,10 +81,7 @@ Scene buoyantBox() {
         .fields = {{.name = "water", .def = {.law = Pool{.fluid = {.density = water}}}}},
         .closedForm = ClosedForm{.formula = "x = x0 cos(w t), w^2 = rho g b / m",
                                  .source = "Archimedes: each metre deeper displaces rho b more of water",
-                                 .bodies = {OscillatorMotion{.body = "box",
-                                                             .offset = 0.1,
-                                                             .mass = wood * width * height,
-                                                             .stiffness = water * gravity * width}}},
+                                 .bodies = {FloatsMotion{"box", "water"}}},
         .checks = {ExactCheck{1.7e-4,
                               "second order: the phase is off by (w h)^2 / 24 = 2.8e-5 of 31 rad, times 0.1 m: 9e-5 m"},
                    OrderCheck{1.9, {}, "velocity Verlet"},
@@ -110,15 +98,6 @@ Scene magnetCatch() {
     const auto cart = [&](const char* name, double x, double mass) -> SceneBody {
         return {name, {.position = {x, 0}, .shapes = {circle(radius, {.density = discDensity(mass, radius)})}}};
     };
-    const auto motion = [&](const char* name, double share) -> BodyMotion {
-        return KeplerMotion{.body = name,
-                            .focus = {apart * m1 / (m1 + m2), 0},
-                            .nearEnd = {share > 0 ? -1.0 : 1.0, 0},
-                            .semiMajorAxis = std::fabs(share) * a,
-                            .eccentricity = 1,
-                            .period = period,
-                            .since = -period / 2};
-    };
     return {
         .name = "magnet",
         .question = "A magnet and a piece of iron draw each other on ice: when and where do they meet, and stay?",
@@ -131,7 +110,7 @@ Scene magnetCatch() {
         .closedForm = ClosedForm{.formula = "d = a (1 + cos E), E + sin E = 2 pi t / T, until they touch",
                                  .source = "the inverse square law with no sideways motion: an ellipse of e = 1",
                                  .until = 0.42 * period,
-                                 .bodies = {motion("magnet", -m1 / (m1 + m2)), motion("iron", m2 / (m1 + m2))}},
+                                 .bodies = {OrbitsMotion{"magnet", "pull"}, OrbitsMotion{"iron", "pull"}}},
         .probes = {{.name = "meets_at",
                     .quantity = PositionProbe{"magnet", {1, 0}},
                     .expected = apart * m1 / (m1 + m2) - 2 * radius * m1 / (m1 + m2),

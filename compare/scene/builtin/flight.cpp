@@ -20,9 +20,8 @@ Scene freeFall() {
         .duration = 2,
         .bodies = {{"ball", {.position = start, .shapes = {circle(0.5)}}}},
         .closedForm =
-            ClosedForm{.formula = kinematics,
-                       .source = "textbook: constant acceleration",
-                       .bodies = {PiecewiseMotion{"ball", {{.position = start, .acceleration = {0, -gravity}}}}}},
+            ClosedForm{
+                .formula = kinematics, .source = "textbook: constant acceleration", .bodies = {FreeMotion{"ball"}}},
         .checks = {ExactCheck{1e-9, exactReason}, invariant("energy_drift", 1e-9, energyReason)},
     };
 }
@@ -35,9 +34,8 @@ Scene projectile() {
         .duration = 3,
         .bodies = {{"ball", {.velocity = velocity, .shapes = {circle(0.1)}}}},
         .closedForm =
-            ClosedForm{.formula = kinematics,
-                       .source = "textbook: constant acceleration",
-                       .bodies = {PiecewiseMotion{"ball", {{.velocity = velocity, .acceleration = {0, -gravity}}}}}},
+            ClosedForm{
+                .formula = kinematics, .source = "textbook: constant acceleration", .bodies = {FreeMotion{"ball"}}},
         .checks = {ExactCheck{1e-9, exactReason}, invariant("energy_drift", 1e-9, energyReason)},
     };
 }
@@ -50,11 +48,9 @@ Scene projectileDamped() {
         .question = "How much of its range does the same shot lose to a drag of 0.2 /s?",
         .duration = 3,
         .bodies = {{"ball", {.velocity = velocity, .linearDamping = damping, .shapes = {circle(0.1)}}}},
-        .closedForm =
-            ClosedForm{.formula = "x = x0 + (v0 - g/k) (1 - e^(-k t)) / k + g t / k",
-                       .source = "textbook: linear drag, dv/dt = g - k v",
-                       .bodies = {DampedFlight{
-                           .body = "ball", .velocity = velocity, .acceleration = {0, -gravity}, .damping = damping}}},
+        .closedForm = ClosedForm{.formula = "x = x0 + (v0 - g/k) (1 - e^(-k t)) / k + g t / k",
+                                 .source = "textbook: linear drag, dv/dt = g - k v",
+                                 .bodies = {FreeMotion{"ball"}}},
         .checks = {ExactCheck{1e-9, exactReason}},
     };
 }
@@ -71,12 +67,9 @@ Scene spinFree() {
         .question = "A hammer is thrown spinning: what path does its balance point take, and how far does it turn?",
         .duration = 2,
         .bodies = {{"hammer", {.velocity = velocity, .angularVelocity = spin, .shapes = {head, handle}}}},
-        .closedForm =
-            ClosedForm{
-                .formula = "x = x0 + v0 t + g t^2 / 2, angle = w t",
-                .source = "textbook: gravity pulls at the centre of mass and turns nothing",
-                .bodies = {PiecewiseMotion{
-                    "hammer", {{.velocity = velocity, .acceleration = {0, -gravity}, .angularVelocity = spin}}}}},
+        .closedForm = ClosedForm{.formula = "x = x0 + v0 t + g t^2 / 2, angle = w t",
+                                 .source = "textbook: gravity pulls at the centre of mass and turns nothing",
+                                 .bodies = {FreeMotion{"hammer"}}},
         .probes = {{.name = "angle", .quantity = AngleProbe{"hammer"}, .unit = "rad"}},
         .checks = {ExactCheck{1e-9, exactReason}, invariant("energy_drift", 1e-9, energyReason),
                    invariant("probe.angle", 1e-9, "no torque: the angle grows by w dt a step, exact to rounding")},

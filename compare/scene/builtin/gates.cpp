@@ -37,7 +37,7 @@ Scene sensorGate() {
         const std::string name = "disc_" + std::to_string(i + 1);
         scene.bodies.push_back(
             {name, {.position = start, .velocity = velocity, .canSleep = false, .shapes = {circle(radius)}}});
-        scene.closedForm->bodies.push_back(PiecewiseMotion{name, {{.position = start, .velocity = velocity}}});
+        scene.closedForm->bodies.push_back(FreeMotion{name});
     }
     scene.probes = {countAt("count_0", 0, 0.45), countAt("count_1", 1, 0.95), countAt("count_2", 2, 1.45),
                     countAt("count_3", 3, 1.95), countAt("count_4", 4, 3)};
@@ -54,10 +54,7 @@ Scene oneWayPlatform() {
     const auto ball = [&](const std::string& name, const Vec2& position, const Vec2& velocity) {
         return SceneBody{name, {.position = position, .velocity = velocity, .shapes = {circle(radius)}}};
     };
-    const Vec2 g(0, -gravity), up(0, speed), thrown(-1, 0.25), laid(1, top + radius);
-    const double rest = top + radius;
-    // y0 + v t - g t^2 / 2 = rest, on the way down
-    const double landing = (speed + std::sqrt(speed * speed - 2 * gravity * (rest - thrown.y()))) / gravity;
+    const Vec2 up(0, speed), thrown(-1, 0.25), laid(1, top + radius);
     return {
         .name = "one_way_platform",
         .question = "Does a ball pass a platform from below and land on it from above, beside one that lies there?",
@@ -67,10 +64,7 @@ Scene oneWayPlatform() {
                    ball("laid", laid, {0, 0})},
         .closedForm = ClosedForm{.formula = "y = y0 + v t - g t^2 / 2 up through it and down onto it, then at rest",
                                  .source = "textbook: constant acceleration",
-                                 .bodies = {PiecewiseMotion{"thrown",
-                                                            {{.position = thrown, .velocity = up, .acceleration = g},
-                                                             {.start = landing, .position = {thrown.x(), rest}}}},
-                                            PiecewiseMotion{"laid", {{.position = laid}}}}},
+                                 .bodies = {FreeMotion{"thrown"}, FreeMotion{"laid"}}},
         .checks = {ExactCheck{1e-3, sinksOnGround + "and nothing holds it back on its way up"}},
     };
 }

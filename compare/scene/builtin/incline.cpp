@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <compare/closed_form/incline.h>
 #include <compare/scene/builtin/parts.h>
 #include <compare/scene/builtin/scenes.h>
 
@@ -30,7 +29,6 @@ SceneBody wedge(double friction) {
 Scene slidingBlock(double friction) {
     const Vec2 halfSize(0.5, 0.25);
     const Vec2 start = onSlope(1, halfSize.y());
-    const Vec2 acceleration = slidingAcceleration({slope, gravity}, friction) * downhill();
     const Material material{.density = 1 / (4 * halfSize.x() * halfSize.y()), .friction = friction};
     return {
         .duration = 2,
@@ -38,8 +36,7 @@ Scene slidingBlock(double friction) {
                    {"block", {.position = start, .angle = -slope, .shapes = {box(halfSize, material)}}}},
         .closedForm = ClosedForm{.formula = "a = g (sin t - mu cos t) where tan t > mu, else 0",
                                  .source = "textbook: Coulomb's law of friction",
-                                 .bodies = {PiecewiseMotion{
-                                     "block", {{.position = start, .acceleration = acceleration, .angle = -slope}}}}},
+                                 .bodies = {FreeMotion{"block"}}},
         .probes = {{.name = "normal",
                     .quantity = NormalForceProbe{"incline", "block"},
                     .expected = gravity * outward().y(),
@@ -73,21 +70,15 @@ Scene blockSticks() {
 Scene discRolls() {
     const double radius = 0.5;
     const Vec2 start = onSlope(1, radius);
-    const double acceleration = rollingAcceleration({slope, gravity}, 0.5);
-    const Vec2 along = acceleration * downhill();
     const Material material{.density = discDensity(1, radius), .friction = 0.5};
     return {
         .name = "disc_rolls",
         .question = "How fast does a disc gain speed as it rolls down 30 degrees?",
         .duration = 2,
         .bodies = {wedge(0.5), {"disc", {.position = start, .shapes = {circle(radius, material)}}}},
-        .closedForm =
-            ClosedForm{
-                .formula = "a = g sin t / (1 + k), k = I / (m r^2) = 1/2",
-                .source = "textbook: rolling without slip; holds for mu >= tan t / 3 = 0.19",
-                .bodies = {PiecewiseMotion{
-                    "disc",
-                    {{.position = start, .acceleration = along, .angularAcceleration = -acceleration / radius}}}}},
+        .closedForm = ClosedForm{.formula = "a = g sin t / (1 + k), k = I / (m r^2) = 1/2",
+                                 .source = "textbook: rolling without slip; holds for mu >= tan t / 3 = 0.19",
+                                 .bodies = {FreeMotion{"disc"}}},
         .probes = {{.name = "angle", .quantity = AngleProbe{"disc"}, .unit = "rad"}},
         .checks = {ExactCheck{1e-3, sinksOnGround +
                                         "half of it under a disc; the roll itself is solved to second order, but "

@@ -27,7 +27,7 @@ Scene slipLanding(double friction) {
         .closedForm = ClosedForm{.formula = "vn' = e vn; it sticks with vx + w r = 0 if mu (1 + e) vn >= s / 3, else "
                                             "vx and w r change by mu (1 + e) vn (1, 2)",
                                  .source = "textbook: Newton's law of impact, Coulomb's law of friction; Routh",
-                                 .bodies = {PiecewiseMotion{"disc", landingFlights(disc)}}},
+                                 .bodies = {FreeMotion{"disc"}}},
         .probes = {{.name = "angle", .quantity = AngleProbe{"disc"}, .unit = "rad"}},
         .checks = {ExactCheck{1e-6,
                               "each impact is solved at its own time in double: what is left is rounding and the "

@@ -99,11 +99,6 @@ Scene gearTrain() {
     // Wheel 1 with a motor of 6 N m drives wheel 2, that wheel 3, and that a rack.
     const double torque = 6, ratios[] = {2, -0.5}, rackMass = 4, pinion = 0.25;
     const double inertias[] = {0.5, 2, 1};
-    // a + ratio b = 0 at each gear: how much each turns for one turn of wheel 1, and what that makes it weigh there.
-    const double second = -1 / ratios[0], third = -second / ratios[1], rack = third * pinion;
-    const double inertia =
-        inertias[0] + inertias[1] * second * second + inertias[2] * third * third + rackMass * rack * rack;
-    const double gained = torque / inertia;
     Scene scene{.name = "gear_train",
                 .question = "A motor drives three wheels and a rack through gears: how fast do they gain speed?",
                 .gravity = {0, 0},
@@ -122,16 +117,13 @@ Scene gearTrain() {
     addGear(scene, "axle_of_wheel_1", "axle_of_wheel_2", ratios[0]);
     addGear(scene, "axle_of_wheel_2", "axle_of_wheel_3", ratios[1]);
     addGear(scene, "axle_of_wheel_3", "guide", -1 / pinion);
-    const double turns[] = {1, second, third};
     for (std::size_t i = 0; i < 3; ++i) {
         const SceneBody& wheel = scene.bodies[i + 1];
-        scene.closedForm->bodies.push_back(
-            PiecewiseMotion{wheel.name, {{.position = wheel.def.position, .angularAcceleration = turns[i] * gained}}});
+        scene.closedForm->bodies.push_back(GearedMotion{wheel.name, "axle_of_" + wheel.name});
         scene.probes.push_back({.name = wheel.name, .quantity = AngleProbe{wheel.name}, .unit = "rad"});
         scene.checks.push_back(invariant("probe." + wheel.name, 1e-3, "a constant torque: second order is exact"));
     }
-    scene.closedForm->bodies.push_back(
-        PiecewiseMotion{"rack", {{.position = {2.5, 0.5}, .acceleration = {rack * gained, 0}}}});
+    scene.closedForm->bodies.push_back(GearedMotion{"rack", "guide"});
     scene.checks.push_back(
         ExactCheck{1e-3, "a constant torque: second order is exact; what is left is single precision"});
     scene.checks.push_back(invariant("joint_error_max", 1e-4, "what is off by 0.1 mm is seen by no one"));

@@ -15,14 +15,14 @@ Vec2 hangingAt(double angle, double length) {
 }
 
 /// A body on a hinge at the pivot, released at rest.
-Scene onHinge(const SceneBody& body, const PendulumMotion& motion) {
+Scene onHinge(const SceneBody& body) {
     return {
         .duration = 5,
         .bodies = {pivotBody(pivot), body},
         .joints = {{"hinge", "pivot", body.name, RevoluteJointDef{.anchor = pivot}}},
         .closedForm = ClosedForm{.formula = "sin(t/2) = k sn(w t + K, k), k = sin(t0/2), w^2 = m g l / I_pivot",
                                  .source = "Landau, Lifshitz, Mechanics, section 11; period T0 / AGM(1, cos(t0/2))",
-                                 .bodies = {motion}},
+                                 .bodies = {SwingsMotion{body.name, "hinge"}}},
         .probes = {{.name = "angle", .quantity = AngleProbe{body.name}, .unit = "rad"}},
         .checks = {invariant("joint_error_max", 1e-3, "the limit of the positions"),
                    invariant("energy_drift", 1e-3, "the limit of the positions, over metres of fall")},
@@ -36,12 +36,7 @@ Scene discOnHinge(double amplitude) {
     const SceneBody bob{
         "bob",
         {.position = hangingAt(amplitude, length), .shapes = {circle(radius, {.density = discDensity(1, radius)})}}};
-    return onHinge(bob, {.body = "bob",
-                         .pivot = pivot,
-                         .length = length,
-                         .equivalentLength = length + radius * radius / (2 * length),
-                         .gravity = gravity,
-                         .amplitude = amplitude});
+    return onHinge(bob);
 }
 
 SceneBody weight(const std::string& name, const Vec2& position) {
@@ -94,16 +89,9 @@ Scene rodPendulum90() {
     const double amplitude = degrees(90);
     const Vec2 halfSize(0.02, 0.5);
     const double length = halfSize.y();
-    const double inertia = (halfSize.squaredNorm()) / 3 + length * length;  // over the mass [m^2]
     const SceneBody body{"rod",
                          {.position = hangingAt(amplitude, length), .angle = amplitude, .shapes = {box(halfSize)}}};
-    Scene scene = onHinge(body, {.body = "rod",
-                                 .pivot = pivot,
-                                 .length = length,
-                                 .equivalentLength = inertia / length,
-                                 .gravity = gravity,
-                                 .amplitude = amplitude,
-                                 .bodyAngle = amplitude});
+    Scene scene = onHinge(body);
     scene.name = "rod_pendulum_90";
     scene.question = "How long does a rod of 1 m that hangs by its end take to swing from level to level and back?";
     scene.checks.push_back(ExactCheck{1e-3, verlet + "0.09 mm; the hinge gives way by as much"});
@@ -161,7 +149,7 @@ Scene hangingChain() {
     };
     for (int i = 0; i < 3; ++i) {
         const std::string number = std::to_string(i + 1);
-        scene.closedForm->bodies.push_back(PiecewiseMotion{weights[i].name, {{.position = weights[i].def.position}}});
+        scene.closedForm->bodies.push_back(RestsMotion{weights[i].name});
         scene.probes.push_back({.name = "pull_" + number,
                                 .quantity = JointForceProbe{"rod_" + number},
                                 .expected = (3 - i) * gravity,

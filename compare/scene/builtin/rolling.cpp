@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <compare/closed_form/incline.h>
 #include <compare/closed_form/slide_to_roll.h>
 #include <compare/scene/builtin/parts.h>
 #include <compare/scene/builtin/scenes.h>
@@ -16,7 +15,6 @@ Scene rollsDown(double k) {
     const Vec2 downhill = direction(-rollingSlope);
     const Vec2 top(0, -rollingLength * downhill.y());
     const Vec2 start = top + downhill + rollerRadius * perp(downhill);
-    const double acceleration = rollingAcceleration({rollingSlope, gravity}, k);
     const Mass mass{.mass = 1, .inertia = k * rollerRadius * rollerRadius};
     return {
         .duration = 3,
@@ -24,10 +22,7 @@ Scene rollsDown(double k) {
                    {"roller", {.position = start, .mass = mass, .shapes = {circle(rollerRadius)}}}},
         .closedForm = ClosedForm{.formula = "a = g sin t / (1 + k), k = I / (m r^2)",
                                  .source = "textbook: rolling without slip; holds for mu >= tan t k / (1 + k)",
-                                 .bodies = {PiecewiseMotion{"roller",
-                                                            {{.position = start,
-                                                              .acceleration = acceleration * downhill,
-                                                              .angularAcceleration = -acceleration / rollerRadius}}}}},
+                                 .bodies = {FreeMotion{"roller"}}},
         .probes = {{.name = "angle", .quantity = AngleProbe{"roller"}, .unit = "rad"}},
         .checks = {ExactCheck{1e-3, sinksOnGround +
                                         "half of it under a disc; the roll itself is solved to second order, but for "
@@ -66,7 +61,7 @@ Scene slideToRoll() {
                     {.position = start, .velocity = {disc.speed, 0}, .shapes = {circle(rollerRadius, material)}}}},
         .closedForm = ClosedForm{.formula = "v = v0 - mu g t until t = v0 / (3 mu g), then 2 v0 / 3",
                                  .source = "textbook: Coulomb's law of friction; Coriolis",
-                                 .bodies = {PiecewiseMotion{"disc", slideToRollFlights(disc)}}},
+                                 .bodies = {FreeMotion{"disc"}}},
         .probes = {{.name = "angle", .quantity = AngleProbe{"disc"}, .unit = "rad"}},
         .checks = {ExactCheck{1e-3, sinksOnGround +
                                         "half of it under a disc; friction brakes a little less while the floor finds "

@@ -160,4 +160,8 @@ Scene wrapBilliard();
 // gas.cpp
 Scene elasticGas();
 
+// answers.cpp
+/// Of a scene by its name, with what is to be read of a run between braces: see scene/answer.h.
+std::string answerTo(const std::string& scene);
+
 }  // namespace plumb::compare

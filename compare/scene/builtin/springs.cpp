@@ -26,8 +26,7 @@ void hang(Scene& scene, const std::string& name, double x, double dampingRatio) 
                                              .anchorB = start,
                                              .length = springLength,
                                              .spring = Spring{springStiffness, damping}}});
-    scene.closedForm->bodies.push_back(OscillatorMotion{
-        .body = name, .rest = rest, .offset = -pull, .mass = 1, .stiffness = springStiffness, .damping = damping});
+    scene.closedForm->bodies.push_back(SpringsMotion{name, "spring_of_" + name});
 }
 
 Scene springScene(const std::string& formula) {

@@ -21,9 +21,8 @@ Scene boxAtRest() {
         .question = "Does a box that stands on the floor stay where it is?",
         .duration = 5,
         .bodies = {floorBody(), boxBody("box", start)},
-        .closedForm = ClosedForm{.formula = "x = x0, N = m g",
-                                 .source = "textbook: statics",
-                                 .bodies = {PiecewiseMotion{"box", {{.position = start}}}}},
+        .closedForm =
+            ClosedForm{.formula = "x = x0, N = m g", .source = "textbook: statics", .bodies = {FreeMotion{"box"}}},
         .probes = {{.name = "normal",
                     .quantity = NormalForceProbe{"floor", "box"},
                     .expected = gravity,

@@ -40,8 +40,8 @@ SceneBody wallOf(const std::string& name, double x) {
 }
 
 /// Along a line, each with its snags counted.
-void watch(Scene& scene, const std::string& body, const Flight& flight, const Vec2& way) {
-    scene.closedForm->bodies.push_back(PiecewiseMotion{body, {flight}});
+void watch(Scene& scene, const std::string& body, const BodyMotion& motion, const Vec2& way) {
+    scene.closedForm->bodies.push_back(motion);
     scene.probes.push_back({.name = "snags_" + body, .quantity = SnagsProbe{body, way}, .unit = "-"});
     scene.checks.push_back(invariant("probe.snags_" + body, 0, "inner edges are gone: nothing is there to catch on"));
 }
@@ -56,7 +56,7 @@ void addMover(Scene& scene, const Vec2& start, const Vec2& along, const Vec2& ou
         {"mover", {.type = BodyType::Kinematic, .position = place, .velocity = velocity, .shapes = {upright}}});
     scene.movers.push_back(
         {.name = "player", .body = "mover", .motion = SlidingMotion{velocity - press * out, 0, StandIn::Stopped}});
-    watch(scene, "mover", {.position = place, .velocity = velocity}, along);
+    watch(scene, "mover", PiecewiseMotion{"mover", {{.position = place, .velocity = velocity}}}, along);
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ Scene tileFloor() {
         const Vec2 start(1, floor + halfHeight);
         scene.bodies.push_back(floorOf(slider.name, floor));
         scene.bodies.push_back({slider.name, {.position = start, .velocity = {speed, 0}, .shapes = {slider.shape}}});
-        watch(scene, slider.name, {.position = start, .velocity = {speed, 0}}, {1, 0});
+        watch(scene, slider.name, FreeMotion{slider.name}, {1, 0});
         floor -= apart;
     }
     scene.bodies.push_back(floorOf("mover", floor));
@@ -103,7 +103,7 @@ Scene tileWall() {
         const double angle = lies ? degrees(90) : 0;
         scene.bodies.push_back(wallOf(slider.name, wall));
         scene.bodies.push_back({slider.name, {.position = start, .angle = angle, .shapes = {slider.shape}}});
-        watch(scene, slider.name, {.position = start, .acceleration = {0, -gravity}, .angle = angle}, {0, -1});
+        watch(scene, slider.name, FreeMotion{slider.name}, {0, -1});
         wall += apart;
     }
     scene.bodies.push_back(wallOf("mover", wall));

@@ -74,6 +74,48 @@ void fields(auto& visit, OrConst<KeplerMotion> auto& x) {
     visit({"period", "s", Allowed::positive, "of a round"}, x.period);
     visit({"since", "s", Allowed::finite, "the near end, at t = 0; counter-clockwise"}, x.since);
 }
+void fields(auto& visit, OrConst<FreeMotion> auto& x) {
+    visit(whoseBody, x.body);
+    visit({"shortestFlight", "s", Allowed::positive,
+           "the first flight off a face that would be shorter, and all after it, count as rest"},
+          x.shortestFlight);
+}
+void fields(auto& visit, OrConst<SwingsMotion> auto& x) {
+    visit(whoseBody, x.body);
+    visit(needed({"joint", "", Allowed::any, "the name of its hinge, or of its rod"}), x.joint);
+    visit({"side", "", Allowed::any, "on which side it swings, of a row of alike discs; the rest it hangs still"},
+          x.side);
+    visit({"after", "", Allowed::any, "the name of the body whose swing it takes over; empty: its own"}, x.after);
+}
+void fields(auto& visit, OrConst<SpringsMotion> auto& x) {
+    visit(whoseBody, x.body);
+    visit(needed({"joint", "", Allowed::any, "the name of a distance joint with a spring"}), x.joint);
+}
+void fields(auto& visit, OrConst<FloatsMotion> auto& x) {
+    visit(whoseBody, x.body);
+    visit(needed({"field", "", Allowed::any, "the name of a pool"}), x.field);
+}
+void fields(auto& visit, OrConst<OrbitsMotion> auto& x) {
+    visit(whoseBody, x.body);
+    visit(needed({"field", "", Allowed::any, "the name of mutual gravity, or of a magnet of power 2"}), x.field);
+}
+void fields(auto& visit, OrConst<HoistedMotion> auto& x) {
+    visit(whoseBody, x.body);
+    visit(needed({"joint", "", Allowed::any, "the name of a pulley"}), x.joint);
+}
+void fields(auto& visit, OrConst<GearedMotion> auto& x) {
+    visit(whoseBody, x.body);
+    visit(needed({"joint", "", Allowed::any, "the name of its hinge or slide"}), x.joint);
+}
+void fields(auto& visit, OrConst<CaughtMotion> auto& x) {
+    visit(needed({"body", "", Allowed::any, "the name of the body that moves so: of the bullet or of the block"}),
+          x.body);
+    visit(needed({"bullet", "", Allowed::any, "the name of what stays in the block"}), x.bullet);
+    visit(needed({"block", "", Allowed::any, "the name of what catches it, on rods"}), x.block);
+}
+void fields(auto& visit, OrConst<RestsMotion> auto& x) {
+    visit(whoseBody, x.body);
+}
 void fields(auto& visit, OrConst<BodyMotion> auto& x) {
     visit.oneOf(x, motionTags);
 }

@@ -37,7 +37,9 @@ constexpr std::span<const char* const> tagsOf(Watch) {
     return watchTags;
 }
 
-inline constexpr std::array motionTags{"piecewise", "damped", "pendulum", "oscillator", "dragFall", "kepler"};
+inline constexpr std::array motionTags{"piecewise", "damped",  "pendulum", "oscillator", "dragFall",
+                                       "kepler",    "free",    "swings",   "springs",    "floats",
+                                       "orbits",    "hoisted", "geared",   "caught",     "rests"};
 inline constexpr std::array moverTags{"path", "slide", "grid", "platform", "swing"};
 inline constexpr std::array probeTags{"angle", "normalForce", "jointForce",  "position", "velocity",
                                       "limit", "jointBroken", "sensorCount", "snags",    "apart"};

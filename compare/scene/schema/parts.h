@@ -67,6 +67,29 @@ inline constexpr PartName partOf<DragFall>{"DragFall", "x = x0 - (v_t^2 / g) ln 
 template <>
 inline constexpr PartName partOf<KeplerMotion>{"KeplerMotion", "an ellipse about a focus"};
 template <>
+inline constexpr PartName partOf<FreeMotion>{
+    "FreeMotion", "as gravity, the air, what it meets and other free bodies let it; its numbers are the scene's"};
+template <>
+inline constexpr PartName partOf<SwingsMotion>{"SwingsMotion",
+                                               "on a hinge or rods, released at rest; its numbers are the scene's"};
+template <>
+inline constexpr PartName partOf<SpringsMotion>{"SpringsMotion",
+                                                "on a spring and damper, along their line, with the scene's numbers"};
+template <>
+inline constexpr PartName partOf<FloatsMotion>{"FloatsMotion", "up and down in water, with the scene's numbers"};
+template <>
+inline constexpr PartName partOf<OrbitsMotion>{"OrbitsMotion", "about another that draws it, with the scene's numbers"};
+template <>
+inline constexpr PartName partOf<HoistedMotion>{"HoistedMotion", "on a rope over two wheels, with the scene's numbers"};
+template <>
+inline constexpr PartName partOf<GearedMotion>{"GearedMotion",
+                                               "driven by a motor through gears, with the scene's numbers"};
+template <>
+inline constexpr PartName partOf<CaughtMotion>{
+    "CaughtMotion", "a bullet that stays in a block on rods, or that block, with the scene's numbers"};
+template <>
+inline constexpr PartName partOf<RestsMotion>{"RestsMotion", "it stays where it starts: joints hold it in balance"};
+template <>
 inline constexpr PartName partOf<Probe>{
     "Probe", "one quantity watched; its metric, probe.<name>, is the largest distance from expected"};
 template <>

@@ -246,9 +246,9 @@ TEST_CASE("check writes a CSV a scene and the report", "[compare][command]") {
         {"check", "free_fall", "projectile", "--steps", "4", "--csv", folder / "csv", "--report", folder / "report"});
     INFO(called.err);
     CHECK(called.status == 0);
-    const std::string csv = textOf(folder / "csv/projectile.csv");
+    const std::string csv = textOf(folder / "csv/projectile.plumb.csv");
     CHECK(std::count(csv.begin(), csv.end(), '\n') == 6);
-    CHECK(fs::exists(folder / "csv/free_fall.csv"));
+    CHECK(fs::exists(folder / "csv/free_fall.plumb.csv"));
     CHECK(textOf(folder / "report/index.html").find("<html") != std::string::npos);
     CHECK(called.out.find("index.html") != std::string::npos);
 }

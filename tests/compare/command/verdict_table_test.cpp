@@ -68,11 +68,13 @@ TEST_CASE("only a terminal gets colours", "[compare][command]") {
 TEST_CASE("a failed check is told with its value, its bound and its reason", "[compare][command]") {
     const Scene scene = oneDisc();
     CHECK(failureText(scene, {"order", "plumb", "order", 1.25, 1.8, false, "second order"}) ==
-          "order: plumb order is 1.25, under 1.8: second order");
+          "order: plumb order is 1.25, under 1.8, allowed because second order");
     CHECK(failureText(scene, {"invariant", "box2d-3", "settle_time", {}, 3, false, ""}) ==
           "invariant: box2d-3 settle_time does not exist, wanted at most 3 s");
     CHECK(failureText(scene, {"invariant", "plumb", "energy_drift", 0.5, 0.01, false, ""}) ==
           "invariant: plumb energy_drift is 0.5, over 0.01");
+    CHECK(failureText(scene, {"exact", "plumb", "error_max", {}, 0.01, false, "", "closedForm.bodies.a: it tips"}) ==
+          "exact: plumb error_max is not known: closedForm.bodies.a: it tips");
 }
 
 }  // namespace plumb::compare

@@ -42,17 +42,20 @@ SceneResult twoSteps() {
 
 }  // namespace
 
-TEST_CASE("a CSV has a line a tick, three columns a body, and nothing where nothing is known", "[compare][report]") {
+TEST_CASE("an engine's CSV has a line a tick, units in its head, and nothing where nothing is known",
+          "[compare][report]") {
     const CsvFolder folder;
     writeCsv({twoSteps()}, folder.path / "deep");
-    const std::vector<std::string> lines = linesOf(folder.path / "deep" / "one_disc.csv");
+    const std::vector<std::string> lines = linesOf(folder.path / "deep" / "one_disc.plumb.csv");
     REQUIRE(lines.size() == 4);
-    CHECK(lines[0] ==
-          "t,plumb.disc.x,plumb.disc.y,plumb.disc.angle,plumb.error,plumb.energy,"
-          "closed-form.disc.x,closed-form.disc.y,closed-form.disc.angle,closed-form.error,closed-form.energy");
-    CHECK(lines[1] == "0,0,0.125,0,0.125,0,0,0,0,0,0");
-    CHECK(lines[2] == "0.25,0.25,0.125,0,0.125,0,0.25,0,0,0,0");
-    CHECK(lines[3] == "0.5,0.5,0.125,0,,0,,,0,,");
+    CHECK(
+        lines[0] ==
+        "t [s],disc.x [m],disc.y [m],disc.angle [rad],disc.vx [m/s],disc.vy [m/s],disc.spin [rad/s],"
+        "disc.to_truth [m],energy.kinetic [J],energy.potential [J],energy.springs [J],energy.fields [J],to_truth [m]");
+    CHECK(lines[1] == "0,0,0.125,0,0,0,0,0.125,0,0,0,0,0.125");
+    CHECK(lines[2] == "0.25,0.25,0.125,0,0,0,0,0.125,0,0,0,0,0.125");
+    CHECK(lines[3] == "0.5,0.5,0.125,0,0,0,0,,0,0,0,0,");
+    CHECK_FALSE(fs::exists(folder.path / "deep" / "one_disc.box2d-3.csv"));
 }
 
 TEST_CASE("a body's name with a comma and quotes stays one column", "[compare][report]") {
@@ -60,7 +63,7 @@ TEST_CASE("a body's name with a comma and quotes stays one column", "[compare][r
     SceneResult result = twoSteps();
     result.scene.bodies[0].name = "a, \"b\"";
     writeCsv({result}, folder.path);
-    CHECK(linesOf(folder.path / "one_disc.csv").at(0).starts_with("t,\"plumb.a, \"\"b\"\".x\","));
+    CHECK(linesOf(folder.path / "one_disc.plumb.csv").at(0).starts_with("t [s],\"a, \"\"b\"\".x [m]\","));
 }
 
 TEST_CASE("a lab's CSV has a line a point, under its graph and its curve", "[compare][report]") {
@@ -77,7 +80,7 @@ TEST_CASE("a CSV that cannot be written is said with its path", "[compare][repor
     const CsvFolder folder;
     std::ofstream(folder.path) << "a file where the folder should be";
     CHECK_THROWS_WITH(writeCsv({twoSteps()}, folder.path),
-                      "csv: cannot write " + (folder.path / "one_disc.csv").string());
+                      "csv: cannot write " + (folder.path / "one_disc.plumb.csv").string());
     CHECK_THROWS_WITH(writeLabCsv({exampleResult(2)}, folder.path),
                       "csv: cannot write " + (folder.path / "example_lab.csv").string());
 }

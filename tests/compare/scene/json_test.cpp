@@ -140,6 +140,19 @@ TEST_CASE("every built-in scene reads back as it was written", "[compare][scene]
     }
 }
 
+TEST_CASE("motions that hold names survive writing and reading", "[compare][scene]") {
+    Scene scene = fullScene();
+    scene.closedForm->bodies = {FreeMotion{"a", 0.5}, SwingsMotion{"b", "h", Side::Right, "a"},
+                                SpringsMotion{"c", "h"}};
+    const std::string text = toJson(scene);
+    CHECK(toJson(fromJson(text, "f.json")) == text);
+    const Scene read = fromJson(text, "f.json");
+    CHECK(std::get<FreeMotion>(read.closedForm->bodies.at(0)).shortestFlight == 0.5);
+    CHECK(std::get<SwingsMotion>(read.closedForm->bodies.at(1)).after == "a");
+    CHECK(std::get<SwingsMotion>(read.closedForm->bodies.at(1)).side == Side::Right);
+    CHECK(std::get<SpringsMotion>(read.closedForm->bodies.at(2)).joint == "h");
+}
+
 TEST_CASE("each field survives writing and reading to the last bit", "[compare][scene]") {
     const Scene scene = fullScene();
     const std::string text = toJson(scene);

@@ -91,6 +91,15 @@ TEST_CASE("names that are empty, malformed, used twice or unknown are refused", 
           "ground, ball");
     CHECK(sceneComplaint([](Scene& s) { s.closedForm->bodies.push_back(PendulumMotion{.body = "ball"}); }) ==
           "closedForm.bodies[1].pendulum.body: \"ball\" has a motion already, wanted one for each body");
+    CHECK(sceneComplaint([](Scene& s) {
+              motionOf<SwingsMotion>(s) = {"ball", "x"};
+          }).starts_with("closedForm.bodies[0].swings.joint: \"x\" is not the name of a joint"));
+    CHECK(sceneComplaint([](Scene& s) {
+              motionOf<FreeMotion>(s) = {"ball", 0};
+          }).starts_with("closedForm.bodies[0].free.shortestFlight: 0 is not positive"));
+    CHECK(sceneComplaint([](Scene& s) {
+              motionOf<CaughtMotion>(s) = {"ball", "ground", "ground"};
+          }) == "closedForm.bodies[0].caught.body: \"ball\" is neither bullet nor block, wanted one of them");
 }
 
 TEST_CASE("impossible times, bodies and joints are refused", "[compare][scene][errors]") {

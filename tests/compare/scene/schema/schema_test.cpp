@@ -76,6 +76,8 @@ std::vector<std::string> brokenScenes() {
         sceneWith("", R"("probes": [{"name": "p", "angle": {"body": "ball"}, "watch": "all"}], )"),
         sceneWith("", R"("closedForm": {"bodies": []}, )"),
         sceneWith("", R"("closedForm": {"bodies": [{"damped": {"body": "ball", "damping": 0}}]}, )"),
+        sceneWith("", R"("closedForm": {"bodies": [{"free": {"body": "ball", "shortestFlight": 0}}]}, )"),
+        sceneWith("", R"("closedForm": {"bodies": [{"swings": {"body": "ball"}}]}, )"),
         sceneWith("", R"("fields": [{"name": "", "drag": {"linear": 1}}], )"),
         sceneWith(R"("type": "kinematic", )",
                   R"("movers": [{"name": "m", "body": "ball", "slide": {"pushStrength": -1}}], )"),

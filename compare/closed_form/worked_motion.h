@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// What came out for one body of a closed form?
+#pragma once
+#include <compare/scene/closed_form.h>
+
+namespace plumb::compare {
+
+struct WorkedMotion {
+    BodyMotion motion{};  ///< with its numbers
+    double until = 0;     ///< it holds to here; 0: to the scene's end [s]
+};
+
+}  // namespace plumb::compare

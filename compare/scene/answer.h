@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// What does a scene's answer ask of a run?
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <compare/scene/scene.h>
+
+namespace plumb::compare {
+
+/// What is read of a body.
+enum class BodyValue { X, Y, Angle, Vx, Vy, Speed, Spin };
+
+/// Which of the values of a run.
+enum class Pick { Last, At, Largest, Smallest, Change, Drop, TimeOfLargest, TimeOfSmallest };
+
+/// What stands between braces: "largest y of ball", "x of ball at 1.5", "change of angle of rod",
+/// "drop of y of ball",
+/// "time of largest y of ball", "probe pull", "largest probe pull", "metric joint_error_max".
+struct AnswerQuery {
+    enum class Kind { Body, Probe, Metric } kind = Kind::Body;
+    std::string name{};  ///< of the body, the probe or the metric
+    BodyValue value{};
+    Pick pick{};
+    double time = 0;  ///< with Pick::At [s]
+};
+
+/// A text, and what follows it; the last has no query.
+struct AnswerPart {
+    std::string text{};
+    std::optional<AnswerQuery> query{};
+};
+
+/// Throws std::invalid_argument that names the part between braces which is not understood, or whose body, probe or
+/// metric the scene does not have.
+std::vector<AnswerPart> answerParts(const Scene& scene);
+
+}  // namespace plumb::compare
