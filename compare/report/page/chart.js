@@ -82,6 +82,8 @@ class Chart {
                 strokePattern: look.dash.length > 0 ? look.dash : null};
         }
         const dense = Math.round(5 * text);
+        // Of an even axis, as axisText has them.
+        const hasPowers = !isLog && (range[1] - range[0] < 1e-4 || Math.max(...range.map(Math.abs)) >= 1e5);
         return {
             labels: ["t", ...lines.map(({engine}) => engine)], series, legend: "never",
             visibility: lines.map(({engine}) => !this.hidden.has(engine)),
@@ -91,7 +93,7 @@ class Chart {
             highlightCircleSize: 0, rightGap: 2 * text, xRangePad: 0,
             axes: {
                 x: {ticker: (low, high, pixels) => evenTicker(low, high, pixels, dense, `${NO_BREAK}s`)},
-                y: {axisLabelWidth: Math.round(5 * text), ticker: (low, high, pixels) =>
+                y: {axisLabelWidth: Math.round((hasPowers ? 6.6 : 5.4) * text), ticker: (low, high, pixels) =>
                     isLog ? decadeTicker(low, high, pixels) : evenTicker(low, high, pixels, 1.9 * text)},
             },
             underlayCallback: (context, area, graph) => drawLimits(context, area, graph, marks),

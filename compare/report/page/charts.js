@@ -41,6 +41,8 @@ class Charts {
             {limit: limits.divergence, until: limits.agreeUntil}, "distance");
         this.energy.show(linear({...engineCurve(scene, "energy", "J"), ruler: true}), {}, "E");
         this.host.classList.toggle("odd", this.all.filter((chart) => !chart.figure.hidden).length % 2 === 1);
+        // The first of an odd number is wider than it was drawn.
+        for (const chart of this.all) chart.graph?.resize();
         this.moveTo(this.time ?? 0);
     }
 

@@ -84,7 +84,7 @@ function timeText(t) {
 function axisText(x, step) {
     if (Math.abs(x) < step * 1e-6) return "0";
     const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-    if (decimals > 5 || Math.abs(x) >= 1e6) return minus(String(Number(x.toPrecision(4))));
+    if (decimals > 5 || Math.abs(x) >= 1e5) return scientific(x).replace(/\.?0+×/, "×");
     return minus(x.toFixed(decimals));
 }
 
