@@ -28,7 +28,9 @@ const std::map<std::string, std::string> notFollowing{
     {"jump_1985", "a mover's profile is no law of physics"},
     {"jump_modern", "a mover's profile is no law of physics"},
     {"arch", "stones that press on each other are not worked out"},
-    {"tower", "blocks that stand on each other are not worked out"},
+    {"tall_stack", "blocks that stand on each other are not worked out"},
+    {"stack_awake", "blocks that stand on each other are not worked out"},
+    {"heavy_on_light", "blocks that stand on each other are not worked out"},
 };
 
 // What is said to be unknown, with a part of the reason.
