@@ -12,7 +12,7 @@
 namespace plumb::compare {
 
 struct ReportSettings {
-    /// Numbers of all playback together; about 1.5 characters of the page each.
+    /// Numbers of all playback together; about 0.75 characters of the page each.
     std::size_t playbackBudget = 3'000'000;
     /// In a curve; a screen has about 2,000 columns, and a pair of points stays below one of them.
     std::size_t curvePoints = 4'000;

@@ -22,7 +22,8 @@ struct PackedPart {
 /// Series of numbers made small together. Each number becomes a word of 32 bits; a word is stored as its difference
 /// from what the words before it foretell, which is near 0 where a series is smooth; and the bytes go by significance,
 /// all the lowest first, so that zlib finds long runs of zeros.
-/// The playback and curves of the built-in scenes, four engines: 12.4 MB as plain numbers, 1.3 MB so.
+/// The built-in scenes in three engines and the closed form: 3.0 million numbers of playback and 0.5 million of curves
+/// are 3.1 million characters; in base64 as doubles they would be 38 million.
 class PackedBlock {
 public:
     /// Rounded to float, 7 digits; infinite beyond its range. A word is foretold to be the one before it.

@@ -11,7 +11,7 @@ namespace plumb::compare {
 
 /// How finely a scene is played: positions and angles in whole steps, every stride-th tick and the last one.
 /// A step is 2^-24 of how far the bodies go, so that differences of engines drawn a thousand times as large still move
-/// by less than a tenth of a pixel; each bit less would save 4 % of the playback. An engine whose bodies fly off by
+/// by less than a tenth of a pixel; each bit less would save 8 % of the playback. An engine whose bodies fly off by
 /// more than 128 times that far is not shown there.
 struct PlaybackFormat {
     std::size_t stride = 1;

@@ -91,7 +91,7 @@ class Chart {
             highlightCircleSize: 0, rightGap: 2 * text, xRangePad: 0,
             axes: {
                 x: {ticker: (low, high, pixels) => evenTicker(low, high, pixels, dense, `${NO_BREAK}s`)},
-                y: {axisLabelWidth: Math.round(4.3 * text), ticker: (low, high, pixels) =>
+                y: {axisLabelWidth: Math.round(5 * text), ticker: (low, high, pixels) =>
                     isLog ? decadeTicker(low, high, pixels) : evenTicker(low, high, pixels, 1.9 * text)},
             },
             underlayCallback: (context, area, graph) => drawLimits(context, area, graph, marks),

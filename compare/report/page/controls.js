@@ -41,7 +41,11 @@ function bringStageIntoView() {
     const stage = byId("stage").getBoundingClientRect();
     const below = byId("transport").getBoundingClientRect().height;
     const isSeen = stage.top >= -1 && stage.bottom <= innerHeight - below + 1;
-    if (!isSeen) byId("stage-column").scrollIntoView({block: "start"});
+    if (isSeen) return;
+    // With the engines' keys above it, where there is room for them.
+    const column = byId("stage-column");
+    const withKeys = stage.bottom - column.getBoundingClientRect().top + below;
+    (withKeys <= innerHeight ? column : byId("stage")).scrollIntoView({block: "start"});
 }
 
 function bindTransport(player, settled) {

@@ -24,9 +24,10 @@ class ScenePage {
             this.draw();
         });
         new ResizeObserver(() => this.restyle()).observe(byId("stage"));
-        const above = () => document.documentElement.style.setProperty("--above",
-            `${byId("partings").offsetHeight + byId("unsupported").offsetHeight}px`);
-        for (const part of ["partings", "unsupported"]) new ResizeObserver(above).observe(byId(part));
+        const parts = ["scene-answer", "partings", "unsupported"].map(byId);
+        const above = new ResizeObserver(() => document.documentElement.style.setProperty("--above",
+            `${parts.reduce((sum, part) => sum + part.offsetHeight, 0)}px`));
+        for (const part of parts) above.observe(part);
         matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
             this.restyle();
             if (this.view.scene) this.charts.show();

@@ -14,6 +14,7 @@ namespace {
 /// Draws stairs with the report's own scripts, and says of each row how many of the strokes that hatch it end below the
 /// stairs. The middle of the view is at (3.5, 5): it sees one riser from its right and one from its left.
 constexpr const char* stairsPage = R"(<p id="said"></p><script>
+LOOKS.set("box2d-3", {oneSidedChains: true});
 let drawn = [];
 let ends = [];
 const context = {
@@ -140,7 +141,7 @@ TEST_CASE("stairs are hatched on one side all along: the left of a chain where B
     if (noBrowser()) return;
     const BrowserFolder folder;
     std::ofstream page(folder.path / "stairs.html");
-    for (const char* script : {"data.js", "stage/pose.js", "stage/stage.js", "stage/still.js"})
+    for (const char* script : {"engines.js", "data.js", "stage/pose.js", "stage/stage.js", "stage/still.js"})
         page << "<script src='file://" PLUMB_SOURCE_DIR "/compare/report/page/" << script << "'></script>";
     page << stairsPage << std::flush;
     const Opened opened = open(folder, "stairs.html", "");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Is a text of the page cut off, beyond its edge, or over another text? Returns a sentence for each.
+// Is a text of the page cut off, beyond its edge, or over another text? Is all of the stage to be seen?
 
 /// In what is closed, for screen readers, and at the screen's edge while the page scrolls: these may lie over others.
 function isLeftOut(node) {
@@ -53,6 +53,22 @@ function overlap(a, b) {
     return wide > 2 && high > 0.3 * Math.min(a.bottom - a.top, b.bottom - b.top);
 }
 
+/// Once it plays: between the screen's upper edge and the controls, which stay at its lower one.
+function isStageSeenPlaying() {
+    const play = document.getElementById("play");
+    play.click();
+    const seen = isStageSeen();
+    play.click();
+    return seen;
+}
+
+function isStageSeen() {
+    const {top, bottom, height} = document.getElementById("stage").getBoundingClientRect();
+    const controls = document.getElementById("transport").getBoundingClientRect();
+    return height > 0 && top >= -1 && bottom <= controls.top + 1 && controls.bottom <= innerHeight + 1;
+}
+
+/// A sentence for each fault.
 function layoutFaults() {
     const faults = new Set();
     const boxes = textBoxes().sort((a, b) => a.top - b.top);

@@ -24,7 +24,8 @@ void writeWatched(const fs::path& page, const fs::path& copy) {
     REQUIRE(end != std::string::npos);
     std::ofstream(copy, std::ios::binary)
         << text.substr(0, end) << "<script>" << wholeFile(PLUMB_SOURCE_DIR "/tests/compare/report/layout_check.js")
-        << "setTimeout(() => parent.postMessage(layoutFaults(), '*'), 1500);</script>" << text.substr(end);
+        << "setTimeout(() => parent.postMessage({...layoutFaults(), seen: isStageSeenPlaying()}, '*'), 1500);</script>"
+        << text.substr(end);
 }
 
 /// A page that shows the copy in frames of several widths, all in one place, so that each is on the screen.
@@ -40,15 +41,16 @@ const frames = [390, 820, 1440, 1920].flatMap((width) => states.map((state) => {
 addEventListener("message", ({data, source}) => {
     const {name} = frames.find(({frame}) => frame.contentWindow === source);
     const line = document.createElement("p");
-    line.textContent = data.texts < 10 ? `${name}: too few texts` : `${name}: ${data.faults.length} faults ` +
-        data.faults.join("; ");
+    line.textContent = data.texts < 10 ? `${name}: too few texts` : `${name}: ${data.faults.length} faults` +
+        `${data.seen ? ", stage in view" : ""}${data.faults.join("; ")}`;
     document.getElementById("said").append(line);
 });
 </script>)";
 
 }  // namespace
 
-TEST_CASE("on screens of 390 to 1,920 pixels no text of the report is cut off, and none lies over another",
+// Of the stage: its controls stay at the screen's lower edge, and on a phone they once played what nobody saw.
+TEST_CASE("at 390 to 1,920 pixels no text of the report is cut off or over another, and what plays is on the screen",
           "[compare][report][build]") {
     if (noBrowser()) return;
     const BrowserFolder folder;
@@ -57,9 +59,11 @@ TEST_CASE("on screens of 390 to 1,920 pixels no text of the report is cut off, a
     std::ofstream(folder.path / "frames.html") << "<body>" << framesPage << "</body>";
     const Opened opened = open(folder, "frames.html", "");
     CHECK(opened.messages == "");
-    for (const char* width : {"390", "820", "1440", "1920"})
-        for (const char* state : {"overview", "#scene=one_disc&amp;t=0.5", "#lab=example_lab"})
-            CHECK_THAT(opened.page, test::containsText(std::string(width) + " " + state + ": 0 faults"));
+    for (const std::string width : {"390", "820", "1440", "1920"}) {
+        for (const char* state : {" overview", " #lab=example_lab"})
+            CHECK_THAT(opened.page, test::containsText(width + state + ": 0 faults"));
+        CHECK_THAT(opened.page, test::containsText(width + " #scene=one_disc&amp;t=0.5: 0 faults, stage in view"));
+    }
 }
 
 // What the test above rests on.
