@@ -18,7 +18,7 @@ enum class Difference {
     Passed,    ///< one body went through another: 1, or 0 [-]
     Bounce,    ///< the coefficient of restitution that a hit shows [-]
     Hit,       ///< the speed after a hit [m/s]
-    Snag,      ///< the speed lost at once along a surface [m/s]
+    Snag,      ///< the speed lost at once, in one of them only [m/s]
     Sliding,   ///< the speed gained or lost along a surface [m/s]
     Pressing,  ///< the speed gained or lost where bodies press on each other [m/s]
     Pull,      ///< the speed gained or lost where joints hold the body [m/s]
@@ -51,7 +51,8 @@ struct Parting {
 /// to 2.5 cm, it is no parting yet: the limit is 4 cm then, and 16 cm if it is so at these too.
 std::vector<Parting> partingsOf(const Scene& scene, std::span<const Observation* const> runs);
 
-/// "plank_3 parts at 0.82 s: in box2d-2.4 the hinge link_4 has opened by 65 mm, in plumb by 12 um."
+/// "a and b: plank_3 parts at 0.82 s, by more than 10 mm, and is 2 m off at the end: in b the hinge link_4 has opened
+/// by 65 mm, in a by 12 um."
 std::string partingText(const Scene& scene, const Parting& parting);
 
 }  // namespace plumb::compare

@@ -42,6 +42,8 @@ Difference TouchCause::kind() const {
     }
     if (std::max(std::abs(a_.across), std::abs(b_.across)) < sudden) return Difference::Pressing;
     if (isPassed(a_, b_) || isPassed(b_, a_)) return Difference::Passed;
+    const auto [less, more] = std::minmax(std::abs(a_.across), std::abs(b_.across));
+    if (less < more / 2 && std::max(a_.before - a_.after, b_.before - b_.after) > sudden) return Difference::Snag;
     const bool isHit = a_.approach > suddenSpeed && b_.approach > suddenSpeed;
     const double apart = std::abs(bounceIn(a_.approach, a_.leaving) - bounceIn(b_.approach, b_.leaving));
     return isHit && apart > leastBounce ? Difference::Bounce : Difference::Hit;
@@ -71,8 +73,6 @@ TouchCause::Seen TouchCause::seenIn(const Observation& run) const {
     seen.along = (then - velocity - fell).dot(along);
     seen.before = velocity.norm();
     seen.after = then.norm();
-    seen.alongBefore = velocity.dot(along);
-    seen.alongAfter = then.dot(along);
     seen.from = centerIn(parted_, run, before);
     seen.to = centerIn(parted_, run, after);
     return seen;
@@ -90,9 +90,7 @@ bool TouchCause::isPassed(const Seen& through, const Seen& back) const {
 std::pair<double, double> TouchCause::valuesOf(Difference quantity) const {
     switch (quantity) {
         case Difference::Bounce: return {bounceIn(a_.approach, a_.leaving), bounceIn(b_.approach, b_.leaving)};
-        case Difference::Snag:
-            return {std::abs(a_.alongBefore) - std::abs(a_.alongAfter),
-                    std::abs(b_.alongBefore) - std::abs(b_.alongAfter)};
+        case Difference::Snag: return {a_.before - a_.after, b_.before - b_.after};
         case Difference::Hit: return {a_.after, b_.after};
         case Difference::Passed: return {isPassed(a_, b_) ? 1 : 0, isPassed(b_, a_) ? 1 : 0};
         default: break;

@@ -23,8 +23,7 @@ private:
         double approach = 0, leaving = 0;  ///< towards the other along the normal, before, and away from it after [m/s]
         double across = 0, along = 0;  ///< the change of the body's speed along the normal and along the surface [m/s]
         double before = 0, after = 0;  ///< the body's speed [m/s]
-        double alongBefore = 0, alongAfter = 0;  ///< its speed along the surface [m/s]
-        Vec2 from{0, 0}, to{0, 0};               ///< its centre, before and after [m]
+        Vec2 from{0, 0}, to{0, 0};     ///< its centre, before and after [m]
     };
 
     Difference kind() const;

@@ -56,7 +56,7 @@ std::pair<std::string, std::string> bothOf(const std::string& at) {
     return {at.substr(0, comma), comma == std::string::npos ? "" : at.substr(comma + 2)};
 }
 
-/// "at 3 m/s in plumb, at 2 m/s in box2d-3", in the order of the pair.
+/// "at 3 m/s in a, at 2 m/s in b", in the order of the pair.
 std::string speedsText(const Parting& parting) {
     return fmt::format("at {:.4g} m/s in {}, at {:.4g} m/s in {}", parting.valueA, parting.engineA, parting.valueB,
                        parting.engineB);

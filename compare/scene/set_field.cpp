@@ -146,6 +146,7 @@ Json valueFrom(const std::string& text, const Json& now) {
     if (now.is_array() && !now.empty() && now.front().is_string()) return splitAt(',', text);
     if (const std::optional<Json> number = numberFrom(text)) return *number;
     if (const std::optional<Json> numbers = numbersFrom(text)) return *numbers;
+    if (now.is_array() && now.empty()) return splitAt(',', text);
     return text;
 }
 

@@ -45,8 +45,7 @@ private:
         switch (meeting.kind) {
             case Meeting::Kind::Unknown: notKnown(body.scene->name, meeting.why);
             case Meeting::Kind::FaceEnd:
-                notKnown(body.scene->name,
-                         "it comes to the end of what it lies on, " + nameOf(body.face->surface) + ",");
+                notKnown(body.scene->name, "it comes to the end of what it lies on, " + nameOf(body.face->surface));
             case Meeting::Kind::SlipEnd: stopSlipping(body); break;
             case Meeting::Kind::Face: land(body, *meeting.face); break;
             case Meeting::Kind::Corner: hitCorner(body, *meeting.corner); break;
@@ -89,7 +88,10 @@ private:
     void rest(FreeBody& body) {
         const Face* before = body.face;
         body.face = nullptr;
-        if (!body.radius && body.flight.angularVelocity != 0) return;
+        if (!body.radius && body.flight.angularVelocity != 0) {
+            refuseTurningOn(body);
+            return;
+        }
         for (const Face& face : body.obstacles.faces) {
             const double leaving = face.normal.dot(body.flight.velocity - face.velocity);
             if (std::abs(gapTo(body, face)) > touching || std::abs(leaving) > resting || !isOver(body, face)) continue;
@@ -101,8 +103,18 @@ private:
             body.face = &face;
         }
         if (before && before->normal.dot(body.flight.velocity - before->velocity) < -resting)
-            notKnown(body.scene->name, "it is pushed into what it lies on, " + nameOf(before->surface) + ",");
+            notKnown(body.scene->name, "it is pushed into what it lies on, " + nameOf(before->surface));
         if (body.face) lieStill(body);
+    }
+
+    /// What turns and is no disc has no formula where a face is within its reach.
+    void refuseTurningOn(const FreeBody& body) const {
+        for (const Face& face : body.obstacles.faces) {
+            const Vec2 place = body.flight.position - face.velocity * body.flight.start;
+            const double above = face.normal.dot(place) - face.offset, at = tangentOf(face.normal).dot(place);
+            if (std::abs(above) < body.reach && at > face.low - body.reach && at < face.high + body.reach)
+                notKnown(body.scene->name, "it turns beside " + nameOf(face.surface));
+        }
     }
 
     static bool rollsWithResistance(const FreeBody& body, const Face& face) {

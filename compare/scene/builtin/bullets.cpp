@@ -25,11 +25,10 @@ Scene bulletWall() {
     double y = -2.5;
     for (const int speed : {10, 30, 100, 200, 400, 1000}) {
         const std::string name = "disc_" + std::to_string(speed);
-        const Vec2 start(touching - way, y), end(touching, y);
+        const Vec2 start(touching - way, y);
         scene.bodies.push_back(
             {name, {.position = start, .velocity = {speed, 0}, .shapes = {circle(radius, {.friction = 0})}}});
-        stopped.bodies.push_back(PiecewiseMotion{
-            name, {{.position = start, .velocity = {speed, 0}}, {.start = way / speed, .position = end}}});
+        stopped.bodies.push_back(FreeMotion{name});
         y += 1;
     }
     scene.closedForm = stopped;

@@ -65,7 +65,8 @@ void fields(auto& visit, OrConst<Probe> auto& x) {
 
 /// Of a check.
 struct Judged {
-    static constexpr Field engines = notEmpty({"engines", "", Allowed::any, "the names of those whom it binds"});
+    static constexpr Field engines{"engines", "", Allowed::any,
+                                   "the names of those whom it binds; none: the engine under test"};
     static constexpr Field reason{"reason", "", Allowed::any, "why this bound"};
 };
 

@@ -23,6 +23,11 @@ std::vector<Engine> withBrokenPlumb(const Break& breakScene) {
         engine.build = [build = engine.build, breakScene](const Scene& scene) {
             Scene broken = scene;
             breakScene(broken);
+            std::erase_if(broken.probes, [&](const Probe& probe) {
+                const auto* force = std::get_if<JointForceProbe>(&probe.quantity);
+                return force &&
+                       std::ranges::find(broken.joints, force->joint, &SceneJoint::name) == broken.joints.end();
+            });
             return build(broken);
         };
     }

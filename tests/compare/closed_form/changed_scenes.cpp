@@ -110,7 +110,8 @@ bool changeSwing(Scene& scene, double factor) {
         if (rod) rod->anchorB = def.position;
         any = true;
     }
-    return any && !std::holds_alternative<RestsMotion>(scene.closedForm->bodies[0]);
+    const BodyMotion& first = scene.closedForm->bodies[0];
+    return any && !std::holds_alternative<RestsMotion>(first) && !std::holds_alternative<CaughtMotion>(first);
 }
 
 bool changeShot(Scene& scene, double factor) {

@@ -51,7 +51,7 @@ public:
             all.block(k, size_, 1, rows) = slope.transpose();
         }
         if (rows > 0 && v.norm() > 0) {
-            const double h = 1e-3 / v.norm();
+            const double h = 1e-4 / v.norm();
             right.tail(rows) = -(constraints(q + h * v) - 2 * constraints(q) + constraints(q - h * v)) / (h * h);
         }
         return all.completeOrthogonalDecomposition().solve(right).head(size_);

@@ -25,7 +25,7 @@ Numbers stepOn(const Slope& slope, const Numbers& y, double h) {
     return plus(plus(plus(plus(y, k1, h / 6), k2, h / 3), k3, h / 3), k4, h / 6);
 }
 
-constexpr double longestStep = 1e-3;  // [s]
+constexpr double longestStep = 4e-3;  // [s]
 
 /// The half plane in which a body starts, or that it may come back to.
 struct HalfPlane {

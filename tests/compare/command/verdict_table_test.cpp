@@ -38,7 +38,7 @@ TEST_CASE("the table says of each scene whether it holds, by how much, and spell
           "      scene              plumb      box2d-3  checks that hold\n"
           "PASS  good             12.5 mm  unsupported  1 of 1\n"
           "FAIL  not_so_good          2 m  unsupported  0 of 1\n"
-          "      exact: plumb error_max is 2 m, over 0.1 m: it was derived\n"
+          "      exact: plumb error_max is 2 m, over 0.1 m, allowed because it was derived\n"
           "\n"
           "1 scene holds, 1 fails.\n");
 }

@@ -487,8 +487,8 @@ TEST_CASE("a field given twice is refused where it stands the second time", "[co
 TEST_CASE("an unknown field is refused with the nearest known one and those that are known",
           "[compare][scene][errors]") {
     CHECK(jsonComplaint("{\n\"nmae\": \"a\"}") ==
-          "f.json:2: nmae: unknown field, the nearest known one is name; known are name, question, gravity, duration, "
-          "dt, sleeping, bodies, joints, fields, movers, wrap, closedForm, ...");
+          "f.json:2: nmae: unknown field, the nearest known one is name; known are "
+          "name, title, group, question, answer, gravity, duration, dt, sleeping, bodies, joints, fields, ...");
     CHECK(
         jsonComplaint(withBody("\n\"postion\": [0, 1]"))
             .starts_with("f.json:3: bodies[0].postion: unknown field, the nearest known one is position; known are "));

@@ -11,9 +11,9 @@
 #include <compare/scene/named.h>
 #include <compare/scene/require_fields.h>
 #include <compare/scene/scene.h>
-#include <compare/scene/validate_arrivals.h>
-#include <compare/scene/validate_joint.h>
-#include <compare/scene/validate_mover.h>
+#include <compare/scene/validate/arrivals.h>
+#include <compare/scene/validate/joint.h>
+#include <compare/scene/validate/mover.h>
 #include <plumb/math/check.h>
 
 namespace plumb::compare {
