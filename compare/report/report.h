@@ -14,8 +14,8 @@ namespace plumb::compare {
 void writeReport(const std::vector<SceneResult>& results, const std::filesystem::path& folder,
                  const std::vector<LabResult>& labs = {});
 
-/// Writes folder/<scene>.<engine>.csv, a row a tick, with units in the head: t; of each body that moves x, y, angle, vx,
-/// vy and spin, and its distance to the closed form where that was run; energies by kind; probes; the force in each
+/// Writes folder/<scene>.<engine>.csv, a row a tick, with units in the head: t; of each body that moves x, y, angle,
+/// vx, vy and spin, and its distance to the closed form where that was run; energies by kind; probes; the force in each
 /// joint; the largest distance to the closed form. A cell is empty where there is no number. Makes the folder. Throws
 /// std::runtime_error when a file cannot be written.
 void writeCsv(const std::vector<SceneResult>& results, const std::filesystem::path& folder);
