@@ -43,7 +43,7 @@ Difference TouchCause::kind() const {
     if (std::max(std::abs(a_.across), std::abs(b_.across)) < sudden) return Difference::Pressing;
     if (isPassed(a_, b_) || isPassed(b_, a_)) return Difference::Passed;
     const auto [less, more] = std::minmax(std::abs(a_.across), std::abs(b_.across));
-    if (less < more / 2 && std::max(a_.before - a_.after, b_.before - b_.after) > sudden) return Difference::Snag;
+    if (less < more / 4 && std::max(a_.before - a_.after, b_.before - b_.after) > sudden) return Difference::Snag;
     const bool isHit = a_.approach > suddenSpeed && b_.approach > suddenSpeed;
     const double apart = std::abs(bounceIn(a_.approach, a_.leaving) - bounceIn(b_.approach, b_.leaving));
     return isHit && apart > leastBounce ? Difference::Bounce : Difference::Hit;
