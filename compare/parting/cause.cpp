@@ -92,7 +92,8 @@ private:
     void addSteps() {
         const double a = stateIn(parted_.a).velocity.norm(), b = stateIn(parted_.b).velocity.norm();
         if (std::abs(a - b) > alike * std::max(a, b)) return addSpeeds(Difference::Flight);
-        if (!foundEnergy()) add(Difference::Steps, nameOf(parted_.body), distance_, 0, parted_.tick);
+        if (!jointOf(parted_.body) || !foundEnergy())
+            add(Difference::Steps, nameOf(parted_.body), distance_, 0, parted_.tick);
     }
 
     void addHeld() {

@@ -8,7 +8,8 @@
 namespace plumb::compare {
 namespace {
 
-constexpr std::size_t steps = 2;        // over which a hit is seen: engines may see it a step apart
+constexpr std::size_t steps = 2;        // after which a hit is over: an engine may spread it over two
+constexpr std::size_t around = 6;       // steps before and after: so far apart may engines see the same hit
 constexpr double leastBounce = 0.05;    // two coefficients of restitution that differ by more are told [-]
 constexpr double suddenSpeed = 0.05;    // what changes a speed by more in a step than gravity could is sudden [m/s]
 constexpr double timesGravity = 1.5;    // likewise, in steps of gravity
@@ -32,7 +33,7 @@ bool TouchCause::isSudden() const {
 }
 
 Difference TouchCause::kind() const {
-    const double window = static_cast<double>(2 * steps + 1) * parted_.a.dt;
+    const double window = static_cast<double>(steps + 1) * parted_.a.dt;
     const double sudden = timesGravity * parted_.scene.gravity.norm() * window + suddenSpeed;
     if (share_.agent == Agent::Along) {
         const double most = std::max(std::abs(a_.along), std::abs(b_.along));
@@ -42,7 +43,7 @@ Difference TouchCause::kind() const {
     }
     if (std::max(std::abs(a_.across), std::abs(b_.across)) < sudden) return Difference::Pressing;
     if (isPassed(a_, b_) || isPassed(b_, a_)) return Difference::Passed;
-    const auto [less, more] = std::minmax(std::abs(a_.across), std::abs(b_.across));
+    const auto [less, more] = std::minmax({std::abs(a_.across), std::abs(b_.across)});
     if (less < more / 4 && std::max(a_.before - a_.after, b_.before - b_.after) > sudden) return Difference::Snag;
     const bool isHit = a_.approach > suddenSpeed && b_.approach > suddenSpeed;
     const double apart = std::abs(bounceIn(a_.approach, a_.leaving) - bounceIn(b_.approach, b_.leaving));
@@ -57,24 +58,44 @@ void TouchCause::add(Parting& parting) const {
     std::tie(parting.valueA, parting.valueB) = valuesOf(parting.quantity);
 }
 
+std::size_t TouchCause::lastTick() const {
+    return std::min(parted_.a.states.size(), parted_.b.states.size()) - 1;
+}
+
+/// The step around the share's in which this run is hit hardest: each engine has its own.
+std::size_t TouchCause::hitTickIn(const Observation& run) const {
+    std::size_t hardest = share_.tick;
+    double most = 0;
+    const std::size_t first = share_.tick - std::min(share_.tick, around),
+                      end = std::min(share_.tick + around, lastTick());
+    for (std::size_t tick = first; tick < end; ++tick) {
+        const BodyState &now = run.states[tick][parted_.body], &next = run.states[tick + 1][parted_.body];
+        const Vec2 change = next.velocity - now.velocity - parted_.scene.gravity * run.dt;
+        const double hit = share_.agent == Agent::Across ? std::abs(change.dot(share_.normal)) : change.norm();
+        if (hit <= most + leastSpeed) continue;
+        most = hit;
+        hardest = tick;
+    }
+    return hardest;
+}
+
 TouchCause::Seen TouchCause::seenIn(const Observation& run) const {
-    const std::size_t before = share_.tick - std::min(share_.tick, steps);
-    const std::size_t last = std::min(parted_.a.states.size(), parted_.b.states.size()) - 1;
-    const std::size_t after = std::min(share_.tick + 1 + steps, last);
+    const std::size_t hit = hitTickIn(run);
+    const std::size_t before = hit - std::min<std::size_t>(hit, 1);
+    const std::size_t after = std::min(hit + steps, lastTick());
     const auto& own = run.states;
     const Vec2 velocity = own[before][parted_.body].velocity, then = own[after][parted_.body].velocity;
-    const Vec2 along = perp(share_.normal);
     const auto relative = [&](std::size_t tick) {
         return (own[tick][parted_.body].velocity - own[tick][share_.other].velocity).dot(share_.normal);
     };
     const Vec2 fell = parted_.scene.gravity * (static_cast<double>(after - before) * run.dt);
     Seen seen{.approach = relative(before), .leaving = -relative(after)};
     seen.across = (then - velocity - fell).dot(share_.normal);
-    seen.along = (then - velocity - fell).dot(along);
+    seen.along = (then - velocity - fell).dot(perp(share_.normal));
     seen.before = velocity.norm();
     seen.after = then.norm();
-    seen.from = centerIn(parted_, run, before);
-    seen.to = centerIn(parted_, run, after);
+    seen.from = centerIn(parted_, run, share_.tick - std::min(share_.tick, around));
+    seen.to = centerIn(parted_, run, std::min(share_.tick + around, lastTick()));
     return seen;
 }
 

@@ -27,6 +27,8 @@ private:
     };
 
     Difference kind() const;
+    std::size_t lastTick() const;
+    std::size_t hitTickIn(const Observation& run) const;
     Seen seenIn(const Observation& run) const;
     bool isPassed(const Seen& through, const Seen& back) const;
     std::pair<double, double> valuesOf(Difference quantity) const;
