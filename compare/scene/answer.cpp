@@ -34,14 +34,15 @@ public:
         } else {
             const std::string value = known(valueNames, "a value of a body");
             query.value = static_cast<BodyValue>(std::ranges::find(valueNames, value) - valueNames.begin());
-            if (!takes("of")) refuse("answer", quoted(text_) + " does not say of which body");
+            if (!takes("of")) refuse("answer", compare::quoted(text_) + " does not say of which body");
             query.name = known(namesOf(scene_.bodies), "a body");
         }
         if (query.pick == Pick::Last && takes("at")) {
             query.pick = Pick::At;
             query.time = number();
         }
-        if (at_ < words_.size()) refuse("answer", quoted(words_[at_]) + " in " + quoted(text_) + " is not understood");
+        if (at_ < words_.size())
+            refuse("answer", compare::quoted(words_[at_]) + " in " + compare::quoted(text_) + " is not understood");
         return query;
     }
 
@@ -63,12 +64,12 @@ private:
     }
 
     Pick then(const std::string& word, Pick pick) {
-        if (!takes(word)) refuse("answer", quoted(text_) + " wants " + quoted(word) + " there");
+        if (!takes(word)) refuse("answer", compare::quoted(text_) + " wants " + compare::quoted(word) + " there");
         return pick;
     }
 
     std::string known(const std::vector<std::string>& names, const std::string& what) {
-        if (at_ >= words_.size()) refuse("answer", quoted(text_) + " ends too soon, wanted " + what);
+        if (at_ >= words_.size()) refuse("answer", compare::quoted(text_) + " ends too soon, wanted " + what);
         requireKnown(words_[at_], names, "answer", what);
         return words_[at_++];
     }
@@ -78,7 +79,7 @@ private:
         const std::string word = at_ < words_.size() ? words_[at_++] : "";
         const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
         if (error != std::errc{} || rest != word.data() + word.size() || !(value >= 0))
-            refuse("answer", quoted(word) + " in " + quoted(text_) + " is not a time in seconds");
+            refuse("answer", compare::quoted(word) + " in " + compare::quoted(text_) + " is not a time in seconds");
         return value;
     }
 
