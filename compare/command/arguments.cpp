@@ -106,7 +106,9 @@ CLI::App* describeCheck(CLI::App& app, Raw& raw) {
     describeSet(*check, raw);
     check->add_option("--json", raw.json, "write metrics and verdicts to this file")->type_name("FILE");
     check
-        ->add_option("--csv", raw.csv, "write what each engine did, tick by tick, into this folder, a file a scene and engine; curves, a file a lab")
+        ->add_option("--csv", raw.csv,
+                     "write what each engine did, tick by tick, into this folder, a file a scene and engine; curves, a "
+                     "file a lab")
         ->type_name("DIR");
     check->add_option("--report", raw.report, "write the report into this folder: index.html")->type_name("DIR");
     check->add_option("--readme", raw.readme, "write the tables of accuracy into this page; may be given again")

@@ -66,8 +66,8 @@ std::optional<double> probeError(const Scene& scene, std::size_t index, const Ob
     for (std::size_t tick = window.first; tick < window.end; ++tick) {
         const double value = run.probes[tick][index];
         const double expected = byTruth ? expectedAt(tick) : probe.expected;
-        // Where an engine gives no number, it does not know the value. For what is read from the states, such as an angle,
-        // it is a body that it has lost.
+        // Where an engine gives no number, it does not know the value. For what is read from the states, such as an
+        // angle, it is a body that it has lost.
         const bool unknown = std::isnan(value) && (!isSeen(probe) || run.partial);
         if (!unknown && !std::isnan(expected)) pairs.push_back({value, expected});
     }

@@ -34,9 +34,4 @@ std::vector<SolidShape> solidShapes(const Scene& scene) {
     return shapes;
 }
 
-bool accepts(const Filter& a, const Filter& b) {
-    if (a.group == b.group && a.group != 0) return a.group > 0;
-    return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
-}
-
 }  // namespace plumb::compare

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Which shapes of a scene are solid, and which may touch?
+// Which shapes of a scene are solid?
 #pragma once
 #include <vector>
 
+#include <compare/engine/filters.h>
 #include <compare/scene/scene.h>
 #include <plumb/math/transform.h>
 
@@ -17,8 +18,5 @@ struct SolidShape {
 /// Of bodies that are enabled: neither sensors nor one-way shapes, which what passes them overlaps rightly. A tile map
 /// is taken apart into what its solid tiles fill.
 std::vector<SolidShape> solidShapes(const Scene& scene);
-
-/// Their filters let them touch.
-bool accepts(const Filter& a, const Filter& b);
 
 }  // namespace plumb::compare

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include <compare/engine/chipmunk/chipmunk_body.h>
+#include <compare/engine/filters.h>
 #include <compare/engine/mixed.h>
 
 namespace plumb::compare {
@@ -29,17 +30,11 @@ std::size_t chipmunkIndexOf(const cpShape* shape) {
     return static_cast<const ChipmunkBody*>(cpBodyGetUserData(cpShapeGetBody(shape)))->index;
 }
 
-bool mayTouchInChipmunk(const Filter& a, const Filter& b) {
-    if (a.group != 0 && a.group == b.group) return a.group > 0;
-    return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
-}
-
 /// What it refuses is not looked at again before the shapes have separated.
 cpBool beginChipmunkContact(cpArbiter* arbiter, cpSpace*, cpDataPointer data) {
     auto& contacts = *static_cast<ChipmunkContacts*>(data);
     const auto [a, b] = shapesOf(arbiter);
-    if (contacts.filters && !mayTouchInChipmunk(chipmunkSurfaceOf(a).filter, chipmunkSurfaceOf(b).filter))
-        return cpFalse;
+    if (contacts.filters && !accepts(chipmunkSurfaceOf(a).filter, chipmunkSurfaceOf(b).filter)) return cpFalse;
     for (ChipmunkGate& gate : contacts.gates)
         for (const cpShape* shape : {a, b})
             if (cpShapeGetSensor(shape) && chipmunkIndexOf(shape) == gate.body) ++gate.count;
