@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <map>
 #include <set>
@@ -11,6 +11,7 @@
 namespace plumb::compare {
 namespace {
 
+constexpr double dependent = 1e-10;    // of a force's length, that is rounding when the others are taken out [-]
 constexpr double balanceSlack = 1e-6;  // of the weights, that may stay without a force that balances it [-]
 
 /// The bodies that joints tie to one, itself first, as far as what moves.
@@ -47,15 +48,22 @@ public:
         push(joint.bodyA, onA, -direction);
     }
 
-    /// The largest force that nothing balances, over the sum of the weights.
+    /// The largest force that nothing balances, over the sum of the weights: what is left of these at right angles to
+    /// all that the joints can give, by the method of Gram and Schmidt.
     double unbalanced() const {
         const double all = weights_.lpNorm<1>();
         if (all == 0) return 0;
-        if (columns_.empty()) return 1;
-        Eigen::MatrixXd forces(weights_.size(), static_cast<Eigen::Index>(columns_.size()));
-        for (std::size_t i = 0; i < columns_.size(); ++i) forces.col(static_cast<Eigen::Index>(i)) = columns_[i];
-        const Eigen::VectorXd sizes = forces.completeOrthogonalDecomposition().solve(-weights_);
-        return (forces * sizes + weights_).lpNorm<Eigen::Infinity>() / all;
+        std::vector<Eigen::VectorXd> span;  // each of length 1, at right angles to the others
+        const auto without = [&span](Eigen::VectorXd forces) {
+            for (int pass = 0; pass < 2; ++pass)  // the second takes out what rounding left
+                for (const Eigen::VectorXd& direction : span) forces -= direction.dot(forces) * direction;
+            return forces;
+        };
+        for (const Eigen::VectorXd& column : columns_) {
+            const Eigen::VectorXd rest = without(column);
+            if (rest.norm() > dependent * column.norm()) span.push_back(rest.normalized());
+        }
+        return without(weights_).lpNorm<Eigen::Infinity>() / all;
     }
 
 private:
