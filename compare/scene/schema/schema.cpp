@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include <compare/scene/json_writer.h>
+#include <compare/scene/json_plain.h>
 #include <compare/scene/schema/page.h>
 #include <compare/scene/schema/parts.h>
 #include <compare/scene/schema/value.h>
@@ -72,14 +72,14 @@ public:
         addMeaning(schema, field);
         if (field.needed)
             required_.push_back(field.name);
-        else if (Json byDefault = JsonWriter<Defaults::LeftOut>::write(value); !byDefault.is_object())
-            schema["default"] = std::move(byDefault);
+        else
+            addDefault(schema, value);
         properties_[field.name] = std::move(schema);
     }
     void orInfinite(const Field& field, double value) {
         Json schema = numberSchema(field.allowed);
         addMeaning(schema, field);
-        schema["default"] = !std::isinf(value) ? Json(value) : Json(value > 0 ? infiniteTag : minusInfiniteTag);
+        schema["default"] = numberOrWord(value);
         properties_[field.name] = std::move(schema);
     }
     void shape(const Shape& shape) {
@@ -103,6 +103,22 @@ public:
     }
 
 private:
+    // A part's own fields say theirs.
+    template <class T>
+    static void addDefault(Json&, const T&) {}
+    template <Plain T>
+    static void addDefault(Json& schema, const T& value) {
+        schema["default"] = plainJson(value);
+    }
+    template <class T>
+    static void addDefault(Json& schema, const std::optional<T>&) {
+        schema["default"] = nullptr;
+    }
+    template <class T>
+    static void addDefault(Json& schema, const std::vector<T>&) {
+        schema["default"] = Json::array();
+    }
+
     template <class T>
     void addAlternative(const char* tag) {
         properties_[tag] = schemas_.of(SchemaType<T>(), Field(Member{}));
