@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <compare/engine/joint_geometry.h>
 #include <compare/metric/mechanics.h>
 
 namespace plumb::compare {
@@ -20,8 +19,9 @@ struct Change {
 
 class Account {
 public:
-    Account(const Parted& parted, const Touching& touching) : parted_(parted), touching_(touching) {
-        isHeld_ = std::ranges::any_of(jointGeometries(parted.scene), [&](const JointGeometry& joint) {
+    Account(const Parted& parted, const JointStates& joints, const Touching& touching)
+        : parted_(parted), touching_(touching) {
+        isHeld_ = std::ranges::any_of(joints.joints(), [&](const JointGeometry& joint) {
             return joint.bodyA == parted.body || joint.bodyB == parted.body;
         });
         distance_ = parted.offset.norm();
@@ -98,8 +98,8 @@ Vec2 centerIn(const Parted& parted, const Observation& run, std::size_t tick) {
     return def.type == BodyType::Dynamic ? centerOf(state, massOf(def)) : state.position;
 }
 
-std::vector<Share> sharesOf(const Parted& parted, const Touching& touching) {
-    return Account(parted, touching).shares();
+std::vector<Share> sharesOf(const Parted& parted, const JointStates& joints, const Touching& touching) {
+    return Account(parted, joints, touching).shares();
 }
 
 }  // namespace plumb::compare

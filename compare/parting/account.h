@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include <compare/metric/joint_state.h>
 #include <compare/metric/observation.h>
 #include <compare/parting/touching.h>
 
@@ -41,7 +42,7 @@ struct Share {
 /// summed over the steps, with what engines move bodies by beside their velocities, this is the distance, exactly.
 /// Lengths are taken along the offset; the largest share comes first. Steps that add less than a thousandth of it are
 /// left out.
-std::vector<Share> sharesOf(const Parted& parted, const Touching& touching);
+std::vector<Share> sharesOf(const Parted& parted, const JointStates& joints, const Touching& touching);
 
 /// The body's centre of mass.
 Vec2 centerIn(const Parted& parted, const Observation& run, std::size_t tick);

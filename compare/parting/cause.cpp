@@ -27,7 +27,7 @@ public:
     void find() {
         if (!isFinite(stateIn(parted_.a)) || !isFinite(stateIn(parted_.b))) return;
         if (parted_.scene.bodies[parted_.body].def.type == BodyType::Kinematic) return addSpeeds(Difference::Driven);
-        const std::vector<Share> shares = sharesOf(parted_, touching_);
+        const std::vector<Share> shares = sharesOf(parted_, joints_, touching_);
         if (foundBreak() || foundGap(partOfIts) || shares.empty()) return;
         switch (shares.front().agent) {
             case Agent::Across:
@@ -52,18 +52,10 @@ private:
     }
 
     bool foundBreak() {
-        const auto brokenAt = [&](const Observation& run, std::size_t joint) {
-            const std::optional<std::size_t> tick =
-                joint < run.brokenAt.size() ? run.brokenAt[joint] : std::optional<std::size_t>();
-            return tick && *tick <= parted_.tick ? tick : std::nullopt;
-        };
-        for (std::size_t joint = 0; joint < joints_.joints().size(); ++joint) {
-            const std::optional<std::size_t> a = brokenAt(parted_.a, joint), b = brokenAt(parted_.b, joint);
-            if (a.has_value() == b.has_value()) continue;
-            add(Difference::Break, parted_.scene.joints[joint].name, a ? 1 : 0, b ? 1 : 0, a ? *a : *b);
-            return true;
-        }
-        return false;
+        const std::optional<Widest> broken = firstBreak(parted_, joints_, touching_);
+        if (!broken) return false;
+        add(Difference::Break, parted_.scene.joints[broken->joint].name, broken->valueA, broken->valueB, broken->tick);
+        return true;
     }
 
     bool foundGap(double part) {

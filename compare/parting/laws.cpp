@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include <compare/engine/joint_geometry.h>
 #include <compare/metric/geometry.h>
 
 namespace plumb::compare {
@@ -25,14 +26,7 @@ bool isUndamped(const std::optional<Spring>& spring) {
 }
 
 bool isLossless(const SceneJoint& joint) {
-    const Breaking breaking = std::visit(
-        [](const auto& def) {
-            if constexpr (requires { def.breaking; })
-                return def.breaking;
-            else
-                return Breaking{};
-        },
-        joint.def);
+    const Breaking breaking = breakingOf(joint.def);
     if (breaking.force < unlimited || breaking.torque < unlimited) return false;
     return std::visit(
         [](const auto& def) {

@@ -20,22 +20,39 @@ void link(Links& links, std::size_t a, std::size_t b) {
     links[b].push_back(a);
 }
 
-/// The bodies from one to the first that is not free to move, both included; or to the farthest one, where none is.
-std::vector<std::size_t> wayToGround(const Scene& scene, const Links& links, std::size_t from) {
-    std::map<std::size_t, std::size_t> cameFrom{{from, from}};
-    std::deque<std::size_t> next{from};
-    std::size_t end = from;
-    while (!next.empty()) {
-        end = next.front();
-        next.pop_front();
-        if (!isFreeToMove(scene, end)) break;
-        const auto found = links.find(end);
-        if (found == links.end()) continue;
+Links linksOf(const Parted& parted, const JointStates& joints, const Touching& touching) {
+    Links links;
+    for (const Observation* run : {&parted.a, &parted.b})
+        for (const auto& [first, second] : touching.pairs(run->states[parted.tick])) link(links, first, second);
+    for (const JointGeometry& joint : joints.joints())
+        if (joint.bodyA != noBody && joint.bodyB != noBody) link(links, joint.bodyA, joint.bodyB);
+    return links;
+}
+
+/// The bodies that can be reached from one, the nearest first. What is not free to move ends a way.
+struct Search {
+    std::vector<std::size_t> reached;
+    std::map<std::size_t, std::size_t> cameFrom;
+};
+Search searchFrom(std::size_t from, const Scene& scene, const Links& links) {
+    Search search{{from}, {{from, from}}};
+    for (std::size_t i = 0; i < search.reached.size(); ++i) {
+        const std::size_t body = search.reached[i];
+        const auto found = links.find(body);
+        if (!isFreeToMove(scene, body) || found == links.end()) continue;
         for (const std::size_t other : found->second)
-            if (cameFrom.try_emplace(other, end).second) next.push_back(other);
+            if (search.cameFrom.try_emplace(other, body).second) search.reached.push_back(other);
     }
-    std::vector<std::size_t> way{end};
-    while (way.back() != from) way.push_back(cameFrom[way.back()]);
+    return search;
+}
+
+/// The bodies from one to the nearest that is not free to move, both included; or to the farthest one if there is none.
+std::vector<std::size_t> wayToGround(const Scene& scene, const Links& links, std::size_t from) {
+    const Search search = searchFrom(from, scene, links);
+    const auto ground =
+        std::ranges::find_if(search.reached, [&](std::size_t body) { return !isFreeToMove(scene, body); });
+    std::vector<std::size_t> way{ground == search.reached.end() ? search.reached.back() : *ground};
+    while (way.back() != from) way.push_back(search.cameFrom.at(way.back()));
     return way;
 }
 
@@ -85,18 +102,34 @@ std::optional<Widest> widestGap(const Parted& parted, const JointStates& joints)
     return widest;
 }
 
+std::optional<Widest> firstBreak(const Parted& parted, const JointStates& joints, const Touching& touching) {
+    const auto brokenAt = [&](const Observation& run, std::size_t joint) {
+        const std::optional<std::size_t> tick = joint < run.brokenAt.size() ? run.brokenAt[joint] : std::nullopt;
+        return tick && *tick <= parted.tick ? tick : std::nullopt;
+    };
+    const Search search = searchFrom(parted.body, parted.scene, linksOf(parted, joints, touching));
+    const auto isNear = [&](std::size_t body) {
+        return isFreeToMove(parted.scene, body) && search.cameFrom.contains(body);
+    };
+    std::optional<Widest> first;
+    for (std::size_t joint = 0; joint < joints.joints().size(); ++joint) {
+        const std::optional<std::size_t> a = brokenAt(parted.a, joint), b = brokenAt(parted.b, joint);
+        if (a.has_value() == b.has_value() || !std::ranges::any_of(bodiesOf(joints.joints(), joint), isNear)) continue;
+        const std::size_t tick = a ? *a : *b;
+        if (!first || tick < first->tick)
+            first = Widest{.joint = joint, .valueA = a ? 1.0 : 0.0, .valueB = b ? 1.0 : 0.0, .tick = tick};
+    }
+    return first;
+}
+
 std::optional<Widest> deepestOverlap(const Parted& parted, const JointStates& joints, const Touching& touching) {
     const std::vector<BodyState>& a = parted.a.states[parted.tick];
     const std::vector<BodyState>& b = parted.b.states[parted.tick];
     auto touches = touching.pairs(a);
     touches.merge(touching.pairs(b));
-    Links links;
-    for (const auto& [first, second] : touches) link(links, first, second);
-    for (const JointGeometry& joint : joints.joints())
-        if (joint.bodyA != noBody && joint.bodyB != noBody) link(links, joint.bodyA, joint.bodyB);
     std::optional<Widest> deepest;
     double sum = 0;
-    const std::vector<std::size_t> way = wayToGround(parted.scene, links, parted.body);
+    const std::vector<std::size_t> way = wayToGround(parted.scene, linksOf(parted, joints, touching), parted.body);
     for (std::size_t i = 0; i + 1 < way.size(); ++i) {
         const auto pair = std::minmax(way[i], way[i + 1]);
         if (!touches.contains(pair)) continue;

@@ -10,12 +10,16 @@ namespace plumb::compare {
 
 /// One thing that is wider in one run than in the other.
 struct Widest {
-    std::size_t joint = 0;             ///< of a gap
+    std::size_t joint = 0;             ///< of a gap or a break
     std::size_t bodyA = 0, bodyB = 0;  ///< of an overlap
-    double valueA = 0, valueB = 0;     ///< in each run [m]
+    double valueA = 0, valueB = 0;     ///< in each run [m], of a break [-]
     std::size_t tick = 0;              ///< when
     double together = 0;               ///< what it and its like come to on the way to what stands still [m]
 };
+
+/// The joint that broke first of those that broke in one run only and that hold the body, over any number of joints and
+/// touches: 1 in that run, 0 in the other. Empty when there is none.
+std::optional<Widest> firstBreak(const Parted& parted, const JointStates& joints, const Touching& touching);
 
 /// Of the joints that hold the body to others, the one whose gap differs most at any tick so far. Empty when there is
 /// none.

@@ -4,32 +4,17 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
-#include <limits>
 #include <span>
 #include <stdexcept>
 #include <system_error>
 
-#include <compare/scene/fields.h>
+#include <compare/scene/json_plain.h>
 #include <compare/scene/json_value.h>
 #include <compare/scene/nearest.h>
 #include <plumb/math/check.h>
 
 namespace plumb::compare {
 namespace {
-
-[[noreturn]] void refuseKind(const std::string& path, const Json& value, const std::string& wanted) {
-    std::string given = value.dump();
-    if (given.size() > 40) given = given.substr(0, 37) + "...";
-    plumb::refuse(path.empty() ? "scene" : path, given + " is not " + wanted);
-}
-
-/// "a, b or c".
-std::string oneOfText(std::span<const char* const> tags) {
-    std::string text;
-    for (std::size_t i = 0; i < tags.size(); ++i)
-        text += (i == 0 ? "" : i + 1 == tags.size() ? " or " : ", ") + std::string(tags[i]);
-    return text;
-}
 
 /// Which read is meant, where nothing else tells.
 template <class T>
@@ -56,18 +41,7 @@ public:
     }
 
     void orInfinite(const Field& which, double& value) {
-        const char* name = which.name;
-        const Json* field = find(name);
-        if (field == nullptr) return;
-        constexpr double infinity = std::numeric_limits<double>::infinity();
-        if (field->is_number())
-            value = field->get<double>();
-        else if (*field == infiniteTag)
-            value = infinity;
-        else if (*field == minusInfiniteTag)
-            value = -infinity;
-        else
-            refuseKind(member(name), *field, "a number or " + Json(infiniteTag).dump());
+        if (const Json* field = find(which.name)) readNumberOrWord(*field, member(which.name), value);
     }
 
     void shape(Shape& shape) {
@@ -138,43 +112,11 @@ private:
         (void)((I == index && readAs.template operator()<I>()) || ...);
     }
 
-    static double read(Type<double>, const Json& json, const std::string& path) {
-        if (!json.is_number()) refuseKind(path, json, "a number");
-        return json.get<double>();
-    }
-    static bool read(Type<bool>, const Json& json, const std::string& path) {
-        if (!json.is_boolean()) refuseKind(path, json, "true or false");
-        return json.get<bool>();
-    }
-    static Lock read(Type<Lock>, const Json& json, const std::string& path) { return read(Type<bool>(), json, path); }
-    static std::uint64_t read(Type<std::uint64_t>, const Json& json, const std::string& path) {
-        if (!json.is_number_unsigned()) refuseKind(path, json, "a whole number from 0 to 2^64 - 1");
-        return json.get<std::uint64_t>();
-    }
-    static std::string read(Type<std::string>, const Json& json, const std::string& path) {
-        if (!json.is_string()) refuseKind(path, json, "a text");
-        return json.get<std::string>();
-    }
-    static Vec2 read(Type<Vec2>, const Json& json, const std::string& path) {
-        if (!json.is_array() || json.size() != 2) refuseKind(path, json, "two numbers [x, y]");
-        return {read(Type<double>(), json[0], path + "[0]"), read(Type<double>(), json[1], path + "[1]")};
-    }
-    static int read(Type<int>, const Json& json, const std::string& path) {
-        const auto fits = [&] {
-            const auto value = json.get<std::int64_t>();
-            return value >= std::numeric_limits<int>::min() && value <= std::numeric_limits<int>::max();
-        };
-        const bool beyond = json.is_number_unsigned() && json.get<std::uint64_t>() > std::numeric_limits<int>::max();
-        if (!json.is_number_integer() || beyond || !fits()) refuseKind(path, json, "a whole number of 32 bits");
-        return json.get<int>();
-    }
-    template <class E>
-    requires std::is_enum_v<E>
-    static E read(Type<E>, const Json& json, const std::string& path) {
-        const std::span<const char* const> tags = tagsOf(E{});
-        const auto tag = std::ranges::find_if(tags, [&](const char* name) { return json == name; });
-        if (tag == tags.end()) refuseKind(path, json, oneOfText(tags));
-        return static_cast<E>(tag - tags.begin());
+    template <Plain T>
+    static T read(Type<T>, const Json& json, const std::string& path) {
+        T value{};
+        readPlain(json, path, value);
+        return value;
     }
     static TileMap read(Type<TileMap>, const Json& json, const std::string& path) {
         const TilesFields tiles = read(Type<TilesFields>(), json, path);

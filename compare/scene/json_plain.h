@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does a value that has no fields of its own stand in a file?
+// How does a value that has no fields of its own stand in a file, and how is it read?
 #pragma once
 #include <cstdint>
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace plumb::compare {
 
-// Compiled once: every field of every part of a scene has a call.
+// These are compiled once: every field of every part of a scene has a call.
 Json plainJson(double value);
 Json plainJson(bool value);
 Json plainJson(int value);
@@ -27,6 +27,30 @@ template <class E>
 requires std::is_enum_v<E> Json plainJson(E value) {
     return tagJson(tagsOf(value), static_cast<std::size_t>(value));
 }
+
+// Each throws std::invalid_argument, "bodies[2].angle: \"x\" is not a number", with the path that is given.
+void readPlain(const Json& json, const std::string& path, double& value);
+void readPlain(const Json& json, const std::string& path, bool& value);
+void readPlain(const Json& json, const std::string& path, int& value);
+void readPlain(const Json& json, const std::string& path, std::uint64_t& value);
+void readPlain(const Json& json, const std::string& path, Lock& value);
+void readPlain(const Json& json, const std::string& path, std::string& value);
+void readPlain(const Json& json, const std::string& path, Vec2& value);
+void readNumberOrWord(const Json& json, const std::string& path, double& value);
+/// The place of the tag.
+std::size_t readTag(const Json& json, const std::string& path, std::span<const char* const> tags);
+
+template <class E>
+requires std::is_enum_v<E>
+void readPlain(const Json& json, const std::string& path, E& value) {
+    value = static_cast<E>(readTag(json, path, tagsOf(value)));
+}
+
+/// Refuses a value; wanted: as "a number".
+[[noreturn]] void refuseKind(const std::string& path, const Json& value, const std::string& wanted);
+
+/// "a, b or c".
+std::string oneOfText(std::span<const char* const> tags);
 
 /// Has the type no fields of its own?
 template <class T>

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include <compare/closed_form/disc_impact.h>
 #include <compare/scene/builtin/parts.h>
 #include <compare/scene/builtin/scenes.h>
 
 namespace plumb::compare {
 namespace {
+
+/// A smooth disc that flies on without a force.
+struct FlyingDisc {
+    Vec2 position{0, 0};  ///< at t = 0 [m]
+    Vec2 velocity{0, 0};  ///< [m/s]
+    double radius = 0.5;  ///< [m]
+    double mass = 1;      ///< [kg]
+};
 
 SceneBody bodyOf(const std::string& name, const FlyingDisc& disc, double restitution) {
     const Material material{.density = discDensity(disc.mass, disc.radius), .friction = 0, .restitution = restitution};

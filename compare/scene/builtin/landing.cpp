@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <compare/closed_form/disc_landing.h>
 #include <compare/scene/builtin/parts.h>
 #include <compare/scene/builtin/scenes.h>
 
@@ -8,22 +7,13 @@ namespace {
 
 /// A disc that spins clockwise is dropped from 1 m with e = 0.5, lands at 0.4515 and 0.9031 s, and would at 1.1289 s.
 Scene slipLanding(double friction) {
-    const DroppedDisc disc{.rest = {-1, 0.5},
-                           .height = 1,
-                           .angularVelocity = -10,
-                           .radius = 0.5,
-                           .friction = friction,
-                           .restitution = 0.5,
-                           .landings = 2};
-    const Vec2 start = disc.rest + Vec2(0, disc.height);
-    const Material material{
-        .density = discDensity(1, disc.radius), .friction = friction, .restitution = disc.restitution};
+    const double radius = 0.5;
+    const Material material{.density = discDensity(1, radius), .friction = friction, .restitution = 0.5};
     return {
         .duration = 1.1,
-        .bodies =
-            {{"floor", {.type = BodyType::Static, .shapes = {segment({-10, 0}, {10, 0}, material)}}},
-             {"disc",
-              {.position = start, .angularVelocity = disc.angularVelocity, .shapes = {circle(disc.radius, material)}}}},
+        .bodies = {{"floor", {.type = BodyType::Static, .shapes = {segment({-10, 0}, {10, 0}, material)}}},
+                   {"disc",
+                    {.position = {-1, radius + 1}, .angularVelocity = -10, .shapes = {circle(radius, material)}}}},
         .closedForm = ClosedForm{.formula = "vn' = e vn; it sticks with vx + w r = 0 if mu (1 + e) vn >= s / 3, else "
                                             "vx and w r change by mu (1 + e) vn (1, 2)",
                                  .source = "textbook: Newton's law of impact, Coulomb's law of friction; Routh",

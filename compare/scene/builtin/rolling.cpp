@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <compare/closed_form/slide_to_roll.h>
 #include <compare/scene/builtin/parts.h>
 #include <compare/scene/builtin/scenes.h>
 
@@ -49,16 +48,14 @@ Scene ringRollsDown() {
 }
 
 Scene slideToRoll() {
-    const Vec2 start(-4, rollerRadius);
-    const ThrownDisc disc{.position = start, .speed = 3, .radius = rollerRadius, .friction = 0.2};
-    const Material material{.density = discDensity(1, rollerRadius), .friction = disc.friction};
+    const Material material{.density = discDensity(1, rollerRadius), .friction = 0.2};
     return {
         .name = "slide_to_roll",
         .question = "When and at what speed does a disc roll that is thrown sliding along the floor at 3 m/s?",
         .duration = 3,
         .bodies = {{"floor", {.type = BodyType::Static, .shapes = {segment({-10, 0}, {10, 0}, material)}}},
                    {"disc",
-                    {.position = start, .velocity = {disc.speed, 0}, .shapes = {circle(rollerRadius, material)}}}},
+                    {.position = {-4, rollerRadius}, .velocity = {3, 0}, .shapes = {circle(rollerRadius, material)}}}},
         .closedForm = ClosedForm{.formula = "v = v0 - mu g t until t = v0 / (3 mu g), then 2 v0 / 3",
                                  .source = "textbook: Coulomb's law of friction; Coriolis",
                                  .bodies = {FreeMotion{"disc"}}},

@@ -52,6 +52,23 @@ TEST_CASE("where two engines part for a planted reason, the sentence names quant
     }
 }
 
+TEST_CASE("a joint that broke in one run only, and does not hold the body, is not why it parts", "[compare][parting]") {
+    Scene scene = plantedScenes().at(7).scene;
+    for (const double x : {10.0, 11.0}) {
+        const std::string name = x == 10 ? "left" : "right";
+        scene.bodies.push_back({name, {.position = {x, 10}, .shapes = {circle(0.4)}}});
+    }
+    scene.joints = {{"far_away", "left", "right", WeldJointDef{.anchor = {10.5, 10}}}};
+    const Observation a = runOf(scene, "plumb");
+    Observation b = runOf(scene, "box2d-2.4");
+    b.brokenAt = {3};
+    const Parting parting = partingIn(scene, a, b);
+    CHECK(parting.body == "puck");
+    CHECK(parting.quantity == Difference::Flight);
+    scene.joints[0].bodyA = "puck";
+    CHECK(partingIn(scene, a, b).quantity == Difference::Break);
+}
+
 TEST_CASE("two runs that are the same do not part, and are 0 m off", "[compare][parting]") {
     const Scene scene = oneDisc();
     const auto still = [](double) { return Vec2(0, 0); };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "compare/parting/planted.h"
 
+#include <cmath>
+
 namespace plumb::compare {
 namespace {
 
@@ -161,12 +163,60 @@ Planted weakMotor() {
     return {subject, other, scene, Difference::Pull, "arm", "drive", 0.03, 0.3};
 }
 
+/// 4 kg on a hook that bears 60 N, and 30 N in one engine: 39 N hang on it.
+Planted weakHook() {
+    SceneJoint hook = hinge("hook", "post", "lamp", {0, 0});
+    std::get<RevoluteJointDef>(hook.def).breaking.force = 60;
+    Scene scene{.name = "weak_hook",
+                .duration = 1,
+                .bodies = {fixedBox("post", {0, 0}, {0.1, 0.1}), looseBox("lamp", {0, -1}, {1, 1})},
+                .joints = {hook}};
+    scene.engines[other]["joints.hook.revolute.breaking.force"] = "30";
+    return {subject, other, scene, Difference::Break, "lamp", "hook", 0.03, 0.2};
+}
+
+/// A spring without a damper, which one engine damps by its way of stepping.
+Planted springThatTires() {
+    Scene scene =
+        weightless("spring_that_tires", 3, {fixedBox("post", {0, 0}, {0.1, 0.1}), looseDisc("bob", {2, 0}, {1, 0})});
+    scene.joints = {
+        {"coil", "post", "bob", DistanceJointDef{.anchorA = {0, 0}, .anchorB = {2, 0}, .spring = Spring{20, 0}}}};
+    return {subject, other, scene, Difference::Energy, "bob", "bob", 0.03, 2};
+}
+
+/// Both have the speed of a throw; one adds it up before the place, and is g t dt / 2 too low.
+Planted otherOrderOfSteps() {
+    Scene scene{.name = "other_order_of_steps", .duration = 2, .bodies = {looseDisc("shot", {0, 0}, {10, 0})}};
+    return {subject, further, scene, Difference::Steps, "shot", "shot", 0.1, 0.3};
+}
+
+Planted fasterLift() {
+    SceneBody lift = fixedBox("lift", {0, 0}, {1, 0.1});
+    lift.def.type = BodyType::Kinematic;
+    lift.def.velocity = {0, 1};
+    Scene scene{.name = "faster_lift", .duration = 1, .bodies = {lift}};
+    scene.engines[further]["bodies.lift.velocity"] = "[0, 1.2]";
+    return {subject, further, scene, Difference::Driven, "lift", "lift", 0.1, 0.4};
+}
+
+/// A smooth ramp, which in one engine is steeper by 0.05.
+Planted steeperRamp() {
+    constexpr double slope = 0.5;
+    SceneBody ramp = fixedBox("ramp", {0, 0}, {20, 0.5}, 0);
+    ramp.def.angle = -slope;
+    const Vec2 start(std::sin(slope), std::cos(slope));  // it touches the middle of the ramp's upper side
+    Scene scene{.name = "steeper_ramp", .duration = 1, .bodies = {ramp, looseDisc("ball", start, {0, 0})}};
+    scene.engines[further]["bodies.ramp.angle"] = "-0.55";
+    return {subject, further, scene, Difference::Pressing, "ball", "ball, ramp", 0.1, 0.8};
+}
+
 }  // namespace
 
 std::vector<Planted> plantedScenes() {
     return {stretchingHinge(), restitutionThreshold(), snag(),         tunnelling(),    sinkingStack(),
             otherMass(),       otherFriction(),        otherDamping(), fewerSubSteps(), speedLimit(),
-            otherGravity(),    otherRestitution(),     dampedSpring(), weakMotor()};
+            otherGravity(),    otherRestitution(),     dampedSpring(), weakMotor(),     weakHook(),
+            springThatTires(), otherOrderOfSteps(),    fasterLift(),   steeperRamp()};
 }
 
 }  // namespace plumb::compare

@@ -19,7 +19,8 @@ struct Planted {
 };
 
 /// A hinge that stretches, a restitution threshold, a snag, tunnelling, a sinking stack; and by settings for one engine
-/// alone another mass, friction, damping, number of sub-steps, speed limit, gravity, spring, motor.
+/// alone another mass, friction, damping, number of sub-steps, speed limit, gravity, spring, motor, hook, lift and
+/// ramp. And two ways of stepping: of a spring, and of a throw.
 std::vector<Planted> plantedScenes();
 
 }  // namespace plumb::compare
