@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What comes of work that is done in a process of its own?
+// What is the result of work that is done in a separate process?
 #pragma once
 #include <functional>
 #include <string>
@@ -8,10 +8,11 @@ namespace plumb::compare {
 
 struct SpokenApart {
     std::string text;
-    int status = 0;  ///< as waitpid gives it
+    int status = 0;  ///< as returned by waitpid
 };
 
-/// What a process of its own says, and how it ended. Throws std::runtime_error when the system gives no process.
+/// Calls speak in a new process, and returns its text and how the process ended. Throws std::runtime_error when the
+/// system gives no process.
 SpokenApart runApart(const std::function<std::string()>& speak);
 
 }  // namespace plumb::compare

@@ -12,7 +12,7 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double disturbed = 0.9;  // of the time a run had the processor to itself: below, times are of little use [-]
+constexpr double disturbed = 0.9;  // a run that had the processor for less of its time is of little use [-]
 constexpr const char* layout =
     "{:{}}  {:>6}  {:>5}  {:10}  {:>8}  {:>8}  {:>8}  {:>8}  {:>20}  {:>6}  {:>9}  {:>8}  {:>8}  {:>6}\n";
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How do measured times look in a terminal?
+// How are measured times shown in a terminal?
 #pragma once
 #include <iosfwd>
 #include <span>
@@ -9,14 +9,14 @@
 
 namespace plumb::compare {
 
-/// "1.23 ms", or "12.3 us" below 0.1 ms; three digits that count.
+/// "1.23 ms", or "12.3 us" below 0.1 ms; three significant digits.
 std::string timeText(double milliseconds);
 
-/// A row for each engine in each scene, as soon as the scene is measured; at the end the means, how times grow, and
-/// where a step goes.
+/// Prints a row for each engine in each scene, as soon as the scene is measured. At the end, it prints the means, how
+/// times grow with the number of bodies, and how much time each part of a step takes.
 class BenchTable {
 public:
-    /// nameWidth: of the longest scene.
+    /// nameWidth: length of the longest scene name.
     BenchTable(std::ostream& out, std::size_t nameWidth);
     void head() const;
     void rows(const SceneBench& scene) const;

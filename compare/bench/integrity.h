@@ -11,22 +11,22 @@
 
 namespace plumb::compare {
 
-/// Told from the bodies' states, without asking any engine. Infinite where a state is not a number; empty where there
-/// is no such thing in the scene.
+/// Computed from the bodies' states only, not by any engine. A value is infinite if a state is not a number, and empty
+/// if the scene has nothing of that kind.
 struct Integrity {
-    std::optional<double> highest{};           ///< dynamic body at the end: its origin's height [m]
-    std::optional<double> overlap{};           ///< deepest of two bodies that may touch, of all looks [m]
-    std::optional<double> jointGap{};          ///< largest of a joint that has not broken, of all looks [m]
-    std::optional<std::size_t> passedWalls{};  ///< bodies that are where a wall should have kept them, at the end
+    std::optional<double> highest{};           ///< height of the highest dynamic body's origin at the end [m]
+    std::optional<double> overlap{};           ///< deepest overlap of two bodies that may touch, of all looks [m]
+    std::optional<double> jointGap{};          ///< largest gap of a joint that has not broken, of all looks [m]
+    std::optional<std::size_t> passedWalls{};  ///< bodies that have passed a wall at the end
 };
 
-/// Looks at a run from time to time. Each look takes a time, so no step is timed while it looks.
+/// Looks at a run from time to time. A look takes time, so no step is timed during a look.
 class IntegrityWatch {
 public:
     explicit IntegrityWatch(const Scene& scene);
 
     void look(std::span<const BodyState> states, const Broken& broken);
-    /// The last look is the end.
+    /// The last look counts as the end.
     const Integrity& seen() const { return seen_; }
 
 private:

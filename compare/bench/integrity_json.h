@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does what a look found stand in JSON?
+// How is the result of the looks written in JSON?
 #pragma once
 #include <nlohmann/json.hpp>
 
@@ -7,8 +7,8 @@
 
 namespace plumb::compare {
 
-/// {"highest","overlap","joint_gap","passed_walls"}; null where there is none. JSON has no infinite numbers: those are
-/// "infinite".
+/// {"highest","overlap","joint_gap","passed_walls"}; null if there is no value. JSON has no infinite numbers: they are
+/// written as "infinite".
 nlohmann::ordered_json integrityJson(const Integrity& seen);
 
 Integrity integrityFrom(const nlohmann::ordered_json& json);

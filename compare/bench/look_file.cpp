@@ -8,7 +8,7 @@
 namespace plumb::compare {
 namespace {
 
-/// A body's state as it stands in the file.
+/// A body's state as it is written in the file.
 using Row = std::array<double, 7>;
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where are the looks at a run kept until it has been timed?
+// Where are the looks at a run stored until all of its steps are timed?
 #pragma once
 #include <cstdio>
 #include <memory>
@@ -9,14 +9,14 @@
 
 namespace plumb::compare {
 
-/// In a file that has no name, so that they are no memory of the engine's.
+/// They are stored in a file without a name, so that they do not count as the engine's memory.
 class LookFile {
 public:
     /// Throws std::runtime_error when the system gives no file.
     LookFile();
 
     void write(const std::vector<BodyState>& states, const Broken& broken);
-    /// From the first on; false when there is no other.
+    /// Reads the looks one by one, from the first; false if there are no more.
     bool read(std::vector<BodyState>& states, Broken& broken);
 
 private:

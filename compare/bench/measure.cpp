@@ -28,14 +28,14 @@ double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Of this process.
+/// The processor time of this process [s].
 double processorSeconds() {
     timespec time{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// The most memory that this process has had.
+/// The most memory that this process has had so far [KiB].
 long peakKbSoFar() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -46,7 +46,7 @@ long peakKbSoFar() {
 #endif
 }
 
-/// Lets go of what was freed, so that it does not count as memory of what comes now.
+/// Returns freed memory to the system, so that it does not count for the next run.
 void trimMemory() {
 #ifdef __GLIBC__
     malloc_trim(0);
@@ -69,14 +69,14 @@ struct Started {
     std::size_t bodies = 0, joints = 0;
 };
 
-/// The scene is gone when this returns: its memory is not the engine's.
+/// The scene is freed when this returns, so its memory does not count as the engine's.
 Started start(const std::function<Scene()>& source, const Engine& engine, std::optional<int> steps) {
     const Scene scene = source();
     return {engine.build(scene), scene.dt,           steps.value_or(stepCount(scene)), scene.question,
             scene.bodies.size(), scene.joints.size()};
 }
 
-/// After which of so many steps there is a look: spread evenly, the last one included.
+/// Is there a look after this step? The looks are spread evenly over the steps; the last step has one.
 bool isLook(int step, int steps) {
     constexpr std::int64_t looks = 32;
     const auto before = [&](int done) { return done * looks / steps; };
@@ -134,7 +134,7 @@ Json run(const std::function<Scene()>& source, const Engine& engine, const Measu
     return report;
 }
 
-/// In the process of its own: never throws.
+/// Runs in the separate process. Never throws.
 std::string reportOf(const std::function<Scene()>& source, const Engine& engine, const MeasureOptions& options) {
     Json report;
     try {
@@ -150,7 +150,7 @@ std::string reportOf(const std::function<Scene()>& source, const Engine& engine,
 }  // namespace
 
 BenchRun measureRun(const std::function<Scene()>& scene, const Engine& engine, const MeasureOptions& options) {
-    trimMemory();  // a process begins with what the one it comes from has
+    trimMemory();  // a new process starts with the memory of its parent
     const SpokenApart ended = runApart([&] { return reportOf(scene, engine, options); });
     if (WIFSIGNALED(ended.status))
         throw std::runtime_error(fmt::format("{} ended by signal {}", engine.name, WTERMSIG(ended.status)));

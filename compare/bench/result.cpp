@@ -15,7 +15,7 @@ const EngineBench* find(const SceneBench& scene, std::string_view engine) {
     return nullptr;
 }
 
-/// Names of engines or families in the order in which they come, each once.
+/// Names of engines or families in the order in which they are added, each one once.
 class Names {
 public:
     void add(const std::string& name) {
@@ -36,7 +36,7 @@ struct Point {
     double x, y;
 };
 
-/// Of at least two points of different x.
+/// The slope of the least-squares line. It needs at least two points with different x.
 double slopeOf(const std::vector<Point>& points) {
     const auto count = static_cast<double>(points.size());
     Point mean{0, 0};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// How do two weights move that hang on one rope over a wheel?
+// How do two weights on one rope over a wheel move?
 #pragma once
 
 namespace plumb::compare {
 
-/// The rope and the wheel weigh nothing, and nothing rubs.
+/// The rope and the wheel have no mass, and there is no friction.
 struct AtwoodMachine {
     double massA = 1, massB = 2;  ///< [kg]
     double gravity = 9.81;        ///< [m/s^2]
@@ -12,11 +12,11 @@ struct AtwoodMachine {
 };
 
 /// a = g (mB - r mA) / (r^2 mA + mB), of B downward; A goes upward at r a [m/s^2].
-/// Source: Atwood 1784; the rope pulls both alike. Exact while it is taut.
+/// Source: Atwood 1784; the rope pulls both equally. Exact while it is taut.
 /// Test: "3 kg beside 2 kg fall at 1.962 m/s^2 and pull the rope with 23.544 N"
 double accelerationOf(const AtwoodMachine& machine);
 
-/// T = (1 + r) g mA mB / (r^2 mA + mB), of A's part; B's part pulls with r T [N].
+/// T = (1 + r) g mA mB / (r^2 mA + mB) in A's part of the rope; B's part pulls with r T [N].
 double tensionOf(const AtwoodMachine& machine);
 
 }  // namespace plumb::compare

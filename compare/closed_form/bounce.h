@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does a ball go on that is dropped on a floor?
+// How does a ball move that is dropped on a floor?
 #pragma once
 #include <vector>
 
@@ -8,8 +8,8 @@
 namespace plumb::compare {
 
 struct DroppedBall {
-    Vec2 rest{0, 0};            ///< where its centre is while it touches the floor [m]
-    double height = 5;          ///< from which it is dropped, above rest [m]
+    Vec2 rest{0, 0};            ///< the place of its centre when it touches the floor [m]
+    double height = 5;          ///< the height above rest from which it is dropped [m]
     double restitution = 1;     ///< e, 0 to 1 [-]
     double gravity = 9.81;      ///< [m/s^2]
     double until = 10;          ///< flights that start later are left out [s]

@@ -6,7 +6,7 @@
 namespace plumb::compare {
 namespace {
 
-/// Along a link.
+/// The vector along a link.
 Vec2 stepOf(const HungChain& chain, int link, double pull) {
     const Vec2 along(pull, link + 0.5 - 0.5 * chain.links);
     return chain.linkLength / along.norm() * along;

@@ -7,7 +7,7 @@
 namespace plumb::compare {
 namespace {
 
-/// E - e sin E = mean, which grows with E.
+/// Solves E - e sin E = mean for E; the left side grows with E.
 double eccentricAnomaly(double mean, double e) {
     double low = mean - 1, high = mean + 1;
     for (int i = 0; i < 60; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where is a body that another draws by the inverse square of the distance?
+// Where is a body that another attracts by the inverse square of the distance?
 #pragma once
 #include <plumb/math/vec2.h>
 
@@ -18,7 +18,7 @@ struct KeplerState {
 };
 
 /// x = a (cos E - e), y = a sqrt(1 - e^2) sin E, E - e sin E = 2 pi t / T, counter-clockwise
-/// t time since the near end [s]; E found by bisection, to rounding. Source: Kepler, "Astronomia nova", 1609.
+/// t time since the near end [s]; E is found by bisection, to rounding. Source: Kepler, "Astronomia nova", 1609.
 /// At e = 1 the near end is the focus itself, where the speed is not finite.
 /// Test: "an ellipse's closed form obeys the inverse square law, and sweeps even areas"
 KeplerState keplerState(const KeplerOrbit& orbit, double time);

@@ -23,8 +23,8 @@ BodyState stateOf(const PiecewiseMotion& motion, const BodyDef&, double t) {
 }
 
 /// x = x0 + (v0 - g / k) (1 - e^(-k t)) / k + g t / k,  v = g / k + (v0 - g / k) e^(-k t)
-/// k damping [1/s], g acceleration [m/s^2]; the turning, of which the motion says nothing, is the body's own: free, and
-/// damped alike where the body is.
+/// k damping [1/s], g acceleration [m/s^2]. The motion does not describe the rotation, so that is the body's own: free,
+/// and damped if the body is.
 /// Source: dv/dt = g - k v. Test: "a shot of 20 m/s at 45 degrees with k = 0.2 lands at 29.09 m"
 BodyState stateOf(const DampedFlight& motion, const BodyDef& def, double t) {
     const double k = motion.damping;
@@ -36,11 +36,12 @@ BodyState stateOf(const DampedFlight& motion, const BodyDef& def, double t) {
             def.angularVelocity * std::exp(-def.angularDamping * t)};
 }
 
-/// theta, and 0 while it hangs still: before its time, and on the side on which others swing for it.
+/// theta, and 0 while it hangs still: before its time, and on the side on which others swing instead of it.
 Swing swingOf(const PendulumMotion& motion, double t) {
     const Pendulum pendulum{motion.equivalentLength, motion.gravity, motion.amplitude};
     if (motion.from > 0 && t < motion.from) return {0, 0};
-    // Released at rest at one amplitude it passes straight down, on its way up to it, after three quarters of a period.
+    // A pendulum released at rest at its amplitude passes straight down, on its way back up to it, after three quarters
+    // of a period.
     const double since = motion.from > 0 ? t - motion.from + 0.75 * periodOf(pendulum) : t;
     const Swing swing = swingAt(pendulum, since);
     const bool handedOn =

@@ -10,7 +10,7 @@
 namespace plumb::compare {
 namespace {
 
-// A tick's time is k dt: it may lie past the end of what the closed form covers by rounding.
+// The time of a tick is k dt. By rounding, it may be just after the end of the closed form.
 constexpr double timeRounding = 1e-9;
 
 }  // namespace

@@ -6,7 +6,7 @@
 namespace plumb::compare {
 namespace {
 
-/// e^(-b t) C and e^(-b t) S, put together so that neither part of a creeping one overflows.
+/// e^(-b t) C and e^(-b t) S, computed together so that no factor overflows if it creeps.
 struct Parts {
     double c, s;
 };

@@ -16,7 +16,7 @@ struct Means {
     double c;  ///< half the difference of the two before
 };
 
-/// The steps from (1, complement) on until both means are one; c halves its digits' distance to zero at each.
+/// The steps from (1, complement) on, until both means are equal. At each step, the number of correct digits doubles.
 std::vector<Means> meansOf(double modulus, double complement) {
     std::vector<Means> steps{{1, complement, modulus}};
     while (std::abs(steps.back().c) > 1e-16 && steps.size() < 20) {
@@ -48,7 +48,7 @@ Swing swingAt(const Pendulum& pendulum, double t) {
     const std::vector<Means> means = meansOf(modulus, std::cos(pendulum.amplitude / 2));
     const double quarter = std::numbers::pi / (2 * means.back().a);
     const double rate = std::sqrt(pendulum.gravity / pendulum.equivalentLength);
-    // Whole periods turn phi by whole turns: without them it keeps its digits.
+    // Whole periods turn phi by whole turns. Without them the phase keeps its digits.
     const double phase = std::remainder(rate * t, 4 * quarter);
     const double phi = jacobiAmplitude(phase + quarter, means);
     return {2 * std::asin(std::clamp(modulus * std::sin(phi), -1.0, 1.0)), 2 * modulus * rate * std::cos(phi)};

@@ -7,7 +7,7 @@ namespace plumb::compare {
 struct Pendulum {
     double equivalentLength = 1;  ///< L = I_pivot / (m l) [m]
     double gravity = 9.81;        ///< [m/s^2]
-    double amplitude = 0.5;       ///< theta when released at rest, from straight down, between -pi and pi [rad]
+    double amplitude = 0.5;       ///< theta when it is released at rest, from straight down, between -pi and pi [rad]
 };
 
 struct Swing {

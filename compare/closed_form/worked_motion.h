@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What came out for one body of a closed form?
+// What is the result for one body of a closed form?
 #pragma once
 #include <compare/scene/closed_form.h>
 
@@ -7,7 +7,7 @@ namespace plumb::compare {
 
 struct WorkedMotion {
     BodyMotion motion{};  ///< with its numbers
-    double until = 0;     ///< it holds to here; 0: to the scene's end [s]
+    double until = 0;     ///< it holds until this time; 0: to the scene's end [s]
 };
 
 }  // namespace plumb::compare

@@ -14,7 +14,7 @@
 namespace plumb::compare {
 namespace {
 
-constexpr const char* command = "check";  // which writes these tables
+constexpr const char* command = "check";  // the command that writes these tables
 
 void requireAll(const std::vector<Engine>& engines) {
     for (const std::string& name : accuracyEngines())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Do the pages say what is measured?
+// Do the pages agree with what is measured?
 #pragma once
 #include <iosfwd>
 #include <span>
@@ -10,12 +10,12 @@ namespace plumb::compare {
 
 class AccuracyPages {
 public:
-    /// Throws std::invalid_argument when a page cannot be read or has no table of accuracy, when the scenes shall run
-    /// otherwise than they are, or when a page shall be written and not all engines run.
+    /// Throws std::invalid_argument if a page cannot be read or has no table of accuracy, if the arguments change how
+    /// the scenes run, or if a page is to be written and not all engines run.
     AccuracyPages(const Arguments& arguments, const std::vector<Engine>& engines);
 
-    /// Writes the tables, and compares them; false when a page that is to be verified says something else, which is
-    /// told line by line.
+    /// Writes the tables, and compares them with the pages to be verified. False if a page differs; each difference is
+    /// printed on a line.
     bool hold(std::span<const SceneResult> results, std::ostream& out) const;
 
 private:

@@ -16,7 +16,7 @@
 namespace plumb::compare {
 namespace {
 
-/// Option values as they stand on the command line.
+/// Option values as they are written on the command line.
 struct Raw {
     std::vector<std::string> scenes;
     std::string engines, steps, dt, json, csv, report, repeat, threads;
@@ -24,7 +24,7 @@ struct Raw {
     PrintOptions print;
 };
 
-/// All of the text as a number, or nothing.
+/// The whole text as a number; empty if it is not one.
 template <class Number>
 std::optional<Number> number(const std::string& text) {
     Number value{};
@@ -181,7 +181,7 @@ std::vector<FieldSetting> settingsFrom(const std::vector<std::string>& texts) {
     return settings;
 }
 
-/// What the options' reader says, or which command was meant.
+/// The message of the options' reader, or which command was probably meant.
 std::string usageError(const CLI::App& app, std::span<const std::string> args, const std::string& said) {
     std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))

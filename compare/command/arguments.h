@@ -24,36 +24,37 @@ enum class Action {
 
 /// How to measure speed.
 struct BenchOptions {
-    std::vector<std::string> engines;  ///< names; empty: all that simulate
+    std::vector<std::string> engines;  ///< names; empty: all engines that simulate
     int repeat = 5;                    ///< runs of each engine in each scene
     std::optional<int> steps;          ///< instead of the scene's
 };
 
-/// How a scene is printed, and what scenes may hold.
+/// How a scene and the schema of scenes are printed.
 struct PrintOptions {
-    bool all = false;   ///< with every field that has its default
+    bool all = false;   ///< also the fields that have their default value
     bool page = false;  ///< the schema as a page to read
 };
 
 /// Pages with tables of what is measured.
 struct PageOptions {
-    std::vector<std::filesystem::path> written;   ///< whose tables are to be replaced
-    std::vector<std::filesystem::path> verified;  ///< whose tables are to be compared with what is measured now
+    std::vector<std::filesystem::path> written;   ///< pages whose tables are to be replaced
+    std::vector<std::filesystem::path> verified;  ///< pages whose tables are to be compared with what is measured now
 };
 
 struct Arguments {
     Action action = Action::Everything;
-    std::vector<std::string> scenes;  ///< names, of labs as well, and files, as given
+    std::vector<std::string> scenes;  ///< names of scenes and labs, and files, as given
     RunOptions options;
-    std::vector<FieldSetting> set;  ///< in each scene
+    std::vector<FieldSetting> set;  ///< to be set in each scene
     PrintOptions print;
     BenchOptions bench;
     PageOptions pages;
     std::optional<std::filesystem::path> json, csv, report;
-    std::string help;  ///< to be printed for Help
+    std::string help;  ///< the text to print for Help
 };
 
-/// Throws std::invalid_argument saying which argument is wrong and what was wanted. known: the engines of this build.
+/// Throws std::invalid_argument, which says which argument is wrong and what was expected. known: the engines of this
+/// build.
 Arguments parseArguments(std::span<const std::string> args, const std::vector<Engine>& known);
 
 }  // namespace plumb::compare

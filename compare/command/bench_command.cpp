@@ -34,8 +34,8 @@ BenchRun measureOnce(const BenchScene& scene, const Engine& engine, const Measur
     return measureRun(scene.build, engine, options);
 }
 
-/// An engine that is so slow is not waited for again: a run of it takes longer than this [s], and so many times as long
-/// as that of the fastest engine, which is beyond what disturbs a machine.
+/// A slow engine is not run again: one run takes longer than longRun [s], and longer than manyTimes the run of the
+/// fastest engine [-]. Other work of the machine cannot cause so large a difference.
 constexpr double longRun = 10, manyTimes = 8;
 
 bool isRunAgain(const EngineBench& bench, const SceneBench& scene) {
@@ -47,7 +47,7 @@ bool isRunAgain(const EngineBench& bench, const SceneBench& scene) {
     return own <= longRun || own <= manyTimes * fastest;
 }
 
-/// In turn, A B A B: what slows the machine for a while slows all of them.
+/// The engines run in turn, A B A B: if something slows the machine for a while, it slows all of them.
 SceneBench measureScene(const BenchScene& scene, const BenchOptions& options, const std::vector<Engine>& engines) {
     SceneBench result{.scene = scene.name, .group = scene.group, .family = scene.family};
     for (const Engine& engine : engines) result.engines.push_back({engine.name, engine.version, {}});
@@ -74,7 +74,7 @@ void runBench(const Arguments& arguments, const std::vector<Engine>& engines, st
     const std::vector<Engine> chosen = chosenEngines(arguments.bench, engines);
     std::optional<OutputFile> json;
     if (arguments.json) json.emplace("--json", *arguments.json);
-    const PageFiles pages(arguments.pages.written, "bench");  // a wrong file is known at once
+    const PageFiles pages(arguments.pages.written, "bench");  // so a wrong file is reported at once
     const BenchTable table(out,
                            std::ranges::max(scenes, {}, [](const BenchScene& s) { return s.name.size(); }).name.size());
     table.head();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// In which colours does the terminal say what holds, what fails, and what was not judged?
+// Which colours does the terminal use for what holds, what fails, and what was not judged?
 #pragma once
 
 namespace plumb::compare {

@@ -27,7 +27,7 @@
 namespace plumb::compare {
 namespace {
 
-constexpr const char* defaultReport = "build/report";  // from where the program is called
+constexpr const char* defaultReport = "build/report";  // in the folder where the program is called
 
 void makeFolder(const std::string& option, const std::filesystem::path& folder) {
     std::error_code error;
@@ -36,7 +36,8 @@ void makeFolder(const std::string& option, const std::filesystem::path& folder) 
         throw std::runtime_error(fmt::format("{}: cannot make the folder {}", option, folder.string()));
 }
 
-/// The engines that have a column: those asked for, but the closed form, which is what the others are held against.
+/// The engines that have a column: those asked for, without the closed form. The others are compared with the closed
+/// form.
 std::vector<std::string> columns(const RunOptions& options) {
     std::vector<std::string> result;
     for (const Engine& engine : engines()) {
@@ -58,7 +59,7 @@ void refuseSceneOptions(const Arguments& arguments, const std::vector<Lab>& labs
     if (!arguments.set.empty()) refuse("--set");
 }
 
-/// In each scene.
+/// Sets the fields in each scene.
 void setFields(std::vector<Scene>& scenes, const std::vector<FieldSetting>& settings) {
     if (settings.empty()) return;
     try {
@@ -68,7 +69,7 @@ void setFields(std::vector<Scene>& scenes, const std::vector<FieldSetting>& sett
     }
 }
 
-/// isTold: where engines part, a sentence each.
+/// isTold: print where engines part, one sentence for each pair.
 std::vector<SceneResult> runScenes(const std::vector<Scene>& scenes, const RunOptions& options, std::ostream& out,
                                    bool colour, bool isTold) {
     std::vector<SceneResult> results;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does a person read of labs in a terminal?
+// How are labs shown in a terminal?
 #pragma once
 #include <iosfwd>
 #include <span>
@@ -9,14 +9,14 @@
 
 namespace plumb::compare {
 
-/// Name, question, what is varied, and the checks of each lab.
+/// Prints the name, the question, what is varied, and the checks of each lab.
 void listLabs(std::span<const Lab> labs, std::ostream& out);
 
-/// The verdict with the name, and a line a check: "ok  order.rk4  0.003, at most 0.1"; of one that fails also why it
-/// should hold.
+/// Prints the verdict with the name, and one line for each check: "ok  order.rk4  0.003, at most 0.1". For a check that
+/// fails, it also prints why the check should hold.
 void printLab(const LabResult& result, std::ostream& out, bool colour);
 
-/// How many labs hold, fail, and were not judged.
+/// Prints how many labs hold, fail, and were not judged.
 void printLabSummary(std::span<const LabResult> results, std::ostream& out, bool colour);
 
 /// "at most 0.1 m".

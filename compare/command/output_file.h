@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Can a result be written where it was asked for?
+// Can a result be written to the wanted file?
 #pragma once
 #include <filesystem>
 #include <fstream>
@@ -9,8 +9,8 @@
 
 namespace plumb::compare {
 
-/// Opened before anything is run, so that a wrong path is known at once. Throws std::runtime_error when it cannot be
-/// written, naming the option that gave it.
+/// The file is opened before anything is run, so that a wrong path is reported at once. Throws std::runtime_error if
+/// the file cannot be written, and names the option that gave its path.
 class OutputFile {
 public:
     OutputFile(std::string option, std::filesystem::path path)

@@ -16,8 +16,8 @@ public:
     PageFiles(std::vector<std::filesystem::path> files, std::string command);
 
     bool empty() const { return files_.empty(); }
-    /// Writes into each page the blocks that it has, and tells of those of the command that were not measured and stay
-    /// as they are. Throws std::runtime_error when a file cannot be written.
+    /// Writes into each page the blocks that it has. Reports blocks of the command that were not measured, which stay
+    /// as they are. Throws std::runtime_error if a file cannot be written.
     void write(const std::vector<Block>& blocks, std::ostream& out) const;
 
 private:

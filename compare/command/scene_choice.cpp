@@ -19,7 +19,7 @@
 namespace plumb::compare {
 namespace {
 
-/// What is not a scene's own name, nor a file.
+/// Refuses a text that is neither the name of a scene nor a file.
 [[noreturn]] void refuseName(const std::string& given) {
     if (findLab(given)) throw std::invalid_argument(fmt::format("{} is a lab, not a scene: check runs it", given));
     std::vector<std::string> names;
@@ -32,7 +32,8 @@ namespace {
                     given, nearest(given, names)));
 }
 
-/// What bench can be asked for, each group before single scenes; those of a size stand in a group.
+/// Refuses an unknown name, and lists what bench can run: first the groups, then the single scenes. Scenes of a given
+/// size are listed by their group.
 [[noreturn]] void refuseBenchName(const std::string& given) {
     std::vector<std::string> shown, names;
     for (const BenchScene& scene : benchScenes()) {
@@ -49,7 +50,7 @@ namespace {
                     given, nearest(given, names), fmt::join(shown, ", ")));
 }
 
-/// What "random:SEED" and "random:A..B" stand for; empty for any other name.
+/// The scenes for "random:SEED" or "random:A..B"; empty for any other name.
 std::vector<BenchScene> randomScenes(const std::string& given) {
     std::vector<BenchScene> found;
     const std::optional<SeedRange> seeds = seedRangeOf(given);
@@ -61,7 +62,7 @@ std::vector<BenchScene> randomScenes(const std::string& given) {
     return found;
 }
 
-/// One scene, or those of a range of seeds.
+/// One scene, or the scenes of a range of seeds.
 std::vector<Scene> choose(const std::string& given) {
     if (given.ends_with(".json")) {
         Scene read = readScene(given);
@@ -85,11 +86,11 @@ std::vector<BenchScene> chooseBench(const std::string& given) {
     if (found.empty()) found = randomScenes(given);
     if (!found.empty()) return found;
     if (!given.ends_with(".json") && !findScene(given) && !findLab(given)) refuseBenchName(given);
-    // Made again for each run, so that it takes no room in the process that waits.
+    // The scene is made again for each run, so that it takes no memory in the process that waits.
     return {{choose(given).front().name, "", "", [given] { return choose(given).front(); }}};
 }
 
-/// Refuses a second thing of the same name.
+/// Refuses a name that was already used.
 class Once {
 public:
     void add(const std::string& name, const std::string& given) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which scenes and labs are meant by names and files?
+// Which scenes and labs belong to the given names and files?
 #pragma once
 #include <span>
 #include <string>
@@ -11,10 +11,10 @@
 
 namespace plumb::compare {
 
-/// The scenes in the order given; all built-in ones when nothing is given. What ends in ".json" is read as a file; what
-/// is no name of a built-in scene may be one of a scene that measures speed. "random:SEED" is the random scene of a
-/// seed, and "random:A..B" those of seeds A to B. Throws std::invalid_argument for a name that is not known, naming the
-/// nearest, for two scenes of the same name, and as readScene does.
+/// The scenes in the order given; all built-in scenes if nothing is given. A text that ends in ".json" is read as a
+/// file. Names of built-in scenes are tried first, then names of scenes that measure speed. "random:SEED" is the random
+/// scene of a seed, and "random:A..B" those of seeds A to B. Throws std::invalid_argument for an unknown name (and
+/// names the nearest known one), for two scenes with the same name, and in the cases in which readScene does.
 std::vector<Scene> chooseScenes(std::span<const std::string> given);
 
 struct Choice {
@@ -22,11 +22,11 @@ struct Choice {
     std::vector<Lab> labs;
 };
 
-/// As chooseScenes, and labs by name; all of both when nothing is given.
+/// Like chooseScenes, but also finds labs by name; all scenes and labs if nothing is given.
 Choice chooseScenesAndLabs(std::span<const std::string> given);
 
-/// The scenes to be measured: scenes and groups by name, or else as chooseScenes; the group "six" when nothing is
-/// given. Throws as chooseScenes does.
+/// The scenes to be measured. Names of groups and of scenes that measure speed are tried first; other names are read as
+/// by chooseScenes. The group "six" if nothing is given. Throws as chooseScenes does.
 std::vector<BenchScene> chooseBenchScenes(std::span<const std::string> given);
 
 }  // namespace plumb::compare

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which scenes are there, what do they ask, and what must hold in them?
+// Which scenes are there, what are their questions, and what must hold in them?
 #pragma once
 #include <iosfwd>
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace plumb::compare {
 
-/// Name, question, the engines that can run it, and the checks of each scene.
+/// Prints the name, the question, the engines that can run it, and the checks of each scene.
 void listScenes(std::span<const Scene> scenes, const std::vector<Engine>& engines, std::ostream& out);
 
 /// The check in words: "exact: plumb within 1e-09 m".

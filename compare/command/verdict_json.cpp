@@ -32,7 +32,7 @@ Json outcomeJson(const Outcome& outcome) {
             {"limit", outcome.limit},   {"pass", outcome.pass}};
 }
 
-/// body and what follows from it are null where the two stay together.
+/// body and the fields that depend on it are null if the two engines do not part.
 Json partingJson(const Scene& scene, const Parting& parting) {
     Json json{{"engineA", parting.engineA}, {"engineB", parting.engineB}};
     if (parting.body.empty()) {

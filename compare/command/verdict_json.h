@@ -13,9 +13,9 @@ namespace plumb::compare {
 ///   "checks":[{"check","engine","metric","value","limit","pass"}],"pass"}],
 ///   "labs":[{"name","checks":[{"check","value","limit","pass"}],"pass"}],"pass"}
 /// An engine that cannot build a scene also has "unsupported" with the reason. A metric or value that does not exist is
-/// null, and so is one without bound, for which JSON has no number: its check does not pass.
-/// The pass of a scene or lab of which nothing was judged is null, too. The last one is false if one fails, else true
-/// if one was judged, else null.
+/// null. An infinite one is null, too, because JSON has no number for it; its check does not pass.
+/// The pass of a scene or lab is null if nothing was judged in it. The last pass is false if a scene or lab fails, else
+/// true if one was judged, else null.
 std::string verdictJson(std::span<const SceneResult> results, std::span<const LabResult> labs = {});
 
 }  // namespace plumb::compare

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does a person read the verdicts in a terminal?
+// How are the verdicts shown in a terminal?
 #pragma once
 #include <iosfwd>
 #include <span>
@@ -10,8 +10,8 @@
 
 namespace plumb::compare {
 
-/// A row a scene, written as soon as its result is there: verdict, name, error_max of each engine, how many checks
-/// hold, and below it every check that fails.
+/// One row for each scene, printed as soon as its result is known: verdict, name, error_max of each engine, and how
+/// many checks hold. Below it, every check that fails is printed.
 class VerdictTable {
 public:
     /// engines: the columns, without the closed form. The widest scene name sets the width.
@@ -19,9 +19,9 @@ public:
 
     void head() const;
     void row(const SceneResult& result) const;
-    /// What the engine under test answers to its question, and where each two of its engines part.
+    /// Prints the answer of the engine under test to the scene's question, and where each pair of engines parts.
     void partings(const SceneResult& result) const;
-    /// How many scenes hold, fail, and were not judged.
+    /// Prints how many scenes hold, fail, and were not judged.
     void summary(std::span<const SceneResult> results) const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which bodies and joints of a scene come while it runs, and when?
+// Which bodies and joints of a scene appear while it runs, and when?
 #pragma once
 #include <cstddef>
 #include <memory>
@@ -10,19 +10,19 @@
 
 namespace plumb::compare {
 
-/// What comes together, and again together. Places in the scene.
+/// Bodies and joints that appear together, and also come back together, as indices of the scene.
 struct Arrival {
-    int first = 0;   ///< the step before which it comes, from 0 on
-    int period = 0;  ///< after so many steps it is taken out and made anew; 0: never
+    int first = 0;   ///< the step before which they appear, from 0 on
+    int period = 0;  ///< after this number of steps they are taken out and made again; 0: never
     std::vector<std::size_t> bodies, joints;
 };
 
-/// Before the first step.
+/// Is the body there before the first step?
 bool bodyIsThereAtStart(const Scene& scene, std::size_t body);
-/// Its bodies are. joints: the scene's.
+/// Are all bodies of the joint there before the first step? joints: the scene's.
 bool jointIsThereAtStart(const Scene& scene, const std::vector<JointGeometry>& joints, std::size_t joint);
 
-/// Keeps what it needs of the scene; nothing, of a scene whose bodies are all there from its start to its end.
+/// Keeps the parts of the scene that it needs; none if all bodies are there from start to end.
 class Arrivals {
 public:
     explicit Arrivals(const Scene& scene);
@@ -32,9 +32,9 @@ public:
 
     struct Due {
         const Arrival& arrival;
-        bool again;  ///< it is there, and is to be taken out first
+        bool again;  ///< the arrival is already there, and must be taken out first
     };
-    /// What comes before a step, counted from 0. What is there at the start is not due at 0.
+    /// The arrivals before a step; steps are counted from 0. What is there at the start is not due at step 0.
     std::vector<Due> dueBefore(int step) const;
 
     const Scene& scene() const { return *scene_; }

@@ -11,10 +11,10 @@ namespace {
 
 class ClosedFormSimulation : public Simulation {
 public:
-    /// Throws Unsupported where a motion cannot be worked out of the scene's numbers.
+    /// Throws Unsupported if a motion cannot be computed from the scene's numbers.
     explicit ClosedFormSimulation(const Scene& scene) : scene_(scene) { scene_.closedForm = workedOut(scene); }
 
-    // Time is counted in steps: summed up it would drift by rounding.
+    // Time is computed from the number of steps: a sum of steps would drift by rounding.
     void step(double dt) override { time_ = dt * ++steps_; }
     std::vector<BodyState> states() const override { return closedFormStates(scene_, time_); }
     std::vector<double> probeValues() const override {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// How is the textbook's answer put beside the engines?
+// How is the textbook's answer compared with the engines?
 #pragma once
 #include <compare/engine/engine.h>
 
 namespace plumb::compare {
 
-/// States are NaN for bodies and times that the closed form says nothing about; no probes.
+/// States are NaN for bodies and times for which the closed form gives nothing. It has no probes.
 Engine closedFormEngine();
 
 }  // namespace plumb::compare

@@ -21,7 +21,7 @@ Inverse inverseOf(const BodyDef& def) {
     return {1 / mass.mass, def.fixedRotation ? 0 : 1 / mass.inertia, mass.center};
 }
 
-/// What one body adds to 1 / m.
+/// One body's part of 1 / m.
 double mobility(const Scene& scene, std::size_t body, const Vec2& localAnchor, const Vec2& direction) {
     if (body == noBody) return 0;
     const Inverse inverse = inverseOf(scene.bodies[body].def);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What does an engine have to offer to be compared?
+// What must an engine provide to be compared?
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -17,13 +17,13 @@ namespace plumb::compare {
 
 struct BodyState {
     Vec2 position{0, 0};         ///< of the body's origin [m]
-    double angle = 0;            ///< counted on through whole turns [rad]
+    double angle = 0;            ///< not reset after whole turns [rad]
     Vec2 velocity{0, 0};         ///< of the centre of mass [m/s]
     double angularVelocity = 0;  ///< [rad/s]
-    bool present = true;         ///< false before it appears; then the rest says where it will
+    bool present = true;         ///< false before it appears; then the other members say where it will appear
 };
 
-/// By place in the scene, whether a joint has broken; one that is not in the list has not.
+/// Says for each joint, by its index in the scene, whether it has broken. A joint beyond the list's end has not broken.
 using Broken = std::vector<bool>;
 
 /// A part of a step.
@@ -36,81 +36,83 @@ struct Phase {
 class Simulation {
 public:
     virtual ~Simulation() = default;
-    /// Moves on by dt > 0 [s], in a scene's run by the same in every step. Does nothing beside the engine's own step
-    /// that costs time in it: this is what is timed.
+    /// Moves on by dt > 0 [s]; in a scene's run, dt is the same in every step. It does nothing that costs time except
+    /// the engine's own step, because this function is timed.
     virtual void step(double dt) = 0;
-    /// An engine that keeps no count of turns counts them here, so angles are counted on when this is called after
-    /// every step.
+    /// If an engine does not count turns, they are counted here. So angles are only right if this is called after every
+    /// step.
     virtual std::vector<BodyState> states() const = 0;
-    /// Where the time of the last step went, as the engine tells it; phases that do not overlap.
+    /// The time of each part of the last step, as the engine reports it. Phases do not overlap.
     virtual std::vector<Phase> phases() const { return {}; }
     /// The value of each of the scene's probes now: forces as means over the last step, and what sensors have counted
-    /// since the start. NaN where the engine cannot say, and of forces before the first step. What can be read from the
-    /// states is NaN here.
+    /// since the start. NaN if the engine does not know the value, and for forces before the first step. Values that
+    /// can be computed from the states are also NaN here.
     virtual std::vector<double> probeValues() const = 0;
-    /// The state the world is in, as one number; none from an engine that has no such hash.
+    /// The state of the world as one number; empty if the engine has no such hash.
     virtual std::optional<std::uint64_t> stateHash() const { return {}; }
     /// Which joints have broken so far.
     virtual Broken brokenJoints() const { return {}; }
 };
 
-/// A name and a value, as the report lists them: "sub-steps", "4".
+/// A name and a value, as listed in the report: "sub-steps", "4".
 using Setting = std::pair<std::string, std::string>;
 
-/// What part has an engine in the comparison?
+/// Which role does an engine have in the comparison?
 enum class Role {
-    Subject,  ///< whom it is about: checks bind it, and the others are held against it
-    Peer,     ///< judged beside it: both have to agree, and the subject has to be as exact as the best peer
-    Guest,    ///< shown beside them, never judged
+    Subject,  ///< the engine under test: checks apply to it, and the others are compared with it
+    Peer,     ///< also judged: it must agree with the subject, and the subject must be as exact as the best peer
+    Guest,    ///< also shown, but never judged
     Truth,    ///< a formula: errors are distances from it
 };
 
-/// How is an engine told from the others? By colour, and also by its stroke, for those who see colours differently.
+/// How is an engine distinguished from the others? By its colour, and by its stroke for people who see colours
+/// differently.
 struct Look {
-    std::string onLight = "#8a4f9e", onDark = "#cf9be0";  ///< colours on a light and on a dark page
-    std::vector<double> dash{6, 3, 1, 3};  ///< lengths of strokes and gaps in turn; empty: one stroke [px]
+    std::string onLight = "#8a4f9e", onDark = "#cf9be0";  ///< its colour on a light and on a dark page
+    std::vector<double> dash{6, 3, 1, 3};  ///< lengths of strokes and gaps in turn; empty: a solid line [px]
     double width = 2;                      ///< [px]
-    bool filled = false;                   ///< its bodies are
+    bool filled = false;                   ///< true if its bodies are filled
     bool ghost = false;                    ///< only its outlines are drawn, with a cross at the origin
 };
 
-/// What others know of an engine. Nothing outside of this folder names one.
+/// What other code knows about an engine. No code outside of this folder names an engine.
 struct EngineCard {
     std::string name;     ///< on the command line and in files: lower case, with its major version
     std::string version;  ///< in full: "2.4.1"
-    std::string label;    ///< as a person calls it, without the last digits of the version
-    std::string product;  ///< its name alone; with the version it heads the column of a page's table
+    std::string label;    ///< the name for people, without the last digits of the version
+    std::string product;  ///< its name alone; name and version are the head of its column in a page's table
     Role role = Role::Guest;
     Look look;
-    bool isRival = false;         ///< tables of speed hold the subject against this one
-    std::string missing;          ///< how to get it, where this build does not have it; empty where each build has it
+    bool isRival = false;         ///< tables of speed compare the subject with this engine
+    std::string missing;          ///< how to get it, if this build does not have it; empty if each build has it
     bool oneSidedChains = false;  ///< its chains are solid on the right of their direction only
 };
 
-/// A number of an engine's own, which a scene may set for it.
+/// An engine's own number, which a scene may set.
 struct EngineNumber {
     std::string name;
     double byDefault = 0;
-    double least = 0, most = 0;  ///< what it may be
+    double least = 0, most = 0;  ///< the range of allowed values
 };
 
 struct BenchScene;
 
 struct Engine : EngineCard {
-    /// The numbers that matter, as this scene is run.
+    /// The important numbers with which this scene is run.
     std::function<std::vector<Setting>(const Scene&)> settings;
-    /// Throws Unsupported when the engine has no counterpart for something in the scene. Empty where this build does
-    /// not have the engine.
+    /// Throws Unsupported if the engine lacks something that is in the scene. Empty if this build does not have the
+    /// engine.
     std::function<std::unique_ptr<Simulation>(const Scene&)> build;
-    /// The same with every body that moves at the start flagged as a bullet; empty where there is no such flag.
+    /// The same engine, with every body that moves at the start flagged as a bullet; empty if there is no such flag.
     std::function<Engine()> withBullets{};
-    /// The same with one sub-step a step; empty where it has no sub-steps.
+    /// The same engine with one sub-step a step; empty if it has no sub-steps.
     std::function<Engine()> withOneSubStep{};
     /// Its own numbers: "subSteps".
     std::vector<EngineNumber> numbers{};
-    /// Why it is not waited for in a scene that measures speed; empty where it is.
+    /// Why the engine is not run in a scene that measures speed; an empty text if it is run.
     std::function<std::string(const BenchScene&)> leavesOut{};
-    /// What its user does from outside, where the scene has what the engine has not. A sentence each.
+    /// What the engine's user has to do from outside, if the scene has something that the engine lacks. One sentence
+    /// for each.
     std::function<std::vector<std::string>(const Scene&)> notes{};
 };
 
@@ -118,18 +120,18 @@ struct Unsupported : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Every engine that can be in a build, in the order in which they are shown.
+/// All engines that can be in a build, in the order in which they are shown.
 const std::vector<Engine>& knownEngines();
-/// Those of this build.
+/// The engines of this build.
 const std::vector<Engine>& engines();
 
-/// The known engine of a name; null when there is none.
+/// The known engine with this name; null if there is none.
 const Engine* findKnown(std::string_view name);
-/// The name of the one that the comparison is about, and of the one that tables of speed hold it against.
+/// The name of the engine under test, and of the engine with which tables of speed compare it.
 const std::string& subjectName();
 const std::string& rivalName();
-/// The head of its column in a page's table, from a name and a version: the product, and the version of all but the
-/// subject. The name itself where it is not known.
+/// The head of an engine's column in a page's table: its product, and its version, except for the subject. If the
+/// engine is not known, its name.
 std::string columnName(const std::string& name, const std::string& version);
 
 }  // namespace plumb::compare

@@ -5,8 +5,8 @@
 
 namespace plumb::compare {
 
-/// Throws std::invalid_argument naming the field, the name, and the one nearest to it. An engine is known whether this
-/// build has it or not.
+/// Throws std::invalid_argument for an unknown engine; it names the field, the name, and the nearest known name. An
+/// engine is known even if this build does not have it.
 void validateEngineNames(const Scene& scene);
 
 }  // namespace plumb::compare

@@ -22,7 +22,7 @@ std::string fieldOf(const std::string& engine, const std::string& path) {
     return "engines." + engine + "." + path;
 }
 
-/// What is not the same for all engines may differ; the rest says how long a run is, and what is measured.
+/// Only some fields may differ between engines. The others say how long a run is and what is measured.
 void requireSettable(const std::string& engine, const std::string& path) {
     static const std::vector<std::string> settable{"gravity", "sleeping", "bodies", "joints", "fields", "movers"};
     const std::string first = path.substr(0, path.find('.'));
@@ -31,7 +31,7 @@ void requireSettable(const std::string& engine, const std::string& path) {
                                           ", and an engine's own numbers, with \"solver.\"");
 }
 
-/// Its fields, by path; none where the scene sets nothing for it.
+/// The engine's fields by their paths; empty if the scene sets nothing for the engine.
 const std::map<std::string, std::string>& fieldsFor(const std::string& engine, const Scene& scene) {
     static const std::map<std::string, std::string> none;
     const auto found = scene.engines.find(engine);

@@ -5,8 +5,8 @@
 
 namespace plumb::compare {
 
-/// As Plumb and both Box2Ds have it: shapes of one group always do, or never where it is negative; others by category
-/// and mask.
+/// The rule of Plumb and both Box2Ds. Shapes of the same group always touch, or never if the group is negative. For
+/// other shapes, category and mask decide.
 inline bool accepts(const Filter& a, const Filter& b) {
     if (a.group == b.group && a.group != 0) return a.group > 0;
     return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;

@@ -30,7 +30,7 @@ std::optional<double> lengthOf(const auto&) {
     return {};
 }
 
-/// Where the def takes hold of the two bodies, in the world.
+/// The points in the world where the joint holds the two bodies.
 std::pair<Vec2, Vec2> anchorsOf(const auto& def, const Scene& scene, const JointGeometry& joint) {
     if constexpr (requires { def.anchor; })
         return {def.anchor, def.anchor};
@@ -107,7 +107,7 @@ std::vector<JointGeometry> jointGeometries(const Scene& scene) {
     const NameIndex index(scene.bodies);
     const auto find = [&](const std::string& name) {
         const std::optional<std::size_t> found = index.find(name);
-        return found ? *found : bodyIndex(scene, name);  // which throws
+        return found ? *found : bodyIndex(scene, name);  // this throws
     };
     std::vector<JointGeometry> result;
     result.reserve(scene.joints.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is the coefficient of a pair of materials, where an engine leaves the rule to its user?
+// What is the coefficient of a pair of materials, if an engine leaves the rule to its user?
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -9,12 +9,12 @@
 
 namespace plumb::compare {
 
-/// Where two materials name different rules the later one in Mix holds.
+/// If two materials have different rules, the one that is later in Mix applies.
 inline Mix ruleOf(Mix a, Mix b) {
     return std::max(a, b);
 }
 
-/// In the precision of the engine that asks.
+/// The coefficient in the precision of the engine that needs it.
 template <std::floating_point Number>
 Number mixed(Mix rule, Number a, Number b) {
     switch (rule) {
@@ -27,7 +27,7 @@ Number mixed(Mix rule, Number a, Number b) {
     return std::sqrt(a * b);
 }
 
-/// Both coefficients are mixed as Box2D mixes them.
+/// True if both coefficients are mixed as in Box2D.
 inline bool mixesAsBox2d(const Material& material) {
     return material.frictionMix == Mix::GeometricMean && material.restitutionMix == Mix::Maximum;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which points describe a shape to an engine that has no such shape itself?
+// Which points describe a shape for an engine that has no such shape?
 #pragma once
 #include <string>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace plumb::compare {
 
-/// The points of an open chain, and one more before its start and after its end, straight on: the neighbours that
-/// engines with one-sided chains ask for.
+/// The points of an open chain, with one more point before its start and one after its end, in a straight line. Engines
+/// with one-sided chains need these neighbours.
 inline std::vector<Vec2> withGhosts(const Chain& chain) {
     const std::vector<Vec2>& points = chain.points;
     std::vector<Vec2> result;
@@ -20,14 +20,14 @@ inline std::vector<Vec2> withGhosts(const Chain& chain) {
     return result;
 }
 
-/// A segment with its neighbours, likewise, straight on where it does not name one.
+/// A segment with its neighbours. A neighbour that it does not name is added in a straight line.
 inline std::vector<Vec2> withGhosts(const Segment& segment) {
     const Vec2 along = segment.end - segment.start;
     return {segment.before.value_or(segment.start - along), segment.start, segment.end,
             segment.after.value_or(segment.end + along)};
 }
 
-/// A polygon with a radius: engines differ in what it weighs.
+/// Is the shape a polygon with a radius? Its mass differs between engines.
 inline bool isRounded(const Shape& shape) {
     const auto* polygon = std::get_if<Polygon>(&shape);
     return polygon && polygon->radius > 0;
@@ -44,7 +44,7 @@ inline Polygon axisBox(const Capsule& capsule, double halfWidth) {
     return {{capsule.start - left, capsule.end - left, capsule.end + left, capsule.start + left}};
 }
 
-/// What each solid tile of a map fills, in the body's frame. Throws Unsupported on tiles of another kind.
+/// The polygon of each solid tile of a map, in the body's frame. Throws Unsupported for tiles of another kind.
 std::vector<Polygon> tilePolygons(const TileMap& map, const std::string& body);
 
 }  // namespace plumb::compare

@@ -15,7 +15,7 @@ bool isStopped(const MoverMotion& motion) {
     return sliding != nullptr && sliding->standIn == StandIn::Stopped;
 }
 
-/// Rides, or runs and jumps.
+/// Is the motion a platform motion that only rides (jumps is false), or one that runs and jumps (jumps is true)?
 bool isPlatform(const MoverMotion& motion, bool jumps) {
     const auto* platform = std::get_if<PlatformMotion>(&motion);
     return platform != nullptr && platform->cues.empty() != jumps;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What does the user of an engine do from outside, where a scene has what the engine has not?
+// What must the user of an engine do from outside, if a scene has something that the engine lacks?
 #pragma once
 #include <string>
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace plumb::compare {
 
-/// A sentence each, for the scene's page, of an engine without fields, movers and a world that wraps. product: as a
-/// person calls it; stoppedMover: what takes the place of a mover that stops at what it meets.
+/// One sentence for each thing, for the scene's page. The engine has no fields, no movers, and no world that wraps.
+/// product: the engine's name for people; stoppedMover: what replaces a mover that stops at obstacles.
 std::vector<std::string> outsideNotes(const Scene& scene, const std::string& product, const std::string& stoppedMover);
 
-/// The card of the same engine with bullets, told from it by its stroke.
+/// The card of the same engine with bullets. Its stroke is different.
 EngineCard asBullets(EngineCard card, std::vector<double> dash);
 
 }  // namespace plumb::compare

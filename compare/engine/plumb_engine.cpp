@@ -83,7 +83,7 @@ public:
     }
 
 private:
-    /// A body with sensors, and how often something came into them.
+    /// A body with sensors, and how often something has entered them.
     struct Gate {
         BodyId body;
         std::size_t probe;
@@ -147,7 +147,7 @@ std::vector<Setting> plumbSettings(const Scene& scene, const SolverSettings& sol
 
 constexpr const char* plumbName = "plumb";
 
-/// In the order in which solverFor reads them.
+/// The numbers are in the order in which solverFor reads them.
 std::vector<EngineNumber> plumbNumbers(const SolverSettings& solver) {
     return {{"subSteps", static_cast<double>(solver.subSteps), 1, 64},
             {"contactFrequency", solver.contactFrequency, 1e-3, 1e6},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which world of Plumb is a scene?
+// How does a scene become a world of Plumb?
 #pragma once
 #include <vector>
 
@@ -15,12 +15,12 @@ struct PlumbWorld {
     std::vector<JointId> joints;
 };
 
-/// Puts one of the scene's bodies in, or one of its joints, in its place in the list.
+/// Adds one of the scene's bodies or joints to the world, and puts its id at its place in the list.
 void putBody(PlumbWorld& made, const Scene& scene, std::size_t body);
 void putJoint(PlumbWorld& made, const JointGeometry& geometry, std::size_t joint);
 
-/// With what is there at the start of the scene; of the rest the ids are empty. The scene says which gravity there is,
-/// and whether what rests may sleep; the rest is as given.
+/// A world with the bodies and joints that are there at the start of the scene; the ids of the others are empty.
+/// Gravity, sleeping and wrapping come from the scene, everything else from def.
 PlumbWorld plumbWorld(const Scene& scene, WorldDef def = {});
 
 }  // namespace plumb::compare

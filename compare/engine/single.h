@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Does a number fit an engine that computes in single precision?
+// Does a number fit into single precision, for an engine that uses it?
 #pragma once
 #include <fmt/format.h>
 
@@ -11,14 +11,14 @@
 
 namespace plumb::compare {
 
-/// Rounded to single precision. Throws Unsupported when that would be infinite.
+/// The value rounded to single precision. Throws Unsupported if the result would be infinite.
 inline float toSingle(double value) {
     const auto single = static_cast<float>(value);
     if (!std::isfinite(single)) throw Unsupported(fmt::format("{} is beyond single precision", value));
     return single;
 }
 
-/// The same, but what would be infinite becomes the largest number there is.
+/// The same, but the largest number instead of an infinite one.
 inline float toSingleAtMost(double value) {
     constexpr double most = std::numeric_limits<float>::max();
     return static_cast<float>(std::clamp(value, -most, most));

@@ -21,7 +21,7 @@ struct Corners {
     double radius = 0;
 };
 
-/// Of a shape with an area; of a line none.
+/// The corners of a shape with an area; a line has none.
 Corners cornersOf(const Shape& shape) {
     if (const auto* circle = std::get_if<Circle>(&shape)) return {{circle->center}, circle->radius};
     if (const auto* capsule = std::get_if<Capsule>(&shape)) return {{capsule->start, capsule->end}, capsule->radius};

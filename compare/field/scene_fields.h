@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What do a scene's fields do to its bodies?
 //
-// For engines that have no fields of their own: as somebody works it out who applies a force before each step. And for
-// the energy that is in them, whoever's step it was.
+// This is for engines that have no fields: their user computes the force and applies it before each step. It also gives
+// the energy of the bodies in the fields, for any engine.
 #pragma once
 #include <span>
 #include <vector>
@@ -12,7 +12,7 @@
 
 namespace plumb::compare {
 
-/// At the centre of mass.
+/// The force of fields on one body, at its centre of mass.
 struct FieldForce {
     Vec2 force{0, 0};   ///< [N]
     double torque = 0;  ///< [N m]
@@ -23,9 +23,10 @@ public:
     explicit SceneFields(const Scene& scene);
 
     bool empty() const { return fields_.empty(); }
-    /// On each body of the scene, in its order, over a step of dt [s]. What rubs takes no more than stops a body in it.
+    /// The force on each body, in the scene's order, over a step of dt [s]. The friction of a ground is never larger
+    /// than what stops a body within the step.
     std::vector<FieldForce> at(std::span<const BodyState> states, double dt) const;
-    /// Of all bodies in all fields that have a potential energy and no region [J].
+    /// The energy of all bodies in all fields that have a potential energy and no region [J].
     double energyAt(std::span<const BodyState> states) const;
 
 private:

@@ -9,10 +9,10 @@
 
 namespace plumb::compare {
 
-/// All of them, in the order in which they are listed and reported.
+/// All labs, in the order in which they are listed and reported.
 std::vector<Lab> builtinLabs();
 
-/// The one of this name; empty when there is none.
+/// The lab with this name; empty when there is none.
 std::optional<Lab> findLab(const std::string& name);
 
 }  // namespace plumb::compare

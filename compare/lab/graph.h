@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What does a graph hold that anyone may draw?
+// What is in a graph?
 #pragma once
 #include <string>
 #include <vector>
@@ -10,18 +10,19 @@ struct Point {
     double x = 0, y = 0;  ///< NaN for y breaks the line
 };
 
-/// In all graphs of a lab the same name has the same colour; an engine's name has the engine's.
+/// In all graphs of a lab, curves with the same name have the same colour. A curve with an engine's name has the
+/// engine's colour.
 struct Curve {
     std::string name{};
-    std::vector<Point> points{};  ///< by rising x
-    std::string note{};           ///< beside the name: "slope 1.02"
-    bool theory = false;          ///< what is expected, drawn as a thin dotted line
+    std::vector<Point> points{};  ///< sorted by rising x
+    std::string note{};           ///< shown beside the name: "slope 1.02"
+    bool theory = false;          ///< true for an expected curve, which is drawn as a thin dotted line
 };
 
 struct Axis {
     std::string label{};       ///< "height"
     std::string unit{};        ///< "m"; empty for a plain number
-    bool logarithmic = false;  ///< what is not positive is then left out
+    bool logarithmic = false;  ///< then values that are not positive are left out
 };
 
 struct Graph {

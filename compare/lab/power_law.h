@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which power of x does y grow with?
+// With which power of x does y grow?
 #pragma once
 #include <optional>
 #include <span>
@@ -8,8 +8,8 @@
 
 namespace plumb::compare {
 
-/// The slope of the line through (log x, log y) with the least squares of its distances in log y: p in y = c x^p.
-/// Points that are not positive and finite are left out; empty when fewer than two different x are left.
+/// The exponent p in y = c x^p: the slope of the least-squares line through (log x, log y), with distances in log y.
+/// Points that are not positive and finite are left out. Empty if fewer than two different x are left.
 std::optional<double> exponent(std::span<const Point> points);
 
 }  // namespace plumb::compare

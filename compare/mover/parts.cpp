@@ -9,7 +9,7 @@
 namespace plumb::compare {
 namespace {
 
-/// A cue at a tick's time holds in that tick, whatever the roundings [s].
+/// With this slack, a cue at a tick's time applies to that tick, even if the times are rounded [s].
 constexpr double slack = 1e-9;
 
 MotionPath straightThrough(const PathMotion& motion) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What do the kit's movers and what stands in for them make of a scene's movers alike?
+// What do the kit's movers and the replacements for them in other engines share?
 #pragma once
 #include <map>
 #include <memory>
@@ -13,14 +13,14 @@
 namespace plumb::compare {
 
 PathMover pathMoverOf(const PathMotion& motion);
-/// Where it is after a step, the so-manieth from 1 on.
+/// The mover's place after a step. Steps are counted from 1.
 Vec2 placeOn(const PathMover& path, double delay, int step, double dt);
-/// The same of what swings about a place.
+/// The same for a body that swings about a place.
 Vec2 placeOn(const SwingMotion& swing, const Vec2& start, int step, double dt);
 GridMover gridMoverOf(const GridMotion& motion);
 PlatformProfile profileOf(const PlatformMotion& motion);
 
-/// The map of a grid motion, and where its frame is; all movers on a map share it.
+/// The map of a grid motion, and the pose of its frame. All movers on a map share it.
 struct PlacedMap {
     std::shared_ptr<const TileMap> map;
     Transform pose;
@@ -33,10 +33,10 @@ private:
     std::map<std::string, PlacedMap> maps_;
 };
 
-/// What is held at a time; nothing before the first cue [s].
+/// The cue that applies at a time [s]; an empty cue before the first one.
 PlatformCue cueAt(const PlatformMotion& motion, double time);
 
-/// Wants one turn after the other of a grid mover, round and round.
+/// Asks a grid mover for one turn after the other; after the last one, it starts again.
 class TurnList {
 public:
     explicit TurnList(const GridMotion& motion) : turns_(motion.turns) {}

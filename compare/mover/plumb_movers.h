@@ -14,7 +14,7 @@ class PlumbMovers {
 public:
     PlumbMovers(const Scene& scene, const PlumbWorld& made);
 
-    /// Before each step of the world.
+    /// To be called before each step of the world.
     void step(World& world, double dt);
 
 private:

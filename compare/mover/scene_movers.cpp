@@ -13,7 +13,7 @@ Vec2 velocityTo(const Vec2& target, const BodyState& now, double dt) {
     return (target - now.position) / dt;
 }
 
-/// The one for a speed along the floor.
+/// The jump band for a speed along the floor.
 JumpBand bandAt(const std::vector<JumpBand>& bands, double speed) {
     JumpBand found = bands.front();
     for (const JumpBand& band : bands)
@@ -21,7 +21,7 @@ JumpBand bandAt(const std::vector<JumpBand>& bands, double speed) {
     return found;
 }
 
-/// Of the body's mover, where it has one of that kind.
+/// The motion of the body's mover; null if it has none of this kind.
 template <class Motion>
 const Motion* motionOf(const Scene& scene, const SceneBody& body) {
     const auto mover = std::ranges::find(scene.movers, body.name, &SceneMover::body);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How does a user move a body in an engine that has no movers? By setting its velocity before each step, as near to
-// what is wanted as that goes.
+// How does a user move a body in an engine that has no movers? By setting its velocity before each step, as near to the
+// wanted motion as possible.
 #pragma once
 #include <cstddef>
 #include <optional>
@@ -12,14 +12,14 @@
 
 namespace plumb::compare {
 
-/// Has the engine a character mover of its own, as some have for capsules?
+/// Does the engine have its own character mover? Some engines have one for capsules.
 enum class Characters { None, Capsules };
 
 struct MoverCommand {
     std::size_t body = 0;
     Vec2 velocity{0, 0};                                ///< from now on [m/s]
-    std::optional<double> gravityScale = std::nullopt;  ///< likewise, where it changes [-]
-    bool asCharacter = false;                           ///< as far as the engine's own character mover goes that way
+    std::optional<double> gravityScale = std::nullopt;  ///< also from now on; empty if it does not change [-]
+    bool asCharacter = false;                           ///< the engine's own character mover says how far the body goes
 };
 
 class SceneMovers {
@@ -27,7 +27,7 @@ public:
     explicit SceneMovers(const Scene& scene, Characters characters = Characters::None);
 
     bool empty() const { return movers_.empty(); }
-    /// For a step of dt, from where bodies are now [s].
+    /// Commands for the next step of dt [s]; states: of the bodies now.
     std::vector<MoverCommand> commands(std::span<const BodyState> states, double dt);
 
 private:
@@ -49,7 +49,7 @@ private:
         TurnList turns;
         PlacedMap map;
     };
-    /// A dynamic body that cannot turn: it runs by its velocity, takes off by one, and falls by gravity.
+    /// A dynamic body that cannot turn. Running and the start of a jump set its velocity; gravity makes it fall.
     struct OnPlatforms {
         PlatformMotion motion;
         PlatformProfile profile;
@@ -72,11 +72,12 @@ private:
     int tick_ = 0;
 };
 
-/// Is the body moved by that? Then it stays the kinematic body it is.
+/// Does the engine's own character mover move the body? Then the body stays kinematic.
 bool isCharacter(const Scene& scene, const SceneBody& body, Characters characters);
 
-/// The body as such an engine needs it. One that runs and jumps is dynamic, and cannot turn; one that is told nothing
-/// stands there by its friction. So is one that slides and shall be stopped, without gravity, where it is no character.
+/// The body as an engine without movers needs it. A body that runs and jumps becomes dynamic and cannot turn; if it has
+/// no cues, it keeps its friction and so stands still. A body that slides and stops at obstacles also becomes dynamic
+/// and cannot turn, without gravity, unless it is a character.
 SceneBody asMoved(const Scene& scene, const SceneBody& body, Characters characters = Characters::None);
 
 }  // namespace plumb::compare

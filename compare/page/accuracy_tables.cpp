@@ -14,12 +14,12 @@ namespace {
 
 enum class Unit { Length, Count, Percent };
 
-/// A row that watches one scene.
+/// A row about one scene.
 struct Row {
     std::string scene;
-    std::string label;                 // what stands in the first cell
-    std::string watched;               // in the second one; empty where the table has none
-    std::vector<std::string> metrics;  // their values stand in one cell
+    std::string label;                 // the text of the first cell
+    std::string watched;               // the text of the second cell; empty if the table has no such cell
+    std::vector<std::string> metrics;  // all their values are in one cell
     Unit unit = Unit::Length;
 };
 
@@ -99,7 +99,7 @@ std::string headOf(const SceneResult& result, const std::string& engine) {
     return engine;
 }
 
-/// Empty when not all of its scenes were run.
+/// Empty if not all of the table's scenes were run.
 std::optional<AccuracyTable> tableFrom(std::span<const SceneResult> results, const std::string& name,
                                        const std::vector<std::string>& heads, const std::vector<Row>& rows) {
     AccuracyTable made{name, std::vector<std::string>(heads.size()), {heads, {}}};
@@ -119,7 +119,7 @@ std::optional<AccuracyTable> tableFrom(std::span<const SceneResult> results, con
     return made;
 }
 
-/// Only of a run of all of them: of some, nobody could tell which are missing.
+/// Only if all scenes were run: otherwise readers could not see which ones are missing.
 std::vector<Row> distanceRows(std::span<const SceneResult> results) {
     if (find(results, "free_fall") == nullptr || find(results, "arch") == nullptr) return {};
     std::vector<Row> rows;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What do pages say of how true each engine is?
+// What do the pages say about the accuracy of each engine?
 #pragma once
 #include <span>
 #include <string>
@@ -12,15 +12,15 @@
 namespace plumb::compare {
 
 struct AccuracyTable {
-    std::string name;                  ///< of its block
-    std::vector<std::string> engines;  ///< of each column; empty for a column that tells what is measured
+    std::string name;                  ///< name of its block
+    std::vector<std::string> engines;  ///< the engine of each column; empty for a column that says what is measured
     PageTable table;
 };
 
-/// The engines that have a column in each of them.
+/// The engines that have a column in each table.
 std::vector<std::string> accuracyEngines();
 
-/// Those of whose scenes all were run:
+/// The tables for which all scenes were run:
 ///   distances  error_max of each scene that has a closed form
 ///   tiles      how often something catches on flush tiles
 ///   joints     gaps of joints, and energy that is lost where none should be
@@ -30,9 +30,9 @@ std::vector<AccuracyTable> accuracyTables(std::span<const SceneResult> results);
 
 std::vector<Block> blocksOf(std::span<const AccuracyTable> tables);
 
-/// What of a page's blocks is not what was measured: Plumb's columns to the digit, those of engines that each
-/// build has within a factor of two, others not at all; and any block that is not what its command wrote. A sentence
-/// each.
+/// The differences between a page's blocks and what was measured, one sentence for each. Plumb's columns are compared
+/// to the digit, those of engines that are in every build to a factor of two, and others not at all. A block that is
+/// not as its command wrote it is also a difference.
 std::vector<std::string> pageFaults(const std::string& page, std::span<const AccuracyTable> tables);
 
 }  // namespace plumb::compare

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view endLine = "<!-- end -->";
 
-/// 64 bits, FNV-1a (Fowler, Noll and Vo): not against malice, but against a hand that mends one digit.
+/// 64 bits, FNV-1a (Fowler, Noll and Vo). It finds small changes by hand, but is no protection against attacks.
 std::string checksumOf(const std::string& text) {
     std::uint64_t hash = 0xcbf29ce484222325;
     for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
@@ -25,7 +25,7 @@ std::string checksumOf(const std::string& text) {
 
 struct Found {
     Block block;
-    std::size_t begin = 0, end = 0;  // of its first line and of its last one, in the page
+    std::size_t begin = 0, end = 0;  // positions of its first and its last line in the page
 };
 
 std::string firstLineOf(const Block& block) {

@@ -29,7 +29,7 @@ std::vector<std::string> cellsOf(const std::string& line) {
     return cells;
 }
 
-/// The numbers of a cell in its SI unit: "0, 6, 90" or "61.5 mm".
+/// The numbers of a cell such as "0, 6, 90" or "61.5 mm", in the SI unit.
 std::vector<double> numbersOf(const std::string& cell) {
     static const std::map<std::string, double> scales{{"nm", 1e-9}, {"µm", 1e-6}, {"mm", 1e-3}};
     static const std::regex number("(-?[0-9.]+(?:e[-+]?[0-9]+)?)(?: (nm|µm|mm))?");

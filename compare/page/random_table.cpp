@@ -15,7 +15,7 @@ namespace {
 struct Compared {
     const SceneBench* scene;
     const EngineBench *plumb, *rival;
-    double ratio;  // the rival's time over Plumb's
+    double ratio;  // the rival's time divided by Plumb's
 };
 
 std::vector<Compared> comparedIn(std::span<const SceneBench> results) {
@@ -29,7 +29,7 @@ std::vector<Compared> comparedIn(std::span<const SceneBench> results) {
     return found;
 }
 
-/// scenes: in the order of their ratios.
+/// scenes: sorted by their ratios.
 std::vector<std::string> sumRow(const std::string& label, const std::vector<Compared>& scenes) {
     double logs = 0;
     std::size_t faster = 0, passed = 0, passedRival = 0, deeper = 0;

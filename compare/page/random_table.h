@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What do pages say of random scenes?
+// What do the pages say about random scenes?
 #pragma once
 #include <span>
 
@@ -8,8 +8,8 @@
 
 namespace plumb::compare {
 
-/// The rival over Plumb: means of those without joints and with, and the scenes in which it is least and most. Empty
-/// when none was run in both.
+/// The rival's time divided by Plumb's: the means for scenes without joints and with joints, and the scenes with the
+/// smallest and the largest ratios. Empty if no scene was run in both engines.
 Block randomBlock(std::span<const SceneBench> results);
 
 }  // namespace plumb::compare

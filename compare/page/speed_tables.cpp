@@ -15,7 +15,7 @@
 namespace plumb::compare {
 namespace {
 
-/// "with AVX-512": what the kit chooses by when a program starts.
+/// "with AVX-512": the processor's feature by which the kit chooses its code when a program starts.
 std::string processor() {
 #if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__))
     if (__builtin_cpu_supports("avx512f")) return " with AVX-512";
@@ -106,7 +106,7 @@ Block growthBlock(std::span<const SceneBench> results) {
     return {"bench", "growth", "", text};
 }
 
-/// "pairs 12 %, solve 60 %": what share of a step each phase has, as the engine tells it.
+/// "pairs 12 %, solve 60 %": the share of each phase in a step, as the engine reports it.
 std::string sharesOf(const std::vector<Phase>& phases) {
     double whole = 0;
     for (const Phase& phase : phases) whole += phase.seconds;

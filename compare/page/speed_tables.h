@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What do pages say of how fast each engine is?
+// What do the pages say about the speed of each engine?
 #pragma once
 #include <span>
 #include <vector>
@@ -9,14 +9,15 @@
 
 namespace plumb::compare {
 
-/// The blocks that results have something to say about:
-///   speed      a row a scene, but for random ones and those that only differ in size; how it was measured; the mean
+/// The blocks for which there are results:
+///   speed      a row for each scene, without random ones and those that only differ in size; how it was measured; the
+///              mean
 ///   integrity  what the engines did in these scenes
 ///   random     random scenes: means, with joints and without, and the rows that are farthest from the mean
 ///   growth     how times grow with the number of bodies
-///   phases     where a step of Plumb's goes
-///   summary    one row a kind of scene, for the front page, where all of its scenes were run
-/// Throws std::invalid_argument where Plumb was not run, or not with its rival beside it.
+///   phases     how much time each part of Plumb's step takes
+///   summary    one row for each kind of scene, for the front page, if all of its scenes were run
+/// Throws std::invalid_argument if Plumb or its rival was not run.
 std::vector<Block> speedBlocks(std::span<const SceneBench> results);
 
 }  // namespace plumb::compare

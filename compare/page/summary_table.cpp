@@ -40,7 +40,7 @@ std::string verdictOf(double ratio) {
     return fmt::format("{} times as slow", ratioText(1 / ratio));
 }
 
-/// The larger of the deepest overlap and the largest gap: what is fast and wrong is not fast.
+/// The larger of the deepest overlap and the largest gap: speed does not count if the result is wrong.
 std::optional<double> faultOf(const Integrity& seen) {
     return std::max(seen.overlap, seen.jointGap);
 }

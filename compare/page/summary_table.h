@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What does the front page say of speed?
+// What does the front page say about speed?
 #pragma once
 #include <span>
 
@@ -8,8 +8,8 @@
 
 namespace plumb::compare {
 
-/// A row a kind of scene: times in Plumb and its rival, and who is how many times as fast. Empty when one of its scenes
-/// was not run in both.
+/// One row for each kind of scene: times in Plumb and in its rival, and how many times as fast Plumb is. Empty if one
+/// of the scenes was not run in both.
 Block summaryBlock(std::span<const SceneBench> results);
 
 }  // namespace plumb::compare

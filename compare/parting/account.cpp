@@ -9,9 +9,9 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double leastShare = 1e-3;  // of the distance, in one step: less is rounding
+constexpr double leastShare = 1e-3;  // part of the distance, in one step; less is rounding
 
-/// One run's change of velocity in a step, and what may have made it.
+/// One run's change of velocity in a step, and the contact that may have caused it.
 struct Change {
     Vec2 velocity{0, 0};
     std::optional<Touch> touch{};

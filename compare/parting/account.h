@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is the distance between two runs of a body made of?
+// Which causes make up the distance between two runs of a body?
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -15,33 +15,33 @@ struct Parted {
     const Scene& scene;
     const Observation &a, &b;
     std::size_t body;
-    std::size_t tick;  ///< the first at which it is off the other's path; at least 1
-    Vec2 offset;       ///< from the other's path to it, then [m]
+    std::size_t tick;  ///< the first tick at which it is off the other's path; at least 1
+    Vec2 offset;       ///< from the other's path to the body at that tick [m]
 };
 
-/// By what a body's velocity is changed in a step.
+/// What changes a body's velocity in a step?
 enum class Agent {
-    Across,   ///< a touch, along its normal
-    Along,    ///< a touch, along the surface
-    Joints,   ///< what holds it
-    Nothing,  ///< gravity, damping, fields
-    Steps,    ///< none: where a step puts it, beside its velocity
+    Across,   ///< a contact, along its normal
+    Along,    ///< a contact, along the surface
+    Joints,   ///< the joints that hold the body
+    Nothing,  ///< no contact and no joint: gravity, damping, fields
+    Steps,    ///< no change of velocity: the step moves the body in addition to its velocity
 };
 
-/// What one agent has put between the two runs.
+/// How much of the distance between the two runs comes from one agent.
 struct Share {
     Agent agent{};
-    std::size_t other = 0;  ///< the body that touches; else unused
-    Vec2 normal{0, 1};      ///< of the touch at its largest step
+    std::size_t other = 0;  ///< the body that it touches; else unused
+    Vec2 normal{0, 1};      ///< of the contact, at its largest step
     double length = 0;      ///< [m]
-    double largest = 0;     ///< of one step [m]
-    std::size_t tick = 0;   ///< before that step
+    double largest = 0;     ///< the largest length of one step [m]
+    std::size_t tick = 0;   ///< the tick before that step
 };
 
-/// A step that changes the difference of the two velocities by u puts u times the rest of the time between the bodies;
-/// summed over the steps, with what engines move bodies by beside their velocities, this is the distance, exactly.
-/// Lengths are taken along the offset; the largest share comes first. Steps that add less than a thousandth of it are
-/// left out.
+/// If a step changes the difference of the two velocities by u, it adds u times the remaining time to the distance. The
+/// sum over the steps, with the moves that engines make in addition to the velocities, is exactly the distance. Lengths
+/// are measured along the offset; the largest share comes first. Steps that add less than a thousandth of the distance
+/// are left out.
 std::vector<Share> sharesOf(const Parted& parted, const JointStates& joints, const Touching& touching);
 
 /// The body's centre of mass.

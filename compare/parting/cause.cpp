@@ -13,9 +13,9 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double partOfIts = 0.5;      // what accounts for so much of a distance is its cause [-]
+constexpr double partOfIts = 0.5;      // a cause must explain at least this part of the distance [-]
 constexpr double alike = 0.01;         // two speeds that differ by less, relative to the larger, are the same [-]
-constexpr double partOfItsPull = 0.2;  // likewise of a gap, where it is the joints that pull [-]
+constexpr double partOfItsPull = 0.2;  // the same for gaps if the joints are what pulls [-]
 
 class CauseFinder {
 public:
@@ -75,7 +75,7 @@ private:
         return true;
     }
 
-    /// What comes at once says more than how deep bodies are in each other by then.
+    /// A sudden change says more than the depth of overlaps at that time.
     void addTouch(const Share& share) {
         const TouchCause cause(parted_, share, touching_);
         if (cause.isSudden() || share.agent == Agent::Along || !foundOverlap()) cause.add(parting_);
@@ -95,7 +95,7 @@ private:
             parting_.at = parted_.scene.joints[*joint].name;
     }
 
-    /// The one that holds the body itself and whose gap differs most, or the first.
+    /// Of the joints that hold the body itself, the one whose gap differs most; the first of equals.
     std::optional<std::size_t> jointOf(std::size_t body) const {
         std::optional<std::size_t> found;
         double most = -1;
@@ -111,7 +111,7 @@ private:
         return found;
     }
 
-    /// How far the body has gone in a run by now [m].
+    /// The length of the body's way in a run so far [m].
     double wayIn(const Observation& run) const {
         double way = 0;
         for (std::size_t tick = 0; tick < parted_.tick; ++tick)
@@ -120,7 +120,7 @@ private:
     }
 
     struct Gain {
-        double gained = 0, size = 0;  ///< by now, and the largest that energy of motion or of place is in the run [J]
+        double gained = 0, size = 0;  ///< gained so far; the largest kinetic or potential energy in the run [J]
     };
     std::optional<Gain> gainIn(const MassModel& masses, const Observation& run) const {
         const std::optional<Mechanics> start = masses.at(run.states[0]);

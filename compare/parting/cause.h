@@ -6,13 +6,13 @@
 
 namespace plumb::compare {
 
-/// Fills in what differed most, where, how much in each, and when. In this order:
+/// Fills in what differed most, where, its value in each engine, and when. In this order:
 ///   a joint that has broken in one run only,
-///   gaps of joints that come to at least half of the distance between the runs; a fifth, where the joints pull,
-///   else what the largest share of the distance comes from, see sharesOf:
-///     a touch: what came at once, or overlaps that come to half of the distance, or how it slid or was pressed,
-///     joints: energy, where a law keeps it, and its drift accounts for half of the distance, or how they pull,
-///     nothing: the speed in flight, or how the steps place it.
+///   gaps of joints that sum to at least half of the distance between the runs; a fifth if the joints are what pulls,
+///   else the origin of the largest share of the distance, see sharesOf:
+///     a contact: a sudden change, or overlaps that sum to half of the distance, or how the body slid or was pressed,
+///     joints: energy, if a law keeps it and its drift explains half of the distance, or how the joints pull,
+///     nothing: the speed in flight, or how the steps move the body.
 void addCause(const Parted& parted, Parting& parting);
 
 }  // namespace plumb::compare

@@ -5,8 +5,8 @@
 
 namespace plumb::compare {
 
-/// Nothing takes energy or gives it: no damping, no motor, no field, no mover, no joint that stops hard or breaks, no
-/// body that comes later, and no touch but of surfaces that are elastic and without friction.
+/// True if nothing takes or gives energy: no damping, no motor, no field, no mover, no joint that stops hard or breaks,
+/// no body that appears later, and no contacts except between elastic surfaces without friction.
 bool keepsEnergy(const Scene& scene);
 
 }  // namespace plumb::compare

@@ -11,8 +11,8 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double limits[] = {0.01, 0.04, 0.16};  // each beyond what keeping apart comes to at the one before [m]
-constexpr double leastSkin = 2e-3;               // a smaller gap is nobody's setting [m]
+constexpr double limits[] = {0.01, 0.04, 0.16};  // if engines keep bodies apart, the next limit is tried [m]
+constexpr double leastSkin = 2e-3;               // no engine sets a smaller gap on purpose [m]
 
 bool mayPart(const SceneBody& body) {
     return body.def.type != BodyType::Static && body.def.enabled;
@@ -22,20 +22,21 @@ bool isThere(const Observation& run, std::size_t body, std::size_t tick) {
     return tick < run.states.size() && run.states[tick][body].present && isFinite(run.states[tick][body]);
 }
 
-/// Two runs of a body. Not a number where one of them does not speak of it, or has not got it yet; infinite where one
-/// has lost it.
+/// Two runs of a body. A result is NaN if one run does not describe the body, or does not have it yet; infinite if a
+/// run has lost it.
 class Paths {
 public:
     Paths(const Scene& scene, const Observation& a, const Observation& b, std::size_t body)
         : wrap_(scene.wrap), a_(a), b_(b), body_(body) {}
 
-    /// Between the two at one moment [m].
+    /// The distance between the two at one moment [m].
     double apartAt(std::size_t tick) const {
         const double lost = lostAt(tick);
         return std::isnan(lost) || lost > 0 ? lost : between(a_, tick, b_, tick).norm();
     }
 
-    /// From the path of the other, within a step before and after, to the one; the shorter of both ways [m].
+    /// From the path of one run, within a step before and after, to the place of the body in the other; the shorter of
+    /// both ways [m].
     Vec2 offsetAt(std::size_t tick) const {
         const double lost = lostAt(tick);
         if (std::isnan(lost) || lost > 0) return {lost, lost};
@@ -77,7 +78,7 @@ std::size_t ticksOf(const Observation& a, const Observation& b) {
     return std::min(a.states.size(), b.states.size());
 }
 
-/// Who parts first: of those that part at the same tick, the one that is farther away.
+/// The body that parts first. Of those that part at the same tick, the one that is farthest away.
 std::optional<Parted> firstParted(const Scene& scene, const Observation& a, const Observation& b, double limit) {
     for (std::size_t tick = 1; tick < ticksOf(a, b); ++tick) {
         std::optional<Parted> first;
@@ -94,7 +95,7 @@ std::optional<Parted> firstParted(const Scene& scene, const Observation& a, cons
     return {};
 }
 
-/// At the last tick at which both have it.
+/// The distance at the last tick at which both runs have the body.
 double apartAtEnd(const Scene& scene, const Observation& a, const Observation& b, std::size_t body) {
     for (std::size_t tick = ticksOf(a, b); tick-- > 0;)
         if (const double apart = Paths(scene, a, b, body).apartAt(tick); !std::isnan(apart)) return apart;
@@ -109,7 +110,7 @@ double mostOff(const Scene& scene, const Observation& a, const Observation& b) {
     return most;
 }
 
-/// All that differs is that one keeps what touches apart.
+/// True if the only difference is that one engine keeps touching bodies apart.
 bool isSkin(const Parting& parting) {
     const double gap = -std::min(parting.valueA, parting.valueB);
     return parting.quantity == Difference::Overlap && gap > leastSkin && gap <= Touching::skin;

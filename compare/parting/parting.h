@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where do two engines part, and over what?
+// Where do two engines part, and for what reason?
 #pragma once
 #include <span>
 #include <string>
@@ -11,44 +11,45 @@ namespace plumb::compare {
 
 /// What differed most between two engines before they parted.
 enum class Difference {
-    None,      ///< nothing that was looked at
+    None,      ///< nothing that was checked
     Break,     ///< a joint has broken: 1, or 0 [-]
-    Gap,       ///< how far a joint is from what it holds [m]
-    Overlap,   ///< how deep two bodies are in each other, negative for a gap between them [m]
+    Gap,       ///< the gap of a joint: how far apart the points are that it holds together [m]
+    Overlap,   ///< how deep two bodies overlap; negative for a gap between them [m]
     Passed,    ///< one body went through another: 1, or 0 [-]
-    Bounce,    ///< the coefficient of restitution that a hit shows [-]
+    Bounce,    ///< the coefficient of restitution seen in a hit [-]
     Hit,       ///< the speed after a hit [m/s]
-    Snag,      ///< the speed lost at once, in one of them only [m/s]
+    Snag,      ///< the speed lost at once, in one run only [m/s]
     Sliding,   ///< the speed gained or lost along a surface [m/s]
-    Pressing,  ///< the speed gained or lost where bodies press on each other [m/s]
-    Pull,      ///< the speed gained or lost where joints hold the body [m/s]
-    Flight,    ///< the speed of what nothing touches [m/s]
-    Steps,     ///< where a step puts a body, beside its velocity: how far off the other's path it is by then [m]
-    Driven,    ///< the speed of what a mover moves [m/s]
-    Energy,    ///< gained since the start, where a law keeps it, relative to the largest of the run [-]
+    Pressing,  ///< the speed gained or lost when bodies press on each other [m/s]
+    Pull,      ///< the speed gained or lost when joints hold the body [m/s]
+    Flight,    ///< the speed of a body that nothing touches [m/s]
+    Steps,     ///< a step moves the body in addition to its velocity: how far it is off the other's path then [m]
+    Driven,    ///< the speed of a body that a mover moves [m/s]
+    Energy,    ///< gained since the start although a law keeps it, relative to the largest of the run [-]
 };
 
 /// Its name in files: "gap", "overlap", "bounce".
 std::string differenceName(Difference difference);
 
-/// Two engines of which each ran the scene.
+/// How two engines that both ran the scene part.
 struct Parting {
     std::string engineA{}, engineB{};
-    std::string body{};             ///< the first that is off its path in the other engine; empty: none is
-    double limit = 0;               ///< by more than this: see partingsOf [m]
-    double time = 0;                ///< when [s]
-    double apart = 0;               ///< at the end, of this body; where none parts, the largest of all bodies [m]
-    Difference quantity{};          ///< what differed most by then
-    std::string at{};               ///< the joint, or the two bodies: "ball, floor"; or the body alone
-    double valueA = 0, valueB = 0;  ///< of the quantity, in each engine
+    std::string body{};             ///< the first body that leaves its path in the other engine; empty: none does
+    double limit = 0;               ///< the distance from the path that counts as parting: see partingsOf [m]
+    double time = 0;                ///< when it leaves the path [s]
+    double apart = 0;               ///< distance at the end, of this body; if none parts, the largest of all bodies [m]
+    Difference quantity{};          ///< what differed most until then
+    std::string at{};               ///< the joint, or the two bodies: "ball, floor"; or only the body
+    double valueA = 0, valueB = 0;  ///< values of the quantity in each engine
     double when = 0;                ///< when the two values were seen [s]
 };
 
-/// Of each pair of runs that have states, in their order. Bodies that do not move are left out; of the closed form,
-/// those are that it does not speak of.
-/// A body is off its path when it is more than 1 cm from where the other engine has it within a step before and after:
-/// who is only late by a step is on the path. Where all that differs is that an engine keeps what touches apart, by up
-/// to 2.5 cm, it is no parting yet: the limit is 4 cm then, and 16 cm if it is so at these too.
+/// One parting for each pair of runs that have states, in their order. Bodies that do not move are left out; so are
+/// bodies that the closed form does not describe, in pairs with it.
+/// A body is off its path if it is more than 1 cm from where the other engine has it within a step before and after: a
+/// body that is only late by a step is still on the path. If the only difference is that an engine keeps touching
+/// bodies apart, by up to 2.5 cm, this is not yet a parting: then the limit is 4 cm, and 16 cm if the same is true
+/// at 4 cm.
 std::vector<Parting> partingsOf(const Scene& scene, std::span<const Observation* const> runs);
 
 /// "a and b: plank_3 parts at 0.82 s, by more than 10 mm, and is 2 m off at the end: in b the hinge link_4 has opened

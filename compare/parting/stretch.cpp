@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <map>
 
 namespace plumb::compare {
 namespace {
 
-using Links = std::map<std::size_t, std::vector<std::size_t>>;  // of each body, those that it is joined to or touches
+using Links = std::map<std::size_t, std::vector<std::size_t>>;  // for each body, those that it is joined to or touches
 
 bool isFreeToMove(const Scene& scene, std::size_t body) {
     return scene.bodies[body].def.type == BodyType::Dynamic;
@@ -29,7 +28,7 @@ Links linksOf(const Parted& parted, const JointStates& joints, const Touching& t
     return links;
 }
 
-/// The bodies that can be reached from one, the nearest first. What is not free to move ends a way.
+/// The bodies that can be reached from `from`, the nearest first. A body that is not free to move ends a way.
 struct Search {
     std::vector<std::size_t> reached;
     std::map<std::size_t, std::size_t> cameFrom;
@@ -46,7 +45,8 @@ Search searchFrom(std::size_t from, const Scene& scene, const Links& links) {
     return search;
 }
 
-/// The bodies from one to the nearest that is not free to move, both included; or to the farthest one if there is none.
+/// The bodies from `from` to the nearest one that is not free to move, both included. If there is none, to the farthest
+/// one.
 std::vector<std::size_t> wayToGround(const Scene& scene, const Links& links, std::size_t from) {
     const Search search = searchFrom(from, scene, links);
     const auto ground =
@@ -56,7 +56,7 @@ std::vector<std::size_t> wayToGround(const Scene& scene, const Links& links, std
     return way;
 }
 
-/// The places of joints that hold a body to others, over any number of them.
+/// The places of all joints that hold the body to others, directly or over other bodies.
 std::vector<std::size_t> jointsAround(const Scene& scene, const JointStates& joints, std::size_t body) {
     std::vector<bool> reached(scene.bodies.size());
     reached[body] = true;
@@ -69,7 +69,7 @@ std::vector<std::size_t> jointsAround(const Scene& scene, const JointStates& joi
             if (!isHere || std::ranges::find(found, i) != found.end()) continue;
             found.push_back(i);
             grows = true;
-            // What does not move freely holds others by itself.
+            // The search does not go on beyond a body that does not move freely.
             for (const std::size_t other : held) reached[other] = reached[other] || isFreeToMove(scene, other);
         }
     }
@@ -135,7 +135,7 @@ std::optional<Widest> deepestOverlap(const Parted& parted, const JointStates& jo
         if (!touches.contains(pair)) continue;
         const double inA = -touching.separation(pair.first, pair.second, a);
         const double inB = -touching.separation(pair.first, pair.second, b);
-        if (std::min(inA, inB) < -Touching::skin) continue;  // one of them does not touch
+        if (std::min(inA, inB) < -Touching::skin) continue;  // they do not touch in one of the runs
         sum += std::abs(inA - inB);
         if (deepest && std::abs(inA - inB) <= std::abs(deepest->valueA - deepest->valueB)) continue;
         deepest = Widest{.bodyA = way[i + 1], .bodyB = way[i], .valueA = inA, .valueB = inB, .tick = parted.tick};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// By how much do joints and touches, between a body and what stands still, differ in two runs?
+// How much do joints and contacts, between a body and a body that stands still, differ in two runs?
 #pragma once
 #include <optional>
 
@@ -8,25 +8,25 @@
 
 namespace plumb::compare {
 
-/// One thing that is wider in one run than in the other.
+/// A gap or an overlap that differs between the two runs.
 struct Widest {
-    std::size_t joint = 0;             ///< of a gap or a break
-    std::size_t bodyA = 0, bodyB = 0;  ///< of an overlap
-    double valueA = 0, valueB = 0;     ///< in each run [m], of a break [-]
+    std::size_t joint = 0;             ///< for a gap or a break
+    std::size_t bodyA = 0, bodyB = 0;  ///< for an overlap
+    double valueA = 0, valueB = 0;     ///< in each run [m]; for a break [-]
     std::size_t tick = 0;              ///< when
-    double together = 0;               ///< what it and its like come to on the way to what stands still [m]
+    double together = 0;               ///< the sum of all such differences on the way to a body that stands still [m]
 };
 
-/// The joint that broke first of those that broke in one run only and that hold the body, over any number of joints and
-/// touches: 1 in that run, 0 in the other. Empty when there is none.
+/// Looks at the joints that hold the body, over any number of joints and contacts, and that broke in one run only.
+/// Returns the one that broke first: 1 in that run, 0 in the other. Empty if there is none.
 std::optional<Widest> firstBreak(const Parted& parted, const JointStates& joints, const Touching& touching);
 
-/// Of the joints that hold the body to others, the one whose gap differs most at any tick so far. Empty when there is
-/// none.
+/// Of the joints that hold the body to others, the one whose gap differs most at any tick so far. Empty if there are no
+/// such joints.
 std::optional<Widest> widestGap(const Parted& parted, const JointStates& joints);
 
-/// Of the touches on the shortest way from the body, over joints and touches, to a body that does not move freely, the
-/// one whose depth differs most when the body parts. Empty when there is no way.
+/// Looks at the contacts on the shortest way from the body, over joints and contacts, to a body that does not move
+/// freely. Returns the contact whose depth differs most when the body parts. Empty if there is no way.
 std::optional<Widest> deepestOverlap(const Parted& parted, const JointStates& joints, const Touching& touching);
 
 }  // namespace plumb::compare

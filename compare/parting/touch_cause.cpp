@@ -8,13 +8,13 @@
 namespace plumb::compare {
 namespace {
 
-constexpr std::size_t steps = 2;        // after which a hit is over: an engine may spread it over two
-constexpr std::size_t around = 6;       // steps before and after: so far apart may engines see the same hit
-constexpr double leastBounce = 0.05;    // two coefficients of restitution that differ by more are told [-]
-constexpr double suddenSpeed = 0.05;    // what changes a speed by more in a step than gravity could is sudden [m/s]
-constexpr double timesGravity = 1.5;    // likewise, in steps of gravity
+constexpr std::size_t steps = 2;        // after this many steps a hit is over: an engine may spread it over two
+constexpr std::size_t around = 6;       // steps before and after: engines may see the same hit this far apart
+constexpr double leastBounce = 0.05;    // two coefficients of restitution that differ by more are reported [-]
+constexpr double suddenSpeed = 0.05;    // a change of speed in a step is sudden if it exceeds gravity's by this [m/s]
+constexpr double timesGravity = 1.5;    // the factor for gravity's change in that comparison [-]
 constexpr double alikeAfterHit = 0.02;  // relative: two speeds after a hit that differ by less are the same [-]
-constexpr double leastSpeed = 1e-3;     // as is what is slower [m/s]
+constexpr double leastSpeed = 1e-3;     // the same, absolute [m/s]
 
 double bounceIn(double approach, double leaving) {
     return approach > 0 ? leaving / approach : 0;
@@ -62,7 +62,7 @@ std::size_t TouchCause::lastTick() const {
     return std::min(parted_.a.states.size(), parted_.b.states.size()) - 1;
 }
 
-/// The step around the share's in which this run is hit hardest: each engine has its own.
+/// The step, near that of the share, in which the body is hit hardest in this run. The step may differ between engines.
 std::size_t TouchCause::hitTickIn(const Observation& run) const {
     std::size_t hardest = share_.tick;
     double most = 0;
@@ -99,7 +99,8 @@ TouchCause::Seen TouchCause::seenIn(const Observation& run) const {
     return seen;
 }
 
-/// The first is not turned back by what turns the second back, and comes out of it on the other side or is in it.
+/// True if the obstacle turns the second run back but not the first, and the first comes out on the other side or is
+/// inside it.
 bool TouchCause::isPassed(const Seen& through, const Seen& back) const {
     if (std::abs(through.across) > std::abs(back.across) / 2) return false;
     const Observation& run = &through == &a_ ? parted_.a : parted_.b;

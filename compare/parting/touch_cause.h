@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What differs in two runs where a body touches another?
+// What differs between two runs when a body touches another?
 #pragma once
 #include <utility>
 
@@ -8,19 +8,19 @@
 
 namespace plumb::compare {
 
-/// What a share that comes from a touch is: a hit, a bounce, a way through, a snag, sliding or pressing.
+/// Finds what a share from a contact is: a hit, a bounce, a way through, a snag, sliding or pressing.
 class TouchCause {
 public:
     TouchCause(const Parted& parted, const Share& share, const Touching& touching);
 
-    /// It came at once, and came out differently.
+    /// True if the change was sudden and the results differ.
     bool isSudden() const;
     void add(Parting& parting) const;
 
 private:
-    /// A run around a touch.
+    /// One run around the time of a contact.
     struct Seen {
-        double approach = 0, leaving = 0;  ///< towards the other along the normal, before, and away from it after [m/s]
+        double approach = 0, leaving = 0;  ///< towards the other along the normal before, away from it after [m/s]
         double across = 0, along = 0;  ///< the change of the body's speed along the normal and along the surface [m/s]
         double before = 0, after = 0;  ///< the body's speed [m/s]
         Vec2 from{0, 0}, to{0, 0};     ///< its centre, before and after [m]

@@ -13,7 +13,7 @@ namespace {
 constexpr const char* differenceNames[] = {"none",   "break",  "gap",   "overlap", "passed",
                                            "bounce", "hit",    "snag",  "sliding", "pressing",
                                            "pull",   "flight", "steps", "driven",  "energy"};
-// What a joint is called in a sentence, as in JointDef.
+// The names of joints in a sentence, in the order of JointDef.
 constexpr const char* jointNames[] = {"hinge",  "slide", "rod",   "weld",   "wheel",
                                       "pulley", "gear",  "motor", "target", "filter"};
 
@@ -25,7 +25,7 @@ std::string jointText(const Scene& scene, const std::string& name) {
     return fmt::format("{} {}", kind, name);
 }
 
-/// The two sides of a sentence, the larger value first.
+/// The two sides of a sentence, with the larger value first.
 struct Sides {
     std::string engine, other;
     double value = 0, otherValue = 0;
@@ -45,12 +45,12 @@ std::string gainText(double gain) {
     return fmt::format("{} by {:.2g} %", gain >= 0 ? "grown" : "fallen", 100 * std::abs(gain));
 }
 
-/// Of what bounces: nothing comes back of what goes on.
+/// The share of the speed after a bounce; 0 % if the body goes on in its direction.
 std::string shareText(double share) {
     return fmt::format("{:.0f} %", share > 0 ? 100 * share : 0.0);
 }
 
-/// "ball" and "floor" of "ball, floor".
+/// "ball" and "floor" from "ball, floor".
 std::pair<std::string, std::string> bothOf(const std::string& at) {
     const std::size_t comma = at.find(", ");
     return {at.substr(0, comma), comma == std::string::npos ? "" : at.substr(comma + 2)};

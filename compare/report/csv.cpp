@@ -14,7 +14,7 @@
 namespace plumb::compare {
 namespace {
 
-/// In quotes where it would otherwise fall apart (RFC 4180).
+/// In quotes if it would otherwise be read wrongly (RFC 4180).
 std::string quoted(const std::string& name) {
     if (name.find_first_of(",\"\r\n") == std::string::npos) return name;
     std::string text(1, '"');
@@ -23,7 +23,7 @@ std::string quoted(const std::string& name) {
     return text;
 }
 
-/// The fewest digits that read back as the same number; nothing where there is none.
+/// The fewest digits that read back as the same number; empty if there is no number.
 std::string cell(double value) {
     return std::isnan(value) ? "" : fmt::format("{}", value);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How is a long series drawn with few points, and none of its peaks lost?
+// How is a long series drawn with few points without losing its peaks?
 #pragma once
 #include <cstddef>
 #include <span>
@@ -7,13 +7,13 @@
 
 namespace plumb::compare {
 
-/// How many ticks share a pair of points, so that `ticks` ticks give about `most` points: 1, each tick has its own
-/// point; else an even number.
+/// How many ticks share a pair of points, so that `ticks` ticks give about `most` points. 1 means that each tick has
+/// its own point; else the number is even.
 std::size_t curveStride(std::size_t ticks, std::size_t most);
 
-/// Stride 1: the series as it is. Else two points for every `stride` ticks: the smallest and the largest of their
-/// values, the earlier first; NaN is passed over, and stands where there is nothing else.
-/// Point j lies at tick floor(j / 2) stride + (j mod 2) stride / 2.
+/// Stride 1: the series itself. Else two points for every `stride` ticks: the smallest and the largest of their values,
+/// the earlier one first. NaN is skipped, and is used only if there is no other value.
+/// Point j is at tick floor(j / 2) stride + (j mod 2) stride / 2.
 std::vector<double> thinned(std::span<const double> series, std::size_t stride);
 
 }  // namespace plumb::compare

@@ -33,7 +33,7 @@ json pointData(const std::vector<Vec2>& points) {
     return data;
 }
 
-/// As the page draws it: under its kind the numbers of its points, and the radius around them where there is one.
+/// A shape as the page draws it: under its kind the numbers of its points, and the radius around them if it has one.
 json shapeData(const Circle& circle) {
     return {{"circle", {circle.center.x(), circle.center.y(), circle.radius}}};
 }
@@ -52,16 +52,16 @@ json shapeData(const Segment& segment) {
     return {{"segment", pointData({segment.start, segment.end})}};
 }
 
-/// A ring comes back to its first point.
+/// A ring returns to its first point.
 json shapeData(const Chain& chain) {
     std::vector<Vec2> points = chain.points;
     if (chain.closed) points.push_back(chain.points.front());
     return {{"chain", pointData(points)}};
 }
 
-/// What the tiles fill, and its outline, each with the kind of its tiles.
+/// The areas that the tiles fill, and their outline, each with the kind of its tiles.
 json shapesData(const TileMap& map) {
-    constexpr const char* kinds[] = {"solid", "oneWay", "hazard", "sensor"};  // as in TileKind
+    constexpr const char* kinds[] = {"solid", "oneWay", "hazard", "sensor"};  // in the order of TileKind
     json shapes = json::array();
     for (const TilePiece& piece : tilePiecesOf(map)) {
         const auto* edge = std::get_if<Segment>(&piece.shape);
@@ -92,7 +92,7 @@ json bodyData(const SceneBody& body) {
     return data;
 }
 
-/// A joint as two bodies and a point fixed to each: the page draws it wherever the bodies go. Null for a gear, which
+/// A joint as two bodies and a point fixed to each: the page draws it wherever the bodies are. Null for a gear, which
 /// has no place of its own, and for a target, which has one body.
 json jointData(const SceneJoint& joint, const JointGeometry& geometry) {
     if (geometry.bodyA == noBody) return {};
@@ -107,8 +107,8 @@ json jointData(const SceneJoint& joint, const JointGeometry& geometry) {
     return data;
 }
 
-/// What of a field can be drawn: water's surface and which way is down, or what draws, in the frame of the body that
-/// carries it.
+/// The parts of a field that can be drawn: the surface of water and the direction of its gravity, or the point that
+/// attracts. The point of a magnet is in the frame of the body that carries it.
 json fieldData(const Scene& scene, const SceneField& field) {
     json data{{"name", field.name}};
     if (const auto* pool = std::get_if<Pool>(&field.def.law)) {
@@ -127,7 +127,7 @@ json partData(const PackedPart& part) {
     return {part.first, part.count};
 }
 
-/// Null where the series does not exist or says nothing.
+/// Null if the series does not exist or has no numbers.
 json curveData(const std::vector<double>& series, std::size_t stride, PackedBlock& block) {
     const bool empty = std::ranges::all_of(series, [](double value) { return std::isnan(value); });
     return empty ? json() : partData(block.addFloats(thinned(series, stride)));
@@ -180,7 +180,7 @@ json closedFormData(const Scene& scene) {
             {"until", scene.closedForm->until}};
 }
 
-/// The limits that belong into the charts.
+/// The limits that are shown in the charts.
 json limitData(const Scene& scene) {
     json limits = json::object();
     for (const Check& check : scene.checks) {
@@ -193,7 +193,7 @@ json limitData(const Scene& scene) {
     return limits;
 }
 
-/// body is empty where the two stay together.
+/// body is empty if the two stay together.
 json partingData(const Scene& scene, const Parting& parting) {
     return {{"a", parting.engineA},
             {"b", parting.engineB},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What does the page know?
+// What does the page know about the results?
 #pragma once
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
@@ -12,17 +12,17 @@
 namespace plumb::compare {
 
 struct ReportSettings {
-    /// Numbers of all playback together; about 0.75 characters of the page each.
+    /// How many numbers all playback may have together; each takes about 0.75 characters of the page.
     std::size_t playbackBudget = 3'000'000;
-    /// In a curve; a screen has about 2,000 columns, and a pair of points stays below one of them.
+    /// Points of a curve; a screen has about 2,000 columns, so a pair of points is narrower than a column.
     std::size_t curvePoints = 4'000;
 };
 
-/// Everything the page shows, as the page's scripts read it (page/data.js).
+/// Everything that the page shows, in the form that its scripts read (page/data.js).
 nlohmann::json reportData(const std::vector<SceneResult>& results, const std::vector<LabResult>& labs = {},
                           const ReportSettings& settings = {});
 
-/// JSON that may stand inside a <script> element: without "<", no text in it can end the element or open a comment.
+/// JSON that may be put inside a <script> element: without "<", no text in it can end the element or open a comment.
 std::string scriptText(const nlohmann::json& data);
 
 }  // namespace plumb::compare

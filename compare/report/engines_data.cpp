@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* roleTags[] = {"subject", "peer", "guest", "truth"};  // as in Role
+constexpr const char* roleTags[] = {"subject", "peer", "guest", "truth"};  // in the order of Role
 
 json cardData(const EngineCard& card) {
     const Look& look = card.look;
@@ -27,7 +27,7 @@ json cardData(const EngineCard& card) {
             {"oneSidedChains", card.oneSidedChains}};
 }
 
-/// Of an engine that is not known, its name and the part that it has.
+/// For an engine that is not known: its name and its role.
 EngineCard strangerFrom(const Observation& run) {
     EngineCard card;
     card.name = card.label = card.product = run.engine;

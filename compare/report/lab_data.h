@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What does the page know of labs?
+// What does the page know about labs?
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace plumb::compare {
 
-/// A list with all that the page shows of each lab, as its scripts read it (page/lab_page.js).
+/// A list with everything that the page shows of each lab, in the form that its scripts read (page/lab_page.js).
 nlohmann::json labsData(const std::vector<LabResult>& labs);
 
 }  // namespace plumb::compare

@@ -13,7 +13,7 @@
 namespace plumb::compare {
 namespace {
 
-/// 0, -1, 1, -2, ... become 0, 1, 2, 3, ...: what is small in size has its high bytes 0, whatever its sign.
+/// 0, -1, 1, -2, ... become 0, 1, 2, 3, ...: a number of small size then has high bytes 0, whatever its sign.
 std::uint32_t folded(std::uint32_t difference) {
     return difference << 1 ^ (difference >> 31 != 0 ? ~std::uint32_t{0} : 0u);
 }
@@ -26,7 +26,7 @@ std::uint32_t wholeSteps(double number, double step) {
     return static_cast<std::uint32_t>(std::abs(steps) <= most ? static_cast<std::int32_t>(steps) : noSteps);
 }
 
-/// A conversion to float is undefined beyond float's range, and a run that blew up has such numbers.
+/// Conversion to float is undefined for numbers beyond float's range, which a run that blew up has.
 float toFloat(double number) {
     constexpr double largest = std::numeric_limits<float>::max();
     if (std::abs(number) > largest)

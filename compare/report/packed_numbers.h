@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How do many numbers travel in a page?
+// How are many numbers stored in a page?
 #pragma once
 #include <cstdint>
 #include <span>
@@ -14,26 +14,26 @@ std::string base64(std::span<const std::uint8_t> bytes);
 /// The numbers as IEEE 754 in 64 bits, least significant byte first, in base64: a page reads them as a typed array.
 std::string packNumbers(std::span<const double> numbers);
 
-/// Words of a block: the first and how many.
+/// A range of words in a block: the first and how many.
 struct PackedPart {
     std::size_t first = 0, count = 0;
 };
 
-/// Series of numbers made small together. Each number becomes a word of 32 bits; a word is stored as its difference
-/// from what the words before it foretell, which is near 0 where a series is smooth; and the bytes go by significance,
-/// all the lowest first, so that zlib finds long runs of zeros.
+/// Series of numbers, compressed together. Each number becomes a word of 32 bits. A word is stored as its difference
+/// from a prediction by the words before it; the difference is near 0 if a series is smooth. The bytes are ordered by
+/// significance, the lowest byte of every word first, so that zlib finds long runs of zeros.
 /// The built-in scenes in three engines and the closed form: 3.0 million numbers of playback and 0.5 million of curves
 /// are 3.1 million characters; in base64 as doubles they would be 38 million.
 class PackedBlock {
 public:
-    /// Rounded to float, 7 digits; infinite beyond its range. A word is foretold to be the one before it.
+    /// Rounded to float, 7 digits; infinite beyond its range. The prediction for a word is the word before it.
     PackedPart addFloats(std::span<const double> numbers);
 
-    /// Rounded to whole steps, each below 2^31 in size; what is larger, or no number, reads back as none. A word is
-    /// foretold to go on from the one before as that did from its own: constant speed costs nothing.
+    /// Rounded to whole steps, each below 2^31 in size. A number that is too large or is NaN reads back as no number.
+    /// The prediction for a word continues the change between the two words before it: constant speed costs nothing.
     PackedPart addSteps(std::span<const double> numbers, double step);
 
-    /// All of it: zlib's format (RFC 1950), in base64.
+    /// The whole block: zlib's format (RFC 1950), in base64.
     std::string text() const;
 
 private:

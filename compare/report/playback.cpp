@@ -26,7 +26,7 @@ std::size_t keptCount(std::size_t ticks, std::size_t stride) {
     return ticks == 0 ? 0 : (ticks - 1 + stride - 1) / stride + 1;
 }
 
-/// The least stride within the share, or the largest there is: first and last tick.
+/// The least stride within the share. If none is small enough, the largest: only the first and the last tick.
 std::size_t strideWithin(const SceneResult& result, std::size_t share) {
     std::size_t stride = 1;
     const auto last = static_cast<std::size_t>(std::max(1, stepCount(result.scene)));
@@ -34,13 +34,13 @@ std::size_t strideWithin(const SceneResult& result, std::size_t share) {
     return stride;
 }
 
-/// The three numbers of a body's state, from its start.
+/// The three numbers of a body's state, relative to its start.
 std::array<double, numbersPerBody> fromStart(const SceneBody& body, const BodyState& state) {
     const Vec2 way = state.position - body.def.position;
     return {way.x(), way.y(), state.angle - body.def.angle};
 }
 
-/// How far the bodies of one engine come from their start: lengths and angles. Infinite where a run blew up.
+/// How far the bodies of one engine go from their start: lengths and angles. Infinite if a run blew up.
 struct Excursion {
     double length = 0, angle = 0;
 };
@@ -51,7 +51,7 @@ Excursion excursionOf(const Scene& scene, const Observation& run) {
     for (std::size_t tick = 0; tick < playedTicks(scene, run); ++tick) {
         for (const std::size_t body : bodies) {
             const auto [x, y, angle] = fromStart(scene.bodies[body], run.states[tick][body]);
-            // A body that is not there yet has no numbers, and std::max keeps what it has.
+            // The numbers of a body that does not exist yet are NaN; std::max then keeps its first argument.
             far.length = std::max(std::max(far.length, std::abs(x)), std::abs(y));
             far.angle = std::max(far.angle, std::abs(angle));
         }
@@ -65,7 +65,7 @@ double stepFor(double size) {
     return std::ldexp(1.0, (isUsual ? static_cast<int>(std::ceil(std::log2(size))) : 0) - bits);
 }
 
-/// By the engine that goes the least far: one that blows up makes the others no coarser.
+/// Uses the engine whose bodies go the least far, so that an engine that blows up does not make the others coarser.
 PlaybackFormat formatWithin(const SceneResult& result, std::size_t share) {
     Excursion least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     for (const EngineResult& engine : result.engines) {
@@ -74,7 +74,7 @@ PlaybackFormat formatWithin(const SceneResult& result, std::size_t share) {
         const Excursion far = excursionOf(result.scene, run);
         least = {std::min(least.length, far.length), std::min(least.angle, far.angle)};
     }
-    // A quarter turn at least: what has hardly turned in one engine may have in another.
+    // At least 1 rad: a body that hardly turned in one engine may have turned in another.
     return {strideWithin(result, share), stepFor(least.length), stepFor(std::max(least.angle, 1.0))};
 }
 
@@ -94,7 +94,7 @@ std::vector<std::size_t> playedBodies(const Scene& scene, Role role) {
 std::size_t playedTicks(const Scene& scene, const Observation& run) {
     const std::size_t ticks = run.states.size();
     if (run.role != Role::Truth || !scene.closedForm || scene.closedForm->until <= 0 || run.dt <= 0) return ticks;
-    // A tick at the very end of the form's validity counts, whatever the division's last bit says.
+    // The tick at the very end of the closed form's time is included, even if the division is off by rounding.
     const double lastTick = std::floor(scene.closedForm->until / run.dt + 1e-6);
     return lastTick + 1 < static_cast<double>(ticks) ? static_cast<std::size_t>(lastTick) + 1 : ticks;
 }

@@ -12,9 +12,9 @@
 namespace plumb::compare {
 namespace {
 
-const std::vector<std::string> valueNames{"x", "y", "angle", "vx", "vy", "speed", "spin"};  // as in BodyValue
+const std::vector<std::string> valueNames{"x", "y", "angle", "vx", "vy", "speed", "spin"};  // in the order of BodyValue
 
-/// The words of one pair of braces, taken one after the other.
+/// Reads the words between one pair of braces, one after the other.
 class QueryReader {
 public:
     QueryReader(const Scene& scene, const std::string& text) : scene_(scene), text_(text) {

@@ -9,12 +9,12 @@
 
 namespace plumb::compare {
 
-/// A scene that is large to hold: made when it is run.
+/// A scene that needs much memory: it is built only when it is run.
 struct BenchScene {
     std::string name{};
-    std::string group{};             ///< a name that stands for several: "six", "scaling", "crowds", "random", or none
-    std::string family{};            ///< scenes alike in all but size, over which growth is measured, or none
-    std::function<Scene()> build{};  ///< the scene; its name is name
+    std::string group{};             ///< a name for several scenes: "six", "scaling", "crowds", "random", or none
+    std::string family{};            ///< a name for scenes that differ only in size, or none
+    std::function<Scene()> build{};  ///< builds the scene; its name is name
 };
 
 /// All of them, in the order in which they are listed.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What must hold in a scene, and for which engine?
+// What must be true in a scene, and for which engine?
 #pragma once
 #include <string>
 #include <variant>
@@ -7,8 +7,8 @@
 
 namespace plumb::compare {
 
-/// The engine under test stays within limit of the closed form over the whole run, and no farther off than the best of
-/// its peers or 1 mm.
+/// The engine under test stays within limit of the closed form over the whole run. It is also no farther off than the
+/// best of its peers, or than 1 mm.
 struct ExactCheck {
     double limit = 1e-3;   ///< on error_max [m]
     std::string reason{};  ///< why this limit
@@ -25,14 +25,14 @@ struct AgreeCheck {
 struct InvariantCheck {
     std::string metric{};                ///< a metric's name: "energy_drift", "probe.normal_1", ...
     double limit = 0;                    ///< the metric is at most this, in its unit
-    std::vector<std::string> engines{};  ///< whom it binds; none: the engine under test
+    std::vector<std::string> engines{};  ///< the engines that it is for; none: the engine under test
     std::string reason{};
 };
 
-/// The error falls as dt^order: seen at dt, dt/2 and dt/4.
+/// The error falls as dt^order, measured at dt, dt/2 and dt/4.
 struct OrderCheck {
     double order = 2;                    ///< the observed order, log2 of the ratio of errors, is at least this [-]
-    std::vector<std::string> engines{};  ///< likewise
+    std::vector<std::string> engines{};  ///< the engines that it is for; none: the engine under test
     std::string reason{};
 };
 

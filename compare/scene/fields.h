@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Which fields has each part of a scene, what are they called in a file, and what may they hold?
-// One list a type, for reader, writer, checks and schema alike, so that they cannot differ: of what the kit defines,
-// its description. A visitor offers
+// Which fields does each part of a scene have, what are they called in a file, and which values may they have?
+// There is one list per type, for reader, writer, checks and schema, so that these cannot differ. For a type of the
+// kit, the list is the kit's description. A visitor offers
 //   visit(Field, field)             a field,
 //   visit.orInfinite(Field, field)  a number that may be infinite, of either sign,
 //   visit.shape(shape)              a shape under its kind: "circle": {...},
@@ -26,8 +26,8 @@ inline constexpr bool isVariant = false;
 template <class... T>
 inline constexpr bool isVariant<std::variant<T...>> = true;
 
-/// Tells a visitor of fields of the members of a kit's definition. Ids are left out, for a scene has names, and so is
-/// code.
+/// Shows the members of a kit's definition to a visitor of fields. Ids are left out, because a scene uses names; code
+/// is left out too.
 template <class Visit>
 struct MemberFields {
     Visit& visit;
@@ -48,7 +48,7 @@ struct MemberFields {
     }
 };
 
-/// What the kit describes; but a magnet's pull is part of its own object.
+/// A type that the kit describes. Only a magnet differs: its pull is part of its own object.
 template <Described Def>
 requires(!OrConst<Def, Magnet>) void fields(auto& visit, Def& def) {
     describe(def, MemberFields<std::remove_reference_t<decltype(visit)>>{visit});
@@ -59,20 +59,20 @@ void fields(auto& visit, OrConst<Magnet> auto& x) {
 void fields(auto& visit, OrConst<Shape> auto& x) {
     visit.shape(x);
 }
-/// A box as a file may give it; it is kept as the polygon it is.
+/// A box as written in a file; it is stored as a polygon.
 struct BoxFields {
     Vec2 halfSize{0.5, 0.5};  ///< [m]
     Vec2 center{0, 0};        ///< [m]
-    double radius = 0;        ///< the outline lies so far outside of the box [m]
+    double radius = 0;        ///< the outline lies this far outside the box [m]
 };
 void fields(auto& visit, OrConst<BoxFields> auto& x) {
     visit({"halfSize", "m", Allowed::positive, "half of its width, and of its height"}, x.halfSize);
     visit({"center", "m", Allowed::finite, "in the body's frame"}, x.center);
     visit({"radius", "m", Allowed::notNegative, "the outline lies so far outside of the box"}, x.radius);
 }
-/// A tile map as a file gives it.
+/// A tile map as written in a file.
 struct TilesFields {
-    std::vector<std::string> rows = {};  ///< the topmost first, in the letters of the standard legend
+    std::vector<std::string> rows = {};  ///< from top to bottom, in the letters of the standard legend
     double size = 1;                     ///< of a tile [m]
     bool wrapX = false;
     bool wrapY = false;

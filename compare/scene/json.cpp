@@ -16,11 +16,11 @@
 namespace plumb::compare {
 namespace {
 
-/// Which read is meant, where nothing else tells.
+/// Says which overload of read is meant, if nothing else does.
 template <class T>
 using Type = std::type_identity<T>;
 
-/// Turns one object into a struct; a field that does not stand there keeps its default.
+/// Turns one object into a struct; a field that is not in the object keeps its default.
 class Reader {
 public:
     template <class T>
@@ -72,7 +72,7 @@ public:
             if (here) found = i + 1;
         }
         if (found == 0) {
-            kindWanted_ = oneOfText(tags);  // not refused before a misspelled field, which says more
+            kindWanted_ = oneOfText(tags);  // not refused yet: a misspelled field is refused first, which says more
             return;
         }
         readAlternative(value, found - 1, tags[found - 1], std::index_sequence_for<T...>());
@@ -88,7 +88,7 @@ private:
         if (const Json* field = find(name)) value = read(Type<T>(), *field, member(name));
     }
 
-    /// What is asked for is known.
+    /// A name that is asked for here becomes a known name.
     const Json* find(const char* name) {
         if (std::ranges::find(known_, name) == known_.end()) known_.emplace_back(name);
         const auto field = object_.find(name);
@@ -156,7 +156,8 @@ private:
     std::string kindWanted_;
 };
 
-/// The line of the value an error is about: the path at its head, or the nearest thing around it that has a line.
+/// The line of the value that an error is about. The message starts with its path; if that path has no line, the
+/// nearest enclosing one is used.
 int lineOf(const JsonText& text, const std::string& message) {
     std::string path = message.substr(0, message.find(": "));
     while (!text.lines.contains(path) && !path.empty()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does a scene stand in a file?
+// How is a scene written in a file?
 #pragma once
 #include <filesystem>
 #include <string>
@@ -10,22 +10,22 @@
 namespace plumb::compare {
 
 enum class Defaults {
-    LeftOut,  ///< only what differs from its default stands there
-    Written,  ///< every field stands there; null is what is not given and has no default
+    LeftOut,  ///< only fields that differ from their defaults
+    Written,  ///< every field; null for a value that is not given and has no default
 };
 
 /// The scene as JSON; reading it gives an equal scene.
-/// Throws std::invalid_argument as validate does: a scene that is not valid is not written.
+/// Throws std::invalid_argument as validate does: an invalid scene is not written.
 std::string toJson(const Scene& scene, Defaults defaults = Defaults::LeftOut);
 
-/// The scene that the text describes; file names the text in messages. Fields may be left out where they have a
-/// default. Beside "circle", "capsule", "polygon", "segment" and "chain" a shape may be "box": {"halfSize": [x, y],
-/// "center": [x, y], "radius": r}. What bounds a motor, a limit or a joint may be "infinite", a lower limit
-/// "-infinite".
+/// The scene that the text describes. file is the name of the text in messages. A field with a default may be left out.
+/// A shape may be "circle", "capsule", "polygon", "segment", "chain", or "box": {"halfSize": [x, y], "center": [x, y],
+/// "radius": r}. The bound of a motor, a limit or a joint may be "infinite", and a lower limit "-infinite".
 /// Throws std::invalid_argument with one line that says where, what, and what was wanted: "FILE:LINE:COLUMN: ..." for
-/// text that is not JSON, "FILE:LINE: bodies[2].shapes[0].circle.radius: -1 is not positive" for what is no scene.
-/// Unknown fields and fields given twice are refused. What may be left out without a default, as a joint's limit, may
-/// also be null.
+/// text that is not JSON, "FILE:LINE: bodies[2].shapes[0].circle.radius: -1 is not positive" for JSON that is not a
+/// scene.
+/// Unknown fields and fields given twice are refused. A field that may be left out and has no default, such as a
+/// joint's limit, may also be null.
 Scene fromJson(std::string_view text, const std::string& file);
 
 /// The scene in a file. Throws as fromJson does, and when the file cannot be read.

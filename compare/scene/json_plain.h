@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does a value that has no fields of its own stand in a file, and how is it read?
+// How is a value without fields of its own written in a file, and how is it read?
 #pragma once
 #include <cstdint>
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace plumb::compare {
 
-// These are compiled once: every field of every part of a scene has a call.
+// Compiled once, because every field of every part of a scene calls them.
 Json plainJson(double value);
 Json plainJson(bool value);
 Json plainJson(int value);
@@ -19,7 +19,7 @@ Json plainJson(std::uint64_t value);
 Json plainJson(Lock value);
 Json plainJson(const std::string& value);
 Json plainJson(const Vec2& value);
-/// An infinite one stands as a word.
+/// An infinite number is written as a word.
 Json numberOrWord(double value);
 Json tagJson(std::span<const char* const> tags, std::size_t which);
 
@@ -52,7 +52,7 @@ void readPlain(const Json& json, const std::string& path, E& value) {
 /// "a, b or c".
 std::string oneOfText(std::span<const char* const> tags);
 
-/// Has the type no fields of its own?
+/// True if the type has no fields of its own.
 template <class T>
 concept Plain = requires(const T& value) {
     plainJson(value);

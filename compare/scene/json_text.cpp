@@ -11,7 +11,7 @@
 namespace plumb::compare {
 namespace {
 
-/// Goes through a text and leaves behind how far it came: the parser tells no positions itself.
+/// Goes through a text and records how far it got, because the parser does not give positions.
 class TrackedIterator {
 public:
     using iterator_category = std::input_iterator_tag;
@@ -90,11 +90,11 @@ public:
     bool parse_error(std::size_t position, const std::string& token,
                      const nlohmann::detail::exception& error) override {
         std::string what = error.what();
-        what = what.substr(what.find("] ") + 2);  // the library's own name and number of the error
+        what = what.substr(what.find("] ") + 2);  // removes the library's own name and number of the error
         if (what.starts_with("parse error at")) what = what.substr(what.find(": ") + 2);
         const std::size_t offset = std::min(position - std::min(position, faultLength(what, token)), text_.size());
         if (const std::size_t read = what.find("; last read: '"); read != std::string::npos) {
-            what.erase(read, what.rfind('\'') + 1 - read);  // the place says it
+            what.erase(read, what.rfind('\'') + 1 - read);  // the position already says it
         }
         throw std::invalid_argument(located(file_, placeOf(text_, offset), what));
     }
@@ -105,8 +105,8 @@ private:
         std::string path;
     };
 
-    /// How far back from the last character read the fault begins: one character that spoils a token, or a whole token
-    /// that stands in the wrong place.
+    /// How far before the last character read the fault begins: one character that spoils a token, or a whole token in
+    /// the wrong place.
     static std::size_t faultLength(const std::string& what, const std::string& token) {
         for (const char* word : {"true", "false", "null"}) {
             if (what.find("unexpected " + std::string(word)) != std::string::npos) return std::strlen(word);
@@ -121,15 +121,15 @@ private:
         return parent.empty() ? name : parent + "." + name;
     }
 
-    /// Everything up to the last character read belongs to the value or, for a number, to one character beyond it:
-    /// line breaks before that one are counted.
+    /// All text up to the last character read belongs to the value; after a number, one more character has been read.
+    /// Line breaks before that character are counted.
     int lineReached() {
         lines_ += static_cast<int>(std::count(counted_, reached_, '\n'));
         counted_ = reached_;
         return lines_;
     }
 
-    /// A pointer to an open array or object stays valid: what holds it does not grow before it is closed.
+    /// A pointer to an open array or object stays valid: its parent does not grow before it is closed.
     Open add(Json value) {
         Open added{&result_.root, ""};
         if (!open_.empty()) {
@@ -186,9 +186,9 @@ std::string flat(const Json& value) {
     return value.is_array() ? "[" + out + "]" : "{" + out + "}";
 }
 
-/// used: how much of the line is taken already.
+/// used: how many characters of the line are already used.
 std::string format(const Json& value, std::size_t indent, std::size_t used) {
-    constexpr std::size_t width = 119;  // and a comma
+    constexpr std::size_t width = 119;  // 120 less one for a comma
     const std::string line = flat(value);
     if (!value.is_structured() || value.empty() || used + line.size() <= width) return line;
     const std::string start = "\n" + std::string(indent + 2, ' ');

@@ -64,7 +64,7 @@ public:
 private:
     void put(const std::string& name, Json value) { object_[name] = std::move(value); }
 
-    /// What differs; and the tag, which says which alternative it is, also when all else is as by default.
+    /// The fields that differ from the default. The tag is always kept: it says which alternative this is.
     Json without(const Json& byDefault) const {
         Json kept = Json::object();
         for (const auto& [name, field] : object_.items())

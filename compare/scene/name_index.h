@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where in a list does a name stand?
+// At which place in a list is a name?
 #pragma once
 #include <cstddef>
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace plumb::compare {
 
-/// Looks names up without going through the list each time. The list must outlive it, unchanged.
+/// Looks up names without going through the list each time. The list must outlive the index and must not change.
 class NameIndex {
 public:
     template <class Named>

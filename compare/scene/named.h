@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does a complaint about what a scene names read?
+// What does the message say if a scene uses an unknown name?
 #pragma once
 #include <algorithm>
 #include <span>
@@ -19,7 +19,7 @@ inline std::string quoted(const std::string& name) {
     return "\"" + name + "\"";
 }
 
-/// what: "a body", "an engine".
+/// what: the kind of thing, such as "a body" or "an engine".
 inline void requireKnown(const std::string& name, std::span<const std::string> known, const std::string& field,
                          const std::string& what) {
     if (std::ranges::find(known, name) != known.end()) return;

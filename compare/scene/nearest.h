@@ -7,11 +7,11 @@
 
 namespace plumb::compare {
 
-/// The known name that takes the fewest insertions, deletions and replacements of letters to reach from name; the
-/// first of equals, empty when none is known.
+/// The known name that is reached from name with the fewest insertions, deletions and replacements of letters. If
+/// several are equally near, the first; empty if no name is known.
 std::string nearest(std::string_view name, std::span<const std::string> known);
 
-/// "a, b, c", and "..." for what comes after the twelfth.
+/// "a, b, c", with "..." for all names after the twelfth.
 std::string listText(std::span<const std::string> known);
 
 }  // namespace plumb::compare

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Does each number of a scene's part hold what its list of fields allows?
+// Is each number of a part of a scene allowed by the part's list of fields?
 #pragma once
 #include <string>
 
@@ -8,8 +8,8 @@
 
 namespace plumb::compare {
 
-/// A visitor of fields. What names something, and what is a list or a part with fields of its own, is for whoever knows
-/// more of it.
+/// A visitor of fields. It checks numbers and vectors only. Names, lists and parts with their own fields are checked
+/// elsewhere.
 struct FieldCheck {
     const std::string& path;
 
@@ -21,7 +21,7 @@ struct FieldCheck {
     void oneOf(const auto&, std::span<const char* const>) const {}
 };
 
-/// Throws std::invalid_argument, "<path>.<field>: -1 is not positive", for the first that does not.
+/// Throws std::invalid_argument, "<path>.<field>: -1 is not positive", for the first number that is not allowed.
 template <class Part>
 void requireFields(const Part& part, const std::string& path) {
     const FieldCheck check{path};

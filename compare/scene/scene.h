@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is put into each engine, what is watched, and what must hold?
+// What is put into each engine, what is watched, and what must be true?
 #pragma once
 #include <map>
 #include <optional>
@@ -20,21 +20,21 @@ namespace plumb::compare {
 struct SceneBody {
     std::string name{};  ///< unique in the scene
     BodyDef def{};
-    double appears = 0;  ///< not there before this, as its joints are not; >= 0 [s]
-    double renewed = 0;  ///< taken out and made anew each time so long after it appeared; 0: never [s]
+    double appears = 0;  ///< neither the body nor its joints exist before this time; >= 0 [s]
+    double renewed = 0;  ///< it is removed and made anew each time it has existed for so long; 0: never [s]
 };
 
 struct SceneJoint {
     std::string name{};              ///< unique in the scene
     std::string bodyA{}, bodyB{};    ///< names; a target has a bodyA only, and a gear neither
     JointDef def{};                  ///< its ids are left empty; each engine fills in its own
-    std::string jointA{}, jointB{};  ///< names of joints before it: what a gear couples
+    std::string jointA{}, jointB{};  ///< names of earlier joints: those that a gear couples
 };
 
 struct SceneField {
     std::string name{};  ///< unique in the scene
     FieldDef def{};      ///< a magnet's id is left empty; each engine fills in its own
-    std::string body{};  ///< the name of what carries a magnet
+    std::string body{};  ///< the name of the body that carries a magnet
 };
 
 /// The body's angle [rad].
@@ -60,7 +60,7 @@ struct VelocityProbe {
     std::string body{};
     Vec2 direction{1, 0};  ///< a unit vector [-]
 };
-/// By how much a hinge, a slide or a wheel is beyond its limit, 0 within [rad or m].
+/// By how much a hinge, a slide or a wheel is beyond its limit; 0 within it [rad or m].
 struct LimitProbe {
     std::string joint{};
 };
@@ -68,60 +68,60 @@ struct LimitProbe {
 struct JointBrokenProbe {
     std::string joint{};
 };
-/// How often something has come into a sensor of the body, since the start.
+/// How often something has entered a sensor of the body, since the start.
 struct SensorCountProbe {
     std::string body{};
 };
 
-/// In how many steps so far the body has lost more than drop of its speed along a direction: what caught it.
+/// The number of steps so far in which the body lost more than drop of its speed along a direction: it got caught.
 struct SnagsProbe {
     std::string body{};
     Vec2 direction{1, 0};  ///< a unit vector [-]
     double drop = 0.01;    ///< > 0 [m/s]
 };
 
-/// By how much the origin of one body is beyond another's along a direction [m].
+/// How far the origin of body B is from that of body A along a direction [m].
 struct ApartProbe {
     std::string bodyA{}, bodyB{};  ///< from A to B
     Vec2 direction{1, 0};          ///< a unit vector [-]
 };
 
-/// Which of its values between from and until are held against what is expected?
+/// Which values between from and until are compared with the expected one?
 enum class Watch {
     Every,    ///< each of them
-    Largest,  ///< the one farthest from zero: how far a swing goes
-    Last,     ///< what it comes to
+    Largest,  ///< the one farthest from zero: for how far a swing goes
+    Last,     ///< the last one: for where it ends up
 };
 
 using Quantity = std::variant<AngleProbe, NormalForceProbe, JointForceProbe, PositionProbe, VelocityProbe, LimitProbe,
                               JointBrokenProbe, SensorCountProbe, SnagsProbe, ApartProbe>;
 
-/// A quantity watched beside the positions; its metric is probe.<name>, the largest distance from expected.
+/// A quantity watched in addition to the positions. Its metric is probe.<name>: the largest distance from expected.
 struct Probe {
     std::string name{};
     Quantity quantity{};
-    double expected = 0;         ///< in the quantity's unit; ignored where the closed form gives every angle then
-    double from = 0;             ///< watched from here: before it the scene settles [s]
+    double expected = 0;         ///< in the quantity's unit; not used if the closed form gives the angle
+    double from = 0;             ///< watched from this time on: before it the scene settles [s]
     std::string unit{};          ///< "rad", "N"
-    double until = 0;            ///< to here; 0: to the end [s]
+    double until = 0;            ///< watched until this time; 0: to the end [s]
     Watch watch = Watch::Every;  ///< which values count
 };
 
-/// By engine, and by the path of a field as set_field.h has it, the value that this engine alone is given, as JSON. A
-/// path that starts with "solver." is a number of the engine's own.
+/// Values, as JSON, that are for one engine alone: by engine, and by the path of a field as in set_field.h. A path that
+/// starts with "solver." is a number of the engine itself.
 using EngineSettings = std::map<std::string, std::map<std::string, std::string>>;
 
 struct Scene {
     std::string name{};      ///< snake_case
-    std::string title{};     ///< as a reader sees it; "": made of the name
-    std::string group{};     ///< the heading under which it is listed; "": among others
+    std::string title{};     ///< for a reader; "": made from the name
+    std::string group{};     ///< the heading under which it is listed; "": among the other scenes
     std::string question{};  ///< what it asks, one sentence
-    std::string answer{};    ///< with what is to be read of a run between braces: see answer.h
+    std::string answer{};    ///< values of a run are put in for the queries between braces: see answer.h
     Vec2 gravity{0, -9.81};  ///< [m/s^2]
     double duration = 2;     ///< [s]
     double dt = 1.0 / 60;    ///< [s]
-    bool sleeping = true;    ///< may engines leave out what rests?
-    Wrap wrap{};             ///< does it go on at its other side?
+    bool sleeping = true;    ///< may engines skip bodies at rest?
+    Wrap wrap{};             ///< does it continue at the opposite side?
     std::vector<SceneBody> bodies{};
     std::vector<SceneJoint> joints{};
     std::vector<SceneField> fields{};
@@ -132,15 +132,15 @@ struct Scene {
     EngineSettings engines{};
 };
 
-/// It is there from the start of the scene to its end.
+/// True if it is there from the start of the scene to its end.
 inline bool isAlwaysThere(const SceneBody& body) {
     return body.appears == 0 && body.renewed == 0;
 }
 
-/// A shape bounces: engines that have a restitution threshold are then run with one of 0.
+/// True if a shape bounces. Engines with a restitution threshold are then run with a threshold of 0.
 bool bounces(const Scene& scene);
 
-/// Its title, or one made of its name: free_fall is "Free fall".
+/// Its title, or one made from its name: free_fall becomes "Free fall".
 std::string titleOf(const Scene& scene);
 
 /// round(duration / dt).

@@ -24,7 +24,7 @@ std::vector<std::string> splitAt(char separator, const std::string& text) {
     return parts;
 }
 
-/// What an element of a list is called: by its own name, or by the body that its only alternative is about.
+/// The name of an element of a list: its own name, or the name of the body that its only alternative is about.
 std::string nameOfElement(const Json& element) {
     if (!element.is_object()) return {};
     if (const auto name = element.find("name"); name != element.end()) return name->get<std::string>();
@@ -41,7 +41,7 @@ std::optional<std::size_t> placeFrom(const std::string& text) {
     return place;
 }
 
-/// where: the path up to the list or object in which the name is not known.
+/// where: the path up to the list or object that does not have the name.
 [[noreturn]] void refuseStep(const std::string& where, const std::string& name, const std::string& what,
                              const std::vector<std::string>& known) {
     const std::string hint =
@@ -69,7 +69,7 @@ std::vector<std::string> fieldsOf(const Json& object) {
     return names;
 }
 
-/// What a name may stand for in a body, which has shapes, and in a shape, which has a material.
+/// The fields of this name in the materials of an object. The object is a body with shapes, or a shape with a material.
 std::vector<Json*> materialFields(Json& object, const std::string& name) {
     std::vector<Json*> found;
     if (const auto material = object.find("material"); material != object.end() && material->contains(name))
@@ -80,7 +80,7 @@ std::vector<Json*> materialFields(Json& object, const std::string& name) {
     return found;
 }
 
-/// The values that stand at the path: one, or one for each shape of a body.
+/// The values at the path: one value, or one for each shape of a body.
 std::vector<Json*> valuesAt(Json& root, const std::string& path) {
     std::vector<Json*> at{&root};
     std::string where;
@@ -109,7 +109,7 @@ std::optional<double> plainNumber(const std::string& text) {
     return value;
 }
 
-/// A number, which is whole where it is written so, or a fraction.
+/// A number or a fraction. A number written as a whole number stays a whole number.
 std::optional<Json> numberFrom(const std::string& text) {
     if (const std::size_t slash = text.find('/'); slash != std::string::npos) {
         const auto over = plainNumber(text.substr(0, slash)), under = plainNumber(text.substr(slash + 1));
@@ -133,7 +133,7 @@ std::optional<Json> numbersFrom(const std::string& text) {
     return list;
 }
 
-/// text: as on a command line. What stands there now tells what a word means.
+/// text: as on a command line. The present value decides what a word means.
 Json valueFrom(const std::string& text, const Json& now) {
     const bool json = text.starts_with('{') || text.starts_with('[') || text.starts_with('"');
     if (json) {
@@ -150,7 +150,7 @@ Json valueFrom(const std::string& text, const Json& now) {
     return text;
 }
 
-/// made: given what stands at the path now, what is to stand there.
+/// made: takes the present value at the path and gives the new one.
 template <class Make>
 Scene withMade(const Scene& scene, const std::string& path, const std::string& shown, const Make& made) {
     Json root = jsonOf(scene, Defaults::Written);

@@ -10,7 +10,7 @@
 namespace plumb::compare {
 namespace {
 
-constexpr int looks = 4096;  // at so many places on its way something may be met
+constexpr int looks = 4096;  // the number of places on its way that are checked for obstacles
 
 double distanceTo(const Face& face, const Vec2& point, double time) {
     const Vec2 place = point - face.velocity * time, along = tangentOf(face.normal);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does a free body move that the air holds back?
+// How does a free body move against the drag of air?
 #pragma once
 #include <optional>
 
@@ -8,10 +8,10 @@
 
 namespace plumb::compare {
 
-/// Empty for a body that nothing holds back. By damping, or air that holds it back by its speed, a DampedFlight with
-/// k = damping, or linear / m, and g + k wind; by the square of its speed a DragFall with v_t = sqrt(m g / c), from
-/// rest in still air. m mass [kg], c quadratic [kg/m]. Source: textbook. Throws Unsupported where it is none of these,
-/// or where it may meet something on its way.
+/// Empty for a body without drag. For damping, or drag proportional to the speed, a DampedFlight with k = damping, or
+/// linear / m, and g + k wind. For drag with the square of the speed, a DragFall with v_t = sqrt(m g / c), from rest in
+/// still air. m mass [kg], c quadratic [kg/m]. Source: textbook. Throws Unsupported for all other cases, or if the body
+/// may meet something on its way.
 std::optional<WorkedMotion> motionInAir(const Scene& scene, const FreeBody& body);
 
 }  // namespace plumb::compare

@@ -6,7 +6,7 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double startRounding = 1e-9;  // what is about to fall at once may have fallen already, by rounding
+constexpr double startRounding = 1e-9;  // a value that is about to fall may already be below 0 by rounding
 
 double valueOf(const std::vector<double>& c, double t) {
     double value = 0;
@@ -20,7 +20,7 @@ std::vector<double> slopeOf(const std::vector<double>& c) {
     return slope;
 }
 
-/// Where it is 0 between two points that it has different signs at.
+/// The zero between two points at which the polynomial has different signs.
 double between(const std::vector<double>& c, double low, double high) {
     const bool falls = valueOf(c, low) > 0;
     for (double middle = (low + high) / 2; middle > low && middle < high; middle = (low + high) / 2)
@@ -28,7 +28,7 @@ double between(const std::vector<double>& c, double low, double high) {
     return high;
 }
 
-/// 0, the places in (0, end) where it changes its sign, in their order, and end.
+/// 0, then the places in (0, end) where the sign changes, in their order, and end.
 std::vector<double> changesOf(const std::vector<double>& c, double end) {
     std::vector<double> changes{0};
     if (c.size() > 1) {

@@ -10,14 +10,14 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double still = 1e-9;         // slower than this does not slip [m/s]
-constexpr double supportSlack = 1e-6;  // corners that touch a face to this do [m]
+constexpr double still = 1e-9;         // below this speed there is no slip [m/s]
+constexpr double supportSlack = 1e-6;  // corners closer than this to a face touch it [m]
 
 int signOf(double value) {
     return value > 0 ? 1 : value < 0 ? -1 : 0;
 }
 
-/// From where to where, along the face from the centre of mass, it touches a face.
+/// The start and the end of the part that touches the face, measured along the face from the centre of mass.
 std::pair<double, double> baseOn(const FreeBody& body, const Face& face) {
     if (body.radius) return {0, 0};
     const Vec2 along = tangentOf(face.normal);
@@ -34,7 +34,7 @@ std::pair<double, double> baseOn(const FreeBody& body, const Face& face) {
     return {from, to};
 }
 
-/// How far the centre of mass is above the face that it touches.
+/// How high the centre of mass is above the face that it touches.
 double heightOver(const FreeBody& body, const Face& face) {
     if (body.radius) return *body.radius;
     double lowest = 0;
@@ -42,7 +42,7 @@ double heightOver(const FreeBody& body, const Face& face) {
     return body.skin - lowest;
 }
 
-/// Over m: the force along the face, by friction, of a body that is pressed onto it.
+/// The friction along the face on a body that is pressed onto it, divided by m.
 double dragAlong(const FreeBody& body, double slip, double friction, double pressure, double pull) {
     const double most = friction * pressure;
     if (std::abs(slip) > still) return -most * signOf(slip);

@@ -14,9 +14,9 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double touching = 1e-6;  // what is so near to a face at the start lies on it [m]
-constexpr double resting = 1e-9;   // slower than this it does not leave a face, or slip [m/s]
-constexpr double together = 1e-9;  // impacts so near in time are at the same time [s]
+constexpr double touching = 1e-6;  // a body nearer than this to a face at the start lies on it [m]
+constexpr double resting = 1e-9;   // below this speed it does not leave a face, or slip [m/s]
+constexpr double together = 1e-9;  // impacts closer in time than this are at the same time [s]
 constexpr int mostMeetings = 20000;
 
 class FreeFlight {
@@ -57,7 +57,7 @@ private:
 
     const std::string& nameOf(const Surface& surface) const { return scene_.bodies[surface.body].name; }
 
-    /// What has impacts with two things at once goes on in a way that Newton's law does not tell.
+    /// Newton's law does not tell how a body moves on after impacts with two things at once.
     void noteImpact(const FreeBody& body, double time) {
         for (const auto& [name, last] : impacts_)
             if (name == &body && time - last < together) notKnown(body.scene->name, "it meets two things at once");
@@ -65,7 +65,7 @@ private:
         if (!body.simple) notKnown(body.scene->name, "it is made of several shapes, and meets something");
     }
 
-    /// From now on, by the face that it is on or by none; told as a flight.
+    /// Sets the motion from now on, on its face or free, and records it as a flight.
     void goOn(FreeBody& body) {
         setAcceleration(body);
         if (!body.flights.empty() && body.flights.back().start == body.flight.start) body.flights.pop_back();
@@ -107,7 +107,7 @@ private:
         if (body.face) lieStill(body);
     }
 
-    /// What turns and is no disc has no formula where a face is within its reach.
+    /// A turning body that is not a disc has no formula if a face is within its reach.
     void refuseTurningOn(const FreeBody& body) const {
         for (const Face& face : body.obstacles.faces) {
             const Vec2 place = body.flight.position - face.velocity * body.flight.start;
@@ -122,7 +122,7 @@ private:
                (body.surface.def->material.rollingResistance > 0 || face.surface.def->material.rollingResistance > 0);
     }
 
-    /// With no speed off the face.
+    /// Removes the speed away from the face.
     static void lieStill(FreeBody& body) {
         const Face& face = *body.face;
         body.flight.velocity -= face.normal.dot(body.flight.velocity - face.velocity) * face.normal;
@@ -154,7 +154,7 @@ private:
         rest(body);
     }
 
-    /// A block that does not land flat, over its middle and without a rub, turns.
+    /// A block turns if it does not land flat, over its middle and without friction.
     void refuseUneven(const FreeBody& body, const Face& face, const PairLaw& law) const {
         const Vec2 along = tangentOf(face.normal);
         double lowest = 0, from = 0, to = 0;
@@ -170,7 +170,7 @@ private:
             notKnown(body.scene->name, "it turns as it lands");
     }
 
-    /// An impact that pushes it into the face that it lies on is one with two things.
+    /// An impact that pushes it into the face on which it lies is an impact with two things.
     void refusePressing(const FreeBody& body, const Face& hit) const {
         if (!body.face || body.face == &hit) return;
         const Face& face = *body.face;
@@ -202,7 +202,7 @@ private:
         refuseLeaning(other);
     }
 
-    /// Discs that lie against each other, and are pressed together, share forces.
+    /// Discs that lie against each other and are pressed together share forces.
     void refuseLeaning(const FreeBody& body) const {
         for (const FreeBody& other : bodies_) {
             if (&other == &body || !mayTouch(body.scene->def, other.scene->def)) continue;
@@ -223,7 +223,7 @@ private:
     std::vector<std::pair<const FreeBody*, double>> impacts_;
 };
 
-/// Cut where it goes out at one side of a world that wraps and comes in at the other.
+/// The flights, cut where the body leaves a world that wraps on one side and enters on the other.
 std::vector<Flight> wrapped(const std::vector<Flight>& flights, const Wrap& wrap, double end) {
     std::vector<Flight> cut;
     for (std::size_t i = 0; i < flights.size(); ++i) {
@@ -255,7 +255,7 @@ std::vector<Flight> wrapped(const std::vector<Flight>& flights, const Wrap& wrap
     return cut;
 }
 
-/// Of the body's origin.
+/// The motion of the body's origin.
 PiecewiseMotion motionOf(const FreeBody& body, const Scene& scene) {
     PiecewiseMotion motion{body.scene->name, body.flights};
     for (Flight& flight : motion.flights) {

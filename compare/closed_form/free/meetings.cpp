@@ -11,10 +11,10 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double approachLeast = 1e-9;  // slower than this it touches, and does not come [m/s]
-constexpr double endSlack = 1e-9;       // a face's end is met to this [m]
+constexpr double approachLeast = 1e-9;  // a body slower than this touches a face, but does not approach it [m/s]
+constexpr double endSlack = 1e-9;       // how exactly the end of a face is hit [m]
 
-/// A place that moves at constant acceleration: x + v s + a s^2 / 2.
+/// A point that moves at constant acceleration: x + v s + a s^2 / 2.
 struct Path {
     Vec2 position{0, 0}, velocity{0, 0}, acceleration{0, 0};
 
@@ -36,7 +36,7 @@ Path operator-(const Path& a, const Path& b) {
     return {a.position - b.position, a.velocity - b.velocity, a.acceleration - b.acceleration};
 }
 
-/// From a time on.
+/// The path from a time on.
 Path pathOf(const FreeBody& body, double time) {
     const Flight now = flightAt(body.flight, time);
     return {now.position, now.velocity, now.acceleration};
@@ -68,7 +68,8 @@ private:
         first_ = std::move(meeting);
     }
 
-    /// Does it spin, and is no disc? Then it is taken as the disc around it, and nothing is known of how it lands.
+    /// Does the body spin without being a disc? Then it is treated as the disc around it, and it is not known how it
+    /// lands.
     static bool tumbles(const FreeBody& body) { return !body.radius && body.flight.angularVelocity != 0; }
 
     void comeToFace(std::size_t i, const Face& face) {
@@ -112,13 +113,13 @@ private:
         note(meeting, *s);
     }
 
-    /// A corner comes to one of the sides of a block, which it turns.
+    /// A corner hits one of the sides of a block. This turns the block.
     void comeWithSide(std::size_t i, const Corner& corner, const Path& path) {
         const std::vector<Vec2>& hull = bodies_[i].hull;
         for (std::size_t k = 0; k < hull.size(); ++k) {
             const Vec2 &a = hull[k], &b = hull[(k + 1) % hull.size()];
             const Vec2 out = -perp(Vec2(b - a)).normalized(), along = tangentOf(out);
-            // Seen from the block the corner comes: its path is the other way round.
+            // Relative to the block, the corner moves along the opposite path.
             const Path seen = Path{} - path;
             const std::optional<double> s =
                 firstDescent(seen.along(out, out.dot(a) + bodies_[i].skin + corner.radius), left());
@@ -129,7 +130,7 @@ private:
         }
     }
 
-    /// In a world that wraps, all the images that it can reach.
+    /// In a world that wraps, checks all images that it can reach.
     void comeToOther(std::size_t i, std::size_t k) {
         const FreeBody &a = bodies_[i], &b = bodies_[k];
         if (!mayTouch(a.scene->def, b.scene->def)) return;

@@ -10,28 +10,28 @@
 
 namespace plumb::compare {
 
-/// Something new that happens to a body.
+/// An event of a body.
 struct Meeting {
     enum class Kind {
-        Face,     ///< it comes to a face
-        Corner,   ///< to a corner or to a disc that does not give way
-        Other,    ///< to another free body
+        Face,     ///< it reaches a face
+        Corner,   ///< it reaches a corner, or a disc that does not give way
+        Other,    ///< it reaches another free body
         SlipEnd,  ///< it stops slipping on its face
-        FaceEnd,  ///< it comes to the end of its face
-        Unknown,  ///< to something that it can meet in no way that is known here
+        FaceEnd,  ///< it reaches the end of its face
+        Unknown,  ///< it meets something in a way that has no formula here
     };
     Kind kind = Kind::Face;
     double time = 0;                  ///< [s]
     std::size_t body = 0, other = 0;  ///< places in the list
     const Face* face = nullptr;
     const Corner* corner = nullptr;
-    Vec2 shift{0, 0};   ///< of the other one's image in a world that wraps [m]
-    std::string why{};  ///< of what is unknown
+    Vec2 shift{0, 0};   ///< shift to the image of the other body, in a world that wraps [m]
+    std::string why{};  ///< the reason, if unknown
 };
 
-/// The first, up to a time; empty when nothing happens.
-/// Each is the first fall through zero of a distance, a polynomial of time: of a face n.(x - p) - r, of a disc |d|^2 -
-/// r^2. Source: elementary. Tests: tests/compare/closed_form/follows_test.cpp
+/// The first event up to a time; empty if nothing happens.
+/// Each event is the first fall through zero of a distance, which is a polynomial of time: for a face n.(x - p) - r,
+/// for a disc |d|^2 - r^2. Source: elementary. Tests: tests/compare/closed_form/follows_test.cpp
 std::optional<Meeting> nextMeeting(std::span<const FreeBody> bodies, const Wrap& wrap, double until);
 
 }  // namespace plumb::compare

@@ -11,8 +11,8 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double nearEnough = 1e-9;   // what lies in a line to this does [m]
-constexpr double oneWaySpread = 0.5;  // the cosine of 60 degrees, to which side a face is solid one way [-]
+constexpr double nearEnough = 1e-9;   // up to this distance from a line, a point is on it [m]
+constexpr double oneWaySpread = 0.5;  // cosine of 60 degrees: solid are faces this near to the one-way direction [-]
 
 /// The faces and corners of one shape.
 class ShapeObstacles {
@@ -58,7 +58,7 @@ private:
         for (const Vec2& corner : corners) addCorner(corner, 0);
     }
 
-    /// Counter-clockwise; of two points, both sides of a line.
+    /// Counter-clockwise; two points give both sides of a line.
     void addRing(const std::vector<Vec2>& points, double radius) {
         for (std::size_t i = 0; i < points.size(); ++i) {
             addFace(points[i], points[(i + 1) % points.size()], radius);
@@ -108,7 +108,7 @@ void joinFaces(std::vector<Face>& faces) {
     faces = std::move(joined);
 }
 
-/// Nothing meets a corner in the middle of a face.
+/// Nothing can hit a corner in the middle of a face.
 bool isInside(const Corner& corner, const Face& face) {
     const double along = tangentOf(face.normal).dot(corner.position);
     return face.surface.body == corner.surface.body &&

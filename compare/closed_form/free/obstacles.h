@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What flat faces and round corners does a scene hold out to what flies in it?
+// Which flat faces and round corners can flying bodies of a scene hit?
 #pragma once
 #include <cstddef>
 #include <optional>
@@ -9,10 +9,10 @@
 
 namespace plumb::compare {
 
-/// What two surfaces need to know of each other.
+/// What the laws of contact need to know about a surface.
 struct Surface {
     std::size_t body = 0;           ///< index in the scene
-    std::size_t shape = 0;          ///< of the body's
+    std::size_t shape = 0;          ///< index among the body's shapes
     const ShapeDef* def = nullptr;  ///< in the scene
 };
 
@@ -20,14 +20,14 @@ struct Surface {
 struct Face {
     Surface surface;
     Vec2 normal{0, 1};    ///< outward [-]
-    double offset = 0;    ///< of its line from the origin along the normal, its radius counted in [m]
-    double low = 0;       ///< from where along tangentOf(normal) [m]
-    double high = 0;      ///< to where [m]
+    double offset = 0;    ///< distance of its line from the origin along the normal, with its radius [m]
+    double low = 0;       ///< its start along tangentOf(normal) [m]
+    double high = 0;      ///< its end along tangentOf(normal) [m]
     Vec2 velocity{0, 0};  ///< of a kinematic body [m/s]
-    bool turns = false;   ///< it does not stay as it is: a mover moves its body, or it turns
+    bool turns = false;   ///< its body turns, or a mover moves it
 };
 
-/// A corner, rounded or not, or a disc, of a static or kinematic body, as it is at t = 0.
+/// A corner, rounded or not, or a disc, on a static or kinematic body, as it is at t = 0.
 struct Corner {
     Surface surface;
     Vec2 position{0, 0};  ///< [m]
@@ -41,16 +41,16 @@ struct Obstacles {
     std::vector<Corner> corners;
 };
 
-/// Along a face, clockwise round its body: to +x on a top.
+/// The direction along a face, clockwise round its body: to +x on a top.
 Vec2 tangentOf(const Vec2& normal);
 
-/// May the two touch, by their filters? Sensors touch nothing.
+/// Do the filters allow the two to touch? Sensors touch nothing.
 bool mayTouch(const ShapeDef& a, const ShapeDef& b);
-/// Any two of their shapes, both enabled.
+/// May any two of their shapes touch? Both bodies must be enabled.
 bool mayTouch(const BodyDef& a, const BodyDef& b);
 
-/// Of all bodies that are not dynamic and may touch the body. Faces of one shape that lie in a line are one. Throws
-/// Unsupported on tiles that do not fill their cells.
+/// The faces and corners of all bodies that are not dynamic and may touch the body. Faces of one shape in one line are
+/// joined. Throws Unsupported for tiles that do not fill their cells.
 Obstacles obstaclesOf(const Scene& scene, const BodyDef& body);
 
 }  // namespace plumb::compare

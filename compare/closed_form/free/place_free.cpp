@@ -9,9 +9,9 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double aboutCenter = 1e-9;  // a disc's middle is its centre of mass to this [m]
+constexpr double aboutCenter = 1e-9;  // how near a disc's middle must be to its centre of mass [m]
 
-/// Gravity and uniform fields [m/s^2].
+/// The acceleration by gravity and uniform fields [m/s^2].
 Vec2 fallOf(const Scene& scene, const SceneBody& body) {
     Vec2 fall = body.def.gravityScale * scene.gravity;
     for (const SceneField& field : scene.fields) {
@@ -33,7 +33,7 @@ void refuseHolds(const Scene& scene, const SceneBody& body) {
         if (mover.body == body.name) notKnown(body.name, "the mover " + mover.name + " moves it");
 }
 
-/// Other bodies that it may touch and of which nothing is known.
+/// Refuses other bodies that it may touch and whose motion is not known.
 void refuseUnknownOthers(const Scene& scene, const SceneBody& body) {
     for (const SceneBody& other : scene.bodies) {
         if (&other == &body || other.def.type != BodyType::Dynamic) continue;

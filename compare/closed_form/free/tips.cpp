@@ -11,10 +11,10 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double touches = 1e-6;      // a corner so near to a face stands on it [m]
-constexpr int looksForCorner = 1000;  // so many times on its way its corner is asked whether it holds
+constexpr double touches = 1e-6;      // a corner closer than this to a face stands on it [m]
+constexpr int looksForCorner = 1000;  // the number of moments at which the corner's hold is checked
 
-/// What it stands on, and the corners at the ends of its base, from the centre of mass.
+/// The face that it stands on, and the corners at the ends of its base, from the centre of mass.
 struct Stand {
     const Face* face = nullptr;
     Vec2 low{0, 0}, high{0, 0};
@@ -36,7 +36,8 @@ std::optional<Stand> standOf(const FreeBody& body) {
     return {};
 }
 
-/// How far it turns about a corner until another one comes down, on the side to which it falls (1 or -1 along).
+/// The angle by which it turns about a corner until another corner comes down, on the side to which it falls (1 or -1
+/// along).
 double turnToSide(const FreeBody& body, const Stand& stand, const Vec2& pivot, double side) {
     const Vec2 along = side * tangentOf(stand.face->normal);
     double least = std::numbers::pi;
@@ -56,7 +57,7 @@ double timeOfTurn(const PendulumMotion& swing, double turn) {
     return high;
 }
 
-/// The force at the corner, over the mass, must be one that friction gives.
+/// Friction must be able to give the force at the corner. The force is divided by the mass.
 void refuseSlip(const FreeBody& body, const Stand& stand, const PendulumMotion& swing, double until) {
     const double friction = lawOf(*stand.face->surface.def, *body.surface.def).friction;
     const Vec2 along = tangentOf(stand.face->normal);

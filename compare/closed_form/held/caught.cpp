@@ -12,9 +12,9 @@
 namespace plumb::compare {
 namespace {
 
-/// When the bullet, a disc that goes straight on, comes to a wall of the block; 0 for never.
+/// When the bullet, a disc that goes straight on, reaches a wall of the block; 0 for never.
 double timeToWall(const Scene& scene, const SceneBody& block, const SceneBody& bullet, double radius) {
-    Scene stopped = scene;  // the block as if it stayed
+    Scene stopped = scene;  // the scene with the block at rest
     for (SceneBody& body : stopped.bodies)
         if (body.name == block.name) body.def.type = BodyType::Static;
     const BodyDef& def = stopped.bodies[bodyIndex(stopped, bullet.name)].def;

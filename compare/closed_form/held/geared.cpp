@@ -10,9 +10,9 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double upright = 1e-9;  // what is off a rope's line by less is on it
+constexpr double upright = 1e-9;  // up to this distance from a rope's line, a point is on it
 
-/// One end of the rope: how fast it goes up and how far it can.
+/// One end of the rope: how fast it moves upward and how far it can go.
 struct RopeEnd {
     HeldBody body{};
     double speed = 0;  ///< upward [m/s]
@@ -36,7 +36,7 @@ RopeEnd ropeEnd(const Scene& scene, const SceneJoint& joint, bool isB) {
     return end;
 }
 
-/// When something that goes at a speed and gains has gone so far; 0 for never.
+/// The time after which a thing with this speed and this acceleration has gone this far; 0 for never.
 double timeFor(double way, double speed, double gain) {
     const double square = speed * speed + 2 * gain * way;
     if (square < 0 || (gain <= 0 && speed <= 0)) return 0;
@@ -47,12 +47,12 @@ double soonest(double a, double b) {
     return a == 0 ? b : b == 0 ? a : std::min(a, b);
 }
 
-/// A wheel or a slide of a gear train, with what drives it.
+/// A wheel or a slide of a gear train, and what drives it.
 struct GearPart {
     double weight = 0;   ///< its inertia, or its mass [kg m^2 or kg]
-    double push = 0;     ///< the motor's, with its sign [N m or N]
+    double push = 0;     ///< torque or force of the motor, with its sign [N m or N]
     double fastest = 0;  ///< the motor's speed [rad/s or m/s]
-    Vec2 axis{0, 0};     ///< of a slide [-]
+    Vec2 axis{0, 0};     ///< direction of a slide [-]
     std::string body{};
 };
 
@@ -84,7 +84,7 @@ struct GearRatio {
     double ratio = 1;  ///< how far it goes for each step of the first
 };
 
-/// All joints that gears couple to one, a + ratio b = const at each.
+/// All joints that gears couple to this one; a + ratio b = const at each gear.
 std::vector<GearRatio> coupledTo(const Scene& scene, const std::string& first) {
     std::vector<GearRatio> coupled{{first, 1}};
     for (std::size_t i = 0; i < coupled.size(); ++i) {

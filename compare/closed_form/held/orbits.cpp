@@ -10,7 +10,7 @@
 namespace plumb::compare {
 namespace {
 
-/// Two bodies that draw each other: r'' = -strength r / r^3, r from the other one to the body.
+/// Two bodies that attract each other: r'' = -strength r / r^3, r from the other one to the body.
 struct Drawn {
     HeldBody body{}, other{};
     double strength = 0;  ///< K [m^3/s^2]
@@ -62,7 +62,7 @@ double meanOf(double anomaly, double e) {
     return anomaly - e * std::sin(anomaly);
 }
 
-/// When the two touch, going in; 0 where they do not.
+/// When the two touch on the way inwards; 0 if they do not.
 double touchTime(const Drawn& pair, double a, double e, double rate, double anomaly) {
     if (!mayTouch(pair.body.scene->def, pair.other.scene->def)) return 0;
     const double reach = reachOf(pair.body.scene->def) + reachOf(pair.other.scene->def);

@@ -11,10 +11,10 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double dependent = 1e-10;    // of a force's length, that is rounding when the others are taken out [-]
-constexpr double balanceSlack = 1e-6;  // of the weights, that may stay without a force that balances it [-]
+constexpr double dependent = 1e-10;    // a force depends on the others if less than this part is left without them [-]
+constexpr double balanceSlack = 1e-6;  // the part of the weights that may remain without balance [-]
 
-/// The bodies that joints tie to one, itself first, as far as what moves.
+/// The bodies that joints tie to `first`, which comes first. Bodies that do not move end the search.
 std::vector<HeldBody> tiedTo(const Scene& scene, const std::string& first) {
     std::vector<HeldBody> tied{heldBodyOf(scene, first)};
     std::set<std::string> known{first};
@@ -30,7 +30,7 @@ std::vector<HeldBody> tiedTo(const Scene& scene, const std::string& first) {
     return tied;
 }
 
-/// Forces in joints that would hold all bodies still: each row a component of a body's force or its torque.
+/// Forces in joints that would hold all bodies still. Each row is a component of a body's force, or its torque.
 class Balance {
 public:
     explicit Balance(const std::vector<HeldBody>& bodies) : bodies_(bodies) {
@@ -41,21 +41,21 @@ public:
         }
     }
 
-    /// A force of unknown size along a direction, on B and against it on A.
+    /// Adds a force of unknown size along a direction: on B, and opposite on A.
     void addForce(const JointGeometry& joint, const Vec2& onA, const Vec2& onB, const Vec2& direction) {
         columns_.push_back(Eigen::VectorXd::Zero(weights_.size()));
         push(joint.bodyB, onB, direction);
         push(joint.bodyA, onA, -direction);
     }
 
-    /// The largest force that nothing balances, over the sum of the weights: what is left of these at right angles to
-    /// all that the joints can give, by the method of Gram and Schmidt.
+    /// The largest force that nothing balances, relative to the sum of the weights. It is the part of the weights at
+    /// right angles to all forces that the joints can give, by the method of Gram and Schmidt.
     double unbalanced() const {
         const double all = weights_.lpNorm<1>();
         if (all == 0) return 0;
         std::vector<Eigen::VectorXd> span;  // each of length 1, at right angles to the others
         const auto without = [&span](Eigen::VectorXd forces) {
-            for (int pass = 0; pass < 2; ++pass)  // the second takes out what rounding left
+            for (int pass = 0; pass < 2; ++pass)  // the second pass removes the rounding of the first
                 for (const Eigen::VectorXd& direction : span) forces -= direction.dot(forces) * direction;
             return forces;
         };

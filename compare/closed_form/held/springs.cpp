@@ -9,7 +9,7 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double inLine = 1e-9;  // what is off the spring's line by less is on it [m, m/s, m/s^2]
+constexpr double inLine = 1e-9;  // up to this distance from the spring's line, a value is on it [m, m/s, m/s^2]
 
 void refuseSideways(const std::string& body, const Vec2& along, const Vec2& what, const std::string& called) {
     if (std::abs(cross(along, what)) > inLine) notKnown(body, called + " is not along its spring");

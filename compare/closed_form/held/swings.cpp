@@ -22,7 +22,7 @@ bool differ(double a, double b) {
     return std::abs(a - b) > alike * std::max(1.0, std::abs(b));
 }
 
-/// The joint by which a disc of a row hangs: the one of its motion, or the only one that it has.
+/// The joint by which a disc of a row hangs: the joint of its motion, or else the first joint that it has.
 std::string jointOf(const Scene& scene, const std::string& body) {
     if (const SwingsMotion* swings = swingOf(scene, body)) return swings->joint;
     for (const SceneJoint& joint : scene.joints)
@@ -30,7 +30,7 @@ std::string jointOf(const Scene& scene, const std::string& body) {
     notKnown(body, "nothing holds it in the row");
 }
 
-/// What it may touch: of a row that hands its swing on, alike discs side by side; else nothing.
+/// Refuses contacts. Only in a row that passes its swing on may equal discs side by side touch.
 void refuseMeetings(const Scene& scene, const SwingsMotion& motion, const Hung& hung) {
     const SceneBody& own = *hung.body.scene;
     const bool inRow = motion.side != Side::Both || !motion.after.empty();

@@ -12,10 +12,10 @@ std::string leftOutOfBox2d24(const BenchScene& scene) {
         {"spinner",
          "a step takes seconds: Box2D 2.4 enlarges boxes by four times a step's motion, and the paddle's tip makes "
          "1.7 m a step"},
-        // Measured: 0.6 s a step of junkyard, as much of washer.
+        // Measured: 0.6 s a step for junkyard, and as much for washer.
         {"junkyard", "a run takes minutes"},
         {"washer", "a run takes minutes"},
-        // Measured: 0.2 s a step at 16,000 bodies, 2.7 s at 64,000.
+        // Measured: 0.2 s a step with 16,000 bodies, 2.7 s with 64,000.
         {"pile_32000", "a step takes seconds"},
         {"pile_64000", "a step takes seconds"},
         {"pyramids_32000", "a step takes seconds"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// For which scenes that measure speed is Box2D 2.4 not waited for?
+// Which scenes that measure speed are not run in Box2D 2.4?
 #pragma once
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace plumb::compare {
 
-/// Why; empty for a scene that it is measured in.
+/// Why the scene is not run; empty if it is run.
 std::string leftOutOfBox2d24(const BenchScene& scene);
 
 }  // namespace plumb::compare

@@ -13,7 +13,7 @@
 namespace plumb::compare {
 namespace {
 
-// Box2D 2.4's b2PolygonShape::Set takes corners nearer than this for one, and asserts when fewer than 3 are left.
+// Box2D 2.4's b2PolygonShape::Set merges corners that are nearer than this, and asserts if fewer than 3 are left.
 constexpr double weldDistance = 0.5 * b2_linearSlop;
 
 b2BodyType typeOf(BodyType type) {
@@ -37,7 +37,7 @@ b2Filter filterOf(const Filter& filter, const std::string& body) {
     return result;
 }
 
-// Box2D 2.4 asserts that an area is more than this, and so ends the program.
+// Box2D 2.4 asserts that an area is larger than this, and so ends the program if it is not.
 constexpr double leastArea = 2 * b2_epsilon;  // [m^2]
 
 void checkCorners(const Polygon& polygon, const std::string& body) {
@@ -53,9 +53,10 @@ void checkCorners(const Polygon& polygon, const std::string& body) {
         throw Unsupported(fmt::format("body {}: Box2D 2.4 has no polygon smaller than {:.2g} m^2", body, leastArea));
 }
 
-// Box2D 2.4 sums inertia about the body's origin, takes off the centre's part, and asserts that something is left.
+// Box2D 2.4 sums the inertia about the body's origin, subtracts the part of the centre of mass, and asserts that the
+// rest is positive.
 void checkInertia(const BodyDef& def, const std::string& body) {
-    constexpr double lost = 1e-5;  // some roundings of single precision, 6e-8 each
+    constexpr double lost = 1e-5;  // several roundings in single precision, 6e-8 each
     if (def.type != BodyType::Dynamic) return;
     const Mass mass = massOf(def);
     if (mass.inertia <= lost * mass.mass * mass.center.squaredNorm())
@@ -73,8 +74,8 @@ void addShape(b2Body& body, b2FixtureDef fixture, const Circle& circle, const st
     body.CreateFixture(&fixture);
 }
 
-/// A rounded polygon gets its radius for a skin, which Box2D 2.4 keeps around edges, and in part around corners. The
-/// skin has no mass.
+/// The radius of a rounded polygon becomes its skin. Box2D 2.4 keeps the skin around edges, and partly around corners.
+/// The skin has no mass.
 void addShape(b2Body& body, b2FixtureDef fixture, const Polygon& polygon, const std::string& name) {
     checkCorners(polygon, name);
     const std::size_t count = polygon.vertices.size();
@@ -89,7 +90,7 @@ void addShape(b2Body& body, b2FixtureDef fixture, const Polygon& polygon, const 
     body.CreateFixture(&fixture);
 }
 
-/// Two discs, and between them a box that with its skin is as thick as they are.
+/// Two discs with a box between them. With its skin, the box is as thick as the discs.
 void addShape(b2Body& body, b2FixtureDef fixture, const Capsule& capsule, const std::string& name) {
     constexpr double skin = b2_polygonRadius;
     if (toSingle(capsule.radius) <= 2 * b2_polygonRadius)
@@ -131,12 +132,12 @@ void addShape(b2Body& body, b2FixtureDef fixture, const Chain& chain, const std:
     body.CreateFixture(&fixture);
 }
 
-/// A polygon a tile: Box2D has no tile map.
+/// One polygon for each tile, because Box2D has no tile map.
 void addShape(b2Body& body, b2FixtureDef fixture, const TileMap& map, const std::string& name) {
     for (const Polygon& tile : tilePolygons(map, name)) addShape(body, fixture, tile, name);
 }
 
-/// The material to be asked when a contact begins; null when Box2D 2.4 knows enough itself.
+/// The material that is needed when a contact begins; null if Box2D 2.4 can mix the coefficients by itself.
 const Material* keep(const Material& material, Surfaces24& surfaces) {
     if (mixesAsBox2d(material) && material.surfaceSpeed == 0) return nullptr;
     return &surfaces.emplace_back(material);
@@ -166,7 +167,7 @@ const Material* surfaceOf(b2Fixture& fixture) {
     return reinterpret_cast<const Material*>(fixture.GetUserData().pointer);
 }
 
-/// Box2D 2.4 has a shape of this body in another form, whose mass differs.
+/// Does the body have a given mass, or a shape that has another form and another mass in Box2D 2.4?
 bool needsMass(const BodyDef& def) {
     return def.mass || std::ranges::any_of(def.shapes, [](const ShapeDef& shape) {
                return std::holds_alternative<Capsule>(shape.shape) || isRounded(shape.shape);
@@ -177,7 +178,7 @@ void setMass(b2Body& body, const Mass& mass) {
     b2MassData data;
     data.mass = toSingle(mass.mass);
     data.center = toBox2d24(mass.center);
-    // Box2D 2.4 wants the inertia about the body's origin.
+    // Box2D 2.4 expects the inertia about the body's origin.
     data.I = toSingle(mass.inertia + mass.mass * mass.center.squaredNorm());
     body.SetMassData(&data);
 }
@@ -211,7 +212,8 @@ b2Body* addBody24(b2World& world, const SceneBody& sceneBody, float restitutionT
     b2Body* body = world.CreateBody(&bodyDef);
     addShapes(*body, sceneBody, restitutionThreshold, surfaces);
     if (def.type == BodyType::Dynamic && needsMass(def)) setMass(*body, massOf(def));
-    // Last, because a velocity in the def would be the origin's, and change as shapes move the centre of mass.
+    // This comes last: a velocity in the def would be the origin's, and it would change when shapes move the centre of
+    // mass.
     if (def.type != BodyType::Static) {
         body->SetLinearVelocity(toBox2d24(def.velocity));
         body->SetAngularVelocity(toSingle(def.angularVelocity));
@@ -229,7 +231,7 @@ void mixSurfaces24(b2Contact& contact) {
     contact.SetFriction(mixed(ruleOf(ofA.frictionMix, ofB.frictionMix), a.GetFriction(), b.GetFriction()));
     contact.SetRestitution(
         mixed(ruleOf(ofA.restitutionMix, ofB.restitutionMix), a.GetRestitution(), b.GetRestitution()));
-    // Box2D's tangent is the normal turned clockwise: on either side of it a positive speed runs clockwise around.
+    // Box2D's tangent is the normal turned clockwise: so a positive speed runs clockwise around either body.
     contact.SetTangentSpeed(toSingle(ofA.surfaceSpeed + ofB.surfaceSpeed));
 }
 

@@ -30,7 +30,7 @@ int iterationsIn(const Scene& scene, const EngineNumber& number) {
     return static_cast<int>(numberFor(box2d24Name, number, scene));
 }
 
-/// 0 where the scene bounces, else Box2D's default; or what the scene says [m/s].
+/// By default, 0 if the scene bounces, else Box2D's default; the scene may set another value [m/s].
 EngineNumber thresholdIn24(const Scene& scene) {
     return {"restitutionThreshold", static_cast<double>(restitutionThreshold24(scene)), 0, 1e6};
 }
@@ -43,14 +43,14 @@ constexpr const char* noMoversOfBox2d24 =
     "The mover is in Box2D 2.4 a dynamic body that cannot turn, told its velocity before each step.";
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Sums what one pair of bodies presses on each other in a step, time-of-impact sub-steps included.
+/// Sums the impulses with which a pair of bodies press on each other in a step, with time-of-impact sub-steps.
 struct PressedPair {
     b2Body *a, *b;
     double impulse = 0;  // in this step [N s]
-    double force = 0;    // mean of the last step in which they were awake [N]
+    double force = 0;    // mean force over the last step in which they were awake [N]
 };
 
-/// A body with sensors, and how often something came into them.
+/// A body with sensors, and how often something has entered them.
 struct Gate {
     const b2Body* body;
     int count = 0;
@@ -79,7 +79,7 @@ public:
 
     void finishStep(double dt) {
         for (PressedPair& pair : pairs) {
-            // Asleep, nothing is solved and nothing reported, but the bodies still press on each other.
+            // While the bodies sleep, nothing is solved or reported, but they still press on each other.
             const bool asleep = !moves(*pair.a) && !moves(*pair.b);
             if (!asleep) pair.force = pair.impulse / dt;
             pair.impulse = 0;
@@ -107,7 +107,7 @@ public:
             bodies_.push_back(bodyIsThereAtStart(scene, i) ? made(scene, i) : nullptr);
         join(scene);
         for (std::size_t i = 0; i < scene.probes.size(); ++i) watch(scene, scene.probes[i], probes_[i]);
-        // Told of every contact in every step, a listener costs time: only where there is something to listen to.
+        // A listener is called for every contact in every step, which costs time: so it is set only if it is needed.
         if (!listener_.pairs.empty() || !listener_.gates.empty() || !surfaces_.empty())
             world_.SetContactListener(&listener_);
     }
@@ -170,7 +170,7 @@ private:
         return addBody24(world_, asMoved(scene, scene.bodies[index]), threshold_, surfaces_);
     }
 
-    /// A body's joints leave with it.
+    /// When a body is taken out, its joints are taken out too.
     void arrive(const Arrivals::Due& due) {
         const Scene& scene = arrivals_.scene();
         for (const std::size_t body : due.arrival.bodies) {
@@ -182,7 +182,7 @@ private:
                 addJoint24({world_, scene, bodies_, joints_}, arrivals_.joints()[joint], scene.joints[joint].name);
     }
 
-    /// Box2D has no movers: its user sets velocities before each step.
+    /// Box2D has no movers, so its user sets velocities before each step.
     void move(double dt) {
         for (const MoverCommand& command : movers_.commands(states(), dt)) {
             b2Body& body = *bodies_[command.body];
@@ -191,7 +191,7 @@ private:
         }
     }
 
-    /// Nor does its world wrap: its user puts what has left it in at the other side.
+    /// Box2D's world does not wrap, so its user moves a body that has left it to the other side.
     void bringBack() {
         for (b2Body* body : bodies_) {
             if (body->GetType() == b2_staticBody) continue;
@@ -200,7 +200,7 @@ private:
         }
     }
 
-    /// Box2D has no fields: its user applies forces before each step.
+    /// Box2D has no fields, so its user applies forces before each step.
     void applyFields(double dt) {
         const std::vector<FieldForce> forces = fields_.at(states(), dt);
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -210,7 +210,7 @@ private:
         }
     }
 
-    /// Those that a scene lets break: Box2D 2.4 leaves it to its user to look at what they bear.
+    /// Breaks joints that bear too much. In Box2D 2.4, the user has to check their forces.
     void breakJoints() {
         const auto inverseDt = static_cast<float>(1 / *lastDt_);
         for (const auto& [index, breaking] : breakable_) {
@@ -222,7 +222,7 @@ private:
         }
     }
 
-    /// With the gears that it drives, before it.
+    /// Destroys the gears that couple the joint, and then the joint.
     void destroy(std::size_t index) {
         for (const auto& [gear, ends] : gears_)
             if ((ends.first == index || ends.second == index) && joints_[gear]) destroy(gear);
@@ -272,12 +272,12 @@ private:
     SceneMovers movers_;
     Wrap wrap_;
     std::vector<b2Body*> bodies_;
-    std::vector<b2Joint*> joints_;  // null where one has broken
+    std::vector<b2Joint*> joints_;  // null if the joint has broken
     std::vector<std::pair<std::size_t, Breaking>> breakable_;
-    std::vector<std::pair<std::size_t, std::pair<std::size_t, std::size_t>>> gears_;  // and the joints they couple
+    std::vector<std::pair<std::size_t, std::pair<std::size_t, std::size_t>>> gears_;  // with the joints they couple
     std::vector<Watched> probes_;
     Arrivals arrivals_;
-    float threshold_;  // of restitution [m/s]
+    float threshold_;  // restitution threshold [m/s]
     int velocityIterations_, positionIterations_;
     int tick_ = 0;
     std::optional<double> lastDt_;  // [s]

@@ -5,12 +5,12 @@
 
 namespace plumb::compare {
 
-/// Box2D 2.4 at its defaults: 8 velocity and 3 position iterations a step. Restitution threshold 0 where a scene
+/// Box2D 2.4 at its defaults: 8 velocity and 3 position iterations a step. The restitution threshold is 0 if a scene
 /// bounces. A capsule is a box and two discs on one body, with the capsule's mass; a rounded polygon has a skin of its
-/// radius, and its own mass. Unsupported: rolling resistance, polygons of more than 8 corners or with corners that
-/// Box2D would weld, capsules not thicker than twice its skin, chains with segments and rods not longer than its slop,
+/// radius, and its own mass. Unsupported: rolling resistance, polygons with more than 8 corners or with corners that
+/// Box2D would weld, capsules not thicker than twice its skin, rods and segments of chains not longer than its slop,
 /// filter categories and groups beyond 16 bits, numbers beyond single precision.
-/// bullets: what moves at the start is flagged as one, and the engine is called "box2d-2.4 bullets".
+/// bullets: each body that moves at the start is flagged as a bullet, and the engine is called "box2d-2.4 bullets".
 Engine box2d24Engine(bool bullets = false);
 
 }  // namespace plumb::compare

@@ -69,7 +69,7 @@ public:
         b2WheelJointDef made;
         place(made);
         made.localAxisA = toBox2d24(joint_.localAxis);
-        // Its spring rests where the anchors meet: so they are set apart by restShift.
+        // The wheel's spring rests where the anchors meet, so the anchors are set apart by restShift.
         made.localAnchorA = toBox2d24(joint_.localAnchorA + def.restShift * joint_.localAxis);
         limit(made, def.limit, def.restShift);
         motor(made, def.motorSpeed, def.maxMotorTorque);
@@ -122,13 +122,13 @@ public:
         made.collideConnected = true;
         made.maxForce = toSingleAtMost(def.maxForce);
         spring(made, its);
-        made.target = toBox2d24(def.anchor);  // it takes hold of the body there
+        made.target = toBox2d24(def.anchor);  // here the joint takes hold of the body
         auto* mouse = static_cast<b2MouseJoint*>(built_.world.CreateJoint(&made));
         mouse->SetTarget(toBox2d24(def.target));
         return mouse;
     }
 
-    /// Friction of no force, which keeps the bodies from touching.
+    /// A friction joint without force, which keeps the bodies from touching.
     b2Joint* operator()(const FilterJointDef&) const {
         b2FrictionJointDef made;
         place(made);
@@ -153,7 +153,7 @@ private:
         made.localAnchorB = toBox2d24(joint_.localAnchorB);
     }
 
-    /// Its springs are stiffness and damping, as the scene's are; without stiffness there is no damping either.
+    /// Box2D's springs have stiffness and damping like the scene's. Without stiffness, there is no damping either.
     void spring(auto& made, const Spring& spring) const {
         if (spring.stiffness == 0 && spring.damping > 0) refuse("no damper without a spring");
         made.stiffness = toSingle(spring.stiffness);

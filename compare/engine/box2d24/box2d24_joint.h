@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does a scene's joint look in Box2D 2.4? Only for sources that are compiled against Box2D 2.4's headers.
+// How is a scene's joint made in Box2D 2.4? Only for sources that are compiled against Box2D 2.4's headers.
 #pragma once
 #include <box2d/box2d.h>
 
@@ -10,15 +10,15 @@
 
 namespace plumb::compare {
 
-/// What there is when a joint is made.
+/// What already exists when a joint is made.
 struct Built24 {
     b2World& world;
     const Scene& scene;
     std::span<b2Body* const> bodies;
-    std::span<b2Joint* const> joints;  ///< those before it
+    std::span<b2Joint* const> joints;  ///< the joints made before it
 };
 
-/// Throws Unsupported, naming the joint, when Box2D 2.4 has no such thing.
+/// Throws Unsupported, which names the joint, if Box2D 2.4 has no such joint.
 b2Joint* addJoint24(const Built24& built, const JointGeometry& joint, const std::string& name);
 
 }  // namespace plumb::compare

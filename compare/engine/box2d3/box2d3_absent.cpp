@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiled in place of the engine where no Box2D 3 is installed.
+// This is compiled instead of the engine if no Box2D 3 is installed.
 #include <compare/engine/box2d3/box2d3_card.h>
 #include <compare/engine/box2d3/box2d3_engine.h>
 

@@ -15,9 +15,9 @@
 namespace plumb::compare {
 namespace {
 
-constexpr std::uint64_t mixCount = 5;  // of the rules in Mix
+constexpr std::uint64_t mixCount = 5;  // number of rules in Mix
 
-/// A material's two mixing rules as a number, for Box2D 3 to carry along; 0 for its own rules.
+/// A material's two mixing rules as one number, which Box2D 3 stores; 0 for Box2D's own rules.
 std::uint64_t mixesId(const Material& material) {
     if (mixesAsBox2d(material)) return 0;
     return 1 + static_cast<std::uint64_t>(material.frictionMix) +
@@ -66,7 +66,7 @@ void addShape(b2BodyId body, const b2ShapeDef& def, const Polygon& polygon, cons
     b2CreatePolygonShape(body, &def, &shape);
 }
 
-/// The first and the last point of an open line are the ghosts that its ends ask for.
+/// The first and the last point of an open line are the ghost points that Box2D 3 needs at its ends.
 void addChain(b2BodyId body, const b2ShapeDef& def, const std::vector<Vec2>& line, bool closed,
               const std::string& name) {
     std::vector<b2Vec2> points;
@@ -100,7 +100,7 @@ void addShape(b2BodyId body, const b2ShapeDef& def, const Chain& chain, const st
     addChain(body, def, chain.closed ? chain.points : withGhosts(chain), chain.closed, name);
 }
 
-/// A polygon a tile: Box2D has no tile map.
+/// One polygon for each tile, because Box2D has no tile map.
 void addShape(b2BodyId body, const b2ShapeDef& def, const TileMap& map, const std::string& name) {
     for (const Polygon& tile : tilePolygons(map, name)) addShape(body, def, tile, name);
 }
@@ -110,7 +110,7 @@ b2SurfaceMaterial surfaceOf(const Material& material) {
     result.friction = toSingle(material.friction);
     result.restitution = toSingle(material.restitution);
     result.rollingResistance = toSingle(material.rollingResistance);
-    // Box2D's tangent is the normal turned clockwise: on either side of it a positive speed runs clockwise around.
+    // Box2D's tangent is the normal turned clockwise: so a positive speed runs clockwise around either body.
     result.tangentSpeed = toSingle(material.surfaceSpeed);
     result.userMaterialId = mixesId(material);
     return result;
@@ -137,7 +137,7 @@ b2BodyDef definition(const BodyDef& def) {
     b2BodyDef result = b2DefaultBodyDef();
     result.type = typeOf(def.type);
     result.position = b2ToPos(toBox2d3(def.position));
-    // Not b2MakeRot: it only comes near sine and cosine, and the scene's start should not carry that error.
+    // b2MakeRot only approximates sine and cosine. The scene's start should not have that error.
     result.rotation = {static_cast<float>(std::cos(def.angle)), static_cast<float>(std::sin(def.angle))};
     result.gravityScale = toSingle(def.gravityScale);
     result.linearDamping = toSingle(def.linearDamping);
@@ -174,7 +174,8 @@ b2BodyId addBody3(b2WorldId world, const SceneBody& sceneBody, bool senses) {
         const Mass mass = massOf(def);
         b2Body_SetMassData(body, {toSingle(mass.mass), toBox2d3(mass.center), toSingle(mass.inertia)});
     }
-    // Last, because a velocity in the def would be the origin's, and change as shapes move the centre of mass.
+    // This comes last: a velocity in the def would be the origin's, and it would change when shapes move the centre of
+    // mass.
     if (def.type != BodyType::Static) {
         b2Body_SetLinearVelocity(body, toBox2d3(def.velocity));
         b2Body_SetAngularVelocity(body, toSingle(def.angularVelocity));
@@ -186,7 +187,7 @@ BodyState stateOf3(b2BodyId body) {
     const b2Pos position = b2Body_GetPosition(body);
     const b2Vec2 velocity = b2Body_GetLinearVelocity(body);
     const b2Rot rotation = b2Body_GetRotation(body);
-    // Not b2Rot_GetAngle: it only comes near the arc tangent, and the engine should not be blamed for that.
+    // b2Rot_GetAngle only approximates the arc tangent. That error should not count as the engine's.
     const double angle = std::atan2(static_cast<double>(rotation.s), static_cast<double>(rotation.c));
     return {{position.x, position.y}, angle, {velocity.x, velocity.y}, b2Body_GetAngularVelocity(body)};
 }

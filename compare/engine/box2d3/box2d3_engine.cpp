@@ -43,7 +43,7 @@ bool hasSensors(const Scene& scene) {
 
 const EngineNumber subStepsOf3{"subSteps", 4, 1, 64};
 
-/// 0 where the scene bounces, else Box2D's default [m/s].
+/// By default, 0 if the scene bounces, else Box2D's default [m/s].
 EngineNumber thresholdIn3(const Scene& scene) {
     const double byDefault = static_cast<double>(b2DefaultWorldDef().restitutionThreshold);
     return {"restitutionThreshold", bounces(scene) ? 0 : byDefault, 0, 1e6};
@@ -57,14 +57,14 @@ float numberIn3(const Scene& scene, const EngineNumber& number) {
     return static_cast<float>(numberFor(box2d3Card().name, number, scene));
 }
 
-/// subSteps: where the scene does not say.
+/// subSteps: used if the scene does not set them.
 int subStepsIn3(const Scene& scene, int subSteps) {
     EngineNumber number = subStepsOf3;
     number.byDefault = subSteps;
     return static_cast<int>(numberIn3(scene, number));
 }
 
-/// The default world, but for sleep, mixing rules, gravity and the threshold of a scene that bounces.
+/// The default world, except sleep, mixing rules, gravity, and the restitution threshold of a scene that bounces.
 b2WorldDef worldDef(const Scene& scene) {
     b2WorldDef def = b2DefaultWorldDef();
     def.gravity = toBox2d3(scene.gravity);
@@ -84,7 +84,7 @@ b2WorldDef worldDef(const Scene& scene) {
     return def;
 }
 
-/// A world that is destroyed with its owner: Box2D 3 has room for a limited number.
+/// A world that is destroyed with its owner, because Box2D 3 can only have a limited number of worlds.
 class World3 {
 public:
     explicit World3(const b2WorldDef& def) : id_(b2CreateWorld(&def)) {
@@ -138,7 +138,7 @@ public:
                 continue;
             }
             result.push_back(stateOf3(bodies_[i]));
-            // Count on through whole turns: in one step Box2D 3 turns a body by less than a half.
+            // Angles are counted on through whole turns: Box2D 3 turns a body by less than half a turn in one step.
             angles_[i] += std::remainder(result.back().angle - angles_[i], 2 * std::numbers::pi);
             result.back().angle = angles_[i];
         }
@@ -184,7 +184,7 @@ private:
     struct Watched {
         std::optional<std::pair<b2BodyId, b2BodyId>> bodies;
         std::optional<std::size_t> joint;
-        std::optional<b2BodyId> gate;  // whose sensors count
+        std::optional<b2BodyId> gate;  // the body whose sensors count
         int visits = 0;
     };
 
@@ -195,7 +195,7 @@ private:
         return id;
     }
 
-    /// A body's joints leave with it.
+    /// When a body is taken out, its joints are taken out too.
     void arrive(const Arrivals::Due& due) {
         const Scene& scene = arrivals_.scene();
         for (const std::size_t body : due.arrival.bodies) {
@@ -208,7 +208,8 @@ private:
                 addJoint3({world_.id(), scene, bodies_, scene.dt / subSteps_}, arrivals_.joints()[joint], joint);
     }
 
-    /// Box2D's world moves nothing by itself: its user sets velocities before each step, a character's by its queries.
+    /// Box2D has no movers, so its user sets velocities before each step. A character's velocity is found by Box2D's
+    /// queries.
     void move(double dt) {
         for (const MoverCommand& command : movers_.commands(states(), dt)) {
             const b2BodyId body = bodies_[command.body];
@@ -219,7 +220,7 @@ private:
         }
     }
 
-    /// Nor does its world wrap: its user puts what has left it in at the other side.
+    /// Box2D's world does not wrap, so its user moves a body that has left it to the other side.
     void bringBack() {
         for (const b2BodyId& body : bodies_) {
             if (b2Body_GetType(body) == b2_staticBody) continue;
@@ -228,7 +229,7 @@ private:
         }
     }
 
-    /// Box2D has no fields: its user applies forces before each step.
+    /// Box2D has no fields, so its user applies forces before each step.
     void applyFields(double dt) {
         const std::vector<FieldForce> forces = fields_.at(states(), dt);
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -248,7 +249,7 @@ private:
         }
     }
 
-    /// Those of which an event says that they bore too much: Box2D 3 leaves it to its user to remove them.
+    /// Removes the joints that bore too much. Box2D 3 reports them in events; the user has to remove them.
     void breakJoints() {
         const b2JointEvents events = b2World_GetJointEvents(world_.id());
         std::vector<std::size_t> broken;
@@ -283,13 +284,13 @@ private:
         if (probe.gate) return probe.visits;
         if (!lastDt_) return unknown;
         if (probe.bodies) return normalImpulse(probe.bodies->first, probe.bodies->second) / *lastDt_;
-        // Of the last sub-step: Box2D 3 keeps no mean for joints.
+        // This is the force of the last sub-step, because Box2D 3 does not compute a mean for joints.
         if (probe.joint && b2Joint_IsValid(joints_[*probe.joint]))
             return static_cast<double>(b2Length(b2Joint_GetConstraintForce(joints_[*probe.joint])));
         return unknown;
     }
 
-    /// Over the last step; a contact asleep keeps what it had.
+    /// The impulse over the last step. A contact that sleeps keeps its last impulse.
     static double normalImpulse(b2BodyId a, b2BodyId b) {
         std::vector<b2ContactData> contacts(static_cast<std::size_t>(b2Body_GetContactCapacity(a)));
         contacts.resize(
@@ -311,8 +312,8 @@ private:
     SceneMovers movers_;
     Wrap wrap_;
     std::vector<b2BodyId> bodies_;
-    mutable std::vector<double> angles_;  // when last asked for, counted on [rad]
-    std::vector<b2JointId> joints_;       // null where one has broken
+    mutable std::vector<double> angles_;  // as last returned, counted on through whole turns [rad]
+    std::vector<b2JointId> joints_;       // null if the joint has broken
     bool breaks_ = false, senses_ = false;
     std::vector<Watched> probes_;
     Arrivals arrivals_;

@@ -17,7 +17,7 @@ namespace plumb::compare {
 namespace {
 
 constexpr double farAway = 1e5;                          // [m]
-constexpr double widestAngle = 0.99 * std::numbers::pi;  // a limit beyond this Box2D 3 takes for this [rad]
+constexpr double widestAngle = 0.99 * std::numbers::pi;  // Box2D 3 reduces a larger limit to this [rad]
 
 b2Rot toRot(const Vec2& cosSin) {
     return {static_cast<float>(cosSin.x()), static_cast<float>(cosSin.y())};
@@ -64,7 +64,7 @@ public:
         if (made.length < B2_LINEAR_SLOP) refuse(fmt::format("no rod shorter than {} m", B2_LINEAR_SLOP));
         const Vec2 along = def.anchorB - def.anchorA;
         const Vec2 direction = along.norm() > 0 ? Vec2(along.normalized()) : down();
-        spring(made, def.spring, effectiveMass(built_.scene, joint_, direction));  // without one: a rigid rod
+        spring(made, def.spring, effectiveMass(built_.scene, joint_, direction));  // a rigid rod if there is no spring
         if (def.spring && (def.minLength > 0 || def.maxLength < unlimited)) {
             made.enableLimit = true;
             made.minLength = toSingle(def.minLength);
@@ -96,7 +96,7 @@ public:
     b2JointId operator()(const WheelJointDef& def) const {
         b2WheelJointDef made = b2DefaultWheelJointDef();
         placeAlong(made.base);
-        // Its spring rests where the frames meet: so they are set apart by restShift.
+        // The wheel's spring rests where the frames meet, so the frames are set apart by restShift.
         made.base.localFrameA.p = toBox2d3(joint_.localAnchorA + def.restShift * joint_.localAxis);
         motor(made, def.motorSpeed, def.maxMotorTorque);
         made.maxMotorTorque = toSingleAtMost(def.maxMotorTorque);
@@ -108,8 +108,9 @@ public:
     b2JointId operator()(const PulleyJointDef&) const { refuse("no pulley"); }
     b2JointId operator()(const GearJointDef&) const { refuse("no gear"); }
 
-    /// At a rate it is a spring so damped that it never swings: b2MakeSoft's bias w / (2 z + h w) is the rate. Without,
-    /// a bound on what brings the speed to the wanted one.
+    /// With a rate, the motor is a spring with so much damping that it never swings: b2MakeSoft's bias w / (2 z + h w)
+    /// is the rate. Without a rate, there is only a limit for the force and torque that bring the velocity to the
+    /// wanted one.
     b2JointId operator()(const MotorJointDef& def) const {
         const bool moves = def.velocity != Vec2(0, 0) || def.angularVelocity != 0;
         if (moves && def.rate > 0) refuse("no motor joint that holds a pose and moves at a velocity");
@@ -127,7 +128,7 @@ public:
             made.maxVelocityForce = toSingleAtMost(def.maxForce);
             made.maxVelocityTorque = toSingleAtMost(def.maxTorque);
         } else {
-            constexpr double damping = 100;  // gives way by 1 / (4 z^2 rate h) of what a bound without a spring would
+            constexpr double damping = 100;  // gives way by 1 / (4 z^2 rate h) of what a limit without a spring would
             const double left = 1 - built_.subStep * def.rate;
             if (left <= 0) refuse(fmt::format("no rate as fast as its sub-step, {} /s", 1 / built_.subStep));
             const double hertz = damping * def.rate / left / std::numbers::pi;
@@ -139,7 +140,7 @@ public:
         return b2CreateMotorJoint(built_.world, &made);
     }
 
-    /// Box2D 3 drags bodies by a motor joint's spring, from a body that stands still.
+    /// In Box2D 3, bodies are dragged by the spring of a motor joint, which is fixed to a static body.
     b2JointId operator()(const TargetJointDef& def) const {
         b2MotorJointDef made = b2DefaultMotorJointDef();
         base(made.base);
@@ -185,7 +186,8 @@ private:
         made.collideConnected = joint_.collideConnected;
     }
 
-    /// Frames that point to +x in A's, and alike in B's as the two stand now: angles count from here.
+    /// The joint's frame points to +x in A's frame, and in the same direction in B's frame as the bodies are now: so
+    /// angles are counted from here.
     void place(b2JointDef& made) const { place(made, {1, 0}); }
     void placeAlong(b2JointDef& made) const { place(made, joint_.localAxis); }
     void place(b2JointDef& made, const Vec2& localAxis) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does a scene's joint look in Box2D 3? Only for sources that are compiled against Box2D 3's headers.
+// How is a scene's joint made in Box2D 3? Only for sources that are compiled against Box2D 3's headers.
 #pragma once
 #include <box2d/box2d.h>
 
@@ -10,7 +10,7 @@
 
 namespace plumb::compare {
 
-/// What there is when a joint is made.
+/// What already exists when a joint is made.
 struct Built3 {
     b2WorldId world;
     const Scene& scene;
@@ -18,11 +18,12 @@ struct Built3 {
     double subStep;  ///< [s]
 };
 
-/// Its user data is its index. Springs, which Box2D 3 wants as frequencies of an effective mass, are those of the mass
-/// as the bodies stand at the start. Throws Unsupported, naming the joint, when Box2D 3 has no such thing.
+/// The joint's user data is its index. Box2D 3 expects springs as frequencies of an effective mass; this mass is
+/// computed for the bodies' places at the start. Throws Unsupported, which names the joint, if Box2D 3 has no such
+/// joint.
 b2JointId addJoint3(const Built3& built, const JointGeometry& joint, std::size_t index);
 
-/// The joint whose user data this is.
+/// The index of the joint with this user data.
 std::size_t jointOf3(const void* userData);
 
 }  // namespace plumb::compare

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint64_t characters = std::uint64_t{1} << 63;
 constexpr int rounds = 5;
-constexpr float nothingLeft = 0.01f;  // the sample's [m]
+constexpr float nothingLeft = 0.01f;  // value of Box2D's sample [m]
 
 b2ShapeId shapeOf(b2BodyId body) {
     b2ShapeId shape = b2_nullShapeId;

@@ -7,12 +7,12 @@
 
 namespace plumb::compare {
 
-/// Takes the body's capsule out of what characters collide with: it would meet itself.
+/// Excludes the body's capsule from what characters collide with, because it would collide with itself.
 void makeCharacter3(b2BodyId body);
 
-/// The velocity that takes the body in a step of dt [s] as far as the mover lets it on its way at that wanted one
-/// [m/s]. As the library's sample of a character does it: gather planes, solve them, cast along the answer, again until
-/// nothing is left; at most five times.
+/// The velocity that moves the body in a step of dt [s] as far as the mover allows, if it wants to go at the wanted
+/// velocity [m/s]. It works like the library's sample of a character: gather planes, solve them, cast along the
+/// solution, and repeat until nothing is left, at most five times.
 Vec2 characterVelocity3(b2WorldId world, b2BodyId body, const Vec2& wanted, double dt);
 
 }  // namespace plumb::compare

@@ -25,12 +25,13 @@ cpShapeFilter chipmunkFilterOf(const Filter& filter) {
     return cpShapeFilterNew(group, static_cast<cpBitmask>(filter.category), static_cast<cpBitmask>(filter.mask));
 }
 
-/// A body's own gravity and damping, and what fields do to it. Chipmunk moves bodies first: a force from before that,
-/// with the velocity it makes, would be an explicit Euler step, under which orbits fly apart. Damping is by Chipmunk's
-/// own rule, which it has for all of a space only: before gravity, so a damped body's weight is borne in full.
+/// Applies a body's own gravity and damping, and the forces of fields. Chipmunk moves bodies first. A force computed
+/// before that would make the step an explicit Euler step, in which orbits grow without limit. Damping uses Chipmunk's
+/// own rule, which Chipmunk only has for a whole space. It is applied before gravity, so the full weight of a damped
+/// body is borne.
 void updateChipmunkVelocity(cpBody* body, cpVect gravity, cpFloat, cpFloat dt) {
     auto& its = *static_cast<ChipmunkBody*>(body->userData);
-    // Fields are written to: the setters would wake the body.
+    // The members are set directly, because the setters would wake the body.
     if (its.forces) {
         const FieldForce force = (*its.forces)(its.index, dt);
         body->f = cpvadd(body->f, toChipmunk(force.force));
@@ -55,11 +56,12 @@ public:
     void operator()(const Polygon& polygon) const {
         std::vector<cpVect> corners;
         for (const Vec2& corner : polygon.vertices) corners.push_back(toChipmunk(corner));
-        // Chipmunk's own boxes start at the lower right. Started at the lower left, a stack of ten leans and falls.
+        // Chipmunk's own boxes start at the lower right corner. If boxes start at the lower left, a stack of ten leans
+        // and falls.
         std::rotate(corners.begin(), corners.begin() + 1, corners.end());
         add(cpPolyShapeNewRaw(body_.body.get(), static_cast<int>(corners.size()), corners.data(), polygon.radius));
     }
-    /// Without a neighbour, an end is met from all sides: so Chipmunk takes a neighbour that is the end itself.
+    /// An end without a neighbour can be hit from all sides. In Chipmunk, such an end is its own neighbour.
     void operator()(const Segment& segment) const {
         cpShape* shape = cpSegmentShapeNew(body_.body.get(), toChipmunk(segment.start), toChipmunk(segment.end), 0);
         cpSegmentShapeSetNeighbors(shape, toChipmunk(segment.before.value_or(segment.start)),
@@ -76,7 +78,7 @@ public:
             (*this)(segment);
         }
     }
-    /// A polygon a tile: Chipmunk has no tile map.
+    /// One polygon for each tile, because Chipmunk has no tile map.
     void operator()(const TileMap& map) const {
         for (const Polygon& tile : tilePolygons(map, name_)) (*this)(tile);
     }
@@ -95,8 +97,8 @@ void checkChipmunkShape(const ShapeDef& def, const std::string& body) {
         throw Unsupported(fmt::format("body {}: Chipmunk leaves one-way shapes to its user's own code", body));
 }
 
-/// Chipmunk multiplies the coefficients of a pair. Of square roots that gives a geometric mean, which is the rule of
-/// friction in most scenes, and of restitution the value that all shapes of a scene share.
+/// Chipmunk multiplies the coefficients of a pair. The product of square roots is the geometric mean. For friction,
+/// this is the rule in most scenes; for restitution, it gives the value that all shapes of a scene share.
 void setSurface(cpShape* shape, const ShapeDef& def, ChipmunkSurface& surface, bool filtered) {
     cpShapeSetFriction(shape, std::sqrt(def.material.friction));
     cpShapeSetElasticity(shape, std::sqrt(def.material.restitution));
@@ -106,7 +108,7 @@ void setSurface(cpShape* shape, const ShapeDef& def, ChipmunkSurface& surface, b
 }
 
 void addChipmunkShapes(cpSpace& space, ChipmunkBody& made, const SceneBody& sceneBody, bool filtered) {
-    made.surfaces.reserve(sceneBody.def.shapes.size());  // shapes point into it
+    made.surfaces.reserve(sceneBody.def.shapes.size());  // shapes point into it, so it must not grow
     for (const ShapeDef& def : sceneBody.def.shapes) {
         checkChipmunkShape(def, sceneBody.name);
         const std::size_t before = made.shapes.size();
@@ -120,7 +122,7 @@ void addChipmunkShapes(cpSpace& space, ChipmunkBody& made, const SceneBody& scen
     for (const OwnedChipmunk<cpShape>& shape : made.shapes) cpSpaceAddShape(&space, shape.get());
 }
 
-/// With its mass and inertia about the centre of mass, and the centre of mass itself: its shapes have no mass then.
+/// The body gets its mass, its inertia about the centre of mass, and the centre of mass; so its shapes have no mass.
 cpBody* newChipmunkBody(const BodyDef& def) {
     if (def.type == BodyType::Static) return cpBodyNewStatic();
     if (def.type == BodyType::Kinematic) return cpBodyNewKinematic();
@@ -156,7 +158,7 @@ std::unique_ptr<ChipmunkBody> addChipmunkBody(cpSpace& space, const SceneBody& s
     made->body.reset(newChipmunkBody(def));
     cpBody* body = made->body.get();
     cpBodySetUserData(body, made.get());
-    // The angle first: the place of the centre of mass follows from it.
+    // The angle is set first, because the place of the centre of mass depends on it.
     cpBodySetAngle(body, def.angle);
     cpBodySetPosition(body, toChipmunk(def.position));
     if (def.type != BodyType::Static) {

@@ -30,7 +30,7 @@ std::size_t chipmunkIndexOf(const cpShape* shape) {
     return static_cast<const ChipmunkBody*>(cpBodyGetUserData(cpShapeGetBody(shape)))->index;
 }
 
-/// What it refuses is not looked at again before the shapes have separated.
+/// If it refuses a contact, the contact is not looked at again until the shapes have separated.
 cpBool beginChipmunkContact(cpArbiter* arbiter, cpSpace*, cpDataPointer data) {
     auto& contacts = *static_cast<ChipmunkContacts*>(data);
     const auto [a, b] = shapesOf(arbiter);
@@ -48,8 +48,8 @@ cpBool mixChipmunkSurfaces(cpArbiter* arbiter, cpSpace*, cpDataPointer) {
     cpArbiterSetFriction(arbiter, mixed(ruleOf(ofA.frictionMix, ofB.frictionMix), ofA.friction, ofB.friction));
     cpArbiterSetRestitution(arbiter,
                             mixed(ruleOf(ofA.restitutionMix, ofB.restitutionMix), ofA.restitution, ofB.restitution));
-    // The normal turned clockwise runs clockwise around A, and as seen from B around B. Chipmunk adds what it is told
-    // here to the velocity of B against A, and brings the sum to rest.
+    // The normal turned clockwise runs clockwise around A; seen from B, it runs clockwise around B. Chipmunk adds the
+    // value that is set here to the velocity of B relative to A, and brings the sum to zero.
     const cpVect clockwise = cpvrperp(cpArbiterGetNormal(arbiter));
     cpArbiterSetSurfaceVelocity(arbiter, cpvmult(clockwise, -(ofA.surfaceSpeed + ofB.surfaceSpeed)));
     return cpTrue;
@@ -63,7 +63,7 @@ struct Pressed {
 void addChipmunkImpulse(cpBody*, cpArbiter* arbiter, void* data) {
     auto& pressed = *static_cast<Pressed*>(data);
     cpBody *self = nullptr, *other = nullptr;
-    cpArbiterGetBodies(arbiter, &self, &other);  // first the one that was asked
+    cpArbiterGetBodies(arbiter, &self, &other);  // the first is the body whose arbiters are visited
     if (other == pressed.other)
         pressed.impulse += std::abs(cpvdot(cpArbiterTotalImpulse(arbiter), cpArbiterGetNormal(arbiter)));
 }

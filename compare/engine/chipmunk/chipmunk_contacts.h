@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What has to be told to Chipmunk of each contact, and what is counted there? Only for sources that are compiled
-// against Chipmunk's headers.
+// What must be set for each contact in Chipmunk, and what is counted there? Only for sources that are compiled against
+// Chipmunk's headers.
 #pragma once
 #include <chipmunk/chipmunk.h>
 
@@ -11,22 +11,22 @@
 
 namespace plumb::compare {
 
-/// A body with sensors, and how often something came into them.
+/// A body with sensors, and how often something has entered them.
 struct ChipmunkGate {
-    std::size_t body = 0;  ///< its place in the scene
+    std::size_t body = 0;  ///< its index in the scene
     int count = 0;
 };
 
-/// Stays where it is while the space is there.
+/// It must not move in memory while the space exists.
 struct ChipmunkContacts {
-    bool filters = false;  ///< it has to decide what may touch: Chipmunk's own filters are off
+    bool filters = false;  ///< the handler decides which shapes may touch, because Chipmunk's own filters are off
     std::vector<ChipmunkGate> gates{};
 };
 
-/// Is Chipmunk's own rule, with the coefficients that its shapes get here, not what the scene says?
+/// Does Chipmunk's own rule, with the coefficients that its shapes get here, differ from the rules of the scene?
 bool needsChipmunkMixing(const Scene& scene);
 
-/// Asks to be called only where there is something to say: told of every contact in every step, a handler costs time.
+/// Sets a handler only if it is needed: it is called for every contact in every step, which costs time.
 void listenToChipmunk(cpSpace& space, const Scene& scene, ChipmunkContacts& contacts);
 
 /// How hard one body presses on another, from the impulses of the last step [N s].

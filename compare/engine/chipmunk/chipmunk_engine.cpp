@@ -27,12 +27,13 @@ namespace {
 constexpr const char* noMoversOfChipmunk =
     "The mover is in Chipmunk a dynamic body that cannot turn, told its velocity before each step.";
 constexpr double unknownInChipmunk = std::numeric_limits<double>::quiet_NaN();
-constexpr double chipmunkSlop = 0.005;  // Box2D's; Chipmunk's own of 0.1 is meant in pixels [m]
-// Its own, gravity times dt, of 0.16 m/s, lays a block that tips to sleep [m/s].
+constexpr double chipmunkSlop = 0.005;  // Box2D's value; Chipmunk's own value, 0.1, is made for pixels [m]
+// Chipmunk's own value, gravity times dt, is 0.16 m/s; with it, a block that is tipping over falls asleep [m/s].
 constexpr double chipmunkIdleSpeed = 0.01;
-constexpr double chipmunkTimeToSleep = 0.5;  // Box2D's; by default Chipmunk lets nothing sleep [s]
+constexpr double chipmunkTimeToSleep = 0.5;  // Box2D's value; by default, nothing sleeps in Chipmunk [s]
 
-/// Chipmunk as Debian builds it greets on the standard output, which is a report's, when its first space is made.
+/// Debian's build of Chipmunk prints a greeting on the standard output when the first space is made. The standard
+/// output belongs to a report.
 class QuietOutput {
 public:
     QuietOutput() {
@@ -127,7 +128,7 @@ private:
     struct Watched {
         std::optional<std::pair<std::size_t, std::size_t>> pair{};  // of bodies
         std::optional<std::size_t> joint{};
-        std::optional<std::size_t> gate{};  // index of a body whose sensors count
+        std::optional<std::size_t> gate{};  // index of the gate in the list of bodies whose sensors count
     };
 
     std::unique_ptr<ChipmunkBody> made(const Scene& scene, std::size_t index) {
@@ -140,7 +141,7 @@ private:
         return body;
     }
 
-    /// When its joints are there: they wake it.
+    /// To be called after the body's joints are made, because they wake it.
     void layToSleep(const Scene& scene, std::size_t index) {
         const ChipmunkBody& body = *bodies_[index];
         const bool dynamic = cpBodyGetType(body.body.get()) == CP_BODY_TYPE_DYNAMIC;
@@ -164,7 +165,7 @@ private:
         for (const std::size_t body : due.arrival.bodies) layToSleep(scene, body);
     }
 
-    /// A body's joints leave with it.
+    /// When a body is taken out, its joints are taken out too.
     void takeOut(std::size_t body) {
         for (std::size_t i = 0; i < joints_.size(); ++i)
             if (holdsInChipmunk(joints_[i], bodies_[body]->body.get())) removeChipmunkJoint(*space_, joints_[i]);
@@ -172,8 +173,8 @@ private:
         bodies_[body] = nullptr;
     }
 
-    /// Chipmunk has no movers: its user sets velocities. As bodies move first in a step, one that shall be stopped by
-    /// what it meets gets its own after that, and before contacts are solved: else it would go into walls.
+    /// Chipmunk has no movers, so its user sets velocities. In a step, bodies move first. A body that obstacles can
+    /// stop gets its velocity after that, and before contacts are solved: otherwise it would go into walls.
     void move(double dt) {
         for (const MoverCommand& command : movers_.commands(states(), dt)) {
             ChipmunkBody& body = *bodies_[command.body];
@@ -186,7 +187,7 @@ private:
         }
     }
 
-    /// Nor does its space wrap: its user puts what has left it in at the other side.
+    /// Chipmunk's space does not wrap, so its user moves a body that has left it to the other side.
     void bringBack() {
         for (const std::unique_ptr<ChipmunkBody>& body : bodies_) {
             if (!body || cpBodyGetType(body->body.get()) == CP_BODY_TYPE_STATIC) continue;
@@ -195,14 +196,14 @@ private:
         }
     }
 
-    /// Chipmunk has no fields: its user works out their forces, once a step for all bodies.
+    /// Chipmunk has no fields, so its user computes their forces, once in each step for all bodies.
     FieldForce fieldForceOn(std::size_t body, double dt) {
         if (fieldTick_ != tick_) fieldForces_ = fields_.at(states(), dt);
         fieldTick_ = tick_;
         return fieldForces_[body];
     }
 
-    /// Those that a scene lets break: Chipmunk leaves it to its user to look at what they bear.
+    /// Breaks joints that bear too much. In Chipmunk, the user has to check their forces.
     void breakJoints() {
         for (const auto& [index, breaking] : breakable_) {
             if (!joints_[index].there) continue;
@@ -213,7 +214,7 @@ private:
         }
     }
 
-    /// With the gears that it drives.
+    /// Destroys the joint, and the gears that couple it.
     void destroy(std::size_t index) {
         for (const auto& [gear, ends] : gears_)
             if ((ends.first == index || ends.second == index) && joints_[gear].there) destroy(gear);
@@ -260,14 +261,14 @@ private:
     SceneFields fields_;
     SceneMovers movers_;
     Wrap wrap_;
-    std::vector<std::unique_ptr<ChipmunkBody>> bodies_;  // null before one has appeared
+    std::vector<std::unique_ptr<ChipmunkBody>> bodies_;  // null before the body has appeared
     std::vector<ChipmunkJoint> joints_;
     Broken broken_;
     std::vector<std::pair<std::size_t, Breaking>> breakable_;
-    std::vector<std::pair<std::size_t, std::pair<std::size_t, std::size_t>>> gears_;  // and the joints they couple
-    std::vector<std::size_t> sleepless_;  // those that must not sleep where others may: Chipmunk has no such flag
+    std::vector<std::pair<std::size_t, std::pair<std::size_t, std::size_t>>> gears_;  // with the joints they couple
+    std::vector<std::size_t> sleepless_;  // bodies that must not sleep although others may: Chipmunk has no such flag
     std::vector<FieldForce> fieldForces_;
-    int fieldTick_ = 0;  // of those
+    int fieldTick_ = 0;  // the tick of fieldForces_
     ChipmunkForces forces_ = [this](std::size_t body, double dt) { return fieldForceOn(body, dt); };
     std::vector<Watched> probes_;
     Arrivals arrivals_;
@@ -275,7 +276,7 @@ private:
     bool filtered_;  // by Chipmunk itself
     int tick_ = 0;
     std::optional<double> lastDt_;  // [s]
-    OwnedChipmunk<cpSpace> space_;  // last, and so freed first: it goes through its bodies then
+    OwnedChipmunk<cpSpace> space_;  // last, so that it is freed first: then it still goes through its bodies
 };
 
 std::vector<Setting> chipmunkSettings(const Scene& scene) {

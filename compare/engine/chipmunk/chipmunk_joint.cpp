@@ -11,8 +11,8 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double grooveEnd = 1e5;    // of a slide without limits [m]
-constexpr double springStart = 1e3;  // behind a slide, on its axis: from there its spring pulls and pushes [m]
+constexpr double grooveEnd = 1e5;    // end of the groove of a slide without limits [m]
+constexpr double springStart = 1e3;  // distance behind a slide, on its axis: its spring pulls and pushes from there [m]
 
 class ChipmunkJoiner {
 public:
@@ -23,7 +23,7 @@ public:
         hold(joint.bodyA, joint.bodyB);
     }
 
-    /// What gives comes before what does not: the solver obeys the last one best.
+    /// Soft parts come before rigid ones, because the solver satisfies the last part best.
     ChipmunkJoint operator()(const RevoluteJointDef& def) {
         if (def.spring) turningSpring(*def.spring, def.restAngle);
         motor(def.motorSpeed, def.maxMotorTorque);
@@ -75,7 +75,7 @@ public:
 
     ChipmunkJoint operator()(const PulleyJointDef&) { refuse("no pulley"); }
 
-    /// Chipmunk's gears are between two bodies, not two joints: the same thing where the bases never turn.
+    /// Chipmunk's gears couple two bodies, not two joints. This is the same if the bases never turn.
     ChipmunkJoint operator()(const GearJointDef& def) {
         const std::size_t first = drivenBy(joint_.jointA), second = drivenBy(joint_.jointB);
         if (first == second) refuse("no gear that drives one body by two joints");
@@ -86,11 +86,11 @@ public:
         return made();
     }
 
-    /// A pivot and a gear with bounds, whose errors are taken off at the joint's rate.
+    /// A pivot and a gear with limited force and torque. Their errors are removed at the joint's rate.
     ChipmunkJoint operator()(const MotorJointDef& def) {
         if (def.velocity != Vec2(0, 0) || def.angularVelocity != 0) refuse("no motor joint that moves at a velocity");
         const double dt = built_.scene.dt;
-        const double errorLeft = std::pow(1 - std::min(def.rate * dt, 1.0), 1 / dt);  // after a second
+        const double errorLeft = std::pow(1 - std::min(def.rate * dt, 1.0), 1 / dt);  // share left after a second
         if (def.maxTorque > 0) {
             cpConstraint* gear = cpGearJointNew(a_, b_, def.angle.value_or(apart()), 1);
             cpConstraintSetMaxForce(gear, def.maxTorque);
@@ -111,7 +111,7 @@ public:
         refuse("no spring that is damped across its line, as a target's");
     }
 
-    /// A joint that holds two points at any distance, which keeps the bodies from touching.
+    /// A joint that allows any distance between two points. It only keeps the bodies from touching.
     ChipmunkJoint operator()(const FilterJointDef&) {
         move(cpSlideJointNew(a_, b_, cpvzero, cpvzero, 0, unlimited));
         collide_ = false;
@@ -126,7 +126,7 @@ private:
     const BodyDef& bodyDef(std::size_t body) const { return built_.scene.bodies[body].def; }
     cpVect anchorA() const { return toChipmunk(joint_.localAnchorA); }
     cpVect anchorB() const { return toChipmunk(joint_.localAnchorB); }
-    /// The angle from which the joint's counts: Chipmunk counts from where both bodies are unturned.
+    /// The joint's angle is counted from this one. Chipmunk counts angles from where neither body is turned.
     double apart() const { return bodyDef(joint_.bodyB).angle - bodyDef(joint_.bodyA).angle; }
 
     void hold(std::size_t bodyA, std::size_t bodyB) {
@@ -139,7 +139,7 @@ private:
         collide_ = joint_.collideConnected;
     }
 
-    /// A part between bodies that cannot obey it would end the program, or make infinite numbers.
+    /// If the bodies cannot follow a part, it would end the program or make infinite numbers: such a part is left out.
     void keep(cpConstraint* part, bool can) {
         OwnedChipmunk<cpConstraint> owned(part);
         if (can) result_.parts.push_back(std::move(owned));
@@ -151,7 +151,7 @@ private:
 
     cpVect onAxis(double shift) const { return toChipmunk(joint_.localAnchorA + shift * joint_.localAxis); }
 
-    /// Its ends are the limits; between equal ones there is no groove.
+    /// The ends of the groove are the limits. If the limits are equal, a pivot is used instead.
     void groove(const std::optional<Limit>& limit) {
         const double lower = limit ? std::max(limit->lower, -grooveEnd) : -grooveEnd;
         const double upper = limit ? std::min(limit->upper, grooveEnd) : grooveEnd;
@@ -161,18 +161,18 @@ private:
             move(cpPivotJointNew2(a_, b_, onAxis(lower), anchorB()));
     }
 
-    /// From a point far behind: what the groove holds on the axis is pulled along it.
+    /// The spring starts at a point far behind, so that it pulls and pushes along the axis.
     void axialSpring(const Spring& spring, double rest) {
         move(cpDampedSpringNew(a_, b_, onAxis(-springStart), anchorB(), springStart + rest, spring.stiffness,
                                spring.damping));
     }
 
-    /// Chipmunk counts its rest from B to A.
+    /// Chipmunk counts the spring's rest angle from B to A.
     void turningSpring(const Spring& spring, double rest) {
         turn(cpDampedRotarySpringNew(a_, b_, -(apart() + rest), spring.stiffness, spring.damping));
     }
 
-    /// Its rate, too, is A's against B.
+    /// Chipmunk also counts the motor's rate as A's relative to B.
     void motor(double speed, double most) {
         if (most <= 0) return;
         cpConstraint* part = cpSimpleMotorNew(a_, b_, -speed);
@@ -204,8 +204,8 @@ private:
     ChipmunkJoint result_;
 };
 
-/// What one part gave B. Read from its fields: the library's own function says how large it was, but not where it
-/// points.
+/// The impulse that one part gave to B. It is read from the part's members, because the library's own function gives
+/// its size, but not its direction.
 ChipmunkImpulse impulseOfPart(const cpConstraint* part) {
     const auto along = [](const cpVect& n, double size) { return ChipmunkImpulse{size * fromChipmunk(n), 0}; };
     if (cpConstraintIsPivotJoint(part)) return {fromChipmunk(reinterpret_cast<const cpPivotJoint*>(part)->jAcc), 0};

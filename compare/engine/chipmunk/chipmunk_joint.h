@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does a scene's joint look in Chipmunk? Only for sources that are compiled against Chipmunk's headers.
+// How is a scene's joint made in Chipmunk? Only for sources that are compiled against Chipmunk's headers.
 #pragma once
 #include <memory>
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace plumb::compare {
 
-/// What there is when a joint is made.
+/// What already exists when a joint is made.
 struct ChipmunkBuilt {
     cpSpace& space;
     const Scene& scene;
@@ -19,14 +19,14 @@ struct ChipmunkBuilt {
     const std::vector<JointGeometry>& joints;  ///< the scene's
 };
 
-/// Chipmunk's joints do one thing each: a scene's joint is some of them together.
+/// Each of Chipmunk's joints does one thing, so a scene's joint is made of several of them.
 struct ChipmunkJoint {
     std::vector<OwnedChipmunk<cpConstraint>> parts{};
-    bool there = false;  ///< false: not come yet, gone with its body, or broken
+    bool there = false;  ///< false if it has not appeared yet, was taken out with its body, or has broken
 };
 
-/// Puts its parts into the space; those that nothing could move by are left out. Throws Unsupported, naming the joint,
-/// when Chipmunk has no such thing.
+/// Puts the joint's parts into the space. Parts that cannot move any body are left out. Throws Unsupported, which names
+/// the joint, if Chipmunk has no such joint.
 ChipmunkJoint addChipmunkJoint(const ChipmunkBuilt& built, const JointGeometry& joint, const std::string& name);
 
 void removeChipmunkJoint(cpSpace& space, ChipmunkJoint& joint);
@@ -34,7 +34,7 @@ void removeChipmunkJoint(cpSpace& space, ChipmunkJoint& joint);
 /// Does a part of the joint hold this body?
 bool holdsInChipmunk(const ChipmunkJoint& joint, const cpBody* body);
 
-/// What the parts together gave body B in the last step.
+/// The impulse that all parts together gave to body B in the last step.
 struct ChipmunkImpulse {
     Vec2 linear{0, 0};   ///< [N s]
     double angular = 0;  ///< [N m s]

@@ -15,14 +15,14 @@ namespace plumb::compare {
 namespace {
 
 constexpr int sizes[] = {64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384};
-constexpr std::size_t fitted = 5;  // of the largest: with few boxes there are edges, and blocks half empty
+constexpr std::size_t fitted = 5;  // the largest n: few boxes have more edge, and half-empty blocks
 
 struct WayToFind {
     BroadPhase phase;
     std::string name, tag;
 };
 
-/// The first is what the others are held against.
+/// The others are compared with the first.
 const WayToFind ways[] = {{BroadPhase::BruteForce, "brute force", "brute_force"},
                           {BroadPhase::Grid, "grid", "grid"},
                           {BroadPhase::SweepAndPrune, "sweep and prune", "sweep_and_prune"},
@@ -32,7 +32,7 @@ Aabb boxAt(const Vec2& center, double half) {
     return {center - Vec2(half, half), center + Vec2(half, half)};
 }
 
-/// Boxes of 1 m, anywhere on a plane with 4 m^2 for each.
+/// Boxes of 1 m at random places on a plane, with 4 m^2 for each box.
 std::vector<Aabb> evenScene(int n, Random& random) {
     std::vector<Aabb> boxes;
     const double side = 2 * std::sqrt(n);
@@ -43,8 +43,8 @@ std::vector<Aabb> evenScene(int n, Random& random) {
     return boxes;
 }
 
-/// The same plane, but every second box lies in a heap a fifth as wide, and sides are from 0.2 to 5 m, most of them
-/// short: 0.2 m / (1 - 0.96 u), u even from 0 to 1.
+/// The same plane, but every second box lies in a heap that is a fifth as wide. Sides are from 0.2 to 5 m long, most of
+/// them short: 0.2 m / (1 - 0.96 u), with u uniform from 0 to 1.
 std::vector<Aabb> unevenScene(int n, Random& random) {
     std::vector<Aabb> boxes;
     const double side = 2 * std::sqrt(n);
@@ -68,7 +68,7 @@ struct TimedSearch {
     double time = std::numeric_limits<double>::infinity();  ///< [s]
 };
 
-/// The shortest time of some searches: what else the machine does makes them longer, never shorter.
+/// The shortest time of several searches: other work of the machine makes a search longer, never shorter.
 TimedSearch timedSearch(const PairFinder& find, BroadPhase phase, const std::vector<Aabb>& boxes) {
     TimedSearch result;
     double spent = 0;
@@ -102,7 +102,8 @@ std::string powerNote(const std::vector<Point>& points) {
     return fmt::format("n^{:.2f}", growth(points));
 }
 
-/// As measured: what each way does to find the pairs of each n, and how many scenes have other pairs than brute force.
+/// Measures how many tests and how much time each way needs for each n, and counts the searches whose pairs differ from
+/// those of brute force.
 void runKind(const Kind& kind, const PairFinder& find, LabRun& run) {
     std::vector<Measurement> measured(std::size(ways));
     Curve pairs{.name = "pairs that overlap", .theory = true};
@@ -166,28 +167,29 @@ LabRun runBroadPhases(const PairFinder& find) {
 }  // namespace
 
 Lab broadPhases(const PairFinder& find) {
-    return {
-        .name = "broad_phases",
-        .question = "How do the tests that find all overlapping pairs grow with the number of boxes?",
-        .varied =
-            "boxes, from 64 to 16,384 at the same density; lying evenly, or half of them in a heap and of "
-            "many sizes",
-        .checks = {{.name = "pairs_that_differ", .reason = "every way finds the pairs of brute force, in its order"},
-                   {.name = "tests.even.brute_force.off",
-                    .limit = 0.001,
-                    .reason = "n (n - 1) / 2 tests: the slope is 2 + 1 / (n - 1), from 1,024 boxes on"},
-                   {.name = "tests.even.grid",
-                    .limit = 1.1,
-                    .reason = "each box is tested against the boxes of nine cells, which hold as many at any n; at "
-                              "the edge there are fewer"},
-                   {.name = "tests.even.sweep_and_prune.off",
-                    .limit = 0.05,
-                    .reason = "of n (n - 1) / 2 pairs those within 1 m along a side of 2 sqrt(n) m, a share of "
-                              "1 / sqrt(n): the slope is 1.5 to 0.005, but for some per cent by chance"},
-                   {.name = "tests.even.bvh",
-                    .limit = 1.25,
-                    .reason = "each box goes down a tree of log n levels, and next to nothing overlaps at its top"}},
-        .run = [find](const std::vector<Engine>&) { return runBroadPhases(find); }};
+    return {.name = "broad_phases",
+            .question = "How do the tests that find all overlapping pairs grow with the number of boxes?",
+            .varied =
+                "boxes, from 64 to 16,384 at the same density; lying evenly, or half of them in a heap and of "
+                "many sizes",
+            .checks = {{.name = "pairs_that_differ",
+                        .reason = "every way finds the same pairs as brute force, in the same order"},
+                       {.name = "tests.even.brute_force.off",
+                        .limit = 0.001,
+                        .reason = "n (n - 1) / 2 tests: the slope is 2 + 1 / (n - 1), from 1,024 boxes on"},
+                       {.name = "tests.even.grid",
+                        .limit = 1.1,
+                        .reason = "each box is tested against the boxes of nine cells; these are as many at any n, and "
+                                  "fewer at the edge"},
+                       {.name = "tests.even.sweep_and_prune.off",
+                        .limit = 0.05,
+                        .reason =
+                            "of n (n - 1) / 2 pairs, those within 1 m along a side of 2 sqrt(n) m are tested: a share "
+                            "of 1 / sqrt(n); the slope is 1.5 to 0.005, and some per cent off by chance"},
+                       {.name = "tests.even.bvh",
+                        .limit = 1.25,
+                        .reason = "each box goes down a tree of log n levels, and almost nothing overlaps at its top"}},
+            .run = [find](const std::vector<Engine>&) { return runBroadPhases(find); }};
 }
 
 }  // namespace plumb::compare

@@ -18,17 +18,17 @@ namespace {
 constexpr double bulletStep = 1.0 / 60;                 // [s]
 constexpr double bulletRadius = 0.025;                  // of the bullet [m]
 constexpr double thickness = 0.05;                      // of the window [m]
-constexpr double reach = thickness / 2 + bulletRadius;  // they overlap while the bullet's centre is as near [m]
+constexpr double reach = thickness / 2 + bulletRadius;  // they overlap while the bullet's centre is this near [m]
 constexpr double safeSpeed =
-    2 * reach / bulletStep;   // a step is then as long as the stretch on which they overlap [m/s]
-constexpr double before = 1;  // the window, from where the first bullet starts [m]
-constexpr int starts = 100;   // spread over the way of one frame
+    2 * reach / bulletStep;   // at this speed, a step is as long as the stretch where they overlap [m/s]
+constexpr double before = 1;  // from the first bullet's start to the window [m]
+constexpr int starts = 100;   // spread over the distance of one frame
 
 std::vector<double> bulletSpeeds() {
     return geometricSteps(1, 1000, 49);
 }
 
-/// Where the bullet of number i starts: all together they are a frame's way apart [m].
+/// Where bullet number i starts. All starts together are spread over the distance of one frame [m].
 double startOf(int i, double speed) {
     return -before - speed * bulletStep * i / starts;
 }
@@ -60,12 +60,13 @@ bool sweptFinds(const Shape& bullet, const Sweep& sweep, const Shape& window) {
     return firstTouch(bullet, sweep, window, {}).has_value();
 }
 
-/// Of starts that are spread evenly over a frame's way, those whose frame ends all lie outside of the window.
+/// The starts are spread evenly over the distance of one frame. This is the share of starts for which no frame ends in
+/// the window [%].
 double expectedShare(double speed) {
     return 100 * std::max(0.0, 1 - safeSpeed / speed);
 }
 
-/// A window for each bullet, one above the other.
+/// Each bullet has a window of its own; the windows are one above the other.
 Scene shootingRange(double speed, BodyType window) {
     Scene scene{.name = "shooting_range",
                 .question = "Which bullets go through their windows?",
@@ -83,10 +84,10 @@ Scene shootingRange(double speed, BodyType window) {
     return scene;
 }
 
-/// A bullet that is behind its window at the end, wherever that is by then, went through it.
+/// A bullet that is behind its window at the end went through it, even if the window has moved.
 double missedShare(const Engine& engine, double speed, BodyType window) {
     const std::unique_ptr<Simulation> simulation = engine.build(shootingRange(speed, window));
-    const double slowest = std::min(speed, 100.0);  // an engine may let nothing move by more than 2 m a step
+    const double slowest = std::min(speed, 100.0);  // in some engines, nothing moves by more than 2 m a step
     const int steps = static_cast<int>((before + reach + speed * bulletStep) / (slowest * bulletStep)) + 10;
     for (int i = 0; i < steps; ++i) simulation->step(bulletStep);
     const std::vector<BodyState> states = simulation->states();
@@ -107,14 +108,14 @@ Curve curveOf(const std::string& name, const std::function<double(double speed)>
     return curve;
 }
 
-/// How many of the bullets went through, of all speeds.
+/// How many bullets went through, at all speeds together.
 double missedIn(const Curve& curve) {
     double sum = 0;
     for (const Point& point : curve.points) sum += point.y * starts / 100;
     return std::round(sum);
 }
 
-/// The least speed at which one went through; 0: none did.
+/// The lowest speed at which a bullet went through; 0 if none did.
 double firstMiss(const Curve& curve) {
     for (const Point& point : curve.points)
         if (point.y > 0) return point.x;
@@ -160,7 +161,7 @@ void runTests(const FrameTests& tests, LabRun& run) {
                     starts * bulletSpeeds().size()));
 }
 
-/// Who lets none through, and who lets how many. labels: of the curves.
+/// Says which curves have no bullet that goes through, and how many go through in the others. labels: of the curves.
 std::string sentence(const Graph& graph, const std::vector<std::string>& labels) {
     std::vector<std::string> none, some;
     for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -217,7 +218,7 @@ Lab bulletAndWindow(const FrameTests& tests) {
         .question = "From which speed on does a bullet go through a thin window without being seen?",
         .varied = "the bullet's speed, from 1 to 1,000 m/s, and where in a frame's way it starts",
         .checks = {{.name = "overlap.missed_below_safe_speed",
-                    .reason = "a step is no longer than the stretch on which the two overlap: some frame ends there"},
+                    .reason = "a step is not longer than the stretch where the two overlap: a frame ends there"},
                    {.name = "overlap.off_expected",
                     .limit = 100.0 / starts,
                     .unit = "%",
@@ -231,10 +232,11 @@ Lab bulletAndWindow(const FrameTests& tests) {
                         "at 1,000 m/s a frame's way is 16.7 m, and the stretch 0.1 m: 99.4 % go through, to one of "
                         "the hundred starts"},
                    {.name = "bisection.differs_from_overlap",
-                    .reason = "bisection halves the frame at whose end an overlap was seen: it sees no other"},
+                    .reason =
+                        "bisection halves a frame only if an overlap was seen at its end: it sees no other overlap"},
                    {.name = "swept.missed", .reason = "the whole way of the frame is looked at"},
                    {.name = subjectName() + ".missed.fixed",
-                    .reason = "nothing goes through what is fixed, however fast it flies",
+                    .reason = "nothing goes through a fixed body, at any speed",
                     .engine = subjectName()}},
         .run = [tests](const std::vector<Engine>& engines) { return runBulletAndWindow(tests, engines); }};
 }

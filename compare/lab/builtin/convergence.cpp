@@ -17,11 +17,11 @@ namespace plumb::compare {
 namespace {
 
 constexpr std::array steps{1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 1e-2};  // [s]
-constexpr std::size_t fine = 3, coarse = 6;                            // those that are judged: 0.001 s and 0.01 s
+constexpr std::size_t fine = 3, coarse = 6;                            // the steps that are judged: 0.001 s and 0.01 s
 
 struct Errors {
     double energy = 0;    ///< largest |E(t) - E(0)| [J]
-    double distance = 0;  ///< the largest from the closed form, where there is one [m]
+    double distance = 0;  ///< largest distance from the closed form, if there is one [m]
 };
 
 double energyOf(const MassModel& masses, const std::vector<BodyState>& states) {
@@ -36,7 +36,7 @@ double distanceFrom(const std::vector<BodyState>& truth, const std::vector<BodyS
     return distance;
 }
 
-/// The scene run with steps of dt. An error that was once no number stays none.
+/// The errors of a run with steps of dt. Once the energy's error is not a number, it stays so.
 Errors errorsOf(Scene scene, const Engine& engine, double dt) {
     scene.dt = dt;
     if (scene.closedForm) scene.closedForm = workedOut(scene);
@@ -56,7 +56,7 @@ Errors errorsOf(Scene scene, const Engine& engine, double dt) {
     return errors;
 }
 
-/// Of one engine, over the steps.
+/// The errors of one engine over the step.
 struct Falls {
     std::vector<Point> energy{}, distance{};
 };
@@ -71,7 +71,7 @@ Falls fallsOf(const Scene& scene, const Engine& engine) {
     return falls;
 }
 
-/// Between the two finest steps.
+/// The slope between the two finest steps.
 double finestOrder(const std::vector<Point>& points) {
     return exponent(std::span(points).first(2)).value_or(std::nan(""));
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr double slideStep = 1.0 / 60;  // [s]
 constexpr int slideTicks = 120;
 constexpr int runs = 40;          // at each speed
-constexpr double noticed = 0.01;  // lost in one step: a snag [m/s]
+constexpr double noticed = 0.01;  // a snag is a loss of more than this in one step [m/s]
 constexpr Material smooth{.friction = 0};
 
 std::vector<double> slideSpeeds() {
@@ -26,7 +26,7 @@ enum class Ground { Floor, Wall };
 
 struct Slider {
     ShapeDef shape;
-    double below = 0;  ///< from its centre to what it slides on [m]
+    double below = 0;  ///< distance from its centre to the surface that it slides on [m]
 };
 
 Slider randomSlider(Random& random) {
@@ -47,7 +47,7 @@ Slider randomSlider(Random& random) {
     }
 }
 
-/// Something smooth on smooth tiles, pressed onto them: on a floor it coasts, down a wall it falls.
+/// A smooth body is pressed onto smooth tiles: it slides along a floor, or falls down a wall.
 Scene sliding(Ground ground, double speed, int number) {
     Random random(static_cast<std::uint64_t>(number));
     const Slider slider = randomSlider(random);
@@ -133,7 +133,7 @@ LabRun runFlushTiles(const std::vector<Engine>& engines) {
 }  // namespace
 
 Lab flushTiles() {
-    const std::string reason = "inner edges are gone: there is nothing to catch on";
+    const std::string reason = "inner edges are removed: a body has nothing to catch on";
     return {.name = "flush_tiles",
             .question = "How often is something caught that slides over flush tiles without friction?",
             .varied = "the speed, from 1 to 16 m/s; discs, boxes, capsules and hexagons, and sizes of tiles, at random",

@@ -24,12 +24,11 @@ constexpr double shownSpeed = 12;      // [m/s]
 constexpr int shotSpeeds = 33;         // from 4 to 20 m/s
 const Vec2 muzzle(-6, 2);
 
-/// A room with a step, two loose boxes that fall on it, and a mill that turns. Clockwise: to some engines chains are
-/// solid from one side only.
+/// A room with a step, two loose boxes that fall on it, and a mill that turns. The walls run clockwise, because in some
+/// engines chains are solid on one side only.
 Scene room() {
     const Material lively{.restitution = 0.6};
-    Scene scene{
-        .name = "room", .question = "Where does a shot come to?", .duration = shotTicks * shotStep, .dt = shotStep};
+    Scene scene{.name = "room", .question = "How does a shot fly?", .duration = shotTicks * shotStep, .dt = shotStep};
     scene.bodies = {
         {"walls",
          {.type = BodyType::Static,
@@ -51,8 +50,7 @@ BodyDef shotAt(double speed) {
             .shapes = {circle(0.2, {.density = 2, .restitution = 0.8})}};
 }
 
-/// Plumb's room when it has been in use for a while: with contacts that have lasted, impulses to start from, and what
-/// sleeps.
+/// Plumb's room after some time of use: with lasting contacts, impulses to start from, and sleeping bodies.
 PlumbWorld roomInUse() {
     PlumbWorld made = plumbWorld(room());
     for (int tick = 0; tick < ticksBefore; ++tick) made.world.step(shotStep);
@@ -65,13 +63,13 @@ std::vector<Vec2> foreseen(const Forecast& forecast) {
     return path;
 }
 
-/// What became of the shot.
+/// How the shot flew.
 struct Outcome {
     std::vector<Vec2> positions, velocities;  ///< at the start, and after each tick [m], [m/s]
-    std::vector<ForecastHit> hits;            ///< only Plumb tells them
+    std::vector<ForecastHit> hits;            ///< only Plumb reports them
 };
 
-/// The shot is fired in a room that was stepped anew, no copy.
+/// The shot is fired in a new room that was stepped again, not in a copy.
 Outcome firedInPlumb(double speed) {
     PlumbWorld made = roomInUse();
     World& world = made.world;
@@ -91,7 +89,8 @@ Outcome firedInPlumb(double speed) {
     }
 }
 
-/// The shot is fired in the room as Plumb left it by then: from there the two part by themselves.
+/// The engine starts from the room as Plumb left it, and the shot is fired there. From then on, the engine runs by
+/// itself.
 Outcome fired(double speed, const Engine& engine) {
     if (engine.role == Role::Subject) return firedInPlumb(speed);
     Scene scene = room();
@@ -119,7 +118,7 @@ bool sameBits(const Vec2& a, const Vec2& b) {
     return std::memcmp(a.data(), b.data(), sizeof(double) * 2) == 0;
 }
 
-/// But for the world that it is in.
+/// True if the two are the same apart from the world that they are in.
 bool sameShape(const ShapeId& a, const ShapeId& b) {
     return a.body.index == b.body.index && a.body.generation == b.body.generation && a.number == b.number;
 }
@@ -129,7 +128,7 @@ bool sameHit(const ForecastHit& a, const ForecastHit& b) {
            std::memcmp(&a.approachSpeed, &b.approachSpeed, sizeof(double)) == 0 && sameShape(a.other, b.other);
 }
 
-/// Those that only one of the two has, or has otherwise.
+/// The number of hits that only one of the two has, or that differ.
 int hitsOff(const std::vector<ForecastHit>& forecast, const std::vector<ForecastHit>& outcome) {
     const std::size_t longer = std::max(forecast.size(), outcome.size());
     int off = 0;
@@ -149,7 +148,7 @@ std::vector<Point> overTime(const std::vector<Vec2>& path, int axis) {
 struct Comparison {
     std::vector<Point> apart;  ///< [s, m]
     double largest = 0;        ///< [m]
-    int ticksOff = 0;          ///< in which a bit of its place or velocity differs
+    int ticksOff = 0;          ///< ticks in which any bit of its place or velocity differs
 };
 
 Comparison compared(const Forecast& forecast, const Outcome& outcome) {
@@ -170,7 +169,7 @@ double speedAt(int i) {
     return 4 + 16.0 * i / (shotSpeeds - 1);
 }
 
-/// Over all speeds, and what that says of this engine.
+/// Compares the engine with the forecasts of all speeds, and adds its results to run.
 void runEngine(const Engine& engine, const std::vector<Forecast>& forecasts, LabRun& run, Graph& apart, Graph& over) {
     Curve largest{engine.name, {}};
     const bool own = engine.role == Role::Subject;
@@ -233,19 +232,19 @@ Forecast foretold(const World& world, const BodyDef& shot, int steps, double int
 Lab forecasts(const Forecaster& foretell) {
     return {
         .name = "forecast",
-        .question = "A shot is forecast, bounces and all, and then fired: does it fly as was foretold?",
+        .question = "A shot is forecast with all its bounces, and then fired: does it fly as forecast?",
         .varied = "the shot's speed, from 4 to 20 m/s",
         .checks = {{.name = "ticks_off",
-                    .reason = "the forecast is made in a copy of the world, which goes on to the same bits, though "
-                              "boxes rest on each other, and sleep",
+                    .reason = "the forecast is made in a copy of the world, and the copy computes the same bits, even "
+                              "while boxes rest on each other or sleep",
                     .engine = subjectName()},
                    {.name = "hits_off",
-                    .reason = "the same bits meet the same, in the same tick, place and direction, as fast",
+                    .reason = "the same bits give the same hits: same shape, tick, point, direction and speed",
                     .engine = subjectName()},
                    {.name = "bounces",
                     .bound = Bound::AtLeast,
                     .limit = 3.0 * shotSpeeds,
-                    .reason = "each shot meets walls, mill or boxes, three times at least in the mean"}},
+                    .reason = "each shot meets walls, mill or boxes, on average at least three times"}},
         .run = [foretell](const std::vector<Engine>& engines) { return runForecast(foretell, engines); },
     };
 }

@@ -33,7 +33,7 @@ constexpr int allRates[] = {20, 24, 25, 30, 40, 50, 60, 72, 75, 90, 100, 120, 14
 /// A display: how long each of its frames takes, three seconds in all.
 struct Display {
     std::string name;
-    double rate = 0;  ///< [1/s]; 0: no even one
+    double rate = 0;  ///< [1/s]; 0 if the frames are not equally long
     std::vector<double> frames{};
 };
 
@@ -43,7 +43,7 @@ Display evenDisplay(int rate) {
             std::vector<double>(static_cast<std::size_t>(frames), 1.0 / rate)};
 }
 
-/// From 15 to 144 frames a second, at random.
+/// A random rate for each frame, from 15 to 144 frames a second.
 Display irregularDisplay() {
     Display display{.name = "irregular"};
     Random random(24);
@@ -73,10 +73,10 @@ Scene bouncingBall() {
                                      .bodies = {PiecewiseMotion{"ball", bouncingFlights(ball)}}}};
 }
 
-/// What a point needs to know to bounce as the scene's ball does.
+/// What is needed to make a point bounce like the scene's ball.
 struct Body {
     Vec2 start{0, 0};        ///< [m]
-    double floor = 0;        ///< the height of its centre as it lies [m]
+    double floor = 0;        ///< height of its centre when it lies on the floor [m]
     double restitution = 0;  ///< [-]
 };
 
@@ -91,12 +91,12 @@ double trueEnd(const Scene& scene) {
 
 struct Shown {
     std::vector<Point> heights;  ///< at each frame [s, m]
-    double end = 0;              ///< the state's own height, at last [m]
+    double end = 0;              ///< height in the last state, not the drawn one [m]
     std::int64_t ticks = 0;
     std::uint64_t hash = 0;
 };
 
-/// The game's loop: the clock says how many ticks are due, and what is drawn lies between the last two.
+/// The game's loop: the clock says how many ticks are due. The drawn height lies between the last two ticks.
 Shown byFixedClock(const Scene& scene, const Display& display, const ClockSettings& settings) {
     PlumbWorld made = plumbWorld(scene);
     const auto height = [&] { return made.world.body(made.bodies.back()).position().y(); };
@@ -118,7 +118,7 @@ Shown byFixedClock(const Scene& scene, const Display& display, const ClockSettin
     return shown;
 }
 
-/// What the lecture warns of: a step is as long as the frame took.
+/// The lecture warns of this: each step is as long as its frame.
 Shown byVariableStep(const Scene& scene, const Display& display, const Engine& engine) {
     const std::unique_ptr<Simulation> simulation = engine.build(scene);
     const auto height = [&] { return simulation->states().back().position.y(); };
@@ -133,7 +133,7 @@ Shown byVariableStep(const Scene& scene, const Display& display, const Engine& e
     return shown;
 }
 
-/// The ball of a first game of one's own, without an engine: a step of the method, and off the floor by Newton's law.
+/// The ball of a beginner's game without an engine: one step of the method, then a bounce by Newton's law.
 Shown byTextbook(const Scene& scene, const Display& display, const Method& method) {
     const Body body = ballOf(scene);
     MotionProblem fall;
@@ -155,7 +155,7 @@ Shown byTextbook(const Scene& scene, const Display& display, const Method& metho
     return shown;
 }
 
-/// The ends over the rates, and what they say; the last display is the irregular one.
+/// The final heights over the frame rates, and how far they are apart. The irregular display has no rate.
 struct Ends {
     std::vector<Point> overRate;
     std::set<double> heights;
@@ -207,11 +207,11 @@ void runClock(const Scene& scene, const ClockSettings& clock, LabRun& run, Graph
         lengthText(error)));
 }
 
-/// Who steps as long as the frame took.
+/// An engine or method whose steps are as long as the frames.
 struct Stepper {
-    std::string label;  ///< as a person says it
-    std::string curve;  ///< in the graph of the ends
-    std::string value;  ///< of the spread
+    std::string label;  ///< for people to read
+    std::string curve;  ///< its name in the graph of the final heights
+    std::string value;  ///< the name of its spread's value
     std::function<Shown(const Display&)> shown;
 };
 
@@ -273,9 +273,9 @@ Lab frameRate(const ClockSettings& clock, const Method& textbook) {
         .question = "A ball bounces for 3 s: does it end in the same place, whatever the display's frame rate?",
         .varied = "frames a second, from 20 to 240 and irregular, between 15 and 144",
         .checks = {{.name = "clock.states_that_differ",
-                    .reason = "the world makes the same ticks, whatever time the frames take: the same bits"},
+                    .reason = "the world makes the same ticks at any frame rate: so the bits are the same"},
                    {.name = "clock.ticks_off", .reason = "3 s are 150 ticks of 0.02 s, in whole ticks"},
-                   {.name = "clock.spread", .unit = "m", .reason = "the same bits are the same place"},
+                   {.name = "clock.spread", .unit = "m", .reason = "the same bits mean the same place"},
                    {.name = "clock.error",
                     .limit = 1e-7,
                     .unit = "m",

@@ -13,10 +13,10 @@ namespace {
 
 using Methods = std::vector<Method>;
 
-constexpr int springSteps = 1000;   // on the oscillator, whose energy is watched
+constexpr int springSteps = 1000;   // on the oscillator, to watch its energy
 constexpr double springStep = 0.1;  // of 1 / w [s]
 
-/// One run, whose energy is watched.
+/// A run for which the energy error is recorded.
 struct EnergyRun {
     MotionProblem problem;
     double endTime = 0;  ///< [s]
@@ -41,15 +41,15 @@ EnergyError energyErrorOf(const EnergyRun& run, const Method& method) {
     return error;
 }
 
-/// Runs whose place at the end is held against the closed form.
+/// Runs whose final position is compared with the closed form.
 struct ErrorRun {
     MotionProblem problem;
     double endTime = 0;  ///< [s]
     Effort first{};
-    int count = 0;  ///< of runs, each with twice the steps of the one before it, or a tenth of its tolerance
+    int count = 0;  ///< number of runs; each has twice the steps of the run before it, or a tenth of its tolerance
 };
 
-/// The error at the end over the step: over the mean step, of a method that chooses its own. By rising step.
+/// The final error over the step, or over the mean step if the method chooses its steps. Sorted by rising step.
 std::vector<Point> errorsOf(const ErrorRun& run, const Method& method) {
     std::vector<Point> errors;
     const Vec2 truth = run.problem.truePosition(run.endTime);
@@ -66,8 +66,8 @@ std::vector<Point> errorsOf(const ErrorRun& run, const Method& method) {
     return errors;
 }
 
-constexpr double rounding = 1e-11;      // what lies below is of no method: up to 256,000 steps' rounding [m]
-constexpr std::size_t fittedSteps = 4;  // of the smallest steps, where the next power of the step matters least
+constexpr double rounding = 1e-11;      // a smaller error is the rounding of up to 256,000 steps [m]
+constexpr std::size_t fittedSteps = 4;  // the smallest steps, where the next power of the step matters least
 
 double slopeOf(std::vector<Point> errors) {
     std::erase_if(errors, [](const Point& point) { return point.y < rounding; });
@@ -101,7 +101,7 @@ void addErrors(const std::string& title, const ErrorRun& run, const Methods& met
                                       fmt::join(words, ", ")));
 }
 
-/// What the graphs of energy show, in words.
+/// Says in words what the graphs of energy show.
 std::string springSentence(const LabRun& result) {
     const auto percent = [&](const std::string& method) {
         return 100 * result.values.at("energy.oscillator." + method);
@@ -130,7 +130,7 @@ LabRun runIntegrators(const Methods& methods) {
               result);
     addEnergy("Orbit of e = 0.5, 1,000 steps a turn: energy", {orbit, 10 * orbit.period, {10'000}}, methods, result);
     result.seen = {springSentence(result), orbitSentence(methods, result)};
-    // Not after whole periods: there the semi-implicit method's error is of second order.
+    // The runs do not end after whole periods: there the semi-implicit method's error is of second order.
     addErrors("Oscillator after 10 s: error", {spring, 10, {100, 1e-3}, 9}, methods, result);
     addErrors("Orbit after 1.3 turns: error", {orbit, 1.3 * orbit.period, {250, 1e-3}, 11}, methods, result);
     const double known = std::pow(1 + springStep * springStep, springSteps);

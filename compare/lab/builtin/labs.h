@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is each lab? What it puts to the test can be exchanged, to see that a wrong one does not pass.
+// What is each lab? What a lab tests can be replaced: so it can be shown that a wrong version fails.
 #pragma once
 #include <functional>
 #include <span>
@@ -15,23 +15,23 @@
 
 namespace plumb::compare {
 
-/// What a first game steps by: v += a dt, x += v dt.
+/// The method of a beginner's game: v += a dt, x += v dt.
 Method textbookMethod();
 
-/// frame_rate.cpp; the lecture's interval.
+/// frame_rate.cpp; the default interval is the lecture's.
 Lab frameRate(const ClockSettings& clock = {.interval = 0.02}, const Method& textbook = textbookMethod());
 
 /// integrators.cpp
 Lab integrators(const std::vector<Method>& methods = knownMethods());
 
-/// convergence.cpp; every engine is made into another by oneStep.
+/// convergence.cpp; oneStep turns each engine into the one that is run.
 Lab convergence(const std::function<Engine(const Engine&)>& oneStep = withOneSubStep);
 
 /// broad_phases.cpp
 using PairFinder = std::function<PairSearch(BroadPhase sweep, std::span<const Aabb> boxes)>;
 Lab broadPhases(const PairFinder& find = findPairs);
 
-/// Is the bullet, which goes its way through one frame, seen to touch the window, which stands?
+/// Does the test see that the bullet touches the window? The bullet moves through one frame; the window is at rest.
 using FrameTest = std::function<bool(const Shape& bullet, const Sweep& sweep, const Shape& window)>;
 struct FrameTests {
     FrameTest overlapAtEnd, bisection, swept;
@@ -44,7 +44,7 @@ Lab bulletAndWindow(const FrameTests& tests = lectureTests());
 /// flush_tiles.cpp
 Lab flushTiles();
 
-/// As the kit does it.
+/// The forecast as the kit makes it.
 Forecast foretold(const World& world, const BodyDef& shot, int ticks, double dt);
 
 /// forecast.cpp

@@ -13,20 +13,20 @@ struct Method {
     std::string name{};
     std::string tag{};  ///< in the names of checks
     int order = 1;
-    /// A step of a length [s]; empty: it steps as long as its tolerance allows.
+    /// One step of the given length [s]; empty if the method chooses its steps by its tolerance.
     std::function<Motion(const MotionProblem& problem, const Motion& from, double step)> step{};
 };
 
-/// Those of kit/plumb/integrate, from the simplest to the most exact.
+/// The methods of kit/plumb/integrate, from the simplest to the most exact.
 std::vector<Method> knownMethods();
 
-/// What a run may cost: the one or the other.
+/// What a run may cost: only one of the two is used.
 struct Effort {
-    int steps = 1000;         ///< of a method whose steps are even
-    double tolerance = 1e-9;  ///< of one that chooses its steps [m, m/s]
+    int steps = 1000;         ///< for a method with equal steps
+    double tolerance = 1e-9;  ///< for a method that chooses its steps [m, m/s]
 };
 
-/// From the problem's start until endTime [s]; calls seen after each step, and returns how many there were.
+/// Runs from the problem's start until endTime [s]. Calls seen after each step, and returns the number of steps.
 int walk(const Method& method, const MotionProblem& problem, double endTime, const Effort& effort,
          const std::function<void(double time, const Motion& motion)>& seen);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which motions have a closed form that a method can be held against at any time?
+// Which motions have a closed form with which a method can be compared at any time?
 #pragma once
 #include <functional>
 #include <string>
@@ -24,8 +24,8 @@ struct MotionProblem {
 /// x'' = -x, from 1 m at rest: x = cos t.
 MotionProblem oscillator();
 
-/// x'' = -x / |x|^3 about the origin, from the nearest point (1 - e, 0) on; semi-major axis 1 m, period 2 pi s. The
-/// closed form is keplerState (compare/closed_form/kepler.h). e: eccentricity, from 0 to below 1 [-].
+/// x'' = -x / |x|^3 about the origin. It starts at the nearest point (1 - e, 0); semi-major axis 1 m, period 2 pi s.
+/// The closed form is keplerState (compare/closed_form/kepler.h). e: eccentricity, from 0 to below 1 [-].
 /// Test: "the true paths obey their accelerations, start where they should, and keep their energy"
 MotionProblem keplerOrbit(double eccentricity);
 

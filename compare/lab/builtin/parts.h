@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What do many labs have in common?
+// Which functions do several labs share?
 #pragma once
 #include <vector>
 
@@ -7,10 +7,10 @@
 
 namespace plumb::compare {
 
-/// One that has no sub-steps is returned as it is.
+/// The engine with one sub-step. An engine without sub-steps is returned as it is.
 Engine withOneSubStep(const Engine& engine);
 
-/// count values from low to high, each the same multiple of the one before.
+/// count values from low to high; each is the same multiple of the one before.
 std::vector<double> geometricSteps(double low, double high, int count);
 
 }  // namespace plumb::compare

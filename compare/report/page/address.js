@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which state of the page does its address name? #scene=free_fall&t=1.2&play=1&speed=1, or #lab=frame_rate
+// Which state of the page does its address describe? #scene=free_fall&t=1.2&play=1&speed=1, or #lab=frame_rate
 
 function readAddress() {
     const fields = new URLSearchParams(location.hash.slice(1));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does one quantity go over time, in each engine?
+// How does one quantity change over time in each engine?
 
 function chartText() {
     return Math.round(0.84 * parseFloat(getComputedStyle(document.documentElement).fontSize));
@@ -26,7 +26,7 @@ function evenTicker(low, high, pixels, space, unit = "") {
 }
 
 class Chart {
-    /// seek(t) and zoomed(window) are called when a person clicks, and when one drags or double-clicks.
+    /// seek(t) is called when a person clicks, and zoomed(window) when a person drags or double-clicks.
     constructor(heading, seek, zoomed) {
         this.seek = seek;
         this.zoomed = zoomed;
@@ -66,7 +66,7 @@ class Chart {
         })]);
     }
 
-    /// A little more than the run, or its last tick has no label.
+    /// A little more than the run, because otherwise its last tick has no label.
     wholeWindow() {
         const {times} = this.curve;
         return [0, 1.00001 * (times[times.length - 1] || 1)];
@@ -82,7 +82,7 @@ class Chart {
                 strokePattern: look.dash.length > 0 ? look.dash : null};
         }
         const dense = Math.round(5 * text);
-        // Of an even axis, as axisText has them.
+        // For an even axis, as axisText writes its ticks.
         const hasPowers = !isLog && (range[1] - range[0] < 1e-4 || Math.max(...range.map(Math.abs)) >= 1e5);
         return {
             labels: ["t", ...lines.map(({engine}) => engine)], series, legend: "never",
@@ -124,7 +124,7 @@ class Chart {
         });
     }
 
-    /// Null: the whole run again.
+    /// Null shows the whole run again.
     setWindow(window) {
         if (!this.graph) return;
         if (window) this.graph.updateOptions({dateWindow: window});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which charts does a scene have? Motion, error, divergence and energy, under one cursor and one zoom.
+// Which charts does a scene have? Motion, error, divergence and energy; they share one cursor and one zoom.
 
 class Charts {
     constructor(host, seek) {
@@ -34,14 +34,14 @@ class Charts {
         const {scene} = this;
         const {limits} = scene;
         this.showMotion();
-        // A chart with nothing in it is left out: no closed form, Plumb alone, nothing that moves.
+        // A chart without content is left out: there is no closed form, Plumb ran alone, or nothing moves.
         this.error.show(logarithmic(errorCurve(scene), limits.error),
             {limit: limits.error, until: scene.closedForm?.until}, "error");
         this.divergence.show(logarithmic(divergenceCurve(scene), limits.divergence),
             {limit: limits.divergence, until: limits.agreeUntil}, "distance");
         this.energy.show(linear({...engineCurve(scene, "energy", "J"), ruler: true}), {}, "E");
         this.host.classList.toggle("odd", this.all.filter((chart) => !chart.figure.hidden).length % 2 === 1);
-        // The first of an odd number is wider than it was drawn.
+        // With an odd number of charts, the first is now wider than when it was drawn.
         for (const chart of this.all) chart.graph?.resize();
         this.moveTo(this.time ?? 0);
     }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// How does a person play, pause, step and scrub?
+// How does a person play, pause, step and move through time?
 
 const SPEEDS = [[0.125, "⅛×"], [0.25, "¼×"], [0.5, "½×"], [1, "1×"], [2, "2×"], [4, "4×"]];
 const MAGNIFICATIONS = [[1, "×1"], [10, "×10"], [100, "×100"], [1000, "×1000"]];
 
-/// A control that does something of its own with the key.
+/// True for a control that uses the key itself.
 function takesSpace(target) {
     if (target.tagName === "INPUT") return target.type !== "range";
     return ["SELECT", "BUTTON", "A"].includes(target.tagName);
@@ -13,7 +13,7 @@ function takesArrows(target) {
     return target.tagName === "SELECT" || (target.tagName === "INPUT" && target.type === "radio");
 }
 
-/// Space plays and pauses, the arrows step, Home and End go to the ends, +, - and 0 zoom; a focused control keeps its
+/// Space plays and pauses, the arrows step, Home and End go to the ends, +, - and 0 zoom. A focused control keeps its
 /// own keys.
 function bindKeys(player, aim, isOpen) {
     document.addEventListener("keydown", (event) => {
@@ -36,13 +36,13 @@ function bindKeys(player, aim, isOpen) {
     });
 }
 
-/// The controls stay at the edge of a small screen while the page scrolls: who plays must see what moves.
+/// On a small screen the controls stay at the edge while the page scrolls: a person who plays must see the bodies move.
 function bringStageIntoView() {
     const stage = byId("stage").getBoundingClientRect();
     const below = byId("transport").getBoundingClientRect().height;
     const isSeen = stage.top >= -1 && stage.bottom <= innerHeight - below + 1;
     if (isSeen) return;
-    // With the engines' keys above it, where there is room for them.
+    // Includes the engines' keys above the stage, if there is room for them.
     const column = byId("stage-column");
     const withKeys = stage.bottom - column.getBoundingClientRect().top + below;
     (withKeys <= innerHeight ? column : byId("stage")).scrollIntoView({block: "start"});

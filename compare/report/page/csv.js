@@ -11,12 +11,12 @@ function csvText(rows) {
     return rows.map((row) => row.map(csvField).join(",")).join("\n") + "\n";
 }
 
-/// As many digits as there are.
+/// As many digits as the number has.
 function floatField(x) {
     return Number.isFinite(x) ? Number(x.toPrecision(7)) : null;
 }
 
-/// The columns of one body: its state, and its velocity from differences of what is played.
+/// The columns of one body: its state, and its velocity from differences of the played states.
 function bodyColumns(scene, engine, body) {
     const {name} = scene.bodies[body];
     const rate = (frame, part) => {
@@ -31,7 +31,7 @@ function bodyColumns(scene, engine, body) {
         .map(([what, unit, of, part]) => ({head: `${name}.${what} [${unit}]`, at: (frame) => of(frame, part)}));
 }
 
-/// One engine's run, a row a frame: t, its bodies, its energy, the probes, and the distance to the closed form.
+/// One engine's run, one row per frame: t, its bodies, its energy, the probes, and the distance to the closed form.
 function runCsv(scene, engine) {
     const curve = (head, values) => (values
         ? [{head, at: (frame) => floatField(values[indexAt(scene.curveTimes, scene.times[frame])])}] : []);

@@ -13,7 +13,7 @@ function errorCurve(scene) {
     return curve;
 }
 
-/// Plumb's distance from itself says nothing.
+/// Plumb's distance from itself is always 0, so it is left out.
 function divergenceCurve(scene) {
     const curve = engineCurve(scene, "divergence", "m");
     curve.lines = curve.lines.filter((line) => !isSubject(line.engine) && !isTruth(line.engine));
@@ -36,7 +36,7 @@ function motionCurve(scene, body, part) {
     return {times: scene.times, lines, unit: part === "angle" ? "rad" : "m", ruler: true};
 }
 
-/// What a person may plot: the scene's own quantities first, then each body's.
+/// What a person may plot: the scene's own quantities first, then those of each body.
 function motionChoices(scene) {
     const choices = scene.probes.map((probe, index) => ({
         group: "Probes", label: `${probe.name} [${probe.unit}]`, axis: probe.name, unit: probe.unit,
@@ -64,8 +64,8 @@ function spread(values) {
     return high > low ? high - low : 0;
 }
 
-/// An angle that the scene watches; else, of the first body, the direction in which it moves the most; of bodies that
-/// stand, what else is watched.
+/// An angle that the scene watches; else the direction in which the first body moves the most. If that body hardly
+/// moves, another watched quantity.
 function firstChoice(choices) {
     const watched = choices.filter((choice) => choice.body === undefined);
     const angle = watched.find((choice) => choice.unit === "rad");
@@ -77,8 +77,8 @@ function firstChoice(choices) {
     return x > y ? parts[0] : parts[1];
 }
 
-/// Distances over many powers of ten are drawn on a logarithmic axis, which has no 0: what is 0 after the start lies
-/// on the lowest power shown.
+/// Distances over many powers of ten are drawn on a logarithmic axis, which has no 0: a value of 0 after the start is
+/// drawn at the lowest power shown.
 function logarithmic(curve, limit) {
     let least = Infinity;
     let most = -Infinity;
@@ -90,7 +90,7 @@ function logarithmic(curve, limit) {
         }
     }
     if (limit > 0) most = Math.max(most, limit);
-    // Below 1e-16 m nothing is meant by a distance between doubles near 1 m.
+    // Distances below 1e-16 m mean nothing for doubles near 1 m.
     const bottom = Math.max(-16, Math.floor(Math.log10(Math.min(least, most, 1e-3))));
     const low = Number.isFinite(bottom) ? bottom : -16;
     const high = Math.max(low + 1, Number.isFinite(most) ? Math.ceil(Math.log10(most) + 0.05) : -3);

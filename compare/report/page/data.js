@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What did each engine do at each moment? The data's numbers are unpacked when a scene is first asked for.
+// What did each engine do at each moment? The data's numbers are unpacked when a scene is first needed.
 
-/// Scenes of one group stand together, in the order in which the groups first appear.
+/// Scenes of one group are put together, in the order in which the groups first appear.
 function readReport() {
     const report = JSON.parse(byId("data").textContent);
     for (const scene of report.scenes) scene.group ||= "Others";
@@ -17,7 +17,7 @@ function bytesOf(base64) {
     return bytes;
 }
 
-/// Base64 of little-endian doubles; the page runs on little-endian machines, as all browsers' are.
+/// Base64 of little-endian doubles. The page needs a little-endian machine, as all browsers have.
 function unpack(text) {
     return new Float64Array(bytesOf(text).buffer);
 }
@@ -30,7 +30,8 @@ async function inflated(bytes) {
     return new Uint8Array(await new Response(stream.readable).arrayBuffer());
 }
 
-/// The words of a block, which has their lowest bytes first, then the next: see compare/report/packed_numbers.h.
+/// The words of a block. It has the lowest byte of every word first, then the next one: see
+/// compare/report/packed_numbers.h.
 async function wordsOf(packed) {
     const bytes = await inflated(bytesOf(packed));
     const count = bytes.length / 4;
@@ -56,7 +57,7 @@ function floatsOf(words, part) {
 
 const NO_STEPS = -(2 ** 31);
 
-/// One series of whole steps into every stride-th place of numbers; NaN where there is none.
+/// Writes one series of whole steps to every stride-th place of numbers; NaN if there is no number.
 function readSteps(words, first, count, step, origin, numbers, at, stride) {
     let before = 0;
     let change = 0;
@@ -106,7 +107,7 @@ function unpackEngine(words, engine, scene) {
     engine.probes = engine.probes.map((probe) => floatsOf(words, probe));
 }
 
-/// The numbers x, y, x, y, ... of every shape but a disc.
+/// The numbers x, y, x, y, ... of every shape except a disc.
 function pointsOf(shape) {
     return shape.polygon ?? shape.capsule ?? shape.segment ?? shape.chain ?? [];
 }
@@ -134,7 +135,7 @@ async function unpackNow(scene) {
     delete scene.packed;
 }
 
-/// Done once, however often it is asked for.
+/// Done only once, however often it is called.
 function unpackScene(scene) {
     scene.unpacked ??= unpackNow(scene);
     return scene.unpacked;

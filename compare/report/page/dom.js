@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How is a piece of the page made?
+// How is an element of the page made?
 
 function byId(id) {
     return document.getElementById(id);
@@ -30,7 +30,8 @@ function table(heads, rows) {
     return [element("thead", {}, element("tr", {}, ...heads)), element("tbody", {}, ...rows)];
 }
 
-/// A group of which one is chosen: choices are [value, label]. Returns a function that shows another as chosen.
+/// A group of choices, of which one is chosen: choices are [value, label]. Returns a function that marks another as
+/// chosen.
 function fillChoice(fieldset, name, choices, chosen, choose) {
     for (const [value, label] of choices) {
         const input = element("input", {type: "radio", name, value, onchange: () => choose(value)});

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// How is each engine told from the others? By colour, and also by its stroke, for those who see colours differently.
-// All of it comes with the data: no engine is named here.
+// How can each engine be told from the others? By its colour, and by its line, for people who see colours differently.
+// All of this comes with the data: no engine is named here.
 
 const LOOKS = new Map();
 
-/// Once, before anything is drawn. Each engine's colours become a variable of the style sheet, for each theme.
+/// Called once, before anything is drawn. Each colour of an engine becomes a variable of the style sheet, one for each
+/// theme.
 function takeEngines(engines) {
     const rules = (colour) => engines.map((engine, i) => `--engine-${i}: ${engine[colour]};`).join(" ");
     engines.forEach((engine, i) => LOOKS.set(engine.name, {...engine, color: `--engine-${i}`}));
@@ -17,22 +18,22 @@ function lookOf(engine) {
         {name: engine, label: engine, role: "guest", color: "--other", dash: [6, 3, 1, 3], width: 2};
 }
 
-/// The closed form, from which distances are measured.
+/// Is this the closed form, from which distances are measured?
 function isTruth(engine) {
     return lookOf(engine).role === "truth";
 }
 
-/// The engine that the comparison is about.
+/// Is this the engine that the comparison is about?
 function isSubject(engine) {
     return lookOf(engine).role === "subject";
 }
 
-/// A colour of the style sheet, as the light or dark theme has it.
+/// A colour of the style sheet, in the current light or dark theme.
 function themeColor(variable) {
     return getComputedStyle(document.documentElement).getPropertyValue(variable).trim();
 }
 
-/// The engine's mark beside its name: its disc as the stage draws it.
+/// The engine's mark beside its name: its disc as drawn on the stage.
 function engineMark(engine) {
     const look = lookOf(engine);
     const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// How does a number read to a person? Three digits, a prefix where the unit has one, else a power of ten.
+// How is a number written for a person? With three digits, and a prefix if the unit has one, else a power of ten.
 
 const NO_BREAK = "\u00a0";
 const NONE = "–";
-/// Factor, name, and the smallest size it is used for where that is not the factor.
+/// The factor, the name, and the smallest size for which it is used if that is not the factor.
 const PREFIXES = {
     m: [[1, "m"], [1e-3, "mm"], [1e-6, "µm"], [1e-9, "nm"]],
     s: [[1, "s", 0.01], [1e-3, "ms"], [1e-6, "µs"], [1e-9, "ns"]],
@@ -17,7 +17,7 @@ function minus(text) {
     return text.replace(/-/g, "−");
 }
 
-/// 0.00123, 12.3, 12300: no power of ten.
+/// Without a power of ten: 0.00123, 12.3, 12300.
 function withDigits(x, digits) {
     const r = Number(x.toPrecision(digits));
     if (r === 0) return "0";
@@ -34,7 +34,7 @@ function scientific(x, digits = 3) {
     return `${minus(lead)}×10${superscript(exponent)}`;
 }
 
-/// A share of a whole, like a drift of energy.
+/// A share of a whole, such as a drift of energy.
 function ratioText(x, digits) {
     if (x === 0) return "0";
     return Math.abs(x) >= 1e-5 ? withDigits(100 * x, digits) + NO_BREAK + "%" : scientific(x, digits);
@@ -45,7 +45,7 @@ function plainText(x, digits) {
     return x === 0 || (size >= 1e-3 && size < 1e5) ? withDigits(x, digits) : scientific(x, digits);
 }
 
-/// unit "" is a ratio, "-" a plain number.
+/// unit: "" for a ratio, "-" for a plain number.
 function quantity(x, unit, digits = 3) {
     if (x === null || x === undefined || Number.isNaN(x)) return NONE;
     if (!Number.isFinite(x)) return x > 0 ? "∞" : "−∞";
@@ -60,7 +60,7 @@ function quantity(x, unit, digits = 3) {
     return withDigits(x / fit[0], digits) + NO_BREAK + fit[1];
 }
 
-/// Where there is little room, one digit before a power of ten.
+/// For little room: one digit before a power of ten.
 function shortQuantity(x, unit) {
     return quantity(x, unit).replace(/^(−?\d)\.\d+×/, (_, lead) => `${lead}×`);
 }
@@ -70,7 +70,7 @@ function chosenQuantity(x, unit) {
     return quantity(x, unit).replace(/\.(\d*?)0+(?=\D|$)/, (_, kept) => (kept ? `.${kept}` : ""));
 }
 
-/// In the unit itself, as a ruler reads: −0.9961 m. What is below a millionth is 0 to a ruler.
+/// In the unit itself, as on a ruler: −0.9961 m. Less than a millionth is shown as 0.
 function rulerText(x, unit) {
     if (!Number.isFinite(x)) return quantity(x, unit);
     return `${Math.abs(x) < 1e-6 ? "0" : withDigits(x, 4)}${NO_BREAK}${unit}`;
@@ -92,7 +92,7 @@ function powerOfTen(exponent) {
     return exponent === 0 ? "1" : exponent === 1 ? "10" : `10${superscript(exponent)}`;
 }
 
-/// A scene's or lab's own title, or one made of its name: free_fall -> Free fall.
+/// A scene's or lab's own title, or one made from its name: free_fall -> Free fall.
 function titleText({name, title}) {
     if (title) return title;
     const words = name.replaceAll("_", " ");

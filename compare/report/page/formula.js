@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does a formula typed on one line look in a book? x0 + v0 t + g t^2 / 2 gets its indices and powers.
+// How is a formula typed on one line shown as in a book? x0 + v0 t + g t^2 / 2 gets its indices and powers.
 
 const SYMBOLS = {alpha: "α", theta: "θ", mu: "μ", omega: "ω", phi: "φ", pi: "π", sqrt: "√"};
 const SIGNS = {"-": "−", ">=": "≥", "<=": "≤", "->": "→", "'": "′", "''": "″", "*": "·"};

@@ -4,7 +4,7 @@
 const CURVE_COLORS = 8;
 const CURVE_DASHES = [[], [9, 5], [3, 3], [11, 4, 2, 4], [5, 3], [14, 5], [2, 4], [7, 3, 2, 3, 2, 3]];
 
-/// A look for each name in a lab's graphs: the engine's own, else the next of the sheet's colours. What is expected is
+/// A look for each name in a lab's graphs: an engine's own look, else the next colour of the style sheet. The theory is
 /// a thin dotted line in ink.
 function labLooks(lab) {
     const looks = new Map();
@@ -33,7 +33,7 @@ function unpackLab(lab) {
     return lab;
 }
 
-/// 1, 2, 5, 10 where there are few powers of ten, else whole powers, as many as fit.
+/// 1, 2, 5, 10 if there are few powers of ten; else whole powers, as many as fit.
 function powerTicker(low, high, pixels, space) {
     const decades = Math.log10(high / low);
     const fit = Math.max(2, Math.floor(pixels / space));
@@ -52,8 +52,8 @@ function powerTicker(low, high, pixels, space) {
     return ticks;
 }
 
-/// The least and the largest of those that an axis can show; whole powers of ten, or a little room on either side. A
-/// share is shown from 0 to 100 %.
+/// The range of the values that an axis can show, extended to whole powers of ten, or by a little room on either side.
+/// A share is shown from 0 to 100 %.
 function axisRange(columns, {logarithmic, unit}, tight) {
     if (unit === "%" && !logarithmic) return [-4, 104];
     let low = Infinity;
@@ -82,7 +82,7 @@ function axisTicker({logarithmic}, space) {
     return (low, high, pixels) => ticker(low, high, pixels, space);
 }
 
-/// A piece of the curve, as the legend shows it.
+/// A short piece of the curve for the legend.
 function curveMark(look) {
     const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
     svg.setAttribute("viewBox", "0 0 34 10");
@@ -114,14 +114,14 @@ class LabChart {
             element("ul", {class: "legend"}, ...legend));
     }
 
-    /// The curves have points of their own: one row for each x that one of them has.
+    /// Each curve has its own points: one row for each x that any curve has.
     rows() {
         const {curves, x, y} = this.data;
         const rows = new Map();
         curves.forEach(({xs, ys}, i) => xs.forEach((at, k) => {
             if (!Number.isFinite(at) || (x.logarithmic && at <= 0)) return;
             if (!rows.has(at)) rows.set(at, [at, ...curves.map(() => null)]);
-            // dygraphs joins over null, and breaks a line at NaN.
+            // dygraphs draws through null, and breaks a line at NaN.
             const value = ys[k];
             rows.get(at)[i + 1] = Number.isNaN(value) ? NaN : Number.isFinite(value) && (!y.logarithmic || value > 0)
                 ? value : null;
@@ -161,7 +161,7 @@ class LabChart {
         });
     }
 
-    /// What each curve has nearest to this x; null: nothing is pointed at.
+    /// The point of each curve nearest to this x; null: the pointer is not on the graph.
     read(at) {
         const {curves, x, y} = this.data;
         this.where.textContent = at === null ? "" : `${x.label} ${quantity(at, x.unit || "-")}`;

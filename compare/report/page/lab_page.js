@@ -26,7 +26,7 @@ function labChecksTable(lab) {
     return table(heads, rows);
 }
 
-/// A row a point of the lab's curves.
+/// One row for each point of the lab's curves.
 function labCsv(lab) {
     const rows = [["graph", "curve", "x", "y"]];
     for (const {title, curves} of lab.graphs) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where in a chart does a check draw its line?
+// Where in a chart is the line of a check's limit?
 
-/// marks: limit [value], until [s]: the check looks no further, and what comes after is shaded.
+/// marks: limit [value], until [s]. The check looks no further than until; the time after it is shaded.
 function drawLimits(context, area, graph, marks) {
     const right = area.x + area.w;
     const end = marks.until > 0 ? Math.min(Math.max(graph.toDomXCoord(marks.until), area.x), right) : right;
@@ -20,14 +20,14 @@ function drawLimits(context, area, graph, marks) {
     context.restore();
 }
 
-/// Null where the chart does not show it.
+/// Null if the chart does not show it.
 function limitHeight(area, graph, marks) {
     if (!(marks.limit > 0)) return null;
     const y = graph.toDomYCoord(marks.limit);
     return y >= area.y && y <= area.y + area.h ? y : null;
 }
 
-/// Puts a label, which lies over the curves, on the line; below it where there is no room above.
+/// Puts a label on the line, over the curves; below the line if there is no room above.
 function placeLimit(label, graph, marks, unit) {
     const area = graph.getArea();
     const y = limitHeight(area, graph, marks);

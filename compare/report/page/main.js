@@ -17,7 +17,7 @@ function showView(name) {
     byId("lab").hidden = name !== "lab";
 }
 
-/// At the side, and in the arrows to its neighbours in the list, before and after.
+/// Marks the open page in the list at the side, and sets the arrows to its neighbours in the list.
 function markInList(address, list, [before, after]) {
     for (const link of byId("scene-list").querySelectorAll("ol a")) {
         const here = link.getAttribute("href") === address;
@@ -43,7 +43,8 @@ function openLab(lab) {
     markInList(labAddress(lab), report.labs.map(labAddress), ["before-lab", "after-lab"]);
 }
 
-/// What was shown stays until a scene's numbers are unpacked; where another was asked for meanwhile, that one comes.
+/// The old view stays until a scene's numbers are unpacked. If another scene was asked for meanwhile, that one is
+/// shown.
 async function openAddress() {
     const wanted = readAddress();
     const scene = report.scenes.find(({name}) => name === wanted.scene);

@@ -44,7 +44,7 @@ function failureText(scene, outcome) {
     return `${lookOf(outcome.engine).label}: ${metric} ${value}, not ${limitText(scene, outcome)}`;
 }
 
-/// pass: true, false, or null for what was not judged.
+/// pass: true, false, or null if not judged.
 function verdictSign(pass) {
     return pass === null ? {kind: "unjudged", sign: NONE, word: "not judged"}
         : pass ? {kind: "holds", sign: "✓", word: "holds"} : {kind: "fails", sign: "✗", word: "fails"};
@@ -72,7 +72,7 @@ function unjudgedText(list) {
     return count > 0 ? `, ${count} not judged` : "";
 }
 
-/// Those within a twentieth of the least are equally good; where all are, none is set apart.
+/// Values within a twentieth of the least are equally good. If all are, none is marked.
 function bestOf(metric, values) {
     const known = values.filter((value) => typeof value === "number");
     if (known.length < 2 || LESS_IS_NOT_BETTER.includes(metric)) return () => false;
@@ -114,7 +114,7 @@ function checksTable(scene) {
     return table(heads, rows);
 }
 
-/// 1/60 s, where a person chose it so.
+/// Shown as 1/60 s if the step is such a fraction.
 function stepText(dt) {
     const rate = 1 / dt;
     const isWhole = rate > 1.5 && Math.abs(rate - Math.round(rate)) < 1e-6;
@@ -122,7 +122,7 @@ function stepText(dt) {
 }
 
 function settingsTable(scene) {
-    // What the closed form has to say stands in a card of its own.
+    // The closed form has a card of its own.
     const engines = scene.engines.filter((engine) => !isTruth(engine.name));
     const names = [...new Set(engines.flatMap((engine) => engine.settings.map(([name]) => name)))];
     const row = (name, value) => element("tr", {}, rowHead(name),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What came of all scenes and labs?
+// What are the results of all scenes and labs?
 
 function allEngines(report) {
     const names = new Set(report.scenes.flatMap((scene) => scene.engines.map((engine) => engine.name)));
@@ -23,7 +23,7 @@ function sums(report) {
         return element("li", {}, count, what, unjudged);
     };
     const judgedSum = (list, what) => sum(passing(list), list, what, unjudgedText(list));
-    // They stand below all scenes, and are soon found from here.
+    // The labs are below all scenes; this link leads to them.
     const labsLink = report.labs.length > 0 ? element("a", {href: labAddress(report.labs[0])}, "labs hold") : null;
     return [
         ...(report.scenes.length > 0 ? [judgedSum(report.scenes, "scenes hold")] : []),
@@ -33,7 +33,7 @@ function sums(report) {
     ];
 }
 
-/// What to read of an engine in one line: its distance to the closed form, or why there is none.
+/// The result of an engine in one cell: its distance to the closed form, or why there is none.
 function errorCell(scene, name) {
     const engine = scene.engines.find((candidate) => candidate.name === name);
     const cell = (attributes, text) => element("td", attributes, engineMark(name), text);
@@ -51,7 +51,7 @@ function sceneAddress(scene) {
     return `#scene=${encodeURIComponent(scene.name)}`;
 }
 
-/// How many checks hold, or none.
+/// How many checks hold; "none" if none was judged.
 function checksCell(what, judged) {
     const title = judged.pass === null ? notJudgedText(what, judged) : null;
     const all = judged.outcomes.length;
@@ -75,7 +75,7 @@ function verdictRow(scene, engines, pictures) {
         ...engines.map((name) => errorCell(scene, name)));
 }
 
-/// A body of the table for each group, and a button that goes there.
+/// One table body for each group, and a button that goes there.
 function groupBodies(report, engines, pictures) {
     const bodies = new Map();
     for (const scene of report.scenes) {
@@ -111,7 +111,7 @@ function fillLabs(report) {
     byId("lab-verdicts").append(...table(heads, report.labs.map(labRow)));
 }
 
-/// What the search looks at.
+/// The texts that the search looks through.
 function searchedRows(report) {
     const scenes = [...byId("verdicts").querySelectorAll("tbody tr:not(.group)")];
     const labs = [...byId("lab-verdicts").querySelectorAll("tbody tr")];
@@ -136,7 +136,7 @@ function fillOverview(report) {
     byId("verdicts-csv").addEventListener("click", () => download("plumb_numbers.csv", numbersCsv(report.scenes)));
 }
 
-/// The list at the side of a scene: the same verdicts, short.
+/// The list at the side of a scene: the same verdicts in short form.
 function fillSceneList(report) {
     byId("scene-list-sum").textContent = countText(report.scenes, "scenes");
     byId("scene-list-sum").hidden = report.scenes.length === 0;
@@ -157,7 +157,7 @@ function fillSceneList(report) {
     fillLabList(report);
 }
 
-/// failure: what it says, where something fails; figures: below, or null.
+/// failure: the text if a check fails; figures: the element below, or null.
 function listItem(judged, address, failure, figures) {
     const {kind, sign, word} = verdictSign(judged.pass);
     return element("li", {}, element("a", {href: address, title: judged.question},

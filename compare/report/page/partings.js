@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Where do two engines part, and why?
 
-/// Without the names at its start, which stand before it as marks, and with the engines' own names in it.
+/// The text without the two names at its start, because marks show them; other names become the engines' labels.
 function partingText({a, b, text}) {
     const names = `${a} and ${b}`;
     const rest = text.startsWith(names) ? text.slice(names.length).replace(/^:? /, "") : text;
     return [a, b].reduce((so, name) => so.replaceAll(` in ${name}`, ` in ${lookOf(name).label}`), rest);
 }
 
-/// body is empty where the two stay together: then there is no moment to go to.
+/// body is empty if the two stay together: then there is no moment to go to.
 function partingItem(parting) {
     const {a, b, body, time} = parting;
     const when = body === "" ? element("span", {class: "when none"}, "together")
@@ -19,7 +19,7 @@ function partingItem(parting) {
         element("span", {class: "why"}, partingText(parting))));
 }
 
-/// Those of the engine that the comparison is about, and the others on demand.
+/// The partings of the engine that the comparison is about; the others are folded.
 function partingsParts(scene) {
     const isMain = ({a, b}) => isSubject(a) || isSubject(b);
     const list = (partings) => element("ul", {}, ...partings.map(partingItem));

@@ -2,7 +2,7 @@
 // Which moment is shown, and which comes next?
 
 class Player {
-    /// changed() is called whenever the time, the speed or the playing has.
+    /// changed() is called whenever the time, the speed or the playing state has changed.
     constructor(changed) {
         this.changed = changed;
         this.times = [0];
@@ -56,7 +56,7 @@ class Player {
         if (this.playing) this.pause();
         else this.play();
     }
-    /// For the next frame; where a browser draws none, as without a screen, a timer keeps the time.
+    /// Waits for the next frame. If the browser draws none, for example without a screen, a timer is used instead.
     wait() {
         const advance = () => {
             this.stopWaiting();
@@ -69,7 +69,7 @@ class Player {
         clearTimeout(this.waiting.timer);
     }
     advance(now) {
-        // After a long silence, as of a tab that was hidden, it goes on near where it was.
+        // After a long pause, for example in a hidden tab, it continues near where it was.
         const passed = Math.min(0.25, Math.max(0, now - this.last) / 1000);
         this.last = now;
         this.time += passed * this.speed;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What does the page of one scene hold together? The stage, the charts and the tables, at one time.
+// What does the page of one scene contain? The stage, the charts and the tables, all at one time.
 
-/// What may be drawn beside the bodies, each by its checkbox.
+/// What may be drawn besides the bodies, each with its checkbox.
 const DRAWN = ["path", "trails", "velocity", "force"];
 
 class ScenePage {
-    /// settled() is called when a person has come to a state worth an address.
+    /// settled() is called when the page is in a state that the address should name.
     constructor(settled) {
         this.player = new Player(() => this.showTime());
         this.showSpeed = bindTransport(this.player, settled);
@@ -40,7 +40,7 @@ class ScenePage {
         this.view.scene = null;
     }
 
-    /// Of a scene that is unpacked.
+    /// The scene must be unpacked.
     open(scene) {
         this.player.load(scene.times);
         this.wasPlaying = false;
@@ -80,7 +80,7 @@ class ScenePage {
             ...scene.notes.map((note) => element("p", {class: "unsupported"}, note)));
     }
 
-    /// A click goes to the moment.
+    /// A click goes to the moment of a parting.
     showPartings(scene) {
         byId("partings").hidden = scene.partings.length === 0;
         byId("partings").replaceChildren(...partingsParts(scene));
@@ -110,7 +110,7 @@ class ScenePage {
         this.showFiles(scene);
     }
 
-    /// What there is to take away, and what of the run the page does not have.
+    /// The files to download, and what the page leaves out of the run.
     showFiles(scene) {
         const file = (label, name, text) => element("button", {type: "button",
             onclick: () => download(`${scene.name}.${name}.csv`, text())}, label);

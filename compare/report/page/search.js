@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which scenes and labs does a person look for?
+// Which scenes and labs match a search?
 
 /// Each word must be in one of the texts.
 function matches(words, texts) {
@@ -7,7 +7,7 @@ function matches(words, texts) {
     return words.every((word) => all.includes(word));
 }
 
-/// rows: {row, texts}. A group's body is hidden with all of its rows.
+/// rows: {row, texts}. The body of a group is hidden if all of its rows are.
 function showFound(rows, query) {
     const words = query.toLowerCase().split(/\s+/).filter((word) => word !== "");
     let found = 0;

@@ -12,8 +12,8 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double toes = 1.4, reach = 0.92;  // below the neck; from the middle to the farthest point, of a doll [m]
-const Vec2 middle(0, -0.52);                // from the neck of a doll that stands [m]
+constexpr double toes = 1.4, reach = 0.92;  // from the neck to the toes; from a doll's middle to its farthest point [m]
+const Vec2 middle(0, -0.52);                // from the neck of a standing doll to its middle [m]
 const Material rough{.friction = 0.4};
 
 std::string dollName(int number) {

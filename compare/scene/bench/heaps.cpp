@@ -19,7 +19,7 @@ std::vector<ShapeDef> blocks(int halfWidth, int wallHeight) {
     return shapes;
 }
 
-/// Five points on a circle, a golden angle apart.
+/// Five points on a circle, each turned from the last by the golden angle.
 ShapeDef pentagon(double radius) {
     std::vector<Vec2> points;
     for (int i = 0; i < 5; ++i) {
@@ -29,7 +29,7 @@ ShapeDef pentagon(double radius) {
     return {hullOf(points)};
 }
 
-/// A body's shapes at every other place lie a little to the other side.
+/// The shift of a body's shapes, which changes sides from each place to the next.
 class Sides {
 public:
     explicit Sides(double first) : next_(first) {}
@@ -79,7 +79,7 @@ Scene washer() {
     constexpr int side = 90, wedges = 36;
     constexpr double half = 0.1, wedge = std::numbers::pi / 18, play = wedge / 10;
     constexpr double inside = 14, inner = 16,
-                     outer = 18;  // a paddle reaches inside, the drum is between the others [m]
+                     outer = 18;  // a paddle reaches in to inside; the drum is between the other two [m]
     Scene scene = benchScene("washer", "What does a step of 8,100 boxes in a turning drum take?", 500);
     SceneBody drum{"drum",
                    {.type = BodyType::Kinematic,

@@ -27,7 +27,7 @@ Scene jointGrid() {
     Scene scene = benchScene("joint_grid", "What does a step of 19,794 hinges take?", 500);
     scene.sleeping = false;
     ShapeDef disc = circle(0.4);
-    disc.filter = {.category = 2, .mask = ~std::uint64_t{2}};  // they do not touch each other
+    disc.filter = {.category = 2, .mask = ~std::uint64_t{2}};  // the discs do not touch each other
     for (int column = 0; column < side; ++column) {
         for (int row = 0; row < side; ++row) {
             const bool held = isHeld(column, row);
@@ -36,7 +36,7 @@ Scene jointGrid() {
             const std::string name = discName(column, row);
             scene.bodies.push_back({name, {.type = type, .position = position, .shapes = {disc}}});
             if (row > 0) hang(scene, discName(column, row - 1), name, position + Vec2(0, hold));
-            if (column > 0 && !(held && isHeld(column - 1, row)))  // two that are held need no hinge
+            if (column > 0 && !(held && isHeld(column - 1, row)))  // two held discs need no hinge between them
                 hang(scene, discName(column - 1, row), name, position - Vec2(hold, 0));
         }
     }

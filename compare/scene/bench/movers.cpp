@@ -26,7 +26,7 @@ void add(Scene& scene, int number, const Vec2& position, const ShapeDef& shape, 
 
 }  // namespace
 
-/// Pillars in every other cell of both axes of a map that wraps; each mover has a list of turns of its own.
+/// A map that wraps, with pillars in every other cell of both axes. Each mover has its own list of turns.
 Scene gridMovers() {
     Scene scene{.name = "grid_movers",
                 .question = "1,000 movers in a maze of 100 by 100 tiles",
@@ -47,7 +47,7 @@ Scene gridMovers() {
     return scene;
 }
 
-/// A ground of 2,000 tiles with steps, and ledges above it; each runs to and fro and jumps in its own beat.
+/// A ground of 2,000 tiles with steps, and ledges above it. Each mover runs to and fro and jumps at its own rhythm.
 Scene platformMovers() {
     Scene scene{.name = "platform_movers",
                 .question = "1,000 movers that run and jump on 2,000 tiles of ground",

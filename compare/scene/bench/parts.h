@@ -9,7 +9,7 @@
 
 namespace plumb::compare {
 
-/// An empty scene of so many steps of 1/60 s under 10 m/s^2.
+/// An empty scene with this number of steps of 1/60 s, under 10 m/s^2.
 inline Scene benchScene(const std::string& name, const std::string& question, int steps) {
     Scene scene{.name = name, .question = question, .gravity = {0, -10}};
     scene.duration = steps * scene.dt;
@@ -20,13 +20,14 @@ inline SceneBody fixedBody(const std::string& name, std::vector<ShapeDef> shapes
     return {name, {.type = BodyType::Static, .position = position, .shapes = std::move(shapes)}};
 }
 
-/// Adds a dynamic body of one shape, named by its place in the list.
+/// Adds a dynamic body of one shape. Its name is its place in the list.
 inline SceneBody& addBody(Scene& scene, const ShapeDef& shape, const Vec2& position) {
     SceneBody body{"body_" + std::to_string(scene.bodies.size()), {.position = position, .shapes = {shape}}};
     return scene.bodies.emplace_back(std::move(body));
 }
 
-/// Rows of squares, each row one shorter than that below it; first is the centre of the leftmost square at the bottom.
+/// Rows of squares; each row has one square less than the row below. first is the centre of the bottom row's leftmost
+/// square.
 inline void addPyramid(Scene& scene, int base, double halfSize, const Vec2& first) {
     const ShapeDef square = box({halfSize, halfSize});
     for (int row = 0; row < base; ++row)

@@ -5,7 +5,8 @@
 
 namespace plumb::compare {
 
-/// As deep for a thousand bodies as for many: what is compared is how an engine grows, not how a deeper heap moves.
+/// The heap is equally deep for a thousand bodies and for many. So the scene compares how the time of an engine grows,
+/// not how a deeper heap moves.
 Scene pile(int n) {
     constexpr int layers = 40;
     constexpr double spacing = 1.1, play = 0.04;  // [m]

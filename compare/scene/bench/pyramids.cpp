@@ -10,9 +10,9 @@ namespace {
 constexpr int base = 10;                               // boxes in the lowest row
 constexpr int boxes = base * (base + 1) / 2;           // of a pyramid
 constexpr double squareHalf = 0.5;                     // [m]
-constexpr double pitch = 2 * squareHalf * (base + 1);  // from a pyramid to the next, and from a floor to the next [m]
+constexpr double pitch = 2 * squareHalf * (base + 1);  // from one pyramid or floor to the next [m]
 
-/// Pyramids side by side on floors over each other: so many in all, columns on each floor.
+/// Adds this number of pyramids, side by side on floors one above the other, with this number of columns on each floor.
 void addPyramids(Scene& scene, int count, int columns) {
     const double halfWidth = columns * pitch / 2;
     const int rows = (count + columns - 1) / columns;

@@ -12,7 +12,8 @@ constexpr double pi = std::numbers::pi;
 constexpr double frictionTorque = 0.05;                     // of a joint of strength 1 [N m]
 constexpr double springRate = 5, springDampingRatio = 0.5;  // of the masses that a joint turns [Hz], [-]
 
-/// A bone and the hinge by which it hangs on another. Heights are above the soles; a bone is a capsule on end.
+/// A bone, and the hinge by which it hangs on another. Heights are measured from the soles; a bone is an upright
+/// capsule.
 struct Bone {
     const char* name;
     int parent;                   // its place in the list
@@ -38,7 +39,7 @@ constexpr Bone shin(const char* name, int thigh) {
 constexpr Bone upperArm(const char* name) {
     return {name, 1, 1.225, -0.125, 0.125, 0.035, 0, 1.35, 0.5, -0.1 * pi, 0.8 * pi, 0, false};
 }
-/// At rest it is bent by a quarter of pi, from where its limits count.
+/// At rest it is bent by a quarter of pi, measured from the zero of its limits.
 constexpr Bone lowerArm(const char* name, int arm) {
     return {name, arm, 0.975, -0.125, 0.125, 0.03, 0.1, 1.1, 0.1, 0.05 * pi, 0.55 * pi, 0.25 * pi, false};
 }
@@ -54,12 +55,12 @@ constexpr Bone bones[] = {hip,
                           upperArm("right_arm"),
                           lowerArm("right_hand", 9)};
 
-/// When a doll comes, and after how long it is taken out and comes again [s].
+/// When a doll appears, and after how long it is removed and made anew [s].
 struct Turn {
     double appears, renewed;
 };
 
-/// Its foot passes through other dolls, and slides more easily.
+/// The foot passes through other dolls, and has less friction.
 std::vector<ShapeDef> shapesOf(const Bone& bone, int group) {
     const Filter filter{.category = 2, .mask = 3, .group = -group};
     ShapeDef limb = capsule({0, bone.lower}, {0, bone.upper}, bone.radius, {.friction = 0.2});
@@ -93,7 +94,7 @@ void addDoll(Scene& scene, const std::string& name, const Vec2& soles, int group
     }
 }
 
-/// Floors of blocks of half a metre, over each other.
+/// Floors made of blocks of half a metre, one above the other.
 std::vector<ShapeDef> floors(int count, double apart, double halfWidth) {
     constexpr double block = 0.5;
     std::vector<ShapeDef> shapes;

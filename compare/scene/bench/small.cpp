@@ -5,11 +5,11 @@
 namespace plumb::compare {
 namespace {
 
-/// What stands and flies about in it, beside the ground.
+/// The bodies in the scene besides the ground.
 struct Small {
-    int base;             // of the pyramid
+    int base;             // of the pyramid, in boxes
     int towers, stories;  // of boxes
-    int balls;            // that bounce
+    int balls;            // bouncing balls
 };
 
 Scene small(const std::string& name, const Small& counts) {

@@ -9,7 +9,7 @@
 namespace plumb::compare {
 namespace {
 
-/// Clockwise, so that it is solid from inside where a chain is solid from one side only.
+/// Clockwise, so that a chain that is solid from one side only is solid from inside.
 ShapeDef ring(const Vec2& center, double radius) {
     constexpr int count = 360;
     std::vector<Vec2> points;

@@ -7,7 +7,7 @@
 namespace plumb::compare {
 
 Scene movingTarget() {
-    // The muzzle at the origin; the duck flies by, 6 m up. Each way to hit it is a shot of its own.
+    // The muzzle is at the origin; the duck flies past, 6 m up. Each way to hit it is a separate shot.
     const Vec2 duck(25, 6), velocity(-6, 1);
     const double speed = 22, duckRadius = 0.3, shotRadius = 0.05;
     const std::vector<Shot> shots = aimAtMoving({.target = duck, .targetVelocity = velocity, .speed = speed});

@@ -31,7 +31,7 @@ Scene atwoodMachine() {
                     .unit = "N"}},
         .checks = {ExactCheck{1e-4, "constant forces: second order is exact, and the rope gives way by 23.5 N at most"},
                    invariant("probe.pull", 0.01,
-                             "0.04 % of 23.5 N: what single precision leaves of a sub-step's impulse"),
+                             "0.04 % of 23.5 N: the rounding of a sub-step's impulse in single precision"),
                    invariant("joint_error_max", 1e-4, "the limit of the positions"),
                    invariant("energy_drift", 1e-4, "the limit of the positions over a fall of 1 m")},
     };

@@ -7,9 +7,9 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double height = 0.1;         // half of the block's [m]
+constexpr double height = 0.1;         // half of the block's height [m]
 constexpr double bulletRadius = 0.05;  // of the bullet [m]
-constexpr double inside = 0.4;         // half of the room in the block [m]
+constexpr double inside = 0.4;         // half of the length of the room in the block [m]
 
 /// A block with room for a bullet: a floor, and a wall at either end.
 SceneBody woodBlock(double mass) {
@@ -28,7 +28,7 @@ SceneJoint rod(const std::string& name, const Vec2& hold, double length) {
 
 Scene ballisticPendulum() {
     const BallisticPendulum shot{.bullet = 0.1, .block = 1, .speed = 10, .length = 1, .gravity = gravity};
-    const double impact = 3.0 / 60;  // at a step's end, so that each engine has it there [s]
+    const double impact = 3.0 / 60;  // at the end of a step, so that each engine has the impact there [s]
     const Vec2 hit(inside - bulletRadius, 0.05 - height + bulletRadius), approach(shot.speed, 0);
     const Material lead{.density = discDensity(shot.bullet, bulletRadius), .friction = 0};
     const double half = periodOf({shot.length, gravity, amplitudeOf(shot)}) / 2;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Mechanisms of the library of computational benchmark problems that the IFToMM's committee for multibody dynamics
-// keeps: what other programs make of them is published.
+// Mechanisms from the library of computational benchmark problems of the IFToMM's committee for multibody dynamics. The
+// results of other programs for them are published.
 #include <compare/scene/builtin/links.h>
 #include <compare/scene/builtin/parts.h>
 #include <compare/scene/builtin/scenes.h>
@@ -8,7 +8,7 @@
 namespace plumb::compare {
 namespace {
 
-/// A thin bar of 1 m and 1 kg, which touches nothing.
+/// A thin bar of 1 m and 1 kg that touches nothing.
 SceneBody bar(const std::string& name, const Vec2& middle, double angle, const Vec2& velocity, double turning) {
     ShapeDef shape = box({0.5, 0.02});
     shape.filter.mask = 0;
@@ -30,10 +30,12 @@ Scene doubleFourBar() {
         .duration = 10,
         .sleeping = false,
         .bodies = {pivotBody({0, 0})},
-        .checks = {invariant("energy_drift", 2.8e-4,
-                             "0.114 J, published of the generalised-alpha method with steps of 0.01 s, are 20 mJ with "
-                             "sub-steps of 1/240 s, to second order: of 70 J"),
-                   invariant("joint_error_max", 1e-4, "what is off by 0.1 mm is seen by no one")},
+        .checks =
+            {invariant(
+                 "energy_drift", 2.8e-4,
+                 "0.114 J are published for the generalised-alpha method with steps of 0.01 s; this is 20 mJ with "
+                 "sub-steps of 1/240 s, to second order: of 70 J"),
+             invariant("joint_error_max", 1e-4, "nobody sees an error of 0.1 mm")},
     };
     const double speed = 1;  // of the top [m/s]
     for (int i = 0; i < 3; ++i) {
@@ -51,7 +53,7 @@ Scene doubleFourBar() {
 }
 
 Scene pendulumHorizontal() {
-    // Its rod pulls at the middle of the disc, which so never turns, and moves as a point does.
+    // Its rod pulls at the middle of the disc. So the disc never turns, and moves as a point does.
     const double radius = 0.05;
     ShapeDef disc = circle(radius, {.density = discDensity(1, radius)});
     disc.filter.mask = 0;
@@ -70,9 +72,9 @@ Scene pendulumHorizontal() {
                               "second order: 60 h^2 were measured with ever finer steps, 1.05 mm with sub-steps of "
                               "1/240 s; twice that"},
                    invariant("energy_drift", 1.4e-4,
-                             "5e-5 J, which are published with steps of 0.8 ms, are 1.36 mJ with sub-steps of 1/240 s, "
+                             "5e-5 J are published for steps of 0.8 ms; this is 1.36 mJ with sub-steps of 1/240 s, "
                              "to second order: of 9.81 J"),
-                   invariant("joint_error_max", 1e-4, "what is off by 0.1 mm is seen by no one")},
+                   invariant("joint_error_max", 1e-4, "nobody sees an error of 0.1 mm")},
     };
 }
 

@@ -7,13 +7,13 @@ namespace plumb::compare {
 Scene bulletWall() {
     const double radius = 0.1, halfThickness = 0.005;  // [m]
     const double touching = -halfThickness - radius;   // where a disc's centre is when it touches [m]
-    const double way = 4.9;                            // to there [m]
+    const double way = 4.9;                            // from the start to there [m]
     Scene scene{
         .name = "bullet_wall",
         .question = "Which of six discs at 10 to 1,000 m/s does a wall of 1 cm stop?",
         .gravity = {0, 0},
         .duration = 1,
-        // Box2D 3 has no polygon as thin: the wall is its two faces.
+        // Box2D 3 has no polygon that is so thin, so the wall consists of its two faces.
         .bodies = {{"wall",
                     {.type = BodyType::Static,
                      .shapes = {segment({-halfThickness, -4}, {-halfThickness, 4}),

@@ -9,11 +9,11 @@ namespace {
 
 constexpr double wheelRadius = 0.4;
 constexpr double bodyMass = 40, wheelMass = 4;
-constexpr double wheelSpeed = 6;                            // that the motors are to reach [m/s]
+constexpr double wheelSpeed = 6;                            // the speed that the motors try to reach [m/s]
 constexpr double suspension = 3000;                         // of each spring [N/m]
 constexpr double level = 25, hillsBegin = 55, finish = 90;  // where the ground changes [m]
 
-/// Level, then waves of 10 m, up and down by half a metre, then level.
+/// Level, then waves 10 m long that go up and down by half a metre, then level.
 ShapeDef ground() {
     std::vector<Vec2> points{{finish, 0}};
     for (double x = hillsBegin; x > level; x -= 0.5)

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double cartMass = 1000, lightMass = 1.57;  // [kg]
 constexpr double smallRadius = 0.1, drop = 0.5;      // [m]
-constexpr double axle = 0.9, aboveAxle = 0.15;       // of a wheel from the middle, and of the bottom above it [m]
+constexpr double axle = 0.9, aboveAxle = 0.15;       // from the middle to a wheel, and from there up to the bottom [m]
 const Vec2 halfSize(1, 0.25);
 
 /// A box on two hinged wheels, in the air.
@@ -32,7 +32,7 @@ SceneBody ground(double halfWidth) {
     return {"ground", {.type = BodyType::Static, .shapes = {segment({-halfWidth, 0}, {halfWidth, 0})}}};
 }
 
-/// The cart's height from one second on, when it has landed.
+/// Watches the cart's height from one second on, after it has landed.
 void watchHeight(Scene& scene, const std::string& cart) {
     const std::string probe = cart + "height";
     scene.probes.push_back({.name = probe,

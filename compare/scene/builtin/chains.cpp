@@ -25,14 +25,13 @@ Scene catenary() {
     }
     const Vec2 first = hinges[1] - hinges[0];
     const double half = chain.links / 2.0;
-    const double level = (0.5 - half) * first.x() / first.y();  // H, in weights of a link
+    const double level = (0.5 - half) * first.x() / first.y();  // the horizontal force H, in weights of a link
     const double pull = gravity * Vec2(level, half).norm();
     scene.probes = {{.name = "pull", .quantity = JointForceProbe{"hinge_0"}, .expected = pull, .from = 1, .unit = "N"}};
     scene.checks = {
-        ExactCheck{1e-3,
-                   "nothing moves it: what hinges give way by, or are off by where it starts, in single precision"},
+        ExactCheck{1e-3, "nothing moves it, except that hinges give way or start off their places by single precision"},
         invariant("probe.pull", 0.01 * pull, "1 % of the pull, a second after the start"),
-        invariant("joint_error_max", 1e-4, "what is off by 0.1 mm is seen by no one"),
+        invariant("joint_error_max", 1e-4, "nobody sees an error of 0.1 mm"),
     };
     return scene;
 }
@@ -62,7 +61,7 @@ Scene loadedChain() {
     const double pull = gravity * (load + links * linkMass);
     scene.probes = {{.name = "pull", .quantity = JointForceProbe{"hook"}, .expected = pull, .from = 1, .unit = "N"}};
     scene.checks = {ExactCheck{1e-3, "nothing pulls it aside; eleven hinges may give way by 0.1 mm each"},
-                    invariant("joint_error_max", 1e-4, "what is off by 0.1 mm is seen by no one"),
+                    invariant("joint_error_max", 1e-4, "nobody sees an error of 0.1 mm"),
                     invariant("probe.pull", 0.01 * pull, "1 % of the load, a second after the start")};
     return scene;
 }

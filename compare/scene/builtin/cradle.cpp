@@ -13,7 +13,7 @@ constexpr double discRadius = 0.1;
 constexpr double hangerLength = 1;  // from hinge to centre [m]
 constexpr double equivalent =
     hangerLength + discRadius * discRadius / (2 * hangerLength);  // I_pivot / (m l) of a disc [m]
-constexpr double share = 0.02;                                    // of the swing that may go astray [-]
+constexpr double share = 0.02;                                    // share of the swing that may be wrong [-]
 const double amplitude = degrees(30);
 
 std::string discName(int disc) {
@@ -24,7 +24,7 @@ double period() {
     return periodOf({equivalent, gravity, amplitude});
 }
 
-/// Elastic and smooth, so that nothing but their centres' line matters.
+/// Elastic and smooth, so that only the line through the centres matters.
 SceneBody disc(int number, const Vec2& hinge, double angle) {
     const Material glass{.density = discDensity(1, discRadius), .friction = 0, .restitution = 1};
     return {discName(number),
@@ -34,7 +34,7 @@ SceneBody disc(int number, const Vec2& hinge, double angle) {
              .shapes = {circle(discRadius, glass)}}};
 }
 
-/// Discs that hang beside each other, some of them swung out to the left.
+/// Discs that hang side by side. The first `swung` of them are pulled out to the left.
 Scene hungDiscs(int swung, double gap) {
     Scene scene{.gravity = {0, -gravity}, .bodies = {pivotBody({0, 0})}};
     for (int i = 0; i < discs; ++i) {
@@ -56,9 +56,10 @@ Probe largestAngle(const std::string& name, int disc, double from, double until,
             .watch = Watch::Largest};
 }
 
-/// The k-th swing, from 0 on: those on the right, those on the left, those on the right.
+/// Watches the swing of this number, from 0 on: first those on the right, then those on the left, then those on the
+/// right.
 void watchSwing(Scene& scene, int swing, int swung) {
-    constexpr double clear = 0.05;  // of the impacts before and after it [s]
+    constexpr double clear = 0.05;  // time kept clear of the impacts before and after the swing [s]
     const double from = (0.25 + 0.5 * swing) * period() + clear, until = (0.75 + 0.5 * swing) * period() - clear;
     const std::string number = std::to_string(swing + 1);
     for (int i = 0; i < discs; ++i) {

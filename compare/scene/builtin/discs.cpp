@@ -25,12 +25,11 @@ Scene twoDiscs(const FlyingDisc& a, const FlyingDisc& b, double restitution) {
         .closedForm = ClosedForm{.formula = "j = (1 + e) v_n / (1/m_a + 1/m_b)",
                                  .source = "textbook: Newton's law of impact and conservation of momentum",
                                  .bodies = {FreeMotion{"disc_a"}, FreeMotion{"disc_b"}}},
-        .checks =
-            {ExactCheck{
-                 1e-6,
-                 "one impact, solved at its own time in double; what then stays in touch is kept in float, to 1e-7 m"},
-             invariant("momentum_drift", 1e-9, "what one disc gains the other loses, in one product"),
-             invariant("angular_momentum_drift", 1e-6, "momentum times the limit of the positions")},
+        .checks = {ExactCheck{1e-6,
+                              "one impact, solved at its own time in double; discs that then stay in touch are held in "
+                              "float, to 1e-7 m"},
+                   invariant("momentum_drift", 1e-9, "what one disc gains the other loses, in one product"),
+                   invariant("angular_momentum_drift", 1e-6, "momentum times the limit of the positions")},
     };
 }
 
@@ -42,7 +41,8 @@ Scene headOn(double restitution) {
     return scene;
 }
 
-/// Equal discs, one at rest; after 1.01 s the line from the first to the second is 30 degrees off the way of the first.
+/// Equal discs, one at rest. They meet after 1.01 s; then the line from the first to the second is at 30 degrees to the
+/// way of the first.
 Scene oblique(double restitution) {
     const double radius = 0.5;
     const Vec2 velocity(1, 0);

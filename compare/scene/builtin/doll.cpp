@@ -7,7 +7,7 @@
 namespace plumb::compare {
 namespace {
 
-/// A limb from one point down to another, on a hinge at the first, free to turn so far either way.
+/// A limb from one point down to another. It is on a hinge at the first point, and may turn this far either way.
 struct Limb {
     std::string name;
     std::string from;

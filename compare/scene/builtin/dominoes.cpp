@@ -27,7 +27,7 @@ Scene dominoes() {
     for (int i = 0; i < count; ++i)
         scene.bodies.push_back({"domino_" + std::to_string(i + 1),
                                 {.position = {-4 + spacing * i, halfSize.y()}, .shapes = {box(halfSize)}}});
-    // The first turns about its lower right corner: its centre moves as that point has it.
+    // The first domino turns about its lower right corner, so the velocity of its centre follows from the turning.
     const double turning = -2;  // [rad/s]
     BodyDef& first = scene.bodies[1].def;
     first.angularVelocity = turning;

@@ -7,8 +7,7 @@ namespace {
 
 constexpr double muzzleSpeed = 20;
 
-/// A ball for each of 15, 30, ... 75 degrees, named by them; they pass through each other. motion(name, velocity) is
-/// what the closed form says of one.
+/// A ball for each of the angles 15, 30, ... 75 degrees, named after its angle. The balls pass through each other.
 Scene fan() {
     Scene scene;
     scene.duration = 4;

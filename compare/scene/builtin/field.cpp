@@ -30,7 +30,8 @@ Scene terminalSpeed() {
 }
 
 Scene twoBodyOrbit() {
-    // e = 0.5, a = 10 m, G M = 1000 m^3/s^2; from the far end, about the centre of both, which drifts.
+    // e = 0.5, a = 10 m, G M = 1000 m^3/s^2. They start at the far end, and move about their common centre, which
+    // drifts.
     const double a = 10, e = 0.5, total = 1000, period = 2 * std::numbers::pi * std::sqrt(a * a * a / total);
     const double speed = std::sqrt(total / a * (1 - e) / (1 + e));
     const Vec2 drift(0.5, 0.25);
@@ -51,23 +52,24 @@ Scene twoBodyOrbit() {
         .closedForm = ClosedForm{.formula = "x = a (cos E - e), y = a sqrt(1 - e^2) sin E, E - e sin E = 2 pi t / T",
                                  .source = "Kepler; two bodies go about their common centre, T^2 = 4 pi^2 a^3 / (G M)",
                                  .bodies = {OrbitsMotion{"sun", "gravitation"}, OrbitsMotion{"star", "gravitation"}}},
-        // Velocity Verlet keeps H + h^2 P / 24, P = 2 v.V''v - |V'|^2 with V = -G M / r, h = T / 1440. Over a round the
-        // mean of P is (G M)^2 (1 + e^2 / 2) / (a^4 (1 - e^2)^(5/2)); its slope over the angular momentum turns the
-        // ellipse. P itself is 0 at the far end, where the two start, and largest at the near end: 2 (G M)^2 / r^4.
+        // Velocity Verlet keeps H + h^2 P / 24, P = 2 v.V''v - |V'|^2 with V = -G M / r, h = T / 1440. Over one period
+        // the mean of P is (G M)^2 (1 + e^2 / 2) / (a^4 (1 - e^2)^(5/2)); the slope of this mean over the angular
+        // momentum turns the ellipse. P itself is 0 at the far end, where the two start. It is largest at the near end:
+        // 2 (G M)^2 / r^4.
         .checks = {ExactCheck{4e-3,
                               "second order: velocity Verlet turns the ellipse back by (n h)^2 (15 / (1 - e^2)^3 - 3 / "
                               "(1 - e^2)^2) / 48 rad by n t = 1: 0.23 mrad in three rounds, 2.5 mm of 11.25 m"},
                    OrderCheck{1.9, {}, "velocity Verlet"},
                    invariant("energy_drift", 2.5e-5,
                              "velocity Verlet's energy is off by h^2 P / 24 at the near end: 0.48 J of 28 kJ"),
-                   invariant("momentum_drift", 1e-12, "each pulls as it is pulled"),
+                   invariant("momentum_drift", 1e-12, "each pulls as hard as it is pulled"),
                    invariant("angular_momentum_drift", 1e-12, "each pulls along the line between them")},
     };
 }
 
 Scene buoyantBox() {
-    // Half as dense as water, 1 m wide and 0.5 m high: at rest its middle is level. Let go 0.1 m above that, it bobs:
-    // m x'' = -rho g w x.
+    // Half as dense as water, 1 m wide and 0.5 m high: at rest its middle is at the water's surface. Released 0.1 m
+    // above that, it bobs: m x'' = -rho g w x.
     const double width = 1, height = 0.5, water = 1000, wood = 500;
     return {
         .name = "buoyant_box",
@@ -91,7 +93,7 @@ Scene buoyantBox() {
 }
 
 Scene magnetCatch() {
-    // The two fall towards each other: d'' = -S (1/m1 + 1/m2) / d^2, half an ellipse without width.
+    // The two fall towards each other: d'' = -S (1/m1 + 1/m2) / d^2, which is half an ellipse of width 0.
     const double strength = 4, apart = 2, m1 = 1, m2 = 3, a = apart / 2;
     const double pull = strength * (1 / m1 + 1 / m2), period = 2 * std::numbers::pi * std::sqrt(a * a * a / pull);
     const double radius = 0.1;
@@ -117,7 +119,8 @@ Scene magnetCatch() {
                     .unit = "m",
                     .watch = Watch::Last}},
         .checks = {ExactCheck{1e-3, "second order in the sub-step"},
-                   invariant("momentum_drift", 1e-6, "each pulls as it is pulled; the contact solver is of floats"),
+                   invariant("momentum_drift", 1e-6,
+                             "each pulls as hard as it is pulled; the contact solver uses floats"),
                    invariant("probe.meets_at", 1e-3, "they meet where their common centre is, and nothing moves that")},
     };
 }

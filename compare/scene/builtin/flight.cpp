@@ -56,12 +56,12 @@ Scene projectileDamped() {
 }
 
 Scene spinFree() {
-    // A heavy head and a long light handle, placed so that they balance at the origin: 0.24 kg at 0.125 m, 0.08 kg at
-    // -0.375 m.
+    // A heavy head and a long light handle, placed so that they balance at the origin: 0.24 kg at 0.125 m, and 0.08 kg
+    // at -0.375 m.
     const ShapeDef head{.shape = boxPolygon({0.1, 0.2}, {0.125, 0}), .material = {.density = 3}};
     const ShapeDef handle{.shape = boxPolygon({0.4, 0.05}, {-0.375, 0}), .material = {.density = 1}};
     const Vec2 velocity(4, 9);
-    const double spin = 7;  // two turns and more in the two seconds
+    const double spin = 7;  // a little more than two turns in the two seconds
     return {
         .name = "spin_free",
         .question = "A hammer is thrown spinning: what path does its balance point take, and how far does it turn?",

@@ -6,7 +6,7 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double halfRoom = 5;  // of the room's width [m]
+constexpr double halfRoom = 5;  // half of the room's width [m]
 constexpr Material elastic{.density = 1, .friction = 0, .restitution = 1};
 
 SceneBody roomWall(const std::string& name, const Vec2& position, const Vec2& halfSize) {
@@ -27,7 +27,7 @@ Scene elasticGas() {
                    roomWall("wall_bottom", {0, -halfRoom - thick}, {halfRoom, thick}),
                    roomWall("wall_top", {0, halfRoom + thick}, {halfRoom, thick})},
     };
-    // Five by four places of 2 m by 2.5 m, each disc somewhere inside its own, so that none overlap.
+    // Five by four places of 2 m by 2.5 m. Each disc is somewhere inside its own place, so that none overlap.
     Random random(2);
     for (int i = 0; i < 20; ++i) {
         const double radius = 0.2;

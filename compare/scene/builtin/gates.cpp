@@ -27,7 +27,8 @@ Scene sensorGate() {
                 .duration = 3,
                 .bodies = {{"gate", {.type = BodyType::Static, .shapes = {room}}}},
                 .closedForm = ClosedForm{.formula = "x = x0 + v t", .source = "textbook: nothing touches them"}};
-    // The front of disc i comes to the gate's side, at -0.5, after 0.5, 1, 1.5 and 2 s; the last does not come in time.
+    // The front of disc i reaches the gate's side, at -0.5, after 0.5, 1, 1.5 and 2 s; the last disc does not reach it
+    // in time.
     const double radius = 0.2, speeds[] = {3, 4, -2, 6, 1};
     const double arrivals[] = {0.5, 1, 1.5, 2, 3.5};
     for (std::size_t i = 0; i < 5; ++i) {

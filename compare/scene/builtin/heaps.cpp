@@ -7,7 +7,7 @@
 namespace plumb::compare {
 namespace {
 
-/// A stone of eight sides, as far from its middle as radius, that lies on one of them.
+/// A stone with eight sides that lies on one of them. radius is the distance of its sides from its middle.
 ShapeDef boulder(double radius) {
     const double side = degrees(45), out = radius / sinCos(side / 2).cos;
     std::vector<Vec2> corners;

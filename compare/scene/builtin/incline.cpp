@@ -14,7 +14,7 @@ Vec2 downhill() {
 Vec2 outward() {
     return perp(direction(-slope));
 }
-/// A point so far down the slope from its top, and so far off it.
+/// The point at a distance `down` from the slope's top along the slope, and at a distance `off` from its face.
 Vec2 onSlope(double down, double off) {
     return Vec2(0, -slopeLength * downhill().y()) + down * downhill() + off * outward();
 }
@@ -25,7 +25,7 @@ SceneBody wedge(double friction) {
     return {"incline", {.type = BodyType::Static, .shapes = {polygon(corners, {.friction = friction})}}};
 }
 
-/// A block of 1 kg, 1 m long and 0.5 m high, so that it does not tip, at rest with its face on the slope.
+/// A block of 1 kg at rest with its face on the slope. It is 1 m long and 0.5 m high, so that it does not tip.
 Scene slidingBlock(double friction) {
     const Vec2 halfSize(0.5, 0.25);
     const Vec2 start = onSlope(1, halfSize.y());

@@ -5,7 +5,8 @@
 namespace plumb::compare {
 namespace {
 
-/// A disc that spins clockwise is dropped from 1 m with e = 0.5, lands at 0.4515 and 0.9031 s, and would at 1.1289 s.
+/// A disc that spins clockwise is dropped from 1 m with e = 0.5. It lands at 0.4515 and 0.9031 s, and would land again
+/// at 1.1289 s.
 Scene slipLanding(double friction) {
     const double radius = 0.5;
     const Material material{.density = discDensity(1, radius), .friction = friction, .restitution = 0.5};

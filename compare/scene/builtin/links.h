@@ -9,12 +9,12 @@
 
 namespace plumb::compare {
 
-/// Boxes from hinge to hinge.
+/// Boxes between neighbouring hinges.
 struct Links {
     std::vector<Vec2> hinges{};
     double halfWidth = 0.05;  ///< [m]
     double linkMass = 1;      ///< [kg]
-    bool solid = false;       ///< does anything bump into them? They never do into each other
+    bool solid = false;       ///< do other bodies collide with them? They never collide with each other
     double damping = 0;       ///< of their motion [1/s]
 };
 

@@ -11,9 +11,9 @@ namespace {
 
 // The scissor lift: stages of two crossed bars.
 constexpr int stages = 4;
-constexpr double bar = 2;           // long [m]
-constexpr double start = 1.8;       // how far apart the feet are [m]
-constexpr double drawSpeed = 0.25;  // at which they are drawn together [m/s]
+constexpr double bar = 2;           // the length of a bar [m]
+constexpr double start = 1.8;       // distance between the feet at the start [m]
+constexpr double drawSpeed = 0.25;  // speed at which the feet are pulled together [m/s]
 
 double risePerStage(double feet) {
     return std::sqrt(bar * bar - feet * feet);
@@ -26,7 +26,7 @@ SceneBody ghost(const std::string& name, const Vec2& position, double angle, con
     return body;
 }
 
-/// Two bars of 2 kg from (0, low) and (start, low), crossed, on a hinge in their middle.
+/// Two crossed bars of 2 kg, from (0, low) and (start, low), with a hinge in their middle.
 void addStage(Scene& scene, int stage) {
     const double rise = risePerStage(start), angle = arcTangent(rise, start);
     const Vec2 middle(start / 2, rise * (stage + 0.5));
@@ -41,7 +41,7 @@ void addStage(Scene& scene, int stage) {
     hinge(scene, "right_" + number, "up_" + below, "down_" + number, {start, rise * stage});
 }
 
-/// A wheel of a moment of inertia on an axle of the wall, free to turn.
+/// A wheel with a given moment of inertia on an axle in the wall, free to turn.
 void addWheel(Scene& scene, const std::string& name, const Vec2& position, double radius, double inertia) {
     SceneBody wheel{name, {.position = position, .canSleep = false, .shapes = {circle(radius)}}};
     wheel.def.shapes[0].filter.mask = 0;
@@ -90,13 +90,13 @@ Scene scissorLift() {
                   "n sqrt(l^2 - x^2); the feet are half a sub-step's way off, 0.5 mm, which lifts 5 times it"),
         invariant("probe.drift", 1e-3, "the left pins stay over each other"),
         invariant("probe.tilt", 1e-3, "the two rails stay level"),
-        invariant("joint_error_max", 1e-3, "what is off by 1 mm of 2 m is seen by no one"),
+        invariant("joint_error_max", 1e-3, "nobody sees an error of 1 mm in 2 m"),
     };
     return scene;
 }
 
 Scene gearTrain() {
-    // Wheel 1 with a motor of 6 N m drives wheel 2, that wheel 3, and that a rack.
+    // A motor of 6 N m turns wheel 1. Wheel 1 drives wheel 2, wheel 2 drives wheel 3, and wheel 3 drives a rack.
     const double torque = 6, ratios[] = {2, -0.5}, rackMass = 4, pinion = 0.25;
     const double inertias[] = {0.5, 2, 1};
     Scene scene{.name = "gear_train",
@@ -126,7 +126,7 @@ Scene gearTrain() {
     scene.closedForm->bodies.push_back(GearedMotion{"rack", "guide"});
     scene.checks.push_back(
         ExactCheck{1e-3, "a constant torque: second order is exact; what is left is single precision"});
-    scene.checks.push_back(invariant("joint_error_max", 1e-4, "what is off by 0.1 mm is seen by no one"));
+    scene.checks.push_back(invariant("joint_error_max", 1e-4, "nobody sees an error of 0.1 mm"));
     return scene;
 }
 

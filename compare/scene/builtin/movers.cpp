@@ -8,7 +8,7 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double skin = 1e-3;  // that movers keep to what they meet [m]
+constexpr double skin = 1e-3;  // the distance that movers keep from what they meet [m]
 
 SceneBody solid(const char* name, const Vec2& center, const Vec2& halfSize) {
     return {name, {.type = BodyType::Static, .position = center, .shapes = {box(halfSize)}}};
@@ -18,7 +18,7 @@ SceneBody moved(const char* name, const Vec2& position, const ShapeDef& shape) {
     return {name, {.type = BodyType::Kinematic, .position = position, .shapes = {shape}}};
 }
 
-/// One after the other, each from where the last one ended.
+/// A list of flights, each of which starts where the last one ended.
 class Legs {
 public:
     explicit Legs(const Vec2& start) : end_(start) {}
@@ -38,7 +38,7 @@ private:
     std::vector<Flight> flights_;
 };
 
-/// The hero has stood for that long when it jumps [s].
+/// The hero stands for takeOff before it jumps [s].
 Scene jump(const char* name, PlatformStyle profile, double takeOff) {
     const Vec2 half(0.4, 0.5);
     return {
@@ -111,13 +111,15 @@ Scene mazeLap() {
         .closedForm = ClosedForm{.formula = "12 tiles a lap, at 5 tiles a second; turns take no time",
                                  .source = "the lanes go through the middles of the tiles",
                                  .bodies = {PiecewiseMotion{"runner", legs.flights()}}},
-        .checks = {ExactCheck{1e-9, "a place is a tile and a way from its middle: only a tick's own rounding is left"}},
+        .checks = {ExactCheck{
+            1e-9, "a place is stored as a tile and the way from its middle: only one tick's rounding is left"}},
     };
 }
 
 Scene jump1985() {
-    // 16 pixels a metre; 4 pixels a tick up, less 32/256 a tick while it rises, 112/256 as it falls. Place first, then
-    // speed: in n ticks v n - a n (n - 1) / 2, which is a parabola of v + a / 2.
+    // 16 pixels are a metre. The speed is 4 pixels a tick up, less 32/256 a tick while rising, 112/256 while falling.
+    // First the place changes, then the speed: in n ticks v n - a n (n - 1) / 2, which is a parabola with the speed
+    // v + a / 2.
     const double rate = 60.0988, pixel = 1.0 / 16, rise = 0.125 * pixel, fall = 0.4375 * pixel, speed = 4 * pixel;
     Scene scene = jump("jump_1985", PlatformStyle::Of1985, 6 / rate);
     scene.question = "Does a jump of 1985 rise 66 pixels in 32 ticks, and fall as its tables have it?";
@@ -137,12 +139,13 @@ Scene jump1985() {
 }
 
 Scene jumpModern() {
-    // To rise 2.5 m in 0.4 s, the last tenth of the speed under half of the gravity: 0.9 v / g + 0.2 v / g = 0.4 s and
-    // (1 - 0.01) v^2 / 2 g + 0.01 v^2 / g = 2.5 m, so v / g = 4 / 11 s, v^2 / g = 5 / 1.01 m. Down, 1.6 g; to a tenth
-    // of v half of it. By hand:
+    // It rises 2.5 m in 0.4 s, with half of the gravity during the last tenth of the speed:
+    // 0.9 v / g + 0.2 v / g = 0.4 s and (1 - 0.01) v^2 / 2 g + 0.01 v^2 / g = 2.5 m, so v / g = 4 / 11 s and
+    // v^2 / g = 5 / 1.01 m. On the way down, the gravity is 1.6 g, and half of that until the speed is a tenth of v. By
+    // hand:
     const double speed = 1375.0 / 101, g = 15125.0 / 404, slow = 137.5 / 101, down = 6050.0 / 101;
     const double riseTime = 18.0 / 55, hangRise = 4.0 / 55, hangFall = 1.0 / 22;
-    const double fallTime = (std::sqrt(3036343.75) - 137.5) / 6050;  // over 249.375 / 101 m
+    const double fallTime = (std::sqrt(3036343.75) - 137.5) / 6050;  // over a height of 249.375 / 101 m
     Scene scene = jump("jump_modern", PlatformStyle::Modern, 0.1);
     scene.question = "Is a jump with a hang near its top 2.5 m high, and as long as its formula says?";
     scene.duration = 1;
@@ -157,7 +160,7 @@ Scene jumpModern() {
                                                           .go(hangFall, {0, 0}, {0, -0.5 * down})
                                                           .go(fallTime, {0, -slow}, {0, -down})
                                                           .rest()}}};
-    scene.checks = {ExactCheck{1e-9, "the very parabolas, whatever the tick"}};
+    scene.checks = {ExactCheck{1e-9, "exactly these parabolas, at any length of tick"}};
     return scene;
 }
 

@@ -15,7 +15,7 @@ inline constexpr double degrees(double angle) {
     return angle * std::numbers::pi / 180;
 }
 
-/// The unit vector at an angle from +x, to the same bits everywhere.
+/// The unit vector at an angle from +x, with the same bits on every machine.
 inline Vec2 direction(double angle) {
     const SinCos turned = sinCos(angle);
     return {turned.cos, turned.sin};
@@ -26,8 +26,8 @@ inline constexpr double discDensity(double mass, double radius) {
     return mass / (std::numbers::pi * radius * radius);
 }
 
-/// Why nothing that lies on something lies exactly on it. A disc on one point sinks by half of g / w^2, a box on two
-/// corners by 5/8, and a box between boxes, both of which give way, by 5/4 for each weight it carries.
+/// The reason why a body on another body is never exactly on its surface. A disc on one point sinks by half of g / w^2,
+/// and a box on two corners by 5/8. A box between boxes, which both give way, sinks by 5/4 for each weight it carries.
 inline const std::string sinksOnGround =
     "a contact with the ground gives way to its load as a spring of 60 Hz, g / (2 pi 60)^2 = 0.07 mm: ";
 inline const std::string sinks =
@@ -38,14 +38,14 @@ inline SceneBody floorBody() {
     return {"floor", {.type = BodyType::Static, .shapes = {segment({-10, 0}, {10, 0})}}};
 }
 
-/// A point to hang things from, which nothing bumps into.
+/// A point to hang things from; nothing collides with it.
 inline SceneBody pivotBody(const Vec2& position) {
     ShapeDef mark = circle(0.05);
     mark.filter.mask = 0;
     return {"pivot", {.type = BodyType::Static, .position = position, .shapes = {mark}}};
 }
 
-/// For Plumb alone.
+/// A check for Plumb alone.
 inline Check invariant(const std::string& metric, double limit, const std::string& reason) {
     return InvariantCheck{.metric = metric, .limit = limit, .reason = reason};
 }

@@ -9,7 +9,7 @@ const Vec2 pivot(0, 2);
 
 const std::string verlet = "second order: velocity Verlet with the same sub-steps, of 1/240 s, is off by ";
 
-/// l from the pivot, an angle from straight down.
+/// The point at the distance l from the pivot, at an angle from straight down.
 Vec2 hangingAt(double angle, double length) {
     return pivot - length * perp(direction(angle));
 }
@@ -68,7 +68,7 @@ Scene pendulum150() {
 }
 
 Scene pendulumStep() {
-    // With steps of 1/60 s the error is near what float leaves, 1e-5 m, and no order can be seen.
+    // With steps of 1/60 s the error is near the rounding of float, 1e-5 m, so no order can be seen.
     Scene scene = discOnHinge(degrees(45));
     scene.name = "pendulum_step";
     scene.question = "By how much does the error of a swing fall when the step is halved?";
@@ -85,7 +85,7 @@ Scene pendulumStep() {
 }
 
 Scene rodPendulum90() {
-    // A slender box hung by its end: I_pivot = m (L^2 + w^2) / 12 + m l^2, l = L / 2.
+    // A slender box that hangs by its end: I_pivot = m (L^2 + w^2) / 12 + m l^2, l = L / 2.
     const double amplitude = degrees(90);
     const Vec2 halfSize(0.02, 0.5);
     const double length = halfSize.y();
@@ -126,7 +126,7 @@ Scene doublePendulumMinute() {
     scene.question = "Two weights swing on two rods: is their energy still there after a minute?";
     scene.duration = 60;
     scene.checks = {invariant("energy_drift", 1e-2, "nothing takes energy: second order at 240 sub-steps a second"),
-                    invariant("joint_error_max", 1e-3, "what is off by 1 mm of 1 m is seen by no one")};
+                    invariant("joint_error_max", 1e-3, "nobody sees an error of 1 mm in 1 m")};
     return scene;
 }
 

@@ -6,7 +6,7 @@
 namespace plumb::compare {
 namespace {
 
-const Vec2 neck(0.3, 4.4);  // where the doll stands: its toes are 1.4 m below, 0.2 m over the top step
+const Vec2 neck(0.3, 4.4);  // where the doll stands: its toes are 1.4 m below its neck, 0.2 m above the top step
 
 ShapeDef stairs() {
     constexpr int steps = 8;

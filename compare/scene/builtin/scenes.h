@@ -161,7 +161,7 @@ Scene wrapBilliard();
 Scene elasticGas();
 
 // answers.cpp
-/// Of a scene by its name, with what is to be read of a run between braces: see scene/answer.h.
+/// The answer to a scene's question, by the scene's name. It has queries between braces: see scene/answer.h.
 std::string answerTo(const std::string& scene);
 
 }  // namespace plumb::compare

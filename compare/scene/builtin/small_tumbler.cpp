@@ -5,7 +5,7 @@
 namespace plumb::compare {
 
 Scene smallTumbler() {
-    const double inside = 2.75, half = 0.25;  // of the drum's hollow, of its walls' thickness [m]
+    const double inside = 2.75, half = 0.25;  // half of the drum's inside, half of its walls' thickness [m]
     const double middle = inside + half, length = inside + 2 * half;
     const auto wall = [](const Vec2& center, const Vec2& size) {
         return polygon(

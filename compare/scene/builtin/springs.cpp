@@ -8,11 +8,11 @@ namespace plumb::compare {
 namespace {
 
 constexpr double springStiffness = 40;  // of 1 kg: w = 6.32 rad/s, a period of 0.99 s [N/m]
-constexpr double springLength = 1;      // of the spring with nothing on it [m]
-constexpr double pull = 0.5;            // below where it rests, at the start [m]
-constexpr double top = 2;               // where the springs hang from [m]
+constexpr double springLength = 1;      // of the spring without load [m]
+constexpr double pull = 0.5;            // how far below the place of rest it starts [m]
+constexpr double top = 2;               // height at which the springs are fixed [m]
 
-/// Hangs 1 kg on a spring below (x, top), held down and let go; dampingRatio 1 is critical.
+/// Hangs 1 kg on a spring below (x, top). It is pulled down and released; dampingRatio 1 is critical.
 void hang(Scene& scene, const std::string& name, double x, double dampingRatio) {
     const double radius = 0.15;
     const double damping = 2 * dampingRatio * std::sqrt(springStiffness);

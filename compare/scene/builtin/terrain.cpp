@@ -22,8 +22,8 @@ std::vector<Vec2> hills() {
     return points;
 }
 
-/// A body starts on a hill's top at 2 m/s and goes through four valleys; its lowest point is so far under its origin.
-/// At 5 m/s it goes 81 mm in a step, over ground bent by up to 0.2 / m.
+/// A body starts on the top of a hill at 2 m/s and goes through four valleys. Its lowest point is `under` below its
+/// origin. At 5 m/s it moves 81 mm in a step, over ground with a curvature of up to 0.2 / m.
 Scene acrossHills(const ShapeDef& shape, double under) {
     return {
         .duration = 12,
@@ -34,10 +34,11 @@ Scene acrossHills(const ShapeDef& shape, double under) {
 
 constexpr Material smooth{.friction = 0};
 
-/// What lies with a flat side lands on each piece anew, and loses what turns it: on the 100 pieces of a hill's top up
-/// to I (v / R)^2 / 2 each, with R = 5 m and I 0.04 m^2 times its mass for a box, 0.09 the capsule.
-const std::string landsAnew = "a flat side lands anew on each of 100 pieces of a top, and loses what turns it: up to ";
-const std::string corners = "in a step its flat side, of 0.5 m, turns by 16 mrad before it is seen to: 4 mm at an end";
+/// A flat side lands anew on each piece, and loses the energy of its rotation: on the 100 pieces of a hill's top up to
+/// I (v / R)^2 / 2 each, with R = 5 m. I is the mass times 0.04 m^2 for a box, and times 0.09 m^2 for the capsule.
+const std::string landsAnew =
+    "a flat side lands anew on each of 100 pieces of a top, and loses its rotation each time: up to ";
+const std::string corners = "in a step its flat side of 0.5 m turns by 16 mrad before the next check: 4 mm at an end";
 
 }  // namespace
 
@@ -56,7 +57,7 @@ Scene terrainDisc() {
     scene.question = "Does a disc keep its energy as it rolls over hills made of 1,000 pieces?";
     scene.bodies[1].def.angularVelocity = -scene.bodies[1].def.velocity.x() / 0.25;
     scene.checks = {invariant("energy_drift", 0.065,
-                              "the way the ground runs is seen to once a step, of up to 81 mm: it loses the speed into "
+                              "the slope of the ground is checked once a step of up to 81 mm: it loses the speed into "
                               "the ground that this makes, 1.6 % of the energy a hill, four times"),
                     invariant("penetration_max", 1e-3,
                               "in one step of 81 mm the ground rises by 0.7 mm before the contact is found anew")};

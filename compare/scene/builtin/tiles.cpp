@@ -7,11 +7,11 @@ namespace plumb::compare {
 namespace {
 
 constexpr double tile = 0.1;         // [m]
-constexpr double halfHeight = 0.25;  // of each body's height [m]
+constexpr double halfHeight = 0.25;  // half of each body's height [m]
 constexpr double apart = 3;          // from one body's ground to the next one's [m]
 constexpr Material smoothBody{.friction = 0};
 
-/// Each slides on a ground of its own.
+/// A body that slides on a ground of its own.
 struct Slider {
     const char* name;
     ShapeDef shape;
@@ -39,14 +39,14 @@ SceneBody wallOf(const std::string& name, double x) {
     return {name + "_wall", {.type = BodyType::Static, .position = {x, -500 * tile}, .shapes = {row(1, 500)}}};
 }
 
-/// Along a line, each with its snags counted.
+/// Watches the body along a line, and counts its snags.
 void watch(Scene& scene, const std::string& body, const BodyMotion& motion, const Vec2& way) {
     scene.closedForm->bodies.push_back(motion);
     scene.probes.push_back({.name = "snags_" + body, .quantity = SnagsProbe{body, way}, .unit = "-"});
     scene.checks.push_back(invariant("probe.snags_" + body, 0, "inner edges are gone: nothing is there to catch on"));
 }
 
-/// An upright capsule, for which Box2D 3 has a character mover, told to go along its ground and into it all the time.
+/// An upright capsule, for which Box2D 3 has a character mover. It always tries to move along its ground and into it.
 void addMover(Scene& scene, const Vec2& start, const Vec2& along, const Vec2& out) {
     const double pace = 10, press = 2;  // along its ground, and onto it [m/s]
     const ShapeDef upright = capsule({0, -halfHeight}, {0, halfHeight}, halfHeight, smoothBody);

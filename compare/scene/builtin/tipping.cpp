@@ -8,8 +8,8 @@ namespace {
 const Vec2 blockHalf(0.25, 0.5);                     // of the block [m]
 constexpr double tippingAngle = 0.4636476090008061;  // atan(1/2), 26.565 degrees [rad]
 
-/// A block of 1 kg, 0.5 m wide and 1 m high, stands on a slope that goes down to the right, its lower corner at (0, 0);
-/// it cannot slide.
+/// A block of 1 kg, 0.5 m wide and 1 m high, stands on a slope that goes down to the right. Its lower corner is at
+/// (0, 0); it cannot slide.
 Scene tippingBlock(double slope) {
     const Vec2 downhill = direction(-slope);
     const Vec2 start = -blockHalf.x() * downhill + blockHalf.y() * perp(downhill);

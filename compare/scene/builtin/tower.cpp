@@ -5,7 +5,7 @@
 namespace plumb::compare {
 namespace {
 
-/// Boxes of 1 m stand on each other on the floor, the lowest first; each with its mass.
+/// Boxes of 1 m stand on each other on the floor, each with its own mass, the lowest first.
 Scene tower(const std::vector<double>& masses) {
     Scene scene{.bodies = {floorBody()}};
     ClosedForm still{.formula = "x = x0", .source = "textbook: statics"};
@@ -40,8 +40,8 @@ Scene stackAwake() {
     scene.question = "Do fifteen boxes that may not sleep stand on each other for a minute?";
     scene.duration = 60;
     scene.sleeping = false;
-    // A column of 1 m boxes on corners that give way by 0.34 mm for each weight is as stiff against bending as 725 m g
-    // times 1 m; by Greenhill's formula it buckles under its own weight from (7.84 * 725)^(1/3) = 17.8 m on.
+    // The boxes of 1 m stand on corners that give way by 0.34 mm for each weight. Such a column has a bending stiffness
+    // of 725 m g times 1 m; by Greenhill's formula it buckles under its own weight from (7.84 * 725)^(1/3) = 17.8 m on.
     scene.checks = {
         ExactCheck{0.04, sinks + "5/4 of it for each weight a contact carries, 105 in all, and 15 * 5/8 of 0.07 mm on "
                                  "the floor: 37 mm at the top; lower than 17.8 m, such a column does not buckle"},

@@ -13,8 +13,8 @@ constexpr Material lively{.friction = 0, .restitution = 1};
 }  // namespace
 
 Scene wrapHeadOn() {
-    // Two discs of 1 m on a ring of 8 m, of which 6 m are free between them, on one side or the other: at 3 m/s each,
-    // as somebody sees it who goes along at 0.3713 m/s, they meet once a second. So they meet anywhere on the ring.
+    // Two discs of 1 m on a ring of 8 m, so 6 m are free between them. Each moves at 3 m/s relative to an observer who
+    // moves along at 0.3713 m/s, so they meet once a second, and all around the ring.
     const double ring = 8, speed = 3, drift = 0.3713;
     const double left = 1.3, right = 6.3;
     const auto disc = [](const char* name, double x, double v) -> SceneBody {
@@ -47,13 +47,13 @@ Scene wrapBilliard() {
         .wrap = {.width = width, .height = width},
         .checks = {invariant("energy_drift", 1e-3,
                              "each impact by itself is exact; those of three at once go to the solver, and are few"),
-                   invariant("momentum_drift", 1e-6, "nothing outside: what one gets another gives, in floats"),
+                   invariant("momentum_drift", 1e-6, "no force from outside: one gains what another loses, in floats"),
                    invariant("penetration_max", 1e-3, "none may sink into another, or pass it at the seam")},
     };
     Random random(1);
     for (int i = 0; i < 20; ++i) {
         const Vec2 position(1.6 * (i % 5) + 0.2, 2.0 * (i / 5) + 0.1);
-        // One after the other: the order of a call's arguments is the compiler's choice.
+        // One after the other, because the compiler may choose the order in which it evaluates arguments.
         const double vx = random.uniform(-3, 3);
         const double vy = random.uniform(-3, 3);
         scene.bodies.push_back({"disc_" + std::to_string(i + 1),

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Which fields has a closed form in a file, and what may they hold?
+// Which fields does a closed form have in a file, and which values may they have?
 #pragma once
 #include <compare/scene/fields/field.h>
 #include <compare/scene/fields/tags.h>
 
 namespace plumb::compare {
 
-/// Of what says something about one body.
+/// The field that names the body of a motion.
 inline constexpr Field whoseBody = needed({"body", "", Allowed::any, "the name of the body that moves so"});
 
 void fields(auto& visit, OrConst<Flight> auto& x) {
@@ -64,15 +64,15 @@ void fields(auto& visit, OrConst<DragFall> auto& x) {
 }
 void fields(auto& visit, OrConst<KeplerMotion> auto& x) {
     visit(whoseBody, x.body);
-    visit({"focus", "m", Allowed::finite, "about which it goes, at t = 0"}, x.focus);
-    visit({"drift", "m/s", Allowed::finite, "at which the focus moves"}, x.drift);
+    visit({"focus", "m", Allowed::finite, "the point about which it goes, at t = 0"}, x.focus);
+    visit({"drift", "m/s", Allowed::finite, "velocity of the focus"}, x.drift);
     visit({"nearEnd", "-", Allowed::finite.butNotZero("has no direction"),
            "from the focus to the near end, a unit vector"},
           x.nearEnd);
     visit({"semiMajorAxis", "m", Allowed::positive, "half of the ellipse's length"}, x.semiMajorAxis);
     visit({"eccentricity", "-", Allowed::within(0, 1), "1 falls straight in"}, x.eccentricity);
     visit({"period", "s", Allowed::positive, "of a round"}, x.period);
-    visit({"since", "s", Allowed::finite, "the near end, at t = 0; counter-clockwise"}, x.since);
+    visit({"since", "s", Allowed::finite, "time since the near end at t = 0, counter-clockwise"}, x.since);
 }
 void fields(auto& visit, OrConst<FreeMotion> auto& x) {
     visit(whoseBody, x.body);
@@ -123,7 +123,7 @@ void fields(auto& visit, OrConst<ClosedForm> auto& x) {
     visit({"formula", "", Allowed::any, "in plain text, for the report"}, x.formula);
     visit({"source", "", Allowed::any, "where it comes from"}, x.source);
     visit({"until", "s", Allowed::notNegative, "it holds from t = 0 to here; 0: to the scene's end"}, x.until);
-    visit(needed({"bodies", "", Allowed::any, "how those that have one move"}), x.bodies);
+    visit(needed({"bodies", "", Allowed::any, "the motions of the bodies that have a closed form"}), x.bodies);
 }
 
 }  // namespace plumb::compare

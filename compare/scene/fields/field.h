@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is said of a field of a scene's file, beside what is said of a member of the kit's definitions?
+// What is known of a field in a scene's file, in addition to what is known of a member of the kit's definitions?
 #pragma once
 #include <cstddef>
 
@@ -9,7 +9,7 @@ namespace plumb::compare {
 
 struct Field : Member {
     bool needed = false;    ///< a file must have it
-    std::size_t least = 0;  ///< so many letters of a text, or elements of a list, are wanted
+    std::size_t least = 0;  ///< the least number of letters of a text, or of elements of a list
 
     constexpr Field(const char* name, const char* unit, const Allowed& allowed, const char* meaning)
         : Member{name, unit, allowed, meaning} {}
@@ -20,7 +20,7 @@ struct Field : Member {
 constexpr Field needed(const Member& member, std::size_t least = 1) {
     return Field(member, true, least);
 }
-/// May be left out, but not be empty.
+/// A field that may be left out, but must not be empty.
 constexpr Field notEmpty(const Member& member) {
     return Field(member, false, 1);
 }

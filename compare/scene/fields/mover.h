@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which fields has what moves a body in a file, and what may they hold?
+// Which fields does a mover have in a file, and which values may they have?
 #pragma once
 #include <compare/scene/fields/field.h>
 #include <compare/scene/fields/tags.h>
@@ -14,7 +14,7 @@ void fields(auto& visit, OrConst<PathMotion> auto& x) {
     visit(needed({"points", "m", Allowed::finite, "of the body's origin"}, 2), x.points);
     visit({"spline", "", Allowed::any, "false: straight lines from point to point"}, x.spline);
     visit({"closed", "", Allowed::any, "does it go back to the first point?"}, x.closed);
-    visit({"delay", "s", Allowed::notNegative, "it rests so long first"}, x.delay);
+    visit({"delay", "s", Allowed::notNegative, "it rests first for this time"}, x.delay);
     visit({"speed", "m/s", Allowed::positive, "the highest"}, x.speed);
     visit({"acceleration", "m/s^2", Allowed::positive, "with easing \"acceleration\""}, x.acceleration);
     visit({"easing", "", Allowed::any, "how it starts and stops"}, x.easing);
@@ -30,7 +30,7 @@ void fields(auto& visit, OrConst<GridMotion> auto& x) {
     visit({"cell", "", Allowed::any, "in which it starts"}, x.cell);
     visit({"heading", "", Allowed::any, "where it goes first"}, x.heading);
     visit({"speed", "tiles/s", Allowed::positive, "at which it goes"}, x.speed);
-    visit({"turns", "", Allowed::any, "each wanted from when the one before was taken, round and round"}, x.turns);
+    visit({"turns", "", Allowed::any, "each turn is wanted after the one before; then again from the first"}, x.turns);
 }
 void fields(auto& visit, OrConst<PlatformCue> auto& x) {
     visit({"time", "s", Allowed::notNegative, "from when on"}, x.time);

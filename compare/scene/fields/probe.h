@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Which fields have probes and checks in a file, and what may they hold?
+// Which fields do probes and checks have in a file, and which values may they have?
 #pragma once
 #include <compare/scene/fields/field.h>
 #include <compare/scene/fields/tags.h>
 
 namespace plumb::compare {
 
-/// Of what is watched.
+/// Fields that several probes have.
 struct Watched {
     static constexpr Field body = needed({"body", "", Allowed::any, "the name of a body"});
     static constexpr Field bodyA = needed({"bodyA", "", Allowed::any, "the name of a body"});
@@ -57,16 +57,16 @@ void fields(auto& visit, OrConst<Probe> auto& x) {
     visit.oneOf(x.quantity, probeTags);
     visit({"expected", "the unit", Allowed::finite, "of no account where the closed form gives every angle"},
           x.expected);
-    visit({"from", "s", Allowed::notNegative, "watched from here: before it the scene settles"}, x.from);
-    visit({"until", "s", Allowed::notNegative, "to here; 0: to the end"}, x.until);
+    visit({"from", "s", Allowed::notNegative, "watched from this time on: before it the scene settles"}, x.from);
+    visit({"until", "s", Allowed::notNegative, "watched until this time; 0: to the end"}, x.until);
     visit({"watch", "", Allowed::any, "which values are held against what is expected"}, x.watch);
     visit({"unit", "", Allowed::any, "of the quantity, as it is printed"}, x.unit);
 }
 
-/// Of a check.
+/// Fields that several checks have.
 struct Judged {
     static constexpr Field engines{"engines", "", Allowed::any,
-                                   "the names of those whom it binds; none: the engine under test"};
+                                   "the names of the engines that it is for; none: the engine under test"};
     static constexpr Field reason{"reason", "", Allowed::any, "why this bound"};
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What are the alternatives of a scene's parts called in a file, and its enumerators, in their order?
+// What are the alternatives of a scene's parts, and its enumerators in their order, called in a file?
 #pragma once
 #include <array>
 #include <span>
@@ -45,7 +45,7 @@ inline constexpr std::array probeTags{"angle", "normalForce", "jointForce",  "po
                                       "limit", "jointBroken", "sensorCount", "snags",    "apart"};
 inline constexpr std::array checkTags{"exact", "agree", "invariant", "order"};
 
-// Of a number without bound, for which JSON has no sign.
+// For numbers without bound, because JSON cannot write infinity.
 inline constexpr const char* infiniteTag = "infinite";
 inline constexpr const char* minusInfiniteTag = "-infinite";
 

@@ -8,13 +8,13 @@
 namespace plumb::compare {
 namespace {
 
-/// Blocks of one kind that touch and carry each other.
+/// Lays blocks of one kind that touch and carry each other.
 class Mason {
 public:
     Mason(Scene& scene, Draw& draw, const Style& style, bool awake)
         : scene_(scene), draw_(draw), style_(style), awake_(awake) {}
 
-    /// Adds at most so many, from where the last one ended; returns how many.
+    /// Adds at most this many blocks, from where the last ones ended; returns how many.
     int build(int most) {
         most_ = most;
         built_ = 0;
@@ -28,14 +28,14 @@ public:
         return built_;
     }
 
-    double right() const { return right_; }  ///< where the next one would begin [m]
-    double top() const { return top_; }      ///< of the highest [m]
+    double right() const { return right_; }  ///< where the next blocks begin [m]
+    double top() const { return top_; }      ///< of the highest block [m]
 
 private:
     void chooseBlock() {
         const double radius = drawRadius(draw_, style_), flat = draw_.uniform(0.4, 1);
         Material material = drawMaterial(draw_, style_);
-        material.friction = std::max(material.friction, 0.5);  // what is laid stays
+        material.friction = std::max(material.friction, 0.5);  // so that blocks stay where they are laid
         material.restitution = 0;
         half_ = radius * Vec2(0.7, 0.7 * flat);
         const double rounding = draw_.chance(0.25) ? 0.2 * half_.y() : 0;
@@ -53,7 +53,7 @@ private:
             for (int i = 0; i < base - row; ++i) lay(right_ + half_.x() * (1 + row + 2 * i), row);
         right_ += 2 * half_.x() * base;
     }
-    /// Row over row, every other shifted by half a block.
+    /// Rows on top of each other; every second row is shifted by half a block.
     void wall() {
         const int columns = draw_.integer(3, 20), rows = draw_.integer(3, 14);
         for (int row = 0; row < rows; ++row)

@@ -7,7 +7,8 @@
 namespace plumb::compare {
 namespace {
 
-/// Between a paddle's tip and what is fixed: several of the largest fit side by side, so that nothing is pinched.
+/// The space between a paddle's tip and the walls and floor. Several of the largest bodies fit in it side by side, so
+/// that none is pinched.
 double playAround(const Filling& filling) {
     return 3.5 * std::max(2 * filling.style.radius.high, 1.0);
 }
@@ -25,7 +26,7 @@ double addPaddle(Scene& scene, Draw& draw, const Filling& filling, double halfWi
     return play + 2 * reach;
 }
 
-/// A block that starts at the left wall, and comes a third of the way. Returns where its front is.
+/// A block that starts at the left wall and moves to the right. Returns where its front is.
 double addPusher(Scene& scene, Draw& draw, double halfWidth) {
     const double height = draw.uniform(0.5, 2) + 0.2 * halfWidth, way = draw.uniform(0.1, 0.6) * halfWidth;
     SceneBody pusher{"pusher", {.type = BodyType::Kinematic, .position = {0.3 - halfWidth, height / 2}}};
@@ -35,7 +36,7 @@ double addPusher(Scene& scene, Draw& draw, double halfWidth) {
     return 0.6 - halfWidth;
 }
 
-/// Half of a bin's width: a shaft, or wide.
+/// Half of a bin's width: from a narrow shaft to a wide bin.
 double drawHalfWidth(Draw& draw, const Filling& filling, bool hasPaddle) {
     const double width = std::sqrt(areaOf(filling.items) * draw.logUniform(0.5, 3));
     const double least = 2 * widestOf(filling.items) + 2, withPaddle = hasPaddle ? 3 * playAround(filling) : 0;

@@ -6,8 +6,8 @@
 namespace plumb::compare {
 namespace {
 
-/// As many corners as keep each of them 1.2 cm above the line through its neighbours, whatever is drawn: Box2D 3 takes
-/// those within 1 cm to be in line.
+/// The largest number of corners at which each corner is at least 1.2 cm above the line through its neighbours,
+/// whatever is drawn. Box2D 3 treats corners within 1 cm of that line as on it.
 int mostCorners(double radius) {
     if (radius < 0.11) return 5;
     if (radius < 0.15) return 6;
@@ -23,7 +23,7 @@ std::vector<Vec2> regular(int corners, double radius) {
     return points;
 }
 
-/// Corners on an ellipse, which is convex however they lie on it.
+/// Corners on an ellipse: the polygon is convex wherever they lie on it.
 std::vector<Vec2> irregular(Draw& draw, int corners, double radius) {
     const double flat = draw.uniform(0.6, 1);
     std::vector<Vec2> points;

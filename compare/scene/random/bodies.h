@@ -9,10 +9,10 @@
 namespace plumb::compare {
 
 /// One shape, or several of one material, within a circle of this radius around the body's origin. Each has at most
-/// eight corners, of which Box2D 3 welds none, and is at least 2 cm thick: radius is at least 10 cm.
+/// eight corners, none of which Box2D 3 welds, and is at least 2 cm thick. radius must be at least 10 cm.
 std::vector<ShapeDef> drawShapes(Draw& draw, Form form, double radius, const Material& material);
 
-/// A body of the style, alone.
+/// A single body of the style.
 Item drawBody(Draw& draw, const Style& style);
 
 /// An L, a T, a cup, a cross, an arrow head or a dumb-bell.

@@ -4,7 +4,7 @@
 namespace plumb::compare {
 namespace {
 
-/// A limb from one point down to another, on a hinge at the first, free to turn so far either way.
+/// A limb from one point down to another. It is on a hinge at the first point, and may turn this far either way.
 struct DollLimb {
     std::string name, from;
     Vec2 top, end;
@@ -12,7 +12,7 @@ struct DollLimb {
     Limit limit;
 };
 
-/// A doll 1.9 m tall, its neck at the origin, is made so many times as large.
+/// Makes a doll of 1.9 m times a factor, with its neck at the origin.
 class DollBuilder {
 public:
     DollBuilder(double size, double density, int group) : size_(size), density_(density), group_(group) {}
@@ -41,7 +41,7 @@ private:
 Item drawDoll(Draw& draw, double density, int group) {
     const double size = draw.uniform(0.6, 1.5);
     DollBuilder doll(size, density, group);
-    const Vec2 up(0, 0.55);  // the neck: the middle of the doll is at its origin
+    const Vec2 up(0, 0.55);  // the neck; the middle of the doll is at the origin
     const Vec2 hip = up - Vec2(0, 0.6), shoulder = up - Vec2(0, 0.05);
     const Vec2 upper(0, -0.3), lower(0, -0.28), thigh(0, -0.4), shin(0, -0.35);
     doll.addPart("torso", up, up - Vec2(0, 0.55), 0.13);

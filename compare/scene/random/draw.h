@@ -12,8 +12,8 @@ namespace plumb::compare {
 
 inline constexpr double fullTurn = 2 * std::numbers::pi;  ///< [rad]
 
-/// Draws with the same bits on every machine. Each draw stands in a statement of its own: in which order a function's
-/// arguments are evaluated is left to the compiler.
+/// Draws give the same bits on every machine. Write each draw as a statement of its own: the compiler may choose the
+/// order in which it evaluates the arguments of a function.
 class Draw {
 public:
     explicit Draw(std::uint64_t seed) : random_(seed) {}
@@ -21,12 +21,12 @@ public:
     double uniform(double low, double high) { return random_.uniform(low, high); }
     int integer(int low, int high) { return random_.integer(low, high); }
     bool chance(double share) { return random_.uniform(0, 1) < share; }
-    /// Of a size from low to high, positive or negative.
+    /// A number of a size from low to high, positive or negative.
     double eitherWay(double low, double high) {
         const double size = uniform(low, high);
         return chance(0.5) ? size : -size;
     }
-    /// Its logarithm is uniformly distributed; 0 < low <= high.
+    /// A number whose logarithm is uniformly distributed; 0 < low <= high.
     double logUniform(double low, double high);
     /// A unit vector.
     Vec2 direction();
@@ -34,7 +34,7 @@ public:
     const T& of(const T (&list)[N]) {
         return list[static_cast<std::size_t>(integer(0, static_cast<int>(N) - 1))];
     }
-    /// What else is drawn from, without a change of what this one draws next.
+    /// A seed for another generator.
     std::uint64_t seed() { return random_.bits(); }
 
 private:

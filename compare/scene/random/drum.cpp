@@ -8,7 +8,7 @@
 namespace plumb::compare {
 namespace {
 
-/// Walls around a circle of this radius, each as wide as its neighbours let it be.
+/// Walls around a circle of this radius. Each is as wide as its neighbours allow.
 std::vector<ShapeDef> ringOfWalls(double radius, double thickness, int count, const Material& material) {
     const SinCos halfTurn = sinCos(fullTurn / (2 * count));
     const double inner = radius / halfTurn.cos, outer = (radius + thickness) / halfTurn.cos;

@@ -28,7 +28,8 @@ double heightAt(const std::vector<Wave>& waves, double x) {
     return height;
 }
 
-/// From right to left: solid from above where a chain is solid from one side only. It goes on into the walls.
+/// From right to left, so that a chain that is solid from one side only is solid from above. It continues into the
+/// walls.
 std::vector<Vec2> lineOver(const std::vector<Wave>& waves, double half, double piece) {
     const int pieces = static_cast<int>(2 * (half + 1) / piece) + 1;
     std::vector<Vec2> points;

@@ -12,7 +12,7 @@ Vec2 turnedBy(const SinCos& angle, const Vec2& v) {
     return angle.cos * v + angle.sin * perp(v);
 }
 
-/// Machines here are made of hinges and wheels alone.
+/// The machines here have hinges and wheels only.
 RevoluteJointDef* hingeOf(JointDef& def) {
     return std::get_if<RevoluteJointDef>(&def);
 }

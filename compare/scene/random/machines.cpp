@@ -29,7 +29,7 @@ Item drawBridge(Draw& draw, int planks, double density, int group) {
         const double x = 2.0 * i / planks - 1;
         return Vec2(halfSpan * x, sag * (x * x - 0.5));
     };
-    Item item{.half = {halfSpan + 0.2, sag + 0.3}};  // it sways
+    Item item{.half = {halfSpan + 0.2, sag + 0.3}};  // room for swaying
     for (int i = 0; i < planks; ++i) {
         const Vec2 from = hingeAtPlank(i), along = hingeAtPlank(i + 1) - from;
         ShapeDef plank = box({along.norm() / 2, thickness}, {.density = density});

@@ -23,7 +23,7 @@ double drawGravity(Draw& draw) {
     return draw.uniform(2, 20);
 }
 
-/// Nothing: blocks at rest, which are laid otherwise.
+/// nullptr stands for blocks at rest, which layAtRest lays.
 Fill drawFill(Draw& draw, bool isJointed) {
     const double kind = isJointed ? draw.uniform(0, 0.56) : draw.uniform(0, 1);
     if (kind < 0.28) return fillBin;
@@ -34,7 +34,8 @@ Fill drawFill(Draw& draw, bool isJointed) {
     return nullptr;
 }
 
-/// The largest first, run by run, so that rows hold what is alike, and heaps still mix.
+/// Sorts by size within each run, the largest first. So the items in a row are of similar size, and heaps are still
+/// mixed.
 void sortInRuns(std::vector<Item>& items, Draw& draw) {
     const int run = draw.integer(20, 200);
     for (auto first = items.begin(); first != items.end();) {
@@ -44,7 +45,7 @@ void sortInRuns(std::vector<Item>& items, Draw& draw) {
     }
 }
 
-/// Machines, bridges first and so lowest, and what falls on them.
+/// Machines first, then the bodies that fall on them. Bridges come first of all, so they are lowest.
 std::vector<Item> drawItems(Draw& draw, const Style& style, int count, bool isJointed) {
     std::vector<Item> items, bodies;
     int left = count;

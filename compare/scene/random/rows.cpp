@@ -8,20 +8,20 @@
 namespace plumb::compare {
 namespace {
 
-/// The place of an item, larger than it by the gap.
+/// The place of an item; it is larger than the item by the gap.
 struct Cell {
     Vec2 lower{0, 0}, size{0, 0};  ///< lower is counted from the row's lower left corner [m]
     std::size_t column = 0;
 };
 
-/// Columns of items side by side: small ones stand on each other in one as wide as its lowest.
+/// Columns of items side by side. In a column small items stand on each other; it is as wide as its lowest item.
 struct Row {
     std::vector<Cell> cells{};
     double width = 0, height = 0;  ///< [m]
     Extent extent{};
 };
 
-/// On the last cell if there is room, or else in a column of its own.
+/// On the last cell if there is room, else in a new column.
 Cell nextCell(const Row& row, const Vec2& size) {
     if (row.cells.empty()) return {.size = size};
     const Cell& last = row.cells.back();
@@ -31,7 +31,7 @@ Cell nextCell(const Row& row, const Vec2& size) {
     return {{row.width, 0}, size, last.column + 1};
 }
 
-/// As many as there is room for; none if it is not enough for one.
+/// A row with as many items as there is room for; empty if there is no room for one.
 Row longestRow(const std::vector<Item>& items, std::size_t first, double low, const Rows& rows) {
     Row row;
     for (std::size_t i = first; i < items.size(); ++i) {
@@ -48,7 +48,7 @@ Row longestRow(const std::vector<Item>& items, std::size_t first, double low, co
     return row;
 }
 
-/// What is left of the width is shared out between the columns; each item lies by chance in its cell.
+/// The width that is left over is shared between the columns. Each item has a random place in its cell.
 std::vector<Vec2> originsIn(const Row& row, double low, double gap, Draw& draw) {
     const double columns = static_cast<double>(row.cells.back().column + 1);
     const double spare = (row.extent.right - row.extent.left - row.width) / columns;
@@ -84,7 +84,7 @@ std::optional<std::vector<Vec2>> placeInRows(const std::vector<Item>& items, con
         }
         const double height = items[origins.size()].half.y();
         if (!std::isfinite(rows.top) || low + height > rows.top) return {};
-        low += height / 4;  // a ring is wider there
+        low += height / 4;  // because a ring is wider there
     }
     return origins;
 }

@@ -8,11 +8,11 @@
 namespace plumb::compare {
 
 struct SeedRange {
-    std::uint64_t first = 0, last = 0;  ///< both belong to it
+    std::uint64_t first = 0, last = 0;  ///< both are included
 };
 
 /// "random:SEED" or "random:A..B"; empty for a name that does not begin with "random:". Throws std::invalid_argument,
-/// saying what was wanted, for what follows it otherwise, and for more than 10,000 seeds.
+/// saying what was wanted, if the rest of the name has another form, and for more than 10,000 seeds.
 std::optional<SeedRange> seedRangeOf(const std::string& name);
 
 }  // namespace plumb::compare

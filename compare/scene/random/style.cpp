@@ -12,9 +12,9 @@ namespace {
 
 constexpr Form allForms[] = {Form::Disc,      Form::Capsule, Form::Box,     Form::Regular,
                              Form::Irregular, Form::Rounded, Form::Compound};
-constexpr double smallestRadius = 0.1;  // that bodies.h asks for [m]
+constexpr double smallestRadius = 0.1;  // as bodies.h requires [m]
 
-/// So large that a crowd still fills no more than some 60 m by 60 m: from higher up it would not land in 5 s.
+/// The largest radius at which a crowd fills no more than about 60 m by 60 m: from higher up it would not land in 5 s.
 double largestRadius(int count) {
     return std::min(4.0, 100 / std::sqrt(count));
 }

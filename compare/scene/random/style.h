@@ -10,22 +10,23 @@ namespace plumb::compare {
 
 enum class Form { Disc, Capsule, Box, Regular, Irregular, Rounded, Compound };
 
-/// low to high.
+/// From low to high.
 struct Range {
     double low = 0, high = 0;
 };
 
 struct Style {
-    Range radius{};             ///< of the circle around a body's origin that it fits in [m]
+    Range radius{};             ///< of the circle around the body's origin that the body fits in [m]
     bool mostlySmall = false;   ///< a few large ones among many small ones
-    std::vector<Form> forms{};  ///< each as likely as any other
+    std::vector<Form> forms{};  ///< all are equally likely
     Range friction{}, restitution{}, density{};
-    bool upright = false;  ///< starts without a turn
-    double speed = 0;      ///< greatest at the start [m/s]
-    double spin = 0;       ///< likewise [rad/s]
+    bool upright = false;  ///< starts at angle 0
+    double speed = 0;      ///< the greatest speed at the start [m/s]
+    double spin = 0;       ///< the greatest angular speed at the start [rad/s]
 };
 
-/// Sizes of 1 : 1 to 1 : 30, one form to all seven, smooth to rough, dead to lively; for so many bodies.
+/// Draws a style for this many bodies: ratios of sizes from 1 : 1 to 1 : 30, one form or up to all seven, smooth to
+/// rough, not bouncing to bouncing well.
 Style drawStyle(Draw& draw, int count);
 
 /// The radius of a body of this style [m].

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int highestGround = 6;  // rows
 
-/// A tile map that is drawn from left to right, between columns of wall.
+/// A tile map drawn from left to right, with columns of wall at both ends.
 class Level {
 public:
     Level(Draw& draw, int columns, int rows, double size)
@@ -17,7 +17,7 @@ public:
         frame();
     }
 
-    /// Flat, stairs, or slopes up or down.
+    /// Adds flat ground, stairs, or slopes up or down.
     void addGround() {
         int height = draw_.integer(1, 3), column = 1;
         while (column < map_.columns() - 1) {
@@ -45,7 +45,7 @@ public:
         }
     }
 
-    /// Rows of a few tiles in the air, at so many heights.
+    /// Adds rows of a few tiles in the air, at this many heights.
     void addPlatforms(int count, int storeys) {
         for (int i = 0; i < count; ++i) {
             const int row = highestGround + 2 + 3 * draw_.integer(0, storeys - 1);

@@ -8,7 +8,7 @@
 namespace plumb::compare {
 namespace {
 
-/// As a cell of a table.
+/// The text as a cell of a table.
 std::string cell(std::string text) {
     for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.replace(at, 1, "\\|");
     return text;
@@ -76,14 +76,14 @@ std::string defaultText(const Json& object, const std::string& name, const Json&
     return needed ? "must be given" : "";
 }
 
-/// What it is, without the unit, which has a column of its own.
+/// The meaning without the unit, which has a column of its own.
 std::string meaningText(const Json& schema) {
     const auto text = schema.value("description", std::string()), unit = schema.value("unit", std::string());
     const std::string end = " [" + unit + "]";
     return text.ends_with(end) ? text.substr(0, text.size() - end.size()) : text;
 }
 
-/// Alternatives, of which one stands in the file, follow after the fields.
+/// Alternatives come after the fields; a file has only one of them.
 bool isAlternative(const Json& object, const std::string& name) {
     const auto kinds = object.find("oneOf");
     return kinds != object.end() &&
@@ -117,7 +117,7 @@ std::string schemaPage(const Json& schema) {
         if (object.contains("description")) page += "\n" + object["description"].get<std::string>() + "\n";
         page += tableOf(object);
     }
-    page.pop_back();  // who prints it ends the line
+    page.pop_back();  // the caller ends the last line
     return page;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does a schema read?
+// How is a schema written as a page?
 #pragma once
 #include <string>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What are the parts of a scene called in its schema, and what is each?
+// What are the parts of a scene called in its schema, and what does each mean?
 #pragma once
 #include <compare/scene/fields.h>
 
@@ -10,7 +10,7 @@ struct PartName {
     const char* meaning = "";  ///< a phrase or a formula
 };
 
-/// Of a part that the kit describes, the kit's own name.
+/// A part that the kit describes has the kit's own name.
 template <class T>
 inline constexpr PartName partOf{definitionName<T>.type, ""};
 

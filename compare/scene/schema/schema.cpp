@@ -14,11 +14,11 @@
 namespace plumb::compare {
 namespace {
 
-/// Which schema is meant, where nothing else tells.
+/// Says which overload is meant, if nothing else does.
 template <class T>
 using SchemaType = std::type_identity<T>;
 
-/// Makes the schemas of values; those of parts stand once, under their names.
+/// Makes the schemas of values. The schema of a part is written once, under the part's name.
 class Schemas {
 public:
     Json definitions = Json::object();
@@ -56,7 +56,7 @@ public:
         if (field.least > 0) list["minItems"] = field.least;
         return list;
     }
-    /// A part, which has fields.
+    /// A part, that is a type with fields.
     template <class T>
     requires(!std::is_enum_v<T>) Json of(SchemaType<T>, const Field&);
 };
@@ -103,7 +103,7 @@ public:
     }
 
 private:
-    // A part's own fields say theirs.
+    // The fields of a part give their own defaults.
     template <class T>
     static void addDefault(Json&, const T&) {}
     template <Plain T>
@@ -129,7 +129,7 @@ private:
     Json properties_ = Json::object(), required_ = Json::array(), kinds_ = Json::array();
 };
 
-/// What a list of fields does not say of a part.
+/// Adds rules of a part that its list of fields does not contain.
 template <class T>
 void addRules(Json& object) {
     if constexpr (std::is_same_v<T, Scene>) object["properties"]["name"]["pattern"] = "^[a-z0-9_]+$";
@@ -159,7 +159,7 @@ requires(!std::is_enum_v<T>) Json Schemas::of(SchemaType<T>, const Field&) {
     static_assert(which.name != nullptr, "parts.h has to name this part");
     const std::string name = which.name;
     if (!definitions.contains(name)) {
-        definitions[name] = nullptr;  // its place is before those of its own parts
+        definitions[name] = nullptr;  // so that it comes before its own parts
         ObjectSchema object(*this);
         const T byDefault{};
         fields(object, byDefault);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What does a schema say of a value of a type that has no fields of its own?
+// What does a schema say about a value whose type has no fields of its own?
 #pragma once
 #include <compare/scene/fields/field.h>
 #include <compare/scene/json_text.h>
@@ -7,17 +7,17 @@
 
 namespace plumb::compare {
 
-/// A number within what is allowed; an infinite one stands as a word.
+/// A number within the allowed range; an infinite number is written as a word.
 Json numberSchema(const Allowed& allowed);
 
-/// [x, y], each within what is allowed.
+/// [x, y], each within the allowed range.
 Json vectorSchema(const Allowed& allowed);
 
-/// A whole number of so many bits.
+/// A whole number with this number of bits.
 Json signed32Schema();
 Json unsigned64Schema();
 
-/// What is said of every field: its meaning and its unit.
+/// Adds what every field has: its meaning and its unit.
 void addMeaning(Json& schema, const Member& member);
 
 }  // namespace plumb::compare

@@ -18,7 +18,7 @@ void validateTimes(const Scene& scene, std::size_t index) {
         refuse(field + ".renewed", toText(body.renewed) + " is shorter than a step, " + toText(scene.dt) + " s");
 }
 
-/// A gear couples joints, which need not come together.
+/// Gears are refused here: they couple joints, which may appear at different times.
 void validateTogether(const Scene& scene, std::size_t index, const NameIndex& bodies) {
     const SceneJoint& joint = scene.joints[index];
     const auto a = bodies.find(joint.bodyA), b = bodies.find(joint.bodyB);

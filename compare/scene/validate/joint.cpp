@@ -18,7 +18,7 @@ void requireBody(const Scene& scene, const std::string& name, const NameIndex& b
     if (!bodies.find(name)) requireKnown(name, namesOf(scene.bodies), field, "a body");
 }
 
-/// A gear's joint stands before it, and turns or slides.
+/// The joint that a gear couples must come before the gear, and must turn or slide.
 void requireDriven(const Scene& scene, std::size_t gear, const std::string& name, const std::string& field) {
     const auto before = std::span(scene.joints).first(gear);
     std::vector<std::string> known;
@@ -50,7 +50,7 @@ void validateEnds(const Scene& scene, std::size_t index, const NameIndex& bodies
         refuse(field + ".bodyB", quoted(joint.bodyB) + " is bodyA too, wanted another body");
 }
 
-/// Not every engine takes a distance joint of no length.
+/// Not every engine accepts a distance joint of length 0.
 void requireLength(const JointDef& def, const std::string& field) {
     const auto* distance = std::get_if<DistanceJointDef>(&def);
     if (distance != nullptr && !distance->length && distance->anchorA == distance->anchorB)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Can a scene have such a joint?
+// Can a scene have this joint?
 #pragma once
 #include <cstddef>
 
@@ -8,7 +8,7 @@
 
 namespace plumb::compare {
 
-/// Throws std::invalid_argument as validate(scene) does, for its joint at a place. bodies are the scene's.
+/// Throws std::invalid_argument as validate(scene) does, for the joint at this place. bodies are the scene's.
 void validateJoint(const Scene& scene, std::size_t joint, const NameIndex& bodies);
 
 }  // namespace plumb::compare

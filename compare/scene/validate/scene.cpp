@@ -19,7 +19,7 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double maxSteps = 1e7;  // a day and a half at 60 Hz; a state of each is kept
+constexpr double maxSteps = 1e7;  // a day and a half at 60 Hz; a state of each step is kept
 
 template <class Named>
 void validateNames(const std::vector<Named>& things, const std::string& list) {
@@ -34,7 +34,7 @@ void validateNames(const std::vector<Named>& things, const std::string& list) {
     }
 }
 
-/// The name also becomes a file's.
+/// The scene's name is also used as the name of a file.
 void validateSceneName(const std::string& name) {
     const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
     if (name.empty() || !std::ranges::all_of(name, fits)) {
@@ -109,7 +109,7 @@ void validateMotion(const KeplerMotion& motion, const std::string& field) {
     requireUnit(motion.nearEnd, field + ".kepler.nearEnd");
 }
 
-/// Of one that holds names.
+/// Validates a motion that holds names.
 void validateNamed(const auto& motion, const Scene& scene, const std::string& path) {
     requireFields(motion, path);
     if constexpr (requires { motion.joint; })
@@ -126,7 +126,7 @@ void validateNamed(const auto& motion, const Scene& scene, const std::string& pa
     }
 }
 
-/// As the kit does it: its message stands after the path.
+/// Uses the kit's check, and puts the path before its message.
 void validateField(const Scene& scene, std::size_t index) {
     const SceneField& field = scene.fields[index];
     const std::string path = at("fields", index);

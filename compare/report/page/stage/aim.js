@@ -7,12 +7,12 @@ function wholeView() {
     return {zoom: 1, x: 0, y: 0, follow: null};
 }
 
-/// The engine whose body is followed: the first that is shown.
+/// The engine whose body is followed: the first visible one.
 function guideOf(view) {
     return view.scene.running.find((engine) => !view.hidden.has(engine.name) && engine.bodies.length > 0);
 }
 
-/// From the middle of the box [m]; what is followed stays where it was put.
+/// The aim relative to the middle of the box [m]; a followed body keeps its place on the stage.
 function aimOf(view) {
     const {aim, box, scene, frame, magnify} = view;
     if (!aim) return wholeView();
@@ -23,7 +23,7 @@ function aimOf(view) {
         y: aim.y + pose.y - (box.bottom + box.top) / 2};
 }
 
-/// The body under a point of the stage, or null; a small one is met from 14 pixels away.
+/// The body under a point of the stage, or null. A small body can be hit from 14 pixels away.
 function bodyAt(view, px, py) {
     const {scene, frame, magnify, camera} = view;
     let best = {body: null, far: Infinity};
@@ -86,7 +86,7 @@ class StageAim {
         this.show();
     }
 
-    /// Until the view is moved, one finger on the stage scrolls the page.
+    /// As long as the whole scene is shown, one finger on the stage scrolls the page.
     show() {
         const {aim, scene} = this.view;
         const isWhole = aim.zoom === 1 && aim.x === 0 && aim.y === 0 && aim.follow === null;
@@ -110,7 +110,7 @@ class StageAim {
         this.pointers.set(event.pointerId, [event.offsetX, event.offsetY]);
     }
 
-    /// One pointer drags; two pinch around the middle between them.
+    /// One pointer drags; two pointers pinch around the middle between them.
     move(event) {
         const before = this.pointers.get(event.pointerId);
         if (!before) return;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How fast does each body move, and what pushes it? Arrows, from differences of what is played.
+// How fast does each body move, and what pushes it? Shown as arrows, from differences of the played states.
 
-/// The frames before and after, and this one; null at the ends, over a seam, and where the steps are uneven.
+/// The frames before and after, and this one. Null at the ends, across an edge of the world, and if the steps are
+/// uneven.
 function posesAround(scene, engine, frame, body) {
     const {times} = scene;
     if (frame < 1 || frame + 1 >= times.length) return null;
@@ -34,7 +35,7 @@ const ARROWS = {
     force: {of: netForceOf, unit: "N", width: 1.4, filled: false},
 };
 
-/// What only a twentieth of the moments exceed: an impact must not make all other arrows too short to see.
+/// The size that only a twentieth of the moments exceed: an impact must not make all other arrows too short to see.
 function usualSize(scene, kind) {
     scene.arrowSizes ??= {};
     if (scene.arrowSizes[kind] !== undefined) return scene.arrowSizes[kind];
@@ -71,7 +72,7 @@ function drawArrow(context, [x, y], [dx, dy], filled) {
     else context.stroke();
 }
 
-/// Pixels for one m/s or N; 0 where nothing moves.
+/// Pixels for one m/s or N; 0 if nothing moves.
 function arrowScale(camera, scene, kind) {
     const usual = usualSize(scene, kind);
     return usual > 1e-9 ? (0.16 * Math.min(camera.width, camera.height)) / usual : 0;
@@ -96,7 +97,7 @@ function drawArrows(context, camera, view, engine) {
     }
 }
 
-/// How long an arrow is for which speed and force, above the lower ruler.
+/// A key above the lower ruler: how long an arrow is for which speed and force.
 function drawArrowKey(context, camera, view) {
     const {theme, scene} = view;
     let y = camera.height - camera.margins.bottom - theme.text;

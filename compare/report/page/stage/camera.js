@@ -59,8 +59,8 @@ function shapeBox(shape, pose) {
     return box;
 }
 
-/// The paths of all moving bodies, the joints, and of the static shapes what lies near. An engine whose bodies fly off
-/// widens the view by half at most, so that the others stay to be seen.
+/// The paths of all moving bodies, the joints, and the nearby parts of static shapes. An engine whose bodies fly off
+/// widens the view by at most half, so that the others remain visible.
 function sceneBox(scene) {
     const box = new Box();
     const [first, ...others] = scene.running.map((engine) => pathBox(scene, engine)).filter((path) => !path.empty);
@@ -89,8 +89,8 @@ function sceneBox(scene) {
     return box.grown(Math.max(0.03 * Math.max(box.width, box.height), 1e-3));
 }
 
-/// The whole box inside a canvas of this size, y up; margins for the rulers [px]. aim: so many times closer, and so far
-/// from the middle of the box [m].
+/// Fits the whole box into a canvas of this size, y up; margins for the rulers [px]. aim: a factor of zoom, and the
+/// distance from the middle of the box [m].
 function fitCamera(box, width, height, margins, aim) {
     const innerWidth = Math.max(1, width - margins.left - margins.right);
     const innerHeight = Math.max(1, height - margins.top - margins.bottom);
@@ -109,7 +109,7 @@ function fitCamera(box, width, height, margins, aim) {
     };
 }
 
-/// 1, 2 or 5 times a power of ten, not below x.
+/// 1, 2 or 5 times a power of ten; at least x.
 function niceStep(x) {
     const power = 10 ** Math.floor(Math.log10(x));
     const lead = x / power;

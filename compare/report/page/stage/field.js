@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where do forces come from that no body is seen to give?
+// Where do forces come from that no visible body exerts?
 
-/// All of the stage on the side of the surface to which gravity pulls.
+/// Fills the stage on the side of the surface to which gravity pulls.
 function drawWater(context, camera, theme, {surface, down}) {
     const reach = 4 * (camera.width + camera.height);
     const [x, y] = [camera.x(surface[0]), camera.y(surface[1])];
@@ -16,7 +16,7 @@ function drawWater(context, camera, theme, {surface, down}) {
     context.fill();
 }
 
-/// Rings around what draws, as of a magnet on a map.
+/// Rings around a point that attracts, like a magnet on a map.
 function drawPull(context, camera, theme, x, y) {
     context.strokeStyle = theme.muted;
     context.lineWidth = 1;
@@ -29,7 +29,7 @@ function drawPull(context, camera, theme, x, y) {
     context.setLineDash([]);
 }
 
-/// A carried magnet is drawn where the first engine that is shown has its body.
+/// A magnet on a body is drawn where the first visible engine has that body.
 function drawFields(context, camera, view) {
     const {scene, frame, magnify, theme} = view;
     const shown = scene.running.find((engine) => !view.hidden.has(engine.name));

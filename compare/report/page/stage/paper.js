@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What does the stage lie on? Graph paper with rulers in metres, and a scale bar.
+// What is the stage drawn on? Graph paper with rulers in metres, and a scale bar.
 
 function eachLine(from, to, step, draw) {
     for (let i = Math.ceil(from / step - 1e-9); i * step <= to + step * 1e-9; ++i) draw(i * step, i);
@@ -35,7 +35,7 @@ function drawPaper(context, camera, theme, hasLines) {
     paperLines(context, camera, step, theme.major);
 }
 
-/// Over the scene: numbers along the left and the lower edge, on strips that keep them readable.
+/// Drawn over the scene: numbers along the left and the lower edge, on strips that keep them readable.
 function drawRulers(context, camera, theme) {
     const {left, bottom} = camera.margins;
     const step = majorStep(camera, theme.text);
@@ -58,7 +58,7 @@ function drawRulers(context, camera, theme) {
     context.fillText("m", left - 7, theme.text * 0.9);
 }
 
-/// Over what is drawn there.
+/// Text on a patch of paper, over the drawing.
 function labelOnPaper(context, theme, text, x, y, align) {
     context.font = `${theme.text}px ${theme.font}`;
     context.textAlign = align;
@@ -71,7 +71,7 @@ function labelOnPaper(context, theme, text, x, y, align) {
     context.fillText(text, x, y);
 }
 
-/// Above the scene: below there is the floor.
+/// Above the scene, because the floor is below it.
 function drawScaleBar(context, camera, theme) {
     const length = majorStep(camera, theme.text);
     const label = axisText(length, length) + NO_BREAK + "m";

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Which way do the bodies of an engine take from start to end?
+// Which path do the bodies of an engine take from start to end?
 
-/// In metres, made once: the canvas scales it. Of very long runs not every frame: 200,000 points take a while to draw.
+/// Made once, in metres; the canvas scales it. In very long runs some frames are skipped, because 200,000 points take a
+/// while to draw.
 function wholePath(scene, engine, magnify) {
     if (engine.path?.magnify === magnify) return engine.path.way;
     const way = new Path2D();

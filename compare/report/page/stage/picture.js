@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Which moment of a scene says the most, and how does it look beside its title?
+// Which moment of a scene shows the most, and how is it drawn beside its title?
 
-/// Where the engines are farthest apart, both on the stage; half-way where no difference would be seen.
+/// The moment at which the engines are farthest apart and both on the stage; half-way if no difference could be seen.
 function momentOf(scene, box) {
     const frames = scene.ticks.length;
     const isInside = (pose) => pose.x > box.left && pose.x < box.right && pose.y > box.bottom && pose.y < box.top;
@@ -68,7 +68,7 @@ class Pictures {
             const scene = this.scenes.get(canvas);
             await unpackScene(scene);
             drawStage(canvas, pictureView(scene, theme));
-            // A person scrolls meanwhile.
+            // So that a person can scroll in the meantime.
             await new Promise((goOn) => { setTimeout(goOn); });
         }
         this.drawing = false;

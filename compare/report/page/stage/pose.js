@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where is a body, in one engine, at one frame of the playback?
 
-/// Null where the engine does not have the body, or no longer.
+/// Null if the engine does not have the body, or no longer has it.
 function poseOf(scene, engine, frame, body) {
     const start = scene.bodies[body].start;
     if (scene.bodies[body].type === "static") return {x: start[0], y: start[1], angle: start[2]};
@@ -12,7 +12,7 @@ function poseOf(scene, engine, frame, body) {
     return Number.isFinite(pose.x + pose.y + pose.angle) ? pose : null;
 }
 
-/// Differences are measured from the closed form, and from Plumb where there is none.
+/// Differences are measured from the closed form, or from Plumb if there is none.
 function referenceEngine(scene, body) {
     const has = (engine) => engine.slots.has(body);
     return scene.running.find((engine) => isTruth(engine.name) && has(engine)) ??

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does one moment look, with all engines over each other?
+// How does one moment look, with all engines drawn over each other?
 
 function stageTheme() {
     const text = Math.round(0.8 * parseFloat(getComputedStyle(document.documentElement).fontSize));
@@ -48,7 +48,7 @@ function traceRounded(context, camera, corners, radius) {
     context.closePath();
 }
 
-/// Where a world goes on at its other side; 0 along what does not.
+/// The edges at which the world continues on the opposite side; 0 for a direction without edges.
 function drawSeams(context, camera, theme, [width, height]) {
     context.setLineDash([6, 6]);
     context.strokeStyle = theme.ink;
@@ -65,14 +65,15 @@ function drawSeams(context, camera, theme, [width, height]) {
     context.stroke();
 }
 
-/// Is this farther than half a round? Then the way went over a seam.
+/// Is this farther than half the width or height? Then the way crossed an edge of the world.
 function isAround(scene, before, after) {
     const [width, height] = scene.wrap ?? [0, 0];
     return width > 0 && Math.abs(after.x - before.x) > width / 2 ||
         height > 0 && Math.abs(after.y - before.y) > height / 2;
 }
 
-/// A spoke shows how a disc has turned; a body too small to see is at least a dot. leastArm: of a ghost's cross [px].
+/// A spoke shows how a disc has turned. A body too small to see is drawn as a dot. leastArm: the least arm of a ghost's
+/// cross [px].
 function drawBody(context, camera, body, pose, look, leastArm) {
     context.beginPath();
     for (const shape of body.shapes) traceShape(context, camera, shape, pose);
@@ -102,8 +103,8 @@ function drawBody(context, camera, body, pose, look, leastArm) {
     context.setLineDash(look.dash);
 }
 
-/// The line by which a joint is known: a rod or a slide's way from anchor to anchor, a rope over its pulleys, or the arm
-/// from a body to its hinge.
+/// The line that shows a joint: a rod or a slide from anchor to anchor, a rope over its pulleys, or the arm from a body
+/// to its hinge.
 function lineOf(joint, a, b, poseB) {
     if (joint.over) return [a, ...joint.over, b];
     return ["distance", "prismatic"].includes(joint.type) ? [a, b] : [b, [poseB.x, poseB.y]];
@@ -123,7 +124,7 @@ function drawJoint(context, camera, joint, poseA, poseB, radius) {
     }
 }
 
-/// The newest part of each path, with a dot at equal times as a stroboscope would give.
+/// The newest part of each path, with dots at equal intervals of time, as in a stroboscope photo.
 function drawTrails(context, camera, view, engine, look) {
     const {scene, frame, magnify} = view;
     const most = Math.max(20, Math.floor(8000 / engine.bodies.length));
@@ -184,7 +185,7 @@ function drawJoints(context, camera, view, engine, look) {
     }
 }
 
-/// Of one size with what is shown; its drawing goes by the page's own pixels.
+/// Gives the canvas the size at which it is shown; drawing uses the page's pixels.
 function readyContext(canvas) {
     const {clientWidth: width, clientHeight: height} = canvas;
     const density = window.devicePixelRatio || 1;
@@ -195,8 +196,8 @@ function readyContext(canvas) {
     return context;
 }
 
-/// view: scene, box, frame, hidden (a set of engine names), path, trails, velocity, force, magnify, aim; isPicture: a
-/// small one, without rulers.
+/// view: scene, box, frame, hidden (a set of engine names), path, trails, velocity, force, magnify, aim. isPicture:
+/// true for a small picture without rulers.
 function drawStage(canvas, view) {
     const {clientWidth: width, clientHeight: height} = canvas;
     if (width === 0 || height === 0) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How does what never moves look? Floors and walls, and tiles by their kinds.
+// How do things that never move look? Floors and walls, and tiles by their kinds.
 
 function hatching(theme) {
     const tile = element("canvas", {width: 8, height: 8});
@@ -19,14 +19,14 @@ function hatching(theme) {
 const LEFT = 1;
 const RIGHT = -1;
 
-/// Short strokes on one side of a segment's direction, as a textbook draws a floor. bare is the length of the pieces
-/// before it that were too short for a stroke [px]: they share one with it. Returns bare for the next segment.
+/// Draws short strokes on one side of a segment, as a textbook draws a floor. bare is the length of the pieces before
+/// it that were too short for a stroke [px]: they share one stroke with it. Returns bare for the next segment.
 function hatchSegment(context, camera, side, bare, [x0, y0], [x1, y1]) {
     const from = [camera.x(x0), camera.y(y0)];
     const along = [camera.x(x1) - from[0], camera.y(y1) - from[1]];
     const length = Math.hypot(...along);
     const [ux, uy] = [along[0] / length, along[1] / length];
-    // From 8 on, for a stroke slants back by 7 and stays beside its segment.
+    // At 8 or later: a stroke slants back by 7, and so stays beside its segment.
     const first = Math.max(0, 8 - bare);
     for (let at = first; at < length; at += 11) {
         const [x, y] = [from[0] + at * ux, from[1] + at * uy];
@@ -38,7 +38,7 @@ function hatchSegment(context, camera, side, bare, [x0, y0], [x1, y1]) {
     return first < length ? 0 : bare + length;
 }
 
-/// The same side all along: of a staircase every step and every riser.
+/// Hatches the same side all along: every step and every riser of a staircase.
 function hatchLine(context, camera, theme, points, side) {
     context.beginPath();
     let bare = 0;
@@ -50,9 +50,10 @@ function hatchLine(context, camera, theme, points, side) {
     context.stroke();
 }
 
-/// Away from where things move. To some engines a chain is solid only for what comes from its right. Any other line is solid
-/// from both sides: then things move where the middle of the view is. area is twice what a ray from the middle sweeps
-/// along the line, and positive where the middle is on its left.
+/// Hatches the side away from moving things. For some engines a chain is solid only against things from its right. Any
+/// other line is solid from both sides: then the moving things are taken to be where the middle of the view is. area is
+/// twice the area that a ray from the middle sweeps along the line; it is positive if the middle is on the left of the
+/// line.
 function hatchedSide(points, middle, isOneSided) {
     if (isOneSided) return LEFT;
     let area = 0;
@@ -63,7 +64,8 @@ function hatchedSide(points, middle, isOneSided) {
     return area > 0 ? RIGHT : LEFT;
 }
 
-/// A body's lines, each hatched as one: a chain, or segments of which each starts where the one before it ends.
+/// The lines of a body, each hatched as a whole: a chain, or segments each of which starts where the one before it
+/// ends.
 function linesOf(shapes) {
     const lines = [];
     for (const {segment, chain, tiles} of shapes) {
@@ -77,8 +79,8 @@ function linesOf(shapes) {
     return lines;
 }
 
-/// A piece of a tile map, an area or a stretch of the outline, which has what is filled on its left. Areas have no
-/// edges of their own, but for sensors, which are dashed; of what is solid one way only there is its top.
+/// A piece of a tile map: an area, or a stretch of the outline with the filled area on its left. Areas are drawn
+/// without edges; only sensors have dashed ones. Of a one-way tile only the top is drawn.
 function drawTiles(context, camera, theme, shape, pose) {
     const [sensor, hazard, oneWay] = ["sensor", "hazard", "oneWay"].map((kind) => shape.tiles === kind);
     context.beginPath();
