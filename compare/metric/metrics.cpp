@@ -80,20 +80,32 @@ struct Drifts {
     }
 };
 
+/// lost: the energy of a tick with a state that is not a number.
+void addEnergies(const std::optional<Mechanics>& now, double lost, Series& series) {
+    const Mechanics sums = now.value_or(Mechanics());
+    const std::array<double, energyKinds.size()> kinds{sums.kinetic, sums.potential, sums.elastic, sums.field};
+    double all = 0;
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        all += kinds[i];
+        series.energies[i].push_back(now ? kinds[i] : unsaid);
+    }
+    series.energy.push_back(now ? all : lost);
+}
+
 void measureMechanics(const Scene& scene, const MassModel& masses, const Observation& run, Measured& measured) {
     if (!masses.anyDynamic()) return;
     std::optional<Mechanics> start;
     Drifts drifts;
     for (std::size_t tick = 0; tick < run.states.size(); ++tick) {
         const std::optional<Mechanics> now = masses.at(run.states[tick], brokenBy(run, tick));
-        const double lost = run.partial ? unsaid : unbounded;
-        measured.series.energy.push_back(now ? now->kinetic + now->potential + now->elastic + now->field : lost);
+        addEnergies(now, run.partial ? unsaid : unbounded, measured.series);
         if (!start) start = now;
         if (now) drifts.add(*start, *now);
         if (!now && !run.partial) drifts.lost = true;
     }
     if (!start && !drifts.lost) {  // the closed form does not give every dynamic body
         measured.series.energy.clear();
+        measured.series.energies = {};
         return;
     }
     if (!std::ranges::all_of(scene.bodies, isAlwaysThere)) return;  // what comes brings energy

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which numbers sum up a run?
 #pragma once
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -33,12 +34,15 @@ namespace plumb::compare {
 /// there are no drifts. Without a dynamic body there are no drifts and no settle_time.
 using Metrics = std::map<std::string, std::optional<double>>;
 
+inline constexpr std::array energyKinds{"kinetic", "potential", "springs", "fields"};
+
 /// What is plotted over time; each has one value a tick, or is empty where it does not exist. NaN at a tick for which
 /// the closed form gives nothing; infinite where a body's state was not a number.
 struct Series {
     std::vector<double> error;       ///< largest distance of a body from the closed form [m]
     std::vector<double> divergence;  ///< largest distance of a body from the same one in Plumb [m]
-    std::vector<double> energy;      ///< kinetic, potential and of springs, potential 0 at the world's origin [J]
+    std::vector<double> energy;      ///< the sum of all kinds, potential 0 at the world's origin [J]
+    std::array<std::vector<double>, energyKinds.size()> energies;  ///< of each kind; NaN where energy is infinite [J]
 };
 
 struct Measured {

@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
-#include <compare/metric/mechanics.h>
 #include <compare/report/report.h>
 
 namespace plumb::compare {
@@ -37,7 +35,7 @@ void write(std::ostream& file, const std::vector<std::string>& cells) {
 class RunTable {
 public:
     RunTable(const SceneResult& result, const EngineResult& run)
-        : scene_(result.scene), run_(run.observation), measured_(run.measured), masses_(result.scene) {
+        : scene_(result.scene), run_(run.observation), measured_(run.measured) {
         for (const EngineResult& other : result.engines)
             if (other.observation.role == Role::Truth && other.observation.states.size() == run_.states.size())
                 truth_ = &other.observation;
@@ -55,7 +53,7 @@ public:
             for (const auto& [what, unit] : ofBody) add(name + "." + what, unit);
             if (truth_) add(name + ".to_truth", "m");
         }
-        for (const char* kind : {"kinetic", "potential", "springs", "fields"}) add(std::string("energy.") + kind, "J");
+        for (const char* kind : energyKinds) add(std::string("energy.") + kind, "J");
         for (const Probe& probe : scene_.probes) add("probe." + probe.name, probe.unit.c_str());
         if (!run_.jointForces.empty() && !run_.jointForces.front().empty())
             for (const SceneJoint& joint : scene_.joints) add(joint.name + ".force", "N");
@@ -73,10 +71,10 @@ public:
                 add(value);
             if (truth_) add((state.position - truth_->states[tick][body].position).norm());
         }
-        addEnergies(tick, cells);
+        for (const std::vector<double>& energy : measured_.series.energies) add(valueAt(energy, tick));
         for (const double value : run_.probes[tick]) add(value);
         for (const double value : run_.jointForces[tick]) add(value);
-        if (truth_) add(tick < measured_.series.error.size() ? measured_.series.error[tick] : std::nan(""));
+        if (truth_) add(valueAt(measured_.series.error, tick));
         return cells;
     }
 
@@ -84,17 +82,14 @@ private:
     static constexpr std::pair<const char*, const char*> ofBody[] = {{"x", "m"},    {"y", "m"},    {"angle", "rad"},
                                                                      {"vx", "m/s"}, {"vy", "m/s"}, {"spin", "rad/s"}};
 
-    void addEnergies(std::size_t tick, std::vector<std::string>& cells) const {
-        const std::optional<Mechanics> now = masses_.at(run_.states[tick], brokenBy(run_, tick));
-        const Mechanics sums = now.value_or(Mechanics());
-        for (const double joules : {sums.kinetic, sums.potential, sums.elastic, sums.field})
-            cells.push_back(now ? cell(joules) : "");
+    /// Nothing where the series does not exist.
+    static double valueAt(const std::vector<double>& series, std::size_t tick) {
+        return tick < series.size() ? series[tick] : std::nan("");
     }
 
     const Scene& scene_;
     const Observation& run_;
     const Measured& measured_;
-    MassModel masses_;
     const Observation* truth_ = nullptr;
     std::vector<std::size_t> moving_;
 };

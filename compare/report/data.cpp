@@ -20,6 +20,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::size_t mostForces = 8;  // the forces of so many joints are kept for the page's CSV
+
 json pair(const Vec2& v) {
     return {v.x(), v.y()};
 }
@@ -143,6 +145,29 @@ json probeData(const Scene& scene, const Observation& run, std::size_t stride, P
     return curves;
 }
 
+/// A name and a curve of each kind of energy that the scene has.
+json energiesData(const Series& series, std::size_t stride, PackedBlock& block) {
+    json energies = json::array();
+    for (std::size_t i = 0; i < energyKinds.size(); ++i) {
+        const auto isNone = [](double energy) { return energy == 0 || std::isnan(energy); };
+        if (std::ranges::all_of(series.energies[i], isNone)) continue;
+        energies.push_back({energyKinds[i], curveData(series.energies[i], stride, block)});
+    }
+    return energies;
+}
+
+/// A name and a curve of each joint's force; none in scenes of many joints, which would take too much room.
+json forcesData(const Scene& scene, const Observation& run, std::size_t stride, PackedBlock& block) {
+    json forces = json::array();
+    if (run.jointForces.empty() || run.jointForces.front().empty() || scene.joints.size() > mostForces) return forces;
+    for (std::size_t joint = 0; joint < scene.joints.size(); ++joint) {
+        std::vector<double> series;
+        for (const std::vector<double>& tick : run.jointForces) series.push_back(tick.at(joint));
+        forces.push_back({scene.joints[joint].name, curveData(series, stride, block)});
+    }
+    return forces;
+}
+
 json engineData(const Scene& scene, const EngineResult& result, const PlaybackFormat& format, std::size_t curveStride,
                 PackedBlock& block) {
     const Observation& run = result.observation;
@@ -163,6 +188,8 @@ json engineData(const Scene& scene, const EngineResult& result, const PlaybackFo
     data["error"] = curveData(result.measured.series.error, curveStride, block);
     data["divergence"] = curveData(result.measured.series.divergence, curveStride, block);
     data["energy"] = curveData(result.measured.series.energy, curveStride, block);
+    data["energies"] = energiesData(result.measured.series, curveStride, block);
+    data["forces"] = forcesData(scene, run, curveStride, block);
     return data;
 }
 

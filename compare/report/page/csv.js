@@ -31,14 +31,16 @@ function bodyColumns(scene, engine, body) {
         .map(([what, unit, of, part]) => ({head: `${name}.${what} [${unit}]`, at: (frame) => of(frame, part)}));
 }
 
-/// One engine's run, one row per frame: t, its bodies, its energy, the probes, and the distance to the closed form.
+/// One engine's run, one row per frame: t, its bodies, its energies, the probes, the forces in joints, and
+/// the distance to the closed form.
 function runCsv(scene, engine) {
     const curve = (head, values) => (values
         ? [{head, at: (frame) => floatField(values[indexAt(scene.curveTimes, scene.times[frame])])}] : []);
     const columns = [
         ...engine.bodies.flatMap((body) => bodyColumns(scene, engine, body)),
-        ...curve("energy [J]", engine.energy),
+        ...engine.energies.flatMap(({name, values}) => curve(`energy.${name} [J]`, values)),
         ...scene.probes.flatMap(({name, unit}, i) => curve(`probe.${name} [${unit}]`, engine.probes[i])),
+        ...engine.forces.flatMap(({name, values}) => curve(`${name}.force [N]`, values)),
         ...(isTruth(engine.name) ? [] : curve("to_truth [m]", engine.error)),
     ];
     const rows = Array.from(scene.times, (t, frame) => [t, ...columns.map(({at}) => at(frame))]);

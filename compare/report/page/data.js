@@ -105,6 +105,9 @@ function unpackEngine(words, engine, scene) {
     engine.poses = posesOf(words, engine, scene);
     for (const curve of ["error", "divergence", "energy"]) engine[curve] = floatsOf(words, engine[curve]);
     engine.probes = engine.probes.map((probe) => floatsOf(words, probe));
+    for (const named of ["energies", "forces"]) {
+        engine[named] = engine[named].map(([name, curve]) => ({name, values: floatsOf(words, curve)}));
+    }
 }
 
 /// The numbers x, y, x, y, ... of every shape except a disc.

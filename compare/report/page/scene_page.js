@@ -121,8 +121,8 @@ class ScenePage {
         byId("stage-note").textContent = scene.stride === 1 ? ""
             : `Playback shows ${ticks}; the charts keep every peak.`;
         byId("files-note").textContent = `CSV, one file an engine, with ${ticks}: positions to ` +
-            `${quantity(scene.lengthStep, "m", 1)}, velocities from their differences, energy, probes and the ` +
-            "distance to the closed form.";
+            `${quantity(scene.lengthStep, "m", 1)}, velocities from their differences, energies, probes, ` +
+            "forces in joints where there are few, and the distance to the closed form.";
     }
 
     toggle(engine, shown) {
