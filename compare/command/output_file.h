@@ -9,15 +9,18 @@
 
 namespace plumb::compare {
 
-/// The file is opened before anything is run, so that a wrong path is reported at once. Throws std::runtime_error if
-/// the file cannot be written, and names the option that gave its path.
+/// The file is opened before anything is run, so that a wrong path is reported at once; what it holds is only replaced
+/// when the result is there. Throws std::runtime_error if the file cannot be written, and names the option that gave
+/// its path.
 class OutputFile {
 public:
     OutputFile(std::string option, std::filesystem::path path)
-        : option_(std::move(option)), path_(std::move(path)), file_(path_, std::ios::binary) {
+        : option_(std::move(option)), path_(std::move(path)), file_(path_, std::ios::binary | std::ios::app) {
         mind();
     }
     void write(const std::string& text) {
+        file_.close();
+        file_.open(path_, std::ios::binary | std::ios::trunc);
         file_ << text;
         file_.close();
         mind();

@@ -34,7 +34,7 @@ public:
             case Agent::Along: return addTouch(shares.front());
             case Agent::Joints: return addHeld();
             case Agent::Nothing: return addSpeeds(Difference::Flight);
-            case Agent::Steps: return addSteps();
+            case Agent::Steps: return addSteps(shares);
         }
     }
 
@@ -81,9 +81,14 @@ private:
         if (cause.isSudden() || share.agent == Agent::Along || !foundOverlap()) cause.add(parting_);
     }
 
-    void addSteps() {
+    /// Different speeds are not from where steps place the body: another share must have made them.
+    void addSteps(const std::vector<Share>& shares) {
         const double a = stateIn(parted_.a).velocity.norm(), b = stateIn(parted_.b).velocity.norm();
-        if (std::abs(a - b) > alike * std::max(a, b)) return addSpeeds(Difference::Flight);
+        if (std::abs(a - b) > alike * std::max(a, b)) {
+            const bool isTouched = shares.size() > 1 && shares[1].length > 0 &&
+                                   (shares[1].agent == Agent::Across || shares[1].agent == Agent::Along);
+            return isTouched ? addTouch(shares[1]) : addSpeeds(Difference::Flight);
+        }
         if (!jointOf(parted_.body) || !foundEnergy())
             add(Difference::Steps, nameOf(parted_.body), distance_, 0, parted_.tick);
     }

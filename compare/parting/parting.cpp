@@ -12,6 +12,8 @@ namespace plumb::compare {
 namespace {
 
 constexpr double limits[] = {0.01, 0.04, 0.16};  // if engines keep bodies apart, the next limit is tried [m]
+constexpr double farPart = 0.1;                  // of the distance at the end, that a later parting is about [-]
+constexpr double farTimes = 10;                  // as many times the first limit it must be, to be told as well [-]
 constexpr double leastSkin = 2e-3;               // no engine sets a smaller gap on purpose [m]
 
 bool mayPart(const SceneBody& body) {
@@ -138,14 +140,35 @@ Parting partingOf(const Scene& scene, const Observation& a, const Observation& b
     return {.engineA = a.engine, .engineB = b.engine, .limit = limits[0], .apart = mostOff(scene, a, b)};
 }
 
+/// What the first parting is followed by: a body that is much farther away at the end, and why it parts by a tenth of
+/// that. Empty if no body goes so far, or if it is the same cause again.
+std::optional<Parting> laterParting(const Scene& scene, const Observation& a, const Observation& b,
+                                    const Parting& first) {
+    double farthest = 0;
+    for (std::size_t body = 0; body < scene.bodies.size(); ++body)
+        if (mayPart(scene.bodies[body])) farthest = std::max(farthest, apartAtEnd(scene, a, b, body));
+    const double limit = farPart * farthest;
+    if (std::isinf(limit) || limit < farTimes * first.limit) return {};
+    std::optional<Parting> later = partingBeyond(scene, a, b, limit);
+    const auto isSame = [&] { return later->quantity == first.quantity && later->at == first.at; };
+    if (later && isSame()) later.reset();
+    return later;
+}
+
+void addPartings(const Scene& scene, const Observation& a, const Observation& b, std::vector<Parting>& partings) {
+    const Parting first = partingOf(scene, a, b);
+    partings.push_back(first);
+    if (first.body.empty()) return;
+    if (const std::optional<Parting> later = laterParting(scene, a, b, first)) partings.push_back(*later);
+}
+
 }  // namespace
 
 std::vector<Parting> partingsOf(const Scene& scene, std::span<const Observation* const> runs) {
     std::vector<Parting> partings;
     for (std::size_t i = 0; i < runs.size(); ++i)
         for (std::size_t j = i + 1; j < runs.size(); ++j)
-            if (!runs[i]->states.empty() && !runs[j]->states.empty())
-                partings.push_back(partingOf(scene, *runs[i], *runs[j]));
+            if (!runs[i]->states.empty() && !runs[j]->states.empty()) addPartings(scene, *runs[i], *runs[j], partings);
     return partings;
 }
 

@@ -19,8 +19,8 @@ enum class Difference {
     Bounce,    ///< the coefficient of restitution seen in a hit [-]
     Hit,       ///< the speed after a hit [m/s]
     Snag,      ///< the speed lost at once, in one run only [m/s]
-    Sliding,   ///< the speed gained or lost along a surface [m/s]
-    Pressing,  ///< the speed gained or lost when bodies press on each other [m/s]
+    Sliding,   ///< the speed along a surface, relative to the other body; positive in the faster one's direction [m/s]
+    Pressing,  ///< the speed of a body that presses on another [m/s]
     Pull,      ///< the speed gained or lost when joints hold the body [m/s]
     Flight,    ///< the speed of a body that nothing touches [m/s]
     Steps,     ///< a step moves the body in addition to its velocity: how far it is off the other's path then [m]
@@ -44,12 +44,13 @@ struct Parting {
     double when = 0;                ///< when the two values were seen [s]
 };
 
-/// One parting for each pair of runs that have states, in their order. Bodies that do not move are left out; so are
-/// bodies that the closed form does not describe, in pairs with it.
-/// A body is off its path if it is more than 1 cm from where the other engine has it within a step before and after: a
-/// body that is only late by a step is still on the path. If the only difference is that an engine keeps touching
-/// bodies apart, by up to 2.5 cm, this is not yet a parting: then the limit is 4 cm, and 16 cm if the same is true
-/// at 4 cm.
+/// One or two partings for each pair of runs that have states, in their order. Bodies that do not move are left out; so
+/// are bodies that the closed form does not describe, in pairs with it. A body is off its path if it is more than 1 cm
+/// from where the other engine has it within a step before and after: a body that is only late by a step is still on
+/// the path. If the only difference is that an engine keeps touching bodies apart, by up to 2.5 cm, this is not yet a
+/// parting: then the limit is 4 cm, and 16 cm if the same is true at 4 cm. If a body is much farther away at the end, a
+/// second parting says which body is the first that is a tenth of that distance off its path, and why, unless the
+/// reason is the same.
 std::vector<Parting> partingsOf(const Scene& scene, std::span<const Observation* const> runs);
 
 /// "a and b: plank_3 parts at 0.82 s, by more than 10 mm, and is 2 m off at the end: in b the hinge link_4 has opened

@@ -54,7 +54,8 @@ void TouchCause::add(Parting& parting) const {
     const auto& bodies = parted_.scene.bodies;
     parting.quantity = kind();
     parting.at = bodies[parted_.body].name + ", " + bodies[share_.other].name;
-    parting.when = static_cast<double>(share_.tick) * parted_.a.dt;
+    const bool isLasting = parting.quantity == Difference::Sliding || parting.quantity == Difference::Pressing;
+    parting.when = static_cast<double>(isLasting ? parted_.tick : share_.tick) * parted_.a.dt;
     std::tie(parting.valueA, parting.valueB) = valuesOf(parting.quantity);
 }
 
@@ -117,8 +118,18 @@ std::pair<double, double> TouchCause::valuesOf(Difference quantity) const {
         case Difference::Passed: return {isPassed(a_, b_) ? 1 : 0, isPassed(b_, a_) ? 1 : 0};
         default: break;
     }
-    const auto speed = [&](const Observation& run) { return run.states[parted_.tick][parted_.body].velocity.norm(); };
-    return {speed(parted_.a), speed(parted_.b)};
+    const auto velocity = [&](const Observation& run) {
+        const std::vector<BodyState>& now = run.states[parted_.tick];
+        return quantity == Difference::Sliding ? Vec2(now[parted_.body].velocity - now[share_.other].velocity)
+                                               : now[parted_.body].velocity;
+    };
+    const Vec2 a = velocity(parted_.a), b = velocity(parted_.b);
+    if (quantity != Difference::Sliding) return {a.norm(), b.norm()};
+    // The faster one's direction counts as forward.
+    const Vec2 along = perp(share_.normal);
+    const double alongA = a.dot(along), alongB = b.dot(along);
+    const double sign = std::abs(alongA) >= std::abs(alongB) ? alongA : alongB;
+    return {std::copysign(1.0, sign) * alongA, std::copysign(1.0, sign) * alongB};
 }
 
 }  // namespace plumb::compare

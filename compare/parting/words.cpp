@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <compare/engine/engine.h>
 #include <compare/metric/length_text.h>
 #include <compare/parting/parting.h>
 
@@ -56,10 +57,11 @@ std::pair<std::string, std::string> bothOf(const std::string& at) {
     return {at.substr(0, comma), comma == std::string::npos ? "" : at.substr(comma + 2)};
 }
 
-/// "at 3 m/s in a, at 2 m/s in b", in the order of the pair.
+/// "at 3 m/s in a, at 2 m/s in b", in the order of the pair; or that only the direction differs.
 std::string speedsText(const Parting& parting) {
-    return fmt::format("at {:.4g} m/s in {}, at {:.4g} m/s in {}", parting.valueA, parting.engineA, parting.valueB,
-                       parting.engineB);
+    const std::string a = fmt::format("{:.4g} m/s", parting.valueA), b = fmt::format("{:.4g} m/s", parting.valueB);
+    if (a == b) return fmt::format("at {} in both, but not in the same direction", a);
+    return fmt::format("at {} in {}, at {} in {}", a, parting.engineA, b, parting.engineB);
 }
 
 std::string touchText(const Parting& parting) {
@@ -77,9 +79,20 @@ std::string touchText(const Parting& parting) {
         case Difference::Snag:
             return fmt::format("on {} it loses {:.3g} m/s at once at {} in {}, {:.3g} m/s in {}", other, sides.value,
                                when, sides.engine, sides.otherValue, sides.other);
-        case Difference::Sliding: return fmt::format("it slides along {} {}", other, speedsText(parting));
+        case Difference::Sliding: return fmt::format("it moves along {} {}", other, speedsText(parting));
         default: return fmt::format("where it presses on {} it moves {}", other, speedsText(parting));
     }
+}
+
+/// A reminder, if an engine's chains let through what comes from their left.
+std::string chainText(const Scene& scene, const Parting& parting) {
+    const std::string body = bothOf(parting.at).second, engine = sidesOf(parting).engine;
+    const Engine* known = findKnown(engine);
+    const auto other = std::ranges::find(scene.bodies, body, &SceneBody::name);
+    if (!known || !known->oneSidedChains || other == scene.bodies.end()) return "";
+    const auto isChain = [](const ShapeDef& shape) { return std::holds_alternative<Chain>(shape.shape); };
+    if (std::ranges::none_of(other->def.shapes, isChain)) return "";
+    return fmt::format(" (in {} a chain is solid only on the right of its direction)", engine);
 }
 
 std::string causeText(const Scene& scene, const Parting& parting) {
@@ -107,6 +120,7 @@ std::string causeText(const Scene& scene, const Parting& parting) {
         case Difference::Energy:
             return fmt::format("energy, which nothing takes here, has {} in {}, {} in {}", gainText(sides.value),
                                sides.engine, gainText(sides.otherValue), sides.other);
+        case Difference::Passed: return touchText(parting) + chainText(scene, parting);
         default: return touchText(parting);
     }
 }

@@ -16,6 +16,19 @@
 namespace plumb::compare {
 namespace {
 
+/// Fields of a material are often written into the body or the shape itself.
+std::string hintFor(const std::string& name, const std::vector<std::string>& known) {
+    bool isOfMaterial = false;
+    const Material material;
+    describe(material, [&](const Member& member, const auto&) { isOfMaterial = isOfMaterial || name == member.name; });
+    for (const char* owner : {"shapes", "material"})
+        if (isOfMaterial && std::ranges::find(known, owner) != known.end())
+            return "it belongs to the material of a shape: " +
+                   (owner == std::string("shapes") ? std::string("shapes[0].material.") : std::string("material.")) +
+                   name;
+    return "the nearest known one is " + nearest(name, known) + "; known are " + listText(known);
+}
+
 /// Says which overload of read is meant, if nothing else does.
 template <class T>
 using Type = std::type_identity<T>;
@@ -98,8 +111,7 @@ private:
     void refuseUnknown() const {
         for (const auto& [name, field] : object_.items()) {
             if (std::ranges::find(known_, name) != known_.end()) continue;
-            plumb::refuse(member(name), "unknown field, the nearest known one is " + nearest(name, known_) +
-                                            "; known are " + listText(known_));
+            plumb::refuse(member(name), "unknown field, " + hintFor(name, known_));
         }
     }
 

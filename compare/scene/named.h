@@ -23,6 +23,8 @@ inline std::string quoted(const std::string& name) {
 inline void requireKnown(const std::string& name, std::span<const std::string> known, const std::string& field,
                          const std::string& what) {
     if (std::ranges::find(known, name) != known.end()) return;
+    if (name.empty() && !known.empty())
+        refuse(field, "is not given, wanted the name of " + what + "; known are " + listText(known));
     const std::string hint =
         known.empty() ? "there is none" : "the nearest is " + nearest(name, known) + "; known are " + listText(known);
     refuse(field, quoted(name) + " is not the name of " + what + ", " + hint);

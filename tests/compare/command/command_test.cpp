@@ -318,6 +318,10 @@ TEST_CASE("bad files give status 2 and one line with the file and the line", "[c
     write(folder / "unknown.json", text.insert(brace + 1, "\n\"colour\": 3,"));
     checkRefused({"check", folder / "unknown.json"}, "colour");
     checkRefused({"check", "free_fall", "--json", folder / "no/such/folder/out.json"}, "--json: cannot write");
+    write(folder / "kept.json", "earlier results");
+    checkRefused({"check", "free_fall", "--set", "plumb:solver.subSteps=0", "--json", folder / "kept.json"},
+                 "solver.subSteps");
+    CHECK(textOf(folder / "kept.json") == "earlier results");
     write(folder / "file", "");
     checkRefused({"check", "free_fall", "--csv", folder / "file/csv"}, "--csv: cannot make the folder");
     checkRefused({"check", "free_fall", "--report", folder / "file"}, "--report: cannot make the folder");

@@ -52,6 +52,49 @@ TEST_CASE("where two engines part for a planted reason, the sentence names quant
     }
 }
 
+TEST_CASE("after a first small parting, a second one says why a body is far away at the end", "[compare][parting]") {
+    Scene scene = plantedScenes().at(7).scene;  // the puck's damping differs
+    scene.duration = 4;
+    scene.bodies.push_back({"shot", {.position = {-20, 5}, .velocity = {30, 0}, .shapes = {circle(0.2)}}});
+    scene.bodies.push_back({"wall", {.type = BodyType::Static, .position = {0, 5}, .shapes = {box({0.5, 2})}}});
+    scene.engines["box2d-2.4"]["bodies.wall.enabled"] = "false";
+    const Observation a = runOf(scene, "plumb"), b = runOf(scene, "box2d-2.4");
+    const Observation* runs[] = {&a, &b};
+    const std::vector<Parting> partings = partingsOf(scene, runs);
+    REQUIRE(partings.size() == 2);
+    CHECK(partings[0].body == "puck");
+    CHECK(partings[0].quantity == Difference::Flight);
+    CHECK(partings[1].body == "shot");
+    CHECK(partings[1].at == "shot, wall");
+    CHECK(partings[1].limit > 5);
+    CHECK(partings[1].time > partings[0].time);
+}
+
+TEST_CASE("what falls through a chain from its left in one engine only is told, and why", "[compare][parting]") {
+    const Scene scene{
+        .name = "wrong_side",
+        .duration = 2,
+        .bodies = {{"ground", {.type = BodyType::Static, .shapes = {chain({{-5, 0}, {-2, 0}, {2, 0}, {5, 0}})}}},
+                   {"ball", {.position = {0, 2}, .shapes = {circle(0.5)}}}}};
+    const Observation a = runOf(scene, "plumb"), b = runOf(scene, "box2d-2.4");
+    const std::string text = partingText(scene, partingIn(scene, a, b));
+    INFO(text);
+    CHECK(text.find("it goes through ground in box2d-2.4, and not in plumb") != std::string::npos);
+    CHECK(text.ends_with(" (in box2d-2.4 a chain is solid only on the right of its direction)."));
+}
+
+TEST_CASE("two speeds that are printed alike are told as one", "[compare][parting]") {
+    const Parting parting{.engineA = "a",
+                          .engineB = "b",
+                          .body = "disc",
+                          .limit = 0.01,
+                          .quantity = Difference::Flight,
+                          .at = "disc",
+                          .valueA = 4.41401,
+                          .valueB = 4.41399};
+    CHECK(partingText(oneDisc(), parting).ends_with(" it moves at 4.414 m/s in both, but not in the same direction."));
+}
+
 TEST_CASE("a joint that broke in one run only, and does not hold the body, is not why it parts", "[compare][parting]") {
     Scene scene = plantedScenes().at(7).scene;
     for (const double x : {10.0, 11.0}) {

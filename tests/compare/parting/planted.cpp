@@ -147,6 +147,16 @@ Planted otherRestitution() {
     return {subject, further, scene, Difference::Bounce, "ball", "ball, floor", 0.53, 0.65};
 }
 
+/// One engine is a step late in free fall, and the other does not bounce.
+Planted noBounceBesideLateFall() {
+    Scene scene{.name = "no_bounce_beside_late_fall",
+                .duration = 2,
+                .bodies = {fixedBox("floor", {0, 0}, {5, 0.5}),
+                           looseDisc("rubber", {0, 3}, {0, 0}, {.friction = 0, .restitution = 0.7})}};
+    scene.engines[other]["solver.restitutionThreshold"] = "20";
+    return {other, further, scene, Difference::Bounce, "rubber", "rubber, floor", 0.6, 0.8};
+}
+
 Planted dampedSpring() {
     Scene scene =
         weightless("damped_spring", 3, {fixedBox("post", {0, 0}, {0.1, 0.1}), looseDisc("bob", {2, 0}, {1, 0})});
@@ -213,10 +223,26 @@ Planted steeperRamp() {
 }  // namespace
 
 std::vector<Planted> plantedScenes() {
-    return {stretchingHinge(), restitutionThreshold(), snag(),         tunnelling(),    sinkingStack(),
-            otherMass(),       otherFriction(),        otherDamping(), fewerSubSteps(), speedLimit(),
-            otherGravity(),    otherRestitution(),     dampedSpring(), weakMotor(),     weakHook(),
-            springThatTires(), otherOrderOfSteps(),    fasterLift(),   steeperRamp()};
+    return {stretchingHinge(),
+            restitutionThreshold(),
+            snag(),
+            tunnelling(),
+            sinkingStack(),
+            otherMass(),
+            otherFriction(),
+            otherDamping(),
+            fewerSubSteps(),
+            speedLimit(),
+            otherGravity(),
+            otherRestitution(),
+            noBounceBesideLateFall(),
+            dampedSpring(),
+            weakMotor(),
+            weakHook(),
+            springThatTires(),
+            otherOrderOfSteps(),
+            fasterLift(),
+            steeperRamp()};
 }
 
 }  // namespace plumb::compare

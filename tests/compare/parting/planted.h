@@ -20,7 +20,8 @@ struct Planted {
 
 /// A hinge that stretches, a restitution threshold, a snag, tunnelling, a sinking stack; and by settings for one engine
 /// alone another mass, friction, damping, number of sub-steps, speed limit, gravity, spring, motor, hook, lift and
-/// ramp. And two ways of stepping: of a spring, and of a throw.
+/// ramp. And two ways of stepping: of a spring, and of a throw; and a bounce beside
+/// such a difference.
 std::vector<Planted> plantedScenes();
 
 }  // namespace plumb::compare

@@ -132,6 +132,16 @@ Scene fullScene() {
 
 }  // namespace
 
+TEST_CASE("a field of a material that stands in a body or a shape is refused with its place",
+          "[compare][scene][errors]") {
+    CHECK(jsonComplaint(withBody("\"density\": 2")) ==
+          "f.json:2: bodies[0].density: unknown field, it belongs to the material of a shape: "
+          "shapes[0].material.density");
+    CHECK(jsonComplaint(withBody("\"shapes\": [{\"circle\": {}, \"friction\": 1}]")) ==
+          "f.json:2: bodies[0].shapes[0].friction: unknown field, it belongs to the material of a shape: "
+          "material.friction");
+}
+
 TEST_CASE("every built-in scene reads back as it was written", "[compare][scene]") {
     for (const Scene& scene : builtinScenes()) {
         INFO(scene.name);

@@ -77,6 +77,8 @@ TEST_CASE("names that are empty, malformed, used twice or unknown are refused", 
           "probes[1].name: \"angle\" is used twice, wanted a name that differs from probes[0]");
     CHECK(sceneComplaint([](Scene& s) { s.joints[0].bodyA = "grund"; }) ==
           "joints[0].bodyA: \"grund\" is not the name of a body, the nearest is ground; known are ground, ball");
+    CHECK(sceneComplaint([](Scene& s) { s.joints[0].bodyA.clear(); }) ==
+          "joints[0].bodyA: is not given, wanted the name of a body; known are ground, ball");
     CHECK(sceneComplaint([](Scene& s) { s.joints[0].bodyA = "ball"; }) ==
           "joints[0].bodyB: \"ball\" is bodyA too, wanted another body");
     CHECK(sceneComplaint([](Scene& s) { s.probes[0].quantity = AngleProbe{"bal"}; }) ==
