@@ -12,8 +12,8 @@ namespace plumb::compare {
 namespace {
 
 constexpr double limits[] = {0.01, 0.04, 0.16};  // if engines keep bodies apart, the next limit is tried [m]
-constexpr double farPart = 0.1;                  // of the distance at the end, that a later parting is about [-]
-constexpr double farTimes = 10;                  // as many times the first limit it must be, to be told as well [-]
+constexpr double farPart = 0.1;                  // of the distance at the end: the limit of a second parting [-]
+constexpr double farTimes = 10;                  // that limit must be at least so many times the first one [-]
 constexpr double leastSkin = 2e-3;               // no engine sets a smaller gap on purpose [m]
 
 bool mayPart(const SceneBody& body) {
@@ -80,13 +80,20 @@ std::size_t ticksOf(const Observation& a, const Observation& b) {
     return std::min(a.states.size(), b.states.size());
 }
 
-/// The body that parts first. Of those that part at the same tick, the one that is farthest away.
-std::optional<Parted> firstParted(const Scene& scene, const Observation& a, const Observation& b, double limit) {
+std::vector<std::size_t> movingBodies(const Scene& scene) {
+    std::vector<std::size_t> moving;
+    for (std::size_t body = 0; body < scene.bodies.size(); ++body)
+        if (mayPart(scene.bodies[body])) moving.push_back(body);
+    return moving;
+}
+
+/// Of some bodies, the one that parts first. Of those that part at the same tick, the one that is farthest away.
+std::optional<Parted> firstParted(const Scene& scene, const Observation& a, const Observation& b,
+                                  std::span<const std::size_t> bodies, double limit) {
     for (std::size_t tick = 1; tick < ticksOf(a, b); ++tick) {
         std::optional<Parted> first;
         double most = limit;
-        for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
-            if (!mayPart(scene.bodies[body])) continue;
+        for (const std::size_t body : bodies) {
             const Vec2 offset = Paths(scene, a, b, body).offsetAt(tick);
             if (!(offset.norm() > most)) continue;
             most = offset.norm();
@@ -106,8 +113,8 @@ double apartAtEnd(const Scene& scene, const Observation& a, const Observation& b
 
 double mostOff(const Scene& scene, const Observation& a, const Observation& b) {
     double most = 0;
-    for (std::size_t body = 0; body < scene.bodies.size(); ++body)
-        for (std::size_t tick = 0; mayPart(scene.bodies[body]) && tick < ticksOf(a, b); ++tick)
+    for (const std::size_t body : movingBodies(scene))
+        for (std::size_t tick = 0; tick < ticksOf(a, b); ++tick)
             if (const double off = Paths(scene, a, b, body).offsetAt(tick).norm(); off > most) most = off;
     return most;
 }
@@ -118,8 +125,9 @@ bool isSkin(const Parting& parting) {
     return parting.quantity == Difference::Overlap && gap > leastSkin && gap <= Touching::skin;
 }
 
-std::optional<Parting> partingBeyond(const Scene& scene, const Observation& a, const Observation& b, double limit) {
-    const std::optional<Parted> first = firstParted(scene, a, b, limit);
+std::optional<Parting> partingBeyond(const Scene& scene, const Observation& a, const Observation& b,
+                                     std::span<const std::size_t> bodies, double limit) {
+    const std::optional<Parted> first = firstParted(scene, a, b, bodies, limit);
     if (!first) return {};
     Parting parting{.engineA = a.engine, .engineB = b.engine, .body = scene.bodies[first->body].name, .limit = limit};
     parting.time = static_cast<double>(first->tick) * a.dt;
@@ -129,9 +137,10 @@ std::optional<Parting> partingBeyond(const Scene& scene, const Observation& a, c
 }
 
 Parting partingOf(const Scene& scene, const Observation& a, const Observation& b) {
+    const std::vector<std::size_t> moving = movingBodies(scene);
     std::optional<Parting> first;
     for (const double limit : limits) {
-        const std::optional<Parting> parting = partingBeyond(scene, a, b, limit);
+        const std::optional<Parting> parting = partingBeyond(scene, a, b, moving, limit);
         if (!parting) break;
         if (!first || !isSkin(*parting)) first = parting;
         if (!isSkin(*parting)) break;
@@ -140,18 +149,22 @@ Parting partingOf(const Scene& scene, const Observation& a, const Observation& b
     return {.engineA = a.engine, .engineB = b.engine, .limit = limits[0], .apart = mostOff(scene, a, b)};
 }
 
-/// What the first parting is followed by: a body that is much farther away at the end, and why it parts by a tenth of
-/// that. Empty if no body goes so far, or if it is the same cause again.
+/// Why the body that is farthest away at the end is off its path by a tenth of that distance. Empty if no body is much
+/// farther away than at the first parting, or if the cause is the same.
 std::optional<Parting> laterParting(const Scene& scene, const Observation& a, const Observation& b,
                                     const Parting& first) {
-    double farthest = 0;
-    for (std::size_t body = 0; body < scene.bodies.size(); ++body)
-        if (mayPart(scene.bodies[body])) farthest = std::max(farthest, apartAtEnd(scene, a, b, body));
-    const double limit = farPart * farthest;
+    std::size_t farthest = 0;
+    double most = 0;
+    for (const std::size_t body : movingBodies(scene)) {
+        const double apart = apartAtEnd(scene, a, b, body);
+        if (!(apart > most)) continue;
+        most = apart;
+        farthest = body;
+    }
+    const double limit = farPart * most;
     if (std::isinf(limit) || limit < farTimes * first.limit) return {};
-    std::optional<Parting> later = partingBeyond(scene, a, b, limit);
-    const auto isSame = [&] { return later->quantity == first.quantity && later->at == first.at; };
-    if (later && isSame()) later.reset();
+    std::optional<Parting> later = partingBeyond(scene, a, b, std::span(&farthest, 1), limit);
+    if (later && later->quantity == first.quantity && later->at == first.at) later.reset();
     return later;
 }
 

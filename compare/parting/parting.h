@@ -49,8 +49,7 @@ struct Parting {
 /// from where the other engine has it within a step before and after: a body that is only late by a step is still on
 /// the path. If the only difference is that an engine keeps touching bodies apart, by up to 2.5 cm, this is not yet a
 /// parting: then the limit is 4 cm, and 16 cm if the same is true at 4 cm. If a body is much farther away at the end, a
-/// second parting says which body is the first that is a tenth of that distance off its path, and why, unless the
-/// reason is the same.
+/// second parting says why the farthest one is off its path by a tenth of that distance, unless the reason is the same.
 std::vector<Parting> partingsOf(const Scene& scene, std::span<const Observation* const> runs);
 
 /// "a and b: plank_3 parts at 0.82 s, by more than 10 mm, and is 2 m off at the end: in b the hinge link_4 has opened
