@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <string_view>
 
 #include <compare/engine/joint_geometry.h>
 #include <compare/report/curve.h>
@@ -145,21 +146,25 @@ json probeData(const Scene& scene, const Observation& run, std::size_t stride, P
     return curves;
 }
 
-/// A name and a curve of each kind of energy that the scene has.
+/// A name and a curve of each kind of energy that the scene has. Potential energy has none: it is what the others leave
+/// of the sum. Nothing if the curves do not keep every tick, because then they have peaks of different ticks.
 json energiesData(const Series& series, std::size_t stride, PackedBlock& block) {
     json energies = json::array();
-    for (std::size_t i = 0; i < energyKinds.size(); ++i) {
+    for (std::size_t i = 0; stride == 1 && i < energyKinds.size(); ++i) {
         const auto isNone = [](double energy) { return energy == 0 || std::isnan(energy); };
         if (std::ranges::all_of(series.energies[i], isNone)) continue;
-        energies.push_back({energyKinds[i], curveData(series.energies[i], stride, block)});
+        const bool isRest = energyKinds[i] == std::string_view("potential");
+        energies.push_back({energyKinds[i], isRest ? json() : curveData(series.energies[i], stride, block)});
     }
     return energies;
 }
 
-/// A name and a curve of each joint's force; none in scenes of many joints, which would take too much room.
+/// A name and a curve of each joint's force. Nothing in scenes of many joints, which would take too much room, or if
+/// the curves do not keep every tick.
 json forcesData(const Scene& scene, const Observation& run, std::size_t stride, PackedBlock& block) {
     json forces = json::array();
-    if (run.jointForces.empty() || run.jointForces.front().empty() || scene.joints.size() > mostForces) return forces;
+    const bool isKnown = !run.jointForces.empty() && !run.jointForces.front().empty();
+    if (!isKnown || stride > 1 || scene.joints.size() > mostForces) return forces;
     for (std::size_t joint = 0; joint < scene.joints.size(); ++joint) {
         std::vector<double> series;
         for (const std::vector<double>& tick : run.jointForces) series.push_back(tick.at(joint));

@@ -13,7 +13,7 @@ namespace plumb::compare {
 
 struct ReportSettings {
     /// How many numbers all playback may have together; each takes about 0.75 characters of the page.
-    std::size_t playbackBudget = 3'000'000;
+    std::size_t playbackBudget = 2'700'000;
     /// Points of a curve; a screen has about 2,000 columns, so a pair of points is narrower than a column.
     std::size_t curvePoints = 4'000;
 };

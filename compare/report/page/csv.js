@@ -38,6 +38,7 @@ function runCsv(scene, engine) {
         ? [{head, at: (frame) => floatField(values[indexAt(scene.curveTimes, scene.times[frame])])}] : []);
     const columns = [
         ...engine.bodies.flatMap((body) => bodyColumns(scene, engine, body)),
+        ...(engine.energies.length > 0 ? [] : curve("energy [J]", engine.energy)),
         ...engine.energies.flatMap(({name, values}) => curve(`energy.${name} [J]`, values)),
         ...scene.probes.flatMap(({name, unit}, i) => curve(`probe.${name} [${unit}]`, engine.probes[i])),
         ...engine.forces.flatMap(({name, values}) => curve(`${name}.force [N]`, values)),

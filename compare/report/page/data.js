@@ -108,6 +108,10 @@ function unpackEngine(words, engine, scene) {
     for (const named of ["energies", "forces"]) {
         engine[named] = engine[named].map(([name, curve]) => ({name, values: floatsOf(words, curve)}));
     }
+    // The kind without a curve is what the others leave of the sum.
+    const others = engine.energies.filter(({values}) => values);
+    const rest = (energy, tick) => others.reduce((left, {values}) => left - values[tick], energy);
+    for (const kind of engine.energies) kind.values ??= engine.energy.map(rest);
 }
 
 /// The numbers x, y, x, y, ... of every shape except a disc.

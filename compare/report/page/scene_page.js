@@ -120,9 +120,10 @@ class ScenePage {
         const ticks = scene.stride === 1 ? "every step" : `one step in ${scene.stride}`;
         byId("stage-note").textContent = scene.stride === 1 ? ""
             : `Playback shows ${ticks}; the charts keep every peak.`;
+        const sums = scene.curveStride === 1 ? "energy by kind, forces in joints where there are few" : "energy";
         byId("files-note").textContent = `CSV, one file an engine, with ${ticks}: positions to ` +
-            `${quantity(scene.lengthStep, "m", 1)}, velocities from their differences, energies, probes, ` +
-            "forces in joints where there are few, and the distance to the closed form.";
+            `${quantity(scene.lengthStep, "m", 1)}, velocities from their differences, ${sums}, probes, ` +
+            "and the distance to the closed form.";
     }
 
     toggle(engine, shown) {
