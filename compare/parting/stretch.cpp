@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace plumb::compare {
 namespace {
@@ -19,12 +20,28 @@ void link(Links& links, std::size_t a, std::size_t b) {
     links[b].push_back(a);
 }
 
-Links linksOf(const Parted& parted, const JointStates& joints, const Touching& touching) {
+/// Links the bodies of each joint; of a gear, those of the joints that it couples.
+Links linksBy(const JointStates& joints) {
     Links links;
-    for (const Observation* run : {&parted.a, &parted.b})
-        for (const auto& [first, second] : touching.pairs(run->states[parted.tick])) link(links, first, second);
-    for (const JointGeometry& joint : joints.joints())
-        if (joint.bodyA != noBody && joint.bodyB != noBody) link(links, joint.bodyA, joint.bodyB);
+    for (std::size_t joint = 0; joint < joints.joints().size(); ++joint) {
+        const std::vector<std::size_t> held = bodiesOf(joints.joints(), joint);
+        for (std::size_t i = 1; i < held.size(); ++i) link(links, held[i - 1], held[i]);
+    }
+    return links;
+}
+
+using Touches = std::set<std::pair<std::size_t, std::size_t>>;
+
+/// What touches in one of the two runs when the body parts.
+Touches touchesOf(const Parted& parted, const Touching& touching) {
+    Touches touches = touching.pairs(parted.a.states[parted.tick]);
+    touches.merge(touching.pairs(parted.b.states[parted.tick]));
+    return touches;
+}
+
+Links linksBy(const JointStates& joints, const Touches& touches) {
+    Links links = linksBy(joints);
+    for (const auto& [first, second] : touches) link(links, first, second);
     return links;
 }
 
@@ -56,23 +73,15 @@ std::vector<std::size_t> wayToGround(const Scene& scene, const Links& links, std
     return way;
 }
 
-/// The places of all joints that hold the body to others, directly or over other bodies.
-std::vector<std::size_t> jointsAround(const Scene& scene, const JointStates& joints, std::size_t body) {
-    std::vector<bool> reached(scene.bodies.size());
-    reached[body] = true;
+/// The places of the joints that hold the body, or a free body that can be reached from it over the links.
+std::vector<std::size_t> jointsAround(const Parted& parted, const JointStates& joints, const Links& links) {
+    const Search search = searchFrom(parted.body, parted.scene, links);
+    const auto isHere = [&](std::size_t body) {
+        return isFreeToMove(parted.scene, body) && search.cameFrom.contains(body);
+    };
     std::vector<std::size_t> found;
-    for (bool grows = true; grows;) {
-        grows = false;
-        for (std::size_t i = 0; i < joints.joints().size(); ++i) {
-            const std::vector<std::size_t> held = bodiesOf(joints.joints(), i);
-            const bool isHere = std::ranges::any_of(held, [&](std::size_t other) { return reached[other]; });
-            if (!isHere || std::ranges::find(found, i) != found.end()) continue;
-            found.push_back(i);
-            grows = true;
-            // The search does not go on beyond a body that does not move freely.
-            for (const std::size_t other : held) reached[other] = reached[other] || isFreeToMove(scene, other);
-        }
-    }
+    for (std::size_t joint = 0; joint < joints.joints().size(); ++joint)
+        if (std::ranges::any_of(bodiesOf(joints.joints(), joint), isHere)) found.push_back(joint);
     return found;
 }
 
@@ -87,7 +96,7 @@ bool isSeen(const JointStates& joints, std::size_t joint, const Observation& run
 std::optional<Widest> widestGap(const Parted& parted, const JointStates& joints) {
     std::optional<Widest> widest;
     double sum = 0;
-    for (const std::size_t joint : jointsAround(parted.scene, joints, parted.body)) {
+    for (const std::size_t joint : jointsAround(parted, joints, linksBy(joints))) {
         double most = -1;
         for (std::size_t tick = 0; tick <= parted.tick; ++tick) {
             if (!isSeen(joints, joint, parted.a, tick) || !isSeen(joints, joint, parted.b, tick)) continue;
@@ -107,14 +116,10 @@ std::optional<Widest> firstBreak(const Parted& parted, const JointStates& joints
         const std::optional<std::size_t> tick = joint < run.brokenAt.size() ? run.brokenAt[joint] : std::nullopt;
         return tick && *tick <= parted.tick ? tick : std::nullopt;
     };
-    const Search search = searchFrom(parted.body, parted.scene, linksOf(parted, joints, touching));
-    const auto isNear = [&](std::size_t body) {
-        return isFreeToMove(parted.scene, body) && search.cameFrom.contains(body);
-    };
     std::optional<Widest> first;
-    for (std::size_t joint = 0; joint < joints.joints().size(); ++joint) {
+    for (const std::size_t joint : jointsAround(parted, joints, linksBy(joints, touchesOf(parted, touching)))) {
         const std::optional<std::size_t> a = brokenAt(parted.a, joint), b = brokenAt(parted.b, joint);
-        if (a.has_value() == b.has_value() || !std::ranges::any_of(bodiesOf(joints.joints(), joint), isNear)) continue;
+        if (a.has_value() == b.has_value()) continue;
         const std::size_t tick = a ? *a : *b;
         if (!first || tick < first->tick)
             first = Widest{.joint = joint, .valueA = a ? 1.0 : 0.0, .valueB = b ? 1.0 : 0.0, .tick = tick};
@@ -125,11 +130,10 @@ std::optional<Widest> firstBreak(const Parted& parted, const JointStates& joints
 std::optional<Widest> deepestOverlap(const Parted& parted, const JointStates& joints, const Touching& touching) {
     const std::vector<BodyState>& a = parted.a.states[parted.tick];
     const std::vector<BodyState>& b = parted.b.states[parted.tick];
-    auto touches = touching.pairs(a);
-    touches.merge(touching.pairs(b));
+    const Touches touches = touchesOf(parted, touching);
     std::optional<Widest> deepest;
     double sum = 0;
-    const std::vector<std::size_t> way = wayToGround(parted.scene, linksOf(parted, joints, touching), parted.body);
+    const std::vector<std::size_t> way = wayToGround(parted.scene, linksBy(joints, touches), parted.body);
     for (std::size_t i = 0; i + 1 < way.size(); ++i) {
         const auto pair = std::minmax(way[i], way[i + 1]);
         if (!touches.contains(pair)) continue;

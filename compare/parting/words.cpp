@@ -57,10 +57,10 @@ std::pair<std::string, std::string> bothOf(const std::string& at) {
     return {at.substr(0, comma), comma == std::string::npos ? "" : at.substr(comma + 2)};
 }
 
-/// "at 3 m/s in a, at 2 m/s in b", in the order of the pair; or that only the direction differs.
+/// "at 3 m/s in a, at 2 m/s in b", in the order of the pair; or one speed, if both are printed alike.
 std::string speedsText(const Parting& parting) {
     const std::string a = fmt::format("{:.4g} m/s", parting.valueA), b = fmt::format("{:.4g} m/s", parting.valueB);
-    if (a == b) return fmt::format("at {} in both, but not in the same direction", a);
+    if (a == b) return fmt::format("at {} in both by then", a);
     return fmt::format("at {} in {}, at {} in {}", a, parting.engineA, b, parting.engineB);
 }
 

@@ -157,11 +157,16 @@ Planted noBounceBesideLateFall() {
     return {other, further, scene, Difference::Bounce, "rubber", "rubber, floor", 0.6, 0.8};
 }
 
-Planted dampedSpring() {
-    Scene scene =
-        weightless("damped_spring", 3, {fixedBox("post", {0, 0}, {0.1, 0.1}), looseDisc("bob", {2, 0}, {1, 0})});
+/// A disc that moves along an undamped spring.
+Scene bobOnSpring(const std::string& name) {
+    Scene scene = weightless(name, 3, {fixedBox("post", {0, 0}, {0.1, 0.1}), looseDisc("bob", {2, 0}, {1, 0})});
     scene.joints = {
         {"coil", "post", "bob", DistanceJointDef{.anchorA = {0, 0}, .anchorB = {2, 0}, .spring = Spring{20, 0}}}};
+    return scene;
+}
+
+Planted dampedSpring() {
+    Scene scene = bobOnSpring("damped_spring");
     scene.engines[other]["joints.coil.distance.spring.damping"] = "3";
     return {subject, other, scene, Difference::Pull, "bob", "coil", 0.03, 0.5};
 }
@@ -187,11 +192,7 @@ Planted weakHook() {
 
 /// A spring without a damper, which one engine damps by its way of stepping.
 Planted springThatTires() {
-    Scene scene =
-        weightless("spring_that_tires", 3, {fixedBox("post", {0, 0}, {0.1, 0.1}), looseDisc("bob", {2, 0}, {1, 0})});
-    scene.joints = {
-        {"coil", "post", "bob", DistanceJointDef{.anchorA = {0, 0}, .anchorB = {2, 0}, .spring = Spring{20, 0}}}};
-    return {subject, other, scene, Difference::Energy, "bob", "bob", 0.03, 2};
+    return {subject, other, bobOnSpring("spring_that_tires"), Difference::Energy, "bob", "bob", 0.03, 2};
 }
 
 /// Both have the speed of a throw; one adds it up before the place, and is g t dt / 2 too low.
