@@ -9,6 +9,7 @@
 
 #include <compare/command/colours.h>
 #include <compare/command/verdict_words.h>
+#include <compare/engine/engine_settings.h>
 #include <compare/metric/length_text.h>
 
 namespace plumb::compare {
@@ -74,6 +75,9 @@ void VerdictTable::row(const SceneResult& result) const {
 void VerdictTable::partings(const SceneResult& result) const {
     for (const EngineResult& run : result.engines)
         if (run.observation.role == Role::Subject && !run.answer.empty()) fmt::print(out_, "      {}\n", run.answer);
+    for (const EngineResult& run : result.engines)
+        for (const auto& [path, value] : settingsFor(run.observation.engine, result.scene))
+            fmt::print(out_, "      {}: {} = {}\n", run.observation.engine, path, value);
     for (const Parting& parting : result.partings) fmt::print(out_, "      {}\n", partingText(result.scene, parting));
     out_.flush();
 }

@@ -19,7 +19,8 @@ public:
 
     void head() const;
     void row(const SceneResult& result) const;
-    /// Prints the answer of the engine under test to the scene's question, and where each pair of engines parts.
+    /// Prints the answer of the engine under test to the scene's question, what the scene sets for one engine alone,
+    /// and where each pair of engines parts.
     void partings(const SceneResult& result) const;
     /// Prints how many scenes hold, fail, and were not judged.
     void summary(std::span<const SceneResult> results) const;

@@ -8,13 +8,18 @@
 namespace plumb::compare {
 namespace {
 
-constexpr std::size_t steps = 2;        // after this many steps a hit is over: an engine may spread it over two
-constexpr std::size_t around = 6;       // steps before and after: engines may see the same hit this far apart
-constexpr double leastBounce = 0.05;    // two coefficients of restitution that differ by more are reported [-]
-constexpr double suddenSpeed = 0.05;    // a change of speed in a step is sudden if it exceeds gravity's by this [m/s]
-constexpr double timesGravity = 1.5;    // the factor for gravity's change in that comparison [-]
-constexpr double alikeAfterHit = 0.02;  // relative: two speeds after a hit that differ by less are the same [-]
-constexpr double leastSpeed = 1e-3;     // the same, absolute [m/s]
+constexpr double hitTime = 2.0 / 60;     // after this time a hit is over: an engine may spread it [s]
+constexpr double aroundTime = 6.0 / 60;  // before and after: engines may see the same hit this far apart [s]
+constexpr double leastBounce = 0.05;     // two coefficients of restitution that differ by more are reported [-]
+constexpr double suddenSpeed = 0.05;     // a change of speed in a step is sudden if it exceeds gravity's by this [m/s]
+constexpr double timesGravity = 1.5;     // the factor for gravity's change in that comparison [-]
+constexpr double alikeAfterHit = 0.02;   // relative: two speeds after a hit that differ by less are the same [-]
+constexpr double leastSpeed = 1e-3;      // the same, absolute [m/s]
+
+/// How many steps a time takes; at least as many as at 60 Hz.
+std::size_t stepsOf(double time, double dt) {
+    return static_cast<std::size_t>(std::lround(time * std::max(60.0, 1 / dt)));
+}
 
 double bounceIn(double approach, double leaving) {
     return approach > 0 ? leaving / approach : 0;
@@ -33,7 +38,7 @@ bool TouchCause::isSudden() const {
 }
 
 Difference TouchCause::kind() const {
-    const double window = static_cast<double>(steps + 1) * parted_.a.dt;
+    const double window = static_cast<double>(stepsOf(hitTime, parted_.a.dt) + 1) * parted_.a.dt;
     const double sudden = timesGravity * parted_.scene.gravity.norm() * window + suddenSpeed;
     if (share_.agent == Agent::Along) {
         const double most = std::max(std::abs(a_.along), std::abs(b_.along));
@@ -67,6 +72,7 @@ std::size_t TouchCause::lastTick() const {
 std::size_t TouchCause::hitTickIn(const Observation& run) const {
     std::size_t hardest = share_.tick;
     double most = 0;
+    const std::size_t around = stepsOf(aroundTime, run.dt);
     const std::size_t first = share_.tick - std::min(share_.tick, around),
                       end = std::min(share_.tick + around, lastTick());
     for (std::size_t tick = first; tick < end; ++tick) {
@@ -81,8 +87,8 @@ std::size_t TouchCause::hitTickIn(const Observation& run) const {
 }
 
 TouchCause::Seen TouchCause::seenIn(const Observation& run) const {
-    const std::size_t hit = hitTickIn(run);
-    const std::size_t before = hit - std::min<std::size_t>(hit, 1);
+    const std::size_t hit = hitTickIn(run), steps = stepsOf(hitTime, run.dt), around = stepsOf(aroundTime, run.dt);
+    const std::size_t before = hit - std::min(hit, steps / 2);
     const std::size_t after = std::min(hit + steps, lastTick());
     const auto& own = run.states;
     const Vec2 velocity = own[before][parted_.body].velocity, then = own[after][parted_.body].velocity;

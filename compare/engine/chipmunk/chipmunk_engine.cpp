@@ -97,6 +97,14 @@ public:
         listenToChipmunk(*space_, scene, contacts_);
     }
 
+    /// Wakes all bodies: Chipmunk would not free the contacts that it keeps for sleeping ones.
+    ~ChipmunkSimulation() override {
+        for (const std::unique_ptr<ChipmunkBody>& body : bodies_)
+            if (body) cpBodyActivate(body->body.get());
+    }
+    ChipmunkSimulation(const ChipmunkSimulation&) = delete;
+    ChipmunkSimulation& operator=(const ChipmunkSimulation&) = delete;
+
     void step(double dt) override {
         for (const Arrivals::Due& due : arrivals_.dueBefore(tick_++)) arrive(due);
         if (!movers_.empty()) move(dt);

@@ -19,7 +19,7 @@ Mass massWhenDynamic(const WorldState& world, BodyIndex body) {
     if (parked != world.parkedMass.end()) return parked->second;
     const Mass mass = massOfShapes(world, body);
     requireMass(mass, "Body.setType: Dynamic, for the shapes'",
-                "a dynamic body needs a shape with area and density, or BodyDef.mass");
+                "a dynamic body needs a shape with area and density, or a mass of its own");
     return mass;
 }
 

@@ -57,6 +57,17 @@ TEST_CASE("a scene of which nothing was judged is not called a pass", "[compare]
           "1 scene holds, 0 fail, 1 not judged.\n");
 }
 
+TEST_CASE("what a scene sets for one engine alone stands beside the partings", "[compare][command]") {
+    SceneResult result = judged("good", 0, 1);
+    result.scene.engines["plumb"]["bodies.disc.material.friction"] = "0.3";
+    result.scene.engines["another"]["gravity"] = "[0, 0]";
+    std::ostringstream out;
+    VerdictTable(out, {"plumb"}, std::vector<Scene>{result.scene}, false).partings(result);
+    CHECK(out.str().find("      plumb: bodies.disc.material.friction = 0.3, for this engine alone\n") !=
+          std::string::npos);
+    CHECK(out.str().find("another") == std::string::npos);
+}
+
 TEST_CASE("only a terminal gets colours", "[compare][command]") {
     const std::vector<SceneResult> results{judged("good", 0, 1)};
     CHECK(shownVerdicts(results, false).find('\x1b') == std::string::npos);

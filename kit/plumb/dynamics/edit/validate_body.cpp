@@ -17,7 +17,7 @@ void validateMass(const BodyDef& def, const std::string& field) {
         requireMass(*def.mass, field + ".mass");
     else
         requireMass(massOf(def), field + ".shapes",
-                    "a dynamic body needs a shape with area and density, or BodyDef.mass");
+                    "a dynamic body needs a shape with area and density, or a mass of its own");
 }
 
 /// On a body, shapes have more conditions than on their own, and the check of the mass depends on the type; both are
