@@ -69,15 +69,25 @@ std::vector<std::string> fieldsOf(const Json& object) {
     return names;
 }
 
-/// The fields of this name in the materials of an object. The object is a body with shapes, or a shape with a material.
-std::vector<Json*> materialFields(Json& object, const std::string& name) {
+/// The field of this name in an object; or, if it has none, those in its material and in each of its shapes.
+std::vector<Json*> fieldsNamed(const std::string& name, Json& object) {
+    if (object.contains(name)) return {&object[name]};
     std::vector<Json*> found;
-    if (const auto material = object.find("material"); material != object.end() && material->contains(name))
-        return {&(*material)[name]};
-    if (!object.contains("shapes")) return found;
-    for (Json& shape : object["shapes"])
-        if (shape.contains("material") && shape["material"].contains(name)) found.push_back(&shape["material"][name]);
+    if (object.contains("material")) found = fieldsNamed(name, object["material"]);
+    if (object.contains("shapes"))
+        for (Json& shape : object["shapes"])
+            for (Json* field : fieldsNamed(name, shape)) found.push_back(field);
     return found;
+}
+
+/// where: the path to the value.
+std::vector<Json*> partsOf(Json& value, const std::string& name, const std::string& where) {
+    if (value.is_null()) refuse(where, "is not given, wanted all of it at once, as JSON");
+    if (!value.is_structured()) refuse(where + "." + name, where + " has no parts: it is " + value.dump());
+    if (value.is_array()) return {&elementOf(value, name, where)};
+    std::vector<Json*> fields = fieldsNamed(name, value);
+    if (fields.empty()) refuseStep(where, name, "a field", fieldsOf(value));
+    return fields;
 }
 
 /// The values at the path: one value, or one for each shape of a body.
@@ -85,17 +95,10 @@ std::vector<Json*> valuesAt(Json& root, const std::string& path) {
     std::vector<Json*> at{&root};
     std::string where;
     for (const std::string& name : splitAt('.', path)) {
-        Json& value = *at.front();
-        if (value.is_null()) refuse(where, "is not given, wanted all of it at once, as JSON");
-        if (!value.is_structured()) refuse(where + "." + name, where + " has no parts: it is " + value.dump());
-        if (value.is_array()) {
-            at = {&elementOf(value, name, where)};
-        } else if (value.contains(name)) {
-            at = {&value[name]};
-        } else {
-            at = materialFields(value, name);
-            if (at.empty()) refuseStep(where, name, "a field", fieldsOf(value));
-        }
+        std::vector<Json*> next;
+        for (Json* value : at)
+            for (Json* part : partsOf(*value, name, where)) next.push_back(part);
+        at = std::move(next);
         where += (where.empty() ? "" : ".") + name;
     }
     return at;

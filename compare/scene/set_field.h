@@ -12,9 +12,10 @@ namespace plumb::compare {
 
 /// The scene with another value in one field. The value is read and checked in the same way as a file.
 /// path: names of fields as in the scene's JSON, with dots between them; for an element of a list, its name or its
-/// number from 0. The density, friction, restitution and other material values of a body are set for all of its shapes;
-/// those of a shape are set in its material.
-///   "dt", "gravity.1", "bodies.ball.velocity", "bodies.ball.shapes.0.circle.radius", "bodies.ball.friction"
+/// number from 0. A field that a body does not have is that of all of its shapes, or of their materials; one that a
+/// shape does not have is that of its material.
+///   "dt", "gravity.1", "bodies.ball.velocity", "bodies.ball.shapes.0.circle.radius", "bodies.ball.friction",
+///   "bodies.ball.filter.mask"
 /// value: a number, a fraction "1/240", numbers with commas for a vector, words with commas for a list of words, true,
 /// false, null, a word, or else JSON.
 /// "ENGINE:PATH" is the field for one engine alone, see Scene::engines.

@@ -71,6 +71,17 @@ TEST_CASE("a body's friction is that of all its shapes, and a shape's that of it
     CHECK(setTo("bodies.ball.shapes.1.material.density", "3").bodies[1].def.shapes[1].material.density == 3);
 }
 
+TEST_CASE("what shapes hold is set for a whole body, also a part of it", "[compare][scene][set]") {
+    const Scene masked = setTo("bodies.ball.filter.mask", "6");
+    for (const ShapeDef& shape : masked.bodies[1].def.shapes) CHECK(shape.filter.mask == 6);
+    CHECK(masked.bodies[0].def.shapes[0].filter.mask == Filter{}.mask);
+    for (const ShapeDef& shape : setTo("bodies.ball.sensor", "true").bodies[1].def.shapes) CHECK(shape.sensor);
+    CHECK(
+        setComplaint("bodies.ball.filter.masks", "6")
+            .starts_with("bodies.ball.filter.masks=6: bodies.ball.filter.masks: \"masks\" is not a field, the nearest "
+                         "is mask; known are "));
+}
+
 TEST_CASE("nothing but the field is changed in any built-in scene", "[compare][scene][set]") {
     for (const Scene& scene : builtinScenes()) {
         INFO(scene.name);
