@@ -40,16 +40,17 @@ bool TouchCause::isSudden() const {
 Difference TouchCause::kind() const {
     const double window = static_cast<double>(stepsOf(hitTime, parted_.a.dt) + 1) * parted_.a.dt;
     const double sudden = timesGravity * parted_.scene.gravity.norm() * window + suddenSpeed;
+    const bool isBraked = std::max(a_.before - a_.after, b_.before - b_.after) > sudden;
     if (share_.agent == Agent::Along) {
         const double most = std::max(std::abs(a_.along), std::abs(b_.along));
         if (most < sudden) return Difference::Sliding;
         const double across = std::max(std::abs(a_.across), std::abs(b_.across));
-        return across < most / 2 ? Difference::Snag : Difference::Hit;
+        return isBraked && across < most / 2 ? Difference::Snag : Difference::Hit;
     }
     if (std::max(std::abs(a_.across), std::abs(b_.across)) < sudden) return Difference::Pressing;
     if (isPassed(a_, b_) || isPassed(b_, a_)) return Difference::Passed;
     const auto [less, more] = std::minmax({std::abs(a_.across), std::abs(b_.across)});
-    if (less < more / 4 && std::max(a_.before - a_.after, b_.before - b_.after) > sudden) return Difference::Snag;
+    if (isBraked && less < more / 4) return Difference::Snag;
     const bool isHit = a_.approach > suddenSpeed && b_.approach > suddenSpeed;
     const double apart = std::abs(bounceIn(a_.approach, a_.leaving) - bounceIn(b_.approach, b_.leaving));
     return isHit && apart > leastBounce ? Difference::Bounce : Difference::Hit;

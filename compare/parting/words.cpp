@@ -64,6 +64,10 @@ std::string speedsText(const Parting& parting) {
     return fmt::format("at {} in {}, at {} in {}", a, parting.engineA, b, parting.engineB);
 }
 
+std::string lossText(double speed) {
+    return speed > 0 ? fmt::format("{:.3g} m/s", speed) : "nothing";
+}
+
 std::string touchText(const Parting& parting) {
     const auto [body, other] = bothOf(parting.at);
     const Sides sides = sidesOf(parting);
@@ -77,8 +81,8 @@ std::string touchText(const Parting& parting) {
         case Difference::Hit:
             return fmt::format("after it meets {} at {} it moves {}", other, when, speedsText(parting));
         case Difference::Snag:
-            return fmt::format("on {} it loses {:.3g} m/s at once at {} in {}, {:.3g} m/s in {}", other, sides.value,
-                               when, sides.engine, sides.otherValue, sides.other);
+            return fmt::format("on {} it loses {} at once at {} in {}, {} in {}", other, lossText(sides.value), when,
+                               sides.engine, lossText(sides.otherValue), sides.other);
         case Difference::Sliding: return fmt::format("it moves along {} {}", other, speedsText(parting));
         default: return fmt::format("where it presses on {} it moves {}", other, speedsText(parting));
     }

@@ -115,6 +115,19 @@ TEST_CASE("two speeds that are printed alike are told as one", "[compare][partin
     CHECK(partingText(oneDisc(), parting).ends_with(" it moves at 4.414 m/s in both by then."));
 }
 
+TEST_CASE("a speed that one run gains where the other loses it is not told as a negative loss", "[compare][parting]") {
+    const Parting parting{.engineA = "a",
+                          .engineB = "b",
+                          .body = "disc",
+                          .limit = 0.01,
+                          .quantity = Difference::Snag,
+                          .at = "disc, floor",
+                          .valueA = -0.5,
+                          .valueB = 2,
+                          .when = 1};
+    CHECK(partingText(oneDisc(), parting).ends_with(": on floor it loses 2 m/s at once at 1 s in b, nothing in a."));
+}
+
 TEST_CASE("a joint that broke in one run only, and does not hold the body, is not why it parts", "[compare][parting]") {
     Scene scene = plantedScenes().at(7).scene;
     for (const double x : {10.0, 11.0}) {
