@@ -41,10 +41,7 @@ std::string heightCell(const std::optional<double>& height) {
 }
 
 std::string lengthCell(const std::optional<double>& length) {
-    if (!length) return "–";
-    std::string text = lengthText(*length);
-    if (const std::size_t at = text.find(" um"); at != std::string::npos) text.replace(at, 3, " µm");
-    return text;
+    return length ? lengthText(*length) : "–";
 }
 
 std::optional<Ratio> ratioToRival(const SceneBench& scene) {

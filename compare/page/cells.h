@@ -24,7 +24,7 @@ std::string joinedCells(const SceneBench& scene, const std::function<std::string
 
 /// "3.5 m", "infinite", "–".
 std::string heightCell(const std::optional<double>& height);
-/// Like lengthText, but with µm.
+/// As lengthText says it, or "–".
 std::string lengthCell(const std::optional<double>& length);
 
 /// The rival's time divided by Plumb's; empty if one of them is missing.

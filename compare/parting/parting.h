@@ -53,7 +53,7 @@ struct Parting {
 std::vector<Parting> partingsOf(const Scene& scene, std::span<const Observation* const> runs);
 
 /// "a and b: plank_3 parts at 0.82 s, by more than 10 mm, and is 2 m off at the end: in b the hinge link_4 has opened
-/// by 65 mm, in a by 12 um."
+/// by 65 mm, in a by 12 µm."
 std::string partingText(const Scene& scene, const Parting& parting);
 
 }  // namespace plumb::compare

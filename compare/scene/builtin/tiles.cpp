@@ -94,7 +94,7 @@ Scene tileWall() {
         .closedForm = ClosedForm{.formula = "y = y0 - g t^2 / 2", .source = "free fall: the wall is smooth"},
         .checks = {ExactCheck{4e-4,
                               "the solver adds up a speed of up to 29 m/s in floats, 720 times, each rounded by up to "
-                              "1 um/s: at most 1 mm; across the wall a contact gives way by 0.035 mm"}},
+                              "1 µm/s: at most 1 mm; across the wall a contact gives way by 0.035 mm"}},
     };
     double wall = 0;
     for (const Slider& slider : sliders()) {
