@@ -18,6 +18,10 @@ constexpr float passRatio = 4;    ///< than one that passes its load on, and doe
 /// A hit is faster than this, as a multiple of what the bodies' accelerations give in half a step [-].
 constexpr float hitSpeed = 4;
 
+/// Bodies that touch each other, directly or through others, are a crowd if loads start at so many of their contacts.
+/// Each path costs as much as dozens of contacts, and in a heap of all sizes there are hundreds.
+constexpr std::uint32_t crowd = 24;
+
 /// Points whose surfaces are nearer than this bear load, even if they have not yet done so [m].
 constexpr float nearBy = 1e-3f;
 /// A point holds against a load if the cosine of the angle between them is at least this [-].
@@ -92,8 +96,25 @@ std::vector<LoadPathFinder::Start> LoadPathFinder::startsOf(const std::vector<Bo
     return starts;
 }
 
+/// Leaves out the starts in crowds: the lanes solve their contacts as they solve all others.
+void LoadPathFinder::leaveOutCrowds(std::vector<Start>& starts, const std::vector<BodyIndex>& solved) const {
+    if (starts.size() < crowd) return;
+    BodyGroups touching(bodies_.record.size());
+    for (const BodyIndex body : solved)
+        forEachContact(bodies_, contacts_, body, [&](ContactIndex index) {
+            const BodyIndex other = otherOf(contacts_[index], body);
+            if (contacts_[index].isSolved() && bodies_.isDynamic(body) && bodies_.isDynamic(other))
+                touching.unite(body, other);
+        });
+    std::unordered_map<BodyIndex, std::uint32_t> sizes;
+    for (const Start& start : starts) ++sizes[touching.of(start.heavy)];
+    std::erase_if(starts, [&](const Start& start) { return sizes[touching.of(start.heavy)] >= crowd; });
+}
+
 void LoadPathFinder::findAll(const std::vector<BodyIndex>& solved) {
-    for (const Start& start : startsOf(solved)) {
+    std::vector<Start> starts = startsOf(solved);
+    leaveOutCrowds(starts, solved);
+    for (const Start& start : starts) {
         const std::uint32_t contact = placeOf(start.contact);
         for (std::uint32_t point = 0; point < 2; ++point) {
             LoadPath path{start.heavy, start.light, {}, {}};

@@ -91,6 +91,7 @@ private:
 
     std::vector<Start> startsOf(const std::vector<BodyIndex>& solved) const;
     bool isStart(const Start& start) const;
+    void leaveOutCrowds(std::vector<Start>& starts, const std::vector<BodyIndex>& solved) const;
     void group();
     std::uint32_t placeOf(ContactIndex contact);
     bool follow(LoadPath& path, const LoadRow& load);

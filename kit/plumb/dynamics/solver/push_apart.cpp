@@ -2,7 +2,9 @@
 #include <plumb/dynamics/solver/push_apart.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -19,78 +21,8 @@ constexpr double rate = 8, mostShare = 0.2;
 constexpr double shareOfInradius = 0.25;
 constexpr int sweeps = 12;
 
-/// All contacts of the islands in which something overlaps, in the order in which they are solved.
-std::vector<ContactIndex> contactsToShift(const ContactStore& contacts, const BodyStore& bodies) {
-    std::vector<bool> seen(bodies.record.size(), false);
-    std::vector<BodyIndex> reached;
-    const auto reach = [&](const ContactRecord& contact) {
-        if (!contact.isSolved()) return;
-        for (const BodyIndex body : {contact.bodyA, contact.bodyB}) {
-            if (seen[body] || !bodies.canMove(body)) continue;
-            seen[body] = true;
-            reached.push_back(body);
-        }
-    };
-    for (const DeepContact& overlap : contacts.overlaps) reach(contacts[overlap.contact]);
-    using Place = std::tuple<std::uint32_t, ProxyId, ProxyId, double, double>;
-    std::vector<std::pair<Place, ContactIndex>> order;
-    for (std::size_t i = 0; i < reached.size(); ++i)
-        forEachContact(bodies, contacts, reached[i], [&](ContactIndex index) {
-            const ContactRecord& c = contacts[index];
-            reach(c);
-            const bool isFirst = c.bodyA == reached[i] || !bodies.canMove(c.bodyA);
-            if (c.isSolved() && isFirst)
-                order.push_back({{c.colour, c.proxyA, c.proxyB, c.shift.x(), c.shift.y()}, index});
-        });
-    std::sort(order.begin(), order.end());
-    std::vector<ContactIndex> found;
-    for (const auto& [place, index] : order) found.push_back(index);
-    return found;
-}
-
-/// The contacts as shifts see them: without impulses and friction, with gaps, and with the overlap that is to go.
-std::vector<ContactBatch> shiftBatches(const std::vector<ContactIndex>& some, const ContactGraph& graph,
-                                       const ContactStore& contacts) {
-    std::vector<DeepContact> overlaps = contacts.overlaps;
-    const auto before = [](const DeepContact& a, const DeepContact& b) { return a.contact < b.contact; };
-    std::sort(overlaps.begin(), overlaps.end(), before);
-    std::vector<ContactBatch> batches((some.size() + batchLanes - 1) / batchLanes, ContactBatch{});
-    for (std::size_t i = 0; i < some.size(); ++i) {
-        const ContactRecord& contact = contacts[some[i]];
-        const auto overlap = std::lower_bound(overlaps.begin(), overlaps.end(), DeepContact{some[i], {0, 0}}, before);
-        const bool overlapsDeeply = overlap != overlaps.end() && overlap->contact == some[i];
-        ContactBatch& batch = batches[i / batchLanes];
-        const std::size_t lane = i % batchLanes, slot = contact.slot;
-        copyLane(batch, lane, graph.colours[contact.colour].batches[slot / batchLanes], slot % batchLanes, batchRows);
-        batch.friction[lane] = 0;
-        for (std::size_t point = 0; point < 2; ++point) {
-            PointLanes& p = batch.points[point];
-            const float closed = p.startSeparation[lane] - p.separation[lane];
-            const float left = overlapsDeeply ? std::max(overlap->depth[point] + closed, 0.0f) : 0.0f;
-            p.separation[lane] = left > 0 ? -left : std::max(p.separation[lane], 0.0f);
-            p.normalImpulse[lane] = p.tangentImpulse[lane] = 0;
-        }
-    }
-    return batches;
-}
-
-/// The shift of each body per second.
-std::vector<SolverVelocity> shiftsOf(std::vector<ContactBatch> batches, std::size_t count, const BodyStore& bodies,
-                                     const SolverSettings& settings, double dt) {
-    std::vector<SolverVelocity> shifts(bodies.velocity.size());
-    for (const ContactBatch& batch : batches)
-        for (std::size_t lane = 0; lane < batchLanes; ++lane)
-            for (const BodyIndex body : {batch.bodyA[lane], batch.bodyB[lane]})
-                shifts[body].inverseMass = bodies.velocity[body].inverseMass;
-    SolverBodies moved;
-    moved.velocity = shifts.data();
-    ContactPass pass;
-    pass.inverseStep = static_cast<float>(1 / dt);
-    pass.soft.biasRate = static_cast<float>(std::min(rate, mostShare / dt));
-    pass.pushSpeed = static_cast<float>(settings.contactPushSpeed);
-    for (int sweep = 0; sweep < sweeps; ++sweep) scalarContactSolver.solve(batches.data(), count, moved, pass);
-    return shifts;
-}
+/// A body that goes less far than this in a step, as a share of its inradius, pushes nothing [-].
+constexpr double leastShift = 1e-3;
 
 void shift(BodyStore& bodies, BodyIndex body, const SolverVelocity& by, double dt) {
     const BodyRecord& record = bodies.record[body];
@@ -104,22 +36,130 @@ void shift(BodyStore& bodies, BodyIndex body, const SolverVelocity& by, double d
     motion.rotation = Rot::fromAngle(motion.angle);
     storeMotion(bodies, body, motion);
     bodies.record[body].stillTime = 0;
-    bodies.notePlaced(body);
 }
+
+/// The contacts of bodies that overlap, and of those that they push, as shifts see them.
+class Shifts {
+public:
+    Shifts(const ContactGraph& graph, const ContactStore& contacts, const BodyStore& bodies, double dt)
+        : graph_(graph),
+          contacts_(contacts),
+          bodies_(bodies),
+          dt_(dt),
+          overlaps_(contacts.overlaps),
+          states_(bodies.record.size(), State::Unknown),
+          shifts_(bodies.velocity.size()) {
+        std::sort(overlaps_.begin(), overlaps_.end(), before);
+        for (const DeepContact& overlap : contacts.overlaps)
+            for (const BodyIndex body : bodiesOf(overlap.contact)) push(body);
+    }
+
+    void solve(const ContactPass& pass) {
+        addContacts();
+        SolverBodies moved;
+        moved.velocity = shifts_.data();
+        scalarContactSolver.solve(batches_.data(), count_, moved, pass);
+        for (std::size_t i = 0; i < touched_.size(); ++i)
+            if (pushes(touched_[i])) push(touched_[i]);
+    }
+
+    /// The bodies that have a shift, perhaps of zero.
+    const std::vector<BodyIndex>& touched() const { return touched_; }
+    /// Per second.
+    const SolverVelocity& of(BodyIndex body) const { return shifts_[body]; }
+
+private:
+    enum class State : std::uint8_t { Unknown, Touched, Pushing, Added };
+    using Place = std::tuple<std::uint32_t, ProxyId, ProxyId, double, double>;
+
+    static bool before(const DeepContact& a, const DeepContact& b) { return a.contact < b.contact; }
+
+    std::array<BodyIndex, 2> bodiesOf(ContactIndex index) const {
+        return {contacts_[index].bodyA, contacts_[index].bodyB};
+    }
+
+    void touch(BodyIndex body) {
+        if (states_[body] != State::Unknown || !bodies_.canMove(body)) return;
+        states_[body] = State::Touched;
+        touched_.push_back(body);
+        shifts_[body].inverseMass = bodies_.velocity[body].inverseMass;
+    }
+
+    void push(BodyIndex body) {
+        touch(body);
+        if (states_[body] != State::Touched) return;
+        states_[body] = State::Pushing;
+        pushing_.push_back(body);
+    }
+
+    bool pushes(BodyIndex body) const {
+        const SolverVelocity& by = shifts_[body];
+        const double far = static_cast<double>(std::fabs(by.x) + std::fabs(by.y) + std::fabs(by.w)) * dt_;
+        return states_[body] == State::Touched && far > leastShift * bodies_.record[body].inradius;
+    }
+
+    /// Adds the contacts of bodies that began to push, in the order in which contacts are solved.
+    void addContacts() {
+        std::vector<std::pair<Place, ContactIndex>> order;
+        for (const BodyIndex body : std::exchange(pushing_, {})) {
+            states_[body] = State::Added;
+            forEachContact(bodies_, contacts_, body, [&](ContactIndex index) {
+                const ContactRecord& c = contacts_[index];
+                if (c.isSolved() && states_[otherOf(c, body)] != State::Added)
+                    order.push_back({{c.colour, c.proxyA, c.proxyB, c.shift.x(), c.shift.y()}, index});
+            });
+        }
+        std::sort(order.begin(), order.end());
+        for (const auto& [place, index] : order) add(index);
+    }
+
+    /// Without impulses and friction, with gaps, and with the overlap that is to go.
+    void add(ContactIndex index) {
+        for (const BodyIndex body : bodiesOf(index)) touch(body);
+        const ContactRecord& contact = contacts_[index];
+        const auto overlap = std::lower_bound(overlaps_.begin(), overlaps_.end(), DeepContact{index, {0, 0}}, before);
+        const bool overlapsDeeply = overlap != overlaps_.end() && overlap->contact == index;
+        const std::size_t lane = count_++ % batchLanes, slot = contact.slot;
+        if (lane == 0) batches_.emplace_back();
+        ContactBatch& batch = batches_.back();
+        copyLane(batch, lane, graph_.colours[contact.colour].batches[slot / batchLanes], slot % batchLanes, batchRows);
+        batch.friction[lane] = 0;
+        for (std::size_t point = 0; point < 2; ++point) {
+            PointLanes& p = batch.points[point];
+            const float closed = p.startSeparation[lane] - p.separation[lane];
+            const float left = overlapsDeeply ? std::max(overlap->depth[point] + closed, 0.0f) : 0.0f;
+            p.separation[lane] = left > 0 ? -left : std::max(p.separation[lane], 0.0f);
+            p.normalImpulse[lane] = p.tangentImpulse[lane] = 0;
+        }
+    }
+
+    const ContactGraph& graph_;
+    const ContactStore& contacts_;
+    const BodyStore& bodies_;
+    double dt_;
+    std::vector<DeepContact> overlaps_;  ///< sorted by contact
+    std::vector<State> states_;
+    std::vector<SolverVelocity> shifts_;
+    std::vector<BodyIndex> touched_, pushing_;
+    std::vector<ContactBatch> batches_;
+    std::size_t count_ = 0;  ///< of contacts in the batches
+};
 
 }  // namespace
 
 void pushApart(const ContactGraph& graph, const ContactStore& contacts, BodyStore& bodies,
                const SolverSettings& settings, double dt) {
     if (contacts.overlaps.empty()) return;
-    const std::vector<ContactIndex> some = contactsToShift(contacts, bodies);
-    std::vector<SolverVelocity> shifts =
-        shiftsOf(shiftBatches(some, graph, contacts), some.size(), bodies, settings, dt);
-    for (const ContactIndex index : some)
-        for (const BodyIndex body : {contacts[index].bodyA, contacts[index].bodyB}) {
-            const SolverVelocity by = std::exchange(shifts[body], {});
-            if (by.x != 0 || by.y != 0 || by.w != 0) shift(bodies, body, by, dt);
-        }
+    Shifts shifts(graph, contacts, bodies, dt);
+    ContactPass pass;
+    pass.inverseStep = static_cast<float>(1 / dt);
+    pass.soft.biasRate = static_cast<float>(std::min(rate, mostShare / dt));
+    pass.pushSpeed = static_cast<float>(settings.contactPushSpeed);
+    for (int sweep = 0; sweep < sweeps; ++sweep) shifts.solve(pass);
+    for (const BodyIndex body : shifts.touched()) {
+        const SolverVelocity& by = shifts.of(body);
+        if (by.x != 0 || by.y != 0 || by.w != 0) shift(bodies, body, by, dt);
+    }
 }
 
 }  // namespace plumb

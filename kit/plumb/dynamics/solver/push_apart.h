@@ -2,8 +2,8 @@
 // How do bodies get apart that were put into each other?
 //
 // They are shifted, at the start of a step, and get no velocity. How far each one goes is found as contacts find
-// velocities: by the contact solver, with shifts in place of speeds. All that they touch takes part, so that nothing is
-// pushed into something else.
+// velocities: by the contact solver, with shifts in place of speeds. What they push takes part from the next sweep on,
+// so that nothing is pushed into something else.
 #pragma once
 #include <plumb/dynamics/contacts/contact_graph.h>
 #include <plumb/dynamics/solver_settings.h>
