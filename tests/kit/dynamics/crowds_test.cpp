@@ -167,6 +167,25 @@ TEST_CASE("what bounces on a conveyor belt is carried by it", "[dynamics][law]")
     CHECK(world.body(bouncing).velocity().x() * still.body(lying).velocity().x() > 0);  // the same way
 }
 
+TEST_CASE("a crowd that is made overlapping and then stirred stays within its walls", "[dynamics][law]") {
+    constexpr double radius = 12, pi = std::numbers::pi;
+    World world;
+    std::vector<Vec2> ring;
+    for (int i = 0; i < 180; ++i) ring.push_back(plumb::Rot::fromAngle(pi * i / 90) * Vec2(radius, 0));
+    world.add({.type = BodyType::Static, .shapes = {plumb::loop(ring)}});
+    world.add({.type = BodyType::Kinematic, .angularVelocity = 12, .shapes = {plumb::box({0.4, 10}, {.friction = 0})}});
+    const Material material{.density = 0.25, .friction = 0.1, .restitution = 0.1};
+    const plumb::ShapeDef kinds[] = {plumb::capsule({-0.25, 0}, {0.25, 0}, 0.25, material),
+                                     plumb::circle(0.35, material), plumb::box({0.35, 0.35}, material)};
+    std::vector<BodyId> crowd;
+    for (int i = 0; i < 900; ++i) {
+        const Vec2 place = 0.4 * Vec2(i % 30 - 14.5, i / 30 - 14.5);
+        crowd.push_back(world.add({.position = place, .shapes = {kinds[i % 3]}}));
+    }
+    for (int tick = 0; tick < 120; ++tick) world.step(plumb::test::dt);
+    for (const BodyId body : crowd) CHECK(world.body(body).position().norm() < radius);
+}
+
 TEST_CASE("a crowd that comes to rest in a pit gains no energy", "[dynamics][law]") {
     World world({.sleeping = false});
     const Material floor{.friction = 0.4}, bouncing{.friction = 0.4, .restitution = 0.5};

@@ -20,7 +20,7 @@ constexpr float hitSpeed = 4;
 
 /// Bodies that touch each other, directly or through others, are a crowd if loads start at so many of their contacts.
 /// Each path costs as much as dozens of contacts, and in a heap of all sizes there are hundreds.
-constexpr std::uint32_t crowd = 24;
+constexpr std::uint32_t crowd = 12;
 
 /// Points whose surfaces are nearer than this bear load, even if they have not yet done so [m].
 constexpr float nearBy = 1e-3f;
