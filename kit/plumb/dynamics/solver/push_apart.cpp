@@ -20,7 +20,6 @@ constexpr double rate = 8, mostShare = 0.2;
 /// The farthest that a point of a body moves in a step, as a share of its inradius [-].
 constexpr double shareOfInradius = 0.25;
 constexpr int sweeps = 12;
-
 /// A body that goes less far than this in a step, as a share of its inradius, pushes nothing [-].
 constexpr double leastShift = 1e-3;
 
@@ -51,7 +50,8 @@ public:
           shifts_(bodies.velocity.size()) {
         std::sort(overlaps_.begin(), overlaps_.end(), before);
         for (const DeepContact& overlap : contacts.overlaps)
-            for (const BodyIndex body : bodiesOf(overlap.contact)) push(body);
+            if (contacts[overlap.contact].isSolved())
+                for (const BodyIndex body : bodiesOf(overlap.contact)) push(body);
     }
 
     void solve(const ContactPass& pass) {
@@ -149,7 +149,8 @@ private:
 
 void pushApart(const ContactGraph& graph, const ContactStore& contacts, BodyStore& bodies,
                const SolverSettings& settings, double dt) {
-    if (contacts.overlaps.empty()) return;
+    const auto isAwake = [&](const DeepContact& overlap) { return contacts[overlap.contact].isSolved(); };
+    if (std::none_of(contacts.overlaps.begin(), contacts.overlaps.end(), isAwake)) return;
     Shifts shifts(graph, contacts, bodies, dt);
     ContactPass pass;
     pass.inverseStep = static_cast<float>(1 / dt);
