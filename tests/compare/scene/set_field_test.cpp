@@ -75,7 +75,8 @@ TEST_CASE("what shapes hold is set for a whole body, also a part of it", "[compa
     const Scene masked = setTo("bodies.ball.filter.mask", "6");
     for (const ShapeDef& shape : masked.bodies[1].def.shapes) CHECK(shape.filter.mask == 6);
     CHECK(masked.bodies[0].def.shapes[0].filter.mask == Filter{}.mask);
-    for (const ShapeDef& shape : setTo("bodies.ball.sensor", "true").bodies[1].def.shapes) CHECK(shape.sensor);
+    const Scene sensing = setTo("bodies.ball.sensor", "true");
+    for (const ShapeDef& shape : sensing.bodies[1].def.shapes) CHECK(shape.sensor);
     CHECK(
         setComplaint("bodies.ball.filter.masks", "6")
             .starts_with("bodies.ball.filter.masks=6: bodies.ball.filter.masks: \"masks\" is not a field, the nearest "
