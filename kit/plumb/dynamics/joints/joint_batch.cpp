@@ -2,6 +2,7 @@
 #include <plumb/dynamics/joints/joint_batch.h>
 
 #include <cmath>
+#include <utility>
 
 namespace plumb {
 
@@ -123,31 +124,58 @@ void JointBatch::addImpulse(const BodyStore& bodies, std::size_t lane, std::size
 }
 
 void JointBatch::kick(const BodyStore& bodies) {
-    kernel_->setMasses(view_, h_);
+    if (pieces_ > 1)
+        forEachCoordinate([](double& velocity, double, double& bent) { velocity += std::exchange(bent, 0.0); });
+    kernel_->setMasses(view_, h_ / pieces_);
     kernel_->kick(view_);
     for (const Touching& t : touching_) addImpulse(bodies, t.lane, t.node, bodies.warm[t.body]);
     activate(true, 0);
     pushed_ = {};
 }
 
-void JointBatch::move(BodyStore& bodies, double h) {
-    kernel_->move(view_, h);
+void JointBatch::move(BodyStore& bodies, double h, double fastest, StepObserver* observer) {
+    if (pieces_ == 1)
+        kernel_->move(view_, h);
+    else
+        moveInPieces(bodies, h, fastest, observer);
     writePlaces(bodies);
+}
+
+/// Calls change(velocity, place, the field Bent) for each coordinate of each body.
+template <class Change>
+void JointBatch::forEachCoordinate(Change&& change) {
+    for (std::size_t n = 0; n < layout_->moved; ++n)
+        for (std::size_t lane = 0; lane < width_; ++lane)
+            for (int c = 0; c < 3; ++c)
+                change(body(n, BodyField::Vx + c, lane), body(n, BodyField::X + c, lane),
+                       body(n, BodyField::BentX + c, lane));
+}
+
+/// In each piece joints are solved before and after the bodies move, and no forces act. For all others the bodies have
+/// moved at their mean velocities. Source, of short steps for the fast part of a motion: Tuckerman, Berne, Martyna,
+/// "Reversible multiple time scale molecular dynamics", J. Chem. Phys. 97 (1992) 1990.
+void JointBatch::moveInPieces(BodyStore& bodies, double h, double fastest, StepObserver* observer) {
+    const double piece = h / pieces_;
+    forEachCoordinate([](double&, double place, double& bent) { bent = place; });
+    for (int i = 0; i < pieces_; ++i) {
+        for (const bool correct : {true, false}) {
+            activate(true, 0);
+            freeAsIs();
+            findSolution({piece, correct, true, fastest}, Lanes(active_), correct && i > 0 ? 1 : 0);
+            note(observer, piece);
+            if (correct) kernel_->move(view_, piece);
+        }
+    }
+    forEachCoordinate([h](double& velocity, double place, double& bent) {
+        const double mean = (place - bent) / h;
+        bent = velocity - mean;
+        velocity = mean;
+    });
+    writeVelocities(bodies);
 }
 
 void JointBatch::activate(bool all, std::size_t lane) {
     for (std::size_t l = 0; l < width_; ++l) active_[l] = all || l == lane ? 1 : 0;
-}
-
-/// Activates those of some lanes in which a body turns so far in a sub-step of h [s] that the first prediction of where
-/// it will be is not exact enough.
-bool JointBatch::activateFast(double h, const Lanes& lanes) {
-    constexpr double far = 0.1;
-    active_ = {};
-    for (std::size_t n = 0; n < layout_->moved; ++n)
-        for (std::size_t lane = 0; lane < width_; ++lane)
-            if (std::fabs(body(n, BodyField::Uspin, lane)) * h > far) active_[lane] = lanes[lane];
-    return active_ != Lanes{};
 }
 
 void JointBatch::noteStates() {
@@ -176,16 +204,17 @@ JointBatch::Lanes JointBatch::turningLanes(double h) const {
     return turning;
 }
 
-/// In some lanes. Rows are predicted from the present velocities, which the joints allow: from the free ones, bodies
-/// would seem to turn much farther than they will. Returns turningLanes.
-JointBatch::Lanes JointBatch::findSolution(const IslandTurn& turn, const Lanes& lanes) {
+/// In some lanes. Rows are predicted from the velocities that they had so far and from their last change, then from the
+/// solutions, until that matters no more. Returns turningLanes.
+JointBatch::Lanes JointBatch::findSolution(const IslandTurn& turn, const Lanes& lanes, double change) {
+    constexpr int mostPredictions = 8;
     active_ = lanes;
+    kernel_->guess(view_, change);
     kernel_->prepare(view_, turn);
     kernel_->solve(view_);
-    for (int time = 0; time < 2 && turn.correct && activateFast(turn.h, lanes); ++time) {
-        kernel_->predictAgain(view_, turn);
-        kernel_->solve(view_);
-    }
+    if (turn.closesGaps())
+        for (int i = 1; i <= mostPredictions && kernel_->predictAgain(view_, turn, i == mostPredictions); ++i)
+            kernel_->solve(view_);
     active_ = lanes;
     if (!turn.onlyHold) noteStates();
     const Lanes turning = turn.correct ? turningLanes(turn.h) : Lanes{};
@@ -194,17 +223,27 @@ JointBatch::Lanes JointBatch::findSolution(const IslandTurn& turn, const Lanes& 
 }
 
 void JointBatch::note(StepObserver* observer) {
+    note(observer, h_);
+}
+
+/// h: of the sub-step, or of the piece of it, whose half was solved [s].
+void JointBatch::note(StepObserver* observer, double h) {
     activate(true, 0);
     kernel_->addLoads(view_);
-    kernel_->noteForces(view_, h_);
+    kernel_->noteForces(view_, h);
     if (observer == nullptr) return;
     report(*observer);
     observer->noteGround(givenMomentum());
 }
 
+IslandTurn JointBatch::ownTurn(IslandTurn turn) const {
+    turn.inPieces = pieces_ > 1;
+    return turn;
+}
+
 void JointBatch::solve(BodyStore& bodies, const IslandTurn& turn) {
     activate(true, 0);
-    findSolution(turn, Lanes(active_));
+    findSolution(ownTurn(turn), Lanes(active_), 1);
     writeVelocities(bodies);
 }
 
@@ -238,7 +277,7 @@ JointBatch::Lanes JointBatch::answerContacts(BodyStore& bodies, const IslandTurn
     const Lanes touched = takeContactImpulses(bodies);
     if (touched == Lanes{}) return touched;
     Lanes again = touched;
-    for (int time = 0; time < 3 && again != Lanes{}; ++time) again = findSolution(turn, again);
+    for (int time = 0; time < 3 && again != Lanes{}; ++time) again = findSolution(ownTurn(turn), again, 0);
     active_ = touched;
     writeVelocities(bodies);
     for (std::size_t lane = 0; lane < width_; ++lane)
@@ -253,6 +292,7 @@ void JointBatch::sweep(BodyStore& bodies, const IslandTurn& turn, double give, S
     freeAsIs();
     heavy_ = {};  // contacts see the bodies of a swept machine as they are
     view_.compliance = give + (layout_->isTree ? 0 : relativeCompliance);
+    kernel_->guess(view_, 0);
     kernel_->prepare(view_, turn);
     kernel_->solve(view_);
     noteStates();
@@ -267,7 +307,7 @@ void JointBatch::hold(BodyStore& bodies, std::size_t lane, double h, double fast
     freeAsIs();
     Lanes held{};
     held[lane] = 1;
-    findSolution({h, true, true, fastest}, held);
+    findSolution({h, true, true, fastest}, held, 0);
     kernel_->addLoads(view_);
     writeVelocities(bodies);
 }

@@ -68,7 +68,8 @@ public:
     void writeFree(BodyStore& bodies) const;
     void pullFree(const BodyStore& bodies);
     void writeVelocities(BodyStore& bodies) const;
-    void move(BodyStore& bodies, double h);
+    /// By a sub-step of h [s]; fastest: speed at which gaps are closed at most [m/s].
+    void move(BodyStore& bodies, double h, double fastest, StepObserver* observer);
     void noteSpeeds() { kernel_->noteSpeeds(view_); }
 
     /// Solves all joints from the free velocities.
@@ -136,9 +137,14 @@ private:
     /// To the free velocity. change: by an impulse, in the body's record.
     void addImpulse(const BodyStore& bodies, std::size_t lane, std::size_t node, const SolverVelocity& change);
     void findTouching(const BodyStore& bodies);
+    template <class Change>
+    void forEachCoordinate(Change&& change);
+    void moveInPieces(BodyStore& bodies, double h, double fastest, StepObserver* observer);
+    void note(StepObserver* observer, double h);
+    IslandTurn ownTurn(IslandTurn turn) const;
     void freeAsIs();
     Lanes turningLanes(double h) const;
-    Lanes findSolution(const IslandTurn& turn, const Lanes& lanes);
+    Lanes findSolution(const IslandTurn& turn, const Lanes& lanes, double change);
     Lanes takeContactImpulses(BodyStore& bodies);
     void pullVelocity(const BodyStore& bodies, std::size_t lane, std::size_t node, int field);
     /// Returns true if a place has changed.
@@ -148,7 +154,6 @@ private:
     void writeVelocities(BodyStore& bodies, int field) const;
     void noteStates();
     void activate(bool all, std::size_t lane);
-    bool activateFast(double h, const Lanes& lanes);
     Vec2 givenMomentum() const;
     void report(StepObserver& observer) const;
     JointRows rowsOf(std::size_t j, std::size_t lane, Vec3& impulses, Vec3& after, Vec3& slopes) const;
@@ -164,7 +169,8 @@ private:
     std::shared_ptr<const IslandLayout> layout_;
     const IslandKernel* kernel_ = nullptr;
     std::size_t width_ = 1;
-    double h_ = 0;  ///< of the sub-step [s]
+    double h_ = 0;    ///< of the sub-step [s]
+    int pieces_ = 1;  ///< in which its islands move in each of them
     IslandLanes view_;
     std::vector<double> numbers_;
     Lanes active_{};

@@ -65,6 +65,7 @@ void JointBatch::load(std::span<JointIsland* const> islands, const JointStore& j
     const bool isNew = layout_ != islands.front()->layout || width_ != islands.size();
     layout_ = islands.front()->layout;
     width_ = islands.size();
+    pieces_ = islands.front()->pieces;
     layOut(isNew);
     islands_.assign(islands.begin(), islands.end());
     view_.active = active_.data();
@@ -94,7 +95,7 @@ void JointBatch::load(std::span<JointIsland* const> islands, const JointStore& j
     kernel_->place(view_);
     for (std::size_t i = 0; i < layout_->rows.size(); ++i)
         for (std::size_t lane = 0; lane < width_; ++lane) row(i, RowField::StartError, lane) = errorOf(i, lane);
-    kernel_->setMasses(view_, h);
+    kernel_->setMasses(view_, h / pieces_);
 }
 
 void JointBatch::findTouching(const BodyStore& bodies) {
@@ -116,7 +117,9 @@ void JointBatch::loadBody(const BodyStore& bodies, BodyIndex index, std::size_t 
     set(BodyField::Vx, moves || drives ? motion.velocity.x() : 0.0);
     set(BodyField::Vy, moves || drives ? motion.velocity.y() : 0.0);
     set(BodyField::Spin, moves || drives ? motion.angularVelocity : 0.0);
-    for (int c = 0; c < 3; ++c) set(BodyField::FreeX + c, body(node, BodyField::Vx + c, lane));
+    for (int c = 0; c < 3; ++c)
+        for (const int field : {BodyField::FreeX, BodyField::MovedX}) set(field + c, body(node, BodyField::Vx + c, lane));
+    for (int c = 0; c < 3; ++c) set(BodyField::BentX + c, 0);
     if (!moves) return;
     const bool turns = record.inverseInertia > 0;
     set(BodyField::InverseMass, record.inverseMass);
@@ -204,7 +207,7 @@ void JointBatch::storeJoint(JointRecord& record, JointLoad& sum, std::size_t j, 
 }
 
 void JointBatch::store(JointStore& joints, BodyStore& bodies) {
-    kernel_->findInertias(view_, h_);
+    kernel_->findInertias(view_, h_ / pieces_);
     for (std::size_t n = 0; n < layout_->moved; ++n)
         for (std::size_t lane = 0; lane < width_; ++lane)
             storeBody(bodies.record[islands_[lane]->bodies[n]], islands_[lane]->stiffness[n], n, lane);

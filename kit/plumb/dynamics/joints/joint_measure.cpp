@@ -107,4 +107,27 @@ SpringLoad springLoadOf(const JointForm& form, const BodyStore& bodies) {
     return load;
 }
 
+double turningOf(const JointForm& form, const BodyStore& bodies) {
+    double fastest = 0;
+    for (std::size_t k = 0; k < form.links; ++k) {
+        bool isLength = false, holds = false;
+        for (const RowForm& row : rowsOf(form)) {
+            const RowAxis axis = k == 0 ? row.axis : form.secondAxis;
+            holds = holds || (row.holds && axis != RowAxis::Turning);
+            isLength = isLength || (row.holds && axis == RowAxis::Along);
+        }
+        if (!holds) continue;
+        const Ends ends = endsAtRest(form.link[k], bodies);
+        const Vec2 apart = ends.apart(), fromA = ends.a.arm + apart;
+        const double a = fromA.norm(), b = ends.b.arm.norm(), length = apart.norm();
+        if (a + b > 0)
+            fastest = std::max(fastest, std::max(std::fabs(ends.a.spin) * a, std::fabs(ends.b.spin) * b) / (a + b));
+        if (!isLength || !(length > 0)) continue;
+        const Vec2 aside = (ends.b.velocity + perp(ends.b.arm) * ends.b.spin) -
+                           (ends.a.velocity + perp(fromA) * ends.a.spin);
+        fastest = std::max(fastest, aside.norm() / length);
+    }
+    return fastest;
+}
+
 }  // namespace plumb

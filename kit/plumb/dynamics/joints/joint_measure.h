@@ -20,6 +20,9 @@ double errorOf(const JointForm& form, const BodyStore& bodies);
 /// The same of the angle [rad].
 double angleErrorOf(const JointForm& form, const BodyStore& bodies);
 
+/// How fast the links of a joint that holds something turn, as seen from their own size [rad/s].
+double turningOf(const JointForm& form, const BodyStore& bodies);
+
 /// The springs of a joint, as they act on the bodies at its ends.
 struct SpringLoad {
     struct Row {

@@ -67,12 +67,7 @@ public:
           observer_(stores.observer),
           graph_(graph),
           contacts_(contacts),
-          h_(h),
-          islandOf_(bodies_.record.size(), none) {
-        for (std::uint32_t i = 0; i < islands_.islands.size(); ++i)
-            if (!islands_.islands[i].isSwept())
-                for (const BodyIndex body : islands_.islands[i].bodies) islandOf_[body] = i;
-    }
+          h_(h) {}
 
     /// The point with the highest approach speed, among those that meet in the sub-step faster than gravity alone makes
     /// resting bodies approach.
@@ -129,10 +124,18 @@ private:
         if (!bodies_.canMove(contact.bodyB)) observer_->noteGround(slot.normal() * -impulse);
     }
 
+    void findIslands() {
+        islandOf_.assign(bodies_.record.size(), none);
+        for (std::uint32_t i = 0; i < islands_.islands.size(); ++i)
+            if (!islands_.islands[i].isSwept())
+                for (const BodyIndex body : islands_.islands[i].bodies) islandOf_[body] = i;
+    }
+
     /// Applies an impulse to one body, and the joint impulses that follow from it to its island.
     void push(BodyIndex body, const Vec3& along, double impulse) {
         if (!bodies_.canMove(body)) return;
         const Vec3 given{along[0] * impulse, along[1] * impulse, along[2] * impulse};
+        if (islandOf_.empty()) findIslands();
         if (islandOf_[body] != none) {
             const JointIsland& island = islands_.islands[islandOf_[body]];
             island.batch->push(bodies_, island.lane, island.nodeOf(body), given);
@@ -161,7 +164,7 @@ private:
     ContactGraph& graph_;
     const ContactStore& contacts_;
     double h_;
-    std::vector<std::uint32_t> islandOf_;  ///< of each body; none if it is in no island, or in a swept one
+    std::vector<std::uint32_t> islandOf_;  ///< of each body, from the first push on; none: in no island, or a swept one
 };
 
 /// Which contacts can pass an impact on to each other? Those that meet at a body, or at bodies of one island. Fixed

@@ -88,8 +88,41 @@ bool touches(const BodyStore& bodies, const JointIsland& island) {
                        [&](BodyIndex body) { return bodies.links[body].solverContacts > 0; });
 }
 
-/// Cuts groups of equal islands into batches, as many islands in each as there are lanes. Those that touch something
-/// come first in their group, because after contacts only they are solved again.
+/// The turn of a link that is followed well in one move [rad].
+constexpr double followed = 0.12;
+
+/// May a link of the island turn faster than this rate [rad/s]?
+bool mayTurn(const JointStores& stores, const JointIsland& island, double rate) {
+    return island.layout->someAlong || std::any_of(island.bodies.begin(), island.bodies.end(), [&](BodyIndex body) {
+        return std::fabs(stores.bodies.motion[body].angularVelocity) > rate;
+    });
+}
+
+/// How fast the island's links turn, or swing under the forces along them if that is not much more [rad/s].
+double turningOf(const JointStores& stores, const JointIsland& island) {
+    constexpr double mostSwing = 4, swing = 0.24;
+    double turning = 0, stiffness = 0;
+    for (const LaidJoint& joint : island.laid) turning = std::max(turning, turningOf(joint.form, stores.bodies));
+    for (std::size_t b = 0; b < island.bodies.size(); ++b) {
+        const double inverseInertia = stores.bodies.record[island.bodies[b]].inverseInertia;
+        stiffness = std::max(stiffness, 2 * island.stiffness[b].turning * inverseInertia);
+    }
+    return std::max(turning, std::min(swing * std::sqrt(stiffness), mostSwing * turning));
+}
+
+/// Where links turn fast, an island moves in pieces of a sub-step. Each change of their number costs some energy. So it
+/// falls slowly, but where the island touches something, which costs more.
+void choosePieces(const JointStores& stores, JointIsland& island, double dt) {
+    constexpr double memory = 2;  ///< in which the turning of former steps is forgotten [s]
+    constexpr int most = 16;
+    const double h = dt / stores.settings.subSteps;
+    island.turning *= touches(stores.bodies, island) ? 0 : 1 - std::min(dt / memory, 1.0);
+    if (mayTurn(stores, island, followed / h / 4)) island.turning = std::max(turningOf(stores, island), island.turning);
+    for (island.pieces = 1; island.pieces < most && island.turning * h > followed * island.pieces;) island.pieces *= 2;
+}
+
+/// Cuts groups of equal islands that move in as many pieces into batches, as many islands in each as there are lanes.
+/// Those that touch something come first in their group, because after contacts only they are solved again.
 std::vector<std::span<JointIsland*>> cutBatches(const JointStores& stores, std::vector<JointIsland*>& islands) {
     JointIslands& found = stores.islands;
     for (const std::vector<std::uint32_t>& group : found.alike)
@@ -99,12 +132,19 @@ std::vector<std::span<JointIsland*>> cutBatches(const JointStores& stores, std::
     for (const std::vector<std::uint32_t>& group : found.alike) {
         std::span<JointIsland*> left = rest.first(group.size());
         rest = rest.subspan(group.size());
-        std::stable_partition(left.begin(), left.end(),
-                              [&](const JointIsland* island) { return touches(stores.bodies, *island); });
-        std::size_t width = static_cast<std::size_t>(islandLanes(stores.settings.lanes));
-        for (; !left.empty(); left = left.subspan(width)) {
-            while (width > left.size()) width /= 2;
+        const auto orderOf = [&](const JointIsland* island) {
+            return std::pair(island->pieces, !touches(stores.bodies, *island));
+        };
+        std::stable_sort(left.begin(), left.end(),
+                         [&](const JointIsland* a, const JointIsland* b) { return orderOf(a) < orderOf(b); });
+        while (!left.empty()) {
+            std::size_t width = static_cast<std::size_t>(islandLanes(stores.settings.lanes));
+            const int pieces = left.front()->pieces;
+            const auto alike = std::find_if(left.begin(), left.end(),
+                                            [&](const JointIsland* island) { return island->pieces != pieces; });
+            while (width > static_cast<std::size_t>(alike - left.begin())) width /= 2;
             batches.push_back(left.first(width));
+            left = left.subspan(width);
         }
     }
     return batches;
@@ -113,6 +153,7 @@ std::vector<std::span<JointIsland*>> cutBatches(const JointStores& stores, std::
 void loadBatches(const JointStores& stores, double dt, bool mayFly) {
     JointIslands& found = stores.islands;
     const double h = dt / stores.settings.subSteps;
+    for (JointIsland& island : found.islands) choosePieces(stores, island, dt);
     std::vector<JointIsland*> islands;
     std::vector<std::span<JointIsland*>> batches = cutBatches(stores, islands);
     const auto flying = std::stable_partition(batches.begin(), batches.end(), [&](const auto& some) {
@@ -149,7 +190,8 @@ void flyBatch(const JointStores& stores, JointBatch& batch, const JointHalf& hal
 }
 
 void moveBatches(const JointStores& stores, std::span<JointBatch> batches, double h) {
-    for (JointBatch& batch : batches) batch.move(stores.bodies, h);
+    for (JointBatch& batch : batches)
+        batch.move(stores.bodies, h, stores.settings.contactPushSpeed, stores.observer);
     for (JointBatch& batch : stores.islands.sweptBatches) batch.noteMoves();
 }
 

@@ -68,7 +68,8 @@ bool LoadPathFinder::isStart(const Start& start) const {
            hitSpeed * std::max(pull(start.heavy), pull(start.light));
 }
 
-std::vector<LoadPathFinder::Start> LoadPathFinder::startsOf(const std::vector<BodyIndex>& solved) const {
+std::vector<LoadPathFinder::Start> LoadPathFinder::startsOf(std::vector<BodyIndex> solved) const {
+    std::erase_if(solved, [&](BodyIndex body) { return bodies_.links[body].actingJoints > 0; });
     float least = std::numeric_limits<float>::infinity(), most = 0;
     for (const BodyIndex body : solved) {
         const float inverseMass = bodies_.velocity[body].inverseMass;

@@ -89,7 +89,7 @@ private:
         BodyIndex other;
     };
 
-    std::vector<Start> startsOf(const std::vector<BodyIndex>& solved) const;
+    std::vector<Start> startsOf(std::vector<BodyIndex> solved) const;
     bool isStart(const Start& start) const;
     void leaveOutCrowds(std::vector<Start>& starts, const std::vector<BodyIndex>& solved) const;
     void group();

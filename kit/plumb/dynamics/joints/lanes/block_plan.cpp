@@ -3,6 +3,7 @@
 
 #include <map>
 #include <set>
+#include <tuple>
 
 namespace plumb {
 
@@ -12,18 +13,25 @@ namespace {
 struct Graph {
     std::vector<std::map<std::uint32_t, std::uint32_t>> blockTo;  ///< of each node: neighbour to block
     std::vector<bool> mayGo;                                      ///< of each node: it may be eliminated next
-    std::set<std::pair<std::size_t, std::uint32_t>> byDegree;     ///< of those that may
-    std::uint32_t blocks = 0;
+    /// Of those that may: degree, since when it has it, node. So of equal ones that goes first which has waited longest:
+    /// both ends of a chain go in turn, and the processor need not wait for the one while it works on the other.
+    std::set<std::tuple<std::size_t, std::uint32_t, std::uint32_t>> byDegree;
+    std::vector<std::uint32_t> since;  ///< of each node
+    std::uint32_t blocks = 0, changes = 0;
 
+    void add(std::uint32_t node) {
+        since[node] = changes++;
+        byDegree.insert({blockTo[node].size(), since[node], node});
+    }
     void setDegree(std::uint32_t node, std::size_t before) {
         if (!mayGo[node]) return;
-        byDegree.erase({before, node});
-        byDegree.insert({blockTo[node].size(), node});
+        byDegree.erase({before, since[node], node});
+        add(node);
     }
     void release(std::uint32_t node) {
         if (mayGo[node]) return;
         mayGo[node] = true;
-        byDegree.insert({blockTo[node].size(), node});
+        add(node);
     }
     /// The block between two nodes; a new one if there was none.
     std::uint32_t connect(std::uint32_t a, std::uint32_t b) {
@@ -35,7 +43,7 @@ struct Graph {
         return blocks++;
     }
     void remove(std::uint32_t node) {
-        byDegree.erase({blockTo[node].size(), node});
+        byDegree.erase({blockTo[node].size(), since[node], node});
         for (const auto& [other, block] : blockTo[node]) {
             blockTo[other].erase(node);
             setDegree(other, blockTo[other].size() + 1);
@@ -53,13 +61,14 @@ std::shared_ptr<const BlockPlan> planBlocks(std::uint32_t bodies, std::uint32_t 
     graph.blockTo.resize(nodes);
     graph.blocks = nodes;
     graph.mayGo.resize(nodes);
+    graph.since.resize(nodes);
     for (std::uint32_t node = 0; node < bodies; ++node) graph.release(node);
     for (const BlockPlan::Edge& edge : edges) plan->places.push_back({graph.connect(edge.first, edge.second), false});
     std::vector<std::uint32_t> rank(nodes);
     // The row of a block is the node that is eliminated later: for new blocks (fill-in) known once all nodes have a
     // rank.
     while (!graph.byDegree.empty()) {
-        const std::uint32_t node = graph.byDegree.begin()->second;
+        const std::uint32_t node = std::get<2>(*graph.byDegree.begin());
         rank[node] = static_cast<std::uint32_t>(plan->steps.size());
         plan->steps.push_back(
             {node, static_cast<std::uint32_t>(plan->lowers.size()), static_cast<std::uint32_t>(plan->updates.size())});

@@ -37,6 +37,12 @@ struct BodyField {
         Ux,
         Uy,
         Uspin,  ///< velocity that is solved for
+        MovedX,
+        MovedY,
+        MovedSpin,  ///< with which it moved last in this step
+        BentX,
+        BentY,
+        BentSpin,  ///< after a move in pieces, less its mean velocity in them
         FreeX,
         FreeY,
         FreeSpin,  ///< velocity without the impulses of the joints in this half of the sub-step
@@ -176,8 +182,11 @@ struct IslandTurn {
     bool correct = false;   ///< before the bodies move: closes gaps, too
     bool onlyHold = false;  ///< motors and springs do nothing; their stops stay
     double fastest = 0;     ///< speed at which an error is removed at most [m/s]
+    bool inPieces = false;  ///< the coming move closes the gaps itself
     double rate = 1 / h;    ///< [1/s]
     double share = 1;       ///< of an error that a sub-step removes [-]
+
+    bool closesGaps() const { return correct && !inPieces; }
 };
 
 /// The same functions for each number of lanes, with bitwise equal results.
@@ -187,10 +196,14 @@ struct IslandKernel {
     /// Finds arms, axes and masses of rows, after bodies have moved.
     void (*place)(IslandLanes& view);
     void (*noteSpeeds)(const IslandLanes& view);
-    /// Finds the conditions of the rows at the present velocities.
+    /// Sets U to V, and to a share of the change since the last move in addition.
+    void (*guess)(const IslandLanes& view, double share);
+    /// Finds the conditions of the rows. How far they will be off is predicted from U.
     void (*prepare)(IslandLanes& view, const IslandTurn& turn);
-    /// Where a lane is active: predicts from the last solution U how far rows that hold will be off.
-    void (*predictAgain)(IslandLanes& view, const IslandTurn& turn);
+    /// Where a lane is active, its rows that hold were predicted from velocities that are not U any more: predicts them
+    /// again if that matters, else makes the lane inactive. Returns true if some lane is active. isLast: predictions have
+    /// not come closer. Then impulses act along the axes in the middle of the sub-step, which costs energy.
+    bool (*predictAgain)(IslandLanes& view, const IslandTurn& turn, bool isLast);
     /// Solves for U from the free velocities, and, where a lane is active, for the impulses. Returns true if a row came
     /// to another part of its curve; it can do so where a lane is active.
     bool (*solve)(IslandLanes& view);

@@ -94,6 +94,11 @@ private:
         }
         for (std::size_t k = 0; k < form.links; ++k) {
             layout_.links.push_back(joint.link[k]);
+            for (std::size_t r = 0; r < form.rows; ++r) {
+                const RowAxis axis = k == 0 ? form.row[r].axis : form.secondAxis;
+                layout_.links.back().turnsAlong |= form.row[r].holds && axis == RowAxis::Along;
+            }
+            layout_.someAlong |= layout_.links.back().turnsAlong;
             addEnd(node, joint.link[k].a, k, false);
             addEnd(node, joint.link[k].b, k, true);
         }

@@ -21,6 +21,7 @@ struct IslandLayout : IslandShape {
     std::vector<IslandShape::Lower> lowers;
     std::vector<IslandShape::Update> updates;
     bool someFree = false;     ///< some row does not hold
+    bool someAlong = false;    ///< some link turns along (see IslandShape::Link)
     bool someMissing = false;  ///< some axis depends on velocities
     bool isTree = false;       ///< no loops, and all bodies can turn: its rows are independent
     bool isSwept = false;      ///< it has so many loops that it must be swept, and there is no more to tell

@@ -35,6 +35,7 @@ struct WidePlaces : IslandItems<W> {
             b.set(B::X, b[B::X] + b[B::Vx] * h);
             b.set(B::Y, b[B::Y] + b[B::Vy] * h);
             b.set(B::Turn, b[B::Turn] + b[B::Spin] * h);
+            for (int c = 0; c < 3; ++c) b.set(B::MovedX + c, b[B::Vx + c]);
         }
         place(v);
     }
@@ -98,35 +99,62 @@ struct WidePlaces : IslandItems<W> {
         return {given.x - l[L::ApartX] * row[R::DriveRate], given.y - l[L::ApartY] * row[R::DriveRate]};
     }
 
-    static Pair directionOf(RowAxis axis, const S& row, int direction, const S& l, const S& a, const S& b) {
+    /// What the rows of a link need to know of its place.
+    struct LinkPlace {
+        Pair apart, armB, turnA;
+    };
+    static LinkPlace placeOf(const S& l, const S& a) {
+        return {{l[L::ApartX], l[L::ApartY]}, {l[L::ArmBx], l[L::ArmBy]}, {a[B::Cos], a[B::Sin]}};
+    }
+    static LinkPlace laterPlaceOf(const S& l, const S& a, const S& b) {
+        return {{l[L::LaterApartX], l[L::LaterApartY]},
+                turned(b[B::LaterCos], b[B::LaterSin], l[L::StartArmBx], l[L::StartArmBy]),
+                {a[B::LaterCos], a[B::LaterSin]}};
+    }
+
+    static Pair directionOf(RowAxis axis, const S& row, int direction, const LinkPlace& place) {
         const D x = row[direction], y = row[direction + 1];
         switch (axis) {
             case RowAxis::World: return {x, y};
-            case RowAxis::OnA: return turned(a[B::Cos], a[B::Sin], x, y);
-            case RowAxis::Along: return unit(l[L::ApartX], l[L::ApartY], D{});
-            case RowAxis::Towards: return unit(l[L::ApartX], l[L::ApartY], all(1));
+            case RowAxis::OnA: return turned(place.turnA.x, place.turnA.y, x, y);
+            case RowAxis::Along: return unit(place.apart.x, place.apart.y, D{});
+            case RowAxis::Towards: return unit(place.apart.x, place.apart.y, all(1));
             case RowAxis::Across: {
-                const Pair towards = unit(l[L::ApartX], l[L::ApartY], all(1));
+                const Pair towards = unit(place.apart.x, place.apart.y, all(1));
                 return {-towards.y, towards.x};
             }
-            case RowAxis::Missing:
-            case RowAxis::Beside: {
-                const Pair lacked = missingVelocity(row, l, a, b);
-                const Pair along = unit(lacked.x, lacked.y, all(1));
-                if (axis == RowAxis::Missing) return along;
-                return {-along.y, along.x};
-            }
-            case RowAxis::Turning: break;
+            default: return {D{}, D{}};
         }
-        return {D{}, D{}};
+    }
+
+    static Axis axisAt(const Pair& u, const Pair& fromA, const Pair& armB) {
+        return {u.x, u.y, fromA.y * u.x - fromA.x * u.y, armB.x * u.y - armB.y * u.x};
     }
 
     static Axis axisOf(const IslandLanes& v, std::uint32_t link, RowAxis axis, const S& row, int direction) {
         if (axis == RowAxis::Turning) return {D{}, D{}, all(-1), all(1)};
         const S l = linkOf(v, link), a = bodyOf(v, v.links[link].a), b = bodyOf(v, v.links[link].b);
-        const Pair u = directionOf(axis, row, direction, l, a, b);
-        const D fromX = l[L::ArmAx] + l[L::ApartX], fromY = l[L::ArmAy] + l[L::ApartY];
-        return {u.x, u.y, fromY * u.x - fromX * u.y, l[L::ArmBx] * u.y - l[L::ArmBy] * u.x};
+        const LinkPlace place = placeOf(l, a);
+        Pair u = directionOf(axis, row, direction, place);
+        if (axis == RowAxis::Missing || axis == RowAxis::Beside) {
+            const Pair lacked = missingVelocity(row, l, a, b);
+            u = unit(lacked.x, lacked.y, all(1));
+            if (axis == RowAxis::Beside) u = {-u.y, u.x};
+        }
+        return axisAt(u, {l[L::ArmAx] + place.apart.x, l[L::ArmAy] + place.apart.y}, place.armB);
+    }
+
+    /// The axis in the middle of the coming sub-step, of a row that holds.
+    static Axis middleAxisOf(const IslandLanes& v, std::uint32_t link, RowAxis axis, const S& row, int direction) {
+        const Axis now = axisOf(v, link, axis, row, direction);
+        if (axis == RowAxis::Turning) return now;
+        const S l = linkOf(v, link), a = bodyOf(v, v.links[link].a), b = bodyOf(v, v.links[link].b);
+        const LinkPlace place = laterPlaceOf(l, a, b);
+        const Pair armA = turned(place.turnA.x, place.turnA.y, l[L::StartArmAx], l[L::StartArmAy]);
+        const Axis later = axisAt(directionOf(axis, row, direction, place),
+                                  {armA.x + place.apart.x, armA.y + place.apart.y}, place.armB);
+        return {0.5 * (now.x + later.x), 0.5 * (now.y + later.y), 0.5 * (now.turnA + later.turnA),
+                0.5 * (now.turnB + later.turnB)};
     }
 
     /// A part of the coordinate; later: after the coming sub-step.
@@ -164,22 +192,48 @@ struct WidePlaces : IslandItems<W> {
         row.set(field + 3, axis.turnB);
     }
 
-    static void placeRow(const IslandLanes& v, std::uint32_t i) {
+    /// Sets the axes to those that find(link, axis, field of the direction) returns.
+    template <class Find>
+    [[gnu::always_inline]] static inline void setAxes(const IslandLanes& v, std::uint32_t i, Find&& find) {
         const IslandShape::Row& shape = v.rows[i];
         const S row = rowOf(v, i);
-        const Axis axis = axisOf(v, shape.link, shape.axis[0], row, R::DirectionX);
+        const Axis axis = find(shape.link, shape.axis[0], R::DirectionX);
         setAxis(row, R::AxisX, axis);
         D w = inverseMassOf(v, shape.link, axis);
         if (shape.parts > 1) {
             const D ratio = row[R::Ratio];
-            Axis second = axisOf(v, shape.link + 1, shape.axis[1], row, R::SecondDirectionX);
+            Axis second = find(shape.link + 1, shape.axis[1], R::SecondDirectionX);
             second = {second.x * ratio, second.y * ratio, second.turnA * ratio, second.turnB * ratio};
             setAxis(row, R::SecondAxisX, second);
             w += inverseMassOf(v, shape.link + 1, second);
         }
         row.set(R::InverseMass, w);
+    }
+
+    /// Turns the axes of rows that hold to the middle of the coming sub-step, where lanes are active.
+    static void turnToMiddle(IslandLanes& v) {
+        v.factored = false;
+        const auto active = Elimination<W>::isActive(v);
+        for (std::uint32_t i = 0; i < v.rowCount; ++i) {
+            if (!v.rows[i].holds) continue;
+            const S row = rowOf(v, i);
+            setAxes(v, i, [&](std::uint32_t link, RowAxis axis, int direction) {
+                const Axis now = axisOf(v, link, axis, row, direction),
+                           middle = middleAxisOf(v, link, axis, row, direction);
+                return Axis{active ? middle.x : now.x, active ? middle.y : now.y, active ? middle.turnA : now.turnA,
+                            active ? middle.turnB : now.turnB};
+            });
+        }
+    }
+
+    static void placeRow(const IslandLanes& v, std::uint32_t i) {
+        const IslandShape::Row& shape = v.rows[i];
+        const S row = rowOf(v, i);
+        setAxes(v, i, [&](std::uint32_t link, RowAxis axis, int direction) {
+            return axisOf(v, link, axis, row, direction);
+        });
         row.set(R::Coordinate, coordinateOf(v, shape, row, false));
-        if (!shape.holds) findGrowth(row, w);
+        if (!shape.holds) findGrowth(row, row[R::InverseMass]);
     }
 
     /// exp(c w h / 2) - 1, found anew only where it has changed.
@@ -200,21 +254,25 @@ struct WidePlaces : IslandItems<W> {
             if (!v.rows[i].holds) rowOf(v, i).set(R::NotedSpeed, Elimination<W>::speedOf(v, i, B::Vx, B::Spin));
     }
 
-    /// Where bodies will be after the coming sub-step at constant velocities. Turning is predicted up to half a radian
-    /// only: at larger angles, in a joint that is coming apart, the prediction would add to the error.
-    /// x, turning: the first field of the velocities, and the spin.
-    static void predict(const IslandLanes& v, double h, int x, int turning) {
+    /// Turning is predicted up to half a radian only: at larger angles, in a joint that is coming apart, the prediction
+    /// would add to the error.
+    static D spinAhead(const S& b, double h) {
         const D most = all(0.5 / h);
+        return smaller(larger(b[B::Uspin], -most), most);
+    }
+
+    /// Where bodies will be after the coming sub-step at the velocities U.
+    static void predict(const IslandLanes& v, double h) {
         for (std::uint32_t i = 0; i < v.bodies; ++i) {
             const S b = bodyOf(v, i);
-            const D spin = smaller(larger(b[turning], -most), most), t = spin * h;
+            const D spin = spinAhead(b, h), t = spin * h;
             const D cos = WideTurn<W>::cosine(t), sin = WideTurn<W>::sine(t);
             const Pair r = turned(cos, sin, b[B::Cos], b[B::Sin]);
             b.set(B::AheadSpin, spin);
             b.set(B::LaterCos, r.x);
             b.set(B::LaterSin, r.y);
-            b.set(B::LaterX, b[B::X] + b[x] * h);
-            b.set(B::LaterY, b[B::Y] + b[x + 1] * h);
+            b.set(B::LaterX, b[B::X] + b[B::Ux] * h);
+            b.set(B::LaterY, b[B::Y] + b[B::Uy] * h);
         }
         for (std::uint32_t i = 0; i < v.linkCount; ++i) predictLink(v, i, h);
     }
@@ -227,6 +285,39 @@ struct WidePlaces : IslandItems<W> {
         l.set(L::LaterApartX, l[L::StartApartX] + ((b[B::LaterX] - a[B::LaterX]) + ((armB.x - bx) - (armA.x - ax))));
         l.set(L::LaterApartY, l[L::StartApartY] + ((b[B::LaterY] - a[B::LaterY]) + ((armB.y - by) - (armA.y - ay))));
         l.set(L::LaterAngle, l[L::Angle] + (b[B::AheadSpin] - a[B::AheadSpin]) * h);
+    }
+
+    /// Rows were predicted from velocities that are not U any more. The error of that, in parts of a link, is by how much
+    /// more a body or a rod turns in the coming sub-step than was predicted, times how far it turns. Where it is too
+    /// large, lanes stay active. Returns true if some do.
+    static bool keepMissed(const IslandLanes& v, double h) {
+        constexpr double small = 1e-6;
+        D worst{};
+        for (std::uint32_t i = 0; i < v.bodies; ++i) {
+            const S b = bodyOf(v, i);
+            const D spin = spinAhead(b, h);
+            worst = larger(worst, magnitude((spin - b[B::AheadSpin]) * spin) * (h * h));
+        }
+        for (std::uint32_t i = 0; i < v.linkCount; ++i)
+            if (v.links[i].turnsAlong) worst = larger(worst, missedAlong(v, i, h));
+        const auto missing = both(Elimination<W>::isActive(v), worst > all(small));
+        storeLanes(v.active, missing ? all(1) : D{});
+        return anyOf<W>(missing);
+    }
+
+    static D missedAlong(const IslandLanes& v, std::uint32_t i, double h) {
+        const S l = linkOf(v, i), a = bodyOf(v, v.links[i].a), b = bodyOf(v, v.links[i].b);
+        const D turnA = (spinAhead(a, h) - a[B::AheadSpin]) * h, turnB = (spinAhead(b, h) - b[B::AheadSpin]) * h;
+        const auto ahead = [&](int c) {
+            return (b[B::X + c] + b[B::Ux + c] * h - b[B::LaterX + c]) - (a[B::X + c] + a[B::Ux + c] * h - a[B::LaterX + c]);
+        };
+        const D x = ahead(0) - (l[L::ArmBy] * turnB - (l[L::ArmAy] + l[L::ApartY]) * turnA);
+        const D y = ahead(1) + (l[L::ArmBx] * turnB - (l[L::ArmAx] + l[L::ApartX]) * turnA);
+        const D movedX = l[L::LaterApartX] - l[L::ApartX] + x, movedY = l[L::LaterApartY] - l[L::ApartY] + y;
+        const D length = l[L::ApartX] * l[L::ApartX] + l[L::ApartY] * l[L::ApartY];
+        const auto some = length > D{};
+        const D missed = (magnitude(x) + magnitude(y)) * (magnitude(movedX) + magnitude(movedY));
+        return some ? missed / (some ? length : all(1)) : D{};
     }
 };
 

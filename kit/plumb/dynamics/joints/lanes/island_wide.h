@@ -33,8 +33,16 @@ struct WideIslands : IslandItems<W> {
         }
     }
 
+    static void guess(const IslandLanes& v, double share) {
+        for (std::uint32_t i = 0; i < v.bodies; ++i) {
+            const S b = bodyOf(v, i);
+            for (int c = 0; c < 3; ++c)
+                b.set(B::Ux + c, b[B::Vx + c] + (b[B::Vx + c] - b[B::MovedX + c]) * share);
+        }
+    }
+
     static void prepare(IslandLanes& v, const IslandTurn& turn) {
-        if (turn.correct) Places::predict(v, turn.h, B::Vx, B::Spin);
+        if (turn.closesGaps()) Places::predict(v, turn.h);
         for (std::uint32_t i = 0; i < v.rowCount; ++i) {
             const IslandShape::Row& shape = v.rows[i];
             if (shape.axis[0] == RowAxis::Missing || shape.axis[0] == RowAxis::Beside) {
@@ -43,7 +51,7 @@ struct WideIslands : IslandItems<W> {
             }
             const S row = rowOf(v, i);
             D bend{};
-            if (turn.correct) bend = bendOf(v, i, B::Vx, turn);
+            if (turn.closesGaps()) bend = bendOf(v, i, turn);
             if (shape.holds)
                 holdRow(row, bend, turn);
             else
@@ -52,34 +60,31 @@ struct WideIslands : IslandItems<W> {
     }
 
     /// By how much a row's predicted motion differs from its speed.
-    static D bendOf(const IslandLanes& v, std::uint32_t i, int x, const IslandTurn& turn) {
+    static D bendOf(const IslandLanes& v, std::uint32_t i, const IslandTurn& turn) {
         const S row = rowOf(v, i);
-        return Elimination<W>::speedOf(v, i, x, B::AheadSpin) -
+        return Elimination<W>::speedOf(v, i, B::Ux, B::AheadSpin) -
                (Places::coordinateOf(v, v.rows[i], row, true) - row[R::Coordinate]) * turn.rate;
     }
 
-    /// Predictions converge if the second one is little off the first; else the first one stays.
-    static void predictAgain(IslandLanes& v, const IslandTurn& turn) {
-        constexpr double little = 0.1;
-        Places::predict(v, turn.h, B::Ux, B::Uspin);
-        D change{}, most{};
+    static bool predictAgain(IslandLanes& v, const IslandTurn& turn, bool isLast) {
+        if (!Places::keepMissed(v, turn.h)) return false;
+        const auto active = Elimination<W>::isActive(v);
+        if (isLast) guess(v, 0);
+        Places::predict(v, turn.h);
+        if (isLast) Places::turnToMiddle(v);
         for (std::uint32_t i = 0; i < v.rowCount; ++i) {
             if (!v.rows[i].holds) continue;
             const S row = rowOf(v, i);
             const D before = row[R::Speed];
-            holdRow(row, bendOf(v, i, B::Ux, turn), turn);
-            change = larger(change, magnitude(row[R::Speed] - before));
-            most = larger(most, magnitude(before));
-            row.set(R::Known, before);
+            holdRow(row, bendOf(v, i, turn), turn);
+            row.set(R::Speed, active ? row[R::Speed] : before);
         }
-        const auto better = both(Elimination<W>::isActive(v), change < little * most);
-        for (std::uint32_t i = 0; i < v.rowCount; ++i)
-            if (v.rows[i].holds) rowOf(v, i).set(R::Speed, better ? rowOf(v, i)[R::Speed] : rowOf(v, i)[R::Known]);
+        return true;
     }
 
     /// Removes the present error, and the whole error that the sub-step would add, to any order.
     static void holdRow(const S& row, D bend, const IslandTurn& turn) {
-        if (!turn.correct) return row.set(R::Speed, D{});
+        if (!turn.closesGaps()) return row.set(R::Speed, D{});
         const D back = row[R::Coordinate] * (turn.rate * turn.share);
         row.set(R::Speed, bend - smaller(larger(back, all(-turn.fastest)), all(turn.fastest)));
     }
@@ -237,7 +242,7 @@ struct WideIslands : IslandItems<W> {
 template <int W>
 const IslandKernel WideIslandKernel<W>::code{
     WidePlaces<W>::move,      WidePlaces<W>::place,          WidePlaces<W>::noteSpeeds,
-    WideIslands<W>::prepare,  WideIslands<W>::predictAgain,  WideIslands<W>::solve,
+    WideIslands<W>::guess,    WideIslands<W>::prepare,  WideIslands<W>::predictAgain,  WideIslands<W>::solve,
     WideIslands<W>::answer,   WideIslands<W>::respond,       WideIslands<W>::accept,
     WideIslands<W>::addLoads, WideStiffness<W>::noteForces,  WideStiffness<W>::setMasses,
     WideIslands<W>::kick,     WideStiffness<W>::findInertias};
