@@ -126,7 +126,7 @@ void JointBatch::addImpulse(const BodyStore& bodies, std::size_t lane, std::size
 void JointBatch::kick(const BodyStore& bodies) {
     if (pieces_ > 1)
         forEachCoordinate([](double& velocity, double, double& bent) { velocity += std::exchange(bent, 0.0); });
-    kernel_->setMasses(view_, h_ / pieces_);
+    kernel_->setMasses(view_, h_);
     kernel_->kick(view_);
     for (const Touching& t : touching_) addImpulse(bodies, t.lane, t.node, bodies.warm[t.body]);
     activate(true, 0);
@@ -162,7 +162,7 @@ void JointBatch::moveInPieces(BodyStore& bodies, double h, double fastest, StepO
             activate(true, 0);
             freeAsIs();
             findSolution({piece, correct, true, fastest}, Lanes(active_), correct && i > 0 ? 1 : 0);
-            note(observer, piece);
+            note(observer, piece, true);
             if (correct) kernel_->move(view_, piece);
         }
     }
@@ -204,17 +204,13 @@ JointBatch::Lanes JointBatch::turningLanes(double h) const {
     return turning;
 }
 
-/// In some lanes. Rows are predicted from the velocities that they had so far and from their last change, then from the
-/// solutions, until that matters no more. Returns turningLanes.
+/// In some lanes. change: the share of the last change of velocities that is expected again. Returns turningLanes.
 JointBatch::Lanes JointBatch::findSolution(const IslandTurn& turn, const Lanes& lanes, double change) {
-    constexpr int mostPredictions = 8;
     active_ = lanes;
     kernel_->guess(view_, change);
     kernel_->prepare(view_, turn);
     kernel_->solve(view_);
-    if (turn.closesGaps())
-        for (int i = 1; i <= mostPredictions && kernel_->predictAgain(view_, turn, i == mostPredictions); ++i)
-            kernel_->solve(view_);
+    if (turn.closesGaps()) predict(turn);
     active_ = lanes;
     if (!turn.onlyHold) noteStates();
     const Lanes turning = turn.correct ? turningLanes(turn.h) : Lanes{};
@@ -222,15 +218,29 @@ JointBatch::Lanes JointBatch::findSolution(const IslandTurn& turn, const Lanes& 
     return turning;
 }
 
-void JointBatch::note(StepObserver* observer) {
-    note(observer, h_);
+/// Predicts rows from the solution until that matters no more. Where that leads nowhere, because links turn too far, they
+/// are predicted from the present velocities, and solved at the middle of the sub-step.
+void JointBatch::predict(const IslandTurn& turn) {
+    missed_.fill(1);
+    lost_ = {};
+    while (kernel_->predictAgain(view_, turn)) kernel_->solve(view_);
+    if (lost_ == Lanes{}) return;
+    active_ = lost_;
+    kernel_->guess(view_, 0);
+    for (const bool atMiddle : {false, true}) {
+        kernel_->predictHeld(view_, turn, atMiddle);
+        kernel_->solve(view_);
+    }
 }
 
-/// h: of the sub-step, or of the piece of it, whose half was solved [s].
-void JointBatch::note(StepObserver* observer, double h) {
+void JointBatch::note(StepObserver* observer) {
+    note(observer, h_, false);
+}
+
+void JointBatch::note(StepObserver* observer, double h, bool inPieces) {
     activate(true, 0);
     kernel_->addLoads(view_);
-    kernel_->noteForces(view_, h);
+    kernel_->noteForces(view_, h, inPieces);
     if (observer == nullptr) return;
     report(*observer);
     observer->noteGround(givenMomentum());

@@ -140,10 +140,11 @@ private:
     template <class Change>
     void forEachCoordinate(Change&& change);
     void moveInPieces(BodyStore& bodies, double h, double fastest, StepObserver* observer);
-    void note(StepObserver* observer, double h);
+    void note(StepObserver* observer, double h, bool inPieces);
     IslandTurn ownTurn(IslandTurn turn) const;
     void freeAsIs();
     Lanes turningLanes(double h) const;
+    void predict(const IslandTurn& turn);
     Lanes findSolution(const IslandTurn& turn, const Lanes& lanes, double change);
     Lanes takeContactImpulses(BodyStore& bodies);
     void pullVelocity(const BodyStore& bodies, std::size_t lane, std::size_t node, int field);
@@ -173,7 +174,7 @@ private:
     int pieces_ = 1;  ///< in which its islands move in each of them
     IslandLanes view_;
     std::vector<double> numbers_;
-    Lanes active_{};
+    Lanes active_{}, missed_{}, lost_{};
     Lanes pushed_{};      ///< an impact has changed the free velocities
     Lanes heavy_{};       ///< contacts may have to see bodies as heavier than they are
     Lanes changed_{};     ///< of those: other stops bear than those with which contacts were solved

@@ -69,6 +69,8 @@ void JointBatch::load(std::span<JointIsland* const> islands, const JointStore& j
     layOut(isNew);
     islands_.assign(islands.begin(), islands.end());
     view_.active = active_.data();
+    view_.missed = missed_.data();
+    view_.lost = lost_.data();
     view_.heavy = heavy_.data();
     view_.factored = false;
     moved_ = false;
@@ -83,6 +85,7 @@ void JointBatch::load(std::span<JointIsland* const> islands, const JointStore& j
         for (std::size_t lane = 0; lane < width_; ++lane) {
             body(n, BodyField::StiffAlong, lane) = islands[lane]->stiffness[n].along;
             body(n, BodyField::StiffTurning, lane) = islands[lane]->stiffness[n].turning;
+            body(n, BodyField::Swinging, lane) = islands[lane]->stiffness[n].swinging;
         }
     }
     for (std::size_t j = 0; j < layout_->jointCount(); ++j)
@@ -95,7 +98,7 @@ void JointBatch::load(std::span<JointIsland* const> islands, const JointStore& j
     kernel_->place(view_);
     for (std::size_t i = 0; i < layout_->rows.size(); ++i)
         for (std::size_t lane = 0; lane < width_; ++lane) row(i, RowField::StartError, lane) = errorOf(i, lane);
-    kernel_->setMasses(view_, h / pieces_);
+    kernel_->setMasses(view_, h);
 }
 
 void JointBatch::findTouching(const BodyStore& bodies) {
@@ -188,7 +191,8 @@ void JointBatch::loadRow(const RowForm& form, const Rot& rotationA, double sprin
 }
 
 void JointBatch::storeBody(BodyRecord& record, JointIsland::Stiffness& stiffness, std::size_t n, std::size_t lane) {
-    stiffness = {body(n, BodyField::StiffAlong, lane), body(n, BodyField::StiffTurning, lane)};
+    stiffness = {body(n, BodyField::StiffAlong, lane), body(n, BodyField::StiffTurning, lane),
+                 body(n, BodyField::Swinging, lane)};
     if (!(record.inverseInertia > 0)) return;
     // More inertia at the same spin would be more energy: the body keeps its angular momentum.
     const double was = inertiaOf(record), now = body(n, BodyField::Inertia, lane);
@@ -207,7 +211,7 @@ void JointBatch::storeJoint(JointRecord& record, JointLoad& sum, std::size_t j, 
 }
 
 void JointBatch::store(JointStore& joints, BodyStore& bodies) {
-    kernel_->findInertias(view_, h_ / pieces_);
+    kernel_->findInertias(view_, h_);
     for (std::size_t n = 0; n < layout_->moved; ++n)
         for (std::size_t lane = 0; lane < width_; ++lane)
             storeBody(bodies.record[islands_[lane]->bodies[n]], islands_[lane]->stiffness[n], n, lane);

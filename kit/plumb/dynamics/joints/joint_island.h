@@ -13,6 +13,7 @@ struct JointIsland {
     /// Of a body, from recent forces.
     struct Stiffness {
         double along = 0, turning = 0;  ///< [N/m, N m/rad]
+        double swinging = 0;            ///< turning, also by what acts within pieces of a sub-step
     };
 
     std::vector<JointIndex> joints;
@@ -22,6 +23,7 @@ struct JointIsland {
     std::vector<BodyIndex> bodies;      ///< that impulses move
     std::vector<BodyIndex> held;        ///< that they do not move
     std::vector<Stiffness> stiffness;   ///< of the bodies that move
+    double lastTurning = 0;
     double turning = 0;  ///< the fastest turn of its links lately [rad/s]
     int pieces = 1;      ///< in which it moves in each sub-step of this step
     std::shared_ptr<const IslandLayout> layout;

@@ -105,7 +105,7 @@ double turningOf(const JointStores& stores, const JointIsland& island) {
     for (const LaidJoint& joint : island.laid) turning = std::max(turning, turningOf(joint.form, stores.bodies));
     for (std::size_t b = 0; b < island.bodies.size(); ++b) {
         const double inverseInertia = stores.bodies.record[island.bodies[b]].inverseInertia;
-        stiffness = std::max(stiffness, 2 * island.stiffness[b].turning * inverseInertia);
+        stiffness = std::max(stiffness, 2 * island.stiffness[b].swinging * inverseInertia);
     }
     return std::max(turning, std::min(swing * std::sqrt(stiffness), mostSwing * turning));
 }
@@ -117,7 +117,11 @@ void choosePieces(const JointStores& stores, JointIsland& island, double dt) {
     constexpr int most = 16;
     const double h = dt / stores.settings.subSteps;
     island.turning *= touches(stores.bodies, island) ? 0 : 1 - std::min(dt / memory, 1.0);
-    if (mayTurn(stores, island, followed / h / 4)) island.turning = std::max(turningOf(stores, island), island.turning);
+    const double last = std::exchange(island.lastTurning, 0.0);
+    if (mayTurn(stores, island, followed / h / 8)) {
+        const double now = island.lastTurning = turningOf(stores, island);
+        island.turning = std::max({now, 2 * now - last, island.turning});
+    }
     for (island.pieces = 1; island.pieces < most && island.turning * h > followed * island.pieces;) island.pieces *= 2;
 }
 

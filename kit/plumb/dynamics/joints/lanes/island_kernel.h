@@ -28,6 +28,7 @@ struct BodyField {
         Inertia,  ///< as they are solved for (see island_stiffness_wide.h); 0: it cannot turn
         StiffAlong,
         StiffTurning,  ///< from recent forces [N/m, N m/rad]
+        Swinging,      ///< StiffTurning, also by what acts within pieces
         FreshAlong,
         FreshTurning,  ///< from the present ones
         NearMass,
@@ -171,6 +172,8 @@ struct IslandLanes {
     double* answer = nullptr;   ///< of the nodes, 3 fields each
     double* inverse = nullptr;  ///< of the matrix, where it has blocks; 9 fields each
     double* active = nullptr;   ///< 1: the lane takes part in this pass
+    double* missed = nullptr;   ///< how far the last prediction was off (see WidePlaces::keepMissed)
+    double* lost = nullptr;     ///< 1: predictions have not come closer
     double* heavy = nullptr;    ///< 1: dampers act by the speed at the end of each half (see island_curve_wide.h)
     bool factored = false;      ///< the blocks hold the factors of the present matrix
     double compliance = 0;      ///< of rows that hold, relative to their inverse mass [-]
@@ -201,9 +204,12 @@ struct IslandKernel {
     /// Finds the conditions of the rows. How far they will be off is predicted from U.
     void (*prepare)(IslandLanes& view, const IslandTurn& turn);
     /// Where a lane is active, its rows that hold were predicted from velocities that are not U any more: predicts them
-    /// again if that matters, else makes the lane inactive. Returns true if some lane is active. isLast: predictions have
-    /// not come closer. Then impulses act along the axes in the middle of the sub-step, which costs energy.
-    bool (*predictAgain)(IslandLanes& view, const IslandTurn& turn, bool isLast);
+    /// again if that matters and comes closer to a solution, else makes the lane inactive, and lost if it does not come
+    /// closer. Returns true if some lane is active.
+    bool (*predictAgain)(IslandLanes& view, const IslandTurn& turn);
+    /// Where a lane is active, predicts rows that hold from U. atMiddle: for impulses along the axes in the middle of the
+    /// sub-step, instead of at its start. They never give energy, but cost some.
+    void (*predictHeld)(IslandLanes& view, const IslandTurn& turn, bool atMiddle);
     /// Solves for U from the free velocities, and, where a lane is active, for the impulses. Returns true if a row came
     /// to another part of its curve; it can do so where a lane is active.
     bool (*solve)(IslandLanes& view);
@@ -214,7 +220,8 @@ struct IslandKernel {
     /// Where a lane is active: sets V to U; adds the impulses to the loads; notes the stiffness by the forces.
     void (*accept)(const IslandLanes& view);
     void (*addLoads)(const IslandLanes& view);
-    void (*noteForces)(const IslandLanes& view, double h);
+    /// h: of the sub-step, or of the piece of it, whose half was solved [s].
+    void (*noteForces)(const IslandLanes& view, double h, bool inPieces);
     /// Finds the masses to solve for in the next sub-step of h [s].
     void (*setMasses)(IslandLanes& view, double h);
     /// Sets the free velocities to those after the forces of half a sub-step.

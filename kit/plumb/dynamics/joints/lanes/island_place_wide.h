@@ -289,9 +289,10 @@ struct WidePlaces : IslandItems<W> {
 
     /// Rows were predicted from velocities that are not U any more. The error of that, in parts of a link, is by how much
     /// more a body or a rod turns in the coming sub-step than was predicted, times how far it turns. Where it is too
-    /// large, lanes stay active. Returns true if some do.
+    /// large, lanes stay active; where it has not become much smaller since the last call, they are lost. Returns true
+    /// if some are active.
     static bool keepMissed(const IslandLanes& v, double h) {
-        constexpr double small = 1e-6;
+        constexpr double small = 1e-6, smaller = 0.5;
         D worst{};
         for (std::uint32_t i = 0; i < v.bodies; ++i) {
             const S b = bodyOf(v, i);
@@ -301,8 +302,13 @@ struct WidePlaces : IslandItems<W> {
         for (std::uint32_t i = 0; i < v.linkCount; ++i)
             if (v.links[i].turnsAlong) worst = larger(worst, missedAlong(v, i, h));
         const auto missing = both(Elimination<W>::isActive(v), worst > all(small));
-        storeLanes(v.active, missing ? all(1) : D{});
-        return anyOf<W>(missing);
+        const D before = loadLanes<W>(static_cast<const double*>(v.missed));
+        const D lost = missing ? (worst < smaller * before ? D{} : all(1)) : loadLanes<W>(static_cast<const double*>(v.lost));
+        const D active = missing ? all(1) - lost : D{};
+        storeLanes(v.missed, worst);
+        storeLanes(v.lost, lost);
+        storeLanes(v.active, active);
+        return anyOf<W>(active > D{});
     }
 
     static D missedAlong(const IslandLanes& v, std::uint32_t i, double h) {

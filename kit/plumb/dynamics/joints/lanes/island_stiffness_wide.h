@@ -53,7 +53,7 @@ struct WideStiffness {
     /// Of a body alone.
     static D needed(const S& b, double h) { return 2 * h * h * b[B::StiffTurning]; }
 
-    static void noteForces(const IslandLanes& v, double h) {
+    static void noteForces(const IslandLanes& v, double h, bool inPieces) {
         const double rate = 2 / h;  // impulses are of half a sub-step
         for (std::uint32_t i = 0; i < v.moved; ++i) {
             Body::bodyOf(v, i).set(B::FreshAlong, D{});
@@ -65,10 +65,13 @@ struct WideStiffness {
         const double half = 0.5 * h, kept = 1 - (half < memory ? half / memory : 1);
         for (std::uint32_t i = 0; i < v.moved; ++i) {
             const S b = Body::bodyOf(v, i);
-            const D along = larger(b[B::FreshAlong], kept * b[B::StiffAlong]);
-            const D turning = larger(b[B::FreshTurning], kept * b[B::StiffTurning]);
-            b.set(B::StiffAlong, active ? along : b[B::StiffAlong]);
-            b.set(B::StiffTurning, active ? turning : b[B::StiffTurning]);
+            const auto note = [&](int field, int fresh) {
+                b.set(field, active ? larger(b[fresh], kept * b[field]) : b[field]);
+            };
+            note(B::Swinging, B::FreshTurning);
+            if (inPieces) continue;
+            note(B::StiffAlong, B::FreshAlong);
+            note(B::StiffTurning, B::FreshTurning);
         }
     }
 

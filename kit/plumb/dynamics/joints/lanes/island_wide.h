@@ -66,12 +66,17 @@ struct WideIslands : IslandItems<W> {
                (Places::coordinateOf(v, v.rows[i], row, true) - row[R::Coordinate]) * turn.rate;
     }
 
-    static bool predictAgain(IslandLanes& v, const IslandTurn& turn, bool isLast) {
+    static bool predictAgain(IslandLanes& v, const IslandTurn& turn) {
         if (!Places::keepMissed(v, turn.h)) return false;
-        const auto active = Elimination<W>::isActive(v);
-        if (isLast) guess(v, 0);
+        predictHeld(v, turn, false);
+        return true;
+    }
+
+    /// Where a lane is active: predicts from U how far rows that hold will be off.
+    static void predictHeld(IslandLanes& v, const IslandTurn& turn, bool atMiddle) {
         Places::predict(v, turn.h);
-        if (isLast) Places::turnToMiddle(v);
+        if (atMiddle) Places::turnToMiddle(v);
+        const auto active = Elimination<W>::isActive(v);
         for (std::uint32_t i = 0; i < v.rowCount; ++i) {
             if (!v.rows[i].holds) continue;
             const S row = rowOf(v, i);
@@ -79,7 +84,6 @@ struct WideIslands : IslandItems<W> {
             holdRow(row, bendOf(v, i, turn), turn);
             row.set(R::Speed, active ? row[R::Speed] : before);
         }
-        return true;
     }
 
     /// Removes the present error, and the whole error that the sub-step would add, to any order.
@@ -242,7 +246,7 @@ struct WideIslands : IslandItems<W> {
 template <int W>
 const IslandKernel WideIslandKernel<W>::code{
     WidePlaces<W>::move,      WidePlaces<W>::place,          WidePlaces<W>::noteSpeeds,
-    WideIslands<W>::guess,    WideIslands<W>::prepare,  WideIslands<W>::predictAgain,  WideIslands<W>::solve,
+    WideIslands<W>::guess,    WideIslands<W>::prepare,  WideIslands<W>::predictAgain,  WideIslands<W>::predictHeld, WideIslands<W>::solve,
     WideIslands<W>::answer,   WideIslands<W>::respond,       WideIslands<W>::accept,
     WideIslands<W>::addLoads, WideStiffness<W>::noteForces,  WideStiffness<W>::setMasses,
     WideIslands<W>::kick,     WideStiffness<W>::findInertias};
