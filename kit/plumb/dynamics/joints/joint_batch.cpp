@@ -227,10 +227,8 @@ void JointBatch::predict(const IslandTurn& turn) {
     if (lost_ == Lanes{}) return;
     active_ = lost_;
     kernel_->guess(view_, 0);
-    for (const bool atMiddle : {false, true}) {
-        kernel_->predictHeld(view_, turn, atMiddle);
-        kernel_->solve(view_);
-    }
+    kernel_->predictHeld(view_, turn, true);
+    kernel_->solve(view_);
 }
 
 void JointBatch::note(StepObserver* observer) {

@@ -110,19 +110,21 @@ double turningOf(const JointStores& stores, const JointIsland& island) {
     return std::max(turning, std::min(swing * std::sqrt(stiffness), mostSwing * turning));
 }
 
-/// Where links turn fast, an island moves in pieces of a sub-step. Each change of their number costs some energy. So it
-/// falls slowly, but where the island touches something, which costs more.
+/// Where links turn fast, an island that touches nothing moves in pieces of a sub-step: contacts would not see what
+/// happens within. Each change of their number costs some energy, so it rises early and falls slowly.
 void choosePieces(const JointStores& stores, JointIsland& island, double dt) {
     constexpr double memory = 2;  ///< in which the turning of former steps is forgotten [s]
     constexpr int most = 16;
-    const double h = dt / stores.settings.subSteps;
-    island.turning *= touches(stores.bodies, island) ? 0 : 1 - std::min(dt / memory, 1.0);
-    const double last = std::exchange(island.lastTurning, 0.0);
-    if (mayTurn(stores, island, followed / h / 8)) {
-        const double now = island.lastTurning = turningOf(stores, island);
-        island.turning = std::max({now, 2 * now - last, island.turning});
+    const double h = dt / stores.settings.subSteps, last = std::exchange(island.turning, 0.0);
+    island.pieces = 1;
+    if (touches(stores.bodies, island)) {
+        island.mostTurning = 0;
+        return;
     }
-    for (island.pieces = 1; island.pieces < most && island.turning * h > followed * island.pieces;) island.pieces *= 2;
+    if (mayTurn(stores, island, followed / h / 8)) island.turning = turningOf(stores, island);
+    island.mostTurning = std::max(island.mostTurning * (1 - std::min(dt / memory, 1.0)), 2 * island.turning - last);
+    const double turn = std::max(island.turning, island.mostTurning) * h;
+    while (island.pieces < most && turn > followed * island.pieces) island.pieces *= 2;
 }
 
 /// Cuts groups of equal islands that move in as many pieces into batches, as many islands in each as there are lanes.
