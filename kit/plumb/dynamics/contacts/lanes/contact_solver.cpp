@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <plumb/dynamics/contacts/lanes/contact_solver.h>
 
-#include <plumb/math/detail/wide_ops.h>
+#include <plumb/dynamics/contacts/lanes/two_points.h>
 
 namespace plumb {
 
@@ -76,22 +76,44 @@ float separationNow(const ContactBatch& batch, const PointLanes& p, std::size_t 
 
 using Given = ContactGiven;
 
-void setNormal(BodyPair& c, PointLanes& p, std::size_t lane, float now) {
-    const float change = now - p.normalImpulse[lane];
-    p.normalImpulse[lane] = now;
-    pushNormal(c, p, lane, change);
+using Points = TwoPoints<float>;
+
+Points pointsOf(const BodyPair& c, const ContactBatch& batch, std::size_t lane) {
+    const PointLanes &p = batch.points[0], &q = batch.points[1];
+    return Points::of({{p.normalMass[lane], q.normalMass[lane]}}, c.a.inverseMass, c.b.inverseMass,
+                      {{p.anchorTangentA[lane], q.anchorTangentA[lane]}},
+                      {{p.anchorTangentB[lane], q.anchorTangentB[lane]}});
+}
+
+/// find(i) for both points.
+template <class Find>
+Points::Each each(Find&& find) {
+    return {{find(0), find(1)}};
+}
+
+void setNormals(BodyPair& c, ContactBatch& batch, std::size_t lane, const Points::Each& now) {
+    for (int i = 0; i < 2; ++i) {
+        PointLanes& p = batch.points[i];
+        const float change = now.at[i] - p.normalImpulse[lane];
+        p.normalImpulse[lane] = now.at[i];
+        pushNormal(c, p, lane, change);
+    }
 }
 
 /// Friction of both halves together is limited to mu times the normal impulse of both (Coulomb's cone).
-void solveFriction(BodyPair& c, const ContactBatch& batch, PointLanes& p, std::size_t lane, float normalBefore,
-                   float before) {
-    const float old = p.tangentImpulse[lane];
-    const float limit = batch.friction[lane] * (normalBefore + p.normalImpulse[lane]);
+void solveFriction(BodyPair& c, ContactBatch& batch, std::size_t lane, const Given& given) {
     const float belt = batch.hasSurfaceSpeed ? batch.surfaceSpeed[lane] : 0.0f;
-    const float wanted = old - p.tangentMass[lane] * (tangentSpeed(c, p, lane) + belt);
-    const float now = larger(smaller(wanted, limit - before), -limit - before);
-    p.tangentImpulse[lane] = now;
-    pushTangent(c, p, lane, now - old);
+    const auto point = [&](int i) -> PointLanes& { return batch.points[i]; };
+    const Points::Each now = Points::tangents(
+        each([&](int i) { return point(i).tangentMass[lane]; }),
+        each([&](int i) { return point(i).tangentImpulse[lane]; }), {{given.tangent[0], given.tangent[1]}},
+        each([&](int i) { return tangentSpeed(c, point(i), lane) + belt; }),
+        each([&](int i) { return batch.friction[lane] * (given.normal[i] + point(i).normalImpulse[lane]); }));
+    for (int i = 0; i < 2; ++i) {
+        const float change = now.at[i] - point(i).tangentImpulse[lane];
+        point(i).tangentImpulse[lane] = now.at[i];
+        pushTangent(c, point(i), lane, change);
+    }
 }
 
 /// A torque against rolling on each other, limited to rollingArm times the normal impulse.
@@ -107,9 +129,8 @@ void solveRolling(BodyPair& c, ContactBatch& batch, std::size_t lane, const Give
     twist(c, batch, lane, now - old);
 }
 
-/// Friction is solved after the normal impulses, so that their limit is known even in a contact's first sub-step.
 void solveAlong(BodyPair& c, ContactBatch& batch, std::size_t lane, const Given& given) {
-    for (int i = 0; i < 2; ++i) solveFriction(c, batch, batch.points[i], lane, given.normal[i], given.tangent[i]);
+    solveFriction(c, batch, lane, given);
     if (batch.hasRollingResistance) solveRolling(c, batch, lane, given);
 }
 
@@ -138,12 +159,18 @@ void solve(ContactBatch* batches, std::size_t contacts, const SolverBodies& bodi
                 [&](ContactBatch& batch, std::size_t lane) { solveLane(batch, lane, bodies, pass); });
 }
 
+/// Here friction comes after the normal impulses, which so are known for both halves: those of an impact are not
+/// counted twice. What it turns, the next half takes into account.
 void relaxPoints(BodyPair& c, ContactBatch& batch, std::size_t lane, const ContactPass& pass, const Given& given) {
-    for (int i = 0; i < 2; ++i) {
-        PointLanes& p = batch.points[i];
-        const float speed = normalSpeed(c, p, lane) + larger(p.separation[lane], 0.0f) * pass.inverseStep;
-        setNormal(c, p, lane, larger(p.normalImpulse[lane] - p.normalMass[lane] * speed, -given.normal[i]));
-    }
+    const Points::Each total =
+        pointsOf(c, batch, lane)
+            .normals(each([&](int i) { return given.normal[i] + batch.points[i].normalImpulse[lane]; }),
+                     each([&](int i) {
+                         const PointLanes& p = batch.points[i];
+                         return normalSpeed(c, p, lane) + larger(p.separation[lane], 0.0f) * pass.inverseStep;
+                     }),
+                     {{1, 1}});
+    setNormals(c, batch, lane, each([&](int i) { return total.at[i] - given.normal[i]; }));
     solveAlong(c, batch, lane, given);
 }
 
@@ -171,13 +198,22 @@ void bounce(ContactBatch* batches, std::size_t contacts, const SolverBodies& bod
     forEachLane(batches, contacts, [&](ContactBatch& batch, std::size_t lane) {
         if (!batch.bounces) return;
         BodyPair couple = load(batch, lane, bodies.velocity);
-        for (PointLanes& p : batch.points) {
-            const float old = p.totalNormal[lane];
-            const bool bounces = p.bounceSpeed[lane] > 0 && old > 0;
-            const float change = -p.normalMass[lane] * (normalSpeed(couple, p, lane) - p.bounceSpeed[lane]);
-            const float now = bounces ? larger(old + change, 0.0f) : old;
-            p.totalNormal[lane] = now;
-            pushNormal(couple, p, lane, now - old);
+        Points points = pointsOf(couple, batch, lane);
+        const auto bounces = [&](int i) {
+            return batch.points[i].bounceSpeed[lane] > 0 && batch.points[i].totalNormal[lane] > 0;
+        };
+        points.coupling = bounces(0) && bounces(1) ? points.coupling : 0;
+        points.freedom = bounces(0) && bounces(1) ? points.freedom : 1;
+        const Points::Each old = each([&](int i) { return batch.points[i].totalNormal[lane]; });
+        const Points::Each now = points.normals(old, each([&](int i) {
+                                                    const PointLanes& p = batch.points[i];
+                                                    return normalSpeed(couple, p, lane) - p.bounceSpeed[lane];
+                                                }),
+                                                {{1, 1}});
+        for (int i = 0; i < 2; ++i) {
+            if (!bounces(i)) continue;
+            batch.points[i].totalNormal[lane] = now.at[i];
+            pushNormal(couple, batch.points[i], lane, now.at[i] - old.at[i]);
         }
         store(batch, lane, couple, bodies.velocity);
     });
@@ -199,9 +235,9 @@ ContactGiven givenBy(const ContactBatch& batch, std::size_t lane) {
 
 void takeBackLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactGiven& start) {
     BodyPair couple = load(batch, lane, bodies.velocity);
+    setNormals(couple, batch, lane, {{start.normal[0], start.normal[1]}});
     for (int i = 0; i < 2; ++i) {
         PointLanes& p = batch.points[i];
-        setNormal(couple, p, lane, start.normal[i]);
         pushTangent(couple, p, lane, start.tangent[i] - p.tangentImpulse[lane]);
         p.tangentImpulse[lane] = start.tangent[i];
     }
@@ -210,20 +246,21 @@ void takeBackLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bod
     store(batch, lane, couple, bodies.velocity);
 }
 
+/// Friction first: then the bodies move at velocities with which the points do not approach.
 void solveLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactPass& pass) {
     BodyPair couple = load(batch, lane, bodies.velocity);
-    for (PointLanes& p : batch.points) {
-        const float s = p.separation[lane];
-        const bool apart = s > 0;
-        const float bias = apart ? s * pass.inverseStep : larger(pass.soft.biasRate * s, -pass.pushSpeed);
-        const float massScale = apart ? 1.0f : pass.soft.massScale;
-        const float impulseScale = apart ? 0.0f : pass.soft.impulseScale;
-        const float old = p.normalImpulse[lane];
-        const float change =
-            -(p.normalMass[lane] * massScale) * (normalSpeed(couple, p, lane) + bias) - impulseScale * old;
-        setNormal(couple, p, lane, larger(old + change, 0.0f));
-    }
     solveAlong(couple, batch, lane, {});
+    const Points::Each now =
+        pointsOf(couple, batch, lane)
+            .normals(each([&](int i) { return batch.points[i].normalImpulse[lane]; }), each([&](int i) {
+                         const PointLanes& p = batch.points[i];
+                         const float s = p.separation[lane];
+                         const float bias =
+                             s > 0 ? s * pass.inverseStep : larger(pass.soft.biasRate * s, -pass.pushSpeed);
+                         return normalSpeed(couple, p, lane) + bias;
+                     }),
+                     each([&](int i) { return batch.points[i].separation[lane] > 0 ? 1.0f : pass.soft.massScale; }));
+    setNormals(couple, batch, lane, now);
     store(batch, lane, couple, bodies.velocity);
 }
 

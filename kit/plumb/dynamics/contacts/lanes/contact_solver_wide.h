@@ -3,7 +3,7 @@
 // (contact_solver.cpp); each float there is a vector of W floats here.
 #pragma once
 #include <plumb/dynamics/contacts/lanes/contact_solver.h>
-#include <plumb/math/detail/wide_ops.h>
+#include <plumb/dynamics/contacts/lanes/two_points.h>
 #include <plumb/math/detail/wide_rows.h>
 
 namespace plumb {
@@ -34,6 +34,9 @@ struct WideContacts {
         storeRows<W>(rows(velocity), batch.bodyA + lane, c.a);
         storeRows<W>(rows(velocity), batch.bodyB + lane, c.b);
     }
+
+    using Points = TwoPoints<F>;
+    using Each = typename Points::Each;
 
     /// The anchors of a point.
     struct Arms {
@@ -86,29 +89,54 @@ struct WideContacts {
         return at(p.startSeparation + lane) + (shift + (turnB - turnA));
     }
 
+    /// A number of both points.
+    [[gnu::always_inline]] static inline Each each(const ContactBatch& batch, int lane,
+                                                   Lanes<float> PointLanes::*field) {
+        return {{at(batch.points[0].*field + lane), at(batch.points[1].*field + lane)}};
+    }
+    [[gnu::always_inline]] static inline Points pointsOf(const ContactBatch& batch, int lane, const BodyPair& c,
+                                                         const Arms* r) {
+        return Points::of(each(batch, lane, &PointLanes::normalMass), c.a.w, c.b.w, {{r[0].tangentA, r[1].tangentA}},
+                          {{r[0].tangentB, r[1].tangentB}});
+    }
+    [[gnu::always_inline]] static inline void setNormals(BodyPair& c, ContactBatch& batch, int lane, const Arms* r,
+                                                         const Each& old, const Each& now) {
+        for (int i = 0; i < 2; ++i) {
+            storeLanes(batch.points[i].normalImpulse + lane, now.at[i]);
+            pushNormal(c, r[i], now.at[i] - old.at[i]);
+        }
+    }
+
     /// The impulses of the first half of the sub-step, which the second half may take back; 0 during the first half.
     struct Given {
-        F normal[2], tangent[2], roll;
+        Each normal{}, tangent{};
+        F roll{};
     };
 
     static F clamped(F wanted, F limit, F before) { return larger(smaller(wanted, limit - before), -limit - before); }
 
-    [[gnu::always_inline]] static inline void solveAlong(BodyPair& c, ContactBatch& batch, int lane, const Arms* arms,
-                                                         const F* normal, const Given& given, F* tangent) {
+    /// Returns the tangent impulses.
+    [[gnu::always_inline]] static inline Each solveAlong(BodyPair& c, ContactBatch& batch, int lane, const Arms* arms,
+                                                         const Each& normal, const Given& given) {
         const F friction = at(batch.friction + lane);
         const F belt = batch.hasSurfaceSpeed ? at(batch.surfaceSpeed + lane) : F{};
+        const Each old = each(batch, lane, &PointLanes::tangentImpulse);
+        const Each now = Points::tangents(
+            each(batch, lane, &PointLanes::tangentMass), old, given.tangent,
+            {{tangentSpeed(c, arms[0]) + belt, tangentSpeed(c, arms[1]) + belt}},
+            {{friction * (given.normal.at[0] + normal.at[0]), friction * (given.normal.at[1] + normal.at[1])}});
         for (int i = 0; i < 2; ++i) {
-            PointLanes& p = batch.points[i];
-            const F old = at(p.tangentImpulse + lane);
-            const F limit = friction * (given.normal[i] + normal[i]);
-            const F wanted = old - at(p.tangentMass + lane) * (tangentSpeed(c, arms[i]) + belt);
-            tangent[i] = clamped(wanted, limit, given.tangent[i]);
-            storeLanes(p.tangentImpulse + lane, tangent[i]);
-            pushTangent(c, arms[i], tangent[i] - old);
+            storeLanes(batch.points[i].tangentImpulse + lane, now.at[i]);
+            pushTangent(c, arms[i], now.at[i] - old.at[i]);
         }
-        if (!batch.hasRollingResistance) return;
+        if (batch.hasRollingResistance) solveRolling(c, batch, lane, normal, given);
+        return now;
+    }
+
+    static void solveRolling(BodyPair& c, ContactBatch& batch, int lane, const Each& normal, const Given& given) {
         const F old = at(batch.rollImpulse + lane);
-        const F limit = at(batch.rollingArm + lane) * ((given.normal[0] + normal[0]) + (given.normal[1] + normal[1]));
+        const F limit =
+            at(batch.rollingArm + lane) * ((given.normal.at[0] + normal.at[0]) + (given.normal.at[1] + normal.at[1]));
         const F speed = at(batch.rollInverseGyrationB + lane) * c.b.z - at(batch.rollInverseGyrationA + lane) * c.a.z;
         const F now = clamped(old - at(batch.rollMass + lane) * speed, limit, given.roll);
         storeLanes(batch.rollImpulse + lane, now);
@@ -133,22 +161,17 @@ struct WideContacts {
                                                          const ContactPass& pass) {
         BodyPair c = load(batch, lane, bodies.velocity);
         const Arms r[2] = {arms(batch.points[0], lane), arms(batch.points[1], lane)};
-        F normal[2], tangent[2];
+        const Each old = each(batch, lane, &PointLanes::normalImpulse);
+        solveAlong(c, batch, lane, r, old, Given{});
+        Each speed, share;
         for (int i = 0; i < 2; ++i) {
-            PointLanes& p = batch.points[i];
-            const F s = at(p.separation + lane);
+            const F s = at(batch.points[i].separation + lane);
             const auto apart = s > F{};
             const F bias = apart ? s * pass.inverseStep : larger(pass.soft.biasRate * s, all(-pass.pushSpeed));
-            const F massScale = apart ? all(1) : all(pass.soft.massScale);
-            const F impulseScale = apart ? F{} : all(pass.soft.impulseScale);
-            const F old = at(p.normalImpulse + lane);
-            const F change =
-                -(at(p.normalMass + lane) * massScale) * (normalSpeed(c, r[i]) + bias) - impulseScale * old;
-            normal[i] = larger(old + change, F{});
-            storeLanes(p.normalImpulse + lane, normal[i]);
-            pushNormal(c, r[i], normal[i] - old);
+            share.at[i] = apart ? all(1) : all(pass.soft.massScale);
+            speed.at[i] = normalSpeed(c, r[i]) + bias;
         }
-        solveAlong(c, batch, lane, r, normal, Given{}, tangent);
+        setNormals(c, batch, lane, r, old, pointsOf(batch, lane, c, r).normals(old, speed, share));
         store(batch, lane, c, bodies.velocity);
     }
 
@@ -158,27 +181,25 @@ struct WideContacts {
         const Bodies da = loadRows<W>(&bodies.displacement->x, batch.bodyA + lane);
         const Bodies db = loadRows<W>(&bodies.displacement->x, batch.bodyB + lane);
         const Arms r[2] = {arms(batch.points[0], lane), arms(batch.points[1], lane)};
-        F normal[2], tangent[2];
-        Given given;
-        given.roll = batch.hasRollingResistance ? at(batch.rollImpulse + lane) : F{};
+        const Given given{each(batch, lane, &PointLanes::normalImpulse), each(batch, lane, &PointLanes::tangentImpulse),
+                          batch.hasRollingResistance ? at(batch.rollImpulse + lane) : F{}};
+        Each speed, normal;
         for (int i = 0; i < 2; ++i) {
-            PointLanes& p = batch.points[i];
-            given.normal[i] = at(p.normalImpulse + lane);
-            given.tangent[i] = at(p.tangentImpulse + lane);
-            const F s = separationNow(batch, p, r[i], lane, c, da, db);
-            storeLanes(p.separation + lane, s);
-            const F speed = normalSpeed(c, r[i]) + larger(s, F{}) * pass.inverseStep;
-            normal[i] = larger(given.normal[i] - at(p.normalMass + lane) * speed, -given.normal[i]);
-            storeLanes(p.normalImpulse + lane, normal[i]);
-            pushNormal(c, r[i], normal[i] - given.normal[i]);
+            const F s = separationNow(batch, batch.points[i], r[i], lane, c, da, db);
+            storeLanes(batch.points[i].separation + lane, s);
+            speed.at[i] = normalSpeed(c, r[i]) + larger(s, F{}) * pass.inverseStep;
+            normal.at[i] = given.normal.at[i] + given.normal.at[i];
         }
-        solveAlong(c, batch, lane, r, normal, given, tangent);
+        normal = pointsOf(batch, lane, c, r).normals(normal, speed, {{all(1), all(1)}});
+        for (int i = 0; i < 2; ++i) normal.at[i] = normal.at[i] - given.normal.at[i];
+        setNormals(c, batch, lane, r, given.normal, normal);
+        const Each tangent = solveAlong(c, batch, lane, r, normal, given);
         auto pushed = loadLanes<W>(batch.pushed + lane);
         for (int i = 0; i < 2; ++i) {
             PointLanes& p = batch.points[i];
-            storeLanes(p.totalNormal + lane, at(p.totalNormal + lane) + (given.normal[i] + normal[i]));
-            storeLanes(p.totalTangent + lane, at(p.totalTangent + lane) + (given.tangent[i] + tangent[i]));
-            pushed |= (given.normal[i] > F{}) | (normal[i] > F{});
+            storeLanes(p.totalNormal + lane, at(p.totalNormal + lane) + (given.normal.at[i] + normal.at[i]));
+            storeLanes(p.totalTangent + lane, at(p.totalTangent + lane) + (given.tangent.at[i] + tangent.at[i]));
+            pushed |= (given.normal.at[i] > F{}) | (normal.at[i] > F{});
         }
         storeLanes(batch.pushed + lane, pushed);
         store(batch, lane, c, bodies.velocity);
@@ -186,15 +207,19 @@ struct WideContacts {
 
     static void bounceLanes(ContactBatch& batch, int lane, const SolverBodies& bodies) {
         BodyPair c = load(batch, lane, bodies.velocity);
-        for (PointLanes& p : batch.points) {
-            const Arms r = arms(p, lane);
-            const F old = at(p.totalNormal + lane);
-            const F target = at(p.bounceSpeed + lane);
-            const auto bounces = (target > F{}) & (old > F{});
-            const F change = -at(p.normalMass + lane) * (normalSpeed(c, r) - target);
-            const F now = bounces ? larger(old + change, F{}) : old;
-            storeLanes(p.totalNormal + lane, now);
-            pushNormal(c, r, now - old);
+        const Arms r[2] = {arms(batch.points[0], lane), arms(batch.points[1], lane)};
+        const Each old = each(batch, lane, &PointLanes::totalNormal),
+                   target = each(batch, lane, &PointLanes::bounceSpeed);
+        Points points = pointsOf(batch, lane, c, r);
+        const auto first = (target.at[0] > F{}) & (old.at[0] > F{}), second = (target.at[1] > F{}) & (old.at[1] > F{});
+        points.coupling = first & second ? points.coupling : F{};
+        points.freedom = first & second ? points.freedom : all(1);
+        Each now = points.normals(old, {{normalSpeed(c, r[0]) - target.at[0], normalSpeed(c, r[1]) - target.at[1]}},
+                                  {{all(1), all(1)}});
+        now = {{first ? now.at[0] : old.at[0], second ? now.at[1] : old.at[1]}};
+        for (int i = 0; i < 2; ++i) {
+            storeLanes(batch.points[i].totalNormal + lane, now.at[i]);
+            pushNormal(c, r[i], now.at[i] - old.at[i]);
         }
         store(batch, lane, c, bodies.velocity);
     }
