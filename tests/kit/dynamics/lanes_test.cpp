@@ -229,7 +229,9 @@ Pile randomPile(Random& random) {
             p.anchorNormalB[lane] = number(1);
             p.anchorTangentB[lane] = number(1);
             p.startSeparation[lane] = p.separation[lane] = number(0.02);
-            p.normalMass[lane] = static_cast<float>(random.uniform(0.05, 0.5));
+            const SolverVelocity &a = pile.velocity[batch.bodyA[lane]], &b = pile.velocity[batch.bodyB[lane]];
+            const float armA = p.anchorTangentA[lane], armB = p.anchorTangentB[lane];
+            p.normalMass[lane] = 1 / (a.inverseMass * (1 + armA * armA) + b.inverseMass * (1 + armB * armB));
             p.tangentMass[lane] = static_cast<float>(random.uniform(0.05, 0.5));
             p.normalImpulse[lane] = static_cast<float>(random.uniform(0, 1));
             p.tangentImpulse[lane] = number(0.5);

@@ -211,9 +211,9 @@ void bounce(ContactBatch* batches, std::size_t contacts, const SolverBodies& bod
                                                 }),
                                                 {{1, 1}});
         for (int i = 0; i < 2; ++i) {
-            if (!bounces(i)) continue;
-            batch.points[i].totalNormal[lane] = now.at[i];
-            pushNormal(couple, batch.points[i], lane, now.at[i] - old.at[i]);
+            const float total = bounces(i) ? now.at[i] : old.at[i];
+            batch.points[i].totalNormal[lane] = total;
+            pushNormal(couple, batch.points[i], lane, total - old.at[i]);
         }
         store(batch, lane, couple, bodies.velocity);
     });

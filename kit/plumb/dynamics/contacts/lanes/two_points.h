@@ -23,9 +23,13 @@ struct TwoPoints {
         F at[2];
     };
 
+    /// By how much less the points are coupled here than they are [-]. So points that cannot be told from each other,
+    /// as those of a body that cannot turn, share their impulse. The next pass removes the error.
+    static constexpr float loose = 1e-5F;
+
     Each mass;   ///< 1 / K_ii; 0: there is no such point
     F coupling;  ///< K_01
-    F freedom;   ///< 1 - K_01^2 / (K_00 K_11): 0 where the points cannot be told from each other
+    F freedom;   ///< 1 - K_01^2 / (K_00 K_11), near 0 for points that are close together; 1 for one point
 
     [[gnu::always_inline]] static inline TwoPoints of(const Each& mass, F inverseMassA, F inverseMassB, const Each& a,
                                                       const Each& b) {
@@ -34,7 +38,8 @@ struct TwoPoints {
                         inverseMassA * inverseMassB * (across * across);
         const F coupling =
             (inverseMassA + inverseMassB) + (inverseMassA * (a.at[0] * a.at[1]) + inverseMassB * (b.at[0] * b.at[1]));
-        return {mass, coupling, mass.at[0] * mass.at[1] * apart};
+        const F product = mass.at[0] * mass.at[1], freedom = product > F{} ? product * apart : F{} + 1;
+        return {mass, coupling * (1 - loose), freedom + (2 * loose) * (1 - freedom)};
     }
 
     /// The impulses after which the points have no speed that pushes them together. speed: with the bias.
@@ -50,11 +55,12 @@ struct TwoPoints {
         return {{pushes1 ? with0 : larger(alone0, F{}), pushes0 ? with1 : larger(alone1, F{})}};
     }
 
-    /// The impulses after which the points do not slide. given: impulses that count for the limits in addition.
+    /// The impulses after which the points do not slide. limit: what a point holds; 0 where it is negative. given:
+    /// impulses that count for the limits in addition.
     [[gnu::always_inline]] static inline Each tangents(const Each& tangentMass, const Each& old, const Each& given,
                                                        const Each& speed, const Each& limit) {
-        const F room = limit.at[0] + limit.at[1], least = F{} + 1e-30F;
-        const F part = (F{} + 1) / larger(room, least), part0 = limit.at[0] * part, part1 = limit.at[1] * part;
+        const F limit0 = larger(limit.at[0], F{}), limit1 = larger(limit.at[1], F{}), room = limit0 + limit1;
+        const F part = (F{} + 1) / larger(room, F{} + 1e-30F), part0 = limit0 * part, part1 = limit1 * part;
         const F slow =
             (part0 * tangentMass.at[0] + part1 * tangentMass.at[1]) * (part0 * speed.at[0] + part1 * speed.at[1]);
         const F sum = (given.at[0] + old.at[0]) + (given.at[1] + old.at[1]);
