@@ -100,20 +100,28 @@ void setNormals(BodyPair& c, ContactBatch& batch, std::size_t lane, const Points
     }
 }
 
+void setTangents(BodyPair& c, ContactBatch& batch, std::size_t lane, const Points::Each& now) {
+    for (int i = 0; i < 2; ++i) {
+        PointLanes& p = batch.points[i];
+        const float change = now.at[i] - p.tangentImpulse[lane];
+        p.tangentImpulse[lane] = now.at[i];
+        pushTangent(c, p, lane, change);
+    }
+}
+
+Points::Each limitsOf(const ContactBatch& batch, std::size_t lane, const Given& given) {
+    return each([&](int i) { return batch.friction[lane] * (given.normal[i] + batch.points[i].normalImpulse[lane]); });
+}
+
 /// Friction of both halves together is limited to mu times the normal impulse of both (Coulomb's cone).
 void solveFriction(BodyPair& c, ContactBatch& batch, std::size_t lane, const Given& given) {
     const float belt = batch.hasSurfaceSpeed ? batch.surfaceSpeed[lane] : 0.0f;
-    const auto point = [&](int i) -> PointLanes& { return batch.points[i]; };
-    const Points::Each now = Points::tangents(
-        each([&](int i) { return point(i).tangentMass[lane]; }),
-        each([&](int i) { return point(i).tangentImpulse[lane]; }), {{given.tangent[0], given.tangent[1]}},
-        each([&](int i) { return tangentSpeed(c, point(i), lane) + belt; }),
-        each([&](int i) { return batch.friction[lane] * (given.normal[i] + point(i).normalImpulse[lane]); }));
-    for (int i = 0; i < 2; ++i) {
-        const float change = now.at[i] - point(i).tangentImpulse[lane];
-        point(i).tangentImpulse[lane] = now.at[i];
-        pushTangent(c, point(i), lane, change);
-    }
+    const auto point = [&](int i) -> const PointLanes& { return batch.points[i]; };
+    setTangents(c, batch, lane,
+                Points::tangents(
+                    each([&](int i) { return point(i).tangentMass[lane]; }),
+                    each([&](int i) { return point(i).tangentImpulse[lane]; }), {{given.tangent[0], given.tangent[1]}},
+                    each([&](int i) { return tangentSpeed(c, point(i), lane) + belt; }), limitsOf(batch, lane, given)));
 }
 
 /// A torque against rolling on each other, limited to rollingArm times the normal impulse.
@@ -127,11 +135,6 @@ void solveRolling(BodyPair& c, ContactBatch& batch, std::size_t lane, const Give
     const float now = larger(smaller(wanted, limit - given.roll), -limit - given.roll);
     batch.rollImpulse[lane] = now;
     twist(c, batch, lane, now - old);
-}
-
-void solveAlong(BodyPair& c, ContactBatch& batch, std::size_t lane, const Given& given) {
-    solveFriction(c, batch, lane, given);
-    if (batch.hasRollingResistance) solveRolling(c, batch, lane, given);
 }
 
 template <class Batch, class Visit>
@@ -159,8 +162,6 @@ void solve(ContactBatch* batches, std::size_t contacts, const SolverBodies& bodi
                 [&](ContactBatch& batch, std::size_t lane) { solveLane(batch, lane, bodies, pass); });
 }
 
-/// Here friction comes after the normal impulses, which so are known for both halves: those of an impact are not
-/// counted twice. What it turns, the next half takes into account.
 void relaxPoints(BodyPair& c, ContactBatch& batch, std::size_t lane, const ContactPass& pass, const Given& given) {
     const Points::Each total =
         pointsOf(c, batch, lane)
@@ -171,7 +172,8 @@ void relaxPoints(BodyPair& c, ContactBatch& batch, std::size_t lane, const Conta
                      }),
                      {{1, 1}});
     setNormals(c, batch, lane, each([&](int i) { return total.at[i] - given.normal[i]; }));
-    solveAlong(c, batch, lane, given);
+    solveFriction(c, batch, lane, given);
+    if (batch.hasRollingResistance) solveRolling(c, batch, lane, given);
 }
 
 void addTotals(ContactBatch& batch, std::size_t lane, const Given& given) {
@@ -246,10 +248,8 @@ void takeBackLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bod
     store(batch, lane, couple, bodies.velocity);
 }
 
-/// Friction first: then the bodies move at velocities with which the points do not approach.
 void solveLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactPass& pass) {
     BodyPair couple = load(batch, lane, bodies.velocity);
-    solveAlong(couple, batch, lane, {});
     const Points::Each now =
         pointsOf(couple, batch, lane)
             .normals(each([&](int i) { return batch.points[i].normalImpulse[lane]; }), each([&](int i) {
@@ -261,6 +261,8 @@ void solveLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies
                      }),
                      each([&](int i) { return batch.points[i].separation[lane] > 0 ? 1.0f : pass.soft.massScale; }));
     setNormals(couple, batch, lane, now);
+    solveFriction(couple, batch, lane, {});
+    if (batch.hasRollingResistance) solveRolling(couple, batch, lane, {});
     store(batch, lane, couple, bodies.velocity);
 }
 

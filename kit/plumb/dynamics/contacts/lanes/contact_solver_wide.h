@@ -115,21 +115,27 @@ struct WideContacts {
 
     static F clamped(F wanted, F limit, F before) { return larger(smaller(wanted, limit - before), -limit - before); }
 
-    /// Returns the tangent impulses.
-    [[gnu::always_inline]] static inline Each solveAlong(BodyPair& c, ContactBatch& batch, int lane, const Arms* arms,
-                                                         const Each& normal, const Given& given) {
-        const F friction = at(batch.friction + lane);
-        const F belt = batch.hasSurfaceSpeed ? at(batch.surfaceSpeed + lane) : F{};
-        const Each old = each(batch, lane, &PointLanes::tangentImpulse);
-        const Each now = Points::tangents(
-            each(batch, lane, &PointLanes::tangentMass), old, given.tangent,
-            {{tangentSpeed(c, arms[0]) + belt, tangentSpeed(c, arms[1]) + belt}},
-            {{friction * (given.normal.at[0] + normal.at[0]), friction * (given.normal.at[1] + normal.at[1])}});
+    [[gnu::always_inline]] static inline void setTangents(BodyPair& c, ContactBatch& batch, int lane, const Arms* r,
+                                                          const Each& old, const Each& now) {
         for (int i = 0; i < 2; ++i) {
             storeLanes(batch.points[i].tangentImpulse + lane, now.at[i]);
-            pushTangent(c, arms[i], now.at[i] - old.at[i]);
+            pushTangent(c, r[i], now.at[i] - old.at[i]);
         }
-        if (batch.hasRollingResistance) solveRolling(c, batch, lane, normal, given);
+    }
+    [[gnu::always_inline]] static inline Each limitsOf(const ContactBatch& batch, int lane, const Each& normal,
+                                                       const Given& given) {
+        const F friction = at(batch.friction + lane);
+        return {{friction * (given.normal.at[0] + normal.at[0]), friction * (given.normal.at[1] + normal.at[1])}};
+    }
+    /// Returns the tangent impulses.
+    [[gnu::always_inline]] static inline Each solveFriction(BodyPair& c, ContactBatch& batch, int lane, const Arms* r,
+                                                            const Each& normal, const Given& given) {
+        const F belt = batch.hasSurfaceSpeed ? at(batch.surfaceSpeed + lane) : F{};
+        const Each old = each(batch, lane, &PointLanes::tangentImpulse);
+        const Each now = Points::tangents(each(batch, lane, &PointLanes::tangentMass), old, given.tangent,
+                                          {{tangentSpeed(c, r[0]) + belt, tangentSpeed(c, r[1]) + belt}},
+                                          limitsOf(batch, lane, normal, given));
+        setTangents(c, batch, lane, r, old, now);
         return now;
     }
 
@@ -162,7 +168,6 @@ struct WideContacts {
         BodyPair c = load(batch, lane, bodies.velocity);
         const Arms r[2] = {arms(batch.points[0], lane), arms(batch.points[1], lane)};
         const Each old = each(batch, lane, &PointLanes::normalImpulse);
-        solveAlong(c, batch, lane, r, old, Given{});
         Each speed, share;
         for (int i = 0; i < 2; ++i) {
             const F s = at(batch.points[i].separation + lane);
@@ -171,7 +176,10 @@ struct WideContacts {
             share.at[i] = apart ? all(1) : all(pass.soft.massScale);
             speed.at[i] = normalSpeed(c, r[i]) + bias;
         }
-        setNormals(c, batch, lane, r, old, pointsOf(batch, lane, c, r).normals(old, speed, share));
+        const Each normal = pointsOf(batch, lane, c, r).normals(old, speed, share);
+        setNormals(c, batch, lane, r, old, normal);
+        solveFriction(c, batch, lane, r, normal, Given{});
+        if (batch.hasRollingResistance) solveRolling(c, batch, lane, normal, Given{});
         store(batch, lane, c, bodies.velocity);
     }
 
@@ -193,7 +201,8 @@ struct WideContacts {
         normal = pointsOf(batch, lane, c, r).normals(normal, speed, {{all(1), all(1)}});
         for (int i = 0; i < 2; ++i) normal.at[i] = normal.at[i] - given.normal.at[i];
         setNormals(c, batch, lane, r, given.normal, normal);
-        const Each tangent = solveAlong(c, batch, lane, r, normal, given);
+        const Each tangent = solveFriction(c, batch, lane, r, normal, given);
+        if (batch.hasRollingResistance) solveRolling(c, batch, lane, normal, given);
         auto pushed = loadLanes<W>(batch.pushed + lane);
         for (int i = 0; i < 2; ++i) {
             PointLanes& p = batch.points[i];

@@ -49,9 +49,9 @@ struct TwoPoints {
         const F alone1 = share.at[1] * old.at[1] + m1 * (coupling * old.at[0] - speed.at[1]);
         const F beside0 = alone0 - m0 * (coupling * alone1), beside1 = alone1 - m1 * (coupling * alone0);
         const F both = share.at[0] * share.at[1], least = F{} + 1e-30F;
-        const F divisor = larger((F{} + 1 - both) + both * freedom, least);
+        const F inverse = (F{} + 1) / larger((F{} + 1 - both) + both * freedom, least);
         const auto pushes0 = beside0 > F{}, pushes1 = beside1 > F{};
-        const F with0 = pushes0 ? beside0 / divisor : F{}, with1 = pushes1 ? beside1 / divisor : F{};
+        const F with0 = pushes0 ? beside0 * inverse : F{}, with1 = pushes1 ? beside1 * inverse : F{};
         return {{pushes1 ? with0 : larger(alone0, F{}), pushes0 ? with1 : larger(alone1, F{})}};
     }
 
