@@ -91,11 +91,12 @@ struct WideHinges {
             const F gapX = at(b.gapX + lane) + (rb.travelX - ra.travelX);
             const F gapY = at(b.gapY + lane) + (rb.travelY - ra.travelY);
             const F size = larger(squareRoot<W>(gapX * gapX + gapY * gapY), all(1e-9f));
+            // Where the gap closes at the most allowed speed, the impulse must not leak: else a load opens it for ever.
             const F rate = smaller(all(pass.soft.biasRate), pass.fastest / size);
             wantedX += gapX * rate - (rb.x * bendB - ra.x * bendA);
             wantedY += gapY * rate - (rb.y * bendB - ra.y * bendA);
             massScale = all(pass.soft.massScale);
-            impulseScale = all(pass.soft.impulseScale);
+            impulseScale = rate < all(pass.soft.biasRate) ? F{} : all(pass.soft.impulseScale);
         }
         const F sxa = ra.x * inverseGyrationA, sya = ra.y * inverseGyrationA, sxb = rb.x * inverseGyrationB,
                 syb = rb.y * inverseGyrationB;

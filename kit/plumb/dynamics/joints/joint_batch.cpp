@@ -218,8 +218,8 @@ JointBatch::Lanes JointBatch::findSolution(const IslandTurn& turn, const Lanes& 
     return turning;
 }
 
-/// Predicts rows from the solution until that matters no more. Where that leads nowhere, because links turn too far, they
-/// are predicted from the present velocities, and solved at the middle of the sub-step.
+/// Predicts rows from the solution until that matters no more. Where that leads nowhere, because links turn too far,
+/// they are predicted from the present velocities, and solved at the middle of the sub-step.
 void JointBatch::predict(const IslandTurn& turn) {
     missed_.fill(1);
     lost_ = {};
@@ -299,9 +299,14 @@ void JointBatch::sweep(BodyStore& bodies, const IslandTurn& turn, double give, S
     if (turn.correct) noteSpeeds();
     freeAsIs();
     heavy_ = {};  // contacts see the bodies of a swept machine as they are
-    view_.compliance = give + (layout_->isTree ? 0 : relativeCompliance);
     kernel_->guess(view_, 0);
     kernel_->prepare(view_, turn);
+    // Where an error is removed at the most allowed speed, the joint must not give: else a load opens it for ever.
+    double most = 0;
+    for (std::size_t i = 0; i < layout_->rows.size(); ++i)
+        most = std::max(most, layout_->rows[i].holds ? std::fabs(row(i, RowField::Coordinate, 0)) : errorOf(i, 0));
+    const bool isLimited = most * turn.rate * turn.share > turn.fastest;
+    view_.compliance = (isLimited ? 0 : give) + (layout_->isTree ? 0 : relativeCompliance);
     kernel_->solve(view_);
     noteStates();
     kernel_->accept(view_);

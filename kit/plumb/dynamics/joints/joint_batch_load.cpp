@@ -121,7 +121,8 @@ void JointBatch::loadBody(const BodyStore& bodies, BodyIndex index, std::size_t 
     set(BodyField::Vy, moves || drives ? motion.velocity.y() : 0.0);
     set(BodyField::Spin, moves || drives ? motion.angularVelocity : 0.0);
     for (int c = 0; c < 3; ++c)
-        for (const int field : {BodyField::FreeX, BodyField::MovedX}) set(field + c, body(node, BodyField::Vx + c, lane));
+        for (const int field : {BodyField::FreeX, BodyField::MovedX})
+            set(field + c, body(node, BodyField::Vx + c, lane));
     for (int c = 0; c < 3; ++c) set(BodyField::BentX + c, 0);
     if (!moves) return;
     const bool turns = record.inverseInertia > 0;

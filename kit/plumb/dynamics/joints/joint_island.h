@@ -17,14 +17,14 @@ struct JointIsland {
     };
 
     std::vector<JointIndex> joints;
-    std::vector<LaidJoint> laid;        ///< the joints' forms and nodes, if it is not swept
-    std::vector<std::uint32_t> sprung;  ///< numbers of those with springs
-    double shared = 0;                  ///< sub-step for which springs that only turn are shared [s]
-    std::vector<BodyIndex> bodies;      ///< that impulses move
-    std::vector<BodyIndex> held;        ///< that they do not move
-    std::vector<Stiffness> stiffness;   ///< of the bodies that move
+    std::vector<LaidJoint> laid;          ///< the joints' forms and nodes, if it is not swept
+    std::vector<std::uint32_t> sprung;    ///< numbers of those with springs
+    double shared = 0;                    ///< sub-step for which springs that only turn are shared [s]
+    std::vector<BodyIndex> bodies;        ///< that impulses move
+    std::vector<BodyIndex> held;          ///< that they do not move
+    std::vector<Stiffness> stiffness;     ///< of the bodies that move
     double turning = 0, mostTurning = 0;  ///< of its links at the last step, and lately [rad/s]
-    int pieces = 1;      ///< in which it moves in each sub-step of this step
+    int pieces = 1;                       ///< in which it moves in each sub-step of this step
     std::shared_ptr<const IslandLayout> layout;
     JointBatch* batch = nullptr;  ///< in this step, if it is not swept
     std::size_t lane = 0;

@@ -123,8 +123,8 @@ double turningOf(const JointForm& form, const BodyStore& bodies) {
         if (a + b > 0)
             fastest = std::max(fastest, std::max(std::fabs(ends.a.spin) * a, std::fabs(ends.b.spin) * b) / (a + b));
         if (!isLength || !(length > 0)) continue;
-        const Vec2 aside = (ends.b.velocity + perp(ends.b.arm) * ends.b.spin) -
-                           (ends.a.velocity + perp(fromA) * ends.a.spin);
+        const Vec2 aside =
+            (ends.b.velocity + perp(ends.b.arm) * ends.b.spin) - (ends.a.velocity + perp(fromA) * ends.a.spin);
         fastest = std::max(fastest, aside.norm() / length);
     }
     return fastest;

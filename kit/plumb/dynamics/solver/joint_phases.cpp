@@ -94,8 +94,8 @@ constexpr double followed = 0.12;
 /// May a link of the island turn faster than this rate [rad/s]?
 bool mayTurn(const JointStores& stores, const JointIsland& island, double rate) {
     return island.layout->someAlong || std::any_of(island.bodies.begin(), island.bodies.end(), [&](BodyIndex body) {
-        return std::fabs(stores.bodies.motion[body].angularVelocity) > rate;
-    });
+               return std::fabs(stores.bodies.motion[body].angularVelocity) > rate;
+           });
 }
 
 /// How fast the island's links turn, or swing under the forces along them if that is not much more [rad/s].
@@ -196,8 +196,7 @@ void flyBatch(const JointStores& stores, JointBatch& batch, const JointHalf& hal
 }
 
 void moveBatches(const JointStores& stores, std::span<JointBatch> batches, double h) {
-    for (JointBatch& batch : batches)
-        batch.move(stores.bodies, h, stores.settings.contactPushSpeed, stores.observer);
+    for (JointBatch& batch : batches) batch.move(stores.bodies, h, stores.settings.contactPushSpeed, stores.observer);
     for (JointBatch& batch : stores.islands.sweptBatches) batch.noteMoves();
 }
 

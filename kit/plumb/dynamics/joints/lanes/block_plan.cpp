@@ -13,8 +13,9 @@ namespace {
 struct Graph {
     std::vector<std::map<std::uint32_t, std::uint32_t>> blockTo;  ///< of each node: neighbour to block
     std::vector<bool> mayGo;                                      ///< of each node: it may be eliminated next
-    /// Of those that may: degree, since when it has it, node. So of equal ones that goes first which has waited longest:
-    /// both ends of a chain go in turn, and the processor need not wait for the one while it works on the other.
+    /// Of those that may: degree, since when it has it, node. So of equal ones that goes first which has waited
+    /// longest: both ends of a chain go in turn, and the processor need not wait for the one while it works on the
+    /// other.
     std::set<std::tuple<std::size_t, std::uint32_t, std::uint32_t>> byDegree;
     std::vector<std::uint32_t> since;  ///< of each node
     std::uint32_t blocks = 0, changes = 0;

@@ -9,10 +9,8 @@ namespace plumb {
 
 namespace {
 
-/// An island is swept if it has more than fewLoops loops and more than one per jointsPerLoop joints, or if it needs
-/// more than fewUpdates block updates and more than updatesPerNode per node.
-constexpr std::size_t jointsPerLoop = 8;
-constexpr std::size_t fewLoops = 16;
+/// An island is swept if its elimination needs more than fewUpdates block updates and more than updatesPerNode per
+/// node. What is narrow, such as a truss, needs few, however long it is and however many loops it has.
 constexpr std::size_t updatesPerNode = 8;
 constexpr std::size_t fewUpdates = 4000;
 
@@ -56,8 +54,6 @@ public:
         for (const LaidJoint& joint : joints) addJoint(joint);
         layout_.joints.push_back({linkCount(), rowCount(), endCount()});
         const std::uint32_t nodes = layout_.moved + layout_.jointCount();
-        const std::size_t loops = edges_.size() + 1 - std::min<std::size_t>(edges_.size(), nodes);
-        if (loops > std::max(fewLoops, joints.size() / jointsPerLoop)) return swept();
         const auto plan =
             planBlocks(layout_.moved, layout_.jointCount(), edges_, std::max(fewUpdates, updatesPerNode * nodes));
         if (plan == nullptr) return swept();

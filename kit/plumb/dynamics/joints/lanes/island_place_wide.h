@@ -229,9 +229,8 @@ struct WidePlaces : IslandItems<W> {
     static void placeRow(const IslandLanes& v, std::uint32_t i) {
         const IslandShape::Row& shape = v.rows[i];
         const S row = rowOf(v, i);
-        setAxes(v, i, [&](std::uint32_t link, RowAxis axis, int direction) {
-            return axisOf(v, link, axis, row, direction);
-        });
+        setAxes(v, i,
+                [&](std::uint32_t link, RowAxis axis, int direction) { return axisOf(v, link, axis, row, direction); });
         row.set(R::Coordinate, coordinateOf(v, shape, row, false));
         if (!shape.holds) findGrowth(row, row[R::InverseMass]);
     }
@@ -287,10 +286,10 @@ struct WidePlaces : IslandItems<W> {
         l.set(L::LaterAngle, l[L::Angle] + (b[B::AheadSpin] - a[B::AheadSpin]) * h);
     }
 
-    /// Rows were predicted from velocities that are not U any more. The error of that, in parts of a link, is by how much
-    /// more a body or a rod turns in the coming sub-step than was predicted, times how far it turns. Where it is too
-    /// large, lanes stay active; where it has not become much smaller since the last call, they are lost. Returns true
-    /// if some are active.
+    /// Rows were predicted from velocities that are not U any more. The error of that, in parts of a link, is by how
+    /// much more a body or a rod turns in the coming sub-step than was predicted, times how far it turns. Where it is
+    /// too large, lanes stay active; where it has not become much smaller since the last call, they are lost. Returns
+    /// true if some are active.
     static bool keepMissed(const IslandLanes& v, double h) {
         constexpr double small = 1e-6, smaller = 0.5;
         D worst{};
@@ -303,7 +302,8 @@ struct WidePlaces : IslandItems<W> {
             if (v.links[i].turnsAlong) worst = larger(worst, missedAlong(v, i, h));
         const auto missing = both(Elimination<W>::isActive(v), worst > all(small));
         const D before = loadLanes<W>(static_cast<const double*>(v.missed));
-        const D lost = missing ? (worst < smaller * before ? D{} : all(1)) : loadLanes<W>(static_cast<const double*>(v.lost));
+        const D lost =
+            missing ? (worst < smaller * before ? D{} : all(1)) : loadLanes<W>(static_cast<const double*>(v.lost));
         const D active = missing ? all(1) - lost : D{};
         storeLanes(v.missed, worst);
         storeLanes(v.lost, lost);
@@ -315,7 +315,8 @@ struct WidePlaces : IslandItems<W> {
         const S l = linkOf(v, i), a = bodyOf(v, v.links[i].a), b = bodyOf(v, v.links[i].b);
         const D turnA = (spinAhead(a, h) - a[B::AheadSpin]) * h, turnB = (spinAhead(b, h) - b[B::AheadSpin]) * h;
         const auto ahead = [&](int c) {
-            return (b[B::X + c] + b[B::Ux + c] * h - b[B::LaterX + c]) - (a[B::X + c] + a[B::Ux + c] * h - a[B::LaterX + c]);
+            return (b[B::X + c] + b[B::Ux + c] * h - b[B::LaterX + c]) -
+                   (a[B::X + c] + a[B::Ux + c] * h - a[B::LaterX + c]);
         };
         const D x = ahead(0) - (l[L::ArmBy] * turnB - (l[L::ArmAy] + l[L::ApartY]) * turnA);
         const D y = ahead(1) + (l[L::ArmBx] * turnB - (l[L::ArmAx] + l[L::ApartX]) * turnA);

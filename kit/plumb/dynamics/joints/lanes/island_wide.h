@@ -36,8 +36,7 @@ struct WideIslands : IslandItems<W> {
     static void guess(const IslandLanes& v, double share) {
         for (std::uint32_t i = 0; i < v.bodies; ++i) {
             const S b = bodyOf(v, i);
-            for (int c = 0; c < 3; ++c)
-                b.set(B::Ux + c, b[B::Vx + c] + (b[B::Vx + c] - b[B::MovedX + c]) * share);
+            for (int c = 0; c < 3; ++c) b.set(B::Ux + c, b[B::Vx + c] + (b[B::Vx + c] - b[B::MovedX + c]) * share);
         }
     }
 
@@ -245,10 +244,11 @@ struct WideIslands : IslandItems<W> {
 
 template <int W>
 const IslandKernel WideIslandKernel<W>::code{
-    WidePlaces<W>::move,      WidePlaces<W>::place,          WidePlaces<W>::noteSpeeds,
-    WideIslands<W>::guess,    WideIslands<W>::prepare,  WideIslands<W>::predictAgain,  WideIslands<W>::predictHeld, WideIslands<W>::solve,
-    WideIslands<W>::answer,   WideIslands<W>::respond,       WideIslands<W>::accept,
-    WideIslands<W>::addLoads, WideStiffness<W>::noteForces,  WideStiffness<W>::setMasses,
-    WideIslands<W>::kick,     WideStiffness<W>::findInertias};
+    WidePlaces<W>::move,           WidePlaces<W>::place,        WidePlaces<W>::noteSpeeds,
+    WideIslands<W>::guess,         WideIslands<W>::prepare,     WideIslands<W>::predictAgain,
+    WideIslands<W>::predictHeld,   WideIslands<W>::solve,       WideIslands<W>::answer,
+    WideIslands<W>::respond,       WideIslands<W>::accept,      WideIslands<W>::addLoads,
+    WideStiffness<W>::noteForces,  WideStiffness<W>::setMasses, WideIslands<W>::kick,
+    WideStiffness<W>::findInertias};
 
 }  // namespace plumb
