@@ -2,7 +2,6 @@
 #include <plumb/dynamics/joints/joint_batch.h>
 
 #include <cmath>
-#include <utility>
 
 namespace plumb {
 
@@ -124,54 +123,12 @@ void JointBatch::addImpulse(const BodyStore& bodies, std::size_t lane, std::size
 }
 
 void JointBatch::kick(const BodyStore& bodies) {
-    if (pieces_ > 1)
-        forEachCoordinate([](double& velocity, double, double& bent) { velocity += std::exchange(bent, 0.0); });
+    if (pieces_ > 1) endPieces();
     kernel_->setMasses(view_, h_);
     kernel_->kick(view_);
     for (const Touching& t : touching_) addImpulse(bodies, t.lane, t.node, bodies.warm[t.body]);
     activate(true, 0);
     pushed_ = {};
-}
-
-void JointBatch::move(BodyStore& bodies, double h, double fastest, StepObserver* observer) {
-    if (pieces_ == 1)
-        kernel_->move(view_, h);
-    else
-        moveInPieces(bodies, h, fastest, observer);
-    writePlaces(bodies);
-}
-
-/// Calls change(velocity, place, the field Bent) for each coordinate of each body.
-template <class Change>
-void JointBatch::forEachCoordinate(Change&& change) {
-    for (std::size_t n = 0; n < layout_->moved; ++n)
-        for (std::size_t lane = 0; lane < width_; ++lane)
-            for (int c = 0; c < 3; ++c)
-                change(body(n, BodyField::Vx + c, lane), body(n, BodyField::X + c, lane),
-                       body(n, BodyField::BentX + c, lane));
-}
-
-/// In each piece joints are solved before and after the bodies move, and no forces act. For all others the bodies have
-/// moved at their mean velocities. Source, of short steps for the fast part of a motion: Tuckerman, Berne, Martyna,
-/// "Reversible multiple time scale molecular dynamics", J. Chem. Phys. 97 (1992) 1990.
-void JointBatch::moveInPieces(BodyStore& bodies, double h, double fastest, StepObserver* observer) {
-    const double piece = h / pieces_;
-    forEachCoordinate([](double&, double place, double& bent) { bent = place; });
-    for (int i = 0; i < pieces_; ++i) {
-        for (const bool correct : {true, false}) {
-            activate(true, 0);
-            freeAsIs();
-            findSolution({piece, correct, true, fastest}, Lanes(active_), correct && i > 0 ? 1 : 0);
-            note(observer, piece, true);
-            if (correct) kernel_->move(view_, piece);
-        }
-    }
-    forEachCoordinate([h](double& velocity, double place, double& bent) {
-        const double mean = (place - bent) / h;
-        bent = velocity - mean;
-        velocity = mean;
-    });
-    writeVelocities(bodies);
 }
 
 void JointBatch::activate(bool all, std::size_t lane) {
@@ -193,19 +150,8 @@ void JointBatch::freeAsIs() {
             for (int c = 0; c < 3; ++c) body(n, BodyField::FreeX + c, lane) = body(n, BodyField::Vx + c, lane);
 }
 
-/// The active lanes in which a body has got so much more or less spin that its turn was not predicted well.
-JointBatch::Lanes JointBatch::turningLanes(double h) const {
-    constexpr double far = 0.02;
-    Lanes turning{};
-    for (std::size_t n = 0; n < layout_->moved; ++n)
-        for (std::size_t lane = 0; lane < width_; ++lane)
-            if (std::fabs(body(n, BodyField::Uspin, lane) - body(n, BodyField::Spin, lane)) * h > far)
-                turning[lane] = active_[lane];
-    return turning;
-}
-
-/// In some lanes. change: the share of the last change of velocities that is expected again. Returns turningLanes.
-JointBatch::Lanes JointBatch::findSolution(const IslandTurn& turn, const Lanes& lanes, double change) {
+/// In some lanes. change: the share of the last change of velocities that is expected again.
+void JointBatch::findSolution(const IslandTurn& turn, const Lanes& lanes, double change) {
     active_ = lanes;
     kernel_->guess(view_, change);
     kernel_->prepare(view_, turn);
@@ -213,21 +159,24 @@ JointBatch::Lanes JointBatch::findSolution(const IslandTurn& turn, const Lanes& 
     if (turn.closesGaps()) predict(turn);
     active_ = lanes;
     if (!turn.onlyHold) noteStates();
-    const Lanes turning = turn.correct ? turningLanes(turn.h) : Lanes{};
     kernel_->accept(view_);
-    return turning;
 }
 
-/// Predicts rows from the solution until that matters no more. Where that leads nowhere, because links turn too far,
-/// they are predicted from the present velocities, and solved at the middle of the sub-step.
+/// Predicts rows from the solution until that matters no more. Where that leads nowhere, they are predicted from the
+/// present velocities; and solved at the middle of the sub-step, if links turn far.
 void JointBatch::predict(const IslandTurn& turn) {
+    constexpr double far = 1e-3;  ///< see WidePlaces::keepMissed
     missed_.fill(1);
     lost_ = {};
     while (kernel_->predictAgain(view_, turn)) kernel_->solve(view_);
     if (lost_ == Lanes{}) return;
-    active_ = lost_;
     kernel_->guess(view_, 0);
-    kernel_->predictHeld(view_, turn, true);
+    for (const bool atMiddle : {false, true}) {
+        for (std::size_t lane = 0; lane < width_; ++lane)
+            active_[lane] = (missed_[lane] > far) == atMiddle ? lost_[lane] : 0;
+        if (active_ != Lanes{}) kernel_->predictHeld(view_, turn, atMiddle);
+    }
+    active_ = lost_;
     kernel_->solve(view_);
 }
 
@@ -284,8 +233,7 @@ bool JointBatch::solveAgain(BodyStore& bodies, const IslandTurn& turn) {
 JointBatch::Lanes JointBatch::answerContacts(BodyStore& bodies, const IslandTurn& turn) {
     const Lanes touched = takeContactImpulses(bodies);
     if (touched == Lanes{}) return touched;
-    Lanes again = touched;
-    for (int time = 0; time < 3 && again != Lanes{}; ++time) again = findSolution(ownTurn(turn), again, 0);
+    findSolution(ownTurn(turn), touched, 0);
     active_ = touched;
     writeVelocities(bodies);
     for (std::size_t lane = 0; lane < width_; ++lane)

@@ -140,12 +140,13 @@ private:
     template <class Change>
     void forEachCoordinate(Change&& change);
     void moveInPieces(BodyStore& bodies, double h, double fastest, StepObserver* observer);
+    /// Goes on from the velocities at the end of the last piece, with what others have changed since.
+    void endPieces();
     void note(StepObserver* observer, double h, bool inPieces);
     IslandTurn ownTurn(IslandTurn turn) const;
     void freeAsIs();
-    Lanes turningLanes(double h) const;
     void predict(const IslandTurn& turn);
-    Lanes findSolution(const IslandTurn& turn, const Lanes& lanes, double change);
+    void findSolution(const IslandTurn& turn, const Lanes& lanes, double change);
     Lanes takeContactImpulses(BodyStore& bodies);
     void pullVelocity(const BodyStore& bodies, std::size_t lane, std::size_t node, int field);
     /// Returns true if a place has changed.

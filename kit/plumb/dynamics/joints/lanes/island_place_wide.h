@@ -301,10 +301,9 @@ struct WidePlaces : IslandItems<W> {
         for (std::uint32_t i = 0; i < v.linkCount; ++i)
             if (v.links[i].turnsAlong) worst = larger(worst, missedAlong(v, i, h));
         const auto missing = both(Elimination<W>::isActive(v), worst > all(small));
-        const D before = loadLanes<W>(static_cast<const double*>(v.missed));
-        const D lost =
-            missing ? (worst < smaller * before ? D{} : all(1)) : loadLanes<W>(static_cast<const double*>(v.lost));
-        const D active = missing ? all(1) - lost : D{};
+        const auto closer = worst < smaller * loadLanes<W>(static_cast<const double*>(v.missed));
+        const D lost = missing ? (closer ? D{} : all(1)) : loadLanes<W>(static_cast<const double*>(v.lost));
+        const D active = missing ? (closer ? all(1) : D{}) : D{};
         storeLanes(v.missed, worst);
         storeLanes(v.lost, lost);
         storeLanes(v.active, active);
