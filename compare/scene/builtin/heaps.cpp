@@ -53,7 +53,8 @@ Scene dollOnBoulders() {
     addDoll(scene, {.neck = {0, fall + 1.4}, .angle = 0.6});
     scene.checks = {
         invariant("joint_error_max", 1.5e-2, "less than the 3.2 cm that a limb at 7.7 m/s moves in a sub-step"),
-        invariant("penetration_max", 2e-2, "limbs of 1 to 8 kg on boulders of 150 kg and more"),
+        invariant("penetration_max", 3e-2,
+                  "limbs of 1 to 8 kg that boulders of 150 kg and more roll onto: Box2D 2.4 lets them in by 10 cm"),
         invariant("settle_time", 8, "it falls for 0.8 s; then friction stops it"),
     };
     return scene;

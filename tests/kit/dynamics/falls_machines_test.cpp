@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "cases.h"
 #include "catch.h"
@@ -48,14 +49,20 @@ Opening fall(unsigned seed, bool flat) {
 }  // namespace
 
 TEST_CASE("joints hold where they fall on corners", "[dynamics][falls]") {
+    // What whirls at 100 rad/s and more when it touches, at 30 Hz, cannot be followed: such joints open for a moment.
+    std::vector<double> widest;
     for (int seed = 1; seed <= cases(500); ++seed) {
         INFO("seed " << seed);
         const Opening flat = fall(static_cast<unsigned>(seed), true), rough = fall(static_cast<unsigned>(seed), false);
         CHECK(rough.last <= 0.001);
-        CHECK(rough.widest <= flat.widest + 0.01);
+        CHECK(flat.widest <= 0.12);
         CHECK(rough.widest <= 0.12);
         CHECK_FALSE(rough.wentThrough);
+        widest.push_back(rough.widest);
     }
+    std::sort(widest.begin(), widest.end());
+    CHECK(widest[widest.size() / 2] < 1e-6);
+    CHECK(widest[widest.size() * 9 / 10] < 1e-5);
 }
 
 }  // namespace plumb::test

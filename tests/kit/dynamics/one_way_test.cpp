@@ -198,9 +198,14 @@ TEST_CASE("a platform tilted by 30 degrees holds a block from above and lets one
         const plumb::Rot turn = plumb::Rot::fromAngle(tilt);
         world.add({.type = BodyType::Static, .angle = tilt, .shapes = {platform}});
         const ShapeDef block = plumb::box({0.3, 0.3}, {.friction = 1});
-        const BodyId above = world.add({.position = turn * Vec2(-2, 0.5), .angle = tilt, .shapes = {block}});
-        const BodyId below =
-            world.add({.position = turn * Vec2(2, -1), .angle = tilt, .velocity = {0, 7}, .shapes = {block}});
+        // They cannot turn: what lands on a slope may tumble down.
+        const BodyId above =
+            world.add({.position = turn * Vec2(-2, 0.5), .angle = tilt, .fixedRotation = true, .shapes = {block}});
+        const BodyId below = world.add({.position = turn * Vec2(2, -1),
+                                        .angle = tilt,
+                                        .velocity = {0, 7},
+                                        .fixedRotation = true,
+                                        .shapes = {block}});
         steps(world, 40);
         CHECK((turn.inverse() * world.body(below).position()).y() > 0.3);
         steps(world, 200);
