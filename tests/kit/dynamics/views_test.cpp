@@ -8,6 +8,7 @@
 #include "catch.h"
 
 using namespace plumb;
+using plumb::test::containsText;
 
 namespace {
 
