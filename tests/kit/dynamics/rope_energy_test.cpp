@@ -27,7 +27,7 @@ ShapeDef ghost(ShapeDef shape) {
 }
 
 /// Adds a rope of so many links, straight, at an angle from hanging [rad]: discs on rods, hinged bars, hinged discs.
-void addRope(World& world, RopeKind kind, int links, double angle) {
+void hangRope(World& world, RopeKind kind, int links, double angle) {
     const Vec2 along(std::sin(angle), -std::cos(angle));
     const double length = kind == RopeKind::Bars ? 1 : 0.5;
     BodyId last = world.add({.type = BodyType::Static});
@@ -48,7 +48,7 @@ void addRope(World& world, RopeKind kind, int links, double angle) {
     }
 }
 
-double energyOf(const World& world) {
+double mechanicalEnergyOf(const World& world) {
     double energy = 0;
     for (const BodyId id : world.bodies()) {
         const plumb::BodyView body = world.body(id);
@@ -67,13 +67,13 @@ struct Course {
 };
 
 Course swing(World& world, double fall, double rate, double seconds) {
-    const double start = energyOf(world);
+    const double start = mechanicalEnergyOf(world);
     Course course;
     double minute = start;
     for (int tick = 1; tick <= static_cast<int>(seconds * rate); ++tick) {
         world.step(1 / rate);
         course.quarantined += world.quarantines().size();
-        const double energy = energyOf(world);
+        const double energy = mechanicalEnergyOf(world);
         course.gained = std::max(course.gained, (energy - start) / fall);
         if (tick % static_cast<int>(60 * rate) != 0) continue;
         course.lost = std::max(course.lost, (minute - energy) / fall);
@@ -87,7 +87,7 @@ double fallOf(const World& world) {
     for (const BodyId id : world.bodies())
         if (world.body(id).type() == BodyType::Dynamic)
             hanging -= world.body(id).mass() * g * world.body(id).position().norm();
-    return energyOf(world) - hanging;
+    return mechanicalEnergyOf(world) - hanging;
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ TEST_CASE("ropes let go from any angle never gain energy", "[dynamics][joints][l
         for (const int count : links)
             for (const double degrees : {30.0, 90.0, 179.9}) {
                 World world({.gravity = {0, -g}, .sleeping = false});
-                addRope(world, kind, count, degrees * 3.14159265358979 / 180);
+                hangRope(world, kind, count, degrees * 3.14159265358979 / 180);
                 const Course course = swing(world, fallOf(world), 60, 60);
                 INFO("kind " << static_cast<int>(kind) << ", " << count << " links, " << degrees << " degrees");
                 CHECK(course.gained < 1e-2);
