@@ -38,8 +38,8 @@ struct TwoPoints {
                         inverseMassA * inverseMassB * (across * across);
         const F coupling =
             (inverseMassA + inverseMassB) + (inverseMassA * (a.at[0] * a.at[1]) + inverseMassB * (b.at[0] * b.at[1]));
-        const F product = mass.at[0] * mass.at[1], freedom = product > F{} ? product * apart : F{} + 1;
-        return {mass, coupling * (1 - loose), freedom + (2 * loose) * (1 - freedom)};
+        const F product = mass.at[0] * mass.at[1], freedom = product > F{} ? product * apart : F{} + 1.0F;
+        return {mass, coupling * (1 - loose), freedom + (2 * loose) * (1.0F - freedom)};
     }
 
     /// The impulses after which the points have no speed that pushes them together. speed: with the bias.
@@ -49,7 +49,7 @@ struct TwoPoints {
         const F alone1 = share.at[1] * old.at[1] + m1 * (coupling * old.at[0] - speed.at[1]);
         const F beside0 = alone0 - m0 * (coupling * alone1), beside1 = alone1 - m1 * (coupling * alone0);
         const F both = share.at[0] * share.at[1], least = F{} + 1e-30F;
-        const F inverse = (F{} + 1) / larger((F{} + 1 - both) + both * freedom, least);
+        const F inverse = (F{} + 1.0F) / larger((F{} + 1.0F - both) + both * freedom, least);
         const auto pushes0 = beside0 > F{}, pushes1 = beside1 > F{};
         const F with0 = pushes0 ? beside0 * inverse : F{}, with1 = pushes1 ? beside1 * inverse : F{};
         return {{pushes1 ? with0 : larger(alone0, F{}), pushes0 ? with1 : larger(alone1, F{})}};
@@ -60,7 +60,7 @@ struct TwoPoints {
     [[gnu::always_inline]] static inline Each tangents(const Each& tangentMass, const Each& old, const Each& given,
                                                        const Each& speed, const Each& limit) {
         const F limit0 = larger(limit.at[0], F{}), limit1 = larger(limit.at[1], F{}), room = limit0 + limit1;
-        const F part = (F{} + 1) / larger(room, F{} + 1e-30F), part0 = limit0 * part, part1 = limit1 * part;
+        const F part = (F{} + 1.0F) / larger(room, F{} + 1e-30F), part0 = limit0 * part, part1 = limit1 * part;
         const F slow =
             (part0 * tangentMass.at[0] + part1 * tangentMass.at[1]) * (part0 * speed.at[0] + part1 * speed.at[1]);
         const F sum = (given.at[0] + old.at[0]) + (given.at[1] + old.at[1]);
