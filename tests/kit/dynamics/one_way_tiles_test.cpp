@@ -151,8 +151,8 @@ bool requireAsWithout(const Entrance& e, int ticks) {
     for (std::size_t i = 0; i < through.size(); ++i) {
         const double middle = without[i].position.y();
         if (middle - e.slider.below > 2 - 0.03 || std::fabs(middle - 2) < 0.1) return false;
-        // Of a disc that bounces off the corner by its depth in it, at 20 m/s.
-        REQUIRE((through[i].position - without[i].position).norm() < 4e-3);
+        // Of a disc that bounces off the corner by its depth in it, at 20 m/s: so far it goes in 0.5 ms.
+        REQUIRE((through[i].position - without[i].position).norm() < 1e-2);
     }
     return through.back().velocity.x() < 1e-3;
 }
