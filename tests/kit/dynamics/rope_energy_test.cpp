@@ -92,7 +92,8 @@ double fallOf(const World& world) {
 
 }  // namespace
 
-TEST_CASE("ropes let go from any angle never gain energy", "[dynamics][joints][law]") {
+TEST_CASE("ropes let go from any angle gain at most 1 % of their fall in a minute, and lose at most 20 %",
+          "[dynamics][joints][law]") {
     // What is left: where a rope of hinged discs cracks like a whip within a step, the number of pieces in which it
     // moves changes, and the error of second order that its energy had then stays. 0.8 % is the most in 165 ropes.
     const std::vector<int> links = plumb::test::allCases(11) == 11

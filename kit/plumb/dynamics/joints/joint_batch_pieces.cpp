@@ -5,7 +5,7 @@
 // all others the bodies have moved at their mean velocities.
 // Source, of short steps for the fast part of a motion: Tuckerman, Berne, Martyna, "Reversible multiple time scale
 // molecular dynamics", J. Chem. Phys. 97 (1992) 1990.
-// Test: "ropes let go from any angle never gain energy"
+// Test: "ropes let go from any angle gain at most 1 % of their fall in a minute, and lose at most 20 %"
 #include <utility>
 
 #include <plumb/dynamics/joints/joint_batch.h>

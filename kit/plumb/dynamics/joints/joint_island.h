@@ -24,6 +24,7 @@ struct JointIsland {
     std::vector<BodyIndex> held;          ///< that they do not move
     std::vector<Stiffness> stiffness;     ///< of the bodies that move
     double turning = 0, mostTurning = 0;  ///< of its links at the last step, and lately [rad/s]
+    bool touches = false;                 ///< something, in this step
     int pieces = 1;                       ///< in which it moves in each sub-step of this step
     std::shared_ptr<const IslandLayout> layout;
     JointBatch* batch = nullptr;  ///< in this step, if it is not swept

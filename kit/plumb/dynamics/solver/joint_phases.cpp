@@ -117,7 +117,8 @@ void choosePieces(const JointStores& stores, JointIsland& island, double dt) {
     constexpr int most = 16;
     const double h = dt / stores.settings.subSteps, last = std::exchange(island.turning, 0.0);
     island.pieces = 1;
-    if (touches(stores.bodies, island)) {
+    island.touches = touches(stores.bodies, island);
+    if (island.touches) {
         island.mostTurning = 0;
         return;
     }
@@ -138,9 +139,7 @@ std::vector<std::span<JointIsland*>> cutBatches(const JointStores& stores, std::
     for (const std::vector<std::uint32_t>& group : found.alike) {
         std::span<JointIsland*> left = rest.first(group.size());
         rest = rest.subspan(group.size());
-        const auto orderOf = [&](const JointIsland* island) {
-            return std::pair(island->pieces, !touches(stores.bodies, *island));
-        };
+        const auto orderOf = [](const JointIsland* island) { return std::pair(island->pieces, !island->touches); };
         std::stable_sort(left.begin(), left.end(),
                          [&](const JointIsland* a, const JointIsland* b) { return orderOf(a) < orderOf(b); });
         while (!left.empty()) {
@@ -159,12 +158,12 @@ std::vector<std::span<JointIsland*>> cutBatches(const JointStores& stores, std::
 void loadBatches(const JointStores& stores, double dt, bool mayFly) {
     JointIslands& found = stores.islands;
     const double h = dt / stores.settings.subSteps;
-    for (JointIsland& island : found.islands) choosePieces(stores, island, dt);
+    for (JointIsland& island : found.islands)
+        if (!island.isSwept()) choosePieces(stores, island, dt);
     std::vector<JointIsland*> islands;
     std::vector<std::span<JointIsland*>> batches = cutBatches(stores, islands);
-    const auto flying = std::stable_partition(batches.begin(), batches.end(), [&](const auto& some) {
-        return !mayFly || touches(stores.bodies, *some.front());
-    });
+    const auto flying = std::stable_partition(batches.begin(), batches.end(),
+                                              [&](const auto& some) { return !mayFly || some.front()->touches; });
     found.batchCount = batches.size();
     found.meeting = static_cast<std::size_t>(flying - batches.begin());
     if (found.batches.size() < batches.size()) found.batches.resize(found.islands.size());

@@ -113,7 +113,8 @@ Points::Each limitsOf(const ContactBatch& batch, std::size_t lane, const Given& 
     return each([&](int i) { return batch.friction[lane] * (given.normal[i] + batch.points[i].normalImpulse[lane]); });
 }
 
-/// Friction of both halves together is limited to mu times the normal impulse of both (Coulomb's cone).
+/// After the normal impulses, so that the limit is known even in a contact's first sub-step: friction of both halves
+/// together is limited to mu times the normal impulse of both (Coulomb's cone).
 void solveFriction(BodyPair& c, ContactBatch& batch, std::size_t lane, const Given& given) {
     const float belt = batch.hasSurfaceSpeed ? batch.surfaceSpeed[lane] : 0.0f;
     const auto point = [&](int i) -> const PointLanes& { return batch.points[i]; };
@@ -238,11 +239,7 @@ ContactGiven givenBy(const ContactBatch& batch, std::size_t lane) {
 void takeBackLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies, const ContactGiven& start) {
     BodyPair couple = load(batch, lane, bodies.velocity);
     setNormals(couple, batch, lane, {{start.normal[0], start.normal[1]}});
-    for (int i = 0; i < 2; ++i) {
-        PointLanes& p = batch.points[i];
-        pushTangent(couple, p, lane, start.tangent[i] - p.tangentImpulse[lane]);
-        p.tangentImpulse[lane] = start.tangent[i];
-    }
+    setTangents(couple, batch, lane, {{start.tangent[0], start.tangent[1]}});
     if (batch.hasRollingResistance) twist(couple, batch, lane, start.roll - batch.rollImpulse[lane]);
     batch.rollImpulse[lane] = start.roll;
     store(batch, lane, couple, bodies.velocity);

@@ -10,8 +10,8 @@
 // v velocity [m/s], belt surfaceSpeed [m/s], s0 separation at the step's start [m], h sub-step [s], mu friction [-]
 // solve makes vn at least -s/h, so that the points just meet; if they overlap, it pushes them apart at the soft rate.
 // relax removes this push from the velocity again. The two points of a contact are solved together (two_points.h).
-// Friction is limited to mu times the normal impulse, and the torque
-// against rolling to rollingArm times the normal impulse.
+// Friction is limited to mu times the normal impulse, and the torque against rolling to rollingArm times the normal
+// impulse.
 // Source: Catto, "Iterative dynamics with temporal coherence", GDC 2005, and "Solver2D", 2024.
 #pragma once
 #include <cstddef>

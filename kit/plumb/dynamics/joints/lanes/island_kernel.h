@@ -208,7 +208,7 @@ struct IslandKernel {
     /// closer. Returns true if some lane is active.
     bool (*predictAgain)(IslandLanes& view, const IslandTurn& turn);
     /// Where a lane is active, predicts rows that hold from U. atMiddle: for impulses along the axes in the middle of
-    /// the sub-step, instead of at its start. They never give energy, but cost some.
+    /// the sub-step, instead of at its start. They cost energy.
     void (*predictHeld)(IslandLanes& view, const IslandTurn& turn, bool atMiddle);
     /// Solves for U from the free velocities, and, where a lane is active, for the impulses. Returns true if a row came
     /// to another part of its curve; it can do so where a lane is active.
