@@ -50,9 +50,10 @@ struct TwoPoints {
         const F beside0 = alone0 - m0 * (coupling * alone1), beside1 = alone1 - m1 * (coupling * alone0);
         const F both = share.at[0] * share.at[1], least = F{} + 1e-30F;
         const F inverse = (F{} + 1.0F) / larger((F{} + 1.0F - both) + both * freedom, least);
-        const auto pushes0 = beside0 > F{}, pushes1 = beside1 > F{};
-        const F with0 = pushes0 ? beside0 * inverse : F{}, with1 = pushes1 ? beside1 * inverse : F{};
-        return {{pushes1 ? with0 : larger(alone0, F{}), pushes0 ? with1 : larger(alone1, F{})}};
+        const F first = beside1 > F{} ? larger(beside0, F{}) * inverse : larger(alone0, F{});
+        // One after the other once more: of points that are close together, the difference above is mostly rounding.
+        const F second = larger(alone1 - m1 * (coupling * first), F{});
+        return {{larger(alone0 - m0 * (coupling * second), F{}), second}};
     }
 
     /// The impulses after which the points do not slide. limit: what a point holds; 0 where it is negative. given:
