@@ -25,9 +25,10 @@ void addFields(WrapScene& scene, Random& random) {
     scene.world.addField({.law = MutualGravity{.constant = 0.5, .softening = 0.3}});
     scene.world.addField(
         {.law = Magnet{.body = scene.world.bodies().back(), .pull = {.strength = 3, .softening = 0.4}}});
+    const Vec2 pool = scene.at({0, -2.5});  // its surface is a place of its region, not a copy of it beyond the seam
     if (random.integer(0, 1) == 1)
-        scene.world.addField({.law = Pool{.fluid = {.density = 2, .surface = scene.at({0, -1.5})}, .drag = 1},
-                              .region = Shape(boxPolygon({4, 1.5}, scene.at({0, -2.5})))});
+        scene.world.addField({.law = Pool{.fluid = {.density = 2, .surface = pool + Vec2(0, 1)}, .drag = 1},
+                              .region = Shape(boxPolygon({4, 1.5}, pool))});
 }
 
 }  // namespace
