@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
+#include <compare/check/course.h>
 #include <compare/engine/joint_geometry.h>
 #include <compare/metric/length_text.h>
 #include <compare/scene/answer.h>
@@ -29,33 +31,50 @@ double valueIn(const BodyState& state, BodyValue value) {
     return 0;
 }
 
-std::vector<double> seriesOf(const Scene& scene, const Observation& run, const AnswerQuery& query) {
-    std::vector<double> series;
-    if (query.kind == AnswerQuery::Kind::Probe) {
-        const auto probe = std::ranges::find(scene.probes, query.name, &Probe::name) - scene.probes.begin();
-        for (const std::vector<double>& row : run.probes) series.push_back(row[static_cast<std::size_t>(probe)]);
-        return series;
+/// How fast the value changes; none where that is not known.
+std::optional<double> slopeIn(const BodyState& state, BodyValue value) {
+    switch (value) {
+        case BodyValue::X: return state.velocity.x();
+        case BodyValue::Y: return state.velocity.y();
+        case BodyValue::Angle: return state.angularVelocity * 180 / std::numbers::pi;
+        default: return {};
     }
-    const std::size_t body = bodyIndex(scene, query.name);
-    for (const std::vector<BodyState>& row : run.states) series.push_back(valueIn(row[body], query.value));
-    return series;
 }
 
-/// Where the extreme stands; what is not a number is passed over.
-std::size_t extremeOf(const std::vector<double>& series, bool largest) {
-    std::size_t best = 0;
-    for (std::size_t i = 0; i < series.size(); ++i) {
-        if (std::isnan(series[i])) continue;
-        if (std::isnan(series[best]) || (largest ? series[i] > series[best] : series[i] < series[best])) best = i;
+Course courseOf(const Scene& scene, const Observation& run, const Reading& quantity) {
+    Course course{.dt = run.dt};
+    if (quantity.body.empty()) {
+        const auto probe = std::ranges::find(scene.probes, quantity.probe, &Probe::name) - scene.probes.begin();
+        for (const std::vector<double>& row : run.probes) course.value.push_back(row[static_cast<std::size_t>(probe)]);
+        return course;
     }
+    const std::size_t body = bodyIndex(scene, quantity.body);
+    for (const std::vector<BodyState>& row : run.states) {
+        course.value.push_back(valueIn(row[body], quantity.value));
+        if (const auto slope = slopeIn(row[body], quantity.value)) course.slope.push_back(*slope);
+    }
+    return course;
+}
+
+/// Not a number where one of them is not.
+double extremeOf(const std::vector<double>& values, bool largest) {
+    double best = values.front();
+    for (const double value : values)
+        if (std::isnan(value) || (largest ? value > best : value < best)) best = value;
     return best;
 }
 
 std::string numberText(double value, const std::string& unit) {
     if (std::isnan(value)) return "–";
-    if (unit == "m" && std::abs(value) < 0.1) return (value < 0 ? "-" : "") + lengthText(std::abs(value));
-    const double shown = std::abs(value) < 1e-9 ? 0 : value;
-    return fmt::format("{:.3g}{}{}", shown, unit.empty() || unit == "-" ? "" : " ", unit == "-" ? "" : unit);
+    if (unit == "m" && std::abs(value) < 0.0995) return (value < 0 ? "-" : "") + lengthText(std::abs(value));
+    double shown = std::abs(value) < 1e-9 ? 0 : value;
+    const bool isLong = std::abs(shown) >= 999.5 && std::abs(shown) < 1e7;
+    if (isLong) {
+        const double digit = std::pow(10, std::floor(std::log10(std::abs(shown))) - 2);
+        shown = std::round(shown / digit) * digit;
+    }
+    return fmt::format(fmt::runtime(isLong ? "{:.0f}{}{}" : "{:.3g}{}{}"), shown,
+                       unit.empty() || unit == "-" ? "" : " ", unit == "-" ? "" : unit);
 }
 
 std::string metricText(const Scene& scene, const std::string& name, const Measured& measured) {
@@ -65,29 +84,50 @@ std::string metricText(const Scene& scene, const std::string& name, const Measur
     return numberText(*found->second, metricUnit(scene, name));
 }
 
+std::string unitOf(const Scene& scene, const Reading& quantity) {
+    if (quantity.body.empty()) return std::ranges::find(scene.probes, quantity.probe, &Probe::name)->unit;
+    return valueUnits[static_cast<std::size_t>(quantity.value)];
+}
+
+/// "(y of ball does not return to 0 within 3 s)". A closed form may leave out what happens.
+std::string missingText(const Observation& run, const std::string& what) {
+    if (run.partial) return "–";
+    return fmt::format("({} within {:.3g} s)", what, static_cast<double>(run.states.size() - 1) * run.dt);
+}
+
+std::string missingText(const Observation& run, const Happening& event) {
+    constexpr const char* what[] = {"has no such maximum", "has no such minimum", "does not return to {}",
+                                    "does not come above {}", "does not come below {}"};  // as in Happening::Kind
+    const std::string level = event.level ? fmt::format("{:.3g}", *event.level) : "where it was";
+    return missingText(
+        run, textOf(event.of) + " " + fmt::format(fmt::runtime(what[static_cast<std::size_t>(event.kind)]), level));
+}
+
 std::string textOf(const Scene& scene, const Observation& run, const Measured& measured, const AnswerQuery& query) {
-    if (query.kind == AnswerQuery::Kind::Metric) return metricText(scene, query.name, measured);
-    const std::vector<double> series = seriesOf(scene, run, query);
-    const bool isProbe = query.kind == AnswerQuery::Kind::Probe;
-    const std::string unit = isProbe ? std::ranges::find(scene.probes, query.name, &Probe::name)->unit
-                                     : valueUnits[static_cast<std::size_t>(query.value)];
-    const auto timeText = [&](bool largest) {
-        return numberText(static_cast<double>(extremeOf(series, largest)) * run.dt, "s");
-    };
-    switch (query.pick) {
-        case Pick::Last: return numberText(series.back(), unit);
-        case Pick::At: {
-            const auto tick = static_cast<std::size_t>(std::lround(query.time / run.dt));
-            return numberText(series[std::min(tick, series.size() - 1)], unit);
-        }
-        case Pick::Largest: return numberText(series[extremeOf(series, true)], unit);
-        case Pick::Smallest: return numberText(series[extremeOf(series, false)], unit);
-        case Pick::Change: return numberText(series.back() - series.front(), unit);
-        case Pick::Drop: return numberText(series.front() - series.back(), unit);
-        case Pick::TimeOfLargest: return timeText(true);
-        case Pick::TimeOfSmallest: return timeText(false);
+    using Kind = AnswerQuery::Kind;
+    if (query.kind == Kind::Metric) return metricText(scene, query.metric, measured);
+    double time = static_cast<double>(run.states.size() - 1) * run.dt;
+    if (query.kind == Kind::Duration) return numberText(time, "s");
+    if (query.when) {
+        const auto found = timeOf(courseOf(scene, run, query.when->of), *query.when);
+        if (!found) return missingText(run, *query.when);
+        time = *found;
     }
-    return "";
+    if (query.kind == Kind::Time) return numberText(time, "s");
+    const Course course = courseOf(scene, run, query.quantity);
+    const std::string unit = unitOf(scene, query.quantity);
+    switch (query.kind) {
+        case Kind::Largest: return numberText(extremeOf(course.value, true), unit);
+        case Kind::Smallest: return numberText(extremeOf(course.value, false), unit);
+        case Kind::Change: return numberText(valueAt(course, time) - course.value.front(), unit);
+        case Kind::Drop: return numberText(course.value.front() - valueAt(course, time), unit);
+        case Kind::Period: {
+            const auto period = periodOf(course);
+            return period ? numberText(*period, "s")
+                          : missingText(run, textOf(query.quantity) + " does not swing to and fro");
+        }
+        default: return numberText(valueAt(course, time), unit);
+    }
 }
 
 }  // namespace

@@ -13,6 +13,11 @@ namespace plumb::compare {
 namespace {
 
 const std::vector<std::string> valueNames{"x", "y", "angle", "vx", "vy", "speed", "spin"};  // in the order of BodyValue
+const std::vector<std::string> ordinals{"last", "first", "second", "third", "fourth", "fifth"};
+
+bool has(const std::vector<std::string>& names, const std::string& name) {
+    return std::ranges::find(names, name) != names.end();
+}
 
 /// Reads the words between one pair of braces, one after the other.
 class QueryReader {
@@ -23,49 +28,103 @@ public:
     }
 
     AnswerQuery read() {
-        AnswerQuery query;
-        query.pick = pick();
-        if (takes("metric")) {
-            query.kind = AnswerQuery::Kind::Metric;
-            query.name = known(checkableMetrics(scene_), "a metric of this scene");
-        } else if (takes("probe")) {
-            query.kind = AnswerQuery::Kind::Probe;
-            query.name = known(namesOf(scene_.probes), "a probe");
-        } else {
-            const std::string value = known(valueNames, "a value of a body");
-            query.value = static_cast<BodyValue>(std::ranges::find(valueNames, value) - valueNames.begin());
-            if (!takes("of")) refuse("answer", compare::quoted(text_) + " does not say of which body");
-            query.name = known(namesOf(scene_.bodies), "a body");
-        }
-        if (query.pick == Pick::Last && takes("at")) {
-            query.pick = Pick::At;
-            query.time = number();
-        }
+        AnswerQuery query = readQuery();
         if (at_ < words_.size())
             refuse("answer", compare::quoted(words_[at_]) + " in " + compare::quoted(text_) + " is not understood");
         return query;
     }
 
 private:
-    bool takes(const std::string& word) {
-        if (at_ >= words_.size() || words_[at_] != word) return false;
+    using Kind = AnswerQuery::Kind;
+
+    AnswerQuery readQuery() {
+        if (takes("metric"))
+            return {.kind = Kind::Metric, .metric = known(checkableMetrics(scene_), "a metric of this scene")};
+        if (takes("duration")) return {.kind = Kind::Duration};
+        if (takes("period")) return {.kind = Kind::Period, .quantity = (then("of"), quantity())};
+        if (takes("largest")) return {.kind = Kind::Largest, .quantity = quantity()};
+        if (takes("smallest")) return {.kind = Kind::Smallest, .quantity = quantity()};
+        if (takes("time")) return {.kind = Kind::Time, .when = (then("when"), happening({}))};
+        if (has(ordinals, word())) {
+            const Happening extreme = happening({});
+            return {.quantity = extreme.of, .when = extreme};
+        }
+        AnswerQuery query;
+        if (takes("change"))
+            then("of"), query.kind = Kind::Change;
+        else if (takes("drop"))
+            then("of"), query.kind = Kind::Drop;
+        query.quantity = quantity();
+        if (takes("at"))
+            then("start"), query.when = Happening{.of = query.quantity};
+        else if (takes("when") || takes("where"))
+            query.when = happening(query.quantity);
+        return query;
+    }
+
+    /// Of a quantity of its own, or of another one.
+    Happening happening(const Reading& other) {
+        Happening read;
+        if (!has(ordinals, word())) {
+            read.of = quantity(other.body);
+            return passing(read);
+        }
+        read.which = ordinal();
+        if (word() != "maximum" && word() != "minimum") {
+            read.of = other;
+            return passing(read, false);
+        }
+        read.kind = takes("maximum") ? Happening::Kind::Maximum : (then("minimum"), Happening::Kind::Minimum);
+        read.of = takes("of") ? quantity(other.body) : other;
+        return read;
+    }
+
+    /// "first returns to 0", "last is above start".
+    Happening passing(Happening read, bool hasOrdinal = true) {
+        if (hasOrdinal) read.which = ordinal();
+        if (takes("returns")) {
+            then("to");
+            read.kind = Happening::Kind::Returns;
+        } else {
+            then("is");
+            read.kind = takes("above") ? Happening::Kind::IsAbove : (then("below"), Happening::Kind::IsBelow);
+        }
+        if (!takes("start")) read.level = number();
+        return read;
+    }
+
+    int ordinal() {
+        const std::string name = known(ordinals, "first, second or last");
+        return name == "last" ? -1 : static_cast<int>(std::ranges::find(ordinals, name) - ordinals.begin());
+    }
+
+    /// body: whose value it is if that is not said; "": it must be said.
+    Reading quantity(const std::string& body = "") {
+        if (takes("probe")) return {.probe = known(namesOf(scene_.probes), "a probe")};
+        const std::string value = known(valueNames, "a value of a body");
+        Reading read{.body = body};
+        read.value = static_cast<BodyValue>(std::ranges::find(valueNames, value) - valueNames.begin());
+        if (takes("of"))
+            read.body = known(namesOf(scene_.bodies), "a body");
+        else if (body.empty())
+            refuse("answer", compare::quoted(text_) + " does not say of which body");
+        return read;
+    }
+
+    std::string word() const { return at_ < words_.size() ? words_[at_] : ""; }
+
+    bool takes(const std::string& wanted) {
+        if (word() != wanted) return false;
         ++at_;
         return true;
     }
 
-    Pick pick() {
-        if (takes("largest")) return Pick::Largest;
-        if (takes("smallest")) return Pick::Smallest;
-        if (takes("change")) return then("of", Pick::Change);
-        if (takes("drop")) return then("of", Pick::Drop);
-        if (!takes("time")) return Pick::Last;
-        takes("of");
-        return takes("smallest") ? Pick::TimeOfSmallest : then("largest", Pick::TimeOfLargest);
-    }
-
-    Pick then(const std::string& word, Pick pick) {
-        if (!takes(word)) refuse("answer", compare::quoted(text_) + " wants " + compare::quoted(word) + " there");
-        return pick;
+    void then(const std::string& wanted) {
+        if (takes(wanted)) return;
+        if (wanted == "start")
+            refuse("answer", compare::quoted(word()) + " in " + compare::quoted(text_) +
+                                 " is no event: a time that is written down is wrong as soon as a value is changed");
+        refuse("answer", compare::quoted(text_) + " wants " + compare::quoted(wanted) + " there");
     }
 
     std::string known(const std::vector<std::string>& names, const std::string& what) {
@@ -78,8 +137,8 @@ private:
         double value = 0;
         const std::string word = at_ < words_.size() ? words_[at_++] : "";
         const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-        if (error != std::errc{} || rest != word.data() + word.size() || !(value >= 0))
-            refuse("answer", compare::quoted(word) + " in " + compare::quoted(text_) + " is not a time in seconds");
+        if (error != std::errc{} || rest != word.data() + word.size())
+            refuse("answer", compare::quoted(word) + " in " + compare::quoted(text_) + " is not a number");
         return value;
     }
 
@@ -104,6 +163,11 @@ std::vector<AnswerPart> answerParts(const Scene& scene) {
     }
     parts.push_back({text.substr(start), {}});
     return parts;
+}
+
+std::string textOf(const Reading& quantity) {
+    if (!quantity.probe.empty()) return quantity.probe;
+    return valueNames[static_cast<std::size_t>(quantity.value)] + " of " + quantity.body;
 }
 
 }  // namespace plumb::compare

@@ -12,17 +12,36 @@ namespace plumb::compare {
 /// The value of a body that is read.
 enum class BodyValue { X, Y, Angle, Vx, Vy, Speed, Spin };
 
-/// Which value of a run is taken?
-enum class Pick { Last, At, Largest, Smallest, Change, Drop, TimeOfLargest, TimeOfSmallest };
-
-/// The text between braces: "largest y of ball", "x of ball at 1.5", "change of angle of rod", "drop of y of ball",
-/// "time of largest y of ball", "probe pull", "largest probe pull", "metric joint_error_max".
-struct AnswerQuery {
-    enum class Kind { Body, Probe, Metric } kind = Kind::Body;
-    std::string name{};  ///< of the body, the probe or the metric
+/// What is followed through a run: a value of a body, or a probe.
+struct Reading {
+    std::string body{};   ///< its name; "": a probe
+    std::string probe{};  ///< its name; "": a body
     BodyValue value{};
-    Pick pick{};
-    double time = 0;  ///< with Pick::At [s]
+};
+
+/// Something that happens in a run. Where no number stands in it, it comes at another time in another scene: an answer
+/// that names events stays true when a value of the scene is changed.
+struct Happening {
+    enum class Kind { Maximum, Minimum, Returns, IsAbove, IsBelow, Start } kind = Kind::Start;
+    Reading of{};
+    int which = 1;                  ///< 1 the first, 2 the second, ...; -1 the last
+    std::optional<double> level{};  ///< of Returns, IsAbove and IsBelow; none: the quantity's at the start
+};
+
+/// The text between braces. QUANTITY is "y of ball" or "probe pull", HAPPENING one of "first maximum of QUANTITY",
+/// "QUANTITY first returns to 0", "QUANTITY last is above 2", "QUANTITY second is below start"; where it has no
+/// quantity, or no body, it is that of the query.
+///   QUANTITY, QUANTITY at start, QUANTITY when HAPPENING    at the run's end, its start, at that moment
+///   largest QUANTITY, smallest QUANTITY                     of all ticks
+///   change of QUANTITY, drop of QUANTITY [when HAPPENING]   since the start
+///   first maximum of QUANTITY                               its value there
+///   time when HAPPENING, period of QUANTITY, duration       [s]
+///   metric joint_error_max
+struct AnswerQuery {
+    enum class Kind { Value, Largest, Smallest, Change, Drop, Time, Period, Duration, Metric } kind = Kind::Value;
+    Reading quantity{};
+    std::string metric{};             ///< its name, with Kind::Metric
+    std::optional<Happening> when{};  ///< none: at the end
 };
 
 /// A text, and the query after it; the last part has no query.
@@ -34,5 +53,8 @@ struct AnswerPart {
 /// Throws std::invalid_argument that names the part between braces if it is not understood, or if the scene does not
 /// have its body, probe or metric.
 std::vector<AnswerPart> answerParts(const Scene& scene);
+
+/// "y of ball", "probe pull".
+std::string textOf(const Reading& quantity);
 
 }  // namespace plumb::compare

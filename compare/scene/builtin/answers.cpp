@@ -9,29 +9,34 @@ namespace {
 using Answers = std::map<std::string, std::string>;
 
 const Answers ofFlights{
-    {"free_fall", "It falls by {drop of y of ball} in 2 s, to {speed of ball}."},
+    {"free_fall", "It falls by {drop of y of ball} in {duration}, to {speed of ball}."},
     {"projectile",
-     "It rises to {largest y of ball} at {time of largest y of ball}, and comes {x of ball at 2.883} far."},
-    {"projectile_damped", "It rises to {largest y of ball}, and after 2.88 s is {x of ball at 2.883} far, not 40.8 m."},
+     "It rises to {first maximum of y of ball} at {time when first maximum of y of ball}, and comes "
+     "{x of ball when y first returns to 0} far."},
+    {"projectile_damped",
+     "It rises to {first maximum of y of ball}, and lands {x of ball when y first returns to 0} far, at "
+     "{time when y of ball first returns to 0}."},
     {"spin_free", "It turns by {change of angle of hammer}; its point of balance flies like a ball."},
     {"projectile_fan",
-     "After their flights 45 degrees is {x of ball_45 at 2.883} far; 15 and 75 degrees "
-     "{x of ball_15 at 1.055} and {x of ball_75 at 3.938}."},
+     "45 degrees comes {x of ball_45 when y first returns to 0} far, 30 and 60 degrees "
+     "{x of ball_30 when y first returns to 0} and {x of ball_60 when y first returns to 0}, 15 and 75 degrees "
+     "{x of ball_15 when y first returns to 0} and {x of ball_75 when y first returns to 0}."},
     {"projectile_fan_drag",
-     "After as long, 45 degrees is {x of ball_45 at 2.883} far, 15 and 75 degrees "
-     "{x of ball_15 at 1.055} and {x of ball_75 at 3.938}."},
-    {"moving_target", "There are {probe hits} of two shots."},
-    {"terminal_speed", "It falls at {speed of ball at 1} after a second, and at {speed of ball} in the end."},
-    {"two_body_orbit", "After three rounds the star is {metric error_end} from where Kepler has it."},
-    {"buoyant_box", "It bobs up to {largest y of box}, down to {smallest y of box}, and is at {y of box} after 5 s."},
+     "45 degrees comes {x of ball_45 when y first returns to 0} far, 30 and 60 degrees "
+     "{x of ball_30 when y first returns to 0} and {x of ball_60 when y first returns to 0}, 15 and 75 degrees "
+     "{x of ball_15 when y first returns to 0} and {x of ball_75 when y first returns to 0}."},
+    {"moving_target", "{probe hits} of the shots hit."},
+    {"terminal_speed", "It falls at {speed of ball} in the end, after {drop of y of ball}."},
+    {"two_body_orbit", "In the end the star is {metric error_end} from where Kepler has it."},
+    {"buoyant_box", "It bobs up to {largest y of box}, down to {smallest y of box}, once in {period of y of box}."},
     {"magnet", "They meet at x = {probe meets_at}; the iron comes to {largest speed of iron}."},
 };
 
 const Answers ofImpacts{
     {"bounce_08",
-     "It is {largest y of ball} high at first, {y of ball at 1.93} half-way through the second flight, and "
-     "lies at {y of ball}."},
-    {"bounce_1", "Its last apex is {y of ball at 40.386} high; it was let go at {y of ball at 0}."},
+     "Let go at {y of ball at start}, it comes back to {first maximum of y of ball}, then to "
+     "{second maximum of y of ball}; it lies still from {metric settle_time} on."},
+    {"bounce_1", "Its last apex is {last maximum of y of ball} high; it was let go at {y of ball at start}."},
     {"wall_touch", "It leaves the wall at {speed of ball}."},
     {"head_on_1", "They part at {vx of disc_a} and {vx of disc_b}."},
     {"head_on_05", "They part at {vx of disc_a} and {vx of disc_b}."},
@@ -39,23 +44,27 @@ const Answers ofImpacts{
     {"oblique_1", "One goes on at {vx of disc_a} and {vy of disc_a}, the other at {vx of disc_b} and {vy of disc_b}."},
     {"oblique_08", "One goes on at {vx of disc_a} and {vy of disc_a}, the other at {vx of disc_b} and {vy of disc_b}."},
     {"slip_landing_sticks",
-     "Its spin is {spin of disc at 0} before, {spin of disc at 0.6} after, at {vx of disc at 0.6}."},
+     "Its spin is {spin of disc at start} before, {spin of disc when first maximum of y} after, at "
+     "{vx of disc when first maximum of y}."},
     {"slip_landing_slips",
-     "Its spin is {spin of disc at 0} before, {spin of disc at 0.6} after the first landing, and "
+     "Its spin is {spin of disc at start} before, {spin of disc when first maximum of y} after the first landing, and "
      "{spin of disc} in the end."},
-    {"bullet_wall", "The disc at 1,000 m/s ends at x = {x of disc_1000}, the one at 10 m/s at {x of disc_10}."},
+    {"bullet_wall",
+     "The disc at {speed of disc_1000 at start} ends at x = {x of disc_1000}, the one at {speed of disc_10 at start} "
+     "at "
+     "{x of disc_10}."},
 };
 
 const Answers ofSlopes{
-    {"block_slides", "After 2 s it slides at {speed of block}."},
-    {"block_sticks", "After 2 s it has moved by {change of x of block}."},
-    {"disc_rolls", "After 2 s it rolls at {speed of disc}."},
-    {"disc_rolls_down", "After 3 s it rolls at {speed of roller}."},
-    {"ring_rolls_down", "After 3 s it rolls at {speed of roller}; a disc would at 6.71 m/s."},
+    {"block_slides", "After {duration} it slides at {speed of block}."},
+    {"block_sticks", "After {duration} it has moved by {change of x of block}."},
+    {"disc_rolls", "After {duration} it rolls at {speed of disc}."},
+    {"disc_rolls_down", "After {duration} it rolls at {speed of roller}."},
+    {"ring_rolls_down", "After {duration} it rolls at {speed of roller}; the scene before has a disc."},
     {"slide_to_roll", "In the end it rolls at {speed of disc}, and spins at {spin of disc}."},
     {"tip_below", "It tilts by {change of angle of block}."},
-    {"tip_above", "It has tilted by {change of angle of block} after 5 s."},
-    {"conveyor", "It comes {change of x of box} far in 3 s, and rides at {vx of box} in the end."},
+    {"tip_above", "It has tilted by {change of angle of block} after {duration}."},
+    {"conveyor", "It comes {change of x of box} far in {duration}, and rides at {vx of box} in the end."},
     {"terrain_box", "It is at {speed of body} in the end, {change of x of body} farther."},
     {"terrain_disc", "Its energy changes by {metric energy_drift}."},
     {"terrain_capsule", "It is at {speed of body} in the end, {change of x of body} farther."},
@@ -71,28 +80,40 @@ const Answers ofMovers{
     {"mover_wall", "It stops at x = {x of hero}."},
     {"platform_ride", "It slips by {metric probe.slip} at most."},
     {"maze_lap", "It is {metric error_end} off its lane in the end."},
-    {"jump_1985", "Its top is at {largest y of hero}, at {time of largest y of hero}."},
-    {"jump_modern", "It rises to {largest y of hero} at {time of largest y of hero}."},
-    {"wrap_head_on", "After 10 s they are {metric error_end} from where the formula has them."},
+    {"jump_1985",
+     "It rises by {change of y of hero when first maximum of y} until {time when first maximum of y of hero}, and is "
+     "at "
+     "most {metric error_max} off its tables. 16 pixels are a metre."},
+    {"jump_modern",
+     "It rises by {change of y of hero when first maximum of y}, is back after {time when y of hero last returns to "
+     "start}, and is at most {metric error_max} off its formula."},
+    {"wrap_head_on", "After {duration} they are {metric error_end} from where the formula has them."},
     {"wrap_billiard", "Energy changes by {metric energy_drift}, momentum by {metric momentum_drift}."},
 };
 
 const Answers ofPendulums{
-    {"pendulum_45", "It is at its other end first at {time of smallest x of bob}, {smallest x of bob} aside."},
-    {"pendulum_150", "It swings from x = {smallest x of bob} to {largest x of bob}, as high as {largest y of bob}."},
+    {"pendulum_45", "A swing from end to end and back takes {period of x of bob}."},
+    {"pendulum_150", "A swing from end to end and back takes {period of x of bob}."},
     {"pendulum_step", "At this step it is {metric error_max} off."},
-    {"rod_pendulum_90", "It swings {largest probe angle} wide; its largest error is {metric error_max}."},
-    {"double_pendulum", "Energy changes by {metric energy_drift} in 10 s. Where the engines part is told below."},
-    {"double_pendulum_minute", "Energy changes by {metric energy_drift} in a minute."},
-    {"pendulum_horizontal", "It is across at {time of largest x of bob}, at x = {largest x of bob}."},
+    {"rod_pendulum_90", "A swing from end to end and back takes {period of x of rod}."},
+    {"double_pendulum", "Energy changes by {metric energy_drift} in {duration}. Where the engines part is told below."},
+    {"double_pendulum_minute", "Energy changes by {metric energy_drift} in {duration}."},
+    {"pendulum_horizontal",
+     "It is across at {time when first maximum of x of bob}, at x = {first maximum of x of bob}."},
     {"double_four_bar", "Energy changes by {metric energy_drift}; hinges open by up to {metric joint_error_max}."},
     {"hanging_chain", "From the top the rods pull with {probe pull_1}, {probe pull_2} and {probe pull_3}."},
-    {"spring_undamped", "Energy changes by {metric energy_drift} in 20 s."},
-    {"springs_damped", "After 1 s they are at y = {y of swings at 1}, {y of critical at 1} and {y of creeps at 1}."},
-    {"atwood_machine", "They move at {speed of heavy} after 1 s; the rope pulls with {probe pull}."},
-    {"cradle_one", "The last disc comes out by {largest x of disc_5} at {time of largest x of disc_5}."},
-    {"cradle_two", "The last disc comes out to x = {largest x of disc_5}, the one before it to {largest x of disc_4}."},
-    {"cradle_gap", "The last disc comes out to x = {largest x of disc_5}."},
+    {"spring_undamped", "Energy changes by {metric energy_drift} in {duration}."},
+    {"springs_damped",
+     "They come up to {largest y of swings}, {largest y of critical} and {largest y of creeps}; the first is there "
+     "after {time when first maximum of y of swings}, and swings back."},
+    {"atwood_machine", "They move at {speed of heavy} after {duration}; the rope pulls with {probe pull}."},
+    {"cradle_one",
+     "The last disc comes out by {change of x of disc_5 when first maximum of x} at {time when first maximum of x of "
+     "disc_5}."},
+    {"cradle_two",
+     "The last disc comes out by {change of x of disc_5 when first maximum of x}, the one before it by "
+     "{change of x of disc_4 when first maximum of x}."},
+    {"cradle_gap", "The last disc comes out by {change of x of disc_5 when first maximum of x}."},
     {"ballistic_pendulum", "The block rises by {largest probe rise}."},
 };
 
@@ -112,7 +133,7 @@ const Answers ofJoints{
     {"rope_heaps_up", "A hinge opens by {metric joint_error_max} at most; it lies still from {metric settle_time} on."},
     {"scissor_lift", "It lifts to {probe height}, and is tilted by {probe tilt}."},
     {"gear_train",
-     "After 2 s the wheels turn at {spin of wheel_1}, {spin of wheel_2} and {spin of wheel_3}; the rack "
+     "After {duration} the wheels turn at {spin of wheel_1}, {spin of wheel_2} and {spin of wheel_3}; the rack "
      "moves at {speed of rack}."},
     {"sensor_gate",
      "The gates count {probe count_0}, {probe count_1}, {probe count_2}, {probe count_3} and "
@@ -124,12 +145,12 @@ const Answers ofHeaps{
     {"box_at_rest", "It moves by {metric error_max} at most, and presses with {probe normal}."},
     {"stack_of_ten", "The lowest contact carries {probe normal_10}, the highest {probe normal_1}."},
     {"small_pyramid", "Boxes overlap by {metric penetration_max} at most; at rest from {metric settle_time} on."},
-    {"tall_stack", "The top sinks by {drop of y of box_30} in a minute, and moves {change of x of box_30} aside."},
-    {"stack_awake", "The top sinks by {drop of y of box_15} in a minute, and moves {change of x of box_15} aside."},
+    {"tall_stack", "The top sinks by {drop of y of box_30} in {duration}, and moves {change of x of box_30} aside."},
+    {"stack_awake", "The top sinks by {drop of y of box_15} in {duration}, and moves {change of x of box_15} aside."},
     {"heavy_on_light", "The heavy box sinks by {drop of y of box_3}."},
     {"arch", "The keystone sinks by {drop of y of stone_8}."},
     {"dominoes", "The last one has turned by {change of angle of domino_15}."},
-    {"elastic_gas", "Energy changes by {metric energy_drift} in a minute."},
+    {"elastic_gas", "Energy changes by {metric energy_drift} in {duration}."},
     {"small_tumbler", "They overlap by {metric penetration_max} at most."},
 };
 
