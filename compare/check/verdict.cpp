@@ -51,6 +51,9 @@ SceneResult runScene(const Scene& scene, const RunOptions& options, const std::v
     checkOptions(options, engines);
     SceneResult result;
     result.scene = asAsked(scene, options);
+    result.changed = options.changed;
+    if (options.dt) result.changed.push_back(fmt::format("dt = {:.6g}", *options.dt));
+    if (options.steps) result.changed.push_back(fmt::format("steps = {}", *options.steps));
     validate(result.scene);
     validateEngineNames(result.scene);
     for (const Engine& engine : engines)

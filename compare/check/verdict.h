@@ -62,12 +62,14 @@ struct SceneResult {
     std::vector<Outcome> outcomes;      ///< empty where no check binds an engine that was run
     std::vector<Parting> partings;      ///< of each two engines that ran it, in their order
     Verdict verdict = Verdict::NotJudged;
+    std::vector<std::string> changed{};  ///< what was set, as "bodies.ball.velocity = 15,26"; empty: as it is built in
 };
 
 struct RunOptions {
     std::vector<std::string> engines;  ///< names; empty: all. The closed form is always run for measuring.
     std::optional<int> steps;          ///< instead of the scene's
     std::optional<double> dt;          ///< instead of the scene's [s]
+    std::vector<std::string> changed;  ///< what was set in the scene before, for SceneResult::changed
 };
 
 /// Runs a scene in the engines, measures, and judges every check that binds an engine that was run:

@@ -110,13 +110,16 @@ int check(const Arguments& arguments, std::ostream& out, bool colour) {
     Choice choice = chooseScenesAndLabs(arguments.scenes);
     refuseSceneOptions(arguments, choice.labs);
     setFields(choice.scenes, arguments.set);
+    RunOptions options = arguments.options;
+    for (const FieldSetting& setting : arguments.set)
+        options.changed.push_back(fmt::format("{} = {}", setting.path, setting.value));
     std::optional<OutputFile> json;
     if (arguments.json) json.emplace("--json", *arguments.json);
     if (arguments.csv) makeFolder("--csv", *arguments.csv);
     if (arguments.report) makeFolder("--report", *arguments.report);
     const AccuracyPages pages(arguments, engines());
     const std::vector<SceneResult> scenes =
-        runScenes(choice.scenes, arguments.options, out, colour, !arguments.scenes.empty());
+        runScenes(choice.scenes, options, out, colour, !arguments.scenes.empty());
     if (!choice.scenes.empty() && !choice.labs.empty()) fmt::print(out, "\n");
     const std::vector<LabResult> labs = runLabs(choice.labs, arguments.options, out, colour);
     if (json) json->write(verdictJson(scenes, labs));

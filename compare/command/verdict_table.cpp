@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <ostream>
@@ -73,6 +74,7 @@ void VerdictTable::row(const SceneResult& result) const {
 }
 
 void VerdictTable::partings(const SceneResult& result) const {
+    if (!result.changed.empty()) fmt::print(out_, "      changed: {}\n", fmt::join(result.changed, ", "));
     for (const EngineResult& run : result.engines)
         if (run.observation.role == Role::Subject && !run.answer.empty()) fmt::print(out_, "      {}\n", run.answer);
     for (const EngineResult& run : result.engines)

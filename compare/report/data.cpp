@@ -248,6 +248,7 @@ json sceneData(const SceneResult& result, const PlaybackFormat& format, const Re
                  {"title", titleOf(scene)},
                  {"group", scene.group},
                  {"question", scene.question},
+                 {"changed", result.changed},
                  {"pass", result.verdict},
                  {"checks", scene.checks.size()},
                  {"dt", dt},

@@ -65,7 +65,10 @@ class ScenePage {
     showHead(scene) {
         const failed = failures(scene);
         byId("scene-title").textContent = titleText(scene);
-        byId("scene-question").textContent = scene.question;
+        const isChanged = scene.changed.length > 0;
+        byId("scene-changed").textContent = `Changed: ${scene.changed.join(", ")}`;
+        byId("scene-changed").hidden = !isChanged;
+        byId("scene-question").textContent = isChanged ? `The scene as it was asks: ${scene.question}` : scene.question;
         const answer = scene.engines.find(({name}) => isSubject(name))?.answer ?? "";
         byId("scene-answer").textContent = answer;
         byId("scene-answer").hidden = answer === "";

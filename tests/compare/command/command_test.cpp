@@ -142,6 +142,7 @@ TEST_CASE("export and check run a scene with fields that are set on the command 
     CHECK(fromJson(exported.out, "exported").duration == 1);
     const Folder folder("plumb_command_test");
     const Called checked = call({"check", "free_fall", "--set", "gravity=0,-9.8", "--json", folder / "out.json"});
+    CHECK(checked.out.find("      changed: gravity = 0,-9.8\n") != std::string::npos);
     CHECK(checked.status == 0);  // its closed form falls at 9.8, too
     CHECK(checked.out.find("It falls by 19.6 m in 2 s") != std::string::npos);
 }
@@ -171,6 +172,7 @@ TEST_CASE("check writes JSON of schema 1 with metrics of every engine and the ve
     CHECK(scene["name"] == "free_fall");
     CHECK(scene["dt"] == 0.05);
     CHECK(scene["steps"] == 30);
+    CHECK(scene["changed"] == nlohmann::json({"dt = 0.05", "steps = 30"}));
     CHECK(scene["pass"] == true);
     CHECK(scene["engines"].size() == engines().size());
     CHECK(scene["engines"]["plumb"]["metrics"]["error_max"] <= 1e-9);

@@ -33,6 +33,7 @@ TEST_CASE("the page knows the scene, its limits, each engine's states and curves
     CHECK(scene.at("name") == "one_disc");
     CHECK(scene.at("title") == "One disc");
     CHECK(scene.at("steps") == 10);
+    CHECK(scene.at("changed").empty());
     CHECK(scene.at("limits") == json({{"error", 0.001}, {"divergence", 0.02}, {"agreeUntil", 0.5}}));
     CHECK(scene.at("bodies").at(0).at("shapes") == json::parse(R"([{"circle": [0, 0, 0.5]}])"));
     CHECK(scene.at("pass") == false);
