@@ -11,7 +11,7 @@ EngineCard box2d3Card() {
     card.role = Role::Peer;
     card.look = {"#008a66", "#2fc79c", {9, 5}, 2};
     card.isRival = true;
-    card.missing = "set PLUMB_BOX2D3_DIR to where Box2D 3.2 is installed";
+    card.missing = "set PLUMB_BOX2D3_DIR to where it is installed, or PLUMB_BOX2D3_GIT to where it can be fetched from";
     card.oneSidedChains = true;
     return card;
 }
