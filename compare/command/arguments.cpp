@@ -47,7 +47,7 @@ void requireOneThread(const std::string& text) {
 }
 
 double dtFrom(const std::string& text) {
-    const std::optional<double> dt = number<double>(text);
+    const std::optional<double> dt = numberOf(text);
     if (!dt || !std::isfinite(*dt) || *dt <= 0)
         throw std::invalid_argument(fmt::format("--dt: \"{}\" is not a positive number of seconds", text));
     return *dt;

@@ -155,29 +155,48 @@ Json valueFrom(const std::string& text, const Json& now) {
 
 /// made: takes the present value at the path and gives the new one.
 template <class Make>
-Scene withMade(const Scene& scene, const std::string& path, const std::string& shown, const Make& made) {
-    Json root = jsonOf(scene, Defaults::Written);
+void setAt(Json& root, const std::string& path, const std::string& shown, const Make& made) {
     try {
         for (Json* place : valuesAt(root, path)) *place = made(*place);
-        return sceneOf(root);
     } catch (const std::invalid_argument& error) {
         throw std::invalid_argument(path + "=" + shown + ": " + error.what());
+    }
+}
+
+/// shown: what was set in it.
+Scene sceneFrom(const Json& root, const std::string& shown) {
+    try {
+        return sceneOf(root);
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(shown + ": " + error.what());
+    }
+}
+
+/// With every field that what was set before brings with it; as it is where that is not a scene yet.
+Json completed(const Json& root) {
+    try {
+        return jsonOf(sceneOf(root), Defaults::Written);
+    } catch (const std::invalid_argument&) {
+        return root;
     }
 }
 
 }  // namespace
 
 Scene withField(const Scene& scene, const std::string& path, const std::string& value) {
-    if (const std::size_t colon = path.find(':'); colon != std::string::npos) {
-        Scene made = scene;
-        made.engines[path.substr(0, colon)][path.substr(colon + 1)] = valueFrom(value, {}).dump();
-        return made;
-    }
-    return withMade(scene, path, value, [&](const Json& now) { return valueFrom(value, now); });
+    const FieldSetting setting{path, value};
+    return withFields(scene, {&setting, 1});
 }
 
 Scene withJsonField(const Scene& scene, const std::string& path, const Json& value) {
-    return withMade(scene, path, value.dump(), [&](const Json&) { return value; });
+    Json root = jsonOf(scene, Defaults::Written);
+    setAt(root, path, value.dump(), [&](const Json&) { return value; });
+    return sceneFrom(root, path + "=" + value.dump());
+}
+
+std::optional<double> numberOf(const std::string& text) {
+    const std::optional<Json> number = numberFrom(text);
+    return number ? std::optional<double>(number->get<double>()) : std::nullopt;
 }
 
 FieldSetting fieldSettingOf(const std::string& text) {
@@ -188,8 +207,18 @@ FieldSetting fieldSettingOf(const std::string& text) {
 }
 
 Scene withFields(Scene scene, std::span<const FieldSetting> settings) {
-    for (const FieldSetting& setting : settings) scene = withField(scene, setting.path, setting.value);
-    return scene;
+    std::string shown;
+    Json root = jsonOf(scene, Defaults::Written);
+    for (const auto& [path, value] : settings) {
+        if (const std::size_t colon = path.find(':'); colon != std::string::npos) {
+            root["engines"][path.substr(0, colon)][path.substr(colon + 1)] = valueFrom(value, {});
+        } else {
+            if (!shown.empty()) root = completed(root);
+            setAt(root, path, value, [&](const Json& now) { return valueFrom(value, now); });
+        }
+        shown += (shown.empty() ? "" : " --set ") + path + "=" + value;
+    }
+    return sceneFrom(root, shown);
 }
 
 }  // namespace plumb::compare

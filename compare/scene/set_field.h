@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How does one field of a scene get another value?
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,6 +25,9 @@ namespace plumb::compare {
 Scene withField(const Scene& scene, const std::string& path, const std::string& value);
 Scene withJsonField(const Scene& scene, const std::string& path, const Json& value);
 
+/// A number or a fraction: "0.01", "1/240". None for anything else. Throws std::invalid_argument for a division by 0.
+std::optional<double> numberOf(const std::string& text);
+
 struct FieldSetting {
     std::string path, value;
 };
@@ -31,7 +35,8 @@ struct FieldSetting {
 /// Reads "bodies.ball.velocity=15,26". Throws std::invalid_argument for a text without a path and a "=".
 FieldSetting fieldSettingOf(const std::string& text);
 
-/// Sets one field after the other: if two settings are for the same field, the last one holds.
+/// Sets one field after the other: if two settings are for the same field, the last one holds. Only what comes of all
+/// of them is checked.
 Scene withFields(Scene scene, std::span<const FieldSetting> settings);
 
 }  // namespace plumb::compare

@@ -171,6 +171,8 @@ TEST_CASE("check writes JSON of schema 1 with metrics of every engine and the ve
     const nlohmann::json& scene = json["scenes"][0];
     CHECK(scene["name"] == "free_fall");
     CHECK(scene["dt"] == 0.05);
+    CHECK(call({"check", "free_fall", "--dt", "1/240", "--engines", "plumb"}).out.find("changed: dt = 0.00416667\n") !=
+          std::string::npos);
     CHECK(scene["steps"] == 30);
     CHECK(scene["changed"] == nlohmann::json({"dt = 0.05", "steps = 30"}));
     CHECK(scene["pass"] == true);
@@ -298,7 +300,7 @@ TEST_CASE("bad usage gives status 2 and one line that says what and where", "[co
     checkRefused({"check", "free_fall", "--engines"}, "--engines");
     for (const std::string steps : {"0", "-3", "1.5", "ten", ""})
         checkRefused({"check", "free_fall", "--steps=" + steps}, "--steps");
-    for (const std::string dt : {"0", "-0.1", "nan", "inf", "1/60", "fast", ""})
+    for (const std::string dt : {"0", "-0.1", "nan", "inf", "1/0", "-1/60", "fast", ""})
         checkRefused({"check", "free_fall", "--dt=" + dt}, "--dt");
     checkRefused({"check", "free_fall", "--dt", "100"}, "scene free_fall: dt: 100 is longer than the duration");
     checkRefused({"check", "free_fall", "free_fall"}, "both called \"free_fall\"");

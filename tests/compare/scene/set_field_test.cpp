@@ -127,4 +127,15 @@ TEST_CASE("of two settings of one field the last holds", "[compare][scene][set]"
     CHECK(set.duration == 3);
 }
 
+TEST_CASE("two values that are wrong one without the other may be set in any order", "[compare][scene]") {
+    const FieldSetting limit{"joints.hinge.revolute.limit", R"({"lower": 0, "upper": 1})"};
+    const FieldSetting lower{"joints.hinge.revolute.limit.lower", "2"}, upper{"joints.hinge.revolute.limit.upper", "3"};
+    for (const auto& settings : {std::vector{limit, lower, upper}, std::vector{limit, upper, lower}}) {
+        const Scene set = withFields(twoBalls(), settings);
+        CHECK(std::get<RevoluteJointDef>(set.joints[0].def).limit->lower == 2);
+        CHECK(std::get<RevoluteJointDef>(set.joints[0].def).limit->upper == 3);
+    }
+    CHECK_THROWS_WITH(withFields(twoBalls(), std::vector{limit, lower}), Catch::Contains("lower"));
+}
+
 }  // namespace plumb::compare
