@@ -195,8 +195,12 @@ Scene withJsonField(const Scene& scene, const std::string& path, const Json& val
 }
 
 std::optional<double> numberOf(const std::string& text) {
-    const std::optional<Json> number = numberFrom(text);
-    return number ? std::optional<double>(number->get<double>()) : std::nullopt;
+    try {
+        const std::optional<Json> number = numberFrom(text);
+        return number ? std::optional<double>(number->get<double>()) : std::nullopt;
+    } catch (const std::invalid_argument&) {
+        return {};  // divided by 0
+    }
 }
 
 FieldSetting fieldSettingOf(const std::string& text) {

@@ -25,7 +25,7 @@ namespace plumb::compare {
 Scene withField(const Scene& scene, const std::string& path, const std::string& value);
 Scene withJsonField(const Scene& scene, const std::string& path, const Json& value);
 
-/// A number or a fraction: "0.01", "1/240". None for anything else. Throws std::invalid_argument for a division by 0.
+/// A number or a fraction: "0.01", "1/240". None for anything else.
 std::optional<double> numberOf(const std::string& text);
 
 struct FieldSetting {
