@@ -47,12 +47,12 @@ struct TwoPoints {
         const F m0 = share.at[0] * mass.at[0], m1 = share.at[1] * mass.at[1];
         const F alone0 = share.at[0] * old.at[0] + m0 * (coupling * old.at[1] - speed.at[0]);
         const F alone1 = share.at[1] * old.at[1] + m1 * (coupling * old.at[0] - speed.at[1]);
-        const F beside0 = alone0 - m0 * (coupling * alone1), beside1 = alone1 - m1 * (coupling * alone0);
         const F both = share.at[0] * share.at[1], least = F{} + 1e-30F;
         const F inverse = (F{} + 1.0F) / larger((F{} + 1.0F - both) + both * freedom, least);
-        const F first = beside1 > F{} ? larger(beside0, F{}) * inverse : larger(alone0, F{});
-        // One after the other once more: of points that are close together, the difference above is mostly rounding.
-        const F second = larger(alone1 - m1 * (coupling * first), F{});
+        // As if both pushed. One pass after the other is exact from there, in each of the four cases; and of points that
+        // are close together, this first guess is mostly rounding.
+        const F guess = larger(alone0 - m0 * (coupling * alone1), F{}) * inverse;
+        const F second = larger(alone1 - m1 * (coupling * guess), F{});
         return {{larger(alone0 - m0 * (coupling * second), F{}), second}};
     }
 
