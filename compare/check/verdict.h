@@ -69,7 +69,7 @@ struct RunOptions {
     std::vector<std::string> engines;  ///< names; empty: all. The closed form is always run for measuring.
     std::optional<int> steps;          ///< instead of the scene's
     std::optional<double> dt;          ///< instead of the scene's [s]
-    std::vector<std::string> changed;  ///< what was set in the scene before, for SceneResult::changed
+    std::vector<std::string> changed{};  ///< what was set in the scene before, for SceneResult::changed
 };
 
 /// Runs a scene in the engines, measures, and judges every check that binds an engine that was run:
