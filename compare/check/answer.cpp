@@ -67,14 +67,10 @@ double extremeOf(const std::vector<double>& values, bool largest) {
 std::string numberText(double value, const std::string& unit) {
     if (std::isnan(value)) return "–";
     if (unit == "m" && std::abs(value) < 0.0995) return (value < 0 ? "-" : "") + lengthText(std::abs(value));
-    double shown = std::abs(value) < 1e-9 ? 0 : value;
-    const bool isLong = std::abs(shown) >= 999.5 && std::abs(shown) < 1e7;
-    if (isLong) {
-        const double digit = std::pow(10, std::floor(std::log10(std::abs(shown))) - 2);
-        shown = std::round(shown / digit) * digit;
-    }
-    return fmt::format(fmt::runtime(isLong ? "{:.0f}{}{}" : "{:.3g}{}{}"), shown,
-                       unit.empty() || unit == "-" ? "" : " ", unit == "-" ? "" : unit);
+    const double shown = std::abs(value) < 1e-9 ? 0 : value, size = std::abs(shown);
+    std::string text = fmt::format("{:.3g}", shown);
+    if (size >= 999.5 && size < 1e7) text = fmt::format("{:.0f}", std::stod(text));  // no 1e+03
+    return unit.empty() || unit == "-" ? text : text + " " + unit;
 }
 
 std::string metricText(const Scene& scene, const std::string& name, const Measured& measured) {

@@ -66,9 +66,9 @@ struct SceneResult {
 };
 
 struct RunOptions {
-    std::vector<std::string> engines;  ///< names; empty: all. The closed form is always run for measuring.
-    std::optional<int> steps;          ///< instead of the scene's
-    std::optional<double> dt;          ///< instead of the scene's [s]
+    std::vector<std::string> engines;    ///< names; empty: all. The closed form is always run for measuring.
+    std::optional<int> steps;            ///< instead of the scene's
+    std::optional<double> dt;            ///< instead of the scene's [s]
     std::vector<std::string> changed{};  ///< what was set in the scene before, for SceneResult::changed
 };
 

@@ -118,8 +118,7 @@ int check(const Arguments& arguments, std::ostream& out, bool colour) {
     if (arguments.csv) makeFolder("--csv", *arguments.csv);
     if (arguments.report) makeFolder("--report", *arguments.report);
     const AccuracyPages pages(arguments, engines());
-    const std::vector<SceneResult> scenes =
-        runScenes(choice.scenes, options, out, colour, !arguments.scenes.empty());
+    const std::vector<SceneResult> scenes = runScenes(choice.scenes, options, out, colour, !arguments.scenes.empty());
     if (!choice.scenes.empty() && !choice.labs.empty()) fmt::print(out, "\n");
     const std::vector<LabResult> labs = runLabs(choice.labs, arguments.options, out, colour);
     if (json) json->write(verdictJson(scenes, labs));

@@ -4,7 +4,9 @@ include(FetchContent)
 include(CheckCXXSourceRuns)
 
 # The newest of version 3.2 that was compared with.
-set(box2d3Commit 617d32ab02570930625bbcb8479f54be9bf8d045)
+if(NOT DEFINED PLUMB_BOX2D3_COMMIT)
+    set(PLUMB_BOX2D3_COMMIT 617d32ab02570930625bbcb8479f54be9bf8d045)
+endif()
 
 set(PLUMB_BOX2D3_GIT "https://github.com/erincatto/box2d.git" CACHE STRING "Where Box2D 3 is fetched from, or a mirror")
 if(NOT "$ENV{PLUMB_BOX2D3_GIT}" STREQUAL "")
@@ -35,7 +37,7 @@ endfunction()
 
 # Sets result to the folder in which Box2D 3 is installed; to "" where it cannot be fetched.
 function(plumb_fetch_box2d3 result)
-    string(SUBSTRING "${box2d3Commit}" 0 8 short)
+    string(SUBSTRING "${PLUMB_BOX2D3_COMMIT}" 0 8 short)
     set(root "${FETCHCONTENT_BASE_DIR}/box2d3-${short}")
     set(${result} "${root}/installed" PARENT_SCOPE)
     if(EXISTS "${root}/installed/lib/cmake/box2d/box2dConfig.cmake")
@@ -47,7 +49,7 @@ function(plumb_fetch_box2d3 result)
         return()
     endif()
     message(STATUS "Box2D 3: fetching ${short} from ${PLUMB_BOX2D3_GIT}")
-    FetchContent_Populate(box2d3 QUIET GIT_REPOSITORY "${PLUMB_BOX2D3_GIT}" GIT_TAG ${box2d3Commit}
+    FetchContent_Populate(box2d3 QUIET GIT_REPOSITORY "${PLUMB_BOX2D3_GIT}" GIT_TAG ${PLUMB_BOX2D3_COMMIT}
                           SOURCE_DIR "${root}/source" BINARY_DIR "${root}/build" SUBBUILD_DIR "${root}/fetch")
     # What this machine can run.
     check_cxx_source_runs("int main() { return __builtin_cpu_supports(\"avx2\") ? 0 : 1; }" PLUMB_RUNS_AVX2)

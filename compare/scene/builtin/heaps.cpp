@@ -32,9 +32,8 @@ Scene ropeHeapsUp() {
     }
     scene.checks = {
         invariant("joint_error_max", 5e-3, "a fortieth of a link, while links fall on links from 13 m"),
-        invariant(
-            "penetration_max", 0.11,
-            "links that fall on links from 13 m: 54 mm is usual under 60 gravities near this one, 109 mm the most"),
+        // By chance: under 60 gravities near this one it is 54 mm in the middle, and 109 mm at the most.
+        invariant("penetration_max", 8e-2, "the 8 cm by which a link at 16 m/s would pass another"),
         invariant("settle_time", 15, "the last link falls for 1.6 s; then friction stops the heap"),
     };
     return scene;

@@ -22,9 +22,9 @@ Scene smallTumbler() {
                                 wall({0, -middle}, {length, half}), wall({0, middle}, {length, half})}}}},
         .checks = {AgreeCheck{2 * std::numbers::sqrt2 * inside, 20,
                               "the hollow's diagonal: nobody is out, in either engine, or falls ever farther"},
-                   invariant(
-                       "penetration_max", 0.13,
-                       "less than the thinnest: 45 mm is usual under 60 gravities near this one, 126 mm the most")},
+                   // By chance: under 60 gravities near this one it is 45 mm in the middle, and 126 mm at the most.
+                   invariant("penetration_max", 0.075,
+                             "half of the least radius: twice as deep, one could come out behind another")},
     };
     const ShapeDef shapes[] = {box({0.2, 0.2}), circle(0.25), capsule({-0.15, 0}, {0.15, 0}, 0.15)};
     for (int i = 0; i < 36; ++i) {

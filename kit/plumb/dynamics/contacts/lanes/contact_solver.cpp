@@ -109,22 +109,6 @@ void setTangents(BodyPair& c, ContactBatch& batch, std::size_t lane, const Point
     }
 }
 
-Points::Each limitsOf(const ContactBatch& batch, std::size_t lane, const Given& given) {
-    return each([&](int i) { return batch.friction[lane] * (given.normal[i] + batch.points[i].normalImpulse[lane]); });
-}
-
-/// After the normal impulses, so that the limit is known even in a contact's first sub-step: friction of both halves
-/// together is limited to mu times the normal impulse of both (Coulomb's cone).
-void solveFriction(BodyPair& c, ContactBatch& batch, std::size_t lane, const Given& given) {
-    const float belt = batch.hasSurfaceSpeed ? batch.surfaceSpeed[lane] : 0.0f;
-    const auto point = [&](int i) -> const PointLanes& { return batch.points[i]; };
-    setTangents(c, batch, lane,
-                Points::tangents(
-                    each([&](int i) { return point(i).tangentMass[lane]; }),
-                    each([&](int i) { return point(i).tangentImpulse[lane]; }), {{given.tangent[0], given.tangent[1]}},
-                    each([&](int i) { return tangentSpeed(c, point(i), lane) + belt; }), limitsOf(batch, lane, given)));
-}
-
 /// A torque against rolling on each other, limited to rollingArm times the normal impulse.
 void solveRolling(BodyPair& c, ContactBatch& batch, std::size_t lane, const Given& given) {
     const float old = batch.rollImpulse[lane];
@@ -136,6 +120,21 @@ void solveRolling(BodyPair& c, ContactBatch& batch, std::size_t lane, const Give
     const float now = larger(smaller(wanted, limit - given.roll), -limit - given.roll);
     batch.rollImpulse[lane] = now;
     twist(c, batch, lane, now - old);
+}
+
+/// After the normal impulses, so that the limit is known even in a contact's first sub-step: friction of both halves
+/// together is limited to mu times the normal impulse of both (Coulomb's cone).
+void solveAlong(BodyPair& c, ContactBatch& batch, std::size_t lane, const Given& given) {
+    const float belt = batch.hasSurfaceSpeed ? batch.surfaceSpeed[lane] : 0.0f;
+    const auto point = [&](int i) -> const PointLanes& { return batch.points[i]; };
+    setTangents(c, batch, lane,
+                Points::tangents(each([&](int i) { return point(i).tangentMass[lane]; }),
+                                 each([&](int i) { return point(i).tangentImpulse[lane]; }),
+                                 {{given.tangent[0], given.tangent[1]}},
+                                 each([&](int i) { return tangentSpeed(c, point(i), lane) + belt; }), each([&](int i) {
+                                     return batch.friction[lane] * (given.normal[i] + point(i).normalImpulse[lane]);
+                                 })));
+    if (batch.hasRollingResistance) solveRolling(c, batch, lane, given);
 }
 
 template <class Batch, class Visit>
@@ -173,8 +172,7 @@ void relaxPoints(BodyPair& c, ContactBatch& batch, std::size_t lane, const Conta
                      }),
                      {{1, 1}});
     setNormals(c, batch, lane, each([&](int i) { return total.at[i] - given.normal[i]; }));
-    solveFriction(c, batch, lane, given);
-    if (batch.hasRollingResistance) solveRolling(c, batch, lane, given);
+    solveAlong(c, batch, lane, given);
 }
 
 void addTotals(ContactBatch& batch, std::size_t lane, const Given& given) {
@@ -258,8 +256,7 @@ void solveLane(ContactBatch& batch, std::size_t lane, const SolverBodies& bodies
                      }),
                      each([&](int i) { return batch.points[i].separation[lane] > 0 ? 1.0f : pass.soft.massScale; }));
     setNormals(couple, batch, lane, now);
-    solveFriction(couple, batch, lane, {});
-    if (batch.hasRollingResistance) solveRolling(couple, batch, lane, {});
+    solveAlong(couple, batch, lane, {});
     store(batch, lane, couple, bodies.velocity);
 }
 

@@ -115,30 +115,6 @@ struct WideContacts {
 
     static F clamped(F wanted, F limit, F before) { return larger(smaller(wanted, limit - before), -limit - before); }
 
-    [[gnu::always_inline]] static inline void setTangents(BodyPair& c, ContactBatch& batch, int lane, const Arms* r,
-                                                          const Each& old, const Each& now) {
-        for (int i = 0; i < 2; ++i) {
-            storeLanes(batch.points[i].tangentImpulse + lane, now.at[i]);
-            pushTangent(c, r[i], now.at[i] - old.at[i]);
-        }
-    }
-    [[gnu::always_inline]] static inline Each limitsOf(const ContactBatch& batch, int lane, const Each& normal,
-                                                       const Given& given) {
-        const F friction = at(batch.friction + lane);
-        return {{friction * (given.normal.at[0] + normal.at[0]), friction * (given.normal.at[1] + normal.at[1])}};
-    }
-    /// Returns the tangent impulses.
-    [[gnu::always_inline]] static inline Each solveFriction(BodyPair& c, ContactBatch& batch, int lane, const Arms* r,
-                                                            const Each& normal, const Given& given) {
-        const F belt = batch.hasSurfaceSpeed ? at(batch.surfaceSpeed + lane) : F{};
-        const Each old = each(batch, lane, &PointLanes::tangentImpulse);
-        const Each now = Points::tangents(each(batch, lane, &PointLanes::tangentMass), old, given.tangent,
-                                          {{tangentSpeed(c, r[0]) + belt, tangentSpeed(c, r[1]) + belt}},
-                                          limitsOf(batch, lane, normal, given));
-        setTangents(c, batch, lane, r, old, now);
-        return now;
-    }
-
     static void solveRolling(BodyPair& c, ContactBatch& batch, int lane, const Each& normal, const Given& given) {
         const F old = at(batch.rollImpulse + lane);
         const F limit =
@@ -147,6 +123,24 @@ struct WideContacts {
         const F now = clamped(old - at(batch.rollMass + lane) * speed, limit, given.roll);
         storeLanes(batch.rollImpulse + lane, now);
         twist(c, batch, lane, now - old);
+    }
+
+    /// Returns the tangent impulses.
+    [[gnu::always_inline]] static inline Each solveAlong(BodyPair& c, ContactBatch& batch, int lane, const Arms* r,
+                                                         const Each& normal, const Given& given) {
+        const F friction = at(batch.friction + lane);
+        const F belt = batch.hasSurfaceSpeed ? at(batch.surfaceSpeed + lane) : F{};
+        const Each old = each(batch, lane, &PointLanes::tangentImpulse);
+        const Each now = Points::tangents(
+            each(batch, lane, &PointLanes::tangentMass), old, given.tangent,
+            {{tangentSpeed(c, r[0]) + belt, tangentSpeed(c, r[1]) + belt}},
+            {{friction * (given.normal.at[0] + normal.at[0]), friction * (given.normal.at[1] + normal.at[1])}});
+        for (int i = 0; i < 2; ++i) {
+            storeLanes(batch.points[i].tangentImpulse + lane, now.at[i]);
+            pushTangent(c, r[i], now.at[i] - old.at[i]);
+        }
+        if (batch.hasRollingResistance) solveRolling(c, batch, lane, normal, given);
+        return now;
     }
 
     static void gatherLanes(const ContactBatch& batch, int lane, const SolverBodies& bodies) {
@@ -178,8 +172,7 @@ struct WideContacts {
         }
         const Each normal = pointsOf(batch, lane, c, r).normals(old, speed, share);
         setNormals(c, batch, lane, r, old, normal);
-        solveFriction(c, batch, lane, r, normal, Given{});
-        if (batch.hasRollingResistance) solveRolling(c, batch, lane, normal, Given{});
+        solveAlong(c, batch, lane, r, normal, Given{});
         store(batch, lane, c, bodies.velocity);
     }
 
@@ -201,8 +194,7 @@ struct WideContacts {
         normal = pointsOf(batch, lane, c, r).normals(normal, speed, {{all(1), all(1)}});
         for (int i = 0; i < 2; ++i) normal.at[i] = normal.at[i] - given.normal.at[i];
         setNormals(c, batch, lane, r, given.normal, normal);
-        const Each tangent = solveFriction(c, batch, lane, r, normal, given);
-        if (batch.hasRollingResistance) solveRolling(c, batch, lane, normal, given);
+        const Each tangent = solveAlong(c, batch, lane, r, normal, given);
         auto pushed = loadLanes<W>(batch.pushed + lane);
         for (int i = 0; i < 2; ++i) {
             PointLanes& p = batch.points[i];

@@ -49,8 +49,8 @@ struct TwoPoints {
         const F alone1 = share.at[1] * old.at[1] + m1 * (coupling * old.at[0] - speed.at[1]);
         const F both = share.at[0] * share.at[1], least = F{} + 1e-30F;
         const F inverse = (F{} + 1.0F) / larger((F{} + 1.0F - both) + both * freedom, least);
-        // As if both pushed. One pass after the other is exact from there, in each of the four cases; and of points that
-        // are close together, this first guess is mostly rounding.
+        // As if both pushed. One pass after the other is exact from there, in each of the four cases; and of points
+        // that are close together, this first guess is mostly rounding.
         const F guess = larger(alone0 - m0 * (coupling * alone1), F{}) * inverse;
         const F second = larger(alone1 - m1 * (coupling * guess), F{});
         return {{larger(alone0 - m0 * (coupling * second), F{}), second}};
