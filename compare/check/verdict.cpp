@@ -69,6 +69,11 @@ SceneResult runScene(const Scene& scene, const RunOptions& options, const std::v
         run.measured = measure(result.scene, run.observation, &truth, reference);
         run.answer = answerOf(result.scene, run.observation, run.measured);
     }
+    if (options.horizons)
+        for (EngineResult& run : result.engines)
+            if (run.observation.role != Role::Truth)
+                run.ownSteps =
+                    ownSteps(result.scene, *find(engines, &Engine::name, run.observation.engine), run.observation);
     std::vector<const Observation*> runs;
     for (const EngineResult& run : result.engines) runs.push_back(&run.observation);
     result.partings = partingsOf(result.scene, runs);

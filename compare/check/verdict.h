@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <compare/check/horizon.h>
 #include <compare/metric/metrics.h>
 #include <compare/parting/parting.h>
 
@@ -54,6 +55,7 @@ struct EngineResult {
     Observation observation;
     Measured measured;
     std::string answer{};  ///< to the scene's question: see answer.h
+    OwnSteps ownSteps{};   ///< if asked for: see RunOptions::horizons
 };
 
 struct SceneResult {
@@ -70,6 +72,7 @@ struct RunOptions {
     std::optional<int> steps;            ///< instead of the scene's
     std::optional<double> dt;            ///< instead of the scene's [s]
     std::vector<std::string> changed{};  ///< what was set in the scene before, for SceneResult::changed
+    bool horizons = false;  ///< run each engine also at half and at a quarter of the step: it takes seven times as long
 };
 
 /// Runs a scene in the engines, measures, and judges every check that binds an engine that was run:

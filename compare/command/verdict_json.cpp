@@ -22,6 +22,10 @@ Json engineJson(const EngineResult& run) {
     if (!run.answer.empty()) json["answer"] = run.answer;
     json["metrics"] = Json::object();
     for (const auto& [name, value] : run.measured.metrics) json["metrics"][name] = numberOrNull(value);
+    if (!run.ownSteps.engine.empty()) {
+        json["horizon"] = numberOrNull(run.ownSteps.horizon);
+        json["order"] = numberOrNull(run.ownSteps.order);
+    }
     if (run.observation.hash) json["hash"] = fmt::format("{:016x}", *run.observation.hash);
     return json;
 }
@@ -49,6 +53,10 @@ Json partingJson(const Scene& scene, const Parting& parting) {
         json["when"] = parting.when;
     }
     json["apart"] = numberOrNull(parting.apart);
+    json["portions"] = Json::array();
+    for (const Portion& portion : parting.portions)
+        json["portions"].push_back(
+            {{"by", agentName(portion.agent)}, {"at", portion.other}, {"share", numberOrNull(portion.share)}});
     json["text"] = partingText(scene, parting);
     return json;
 }

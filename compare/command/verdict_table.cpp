@@ -80,6 +80,8 @@ void VerdictTable::partings(const SceneResult& result) const {
     for (const EngineResult& run : result.engines)
         for (const auto& [path, value] : settingsFor(run.observation.engine, result.scene))
             fmt::print(out_, "      {}: {} = {}\n", run.observation.engine, path, value);
+    for (const EngineResult& run : result.engines)
+        if (const std::string text = ownStepsText(run.ownSteps); !text.empty()) fmt::print(out_, "      {}\n", text);
     for (const Parting& parting : result.partings) fmt::print(out_, "      {}\n", partingText(result.scene, parting));
     out_.flush();
 }

@@ -9,7 +9,7 @@
 namespace plumb::compare {
 namespace {
 
-constexpr double leastShare = 1e-3;  // part of the distance, in one step; less is rounding
+constexpr double leastShare = 1e-5;  // part of the distance, in one step; less is rounding
 
 /// One run's change of velocity in a step, and the contact that may have caused it.
 struct Change {
@@ -30,6 +30,7 @@ public:
 
     std::vector<Share> shares() {
         for (std::size_t tick = 0; tick < parted_.tick; ++tick) addStep(tick);
+        forgetLateness();
         std::ranges::stable_sort(shares_, std::ranges::greater{}, &Share::length);
         return std::move(shares_);
     }
@@ -65,9 +66,19 @@ private:
             shareFor(Agent::Steps, {}, byPlace, tick);
             return;
         }
-        const double across = changed.dot(touch->normal) * touch->normal.dot(direction_) * left;
-        shareFor(Agent::Across, touch, across + byPlace, tick);
+        const double normal = touch->normal.dot(direction_);
+        const double across = changed.dot(touch->normal) * normal * left, pushed = moved.dot(touch->normal) * normal;
+        shareFor(Agent::Across, touch, across + pushed, tick);
         shareFor(Agent::Along, touch, byVelocity - across, tick);
+        shareFor(Agent::Steps, {}, byPlace - pushed, tick);
+    }
+
+    /// Who is late on the path is not off it: this part of what the steps did is no part of the distance.
+    void forgetLateness() {
+        const auto steps = std::ranges::find(shares_, Agent::Steps, &Share::agent);
+        if (steps == shares_.end()) return;
+        const double late = (apartAt(parted_.tick) - parted_.offset).dot(direction_);
+        steps->length -= std::clamp(late, std::min(0.0, steps->length), std::max(0.0, steps->length));
     }
 
     void shareFor(Agent agent, const std::optional<Touch>& touch, double length, std::size_t tick) {

@@ -6,6 +6,7 @@
 
 #include <compare/metric/joint_state.h>
 #include <compare/metric/observation.h>
+#include <compare/parting/parting.h>
 #include <compare/parting/touching.h>
 
 namespace plumb::compare {
@@ -15,17 +16,8 @@ struct Parted {
     const Scene& scene;
     const Observation &a, &b;
     std::size_t body;
-    std::size_t tick;  ///< the first tick at which it is off the other's path; at least 1
+    std::size_t tick;  ///< at least 1
     Vec2 offset;       ///< from the other's path to the body at that tick [m]
-};
-
-/// What changes a body's velocity in a step?
-enum class Agent {
-    Across,   ///< a contact, along its normal
-    Along,    ///< a contact, along the surface
-    Joints,   ///< the joints that hold the body
-    Nothing,  ///< no contact and no joint: gravity, damping, fields
-    Steps,    ///< no change of velocity: the step moves the body in addition to its velocity
 };
 
 /// How much of the distance between the two runs comes from one agent.
@@ -40,8 +32,9 @@ struct Share {
 
 /// If a step changes the difference of the two velocities by u, it adds u times the remaining time to the distance. The
 /// sum over the steps, with the moves that engines make in addition to the velocities, is exactly the distance. Lengths
-/// are measured along the offset; the largest share comes first. Steps that add less than a thousandth of the distance
-/// are left out.
+/// are measured along the offset; the largest share comes first. A move in addition to the velocity counts as pushed by
+/// a contact if it is along the contact's normal, and else as the step's own, without what only makes it late on its
+/// path.
 std::vector<Share> sharesOf(const Parted& parted, const JointStates& joints, const Touching& touching);
 
 /// The body's centre of mass.

@@ -26,9 +26,10 @@ public:
 
     void find() {
         if (!isFinite(stateIn(parted_.a)) || !isFinite(stateIn(parted_.b))) return;
-        if (parted_.scene.bodies[parted_.body].def.type == BodyType::Kinematic) return addSpeeds(Difference::Driven);
         const std::vector<Share> shares = sharesOf(parted_, joints_, touching_);
-        if (foundBreak() || foundGap(partOfIts) || shares.empty()) return;
+        if (parted_.scene.bodies[parted_.body].def.type == BodyType::Kinematic)
+            return isBySteps(shares) ? addSteps(shares) : addSpeeds(Difference::Driven);
+        if (foundBreak() || foundPassed() || foundGap(partOfIts) || shares.empty()) return;
         switch (shares.front().agent) {
             case Agent::Across:
             case Agent::Along: return addTouch(shares.front());
@@ -58,6 +59,14 @@ private:
         return true;
     }
 
+    bool foundPassed() {
+        const std::optional<Crossing> passed = firstPassed(parted_, joints_, touching_);
+        if (!passed) return false;
+        add(Difference::Passed, nameOf(passed->body) + ", " + nameOf(passed->obstacle), passed->inA ? 1 : 0,
+            passed->inA ? 0 : 1, passed->tick);
+        return true;
+    }
+
     bool foundGap(double part) {
         if (parted_.a.partial || parted_.b.partial) return false;
         const std::optional<Widest> gap = widestGap(parted_, joints_);
@@ -81,16 +90,23 @@ private:
         if (cause.isSudden() || share.agent == Agent::Along || !foundOverlap()) cause.add(parting_);
     }
 
+    static bool isTouch(const Share& share) { return share.agent == Agent::Across || share.agent == Agent::Along; }
+
+    static bool isBySteps(const std::vector<Share>& shares) {
+        return !shares.empty() && shares.front().agent == Agent::Steps;
+    }
+
     /// Different speeds are not from where steps place the body: another share must have made them.
     void addSteps(const std::vector<Share>& shares) {
         const double a = stateIn(parted_.a).velocity.norm(), b = stateIn(parted_.b).velocity.norm();
         if (std::abs(a - b) > alike * std::max(a, b)) {
-            const bool isTouched = shares.size() > 1 && shares[1].length > 0 &&
-                                   (shares[1].agent == Agent::Across || shares[1].agent == Agent::Along);
-            return isTouched ? addTouch(shares[1]) : addSpeeds(Difference::Flight);
+            const auto touch = std::ranges::max_element(shares, {}, [](const Share& share) {
+                return isTouch(share) ? std::abs(share.length) : -1;
+            });
+            return isTouch(*touch) ? addTouch(*touch) : addSpeeds(Difference::Flight);
         }
         if (!jointOf(parted_.body) || !foundEnergy())
-            add(Difference::Steps, nameOf(parted_.body), distance_, 0, parted_.tick);
+            add(Difference::Steps, nameOf(parted_.body), shares.front().length, 0, parted_.tick);
     }
 
     void addHeld() {

@@ -6,6 +6,7 @@
 
 #include <compare/metric/missing.h>
 #include <compare/parting/cause.h>
+#include <compare/parting/paths.h>
 #include <compare/parting/touching.h>
 
 namespace plumb::compare {
@@ -15,77 +16,6 @@ constexpr double limits[] = {0.01, 0.04, 0.16};  // if engines keep bodies apart
 constexpr double farPart = 0.1;                  // of the distance at the end: the limit of a second parting [-]
 constexpr double farTimes = 10;                  // that limit must be at least so many times the first one [-]
 constexpr double leastSkin = 2e-3;               // no engine sets a smaller gap on purpose [m]
-
-bool mayPart(const SceneBody& body) {
-    return body.def.type != BodyType::Static && body.def.enabled;
-}
-
-bool isThere(const Observation& run, std::size_t body, std::size_t tick) {
-    return tick < run.states.size() && run.states[tick][body].present && isFinite(run.states[tick][body]);
-}
-
-/// Two runs of a body. A result is NaN if one run does not describe the body, or does not have it yet; infinite if a
-/// run has lost it.
-class Paths {
-public:
-    Paths(const Scene& scene, const Observation& a, const Observation& b, std::size_t body)
-        : wrap_(scene.wrap), a_(a), b_(b), body_(body) {}
-
-    /// The distance between the two at one moment [m].
-    double apartAt(std::size_t tick) const {
-        const double lost = lostAt(tick);
-        return std::isnan(lost) || lost > 0 ? lost : between(a_, tick, b_, tick).norm();
-    }
-
-    /// From the path of one run, within a step before and after, to the place of the body in the other; the shorter of
-    /// both ways [m].
-    Vec2 offsetAt(std::size_t tick) const {
-        const double lost = lostAt(tick);
-        if (std::isnan(lost) || lost > 0) return {lost, lost};
-        const Vec2 ofA = toPath(a_, b_, tick), ofB = -toPath(b_, a_, tick);
-        return ofA.squaredNorm() <= ofB.squaredNorm() ? ofA : ofB;
-    }
-
-private:
-    double lostAt(std::size_t tick) const {
-        const BodyState &inA = a_.states[tick][body_], &inB = b_.states[tick][body_];
-        const bool saidA = isFinite(inA), saidB = isFinite(inB);
-        if (!inA.present || !inB.present || (!saidA && a_.partial) || (!saidB && b_.partial)) return unsaid;
-        return saidA && saidB ? 0 : unbounded;
-    }
-
-    Vec2 between(const Observation& of, std::size_t tick, const Observation& from, std::size_t fromTick) const {
-        return wrap_.shortest(from.states[fromTick][body_].position, of.states[tick][body_].position);
-    }
-
-    Vec2 toPath(const Observation& of, const Observation& path, std::size_t tick) const {
-        const Vec2 here = between(of, tick, path, tick);
-        Vec2 best = here;
-        for (const std::size_t end : {tick - 1, tick + 1}) {
-            if (!isThere(path, body_, end)) continue;
-            const Vec2 way = between(path, end, path, tick);
-            const double part = way.isZero(0) ? 0 : std::clamp(here.dot(way) / way.squaredNorm(), 0.0, 1.0);
-            const Vec2 rest = here - part * way;
-            if (rest.squaredNorm() < best.squaredNorm()) best = rest;
-        }
-        return best;
-    }
-
-    const Wrap& wrap_;
-    const Observation &a_, &b_;
-    std::size_t body_;
-};
-
-std::size_t ticksOf(const Observation& a, const Observation& b) {
-    return std::min(a.states.size(), b.states.size());
-}
-
-std::vector<std::size_t> movingBodies(const Scene& scene) {
-    std::vector<std::size_t> moving;
-    for (std::size_t body = 0; body < scene.bodies.size(); ++body)
-        if (mayPart(scene.bodies[body])) moving.push_back(body);
-    return moving;
-}
 
 /// Of some bodies, the one that parts first. Of those that part at the same tick, the one that is farthest away.
 std::optional<Parted> firstParted(const Scene& scene, const Observation& a, const Observation& b,
@@ -107,7 +37,7 @@ std::optional<Parted> firstParted(const Scene& scene, const Observation& a, cons
 /// The distance at the last tick at which both runs have the body.
 double apartAtEnd(const Scene& scene, const Observation& a, const Observation& b, std::size_t body) {
     for (std::size_t tick = ticksOf(a, b); tick-- > 0;)
-        if (const double apart = Paths(scene, a, b, body).apartAt(tick); !std::isnan(apart)) return apart;
+        if (const double apart = Paths(scene, a, b, body).wayAt(tick).norm(); !std::isnan(apart)) return apart;
     return 0;
 }
 
@@ -119,10 +49,32 @@ double mostOff(const Scene& scene, const Observation& a, const Observation& b) {
     return most;
 }
 
-/// True if the only difference is that one engine keeps touching bodies apart.
-bool isSkin(const Parting& parting) {
-    const double gap = -std::min(parting.valueA, parting.valueB);
-    return parting.quantity == Difference::Overlap && gap > leastSkin && gap <= Touching::skin;
+/// Of runs that do not part, who is late most.
+Late latest(const Scene& scene, const Observation& a, const Observation& b) {
+    Late late;
+    for (const std::size_t body : movingBodies(scene))
+        for (std::size_t tick = 0; tick < ticksOf(a, b); ++tick) {
+            const Vec2 way = Paths(scene, a, b, body).wayAt(tick);
+            if (!(way.norm() > late.distance)) continue;
+            const bool isAhead = way.dot(a.states[tick][body].velocity + b.states[tick][body].velocity) > 0;
+            late = {isAhead ? b.engine : a.engine, scene.bodies[body].name, way.norm()};
+        }
+    return late;
+}
+
+/// What the distance at the last tick that both runs have the body is made of.
+std::vector<Portion> portionsAtEnd(const Scene& scene, const Observation& a, const Observation& b, std::size_t body) {
+    std::size_t tick = ticksOf(a, b) - 1;
+    while (tick > 0 && std::isnan(Paths(scene, a, b, body).wayAt(tick).norm())) --tick;
+    const Parted parted{scene, a, b, body, tick, Paths(scene, a, b, body).wayAt(tick)};
+    std::vector<Portion> portions;
+    if (tick == 0 || !std::isfinite(parted.offset.norm()) || parted.offset.isZero(0)) return portions;
+    for (const Share& share : sharesOf(parted, JointStates(scene), Touching(scene))) {
+        const bool isTouch = share.agent == Agent::Across || share.agent == Agent::Along;
+        portions.push_back(
+            {share.agent, isTouch ? scene.bodies[share.other].name : "", share.length / parted.offset.norm()});
+    }
+    return portions;
 }
 
 std::optional<Parting> partingBeyond(const Scene& scene, const Observation& a, const Observation& b,
@@ -133,6 +85,7 @@ std::optional<Parting> partingBeyond(const Scene& scene, const Observation& a, c
     parting.time = static_cast<double>(first->tick) * a.dt;
     parting.apart = apartAtEnd(scene, a, b, first->body);
     addCause(*first, parting);
+    parting.portions = portionsAtEnd(scene, a, b, first->body);
     return parting;
 }
 
@@ -146,7 +99,9 @@ Parting partingOf(const Scene& scene, const Observation& a, const Observation& b
         if (!isSkin(*parting)) break;
     }
     if (first) return *first;
-    return {.engineA = a.engine, .engineB = b.engine, .limit = limits[0], .apart = mostOff(scene, a, b)};
+    Parting together{.engineA = a.engine, .engineB = b.engine, .limit = limits[0], .apart = mostOff(scene, a, b)};
+    together.late = latest(scene, a, b);
+    return together;
 }
 
 /// Why the body that is farthest away at the end is off its path by a tenth of that distance. Empty if no body is much
@@ -176,6 +131,11 @@ void addPartings(const Scene& scene, const Observation& a, const Observation& b,
 }
 
 }  // namespace
+
+bool isSkin(const Parting& parting) {
+    const double gap = -std::min(parting.valueA, parting.valueB);
+    return parting.quantity == Difference::Overlap && gap > leastSkin && gap <= Touching::skin;
+}
 
 std::vector<Parting> partingsOf(const Scene& scene, std::span<const Observation* const> runs) {
     std::vector<Parting> partings;

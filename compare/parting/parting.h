@@ -17,19 +17,45 @@ enum class Difference {
     Overlap,   ///< how deep two bodies overlap; negative for a gap between them [m]
     Passed,    ///< one body went through another: 1, or 0 [-]
     Bounce,    ///< the coefficient of restitution seen in a hit [-]
+    Moment,    ///< the same bounce, up to a step sooner in one run: the speed after it [m/s]
     Hit,       ///< the speed after a hit [m/s]
     Snag,      ///< the speed lost at once, in one run only [m/s]
     Sliding,   ///< the speed along a surface, relative to the other body; positive in the faster one's direction [m/s]
-    Pressing,  ///< the speed of a body that presses on another [m/s]
-    Pull,      ///< the speed gained or lost when joints hold the body [m/s]
+    Pressing,  ///< the speed of a body that presses on another, and no cause was found [m/s]
+    Pull,      ///< the speed gained or lost when joints hold the body, and no cause was found [m/s]
     Flight,    ///< the speed of a body that nothing touches [m/s]
-    Steps,     ///< a step moves the body in addition to its velocity: how far it is off the other's path then [m]
+    Steps,     ///< how far steps have moved the body in addition to its velocity: the order of the integration [m]
     Driven,    ///< the speed of a body that a mover moves [m/s]
     Energy,    ///< gained since the start although a law keeps it, relative to the largest of the run [-]
 };
 
 /// Its name in files: "gap", "overlap", "bounce".
 std::string differenceName(Difference difference);
+
+/// What moves a body, in a step?
+enum class Agent {
+    Across,   ///< a contact, along its normal
+    Along,    ///< a contact, along the surface
+    Joints,   ///< the joints that hold the body
+    Nothing,  ///< no contact and no joint: gravity, damping, fields
+    Steps,    ///< no change of velocity: the step moves the body in addition to its velocity
+};
+
+/// Its name in files: "across", "along", "joints", "nothing", "steps".
+std::string agentName(Agent agent);
+
+/// A part of the distance at the end.
+struct Portion {
+    Agent agent{};
+    std::string other{};  ///< the body of the contact; else empty
+    double share = 0;     ///< of the distance; negative if it brings the body nearer [-]
+};
+
+/// A body that is on the other's path, but not at the same time.
+struct Late {
+    std::string engine{}, body{};  ///< where it is late
+    double distance = 0;           ///< the largest distance to the place that it has in the other engine then [m]
+};
 
 /// How two engines that both ran the scene part.
 struct Parting {
@@ -42,7 +68,13 @@ struct Parting {
     std::string at{};               ///< the joint, or the two bodies: "ball, floor"; or only the body
     double valueA = 0, valueB = 0;  ///< values of the quantity in each engine
     double when = 0;                ///< when the two values were seen [s]
+    /// What the distance at the end is made of, the largest part first; empty if no body parts, or it was lost.
+    std::vector<Portion> portions{};
+    Late late{};  ///< if no body parts: who is late most
 };
+
+/// True if what differed is that one engine keeps touching bodies apart.
+bool isSkin(const Parting& parting);
 
 /// One or two partings for each pair of runs that have states, in their order. Bodies that do not move are left out; so
 /// are bodies that the closed form does not describe, in pairs with it. A body is off its path if it is more than 1 cm
@@ -52,8 +84,8 @@ struct Parting {
 /// second parting says why the farthest one is off its path by a tenth of that distance, unless the reason is the same.
 std::vector<Parting> partingsOf(const Scene& scene, std::span<const Observation* const> runs);
 
-/// "a and b: plank_3 parts at 0.82 s, by more than 10 mm, and is 2 m off at the end: in b the hinge link_4 has opened
-/// by 65 mm, in a by 12 µm."
+/// "a and b: plank_3 parts at 0.82 s, by more than 10 mm: in b the hinge link_4 has opened by 65 mm, in a by 12 µm. At
+/// the end it is 2 m off: 80 % by its joints, 20 % by the order of the integration."
 std::string partingText(const Scene& scene, const Parting& parting);
 
 }  // namespace plumb::compare

@@ -91,7 +91,32 @@ bool isSeen(const JointStates& joints, std::size_t joint, const Observation& run
            joints.isKnown(joint, run.states[tick]);
 }
 
+/// The tick before the step in which the centre of a body goes through an obstacle for the first time.
+std::optional<std::size_t> crossedAt(const Parted& parted, const Observation& run, const Touching& touching,
+                                     std::size_t body, std::size_t obstacle) {
+    for (std::size_t tick = 0; tick + 1 < run.states.size(); ++tick) {
+        const BodyState &now = run.states[tick][body], &next = run.states[tick + 1][body];
+        if (!now.present || !isFinite(now) || !isFinite(next)) continue;
+        const Vec2 to = now.position + parted.scene.wrap.shortest(now.position, next.position);
+        if (touching.isCrossed(obstacle, body, run.states[tick], now.position, to)) return tick;
+    }
+    return {};
+}
+
 }  // namespace
+
+std::optional<Crossing> firstPassed(const Parted& parted, const JointStates& joints, const Touching& touching) {
+    const Search held = searchFrom(parted.body, parted.scene, linksBy(joints));
+    for (const auto& [first, second] : touchesOf(parted, touching))
+        for (const auto& [body, obstacle] : {std::pair(first, second), std::pair(second, first)}) {
+            if (!held.cameFrom.contains(body) || !isFreeToMove(parted.scene, body)) continue;
+            if (isFreeToMove(parted.scene, obstacle)) continue;
+            const auto a = crossedAt(parted, parted.a, touching, body, obstacle);
+            const auto b = crossedAt(parted, parted.b, touching, body, obstacle);
+            if (a.has_value() != b.has_value()) return Crossing{body, obstacle, a.has_value(), a ? *a : *b};
+        }
+    return {};
+}
 
 std::optional<Widest> widestGap(const Parted& parted, const JointStates& joints) {
     std::optional<Widest> widest;

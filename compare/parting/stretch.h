@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much do joints and contacts, between a body and a body that stands still, differ in two runs?
+// How do joints and contacts, between a body and a body that stands still, differ in two runs?
 #pragma once
 #include <optional>
 
@@ -16,6 +16,17 @@ struct Widest {
     std::size_t tick = 0;              ///< when
     double together = 0;               ///< the sum of all such differences on the way to a body that stands still [m]
 };
+
+/// A body that goes through an obstacle in one run only.
+struct Crossing {
+    std::size_t body = 0, obstacle = 0;
+    bool inA = false;      ///< true if it goes through in the first run
+    std::size_t tick = 0;  ///< the tick before the step in which its centre does
+};
+
+/// Of what touches in one of the runs when the body parts: the body, or one that joints hold to it, whose centre goes
+/// through a fixed obstacle in one run, then or later, and never in the other. Empty if there is none.
+std::optional<Crossing> firstPassed(const Parted& parted, const JointStates& joints, const Touching& touching);
 
 /// Looks at the joints that hold the body, over any number of joints and contacts, and that broke in one run only.
 /// Returns the one that broke first: 1 in that run, 0 in the other. Empty if there is none.

@@ -2,8 +2,11 @@
 #include <compare/parting/touch_cause.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
+
+#include <compare/engine/engine_settings.h>
 
 namespace plumb::compare {
 namespace {
@@ -22,7 +25,11 @@ std::size_t stepsOf(double time, double dt) {
 }
 
 double bounceIn(double approach, double leaving) {
-    return approach > 0 ? leaving / approach : 0;
+    return approach > 0 ? std::max(0.0, leaving / approach) : 0;
+}
+
+bool bounces(const SceneBody& body) {
+    return std::ranges::any_of(body.def.shapes, [](const ShapeDef& shape) { return shape.material.restitution > 0; });
 }
 
 }  // namespace
@@ -52,8 +59,20 @@ Difference TouchCause::kind() const {
     const auto [less, more] = std::minmax({std::abs(a_.across), std::abs(b_.across)});
     if (isBraked && less < more / 4) return Difference::Snag;
     const bool isHit = a_.approach > suddenSpeed && b_.approach > suddenSpeed;
+    if (!isHit || !mayBounce()) return Difference::Hit;
     const double apart = std::abs(bounceIn(a_.approach, a_.leaving) - bounceIn(b_.approach, b_.leaving));
-    return isHit && apart > leastBounce ? Difference::Bounce : Difference::Hit;
+    if (apart > leastBounce) return Difference::Bounce;
+    const double inAStep = timesGravity * parted_.scene.gravity.norm() * parted_.a.dt;
+    const double alike = inAStep + alikeAfterHit * std::max(a_.after, b_.after) + leastSpeed;
+    return std::abs(a_.after - b_.after) <= alike ? Difference::Moment : Difference::Hit;
+}
+
+/// A body that has no restitution may come back all the same: its joints throw it.
+bool TouchCause::mayBounce() const {
+    return std::ranges::any_of(std::array{&parted_.a, &parted_.b}, [&](const Observation* run) {
+        const Scene scene = sceneFor(run->engine, parted_.scene);
+        return bounces(scene.bodies[parted_.body]) || bounces(scene.bodies[share_.other]);
+    });
 }
 
 void TouchCause::add(Parting& parting) const {
@@ -121,6 +140,7 @@ std::pair<double, double> TouchCause::valuesOf(Difference quantity) const {
     switch (quantity) {
         case Difference::Bounce: return {bounceIn(a_.approach, a_.leaving), bounceIn(b_.approach, b_.leaving)};
         case Difference::Snag: return {a_.before - a_.after, b_.before - b_.after};
+        case Difference::Moment:
         case Difference::Hit: return {a_.after, b_.after};
         case Difference::Passed: return {isPassed(a_, b_) ? 1 : 0, isPassed(b_, a_) ? 1 : 0};
         default: break;

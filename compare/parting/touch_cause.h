@@ -30,6 +30,7 @@ private:
     std::size_t lastTick() const;
     std::size_t hitTickIn(const Observation& run) const;
     Seen seenIn(const Observation& run) const;
+    bool mayBounce() const;
     bool isPassed(const Seen& through, const Seen& back) const;
     std::pair<double, double> valuesOf(Difference quantity) const;
 

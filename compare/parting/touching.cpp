@@ -25,7 +25,7 @@ bool isHere(const BodyState& state) {
 
 }  // namespace
 
-Touching::Touching(const Scene& scene) : ofBody_(scene.bodies.size()) {
+Touching::Touching(const Scene& scene) : wrap_(scene.wrap), ofBody_(scene.bodies.size()) {
     for (SolidShape& solid : solidShapes(scene)) {
         const Aabb box = aabbOf(solid.shape.shape, Transform{});
         ofBody_[solid.body].push_back(shapes_.size());
@@ -50,7 +50,9 @@ std::optional<Touch> Touching::nearest(std::size_t body, std::span<const BodySta
             const std::size_t b = other.solid.body;
             if (!mayTouch(shapes_[own], other) || !isHere(before[b]) || !isHere(after[b])) continue;
             for (const std::span<const BodyState>& states : {before, after}) {
-                const Transform here = poseIn(states[body]), there = poseIn(states[b]);
+                const Transform here = poseIn(states[body]);
+                const Vec2 way = wrap_.shortest(states[body].position, states[b].position);
+                const Transform there{here.position + way, poseIn(states[b]).rotation};
                 const double inReach = (states[body].velocity - states[b].velocity).norm() * dt + skin;
                 const double centers = (here * shapes_[own].center - there * other.center).norm();
                 if (centers > inReach + shapes_[own].radius + other.radius) continue;

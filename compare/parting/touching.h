@@ -49,6 +49,7 @@ private:
     };
     bool mayTouch(const Reach& a, const Reach& b) const;
 
+    const Wrap& wrap_;
     std::vector<Reach> shapes_;
     std::vector<std::vector<std::size_t>> ofBody_;  // places of each body's shapes
     std::set<std::pair<std::size_t, std::size_t>> keptApart_;

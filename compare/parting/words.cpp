@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +12,14 @@
 namespace plumb::compare {
 namespace {
 
-constexpr const char* differenceNames[] = {"none",   "break",  "gap",   "overlap", "passed",
-                                           "bounce", "hit",    "snag",  "sliding", "pressing",
-                                           "pull",   "flight", "steps", "driven",  "energy"};
+constexpr const char* differenceNames[] = {"none",   "break", "gap",    "overlap", "passed",   "bounce",
+                                           "moment", "hit",   "snag",   "sliding", "pressing", "pull",
+                                           "flight", "steps", "driven", "energy"};
+constexpr const char* agentNames[] = {"across", "along", "joints", "nothing", "steps"};
+constexpr double mostShare = 1.25;       // of the distance: with larger parts, no parts are told [-]
+constexpr double leastShareTold = 0.05;  // smaller parts are not told [-]
+constexpr double lateTimes = 2;          // late is told if it is so many times the distance off the path [-]
+constexpr double leastLate = 1e-4;       // [m]
 // The names of joints in a sentence, in the order of JointDef.
 constexpr const char* jointNames[] = {"hinge",  "slide", "rod",   "weld",   "wheel",
                                       "pulley", "gear",  "motor", "target", "filter"};
@@ -74,17 +80,23 @@ std::string touchText(const Parting& parting) {
     const std::string when = fmt::format("{:.4g} s", parting.when);
     switch (parting.quantity) {
         case Difference::Passed:
-            return fmt::format("at {} it goes through {} in {}, and not in {}", when, other, sides.engine, sides.other);
+            return fmt::format("at {} {} goes through {} in {}, and not in {}", when,
+                               body == parting.body ? "it" : body, other, sides.engine, sides.other);
         case Difference::Bounce:
             return fmt::format("it meets {} at {}, and bounces back at {} of its speed in {}, at {} in {}", other, when,
                                shareText(parting.valueA), parting.engineA, shareText(parting.valueB), parting.engineB);
         case Difference::Hit:
             return fmt::format("after it meets {} at {} it moves {}", other, when, speedsText(parting));
+        case Difference::Moment:
+            return fmt::format("it meets {} at {}, up to a step sooner in one of the two, and then moves {}", other,
+                               when, speedsText(parting));
         case Difference::Snag:
             return fmt::format("on {} it loses {} at once at {} in {}, {} in {}", other, lossText(sides.value), when,
                                sides.engine, lossText(sides.otherValue), sides.other);
         case Difference::Sliding: return fmt::format("it moves along {} {}", other, speedsText(parting));
-        default: return fmt::format("where it presses on {} it moves {}", other, speedsText(parting));
+        default:
+            return fmt::format("no cause was found; while it presses on {}, it comes to move {}", other,
+                               speedsText(parting));
     }
 }
 
@@ -99,6 +111,44 @@ std::string chainText(const Scene& scene, const Parting& parting) {
     return fmt::format(" (in {} a chain is solid only on the right of its direction)", engine);
 }
 
+/// A reminder, if an engine keeps apart what touches.
+std::string skinText(const Parting& parting) {
+    const auto [least, engine] =
+        std::min(std::pair(parting.valueA, parting.engineA), std::pair(parting.valueB, parting.engineB));
+    return isSkin(parting) ? fmt::format(" (what touches is kept {} apart in {})", lengthText(-least), engine) : "";
+}
+
+std::string agentText(const Portion& portion) {
+    switch (portion.agent) {
+        case Agent::Across: return "the push of " + portion.other;
+        case Agent::Along: return "friction on " + portion.other;
+        case Agent::Joints: return "its joints";
+        case Agent::Nothing: return "its flight";
+        case Agent::Steps: break;
+    }
+    return "the order of the integration";
+}
+
+/// ": 93 % by the order of the integration, 7 % by the push of floor". Empty if parts are larger than the whole: then
+/// they say little.
+std::string portionsText(const std::vector<Portion>& portions) {
+    std::vector<std::string> parts;
+    for (const Portion& portion : portions) {
+        if (std::abs(portion.share) > mostShare) return "";
+        if (std::abs(portion.share) < leastShareTold) continue;
+        parts.push_back(fmt::format("{:.0f} % by {}", 100 * portion.share, agentText(portion)));
+    }
+    return parts.empty() ? "" : fmt::format(": {}", fmt::join(parts, ", "));
+}
+
+std::string togetherText(const Parting& parting) {
+    const Late& late = parting.late;
+    const std::string beside = fmt::format("no body is farther than {} off its path", lengthText(parting.apart));
+    if (late.distance < lateTimes * parting.apart || late.distance < leastLate) return beside;
+    return fmt::format("in {} {} is late by at most one step ({}), and {}", late.engine, late.body,
+                       lengthText(late.distance), beside);
+}
+
 std::string causeText(const Scene& scene, const Parting& parting) {
     const Sides sides = sidesOf(parting);
     switch (parting.quantity) {
@@ -111,14 +161,15 @@ std::string causeText(const Scene& scene, const Parting& parting) {
                                lengthText(sides.value), sides.other, lengthText(sides.otherValue));
         case Difference::Overlap: {
             const auto [a, b] = bothOf(parting.at);
-            return fmt::format("in {} {} and {} {}, in {} they {}", sides.engine, a, b, depthText(sides.value),
-                               sides.other, depthText(sides.otherValue));
+            return fmt::format("in {} {} and {} {}, in {} they {}{}", sides.engine, a, b, depthText(sides.value),
+                               sides.other, depthText(sides.otherValue), skinText(parting));
         }
         case Difference::Pull:
-            return fmt::format("the {} holds it, and it moves {}", jointText(scene, parting.at), speedsText(parting));
+            return fmt::format("no cause was found; while the {} holds it, it comes to move {}",
+                               jointText(scene, parting.at), speedsText(parting));
         case Difference::Flight: return "nothing touches it, and it moves " + speedsText(parting);
         case Difference::Steps:
-            return fmt::format("nothing touches it, and its speed is alike: the steps of the two place it {} apart",
+            return fmt::format("by the order of the integration the steps of the two place it {} apart",
                                lengthText(parting.valueA));
         case Difference::Driven: return "it is moved from outside, " + speedsText(parting);
         case Difference::Energy:
@@ -135,13 +186,16 @@ std::string differenceName(Difference difference) {
     return differenceNames[static_cast<std::size_t>(difference)];
 }
 
+std::string agentName(Agent agent) {
+    return agentNames[static_cast<std::size_t>(agent)];
+}
+
 std::string partingText(const Scene& scene, const Parting& parting) {
-    if (parting.body.empty())
-        return fmt::format("{} and {} stay together: no body is farther than {} off its path.", parting.engineA,
-                           parting.engineB, lengthText(parting.apart));
-    return fmt::format("{} and {}: {} parts at {:.3g} s, by more than {}, and is {} off at the end: {}.",
-                       parting.engineA, parting.engineB, parting.body, parting.time, lengthText(parting.limit),
-                       lengthText(parting.apart), causeText(scene, parting));
+    const std::string both = fmt::format("{} and {}", parting.engineA, parting.engineB);
+    if (parting.body.empty()) return fmt::format("{} stay together: {}.", both, togetherText(parting));
+    return fmt::format("{}: {} parts at {:.3g} s, by more than {}: {}. At the end it is {} off{}.", both, parting.body,
+                       parting.time, lengthText(parting.limit), causeText(scene, parting), lengthText(parting.apart),
+                       portionsText(parting.portions));
 }
 
 }  // namespace plumb::compare

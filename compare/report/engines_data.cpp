@@ -58,6 +58,7 @@ json notesData(const SceneResult& result) {
     for (const EngineResult& run : result.engines) {
         for (const auto& [path, value] : settingsFor(run.observation.engine, result.scene))
             notes.push_back("In " + run.observation.engine + " the scene sets " + path + " to " + value + ".");
+        if (const std::string text = ownStepsText(run.ownSteps); !text.empty()) notes.push_back(text);
         const Engine* engine = findKnown(run.observation.engine);
         if (!engine || !engine->notes || !run.observation.unsupported.empty()) continue;
         for (const std::string& note : engine->notes(result.scene))

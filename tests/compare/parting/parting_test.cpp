@@ -100,7 +100,7 @@ TEST_CASE("what falls through a chain from its left in one engine only is told, 
     const std::string text = partingText(scene, partingIn(scene, a, b));
     INFO(text);
     CHECK(text.find("it goes through ground in box2d-2.4, and not in plumb") != std::string::npos);
-    CHECK(text.ends_with(" (in box2d-2.4 a chain is solid only on the right of its direction)."));
+    CHECK(text.find(" (in box2d-2.4 a chain is solid only on the right of its direction).") != std::string::npos);
 }
 
 TEST_CASE("two speeds that are printed alike are told as one", "[compare][parting]") {
@@ -112,7 +112,7 @@ TEST_CASE("two speeds that are printed alike are told as one", "[compare][partin
                           .at = "disc",
                           .valueA = 4.41401,
                           .valueB = 4.41399};
-    CHECK(partingText(oneDisc(), parting).ends_with(" it moves at 4.414 m/s in both by then."));
+    CHECK(partingText(oneDisc(), parting).find(" it moves at 4.414 m/s in both by then.") != std::string::npos);
 }
 
 TEST_CASE("a speed that one run gains where the other loses it is not told as a negative loss", "[compare][parting]") {
@@ -125,7 +125,8 @@ TEST_CASE("a speed that one run gains where the other loses it is not told as a 
                           .valueA = -0.5,
                           .valueB = 2,
                           .when = 1};
-    CHECK(partingText(oneDisc(), parting).ends_with(": on floor it loses 2 m/s at once at 1 s in b, nothing in a."));
+    const std::string text = partingText(oneDisc(), parting);
+    CHECK(text.find(": on floor it loses 2 m/s at once at 1 s in b, nothing in a.") != std::string::npos);
 }
 
 TEST_CASE("a joint that broke in one run only, and does not hold the body, is not why it parts", "[compare][parting]") {
