@@ -23,8 +23,8 @@ std::vector<SceneResult> tileResults() {
 }  // namespace
 
 TEST_CASE("no block of a page was changed by hand", "[compare][page]") {
-    for (const auto& [file, command] : {std::pair("README.md", "check"), std::pair("compare/README.md", "check"),
-                                        std::pair("README.md", "bench"), std::pair("compare/README.md", "bench")}) {
+    for (const auto& [file, command] : {std::pair("README.md", "check"), std::pair("compare/measured.md", "check"),
+                                        std::pair("README.md", "bench"), std::pair("compare/measured.md", "bench")}) {
         const std::vector<std::string> faults = pageFaults(readPage(repository / file, command), {});
         INFO(file << ": " << (faults.empty() ? "" : faults.front()));
         CHECK(faults.empty());
@@ -36,7 +36,7 @@ TEST_CASE("the page says how often something catches on tiles, and each digit th
     const std::vector<AccuracyTable> tables = accuracyTables(tileResults());
     REQUIRE(tables.size() == 1);
     CHECK(tables[0].name == "tiles");
-    const std::string page = readPage(repository / "compare/README.md", "check");
+    const std::string page = readPage(repository / "compare/measured.md", "check");
     CHECK(pageFaults(page, tables).empty());
     std::vector<Block> blocks = blocksOf(page);
     Block& tiles = *std::ranges::find(blocks, "tiles", &Block::name);
