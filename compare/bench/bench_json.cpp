@@ -59,13 +59,15 @@ std::string benchJson(std::span<const SceneBench> results) {
                                   {"engine", subjectName()},
                                   {"against", ratio.against},
                                   {"ratio", spreadJson(ratio.ratio)},
-                                  {"least", ratio.least}});
+                                  {"least", ratio.least},
+                                  {"broken", ratio.broken}});
     for (const MeanRatio& mean : meanRatiosOf(results))
         json["mean_ratios"].push_back({{"group", mean.group},
                                        {"engine", subjectName()},
                                        {"against", mean.against},
                                        {"ratio", mean.ratio},
-                                       {"scenes", mean.scenes}});
+                                       {"scenes", mean.scenes},
+                                       {"left_out", mean.leftOut}});
     for (const Growth& growth : growthsOf(results))
         json["growth"].push_back({{"family", growth.family},
                                   {"engine", growth.engine},

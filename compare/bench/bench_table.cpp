@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <ostream>
@@ -19,7 +20,8 @@ constexpr const char* layout =
 std::string ratioCell(const SceneBench& scene, const EngineBench& bench) {
     for (const Ratio& ratio : ratiosOf({&scene, 1}))
         if (ratio.against == bench.engine)
-            return fmt::format("{:.3g} ({:.3g} to {:.3g})", ratio.least, ratio.ratio.min, ratio.ratio.max);
+            return fmt::format("{:.3g} ({:.3g} to {:.3g}){}", ratio.least, ratio.ratio.min, ratio.ratio.max,
+                               ratio.broken ? " broken" : "");
     return "";
 }
 
@@ -49,6 +51,12 @@ void printPhases(std::ostream& out, std::span<const SceneBench> results) {
 std::string timeText(double milliseconds) {
     if (milliseconds < 0.1) return fmt::format("{:.3g} us", milliseconds * 1000);
     return fmt::format("{:.3g} ms", milliseconds);
+}
+
+std::string leftOutText(const MeanRatio& mean) {
+    if (mean.leftOut.empty()) return "";
+    return fmt::format("; left out, because a joint opened by more than 1 m or a body was lost: {}",
+                       fmt::join(mean.leftOut, ", "));
 }
 
 BenchTable::BenchTable(std::ostream& out, std::size_t nameWidth)
@@ -93,8 +101,8 @@ void BenchTable::summary(std::span<const SceneBench> results) const {
     const std::vector<MeanRatio> means = meanRatiosOf(results);
     if (!means.empty()) fmt::print(out_, "\n");
     for (const MeanRatio& mean : means)
-        fmt::print(out_, "{} over Plumb, geometric mean of {} of {}: {:.2f}\n", mean.against, mean.scenes, mean.group,
-                   mean.ratio);
+        fmt::print(out_, "{} over Plumb, geometric mean of {} of {}: {:.2f}{}\n", mean.against, mean.scenes, mean.group,
+                   mean.ratio, leftOutText(mean));
     const std::vector<Growth> growths = growthsOf(results);
     if (!growths.empty()) fmt::print(out_, "\n");
     for (const Growth& growth : growths)

@@ -14,6 +14,9 @@ std::string timeText(double milliseconds);
 
 /// Prints a row for each engine in each scene, as soon as the scene is measured. At the end, it prints the means, how
 /// times grow with the number of bodies, and how much time each part of a step takes.
+/// "; left out, because a joint opened by more than 1 m: joint_grid". Empty if all scenes count.
+std::string leftOutText(const MeanRatio& mean);
+
 class BenchTable {
 public:
     /// nameWidth: length of the longest scene name.

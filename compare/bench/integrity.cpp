@@ -2,12 +2,19 @@
 #include <compare/bench/integrity.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <compare/metric/missing.h>
 #include <compare/metric/observation.h>
 
 namespace plumb::compare {
+
+bool isBroken(const Integrity& seen) {
+    constexpr double torn = 1;  // the gap of a joint that holds nothing any more [m]
+    return seen.jointGap.value_or(0) > torn || std::isinf(seen.highest.value_or(0)) ||
+           std::isinf(seen.overlap.value_or(0));
+}
 
 IntegrityWatch::IntegrityWatch(const Scene& scene) : geometry_(scene), walls_(scene) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i)

@@ -20,6 +20,10 @@ struct Integrity {
     std::optional<std::size_t> passedWalls{};  ///< bodies that have passed a wall at the end
 };
 
+/// True if the result is of no use: a joint has opened by more than a metre, or a state was not a number. Its time
+/// counts for nothing then.
+bool isBroken(const Integrity& seen);
+
 /// Looks at a run from time to time. A look takes time, so no step is timed during a look.
 class IntegrityWatch {
 public:

@@ -129,8 +129,9 @@ std::vector<Ratio> ratiosOf(std::span<const SceneBench> results) {
             std::vector<double> pairwise;
             for (std::size_t i = 0; i < std::min(plumb->runs.size(), other.runs.size()); ++i)
                 pairwise.push_back(other.runs[i].msPerStep / plumb->runs[i].msPerStep);
-            ratios.push_back(
-                {scene.scene, other.engine, spreadOf(std::move(pairwise)), other.leastMs() / plumb->leastMs()});
+            ratios.push_back({scene.scene, other.engine, spreadOf(std::move(pairwise)),
+                              other.leastMs() / plumb->leastMs(),
+                              isBroken(plumb->integrity()) || isBroken(other.integrity())});
         }
     }
     return ratios;
@@ -147,13 +148,18 @@ std::vector<MeanRatio> meanRatiosOf(std::span<const SceneBench> results) {
         for (const Ratio& ratio : ratios) rivals.add(ratio.against);
         for (const std::string& against : rivals.list) {
             double logs = 0;
-            std::size_t count = 0;
+            MeanRatio mean{.group = group, .against = against};
             for (const Ratio& ratio : ratios) {
                 if (ratio.against != against) continue;
+                if (ratio.broken) {
+                    mean.leftOut.push_back(ratio.scene);
+                    continue;
+                }
                 logs += std::log(ratio.least);
-                ++count;
+                ++mean.scenes;
             }
-            means.push_back({group, against, std::exp(logs / static_cast<double>(count)), count});
+            mean.ratio = std::exp(logs / static_cast<double>(mean.scenes));
+            means.push_back(std::move(mean));
         }
     }
     return means;

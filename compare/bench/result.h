@@ -55,19 +55,21 @@ struct SceneBench {
 struct Ratio {
     std::string scene{};
     std::string against{};
-    Spread ratio{};    ///< of each repeat in which both were run
-    double least = 0;  ///< the ratio of the times from leastMs
+    Spread ratio{};       ///< of each repeat in which both were run
+    double least = 0;     ///< the ratio of the times from leastMs
+    bool broken = false;  ///< what one of the two made is of no use: see isBroken
 };
 
 /// The ratios of all scenes in which both engines were run; empty if Plumb was not run.
 std::vector<Ratio> ratiosOf(std::span<const SceneBench> results);
 
-/// The geometric mean of Ratio::least of one engine, over the scenes of a group.
+/// The geometric mean of Ratio::least of one engine, over the scenes of a group that are not broken.
 struct MeanRatio {
     std::string group{};
     std::string against{};
-    double ratio = 0;
-    std::size_t scenes = 0;
+    double ratio = 0;                    ///< NaN if all scenes are broken
+    std::size_t scenes = 0;              ///< how many count
+    std::vector<std::string> leftOut{};  ///< those that are broken
 };
 /// The means of the groups "six" and "random", if any of their scenes were run.
 std::vector<MeanRatio> meanRatiosOf(std::span<const SceneBench> results);

@@ -48,6 +48,7 @@ public:
 
     std::vector<Outcome> operator()(const InvariantCheck& check) const {
         std::vector<Outcome> outcomes;
+        if (std::ranges::find(measured_.unjudged, check.metric) != measured_.unjudged.end()) return outcomes;
         for (const std::string& engine : bound(check.engines))
             if (const EngineResult* run = judged(engine))
                 outcomes.push_back(
@@ -149,6 +150,15 @@ private:
     const std::vector<Engine>& engines_;
 };
 
+/// The closed form gives the angle that the probe watches.
+bool isByClosedForm(const Scene& scene, const Probe& probe) {
+    const auto* angle = std::get_if<AngleProbe>(&probe.quantity);
+    if (!angle || !scene.closedForm) return false;
+    return std::ranges::any_of(scene.closedForm->bodies, [&](const BodyMotion& motion) {
+        return std::visit([&](const auto& each) { return each.body == angle->body; }, motion);
+    });
+}
+
 }  // namespace
 
 std::optional<double> observedOrder(std::span<const double> errors, double floor) {
@@ -158,6 +168,18 @@ std::optional<double> observedOrder(std::span<const double> errors, double floor
         order = std::min(order.value_or(ratio), ratio);
     }
     return order;
+}
+
+std::vector<std::string> metricsOfItsNumbers(const Scene& scene) {
+    std::vector<std::string> metrics;
+    for (const Check& check : scene.checks) {
+        const auto* invariant = std::get_if<InvariantCheck>(&check);
+        if (!invariant) continue;
+        const auto probe =
+            std::ranges::find(scene.probes, invariant->metric, [](const Probe& each) { return "probe." + each.name; });
+        if (probe != scene.probes.end() && !isByClosedForm(scene, *probe)) metrics.push_back(invariant->metric);
+    }
+    return metrics;
 }
 
 std::vector<Outcome> judge(const SceneResult& measured, const std::vector<Engine>& engines) {

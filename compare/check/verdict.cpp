@@ -77,6 +77,7 @@ SceneResult runScene(const Scene& scene, const RunOptions& options, const std::v
     std::vector<const Observation*> runs;
     for (const EngineResult& run : result.engines) runs.push_back(&run.observation);
     result.partings = partingsOf(result.scene, runs);
+    if (!options.changed.empty()) result.unjudged = metricsOfItsNumbers(result.scene);
     result.outcomes = judge(result, engines);
     result.verdict = verdictOf(result.outcomes);
     return result;

@@ -65,6 +65,8 @@ struct SceneResult {
     std::vector<Parting> partings;      ///< of each two engines that ran it, in their order
     Verdict verdict = Verdict::NotJudged;
     std::vector<std::string> changed{};  ///< what was set, as "bodies.ball.velocity = 15,26"; empty: as it is built in
+    /// Metrics of checks that were not judged, because they expect what holds for the scene as it was before.
+    std::vector<std::string> unjudged{};
 };
 
 struct RunOptions {
@@ -82,6 +84,7 @@ struct RunOptions {
 ///   order      the smaller of log2(e(dt) / e(dt/2)) and log2(e(dt/2) / e(dt/4)), where e is error_max. An error of at
 ///              most 1e-12 of the scene's size (at least 1 m) is rounding and does not fall: no ratio starts from it.
 ///              Where no ratio is left, the value is empty and the check holds.
+/// Where fields were set, a probe is judged only if the closed form says what to expect of it.
 /// An engine is not judged when it is not among the given ones, was not asked for, or cannot build the scene. The
 /// subject must be able to build it. Where a value does not exist, the check fails: a probe that is watched only after
 /// a shortened run has ended, or a settling that never came.

@@ -64,6 +64,7 @@ Json partingJson(const Scene& scene, const Parting& parting) {
 Json sceneJson(const SceneResult& result) {
     Json json{{"name", result.scene.name}, {"dt", result.scene.dt}, {"steps", stepCount(result.scene)}};
     json["changed"] = result.changed;
+    json["unjudged"] = result.unjudged;
     json["engines"] = Json::object();
     for (const EngineResult& run : result.engines) json["engines"][run.observation.engine] = engineJson(run);
     json["checks"] = Json::array();

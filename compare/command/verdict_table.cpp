@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <ostream>
 
 #include <compare/command/colours.h>
@@ -29,6 +30,22 @@ std::string cell(const SceneResult& result, const std::string& engine) {
     return "-";
 }
 
+/// "344 checks: 338 of plumb, 6 of box2d-2.4." and the line's end. Empty if nothing was judged.
+std::string boundText(std::span<const SceneResult> results) {
+    std::map<std::string, std::size_t> bound;
+    std::size_t checks = 0;
+    for (const SceneResult& result : results)
+        for (const Outcome& outcome : result.outcomes) {
+            ++bound[outcome.engine];
+            ++checks;
+        }
+    std::vector<std::string> parts;
+    for (const Engine& engine : knownEngines())
+        if (bound.contains(engine.name)) parts.push_back(fmt::format("{} of {}", bound[engine.name], engine.name));
+    return parts.empty() ? ""
+                         : fmt::format("{} check{}: {}.\n", checks, checks == 1 ? "" : "s", fmt::join(parts, ", "));
+}
+
 }  // namespace
 
 std::string failureText(const Scene& scene, const Outcome& outcome) {
@@ -37,7 +54,7 @@ std::string failureText(const Scene& scene, const Outcome& outcome) {
     const std::string space = unit.empty() ? "" : " ";
     const std::string bound = fmt::format("{:.4g}{}{}", outcome.limit, space, unit);
     const std::string head = fmt::format("{}: {} {}", outcome.check, outcome.engine, outcome.metric);
-    const std::string why = outcome.reason.empty() ? "" : ", allowed because " + outcome.reason;
+    const std::string why = outcome.reason.empty() ? "" : " (the limit: " + outcome.reason + ")";
     if (!outcome.value && !outcome.missing.empty()) return fmt::format("{} is not known: {}", head, outcome.missing);
     if (!outcome.value)
         return fmt::format("{} does not exist, wanted {} {}{}", head, order ? "at least" : "at most", bound, why);
@@ -75,6 +92,9 @@ void VerdictTable::row(const SceneResult& result) const {
 
 void VerdictTable::partings(const SceneResult& result) const {
     if (!result.changed.empty()) fmt::print(out_, "      changed: {}\n", fmt::join(result.changed, ", "));
+    if (!result.unjudged.empty())
+        fmt::print(out_, "      not judged, because they expect what holds for the scene as it was: {}\n",
+                   fmt::join(result.unjudged, ", "));
     for (const EngineResult& run : result.engines)
         if (run.observation.role == Role::Subject && !run.answer.empty()) fmt::print(out_, "      {}\n", run.answer);
     for (const EngineResult& run : result.engines)
@@ -89,7 +109,7 @@ void VerdictTable::partings(const SceneResult& result) const {
 void VerdictTable::summary(std::span<const SceneResult> results) const {
     std::vector<Verdict> verdicts;
     for (const SceneResult& result : results) verdicts.push_back(result.verdict);
-    fmt::print(out_, "\n{}\n", countText("scene", verdicts, colour_));
+    fmt::print(out_, "\n{}\n{}", countText("scene", verdicts, colour_), boundText(results));
     out_.flush();
 }
 

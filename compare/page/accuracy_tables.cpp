@@ -79,10 +79,24 @@ std::string numberText(double value, Unit unit) {
     return lengthCell(value);
 }
 
+/// True if a body is far below the place that the closed form gives it at the end: it fell off what should bear it.
+bool hasFallen(const SceneResult& result, const Observation& run) {
+    constexpr double far = 100;  // [m]
+    const auto truth =
+        std::ranges::find(result.engines, Role::Truth, [](const EngineResult& r) { return r.observation.role; });
+    if (truth == result.engines.end() || truth->observation.states.empty() || run.states.empty()) return false;
+    const std::vector<BodyState>&known = truth->observation.states.back(), &last = run.states.back();
+    for (std::size_t body = 0; body < last.size(); ++body)
+        if ((last[body].position - known[body].position).dot(result.scene.gravity) > far * result.scene.gravity.norm())
+            return true;
+    return false;
+}
+
 std::string cellOf(const SceneResult& result, const std::string& engine, const Row& row) {
     for (const EngineResult& run : result.engines) {
         if (run.observation.engine != engine) continue;
-        if (!run.observation.unsupported.empty()) return "unsupported";
+        if (!run.observation.unsupported.empty()) return "has none";
+        if (row.unit == Unit::Length && hasFallen(result, run.observation)) return "fell";
         std::vector<std::string> values;
         for (const std::string& metric : row.metrics) {
             const std::optional<double> value = run.measured.metrics.at(metric);

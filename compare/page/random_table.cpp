@@ -22,7 +22,7 @@ std::vector<Compared> comparedIn(std::span<const SceneBench> results) {
     std::vector<Compared> found;
     for (const SceneBench& scene : results) {
         const std::optional<Ratio> ratio = ratioToRival(scene);
-        if (scene.group == "random" && ratio)
+        if (scene.group == "random" && ratio && !ratio->broken)
             found.push_back({&scene, runOf(scene, subjectName()), runOf(scene, rivalName()), ratio->least});
     }
     std::ranges::stable_sort(found, {}, &Compared::ratio);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include <compare/bench/bench_table.h>
 #include <compare/page/cells.h>
 #include <compare/page/page_table.h>
 #include <compare/page/random_table.h>
@@ -54,7 +55,8 @@ std::string howMeasured(std::span<const SceneBench> results) {
 std::string ratioCell(const SceneBench& scene) {
     const std::optional<Ratio> ratio = ratioToRival(scene);
     if (!ratio) return "–";
-    return fmt::format("{} ({}–{})", ratioText(ratio->least), ratioText(ratio->ratio.min), ratioText(ratio->ratio.max));
+    return fmt::format("{} ({}–{}){}", ratioText(ratio->least), ratioText(ratio->ratio.min),
+                       ratioText(ratio->ratio.max), ratio->broken ? ", broken" : "");
 }
 
 Block speedBlock(std::span<const SceneBench> scenes, std::span<const SceneBench> results) {
@@ -76,8 +78,8 @@ Block speedBlock(std::span<const SceneBench> scenes, std::span<const SceneBench>
     std::string text = markdown(table) + "\n" + howMeasured(scenes);
     for (const MeanRatio& mean : meanRatiosOf(results))
         if (mean.group == "six")
-            text += fmt::format("{} over Plumb, geometric mean of {} of the six: {:.2f}.\n",
-                                nameOf(scenes, mean.against), mean.scenes, mean.ratio);
+            text += fmt::format("{} over Plumb, geometric mean of {} of the six: {:.2f}{}.\n",
+                                nameOf(scenes, mean.against), mean.scenes, mean.ratio, leftOutText(mean));
     return {"bench", "speed", "", text};
 }
 

@@ -45,6 +45,17 @@ std::optional<double> faultOf(const Integrity& seen) {
     return std::max(seen.overlap, seen.jointGap);
 }
 
+/// What nobody tuned to, in one row.
+std::vector<std::string> randomRow(std::span<const SceneBench> results, const MeanRatio& mean) {
+    const auto isFaster = [](const SceneBench& scene) {
+        const std::optional<Ratio> ratio = ratioToRival(scene);
+        return scene.group == "random" && ratio && !ratio->broken && ratio->least > 1;
+    };
+    const std::string label = fmt::format("{} random scenes, geometric mean; Plumb is faster in {}", mean.scenes,
+                                          std::ranges::count_if(results, isFaster));
+    return {label, "–", "–", verdictOf(mean.ratio), "–"};
+}
+
 }  // namespace
 
 Block summaryBlock(std::span<const SceneBench> results) {
@@ -64,6 +75,8 @@ Block summaryBlock(std::span<const SceneBench> results) {
              verdictOf(ratioToRival(*scene)->least),
              lengthCell(faultOf(plumb->integrity())) + " / " + lengthCell(faultOf(rival->integrity()))});
     }
+    for (const MeanRatio& mean : meanRatiosOf(results))
+        if (mean.group == "random" && mean.against == rivalName()) table.rows.push_back(randomRow(results, mean));
     block.body = markdown(table);
     return block;
 }

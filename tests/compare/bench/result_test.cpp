@@ -2,6 +2,7 @@
 #include <compare/bench/result.h>
 
 #include <cmath>
+#include <limits>
 
 #include "catch.h"
 #include "compare/bench/measured.h"
@@ -92,6 +93,27 @@ TEST_CASE("the geometric mean of ratios 2 and 8 is 4, of each group by itself", 
     CHECK(means[0].against == "box2d-3");
     CHECK(means[0].scenes == 2);
     CHECK_THAT(means[0].ratio, WithinAbs(4, 1e-12));
+}
+
+TEST_CASE("a scene whose joints open by metres, or that loses a body, is marked and left out of the mean",
+          "[compare][bench]") {
+    const auto pair = [](const std::string& name, double ratio, const Integrity& plumb, const Integrity& other) {
+        SceneBench scene = measuredScene(name, {measuredEngine("plumb", {1}), measuredEngine("box2d-3", {ratio})});
+        scene.engines[0].runs[0].integrity = plumb;
+        scene.engines[1].runs[0].integrity = other;
+        return memberOf("six", scene);
+    };
+    const Integrity sound{.highest = 1, .jointGap = 0.2}, torn{.highest = 1, .jointGap = 3};
+    const Integrity lost{.highest = std::numeric_limits<double>::infinity()};
+    const std::vector<SceneBench> results{pair("sound", 2, sound, sound), pair("torn_here", 100, torn, sound),
+                                          pair("torn_there", 100, sound, torn), pair("lost", 100, sound, lost)};
+    const std::vector<Ratio> ratios = ratiosOf(results);
+    CHECK_FALSE(ratios.at(0).broken);
+    for (std::size_t i = 1; i < 4; ++i) CHECK(ratios.at(i).broken);
+    const MeanRatio mean = meanRatiosOf(results).at(0);
+    CHECK(mean.scenes == 1);
+    CHECK_THAT(mean.ratio, WithinAbs(2, 1e-12));
+    CHECK(mean.leftOut == std::vector<std::string>{"torn_here", "torn_there", "lost"});
 }
 
 TEST_CASE("time as n^1.25 over three sizes shows as growth of 1.25", "[compare][bench]") {

@@ -238,6 +238,20 @@ TEST_CASE("a scene without checks is not judged: null, grey, exit status 0", "[c
     CHECK(both["pass"] == true);
 }
 
+TEST_CASE("what a probe expects of a scene as it was is not judged after something was set", "[compare][command]") {
+    const Folder folder("plumb_command_test");
+    const Called called = call({"check", "block_slides", "--set", "gravity=0,-5", "--json", folder / "set.json"});
+    INFO(called.out);
+    CHECK(called.status == 0);
+    CHECK(called.out.find("not judged, because they expect what holds for the scene as it was: probe.normal\n") !=
+          std::string::npos);
+    const nlohmann::json json = nlohmann::json::parse(textOf(folder / "set.json"));
+    CHECK(json["scenes"][0]["unjudged"] == nlohmann::json::array({"probe.normal"}));
+    CHECK(call({"check", "block_slides"}).out.find("3 of 3") != std::string::npos);
+    // The closed form says how far a disc has turned, so this follows.
+    CHECK(call({"check", "disc_rolls", "--set", "gravity=0,-5"}).out.find("not judged") == std::string::npos);
+}
+
 TEST_CASE("engines whose results no check looks at are shown but not judged, with status 0", "[compare][command]") {
     const Called called = call({"check", "free_fall", "--engines", "box2d-2.4", "--steps", "5"});
     CHECK(called.status == 0);

@@ -38,9 +38,10 @@ TEST_CASE("the table says of each scene whether it holds, by how much, and spell
           "      scene              plumb      box2d-3  checks that hold\n"
           "PASS  good             12.5 mm  unsupported  1 of 1\n"
           "FAIL  not_so_good          2 m  unsupported  0 of 1\n"
-          "      exact: plumb error_max is 2 m, over 0.1 m, allowed because it was derived\n"
+          "      exact: plumb error_max is 2 m, over 0.1 m (the limit: it was derived)\n"
           "\n"
-          "1 scene holds, 1 fails.\n");
+          "1 scene holds, 1 fails.\n"
+          "2 checks: 2 of plumb.\n");
 }
 
 TEST_CASE("a scene of which nothing was judged is not called a pass", "[compare][command]") {
@@ -54,7 +55,8 @@ TEST_CASE("a scene of which nothing was judged is not called a pass", "[compare]
           "----  idle           0 m  unsupported  this scene has no checks\n"
           "PASS  good           0 m  unsupported  1 of 1\n"
           "\n"
-          "1 scene holds, 0 fail, 1 not judged.\n");
+          "1 scene holds, 0 fail, 1 not judged.\n"
+          "1 check: 1 of plumb.\n");
 }
 
 TEST_CASE("what a scene sets for one engine alone stands beside the partings", "[compare][command]") {
@@ -79,7 +81,7 @@ TEST_CASE("only a terminal gets colours", "[compare][command]") {
 TEST_CASE("a failed check is told with its value, its bound and its reason", "[compare][command]") {
     const Scene scene = oneDisc();
     CHECK(failureText(scene, {"order", "plumb", "order", 1.25, 1.8, false, "second order"}) ==
-          "order: plumb order is 1.25, under 1.8, allowed because second order");
+          "order: plumb order is 1.25, under 1.8 (the limit: second order)");
     CHECK(failureText(scene, {"invariant", "box2d-3", "settle_time", {}, 3, false, ""}) ==
           "invariant: box2d-3 settle_time does not exist, wanted at most 3 s");
     CHECK(failureText(scene, {"invariant", "plumb", "energy_drift", 0.5, 0.01, false, ""}) ==

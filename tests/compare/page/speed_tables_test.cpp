@@ -46,6 +46,33 @@ TEST_CASE("the page has a row a scene: times, ratio, 99 % of the steps, the wors
     CHECK(bodyOf(blocks, "summary").empty());  // its scenes were not run
 }
 
+TEST_CASE("on the page a scene whose joints open by metres is called broken, and left out of the mean",
+          "[compare][page]") {
+    std::vector<SceneBench> results{memberOf("six", pairOf("s", 1, 4)), memberOf("six", pairOf("net", 1, 100))};
+    results[1].engines[0].runs[0].integrity->jointGap = 20;
+    const std::string speed = bodyOf(speedBlocks(results), "speed");
+    INFO(speed);
+    CHECK(speed.find("| 100 (100–100), broken |") != std::string::npos);
+    CHECK(speed.find("| 4.0 (4.0–4.0) |") != std::string::npos);
+    CHECK(
+        speed.find("geometric mean of 1 of the six: 4.00; left out, because a joint opened by more than 1 m or a body "
+                   "was lost: net.") != std::string::npos);
+}
+
+TEST_CASE("the front page has a row for all random scenes", "[compare][page]") {
+    std::vector<SceneBench> results;
+    for (const char* name : {"small_50", "large_pyramid", "washer", "pit_2000", "spinner", "junkyard", "compounds",
+                             "joint_grid", "dolls_100", "rain", "bridge_20", "rope_60"})
+        results.push_back(pairOf(name, 1, 2));
+    results.push_back(memberOf("random", pairOf("random_1", 1, 0.25)));
+    results.push_back(memberOf("random", pairOf("random_2", 1, 0.5)));
+    results.push_back(memberOf("random", pairOf("random_3", 1, 2)));
+    const std::string summary = bodyOf(speedBlocks(results), "summary");
+    INFO(summary);
+    CHECK(summary.find("| 3 random scenes, geometric mean; Plumb is faster in 1 | – | – | 1.6 times as slow | – |") !=
+          std::string::npos);
+}
+
 TEST_CASE("random scenes stand in sums, with joints and without, and the slowest and the fastest by themselves",
           "[compare][page]") {
     std::vector<SceneBench> results;
