@@ -5,64 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
-#include <compare/check/course.h>
-#include <compare/engine/joint_geometry.h>
+#include <compare/check/query_value.h>
 #include <compare/metric/length_text.h>
 #include <compare/scene/answer.h>
 
 namespace plumb::compare {
 namespace {
-
-constexpr const char* valueUnits[] = {"m", "m", "deg", "m/s", "m/s", "m/s", "rad/s"};  // as in BodyValue
-
-double valueIn(const BodyState& state, BodyValue value) {
-    switch (value) {
-        case BodyValue::X: return state.position.x();
-        case BodyValue::Y: return state.position.y();
-        case BodyValue::Angle: return state.angle * 180 / std::numbers::pi;
-        case BodyValue::Vx: return state.velocity.x();
-        case BodyValue::Vy: return state.velocity.y();
-        case BodyValue::Speed: return state.velocity.norm();
-        case BodyValue::Spin: return state.angularVelocity;
-    }
-    return 0;
-}
-
-/// How fast the value changes; none where that is not known.
-std::optional<double> slopeIn(const BodyState& state, BodyValue value) {
-    switch (value) {
-        case BodyValue::X: return state.velocity.x();
-        case BodyValue::Y: return state.velocity.y();
-        case BodyValue::Angle: return state.angularVelocity * 180 / std::numbers::pi;
-        default: return {};
-    }
-}
-
-Course courseOf(const Scene& scene, const Observation& run, const Reading& quantity) {
-    Course course{.dt = run.dt};
-    if (quantity.body.empty()) {
-        const auto probe = std::ranges::find(scene.probes, quantity.probe, &Probe::name) - scene.probes.begin();
-        for (const std::vector<double>& row : run.probes) course.value.push_back(row[static_cast<std::size_t>(probe)]);
-        return course;
-    }
-    const std::size_t body = bodyIndex(scene, quantity.body);
-    for (const std::vector<BodyState>& row : run.states) {
-        course.value.push_back(valueIn(row[body], quantity.value));
-        if (const auto slope = slopeIn(row[body], quantity.value)) course.slope.push_back(*slope);
-    }
-    return course;
-}
-
-/// Not a number where one of them is not.
-double extremeOf(const std::vector<double>& values, bool largest) {
-    double best = values.front();
-    for (const double value : values)
-        if (std::isnan(value) || (largest ? value > best : value < best)) best = value;
-    return best;
-}
 
 std::string numberText(double value, const std::string& unit) {
     if (std::isnan(value)) return "–";
@@ -80,11 +30,6 @@ std::string metricText(const Scene& scene, const std::string& name, const Measur
     return numberText(*found->second, metricUnit(scene, name));
 }
 
-std::string unitOf(const Scene& scene, const Reading& quantity) {
-    if (quantity.body.empty()) return std::ranges::find(scene.probes, quantity.probe, &Probe::name)->unit;
-    return valueUnits[static_cast<std::size_t>(quantity.value)];
-}
-
 /// "(y of ball does not return to 0 within 3 s)". A closed form may leave out what happens.
 std::string missingText(const Observation& run, const std::string& what) {
     if (run.partial) return "–";
@@ -99,31 +44,15 @@ std::string missingText(const Observation& run, const Happening& event) {
         run, textOf(event.of) + " " + fmt::format(fmt::runtime(what[static_cast<std::size_t>(event.kind)]), level));
 }
 
+std::string missingText(const Observation& run, const AnswerQuery& query) {
+    if (query.when) return missingText(run, *query.when);
+    return missingText(run, textOf(query.quantity) + " does not swing to and fro");
+}
+
 std::string textOf(const Scene& scene, const Observation& run, const Measured& measured, const AnswerQuery& query) {
-    using Kind = AnswerQuery::Kind;
-    if (query.kind == Kind::Metric) return metricText(scene, query.metric, measured);
-    double time = static_cast<double>(run.states.size() - 1) * run.dt;
-    if (query.kind == Kind::Duration) return numberText(time, "s");
-    if (query.when) {
-        const auto found = timeOf(courseOf(scene, run, query.when->of), *query.when);
-        if (!found) return missingText(run, *query.when);
-        time = *found;
-    }
-    if (query.kind == Kind::Time) return numberText(time, "s");
-    const Course course = courseOf(scene, run, query.quantity);
-    const std::string unit = unitOf(scene, query.quantity);
-    switch (query.kind) {
-        case Kind::Largest: return numberText(extremeOf(course.value, true), unit);
-        case Kind::Smallest: return numberText(extremeOf(course.value, false), unit);
-        case Kind::Change: return numberText(valueAt(course, time) - course.value.front(), unit);
-        case Kind::Drop: return numberText(course.value.front() - valueAt(course, time), unit);
-        case Kind::Period: {
-            const auto period = periodOf(course);
-            return period ? numberText(*period, "s")
-                          : missingText(run, textOf(query.quantity) + " does not swing to and fro");
-        }
-        default: return numberText(valueAt(course, time), unit);
-    }
+    if (query.kind == AnswerQuery::Kind::Metric) return metricText(scene, query.metric, measured);
+    const std::optional<double> value = valueOf(scene, run, query);
+    return value ? numberText(*value, unitOf(scene, query)) : missingText(run, query);
 }
 
 }  // namespace

@@ -38,6 +38,7 @@ AccuracyPages::AccuracyPages(const Arguments& arguments, const std::vector<Engin
 }
 
 bool AccuracyPages::hold(std::span<const SceneResult> results, std::ostream& out) const {
+    if (pages_.written.empty() && pages_.verified.empty()) return true;
     const std::vector<AccuracyTable> tables = accuracyTables(results);
     PageFiles(pages_.written, command).write(blocksOf(tables), out);
     bool all = true;

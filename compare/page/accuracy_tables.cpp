@@ -8,6 +8,7 @@
 #include <optional>
 
 #include <compare/page/cells.h>
+#include <compare/page/lecture_table.h>
 
 namespace plumb::compare {
 namespace {
@@ -168,6 +169,7 @@ std::vector<AccuracyTable> accuracyTables(std::span<const SceneResult> results) 
     add(tableFrom(results, "tiles", {"scene: box, disc, capsule, mover"}, tileRows()));
     add(tableFrom(results, "joints", {"scene", "what is watched"}, jointRows()));
     add(tableFrom(results, "accuracy", {"what was measured"}, frontRows()));
+    add(lectureTable(results, engines()));
     return tables;
 }
 

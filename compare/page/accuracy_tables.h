@@ -25,6 +25,7 @@ std::vector<std::string> accuracyEngines();
 ///   tiles      how often something catches on flush tiles
 ///   joints     gaps of joints, and energy that is lost where none should be
 ///   accuracy   one line of each, for the front page
+///   lecture    periods, ranges and times to fall beside the formulas of a first lecture: see lecture_table.h
 /// An engine that was not run has empty cells.
 std::vector<AccuracyTable> accuracyTables(std::span<const SceneResult> results);
 
