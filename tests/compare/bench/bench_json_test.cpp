@@ -37,7 +37,7 @@ TEST_CASE("JSON of schema 1 has runs and ratios, and null where an engine could 
     CHECK(json["runs"][2]["peak_kb"].is_null());
     REQUIRE(json["ratios"].size() == 1);
     CHECK(json["ratios"][0] == nlohmann::json::parse(R"({"scene": "s", "engine": "plumb", "against": "box2d-2.4",
-                                                          "ratio": {"min": 2.0, "median": 4.0, "max": 8.0}, "least": 8.0})"));
+                                                          "ratio": {"min": 2.0, "median": 4.0, "max": 8.0}, "least": 8.0, "broken": true})"));
     CHECK(json["mean_ratios"].empty());  // it belongs to no group
     CHECK(json["growth"].empty());
 }
