@@ -69,7 +69,7 @@ SceneResult runScene(const Scene& scene, const RunOptions& options, const std::v
         run.measured = measure(result.scene, run.observation, &truth, reference);
         run.answer = answerOf(result.scene, run.observation, run.measured);
     }
-    if (options.horizons)
+    if (options.inDetail)
         for (EngineResult& run : result.engines)
             if (run.observation.role != Role::Truth)
                 run.ownSteps =
@@ -77,6 +77,7 @@ SceneResult runScene(const Scene& scene, const RunOptions& options, const std::v
     std::vector<const Observation*> runs;
     for (const EngineResult& run : result.engines) runs.push_back(&run.observation);
     result.partings = partingsOf(result.scene, runs);
+    if (options.inDetail) addPortions(result.scene, runs, result.partings);
     if (!options.changed.empty()) result.unjudged = metricsOfItsNumbers(result.scene);
     result.outcomes = judge(result, engines);
     result.verdict = verdictOf(result.outcomes);

@@ -55,7 +55,7 @@ struct EngineResult {
     Observation observation;
     Measured measured;
     std::string answer{};  ///< to the scene's question: see answer.h
-    OwnSteps ownSteps{};   ///< if asked for: see RunOptions::horizons
+    OwnSteps ownSteps{};   ///< if asked for: see RunOptions::inDetail
 };
 
 struct SceneResult {
@@ -74,7 +74,7 @@ struct RunOptions {
     std::optional<int> steps;            ///< instead of the scene's
     std::optional<double> dt;            ///< instead of the scene's [s]
     std::vector<std::string> changed{};  ///< what was set in the scene before, for SceneResult::changed
-    bool horizons = false;  ///< run each engine also at half and at a quarter of the step: it takes seven times as long
+    bool inDetail = false;  ///< also what takes longer: EngineResult::ownSteps, and Parting::portions
 };
 
 /// Runs a scene in the engines, measures, and judges every check that binds an engine that was run:

@@ -111,7 +111,7 @@ int check(const Arguments& arguments, std::ostream& out, bool colour) {
     refuseSceneOptions(arguments, choice.labs);
     setFields(choice.scenes, arguments.set);
     RunOptions options = arguments.options;
-    options.horizons = !arguments.scenes.empty() || arguments.report;
+    options.inDetail = !arguments.scenes.empty() || arguments.report;
     for (const FieldSetting& setting : arguments.set)
         options.changed.push_back(fmt::format("{} = {}", setting.path, setting.value));
     std::optional<OutputFile> json;

@@ -100,9 +100,8 @@ private:
     void addSteps(const std::vector<Share>& shares) {
         const double a = stateIn(parted_.a).velocity.norm(), b = stateIn(parted_.b).velocity.norm();
         if (std::abs(a - b) > alike * std::max(a, b)) {
-            const auto touch = std::ranges::max_element(shares, {}, [](const Share& share) {
-                return isTouch(share) ? std::abs(share.length) : -1;
-            });
+            const auto touch = std::ranges::max_element(
+                shares, {}, [](const Share& share) { return isTouch(share) ? std::abs(share.length) : -1; });
             return isTouch(*touch) ? addTouch(*touch) : addSpeeds(Difference::Flight);
         }
         if (!jointOf(parted_.body) || !foundEnergy())

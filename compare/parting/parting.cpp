@@ -85,7 +85,6 @@ std::optional<Parting> partingBeyond(const Scene& scene, const Observation& a, c
     parting.time = static_cast<double>(first->tick) * a.dt;
     parting.apart = apartAtEnd(scene, a, b, first->body);
     addCause(*first, parting);
-    parting.portions = portionsAtEnd(scene, a, b, first->body);
     return parting;
 }
 
@@ -143,6 +142,18 @@ std::vector<Parting> partingsOf(const Scene& scene, std::span<const Observation*
         for (std::size_t j = i + 1; j < runs.size(); ++j)
             if (!runs[i]->states.empty() && !runs[j]->states.empty()) addPartings(scene, *runs[i], *runs[j], partings);
     return partings;
+}
+
+void addPortions(const Scene& scene, std::span<const Observation* const> runs, std::vector<Parting>& partings) {
+    const auto runIn = [&](const std::string& engine) -> const Observation& {
+        return **std::ranges::find(runs, engine, [](const Observation* run) { return run->engine; });
+    };
+    for (Parting& parting : partings) {
+        const auto body = std::ranges::find(scene.bodies, parting.body, &SceneBody::name);
+        if (body == scene.bodies.end()) continue;
+        parting.portions = portionsAtEnd(scene, runIn(parting.engineA), runIn(parting.engineB),
+                                         static_cast<std::size_t>(body - scene.bodies.begin()));
+    }
 }
 
 }  // namespace plumb::compare

@@ -68,7 +68,8 @@ struct Parting {
     std::string at{};               ///< the joint, or the two bodies: "ball, floor"; or only the body
     double valueA = 0, valueB = 0;  ///< values of the quantity in each engine
     double when = 0;                ///< when the two values were seen [s]
-    /// What the distance at the end is made of, the largest part first; empty if no body parts, or it was lost.
+    /// What the distance at the end is made of, the largest part first: see addPortions. Empty if no body parts, or it
+    /// was lost.
     std::vector<Portion> portions{};
     Late late{};  ///< if no body parts: who is late most
 };
@@ -83,6 +84,9 @@ bool isSkin(const Parting& parting);
 /// parting: then the limit is 4 cm, and 16 cm if the same is true at 4 cm. If a body is much farther away at the end, a
 /// second parting says why the farthest one is off its path by a tenth of that distance, unless the reason is the same.
 std::vector<Parting> partingsOf(const Scene& scene, std::span<const Observation* const> runs);
+
+/// Fills in what the distances at the end are made of: it looks at every step of every run. runs: those of partingsOf.
+void addPortions(const Scene& scene, std::span<const Observation* const> runs, std::vector<Parting>& partings);
 
 /// "a and b: plank_3 parts at 0.82 s, by more than 10 mm: in b the hinge link_4 has opened by 65 mm, in a by 12 µm. At
 /// the end it is 2 m off: 80 % by its joints, 20 % by the order of the integration."

@@ -24,8 +24,9 @@ Told toldOf(Scene scene, const std::string& other, double rate) {
     };
     const Observation a = runIn("plumb"), b = runIn(other);
     const Observation* runs[] = {&a, &b};
-    const Parting parting = partingsOf(scene, runs).at(0);
-    return {parting, partingText(scene, parting)};
+    std::vector<Parting> partings = partingsOf(scene, runs);
+    addPortions(scene, runs, partings);
+    return {partings.at(0), partingText(scene, partings.at(0))};
 }
 
 Scene builtIn(const std::string& name) {
