@@ -41,6 +41,11 @@ std::vector<double> farthest(const Scene& scene, const Observation& a, const Obs
     return most;
 }
 
+/// The part of a difference that is left when the step is halved; none of a difference that nobody could find.
+double leftOf(double before, double after) {
+    return std::isfinite(before) && std::isfinite(after) && before > 0 ? after / before : after > seen ? 1 : 0;
+}
+
 }  // namespace
 
 OwnSteps ownSteps(const Scene& scene, const Engine& engine, const Observation& run) {
@@ -49,9 +54,12 @@ OwnSteps ownSteps(const Scene& scene, const Engine& engine, const Observation& r
     const Observation half = finer(scene, engine, 2), quarter = finer(scene, engine, 4);
     const std::vector<double> first = farthest(scene, run, half), second = farthest(scene, half, quarter);
     steps.halved = first.back();
-    if (second.back() > roundings && std::isfinite(first.back()) && std::isfinite(second.back()))
-        steps.order = std::log2(first.back() / second.back());
-    if (!(second.back() > helps * first.back())) return steps;
+    double left = leftOf(first.back(), second.back());
+    // Far apart, they may have come nearer by chance: an eighth tells.
+    if (second.back() > seen && left <= helps)
+        left = std::max(left, leftOf(second.back(), farthest(scene, quarter, finer(scene, engine, 8)).back()));
+    if (second.back() > roundings && std::isfinite(left) && left > 0) steps.order = -std::log2(left);
+    if (!(left > helps)) return steps;
     for (std::size_t tick = 0; tick < std::min(first.size(), second.size()) && !steps.horizon; ++tick)
         if (std::min(first[tick], second[tick]) > seen) steps.horizon = static_cast<double>(tick) * scene.dt;
     return steps;

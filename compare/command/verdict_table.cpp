@@ -23,9 +23,13 @@ std::string cell(const SceneResult& result, const std::string& engine) {
     for (const EngineResult& run : result.engines) {
         if (run.observation.engine != engine) continue;
         if (!run.observation.unsupported.empty()) return "unsupported";
-        const auto error = run.measured.metrics.find("error_max");
-        if (error == run.measured.metrics.end() || !error->second) return "-";
-        return lengthText(*error->second);
+        const auto metric = [&](const char* name) {
+            const auto found = run.measured.metrics.find(name);
+            return found == run.measured.metrics.end() ? std::nullopt : found->second;
+        };
+        if (const std::optional<double> error = metric("error_max")) return lengthText(*error);
+        const std::optional<double> apart = result.scene.closedForm ? std::nullopt : metric("divergence_max");
+        return apart ? fmt::format("({})", lengthText(*apart)) : "-";
     }
     return "-";
 }
@@ -69,7 +73,8 @@ VerdictTable::VerdictTable(std::ostream& out, std::vector<std::string> engines, 
 }
 
 void VerdictTable::head() const {
-    fmt::print(out_, "{:6}{:{}}  largest distance to the closed form\n", "", "", nameWidth_);
+    fmt::print(out_, "{:6}{:{}}  largest distance to the closed form; in brackets, where there is none: to {}\n", "",
+               "", nameWidth_, subjectName());
     fmt::print(out_, "{:6}{:{}}", "", "scene", nameWidth_);
     for (const std::string& engine : engines_) fmt::print(out_, "  {:>{}}", engine, engineWidth);
     fmt::print(out_, "  checks that hold\n");

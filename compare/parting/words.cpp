@@ -17,6 +17,7 @@ constexpr const char* differenceNames[] = {"none",   "break", "gap",    "overlap
                                            "flight", "steps", "driven", "energy"};
 constexpr const char* agentNames[] = {"across", "along", "joints", "nothing", "steps"};
 constexpr double mostShare = 1.25;       // of the distance: with larger parts, no parts are told [-]
+constexpr std::size_t mostTold = 3;      // so many parts are told
 constexpr double leastShareTold = 0.05;  // smaller parts are not told [-]
 constexpr double lateTimes = 2;          // late is told if it is so many times the distance off the path [-]
 constexpr double leastLate = 1e-4;       // [m]
@@ -135,6 +136,7 @@ std::string portionsText(const std::vector<Portion>& portions) {
     std::vector<std::string> parts;
     for (const Portion& portion : portions) {
         if (std::abs(portion.share) > mostShare) return "";
+        if (parts.size() == mostTold) break;
         if (std::abs(portion.share) < leastShareTold) continue;
         parts.push_back(fmt::format("{:.0f} % by {}", 100 * portion.share, agentText(portion)));
     }

@@ -34,7 +34,7 @@ TEST_CASE("the table says of each scene whether it holds, by how much, and spell
           "[compare][command]") {
     const std::string text = shownVerdicts({judged("good", 0.0125, 0.1), judged("not_so_good", 2, 0.1)}, false);
     CHECK(text ==
-          "                   largest distance to the closed form\n"
+          "                   largest distance to the closed form; in brackets, where there is none: to plumb\n"
           "      scene              plumb      box2d-3  checks that hold\n"
           "PASS  good             12.5 mm  unsupported  1 of 1\n"
           "FAIL  not_so_good          2 m  unsupported  0 of 1\n"
@@ -50,7 +50,7 @@ TEST_CASE("a scene of which nothing was judged is not called a pass", "[compare]
     result.outcomes.clear();
     result.verdict = Verdict::NotJudged;
     CHECK(shownVerdicts({result, judged("good", 0, 1)}, false) ==
-          "             largest distance to the closed form\n"
+          "             largest distance to the closed form; in brackets, where there is none: to plumb\n"
           "      scene        plumb      box2d-3  checks that hold\n"
           "----  idle           0 m  unsupported  this scene has no checks\n"
           "PASS  good           0 m  unsupported  1 of 1\n"
