@@ -19,7 +19,7 @@ namespace {
 /// Option values as they are written on the command line.
 struct Raw {
     std::vector<std::string> scenes;
-    std::string engines, steps, dt, json, csv, report, repeat, threads;
+    std::string word, engines, steps, dt, json, csv, report, repeat, threads;
     std::vector<std::string> readme, verify, set;
     PrintOptions print;
 };
@@ -160,7 +160,9 @@ Commands describe(CLI::App& app, Raw& raw) {
     app.footer(
         "Without a command: every scene in every engine, every lab, and the report in build/report/index.html.\n"
         "Exit status: 0 no check fails, 1 a check fails, 2 bad usage or input.");
-    CLI::App* list = app.add_subcommand("list", "scenes and labs: name, question, engines, checks");
+    CLI::App* list = app.add_subcommand("list", "scenes and labs by group: name, question, engines, checks");
+    list->add_option("WORD", raw.word,
+                     "only those whose name, group or question contains this, in small or capital letters");
     CLI::App* check = describeCheck(app, raw);
     CLI::App* bench = describeBench(app, raw);
     CLI::App* exportScene = describeExport(app, raw);
@@ -236,6 +238,7 @@ Arguments parseArguments(std::span<const std::string> args, const std::vector<En
         throw std::invalid_argument(usageError(app, args, error.what()));
     }
     result.scenes = raw.scenes;
+    result.word = raw.word;
     result.print = raw.print;
     result.set = settingsFrom(raw.set);
     if (commands.list->parsed()) result.action = Action::ListScenes;

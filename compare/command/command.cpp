@@ -136,10 +136,8 @@ int check(const Arguments& arguments, std::ostream& out, bool colour) {
     return fails || !pagesHold ? checkFails : noneFails;
 }
 
-void list(std::ostream& out) {
-    const Choice all = chooseScenesAndLabs({});
-    listScenes(all.scenes, engines(), out);
-    listLabs(all.labs, out);
+void list(const Arguments& arguments, std::ostream& out) {
+    listByGroup(containing(chooseScenesAndLabs({}), arguments.word), engines(), out);
 }
 
 int checkEverything(Arguments arguments, std::ostream& out, bool colour) {
@@ -170,7 +168,7 @@ void printSchema(const Arguments& arguments, std::ostream& out) {
 int run(const Arguments& arguments, std::ostream& out, bool colour) {
     switch (arguments.action) {
         case Action::Help: fmt::print(out, "{}", arguments.help); return noneFails;
-        case Action::ListScenes: list(out); return noneFails;
+        case Action::ListScenes: list(arguments, out); return noneFails;
         case Action::ExportScene: exportScene(arguments, out); return noneFails;
         case Action::PrintSchema: printSchema(arguments, out); return noneFails;
         case Action::Bench: runBench(arguments, engines(), out); return noneFails;
