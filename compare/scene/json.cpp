@@ -8,8 +8,10 @@
 #include <stdexcept>
 #include <system_error>
 
+#include <compare/scene/body_mass.h>
 #include <compare/scene/json_plain.h>
 #include <compare/scene/json_value.h>
+#include <compare/scene/named.h>
 #include <compare/scene/nearest.h>
 #include <plumb/math/check.h>
 
@@ -182,8 +184,13 @@ int lineOf(const JsonText& text, const std::string& message) {
 }  // namespace
 
 Scene sceneOf(const Json& value) {
-    Scene scene = Reader::read(Type<Scene>(), value, "");
+    Json plain = value;
+    const std::vector<GivenMass> masses = takeMasses(plain);
+    Scene scene = Reader::read(Type<Scene>(), plain, "");
     validate(scene);
+    for (const auto& [body, mass] : masses)
+        giveMass(scene.bodies[body].def, mass.get<double>(), at("bodies", body) + ".mass");
+    if (!masses.empty()) validate(scene);
     return scene;
 }
 

@@ -20,12 +20,11 @@ std::string toJson(const Scene& scene, Defaults defaults = Defaults::LeftOut);
 
 /// The scene that the text describes. file is the name of the text in messages. A field with a default may be left out.
 /// A shape may be "circle", "capsule", "polygon", "segment", "chain", or "box": {"halfSize": [x, y], "center": [x, y],
-/// "radius": r}. The bound of a motor, a limit or a joint may be "infinite", and a lower limit "-infinite".
-/// Throws std::invalid_argument with one line that says where, what, and what was wanted: "FILE:LINE:COLUMN: ..." for
-/// text that is not JSON, "FILE:LINE: bodies[2].shapes[0].circle.radius: -1 is not positive" for JSON that is not a
-/// scene.
-/// Unknown fields and fields given twice are refused. A field that may be left out and has no default, such as a
-/// joint's limit, may also be null.
+/// "radius": r}. The mass of a body may be one number: the densities of its shapes are scaled to it. The bound of a
+/// motor, a limit or a joint may be "infinite", and a lower limit "-infinite". Throws std::invalid_argument with one
+/// line that says where, what, and what was wanted: "FILE:LINE:COLUMN: ..." for text that is not JSON, "FILE:LINE:
+/// bodies[2].shapes[0].circle.radius: -1 is not positive" for JSON that is not a scene. Unknown fields and fields given
+/// twice are refused. A field that may be left out and has no default, such as a joint's limit, may also be null.
 Scene fromJson(std::string_view text, const std::string& file);
 
 /// The scene in a file. Throws as fromJson does, and when the file cannot be read.

@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include <compare/scene/body_mass.h>
 #include <compare/scene/json_value.h>
 #include <compare/scene/named.h>
 #include <plumb/math/check.h>
@@ -153,11 +154,21 @@ Json valueFrom(const std::string& text, const Json& now) {
     return text;
 }
 
+/// A number for a mass that is given with its inertia changes both by the same factor.
+Json inPlaceOf(const Json& now, Json value) {
+    const auto has = [&](const char* field) { return now.contains(field) && now[field].is_number(); };
+    if (!value.is_number() || !has("mass") || !has("inertia")) return value;
+    Json scaled = now;
+    scaled["mass"] = value;
+    scaled["inertia"] = now["inertia"].get<double>() * value.get<double>() / now["mass"].get<double>();
+    return scaled;
+}
+
 /// made: takes the present value at the path and gives the new one.
 template <class Make>
 void setAt(Json& root, const std::string& path, const std::string& shown, const Make& made) {
     try {
-        for (Json* place : valuesAt(root, path)) *place = made(*place);
+        for (Json* place : valuesAt(root, path)) *place = inPlaceOf(*place, made(*place));
     } catch (const std::invalid_argument& error) {
         throw std::invalid_argument(path + "=" + shown + ": " + error.what());
     }
@@ -172,10 +183,13 @@ Scene sceneFrom(const Json& root, const std::string& shown) {
     }
 }
 
-/// With every field that what was set before brings with it; as it is where that is not a scene yet.
+/// With every field that what was set before brings with it; as it is where that is not a scene yet. A mass that is
+/// given as a number stays one: it holds whatever else of the body is set after it.
 Json completed(const Json& root) {
     try {
-        return jsonOf(sceneOf(root), Defaults::Written);
+        Json whole = jsonOf(sceneOf(root), Defaults::Written), rest = root;
+        putMasses(whole, takeMasses(rest));
+        return whole;
     } catch (const std::invalid_argument&) {
         return root;
     }

@@ -16,7 +16,9 @@ namespace plumb::compare {
 /// number from 0. A field that a body does not have is that of all of its shapes, or of their materials; one that a
 /// shape does not have is that of its material.
 ///   "dt", "gravity.1", "bodies.ball.velocity", "bodies.ball.shapes.0.circle.radius", "bodies.ball.friction",
-///   "bodies.ball.filter.mask"
+///   "bodies.ball.filter.mask", "bodies.ball.mass"
+/// A body's mass may be one number: the densities of its shapes are then scaled so that it has this mass, whatever else
+/// of the body is set. If it is given with its inertia, the inertia changes by the same factor.
 /// value: a number, a fraction "1/240", numbers with commas for a vector, words with commas for a list of words, true,
 /// false, null, a word, or else JSON.
 /// "ENGINE:PATH" is the field for one engine alone, see Scene::engines.

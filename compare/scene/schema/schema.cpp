@@ -132,6 +132,12 @@ private:
 /// Adds rules of a part that its list of fields does not contain.
 template <class T>
 void addRules(Json& object) {
+    if constexpr (std::is_same_v<T, SceneBody>) {
+        Json& mass = object["properties"]["mass"];
+        mass["anyOf"].push_back(numberSchema(Allowed::positive));
+        mass["description"] =
+            mass["description"].get<std::string>() + "; a number alone [kg] scales the densities of the shapes";
+    }
     if constexpr (std::is_same_v<T, Scene>) object["properties"]["name"]["pattern"] = "^[a-z0-9_]+$";
     if constexpr (std::is_same_v<T, SceneJoint>) {
         Json& ends = object["dependentRequired"] = Json::object();

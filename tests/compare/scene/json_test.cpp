@@ -428,4 +428,14 @@ TEST_CASE("a motor of infinite torque is written and read as \"infinite\"", "[co
     CHECK(std::get<RevoluteJointDef>(fromJson(text, "f.json").joints.at(0).def).maxMotorTorque == infinite);
 }
 
+TEST_CASE("a mass that a file gives as the number 3 is that of the body's shapes", "[compare][scene]") {
+    const auto bodyOf = [](const std::string& mass) {
+        return R"({"name": "a", "bodies": [{"name": "b", "mass": )" + mass + R"(, "shapes": [{"circle": {}}]}]})";
+    };
+    const BodyDef def = fromJson(bodyOf("3"), "f").bodies[0].def;
+    CHECK_FALSE(def.mass);
+    CHECK(massOf(def).mass == Approx(3).epsilon(1e-14));
+    CHECK_THROWS_WITH(fromJson(bodyOf("-1"), "f"), "f:1: bodies[0].mass: -1 is not positive");
+}
+
 }  // namespace plumb::compare

@@ -83,6 +83,51 @@ TEST_CASE("what shapes hold is set for a whole body, also a part of it", "[compa
                          "is mask; known are "));
 }
 
+TEST_CASE("a body of two shapes gets a mass of 3 kg: the densities are scaled alike, the centre stays",
+          "[compare][scene][set]") {
+    Scene scene = twoBalls();
+    scene.bodies[1].def.shapes[0].material.density = 4;
+    const BodyDef heavy = withField(scene, "bodies.ball.mass", "3").bodies[1].def;
+    const Mass was = massOf(scene.bodies[1].def), is = massOf(heavy);
+    CHECK_FALSE(heavy.mass);
+    CHECK(is.mass == Approx(3).epsilon(1e-14));
+    CHECK(is.inertia == Approx(was.inertia * 3 / was.mass).epsilon(1e-14));
+    CHECK((is.center - was.center).norm() < 1e-14);
+    const auto density = [&](std::size_t shape) { return heavy.shapes[shape].material.density; };
+    CHECK(density(0) == Approx(4 * density(1)).epsilon(1e-14));
+    CHECK(setTo("bodies.ball.mass", R"({"mass": 3, "inertia": 1})").bodies[1].def.mass->mass == 3);
+}
+
+TEST_CASE("a mass of 3 kg holds whatever else of the body is set, before it or after it", "[compare][scene][set]") {
+    const FieldSetting mass{"bodies.ball.mass", "3"}, radius{"bodies.ball.shapes.0.circle.radius", "2"},
+        density{"bodies.ball.density", "7"};
+    for (const auto& settings :
+         {std::vector{mass, radius, density}, std::vector{density, mass, radius}, std::vector{radius, density, mass}}) {
+        const BodyDef def = withFields(twoBalls(), settings).bodies[1].def;
+        CHECK(massOf(def).mass == Approx(3).epsilon(1e-14));
+        CHECK(std::get<Circle>(def.shapes[0].shape).radius == 2);
+    }
+}
+
+TEST_CASE("of a mass that is given with its inertia both change by the same factor", "[compare][scene][set]") {
+    Scene scene = twoBalls();
+    scene.bodies[1].def.mass = Mass{2, {0.5, 0}, 0.25};
+    const std::optional<Mass> mass = withField(scene, "bodies.ball.mass", "6").bodies[1].def.mass;
+    REQUIRE(mass);
+    CHECK(mass->mass == 6);
+    CHECK(mass->center == Vec2(0.5, 0));
+    CHECK(mass->inertia == 0.75);
+}
+
+TEST_CASE("a mass that is not positive, and one of a static body, are refused", "[compare][scene][set][errors]") {
+    CHECK(setComplaint("bodies.ball.mass", "0") == "bodies.ball.mass=0: bodies[1].mass: 0 is not positive");
+    CHECK(setComplaint("bodies.ball.mass", "-2") == "bodies.ball.mass=-2: bodies[1].mass: -2 is not positive");
+    CHECK(setComplaint("bodies.ball.mass", "heavy") ==
+          "bodies.ball.mass=heavy: bodies[1].mass: \"heavy\" is not a number or an object");
+    CHECK(setComplaint("bodies.ground.mass", "3") ==
+          "bodies.ground.mass=3: bodies[0].mass: 3 is the mass of a static body, wanted a dynamic body, or no mass");
+}
+
 TEST_CASE("nothing but the field is changed in any built-in scene", "[compare][scene][set]") {
     for (const Scene& scene : builtinScenes()) {
         INFO(scene.name);

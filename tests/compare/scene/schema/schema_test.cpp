@@ -84,6 +84,7 @@ std::vector<std::string> brokenScenes() {
         sceneWith(R"("postion": [0, 1], )"),
         sceneWith(R"("type": "statc", )"),
         sceneWith(R"("linearDamping": -1, )"),
+        sceneWith(R"("mass": -1, )"),
         sceneWith(R"("appears": -1, )"),
         sceneWith(R"("tag": -1, )"),
         sceneWith("", "", hinge + R"({"limit": {"upper": "endless"}})"),
@@ -112,6 +113,8 @@ TEST_CASE("the schema accepts every built-in scene, with its defaults and withou
             names.push_back(scene.name);
         }
     }
+    texts.push_back(sceneWith(R"("mass": 3, )"));
+    names.push_back("a ball of 3 kg");
     const std::vector<std::string> refused = refusedBySchema(texts);
     REQUIRE(refused.size() == texts.size());
     for (std::size_t i = 0; i < refused.size(); ++i) {
@@ -120,11 +123,11 @@ TEST_CASE("the schema accepts every built-in scene, with its defaults and withou
     }
 }
 
-TEST_CASE("the schema refuses 33 broken scenes at the fields at which the reader refuses them",
+TEST_CASE("the schema refuses 34 broken scenes at the fields at which the reader refuses them",
           "[compare][scene][schema]") {
     if (!hasValidator()) return;
     const std::vector<std::string> texts = brokenScenes();
-    REQUIRE(texts.size() == 33);
+    REQUIRE(texts.size() == 34);
     const std::vector<std::string> refused = refusedBySchema(texts);
     REQUIRE(refused.size() == texts.size());
     for (std::size_t i = 0; i < texts.size(); ++i) {
