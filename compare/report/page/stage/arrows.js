@@ -21,18 +21,51 @@ function velocityOf(scene, engine, frame, body) {
     return [(after.x - before.x) / (2 * dt), (after.y - before.y) / (2 * dt)];
 }
 
-/// Mass times the change of velocity: the sum of all forces on the body [N].
+/// Less than this share of a body's weight is not drawn as a force. Some engines keep positions in floats: 10 m from the
+/// origin they are rounded to 1 µm, which over steps of 1/60 s looks like 0.7 thousandths of the weight.
+const LEAST_FORCE = 1e-3;
+
+/// How large a force may look that is only the rounding of floats, of 24 bits, and of the positions in the page [N].
+function roundingForce(scene, mass, {now, dt}) {
+    const ofOne = scene.lengthStep / 2 + 2 ** -24 * Math.max(Math.abs(now.x), Math.abs(now.y));
+    return (mass * 4 * ofOne) / dt ** 2;  // before - 2 now + after: four times the rounding of one
+}
+
+/// Mass times the change of velocity: the sum of all forces on the body [N]. Null if it may be rounding.
 function netForceOf(scene, engine, frame, body) {
     const around = posesAround(scene, engine, frame, body);
     const {mass} = scene.bodies[body];
     if (!around || !mass) return null;
     const {before, now, after, dt} = around;
-    return [after.x - 2 * now.x + before.x, after.y - 2 * now.y + before.y].map((change) => (mass * change) / dt ** 2);
+    const force = [after.x - 2 * now.x + before.x, after.y - 2 * now.y + before.y].map((x) => (mass * x) / dt ** 2);
+    return Math.hypot(...force) > roundingForce(scene, mass, around) ? force : null;
+}
+
+/// The largest force on a body in the run, for scenes without gravity [N].
+function largestForce(scene) {
+    if (scene.largestForce !== undefined) return scene.largestForce;
+    scene.largestForce = 0;
+    const [engine] = scene.running;
+    for (let frame = 1; engine && frame < scene.ticks.length; ++frame) {
+        for (const body of engine.bodies) {
+            const force = netForceOf(scene, engine, frame, body);
+            if (force) scene.largestForce = Math.max(scene.largestForce, Math.hypot(...force));
+        }
+    }
+    return scene.largestForce;
+}
+
+/// The force that is drawn: null if it is too small to mean anything.
+function drawnForceOf(scene, engine, frame, body) {
+    const force = netForceOf(scene, engine, frame, body);
+    if (!force) return null;
+    const usual = scene.bodies[body].mass * Math.hypot(...scene.gravity) || largestForce(scene);
+    return Math.hypot(...force) >= LEAST_FORCE * usual ? force : null;
 }
 
 const ARROWS = {
     velocity: {of: velocityOf, unit: "m/s", width: 2.2, filled: true},
-    force: {of: netForceOf, unit: "N", width: 1.4, filled: false},
+    force: {of: drawnForceOf, unit: "N", width: 1.4, filled: false},
 };
 
 /// The size that only a twentieth of the moments exceed: an impact must not make all other arrows too short to see.
