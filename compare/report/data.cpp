@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include <compare/engine/joint_geometry.h>
+#include <compare/metric/conserved.h>
 #include <compare/report/curve.h>
 #include <compare/report/engines_data.h>
 #include <compare/report/lab_data.h>
@@ -261,6 +262,7 @@ json sceneData(const SceneResult& result, const PlaybackFormat& format, const Re
                  {"angleStep", format.angleStep},
                  {"curveStride", stride}};
     data["notes"] = notesData(result);
+    data["conserved"] = conservedMomenta(scene);
     data["partings"] = json::array();
     for (const Parting& parting : result.partings) data["partings"].push_back(partingData(scene, parting));
     if (scene.wrap.any()) data["wrap"] = {scene.wrap.width.value_or(0), scene.wrap.height.value_or(0)};

@@ -14,6 +14,8 @@ const METRICS = {
     settle_time: ["Settled after", "s"],
     ms_per_step: ["Time for a step", "ms"],
 };
+/// Listed only where the scene conserves it: see compare/metric/conserved.h.
+const MOMENTA = ["momentum_drift", "angular_momentum_drift"];
 const LESS_IS_NOT_BETTER = ["divergence_max", "divergence_time", "settle_time"];
 
 function metricUnit(scene, metric) {
@@ -85,6 +87,7 @@ function numbersTable(scene) {
     const names = Object.keys(METRICS);
     const rank = (metric) => (names.includes(metric) ? names.indexOf(metric) : names.length);
     const metrics = [...new Set(scene.running.flatMap((engine) => Object.keys(engine.metrics)))]
+        .filter((metric) => !MOMENTA.includes(metric) || scene.conserved.includes(metric))
         .filter((metric) => scene.running.some((engine) => typeof engine.metrics[metric] === "number"))
         .sort((a, b) => rank(a) - rank(b));
     const rows = metrics.map((metric) => {
