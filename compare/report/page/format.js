@@ -34,10 +34,10 @@ function scientific(x, digits = 3) {
     return `${minus(lead)}×10${superscript(exponent)}`;
 }
 
-/// A share of a whole, such as a drift of energy.
+/// A share of a whole, such as a drift of energy. With a power of ten if per cent would need many digits.
 function ratioText(x, digits) {
     if (x === 0) return "0";
-    return Math.abs(x) >= 1e-5 ? withDigits(100 * x, digits) + NO_BREAK + "%" : scientific(x, digits);
+    return Math.abs(x) >= 1e-5 && Math.abs(x) < 1e3 ? withDigits(100 * x, digits) + NO_BREAK + "%" : scientific(x, digits);
 }
 
 function plainText(x, digits) {
@@ -66,14 +66,15 @@ function shortQuantity(x, unit) {
 }
 
 /// A value that was chosen, not measured: 2 mm, not 2.00 mm.
-function chosenQuantity(x, unit) {
-    return quantity(x, unit).replace(/\.(\d*?)0+(?=\D|$)/, (_, kept) => (kept ? `.${kept}` : ""));
+function chosenQuantity(x, unit, digits = 3) {
+    return quantity(x, unit, digits).replace(/\.(\d*?)0+(?=\D|$)/, (_, kept) => (kept ? `.${kept}` : ""));
 }
 
 /// In the unit itself, as on a ruler: −0.9961 m. Less than a millionth is shown as 0.
 function rulerText(x, unit) {
     if (!Number.isFinite(x)) return quantity(x, unit);
-    return `${Math.abs(x) < 1e-6 ? "0" : withDigits(x, 4)}${NO_BREAK}${unit}`;
+    const size = Math.abs(x);
+    return `${size < 1e-6 ? "0" : size < 1e5 ? withDigits(x, 4) : scientific(x, 4)}${NO_BREAK}${unit}`;
 }
 
 function timeText(t) {

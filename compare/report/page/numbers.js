@@ -134,7 +134,7 @@ function settingsTable(scene) {
     const [gx, gy] = scene.gravity;
     return table([columnHead("Setting"), ...engines.map((engine) => columnHead(engineName(engine.name)))], [
         same("step", stepText(scene.dt)),
-        same("gravity", `(${minus(String(gx))}, ${minus(String(gy))})${NO_BREAK}m/s²`),
+        same("gravity", `(${chosenQuantity(gx, "-", 4)}, ${chosenQuantity(gy, "-", 4)})${NO_BREAK}m/s²`),
         row("version", (engine) => engine.version || null),
         ...names.map((name) => row(name, (engine) => engine.settings.find(([key]) => key === name)?.[1])),
     ]);
