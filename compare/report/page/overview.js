@@ -10,6 +10,36 @@ function failures(scene) {
     return scene.outcomes.filter((outcome) => !outcome.pass);
 }
 
+/// How far an engine is from the subject at most [m]; null where nothing was compared.
+function apartOf(engine) {
+    const value = engine.metrics.divergence_max;
+    return isTruth(engine.name) || isSubject(engine.name) || typeof value !== "number" ? null : value;
+}
+
+/// "Box2D 2.4: 1.64 m; Box2D 3: 177 mm from Plumb" for a scene without a closed form; null if there are no distances.
+function apartText(scene) {
+    if (scene.closedForm) return null;
+    const parts = scene.engines.filter((engine) => apartOf(engine) !== null)
+        .map((engine) => `${lookOf(engine.name).label}: ${quantity(apartOf(engine), "m")}`);
+    const subject = scene.engines.find(({name}) => isSubject(name));
+    return parts.length > 0 && subject ? `${parts.join("; ")} from ${lookOf(subject.name).label}` : null;
+}
+
+/// What stands first where no scene is judged: the farthest of all engines. Null if there are no distances.
+function farthestSum(scenes) {
+    const all = scenes.filter((scene) => apartText(scene))
+        .flatMap((scene) => scene.engines.map((engine) => ({scene, engine, apart: apartOf(engine) ?? -1})));
+    if (all.length === 0) return null;
+    const {scene, engine, apart} = all.reduce((far, next) => (next.apart > far.apart ? next : far));
+    const subject = lookOf(scene.engines.find(({name}) => isSubject(name)).name).label;
+    return element("li", {}, element("span", {class: "sum"}, element("b", {}, quantity(apart, "m"))),
+        `from ${subject} at most: ${lookOf(engine.name).label} in “${titleText(scene)}”`);
+}
+
+function isNoneJudged(scenes) {
+    return scenes.every(({pass}) => pass === null);
+}
+
 function sums(report) {
     const outcomes = [...report.scenes, ...report.labs].flatMap((judged) => judged.outcomes);
     const exact = report.scenes.filter((scene) => scene.closedForm);
@@ -22,11 +52,13 @@ function sums(report) {
         const count = element("span", {class: "sum"}, element("b", {}, String(some.length)), ` of ${all.length}`);
         return element("li", {}, count, what, unjudged);
     };
+    const scenesSum = () => isNoneJudged(report.scenes) && farthestSum(report.scenes)
+        || judgedSum(report.scenes, "scenes hold");
     const judgedSum = (list, what) => sum(passing(list), list, what, unjudgedText(list));
     // The labs are below all scenes; this link leads to them.
     const labsLink = report.labs.length > 0 ? element("a", {href: labAddress(report.labs[0])}, "labs hold") : null;
     return [
-        ...(report.scenes.length > 0 ? [judgedSum(report.scenes, "scenes hold")] : []),
+        ...(report.scenes.length > 0 ? [scenesSum()] : []),
         ...(report.labs.length > 0 ? [judgedSum(report.labs, labsLink)] : []),
         ...(outcomes.length > 0 ? [sum(passing(outcomes), outcomes, "checks hold")] : []),
         ...(exact.length > 0 ? [sum(close, exact, "closed forms that Plumb follows to within 1 mm")] : []),
@@ -68,6 +100,7 @@ function verdictRow(scene, engines, pictures) {
         element("td", {class: "pictured"}, element("a", link, canvas)),
         element("th", {scope: "row"}, element("a", {href: sceneAddress(scene)}, titleText(scene)),
             element("p", {class: "question"}, scene.question),
+            apartText(scene) && element("p", {class: "apart", title: "The largest distance of a body"}, apartText(scene)),
             ...failed.slice(0, 3).map((outcome) => element("p", {class: "failure"}, failureText(scene, outcome))),
             failed.length > 3 ? element("p", {class: "failure"}, `and ${failed.length - 3} more`) : null),
         element("td", {}, verdictMark(scene.pass)),
@@ -138,7 +171,9 @@ function fillOverview(report) {
 
 /// The list at the side of a scene: the same verdicts in short form.
 function fillSceneList(report) {
-    byId("scene-list-sum").textContent = countText(report.scenes, "scenes");
+    byId("scene-list-sum").textContent = isNoneJudged(report.scenes)
+        ? `${report.scenes.length} ${report.scenes.length === 1 ? "scene" : "scenes"}, not judged`
+        : countText(report.scenes, "scenes");
     byId("scene-list-sum").hidden = report.scenes.length === 0;
     let group = "";
     for (const scene of report.scenes) {

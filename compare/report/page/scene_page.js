@@ -73,7 +73,7 @@ class ScenePage {
         byId("scene-answer").textContent = answer;
         byId("scene-answer").hidden = answer === "";
         const all = scene.outcomes.length;
-        const verdict = scene.pass === null ? notJudgedText("scene", scene)
+        const verdict = scene.pass === null ? apartText(scene) ?? notJudgedText("scene", scene)
             : failed.length === 1 ? failureText(scene, failed[0])
             : failed.length > 1 ? `${failed.length} of ${all} checks fail` : `${all} of ${all} checks`;
         byId("scene-verdict").replaceChildren(verdictMark(scene.pass), element("span", {}, verdict));
