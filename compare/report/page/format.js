@@ -37,7 +37,8 @@ function scientific(x, digits = 3) {
 /// A share of a whole, such as a drift of energy. With a power of ten if per cent would need many digits.
 function ratioText(x, digits) {
     if (x === 0) return "0";
-    return Math.abs(x) >= 1e-5 && Math.abs(x) < 1e3 ? withDigits(100 * x, digits) + NO_BREAK + "%" : scientific(x, digits);
+    const size = Math.abs(x);
+    return size >= 1e-5 && size < 1e3 ? withDigits(100 * x, digits) + NO_BREAK + "%" : scientific(x, digits);
 }
 
 function plainText(x, digits) {

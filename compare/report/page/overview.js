@@ -93,6 +93,7 @@ function checksCell(what, judged) {
 
 function verdictRow(scene, engines, pictures) {
     const failed = failures(scene);
+    const apart = apartText(scene);
     const canvas = element("canvas", {class: "picture", "aria-hidden": "true"});
     pictures.add(canvas, scene);
     const link = {href: sceneAddress(scene), tabindex: -1, "aria-label": titleText(scene)};
@@ -100,7 +101,7 @@ function verdictRow(scene, engines, pictures) {
         element("td", {class: "pictured"}, element("a", link, canvas)),
         element("th", {scope: "row"}, element("a", {href: sceneAddress(scene)}, titleText(scene)),
             element("p", {class: "question"}, scene.question),
-            apartText(scene) && element("p", {class: "apart", title: "The largest distance of a body"}, apartText(scene)),
+            apart && element("p", {class: "apart", title: "The largest distance of a body"}, apart),
             ...failed.slice(0, 3).map((outcome) => element("p", {class: "failure"}, failureText(scene, outcome))),
             failed.length > 3 ? element("p", {class: "failure"}, `and ${failed.length - 3} more`) : null),
         element("td", {}, verdictMark(scene.pass)),
