@@ -34,7 +34,7 @@ std::string cell(const SceneResult& result, const std::string& engine) {
     return "-";
 }
 
-/// "344 checks: 338 of plumb, 6 of box2d-2.4." and the line's end. Empty if nothing was judged.
+/// "344 checks: 338 of a, 6 of b." and the line's end. Empty if nothing was judged.
 std::string boundText(std::span<const SceneResult> results) {
     std::map<std::string, std::size_t> bound;
     std::size_t checks = 0;
