@@ -11,7 +11,7 @@ namespace {
 /// The way's x is kept in floats, as in an engine that has floats; the steps are of 1/60 s.
 constexpr const char* arrowsPage = R"(<p id="said"></p><script>
 const times = Array.from({length: 11}, (_, frame) => frame / 60);
-function say(what, gravity, ...ways) {
+function spoken(what, gravity, ...ways) {
     const bodies = ways.map(() => ({type: "dynamic", start: [0, 0, 0], mass: 2}));
     const poses = times.flatMap((t) => ways.flatMap((way) => [Math.fround(way(t)), 0, 0]));
     const engine = {bodies: ways.map((_, i) => i), slots: new Map(ways.map((_, i) => [i, i])), ticks: 11, poses};
@@ -21,13 +21,13 @@ function say(what, gravity, ...ways) {
     document.getElementById("said").append(`${what}: ${drawn.join(", ")}; `);
 }
 const earth = [0, -9.81];
-say("slides on ice", earth, (t) => 4 + 3.1 * t);
-say("slides without gravity", [0, 0], (t) => 4 + 3.1 * t);
-say("pushed with half a thousandth of the weight", earth, (t) => 0.0005 * 9.81 * t * t / 2);
-say("pushed with five thousandths", earth, (t) => 0.005 * 9.81 * t * t / 2);
+spoken("slides on ice", earth, (t) => 4 + 3.1 * t);
+spoken("slides without gravity", [0, 0], (t) => 4 + 3.1 * t);
+spoken("pushed with half a thousandth of the weight", earth, (t) => 0.0005 * 9.81 * t * t / 2);
+spoken("pushed with five thousandths", earth, (t) => 0.005 * 9.81 * t * t / 2);
 const bounce = (t) => Math.abs(t - 5 / 60);
-say("bounces without gravity, beside one that is pushed a little", [0, 0], bounce, (t) => 0.01 * t * t / 2);
-say("is pushed a little, alone", [0, 0], (t) => 0.01 * t * t / 2);
+spoken("bounces without gravity, beside one that is pushed a little", [0, 0], bounce, (t) => 0.01 * t * t / 2);
+spoken("is pushed a little, alone", [0, 0], (t) => 0.01 * t * t / 2);
 </script>)";
 
 }  // namespace
