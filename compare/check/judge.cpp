@@ -170,14 +170,15 @@ std::optional<double> observedOrder(std::span<const double> errors, double floor
     return order;
 }
 
-std::vector<std::string> metricsOfItsNumbers(const Scene& scene) {
+std::vector<std::string> metricsOfItsNumbers(const Scene& scene, const Observation& truth) {
     std::vector<std::string> metrics;
     for (const Check& check : scene.checks) {
         const auto* invariant = std::get_if<InvariantCheck>(&check);
         if (!invariant) continue;
         const auto probe =
             std::ranges::find(scene.probes, invariant->metric, [](const Probe& each) { return "probe." + each.name; });
-        if (probe != scene.probes.end() && !isByClosedForm(scene, *probe)) metrics.push_back(invariant->metric);
+        const bool follows = truth.unsupported.empty() && probe != scene.probes.end() && isByClosedForm(scene, *probe);
+        if (probe != scene.probes.end() && !follows) metrics.push_back(invariant->metric);
     }
     return metrics;
 }

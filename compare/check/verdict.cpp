@@ -78,7 +78,7 @@ SceneResult runScene(const Scene& scene, const RunOptions& options, const std::v
     for (const EngineResult& run : result.engines) runs.push_back(&run.observation);
     result.partings = partingsOf(result.scene, runs);
     if (options.inDetail) addPortions(result.scene, runs, result.partings);
-    if (!options.changed.empty()) result.unjudged = metricsOfItsNumbers(result.scene);
+    if (!options.changed.empty()) result.unjudged = metricsOfItsNumbers(result.scene, truth);
     result.outcomes = judge(result, engines);
     result.verdict = verdictOf(result.outcomes);
     return result;

@@ -74,7 +74,7 @@ struct RunOptions {
     std::optional<int> steps;            ///< instead of the scene's
     std::optional<double> dt;            ///< instead of the scene's [s]
     std::vector<std::string> changed{};  ///< what was set in the scene before, for SceneResult::changed
-    bool inDetail = false;  ///< also what takes longer: EngineResult::ownSteps, and Parting::portions
+    bool inDetail = false;               ///< also what takes longer: EngineResult::ownSteps, and Parting::portions
 };
 
 /// Runs a scene in the engines, measures, and judges every check that binds an engine that was run:

@@ -97,6 +97,9 @@ void VerdictTable::row(const SceneResult& result) const {
 
 void VerdictTable::partings(const SceneResult& result) const {
     if (!result.changed.empty()) fmt::print(out_, "      changed: {}\n", fmt::join(result.changed, ", "));
+    for (const EngineResult& run : result.engines)
+        if (run.observation.role == Role::Truth && result.scene.closedForm && !run.observation.unsupported.empty())
+            fmt::print(out_, "      no closed form: {}\n", run.observation.unsupported);
     if (!result.unjudged.empty())
         fmt::print(out_, "      not judged, because they expect what holds for the scene as it was: {}\n",
                    fmt::join(result.unjudged, ", "));

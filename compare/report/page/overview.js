@@ -16,7 +16,7 @@ function apartOf(engine) {
     return isTruth(engine.name) || isSubject(engine.name) || typeof value !== "number" ? null : value;
 }
 
-/// "Box2D 2.4: 1.64 m; Box2D 3: 177 mm from Plumb" for a scene without a closed form; null if there are no distances.
+/// "A: 1.64 m; B: 177 mm from C" for a scene without a closed form; null if there are no distances.
 function apartText(scene) {
     if (scene.closedForm) return null;
     const parts = scene.engines.filter((engine) => apartOf(engine) !== null)

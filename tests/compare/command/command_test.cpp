@@ -252,6 +252,18 @@ TEST_CASE("what a probe expects of a scene as it was is not judged after somethi
     CHECK(call({"check", "disc_rolls", "--set", "gravity=0,-5"}).out.find("not judged") == std::string::npos);
 }
 
+TEST_CASE("a closed form that cannot be worked out is told with its reason, also without an exact check",
+          "[compare][command]") {
+    const Folder folder("plumb_command_test");
+    nlohmann::json scene = nlohmann::json::parse(call({"export", "tip_below"}).out);
+    scene["checks"] = nlohmann::json::array();
+    write(folder / "tips.json", scene.dump());
+    CHECK(call({"check", folder / "tips.json"}).out.find("no closed form: ") == std::string::npos);
+    const Called tips = call({"check", folder / "tips.json", "--set", "bodies.incline.angle=-0.6"});
+    INFO(tips.out << tips.err);
+    CHECK(tips.out.find("      no closed form: closedForm.bodies.block: ") != std::string::npos);
+}
+
 TEST_CASE("engines whose results no check looks at are shown but not judged, with status 0", "[compare][command]") {
     const Called called = call({"check", "free_fall", "--engines", "box2d-2.4", "--steps", "5"});
     CHECK(called.status == 0);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <plumb/dynamics/bodies/body_store.h>
-#include <plumb/math/detail/mat3.h>
+#include <plumb/math/detail/vec3.h>
 
 namespace plumb {
 
