@@ -12,11 +12,11 @@ namespace plumb::compare {
 /// "1.23 ms", or "12.3 us" below 0.1 ms; three significant digits.
 std::string timeText(double milliseconds);
 
-/// Prints a row for each engine in each scene, as soon as the scene is measured. At the end, it prints the means, how
-/// times grow with the number of bodies, and how much time each part of a step takes.
-/// "; left out, because a joint opened by more than 1 m: joint_grid". Empty if all scenes count.
+/// "; left out, because a joint opened by more than 1 m or a body was lost: joint_grid". Empty if all scenes count.
 std::string leftOutText(const MeanRatio& mean);
 
+/// Prints a row for each engine in each scene, as soon as the scene is measured. At the end, it prints the means, how
+/// times grow with the number of bodies, and how much time each part of a step takes.
 class BenchTable {
 public:
     /// nameWidth: length of the longest scene name.

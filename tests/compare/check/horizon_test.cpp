@@ -17,11 +17,6 @@ const Engine& engineCalled(const std::string& name) {
     return *std::ranges::find(engines(), name, &Engine::name);
 }
 
-Scene sceneCalled(const std::string& name) {
-    const std::vector<Scene> scenes = builtinScenes();
-    return *std::ranges::find(scenes, name, &Scene::name);
-}
-
 OwnSteps ownStepsOf(const Scene& scene, const std::string& engine) {
     return ownSteps(scene, engineCalled(engine), observe(scene, engineCalled(engine)));
 }
@@ -70,7 +65,7 @@ TEST_CASE("a wild double pendulum has a horizon: after its steps are seen, and b
 }
 
 TEST_CASE("a throw has no horizon in any engine, and the order of its integration", "[compare][horizon]") {
-    const Scene scene = sceneCalled("projectile");
+    const Scene scene = *findScene("projectile");
     for (const Engine& engine : engines()) {
         if (engine.role == Role::Truth) continue;
         const OwnSteps steps = ownSteps(scene, engine, observe(scene, engine));
@@ -81,7 +76,7 @@ TEST_CASE("a throw has no horizon in any engine, and the order of its integratio
 }
 
 TEST_CASE("a doll that falls has a horizon below 1 s", "[compare][horizon]") {
-    Scene doll = sceneCalled("ragdoll");
+    Scene doll = *findScene("ragdoll");
     for (const double rate : {60.0, 120.0}) {
         doll.dt = 1 / rate;
         const OwnSteps steps = ownStepsOf(doll, "plumb");
@@ -93,12 +88,12 @@ TEST_CASE("a doll that falls has a horizon below 1 s", "[compare][horizon]") {
 
 TEST_CASE("a pendulum shows second order without a closed form, and a gas that no step is small enough",
           "[compare][horizon]") {
-    Scene pendulum = sceneCalled("pendulum_45");
+    Scene pendulum = *findScene("pendulum_45");
     pendulum.closedForm.reset();
     pendulum.checks.clear();
     CHECK(ownStepsOf(pendulum, "plumb").order.value_or(0) == Approx(2).margin(0.1));
     CHECK(ownStepsOf(pendulum, "box2d-2.4").order.value_or(0) == Approx(1).margin(0.1));
-    CHECK(ownStepsOf(sceneCalled("elastic_gas"), "plumb").horizon);
+    CHECK(ownStepsOf(*findScene("elastic_gas"), "plumb").horizon);
 }
 
 }  // namespace plumb::compare
