@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include <compare/engine/engine.h>
-#include <compare/parting/paths.h>
 #include <compare/scene/builtin.h>
 
 #include "catch.h"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <fstream>
-
 #include "browser.h"
 #include "catch.h"
 
@@ -37,11 +35,8 @@ TEST_CASE("a force is drawn from a thousandth of the weight on, or of the run's 
           "[compare][report][build]") {
     if (noBrowser()) return;
     const BrowserFolder folder;
-    std::ofstream page(folder.path / "arrows.html");
-    for (const char* script : {"engines.js", "data.js", "stage/pose.js", "stage/stage.js", "stage/arrows.js"})
-        page << "<script src='file://" PLUMB_SOURCE_DIR "/compare/report/page/" << script << "'></script>";
-    page << arrowsPage << std::flush;
-    const Opened opened = open(folder, "arrows.html", "");
+    const Opened opened =
+        openWith(folder, {"engines.js", "data.js", "stage/pose.js", "stage/stage.js", "stage/arrows.js"}, arrowsPage);
     CHECK(opened.messages == "");
     CHECK_THAT(opened.page, test::containsText("slides on ice: 0;"));
     CHECK_THAT(opened.page, test::containsText("slides without gravity: 0;"));

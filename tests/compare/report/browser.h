@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,17 @@ inline Opened open(const BrowserFolder& folder, const std::string& file, const s
     for (std::string line; std::getline(lines, line);)
         if (line.find(":CONSOLE") != std::string::npos) opened.messages += line + "\n";
     return opened;
+}
+
+/// Opens a page that has some of the report's own scripts, and then what is given.
+inline Opened openWith(const BrowserFolder& folder, std::initializer_list<const char*> scripts,
+                       const std::string& rest) {
+    std::ofstream page(folder.path / "scripts.html");
+    page << "<meta charset='utf-8'>";
+    for (const char* script : scripts)
+        page << "<script src='file://" PLUMB_SOURCE_DIR "/compare/report/page/" << script << "'></script>";
+    page << rest << std::flush;
+    return open(folder, "scripts.html", "");
 }
 
 /// The disc's closed form rises and falls; Plumb is 1.2 mm beside it, and a Box2D 0.3 pm.

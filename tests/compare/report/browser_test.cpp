@@ -140,11 +140,8 @@ TEST_CASE("stairs are hatched on one side all along: the left of a chain where B
           "[compare][report][build]") {
     if (noBrowser()) return;
     const BrowserFolder folder;
-    std::ofstream page(folder.path / "stairs.html");
-    for (const char* script : {"engines.js", "data.js", "stage/pose.js", "stage/stage.js", "stage/still.js"})
-        page << "<script src='file://" PLUMB_SOURCE_DIR "/compare/report/page/" << script << "'></script>";
-    page << stairsPage << std::flush;
-    const Opened opened = open(folder, "stairs.html", "");
+    const Opened opened =
+        openWith(folder, {"engines.js", "data.js", "stage/pose.js", "stage/stage.js", "stage/still.js"}, stairsPage);
     CHECK(opened.messages == "");
     CHECK_THAT(opened.page, test::containsText("to the left: 63 of 63 below"));
     CHECK_THAT(opened.page, test::containsText("to the right: 0 of 63 below"));

@@ -74,14 +74,12 @@ TEST_CASE("a drift of a million, and an energy of 12,345,678 J, are shown with a
           "[compare][report][build]") {
     if (noBrowser()) return;
     const BrowserFolder folder;
-    std::ofstream(folder.path / "numbers.html")
-        << "<meta charset='utf-8'><p id='said'></p>"
-        << "<script src='file://" PLUMB_SOURCE_DIR "/compare/report/page/format.js'></script>"
-        << "<script>document.getElementById('said').textContent = "
-           "[quantity(1234567, ''), quantity(1.41, ''), rulerText(12345678, 'J'), rulerText(8667.4, 'J')].join('; ')"
-           "</script>";
-    CHECK_THAT(open(folder, "numbers.html", "").page,
-               test::containsText("1.23×10⁶; 141&nbsp;%; 1.235×10⁷&nbsp;J; 8667&nbsp;J</p>"));
+    const Opened opened = openWith(
+        folder, {"format.js"},
+        "<p id='said'></p><script>document.getElementById('said').textContent = "
+        "[quantity(1234567, ''), quantity(1.41, ''), rulerText(12345678, 'J'), rulerText(8667.4, 'J')].join('; ')"
+        "</script>");
+    CHECK_THAT(opened.page, test::containsText("1.23×10⁶; 141&nbsp;%; 1.235×10⁷&nbsp;J; 8667&nbsp;J</p>"));
 }
 
 }  // namespace plumb::compare
