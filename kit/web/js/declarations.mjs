@@ -142,6 +142,18 @@ function parts(text) {
   return found;
 }
 
+/** Of a function: the names of its parameters, and where its list of them ends. */
+export function parametersOf(code) {
+  const start = code.indexOf('(', code.includes('operator()') ? code.indexOf('operator()') + 'operator()'.length : 0);
+  let end = start, depth = 0;
+  do {
+    if (code[end] === '(') ++depth;
+    if (code[end] === ')') --depth;
+  } while (++end < code.length && depth > 0);
+  const names = parts(code.slice(start + 1, end - 1)).map(part => (/(\w+)\s*$/.exec(part.split('=')[0]) ?? ['', ''])[1]);
+  return { names, end };
+}
+
 /** What kind of thing a declaration declares, and which names. */
 function namesIn(code, members) {
   const text = withoutTemplate(code);

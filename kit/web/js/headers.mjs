@@ -3,7 +3,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 
-import { declarationsIn } from './declarations.mjs';
+import { declarationsIn, parametersOf } from './declarations.mjs';
 
 const textOf = lines => lines.map(line => line.trim()).join(' ').trim();
 
@@ -11,10 +11,10 @@ const textOf = lines => lines.map(line => line.trim()).join(' ').trim();
 const inJavaScript = text => text.replace(/\bstd::invalid_argument\b/g, 'an Error').replace(/ ?\b(Tests?|Source): .*$/, '')
   .replace(/std::nullopt/g, 'null').replace(/std::/g, '').trim();
 
-/** The name of a function, and the name with that of its first parameter, for functions of one name. */
+/** What a function is looked up by: the name with all parameters, with the first of them, and alone. */
 function functionNames(name, code) {
-  const first = /(\w+)(?: = [^,)]*)?$/.exec(/\(([^,)]*)/.exec(code)?.[1].trim() ?? '');
-  return [`${name}(${first ? first[1] : ''}`, name];
+  const { names } = parametersOf(code);
+  return [`${name}(${names.join(',')})`, `${name}(${names[0]}`, name];
 }
 
 /** Adds to `docs` the comments of declarations, by "Struct", "Struct.member", "Class.function" or "function". */

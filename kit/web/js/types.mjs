@@ -71,9 +71,10 @@ function signature({ owner, name, parameters, kinds, result }) {
 
 /** What is said of one of several functions of one name is not said of the others. */
 function docOf({ owner, name, parameters }, docs, calls) {
-  const first = `(${/^\w*/.exec(parameters)[0]}`, scopes = owner ? [`${owner}.`, `${bases[owner]}.`] : [''];
+  const names = parameters.split(', ').map(text => /^\w*/.exec(text)[0]);
+  const all = `(${names.join(',')})`, first = `(${names[0]}`, scopes = owner ? [`${owner}.`, `${bases[owner]}.`] : [''];
   const alone = calls.filter(c => c.owner === owner && c.name === name).length === 1;
-  for (const key of alone ? [name + first, name] : [name + first])
+  for (const key of [name + all, name + first, ...(alone ? [name] : [])])
     for (const scope of scopes) if (docs.has(scope + key)) return docs.get(scope + key);
   return '';
 }
