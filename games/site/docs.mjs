@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The pages of the repository, as pages of the site. A link to a source leads to a page with its text.
 import { execFileSync } from 'node:child_process';
-import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import { dirname, extname, join, posix, relative } from 'node:path';
 
-import { escaped, filled } from './template.mjs';
+import { coloured, languageOf, unescaped } from './code.mjs';
+import { escaped } from './template.mjs';
 
 const folders = ['kit', 'games', 'compare'];
 const pictures = ['.png', '.svg', '.gif', '.webp'];
@@ -34,30 +35,25 @@ const anchorOf = heading => heading.replace(/<[^>]*>/g, '').replace(/&\w+;/g, ''
   .replace(/[^\p{L}\p{N}\s_-]/gu, '').replace(/\s/g, '-');
 
 class Docs {
-  constructor(root, site) {
+  constructor(pages, root, site) {
+    this.pages = pages;
     this.root = root;
     this.folder = join(site, 'docs');
-    this.template = readFileSync(join(root, 'games/site/page.html'), 'utf8');
-    this.nav = readFileSync(join(root, 'games/site/nav.html'), 'utf8');
     this.sources = new Set();
-  }
-
-  write(path, title, body) {
-    const place = placeOf(path), file = join(this.folder, place);
-    mkdirSync(dirname(file), { recursive: true });
-    const up = posix.relative(posix.dirname(place), '.') || '.';
-    const nav = filled(this.nav, { up: `${up}/..`, docs: up });
-    writeFileSync(file, filled(this.template, { title, body, nav, up: `${up}/..` }));
   }
 
   page(path) {
     const html = execFileSync('cmark-gfm', ['--extension', 'table', '--extension', 'autolink', '--unsafe', join(this.root, path)],
       { encoding: 'utf8', maxBuffer: 1 << 26 });
     const body = html
+      .replace(/<pre><code class="language-(\w+)">([^]*?)<\/code><\/pre>/g,
+        (all, language, code) => `<pre><code>${coloured(unescaped(code), language)}</code></pre>`)
       .replace(/<h([1-6])>(.*?)<\/h\1>/g, (all, level, text) => `<h${level} id="${anchorOf(text)}">${text}</h${level}>`)
       .replace(/ (href|src)="([^"]*)"/g, (all, kind, link) => ` ${kind}="${this.linkFrom(path, link)}"`)
       .replace(/<table>/g, '<div class="wide"><table>').replace(/<\/table>/g, '</table></div>');
-    this.write(path, /<h1[^>]*>(.*?)<\/h1>/.exec(body)?.[1].replace(/<[^>]*>/g, '') ?? path, body);
+    const place = posix.join('docs', placeOf(path)), title = /<h1[^>]*>(.*?)<\/h1>/.exec(body)?.[1].replace(/<[^>]*>/g, '') ?? path;
+    this.pages.write(place, title, body);
+    this.pages.addHeadings(place, title, body);
   }
 
   /** A link of a page, in the site: to another page, a picture, or a source. */
@@ -75,13 +71,15 @@ class Docs {
   source(path) {
     const from = join(this.root, path), to = join(this.folder, placeOf(path));
     mkdirSync(dirname(to), { recursive: true });
-    if (pictures.includes(extname(path))) copyFileSync(from, to);
-    else this.write(path, path, `<h1>${escaped(path)}</h1>\n<pre><code>${escaped(readFileSync(from, 'utf8'))}</code></pre>`);
+    if (pictures.includes(extname(path))) return copyFileSync(from, to);
+    const text = readFileSync(from, 'utf8');
+    this.pages.write(posix.join('docs', placeOf(path)), path,
+      `<h1>${escaped(path)}</h1>\n<pre><code>${coloured(text, languageOf(path, text))}</code></pre>`);
   }
 }
 
-export function writeDocs(root, site) {
-  const docs = new Docs(root, site);
+export function writeDocs(pages, root, site) {
+  const docs = new Docs(pages, root, site);
   for (const path of pagesIn(root)) docs.page(path);
   for (const path of docs.sources) docs.source(path);
 }
