@@ -4,10 +4,15 @@
 import { copyFileSync, cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
+import { coloured } from './code.mjs';
 import { writeDocs } from './docs.mjs';
 import { fontFaces, writeFonts } from './fonts.mjs';
 import { gamesOf, writeGamePages } from './game_pages.mjs';
-import { escaped, filled } from './template.mjs';
+import { writePackage } from './package.mjs';
+import { navOf, Pages } from './pages.mjs';
+import { writeReference } from './reference.mjs';
+import { withNav } from './report.mjs';
+import { filled } from './template.mjs';
 
 const [root, build, report, site] = process.argv.slice(2);
 const here = join(root, 'games/site');
@@ -20,9 +25,13 @@ for (const game of games) writeGamePages({ root, modules: join(build, 'games/she
 
 cpSync(join(build, 'package'), join(site, 'module'), { recursive: true });
 mkdirSync(join(site, 'report'));
-copyFileSync(report, join(site, 'report/index.html'));
+writeFileSync(join(site, 'report/index.html'), withNav(root, readFileSync(report, 'utf8')));
 writeFileSync(join(site, 'site.css'), fontFaces(weight => `fonts/${fonts[weight]}`) + readFileSync(join(here, 'site.css'), 'utf8'));
-writeDocs(root, site);
+copyFileSync(join(here, 'page.js'), join(site, 'page.js'));
+const pages = new Pages(root, site);
+writeDocs(pages, root, site);
+writeReference(pages, root, join(build, 'package/plumb.d.ts'));
+pages.writeIndex();
 
 const cards = games.map(({ name, title, about }) => {
   const picture = join(root, 'games', name, 'picture.png');
@@ -33,7 +42,11 @@ const cards = games.map(({ name, title, about }) => {
 }).join('\n');
 const singles = games.map(({ name, title }) => `<a href="single/${name}.html" download>${title}</a>`).join(', ');
 const [, first] = /```js\n([^]*?)```/.exec(readFileSync(join(root, 'kit/web/README.md'), 'utf8'));
-const program = escaped(first.trim().replace("'plumb-physics'", "'./module/plumb.js'"));
-const nav = filled(readFileSync(join(here, 'nav.html'), 'utf8'), { up: '.', docs: 'docs' });
+const program = coloured(first.trim().replace("'plumb-physics'", "'./module/plumb.js'"), 'js');
+const file = writePackage(join(build, 'package'), site);
+const example = (text, language) => `<pre><code>${coloured(text, language)}</code></pre>`;
+const install = example(`npm install ./${file}`, 'sh');
+const script = example('<script src="plumb.inline.js"></script>\n<script type="module">\n  const { World } = await plumb.load();\n</script>', 'html');
+const cmake = example('add_subdirectory(plumb)\ntarget_link_libraries(game PRIVATE plumb::plumb)', 'cmake');
 copyFileSync(join(here, 'front.js'), join(site, 'front.js'));
-writeFileSync(join(site, 'index.html'), filled(readFileSync(join(here, 'front.html'), 'utf8'), { cards, singles, program, nav }));
+writeFileSync(join(site, 'index.html'), filled(readFileSync(join(here, 'front.html'), 'utf8'), { cards, singles, program, file, install, script, cmake, nav: navOf(root, '.') }));
