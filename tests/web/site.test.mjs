@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The site: do its pages open, do its links lead somewhere, does a keyboard suffice, does nothing overlap?
 import assert from 'node:assert/strict';
-import { spawn } from 'node:child_process';
-import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { execFileSync, spawn } from 'node:child_process';
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { request } from 'node:http';
+import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { test } from 'node:test';
 import { gzipSync } from 'node:zlib';
 
+import { withNav } from '../../games/site/report.mjs';
 import { games, opened, openedGame, root, served, site } from './site.mjs';
 
 const sizes = [[390, 844], [820, 1180], [1920, 1080], [844, 390], [320, 568]];
@@ -20,8 +22,18 @@ function htmlFiles(folder = site) {
   });
 }
 
+const anchors = new Map();
+/** The names that links to a page may have after #. */
+function anchorsOf(file) {
+  if (!anchors.has(file))
+    anchors.set(file, new Set([...readFileSync(file, 'utf8').matchAll(/ id="([^"]*)"/g)].map(([, id]) => id.replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&amp;/g, '&'))));
+  return anchors.get(file);
+}
+
+const textOf = path => readFileSync(join(site, path), 'utf8');
+
 test('every link of every page leads to a file of the site, and to a heading that is there', () => {
-  const pages = htmlFiles().filter(file => !/report|single/.test(file.slice(site.length)));
+  const pages = htmlFiles().filter(file => !/^\/?(report|single)\//.test(file.slice(site.length)));
   assert.ok(pages.length > 20);
   let links = 0;
   for (const page of pages) {
@@ -31,7 +43,7 @@ test('every link of every page leads to a file of the site, and to a heading tha
       let file = target ? resolve(dirname(page), target) : page;
       if (existsSync(join(file, 'index.html'))) file = join(file, 'index.html');
       assert.ok(file.startsWith(site) && existsSync(file), `${page}: ${link}`);
-      if (anchor) assert.ok(readFileSync(file, 'utf8').includes(` id="${anchor}"`), `${page}: ${link}`);
+      if (anchor) assert.ok(anchorsOf(file).has(decodeURIComponent(anchor)), `${page}: ${link}`);
       ++links;
     }
   }
@@ -55,7 +67,7 @@ test('on the front page a keyboard throws a box, and opens the first game', () =
     await page.keyboard.press('Space');
     await page.waitForFunction(() => /29 boxes/.test(document.querySelector('#count').textContent));
     await page.evaluate(() => document.activeElement.blur());
-    for (let i = 0; i < 20 && !(await page.evaluate(() => document.activeElement.matches('a.game'))); ++i) await page.keyboard.press('Tab');
+    for (let i = 0; i < 40 && !(await page.evaluate(() => document.activeElement.matches('a.game'))); ++i) await page.keyboard.press('Tab');
     await Promise.all([page.waitForURL(/maze/), page.keyboard.press('Enter')]);
     await page.waitForFunction(() => globalThis.gamePage?.game.ticks() > 5);
   })));
@@ -74,13 +86,124 @@ test('on the front page a pull with the mouse throws a box the other way', () =>
 test('no page is wider than its window at five sizes, light and dark', () => served(async base => {
   for (const [width, height] of sizes)
     await opened(base, { viewport: { width, height }, colorScheme: width % 4 ? 'dark' : 'light' }, async page => {
-      for (const path of ['', 'docs/', 'docs/kit/', 'docs/kit/web/', 'docs/games/', 'docs/compare/', 'docs/kit/plumb/dynamics/joints.html']) {
+      for (const path of ['', 'reference/', 'reference/dynamics.html', 'reference/javascript.html', 'docs/', 'docs/kit/', 'docs/kit/web/', 'docs/games/', 'docs/compare/', 'docs/kit/plumb/dynamics/joints.html', 'report/']) {
         await page.goto(base + path);
         const wide = await page.evaluate(() => document.documentElement.scrollWidth);
         assert.ok(wide <= width, `${path || 'front page'} at ${width}: ${wide}`);
       }
     });
 }));
+
+test('every class, struct and enumeration of a public header has an entry in the reference', () => {
+  const kit = join(root, 'kit/plumb');
+  let count = 0;
+  for (const folder of readdirSync(kit, { withFileTypes: true }).filter(entry => entry.isDirectory()))
+    for (const name of readdirSync(join(kit, folder.name)).filter(file => file.endsWith('.h'))) {
+      // What stands in namespace plumb itself, at the start of a line.
+      const [, plumb] = /^namespace plumb \{$([^]*?)^\}/m.exec(readFileSync(join(kit, folder.name, name), 'utf8')) ?? [, ''];
+      for (const [, type] of plumb.matchAll(/^(?:struct|class|enum class) (\w+)[^;<]*?\{/gm)) {
+        assert.ok(anchorsOf(join(site, 'reference', `${folder.name}.html`)).has(type), `${folder.name}/${name}: ${type}`);
+        ++count;
+      }
+    }
+  assert.ok(count > 100, `${count} types`);
+});
+
+test('the reference tells of the classes that programs use most, with members, units and the line to include', () => {
+  const wanted = {
+    dynamics: ['World', 'World.add', 'World.castRay', 'Body', 'Body.setVelocity', 'BodyView.position', 'Joint', 'BodyDef', 'BodyDef.position',
+      'RevoluteJointDef', 'RevoluteJointDef.maxMotorTorque', 'Limit.lower', 'Limit.upper', 'WheelJointDef', 'GearJointDef', 'JointDef'],
+    space: ['ShapeDef'], stepping: ['FixedClock', 'FixedClock.advance'], record: ['forecast', 'Forecast.poses'],
+    movers: ['GridMover', 'GridMover.want', 'PlatformMover', 'PathMover', 'PathMover.at'], kinematics: ['solveMotion'],
+    javascript: ['World', 'World.castRay', 'BodyDef', 'BodyDef.position', 'GridMover', 'PlatformMover', 'PathMover', 'FixedClock'],
+  };
+  for (const [page, names] of Object.entries(wanted)) {
+    const ids = anchorsOf(join(site, 'reference', `${page}.html`));
+    for (const name of names) assert.ok(ids.has(name), `${page}: ${name}`);
+  }
+  const dynamics = textOf('reference/dynamics.html'), plain = dynamics.replace(/<[^>]*>/g, '');
+  assert.match(plain, /#include &lt;plumb\/dynamics\/world\.h/);
+  assert.match(plain, /double maxMotorTorque = 0the motor's greatest torque, &gt;= 0, may be infinite; 0: no motor \[N m\]/);
+  assert.match(dynamics, /<span class="unit">\[N m\]<\/span>/);
+  assert.doesNotMatch(plain, /WorldState\* world_|step_\b|EmptyBraces|Tests?: &quot;|SPDX/);
+});
+
+/** Writes into the search of a page, and gives the lines that it shows. */
+async function searched(page, text) {
+  await page.fill('.search input', text);
+  await page.waitForFunction(() => document.querySelector('.search ul li'));
+  return page.$$eval('.search li a', all => all.map(one => one.textContent));
+}
+
+test('the search finds a member, a class and a heading, and a keyboard leads there', () => served(base =>
+  opened(`${base}docs/kit/`, { viewport: { width: 1280, height: 900 } }, async page => {
+    assert.deepEqual((await searched(page, 'castRay')).slice(0, 3).sort(), ['World.castRay C++', 'World.castRay JavaScript', 'castRay C++']);
+    assert.match((await searched(page, 'gridmover'))[0], /^GridMover /);
+    assert.match((await searched(page, 'easily got wrong'))[0], /^What is easily got wrong in /);
+    await page.fill('.search input', 'World.castRayAll');
+    await page.waitForFunction(() => /castRayAll C/.test(document.querySelector('.search ul li')?.textContent));
+    await page.keyboard.press('ArrowDown');
+    await Promise.all([page.waitForURL(/reference\/\w+\.html#World\.castRayAll$/), page.keyboard.press('Enter')]);
+    assert.ok(await page.evaluate(() => document.querySelector(':target').getBoundingClientRect().top < innerHeight));
+  })));
+
+test('code has colours that can be read, light and dark, and 120 letters of it fit at 1280 px', () => served(async base => {
+  for (const colorScheme of ['light', 'dark'])
+    await opened(`${base}docs/kit/web/`, { viewport: { width: 1280, height: 900 }, colorScheme }, async page => {
+      const colours = await page.$$eval('pre .token', all => [...new Set(all.map(one => getComputedStyle(one).color))]);
+      assert.ok(colours.length >= 5, colours.join());
+      const contrasts = await page.evaluate(list => {
+        const light = colour => colour.match(/[\d.]+/g).slice(0, 3).map(v => v / 255).map(v => (v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4))
+          .reduce((sum, v, i) => sum + v * [0.2126, 0.7152, 0.0722][i], 0);
+        const back = light(getComputedStyle(document.querySelector('pre')).backgroundColor);
+        return list.map(colour => (Math.max(light(colour), back) + 0.05) / (Math.min(light(colour), back) + 0.05));
+      }, colours);
+      contrasts.forEach((contrast, i) => assert.ok(contrast >= 4.5, `${colorScheme}: ${colours[i]} has a contrast of ${contrast}`));
+      const fits = await page.evaluate(() => {
+        const pre = document.querySelector('article pre');
+        pre.firstChild.textContent = 'x'.repeat(120);
+        return pre.scrollWidth <= pre.clientWidth;
+      });
+      assert.ok(fits);
+    });
+}));
+
+test('a long page has a list of its contents: beside it, and on a phone on top and folded', () => served(async base => {
+  for (const path of ['docs/kit/', 'docs/kit/web/', 'reference/dynamics.html', 'reference/javascript.html'])
+    for (const [width, height] of [[1280, 900], [390, 844]])
+      await opened(base + path, { viewport: { width, height } }, async page => {
+        const { open, links, list, text } = await page.evaluate(() => {
+          const box = selector => document.querySelector(selector).getBoundingClientRect().toJSON();
+          return { open: document.querySelector('.contents').open, links: document.querySelectorAll('.contents a').length, list: box('.contents'), text: box('article') };
+        });
+        assert.equal(open, width === 1280, `${path} at ${width}`);
+        assert.ok(links >= 3 && (open ? list.right < text.left : list.bottom <= text.top && list.height < 60), `${path} at ${width}`);
+      });
+}));
+
+test('the module is there as one file, and a program can use what npm installs of it', () => {
+  const [file] = readdirSync(join(site, 'download')), front = textOf('index.html');
+  assert.match(file, /^plumb-physics-\d+\.\d+\.\d+\.tgz$/);
+  assert.ok(front.includes(`href="download/${file}"`) && front.replace(/<[^>]*>/g, '').includes(`npm install ./${file}`));
+  const folder = mkdtempSync(join(tmpdir(), 'plumb-'));
+  try {
+    writeFileSync(join(folder, 'package.json'), '{ "private": true, "type": "module" }');
+    execFileSync('npm', ['install', '--offline', '--no-audit', '--no-fund', '--silent', join(site, 'download', file)], { cwd: folder });
+    writeFileSync(join(folder, 'x.js'), "import { load } from 'plumb-physics';\nconst { World } = await load();\nconsole.log(new World().bodies().length);\n");
+    assert.equal(execFileSync('node', ['x.js'], { cwd: folder, encoding: 'utf8' }).trim(), '0');
+    for (const name of ['plumb.d.ts', 'README.md', 'LICENSE']) assert.ok(existsSync(join(folder, 'node_modules/plumb-physics', name)), name);
+  } finally { rmSync(folder, { recursive: true }); }
+});
+
+test('the report has the links of the site on top, and its own page takes them', () => served(base =>
+  opened(`${base}report/`, { viewport: { width: 390, height: 844 } }, async page => {
+    const template = withNav(root, readFileSync(join(root, 'compare/report/page/page.html'), 'utf8'));
+    assert.match(template, /<body data-view="">\s*<nav class="site-nav"[^]*<noscript>/);
+    assert.ok(template.indexOf('.site-nav {') < template.indexOf('</head>'));
+    const nav = await page.locator('.site-nav').boundingBox();
+    assert.ok(nav.y === 0 && nav.width === 390 && nav.height < 60, JSON.stringify(nav));
+    await Promise.all([page.waitForURL(base), page.click('.site-nav .home')]);
+  })));
 
 /** The boxes on the page of what the selector finds and shows. */
 const boxesOf = (page, selector) => page.$$eval(selector, all => all.map(one => one.getBoundingClientRect())
