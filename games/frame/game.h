@@ -91,6 +91,7 @@ struct GameInfo {
     std::vector<Action> actions{};
     std::vector<Option> options{};
     Theme theme{};
+    bool fillsUpright = false;  ///< is as large in an upright window as in a wide one
     std::function<std::unique_ptr<Game>(const GameSetup&)> make{};
     std::function<std::unique_ptr<Player>(const GameSetup&)> computer{};  ///< empty: only people can play it
     /// Draws behind the title, this number of seconds after the title appeared. Empty: the computer plays the game

@@ -22,6 +22,7 @@ GameInfo info() {
                          .about = "How many levels you must clear to win; 0: the game goes on until all lives are lost",
                          .value = "0"}},
             .theme = theme(),
+            .fillsUpright = true,
             .make = [](const GameSetup& setup) { return std::make_unique<MazeGame>(setup); },
             .computer = [](const GameSetup&) { return computerPlayer(); },
             .drawTitle = drawTitleShow};

@@ -71,9 +71,7 @@ void drawEaten(Canvas& canvas, const MazeGame& game) {
     if (eaten.empty()) canvas.text({right, 324}, "none yet", {.size = 12, .color = quiet});
 }
 
-}  // namespace
-
-void drawHud(Canvas& canvas, const MazeGame& game) {
+void drawBesideMaze(Canvas& canvas, const MazeGame& game) {
     label(canvas, {left, 36}, "SCORE");
     number(canvas, {left, 64}, std::to_string(game.score()), 30);
     label(canvas, {left, 100}, "LEVEL");
@@ -84,6 +82,74 @@ void drawHud(Canvas& canvas, const MazeGame& game) {
     drawLives(canvas, game);
     drawCats(canvas, game);
     drawEaten(canvas, game);
+}
+
+// In an upright window: a unit of the screen is small there, so these are larger.
+
+/// A name and, below it, what it names. y: of the name's baseline.
+void figure(Canvas& canvas, const Vec2& at, const std::string& name, const std::string& value, const Color& color,
+            double width) {
+    canvas.text(at, name, {.size = 17, .color = quiet, .weight = Weight::Bold});
+    if (!value.empty())
+        canvas.text(at + Vec2(0, 36), value, {.size = 36, .color = color, .weight = Weight::Heavy, .fitWidth = width});
+}
+
+void drawAboveMaze(Canvas& canvas, const MazeGame& game, double top) {
+    const double y = top - 52;
+    figure(canvas, {14, y}, "SCORE", std::to_string(game.score()), paper, 150);
+    figure(canvas, {178, y}, "LEVEL", std::to_string(game.level()), cheese, 60);
+    figure(canvas, {262, y}, "CRUMBS", std::to_string(game.chase().dotsLeft()), crumb, 90);
+    const int since = game.sinceExtraLife();
+    const bool gained = since < 180 && since / 12 % 2 == 0;
+    figure(canvas, {376, y}, gained ? "+1 LIFE" : "LIVES", game.lives() == 1 ? "the last" : "", skin, 100);
+    for (int i = 0; i < std::min(game.lives() - 1, 3); ++i) {
+        const Canvas::Scope scope = canvas.place({.position = {392 + 38.0 * i, y + 24}, .scale = {14, 14}});
+        drawMouse(canvas, {.still = true});
+    }
+    const std::vector<int>& eaten = game.fruitEaten();
+    if (eaten.empty()) return;
+    figure(canvas, {510, y}, "TREATS", "", paper, 0);
+    const std::size_t shown = std::min<std::size_t>(eaten.size(), 4);
+    for (std::size_t i = 0; i < shown; ++i) {
+        const Vec2 at(524 + 30.0 * static_cast<double>(i), y + 24);
+        const Canvas::Scope scope = canvas.place({.position = at, .scale = {14, -14}});
+        drawFruit(canvas, eaten[eaten.size() - shown + i]);
+    }
+}
+
+/// How long the cats are afraid, as a bar in the place of what they do.
+void drawFrightBelow(Canvas& canvas, const Chase& chase, double y) {
+    const double share = static_cast<double>(chase.frightFrames()) / chase.rules().frightFrames, width = 440;
+    canvas.text({14, y + 6}, "CATS ARE AFRAID", {.size = 17, .color = quiet, .weight = Weight::Bold});
+    canvas.rect({186, y - 6}, {width, 12}, groove, 6);
+    const bool light = chase.rules().isFlash(chase.frightFrames());
+    canvas.rect({186, y - 6}, {std::max(12.0, width * share), 12}, light ? scaredLight : scared, 6);
+}
+
+void drawBelowMaze(Canvas& canvas, const MazeGame& game, double bottom) {
+    const Chase& chase = game.chase();
+    const double y = bottom + 30, spacing = (screenWidth - 16) / 4;
+    for (const Who who : everyone) {
+        const double x = 14 + spacing * static_cast<double>(indexOf(who));
+        const bool hastes = who == Who::Chaser && chase.haste() > 0;
+        {
+            const Canvas::Scope scope = canvas.place({.position = {x + 18, y}, .scale = {18, -18}});
+            drawCat(canvas, who, {.mood = hastes ? Mood::Hastes : Mood::Hunts});
+        }
+        canvas.text({x + 44, y + 8}, lookOf(who).name,
+                    {.size = 23, .color = lookOf(who).fur, .weight = Weight::Bold, .fitWidth = spacing - 52});
+        if (chase.frightFrames() == 0)
+            canvas.text({x, y + 42}, lookOf(who).habit, {.size = 18, .color = quiet, .fitWidth = spacing - 10});
+    }
+    if (chase.frightFrames() > 0) drawFrightBelow(canvas, chase, y + 36);
+}
+
+}  // namespace
+
+void drawHud(Canvas& canvas, const MazeGame& game, const Arrangement& arrangement) {
+    if (!arrangement.upright) return drawBesideMaze(canvas, game);
+    drawAboveMaze(canvas, game, arrangement.top);
+    drawBelowMaze(canvas, game, arrangement.bottom);
 }
 
 }  // namespace plumb::games::maze

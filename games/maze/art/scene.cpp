@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <games/maze/art/arrangement.h>
 #include <games/maze/art/cat.h>
 #include <games/maze/art/hedges.h>
 #include <games/maze/art/hud.h>
@@ -18,9 +19,9 @@
 namespace plumb::games::maze {
 namespace {
 
-/// Shows 31 rows and a rim. It shakes when the mouse is caught.
-Camera cameraOf(const MazeGame& game) {
-    Camera camera{.center = {14, 17.5}, .height = 32.4};
+/// Shows 31 rows and a rim. It shakes when the mouse is caught. rows: the height of the safe area.
+Camera cameraOf(const MazeGame& game, double rows) {
+    Camera camera{.center = {14, 17.5}, .height = rows};
     if (game.phase() != Phase::Caught) return camera;
     const double time = game.phaseTicks(), force = 0.3 * std::max(0.0, 1 - time / 16);
     camera.center += force * Vec2(std::sin(2.1 * time), std::cos(2.9 * time));
@@ -133,8 +134,9 @@ void drawSigns(Canvas& canvas, const MazeGame& game) {
 void drawScene(Canvas& canvas, const MazeGame& game) {
     canvas.screen();
     canvas.clear(night);
-    drawHud(canvas, game);
-    canvas.look(cameraOf(game));
+    const Arrangement arrangement = arrangementIn(canvas.visible());
+    drawHud(canvas, game, arrangement);
+    canvas.look(cameraOf(game, arrangement.rows));
     drawGarden(canvas, gardenOf(game.level()), flashOf(game));
     {
         const Canvas::Scope scope = canvas.clip(gardenCorner, gardenSize);

@@ -82,7 +82,8 @@ bool PageSession::replayAgrees() const {
 
 std::string describeGame(const GameInfo& info) {
     const Theme& theme = info.theme;
-    std::string text = "title\t" + info.title + "\nabout\t" + info.about + "\ncolors";
+    std::string text = "title\t" + info.title + "\nabout\t" + info.about + "\nfillsUpright\t" +
+                       (info.fillsUpright ? "yes" : "no") + "\ncolors";
     for (const Color& color : {theme.background, theme.panel, theme.text, theme.quiet, theme.accent})
         text += "\t" + cssOf(color);
     const ActionList actions = withMenuActions(info.actions);

@@ -69,7 +69,8 @@ class GamePage {
       this.game.begin(head, scores);
     }
     this.begun();
-    this.say(document.body.classList.contains('touch') && innerWidth < 500 ? 'Turn the phone for a larger picture' : '');
+    const turns = document.body.classList.contains('touch') && innerWidth < 500 && this.info.fillsUpright === 'no';
+    this.say(turns ? 'Turn the phone for a larger picture' : '');
   }
   begun() {
     this.over = false;
