@@ -68,11 +68,15 @@ class Page {
     return this.code(one.kind === 'function' && this.language === 'cpp' ? withoutMemberList(code) : code);
   }
 
+  members(owner, list = []) {
+    return list.length ? `<div class="members">${list.map(one => this.member(owner, one)).join('\n')}</div>` : '';
+  }
+
   member(owner, one) {
     if (one.note) return `<div class="note">${prose(one.note)}</div>`;
     const [id, ...others] = one.names.map(name => this.idOf(`${owner}.${name}`));
     const also = others.map(other => `<span id="${escaped(other)}"></span>`).join('');
-    const inner = one.members ? `<div class="members">${one.members.map(part => this.member(`${owner}.${one.names[0]}`, part)).join('\n')}</div>` : '';
+    const inner = this.members(`${owner}.${one.names[0]}`, one.members);
     return `<div class="member" id="${escaped(id)}">${also}<code>${this.declaration(one)}</code>${prose([...one.doc, ...one.after])}${inner}</div>`;
   }
 
@@ -84,8 +88,7 @@ class Page {
     const before = include ? `${coloured(`#include <${include}>`, 'cpp')}\n` : '';
     const body = [first, ...others].map(one =>
       `<pre class="declared"><code>${one === first ? before : ''}${this.declaration(one)}</code></pre>${prose([...one.doc, ...one.after])}`).join('\n');
-    const members = first.members?.length ? `<div class="members">${first.members.map(one => this.member(name, one)).join('\n')}</div>` : '';
-    return `<h3 id="${escaped(ids[0])}">${escaped(title)}</h3>${also}\n${body}${members}\n`;
+    return `<h3 id="${escaped(ids[0])}">${escaped(title)}</h3>${also}\n${body}${this.members(name, first.members)}\n`;
   }
 
   /** @param include the header that a program includes for them, if it is one */
@@ -104,7 +107,9 @@ class Page {
 function headerOf(root, path) {
   const list = declarationsIn(readFileSync(join(root, 'kit', path), 'utf8'));
   const lines = list[0].note.slice(1), end = lines.findIndex(line => line.includes('?'));
-  return { path, question: lines.slice(0, end + 1).join(' '), more: lines.slice(end + 1), declared: list.flatMap(one => (one.kind === 'namespace' && one.names[0] === 'plumb' ? publicIn(one.members) : [])) };
+  const spaces = list.filter(one => one.kind === 'namespace' && one.names[0] === 'plumb');
+  const declared = spaces.flatMap(one => publicIn(one.members));
+  return { path, question: lines.slice(0, end + 1).join(' '), more: lines.slice(end + 1), declared };
 }
 
 /** The public headers by their folder. */
@@ -120,7 +125,8 @@ const typesIn = list => list.filter(one => types.includes(one.kind));
 
 function folderPage(pages, root, { name, headers }, links) {
   const place = `reference/${name}.html`, page = new Page(pages, place, 'cpp', links);
-  const about = existsSync(join(root, 'kit/plumb', name, 'README.md')) ? `<p><a href="../docs/kit/plumb/${name}/">What ${name} is for, and how it works</a></p>\n` : '';
+  const hasPage = existsSync(join(root, 'kit/plumb', name, 'README.md'));
+  const about = hasPage ? `<p><a href="../docs/kit/plumb/${name}/">What ${name} is for, and how it works</a></p>\n` : '';
   const parts = headers.map(({ path, question, more, declared }) =>
     `<h2 id="${path.split('/').pop()}">${path.split('/').pop()}</h2>\n<p>${escaped(question)}</p>\n${prose(more)}\n${page.entries(declared, path)}`);
   pages.write(place, `${name}, in C++`, `<h1>${name}, in C++</h1>\n${about}${parts.join('\n')}`);

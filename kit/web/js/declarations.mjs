@@ -5,7 +5,7 @@
 
 const container = /^(?:export |declare )*(namespace|struct|class|union|interface|enum class|enum)\b/;
 
-/** A declaration without its template<...>, its [[attributes]] and its alignas(). */
+/** A declaration without its template<...>, its conditions, its [[attributes]] and its alignas(). */
 function withoutTemplate(code) {
   let text = code.replace(/\[\[[^\]]*\]\]\s*|\balignas\([^)]*\)\s*/g, '');
   while (/^template\s*</.test(text)) {
@@ -16,7 +16,8 @@ function withoutTemplate(code) {
     } while (++at < text.length && depth > 0);
     text = text.slice(at).trim();
   }
-  return text;
+  const condition = /\brequires\s*\([^()]*(?:\([^()]*\)[^()]*)*\)\s*|^requires\b[^()]*?(?=\b(?:struct|class)\b)/g;
+  return hasValue(text) ? text : text.replace(condition, '');
 }
 
 /** Is a value given, so that a brace or a parenthesis that follows belongs to the value? */

@@ -21,7 +21,7 @@ function functionNames(name, code) {
 function collect(declarations, owner, docs) {
   for (const { kind, names, code, doc, after, members } of declarations.filter(one => !one.note)) {
     const said = textOf([...doc, ...after]);
-    for (const name of kind === 'function' ? functionNames(names[0], code) : names) {
+    for (const name of kind === 'function' && names.length ? functionNames(names[0], code) : names) {
       const key = owner ? `${owner}.${name}` : name;
       if (said && !docs.has(key)) docs.set(key, said);
     }
