@@ -12,6 +12,47 @@ const refusals = {
   'BodyDef.positon: a BodyDef has no such member; did you mean position?': w => w.add({ positon: [0, 0] }),
   'BodyDef.position: "left" is not [x, y]': w => w.add({ position: 'left' }),
   'BodyDef.position: [1] is not [x, y]': w => w.add({ position: [1] }),
+  'BodyDef.position: [1, 2, 3] is not [x, y]': w => w.add({ position: [1, 2, 3] }),
+  'World.castRay: to: [1, 2, 3] is not [x, y]': w => w.castRay([0, 0], [1, 2, 3]),
+  'BodyDef.shapes[0].circle: a ShapeDef has no such member; shape: { circle: ... } was meant':
+    w => w.add({ shapes: [{ circle: { radius: 0.5 } }] }),
+  'BodyDef.shapes[0].capsule: a ShapeDef has no such member; shape: { capsule: ... } was meant':
+    w => w.add({ shapes: [{ capsule: { radius: 0.5 } }] }),
+  'BodyDef.shapes[0].box: a ShapeDef has no such member; call box(...), which makes a ShapeDef':
+    w => w.add({ shapes: [{ box: [1, 1] }] }),
+  'BodyDef.shapes[0].friction: a ShapeDef has no such member; material: { friction: ... } was meant':
+    w => w.add({ shapes: [{ ...box([1, 1]), friction: 1 }] }),
+  "BodyDef.friction: a BodyDef has no such member; a shape's material has it: circle(radius, { friction: ... })":
+    w => w.add({ friction: 1 }),
+  "BodyDef.restitution: a BodyDef has no such member; a shape's material has it: circle(radius, { restitution: ... })":
+    w => w.add({ restitution: 1 }),
+  'BodyDef.sensor: a BodyDef has no such member; shapes: [{ sensor: ... }] was meant': w => w.add({ sensor: true }),
+  'BodyDef.color: a BodyDef has no such member': w => w.add({ color: 'red' }),
+  'BodyDef.shapes[0].shape: only one of circle, capsule can be given':
+    w => w.add({ shapes: [{ shape: { circle: {}, capsule: {} } }] }),
+  'World.join: def: only one of revolute, weld can be given': w => w.join({ revolute: {}, weld: {} }),
+  'World.joint: joint: a BodyId is not a JointId': w => w.joint(w.bodies()[0]),
+  'Body.position is a method: call setPose(position, angle)': w => (w.body(w.bodies()[1]).position = [0, 0]),
+  'Body.velocity is a method: call setVelocity(velocity)': w => (w.body(w.bodies()[1]).velocity = [0, 0]),
+  'Body.awake is a method: call wake() or sleep()': w => (w.body(w.bodies()[1]).awake = true),
+  'Body.applyForce is a method: call applyForce(force, at)': w => (w.body(w.bodies()[1]).applyForce = [0, 1]),
+  'Body.contacts is a method, and nothing can be assigned to it': w => (w.body(w.bodies()[1]).contacts = []),
+  'BodyShape.filter is a method: call setFilter(filter)': w => (w.shape(w.shapes()[1]).filter = {}),
+  'Joint.def is a method: call set(def)': w => (plumb.Joint.prototype.def = {}),
+  'Field.def is a method: call set(def)': w => (plumb.Field.prototype.def = {}),
+  'World.gravity is a method: call setGravity(gravity)': w => (w.gravity = [0, 0]),
+  'World.step is a method: call step(dt)': w => (w.step = 1),
+  'World.poses is a method, and nothing can be assigned to it': w => (w.poses = []),
+  'PlatformMover.profile is a method: call setProfile(profile)':
+    w => (new plumb.PlatformMover(w, w.bodies()[1]).profile = {}),
+  'GridMover.cell is a method, and nothing can be assigned to it': w => (new plumb.GridMover(w).cell = {}),
+  'FixedClock.timeScale is a method: call setTimeScale(timeScale)': () => (new plumb.FixedClock().timeScale = 2),
+  'Cannot add property motorSpeed, object is not extensible': w => (w.body(w.bodies()[1]).motorSpeed = 3),
+  'this world has been freed': w => {
+    const other = w.copy();
+    other.free();
+    other.poses();
+  },
   'BodyDef.angle: "1" is not a number': w => w.add({ angle: '1' }),
   'BodyDef.awake: 1 is neither true nor false': w => w.add({ awake: 1 }),
   'BodyDef.type: "statik" is none of static, kinematic, dynamic': w => w.add({ type: 'statik' }),

@@ -2,10 +2,13 @@
 // Does the module do what the kit does, by the kit's names?
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { inspect } from 'node:util';
 
 import { plumb } from './plumb.mjs';
 
 const { World, box, circle, capsule, segment, tiles, tileMapOf, stateHash } = plumb;
+/** Has a value the same members, and the same vectors, which are arrays of their own kind? */
+const alike = (value, wanted) => assert.deepEqual(structuredClone(value), wanted);
 const near = (a, b, by = 1e-9) => assert.ok(Math.abs(a - b) <= by, `${a} is not ${b}`);
 
 /** A ball over a floor. */
@@ -37,19 +40,19 @@ test('bodies, shapes, joints and fields are made, read, changed and removed', ()
   assert.equal(world.bodies()[1], ball, 'an id is one object');
   assert.equal(world.shapes()[2], bob.shape(0));
   near(world.body(bob).mass(), 3 * 0.16);
-  assert.equal(world.body(bob).tag(), 7n);
+  assert.equal(world.body(bob).tag(), 7);
   assert.equal(world.body(bob).type(), 'dynamic');
   near(world.joint(rod).def().distance.length ?? 2, 2);
   near(world.joint(rod).coordinate().value, 2);
-  assert.deepEqual(world.field(wind).def().law.drag.wind, [2, 0]);
+  alike(world.field(wind).def().law.drag.wind, [2, 0]);
   world.field(wind).set({ law: { uniformGravity: { acceleration: [1, 0] } } });
-  assert.deepEqual(world.field(wind).def().law, { uniformGravity: { acceleration: [1, 0] } });
+  alike(world.field(wind).def().law, { uniformGravity: { acceleration: [1, 0] } });
   world.shape(bob.shape(0)).setMaterial({ density: 6, friction: 0 });
   near(world.body(bob).mass(), 6 * 0.16);
   assert.equal(world.shape(bob.shape(0)).material().friction, 0);
   world.body(ball).setVelocity([1, 2]);
   world.body(ball).applyImpulse([0, world.body(ball).mass()]);
-  assert.deepEqual(world.body(ball).velocity(), [1, 3]);
+  alike(world.body(ball).velocity(), [1, 3]);
   world.remove(rod);
   world.remove(wind);
   world.remove(bob);
@@ -89,7 +92,7 @@ test('events come as objects, and as rows with the same numbers', () => {
       ++begins;
       assert.deepEqual(new Set([begin.shapeA.body, begin.shapeB.body]), new Set([floor, ball]));
       const row = [...rows].slice(0, columns);
-      assert.deepEqual(row.slice(5, 7), begin.point);
+      assert.deepEqual(row.slice(5, 7), [...begin.point]);
       assert.equal(row[9], begin.approachSpeed);
     }
     for (const { sensor, visitor } of world.sensorBegins()) assert.deepEqual([sensor.body, visitor.body], [gate, ball]);
@@ -123,7 +126,7 @@ test('a contact rule of JavaScript decides, and its error comes out of step', ()
   const asked = [];
   const rule = candidate => {
     asked.push(candidate);
-    return candidate.otherTag !== 5n;
+    return candidate.otherTag !== 5;
   };
   world.add({ type: 'static', shapes: [{ ...box([10, 0.5]), rule, tag: 3 }] });
   const solid = world.add({ position: [-2, 1.2], shapes: [circle(0.5)] });
@@ -131,7 +134,7 @@ test('a contact rule of JavaScript decides, and its error comes out of step', ()
   run(world, 90);
   near(world.body(solid).position()[1], 1, 0.01);
   assert.ok(world.body(ghost).position()[1] < 0);
-  assert.equal(asked[0].tag, 3n);
+  assert.equal(asked[0].tag, 3);
   assert.equal(world.shape(world.shapes()[0]).def().rule, rule);
 
   const broken = new World();
@@ -162,7 +165,7 @@ test('one-way shapes and tile maps are as in the kit', () => {
   const up = world.add({ position: [20, -2], velocity: [0, 9], shapes: [circle(0.3)] });
   run(world, 240);
   near(world.body(up).position()[1], 0.3, 0.02);
-  assert.deepEqual(world.shape(shelf.shape(0)).def().oneWay, [0, 1]);
+  alike(world.shape(shelf.shape(0)).def().oneWay, [0, 1]);
 });
 
 test('movers live in a world: on a grid, on platforms, along a path', () => {
@@ -172,7 +175,7 @@ test('movers live in a world: on a grid, on platforms, along a path', () => {
   const kinds = new Set();
   for (let i = 0; i < 120; ++i) for (const event of mouse.move(maze, 4, 1 / 60)) kinds.add(event.kind);
   assert.deepEqual(mouse.cell(), { column: 3, row: 1 });
-  assert.deepEqual(mouse.position(maze), [3.5, 1.5]);
+  alike(mouse.position(maze), [3.5, 1.5]);
   assert.ok(mouse.stopped() && kinds.has('entered') && kinds.has('stopped'));
   assert.equal(plumb.nextDirection(world, maze, { cell: { column: 2, row: 1 } }, { column: 1, row: 1 }), 'right');
 
@@ -192,7 +195,7 @@ test('movers live in a world: on a grid, on platforms, along a path', () => {
   const path = new plumb.MotionPath([0, 0]).lineTo([3, 0]).arcAround([3, 1], Math.PI).close();
   near(path.length(), 3 + Math.PI + Math.hypot(3, 2));
   const lift = new plumb.PathMover(world, { path, timing: { speed: 2 }, repeat: 'loop' });
-  assert.deepEqual(lift.at(1).position, [2, 0]);
+  alike(lift.at(1).position, [2, 0]);
   near(lift.period(), path.length() / 2);
   near(plumb.splineThrough([[0, 0], [1, 0], [2, 0]]).length(), 2);
   lift.free();
@@ -231,4 +234,75 @@ test('a copy goes on to the same bits, and the original after it', () => {
   copy.free();
   assert.throws(() => copy.step(0.1), /this world has been freed/);
   copy.free();
+});
+
+test('a vector is an array with x and y', () => {
+  const { world, ball } = drop(), at = world.body(ball).position(), [x, y] = at;
+  assert.deepEqual([at.x, at.y, x, y, at.length], [0, 5, 0, 5, 2]);
+  assert.ok(Array.isArray(at));
+  assert.equal(JSON.stringify(at), '[0,5]');
+  assert.equal(inspect(at), '[ 0, 5 ]');
+  assert.deepEqual(at.map(one => 2 * one), [0, 10], 'what is made of it is a plain array');
+  assert.deepEqual(structuredClone(at), [0, 5]);
+  world.body(ball).setPose(at, 0);
+  near(world.castRay([0, 9], [0, -9]).point.y, 5.5);
+});
+
+test('a tag is a number where it fits, and a mask is always a BigInt', () => {
+  const { world } = drop();
+  for (const [given, read] of [[5, 5], [5n, 5], [2 ** 53 - 1, 2 ** 53 - 1], [2n ** 53n, 2n ** 53n], [2n ** 64n - 1n, 2n ** 64n - 1n]]) {
+    const id = world.add({ tag: given, shapes: [{ ...circle(1), tag: given }] });
+    assert.equal(world.body(id).tag(), read);
+    assert.equal(world.shape(id.shape(0)).tag(), read);
+    assert.equal(world.shape(id.shape(0)).def().tag, read);
+  }
+  const { category, mask } = world.shape(world.shapes()[0]).filter();
+  assert.deepEqual([category, mask], [1n, 2n ** 64n - 1n]);
+  assert.equal(typeof new plumb.Random(5).bits(), 'bigint');
+});
+
+test('console.log and JSON show what an object is', () => {
+  const { world, floor, ball } = drop();
+  const joint = world.join({ revolute: { bodyA: floor, bodyB: ball } }), field = world.addField({ law: { drag: { linear: 2 } } });
+  const body = JSON.parse(JSON.stringify(world.body(ball)));
+  assert.deepEqual(body, { id: { kind: 'BodyId', index: ball.index, generation: 0, world: ball.world }, type: 'dynamic', position: [0, 5],
+                           angle: 0, velocity: [0, 0], angularVelocity: 0 });
+  assert.match(inspect(world.body(ball)), /^Body \{\s+id: BodyId \{.*\},\s+type: 'dynamic',\s+position: \[ 0, 5 \]/);
+  assert.equal(JSON.parse(JSON.stringify(world.joint(joint))).def.revolute.bodyB.index, ball.index);
+  assert.match(inspect(world.joint(joint)), /^Joint \{[\s\S]*revolute/);
+  assert.equal(JSON.parse(JSON.stringify(world.field(field))).def.law.drag.linear, 2);
+  assert.match(inspect(world.field(field)), /^Field \{[\s\S]*drag/);
+  assert.deepEqual(JSON.parse(JSON.stringify(world.shape(ball.shape(0)))).def.filter, { category: '1', mask: String(2n ** 64n - 1n), group: 0 });
+  assert.equal(JSON.parse(JSON.stringify(world)).counts.bodies, 2);
+  assert.match(inspect(world), /^World \{\s+gravity: \[ 0, -10 \],\s+counts/);
+  assert.match(inspect({ deep: { deeper: { world } } }), /\[World\]/);
+  assert.equal(String(ball.shape(0)), `ShapeId(${ball}, 0)`);
+  assert.notEqual(String(ball), String(floor));
+  world.remove(ball);
+  const freed = new World(), gone = freed.body(freed.add({ type: 'static' }));
+  freed.free();
+  assert.match(inspect(gone), /this world has been freed/);
+});
+
+test('posesBefore has the poses before the last step', () => {
+  const { world, floor, ball } = drop();
+  const first = world.posesBefore();
+  assert.deepEqual([...first], [...world.poses()], 'no step has been kept yet');
+  for (let tick = 0; tick < 3; ++tick) {
+    const now = [...world.poses()];
+    world.step(1 / 60);
+    assert.deepEqual([...world.posesBefore()], now);
+    assert.notDeepEqual(now, [...world.poses()]);
+  }
+  assert.equal(world.posesBefore(), first, 'the same array');
+  world.remove(ball);
+  const other = world.add({ position: [7, 8], angle: 1, shapes: [circle(0.5)] });
+  assert.equal(other.index, ball.index, 'the place is used again');
+  for (let i = 0; i < 40; ++i) world.add({ position: [20 + 3 * i, 9], shapes: [circle(0.5)] });
+  assert.deepEqual([...world.posesBefore()], [...world.poses()], 'a new body has not moved');
+  world.step(1 / 60);
+  assert.deepEqual([...world.posesBefore().subarray(3 * other.index, 3 * other.index + 3)], [7, 8, 1]);
+  assert.ok(Number.isFinite(world.posesBefore()[3 * floor.index]));
+  world.free();
+  assert.throws(() => world.posesBefore(), /this world has been freed/);
 });

@@ -52,6 +52,53 @@ test('a program with mistakes is refused, one without is not', () => {
     assert.match(check(start + line), new RegExp(text), line);
 });
 
+const start = `import { load } from 'plumb-physics';
+const { World, PlatformMover, box, circle } = await load();
+const world = new World(), ball = world.add({ shapes: [circle(1)] });
+const weld = world.join({ weld: { bodyB: ball } }), wind = world.addField({ law: { drag: { linear: 1 } } });
+`;
+const wrong = {
+  'world.joint(ball);': /'BodyId' is not assignable to parameter of type 'JointId'/,
+  'world.body(weld);': /'JointId' is not assignable to parameter of type 'BodyId'/,
+  'world.shape(wind);': /'FieldId' is not assignable to parameter of type 'ShapeId'/,
+  'world.field(ball.shape(0));': /'ShapeId' is not assignable to parameter of type 'FieldId'/,
+  'world.join({ revolute: { bodyA: weld } });': /type 'JointId'.* type 'BodyId'/,
+  'world.join({ revolute: { bodyB: ball }, weld: { bodyB: ball } });': /not assignable to parameter of type 'JointDef'/,
+  'world.add({ shapes: [{ shape: { circle: { radius: 1 }, segment: {} } }] });': /not assignable to type 'Shape/,
+  'world.addField({ law: { drag: { linear: 1 }, pool: {} } });': /not assignable to type 'FieldLaw/,
+  'world.add({ position: [1, 2, 3] });': /'\[number, number, number\]' is not assignable to type/,
+  'world.add({ shapes: [{ circle: { radius: 1 } }] });': /'circle' does not exist in type 'ShapeDef'/,
+  'world.body(ball).position = [0, 0];': /not assignable to type '\(\) => Vector'/,
+  'world.gravity = [0, 0];': /not assignable to type '\(\) => Vector'/,
+  'new PlatformMover(world, ball).profile = {};': /not assignable to type '\(\) => Full<PlatformProfile>'/,
+  'world.body(ball).position()[0] = 1;': /'0' because it is a read-only property/,
+  'world.body(ball).position().z;': /Property 'z' does not exist on type/,
+  'world.body(ball).tag() & 1n;': /cannot be applied to types 'number \| bigint' and 'bigint'/,
+};
+
+test('each wrong program is refused, and for the reason it should be', () => {
+  const lines = Object.keys(wrong), said = check(start + lines.join('\n'));
+  const first = start.split('\n').length;
+  for (const [i, line] of lines.entries()) {
+    const here = [...said.matchAll(/\((\d+),\d+\): ([\s\S]*?)(?=\n\S|$)/g)].filter(match => Number(match[1]) === first + i);
+    assert.ok(here.length > 0, `not refused: ${line}\n${said}`);
+    assert.match(here.map(match => match[2]).join('\n'), wrong[line], line);
+  }
+});
+
+test('what a program reads can be used, and given back', () => {
+  assert.equal(check(`${start}
+const body = world.body(ball), at = body.position(), [x, y] = at;
+body.setPose({ x: at.x + 1, y: at[1] }, 0);
+body.setPose(at, 0);
+body.setVelocity([x, y]);
+const drag = world.field(wind).def().law.drag;
+if (drag) world.addField({ law: { drag: { ...drag, linear: drag.linear + drag.wind.x } } });
+world.add({ shapes: [world.shape(ball.shape(0)).def()] });
+world.join(world.joint(weld).def());
+console.log(body.tag() === 5, world.shape(ball.shape(0)).filter().mask & 1n, ball.kind === 'BodyId');`), '');
+});
+
 for (const [i, program] of programs().entries())
   test(`program ${i + 1} of the page passes the strictest check, and runs`, () => {
     assert.equal(check(program), '');

@@ -1,26 +1,37 @@
 // SPDX-License-Identifier: MIT
 // What are ids and views? Ids are values, and one object for each: they can be compared with === and be keys of a Map.
 
+/** Each has a kind, which tells it from the others in types and in JSON. */
 class Id {
   constructor(index, generation, world) {
     this.index = index;
     this.generation = generation;
     this.world = world;
   }
+  toString() { return `${this.kind}(${this.index}, ${this.generation}, ${this.world})`; }
+  toJSON() { return { kind: this.kind, ...this }; }
 }
 export class BodyId extends Id {
   #shapes = [];
+  get kind() { return 'BodyId'; }
   /** The id of one of its shapes, which are counted from 0. */
   shape(number) { return (this.#shapes[number] ??= new ShapeId(this, number)); }
 }
-export class JointId extends Id {}
-export class FieldId extends Id {}
+export class JointId extends Id {
+  get kind() { return 'JointId'; }
+}
+export class FieldId extends Id {
+  get kind() { return 'FieldId'; }
+}
 export class ShapeId {
   constructor(body, number) {
     this.body = body;
     this.number = number;
     Object.freeze(this);
   }
+  get kind() { return 'ShapeId'; }
+  toString() { return `ShapeId(${this.body}, ${this.number})`; }
+  toJSON() { return { kind: 'ShapeId', ...this }; }
 }
 
 /** The ids of one world's objects, by their slots. */
@@ -52,6 +63,7 @@ export class View {
   constructor(world, id) {
     this.world = world;
     this.#id = id;
+    Object.preventExtensions(this);  // what is written to a view would be lost with it
   }
   id() { return this.#id; }
 }

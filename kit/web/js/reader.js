@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT
 // How do numbers in the module's memory become a value? row.h writes them.
 import { cached, idClasses, Ids } from './ids.js';
+import { vectorOf } from './vectors.js';
+
+/** 64 bits as a BigInt. */
+const bitsOf = (low, high) => BigInt(low) | (BigInt(high) << 32n);
+/** 64 bits as a number where it has all of them, else as a BigInt. */
+const tagOf = (low, high) => (high < 2 ** 21 ? high * 2 ** 32 + low : bitsOf(low, high));
 
 /**
  * For each kind of value a function that reads it from where the reader was put.
@@ -57,8 +63,9 @@ export function rowReader(schema, stateOf, ruleOf) {
     nothing() {},
     number: read,
     bool: () => read() !== 0,
-    bits: () => BigInt(read()) | (BigInt(read()) << 32n),
-    vec: () => [read(), read()],
+    bits: () => bitsOf(read(), read()),
+    tag: () => tagOf(read(), read()),
+    vec: () => vectorOf(read(), read()),
     text: () => String.fromCharCode(...Array.from({ length: read() }, read)),
     rule: () => ruleOf(read()),
   };

@@ -43,5 +43,6 @@ export const show = value => {
   if (typeof value === 'string') return JSON.stringify(value);
   if (typeof value === 'function') return 'a function';
   if (Array.isArray(value)) return `[${value.map(show).join(', ')}]`;
+  if (/^(Body|Shape|Joint|Field)Id$/.test(value?.kind)) return `a ${value.kind}`;
   return value !== null && typeof value === 'object' ? 'an object' : String(value);
 };

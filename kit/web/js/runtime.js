@@ -3,9 +3,12 @@
 // includes: what the kit's structs and functions are called, and of which kinds their members and parameters are.
 // Nothing but numbers crosses to the module.
 
+import { guardMethods } from './guards.js';
 import { BodyId, FieldId, idClasses, idKindOf, Ids, JointId, ShapeId, View } from './ids.js';
+import { PosesBefore } from './poses_before.js';
 import { rowReader } from './reader.js';
 import { Refusal, show, told, within } from './refusals.js';
+import { showObjects } from './shown.js';
 import { rowWriter } from './writer.js';
 
 /** The columns of World.contacts(): a row is a point of a contact. */
@@ -157,6 +160,7 @@ export async function load(source) {
     call.fits = args => args.length <= given.length &&
       given.every((p, i) => (args[i] === undefined ? p.optional : looksLike(args[i], p.kind)));
     call.title = title;
+    call.parameters = given.map(p => p.name);
     return call;
   }
 
@@ -194,6 +198,7 @@ export async function load(source) {
       free(this.#box);
     }
     #all(which) {
+      if (!this.address) throw new Error('this world has been freed');
       const count = run(() => exports.rowsOf(this.address, which));
       let all = this.#rows[which];
       if (!all || all.length < count) all = this.#rows[which] = new Float64Array(Math.max(2 * count, 32));
@@ -204,6 +209,18 @@ export async function load(source) {
     }
     #views = [];
     poses() { return this.#all(0); }
+    /** From the first call on each step keeps them. */
+    posesBefore() { return (this.#before ??= new PosesBefore()).beside(this.poses()); }
+    #before = null;
+    step(...args) {
+      this.#before?.keep(this.poses());
+      choose(functions.World.step, this, args);
+    }
+    add(...args) {
+      const id = choose(functions.World.add, this, args);
+      if (id instanceof BodyId) this.#before?.forget(id.index);
+      return id;
+    }
     velocities() { return this.#all(1); }
     contacts() { return this.#all(2); }
     events() { return this.#all(3); }
@@ -263,13 +280,18 @@ export async function load(source) {
   };
   for (const owner in functions)
     for (const name in functions[owner]) {
-      if (name === 'new' || name === 'free' || name === 'copy') continue;
       const overloads = functions[owner][name];
+      if (name === 'new' || owner !== 'plain' && Object.hasOwn(classes[owner].prototype, name)) continue;
       if (owner === 'plain') free_[name] = (...args) => choose(overloads, null, args);
       else
         Object.defineProperty(classes[owner].prototype, name, {
           configurable: true, writable: true, value(...args) { return choose(overloads, this, args); } });
     }
+
+  showObjects(classes);
+  guardMethods('View', View.prototype, () => '');
+  for (const owner in classes)
+    guardMethods(owner, classes[owner].prototype, name => functions[owner][name]?.at(-1).parameters.join(', ') ?? '');
 
   class MotionPath {
     constructor(start) {

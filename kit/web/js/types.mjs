@@ -6,7 +6,7 @@ const ids = ['BodyId', 'ShapeId', 'JointId', 'FieldId'];
 
 /** The type of a value of a kind; out: one that the module gives, which is complete. */
 function typeOf(kind, out) {
-  const plain = { number: 'number', bool: 'boolean', bits: out ? 'bigint' : 'number | bigint', vec: out ? '[number, number]' : 'Vec2',
+  const plain = { number: 'number', bool: 'boolean', bits: out ? 'bigint' : 'number | bigint', tag: 'number | bigint', vec: out ? 'Vector' : 'Vec2',
                   text: 'string', rule: 'ContactRule | null', world: 'World', nothing: 'void' };
   if (typeof kind === 'string') return plain[kind];
   if (kind.integer) return 'number';
@@ -26,7 +26,8 @@ function typeOf(kind, out) {
 }
 /** What the kit calls one of several alternatives, by the first of them. */
 const aliases = { circle: 'Shape', revolute: 'JointDef', uniformGravity: 'FieldLaw' };
-const alternatives = kind => Object.entries(kind.either).map(([tag, one]) => `{ ${tag}: ${typeOf(one, false)} }`).join(' | ');
+const alternatives = kind =>
+  `OneOf<{ ${Object.entries(kind.either).map(([tag, one]) => `${tag}: ${typeOf(one, false)}`).join('; ')} }>`;
 
 const wrapped = type => (type.includes('|') ? `(${type})` : type);
 
@@ -93,6 +94,9 @@ function aliasesOf(schema) {
   return found;
 }
 
+/** The names of members with 64 bits that are no label, which the module gives as a BigInt. */
+const bitsMembers = schema => [...new Set(Object.values(schema.types).flat().filter(m => m.kind === 'bits').map(m => `'${m.name}'`))].join(' | ');
+
 function classType(owner, calls, docs, extra) {
   const lines = calls.filter(c => c.owner === owner).map(call => {
     const name = call.name === 'new' ? 'constructor' : call.name;
@@ -106,34 +110,46 @@ function constructorsOf(calls) {
     .map(call => `  ${call.owner}: { new ${signature(call)}: ${call.owner}; prototype: ${call.owner} };\n`).join('');
 }
 
+const shown = `  /** What JSON.stringify shows of it. */
+  toJSON(): object;
+`;
 const worldExtra = `  /** x, y and angle of each body, at 3 times the index of its id; NaN where no body is. The same array, filled anew, at each call [m, rad]. */
   poses(): Float64Array;
+  /** The poses before the last step, in the same way; each step keeps them from the first call on. A body that came after the step is where it is now. */
+  posesBefore(): Float64Array;
   /** Velocity of the centre of mass and angular velocity, in the same way [m/s, rad/s]. */
   velocities(): Float64Array;
   /** A row of contactColumns for each point at which two shapes touch. */
   contacts(): Float64Array;
   /** A row of eventColumns for each event of the last step. */
   events(): Float64Array;
-`;
+${shown}`;
 
 export function typesOf(schema, docs, heading) {
   const calls = schema.calls, plain = calls.filter(c => !c.owner && !['pathLength', 'pathPlaceAt'].includes(c.name));
   const structs = Object.entries(schema.types).filter(([name]) => !ids.includes(name) && name !== 'PathPieces');
-  const view = id => `  readonly world: World;\n  id(): ${id};\n`;
+  const view = id => `  readonly world: World;\n  id(): ${id};\n${shown}`;
+  const id = name => `export interface ${name} { readonly kind: '${name}'; readonly index: number; readonly generation: number; readonly world: number`;
   return `${heading}
 /** x and y. */
 export type Vec2 = readonly [number, number] | { readonly x: number; readonly y: number };
+/** A vector that the module gives: the array [x, y], which has x and y, too. It is a copy: changing it would change nothing. */
+export type Vector = readonly [x: number, y: number] & { readonly x: number; readonly y: number };
 /** A value of which no member is missing, as the module gives it. */
-export type Full<T> = T extends Vec2 ? [number, number] : T extends readonly (infer U)[] ? Full<U>[]
-  : T extends BodyId | ShapeId | JointId | FieldId | Random | MotionPath | Function ? T : T extends number | bigint ? (bigint extends T ? bigint : T)
-  : T extends object ? { [K in keyof T]-?: Full<Exclude<T[K], undefined>> } : T;
+export type Full<T> = T extends Vec2 ? Vector : T extends readonly (infer U)[] ? Full<U>[]
+  : T extends BodyId | ShapeId | JointId | FieldId | Random | MotionPath | Function ? T : T extends object ? FullObject<T> : T;
+type FullObject<T> = { [K in keyof T as Given<T, K> extends never ? never : K]-?: K extends BitsMember ? bigint : Full<Given<T, K>> } & { [K in keyof T as Given<T, K> extends never ? K : never]?: never };
+type BitsMember = ${bitsMembers(schema)};
+type Given<T, K extends keyof T> = Exclude<T[K], undefined>;
+/** Exactly one of the members. */
+export type OneOf<T> = { [K in keyof T]: { [P in K]: T[P] } & { [P in Exclude<keyof T, K>]?: never } }[keyof T];
 /** ${docs.get('ContactRule') ?? 'May the two shapes touch?'} */
 export type ContactRule = (candidate: Full<ContactCandidate>) => boolean;
 
-export interface BodyId { readonly index: number; readonly generation: number; readonly world: number }
-export interface JointId { readonly index: number; readonly generation: number; readonly world: number; readonly joint?: never }
-export interface FieldId { readonly index: number; readonly generation: number; readonly world: number; readonly field?: never }
-export interface ShapeId { readonly body: BodyId; readonly number: number }
+${id('BodyId')}; /** The id of one of its shapes, which are counted from 0. */ shape(number: number): ShapeId }
+${id('JointId')} }
+${id('FieldId')} }
+export interface ShapeId { readonly kind: 'ShapeId'; readonly body: BodyId; readonly number: number }
 
 ${Object.entries(schema.enumerations).map(([name, words]) => `${comment(docs.get(name), '')}export type ${name} = ${words.map(w => `'${w}'`).join(' | ')};\n`).join('')}
 ${Object.entries(aliasesOf(schema)).map(([name, kind]) => `${comment(docs.get(name), '')}export type ${name} = ${alternatives(kind)};\n`).join('')}
@@ -143,8 +159,8 @@ ${classType('Body', calls, docs, view('BodyId'))}
 ${classType('BodyShape', calls, docs, view('ShapeId'))}
 ${classType('Joint', calls, docs, view('JointId'))}
 ${classType('Field', calls, docs, view('FieldId'))}
-${['GridMover', 'PlatformMover', 'PathMover'].map(name => classType(name, calls, docs, '  readonly world: World;\n')).join('')}
-${['FixedClock', 'Random'].map(name => classType(name, calls, docs, `  copy(): ${name};\n`)).join('')}
+${['GridMover', 'PlatformMover', 'PathMover'].map(name => classType(name, calls, docs, `  readonly world: World;\n${shown}`)).join('')}
+${['FixedClock', 'Random'].map(name => classType(name, calls, docs, `  copy(): ${name};\n${name === 'FixedClock' ? shown : ''}`)).join('')}
 ${comment(docs.get('MotionPath'), '')}export interface MotionPath {
   lineTo(end: Vec2): this;
   arcAround(center: Vec2, angle: number): this;

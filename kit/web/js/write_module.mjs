@@ -19,6 +19,16 @@ function hashOf(text) {
   return hash;
 }
 
+/** The schema, in which a tag is a kind of its own: a label that is compared, no bits that are combined. */
+function schemaIn(file) {
+  const schema = JSON.parse(readFileSync(file, 'utf8')), isTag = name => /tag$/i.test(name);
+  const named = (name, kind) => (kind === 'bits' && isTag(name) ? 'tag' : kind);
+  for (const members of Object.values(schema.types))
+    for (const member of members) member.kind = named(member.name, member.kind);
+  for (const call of schema.calls) call.result = named(call.name, call.result);
+  return schema;
+}
+
 function compact(schema) {
   const types = Object.fromEntries(Object.entries(schema.types).map(([name, members]) =>
     [name, members.map(({ name, kind, value }) => ({ name, kind, value }))]));
@@ -26,14 +36,15 @@ function compact(schema) {
 }
 
 function writeHash(schemaFile, header) {
-  const text = compact(JSON.parse(readFileSync(schemaFile, 'utf8')));
+  const text = compact(schemaIn(schemaFile));
   writeFileSync(header, `// Written by write_module.mjs.\n#pragma once\n#include <cstdint>\n\n` +
     `namespace plumb::web {\ninline constexpr std::uint32_t schemaHash = ${hashOf(text)}u;\n}\n`);
 }
 
 function writeModule(schemaFile, wasm, kit, folder, version) {
-  const schema = JSON.parse(readFileSync(schemaFile, 'utf8')), text = compact(schema);
-  const runtime = joined(here, ['refusals.js', 'ids.js', 'writer.js', 'reader.js', 'runtime.js']), bytes = readFileSync(wasm);
+  const schema = schemaIn(schemaFile), text = compact(schema);
+  const runtime = joined(here, ['refusals.js', 'ids.js', 'hints.js', 'writer.js', 'vectors.js', 'reader.js', 'guards.js', 'shown.js',
+                                'poses_before.js', 'runtime.js']), bytes = readFileSync(wasm);
   const heading = `// Plumb ${version}, a 2D physics kit. SPDX-License-Identifier: MIT\n` +
     '// Written by the build from the descriptions of the kit.\n';
   const data = `const schema = ${text};\nconst schemaHash = ${hashOf(text)};\n`;

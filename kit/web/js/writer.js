@@ -2,6 +2,7 @@
 // How does a value become numbers in a row? A struct is its members in their order, a list its length and its elements, an
 // optional value 0, or 1 and the value. row.h reads the same.
 import { cached, idClasses, idKindOf, ShapeId, View } from './ids.js';
+import { hintFor } from './hints.js';
 import { nearestTo, Refusal, show, within } from './refusals.js';
 
 /**
@@ -23,7 +24,16 @@ export function rowWriter(schema, isWorld, numberOfRule) {
              either: eitherWriter, integer: integerWriter, state: stateWriter, view: viewWriter }[form](kind[form], kind);
   }
 
+  function writeBits(value) {
+    let bits;
+    try { bits = BigInt(value); } catch { throw new Refusal(`${show(value)} is not a whole number`); }
+    if (BigInt.asUintN(64, bits) !== bits) throw new Refusal(`${value} is not within 0 to 2^64 - 1`);
+    write(Number(bits & 0xffffffffn));
+    write(Number(bits >> 32n));
+  }
   const plainWriters = {
+    bits: writeBits,
+    tag: writeBits,
     number(value) {
       if (typeof value !== 'number') throw new Refusal(`${show(value)} is not a number`);
       write(value);
@@ -32,16 +42,9 @@ export function rowWriter(schema, isWorld, numberOfRule) {
       if (typeof value !== 'boolean') throw new Refusal(`${show(value)} is neither true nor false`);
       write(value ? 1 : 0);
     },
-    bits(value) {
-      let bits;
-      try { bits = BigInt(value); } catch { throw new Refusal(`${show(value)} is not a whole number`); }
-      if (BigInt.asUintN(64, bits) !== bits) throw new Refusal(`${value} is not within 0 to 2^64 - 1`);
-      write(Number(bits & 0xffffffffn));
-      write(Number(bits >> 32n));
-    },
     vec(value) {
-      const x = Array.isArray(value) ? value[0] : value?.x, y = Array.isArray(value) ? value[1] : value?.y;
-      if (typeof x !== 'number' || typeof y !== 'number') throw new Refusal(`${show(value)} is not [x, y]`);
+      const isList = Array.isArray(value), x = isList ? value[0] : value?.x, y = isList ? value[1] : value?.y;
+      if (typeof x !== 'number' || typeof y !== 'number' || isList && value.length !== 2) throw new Refusal(`${show(value)} is not [x, y]`);
       write(x);
       write(y);
     },
@@ -112,6 +115,8 @@ export function rowWriter(schema, isWorld, numberOfRule) {
       const index = given.length === 1 ? tags.indexOf(given[0]) : -1;
       if (index < 0) {
         const near = given.length === 1 && nearestTo(given[0], tags);
+        if (given.length > 1 && given.every(name => tags.includes(name)))
+          throw new Refusal(`only one of ${given.join(', ')} can be given`);
         throw new Refusal(`${given.length ? given.join(', ') : show(value)} is not one of ${tags.join(', ')}` +
                           (near ? `; did you mean ${near}?` : ''));
       }
@@ -183,10 +188,8 @@ export function rowWriter(schema, isWorld, numberOfRule) {
       if (value === null || typeof value !== 'object' || Array.isArray(value) && members.length)
         throw new Refusal(`${show(value)} is not a ${name}`);
       for (const key in value)
-        if (!known.has(key)) {
-          const near = nearestTo(key, known);
-          throw new Refusal(`a ${name} has no such member` + (near ? `; did you mean ${near}?` : '')).within(key);
-        }
+        if (!known.has(key))
+          throw new Refusal(`a ${name} has no such member${hintFor(schema, name, key)}`).within(key);
       for (let i = 0; i < members.length; ++i) {
         const member = members[i], given = value[member.name];
         if (given !== undefined) {
