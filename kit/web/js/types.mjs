@@ -6,8 +6,8 @@ const ids = ['BodyId', 'ShapeId', 'JointId', 'FieldId'];
 
 /** The type of a value of a kind; out: one that the module gives, which is complete. */
 function typeOf(kind, out) {
-  const plain = { number: 'number', bool: 'boolean', bits: out ? 'bigint' : 'number | bigint', tag: 'number | bigint', vec: out ? 'Vector' : 'Vec2',
-                  text: 'string', rule: 'ContactRule | null', world: 'World', nothing: 'void' };
+  const plain = { number: 'number', bool: 'boolean', bits: out ? 'bigint' : 'number | bigint', tag: 'number | bigint',
+                  vec: out ? 'Vector' : 'Vec2', text: 'string', rule: 'ContactRule | null', world: 'World', nothing: 'void' };
   if (typeof kind === 'string') return plain[kind];
   if (kind.integer) return 'number';
   if (kind.oneOf) return kind.oneOf;
@@ -95,7 +95,10 @@ function aliasesOf(schema) {
 }
 
 /** The names of members with 64 bits that are no label, which the module gives as a BigInt. */
-const bitsMembers = schema => [...new Set(Object.values(schema.types).flat().filter(m => m.kind === 'bits').map(m => `'${m.name}'`))].join(' | ');
+function bitsMembers(schema) {
+  const members = Object.values(schema.types).flat().filter(member => member.kind === 'bits');
+  return [...new Set(members.map(member => `'${member.name}'`))].join(' | ');
+}
 
 function classType(owner, calls, docs, extra) {
   const lines = calls.filter(c => c.owner === owner).map(call => {
@@ -129,7 +132,8 @@ export function typesOf(schema, docs, heading) {
   const calls = schema.calls, plain = calls.filter(c => !c.owner && !['pathLength', 'pathPlaceAt'].includes(c.name));
   const structs = Object.entries(schema.types).filter(([name]) => !ids.includes(name) && name !== 'PathPieces');
   const view = id => `  readonly world: World;\n  id(): ${id};\n${shown}`;
-  const id = name => `export interface ${name} { readonly kind: '${name}'; readonly index: number; readonly generation: number; readonly world: number`;
+  const id = name => `export interface ${name} { readonly kind: '${name}'; ` +
+    'readonly index: number; readonly generation: number; readonly world: number';
   return `${heading}
 /** x and y. */
 export type Vec2 = readonly [number, number] | { readonly x: number; readonly y: number };
@@ -138,7 +142,8 @@ export type Vector = readonly [x: number, y: number] & { readonly x: number; rea
 /** A value of which no member is missing, as the module gives it. */
 export type Full<T> = T extends Vec2 ? Vector : T extends readonly (infer U)[] ? Full<U>[]
   : T extends BodyId | ShapeId | JointId | FieldId | Random | MotionPath | Function ? T : T extends object ? FullObject<T> : T;
-type FullObject<T> = { [K in keyof T as Given<T, K> extends never ? never : K]-?: K extends BitsMember ? bigint : Full<Given<T, K>> } & { [K in keyof T as Given<T, K> extends never ? K : never]?: never };
+type FullObject<T> = { [K in keyof T as Given<T, K> extends never ? never : K]-?: K extends BitsMember ? bigint : Full<Given<T, K>> }
+  & { [K in keyof T as Given<T, K> extends never ? K : never]?: never };
 type BitsMember = ${bitsMembers(schema)};
 type Given<T, K extends keyof T> = Exclude<T[K], undefined>;
 /** Exactly one of the members. */

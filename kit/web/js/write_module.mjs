@@ -19,6 +19,10 @@ function hashOf(text) {
   return hash;
 }
 
+/** Each after those that it imports. */
+const runtimeFiles = ['refusals.js', 'ids.js', 'hints.js', 'writer.js', 'vectors.js', 'reader.js', 'guards.js', 'shown.js',
+                      'poses_before.js', 'runtime.js'];
+
 /** The schema, in which a tag is a kind of its own: a label that is compared, no bits that are combined. */
 function schemaIn(file) {
   const schema = JSON.parse(readFileSync(file, 'utf8')), isTag = name => /tag$/i.test(name);
@@ -43,8 +47,7 @@ function writeHash(schemaFile, header) {
 
 function writeModule(schemaFile, wasm, kit, folder, version) {
   const schema = schemaIn(schemaFile), text = compact(schema);
-  const runtime = joined(here, ['refusals.js', 'ids.js', 'hints.js', 'writer.js', 'vectors.js', 'reader.js', 'guards.js', 'shown.js',
-                                'poses_before.js', 'runtime.js']), bytes = readFileSync(wasm);
+  const runtime = joined(here, runtimeFiles), bytes = readFileSync(wasm);
   const heading = `// Plumb ${version}, a 2D physics kit. SPDX-License-Identifier: MIT\n` +
     '// Written by the build from the descriptions of the kit.\n';
   const data = `const schema = ${text};\nconst schemaHash = ${hashOf(text)};\n`;

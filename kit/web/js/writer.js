@@ -44,7 +44,8 @@ export function rowWriter(schema, isWorld, numberOfRule) {
     },
     vec(value) {
       const isList = Array.isArray(value), x = isList ? value[0] : value?.x, y = isList ? value[1] : value?.y;
-      if (typeof x !== 'number' || typeof y !== 'number' || isList && value.length !== 2) throw new Refusal(`${show(value)} is not [x, y]`);
+      if (typeof x !== 'number' || typeof y !== 'number' || isList && value.length !== 2)
+        throw new Refusal(`${show(value)} is not [x, y]`);
       write(x);
       write(y);
     },
